@@ -1,0 +1,106 @@
+// A scene file as plain data: what to draw, from where, in what light. Metres, seconds, degrees; +Y up.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace demos {
+
+using Vec3 = std::array<double, 3>;
+
+/// A place in a file and what is wrong there: "harbour.toml:12: water.waves.wind_m_s is -3, expected 0 to 60".
+struct Error {
+    std::string text;
+};
+
+struct SkyDesc {
+    std::filesystem::path file;   ///< lat-long HDR or EXR, absolute
+    double rotationDeg = 0;       ///< turns it about +Y
+    double intensity = 1;         ///< radiance scale
+};
+
+struct SunDesc {
+    bool fromSky = false;   ///< take direction and irradiance from the brightest spot of the sky, ignoring the rest here
+    double azimuthDeg = 0;    ///< of the sun, from +X towards +Z
+    double elevationDeg = 30; ///< above the horizon
+    Vec3 irradiance = {3, 3, 3};
+};
+
+struct MeshDesc {
+    std::filesystem::path file;   ///< glTF, absolute
+    Vec3 positionM = {0, 0, 0};
+    double yawDeg = 0;
+    double scale = 1;
+};
+
+struct WavesDesc {
+    std::string spectrum = "jonswap";   ///< jonswap | pierson-moskowitz
+    double windMps = 10;
+    double windTowardsDeg = 0;   ///< from +X towards +Z
+    double fetchM = 300e3;
+    double peakEnhancement = 3.3;
+    double swell = 0;
+    double choppiness = 1;
+    uint32_t samples = 256;
+    uint32_t cascades = 3;
+    double largestPatchM = 0;
+    uint64_t seed = 1;
+};
+
+struct FoamDesc {
+    double threshold = 0.55;
+    double albedo = 0.6;
+};
+
+struct RefractionDesc {
+    Vec3 absorptionPerM = {0.340, 0.0565, 0.0092};
+    Vec3 backscatterPerM = {0.0011, 0.0016, 0.0028};
+    double distortion = 1;
+};
+
+struct ReflectionDesc {
+    std::string technique = "sspr";   ///< sky | sspr
+    double edgeFade = 0.08;
+    double distortion = 1;
+};
+
+struct WaterDesc {
+    double levelM = 0;
+    double cellM = 0.25;
+    uint32_t cellsPerLevel = 128;
+    std::optional<WavesDesc> waves;
+    std::optional<FoamDesc> foam;
+    std::optional<RefractionDesc> refraction;
+    std::optional<ReflectionDesc> reflection;
+};
+
+struct CameraDesc {
+    std::string name;
+    Vec3 positionM = {0, 2, 0};
+    Vec3 targetM = {0, 2, -1};
+    double rollDeg = 0;
+    double verticalFovDeg = 45;
+    double nearM = 0.1;
+};
+
+struct Scene {
+    std::filesystem::path file;
+    std::string title;
+    double timeS = 0;
+    double exposureEv = 0;   ///< stops added before tone mapping
+    SkyDesc sky;
+    SunDesc sun;
+    std::vector<MeshDesc> meshes;
+    std::optional<WaterDesc> water;
+    std::vector<CameraDesc> cameras;   ///< at least one; the first is the default
+};
+
+/// Reads a scene file, with "path=value" overrides (values in TOML syntax; a bare word is taken as a string) applied
+/// before it is checked. A camera is addressed by name: camera.low.vertical_fov_deg=60.
+std::optional<Scene> loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides, Error& error);
+
+} // namespace demos
