@@ -1,0 +1,165 @@
+#!/usr/bin/python3
+"""Makes the skies of the demo scenes: harbour_sky.exr and ocean_sky.exr, and prints the suns that belong to them.
+
+Lat-long, linear, 2:1. Row 0 looks straight up (+Y), the last row straight down; column x looks along azimuth
+360 (x + 0.5) / width degrees, from +X towards +Z. The sun's disc is left out: the renderer adds it.
+
+    make_skies.py [name ...]
+"""
+import pathlib
+import sys
+from dataclasses import dataclass, field
+
+import numpy as np
+import OpenImageIO as oiio
+
+from sky.atmosphere import Atmosphere
+from sky.clouds import CloudDesc, Clouds
+
+WIDTH, HEIGHT = 2048, 1024
+ROWS = 32   # worked on at once
+LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
+
+
+@dataclass
+class SkyDesc:
+    sunAzimuthDeg: float
+    sunElevationDeg: float
+    haze: float                # 1 is clean air
+    meanLuminance: float       # of the upper half: sets the scale of everything
+    ground: tuple              # what lies below the haze of the horizon, as a share of the horizon's light
+    clouds: CloudDesc = field(default_factory=CloudDesc)
+
+
+SKIES = {
+    "harbour": SkyDesc(
+        sunAzimuthDeg=48, sunElevationDeg=14, haze=2.2, meanLuminance=0.33, ground=(0.16, 0.19, 0.20),
+        clouds=CloudDesc(seed=5, coverage=0.56, cirrus=0.32)),
+    "ocean": SkyDesc(
+        sunAzimuthDeg=298, sunElevationDeg=8, haze=2.0, meanLuminance=0.33, ground=(0.12, 0.15, 0.17),
+        clouds=CloudDesc(seed=9, coverage=0.60, baseM=1000, thicknessM=1300, cirrus=0.4)),
+}
+
+
+def directions(width, height):
+    """Unit vectors [height, width, 3] of the picture's pixels."""
+    elevation = np.pi / 2 - np.pi * (np.arange(height) + 0.5) / height
+    azimuth = 2 * np.pi * (np.arange(width) + 0.5) / width
+    e, a = np.meshgrid(elevation, azimuth, indexing="ij")
+    return np.stack([np.cos(e) * np.cos(a), np.sin(e), np.cos(e) * np.sin(a)], -1)
+
+
+def sunDirection(desc):
+    e, a = np.radians(desc.sunElevationDeg), np.radians(desc.sunAzimuthDeg)
+    return np.array([np.cos(e) * np.cos(a), np.sin(e), np.cos(e) * np.sin(a)])
+
+
+def clearSky(air, desc, d):
+    toSun = sunDirection(desc)
+    away = np.cos(np.arctan2(d[..., 2], d[..., 0]) - np.radians(desc.sunAzimuthDeg))
+    return air.sky(d[..., 1], away, np.clip(d @ toSun, -1, 1))
+
+
+def upperHalf(air, desc, d):
+    """Radiance of the rows above the horizon without and with clouds, for a sun of irradiance 1 outside the air."""
+    toSun = sunDirection(desc)
+    clouds = Clouds(desc.clouds)
+    clear = clearSky(air, desc, d)
+    skylight = irradiance(clear, d)
+    sunlight = air.sunIrradiance(desc.clouds.baseM + desc.clouds.thicknessM / 2)
+    groundlight = 0.12 * (skylight + air.sunIrradiance() * toSun[1])
+    layer = np.empty(d.shape[:2] + (5,))
+    behind = np.empty_like(clear)
+    for row in range(0, d.shape[0], ROWS):
+        part = slice(row, row + ROWS)
+        rays = d[part].reshape(-1, 3)
+        light, opacity, distance = clouds.cirrus(rays, toSun, air.sunIrradiance(desc.clouds.cirrusHeightM), skylight)
+        behind[part] = through(air, clear[part], *shaped(d[part], light, opacity, distance * 0.25))
+        light, opacity, distance = clouds.march(rays, toSun, sunlight, skylight, groundlight, spread(d[part].shape, row))
+        layer[part] = np.concatenate(shaped(d[part], light, opacity[:, None], distance[:, None] * opacity[:, None]), -1)
+    layer = soften(layer)
+    distance = layer[..., 4] / np.maximum(layer[..., 3], 1e-4)
+    return clear, through(air, behind, layer[..., :3], layer[..., 3], distance)
+
+
+def shaped(like, *values):
+    return [v.reshape(like.shape[:2] + v.shape[1:]) for v in values]
+
+
+def spread(shape, row):
+    """Where in its first step each ray of a block starts, 0..1: neighbours differ as much as they can (R2 sequence)."""
+    y, x = np.mgrid[row:row + shape[0], 0:shape[1]]
+    return ((0.7548776662 * x + 0.5698402910 * y) % 1).ravel()
+
+
+def soften(layer):
+    """A tent over 3 by 3 pixels: takes out the pattern that spread() leaves."""
+    layer = (np.roll(layer, 1, 1) + 2 * layer + np.roll(layer, -1, 1)) / 4
+    rows = np.concatenate([layer[:1], layer, layer[-1:]])
+    return (rows[:-2] + 2 * rows[1:-1] + rows[2:]) / 4
+
+
+def through(air, behind, light, opacity, distance):
+    """A cloud in front of the sky, with the air between it and the eye."""
+    clear = air.airlight(distance)
+    return behind * (1 - opacity[..., None]) + clear * light + (1 - clear) * behind * opacity[..., None]
+
+
+def irradiance(radiance, d):
+    """On the level ground."""
+    weight = np.sqrt(1 - d[..., 1] ** 2) * (np.pi / HEIGHT) * (2 * np.pi / WIDTH)
+    return np.einsum("yxc,yx,yx->c", radiance, weight, d[..., 1])
+
+
+def lowerHalf(horizon, d, ground):
+    """The horizon's light fading downwards into haze and then water."""
+    down = np.degrees(-np.arcsin(d[..., 1]))[..., None]
+    kernel = np.hanning(129)
+    wide = np.concatenate([horizon[-64:], horizon, horizon[:64]])
+    soft = np.stack([np.convolve(wide[:, c], kernel / kernel.sum(), "valid") for c in range(3)], -1)
+    mean = soft.mean(0)
+    level = soft[None] + (mean - soft[None]) * (1 - np.exp(-down / 25))
+    sharp = horizon[None] * np.exp(-down / 1.0) + level * (1 - np.exp(-down / 1.0))
+    fade = np.exp(-down / 5)
+    return sharp * (fade + (1 - fade) * np.array(ground))
+
+
+def makeSky(name, desc, folder):
+    air = Atmosphere(desc.haze, desc.sunElevationDeg)
+    d = directions(WIDTH, HEIGHT)
+    half = HEIGHT // 2
+    clear, upper = upperHalf(air, desc, d[:half])
+    area = np.sqrt(1 - d[:half, :, 1] ** 2)
+    scale = desc.meanLuminance / ((upper @ LUMINANCE * area).sum() / area.sum())
+    picture = np.concatenate([upper, lowerHalf(clear[-1], d[half:], desc.ground)]) * scale
+    assert np.isfinite(picture).all() and picture.min() >= 0
+    path = folder / f"{name}_sky.exr"
+    write(path, picture.astype(np.float32))
+    sun = air.sunIrradiance() * scale
+    sky = irradiance(upper, d[:half]) * scale
+    print(f"{path.name}: {path.stat().st_size} bytes, greatest radiance {picture.max():.2f}")
+    print(f"  [sun] azimuth_deg = {desc.sunAzimuthDeg}, elevation_deg = {desc.sunElevationDeg}, "
+          f"irradiance = [{sun[0]:.3f}, {sun[1]:.3f}, {sun[2]:.3f}]")
+    print(f"  sky irradiance on the level ground [{sky[0]:.3f}, {sky[1]:.3f}, {sky[2]:.3f}]")
+
+
+def write(path, picture):
+    spec = oiio.ImageSpec(picture.shape[1], picture.shape[0], 3, oiio.HALF)
+    spec.attribute("compression", "dwab:70")
+    spec.attribute("DateTime", "")
+    out = oiio.ImageOutput.create(str(path))
+    if not out or not out.open(str(path), spec) or not out.write_image(picture):
+        sys.exit(f"{path}: {oiio.geterror() or out.geterror()}")
+    out.close()
+
+
+def main():
+    names = sys.argv[1:] or list(SKIES)
+    for name in names:
+        if name not in SKIES:
+            sys.exit(f"make_skies.py: no sky called '{name}', expected one of {', '.join(SKIES)}")
+        makeSky(name, SKIES[name], pathlib.Path(__file__).parent)
+
+
+if __name__ == "__main__":
+    main()
