@@ -3,6 +3,8 @@ function(seaglass_target target)
   target_compile_features(${target} PRIVATE cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion
+    # Vulkan's structs are begun by their sType alone; the rest is zero by the language.
+    -Wno-missing-field-initializers
     # A fused multiply-add that only some machines have would make their results differ.
     -ffp-contract=off
     $<$<BOOL:${SEAGLASS_WARNINGS_AS_ERRORS}>:-Werror>)

@@ -1,9 +1,10 @@
-// What a host renderer hands to Seaglass: its device, its images, its camera. Shared by the reflection and the
-// water library. Plain data, no owned memory: every struct is copied before the call that takes it returns.
+// What a host renderer hands to Seaglass: its device, its images, its camera. Shared by the reflection and
+// the water library. Plain data, no owned memory: every struct is copied before the call that takes it
+// returns.
 //
-// World: right-handed, metres. Matrices are column-major and multiply column vectors; they are double because a
-// float matrix cannot hold a camera 100 km from the origin (it steps by 8 mm there). Colours are linear, HDR,
-// in the host's own radiometric scale; nothing in Seaglass depends on that scale.
+// World: right-handed, metres. Matrices are column-major and multiply column vectors; they are double because
+// a float matrix cannot hold a camera 100 km from the origin (it steps by 8 mm there). Colours are linear,
+// HDR, in the host's own radiometric scale; nothing in Seaglass depends on that scale.
 #ifndef SEAGLASS_HOST_H
 #define SEAGLASS_HOST_H
 
@@ -13,14 +14,14 @@
 namespace seaglass {
 
 /// Every call that can fail returns one of these; what exactly was wrong goes to DeviceDesc::message.
-enum class [[nodiscard]] Status : int32_t {
+enum class [[nodiscard]] Status : int32_t{
     ok = 0,
-    invalidArgument,     ///< a field is null, not finite or out of its stated range; nothing was done
-    unsupported,         ///< the device lacks a feature, format or limit that the call needs
-    outOfHostMemory,     ///< nothing was created
-    outOfDeviceMemory,   ///< nothing was created
-    deviceLost,          ///< terminal: destroy everything
-    vulkanError,         ///< another VkResult, named in the message
+    invalidArgument,   ///< a field is null, not finite or out of its stated range; nothing was done
+    unsupported,       ///< the device lacks a feature, format or limit that the call needs
+    outOfHostMemory,   ///< nothing was created
+    outOfDeviceMemory, ///< nothing was created
+    deviceLost,        ///< terminal: destroy everything
+    vulkanError,       ///< another VkResult, named in the message
 };
 
 /// The name of a status, for logs. Never null.
@@ -32,8 +33,8 @@ struct MessageCallback {
     void* user = nullptr;
 };
 
-/// Called while recording, before and after the commands of each GPU pass: a place for the host's timestamps or
-/// debug labels. `pass` is a literal such as "sspr_scatter".
+/// Called while recording, before and after the commands of each GPU pass: a place for the host's timestamps
+/// or debug labels. `pass` is a literal such as "sspr_scatter".
 struct PassCallback {
     void (*function)(void* user, VkCommandBuffer commands, const char* pass, bool begins) = nullptr;
     void* user = nullptr;
@@ -43,13 +44,14 @@ struct PassCallback {
 struct DeviceDesc {
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE;                            ///< created with what requirements() asks for
-    PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;     ///< the loader's; Seaglass links no Vulkan symbol
-    uint32_t framesInFlight = 2;                                 ///< 1 to 4: frame slots that may be pending at once
-    VkPipelineCache pipelineCache = VK_NULL_HANDLE;              ///< optional
-    const VkAllocationCallbacks* allocator = nullptr;            ///< optional; copied
-    MessageCallback message;                                     ///< optional
-    PassCallback pass;                                           ///< optional
+    VkDevice device = VK_NULL_HANDLE; ///< created with what requirements() asks for
+    PFN_vkGetInstanceProcAddr getInstanceProcAddr =
+        nullptr;                                      ///< the loader's; Seaglass links no Vulkan symbol
+    uint32_t framesInFlight = 2;                      ///< 1 to 4: frame slots that may be pending at once
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE;   ///< optional
+    const VkAllocationCallbacks* allocator = nullptr; ///< optional; copied
+    MessageCallback message;                          ///< optional
+    PassCallback pass;                                ///< optional
 };
 
 /// What the device must have been created with: chain `features13` behind `features` for vkCreateDevice.
@@ -62,22 +64,23 @@ struct Requirements {
 /// Says what Seaglass needs switched on, before the device exists. Any thread.
 void requirements(Requirements* out);
 
-/// Checks a physical device against requirements(), formats and limits included. On `unsupported`, the first thing
-/// missing is named through `message`. Any thread.
+/// Checks a physical device against requirements(), formats and limits included. On `unsupported`, the first
+/// thing missing is named through `message`. Any thread.
 Status checkSupport(VkInstance instance, VkPhysicalDevice physicalDevice,
                     PFN_vkGetInstanceProcAddr getInstanceProcAddr, MessageCallback message);
 
-/// Holds pipelines, samplers and per-frame memory on one device. No global state: several contexts may share a
-/// device, each used by one thread at a time.
+/// Holds pipelines, samplers and per-frame memory on one device. No global state: several contexts may share
+/// a device, each used by one thread at a time.
 struct Context;
 
 Status createContext(const DeviceDesc* desc, Context** out);
-/// The device must have finished all work that was recorded through the context. Null is ignored. Destroy bodies,
-/// reflectors and targets first.
+/// The device must have finished all work that was recorded through the context. Null is ignored. Destroy
+/// bodies, reflectors and targets first.
 void destroyContext(Context* context);
 
-/// Starts a frame in slot 0 .. framesInFlight-1. The host promises that the GPU has finished what was recorded the
-/// last time this slot was used; memory of that time, and objects destroyed then, are taken back now.
+/// Starts a frame in slot 0 .. framesInFlight-1. The host promises that the GPU has finished what was
+/// recorded the last time this slot was used; memory of that time, and objects destroyed then, are taken back
+/// now.
 Status beginFrame(Context* context, uint32_t slot);
 
 /// One of the host's images, as a sampled view. A depth view selects the depth aspect alone.
@@ -85,25 +88,26 @@ struct Image {
     VkImageView view = VK_NULL_HANDLE;
     VkFormat format = VK_FORMAT_UNDEFINED;
     VkExtent2D extent = {0, 0};
-    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;   ///< its layout when sampled; Seaglass never changes it
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; ///< its layout when sampled; Seaglass never changes it
 };
 
 /// One camera in one frame.
 struct ViewDesc {
-    double view[16] = {};         ///< world to view
-    double projection[16] = {};   ///< view to clip. Depth direction, near, far and infinity are read from it
-    VkViewport viewport = {};     ///< as set for drawing, in pixels; a negative height flips; depth range 0..1
-    Image sceneColor;             ///< opaque scene colour, linear
-    Image sceneDepth;             ///< opaque scene depth of the same pixels
-    uint32_t viewIndex = 0;       ///< 0..7: which view of this frame, so that each keeps its own images
+    double view[16] = {};       ///< world to view
+    double projection[16] = {}; ///< view to clip. Depth direction, near, far and infinity are read from it
+    VkViewport viewport = {};   ///< as set for drawing, in pixels; a negative height flips; depth range 0..1
+    Image sceneColor;           ///< opaque scene colour, linear
+    Image sceneDepth;           ///< opaque scene depth of the same pixels
+    uint32_t viewIndex = 0;     ///< 0..7: which view of this frame, so that each keeps its own images
 };
 
 /// Where light comes from.
 struct LightingDesc {
-    double toSun[3] = {0, 1, 0};              ///< unit, world, from the surface towards the sun
-    float sunIrradiance[3] = {0, 0, 0};       ///< on a plane facing the sun
-    float skyIrradiance[3] = {0, 0, 0};       ///< on the water's plane, from the whole sky without the sun
-    VkImageView skyCube = VK_NULL_HANDLE;     ///< radiance, cube view with its whole mip chain, +Y up, the sun left out
+    double toSun[3] = {0, 1, 0};        ///< unit, world, from the surface towards the sun
+    float sunIrradiance[3] = {0, 0, 0}; ///< on a plane facing the sun
+    float skyIrradiance[3] = {0, 0, 0}; ///< on the water's plane, from the whole sky without the sun
+    VkImageView skyCube =
+        VK_NULL_HANDLE; ///< radiance, cube view with its whole mip chain, +Y up, the sun left out
     VkImageLayout skyCubeLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     uint32_t skyCubeMipLevels = 1;
 };

@@ -1,7 +1,7 @@
 // Screen-space planar reflections (SSPR) for water, floors and mirrors. Usable without the water library.
 //
-// For each view a Reflector gives two images of the view's size: `color`, the scene as the plane mirrors it at each
-// pixel, and `info`, what is known about it. Whoever shades the surface looks them up (see
+// For each view a Reflector gives two images of the view's size: `color`, the scene as the plane mirrors it
+// at each pixel, and `info`, what is known about it. Whoever shades the surface looks them up (see
 // shaders/common/reflection_lookup.glsl) and bends the lookup by its own normals.
 #ifndef SEAGLASS_REFLECTION_H
 #define SEAGLASS_REFLECTION_H
@@ -11,19 +11,21 @@
 namespace seaglass {
 
 enum class ReflectionTechnique : uint32_t {
-    sky = 0,    ///< the environment cube alone; costs nothing
-    sspr = 1,   ///< scene pixels scattered to where the plane mirrors them
+    sky = 0,  ///< the environment cube alone; costs nothing
+    sspr = 1, ///< scene pixels scattered to where the plane mirrors them
 };
 
 struct ReflectionDesc {
     ReflectionTechnique technique = ReflectionTechnique::sspr;
-    float edgeFade = 0.08f;   ///< share of the picture's height over which borrowed pixels fade out at its border, 0..0.5
-    /// How far along the reflection of the normal's tilt is followed, 0 (flat mirror) .. 1 (as geometry says).
+    float edgeFade =
+        0.08f; ///< share of the picture's height over which borrowed pixels fade out at its border, 0..0.5
+    /// How far along the reflection of the normal's tilt is followed, 0 (flat mirror) .. 1 (as geometry
+    /// says).
     float distortion = 1.0f;
 };
 
 struct ReflectorDesc {
-    double plane[4] = {0, 1, 0, 0};   ///< n.p + d = 0 in the world; any scale but zero
+    double plane[4] = {0, 1, 0, 0}; ///< n.p + d = 0 in the world; any scale but zero
     ReflectionDesc reflection;
 };
 
@@ -31,28 +33,30 @@ struct Reflector;
 
 /// Transactional; allocates no image until the first reflect().
 Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** out);
-/// May be called while the GPU still uses it: memory is given back when its frame slot comes round. Null is ignored.
+/// May be called while the GPU still uses it: memory is given back when its frame slot comes round. Null is
+/// ignored.
 void destroyReflector(Reflector* reflector);
 
-/// What reflect() left for a view. Both images are in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, visible to fragment
-/// and compute shaders, and valid until this view is reflected again.
+/// What reflect() left for a view. Both images are in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, visible to
+/// fragment and compute shaders, and valid until this view is reflected again.
 struct ReflectionImages {
     VkImage colorImage = VK_NULL_HANDLE;
-    VkImageView color = VK_NULL_HANDLE;   ///< RGBA16F: radiance, confidence 0..1
+    VkImageView color = VK_NULL_HANDLE; ///< RGBA16F: radiance, confidence 0..1
     VkImage infoImage = VK_NULL_HANDLE;
-    VkImageView info = VK_NULL_HANDLE;    ///< RG32F: distance from mirror to hit [m], class (ReflectionClass)
+    VkImageView info = VK_NULL_HANDLE; ///< RG32F: distance from mirror to hit [m], class (ReflectionClass)
     VkExtent2D extent = {0, 0};
 };
 
 enum class ReflectionClass : uint32_t {
-    unknown = 0,   ///< the plane is not seen here, or nothing on the screen tells what it mirrors
-    sky = 1,       ///< proven to mirror the far plane: use the sky
-    hit = 2,       ///< `color` holds what is mirrored
+    unknown = 0, ///< the plane is not seen here, or nothing on the screen tells what it mirrors
+    sky = 1,     ///< proven to mirror the far plane: use the sky
+    hit = 2,     ///< `color` holds what is mirrored
 };
 
 /// Records the reflection of `view` for each reflector. Outside any render pass. Reads view.sceneColor and
-/// view.sceneDepth in compute shaders: the host has made them visible there (VK_ACCESS_2_SHADER_SAMPLED_READ).
-/// Allocates when a view's size changes. With technique `sky` nothing is recorded.
+/// view.sceneDepth in compute shaders: the host has made them visible there
+/// (VK_ACCESS_2_SHADER_SAMPLED_READ). Allocates when a view's size changes. With technique `sky` nothing is
+/// recorded.
 Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t count, const ViewDesc* view);
 
 /// The images of a view index, null handles where it has not been reflected.

@@ -1,7 +1,8 @@
-// Water bodies: an FFT-displaced sea, its reflection, refraction and foam, recorded into the host's command buffer.
+// Water bodies: an FFT-displaced sea, its reflection, refraction and foam, recorded into the host's command
+// buffer.
 //
-// A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> (host begins its pass) -> draw.
-// The library never submits, never waits and keeps no global state.
+// A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> (host begins its pass) ->
+// draw. The library never submits, never waits and keeps no global state.
 #ifndef SEAGLASS_WATER_H
 #define SEAGLASS_WATER_H
 
@@ -12,8 +13,8 @@ namespace seaglass {
 
 /// Foam on breaking crests, from the Jacobian of the horizontal displacement.
 struct FoamDesc {
-    float threshold = 0.55f;      ///< Jacobian below which the surface counts as breaking, -1..1
-    float albedo = 0.6f;          ///< diffuse albedo of full foam, 0..1 (Koepke 1984: fresh foam about 0.5)
+    float threshold = 0.55f; ///< Jacobian below which the surface counts as breaking, -1..1
+    float albedo = 0.6f;     ///< diffuse albedo of full foam, 0..1 (Koepke 1984: fresh foam about 0.5)
 };
 
 /// Light that enters the water. Coefficients are per metre, red, green, blue.
@@ -22,23 +23,25 @@ struct RefractionDesc {
     float absorption[3] = {0.340f, 0.0565f, 0.0092f};
     /// Backscattering of clear sea water. 0..100.
     float backscatter[3] = {0.0011f, 0.0016f, 0.0028f};
-    float distortion = 1.0f;   ///< 0 looks straight through; 1 bends as Snell says
+    float distortion = 1.0f; ///< 0 looks straight through; 1 bends as Snell says
 };
 
 /// How finely the surface is meshed.
 struct MeshDesc {
-    float cellSize = 0.25f;        ///< edge of the finest cells around the eye [m], 0.01..100
-    uint32_t cellsPerLevel = 128;  ///< cells across one level of detail, 32..512, multiple of 32
+    float cellSize = 0.25f;       ///< edge of the finest cells around the eye [m], 0.01..100
+    uint32_t cellsPerLevel = 128; ///< cells across one level of detail, 32..512, multiple of 32
 };
 
-/// One water body. A null feature costs nothing: no memory, no pipeline, no dispatch. Copied, pointees included.
+/// One water body. A null feature costs nothing: no memory, no pipeline, no dispatch. Copied, pointees
+/// included.
 struct BodyDesc {
-    double plane[4] = {0, 1, 0, 0};              ///< the calm surface, n.p + d = 0; at present n must be +Y
-    const WavesBackend* wavesBackend = nullptr;  ///< needed with `waves`: e.g. fftwWaves() of seaglass/waves_fftw.h
-    const SeaDesc* waves = nullptr;              ///< null: flat as glass
-    const FoamDesc* foam = nullptr;              ///< needs `waves`
-    const RefractionDesc* refraction = nullptr;  ///< null: opaque, and sceneColor is not read
-    const ReflectionDesc* reflection = nullptr;  ///< null: the sky cube alone
+    double plane[4] = {0, 1, 0, 0}; ///< the calm surface, n.p + d = 0; at present n must be +Y
+    const WavesBackend* wavesBackend =
+        nullptr;                    ///< needed with `waves`: e.g. fftwWaves() of seaglass/waves_fftw.h
+    const SeaDesc* waves = nullptr; ///< null: flat as glass
+    const FoamDesc* foam = nullptr; ///< needs `waves`
+    const RefractionDesc* refraction = nullptr; ///< null: opaque, and sceneColor is not read
+    const ReflectionDesc* reflection = nullptr; ///< null: the sky cube alone
     MeshDesc mesh;
 };
 
@@ -53,8 +56,8 @@ struct TargetDesc {
     VkFormat colorFormat = VK_FORMAT_UNDEFINED;
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-    bool reversedDepth = true;                  ///< nearer is greater: how the host's depth test runs
-    VkRenderPass renderPass = VK_NULL_HANDLE;   ///< null: dynamic rendering
+    bool reversedDepth = true;                ///< nearer is greater: how the host's depth test runs
+    VkRenderPass renderPass = VK_NULL_HANDLE; ///< null: dynamic rendering
     uint32_t subpass = 0;
 };
 
@@ -63,8 +66,8 @@ struct Target;
 Status createTarget(Context* context, const TargetDesc* desc, Target** out);
 void destroyTarget(Target* target);
 
-/// Sets the bodies' surfaces to `time` and records the upload or dispatches. Outside any render pass, once a frame.
-/// Work on the CPU happens here when the backend is a CPU one.
+/// Sets the bodies' surfaces to `time` and records the upload or dispatches. Outside any render pass, once a
+/// frame. Work on the CPU happens here when the backend is a CPU one.
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time);
 
 /// Records the reflections of `view`; as reflect() for reflectors. Outside any render pass.
@@ -73,20 +76,20 @@ Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, co
 /// What draw() writes. Everything but `shaded` is for looking at and measuring the inputs.
 enum class SurfaceOutput : uint32_t {
     shaded = 0,
-    reflection,        ///< what the surface mirrors, before Fresnel
-    reflectionClass,   ///< red: unknown, blue: sky, green: hit
-    height,            ///< height above the calm plane [m], in red
-    normal,            ///< unit world normal
-    foam,              ///< coverage 0..1, in red
+    reflection,      ///< what the surface mirrors, before Fresnel
+    reflectionClass, ///< red: unknown, blue: sky, green: hit
+    height,          ///< height above the calm plane [m], in red
+    normal,          ///< unit world normal
+    foam,            ///< coverage 0..1, in red
 };
 
-/// Draws the bodies into the pass that the host has begun: a colour attachment and a depth attachment with test and
-/// write, of the target's formats. Reads view.sceneColor and view.sceneDepth in fragment shaders, so they must not be
-/// the attachments written (a copy of the colour; depth may be a read-only attachment or a copy).
-/// Leaves pipeline, descriptor sets, push constants and index buffer bound to its own; the viewport and scissor are
-/// set from the view.
-Status draw(VkCommandBuffer commands, const Target* target, Body* const* bodies, uint32_t count, const ViewDesc* view,
-            const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
+/// Draws the bodies into the pass that the host has begun: a colour attachment and a depth attachment with
+/// test and write, of the target's formats. Reads view.sceneColor and view.sceneDepth in fragment shaders, so
+/// they must not be the attachments written (a copy of the colour; depth may be a read-only attachment or a
+/// copy). Leaves pipeline, descriptor sets, push constants and index buffer bound to its own; the viewport
+/// and scissor are set from the view.
+Status draw(VkCommandBuffer commands, const Target* target, Body* const* bodies, uint32_t count,
+            const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
 /// The reflection images of a body, null handles where it has none.
 ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex);

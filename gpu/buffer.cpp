@@ -1,0 +1,64 @@
+#include "gpu/buffer.h"
+
+namespace seaglass::gpu {
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept {
+    if (this == &other) return *this;
+    release();
+    device_ = std::exchange(other.device_, nullptr);
+    buffer_ = std::exchange(other.buffer_, VK_NULL_HANDLE);
+    memory_ = std::exchange(other.memory_, VK_NULL_HANDLE);
+    size_ = std::exchange(other.size_, 0);
+    mapped_ = std::exchange(other.mapped_, nullptr);
+    return *this;
+}
+
+void Buffer::release() {
+    if (!device_) return;
+    device_->vk().DestroyBuffer(device_->handle(), buffer_, device_->allocator());
+    device_->vk().FreeMemory(device_->handle(), memory_, device_->allocator());
+    device_ = nullptr;
+}
+
+Status Buffer::allocate(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage,
+                        VkMemoryPropertyFlags memory, const char* what) {
+    release();
+    device_ = &device;
+    buffer_ = VK_NULL_HANDLE;
+    memory_ = VK_NULL_HANDLE;
+    size_ = size;
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = size;
+    info.usage = usage;
+    const DeviceTable& vk = device.vk();
+    if (const Status s =
+            device.check(vk.CreateBuffer(device.handle(), &info, device.allocator(), &buffer_), what);
+        s != Status::ok)
+        return s;
+    VkMemoryRequirements needs{};
+    vk.GetBufferMemoryRequirements(device.handle(), buffer_, &needs);
+    VkMemoryAllocateInfo allocation{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+    allocation.allocationSize = needs.size;
+    allocation.memoryTypeIndex = device.memoryType(needs.memoryTypeBits, memory);
+    if (allocation.memoryTypeIndex == ~0u)
+        return device.fail(Status::unsupported, "%s: no fitting memory type", what);
+    if (const Status s =
+            device.check(vk.AllocateMemory(device.handle(), &allocation, device.allocator(), &memory_), what);
+        s != Status::ok)
+        return s;
+    return device.check(vk.BindBufferMemory(device.handle(), buffer_, memory_, 0), what);
+}
+
+Status Buffer::create(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage, const char* what) {
+    return allocate(device, size, usage, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, what);
+}
+
+Status Buffer::createMapped(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage,
+                            const char* what) {
+    const VkMemoryPropertyFlags memory =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    if (const Status s = allocate(device, size, usage, memory, what); s != Status::ok) return s;
+    return device.check(device.vk().MapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_), what);
+}
+
+} // namespace seaglass::gpu

@@ -1,0 +1,39 @@
+// A buffer with its own memory.
+#pragma once
+
+#include <utility>
+
+#include "gpu/device.h"
+
+namespace seaglass::gpu {
+
+class Buffer {
+  public:
+    Buffer() = default;
+    ~Buffer() { release(); }
+    Buffer(Buffer&& other) noexcept { *this = std::move(other); }
+    Buffer& operator=(Buffer&& other) noexcept;
+
+    /// Device-local memory.
+    Status create(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage, const char* what);
+    /// Host-visible, coherent and mapped for as long as the buffer lives: no flush, so no nonCoherentAtomSize
+    /// to heed.
+    Status createMapped(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage, const char* what);
+
+    VkBuffer handle() const { return buffer_; }
+    VkDeviceSize size() const { return size_; }
+    void* mapped() const { return mapped_; }
+
+  private:
+    Status allocate(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage,
+                    VkMemoryPropertyFlags memory, const char* what);
+    void release();
+
+    const Device* device_ = nullptr;
+    VkBuffer buffer_ = VK_NULL_HANDLE;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    VkDeviceSize size_ = 0;
+    void* mapped_ = nullptr;
+};
+
+} // namespace seaglass::gpu

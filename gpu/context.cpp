@@ -1,0 +1,78 @@
+#include "gpu/context.h"
+
+#include <new>
+
+namespace seaglass {
+
+const char* toString(Status status) {
+    switch (status) {
+    case Status::ok:
+        return "ok";
+    case Status::invalidArgument:
+        return "invalid argument";
+    case Status::unsupported:
+        return "unsupported";
+    case Status::outOfHostMemory:
+        return "out of host memory";
+    case Status::outOfDeviceMemory:
+        return "out of device memory";
+    case Status::deviceLost:
+        return "device lost";
+    case Status::vulkanError:
+        return "Vulkan error";
+    }
+    return "unknown status";
+}
+
+namespace {
+
+const char* badField(const DeviceDesc& desc) {
+    if (!desc.instance) return "DeviceDesc.instance is null";
+    if (!desc.physicalDevice) return "DeviceDesc.physicalDevice is null";
+    if (!desc.device) return "DeviceDesc.device is null";
+    if (!desc.getInstanceProcAddr) return "DeviceDesc.getInstanceProcAddr is null";
+    if (desc.framesInFlight < 1 || desc.framesInFlight > 4)
+        return "DeviceDesc.framesInFlight is out of range, expected 1 to 4";
+    return nullptr;
+}
+
+} // namespace
+
+Status createContext(const DeviceDesc* desc, Context** out) {
+    if (!desc || !out) return Status::invalidArgument;
+    *out = nullptr;
+    if (const char* bad = badField(*desc)) {
+        if (desc->message.function) desc->message.function(desc->message.user, bad);
+        return Status::invalidArgument;
+    }
+    if (const Status s =
+            checkSupport(desc->instance, desc->physicalDevice, desc->getInstanceProcAddr, desc->message);
+        s != Status::ok)
+        return s;
+    std::unique_ptr<Context> context(new (std::nothrow) Context);
+    if (!context) return Status::outOfHostMemory;
+    if (const Status s = context->device.init(*desc); s != Status::ok) return s;
+    if (const Status s = context->samplers.create(context->device); s != Status::ok) return s;
+    context->frameCount = desc->framesInFlight;
+    for (gpu::Frame& frame : context->frames) frame.init(context->device);
+    *out = context.release();
+    return Status::ok;
+}
+
+void destroyContext(Context* context) {
+    if (!context) return;
+    // Retired objects may share pipelines, which need the device: let go of them first.
+    for (gpu::Frame& frame : context->frames) frame.releaseRetired();
+    delete context;
+}
+
+Status beginFrame(Context* context, uint32_t slot) {
+    if (!context) return Status::invalidArgument;
+    if (slot >= context->frameCount)
+        return context->device.fail(Status::invalidArgument, "beginFrame: slot is %u, expected 0 to %u", slot,
+                                    context->frameCount - 1);
+    context->slot = slot;
+    return context->frame().begin();
+}
+
+} // namespace seaglass

@@ -1,0 +1,75 @@
+#include "gpu/device.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace seaglass::gpu {
+
+Status Device::init(const DeviceDesc& desc) {
+    physicalDevice_ = desc.physicalDevice;
+    device_ = desc.device;
+    pipelineCache_ = desc.pipelineCache;
+    message_ = desc.message;
+    pass_ = desc.pass;
+    if (desc.allocator) {
+        allocator_ = *desc.allocator;
+        hasAllocator_ = true;
+    }
+    if (const char* missing = load(instanceTable_, desc.instance, desc.getInstanceProcAddr))
+        return fail(Status::unsupported, "the Vulkan loader has no %s", missing);
+    if (const char* missing = load(table_, desc.device, instanceTable_.GetDeviceProcAddr))
+        return fail(Status::unsupported, "the device has no %s; Vulkan 1.3 is needed", missing);
+    VkPhysicalDeviceProperties properties{};
+    instanceTable_.GetPhysicalDeviceProperties(physicalDevice_, &properties);
+    limits_ = properties.limits;
+    instanceTable_.GetPhysicalDeviceMemoryProperties(physicalDevice_, &memory_);
+    return Status::ok;
+}
+
+VkFormatFeatureFlags Device::optimalFeatures(VkFormat format) const {
+    VkFormatProperties properties{};
+    instanceTable_.GetPhysicalDeviceFormatProperties(physicalDevice_, format, &properties);
+    return properties.optimalTilingFeatures;
+}
+
+uint32_t Device::memoryType(uint32_t allowedBits, VkMemoryPropertyFlags wanted) const {
+    for (uint32_t i = 0; i < memory_.memoryTypeCount; ++i)
+        if ((allowedBits >> i & 1u) && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
+    return ~0u;
+}
+
+Status Device::fail(Status status, const char* format, ...) const {
+    if (!message_.function) return status;
+    char text[512];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    message_.function(message_.user, text);
+    return status;
+}
+
+Status Device::check(VkResult result, const char* what) const {
+    switch (result) {
+    case VK_SUCCESS:
+        return Status::ok;
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+        return fail(Status::outOfHostMemory, "%s: out of host memory", what);
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+        return fail(Status::outOfDeviceMemory, "%s: out of device memory", what);
+    case VK_ERROR_DEVICE_LOST:
+        return fail(Status::deviceLost, "%s: device lost", what);
+    default:
+        return fail(Status::vulkanError, "%s: VkResult %d", what, static_cast<int>(result));
+    }
+}
+
+void Device::passBegins(VkCommandBuffer commands, const char* pass) const {
+    if (pass_.function) pass_.function(pass_.user, commands, pass, true);
+}
+
+void Device::passEnds(VkCommandBuffer commands, const char* pass) const {
+    if (pass_.function) pass_.function(pass_.user, commands, pass, false);
+}
+
+} // namespace seaglass::gpu

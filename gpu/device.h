@@ -1,0 +1,64 @@
+// The host's device as Seaglass uses it: entry points, memory types, limits and where errors go.
+#pragma once
+
+#include "gpu/dispatch.h"
+#include "seaglass/host.h"
+
+namespace seaglass::gpu {
+
+class Device {
+  public:
+    /// `desc` has been checked for null handles.
+    Status init(const DeviceDesc& desc);
+
+    VkDevice handle() const { return device_; }
+    const DeviceTable& vk() const { return table_; }
+    const VkAllocationCallbacks* allocator() const { return hasAllocator_ ? &allocator_ : nullptr; }
+    VkPipelineCache pipelineCache() const { return pipelineCache_; }
+    const VkPhysicalDeviceLimits& limits() const { return limits_; }
+    VkFormatFeatureFlags optimalFeatures(VkFormat format) const;
+
+    /// A memory type out of `allowedBits` with all `wanted` properties, or ~0u.
+    uint32_t memoryType(uint32_t allowedBits, VkMemoryPropertyFlags wanted) const;
+
+    /// Sends one line to the host and gives `status` back, so that a failing call reads `return
+    /// device.fail(...)`.
+    [[gnu::format(printf, 3, 4)]] Status fail(Status status, const char* format, ...) const;
+    /// VK_SUCCESS is ok; anything else is reported as the failure of `what`.
+    Status check(VkResult result, const char* what) const;
+
+    void passBegins(VkCommandBuffer commands, const char* pass) const;
+    void passEnds(VkCommandBuffer commands, const char* pass) const;
+
+  private:
+    VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
+    VkDevice device_ = VK_NULL_HANDLE;
+    InstanceTable instanceTable_;
+    DeviceTable table_;
+    VkAllocationCallbacks allocator_{};
+    bool hasAllocator_ = false;
+    VkPipelineCache pipelineCache_ = VK_NULL_HANDLE;
+    VkPhysicalDeviceLimits limits_{};
+    VkPhysicalDeviceMemoryProperties memory_{};
+    MessageCallback message_;
+    PassCallback pass_;
+};
+
+/// Brackets the commands of one pass for the host's PassCallback.
+class PassScope {
+  public:
+    PassScope(const Device& device, VkCommandBuffer commands, const char* pass)
+        : device_(device), commands_(commands), pass_(pass) {
+        device_.passBegins(commands_, pass_);
+    }
+    ~PassScope() { device_.passEnds(commands_, pass_); }
+    PassScope(const PassScope&) = delete;
+    PassScope& operator=(const PassScope&) = delete;
+
+  private:
+    const Device& device_;
+    VkCommandBuffer commands_;
+    const char* pass_;
+};
+
+} // namespace seaglass::gpu

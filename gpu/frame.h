@@ -1,0 +1,64 @@
+// What lives for one frame slot: descriptor sets, mapped memory, and objects that the GPU may still be using.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gpu/binding.h"
+#include "gpu/buffer.h"
+
+namespace seaglass::gpu {
+
+/// A piece of mapped memory, valid until the slot begins again.
+struct Slice {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceSize offset = 0;
+    void* data = nullptr;
+};
+
+class Frame {
+  public:
+    Frame() = default;
+    ~Frame();
+    Frame(const Frame&) = delete;
+    Frame& operator=(const Frame&) = delete;
+
+    void init(const Device& device) { device_ = &device; }
+    /// Takes back everything handed out and lets go of retired objects.
+    Status begin();
+
+    Status allocateSet(VkDescriptorSetLayout layout, std::span<const Resource> resources,
+                       VkDescriptorSet& out);
+    /// Uniform or storage memory, written by the CPU.
+    Status allocate(VkDeviceSize size, Slice& out);
+
+    /// Keeps a movable object alive until this slot begins again.
+    template<typename T>
+    void retire(T&& object) {
+        retired_.push_back(std::make_unique<Holder<std::decay_t<T>>>(std::forward<T>(object)));
+    }
+    void releaseRetired() { retired_.clear(); }
+
+  private:
+    struct HolderBase {
+        virtual ~HolderBase() = default;
+    };
+    template<typename T>
+    struct Holder : HolderBase {
+        explicit Holder(T&& o) : object(std::move(o)) {}
+        T object;
+    };
+
+    Status addPool();
+
+    const Device* device_ = nullptr;
+    std::vector<VkDescriptorPool> pools_;
+    size_t poolInUse_ = 0;
+    std::vector<Buffer> blocks_;
+    size_t blockInUse_ = 0;
+    VkDeviceSize blockOffset_ = 0;
+    std::vector<std::unique_ptr<HolderBase>> retired_;
+};
+
+} // namespace seaglass::gpu

@@ -1,0 +1,92 @@
+#include "gpu/image.h"
+
+namespace seaglass::gpu {
+
+OwnedImage& OwnedImage::operator=(OwnedImage&& other) noexcept {
+    if (this == &other) return *this;
+    release();
+    device_ = std::exchange(other.device_, nullptr);
+    image_ = std::exchange(other.image_, VK_NULL_HANDLE);
+    view_ = std::exchange(other.view_, VK_NULL_HANDLE);
+    memory_ = std::exchange(other.memory_, VK_NULL_HANDLE);
+    desc_ = std::exchange(other.desc_, ImageDesc{});
+    return *this;
+}
+
+void OwnedImage::release() {
+    if (!device_) return;
+    const DeviceTable& vk = device_->vk();
+    vk.DestroyImageView(device_->handle(), view_, device_->allocator());
+    vk.DestroyImage(device_->handle(), image_, device_->allocator());
+    vk.FreeMemory(device_->handle(), memory_, device_->allocator());
+    device_ = nullptr;
+    image_ = VK_NULL_HANDLE;
+    view_ = VK_NULL_HANDLE;
+    memory_ = VK_NULL_HANDLE;
+}
+
+Status OwnedImage::create(const Device& device, const ImageDesc& desc, const char* what) {
+    release();
+    device_ = &device;
+    desc_ = desc;
+    VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+    info.imageType = VK_IMAGE_TYPE_2D;
+    info.format = desc.format;
+    info.extent = {desc.extent.width, desc.extent.height, 1};
+    info.mipLevels = desc.mipLevels;
+    info.arrayLayers = desc.layers;
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = desc.usage;
+    const DeviceTable& vk = device.vk();
+    if (const Status s =
+            device.check(vk.CreateImage(device.handle(), &info, device.allocator(), &image_), what);
+        s != Status::ok)
+        return s;
+    VkMemoryRequirements needs{};
+    vk.GetImageMemoryRequirements(device.handle(), image_, &needs);
+    VkMemoryAllocateInfo allocation{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+    allocation.allocationSize = needs.size;
+    allocation.memoryTypeIndex = device.memoryType(needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    if (allocation.memoryTypeIndex == ~0u)
+        return device.fail(Status::unsupported, "%s: no fitting memory type", what);
+    if (const Status s =
+            device.check(vk.AllocateMemory(device.handle(), &allocation, device.allocator(), &memory_), what);
+        s != Status::ok)
+        return s;
+    if (const Status s = device.check(vk.BindImageMemory(device.handle(), image_, memory_, 0), what);
+        s != Status::ok)
+        return s;
+    VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    view.image = image_;
+    view.viewType = desc.layers > 1 || desc.arrayView ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+    view.format = desc.format;
+    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, desc.mipLevels, 0, desc.layers};
+    return device.check(vk.CreateImageView(device.handle(), &view, device.allocator(), &view_), what);
+}
+
+VkImageMemoryBarrier2 imageBarrier(VkImage image, const Use& before, const Use& after, uint32_t firstMip,
+                                   uint32_t mips) {
+    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = before.stage;
+    barrier.srcAccessMask = before.access;
+    barrier.dstStageMask = after.stage;
+    barrier.dstAccessMask = after.access;
+    barrier.oldLayout = before.layout;
+    barrier.newLayout = after.layout;
+    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.image = image;
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, firstMip, mips, 0, VK_REMAINING_ARRAY_LAYERS};
+    return barrier;
+}
+
+void recordBarriers(const Device& device, VkCommandBuffer commands, const VkImageMemoryBarrier2* barriers,
+                    uint32_t count) {
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.imageMemoryBarrierCount = count;
+    dependency.pImageMemoryBarriers = barriers;
+    device.vk().CmdPipelineBarrier2(commands, &dependency);
+}
+
+} // namespace seaglass::gpu

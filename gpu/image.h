@@ -1,0 +1,62 @@
+// A 2D image, or an array of them, with its own memory and one view of all of it.
+#pragma once
+
+#include <utility>
+
+#include "gpu/device.h"
+
+namespace seaglass::gpu {
+
+struct ImageDesc {
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    VkExtent2D extent = {1, 1};
+    VkImageUsageFlags usage = 0;
+    uint32_t mipLevels = 1;
+    uint32_t layers = 1;
+    bool arrayView = false; ///< view as an array even with one layer
+};
+
+class OwnedImage {
+  public:
+    OwnedImage() = default;
+    ~OwnedImage() { release(); }
+    OwnedImage(OwnedImage&& other) noexcept { *this = std::move(other); }
+    OwnedImage& operator=(OwnedImage&& other) noexcept;
+
+    Status create(const Device& device, const ImageDesc& desc, const char* what);
+
+    VkImage handle() const { return image_; }
+    VkImageView view() const { return view_; }
+    const ImageDesc& desc() const { return desc_; }
+
+  private:
+    void release();
+
+    const Device* device_ = nullptr;
+    VkImage image_ = VK_NULL_HANDLE;
+    VkImageView view_ = VK_NULL_HANDLE;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    ImageDesc desc_;
+};
+
+/// Half of a barrier: what happened before, or what comes next.
+struct Use {
+    VkPipelineStageFlags2 stage = VK_PIPELINE_STAGE_2_NONE;
+    VkAccessFlags2 access = VK_ACCESS_2_NONE;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+};
+
+constexpr Use sampledByShaders = {
+    VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
+        VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+    VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+constexpr Use storageWritten = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+                                VK_IMAGE_LAYOUT_GENERAL};
+
+/// A barrier on mip levels [firstMip, firstMip + mips) of a colour image, all layers.
+VkImageMemoryBarrier2 imageBarrier(VkImage image, const Use& before, const Use& after, uint32_t firstMip = 0,
+                                   uint32_t mips = VK_REMAINING_MIP_LEVELS);
+void recordBarriers(const Device& device, VkCommandBuffer commands, const VkImageMemoryBarrier2* barriers,
+                    uint32_t count);
+
+} // namespace seaglass::gpu

@@ -1,0 +1,60 @@
+#include "gpu/kernel.h"
+
+#include <utility>
+
+namespace seaglass::gpu {
+
+Status ShaderModule::create(std::span<const uint32_t> spirv, const char* what) {
+    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    info.codeSize = spirv.size_bytes();
+    info.pCode = spirv.data();
+    return device_.check(
+        device_.vk().CreateShaderModule(device_.handle(), &info, device_.allocator(), &module_), what);
+}
+
+Kernel& Kernel::operator=(Kernel&& other) noexcept {
+    if (this == &other) return *this;
+    release();
+    device_ = std::exchange(other.device_, nullptr);
+    pipeline_ = std::exchange(other.pipeline_, VK_NULL_HANDLE);
+    layout_ = std::move(other.layout_);
+    return *this;
+}
+
+void Kernel::release() {
+    if (!device_) return;
+    device_->vk().DestroyPipeline(device_->handle(), pipeline_, device_->allocator());
+    device_ = nullptr;
+    pipeline_ = VK_NULL_HANDLE;
+}
+
+Status Kernel::create(const Device& device, std::span<const uint32_t> spirv,
+                      std::span<const VkDescriptorType> bindings, const char* what) {
+    release();
+    device_ = &device;
+    if (const Status s = layout_.create(device, bindings, VK_SHADER_STAGE_COMPUTE_BIT, 0, what);
+        s != Status::ok)
+        return s;
+    ShaderModule module(device);
+    if (const Status s = module.create(spirv, what); s != Status::ok) return s;
+    VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+    info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+    info.stage.module = module.handle();
+    info.stage.pName = "main";
+    info.layout = layout_.pipeline();
+    return device.check(device.vk().CreateComputePipelines(device.handle(), device.pipelineCache(), 1, &info,
+                                                           device.allocator(), &pipeline_),
+                        what);
+}
+
+void Kernel::dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t groupsX,
+                      uint32_t groupsY) const {
+    const DeviceTable& vk = device_->vk();
+    vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
+    vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.pipeline(), 0, 1, &set, 0,
+                             nullptr);
+    vk.CmdDispatch(commands, groupsX, groupsY, 1);
+}
+
+} // namespace seaglass::gpu

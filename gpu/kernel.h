@@ -1,0 +1,48 @@
+// A compute pipeline with its layout.
+#pragma once
+
+#include <span>
+
+#include "gpu/binding.h"
+
+namespace seaglass::gpu {
+
+class Kernel {
+  public:
+    Kernel() = default;
+    ~Kernel() { release(); }
+    Kernel(Kernel&& other) noexcept { *this = std::move(other); }
+    Kernel& operator=(Kernel&& other) noexcept;
+
+    Status create(const Device& device, std::span<const uint32_t> spirv,
+                  std::span<const VkDescriptorType> bindings, const char* what);
+
+    const Layout& layout() const { return layout_; }
+    /// Binds pipeline and set, then dispatches.
+    void dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t groupsX, uint32_t groupsY) const;
+
+  private:
+    void release();
+
+    const Device* device_ = nullptr;
+    Layout layout_;
+    VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
+/// A shader module for the time it takes to build a pipeline.
+class ShaderModule {
+  public:
+    explicit ShaderModule(const Device& device) : device_(device) {}
+    ~ShaderModule() { device_.vk().DestroyShaderModule(device_.handle(), module_, device_.allocator()); }
+    ShaderModule(const ShaderModule&) = delete;
+    ShaderModule& operator=(const ShaderModule&) = delete;
+
+    Status create(std::span<const uint32_t> spirv, const char* what);
+    VkShaderModule handle() const { return module_; }
+
+  private:
+    const Device& device_;
+    VkShaderModule module_ = VK_NULL_HANDLE;
+};
+
+} // namespace seaglass::gpu

@@ -1,0 +1,63 @@
+#include "reflection/mirror.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace seaglass {
+
+const char* readPlane(const double (&plane)[4], glm::dvec4& out) {
+    for (const double value : plane)
+        if (!std::isfinite(value)) return "plane is not finite";
+    const glm::dvec4 p(plane[0], plane[1], plane[2], plane[3]);
+    const double length = glm::length(glm::dvec3(p));
+    if (!(length > 1e-12)) return "plane has no normal: its first three numbers are zero";
+    out = p / length;
+    return nullptr;
+}
+
+glm::dvec4 planeFacingEye(const glm::dvec4& worldPlane, const glm::dvec3& eye) {
+    const glm::dvec3 normal(worldPlane);
+    const double height = glm::dot(normal, eye) + worldPlane.w;
+    return height < 0 ? glm::dvec4(-normal, -height) : glm::dvec4(normal, height);
+}
+
+glm::dmat4 householder(const glm::dvec4& plane) {
+    const glm::dvec4 normal(glm::dvec3(plane), 0);
+    return glm::dmat4(1) - 2.0 * glm::outerProduct(normal, plane);
+}
+
+namespace {
+
+glm::dvec4 row(const glm::dmat4& m, int index) {
+    return {m[0][index], m[1][index], m[2][index], m[3][index]};
+}
+
+} // namespace
+
+ScreenMirror screenMirror(const ViewGeometry& view, const glm::dvec4& plane) {
+    ScreenMirror mirror;
+    mirror.pixelFromPixel = view.pixelFromRelative * householder(plane) * view.relativeFromPixel;
+    mirror.heightRow = plane * view.relativeFromPixel;
+    mirror.weightRow = row(view.relativeFromPixel, 3);
+    return mirror;
+}
+
+MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane, float edgeFade) {
+    const glm::dvec4 plane = planeFacingEye(worldPlane, view.eye);
+    const ScreenMirror mirror = screenMirror(view, plane);
+    MirrorUniforms out;
+    out.screenMirror = glm::mat4(mirror.pixelFromPixel);
+    out.relativeFromPixel = glm::mat4(view.relativeFromPixel);
+    out.heightRow = glm::vec4(mirror.heightRow);
+    out.weightRow = glm::vec4(mirror.weightRow);
+    out.plane = glm::vec4(plane);
+    out.region = glm::ivec4(view.regionOrigin, view.regionSize);
+    out.farDepth = static_cast<float>(view.farDepth);
+    out.depthSign = view.reversedDepth ? 1.0f : -1.0f;
+    out.edgeFadePixels = edgeFade * static_cast<float>(view.regionSize.y);
+    return out;
+}
+
+} // namespace seaglass

@@ -1,0 +1,52 @@
+// The plane as a mirror: the Householder reflection, and what it does to a picture of the scene.
+//
+// A mirrored pixel needs one matrix-vector product. With VP the view-projection, S the viewport transform and
+// R the mirror, H = S VP R (S VP)^-1 maps (x, y, depth, 1) of a scene pixel to the pixel and depth where the
+// plane shows it. R is its own inverse, so H is too, up to scale: the same matrix leads from a mirrored pixel
+// back to its source. Built in double and relative to the eye; a float world-space path is wrong by a pixel
+// 100 km from the origin.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "reflection/view.h"
+
+namespace seaglass {
+
+/// Null when the plane is usable, else what is wrong. `out` has a unit normal.
+const char* readPlane(const double (&plane)[4], glm::dvec4& out);
+
+/// The plane as seen from `eye`: relative to it, and facing it (a positive distance at the eye).
+glm::dvec4 planeFacingEye(const glm::dvec4& worldPlane, const glm::dvec3& eye);
+
+/// I - 2 n pi^T for a plane with a unit normal.
+glm::dmat4 householder(const glm::dvec4& plane);
+
+struct ScreenMirror {
+    glm::dmat4 pixelFromPixel{1}; ///< H
+    glm::dvec4 heightRow{0}; ///< height above the plane is heightRow.p / weightRow.p for p = (x, y, depth, 1)
+    glm::dvec4 weightRow{0};
+};
+
+/// `plane` relative to the eye and facing it.
+ScreenMirror screenMirror(const ViewGeometry& view, const glm::dvec4& plane);
+
+/// The std140 block of shaders/common/mirror.glsl.
+struct MirrorUniforms {
+    glm::mat4 screenMirror{1};
+    glm::mat4 relativeFromPixel{1};
+    glm::vec4 heightRow{0};
+    glm::vec4 weightRow{0};
+    glm::vec4 plane{0};
+    glm::ivec4 region{0};
+    float farDepth = 0;
+    float depthSign = 1; ///< +1 when nearer is greater
+    float edgeFadePixels = 0;
+    float padding = 0;
+};
+static_assert(sizeof(MirrorUniforms) == 208);
+
+MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane, float edgeFade);
+
+} // namespace seaglass

@@ -1,0 +1,32 @@
+// What a host's matrices say: where the eye is, which way depth runs, how pixels map to space. All in double
+// and relative to the eye, so that nothing depends on how far from the origin the camera stands.
+#pragma once
+
+#include <cstdint>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "seaglass/host.h"
+
+namespace seaglass {
+
+struct ViewGeometry {
+    glm::dvec3 eye{0};              ///< world
+    glm::dmat4 clipFromRelative{1}; ///< relative to the eye, in world axes
+    glm::dmat4 pixelFromRelative{
+        1}; ///< homogeneous (x, y, depth, w), pixels counted from the region's corner
+    glm::dmat4 relativeFromPixel{1};
+    glm::dvec3 forward{0}; ///< unit, world
+    bool reversedDepth = false;
+    double farDepth = 1;        ///< depth value of the far plane, infinite or not
+    glm::ivec2 regionOrigin{0}; ///< the viewport's top left corner in the scene images
+    glm::ivec2 regionSize{0};
+};
+
+/// Null when `view` is usable, else what is wrong with it. Fills `out`.
+const char* readView(const ViewDesc& view, ViewGeometry& out);
+
+} // namespace seaglass

@@ -1,0 +1,115 @@
+// SSPR, second pass: turns mirrored depths into colour. A candidate depth is followed back to its source, the surface
+// that is really seen there is mirrored again, and the candidate counts only when that lands on this pixel: holes are
+// filled and leaks refused by proof instead of by likeness of colour.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "mirror.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
+layout(set = 0, binding = 2, std430) readonly buffer Keys {
+    uint keys[];
+};
+layout(set = 0, binding = 3) uniform sampler2D sceneColor;
+layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D reflectionColor;
+layout(set = 0, binding = 5, rg32f) uniform writeonly image2D reflectionInfo;
+
+const float classUnknown = 0.0;
+const float classSky = 1.0;
+const float classHit = 2.0;
+const float acceptedPixels = 0.75;
+const int refinements = 3;
+
+struct Hit {
+    bool valid;
+    vec2 source;      // pixel
+    float depth;      // mirrored, at this pixel
+};
+
+float depthAt(vec2 pixel) {
+    return texelFetch(sceneDepth, region.xy + ivec2(pixel), 0).r;
+}
+
+Hit refined(vec2 q, float mirroredDepth) {
+    Hit hit = Hit(false, vec2(0.0), mirroredDepth);
+    for (int i = 0; i < refinements; ++i) {
+        vec4 source = mirrored(vec3(q, hit.depth));
+        if (!(source.w > 0.0) || !insideRegion(source.xy)) return Hit(false, vec2(0.0), 0.0);
+        float seen = depthAt(source.xy);
+        vec3 surface = vec3(source.xy, seen);
+        if (isFar(seen) || heightAbovePlane(surface) < -contactHeight(surface)) return Hit(false, vec2(0.0), 0.0);
+        vec4 back = mirrored(surface);
+        if (!(back.w > 0.0)) return Hit(false, vec2(0.0), 0.0);
+        hit.source = source.xy;
+        hit.depth = back.z;
+        vec2 miss = back.xy - q;
+        hit.valid = dot(miss, miss) <= acceptedPixels * acceptedPixels;
+    }
+    return hit;
+}
+
+uint keyAt(ivec2 pixel) {
+    if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, region.zw))) return noKey;
+    return keys[pixel.y * region.z + pixel.x];
+}
+
+Hit nearestHit(ivec2 pixel, vec2 q) {
+    Hit best = Hit(false, vec2(0.0), 0.0);
+    uint own = keyAt(pixel);
+    if (own != noKey) best = refined(q, depthFromKey(own));
+    if (best.valid) return best;
+    for (int i = 0; i < 9; ++i) {
+        uint key = i == 4 ? noKey : keyAt(pixel + ivec2(i % 3 - 1, i / 3 - 1));
+        if (key == noKey) continue;
+        Hit hit = refined(q, depthFromKey(key));
+        if (hit.valid && (!best.valid || depthSign * (hit.depth - best.depth) > 0.0)) best = hit;
+    }
+    return best;
+}
+
+// How far the border is from `source`, going on in the direction in which the mirror borrowed it: an upright camera
+// borrows upwards, so only the top border can cut a reflection off.
+float borderDistance(vec2 q, vec2 source) {
+    vec2 along = source - q;
+    vec2 room = mix(source, vec2(region.zw) - source, step(0.0, along));
+    vec2 steps = room * length(along) / max(abs(along), vec2(1e-6));
+    return min(steps.x, steps.y);
+}
+
+float edgeConfidence(vec2 q, vec2 source) {
+    float x = clamp(borderDistance(q, source) / max(edgeFadePixels, 1e-6), 0.0, 1.0);
+    return x * x * x * (x * (x * 6.0 - 15.0) + 10.0);
+}
+
+// The mirrored ray's far end tells whether the sky it would reach is on the screen.
+float classOfMiss(vec2 q) {
+    vec4 end = mirrored(vec3(q, farDepth));
+    if (!(end.w > 0.0) || !insideRegion(end.xy)) return classUnknown;
+    return isFar(depthAt(end.xy)) ? classSky : classUnknown;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, region.zw))) return;
+    vec2 q = vec2(pixel) + 0.5;
+
+    // Any depth serves to find the ray through this pixel; half way avoids both ends.
+    vec3 ray = normalize(unprojected(vec3(q, 0.5)));
+    float towardsPlane = -dot(plane.xyz, ray);
+    vec4 color = vec4(0.0);
+    vec2 info = vec2(0.0, classUnknown);
+    if (towardsPlane > 0.0) {
+        Hit hit = nearestHit(pixel, q);
+        if (hit.valid) {
+            float confidence = edgeConfidence(q, hit.source);
+            color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * confidence, confidence);
+            float beyond = length(unprojected(vec3(q, hit.depth))) - plane.w / towardsPlane;
+            info = vec2(max(beyond, 0.0), classHit);
+        } else {
+            info.y = classOfMiss(q);
+        }
+    }
+    imageStore(reflectionColor, pixel, color);
+    imageStore(reflectionInfo, pixel, vec4(info, 0.0, 0.0));
+}
