@@ -24,9 +24,10 @@ struct SeaDesc {
     float peakEnhancement = 3.3f;    ///< JONSWAP gamma, 1..10
     float swell = 0.0f;              ///< elongation of the directional spreading, 0..1 (Horvath 2015)
     float choppiness = 1.0f;         ///< scale of the horizontal displacement, 0..10; 1 is the linear theory's
-    uint32_t samples = 256;          ///< across each cascade, power of two, 16..1024
+    uint32_t samples = 256;          ///< across each cascade, power of two, 16..1024; from 256 up, fewer samples are the
+                                     ///< same sea without its shortest waves
     uint32_t cascades = 3;           ///< 1..maxCascades
-    float largestPatch = 0.0f;       ///< edge of the largest cascade [m], 1..1e5; 0 chooses from the peak wavelength
+    float largestPatch = 0.0f;       ///< edge of the largest cascade [m], 1..1e5; 0 is 16 peak wavelengths, in 60..2000
     double loopPeriod = 4096.0;      ///< time after which the sea repeats exactly [s], 16..1e6
     uint64_t seed = 1;
 };
@@ -35,7 +36,7 @@ struct SeaDesc {
 struct Cascade {
     double patch = 0;      ///< tile edge [m]
     uint32_t samples = 0;  ///< across the tile
-    double kMin = 0;       ///< wave numbers kMin <= k < kMax [rad/m]
+    double kMin = 0;       ///< wave numbers kMin <= k < kMax [rad/m]; at least 4 samples a wave
     double kMax = 0;
     double variance = 0;   ///< of height, from the modes it holds [m^2]
 };
@@ -53,14 +54,15 @@ void destroySea(Sea* sea);
 
 const SeaDesc& description(const Sea& sea);
 uint32_t cascadeCount(const Sea& sea);           ///< 0 when the sea is flat
-const Cascade& cascade(const Sea& sea, uint32_t index);
+const Cascade& cascade(const Sea& sea, uint32_t index); ///< index < cascadeCount
 double peakFrequency(const Sea& sea);            ///< [rad/s], 0 when flat
 double significantWaveHeight(const Sea& sea);    ///< 4 sqrt(m0) of the modes held [m]
 
 /// The surface on one cascade's grid at one time: three maps of samples*samples texels, four floats each, rows along v.
+/// Texel (i, j) is at u = i patch/samples, v = j patch/samples, and at [(j*samples + i)*4]; the tile repeats.
 /// With h the height and (Dx, Dz) the horizontal displacement (choppiness included):
 struct CascadeMaps {
-    float* displacement = nullptr;   ///< Dx, h, Dz, dDx/dv                       [m, m, m, 1]
+    float* displacement = nullptr;   ///< Dx, h, Dz, dDx/dv (= dDz/du)            [m, m, m, 1]
     float* derivatives = nullptr;    ///< dh/du, dh/dv, dDx/du, dDz/dv            [1]
     float* moments = nullptr;        ///< (dh/du)^2, (dh/dv)^2, dh/du*dh/dv, (dDx/du + dDz/dv)^2
 };
@@ -68,10 +70,12 @@ struct CascadeMaps {
 /// How a sea is evaluated on its grids. Obtained from a backend's header; never filled in by the host.
 struct WavesBackend {
     const char* name = nullptr;
-    /// Makes whatever the backend keeps for one sea (plans, scratch). Null when out of memory.
+    /// Makes whatever the backend keeps for one sea (plans, scratch), which must outlive it. Null when out of memory.
+    /// Any thread.
     void* (*create)(const Sea& sea) = nullptr;
     void (*destroy)(void* state) = nullptr;
-    /// Fills all maps of one cascade. Calls with the same state must not overlap.
+    /// Fills all maps of one cascade, index < cascadeCount. Calls with the same state must not overlap. A time that is
+    /// not finite counts as 0.
     void (*evaluate)(void* state, uint32_t cascade, double time, const CascadeMaps& out) = nullptr;
 };
 
@@ -83,7 +87,8 @@ struct HeightSample {
 };
 
 /// Heights at `count` points (u, v in metres, interleaved) at any time, future included. No GPU. Any thread, several
-/// at once. Sums every mode, so it is exact for the sea and costs O(modes) a point.
+/// at once. Sums every mode, so it is exact for the sea and costs O(modes) a point, and as much again a call. A point
+/// that is not finite, and every point when out of memory, gets a calm sample marked folded.
 void sampleHeights(const Sea& sea, double time, const double* points, size_t count, HeightSample* out);
 
 } // namespace seaglass

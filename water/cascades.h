@@ -1,0 +1,17 @@
+// How the sea's wave vectors are dealt out to tiles of different sizes.
+//
+// Tiles and their bands do not depend on the number of samples, but where that is too small to carry a whole
+// band; so a sea of fewer samples is the same sea, truncated.
+#ifndef SEAGLASS_WATER_CASCADES_H
+#define SEAGLASS_WATER_CASCADES_H
+
+#include "water/spectrum.h"
+
+namespace seaglass {
+
+/// Fills patch, samples, kMin and kMax of the first desc.cascades elements; bands touch and do not overlap.
+void layCascades(const SeaDesc& desc, const Spectrum& spectrum, Cascade* cascades);
+
+} // namespace seaglass
+
+#endif

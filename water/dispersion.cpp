@@ -1,0 +1,31 @@
+#include "water/dispersion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace seaglass {
+namespace {
+
+// tanh is 1 to the last bit past 20, and cosh would overflow later.
+constexpr double deepEnough = 20.0;
+
+} // namespace
+
+double angularFrequency(double k, double depth) {
+    if (!(k > 0)) return 0;
+    const double kh = std::min(k * depth, deepEnough);
+    return std::sqrt((gravity * k + surfaceTension * k * k * k) * std::tanh(kh));
+}
+
+double groupSpeed(double k, double depth) {
+    const double omega = angularFrequency(k, depth);
+    if (!(omega > 0)) return 0;
+    const double kh = k * depth;
+    const double restoring = gravity * k + surfaceTension * k * k * k;
+    const double stiffening = gravity + 3 * surfaceTension * k * k;
+    if (kh >= deepEnough) return stiffening / (2 * omega);
+    const double sech = 1 / std::cosh(kh);
+    return (stiffening * std::tanh(kh) + restoring * depth * sech * sech) / (2 * omega);
+}
+
+} // namespace seaglass

@@ -1,0 +1,23 @@
+// What a sea holds: its description, its cascades and their modes. Never changed once made.
+#ifndef SEAGLASS_WATER_SEA_H
+#define SEAGLASS_WATER_SEA_H
+
+#include "seaglass/sea.h"
+#include "water/modes.h"
+
+#include <array>
+
+namespace seaglass {
+
+struct Sea {
+    SeaDesc desc;
+    uint32_t count = 0; ///< of cascades; 0 when flat
+    std::array<Cascade, maxCascades> cascades;
+    std::array<Modes, maxCascades> modes;
+    double peak = 0;     ///< [rad/s]
+    double variance = 0; ///< of height [m^2]
+};
+
+} // namespace seaglass
+
+#endif
