@@ -21,6 +21,7 @@ struct SkyDesc {
     std::filesystem::path file;   ///< lat-long HDR or EXR, absolute
     double rotationDeg = 0;       ///< turns it about +Y
     double intensity = 1;         ///< radiance scale
+    std::string where = {};       ///< of `file` in the scene, for errors: "harbour.toml:9: sky.file"
 };
 
 struct SunDesc {
@@ -35,6 +36,7 @@ struct MeshDesc {
     Vec3 positionM = {0, 0, 0};
     double yawDeg = 0;
     double scale = 1;
+    std::string where = {};       ///< of `file` in the scene, for errors: "harbour.toml:21: mesh.0.file"
 };
 
 struct WavesDesc {

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace demos {
+
+/// What the program tells its caller.
+enum ExitCode : int {
+    ok = 0,
+    runFailed = 1, ///< the device, the disk or validation objected while rendering
+    badInput = 2,  ///< nothing was rendered and nothing written
+};
+
+} // namespace demos

@@ -1,0 +1,201 @@
+#include "program/options.h"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "scene/nearest.h"
+
+namespace demos {
+
+namespace {
+
+constexpr uint32_t mostFrames = 100000;
+
+constexpr std::array<std::pair<std::string_view, Aov>, 7> aovs = {{
+    {"color", Aov::color},
+    {"reflection", Aov::reflection},
+    {"class", Aov::reflectionClass},
+    {"height", Aov::height},
+    {"normal", Aov::normal},
+    {"foam", Aov::foam},
+    {"depth", Aov::depth},
+}};
+
+constexpr const char* footer = R"(Examples:
+  seaglass render demos/scenes/harbour.toml -o harbour.png
+  seaglass render demos/scenes/ocean.toml -o sea.exr --set water.waves.wind_m_s=16 --camera low
+  seaglass render demos/scenes/ocean.toml -o frames/%04d.png --frames 240 --fps 24
+  seaglass render demos/scenes/ocean.toml -o mine.png --sky my_sky.exr --mesh my_boat.glb
+
+Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)";
+
+/// What the line says, before any of it is checked.
+struct Raw {
+    std::string scene, size, time, camera, frames, fps, aov, sky, mesh, stats, device;
+    std::vector<std::string> outputs, overrides;
+    bool validation = false, noValidation = false;
+};
+
+std::vector<std::string_view> aovNames() {
+    std::vector<std::string_view> names;
+    for (const auto& [name, aov] : aovs) names.push_back(name);
+    return names;
+}
+
+void describe(CLI::App& app, CLI::App& render, Raw& raw) {
+    app.set_help_flag("-h,--help", "Print this help");
+    app.set_version_flag("--version", std::string("seaglass ") + SEAGLASS_VERSION);
+    app.footer(footer);
+    render.footer(footer);
+
+    // Required ones are checked by hand, for errors that say what is expected.
+    render.add_option("SCENE", raw.scene, "Scene file (TOML)");
+    render
+        .add_option("-o,--output", raw.outputs,
+                    "PNG (tone-mapped) or EXR (linear); may be given more than once")
+        ->allow_extra_args(false)
+        ->type_name("FILE");
+    render.add_option("--size", raw.size, "Picture size, 1280x720 if not given")->type_name("WxH");
+    render.add_option("--time", raw.time, "Time of the waves, the scene's if not given")
+        ->type_name("SECONDS");
+    render.add_option("--camera", raw.camera, "One of the scene's cameras, its first if not given")
+        ->type_name("NAME");
+    render
+        .add_option("--frames", raw.frames,
+                    "Render so many, numbered in place of %04d or before the extension")
+        ->type_name("N");
+    render.add_option("--fps", raw.fps, "Frames in a second, 30 if not given")->type_name("F");
+    render
+        .add_option("--set", raw.overrides,
+                    "Override a scene value: water.waves.wind_m_s=12, camera.low.roll_deg=5, mesh.0.scale=2")
+        ->allow_extra_args(false)
+        ->type_name("PATH=VALUE");
+    render.add_option("--aov", raw.aov, "What to draw: color reflection class height normal foam depth")
+        ->type_name("NAME");
+    render.add_option("--sky", raw.sky, "Lat-long HDR or EXR instead of the scene's sky")->type_name("FILE");
+    render.add_option("--mesh", raw.mesh, "glTF at the origin instead of the scene's meshes")
+        ->type_name("FILE");
+    render.add_option("--stats", raw.stats, "Measure the frame's passes, print them and write them as JSON")
+        ->type_name("FILE");
+    render.add_option("--device", raw.device, "Part of a device's name; the best device if not given")
+        ->type_name("NAME");
+    render.add_flag("--validation", raw.validation, "Vulkan validation; any message makes the exit code 1");
+    render.add_flag("--no-validation", raw.noValidation, "No Vulkan validation");
+    render.allow_extras();
+    app.allow_extras();
+}
+
+bool fail(const std::string& what, Error& error) {
+    error.text = what;
+    return false;
+}
+
+bool checkExtras(const CLI::App& app, const std::vector<std::string>& extras, Error& error) {
+    if (extras.empty()) return true;
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    const std::string& extra = extras.front();
+    if (extra.starts_with("-") || app.get_parent() == nullptr) {
+        const std::vector<std::string_view> known(names.begin(), names.end());
+        return fail(extra + " is not known, the nearest is " + std::string(nearest(extra, known)), error);
+    }
+    return fail("'" + extra + "' is one word too many, expected options (see seaglass render --help)", error);
+}
+
+bool check(const Raw& raw, RenderOptions& out, Error& error) {
+    if (raw.scene.empty()) return fail("no scene, expected seaglass render SCENE.toml -o OUT.png", error);
+    out.scene = raw.scene;
+    if (raw.outputs.empty()) return fail("no output, expected -o OUT.png or -o OUT.exr", error);
+    out.outputs.assign(raw.outputs.begin(), raw.outputs.end());
+    if (!raw.size.empty()) {
+        const std::optional<Size> size = parseSize("--size", raw.size, error);
+        if (!size) return false;
+        out.size = *size;
+    }
+    if (!raw.time.empty()) {
+        out.timeS = parseNumber("--time", raw.time, -1e6, 1e6, "a number of seconds, -1e6 to 1e6", error);
+        if (!out.timeS) return false;
+    }
+    if (!raw.frames.empty()) {
+        const std::optional<uint32_t> frames = parseCount("--frames", raw.frames, mostFrames, error);
+        if (!frames) return false;
+        out.frames = *frames;
+        out.numbered = true;
+    }
+    if (!raw.fps.empty()) {
+        const auto fps = parseNumber("--fps", raw.fps, 1e-3, 1e4, "frames a second, 0.001 to 10000", error);
+        if (!fps) return false;
+        if (!out.numbered) return fail("--fps is given without --frames, expected both", error);
+        out.fps = *fps;
+    }
+    if (!raw.aov.empty()) {
+        const auto found =
+            std::find_if(aovs.begin(), aovs.end(), [&raw](const auto& a) { return a.first == raw.aov; });
+        if (found == aovs.end()) {
+            return fail("--aov is '" + raw.aov +
+                            "', expected color, reflection, class, height, normal, foam or depth;" +
+                            " the nearest is " + std::string(nearest(raw.aov, aovNames())),
+                        error);
+        }
+        out.aov = found->second;
+    }
+    out.camera = raw.camera;
+    out.overrides = raw.overrides;
+    out.sky = raw.sky;
+    out.mesh = raw.mesh;
+    out.stats = raw.stats;
+    out.device = raw.device;
+    if (raw.validation && raw.noValidation)
+        return fail("--validation and --no-validation exclude each other", error);
+    out.validation = raw.validation || (SEAGLASS_VALIDATION && !raw.noValidation);
+    return true;
+}
+
+} // namespace
+
+std::optional<Options> parseOptions(int argc, const char* const* argv, Error& error) {
+    CLI::App app("Water for Vulkan: renders scene files to pictures.", "seaglass");
+    CLI::App& render = *app.add_subcommand("render", "Render a scene file");
+    CLI::App& devices = *app.add_subcommand("devices", "List the Vulkan devices");
+    devices.allow_extras();
+    Raw raw;
+    describe(app, render, raw);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+        if (problem.get_exit_code() == 0) {
+            app.exit(problem);
+            return Options{};
+        }
+        error.text = problem.what();
+        std::replace(error.text.begin(), error.text.end(), '\n', ' ');
+        return std::nullopt;
+    }
+    if (!checkExtras(app, app.remaining(), error) || !checkExtras(render, render.remaining(), error) ||
+        !checkExtras(devices, devices.remaining(), error)) {
+        return std::nullopt;
+    }
+    Options options;
+    if (devices.parsed()) {
+        options.command = Options::Command::devices;
+        return options;
+    }
+    if (!render.parsed()) {
+        error.text = "no command, expected seaglass render or seaglass devices (see seaglass --help)";
+        return std::nullopt;
+    }
+    options.command = Options::Command::render;
+    if (!check(raw, options.render, error)) return std::nullopt;
+    return options;
+}
+
+} // namespace demos

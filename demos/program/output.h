@@ -1,0 +1,27 @@
+// Where pictures go: names, and whether they can be written, before anything is rendered.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace demos {
+
+/// Whether a file can be written there: `option` is what errors call it, `extensions` are the ones allowed.
+bool checkOutput(const std::string& option, const std::filesystem::path& file,
+                 const std::vector<std::string>& extensions, Error& error);
+
+/// False with `error` set when the output is one of the inputs.
+bool checkApart(const std::string& option, const std::filesystem::path& output,
+                const std::vector<std::filesystem::path>& inputs, Error& error);
+
+/// The file of one frame of a sequence: in place of %d or %04d, or else _0000 before the extension.
+std::filesystem::path numbered(const std::filesystem::path& file, uint32_t frame);
+
+/// Writes text whole or not at all.
+bool writeText(const std::filesystem::path& file, const std::string& text, Error& error);
+
+} // namespace demos

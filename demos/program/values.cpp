@@ -1,0 +1,52 @@
+#include "program/values.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace demos {
+
+namespace {
+
+constexpr uint32_t longestSide = 16384;
+
+template<class T>
+std::optional<T> parseAll(std::string_view text) {
+    T value{};
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::nullopt_t fail(const std::string& option, const std::string& text, std::string_view expected,
+                    Error& error) {
+    error.text = option + " is '" + text + "', expected " + std::string(expected);
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<double> parseNumber(const std::string& option, const std::string& text, double least,
+                                  double most, std::string_view expected, Error& error) {
+    const std::optional<double> value = parseAll<double>(text);
+    if (value && std::isfinite(*value) && least <= *value && *value <= most) return value;
+    return fail(option, text, expected, error);
+}
+
+std::optional<uint32_t> parseCount(const std::string& option, const std::string& text, uint32_t most,
+                                   Error& error) {
+    const std::optional<uint32_t> value = parseAll<uint32_t>(text);
+    if (value && 1 <= *value && *value <= most) return value;
+    return fail(option, text, "a whole number, 1 to " + std::to_string(most), error);
+}
+
+std::optional<Size> parseSize(const std::string& option, const std::string& text, Error& error) {
+    const size_t cross = std::min(text.find('x'), text.size());
+    const std::optional<uint32_t> width = parseAll<uint32_t>(std::string_view(text).substr(0, cross));
+    const std::optional<uint32_t> height =
+        parseAll<uint32_t>(std::string_view(text).substr(std::min(cross + 1, text.size())));
+    const auto fits = [](std::optional<uint32_t> side) { return side && 1 <= *side && *side <= longestSide; };
+    if (fits(width) && fits(height)) return Size{*width, *height};
+    return fail(option, text, "WIDTHxHEIGHT, each 1 to " + std::to_string(longestSide), error);
+}
+
+} // namespace demos

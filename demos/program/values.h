@@ -1,0 +1,25 @@
+// Numbers and sizes of the command line, checked.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace demos {
+
+struct Size {
+    uint32_t width = 1280, height = 720;
+};
+
+/// `expected` is the error's end: "a number of seconds, 0 to 10".
+std::optional<double> parseNumber(const std::string& option, const std::string& text, double least,
+                                  double most, std::string_view expected, Error& error);
+std::optional<uint32_t> parseCount(const std::string& option, const std::string& text, uint32_t most,
+                                   Error& error);
+/// "1280x720", each side 1 to 16384.
+std::optional<Size> parseSize(const std::string& option, const std::string& text, Error& error);
+
+} // namespace demos

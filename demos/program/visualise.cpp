@@ -1,0 +1,106 @@
+#include "program/visualise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace demos {
+
+namespace {
+
+using Rgb = std::array<float, 3>;
+
+uint8_t toByte(float value) {
+    // NaN fails the comparison and goes to black.
+    return value > 0 ? static_cast<uint8_t>(std::lround(std::min(value, 1.0f) * 255)) : uint8_t{0};
+}
+
+template<class Paint>
+std::vector<uint8_t> paint(const Picture& picture, const Paint& toRgb) {
+    std::vector<uint8_t> rgb;
+    rgb.reserve(picture.rgba.size() / 4 * 3);
+    for (size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
+        const Rgb color = toRgb(&picture.rgba[i]);
+        for (const float value : color) rgb.push_back(toByte(value));
+    }
+    return rgb;
+}
+
+Rgb grey(float value) {
+    return {value, value, value};
+}
+
+/// The greatest finite magnitude of the first channel.
+float largest(const Picture& picture) {
+    float most = 0;
+    for (size_t i = 0; i < picture.rgba.size(); i += 4) {
+        const float value = std::abs(picture.rgba[i]);
+        if (std::isfinite(value)) most = std::max(most, value);
+    }
+    return most;
+}
+
+Visualised height(const Picture& picture) {
+    const float most = std::max(largest(picture), 1e-6f);
+    std::array<char, 64> scale{};
+    std::snprintf(scale.data(), scale.size(), "black %.3g m, white %.3g m", static_cast<double>(-most),
+                  static_cast<double>(most));
+    return {paint(picture, [most](const float* p) { return grey(0.5f + 0.5f * p[0] / most); }), scale.data()};
+}
+
+Visualised normal(const Picture& picture) {
+    const auto toRgb = [](const float* p) {
+        const bool none = p[0] == 0 && p[1] == 0 && p[2] == 0;
+        return none ? grey(0) : Rgb{0.5f + 0.5f * p[0], 0.5f + 0.5f * p[1], 0.5f + 0.5f * p[2]};
+    };
+    return {paint(picture, toRgb), {}};
+}
+
+Visualised depth(const Picture& picture, float nearM) {
+    const float farthest = std::max(largest(picture), nearM * 1.001f);
+    const float span = std::log(farthest / nearM);
+    const auto toRgb = [&](const float* p) {
+        return grey(std::isfinite(p[0]) ? 1 - std::log(std::max(p[0], nearM) / nearM) / span : 0.0f);
+    };
+    std::array<char, 64> scale{};
+    std::snprintf(scale.data(), scale.size(), "white %.3g m, black %.4g m, logarithmic",
+                  static_cast<double>(nearM), static_cast<double>(farthest));
+    return {paint(picture, toRgb), scale.data()};
+}
+
+} // namespace
+
+Visualised visualise(const Picture& picture, Aov aov, double exposureEv, double nearM) {
+    switch (aov) {
+    case Aov::color:
+    case Aov::reflection:
+        return {toneMap(picture, exposureEv), {}};
+    case Aov::reflectionClass:
+        return {paint(picture, [](const float* p) { return Rgb{p[0], p[1], p[2]}; }), {}};
+    case Aov::height:
+        return height(picture);
+    case Aov::normal:
+        return normal(picture);
+    case Aov::foam:
+        return {paint(picture, [](const float* p) { return grey(p[0]); }), {}};
+    case Aov::depth:
+        return depth(picture, static_cast<float>(nearM));
+    }
+    return {};
+}
+
+uint64_t countBroken(const Picture& picture, Aov aov) {
+    uint64_t broken = 0;
+    for (size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
+        const auto bad = [aov](float value) {
+            const bool skyDepth = aov == Aov::depth && value == HUGE_VALF;
+            return !std::isfinite(value) && !skyDepth;
+        };
+        const float* p = &picture.rgba[i];
+        if (bad(p[0]) || bad(p[1]) || bad(p[2]) || bad(p[3])) ++broken;
+    }
+    return broken;
+}
+
+} // namespace demos

@@ -1,0 +1,24 @@
+// Pictures of things that are not light, for looking at.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host/host.h"
+
+namespace demos {
+
+struct Visualised {
+    std::vector<uint8_t> rgb;
+    std::string scale; ///< what grey stands for; empty when it needs no words
+};
+
+/// Colour and reflection are tone-mapped; classes as they are; normals 0.5 + 0.5 n; height grey around mid
+/// grey; foam grey; depth log grey, near is white and sky black.
+Visualised visualise(const Picture& picture, Aov aov, double exposureEv, double nearM);
+
+/// Pixels that hold what no picture should: NaN, or infinities where they mean nothing.
+uint64_t countBroken(const Picture& picture, Aov aov);
+
+} // namespace demos

@@ -1,0 +1,207 @@
+#include "scene/fields.h"
+
+#include <array>
+#include <charconv>
+
+namespace demos {
+
+namespace {
+
+template<class Member>
+struct MemberOf;
+template<class Owner, class Type>
+struct MemberOf<Type Owner::*> {
+    using owner = Owner;
+    using type = Type;
+};
+
+/// The address of a member, its owner's type taken from the member itself.
+template<auto member>
+Target at(void* owner) {
+    return &(static_cast<typename MemberOf<decltype(member)>::owner*>(owner)->*member);
+}
+
+template<class T>
+void* addressOf(T& value) {
+    return &value;
+}
+template<class T>
+void* addressOf(std::optional<T>& value) {
+    return &value.emplace();
+}
+template<class T>
+void* addressOf(std::vector<T>& values) {
+    return &values.emplace_back();
+}
+
+template<auto member>
+void* open(void* owner) {
+    return addressOf(static_cast<typename MemberOf<decltype(member)>::owner*>(owner)->*member);
+}
+
+constexpr double far = 1e6; // metres: beyond it a float no longer resolves a wave
+constexpr double turn = 360;
+constexpr bool required = true;
+
+constexpr std::array<std::string_view, 2> spectra = {"jonswap", "pierson-moskowitz"};
+constexpr std::array<std::string_view, 2> techniques = {"sky", "sspr"};
+
+constexpr std::array skyFields = {
+    Field{"file", at<&SkyDesc::file>, 0, 0, "", "lat-long HDR or EXR file", required},
+    Field{"rotation_deg", at<&SkyDesc::rotationDeg>, -turn, turn, "degrees", "turn about +Y"},
+    Field{"intensity", at<&SkyDesc::intensity>, 0, 1e6, "", "scale of the radiance"},
+};
+
+constexpr std::array sunFields = {
+    Field{"from_sky", at<&SunDesc::fromSky>, 0, 0, "", "take the sun from the sky's brightest spot"},
+    Field{"azimuth_deg", at<&SunDesc::azimuthDeg>, -turn, turn, "degrees", "from +X towards +Z"},
+    Field{"elevation_deg", at<&SunDesc::elevationDeg>, -90, 90, "degrees", "above the horizon"},
+    Field{"irradiance", at<&SunDesc::irradiance>, 0, 1e6, "", "red, green, blue"},
+};
+
+constexpr std::array meshFields = {
+    Field{"file", at<&MeshDesc::file>, 0, 0, "", "glTF file", required},
+    Field{"position_m", at<&MeshDesc::positionM>, -far, far, "m", "of the mesh's origin"},
+    Field{"yaw_deg", at<&MeshDesc::yawDeg>, -turn, turn, "degrees", "turn about +Y"},
+    Field{"scale", at<&MeshDesc::scale>, 0, 1e6, "", "size", false, Rule::positive},
+};
+
+constexpr std::array wavesFields = {
+    Field{"spectrum", at<&WavesDesc::spectrum>, 0, 0, "", "model of the spectrum", false, Rule::none,
+          spectra},
+    Field{"wind_m_s", at<&WavesDesc::windMps>, 0, 60, "m/s", "wind speed at 10 m"},
+    Field{"wind_towards_deg", at<&WavesDesc::windTowardsDeg>, -turn, turn, "degrees", "from +X towards +Z"},
+    Field{"fetch_m", at<&WavesDesc::fetchM>, 1, 1e7, "m", "open water upwind"},
+    Field{"peak_enhancement", at<&WavesDesc::peakEnhancement>, 1, 10, "", "JONSWAP gamma"},
+    Field{"swell", at<&WavesDesc::swell>, 0, 1, "", "elongation of the directional spreading"},
+    Field{"choppiness", at<&WavesDesc::choppiness>, 0, 10, "", "scale of the horizontal displacement"},
+    Field{"samples", at<&WavesDesc::samples>, 16, 1024, "", "across each cascade", false, Rule::powerOfTwo},
+    Field{"cascades", at<&WavesDesc::cascades>, 1, 4, "", "bands of wavelengths"},
+    Field{"largest_patch_m", at<&WavesDesc::largestPatchM>, 1, 1e5, "m",
+          "edge of the largest cascade, 0 chooses", false, Rule::zeroOrRange},
+    // TOML's integers are signed.
+    Field{"seed", at<&WavesDesc::seed>, 0, 9223372036854774784.0, "", "of the random phases"},
+};
+
+constexpr std::array foamFields = {
+    Field{"threshold", at<&FoamDesc::threshold>, -1, 1, "", "Jacobian below which the surface breaks"},
+    Field{"albedo", at<&FoamDesc::albedo>, 0, 1, "", "of full foam"},
+};
+
+constexpr std::array refractionFields = {
+    Field{"absorption_per_m", at<&RefractionDesc::absorptionPerM>, 0, 100, "1/m", "red, green, blue"},
+    Field{"backscatter_per_m", at<&RefractionDesc::backscatterPerM>, 0, 100, "1/m", "red, green, blue"},
+    Field{"distortion", at<&RefractionDesc::distortion>, 0, 1, "", "0 straight, 1 as Snell says"},
+};
+
+constexpr std::array reflectionFields = {
+    Field{"technique", at<&ReflectionDesc::technique>, 0, 0, "", "where reflections come from", false,
+          Rule::none, techniques},
+    Field{"edge_fade", at<&ReflectionDesc::edgeFade>, 0, 0.5, "", "share of the picture's height"},
+    Field{"distortion", at<&ReflectionDesc::distortion>, 0, 1, "", "0 flat mirror, 1 as geometry says"},
+};
+
+constexpr std::array waterFields = {
+    Field{"level_m", at<&WaterDesc::levelM>, -1e5, 1e5, "m", "height of the calm surface"},
+    Field{"cell_m", at<&WaterDesc::cellM>, 0.01, 100, "m", "edge of the finest cells"},
+    Field{"cells_per_level", at<&WaterDesc::cellsPerLevel>, 32, 512, "", "across one level of detail", false,
+          Rule::multipleOf32},
+};
+
+constexpr std::array cameraFields = {
+    Field{"name", at<&CameraDesc::name>, 0, 0, "", "what --camera calls it", required, Rule::identifier},
+    Field{"position_m", at<&CameraDesc::positionM>, -far, far, "m", "of the eye", required},
+    Field{"target_m", at<&CameraDesc::targetM>, -far, far, "m", "a point looked at", required},
+    Field{"roll_deg", at<&CameraDesc::rollDeg>, -turn, turn, "degrees", "about the view axis"},
+    Field{"vertical_fov_deg", at<&CameraDesc::verticalFovDeg>, 1, 179, "degrees", "angle of view"},
+    Field{"near_m", at<&CameraDesc::nearM>, 1e-3, 1e3, "m", "distance of the near plane"},
+};
+
+constexpr std::array sceneFields = {
+    Field{"title", at<&Scene::title>, 0, 0, "", "what it shows"},
+    Field{"time_s", at<&Scene::timeS>, -1e6, 1e6, "s", "when it is drawn, unless --time says"},
+    Field{"exposure_ev", at<&Scene::exposureEv>, -20, 20, "stops", "added before tone mapping"},
+};
+
+constexpr Section sky = {"sky", skyFields, {}, "the light from afar"};
+constexpr Section sun = {"sun", sunFields, {}, "the light from one direction"};
+constexpr Section mesh = {"mesh", meshFields, {}, "a glTF model"};
+constexpr Section waves = {"waves", wavesFields, {}, "the sea's waves; without it the water is flat"};
+constexpr Section foam = {"foam", foamFields, {}, "foam on breaking waves"};
+constexpr Section refraction = {
+    "refraction", refractionFields, {}, "light that enters; without it the water is opaque"};
+constexpr Section reflection = {
+    "reflection", reflectionFields, {}, "what the water mirrors; without it the sky alone"};
+
+constexpr std::array waterChildren = {
+    Child{&waves, open<&WaterDesc::waves>},
+    Child{&foam, open<&WaterDesc::foam>},
+    Child{&refraction, open<&WaterDesc::refraction>},
+    Child{&reflection, open<&WaterDesc::reflection>},
+};
+
+constexpr Section water = {"water", waterFields, waterChildren, "the water; without it there is none"};
+constexpr Section camera = {"camera", cameraFields, {}, "a place to look from"};
+
+constexpr std::array sceneChildren = {
+    Child{&sky, open<&Scene::sky>, false, required},
+    Child{&sun, open<&Scene::sun>},
+    Child{&mesh, open<&Scene::meshes>, true},
+    Child{&water, open<&Scene::water>},
+    Child{&camera, open<&Scene::cameras>, true, required},
+};
+
+constexpr Section scene = {"", sceneFields, sceneChildren, "a scene"};
+
+std::string text(double value) {
+    std::array<char, 32> out{};
+    const auto end = std::to_chars(out.data(), out.data() + out.size(), value).ptr;
+    return {out.data(), end};
+}
+
+std::string range(const Field& field) {
+    std::string words = text(field.least) + " to " + text(field.most);
+    if (field.rule == Rule::positive)
+        words = "more than " + text(field.least) + ", up to " + text(field.most);
+    if (field.rule == Rule::zeroOrRange) words = "0 or " + words;
+    if (!field.unit.empty()) words.append(" ").append(field.unit);
+    return words;
+}
+
+std::string oneOf(std::span<const std::string_view> choices) {
+    std::string words;
+    for (const std::string_view choice : choices) words.append(words.empty() ? "" : " or ").append(choice);
+    return words;
+}
+
+struct Expectation {
+    const Field& field;
+
+    std::string operator()(const double*) const { return range(field); }
+    std::string operator()(const Vec3*) const { return "three numbers, each " + range(field); }
+    std::string operator()(const uint32_t*) const {
+        if (field.rule == Rule::powerOfTwo) return "a power of two, " + range(field);
+        if (field.rule == Rule::multipleOf32) return "a multiple of 32, " + range(field);
+        return "a whole number, " + range(field);
+    }
+    std::string operator()(const uint64_t*) const { return "a whole number, 0 to 2^63"; }
+    std::string operator()(const bool*) const { return "true or false"; }
+    std::string operator()(const std::string*) const {
+        if (!field.choices.empty()) return oneOf(field.choices);
+        if (field.rule == Rule::identifier) return "a name of letters, digits, _ and -";
+        return "a text in quotes";
+    }
+    std::string operator()(const std::filesystem::path*) const { return "a " + std::string(field.about); }
+};
+
+} // namespace
+
+const Section& sceneSection() {
+    return scene;
+}
+
+std::string expectation(const Field& field, const Target& target) {
+    return std::visit(Expectation{field}, target);
+}
+
+} // namespace demos

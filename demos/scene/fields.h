@@ -1,0 +1,67 @@
+// The scene file's fields as one table: loading, checking, "did you mean" and overrides all read it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "scene/scene.h"
+
+namespace demos {
+
+/// Where a field's value lives. The type says what a file may hold there.
+using Target =
+    std::variant<double*, Vec3*, uint32_t*, uint64_t*, bool*, std::string*, std::filesystem::path*>;
+
+/// What a field may hold beyond its type.
+enum class Rule {
+    none,
+    zeroOrRange, ///< 0, or within the range
+    powerOfTwo,
+    multipleOf32,
+    positive,   ///< within the range, its lower end excluded
+    identifier, ///< letters, digits, _ and -
+};
+
+struct Field {
+    std::string_view key;
+    Target (*target)(void* owner);
+    double least =
+        -std::numeric_limits<double>::infinity(); ///< numbers only, ends included; of each component
+    double most = std::numeric_limits<double>::infinity();
+    std::string_view unit = {};
+    std::string_view about = {}; ///< what it is, in a few words
+    bool required = false;
+    Rule rule = Rule::none;
+    std::span<const std::string_view> choices = {}; ///< texts only; empty takes any
+};
+
+struct Section;
+
+/// A table within a table, or an array of tables ([[camera]]).
+struct Child {
+    const Section* section;
+    void* (*open)(
+        void* owner); ///< makes the child, or another element of it, and gives what its fields live in
+    bool repeated = false;
+    bool required = false;
+};
+
+struct Section {
+    std::string_view key; ///< empty for the whole file
+    std::span<const Field> fields;
+    std::span<const Child> children;
+    std::string_view about = {};
+};
+
+/// The whole file. Its targets take a Scene*.
+const Section& sceneSection();
+
+/// What a field may hold, in words: "0 to 60 m/s". The target is the field's own.
+std::string expectation(const Field& field, const Target& target);
+
+} // namespace demos

@@ -1,0 +1,447 @@
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include <toml++/toml.h>
+
+#include "scene/fields.h"
+#include "scene/nearest.h"
+
+namespace demos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr uintmax_t largestFile = 1 << 20;
+constexpr size_t longestValue = 60;
+
+std::string join(const std::string& path, std::string_view key) {
+    return path.empty() ? std::string(key) : path + "." + std::string(key);
+}
+
+/// A value as it would be written, cut to fit on a line.
+std::string quote(const toml::node& node) {
+    if (node.is_table()) return "a table";
+    if (node.is_array_of_tables()) return "an array of tables";
+    std::ostringstream stream;
+    node.visit([&stream](const auto& value) { stream << value; });
+    std::string text = stream.str();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    if (text.size() > longestValue) text = text.substr(0, longestValue) + "...";
+    return text;
+}
+
+/// An override's nodes carry its text as their source and no useful line.
+constexpr std::string_view overrideMark = "--set ";
+
+std::string place(const toml::source_region& source, const std::string& file) {
+    if (!source.path || source.path->empty()) return file;
+    if (source.path->starts_with(overrideMark)) return *source.path;
+    return *source.path + ":" + std::to_string(source.begin.line);
+}
+
+std::string place(const toml::node& node, const std::string& file) {
+    return place(node.source(), file);
+}
+
+// ---- Did you mean
+
+/// Full paths of everything that a section holds, with the number of levels of the section each is in.
+void listPaths(const Section& section, const std::string& path, std::vector<std::string>& out) {
+    for (const Field& field : section.fields) out.push_back(join(path, field.key));
+    for (const Child& child : section.children) {
+        out.push_back(join(path, child.section->key));
+        listPaths(*child.section, out.back(), out);
+    }
+}
+
+std::string_view lastOf(std::string_view path) {
+    return path.substr(path.rfind('.') + 1);
+}
+std::string_view parentOf(std::string_view path) {
+    const size_t dot = path.rfind('.');
+    return dot == path.npos ? std::string_view{} : path.substr(0, dot);
+}
+
+/// The nearest known path; of equally near ones, one in the same section.
+std::string nearestPath(const std::string& schemaPath) {
+    std::vector<std::string> known;
+    listPaths(sceneSection(), "", known);
+    const auto distance = [&schemaPath](const std::string& candidate) {
+        const size_t elsewhere = parentOf(candidate) == parentOf(schemaPath) ? 0 : 1;
+        return 2 * editDistance(lastOf(schemaPath), lastOf(candidate)) + elsewhere;
+    };
+    return *std::min_element(
+        known.begin(), known.end(),
+        [&distance](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
+}
+
+// ---- Reading values
+
+/// Fills a scene from parsed TOML. The first error wins.
+class Reader {
+  public:
+    Reader(const fs::path& file, Error& error)
+        : file_(file.string()), folder_(fs::absolute(file).parent_path()), error_(error) {}
+
+    /// `path` is what errors say ("mesh.0"), `schemaPath` what the table calls it ("mesh").
+    bool read(const toml::table& table, const Section& section, void* owner, const std::string& path,
+              const std::string& schemaPath) {
+        for (const auto& [key, node] : table) {
+            if (!isKnown(section, key.str())) return unknown(node, key, path, schemaPath);
+        }
+        for (const Field& field : section.fields) {
+            const toml::node* node = table.get(field.key);
+            if (!node && field.required) return missing(table, field, owner, path);
+            if (node && !read(*node, field, field.target(owner), join(path, field.key))) return false;
+        }
+        for (const Child& child : section.children) {
+            if (!read(table, child, owner, path, schemaPath)) return false;
+        }
+        return true;
+    }
+
+    bool fail(const std::string& where, const std::string& what) {
+        error_.text = where + ": " + what;
+        return false;
+    }
+
+    const std::string& file() const { return file_; }
+
+  private:
+    static bool isKnown(const Section& section, std::string_view key) {
+        return std::any_of(section.fields.begin(), section.fields.end(),
+                           [key](const Field& field) { return field.key == key; }) ||
+               std::any_of(section.children.begin(), section.children.end(),
+                           [key](const Child& child) { return child.section->key == key; });
+    }
+
+    bool unknown(const toml::node& node, const toml::key& key, const std::string& path,
+                 const std::string& schemaPath) {
+        const toml::source_region& source = key.source().path ? key.source() : node.source();
+        return fail(place(source, file_), join(path, key.str()) + " is not a known key, the nearest is " +
+                                              nearestPath(join(schemaPath, key.str())));
+    }
+
+    bool missing(const toml::table& table, const Field& field, void* owner, const std::string& path) {
+        return fail(place(table, file_), join(path, field.key) + " is missing, expected " +
+                                             expectation(field, field.target(owner)));
+    }
+
+    bool wrong(const toml::node& node, const std::string& path, const std::string& expected) {
+        return fail(place(node, file_), path + " is " + quote(node) + ", expected " + expected);
+    }
+
+    bool read(const toml::table& parent, const Child& child, void* owner, const std::string& path,
+              const std::string& schemaPath) {
+        const std::string_view key = child.section->key;
+        const std::string childPath = join(path, key), childSchemaPath = join(schemaPath, key);
+        const toml::node* node = parent.get(key);
+        if (!node) {
+            if (!child.required) return true;
+            return fail(file_, childPath + " is missing, expected " + heading(child, childPath));
+        }
+        if (!child.repeated) {
+            const toml::table* table = node->as_table();
+            if (!table) return wrong(*node, childPath, "a table: " + heading(child, childPath));
+            return read(*table, *child.section, child.open(owner), childPath, childSchemaPath);
+        }
+        const toml::array* tables = node->as_array();
+        if (!tables) return wrong(*node, childPath, "an array of tables: " + heading(child, childPath));
+        if (tables->empty() && child.required) {
+            return wrong(*node, childPath, "at least one: " + heading(child, childPath));
+        }
+        for (size_t i = 0; i < tables->size(); ++i) {
+            const toml::node& element = (*tables)[i];
+            const std::string elementPath = join(childPath, std::to_string(i));
+            if (!element.is_table())
+                return wrong(element, elementPath, "a table: " + heading(child, childPath));
+            if (!read(*element.as_table(), *child.section, child.open(owner), elementPath, childSchemaPath))
+                return false;
+        }
+        return true;
+    }
+
+    static std::string heading(const Child& child, const std::string& path) {
+        return child.repeated ? "[[" + path + "]]" : "[" + path + "]";
+    }
+
+    bool read(const toml::node& node, const Field& field, const Target& target, const std::string& path) {
+        const bool good = std::visit([&](auto* value) { return convert(node, field, *value); }, target);
+        if (!good) return wrong(node, path, expectation(field, target));
+        if (const auto* file = std::get_if<fs::path*>(&target)) return findFile(node, **file, field, path);
+        return true;
+    }
+
+    static bool inRange(const Field& field, double value) {
+        if (!std::isfinite(value)) return false;
+        if (field.rule == Rule::zeroOrRange && value == 0) return true;
+        if (field.rule == Rule::positive && value == field.least) return false;
+        return field.least <= value && value <= field.most;
+    }
+
+    static bool convert(const toml::node& node, const Field& field, double& out) {
+        if (!node.is_number()) return false;
+        out = *node.value<double>();
+        return inRange(field, out);
+    }
+
+    static bool convert(const toml::node& node, const Field& field, Vec3& out) {
+        const toml::array* numbers = node.as_array();
+        if (!numbers || numbers->size() != out.size()) return false;
+        for (size_t i = 0; i < out.size(); ++i) {
+            if (!convert((*numbers)[i], field, out[i])) return false;
+        }
+        return true;
+    }
+
+    static bool convert(const toml::node& node, const Field& field, uint64_t& out) {
+        const auto* integer = node.as_integer();
+        if (!integer || integer->get() < 0) return false;
+        out = static_cast<uint64_t>(integer->get());
+        return inRange(field, static_cast<double>(out));
+    }
+
+    static bool convert(const toml::node& node, const Field& field, uint32_t& out) {
+        uint64_t wide = 0;
+        if (!convert(node, field, wide)) return false;
+        out = static_cast<uint32_t>(wide);
+        if (field.rule == Rule::powerOfTwo) return std::has_single_bit(out);
+        if (field.rule == Rule::multipleOf32) return out % 32 == 0;
+        return true;
+    }
+
+    static bool convert(const toml::node& node, const Field&, bool& out) {
+        if (!node.is_boolean()) return false;
+        out = node.as_boolean()->get();
+        return true;
+    }
+
+    static bool convert(const toml::node& node, const Field& field, std::string& out) {
+        if (!node.is_string()) return false;
+        out = node.as_string()->get();
+        if (field.rule == Rule::identifier) {
+            return !out.empty() &&
+                   out.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                         "0123456789_-") == out.npos;
+        }
+        return field.choices.empty() ||
+               std::find(field.choices.begin(), field.choices.end(), out) != field.choices.end();
+    }
+
+    static bool convert(const toml::node& node, const Field&, fs::path& out) {
+        if (!node.is_string() || node.as_string()->get().empty()) return false;
+        out = node.as_string()->get();
+        return true;
+    }
+
+    bool findFile(const toml::node& node, fs::path& file, const Field& field, const std::string& path) {
+        file = (folder_ / file).lexically_normal();
+        std::error_code code;
+        if (fs::is_regular_file(file, code)) return true;
+        const std::string why = fs::is_directory(file, code) ? " is a folder" : " is not there";
+        return wrong(node, path, "a " + std::string(field.about) + "; " + file.string() + why);
+    }
+
+    std::string file_;
+    fs::path folder_;
+    Error& error_;
+};
+
+// ---- Overrides
+
+/// The value of "path=value": TOML, or else a bare word. Its nodes say where they come from.
+std::optional<toml::table> parseValue(const std::string& text, const std::string& source) {
+    const toml::parse_result parsed = toml::parse("v = " + text + "\n", source);
+    if (parsed && parsed.table().size() == 1) return std::move(parsed).table();
+    if (text.empty() || text.find_first_of("\"'[]{}\n") != text.npos) return std::nullopt;
+    toml::parse_result word = toml::parse("v = ''\n", source);
+    if (!word) return std::nullopt;
+    word.table().get_as<std::string>("v")->get() = text;
+    return std::move(word).table();
+}
+
+std::vector<std::string> split(std::string_view path) {
+    std::vector<std::string> keys;
+    for (size_t start = 0; start <= path.size();) {
+        const size_t dot = std::min(path.find('.', start), path.size());
+        keys.emplace_back(path.substr(start, dot - start));
+        start = dot + 1;
+    }
+    return keys;
+}
+
+/// Puts overrides into the parsed file, before anything is checked.
+class Overrider {
+  public:
+    Overrider(toml::table& root, Error& error) : root_(root), error_(error) {}
+
+    bool apply(const std::string& assignment) {
+        source_ = std::string(overrideMark) + assignment;
+        const size_t equals = assignment.find('=');
+        if (equals == 0 || equals == assignment.npos)
+            return fail("expected path=value, such as water.waves.wind_m_s=12");
+        const std::string path = assignment.substr(0, equals);
+        std::optional<toml::table> value = parseValue(assignment.substr(equals + 1), source_);
+        if (!value) return fail("the value is no TOML, expected a number, true, false, a text or [a, b, c]");
+
+        const std::vector<std::string> keys = split(path);
+        toml::table* table = &root_;
+        const Section* section = &sceneSection();
+        for (size_t i = 0; i + 1 < keys.size(); ++i) {
+            const auto child = std::find_if(section->children.begin(), section->children.end(),
+                                            [&](const Child& c) { return c.section->key == keys[i]; });
+            if (child == section->children.end()) return unknown(path);
+            section = child->section;
+            table = child->repeated ? element(*table, keys[i], keys[i + 1]) : descend(*table, keys[i]);
+            if (!table) return false;
+            // The name or the number took a key of its own, and must itself have one.
+            if (child->repeated && ++i + 1 == keys.size()) {
+                return fail("expected a key after " + path + ", such as " + path + "." +
+                            std::string(section->fields.back().key));
+            }
+        }
+        // The last key is checked with all others, by the reader, which knows this override by its source.
+        value->get("v")->visit([&](auto& node) { table->insert_or_assign(keys.back(), std::move(node)); });
+        return true;
+    }
+
+  private:
+    bool fail(const std::string& what) {
+        error_.text = source_ + ": " + what;
+        return false;
+    }
+
+    bool unknown(const std::string& path) {
+        return fail(path + " is not a known key, the nearest is " + nearestPath(path));
+    }
+
+    toml::table* descend(toml::table& parent, const std::string& key) {
+        if (!parent.contains(key)) parent.insert(key, toml::table{});
+        toml::table* found = parent.get_as<toml::table>(key);
+        if (!found) fail(key + " is " + quote(*parent.get(key)) + " in the scene, expected a table");
+        return found;
+    }
+
+    toml::table* element(toml::table& parent, const std::string& key, const std::string& which) {
+        toml::array* elements = parent.get_as<toml::array>(key);
+        std::string known;
+        for (size_t i = 0; elements && i < elements->size(); ++i) {
+            toml::table* candidate = (*elements)[i].as_table();
+            if (!candidate) continue;
+            const std::string number = std::to_string(i);
+            const std::string name = (*candidate)["name"].value_or(number);
+            if (which == name || which == number) return candidate;
+            known += (known.empty() ? "" : ", ") + name;
+        }
+        fail("the scene has no " + key + " " + which +
+             ", expected one of: " + (known.empty() ? "none" : known));
+        return nullptr;
+    }
+
+    toml::table& root_;
+    Error& error_;
+    std::string source_;
+};
+
+// ---- What fields say together
+
+bool checkCameras(const Scene& scene, const toml::table& root, Reader& reader) {
+    const toml::array& tables = *root.get_as<toml::array>("camera");
+    for (size_t i = 0; i < scene.cameras.size(); ++i) {
+        const CameraDesc& camera = scene.cameras[i];
+        const toml::table& table = *tables[i].as_table();
+        const std::string path = "camera." + std::to_string(i);
+        const auto first =
+            std::find_if(scene.cameras.begin(), scene.cameras.end(),
+                         [&camera](const CameraDesc& other) { return other.name == camera.name; });
+        if (&*first != &camera) {
+            return reader.fail(place(*table.get("name"), reader.file()),
+                               path + ".name is '" + camera.name + "', expected a name that camera." +
+                                   std::to_string(first - scene.cameras.begin()) + " does not have");
+        }
+        const double away =
+            std::hypot(camera.targetM[0] - camera.positionM[0], camera.targetM[1] - camera.positionM[1],
+                       camera.targetM[2] - camera.positionM[2]);
+        if (away < 1e-6) {
+            return reader.fail(place(*table.get("target_m"), reader.file()),
+                               path + ".target_m is its position_m, expected a point away from the eye");
+        }
+    }
+    return true;
+}
+
+bool checkWater(const Scene& scene, const toml::table& root, Reader& reader) {
+    if (!scene.water || !scene.water->foam || scene.water->waves) return true;
+    return reader.fail(place(*root["water"]["foam"].node(), reader.file()),
+                       "water.foam is set, expected [water.waves] too: foam comes from waves");
+}
+
+/// Where meshes and sky were named, for those who will find out whether they can be read.
+void rememberPlaces(Scene& scene, const toml::table& root, const std::string& file) {
+    scene.sky.where = place(*root["sky"]["file"].node(), file) + ": sky.file";
+    for (size_t i = 0; i < scene.meshes.size(); ++i) {
+        scene.meshes[i].where =
+            place(*root["mesh"][i]["file"].node(), file) + ": mesh." + std::to_string(i) + ".file";
+    }
+}
+
+std::optional<std::string> readText(const fs::path& file, Error& error) {
+    const auto fail = [&](const std::string& what) {
+        error.text = file.string() + ": " + what;
+        return std::nullopt;
+    };
+    std::error_code code;
+    const fs::file_status status = fs::status(file, code);
+    if (!fs::exists(status)) return fail("no such file, expected a scene (TOML)");
+    if (fs::is_directory(status)) return fail("is a folder, expected a scene file (TOML)");
+    if (!fs::is_regular_file(status)) return fail("is no regular file, expected a scene file (TOML)");
+    const uintmax_t size = fs::file_size(file, code);
+    if (code) return fail("cannot be read: " + code.message());
+    if (size > largestFile)
+        return fail("has " + std::to_string(size) + " bytes, expected a scene of at most 1 MB");
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(static_cast<size_t>(size), '\0');
+    if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
+        return fail("cannot be read, expected a scene (TOML)");
+    return text;
+}
+
+} // namespace
+
+std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::string>& overrides,
+                               Error& error) {
+    const std::optional<std::string> text = readText(file, error);
+    if (!text) return std::nullopt;
+
+    toml::parse_result parsed = toml::parse(*text, file.string());
+    if (!parsed) {
+        std::string what(parsed.error().description());
+        std::replace(what.begin(), what.end(), '\n', ' ');
+        error.text = place(parsed.error().source(), file.string()) + ": not valid TOML: " + what;
+        return std::nullopt;
+    }
+    toml::table& root = parsed.table();
+
+    Overrider overrider(root, error);
+    for (const std::string& assignment : overrides) {
+        if (!overrider.apply(assignment)) return std::nullopt;
+    }
+
+    Scene scene;
+    scene.file = fs::absolute(file).lexically_normal();
+    Reader reader(file, error);
+    if (!reader.read(root, sceneSection(), &scene, "", "")) return std::nullopt;
+    if (!checkCameras(scene, root, reader) || !checkWater(scene, root, reader)) return std::nullopt;
+    rememberPlaces(scene, root, file.string());
+    return scene;
+}
+
+} // namespace demos

@@ -1,0 +1,17 @@
+// The nearest of the known words, for "did you mean".
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace demos {
+
+/// Damerau-Levenshtein distance (optimal string alignment), ASCII case ignored: how many letters to insert,
+/// delete, replace or swap with their neighbour. Words longer than 64 letters are cut.
+size_t editDistance(std::string_view a, std::string_view b);
+
+/// The known word nearest to `word`, the first of equals; empty when nothing is known.
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& known);
+
+} // namespace demos
