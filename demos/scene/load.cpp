@@ -53,12 +53,13 @@ std::string place(const toml::node& node, const std::string& file) {
 
 // ---- Did you mean
 
-/// Full paths of everything that a section holds, with the number of levels of the section each is in.
+/// Full paths of everything that a section holds.
 void listPaths(const Section& section, const std::string& path, std::vector<std::string>& out) {
     for (const Field& field : section.fields) out.push_back(join(path, field.key));
     for (const Child& child : section.children) {
-        out.push_back(join(path, child.section->key));
-        listPaths(*child.section, out.back(), out);
+        const std::string childPath = join(path, child.section->key);
+        out.push_back(childPath);
+        listPaths(*child.section, childPath, out);
     }
 }
 
@@ -259,7 +260,7 @@ class Reader {
 
 /// The value of "path=value": TOML, or else a bare word. Its nodes say where they come from.
 std::optional<toml::table> parseValue(const std::string& text, const std::string& source) {
-    const toml::parse_result parsed = toml::parse("v = " + text + "\n", source);
+    toml::parse_result parsed = toml::parse("v = " + text + "\n", source);
     if (parsed && parsed.table().size() == 1) return std::move(parsed).table();
     if (text.empty() || text.find_first_of("\"'[]{}\n") != text.npos) return std::nullopt;
     toml::parse_result word = toml::parse("v = ''\n", source);
@@ -290,7 +291,7 @@ class Overrider {
             return fail("expected path=value, such as water.waves.wind_m_s=12");
         const std::string path = assignment.substr(0, equals);
         std::optional<toml::table> value = parseValue(assignment.substr(equals + 1), source_);
-        if (!value) return fail("the value is no TOML, expected a number, true, false, a text or [a, b, c]");
+        if (!value) return fail("the value is not TOML, expected a number, true, false, a text or [a, b, c]");
 
         const std::vector<std::string> keys = split(path);
         toml::table* table = &root_;
