@@ -1,20 +1,26 @@
-# seaglass_shaders(target FILE...): compiles each GLSL file to SPIR-V while building and embeds it, so that a
-# program carries its shaders. `shaders/sspr_scatter.comp` becomes
-#     #include "spirv/sspr_scatter.comp.h"     ->     const uint32_t sspr_scatter_comp[] = {...};
+# seaglass_shaders(target FILE... [NAME name] [DEFINES NAME...]): compiles each GLSL file to SPIR-V while building and
+# embeds it, so that a program carries its shaders. `shaders/scatter.comp` becomes
+#     #include "spirv/scatter.comp.h"     ->     const uint32_t scatter_comp[] = {...};
+# With DEFINES, one file gives several variants; NAME then replaces the file's name.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 
 function(seaglass_shaders target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "NAME" "DEFINES")
   set(out_dir ${CMAKE_CURRENT_BINARY_DIR}/generated/spirv)
   file(MAKE_DIRECTORY ${out_dir})
-  foreach(source IN LISTS ARGN)
+  list(TRANSFORM arg_DEFINES PREPEND "-D")
+  foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
     cmake_path(GET source FILENAME name)
+    if(arg_NAME)
+      set(name ${arg_NAME})
+    endif()
     string(REPLACE "." "_" symbol ${name})
     set(header ${out_dir}/${name}.h)
     add_custom_command(
       OUTPUT ${header}
       COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.3 -I${PROJECT_SOURCE_DIR}/shaders/common
-              --depfile ${header}.d --vn ${symbol} -o ${header} ${source}
+              ${arg_DEFINES} --depfile ${header}.d --vn ${symbol} -o ${header} ${source}
       DEPENDS ${source}
       DEPFILE ${header}.d
       COMMENT "SPIR-V ${name}"

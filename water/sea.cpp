@@ -15,7 +15,7 @@ namespace {
 std::unique_ptr<Sea> makeSea(const SeaDesc& desc) {
     auto sea = std::make_unique<Sea>();
     sea->desc = desc;
-    const bool calm = desc.windSpeed == 0;
+    const bool calm = desc.windSpeed == 0 || desc.amplitude == 0;
     if (calm) return sea;
 
     const Spectrum spectrum = makeSpectrum(desc);

@@ -36,6 +36,7 @@ bool validate(const SeaDesc& desc, SeaError& error) {
         {"fetch", desc.fetch, 1, 1e7, " m"},
         {"peakEnhancement", desc.peakEnhancement, 1, 10, ""},
         {"swell", desc.swell, 0, 1, ""},
+        {"amplitude", desc.amplitude, 0, 1, ""},
         {"choppiness", desc.choppiness, 0, 10, ""},
         {"samples", static_cast<double>(desc.samples), 16, 1024, ", a power of two"},
         {"cascades", static_cast<double>(desc.cascades), 1, maxCascades, ""},

@@ -23,6 +23,8 @@ struct SeaDesc {
     bool capFetch = true;            ///< hold g F / U^2 at 1e4, past which JONSWAP exceeds a fully developed sea
     float peakEnhancement = 3.3f;    ///< JONSWAP gamma, 1..10
     float swell = 0.0f;              ///< elongation of the directional spreading, 0..1 (Horvath 2015)
+    /// Scale of all heights, 0..1: 1 is the spectrum's own sea, less is water that something shelters; 0 is flat.
+    float amplitude = 1.0f;
     float choppiness = 1.0f;         ///< scale of the horizontal displacement, 0..10; 1 is the linear theory's
     uint32_t samples = 256;          ///< across each cascade, power of two, 16..1024; from 256 up, fewer samples are the
                                      ///< same sea without its shortest waves
@@ -57,6 +59,8 @@ uint32_t cascadeCount(const Sea& sea);           ///< 0 when the sea is flat
 const Cascade& cascade(const Sea& sea, uint32_t index); ///< index < cascadeCount
 double peakFrequency(const Sea& sea);            ///< [rad/s], 0 when flat
 double significantWaveHeight(const Sea& sea);    ///< 4 sqrt(m0) of the modes held [m]
+/// Slope variance (both axes together) of the waves shorter than the shortest mode: a surface's roughness.
+double unresolvedSlopeVariance(const Sea& sea);
 
 /// The surface on one cascade's grid at one time: three maps of samples*samples texels, four floats each, rows along v.
 /// Texel (i, j) is at u = i patch/samples, v = j patch/samples, and at [(j*samples + i)*4]; the tile repeats.

@@ -29,7 +29,7 @@ struct RefractionDesc {
 /// How finely the surface is meshed.
 struct MeshDesc {
     float cellSize = 0.25f;       ///< edge of the finest cells around the eye [m], 0.01..100
-    uint32_t cellsPerLevel = 128; ///< cells across one level of detail, 32..512, multiple of 32
+    uint32_t cellsPerLevel = 128; ///< cells until a twice coarser level takes over, 128..1024
 };
 
 /// One water body. A null feature costs nothing: no memory, no pipeline, no dispatch. Copied, pointees
@@ -88,7 +88,7 @@ enum class SurfaceOutput : uint32_t {
 /// they must not be the attachments written (a copy of the colour; depth may be a read-only attachment or a
 /// copy). Leaves pipeline, descriptor sets, push constants and index buffer bound to its own; the viewport
 /// and scissor are set from the view.
-Status draw(VkCommandBuffer commands, const Target* target, Body* const* bodies, uint32_t count,
+Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
 /// The reflection images of a body, null handles where it has none.

@@ -1,0 +1,51 @@
+// Looks up a reflection image along a ray that waves have bent. Needs surface.glsl's names: plane, region, pixelOf,
+// reflectionColor, reflectionInfo, reflectionDistortion.
+//
+// A point at distance t along the ray is mirrored about the plane and projected: the reflection image holds there what
+// the flat mirror shows of it. t comes from the image itself, so the shift vanishes where things touch the water and
+// grows with their distance; a constant offset would tear shorelines.
+
+const float reflectionSky = 1.0;
+const float reflectionHit = 2.0;
+const float farAway = 1e5;
+
+vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
+    vec3 p = from + direction * t;
+    p.y -= 2.0 * (p.y + plane.w);
+    vec4 pixel = pixelOf(p);
+    // Behind the camera: outside of every image.
+    return pixel.w > 0.0 ? pixel.xy : vec2(-1e4);
+}
+
+vec2 infoAt(vec2 pixel) {
+    if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, vec2(region.zw)))) return vec2(0.0);
+    return texelFetch(reflectionInfo, ivec2(pixel), 0).xy;
+}
+
+// The pixel whose reflection the bent ray meets, by fixed-point iteration on the hit distance.
+vec2 bentPixel(vec3 from, vec3 direction) {
+    vec2 here = gl_FragCoord.xy - vec2(region.xy);
+    vec2 info = infoAt(here);
+    float t = info.y == reflectionHit ? info.x : farAway;
+    vec2 pixel = mirroredPixel(from, direction, t);
+    for (int i = 0; i < 2; ++i) {
+        info = infoAt(pixel);
+        if (info.y == reflectionHit) t = info.x;
+        pixel = mirroredPixel(from, direction, t);
+    }
+    return mix(here, pixel, reflectionDistortion);
+}
+
+// Radiance times confidence, and confidence.
+vec4 reflectionAlong(vec3 from, vec3 direction) {
+    vec2 pixel = bentPixel(from, direction);
+    vec2 size = vec2(region.zw);
+    vec2 border = min(pixel, size - pixel);
+    float inside = clamp(min(border.x, border.y), 0.0, 1.0);
+    return inside > 0.0 ? textureLod(reflectionColor, pixel / size, 0.0) * inside : vec4(0.0);
+}
+
+vec3 classColor(vec3 from, vec3 direction) {
+    float found = infoAt(bentPixel(from, direction)).y;
+    return vec3(found < reflectionSky ? 1.0 : 0.0, found == reflectionHit ? 1.0 : 0.0, found == reflectionSky ? 1.0 : 0.0);
+}

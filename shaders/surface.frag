@@ -1,0 +1,251 @@
+// Shades the water's surface: what it mirrors, what shines through, the sun's glint and foam.
+//
+// The sub-pixel part of the waves is a Gaussian of slopes (Cox and Munk 1954): its variance is what the mips of the
+// derivatives lost plus what no cascade holds. Reflection integrates over it with three points of Gauss-Hermite
+// quadrature along the line of sight, each with its own Fresnel term and weighted by its visible area; without that,
+// the mean normal makes the far sea a mirror of the horizon.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "surface.glsl"
+#include "optics.glsl"
+
+layout(location = 0) in vec2 calmPosition;
+layout(location = 1) in vec3 position;
+layout(location = 0) out vec4 outColor;
+
+layout(constant_id = 0) const uint surfaceOutput = 0;
+const uint outputShaded = 0;
+const uint outputReflection = 1;
+const uint outputClass = 2;
+const uint outputHeight = 3;
+const uint outputNormal = 4;
+const uint outputFoam = 5;
+
+struct SurfacePoint {
+    vec2 slope;        // mean over the pixel
+    vec3 covariance;   // of the slopes within it: uu, vv, uv
+    float jacobian;    // mean over the pixel
+    float jacobianVariance;
+};
+
+SurfacePoint surfacePoint() {
+    SurfacePoint s = SurfacePoint(vec2(0.0), vec3(unresolvedVariance, unresolvedVariance, 0.0), 1.0, 0.0);
+#ifdef WAVES
+    vec4 derivatives = vec4(0.0);
+    float shear = 0.0;
+    vec4 variance = vec4(0.0);
+    for (int i = 0; i < cascades; ++i) {
+        vec3 at = vec3(cascade[i].xy + calmPosition * cascade[i].z, i);
+        vec4 d = texture(waveDerivatives, at);
+        vec4 m = texture(waveMoments, at);
+        derivatives += d;
+        shear += texture(waveDisplacement, at).w;
+        float stretch = d.z + d.w;
+        variance += m - vec4(d.xy * d.xy, d.x * d.y, stretch * stretch);
+    }
+    variance.xyw = max(variance.xyw, 0.0);
+    // Tangents (1 + dDx/du, dh/du, shear) and (shear, dh/dv, 1 + dDz/dv); their cross product is the normal.
+    vec2 diagonal = 1.0 + derivatives.zw;
+    s.jacobian = diagonal.x * diagonal.y - shear * shear;
+    vec2 bent = vec2(derivatives.x * diagonal.y - derivatives.y * shear, derivatives.y * diagonal.x - derivatives.x * shear);
+    // Where the surface folds the Jacobian passes zero and the slope is vertical.
+    s.slope = bent / max(s.jacobian, 0.15);
+    s.covariance += variance.xyz;
+    s.jacobianVariance = variance.w;
+#endif
+    return s;
+}
+
+vec3 normalOf(vec2 slope) {
+    return normalize(vec3(-slope.x, 1.0, -slope.y));
+}
+
+#ifdef REFLECTION
+#include "reflection_lookup.glsl"
+#endif
+
+vec3 skyAt(vec3 direction, float spread) {
+    // A cube texel spans about pi/2 / edge; `spread` is the standard deviation of the mirrored direction.
+    float texel = 0.5 * pi / exp2(skyMips - 1.0);
+    float mip = clamp(log2(max(2.0 * spread / texel, 1.0)), 0.0, max(skyMips - 2.0, 0.0));
+    return textureLod(skyCube, direction, mip).rgb;
+}
+
+vec3 mirroredRadiance(vec3 direction, float spread) {
+    vec3 sky = skyAt(direction, spread);
+#ifdef REFLECTION
+    vec4 screen = reflectionAlong(position, direction);
+    return sky * (1.0 - screen.a) + screen.rgb;
+#else
+    return sky;
+#endif
+}
+
+struct Reflection {
+    vec3 radiance;   // times Fresnel
+    float fresnel;
+};
+
+// Rays that would go below the horizon meet another wave; turning them up stands for the second bounce.
+vec3 keptAbove(vec3 direction) {
+    return normalize(vec3(direction.x, max(abs(direction.y), 1e-3), direction.z));
+}
+
+Reflection reflected(SurfacePoint s, vec3 toEye) {
+    vec2 towards = toEye.xz / max(length(toEye.xz), 1e-6);
+    float deviation = sqrt(max(dot(towards * towards, s.covariance.xy) + 2.0 * towards.x * towards.y * s.covariance.z, 0.0));
+    Reflection sum = Reflection(vec3(0.0), 0.0);
+    float weights = 0.0;
+    int points = deviation > 1e-3 ? 3 : 1;
+    for (int i = 0; i < points; ++i) {
+        float offset = points == 1 ? 0.0 : float(i - 1) * 1.7320508;
+        float weight = offset == 0.0 ? 2.0 / 3.0 : 1.0 / 6.0;
+        vec2 slope = s.slope + towards * (deviation * offset);
+        vec3 facet = vec3(-slope.x, 1.0, -slope.y);
+        // Facets seen edge on or from behind are hidden; a trace is kept so that the sum is never empty.
+        weight *= max(dot(toEye, facet), 1e-4);
+        vec3 normal = normalize(facet);
+        float fresnel = fresnelWater(dot(toEye, normal));
+        vec3 direction = keptAbove(reflect(-toEye, normal));
+        sum.radiance += weight * fresnel * mirroredRadiance(direction, deviation);
+        sum.fresnel += weight * fresnel;
+        weights += weight;
+    }
+    sum.radiance /= weights;
+    sum.fresnel /= weights;
+    return sum;
+}
+
+// Radiance of the sun's mirror image, spread by the slopes within the pixel (Bruneton, Neyret and Holzschuch 2010,
+// eq. 14), the sun's own disc included in the variance.
+vec3 sunGlint(SurfacePoint s, vec3 toEye) {
+    const float discVariance = 5.4e-6;
+    vec3 halfway = normalize(toEye + toSun.xyz);
+    if (toSun.y <= 0.0 || halfway.y <= 0.0) return vec3(0.0);
+    vec2 slope = -halfway.xz / halfway.y;
+    float density = slopeDensity(slope - s.slope, s.covariance + vec3(discVariance, discVariance, 0.0));
+    float fresnel = fresnelWater(dot(toEye, halfway));
+    float facing = max(dot(toEye, normalOf(s.slope)), 0.05);
+    float up2 = halfway.y * halfway.y;
+    return sunIrradiance.rgb * (fresnel * density / (4.0 * up2 * up2 * facing));
+}
+
+// Light scattered back by the water itself along `path` metres, as seen above the surface. The irradiance reflectance
+// of deep water is 0.33 bb/a (Morel and Prieur 1977); leaving water thins radiance by n^2 and what Fresnel keeps.
+vec3 waterGlow(vec3 path) {
+    vec3 a = max(absorption.rgb, 1e-5);
+    vec3 reflectance = 0.33 * backscatter.rgb / (a + backscatter.rgb);
+    float sunEnters = max(toSun.y, 0.0) * (1.0 - fresnelWater(max(toSun.y, 0.0)));
+    const float skyEnters = 0.934;   // 1 - 0.066, diffuse Fresnel reflectance of water
+    vec3 down = sunIrradiance.rgb * sunEnters + skyIrradiance.rgb * skyEnters;
+    const float leaves = 0.98 / (waterIndex * waterIndex);
+    // Light goes down about as far as it comes back.
+    return down / pi * reflectance * leaves * (1.0 - exp(-2.0 * (a + backscatter.rgb) * path));
+}
+
+#ifdef REFRACTION
+struct Behind {
+    vec3 radiance;
+    float path;    // length under water along the ray [m]
+    float depth;   // of what is seen, below the calm surface [m]
+};
+
+// What is seen at a pixel of the region, and how far behind the surface; a negative path when it lies in front.
+Behind behindAt(vec2 pixel) {
+    ivec2 p = clamp(ivec2(pixel), ivec2(0), region.zw - 1);
+    float depth = texelFetch(sceneDepth, region.xy + p, 0).r;
+    Behind b = Behind(vec3(0.0), 1e6, 1e6);
+    if (depthSign * (depth - farDepth) <= 0.0) return b;
+    vec4 q = relativeFromPixel * vec4(vec2(p) + 0.5, depth, 1.0);
+    vec3 seen = q.xyz / q.w;
+    b.path = dot(seen - position, normalize(position));
+    b.depth = max(-(seen.y + plane.w), 0.0);
+    b.radiance = texelFetch(sceneColor, region.xy + p, 0).rgb;
+    return b;
+}
+
+vec3 refracted(vec3 normal, vec3 toEye) {
+    vec2 here = gl_FragCoord.xy - vec2(region.xy);
+    Behind straight = behindAt(here);
+    Behind found = straight;
+    vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);
+    vec3 unbent = refract(-toEye, vec3(0.0, 1.0, 0.0), 1.0 / waterIndex);
+    // The host's picture lies along straight rays, so only what the waves add to a calm surface's bend is shown.
+    float reach = min(max(straight.path, 0.0), 20.0) * refractionDistortion;
+    vec4 target = pixelOf(position - toEye * reach + (bent - unbent) * reach);
+    if (target.w > 0.0) {
+        Behind b = behindAt(target.xy);
+        if (b.path > 0.0) found = b;
+    }
+    vec3 attenuation = absorption.rgb + backscatter.rgb;
+    float path = max(found.path, 0.0);
+    // The host lit what lies below as if in air: the way down dims it once more.
+    vec3 through = exp(-attenuation * (path + found.depth));
+    return found.radiance * through + waterGlow(vec3(path));
+}
+#else
+vec3 refracted(vec3 normal, vec3 toEye) {
+    return waterGlow(vec3(1e6));
+}
+#endif
+
+#ifdef FOAM
+// Share of the pixel where the Jacobian lies below the threshold, its unresolved part taken as Gaussian.
+float foamCover(SurfacePoint s) {
+    float deviation = sqrt(s.jacobianVariance + 0.004);
+    float x = (foam.x - s.jacobian) / deviation;
+    return 1.0 / (1.0 + exp(-1.702 * clamp(x, -20.0, 20.0)));   // logistic fit of the normal distribution
+}
+
+float patternAt(float tile) {
+    return texture(foamPattern, (foam.zw + calmPosition) / tile).r;
+}
+
+// Cover breaks up into lace where the pattern can be seen, and is a mean where it cannot.
+float foamMask(float cover) {
+    const float patternSamples = 256.0;
+    const float tile = 6.0;
+    vec2 stepSize = max(abs(dFdx(calmPosition)), abs(dFdy(calmPosition)));
+    float texels = max(stepSize.x, stepSize.y) * patternSamples / tile;
+    float pattern = 0.6 * patternAt(tile) + 0.4 * patternAt(1.5);
+    float lace = smoothstep(0.0, 0.25, cover * 1.25 - pattern);
+    return mix(lace, cover, clamp(log2(max(texels, 1.0)) / 4.0, 0.0, 1.0));
+}
+
+vec3 withFoam(vec3 water, float mask, vec3 normal) {
+    vec3 light = sunIrradiance.rgb * max(dot(normal, toSun.xyz), 0.0) + skyIrradiance.rgb;
+    return mix(water, light * foam.y / pi, mask);
+}
+#endif
+
+vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
+    if (surfaceOutput == outputHeight) return vec4(position.y + plane.w, 0.0, 0.0, 1.0);
+    if (surfaceOutput == outputNormal) return vec4(normal, 1.0);
+#ifdef FOAM
+    if (surfaceOutput == outputFoam) return vec4(foamMask(foamCover(s)), 0.0, 0.0, 1.0);
+#endif
+#ifdef REFLECTION
+    if (surfaceOutput == outputClass) return vec4(classColor(position, keptAbove(reflect(-toEye, normal))), 1.0);
+#endif
+    if (surfaceOutput == outputReflection) {
+        Reflection r = reflected(s, toEye);
+        return vec4(r.radiance / max(r.fresnel, 1e-4), 1.0);
+    }
+    return vec4(0.0, 0.0, 0.0, 1.0);
+}
+
+void main() {
+    SurfacePoint s = surfacePoint();
+    vec3 toEye = -normalize(position);
+    vec3 normal = normalOf(s.slope);
+    if (surfaceOutput != outputShaded) {
+        outColor = debugOutput(s, normal, toEye);
+        return;
+    }
+    Reflection mirror = reflected(s, toEye);
+    vec3 radiance = mirror.radiance + (1.0 - mirror.fresnel) * refracted(normal, toEye) + sunGlint(s, toEye);
+#ifdef FOAM
+    radiance = withFoam(radiance, foamMask(foamCover(s)), normal);
+#endif
+    outColor = vec4(radiance, 1.0);
+}

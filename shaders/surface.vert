@@ -1,0 +1,43 @@
+// Places the vertices of a patch: glides them onto the next coarser lattice near the end of their level's range
+// (Strugar 2009), then lets the waves displace them.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "surface.glsl"
+
+layout(location = 0) out vec2 calmPosition;   // (u, v) before displacement, relative to the eye
+layout(location = 1) out vec3 position;
+
+const int patchCells = 16;
+// A patch may reach past its level's range by its parent's diagonal, 22.6 cells of the coarser level; gliding must end
+// before the range does and begin after the coarser neighbour's patches can touch it.
+const float glideBegins = 0.7;
+const float glideEnds = 0.95;
+
+#ifdef WAVES
+vec3 waveDisplacementAt(vec2 calm, float cell) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < cascades; ++i) {
+        float mip = max(log2(cell * cascade[i].w), 0.0);
+        // The last mip is the tile's mean, which is zero.
+        if (mip < maxMip) sum += textureLod(waveDisplacement, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xyz;
+    }
+    return sum;
+}
+#endif
+
+void main() {
+    MeshPatch patch_ = patches[gl_InstanceIndex];
+    ivec2 grid = ivec2(gl_VertexIndex % (patchCells + 1), gl_VertexIndex / (patchCells + 1));
+    vec2 calm = patch_.corner + vec2(grid) * patch_.cell;
+    float share = length(vec3(calm, plane.w)) / patch_.range;
+    float glide = clamp((share - glideBegins) / (glideEnds - glideBegins), 0.0, 1.0);
+    calm -= vec2(grid & 1) * patch_.cell * glide;
+
+    vec3 relative = vec3(calm.x, -plane.w, calm.y);
+#ifdef WAVES
+    relative += waveDisplacementAt(calm, patch_.cell * (1.0 + glide));
+#endif
+    calmPosition = calm;
+    position = relative;
+    gl_Position = clipFromRelative * vec4(relative, 1.0);
+}

@@ -1,0 +1,306 @@
+#include "water/body.h"
+
+#include <cmath>
+#include <cstring>
+
+#include <glm/geometric.hpp>
+
+#include "gpu/guard.h"
+#include "reflection/mirror.h"
+#include "water/target.h"
+
+namespace seaglass {
+
+namespace {
+
+bool coefficientsInRange(const float (&values)[3]) {
+    for (const float value : values)
+        if (!(value >= 0 && value <= 100)) return false;
+    return true;
+}
+
+const char* badField(const MeshDesc& desc) {
+    if (!(desc.cellSize >= 0.01f && desc.cellSize <= 100))
+        return "MeshDesc.cellSize is out of range, expected 0.01 to 100";
+    if (desc.cellsPerLevel < 128 || desc.cellsPerLevel > 1024)
+        return "MeshDesc.cellsPerLevel is out of range, expected 128 to 1024";
+    return nullptr;
+}
+
+const char* badField(const FoamDesc& desc) {
+    if (!(desc.threshold >= -1 && desc.threshold <= 1))
+        return "FoamDesc.threshold is out of range, expected -1 to 1";
+    if (!(desc.albedo >= 0 && desc.albedo <= 1)) return "FoamDesc.albedo is out of range, expected 0 to 1";
+    return nullptr;
+}
+
+const char* badField(const RefractionDesc& desc) {
+    if (!coefficientsInRange(desc.absorption))
+        return "RefractionDesc.absorption is out of range, expected 0 to 100";
+    if (!coefficientsInRange(desc.backscatter))
+        return "RefractionDesc.backscatter is out of range, expected 0 to 100";
+    if (!(desc.distortion >= 0 && desc.distortion <= 1))
+        return "RefractionDesc.distortion is out of range, expected 0 to 1";
+    return nullptr;
+}
+
+const char* badField(const BodyDesc& desc) {
+    glm::dvec4 plane;
+    if (const char* bad = readPlane(desc.plane, plane)) return bad;
+    if (glm::length(glm::dvec3(plane) - glm::dvec3(0, 1, 0)) > 1e-9) return "BodyDesc.plane does not face +Y";
+    if (desc.foam && !desc.waves) return "BodyDesc.foam needs BodyDesc.waves";
+    if (desc.waves && !desc.wavesBackend) return "BodyDesc.waves needs BodyDesc.wavesBackend";
+    if (desc.foam)
+        if (const char* bad = badField(*desc.foam)) return bad;
+    if (desc.refraction)
+        if (const char* bad = badField(*desc.refraction)) return bad;
+    if (desc.reflection)
+        if (const char* bad = badField(*desc.reflection)) return bad;
+    return badField(desc.mesh);
+}
+
+const char* badField(const LightingDesc& lighting) {
+    if (!lighting.skyCube) return "LightingDesc.skyCube is null";
+    if (lighting.skyCubeMipLevels == 0) return "LightingDesc.skyCubeMipLevels is 0";
+    double squared = 0;
+    for (const double value : lighting.toSun) squared += value * value;
+    if (!(std::abs(squared - 1) < 1e-3)) return "LightingDesc.toSun is not a unit vector";
+    for (int i = 0; i < 3; ++i)
+        if (!(lighting.sunIrradiance[i] >= 0) || !(lighting.skyIrradiance[i] >= 0))
+            return "LightingDesc irradiance is negative or NaN";
+    return nullptr;
+}
+
+glm::vec4 color(const float (&values)[3]) {
+    return {values[0], values[1], values[2], 0};
+}
+
+/// Where `position` lies in its tile, in tiles, 0..1: taken in double, since a float far from the origin
+/// cannot say.
+double inTile(double position, double tile) {
+    const double tiles = position / tile;
+    return tiles - std::floor(tiles);
+}
+
+void setWaves(SurfaceUniforms& u, const Sea& sea, const WaveMaps& maps, const glm::dvec3& eye) {
+    u.cascades = static_cast<int32_t>(maps.cascades);
+    u.maxMip = static_cast<float>(maps.mipLevels - 1);
+    u.unresolvedVariance = static_cast<float>(unresolvedSlopeVariance(sea) / 2);
+    for (uint32_t i = 0; i < maps.cascades; ++i) {
+        const double patch = cascade(sea, i).patch;
+        u.cascade[i] = glm::vec4(inTile(eye.x, patch), inTile(eye.z, patch), 1 / patch, maps.samples / patch);
+    }
+}
+
+SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, const LightingDesc& lighting) {
+    SurfaceUniforms u;
+    u.clipFromRelative = glm::mat4(geometry.clipFromRelative);
+    u.pixelFromRelative = glm::mat4(geometry.pixelFromRelative);
+    u.relativeFromPixel = glm::mat4(geometry.relativeFromPixel);
+    const double eyeHeight = glm::dot(glm::dvec3(body.plane), geometry.eye) + body.plane.w;
+    u.plane = glm::vec4(glm::vec3(body.plane), eyeHeight);
+    u.toSun = glm::vec4(lighting.toSun[0], lighting.toSun[1], lighting.toSun[2], 0);
+    u.sunIrradiance = color(lighting.sunIrradiance);
+    u.skyIrradiance = color(lighting.skyIrradiance);
+    u.skyMips = static_cast<float>(lighting.skyCubeMipLevels);
+    u.region = glm::ivec4(geometry.regionOrigin, geometry.regionSize);
+    u.farDepth = static_cast<float>(geometry.farDepth);
+    u.depthSign = geometry.reversedDepth ? 1.0f : -1.0f;
+    u.reflectionDistortion = body.reflectionDistortion;
+    if (body.waves) setWaves(u, *body.sea, body.waves->maps(), geometry.eye);
+    if (body.foam)
+        u.foam =
+            glm::vec4(body.foam->threshold, body.foam->albedo, inTile(geometry.eye.x, foamTile) * foamTile,
+                      inTile(geometry.eye.z, foamTile) * foamTile);
+    if (body.refraction) {
+        u.absorption = color(body.refraction->absorption);
+        u.backscatter = color(body.refraction->backscatter);
+        u.refractionDistortion = body.refraction->distortion;
+    }
+    return u;
+}
+
+template<typename T>
+Status upload(Context& context, const T* data, size_t count, gpu::Slice& slice) {
+    if (const Status s = context.frame().allocate(sizeof(T) * count, slice); s != Status::ok) return s;
+    std::memcpy(slice.data, data, sizeof(T) * count);
+    return Status::ok;
+}
+
+void setViewport(const gpu::Device& device, VkCommandBuffer commands, const ViewDesc& view,
+                 const ViewGeometry& geometry) {
+    device.vk().CmdSetViewport(commands, 0, 1, &view.viewport);
+    const VkRect2D scissor = {
+        {geometry.regionOrigin.x, geometry.regionOrigin.y},
+        {static_cast<uint32_t>(geometry.regionSize.x), static_cast<uint32_t>(geometry.regionSize.y)}};
+    device.vk().CmdSetScissor(commands, 0, 1, &scissor);
+}
+
+} // namespace
+
+Status PatchIndices::create(Context& context) {
+    const std::vector<uint16_t> indices = patchIndices();
+    const VkDeviceSize bytes = indices.size() * sizeof(uint16_t);
+    if (const Status s = buffer.createMapped(context.device, bytes, VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+                                             "patch index buffer");
+        s != Status::ok)
+        return s;
+    std::memcpy(buffer.mapped(), indices.data(), bytes);
+    return Status::ok;
+}
+
+Status Body::create(Context& owner, const BodyDesc& desc) {
+    context = &owner;
+    if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
+    if (const char* bad = readPlane(desc.plane, plane))
+        return owner.device.fail(Status::invalidArgument, "%s", bad);
+    mesh = desc.mesh;
+    if (desc.waves)
+        if (const Status s = createWaves(desc); s != Status::ok) return s;
+    if (desc.foam && waves) {
+        foam = *desc.foam;
+        if (const Status s = foamMap.emplace().create(owner); s != Status::ok) return s;
+    }
+    if (desc.refraction) refraction = *desc.refraction;
+    if (desc.reflection && desc.reflection->technique != ReflectionTechnique::sky) {
+        ReflectorDesc reflectorDesc;
+        std::memcpy(reflectorDesc.plane, desc.plane, sizeof desc.plane);
+        reflectorDesc.reflection = *desc.reflection;
+        reflector = std::make_unique<Reflector>();
+        if (const Status s = reflector->create(owner, reflectorDesc); s != Status::ok) return s;
+        reflectionDistortion = desc.reflection->distortion;
+    }
+    return owner.share(indices);
+}
+
+Status Body::createWaves(const BodyDesc& desc) {
+    SeaError error;
+    std::unique_ptr<Sea, SeaDeleter> made(createSea(desc.waves, &error));
+    if (!made) return context->device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
+    if (cascadeCount(*made) == 0) return Status::ok; // Wind 0 is a flat body, by branch.
+    sea = std::move(made);
+    return waves.emplace().create(*context, *sea, *desc.wavesBackend);
+}
+
+Status Body::simulate(VkCommandBuffer commands, double time) {
+    if (!std::isfinite(time))
+        return context->device.fail(Status::invalidArgument, "simulate: time is not finite");
+    if (foamMap) foamMap->recordUpload(context->device, commands);
+    if (!waves) return Status::ok;
+    simulated = true;
+    return waves->record(*context, commands, time);
+}
+
+SurfaceFeatures Body::features(const ReflectionImages& images) const {
+    return {waves.has_value(), foam.has_value(), refraction.has_value(), images.color != VK_NULL_HANDLE};
+}
+
+double Body::largestDisplacement() const {
+    // Heights pass 5 standard deviations once in a million; choppiness moves points sideways about as far.
+    if (!sea) return 0;
+    const double height = 1.25 * significantWaveHeight(*sea);
+    return height * std::max(1.0, double{description(*sea).choppiness});
+}
+
+Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                  const LightingDesc& lighting, SurfaceOutput output) {
+    const gpu::Device& device = context->device;
+    ViewGeometry geometry;
+    if (const char* bad = readView(view, geometry))
+        return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (waves && !simulated)
+        return device.fail(Status::invalidArgument,
+                           "draw: the body has waves but simulate() was never called");
+
+    SurfaceInputs inputs;
+    if (reflector) inputs.reflection = reflector->images(view.viewIndex);
+    const SurfaceFeatures wanted = features(inputs.reflection);
+    const SurfacePipelines::Pipeline* pipeline = nullptr;
+    if (const Status s = target.pipelines.get(wanted, output, pipeline); s != Status::ok) return s;
+
+    const SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
+    MeshView meshView;
+    meshView.eye = {geometry.eye.x, geometry.eye.z};
+    meshView.eyeHeight = uniforms.plane.w;
+    meshView.displacement = largestDisplacement();
+    // Patches are tested around the eye's foot on the calm plane.
+    glm::dmat4 relativeFromFoot(1);
+    relativeFromFoot[3].y = -meshView.eyeHeight;
+    meshView.frustum = frustumPlanes(geometry.clipFromRelative * relativeFromFoot, geometry.reversedDepth);
+    selectPatches(meshView, double{mesh.cellSize}, mesh.cellsPerLevel, patches);
+    if (patches.empty()) return Status::ok;
+
+    if (const Status s = upload(*context, &uniforms, 1, inputs.uniforms); s != Status::ok) return s;
+    if (const Status s = upload(*context, patches.data(), patches.size(), inputs.patches); s != Status::ok)
+        return s;
+    inputs.patchCount = static_cast<uint32_t>(patches.size());
+    inputs.indices = indices->buffer.handle();
+    inputs.lighting = &lighting;
+    inputs.view = &view;
+    if (waves)
+        for (uint32_t i = 0; i < waveMapCount; ++i) inputs.waveMaps[i] = waves->maps().images[i].view();
+    if (foamMap) inputs.foamPattern = foamMap->view();
+    setViewport(device, commands, view, geometry);
+    return recordSurface(*context, commands, *pipeline, wanted, inputs);
+}
+
+Status createBody(Context* context, const BodyDesc* desc, Body** out) {
+    if (!context || !desc || !out) return Status::invalidArgument;
+    *out = nullptr;
+    return gpu::guarded([&] {
+        auto body = std::make_unique<Body>();
+        if (const Status s = body->create(*context, *desc); s != Status::ok) return s;
+        *out = body.release();
+        return Status::ok;
+    });
+}
+
+void destroyBody(Body* body) {
+    if (!body) return;
+    body->context->frame().retire(std::unique_ptr<Body>(body));
+}
+
+namespace {
+
+template<typename Each>
+Status forEach(Body* const* bodies, uint32_t count, Each&& each) {
+    return gpu::guarded([&] {
+        for (uint32_t i = 0; i < count; ++i) {
+            if (!bodies[i]) return Status::invalidArgument;
+            if (const Status s = each(*bodies[i]); s != Status::ok) return s;
+        }
+        return Status::ok;
+    });
+}
+
+} // namespace
+
+Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time) {
+    if (!commands || (count && !bodies)) return Status::invalidArgument;
+    return forEach(bodies, count, [&](Body& body) { return body.simulate(commands, time); });
+}
+
+Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view) {
+    if (!commands || (count && !bodies) || !view) return Status::invalidArgument;
+    return forEach(bodies, count, [&](Body& body) {
+        return body.reflector ? body.reflector->record(commands, *view) : Status::ok;
+    });
+}
+
+Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
+            const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output) {
+    if (!commands || !target || (count && !bodies) || !view || !lighting) return Status::invalidArgument;
+    return forEach(bodies, count,
+                   [&](Body& body) { return body.draw(commands, *target, *view, *lighting, output); });
+}
+
+ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex) {
+    return body && body->reflector ? body->reflector->images(viewIndex) : ReflectionImages{};
+}
+
+const Sea* sea(const Body* body) {
+    return body ? body->sea.get() : nullptr;
+}
+
+} // namespace seaglass

@@ -1,0 +1,56 @@
+// What is behind seaglass::Body: the parts that its description asked for, and nothing else.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+#include "gpu/context.h"
+#include "reflection/reflector.h"
+#include "seaglass/water.h"
+#include "water/foam.h"
+#include "water/mesh.h"
+#include "water/surface.h"
+#include "water/waves.h"
+
+namespace seaglass {
+
+struct SeaDeleter {
+    void operator()(Sea* sea) const { destroySea(sea); }
+};
+
+/// The index buffer that every patch of every body is drawn with.
+struct PatchIndices {
+    gpu::Buffer buffer;
+    Status create(Context& context);
+};
+
+struct Body {
+    Context* context = nullptr;
+    glm::dvec4 plane{0};
+    MeshDesc mesh;
+    std::unique_ptr<Sea, SeaDeleter> sea; ///< null when flat
+    std::optional<Waves> waves;
+    bool simulated = false; ///< the maps hold something
+    std::optional<FoamDesc> foam;
+    std::optional<FoamMap> foamMap;
+    std::optional<RefractionDesc> refraction;
+    std::unique_ptr<Reflector> reflector; ///< null without a screen-space technique
+    float reflectionDistortion = 0;
+    std::shared_ptr<PatchIndices> indices;
+    std::vector<MeshPatch> patches; ///< scratch, kept for its capacity
+
+    Status create(Context& owner, const BodyDesc& desc);
+    Status simulate(VkCommandBuffer commands, double time);
+    Status draw(VkCommandBuffer commands, Target& target, const ViewDesc& view, const LightingDesc& lighting,
+                SurfaceOutput output);
+
+  private:
+    Status createWaves(const BodyDesc& desc);
+    SurfaceFeatures features(const ReflectionImages& images) const;
+    double largestDisplacement() const;
+};
+
+} // namespace seaglass

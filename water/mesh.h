@@ -1,0 +1,42 @@
+// The surface's mesh: a quadtree of equal grid patches around the eye (Strugar 2009, "Continuous
+// Distance-Dependent Level of Detail"). Patches lie on a lattice fixed in the world, so nothing swims;
+// vertices glide onto the next coarser lattice before it takes over, so nothing pops and no crack opens.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace seaglass {
+
+constexpr uint32_t patchCells = 16; ///< across a patch; the shader's patchCells
+
+/// One patch as the vertex shader reads it.
+struct MeshPatch {
+    float corner[2]; ///< lowest (u, v), relative to the eye [m]
+    float cell;      ///< edge of a cell [m]
+    float range;     ///< distance within which this level is used [m]
+};
+
+struct MeshView {
+    glm::dvec2 eye{0};    ///< (u, v) in the world [m]
+    double eyeHeight = 0; ///< above the calm surface [m]
+    std::array<glm::dvec4, 5>
+        frustum{};           ///< planes facing inwards over (u, height, v) relative to the eye's foot
+    double displacement = 0; ///< the most that waves move a vertex in any axis [m]
+};
+
+/// Inward planes (left, right, bottom, top, near) of a clip matrix over its input space.
+std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDepth);
+
+/// Patches from fine to coarse out to the horizon, those out of sight left out.
+void selectPatches(const MeshView& view, double finestCell, double rangeInCells, std::vector<MeshPatch>& out);
+
+/// Two triangles a cell over (patchCells + 1)^2 vertices, row by row.
+std::vector<uint16_t> patchIndices();
+
+} // namespace seaglass

@@ -1,0 +1,36 @@
+// What the waves add to the surface's slopes, resolved or not.
+#include "water/dispersion.h"
+#include "water/sea.h"
+#include "water/spectrum.h"
+
+#include <cmath>
+
+namespace seaglass {
+namespace {
+
+// Waves of 17 mm travel slowest and mark the end of the gravity range, which the spectra describe.
+constexpr double shortestGravityWave = 365.0; // [rad/m]
+constexpr int steps = 256;
+
+// The integral of k^2 S(w) dw, by the midpoint rule over equal ratios of k.
+double slopeVariance(const Spectrum& spectrum, double kMin, double kMax) {
+    const double ratio = std::log(kMax / kMin) / steps;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double k = kMin * std::exp((i + 0.5) * ratio);
+        sum += k * k * energy(spectrum, angularFrequency(k)) * groupSpeed(k) * k * ratio;
+    }
+    return sum;
+}
+
+} // namespace
+
+double unresolvedSlopeVariance(const Sea& sea) {
+    if (sea.count == 0) return 0;
+    const double kMin = sea.cascades[sea.count - 1].kMax;
+    if (kMin >= shortestGravityWave) return 0;
+    const auto amplitude = static_cast<double>(sea.desc.amplitude);
+    return amplitude * amplitude * slopeVariance(makeSpectrum(sea.desc), kMin, shortestGravityWave);
+}
+
+} // namespace seaglass

@@ -1,0 +1,93 @@
+// The surface as it is drawn: which shader a body's features need, its pipelines, and one draw.
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "gpu/binding.h"
+#include "gpu/context.h"
+#include "seaglass/water.h"
+
+namespace seaglass {
+
+/// What a body's surface has. Each combination is a shader of its own, which declares nothing that it does
+/// not use.
+struct SurfaceFeatures {
+    bool waves = false;
+    bool foam = false; ///< only with waves
+    bool refraction = false;
+    bool reflection = false; ///< a screen-space reflection image
+    auto operator<=>(const SurfaceFeatures&) const = default;
+};
+
+/// The std140 block of shaders/common/surface.glsl. Positions are relative to the eye.
+struct SurfaceUniforms {
+    glm::mat4 clipFromRelative{1};
+    glm::mat4 pixelFromRelative{1};
+    glm::mat4 relativeFromPixel{1};
+    glm::vec4 cascade[maxCascades] = {}; ///< eye's (u, v) in the tile, in tiles; 1 / patch; 1 / texel [1/m]
+    glm::vec4 plane{0, 1, 0, 0};         ///< up, and the eye's height [m]
+    glm::vec4 toSun{0};
+    glm::vec4 sunIrradiance{0};
+    glm::vec4 skyIrradiance{0};
+    glm::vec4 absorption{0};
+    glm::vec4 backscatter{0};
+    glm::ivec4 region{0};
+    glm::vec4 foam{0};            ///< threshold, albedo, the eye's (u, v) in the pattern's longest tile [m]
+    float unresolvedVariance = 0; ///< slope variance that no cascade holds, in each direction
+    float refractionDistortion = 0;
+    float reflectionDistortion = 0;
+    float farDepth = 0;
+    float depthSign = 1;
+    float skyMips = 1;
+    int32_t cascades = 0;
+    float maxMip = 0;
+};
+
+/// Edge of the tile that foam patterns repeat in [m]; shaders/surface.frag samples divisions of it.
+constexpr double foamTile = 24.0;
+
+class SurfacePipelines {
+  public:
+    SurfacePipelines() = default;
+    ~SurfacePipelines();
+    SurfacePipelines(const SurfacePipelines&) = delete;
+    SurfacePipelines& operator=(const SurfacePipelines&) = delete;
+
+    void init(const gpu::Device& device, const TargetDesc& desc);
+
+    struct Pipeline {
+        gpu::Layout layout;
+        VkPipeline handle = VK_NULL_HANDLE;
+    };
+    /// Builds on first use.
+    Status get(SurfaceFeatures features, SurfaceOutput output, const Pipeline*& out);
+
+  private:
+    Status build(SurfaceFeatures features, SurfaceOutput output, Pipeline& out) const;
+
+    const gpu::Device* device_ = nullptr;
+    TargetDesc desc_;
+    std::map<std::pair<SurfaceFeatures, SurfaceOutput>, Pipeline> pipelines_;
+};
+
+/// What one draw binds. Views that the features do not call for stay null.
+struct SurfaceInputs {
+    gpu::Slice uniforms;
+    gpu::Slice patches; ///< MeshPatch, one an instance
+    uint32_t patchCount = 0;
+    VkBuffer indices = VK_NULL_HANDLE;
+    const LightingDesc* lighting = nullptr;
+    VkImageView waveMaps[3] = {};
+    VkImageView foamPattern = VK_NULL_HANDLE;
+    ReflectionImages reflection;
+    const ViewDesc* view = nullptr;
+};
+
+Status recordSurface(Context& context, VkCommandBuffer commands, const SurfacePipelines::Pipeline& pipeline,
+                     SurfaceFeatures features, const SurfaceInputs& inputs);
+
+} // namespace seaglass

@@ -1,0 +1,29 @@
+// The sea's surface on the GPU: per cascade its displacement, derivatives and moments with whole mip chains.
+// Whoever computes waves fills mip 0; what a mip holds is the mean over its footprint, so the moments' mips
+// give the variance that the derivatives' mips lose.
+#pragma once
+
+#include <array>
+
+#include "gpu/context.h"
+#include "gpu/image.h"
+
+namespace seaglass {
+
+constexpr VkFormat waveMapFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr uint32_t waveMapCount = 3;
+
+struct WaveMaps {
+    std::array<gpu::OwnedImage, waveMapCount> images; ///< displacement, derivatives, moments: see CascadeMaps
+    uint32_t samples = 0;
+    uint32_t cascades = 0;
+    uint32_t mipLevels = 0;
+
+    Status create(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount);
+    /// Makes mip 0 writable by transfers, its former content lost; readers of earlier frames are waited for.
+    void recordBeginUpload(const gpu::Device& device, VkCommandBuffer commands) const;
+    /// From mip 0 written by transfers to all mips readable by shaders.
+    void recordMips(const gpu::Device& device, VkCommandBuffer commands) const;
+};
+
+} // namespace seaglass
