@@ -218,7 +218,6 @@ class Heights {
         Surface surface;
         for (const Instant& cascade : cascades_)
             addSurface(cascade, onTile(point, found.offset, cascade.patch), choppiness_, surface);
-        const bool overturned = !(found.shift.jacobian() > 0);
 
         HeightSample sample;
         sample.height = static_cast<float>(surface.height);
@@ -226,7 +225,7 @@ class Heights {
         sample.velocity[0] = static_cast<float>(surface.drift.u);
         sample.velocity[1] = static_cast<float>(surface.rise);
         sample.velocity[2] = static_cast<float>(surface.drift.v);
-        sample.folded = overturned || !found.settled ? 1 : 0;
+        sample.folded = found.crossedFold || !found.settled ? 1 : 0;
         return sample;
     }
 
@@ -235,6 +234,7 @@ class Heights {
         Vec2 offset; ///< from the point asked for to where its water rests
         Shift shift; ///< there
         bool settled = false;
+        bool crossedFold = false; ///< on the way there: other water may lie over the same point
     };
 
     // Far from the origin the tile's remainder keeps the digits that the sum would lose.
@@ -259,10 +259,11 @@ class Heights {
             found.shift = shiftAt(point, found.offset);
             const Shift& s = found.shift;
             const Vec2 residual{found.offset.u + s.d.u, found.offset.v + s.d.v};
+            const double jacobian = s.jacobian();
             found.settled = length(residual) <= tolerance_;
+            found.crossedFold |= !(jacobian > 0);
             if (found.settled || step == steps) return found;
 
-            const double jacobian = s.jacobian();
             Vec2 move{-0.5 * residual.u, -0.5 * residual.v};
             if (jacobian > leastJacobian) {
                 move.u = -((1 + s.dvDv) * residual.u - s.duDv * residual.v) / jacobian;

@@ -87,7 +87,8 @@ struct HeightSample {
     float height = 0;                ///< above the calm plane [m]
     float normal[3] = {0, 1, 0};     ///< unit: u, up, v
     float velocity[3] = {0, 0, 0};   ///< of the water at the surface: u, up, v [m/s]
-    uint32_t folded = 0;             ///< 1 where the surface overturns or the search did not settle: height is one of several
+    uint32_t folded = 0;             ///< 1 where the surface overturns at or near the point, or the search did not settle:
+                                     ///< height may be one of several
 };
 
 /// Heights at `count` points (u, v in metres, interleaved) at any time, future included. No GPU. Any thread, several

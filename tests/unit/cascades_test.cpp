@@ -1,0 +1,134 @@
+#include "water/cascades.h"
+
+#include "tests/unit/sea_support.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace seaglass;
+using tests::makeSea;
+
+constexpr double tau = 2 * std::numbers::pi;
+
+SeaDesc withSamples(uint32_t samples) {
+    SeaDesc desc;
+    desc.samples = samples;
+    desc.cascades = maxCascades;
+    return desc;
+}
+
+TEST(Cascades, BandsTouchAndAreSampledFourTimesAWave) {
+    for (const uint32_t samples : {16u, 64u, 128u, 256u, 1024u}) {
+        const auto sea = makeSea(withSamples(samples));
+        for (uint32_t c = 0; c < cascadeCount(*sea); ++c) {
+            const Cascade& band = cascade(*sea, c);
+            EXPECT_LE(band.kMax, tau / band.patch * samples / 4 * (1 + 1e-12)) << samples << ", " << c;
+            EXPECT_EQ(band.kMin, c == 0 ? 0 : cascade(*sea, c - 1).kMax) << samples << ", " << c;
+            EXPECT_GE(band.kMax, band.kMin) << samples << ", " << c;
+        }
+    }
+}
+
+TEST(Cascades, LongestWavesRepeatOftenOnTheirTile) {
+    const auto sea = makeSea(withSamples(256));
+    for (uint32_t c = 1; c < cascadeCount(*sea); ++c)
+        EXPECT_GE(cascade(*sea, c).kMin * cascade(*sea, c).patch / tau, 8);
+    EXPECT_GE(peakWavelength(makeSpectrum(description(*sea))) * 10, cascade(*sea, 0).patch / 2);
+}
+
+TEST(Cascades, TilesLineUpNowhereNear) {
+    const auto sea = makeSea(withSamples(256));
+    for (uint32_t c = 1; c < cascadeCount(*sea); ++c) {
+        const double ratio = cascade(*sea, 0).patch / cascade(*sea, c).patch;
+        for (int tiles = 1; tiles <= 5; ++tiles) {
+            const double off = tiles * ratio - std::round(tiles * ratio);
+            EXPECT_GT(std::abs(off), 1e-3) << tiles << " of tile 0 on tiles " << c;
+        }
+    }
+}
+
+TEST(Cascades, LargestPatchIsAsAskedOrFitsThePeak) {
+    SeaDesc desc;
+    desc.largestPatch = 333;
+    EXPECT_EQ(cascade(*makeSea(desc), 0).patch, 333);
+    desc.largestPatch = 0;
+    EXPECT_NEAR(cascade(*makeSea(desc), 0).patch, 16 * peakWavelength(makeSpectrum(desc)), 1e-6);
+    desc.windSpeed = 1;
+    EXPECT_EQ(cascade(*makeSea(desc), 0).patch, 60);
+    desc.windSpeed = 40;
+    EXPECT_EQ(cascade(*makeSea(desc), 0).patch, 2000);
+}
+
+TEST(Cascades, ModesKeepToTheirBand) {
+    const auto sea = makeSea(withSamples(64));
+    for (uint32_t c = 0; c < cascadeCount(*sea); ++c) {
+        const Cascade& band = cascade(*sea, c);
+        const Modes& modes = sea->modes[c];
+        EXPECT_LT(modes.reach, 64 / 2) << "the Nyquist row and column stay empty";
+        size_t held = 0;
+        for (int32_t n = 0; n <= modes.reach; ++n) {
+            for (int32_t m = -modes.reach; m <= modes.reach; ++m) {
+                const double k = std::hypot(m, n) * tau / band.patch;
+                const size_t at = modes.at(m, n);
+                const bool inBand = k >= band.kMin && k < band.kMax;
+                const bool half = n > 0 || m > 0;
+                EXPECT_EQ(modes.frequency[at] != 0, inBand && half) << m << ", " << n;
+                if (inBand && half)
+                    ++held;
+                else
+                    EXPECT_EQ(std::abs(modes.forwardRe[at]) + std::abs(modes.backwardIm[at]), 0)
+                        << m << ", " << n;
+            }
+        }
+        EXPECT_GT(held, 100u) << c;
+    }
+}
+
+TEST(Cascades, SharedModesAreTheSameWhenSamplesDouble) {
+    for (const uint32_t samples : {64u, 256u}) {
+        const auto coarse = makeSea(withSamples(samples)), fine = makeSea(withSamples(2 * samples));
+        for (uint32_t c = 0; c < cascadeCount(*coarse); ++c) {
+            const Modes &few = coarse->modes[c], &many = fine->modes[c];
+            ASSERT_EQ(cascade(*coarse, c).patch, cascade(*fine, c).patch);
+            size_t shared = 0, lost = 0;
+            for (int32_t n = 0; n <= few.reach; ++n) {
+                for (int32_t m = -few.reach; m <= few.reach; ++m) {
+                    const size_t a = few.at(m, n), b = many.at(m, n);
+                    if (few.frequency[a] == 0) continue;
+                    if (many.frequency[b] == 0) {
+                        ++lost;
+                        continue;
+                    }
+                    ++shared;
+                    EXPECT_EQ(few.frequency[a], many.frequency[b]);
+                    EXPECT_EQ(few.forwardRe[a], many.forwardRe[b]);
+                    EXPECT_EQ(few.forwardIm[a], many.forwardIm[b]);
+                    EXPECT_EQ(few.backwardRe[a], many.backwardRe[b]);
+                    EXPECT_EQ(few.backwardIm[a], many.backwardIm[b]);
+                }
+            }
+            EXPECT_GT(shared, 100u);
+            if (samples >= 256) {
+                EXPECT_EQ(lost, 0u) << "cascade " << c;
+            }
+        }
+    }
+}
+
+TEST(Cascades, SeedsAndCascadesDiffer) {
+    SeaDesc desc = withSamples(64);
+    const auto first = makeSea(desc);
+    desc.seed = 2;
+    const auto second = makeSea(desc);
+    EXPECT_NE(first->modes[0].forwardRe, second->modes[0].forwardRe);
+    const size_t a = first->modes[2].at(9, 9), b = first->modes[3].at(9, 9);
+    EXPECT_NE(first->modes[2].forwardRe[a] * first->modes[3].forwardIm[b],
+              first->modes[2].forwardIm[a] * first->modes[3].forwardRe[b])
+        << "the same variates in two cascades";
+}
+
+} // namespace

@@ -1,0 +1,88 @@
+// The boundary when an allocation fails: an error, and nothing left behind.
+#include "tests/unit/sea_support.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+namespace {
+
+// How many more allocations succeed on this thread; negative when all do.
+thread_local int allocationsLeft = -1;
+
+} // namespace
+
+void* operator new(size_t size) {
+    if (allocationsLeft == 0) throw std::bad_alloc();
+    if (allocationsLeft > 0) --allocationsLeft;
+    if (void* memory = std::malloc(size ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, size_t) noexcept {
+    std::free(memory);
+}
+
+namespace {
+
+using namespace seaglass;
+
+class Starved {
+  public:
+    explicit Starved(int allocations) { allocationsLeft = allocations; }
+    Starved(const Starved&) = delete;
+    Starved& operator=(const Starved&) = delete;
+    ~Starved() { allocationsLeft = -1; }
+};
+
+TEST(OutOfMemory, CreateSeaSaysSo) {
+    const SeaDesc desc = tests::oneCascade();
+    bool made = false;
+    for (int allocations = 0; !made; ++allocations) {
+        ASSERT_LT(allocations, 100);
+        SeaError error;
+        Sea* sea = nullptr;
+        {
+            const Starved starved(allocations);
+            sea = createSea(&desc, &error);
+        }
+        made = sea != nullptr;
+        EXPECT_EQ(made, std::strstr(error.text, "out of memory") == nullptr) << allocations;
+        destroySea(sea);
+    }
+}
+
+TEST(OutOfMemory, BackendReturnsNull) {
+    const auto sea = tests::makeSea(tests::oneCascade());
+    bool made = false;
+    for (int allocations = 0; !made; ++allocations) {
+        ASSERT_LT(allocations, 100);
+        void* state = nullptr;
+        {
+            const Starved starved(allocations);
+            state = fftwWaves()->create(*sea);
+        }
+        made = state != nullptr;
+        if (made) fftwWaves()->destroy(state);
+        EXPECT_TRUE(made || allocations < 10);
+    }
+}
+
+TEST(OutOfMemory, HeightsAreCalmAndMarked) {
+    const auto sea = tests::makeSea(tests::oneCascade());
+    const double point[] = {1, 2};
+    HeightSample sample;
+    sample.height = 5;
+    {
+        const Starved starved(3);
+        sampleHeights(*sea, 0, point, 1, &sample);
+    }
+    EXPECT_EQ(sample.height, 0);
+    EXPECT_EQ(sample.folded, 1u);
+}
+
+} // namespace

@@ -1,0 +1,127 @@
+#include "water/spectrum.h"
+
+#include "tests/unit/sea_support.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace {
+
+using namespace seaglass;
+using tests::moment;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double waveHeight(const Spectrum& spectrum) {
+    return 4 * std::sqrt(moment(spectrum, 0, infinity));
+}
+double peakPeriod(const Spectrum& spectrum) {
+    return 2 * std::numbers::pi / spectrum.peak;
+}
+
+SeaDesc piersonMoskowitz(float wind) {
+    SeaDesc desc;
+    desc.spectrum = SpectrumModel::piersonMoskowitz;
+    desc.windSpeed = wind;
+    return desc;
+}
+
+SeaDesc jonswap(float wind, float fetch) {
+    SeaDesc desc;
+    desc.windSpeed = wind;
+    desc.fetch = fetch;
+    desc.capFetch = false;
+    return desc;
+}
+
+TEST(Spectrum, PiersonMoskowitzHasItsHeightsAndPeriods) {
+    struct Row {
+        float wind;
+        double height, period;
+    };
+    for (const Row row :
+         {Row{5, 0.561, 3.747}, Row{7.5f, 1.263, 5.620}, Row{10, 2.245, 7.493}, Row{12.5f, 3.508, 9.366},
+          Row{15, 5.052, 11.24}, Row{20, 8.981, 14.99}, Row{25, 14.03, 18.73}}) {
+        const Spectrum spectrum = makeSpectrum(piersonMoskowitz(row.wind));
+        EXPECT_NEAR(waveHeight(spectrum) / row.height, 1, 1e-3) << row.wind << " m/s";
+        EXPECT_NEAR(peakPeriod(spectrum) / row.period, 1, 1e-3) << row.wind << " m/s";
+    }
+}
+
+TEST(Spectrum, PiersonMoskowitzCrossesZeroAsPublished) {
+    const Spectrum spectrum = makeSpectrum(piersonMoskowitz(10));
+    const double zeroCrossing =
+        2 * std::numbers::pi * std::sqrt(moment(spectrum, 0, infinity) / moment(spectrum, 0, infinity, 2));
+    EXPECT_NEAR(zeroCrossing / peakPeriod(spectrum), 0.710, 1e-3);
+}
+
+TEST(Spectrum, JonswapHasItsHeightsAndPeriods) {
+    struct Row {
+        float wind, fetch;
+        double alpha, period, height;
+    };
+    for (const Row row : {Row{10, 10e3f, 0.01670, 2.893, 0.594}, Row{10, 100e3f, 0.01006, 6.232, 2.139},
+                          Row{15, 100e3f, 0.01203, 7.134, 3.064}, Row{15, 300e3f, 0.00944, 10.29, 5.647},
+                          Row{20, 300e3f, 0.01072, 11.33, 7.288}}) {
+        const Spectrum spectrum = makeSpectrum(jonswap(row.wind, row.fetch));
+        EXPECT_NEAR(spectrum.alpha, row.alpha, 6e-6) << row.wind << " m/s over " << row.fetch << " m";
+        EXPECT_NEAR(peakPeriod(spectrum) / row.period, 1, 1e-3)
+            << row.wind << " m/s over " << row.fetch << " m";
+        EXPECT_NEAR(waveHeight(spectrum) / row.height, 1, 1e-3)
+            << row.wind << " m/s over " << row.fetch << " m";
+    }
+}
+
+TEST(Spectrum, PeakEnhancementMultipliesTheEnergy) {
+    SeaDesc desc = jonswap(10, 100e3f);
+    desc.peakEnhancement = 1;
+    const double plain = moment(makeSpectrum(desc), 0, infinity);
+    for (const auto& [gamma, factor] : {std::pair{2.0f, 1.246}, {3.3f, 1.525}, {5.0f, 1.858}}) {
+        desc.peakEnhancement = gamma;
+        EXPECT_NEAR(moment(makeSpectrum(desc), 0, infinity) / plain, factor, 1e-3) << gamma;
+    }
+}
+
+TEST(Spectrum, IsLargestAtItsPeak) {
+    for (const SeaDesc& desc : {piersonMoskowitz(10), jonswap(10, 100e3f)}) {
+        const Spectrum spectrum = makeSpectrum(desc);
+        for (const double off : {0.9, 0.99, 1.01, 1.1})
+            EXPECT_LT(energy(spectrum, off * spectrum.peak), energy(spectrum, spectrum.peak)) << off;
+    }
+}
+
+TEST(Spectrum, CapHoldsTheFetchAtFullDevelopment) {
+    SeaDesc desc = jonswap(10, 1e7f);
+    const double uncapped = waveHeight(makeSpectrum(desc));
+    desc.capFetch = true;
+    const double capped = waveHeight(makeSpectrum(desc));
+    const double fullyDeveloped = waveHeight(makeSpectrum(piersonMoskowitz(10)));
+    EXPECT_NEAR(capped / fullyDeveloped, 1, 0.05);
+    EXPECT_GT(uncapped, 2 * capped);
+
+    desc.fetch = 50e3f; // chi = 4905
+    SeaDesc open = desc;
+    open.capFetch = false;
+    EXPECT_EQ(makeSpectrum(desc).alpha, makeSpectrum(open).alpha);
+}
+
+TEST(Spectrum, IsFiniteAndNeverNegative) {
+    for (const float wind : {0.01f, 60.0f}) {
+        for (const float fetch : {1.0f, 1e7f}) {
+            for (const bool cap : {false, true}) {
+                SeaDesc desc = jonswap(wind, fetch);
+                desc.capFetch = cap;
+                const Spectrum spectrum = makeSpectrum(desc);
+                for (const double omega : {-1.0, 0.0, 1e-300, 1e-80, 1e-3, 1.0, 1e3, 1e12}) {
+                    const double s = energy(spectrum, omega);
+                    EXPECT_TRUE(std::isfinite(s) && s >= 0) << wind << " m/s, " << fetch << " m, " << omega;
+                }
+            }
+        }
+    }
+}
+
+} // namespace
