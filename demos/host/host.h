@@ -1,5 +1,5 @@
-// The sample host: a small headless Vulkan 1.3 renderer of the kind a game has, which takes its water from Seaglass
-// through the public headers alone.
+// The sample host: a small headless Vulkan 1.3 renderer of the kind a game has, which takes its water from
+// Seaglass through the public headers alone.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +15,28 @@ namespace demos {
 
 struct DeviceInfo {
     std::string name;
-    std::string driver;       ///< driver name and version
-    std::string type;         ///< discrete, integrated, virtual, cpu, other
+    std::string driver; ///< driver name and version
+    std::string type;   ///< discrete, integrated, virtual, cpu, other
     bool supported = false;
-    std::string whyNot;       ///< when not supported: what is missing
+    std::string whyNot; ///< when not supported: what is missing
 };
 
-/// Every Vulkan device here, best first (discrete, integrated, virtual, CPU). Empty with `error` set when there is no
-/// loader or no driver.
+/// Every Vulkan device here, best first (discrete, integrated, virtual, CPU). Empty with `error` set when
+/// there is no loader or no driver.
 std::vector<DeviceInfo> listDevices(Error& error);
 
 struct HostDesc {
-    std::string device;          ///< part of a device's name, case ignored; empty takes the best
-    bool validation = false;     ///< core and synchronisation validation; messages are counted and printed to stderr
+    std::string device; ///< part of a device's name, case ignored; empty takes the best
+    bool validation =
+        false; ///< core and synchronisation validation; messages are counted and printed to stderr
     uint32_t framesInFlight = 2;
 };
 
 /// What a frame is to deliver. The names are the program's --aov.
 enum class Aov { color, reflection, reflectionClass, height, normal, foam, depth };
 
-/// Linear float RGBA pixels, top row first. Colour is before tone mapping; `depth` is metres along the view axis,
-/// infinite where there is only sky, in the first channel.
+/// Linear float RGBA pixels, top row first. Colour is before tone mapping; `depth` is metres along the view
+/// axis, infinite where there is only sky, in the first channel.
 struct Picture {
     uint32_t width = 0, height = 0;
     std::vector<float> rgba;
@@ -50,15 +51,15 @@ struct FrameDesc {
 
 struct PassTime {
     std::string name;
-    double ms = 0;         ///< median
-    double spreadMs = 0;   ///< interquartile range
+    double ms = 0;       ///< median
+    double spreadMs = 0; ///< interquartile range
 };
 
 struct FrameTimes {
-    double frameMs = 0;            ///< median of a whole frame, submit to fence
-    double cpuSimulateMs = 0;      ///< median CPU time inside seaglass::simulate
+    double frameMs = 0;       ///< median of a whole frame, submit to fence
+    double cpuSimulateMs = 0; ///< median CPU time inside seaglass::simulate
     uint32_t runs = 0;
-    std::vector<PassTime> passes;  ///< in order; compute by timestamps, drawing by submit and fence alone
+    std::vector<PassTime> passes; ///< in order; compute by timestamps, drawing by submit and fence alone
 };
 
 class Host {
@@ -68,8 +69,8 @@ class Host {
     ~Host();
 
     DeviceInfo device() const;
-    /// Loads the sky and the meshes of a scene and creates its water; replaces the scene before it, or leaves it as it
-    /// was on an error.
+    /// Loads the sky and the meshes of a scene and creates its water; replaces the scene before it, or leaves
+    /// it as it was on an error.
     bool load(const Scene& scene, Error& error);
     /// Draws one frame and waits for it.
     std::optional<Picture> render(const FrameDesc& frame, Error& error);

@@ -1,0 +1,71 @@
+// Instance, device and the one queue the host submits to.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "host/host.h"
+#include "host/vk_handle.h"
+
+namespace demos {
+
+class Device {
+  public:
+    static std::unique_ptr<Device> create(const HostDesc& desc, Error& error);
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    VkInstance instance() const { return instance_; }
+    VkPhysicalDevice physical() const { return physical_; }
+    VkDevice handle() const { return device_; }
+    const VkPhysicalDeviceProperties& properties() const { return properties_; }
+    const DeviceInfo& info() const { return info_; }
+    bool anisotropy() const { return anisotropy_; }
+    /// Nanoseconds a timestamp tick, 0 where the queue has no timestamps.
+    double timestampNs() const { return timestampNs_; }
+    uint32_t validationMessages() const { return validationMessages_; }
+
+    /// The index of a memory type with all of `required`, preferring one with `preferred` too; UINT32_MAX
+    /// when none.
+    uint32_t memoryType(uint32_t allowed, VkMemoryPropertyFlags required,
+                        VkMemoryPropertyFlags preferred) const;
+    VkDeviceSize heapSize(uint32_t memoryType) const;
+    VkDeviceSize largestHeap() const;
+    VkDeviceSize maxAllocation() const { return maxAllocation_; }
+
+    /// Records with `record`, submits and waits. False with `error` set when recording or the device fails.
+    bool run(const std::function<bool(VkCommandBuffer, Error&)>& record, Error& error);
+    /// Milliseconds from submission to fence of the last run().
+    double lastRunMs() const { return lastRunMs_; }
+
+  private:
+    Device() = default;
+    bool createInstance(bool validation, Error& error);
+    bool choosePhysical(const std::string& wanted, Error& error);
+    bool createDevice(Error& error);
+
+    VkInstance instance_ = VK_NULL_HANDLE;
+    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    uint32_t queueFamily_ = 0;
+    VkPhysicalDeviceProperties properties_{};
+    VkPhysicalDeviceMemoryProperties memory_{};
+    VkDeviceSize maxAllocation_ = 0;
+    DeviceInfo info_;
+    bool anisotropy_ = false;
+    double timestampNs_ = 0;
+    double lastRunMs_ = 0;
+    std::atomic<uint32_t> validationMessages_ = 0;
+    UniqueCommandPool pool_;
+    VkCommandBuffer commands_ = VK_NULL_HANDLE;
+    UniqueFence fence_;
+};
+
+/// True on VK_SUCCESS; otherwise `error` says what failed and with which result.
+bool succeeded(VkResult result, const char* what, Error& error);
+
+} // namespace demos

@@ -1,0 +1,130 @@
+#include "host/frame_recorder.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace demos {
+
+bool FrameRecorder::create(Device& device, uint32_t framesInFlight, Error& error) {
+    device_ = &device;
+    return createLayouts(device, layouts_, error) && shadow_.create(device, layouts_, error) &&
+           opaque_.create(device, layouts_, error) && timer_.create(device, error) &&
+           water_.create(device, framesInFlight, timer_, error);
+}
+
+bool FrameRecorder::createFrameSet(LoadedScene& scene, Error& error) {
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3}};
+    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    poolInfo.maxSets = 1;
+    poolInfo.poolSizeCount = 2;
+    poolInfo.pPoolSizes = sizes;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateDescriptorPool(device_->handle(), &poolInfo, nullptr, &pool),
+                   "vkCreateDescriptorPool", error))
+        return false;
+    scene.pool = UniqueDescriptorPool(device_->handle(), pool);
+    VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    info.descriptorPool = pool;
+    info.descriptorSetCount = 1;
+    info.pSetLayouts = &layouts_.frame.get();
+    if (!succeeded(vkAllocateDescriptorSets(device_->handle(), &info, &scene.frameSet),
+                   "vkAllocateDescriptorSets", error) ||
+        !createBuffer(*device_, sizeof(FrameUniforms), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                      BufferPlace::upload, scene.uniforms, error))
+        return false;
+    const VkDescriptorBufferInfo buffer = {scene.uniforms.buffer.get(), 0, sizeof(FrameUniforms)};
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = scene.frameSet;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    write.pBufferInfo = &buffer;
+    vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
+    writeTexture(*device_, scene.frameSet, 1, scene.sky.cube.view.get(), scene.sky.cubeSampler.get());
+    writeTexture(*device_, scene.frameSet, 2, scene.sky.image.view.get(), scene.sky.imageSampler.get());
+    writeTexture(*device_, scene.frameSet, 3, shadow_.map(), shadow_.sampler());
+    return true;
+}
+
+bool FrameRecorder::load(const Scene& scene, LoadedScene& out, Error& error) {
+    if (!loadSky(*device_, scene.sky, scene.sun, out.sky, error) ||
+        !loadMeshes(*device_, layouts_, scene.meshes, out.meshes, error) || !createFrameSet(out, error))
+        return false;
+    out.bounds = worldBounds(out.meshes);
+    return !scene.water || water_.createBody(*scene.water, out.water, error);
+}
+
+bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Error& error) {
+    scene_ = &scene;
+    frame_ = frame;
+    if (!std::isfinite(frame.timeS)) {
+        error.text = "the time of a frame must be finite";
+        return false;
+    }
+    const VkExtent2D extent = {frame.width, frame.height};
+    if (extent.width != targets_.extent.width || extent.height != targets_.extent.height) {
+        targets_ = {}; // the old ones go first: both may not fit
+        FrameTargets made;
+        if (!createFrameTargets(*device_, extent, made, error)) return false;
+        targets_ = std::move(made);
+    }
+    if (!makeCamera(frame.camera, static_cast<double>(extent.width) / extent.height, camera_, error))
+        return false;
+    shadowFit_ = fitShadow(scene.bounds, camera_, scene.sky.sun.direction);
+    writeUniforms();
+    return water_.beginFrame(error);
+}
+
+void FrameRecorder::writeUniforms() {
+    FrameUniforms uniforms{};
+    uniforms.clipFromEye = glm::mat4(camera_.projection * camera_.rotation);
+    setSkyUniforms(scene_->sky, camera_, targets_.extent, uniforms);
+    setShadowUniforms(shadowFit_, uniforms);
+    std::memcpy(scene_->uniforms.mapped, &uniforms, sizeof(uniforms));
+}
+
+bool FrameRecorder::needed(Stage stage) const {
+    const bool water = static_cast<bool>(scene_->water);
+    switch (stage) {
+    case Stage::simulate:
+    case Stage::copy:
+    case Stage::reflect:
+        return water;
+    // Without water the other outputs are black.
+    case Stage::water:
+        return water || (frame_.aov != Aov::color && frame_.aov != Aov::depth);
+    default:
+        return true;
+    }
+}
+
+void FrameRecorder::bindFrameSet(VkCommandBuffer commands) const {
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layouts_.pipeline.get(), 0, 1,
+                            &scene_->frameSet, 0, nullptr);
+}
+
+bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) {
+    switch (stage) {
+    case Stage::simulate:
+        return water_.simulate(commands, scene_->water, frame_.timeS, cpuSimulateMs_, error);
+    case Stage::shadow:
+        bindFrameSet(commands);
+        shadow_.record(commands, layouts_, scene_->meshes, camera_.eye, shadowFit_);
+        return true;
+    case Stage::opaque:
+        bindFrameSet(commands);
+        opaque_.record(commands, layouts_, scene_->meshes, camera_.eye, targets_);
+        return true;
+    case Stage::copy:
+        targets_.copyScene(commands);
+        return true;
+    case Stage::reflect:
+        return water_.reflect(commands, scene_->water, camera_, targets_, error);
+    case Stage::water:
+        if (!scene_->water) targets_.betweenPasses(commands);
+        return water_.draw(commands, scene_->water, camera_, targets_, scene_->sky, frame_.aov, error);
+    }
+    return false;
+}
+
+} // namespace demos

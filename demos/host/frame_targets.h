@@ -1,0 +1,36 @@
+// The images a frame is drawn into, the copies the water reads, and the way back to the CPU.
+#pragma once
+
+#include "host/resources.h"
+
+namespace demos {
+
+struct FrameTargets {
+    static constexpr VkFormat colorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+    static constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
+
+    VkExtent2D extent = {0, 0};
+    Image color, depth;
+    Image sceneColor, sceneDepth; ///< the opaque scene, for the water to read
+    Buffer readback;
+
+    /// Attachments from `from`, whatever was done with them before.
+    void toAttachments(VkCommandBuffer commands, VkImageLayout from) const;
+    /// Between two passes that draw into the same attachments.
+    void betweenPasses(VkCommandBuffer commands) const;
+    /// Copies colour and depth to sceneColor and sceneDepth, which compute and fragment shaders may then
+    /// sample.
+    void copyScene(VkCommandBuffer commands) const;
+    /// Copies colour or depth into `readback`; they end as transfer sources.
+    void copyBack(VkCommandBuffer commands, bool depthInstead) const;
+};
+
+/// An extent over the device's limits or memory is an error.
+bool createFrameTargets(const Device& device, VkExtent2D extent, FrameTargets& out, Error& error);
+
+/// What copyBack() brought, as floats.
+Picture readColor(const FrameTargets& targets);
+/// Metres along the view axis in red, infinite for the far plane.
+Picture readDepth(const FrameTargets& targets, double nearM);
+
+} // namespace demos

@@ -1,0 +1,64 @@
+#include "host/host.h"
+
+#include "host/frame_recorder.h"
+#include "host/host_impl.h"
+
+namespace demos {
+
+std::unique_ptr<Host> Host::create(const HostDesc& desc, Error& error) {
+    if (desc.framesInFlight < 1 || desc.framesInFlight > 4) {
+        error.text = "framesInFlight is " + std::to_string(desc.framesInFlight) + ", expected 1 to 4";
+        return nullptr;
+    }
+    auto impl = std::make_unique<Impl>();
+    impl->device = Device::create(desc, error);
+    if (!impl->device || !impl->recorder.create(*impl->device, desc.framesInFlight, error)) return nullptr;
+    return std::unique_ptr<Host>(new Host(std::move(impl)));
+}
+
+Host::Host(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Host::~Host() = default;
+
+DeviceInfo Host::device() const {
+    return impl_->device->info();
+}
+
+uint32_t Host::validationMessages() const {
+    return impl_->device->validationMessages();
+}
+
+bool Host::load(const Scene& scene, Error& error) {
+    auto loaded = std::make_unique<LoadedScene>();
+    if (!impl_->recorder.load(scene, *loaded, error)) return false;
+    impl_->scene = std::move(loaded);
+    return true;
+}
+
+std::optional<Picture> Host::render(const FrameDesc& frame, Error& error) {
+    Impl& impl = *impl_;
+    if (!impl.ready(error) || !impl.recorder.begin(*impl.scene, frame, error)) return std::nullopt;
+    const bool depth = frame.aov == Aov::depth;
+    const bool drawn = impl.device->run(
+        [&](VkCommandBuffer commands, Error& problem) {
+            if (!impl.recordFrame(commands, problem)) return false;
+            impl.recorder.targets().copyBack(commands, depth);
+            return true;
+        },
+        error);
+    if (!drawn) return std::nullopt;
+    const FrameTargets& targets = impl.recorder.targets();
+    return depth ? readDepth(targets, impl.recorder.camera().near) : readColor(targets);
+}
+
+bool Host::Impl::ready(Error& error) const {
+    if (!scene) error.text = "no scene is loaded";
+    return scene != nullptr;
+}
+
+bool Host::Impl::recordFrame(VkCommandBuffer commands, Error& error) {
+    for (const StageName& stage : stages)
+        if (recorder.needed(stage.stage) && !recorder.record(commands, stage.stage, error)) return false;
+    return true;
+}
+
+} // namespace demos

@@ -1,0 +1,18 @@
+// What a Host is made of.
+#pragma once
+
+#include "host/frame_recorder.h"
+
+namespace demos {
+
+struct Host::Impl {
+    bool ready(Error& error) const;
+    bool recordFrame(VkCommandBuffer commands, Error& error);
+
+    // In this order, so that what is made from another goes before it.
+    std::unique_ptr<Device> device;
+    FrameRecorder recorder;
+    std::unique_ptr<LoadedScene> scene;
+};
+
+} // namespace demos

@@ -1,0 +1,109 @@
+#include "host/image_file.h"
+
+#include <unistd.h>
+
+#include <OpenImageIO/imageio.h>
+
+namespace demos {
+namespace {
+
+constexpr int maxSide = 16384;
+constexpr int64_t maxPixels = int64_t(1) << 27;
+
+/// A name beside `file` that no other process uses, with the same ending so that the format is found by it.
+std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
+    std::filesystem::path name = file;
+    name.replace_filename("." + file.stem().string() + "." + std::to_string(getpid()) + ".part" +
+                          file.extension().string());
+    return name;
+}
+
+bool writePixels(const std::filesystem::path& file, const std::string& format, const OIIO::ImageSpec& spec,
+                 OIIO::TypeDesc type, const void* pixels, Error& error) {
+    const auto output = OIIO::ImageOutput::create(format);
+    if (!output) {
+        error.text = file.string() + ": " + OIIO::geterror();
+        return false;
+    }
+    const bool written =
+        output->open(file.string(), spec) && output->write_image(type, pixels) && output->close();
+    if (!written) error.text = file.string() + ": " + output->geterror();
+    return written;
+}
+
+bool writeWhole(const std::filesystem::path& file, const std::string& format, const OIIO::ImageSpec& spec,
+                OIIO::TypeDesc type, const void* pixels, Error& error) {
+    if (spec.width < 1 || spec.height < 1) {
+        error.text = file.string() + ": an empty picture cannot be written";
+        return false;
+    }
+    const std::filesystem::path temporary = temporaryBeside(file);
+    std::error_code failed;
+    bool written = writePixels(temporary, format, spec, type, pixels, error);
+    if (written) {
+        std::filesystem::rename(temporary, file, failed);
+        if (failed) error.text = file.string() + ": " + failed.message();
+        written = !failed;
+    }
+    if (!written) std::filesystem::remove(temporary, failed);
+    return written;
+}
+
+} // namespace
+
+bool writePng(const std::filesystem::path& file, uint32_t width, uint32_t height,
+              std::span<const uint8_t> rgb, Error& error) {
+    if (rgb.size() != size_t(width) * height * 3) {
+        error.text = file.string() + ": the picture's size does not fit its pixels";
+        return false;
+    }
+    OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    return writeWhole(file, "png", spec, OIIO::TypeDesc::UINT8, rgb.data(), error);
+}
+
+bool writeExr(const std::filesystem::path& file, const Picture& picture, Error& error) {
+    if (picture.rgba.size() != size_t(picture.width) * picture.height * 4) {
+        error.text = file.string() + ": the picture's size does not fit its pixels";
+        return false;
+    }
+    OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), 4,
+                         OIIO::TypeDesc::FLOAT);
+    spec.attribute("compression", "zip");
+    return writeWhole(file, "openexr", spec, OIIO::TypeDesc::FLOAT, picture.rgba.data(), error);
+}
+
+std::optional<Picture> readPicture(const std::filesystem::path& file, Error& error) {
+    const auto fail = [&](const std::string& what) {
+        error.text = file.string() + ": " + what;
+        return std::nullopt;
+    };
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) return fail("no such file");
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::open(file.string(), &hints);
+    if (!input) return fail(OIIO::geterror());
+    const OIIO::ImageSpec spec = input->spec();
+    if (spec.deep || spec.depth > 1 || spec.nchannels < 1) return fail("is no flat picture");
+    if (spec.width < 1 || spec.height < 1 || spec.width > maxSide || spec.height > maxSide ||
+        int64_t(spec.width) * spec.height > maxPixels)
+        return fail("is " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
+                    ", expected 1 to 16384 each way and at most 2^27 pixels");
+    const int channels = std::min(spec.nchannels, 4);
+    Picture picture;
+    picture.width = static_cast<uint32_t>(spec.width);
+    picture.height = static_cast<uint32_t>(spec.height);
+    const size_t count = size_t(picture.width) * picture.height;
+    picture.rgba.assign(count * 4, 1.0f);
+    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, picture.rgba.data(), 4 * sizeof(float)))
+        return fail(input->geterror());
+    for (size_t i = 0; i < count; ++i) {
+        float* const pixel = &picture.rgba[4 * i];
+        if (channels == 2) pixel[3] = pixel[1];
+        if (channels <= 2) pixel[1] = pixel[2] = pixel[0];
+    }
+    return picture;
+}
+
+} // namespace demos

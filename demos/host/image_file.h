@@ -1,0 +1,23 @@
+// Pictures in and out of files. A file appears whole or not at all: it is written beside its place and
+// renamed.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+
+#include "host/host.h"
+
+namespace demos {
+
+/// 8-bit RGB, rows from the top.
+bool writePng(const std::filesystem::path& file, uint32_t width, uint32_t height,
+              std::span<const uint8_t> rgb, Error& error);
+/// Float RGBA, zip-compressed.
+bool writeExr(const std::filesystem::path& file, const Picture& picture, Error& error);
+
+/// Reads PNG, EXR or HDR of up to 16384 pixels each way and 2^27 in all. Grey is spread to RGB; a missing
+/// alpha is 1. PNG stays display-encoded, 0..1.
+std::optional<Picture> readPicture(const std::filesystem::path& file, Error& error);
+
+} // namespace demos

@@ -1,0 +1,58 @@
+#include "host/layouts.h"
+
+namespace demos {
+namespace {
+
+bool createSetLayout(const Device& device, std::span<const VkDescriptorType> types,
+                     UniqueDescriptorSetLayout& out, Error& error) {
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    for (uint32_t i = 0; i < types.size(); ++i) bindings.push_back({i, types[i], 1, drawStages, nullptr});
+    VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+    info.bindingCount = static_cast<uint32_t>(bindings.size());
+    info.pBindings = bindings.data();
+    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout),
+                   "vkCreateDescriptorSetLayout", error))
+        return false;
+    out = UniqueDescriptorSetLayout(device.handle(), layout);
+    return true;
+}
+
+} // namespace
+
+bool createLayouts(const Device& device, Layouts& out, Error& error) {
+    constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    constexpr VkDescriptorType texture = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    constexpr VkDescriptorType frame[] = {uniform, texture, texture, texture};
+    constexpr VkDescriptorType material[] = {texture, texture};
+    if (!createSetLayout(device, frame, out.frame, error) ||
+        !createSetLayout(device, material, out.material, error))
+        return false;
+    const VkDescriptorSetLayout sets[] = {out.frame.get(), out.material.get()};
+    const VkPushConstantRange range = {drawStages, 0, sizeof(DrawConstants)};
+    VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+    info.setLayoutCount = 2;
+    info.pSetLayouts = sets;
+    info.pushConstantRangeCount = 1;
+    info.pPushConstantRanges = &range;
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    if (!succeeded(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout), "vkCreatePipelineLayout",
+                   error))
+        return false;
+    out.pipeline = UniquePipelineLayout(device.handle(), layout);
+    return true;
+}
+
+void writeTexture(const Device& device, VkDescriptorSet set, uint32_t binding, VkImageView view,
+                  VkSampler sampler) {
+    const VkDescriptorImageInfo image = {sampler, view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    write.pImageInfo = &image;
+    vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
+}
+
+} // namespace demos

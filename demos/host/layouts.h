@@ -1,0 +1,46 @@
+// What the host's shaders see: the frame's uniforms and textures (set 0), a material's textures (set 1) and
+// the push constants of one draw.
+#pragma once
+
+#define GLM_FORCE_DEPTH_ZERO_TO_ONE
+#include <glm/glm.hpp>
+
+#include "host/resources.h"
+
+namespace demos {
+
+/// As in shaders/frame.glsl.
+struct FrameUniforms {
+    glm::mat4 clipFromEye;
+    glm::mat4 shadowFromEye;
+    glm::vec4 skyRight, skyUp, skyForward;
+    glm::vec4 toSun;
+    glm::vec4 sunIrradiance;
+    glm::vec4 sunRadiance;
+    glm::vec4 irradianceSh[9];
+    glm::vec4 sky;
+    glm::vec4 shadow;
+};
+
+/// As in shaders/draw.glsl.
+struct DrawConstants {
+    glm::vec4 eyeFromMesh[3];
+    glm::vec4 baseColor;
+    glm::vec4 emissive;
+    glm::vec4 surface;
+};
+
+struct Layouts {
+    UniqueDescriptorSetLayout frame, material;
+    UniquePipelineLayout pipeline;
+};
+
+bool createLayouts(const Device& device, Layouts& out, Error& error);
+
+constexpr VkShaderStageFlags drawStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+
+/// Points one combined image sampler of a set at an image in SHADER_READ_ONLY_OPTIMAL.
+void writeTexture(const Device& device, VkDescriptorSet set, uint32_t binding, VkImageView view,
+                  VkSampler sampler);
+
+} // namespace demos

@@ -1,0 +1,179 @@
+#include "host/mesh.h"
+
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "host/camera.h"
+
+namespace demos {
+namespace {
+
+VkSamplerAddressMode addressMode(Wrap wrap) {
+    switch (wrap) {
+    case Wrap::mirror:
+        return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case Wrap::clamp:
+        return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    default:
+        return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    }
+}
+
+bool uploadTexture(Device& device, const MeshTexture& texture, GpuMesh& mesh, Error& error) {
+    ImageDesc desc;
+    desc.format = texture.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
+    desc.extent = {texture.width, texture.height};
+    desc.mips = fullMipCount(desc.extent);
+    const std::span<const std::byte> level = std::as_bytes(std::span(texture.rgba));
+    SamplerDesc sampler;
+    sampler.u = addressMode(texture.wrapU);
+    sampler.v = addressMode(texture.wrapV);
+    sampler.anisotropic = true;
+    return createSampledImage(device, desc, {&level, 1}, mesh.images.emplace_back(), error) &&
+           createSampler(device, sampler, mesh.samplers.emplace_back(), error);
+}
+
+bool createMaterials(const Device& device, const Layouts& layouts, const Mesh& source, const MeshSet& set,
+                     GpuMesh& mesh, Error& error) {
+    const auto count = static_cast<uint32_t>(source.materials.size());
+    const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * count};
+    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    poolInfo.maxSets = count;
+    poolInfo.poolSizeCount = 1;
+    poolInfo.pPoolSizes = &size;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateDescriptorPool(device.handle(), &poolInfo, nullptr, &pool),
+                   "vkCreateDescriptorPool", error))
+        return false;
+    mesh.pool = UniqueDescriptorPool(device.handle(), pool);
+    for (const MeshMaterial& material : source.materials) {
+        GpuMaterial made;
+        made.constants.baseColor = material.baseColor;
+        made.constants.emissive = glm::vec4(material.emissive, material.alphaCutoff);
+        made.constants.surface = glm::vec4(material.metallic, material.roughness, 0, 0);
+        made.masked = material.alphaCutoff > 0;
+        made.doubleSided = material.doubleSided;
+        VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+        info.descriptorPool = pool;
+        info.descriptorSetCount = 1;
+        info.pSetLayouts = &layouts.material.get();
+        if (!succeeded(vkAllocateDescriptorSets(device.handle(), &info, &made.textures),
+                       "vkAllocateDescriptorSets", error))
+            return false;
+        const auto point = [&](uint32_t binding, const std::optional<uint32_t>& texture) {
+            if (texture)
+                writeTexture(device, made.textures, binding, mesh.images[*texture].view.get(),
+                             mesh.samplers[*texture].get());
+            else
+                writeTexture(device, made.textures, binding, set.white.view.get(), set.whiteSampler.get());
+        };
+        point(0, material.baseTexture);
+        point(1, material.metallicRoughnessTexture);
+        mesh.materials.push_back(made);
+    }
+    return true;
+}
+
+bool uploadMesh(Device& device, const Layouts& layouts, const Mesh& source, const MeshSet& set, GpuMesh& mesh,
+                Error& error) {
+    for (const MeshTexture& texture : source.textures)
+        if (!uploadTexture(device, texture, mesh, error)) return false;
+    mesh.parts = source.parts;
+    mesh.low = source.low;
+    mesh.high = source.high;
+    return createMaterials(device, layouts, source, set, mesh, error) &&
+           createFilledBuffer(device, std::as_bytes(std::span(source.vertices)),
+                              VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, mesh.vertices, error) &&
+           createFilledBuffer(device, std::as_bytes(std::span(source.indices)),
+                              VK_BUFFER_USAGE_INDEX_BUFFER_BIT, mesh.indices, error);
+}
+
+bool createWhite(Device& device, MeshSet& set, Error& error) {
+    const uint8_t pixel[4] = {255, 255, 255, 255};
+    const std::span<const std::byte> level = std::as_bytes(std::span(pixel));
+    ImageDesc desc;
+    desc.format = VK_FORMAT_R8G8B8A8_UNORM;
+    return createSampledImage(device, desc, {&level, 1}, set.white, error) &&
+           createSampler(device, {}, set.whiteSampler, error);
+}
+
+/// Where a mesh stands. Its yaw turns as every azimuth here does, from +X towards +Z.
+bool placement(const MeshDesc& desc, glm::dmat4& out, Error& error) {
+    const glm::dvec3 position = toGlm(desc.positionM);
+    if (!finite(position) || !std::isfinite(desc.yawDeg) || !(desc.scale > 0) || !std::isfinite(desc.scale)) {
+        error.text = desc.file.string() + ": position and yaw must be finite and the scale above 0";
+        return false;
+    }
+    out = glm::translate(glm::dmat4(1), position);
+    out = glm::rotate(out, glm::radians(-desc.yawDeg), glm::dvec3(0, 1, 0));
+    out = glm::scale(out, glm::dvec3(desc.scale));
+    return true;
+}
+
+} // namespace
+
+bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDesc>& descs, MeshSet& out,
+                Error& error) {
+    if (!createWhite(device, out, error)) return false;
+    for (const MeshDesc& desc : descs) {
+        const auto [entry, fresh] = out.meshes.try_emplace(desc.file);
+        if (fresh) {
+            const std::optional<Mesh> mesh = readMesh(desc.file, error);
+            if (!mesh) return false;
+            if (!uploadMesh(device, layouts, *mesh, out, entry->second, error)) {
+                error.text = desc.file.string() + ": " + error.text;
+                return false;
+            }
+        }
+        MeshInstance instance;
+        instance.mesh = &entry->second;
+        if (!placement(desc, instance.worldFromMesh, error)) return false;
+        out.instances.push_back(instance);
+    }
+    return true;
+}
+
+std::vector<Box> worldBounds(const MeshSet& meshes) {
+    std::vector<Box> boxes;
+    for (const MeshInstance& instance : meshes.instances) {
+        Box box;
+        const glm::dvec3 low(instance.mesh->low), high(instance.mesh->high);
+        for (int i = 0; i < 8; ++i) {
+            const glm::dvec3 corner(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
+            box.corners[i] = glm::dvec3(instance.worldFromMesh * glm::dvec4(corner, 1));
+        }
+        boxes.push_back(box);
+    }
+    return boxes;
+}
+
+void drawMeshes(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
+                const glm::dvec3& eye, const MeshPipelines& pipelines) {
+    VkPipeline bound = VK_NULL_HANDLE;
+    for (const MeshInstance& instance : meshes.instances) {
+        const GpuMesh& mesh = *instance.mesh;
+        const glm::dmat4 eyeFromMesh = glm::translate(glm::dmat4(1), -eye) * instance.worldFromMesh;
+        const VkDeviceSize offset = 0;
+        vkCmdBindVertexBuffers(commands, 0, 1, &mesh.vertices.buffer.get(), &offset);
+        vkCmdBindIndexBuffer(commands, mesh.indices.buffer.get(), 0, VK_INDEX_TYPE_UINT32);
+        for (const MeshPart& part : mesh.parts) {
+            const GpuMaterial& material = mesh.materials[part.material];
+            const VkPipeline wanted = material.masked ? pipelines.masked : pipelines.opaque;
+            if (wanted != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, wanted);
+            bound = wanted;
+            vkCmdSetCullMode(commands, pipelines.cullBack && !material.doubleSided ? VK_CULL_MODE_BACK_BIT
+                                                                                   : VK_CULL_MODE_NONE);
+            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layouts.pipeline.get(), 1, 1,
+                                    &material.textures, 0, nullptr);
+            DrawConstants constants = material.constants;
+            for (int row = 0; row < 3; ++row)
+                constants.eyeFromMesh[row] = glm::vec4(glm::transpose(eyeFromMesh)[row]);
+            vkCmdPushConstants(commands, layouts.pipeline.get(), drawStages, 0, sizeof(constants),
+                               &constants);
+            vkCmdDrawIndexed(commands, part.indexCount, 1, part.firstIndex, 0, 0);
+        }
+    }
+}
+
+} // namespace demos

@@ -1,0 +1,59 @@
+// The opaque things of a scene on the device, and how they are drawn: relative to the eye, so that a float
+// suffices at any distance from the origin.
+#pragma once
+
+#include <map>
+
+#include "host/layouts.h"
+#include "host/mesh_file.h"
+
+namespace demos {
+
+/// A box in the world.
+struct Box {
+    glm::dvec3 corners[8];
+};
+
+struct GpuMaterial {
+    DrawConstants constants; ///< the transform is filled in when drawing
+    bool masked = false, doubleSided = false;
+    VkDescriptorSet textures = VK_NULL_HANDLE;
+};
+
+struct GpuMesh {
+    Buffer vertices, indices;
+    std::vector<Image> images;
+    std::vector<UniqueSampler> samplers;
+    std::vector<GpuMaterial> materials;
+    std::vector<MeshPart> parts;
+    UniqueDescriptorPool pool;
+    glm::vec3 low{0}, high{0};
+};
+
+struct MeshInstance {
+    const GpuMesh* mesh = nullptr;
+    glm::dmat4 worldFromMesh{1};
+};
+
+struct MeshSet {
+    Image white;
+    UniqueSampler whiteSampler;
+    std::map<std::filesystem::path, GpuMesh> meshes; ///< each file once
+    std::vector<MeshInstance> instances;
+};
+
+bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDesc>& descs, MeshSet& out,
+                Error& error);
+
+std::vector<Box> worldBounds(const MeshSet& meshes);
+
+struct MeshPipelines {
+    VkPipeline opaque = VK_NULL_HANDLE, masked = VK_NULL_HANDLE;
+    bool cullBack = true; ///< back faces of materials that have none
+};
+
+/// Needs set 0 bound.
+void drawMeshes(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
+                const glm::dvec3& eye, const MeshPipelines& pipelines);
+
+} // namespace demos

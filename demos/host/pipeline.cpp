@@ -1,0 +1,112 @@
+#include "host/pipeline.h"
+
+#include <cstddef>
+
+#include "host/mesh_file.h"
+
+namespace demos {
+namespace {
+
+bool createModule(const Device& device, std::span<const uint32_t> code, UniqueShaderModule& out,
+                  Error& error) {
+    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    info.codeSize = code.size_bytes();
+    info.pCode = code.data();
+    VkShaderModule shader = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateShaderModule(device.handle(), &info, nullptr, &shader), "vkCreateShaderModule",
+                   error))
+        return false;
+    out = UniqueShaderModule(device.handle(), shader);
+    return true;
+}
+
+constexpr VkVertexInputBindingDescription meshBinding = {0, sizeof(MeshVertex), VK_VERTEX_INPUT_RATE_VERTEX};
+constexpr VkVertexInputAttributeDescription meshAttributes[] = {
+    {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(MeshVertex, position)},
+    {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(MeshVertex, normal)},
+    {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(MeshVertex, uv)},
+    {3, 0, VK_FORMAT_R16G16B16A16_UNORM, offsetof(MeshVertex, color)},
+};
+
+} // namespace
+
+bool createPipeline(const Device& device, VkPipelineLayout layout, const PipelineDesc& desc,
+                    UniquePipeline& out, Error& error) {
+    UniqueShaderModule vertex, fragment;
+    if (!createModule(device, desc.vertex, vertex, error)) return false;
+    if (!desc.fragment.empty() && !createModule(device, desc.fragment, fragment, error)) return false;
+
+    const VkBool32 masked = desc.masked;
+    const VkSpecializationMapEntry entry = {0, 0, sizeof(masked)};
+    const VkSpecializationInfo constants = {1, &entry, sizeof(masked), &masked};
+    VkPipelineShaderStageCreateInfo stages[2] = {{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO},
+                                                 {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO}};
+    stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
+    stages[0].module = vertex.get();
+    stages[0].pName = "main";
+    stages[1].stage = VK_SHADER_STAGE_FRAGMENT_BIT;
+    stages[1].module = fragment.get();
+    stages[1].pName = "main";
+    stages[1].pSpecializationInfo = &constants;
+
+    VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    if (desc.meshVertices) {
+        input.vertexBindingDescriptionCount = 1;
+        input.pVertexBindingDescriptions = &meshBinding;
+        input.vertexAttributeDescriptionCount = 4;
+        input.pVertexAttributeDescriptions = meshAttributes;
+    }
+    VkPipelineInputAssemblyStateCreateInfo assembly{
+        VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+    viewport.viewportCount = 1;
+    viewport.scissorCount = 1;
+    VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+    raster.lineWidth = 1;
+    raster.depthBiasEnable = desc.slopeBias != 0;
+    raster.depthBiasSlopeFactor = desc.slopeBias;
+    VkPipelineMultisampleStateCreateInfo multisample{
+        VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+    depth.depthTestEnable = VK_TRUE;
+    depth.depthWriteEnable = desc.depthWrite;
+    depth.depthCompareOp = desc.depthCompare;
+    VkPipelineColorBlendAttachmentState attachment{};
+    attachment.colorWriteMask = 0xf;
+    VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+    blend.attachmentCount = desc.colorFormat == VK_FORMAT_UNDEFINED ? 0 : 1;
+    blend.pAttachments = &attachment;
+    const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                       VK_DYNAMIC_STATE_CULL_MODE};
+    VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+    dynamic.dynamicStateCount = 3;
+    dynamic.pDynamicStates = dynamics;
+    VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+    rendering.colorAttachmentCount = blend.attachmentCount;
+    rendering.pColorAttachmentFormats = &desc.colorFormat;
+    rendering.depthAttachmentFormat = desc.depthFormat;
+
+    VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
+    info.stageCount = desc.fragment.empty() ? 1 : 2;
+    info.pStages = stages;
+    info.pVertexInputState = &input;
+    info.pInputAssemblyState = &assembly;
+    info.pViewportState = &viewport;
+    info.pRasterizationState = &raster;
+    info.pMultisampleState = &multisample;
+    info.pDepthStencilState = &depth;
+    info.pColorBlendState = &blend;
+    info.pDynamicState = &dynamic;
+    info.layout = layout;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+                   "vkCreateGraphicsPipelines", error))
+        return false;
+    out = UniquePipeline(device.handle(), pipeline);
+    return true;
+}
+
+} // namespace demos

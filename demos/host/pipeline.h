@@ -1,0 +1,26 @@
+// Graphics pipelines of the host, all for dynamic rendering.
+#pragma once
+
+#include <span>
+
+#include "host/device.h"
+
+namespace demos {
+
+struct PipelineDesc {
+    std::span<const uint32_t> vertex;
+    std::span<const uint32_t> fragment; ///< empty: depth alone
+    bool meshVertices = true;           ///< fed with MeshVertex, or by vertex index alone
+    VkFormat colorFormat = VK_FORMAT_UNDEFINED;
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED;
+    VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;
+    bool depthWrite = true;
+    bool masked = false; ///< the fragment shader's constant 0
+    float slopeBias = 0;
+};
+
+/// Viewport, scissor and cull mode are dynamic.
+bool createPipeline(const Device& device, VkPipelineLayout layout, const PipelineDesc& desc,
+                    UniquePipeline& out, Error& error);
+
+} // namespace demos

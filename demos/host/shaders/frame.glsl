@@ -1,0 +1,28 @@
+// What every pass of the host knows about the frame. Positions are in metres from the eye.
+layout(set = 0, binding = 0, std140) uniform Frame {
+    mat4 clipFromEye;       // eye-relative position to clip
+    mat4 shadowFromEye;     // eye-relative position to the shadow map's clip space
+    vec4 skyRight;          // half the picture's width at distance 1
+    vec4 skyUp;
+    vec4 skyForward;
+    vec4 toSun;             // w: 1 where the disc is drawn
+    vec4 sunIrradiance;     // on a plane facing the sun
+    vec4 sunRadiance;       // of the disc; w: half the width of its soft edge [rad]
+    vec4 irradianceSh[9];   // of the sky, a polynomial of the normal
+    vec4 sky;               // rotation [turns], intensity, last mip of the cube, face size
+    vec4 shadow;            // texel [m], texel [uv], 1 where there is a map
+} frame;
+
+// Irradiance from the sky on a plane with unit normal n (Ramamoorthi and Hanrahan 2001).
+vec3 skyIrradiance(vec3 n) {
+    vec3 e = frame.irradianceSh[0].rgb
+        + frame.irradianceSh[1].rgb * n.y
+        + frame.irradianceSh[2].rgb * n.z
+        + frame.irradianceSh[3].rgb * n.x
+        + frame.irradianceSh[4].rgb * (n.x * n.y)
+        + frame.irradianceSh[5].rgb * (n.y * n.z)
+        + frame.irradianceSh[6].rgb * (3.0 * n.z * n.z - 1.0)
+        + frame.irradianceSh[7].rgb * (n.x * n.z)
+        + frame.irradianceSh[8].rgb * (n.x * n.x - n.y * n.y);
+    return max(e, vec3(0.0));
+}

@@ -1,0 +1,38 @@
+// One shadow map of the sun, fitted to what is opaque and in view.
+#pragma once
+
+#include "host/camera.h"
+#include "host/mesh.h"
+
+namespace demos {
+
+/// Where the shadow map lies. Disabled when nothing in view can be in shadow.
+struct ShadowFit {
+    bool enabled = false;
+    glm::mat4 clipFromEye{
+        1}; ///< eye-relative metres to the map's clip space, depth growing away from the sun
+    double texelM = 0;
+};
+
+ShadowFit fitShadow(const std::vector<Box>& boxes, const Camera& camera, const glm::dvec3& toSun);
+
+class ShadowPass {
+  public:
+    static constexpr uint32_t size = 2048;
+
+    bool create(const Device& device, const Layouts& layouts, Error& error);
+    VkImageView map() const { return map_.view.get(); }
+    VkSampler sampler() const { return sampler_.get(); }
+    /// Leaves the map readable by fragment shaders. Needs set 0 bound.
+    void record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
+                const glm::dvec3& eye, const ShadowFit& fit) const;
+
+  private:
+    Image map_;
+    UniqueSampler sampler_;
+    UniquePipeline opaque_, masked_;
+};
+
+void setShadowUniforms(const ShadowFit& fit, FrameUniforms& uniforms);
+
+} // namespace demos

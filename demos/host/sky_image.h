@@ -1,0 +1,56 @@
+// A lat-long sky as light: clean pixels, the sun taken out, a filtered cube and the irradiance it gives. CPU
+// only.
+//
+// The middle of the image faces +X and its right half +Z: azimuth = 360 (u - 1/2), elevation = 180 (1/2 - v).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#define GLM_FORCE_DEPTH_ZERO_TO_ONE
+#include <glm/glm.hpp>
+
+#include "scene/scene.h"
+
+namespace demos {
+
+struct SkyImage {
+    uint32_t width = 0, height = 0;
+    std::vector<glm::vec3> radiance; ///< top row first, finite, 0 or more
+};
+
+/// The sun as the image shows it, in the image's own frame and scale.
+struct ImageSun {
+    glm::dvec3 direction{0, 1, 0};
+    glm::dvec3 irradiance{0}; ///< what was taken out of the image
+};
+
+struct SkyCube {
+    uint32_t faceSize = 0;
+    /// Per mip, six faces in Vulkan's order. Each level is the one before it blurred by about one of its own
+    /// texels.
+    std::vector<std::vector<glm::vec3>> mips;
+};
+
+struct SkyLight {
+    SkyCube cube;
+    std::array<glm::vec3, 9> irradianceSh{}; ///< polynomial of the unit normal, see shaders/frame.glsl
+    glm::vec3 irradianceUp{0};               ///< on a horizontal plane facing +Y
+};
+
+/// Reads an HDR or EXR of up to 16384 pixels' width, averaged down to at most 4096. NaN takes its left
+/// neighbour's value, infinities and negative pixels are clamped.
+std::optional<SkyImage> readSkyImage(const std::filesystem::path& file, Error& error);
+
+/// Cuts the sun's disc out of the image: around the brightest pixel, what exceeds the brightest pixel of the
+/// ring just outside the disc is taken away. Its irradiance is returned, so that image plus sun keep the
+/// energy they had.
+ImageSun takeOutSun(SkyImage& image);
+
+/// Filters the image, turned about +Y (from +X towards +Z) and scaled.
+SkyLight filterSky(const SkyImage& image, double rotationDeg, double intensity);
+
+} // namespace demos

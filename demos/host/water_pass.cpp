@@ -1,0 +1,225 @@
+#include "host/water_pass.h"
+
+#include <chrono>
+#include <numbers>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "host/rendering.h"
+#ifdef DEMOS_WAVES_FFTW
+#include "seaglass/waves_fftw.h"
+#endif
+
+namespace demos {
+namespace {
+
+const seaglass::WavesBackend* wavesBackend() {
+#ifdef DEMOS_WAVES_FFTW
+    return seaglass::fftwWaves();
+#else
+    return nullptr;
+#endif
+}
+
+bool seaOf(const WavesDesc& waves, seaglass::SeaDesc& sea, Error& error) {
+    if (!wavesBackend()) {
+        error.text = "water.waves: this program was built without a wave backend (SEAGLASS_FFTW)";
+        return false;
+    }
+    if (waves.spectrum == "jonswap") {
+        sea.spectrum = seaglass::SpectrumModel::jonswap;
+    } else if (waves.spectrum == "pierson-moskowitz") {
+        sea.spectrum = seaglass::SpectrumModel::piersonMoskowitz;
+    } else {
+        error.text =
+            "water.waves.spectrum is \"" + waves.spectrum + "\", expected jonswap or pierson-moskowitz";
+        return false;
+    }
+    sea.windSpeed = static_cast<float>(waves.windMps);
+    sea.windDirection = static_cast<float>(waves.windTowardsDeg * std::numbers::pi / 180);
+    sea.fetch = static_cast<float>(waves.fetchM);
+    sea.peakEnhancement = static_cast<float>(waves.peakEnhancement);
+    sea.swell = static_cast<float>(waves.swell);
+    sea.choppiness = static_cast<float>(waves.choppiness);
+    sea.samples = waves.samples;
+    sea.cascades = waves.cascades;
+    sea.largestPatch = static_cast<float>(waves.largestPatchM);
+    sea.seed = waves.seed;
+    return true;
+}
+
+bool reflectionOf(const ReflectionDesc& desc, seaglass::ReflectionDesc& reflection, Error& error) {
+    if (desc.technique == "sspr") {
+        reflection.technique = seaglass::ReflectionTechnique::sspr;
+    } else if (desc.technique == "sky") {
+        reflection.technique = seaglass::ReflectionTechnique::sky;
+    } else {
+        error.text = "water.reflection.technique is \"" + desc.technique + "\", expected sky or sspr";
+        return false;
+    }
+    reflection.edgeFade = static_cast<float>(desc.edgeFade);
+    reflection.distortion = static_cast<float>(desc.distortion);
+    return true;
+}
+
+seaglass::RefractionDesc refractionOf(const RefractionDesc& desc) {
+    seaglass::RefractionDesc refraction;
+    for (size_t i = 0; i < 3; ++i) {
+        refraction.absorption[i] = static_cast<float>(desc.absorptionPerM[i]);
+        refraction.backscatter[i] = static_cast<float>(desc.backscatterPerM[i]);
+    }
+    refraction.distortion = static_cast<float>(desc.distortion);
+    return refraction;
+}
+
+seaglass::Image sampled(const Image& image) {
+    return {image.view.get(), image.format, image.extent, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+}
+
+seaglass::ViewDesc viewOf(const Camera& camera, const FrameTargets& targets) {
+    seaglass::ViewDesc view;
+    std::copy_n(glm::value_ptr(camera.view), 16, view.view);
+    std::copy_n(glm::value_ptr(camera.projection), 16, view.projection);
+    view.viewport = {
+        0, 0, static_cast<float>(targets.extent.width), static_cast<float>(targets.extent.height), 0, 1};
+    view.sceneColor = sampled(targets.sceneColor);
+    view.sceneDepth = sampled(targets.sceneDepth);
+    return view;
+}
+
+seaglass::LightingDesc lightingOf(const Sky& sky) {
+    seaglass::LightingDesc lighting;
+    for (int i = 0; i < 3; ++i) {
+        lighting.toSun[i] = sky.sun.direction[i];
+        lighting.sunIrradiance[i] = static_cast<float>(sky.sun.irradiance[i]);
+        lighting.skyIrradiance[i] = sky.irradianceUp[i];
+    }
+    lighting.skyCube = sky.cube.view.get();
+    lighting.skyCubeMipLevels = sky.cube.mips;
+    return lighting;
+}
+
+seaglass::SurfaceOutput outputOf(Aov aov) {
+    switch (aov) {
+    case Aov::reflection:
+        return seaglass::SurfaceOutput::reflection;
+    case Aov::reflectionClass:
+        return seaglass::SurfaceOutput::reflectionClass;
+    case Aov::height:
+        return seaglass::SurfaceOutput::height;
+    case Aov::normal:
+        return seaglass::SurfaceOutput::normal;
+    case Aov::foam:
+        return seaglass::SurfaceOutput::foam;
+    default:
+        return seaglass::SurfaceOutput::shaded;
+    }
+}
+
+} // namespace
+
+WaterPass::~WaterPass() {
+    if (target_) seaglass::destroyTarget(target_);
+    if (context_) seaglass::destroyContext(context_);
+}
+
+bool WaterPass::ok(seaglass::Status status, const char* what, Error& error) {
+    if (status == seaglass::Status::ok) return true;
+    error.text = std::string(what) + ": " + (message_.empty() ? seaglass::toString(status) : message_);
+    message_.clear();
+    return false;
+}
+
+bool WaterPass::create(const Device& device, uint32_t framesInFlight, PassTimer& timer, Error& error) {
+    framesInFlight_ = framesInFlight;
+    seaglass::DeviceDesc desc;
+    desc.instance = device.instance();
+    desc.physicalDevice = device.physical();
+    desc.device = device.handle();
+    desc.getInstanceProcAddr = vkGetInstanceProcAddr;
+    desc.framesInFlight = framesInFlight;
+    desc.message.user = &message_;
+    desc.message.function = [](void* user, const char* text) { *static_cast<std::string*>(user) = text; };
+    desc.pass.user = &timer;
+    desc.pass.function = [](void* user, VkCommandBuffer commands, const char* pass, bool begins) {
+        static_cast<PassTimer*>(user)->mark(commands, pass, begins);
+    };
+    if (!ok(seaglass::createContext(&desc, &context_), "water", error)) return false;
+    seaglass::TargetDesc target;
+    target.colorFormat = FrameTargets::colorFormat;
+    target.depthFormat = FrameTargets::depthFormat;
+    return ok(seaglass::createTarget(context_, &target, &target_), "water", error);
+}
+
+bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) {
+    seaglass::SeaDesc sea;
+    seaglass::FoamDesc foam;
+    seaglass::RefractionDesc refraction;
+    seaglass::ReflectionDesc reflection;
+    seaglass::BodyDesc body;
+    body.plane[3] = -desc.levelM;
+    body.mesh.cellSize = static_cast<float>(desc.cellM);
+    body.mesh.cellsPerLevel = desc.cellsPerLevel;
+    if (desc.waves) {
+        if (!seaOf(*desc.waves, sea, error)) return false;
+        body.waves = &sea;
+        body.wavesBackend = wavesBackend();
+    }
+    if (desc.foam) {
+        foam.threshold = static_cast<float>(desc.foam->threshold);
+        foam.albedo = static_cast<float>(desc.foam->albedo);
+        body.foam = &foam;
+    }
+    if (desc.refraction) {
+        refraction = refractionOf(*desc.refraction);
+        body.refraction = &refraction;
+    }
+    if (desc.reflection) {
+        if (!reflectionOf(*desc.reflection, reflection, error)) return false;
+        body.reflection = &reflection;
+    }
+    seaglass::Body* made = nullptr;
+    if (!ok(seaglass::createBody(context_, &body, &made), "water", error)) return false;
+    out = WaterBody(made);
+    return true;
+}
+
+bool WaterPass::beginFrame(Error& error) {
+    slot_ = (slot_ + 1) % framesInFlight_;
+    return ok(seaglass::beginFrame(context_, slot_), "water", error);
+}
+
+bool WaterPass::simulate(VkCommandBuffer commands, const WaterBody& body, double timeS, double& cpuMs,
+                         Error& error) {
+    seaglass::Body* const bodies[] = {body.get()};
+    const auto start = std::chrono::steady_clock::now();
+    const seaglass::Status status = seaglass::simulate(commands, bodies, 1, timeS);
+    cpuMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return ok(status, "water", error);
+}
+
+bool WaterPass::reflect(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
+                        const FrameTargets& targets, Error& error) {
+    seaglass::Body* const bodies[] = {body.get()};
+    const seaglass::ViewDesc view = viewOf(camera, targets);
+    return ok(seaglass::reflect(commands, bodies, 1, &view), "water", error);
+}
+
+bool WaterPass::draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
+                     const FrameTargets& targets, const Sky& sky, Aov aov, Error& error) {
+    const bool overScene = aov == Aov::color || aov == Aov::depth;
+    beginRendering(commands, targets.extent, &targets.color,
+                   overScene ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR, targets.depth,
+                   VK_ATTACHMENT_LOAD_OP_LOAD, 0);
+    seaglass::Status status = seaglass::Status::ok;
+    if (body) {
+        seaglass::Body* const bodies[] = {body.get()};
+        const seaglass::ViewDesc view = viewOf(camera, targets);
+        const seaglass::LightingDesc lighting = lightingOf(sky);
+        status = seaglass::draw(commands, target_, bodies, 1, &view, &lighting, outputOf(aov));
+    }
+    vkCmdEndRendering(commands);
+    return ok(status, "water", error);
+}
+
+} // namespace demos

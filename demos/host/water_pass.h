@@ -1,0 +1,61 @@
+// The host's water: everything it does with Seaglass, through the public headers alone.
+#pragma once
+
+#include "host/camera.h"
+#include "host/frame_targets.h"
+#include "host/pass_timer.h"
+#include "host/sky.h"
+#include "seaglass/water.h"
+
+namespace demos {
+
+/// One water body of a scene. Destroy it before the WaterPass it comes from.
+class WaterBody {
+  public:
+    WaterBody() = default;
+    explicit WaterBody(seaglass::Body* body) : body_(body) {}
+    WaterBody(WaterBody&& other) noexcept : body_(std::exchange(other.body_, nullptr)) {}
+    WaterBody& operator=(WaterBody&& other) noexcept {
+        std::swap(body_, other.body_);
+        return *this;
+    }
+    ~WaterBody() {
+        if (body_) seaglass::destroyBody(body_);
+    }
+    seaglass::Body* get() const { return body_; }
+    explicit operator bool() const { return body_ != nullptr; }
+
+  private:
+    seaglass::Body* body_ = nullptr;
+};
+
+class WaterPass {
+  public:
+    WaterPass() = default;
+    WaterPass(const WaterPass&) = delete;
+    WaterPass& operator=(const WaterPass&) = delete;
+    ~WaterPass();
+
+    bool create(const Device& device, uint32_t framesInFlight, PassTimer& timer, Error& error);
+    bool createBody(const WaterDesc& desc, WaterBody& out, Error& error);
+
+    /// Before anything else is recorded for a frame; slots are taken in turn.
+    bool beginFrame(Error& error);
+    /// Milliseconds on the CPU go to `cpuMs`.
+    bool simulate(VkCommandBuffer commands, const WaterBody& body, double timeS, double& cpuMs, Error& error);
+    bool reflect(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
+                 const FrameTargets& targets, Error& error);
+    /// Draws into targets.color over the opaque depth; for anything but colour, over black.
+    bool draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
+              const FrameTargets& targets, const Sky& sky, Aov aov, Error& error);
+
+  private:
+    bool ok(seaglass::Status status, const char* what, Error& error);
+
+    seaglass::Context* context_ = nullptr;
+    seaglass::Target* target_ = nullptr;
+    uint32_t framesInFlight_ = 1, slot_ = 0;
+    std::string message_; ///< what Seaglass last said
+};
+
+} // namespace demos
