@@ -1,4 +1,5 @@
 // seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass devices: see --help.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -55,6 +56,8 @@ ExitCode guarded(int argc, char** argv, Error& error) {
 int main(int argc, char** argv) {
     demos::Error error;
     const demos::ExitCode code = demos::guarded(argc, argv, error);
+    // One line whatever a file's name, a value or a library's message holds.
+    std::replace(error.text.begin(), error.text.end(), '\n', ' ');
     if (code != demos::ok) std::fprintf(stderr, "%s\n", error.text.c_str());
     return code;
 }

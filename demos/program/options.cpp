@@ -52,11 +52,14 @@ void describe(CLI::App& app, CLI::App& render, Raw& raw) {
     app.footer(footer);
     render.footer(footer);
 
+    // Scripts append to a command line: the last of an option counts, but for those that collect.
+    render.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     // Required ones are checked by hand, for errors that say what is expected.
     render.add_option("SCENE", raw.scene, "Scene file (TOML)");
     render
         .add_option("-o,--output", raw.outputs,
                     "PNG (tone-mapped) or EXR (linear); may be given more than once")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false)
         ->type_name("FILE");
     render.add_option("--size", raw.size, "Picture size, 1280x720 if not given")->type_name("WxH");
@@ -72,6 +75,7 @@ void describe(CLI::App& app, CLI::App& render, Raw& raw) {
     render
         .add_option("--set", raw.overrides,
                     "Override a scene value: water.waves.wind_m_s=12, camera.low.roll_deg=5, mesh.0.scale=2")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false)
         ->type_name("PATH=VALUE");
     render.add_option("--aov", raw.aov, "What to draw: color reflection class height normal foam depth")

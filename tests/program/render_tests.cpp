@@ -1,0 +1,179 @@
+// What the program does when all is well, and when the run fails.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/program/run.h"
+#include "tests/program/sample.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using tests::Outcome;
+
+class Render : public testing::Test {
+  protected:
+    Render() { tests::writeSample(folder_.path()); }
+
+    /// Renders the sample small, into out/.
+    Outcome render(const std::vector<std::string>& more, size_t largestFile = 0) {
+        std::vector<std::string> arguments = {"render", "scene.toml", "--size", "32x18"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return tests::run(SEAGLASS_PROGRAM, {arguments, {}, folder_.path(), largestFile});
+    }
+    fs::path out(const std::string& name) const { return folder_.path() / "out" / name; }
+    std::vector<std::string> outputs() const { return tests::namesIn(folder_.path() / "out"); }
+
+    tests::TemporaryFolder folder_;
+};
+
+/// Width and height from a PNG's header, which come big-endian after the signature and the chunk's name.
+std::pair<unsigned, unsigned> pngSize(const std::string& png) {
+    const auto number = [&png](size_t at) {
+        unsigned value = 0;
+        for (size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(png.at(at + i));
+        return value;
+    };
+    return {number(16), number(20)};
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Program, PrintsVersionAndHelp) {
+    const Outcome version = tests::run(SEAGLASS_PROGRAM, {{"--version"}});
+    EXPECT_EQ(version.code, 0);
+    EXPECT_TRUE(version.out.starts_with("seaglass ")) << version.out;
+    for (const std::vector<std::string>& arguments :
+         {Names{"--help"}, Names{"render", "--help"}, Names{"devices", "-h"}}) {
+        const Outcome help = tests::run(SEAGLASS_PROGRAM, {arguments});
+        EXPECT_EQ(help.code, 0);
+        EXPECT_EQ(help.err, "");
+        EXPECT_NE(help.out.find("Usage"), std::string::npos) << help.out;
+    }
+    EXPECT_NE(tests::run(SEAGLASS_PROGRAM, {{"render", "--help"}}).out.find("--aov"), std::string::npos);
+}
+
+TEST(Program, ListsDevices) {
+    const Outcome outcome = tests::run(SEAGLASS_PROGRAM, {{"devices"}});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("supported"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Render, WritesEveryOutputAndSaysWhere) {
+    const Outcome outcome = render({"-o", "out/a.png", "-o", "out/b.exr"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outputs(), (Names{"a.png", "b.exr"}));
+    EXPECT_EQ(pngSize(tests::readAll(out("a.png"))), std::make_pair(32u, 18u));
+    EXPECT_TRUE(tests::readAll(out("b.exr")).starts_with("\x76\x2f\x31\x01"));
+    EXPECT_EQ(tests::countLines(outcome.out), 2u);
+    EXPECT_NE(outcome.out.find(": 32x18, "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find(" ms a frame, " + out("a.png").string()), std::string::npos) << outcome.out;
+}
+
+TEST_F(Render, TheSameCommandGivesTheSameBytes) {
+    ASSERT_EQ(render({"-o", "out/a.exr", "--time", "7.25"}).code, 0);
+    ASSERT_EQ(render({"-o", "out/b.exr", "--time", "7.25"}).code, 0);
+    EXPECT_EQ(tests::readAll(out("a.exr")), tests::readAll(out("b.exr")));
+}
+
+TEST_F(Render, TimeCameraAndOverridesShow) {
+    const std::vector<Names> variants = {{},
+                                         {"--time", "3"},
+                                         {"--camera", "low"},
+                                         {"--set", "water.waves.wind_m_s=15"},
+                                         {"--set", "sky.intensity=2"},
+                                         {"--set", "mesh=[]"},
+                                         {"--aov", "height"}};
+    std::vector<std::string> pictures;
+    for (const Names& variant : variants) {
+        Names arguments = {"-o", "out/a.exr"};
+        arguments.insert(arguments.end(), variant.begin(), variant.end());
+        const Outcome outcome = render(arguments);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        pictures.push_back(tests::readAll(out("a.exr")));
+    }
+    for (size_t i = 1; i < pictures.size(); ++i) EXPECT_NE(pictures[i], pictures[0]) << variants[i].back();
+}
+
+TEST_F(Render, SkyAndMeshOfOnesOwn) {
+    tests::writeAll(folder_.path() / "mine.hdr", tests::sampleSky());
+    tests::writeAll(folder_.path() / "mine one.gltf", tests::sampleMesh());
+    const Outcome outcome = render({"-o", "out/a.png", "--sky", "mine.hdr", "--mesh", "mine one.gltf",
+                                    "--set", "mesh.0.position_m=[0, 0, -8]"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST_F(Render, EveryAov) {
+    for (const char* aov : {"color", "reflection", "class", "height", "normal", "foam", "depth"}) {
+        const Outcome outcome = render({"-o", "out/a.png", "--aov", aov});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "") << aov;
+    }
+    EXPECT_NE(render({"-o", "out/a.png", "--aov", "height"}).out.find("scale: black -"), std::string::npos);
+}
+
+TEST_F(Render, WithoutWaterAndWithFlatWater) {
+    const std::string scene = tests::sampleScene();
+    const size_t water = scene.find("[water]"), waves = scene.find("[water.waves]"),
+                 camera = scene.find("[[camera]]");
+    tests::writeAll(folder_.path() / "scene.toml", scene.substr(0, water) + scene.substr(camera));
+    EXPECT_EQ(render({"-o", "out/dry.png"}).code, 0);
+    tests::writeAll(folder_.path() / "scene.toml", scene.substr(0, waves) + scene.substr(camera));
+    EXPECT_EQ(render({"-o", "out/flat.png"}).code, 0);
+}
+
+TEST_F(Render, ValidationIsSilent) {
+    const Outcome outcome = render({"-o", "out/a.png", "--validation", "--frames", "2", "--fps", "10"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(Render, SequencesAreNumberedBeforeTheExtension) {
+    const Outcome outcome = render({"-o", "out/a.png", "--frames", "3", "--fps", "10"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outputs(), (Names{"a_0000.png", "a_0001.png", "a_0002.png"}));
+    EXPECT_NE(outcome.out.find("a_0000.png .. a_0002.png"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err, "") << "progress is for terminals";
+}
+
+TEST_F(Render, SequencesAreNumberedInPlace) {
+    ASSERT_EQ(render({"-o", "out/%02d_a.png", "--frames", "2"}).code, 0);
+    EXPECT_EQ(outputs(), (Names{"00_a.png", "01_a.png"}));
+}
+
+TEST_F(Render, ASequenceRunsInTime) {
+    ASSERT_EQ(render({"-o", "out/a.exr", "--time", "2", "--frames", "2", "--fps", "4"}).code, 0);
+    ASSERT_EQ(render({"-o", "out/b.exr", "--time", "2.25"}).code, 0);
+    EXPECT_EQ(tests::readAll(out("a_0001.exr")), tests::readAll(out("b.exr")));
+}
+
+TEST_F(Render, StatsAreJson) {
+    const Outcome outcome = render({"-o", "out/a.png", "--stats", "out/a.json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const nlohmann::json stats = nlohmann::json::parse(tests::readAll(out("a.json")));
+    EXPECT_FALSE(stats.at("device").get<std::string>().empty());
+    EXPECT_TRUE(stats.at("driver").is_string());
+    EXPECT_EQ(stats.at("size"), nlohmann::json::parse("[32, 18]"));
+    EXPECT_EQ(stats.at("scene"), (folder_.path() / "scene.toml").string());
+    EXPECT_EQ(stats.at("camera"), "level");
+    EXPECT_GT(stats.at("frame_ms").get<double>(), 0);
+    EXPECT_GT(stats.at("runs").get<int>(), 1);
+    ASSERT_FALSE(stats.at("passes").empty());
+    for (const nlohmann::json& pass : stats.at("passes")) {
+        EXPECT_FALSE(pass.at("name").get<std::string>().empty());
+        EXPECT_GE(pass.at("ms").get<double>(), 0);
+        EXPECT_GE(pass.at("spread_ms").get<double>(), 0);
+        EXPECT_NE(outcome.out.find(pass.at("name").get<std::string>()), std::string::npos) << outcome.out;
+    }
+}
+
+TEST_F(Render, AFullDiskFailsTheRunAndLeavesNoHalfPicture) {
+    for (const char* name : {"out/a.png", "out/a.exr"}) {
+        const Outcome outcome = render({"-o", name, "--set", "camera.level.roll_deg=20"}, 200);
+        EXPECT_EQ(outcome.code, 1) << name;
+        EXPECT_NE(outcome.err.find(fs::path(name).filename().string()), std::string::npos) << outcome.err;
+        EXPECT_TRUE(outputs().empty()) << outputs().front();
+    }
+}
+
+} // namespace

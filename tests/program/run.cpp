@@ -1,0 +1,94 @@
+#include "tests/program/run.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace tests {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The child's side: never returns.
+[[noreturn]] void become(const fs::path& program, const RunDesc& desc, const fs::path& out,
+                         const fs::path& err) {
+    const int flags = O_CREAT | O_WRONLY | O_TRUNC;
+    const bool caught = dup2(open(out.c_str(), flags, 0600), STDOUT_FILENO) >= 0 &&
+                        dup2(open(err.c_str(), flags, 0600), STDERR_FILENO) >= 0;
+    if (!caught || (!desc.folder.empty() && chdir(desc.folder.c_str()) != 0)) _exit(126);
+    for (const auto& [name, value] : desc.environment) setenv(name.c_str(), value.c_str(), 1);
+    if (desc.largestFile > 0) {
+        std::signal(SIGXFSZ, SIG_IGN); // writing then fails as it does on a full disk
+        const rlimit limit = {desc.largestFile, desc.largestFile};
+        if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(126);
+    }
+    std::vector<std::string> words = {program.string()};
+    words.insert(words.end(), desc.arguments.begin(), desc.arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    execv(program.c_str(), pointers.data());
+    _exit(127);
+}
+
+} // namespace
+
+Outcome run(const fs::path& program, const RunDesc& desc) {
+    const TemporaryFolder caught;
+    const fs::path out = caught.path() / "out", err = caught.path() / "err";
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("cannot fork");
+    if (child == 0) become(program, desc, out, err);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readAll(out), readAll(err)};
+}
+
+TemporaryFolder::TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "seaglass-test-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a temporary folder");
+    path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+std::string readAll(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void writeAll(const fs::path& file, const std::string& content) {
+    std::ofstream(file, std::ios::binary) << content;
+}
+
+std::vector<std::string> namesIn(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+size_t countLines(const std::string& text) {
+    std::istringstream stream(text);
+    size_t lines = 0;
+    for (std::string line; std::getline(stream, line);) lines += line.empty() ? 0 : 1;
+    return lines;
+}
+
+} // namespace tests

@@ -1,0 +1,373 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "demos/scene/fields.h"
+#include "demos/scene/scene.h"
+#include "tests/program/run.h"
+#include "tests/program/sample.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using demos::Error;
+using demos::Field;
+using demos::Scene;
+
+/// A folder with the sample scene, to load with changes.
+class SceneFile : public testing::Test {
+  protected:
+    SceneFile() { tests::writeSample(folder_.path()); }
+
+    std::optional<Scene> load(const std::vector<std::string>& overrides = {}) {
+        error_ = {};
+        return demos::loadScene(file(), overrides, error_);
+    }
+    std::optional<Scene> loadText(const std::string& text, const std::vector<std::string>& overrides = {}) {
+        tests::writeAll(file(), text);
+        return load(overrides);
+    }
+    /// The error, without the folder; empty when it loads.
+    std::string problem(const std::string& text, const std::vector<std::string>& overrides = {}) {
+        return loadText(text, overrides) ? "" : shortened();
+    }
+    std::string problemOf(const std::string& assignment) { return load({assignment}) ? "" : shortened(); }
+
+    std::string shortened() const {
+        std::string text = error_.text;
+        const std::string prefix = folder_.path().string() + "/";
+        for (size_t at = text.find(prefix); at != text.npos; at = text.find(prefix))
+            text.erase(at, prefix.size());
+        return text;
+    }
+    fs::path file() const { return folder_.path() / "scene.toml"; }
+
+    static std::string replaced(const std::string& what, const std::string& with) {
+        std::string text = tests::sampleScene();
+        const size_t at = text.find(what);
+        EXPECT_NE(at, text.npos) << what;
+        return text.replace(at, what.size(), with);
+    }
+
+    tests::TemporaryFolder folder_;
+    Error error_;
+};
+
+TEST_F(SceneFile, SampleLoads) {
+    const std::optional<Scene> scene = load();
+    ASSERT_TRUE(scene) << error_.text;
+    EXPECT_EQ(scene->title, "Sample");
+    EXPECT_EQ(scene->timeS, 1.5);
+    EXPECT_EQ(scene->exposureEv, 0.5);
+    EXPECT_EQ(scene->sky.file, folder_.path() / "sky.hdr");
+    EXPECT_EQ(scene->sun.irradiance, (demos::Vec3{3, 2, 1}));
+    ASSERT_EQ(scene->meshes.size(), 1u);
+    EXPECT_EQ(scene->meshes[0].positionM, (demos::Vec3{0, 0.5, -5}));
+    ASSERT_TRUE(scene->water && scene->water->waves && scene->water->foam);
+    EXPECT_EQ(scene->water->waves->windMps, 6);
+    EXPECT_EQ(scene->water->waves->samples, 16u);
+    ASSERT_EQ(scene->cameras.size(), 2u);
+    EXPECT_EQ(scene->cameras[1].name, "low");
+}
+
+TEST_F(SceneFile, FilesAreKeptWithTheirPlaces) {
+    const std::optional<Scene> scene = load();
+    ASSERT_TRUE(scene);
+    EXPECT_EQ(scene->sky.where, file().string() + ":6: sky.file");
+    EXPECT_EQ(scene->meshes[0].where, file().string() + ":14: mesh.0.file");
+}
+
+TEST_F(SceneFile, AbsentTablesAreAbsentFeatures) {
+    const std::string least =
+        "[sky]\nfile = 'sky.hdr'\n[[camera]]\nname = 'a'\nposition_m = [0, 2, 0]\ntarget_m = [0, 2, -1]\n";
+    const std::optional<Scene> dry = loadText(least);
+    ASSERT_TRUE(dry) << error_.text;
+    EXPECT_FALSE(dry->water);
+    const std::optional<Scene> flat = loadText(least + "[water]\n");
+    ASSERT_TRUE(flat) << error_.text;
+    ASSERT_TRUE(flat->water);
+    EXPECT_FALSE(flat->water->waves || flat->water->foam || flat->water->refraction ||
+                 flat->water->reflection);
+    const std::optional<Scene> plain = loadText(least + "[water.waves]\n");
+    ASSERT_TRUE(plain) << error_.text;
+    ASSERT_TRUE(plain->water && plain->water->waves);
+    EXPECT_EQ(plain->water->waves->windMps, demos::WavesDesc{}.windMps);
+}
+
+TEST_F(SceneFile, ARelativeSceneFindsItsFiles) {
+    const fs::path before = fs::current_path();
+    fs::current_path(folder_.path());
+    const std::optional<Scene> scene = demos::loadScene("scene.toml", {}, error_);
+    fs::current_path(before);
+    ASSERT_TRUE(scene) << error_.text;
+    EXPECT_TRUE(scene->sky.file.is_absolute());
+    EXPECT_TRUE(scene->file.is_absolute());
+}
+
+// ---- What is refused, and how it is said
+
+TEST_F(SceneFile, OutOfRangeNamesFileLineFieldAndRange) {
+    EXPECT_EQ(problem(replaced("wind_m_s = 6", "wind_m_s = -3")),
+              "scene.toml:22: water.waves.wind_m_s is -3, expected 0 to 60 m/s");
+    EXPECT_EQ(problem(replaced("samples = 16", "samples = 48")),
+              "scene.toml:23: water.waves.samples is 48, expected a power of two, 16 to 1024");
+    EXPECT_EQ(problem(replaced("cells_per_level = 32", "cells_per_level = 40")),
+              "scene.toml:19: water.cells_per_level is 40, expected a multiple of 32, 32 to 512");
+    EXPECT_EQ(problem(replaced("technique = \"sspr\"", "technique = \"ssr\"")),
+              "scene.toml:33: water.reflection.technique is 'ssr', expected sky or sspr");
+}
+
+TEST_F(SceneFile, WrongTypesAreRefused) {
+    EXPECT_EQ(problem(replaced("wind_m_s = 6", "wind_m_s = '6'")),
+              "scene.toml:22: water.waves.wind_m_s is '6', expected 0 to 60 m/s");
+    EXPECT_EQ(problem(replaced("samples = 16", "samples = 16.0")),
+              "scene.toml:23: water.waves.samples is 16.0, expected a power of two, 16 to 1024");
+    EXPECT_EQ(problem(replaced("irradiance = [3, 2, 1]", "irradiance = [3, 2]")),
+              "scene.toml:11: sun.irradiance is [ 3, 2 ], expected three numbers, each 0 to 1e+06");
+    EXPECT_EQ(problem(replaced("[sun]", "[sun]\nfrom_sky = 1")),
+              "scene.toml:9: sun.from_sky is 1, expected true or false");
+    EXPECT_EQ(problem(replaced("title = \"Sample\"", "title = 3")),
+              "scene.toml:1: title is 3, expected a text in quotes");
+    EXPECT_EQ(problem("sky = 3\n" + replaced("[sky]\nfile = \"sky.hdr\"", "")),
+              "scene.toml:1: sky is 3, expected a table: [sky]");
+    EXPECT_EQ(problem(replaced("[[mesh]]", "[mesh]")),
+              "scene.toml:13: mesh is a table, expected an array of tables: [[mesh]]");
+}
+
+TEST_F(SceneFile, UnknownKeysNameTheNearest) {
+    EXPECT_EQ(problem(replaced("wind_m_s = 6", "wind_ms = 6")),
+              "scene.toml:22: water.waves.wind_ms is not a known key, the nearest is water.waves.wind_m_s");
+    EXPECT_EQ(problem(replaced("[water.waves]", "[waves]")),
+              "scene.toml:21: waves is not a known key, the nearest is water.waves");
+    EXPECT_EQ(problem(replaced("position_m = [0, 0.5, -5]", "postion_m = [0, 0.5, -5]")),
+              "scene.toml:15: mesh.0.postion_m is not a known key, the nearest is mesh.position_m");
+}
+
+TEST_F(SceneFile, MissingFieldsAreNamed) {
+    EXPECT_EQ(problem(replaced("file = \"tetra.gltf\"\n", "")),
+              "scene.toml:13: mesh.0.file is missing, expected a glTF file");
+    EXPECT_EQ(problem(replaced("target_m = [0, 1, -5]", "")),
+              "scene.toml:35: camera.0.target_m is missing, expected three numbers, each -1e+06 to 1e+06 m");
+    EXPECT_EQ(problem(replaced("[sky]\nfile = \"sky.hdr\"", "")),
+              "scene.toml: sky is missing, expected [sky]");
+    EXPECT_EQ(problem("[sky]\nfile = 'sky.hdr'"), "scene.toml: camera is missing, expected [[camera]]");
+    EXPECT_EQ(problem("camera = []\n[sky]\nfile = 'sky.hdr'"),
+              "scene.toml:1: camera is [], expected at least one: [[camera]]");
+}
+
+TEST_F(SceneFile, FilesThatAreNotThereAreNamed) {
+    EXPECT_EQ(
+        problem(replaced("sky.hdr", "nope.hdr")),
+        "scene.toml:6: sky.file is 'nope.hdr', expected a lat-long HDR or EXR file; nope.hdr is not there");
+    EXPECT_EQ(problem(replaced("tetra.gltf", "out")),
+              "scene.toml:14: mesh.0.file is 'out', expected a glTF file; out is a folder");
+    EXPECT_EQ(problem(replaced("\"sky.hdr\"", "\"\"")),
+              "scene.toml:6: sky.file is '', expected a lat-long HDR or EXR file");
+}
+
+TEST_F(SceneFile, CamerasMustDifferAndLookSomewhere) {
+    EXPECT_EQ(problem(replaced("name = \"low\"", "name = \"level\"")),
+              "scene.toml:41: camera.1.name is 'level', expected a name that camera.0 does not have");
+    EXPECT_EQ(problem(replaced("target_m = [0, 1, -5]", "target_m = [0, 2, 4]")),
+              "scene.toml:38: camera.0.target_m is its position_m, expected a point away from the eye");
+    EXPECT_EQ(problem(replaced("name = \"low\"", "name = \"low.er\"")),
+              "scene.toml:41: camera.1.name is 'low.er', expected a name of letters, digits, _ and -");
+}
+
+TEST_F(SceneFile, FoamNeedsWaves) {
+    std::string text = tests::sampleScene();
+    const size_t from = text.find("[water.waves]"), to = text.find("[water.foam]");
+    text.erase(from, to - from);
+    EXPECT_EQ(problem(text),
+              "scene.toml:21: water.foam is set, expected [water.waves] too: foam comes from waves");
+}
+
+TEST_F(SceneFile, BrokenFilesAreRefused) {
+    EXPECT_NE(problem("[sky\n").find("scene.toml:1: not valid TOML: "), std::string::npos) << error_.text;
+    EXPECT_NE(problem("title = 'a'\ntitle = 'b'\n").find("scene.toml:2: not valid TOML: "), std::string::npos)
+        << error_.text;
+    EXPECT_NE(problem("a = " + std::string(5000, '[')).find("scene.toml:1: not valid TOML: "),
+              std::string::npos);
+    EXPECT_NE(problem("\xff\xfe\x00").find("not valid TOML"), std::string::npos);
+    EXPECT_EQ(problem(std::string((1 << 20) + 1, '\n')),
+              "scene.toml: has 1048577 bytes, expected a scene of at most 1 MB");
+    EXPECT_FALSE(demos::loadScene(folder_.path() / "nope.toml", {}, error_));
+    EXPECT_EQ(shortened(), "nope.toml: no such file, expected a scene (TOML)");
+    EXPECT_FALSE(demos::loadScene(folder_.path() / "out", {}, error_));
+    EXPECT_EQ(shortened(), "out: is a folder, expected a scene file (TOML)");
+}
+
+TEST_F(SceneFile, EveryTruncationLoadsOrSaysWhyOnOneLine) {
+    const std::string whole = tests::sampleScene();
+    for (size_t length = 0; length < whole.size(); ++length) {
+        if (loadText(whole.substr(0, length))) continue;
+        EXPECT_TRUE(error_.text.starts_with(file().string())) << length << error_.text;
+        EXPECT_EQ(error_.text.find('\n'), std::string::npos) << length << error_.text;
+    }
+}
+
+// ---- Overrides
+
+TEST_F(SceneFile, OverridesReplaceAndAdd) {
+    const auto scene =
+        load({"water.waves.wind_m_s=12", "camera.low.vertical_fov_deg=60", "mesh.0.yaw_deg=10",
+              "sun.irradiance=[1, 1, 1]", "sun.from_sky=true", "water.waves.spectrum=pierson-moskowitz",
+              "title=\"a = b\"", "camera.0.roll_deg=-5"});
+    ASSERT_TRUE(scene) << error_.text;
+    EXPECT_EQ(scene->water->waves->windMps, 12);
+    EXPECT_EQ(scene->cameras[1].verticalFovDeg, 60);
+    EXPECT_EQ(scene->cameras[0].rollDeg, -5);
+    EXPECT_EQ(scene->meshes[0].yawDeg, 10);
+    EXPECT_EQ(scene->sun.irradiance, (demos::Vec3{1, 1, 1}));
+    EXPECT_TRUE(scene->sun.fromSky);
+    EXPECT_EQ(scene->water->waves->spectrum, "pierson-moskowitz");
+    EXPECT_EQ(scene->title, "a = b");
+}
+
+TEST_F(SceneFile, OverridesTakeWholeTables) {
+    const auto scene = load({"mesh=[]", "water.foam={albedo=0.3}"});
+    ASSERT_TRUE(scene) << error_.text;
+    EXPECT_TRUE(scene->meshes.empty());
+    EXPECT_EQ(scene->water->foam->albedo, 0.3);
+}
+
+TEST_F(SceneFile, TheLastOverrideWins) {
+    const auto scene = load({"time_s=3", "time_s=4"});
+    ASSERT_TRUE(scene) << error_.text;
+    EXPECT_EQ(scene->timeS, 4);
+}
+
+TEST_F(SceneFile, OverridesMendWhatIsBroken) {
+    EXPECT_TRUE(loadText(replaced("wind_m_s = 6", "wind_m_s = -3"), {"water.waves.wind_m_s=3"}))
+        << error_.text;
+}
+
+TEST_F(SceneFile, OverrideErrorsNameTheOverride) {
+    EXPECT_EQ(problemOf("water.waves.wind_m_s=-3"),
+              "--set water.waves.wind_m_s=-3: water.waves.wind_m_s is -3, expected 0 to 60 m/s");
+    EXPECT_EQ(problemOf("water.waves.wind_m_s=fast"),
+              "--set water.waves.wind_m_s=fast: water.waves.wind_m_s is 'fast', expected 0 to 60 m/s");
+    EXPECT_EQ(problemOf("sun.irradience=1"),
+              "--set sun.irradience=1: sun.irradience is not a known key, the nearest is sun.irradiance");
+    EXPECT_EQ(
+        problemOf("waves.wind_m_s=1"),
+        "--set waves.wind_m_s=1: waves.wind_m_s is not a known key, the nearest is water.waves.wind_m_s");
+    EXPECT_EQ(problemOf("camera.high.roll_deg=1"),
+              "--set camera.high.roll_deg=1: the scene has no camera high, expected one of: level, low");
+    EXPECT_EQ(problemOf("mesh.1.scale=1"),
+              "--set mesh.1.scale=1: the scene has no mesh 1, expected one of: 0");
+    EXPECT_EQ(problemOf("camera.low=1"),
+              "--set camera.low=1: expected a key after camera.low, such as camera.low.near_m");
+    EXPECT_EQ(problemOf("sky=1"), "--set sky=1: sky is 1, expected a table: [sky]");
+    EXPECT_EQ(problemOf("time_s"), "--set time_s: expected path=value, such as water.waves.wind_m_s=12");
+    EXPECT_EQ(problemOf("=1"), "--set =1: expected path=value, such as water.waves.wind_m_s=12");
+    EXPECT_EQ(problemOf("sun.irradiance=[1,"), "--set sun.irradiance=[1,: the value is not TOML, expected a "
+                                               "number, true, false, a text or [a, b, c]");
+    EXPECT_EQ(problemOf("time_s="),
+              "--set time_s=: the value is not TOML, expected a number, true, false, a text or "
+              "[a, b, c]");
+}
+
+TEST_F(SceneFile, AnOverrideCannotSmuggleInASecondKey) {
+    EXPECT_NE(problemOf("time_s=1\ntitle='x'"), "");
+}
+
+TEST_F(SceneFile, OddPathsAreRefused) {
+    for (const char* path : {".", "..", "camera", "camera.", "camera..", "water.", ".water", "water..waves",
+                             "mesh.-1.scale", "mesh.99999999999999999999.scale", "water.waves.wind_m_s.x"}) {
+        EXPECT_NE(problemOf(std::string(path) + "=1"), "") << path;
+    }
+}
+
+// ---- Every field of the table
+
+struct Place {
+    const Field* field;
+    std::string path;     ///< as --set says it
+    demos::Target target; ///< of a scene that is only here for its types
+};
+
+/// Every field, found through the table itself.
+std::vector<Place> everyField() {
+    static Scene types;
+    std::vector<Place> places;
+    const std::function<void(const demos::Section&, void*, const std::string&)> visit =
+        [&](const demos::Section& section, void* owner, const std::string& path) {
+            for (const Field& field : section.fields) {
+                places.push_back({&field, path + std::string(field.key), field.target(owner)});
+            }
+            for (const demos::Child& child : section.children) {
+                const std::string childPath =
+                    path + std::string(child.section->key) + (child.repeated ? ".0." : ".");
+                visit(*child.section, child.open(owner), childPath);
+            }
+        };
+    visit(demos::sceneSection(), &types, "");
+    return places;
+}
+
+bool isNumber(const Place& place) {
+    return std::holds_alternative<double*>(place.target) || std::holds_alternative<uint32_t*>(place.target);
+}
+
+TEST_F(SceneFile, EveryFieldIsInTheTableOnce) {
+    std::vector<std::string> paths;
+    for (const Place& place : everyField()) paths.push_back(place.path);
+    EXPECT_GT(paths.size(), 40u);
+    std::sort(paths.begin(), paths.end());
+    EXPECT_EQ(std::adjacent_find(paths.begin(), paths.end()), paths.end());
+}
+
+TEST_F(SceneFile, EveryFieldRefusesADate) {
+    for (const Place& place : everyField()) {
+        EXPECT_NE(problemOf(place.path + "=1979-05-27").find(" is 1979-05-27, expected "), std::string::npos)
+            << place.path << ": " << error_.text;
+    }
+}
+
+TEST_F(SceneFile, EveryNumberRefusesNanAndInfinity) {
+    for (const Place& place : everyField()) {
+        if (!isNumber(place)) continue;
+        for (const char* value : {"nan", "inf", "-inf"})
+            EXPECT_NE(problemOf(place.path + "=" + value), "") << place.path;
+    }
+}
+
+TEST_F(SceneFile, EveryNumberHoldsItsRange) {
+    for (const Place& place : everyField()) {
+        if (!isNumber(place)) continue;
+        const Field& field = *place.field;
+        ASSERT_TRUE(std::isfinite(field.least) && std::isfinite(field.most) && field.least < field.most)
+            << place.path;
+        const auto written = [&](double value) {
+            const bool whole = std::holds_alternative<uint32_t*>(place.target);
+            return place.path + "=" +
+                   (whole ? std::to_string(static_cast<long>(value)) : testing::PrintToString(value));
+        };
+        const double step = std::max(1.0, std::abs(field.most) * 0.01);
+        if (field.rule != demos::Rule::positive) {
+            EXPECT_EQ(problemOf(written(field.least)), "");
+        }
+        EXPECT_EQ(problemOf(written(field.most)), "");
+        EXPECT_NE(problemOf(written(field.most + step)), "") << place.path;
+        EXPECT_NE(problemOf(written(field.least - step)), "") << place.path;
+    }
+}
+
+TEST(DemoScenes, Load) {
+    size_t count = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(SEAGLASS_SCENES)) {
+        if (entry.path().extension() != ".toml") continue;
+        Error error;
+        EXPECT_TRUE(demos::loadScene(entry.path(), {}, error)) << error.text;
+        ++count;
+    }
+    EXPECT_GE(count, 2u);
+}
+
+} // namespace

@@ -1,0 +1,90 @@
+// Renders what goldens.txt lists and compares it with the pictures in golden/, which scripts/goldens renews.
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "demos/host/image_file.h"
+#include "tests/program/run.h"
+#include "tests/visual/compare.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Golden {
+    std::string scene, camera, size;
+
+    std::string name() const { return scene + "_" + camera; }
+};
+
+void PrintTo(const Golden& golden, std::ostream* out) {
+    *out << golden.name();
+}
+
+std::vector<Golden> listGoldens() {
+    std::vector<Golden> goldens;
+    std::ifstream file(SEAGLASS_SOURCE "/tests/visual/goldens.txt");
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words(line);
+        Golden golden;
+        if (line.starts_with('#') || !(words >> golden.scene >> golden.camera >> golden.size)) continue;
+        goldens.push_back(golden);
+    }
+    return goldens;
+}
+
+class GoldenPicture : public testing::TestWithParam<Golden> {
+  protected:
+    GoldenPicture() { fs::create_directories(folder_); }
+
+    fs::path file(const std::string& ending) const { return folder_ / (GetParam().name() + ending); }
+
+    const fs::path folder_ = SEAGLASS_ACTUAL;
+};
+
+TEST_P(GoldenPicture, IsAsApproved) {
+    const Golden& golden = GetParam();
+    const fs::path approved = fs::path(SEAGLASS_SOURCE) / "tests/visual/golden" / (golden.name() + ".png");
+    const fs::path actualPng = file(".png"), actualExr = file(".exr"),
+                   differencePng = file("_difference.png");
+    fs::remove(differencePng);
+
+    // lavapipe, because it is everywhere: another device's pictures are as good, but not the same.
+    const std::string scene = SEAGLASS_SOURCE "/demos/scenes/" + golden.scene + ".toml";
+    const tests::Outcome outcome =
+        tests::run(SEAGLASS_PROGRAM,
+                   {{"render", scene, "--camera", golden.camera, "--size", golden.size, "-o",
+                     actualPng.string(), "-o", actualExr.string(), "--device", "llvmpipe", "--validation"}});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+
+    demos::Error error;
+    const auto linear = demos::readPicture(actualExr, error);
+    ASSERT_TRUE(linear) << error.text;
+    EXPECT_EQ(tests::countNotFinite(*linear), 0u) << actualExr;
+
+    const auto actual = demos::readPicture(actualPng, error);
+    ASSERT_TRUE(actual) << error.text;
+    const auto expected = demos::readPicture(approved, error);
+    ASSERT_TRUE(expected) << error.text << "; the picture to approve is " << actualPng;
+    const tests::Limits limits;
+    const std::string objections = tests::objections(tests::compare(*expected, *actual, limits), limits);
+    if (objections.empty()) return;
+    if (!demos::writePng(differencePng, actual->width, actual->height,
+                         tests::differencePicture(*expected, *actual), error)) {
+        ADD_FAILURE() << error.text;
+    }
+    FAIL() << objections << "\n  golden:     " << approved << "\n  actual:     " << actualPng
+           << "\n  difference: " << differencePng
+           << "\n  If the change is meant, look at both and see scripts/goldens.";
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenPicture, testing::ValuesIn(listGoldens()),
+                         [](const testing::TestParamInfo<Golden>& info) { return info.param.name(); });
+
+TEST(Goldens, AreListed) {
+    EXPECT_GE(listGoldens().size(), 4u);
+}
+
+} // namespace
