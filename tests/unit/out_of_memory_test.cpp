@@ -1,43 +1,15 @@
 // The boundary when an allocation fails: an error, and nothing left behind.
 #include "tests/unit/sea_support.h"
+#include "tests/unit/starved.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstring>
-#include <new>
-
-namespace {
-
-// How many more allocations succeed on this thread; negative when all do.
-thread_local int allocationsLeft = -1;
-
-} // namespace
-
-void* operator new(size_t size) {
-    if (allocationsLeft == 0) throw std::bad_alloc();
-    if (allocationsLeft > 0) --allocationsLeft;
-    if (void* memory = std::malloc(size ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, size_t) noexcept {
-    std::free(memory);
-}
 
 namespace {
 
 using namespace seaglass;
-
-class Starved {
-  public:
-    explicit Starved(int allocations) { allocationsLeft = allocations; }
-    Starved(const Starved&) = delete;
-    Starved& operator=(const Starved&) = delete;
-    ~Starved() { allocationsLeft = -1; }
-};
+using tests::Starved;
 
 TEST(OutOfMemory, CreateSeaSaysSo) {
     const SeaDesc desc = tests::oneCascade();
