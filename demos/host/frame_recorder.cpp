@@ -70,7 +70,7 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
     }
     if (!makeCamera(frame.camera, static_cast<double>(extent.width) / extent.height, camera_, error))
         return false;
-    shadowFit_ = fitShadow(scene.bounds, camera_, scene.sky.sun.direction);
+    shadowFits_ = fitShadows(scene.bounds, camera_, scene.sky.sun.direction);
     writeUniforms();
     return water_.beginFrame(error);
 }
@@ -79,7 +79,7 @@ void FrameRecorder::writeUniforms() {
     FrameUniforms uniforms{};
     uniforms.clipFromEye = glm::mat4(camera_.projection * camera_.rotation);
     setSkyUniforms(scene_->sky, camera_, targets_.extent, uniforms);
-    setShadowUniforms(shadowFit_, uniforms);
+    setShadowUniforms(shadowFits_, uniforms);
     std::memcpy(scene_->uniforms.mapped, &uniforms, sizeof(uniforms));
 }
 
@@ -109,7 +109,7 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
         return water_.simulate(commands, scene_->water, frame_.timeS, cpuSimulateMs_, error);
     case Stage::shadow:
         bindFrameSet(commands);
-        shadow_.record(commands, layouts_, scene_->meshes, camera_.eye, shadowFit_);
+        shadow_.record(commands, layouts_, scene_->meshes, camera_.eye, shadowFits_);
         return true;
     case Stage::opaque:
         bindFrameSet(commands);

@@ -64,7 +64,7 @@ class FrameRecorder {
     const LoadedScene* scene_ = nullptr;
     FrameDesc frame_;
     Camera camera_;
-    ShadowFit shadowFit_;
+    ShadowFits shadowFits_;
     double cpuSimulateMs_ = 0;
 };
 

@@ -9,16 +9,20 @@
 
 namespace demos {
 
+/// Shadow maps of growing reach, as tiles of one image.
+constexpr uint32_t shadowCascades = 4;
+
 /// As in shaders/frame.glsl.
 struct FrameUniforms {
     glm::mat4 clipFromEye;
-    glm::mat4 shadowFromEye;
+    glm::mat4 shadowFromEye[shadowCascades];
     glm::vec4 skyRight, skyUp, skyForward;
     glm::vec4 toSun;
     glm::vec4 sunIrradiance;
     glm::vec4 sunRadiance;
     glm::vec4 irradianceSh[9];
     glm::vec4 sky;
+    glm::vec4 shadowTexelM;
     glm::vec4 shadow;
 };
 

@@ -167,6 +167,7 @@ void drawMeshes(VkCommandBuffer commands, const Layouts& layouts, const MeshSet&
             vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layouts.pipeline.get(), 1, 1,
                                     &material.textures, 0, nullptr);
             DrawConstants constants = material.constants;
+            constants.surface.z = static_cast<float>(pipelines.cascade);
             for (int row = 0; row < 3; ++row)
                 constants.eyeFromMesh[row] = glm::vec4(glm::transpose(eyeFromMesh)[row]);
             vkCmdPushConstants(commands, layouts.pipeline.get(), drawStages, 0, sizeof(constants),

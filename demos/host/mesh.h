@@ -50,6 +50,7 @@ std::vector<Box> worldBounds(const MeshSet& meshes);
 struct MeshPipelines {
     VkPipeline opaque = VK_NULL_HANDLE, masked = VK_NULL_HANDLE;
     bool cullBack = true; ///< back faces of materials that have none
+    uint32_t cascade = 0; ///< of the shadow map
 };
 
 /// Needs set 0 bound.

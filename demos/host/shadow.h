@@ -1,12 +1,14 @@
-// One shadow map of the sun, fitted to what is opaque and in view.
+// Shadow maps of the sun: cascades of growing reach, each fitted to what is opaque and in view.
 #pragma once
+
+#include <array>
 
 #include "host/camera.h"
 #include "host/mesh.h"
 
 namespace demos {
 
-/// Where the shadow map lies. Disabled when nothing in view can be in shadow.
+/// Where a shadow map lies. Disabled when nothing there can be in shadow.
 struct ShadowFit {
     bool enabled = false;
     glm::mat4 clipFromEye{
@@ -14,18 +16,20 @@ struct ShadowFit {
     double texelM = 0;
 };
 
-ShadowFit fitShadow(const std::vector<Box>& boxes, const Camera& camera, const glm::dvec3& toSun);
+using ShadowFits = std::array<ShadowFit, shadowCascades>;
+
+ShadowFits fitShadows(const std::vector<Box>& boxes, const Camera& camera, const glm::dvec3& toSun);
 
 class ShadowPass {
   public:
-    static constexpr uint32_t size = 2048;
+    static constexpr uint32_t cascadeSize = 2048;
 
     bool create(const Device& device, const Layouts& layouts, Error& error);
     VkImageView map() const { return map_.view.get(); }
     VkSampler sampler() const { return sampler_.get(); }
     /// Leaves the map readable by fragment shaders. Needs set 0 bound.
     void record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
-                const glm::dvec3& eye, const ShadowFit& fit) const;
+                const glm::dvec3& eye, const ShadowFits& fits) const;
 
   private:
     Image map_;
@@ -33,6 +37,6 @@ class ShadowPass {
     UniquePipeline opaque_, masked_;
 };
 
-void setShadowUniforms(const ShadowFit& fit, FrameUniforms& uniforms);
+void setShadowUniforms(const ShadowFits& fits, FrameUniforms& uniforms);
 
 } // namespace demos

@@ -22,7 +22,7 @@ float luminance(const glm::vec3& c) {
 }
 
 glm::dvec3 directionAt(double u, double v) {
-    const double azimuth = 2 * pi * (u - 0.5), polar = pi * v;
+    const double azimuth = 2 * pi * u, polar = pi * v;
     return {std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth)};
 }
 
@@ -114,13 +114,13 @@ bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, RowAverager&
 }
 
 glm::vec3 sampleBilinear(const SkyImage& image, const glm::dvec3& direction) {
-    const double u = std::atan2(direction.z, direction.x) / (2 * pi) + 0.5;
+    const double u = std::atan2(direction.z, direction.x) / (2 * pi);
     const double v = std::acos(std::clamp(direction.y, -1.0, 1.0)) / pi;
     const double x = u * image.width - 0.5, y = v * image.height - 0.5;
     const double x0 = std::floor(x), y0 = std::floor(y);
     const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
     const auto column = [&](double c) {
-        return static_cast<size_t>((static_cast<int64_t>(c) + image.width) % image.width);
+        return static_cast<size_t>((static_cast<int64_t>(c) + 2 * int64_t(image.width)) % image.width);
     };
     const auto row = [&](double r) {
         return static_cast<size_t>(std::clamp(r, 0.0, image.height - 1.0)) * image.width;

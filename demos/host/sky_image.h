@@ -1,7 +1,7 @@
 // A lat-long sky as light: clean pixels, the sun taken out, a filtered cube and the irradiance it gives. CPU
 // only.
 //
-// The middle of the image faces +X and its right half +Z: azimuth = 360 (u - 1/2), elevation = 180 (1/2 - v).
+// The left edge of the image faces +X, a quarter to its right is +Z: azimuth = 360 u, elevation = 180 (1/2 - v).
 #pragma once
 
 #include <array>

@@ -3,7 +3,7 @@ layout(push_constant) uniform Draw {
     vec4 eyeFromMesh[3];   // rows of the affine transform to eye-relative metres
     vec4 baseColor;
     vec4 emissive;         // w: alpha below which a masked surface is cut out
-    vec4 surface;          // metallic, roughness
+    vec4 surface;          // metallic, roughness, shadow cascade
 } draw;
 
 vec3 toEye(vec3 position) {

@@ -1,7 +1,7 @@
 // What every pass of the host knows about the frame. Positions are in metres from the eye.
 layout(set = 0, binding = 0, std140) uniform Frame {
     mat4 clipFromEye;       // eye-relative position to clip
-    mat4 shadowFromEye;     // eye-relative position to the shadow map's clip space
+    mat4 shadowFromEye[4];  // eye-relative position to each shadow cascade's clip space
     vec4 skyRight;          // half the picture's width at distance 1
     vec4 skyUp;
     vec4 skyForward;
@@ -10,7 +10,8 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 sunRadiance;       // of the disc; w: half the width of its soft edge [rad]
     vec4 irradianceSh[9];   // of the sky, a polynomial of the normal
     vec4 sky;               // rotation [turns], intensity, last mip of the cube, face size
-    vec4 shadow;            // texel [m], texel [uv], 1 where there is a map
+    vec4 shadowTexelM;      // of each cascade, 0 where it is not drawn
+    vec4 shadow;            // texel of a cascade [uv]
 } frame;
 
 // Irradiance from the sky on a plane with unit normal n (Ramamoorthi and Hanrahan 2001).

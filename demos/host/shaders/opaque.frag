@@ -20,30 +20,39 @@ layout(location = 0) out vec4 outColor;
 const float pi = 3.14159265;
 
 // Percentage-closer filtering under a 5x5 tent from nine bilinear taps (Castano 2013, "Shadow Mapping Summary").
-float sunVisibility(vec3 fromEye, vec3 normal, float nDotL) {
-    if (frame.shadow.z == 0.0) return 1.0;
-    // A plane seen at an angle rises by radius * sin over the filter's radius: lifting the receiver along its normal
-    // by that much ends acne without a bias in depth.
-    const float lift = 2.5 * frame.shadow.x * sqrt(max(0.0, 1.0 - nDotL * nDotL));
-    const vec3 receiver = fromEye + normal * (lift + 0.1 * frame.shadow.x);
-    const vec3 clip = (frame.shadowFromEye * vec4(receiver, 1.0)).xyz;
-    const vec2 uv = clip.xy * 0.5 + 0.5;
-    if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return 1.0;
-    const float size = 1.0 / frame.shadow.y;
-    const vec2 base = floor(uv * size + 0.5);
-    const vec2 st = uv * size + 0.5 - base;
-    const vec2 origin = (base - 0.5) * frame.shadow.y;
+// `uv` runs over one cascade; the four are quarters of the map.
+float filteredShadow(int cascade, vec2 uv, float depth) {
+    const float texel = frame.shadow.x;
+    const vec2 at = uv / texel + 0.5;
+    const vec2 base = floor(at), st = at - base;
+    const vec2 corner = vec2(cascade & 1, cascade >> 1) * 0.5;
     const vec2 w0 = 4.0 - 3.0 * st, w2 = 1.0 + 3.0 * st;
-    const vec2 p0 = (3.0 - 2.0 * st) / w0 - 2.0;
-    const vec2 p1 = (3.0 + st) / 7.0;
-    const vec2 p2 = st / w2 + 2.0;
+    const vec2 p0 = (3.0 - 2.0 * st) / w0 - 2.0, p1 = (3.0 + st) / 7.0, p2 = st / w2 + 2.0;
     const vec3 wu = vec3(w0.x, 7.0, w2.x), wv = vec3(w0.y, 7.0, w2.y);
     const vec3 pu = vec3(p0.x, p1.x, p2.x), pv = vec3(p0.y, p1.y, p2.y);
     float sum = 0.0;
     for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i)
-            sum += wu[i] * wv[j] * texture(shadowMap, vec3(origin + vec2(pu[i], pv[j]) * frame.shadow.y, clip.z));
+        for (int i = 0; i < 3; ++i) {
+            const vec2 tap = (base - 0.5 + vec2(pu[i], pv[j])) * texel;
+            sum += wu[i] * wv[j] * texture(shadowMap, vec3(corner + 0.5 * tap, depth));
+        }
     return sum / 144.0;
+}
+
+float sunVisibility(vec3 fromEye, vec3 normal, float nDotL) {
+    const float sine = sqrt(max(0.0, 1.0 - nDotL * nDotL));
+    for (int cascade = 0; cascade < 4; ++cascade) {
+        const float texelM = frame.shadowTexelM[cascade];
+        if (texelM == 0.0) continue;
+        // Under a filter of radius r a plane seen at an angle rises by r * sin: lifting the receiver along its normal
+        // by that much ends acne without a bias in depth.
+        const vec3 receiver = fromEye + normal * (texelM * (2.5 * sine + 0.1));
+        const vec3 clip = (frame.shadowFromEye[cascade] * vec4(receiver, 1.0)).xyz;
+        // The filter must not reach into the neighbouring cascade.
+        if (max(abs(clip.x), abs(clip.y)) < 1.0 - 8.0 * frame.shadow.x)
+            return filteredShadow(cascade, clip.xy * 0.5 + 0.5, clip.z);
+    }
+    return 1.0;
 }
 
 // Specular reflectance of a rough surface in uniform light (Karis 2014, "Physically Based Shading on Mobile").

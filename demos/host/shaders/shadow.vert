@@ -13,5 +13,5 @@ layout(location = 1) out float outAlpha;
 void main() {
     outUv = inUv;
     outAlpha = inColor.a;
-    gl_Position = frame.shadowFromEye * vec4(toEye(inPosition), 1.0);
+    gl_Position = frame.shadowFromEye[int(draw.surface.z)] * vec4(toEye(inPosition), 1.0);
 }

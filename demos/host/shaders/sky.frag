@@ -9,7 +9,7 @@ layout(location = 0) out vec4 outColor;
 
 void main() {
     const vec3 d = normalize(inDirection);
-    const float u = atan(d.z, d.x) / 6.2831853 + 0.5 - frame.sky.x;
+    const float u = atan(d.z, d.x) / 6.2831853 - frame.sky.x;
     const float v = acos(clamp(d.y, -1.0, 1.0)) / 3.14159265;
     vec3 radiance = frame.sky.y * textureLod(skyImage, vec2(u, v), 0.0).rgb;
     const float sunRadius = 0.0047;
