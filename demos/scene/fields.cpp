@@ -74,6 +74,7 @@ constexpr std::array wavesFields = {
     Field{"fetch_m", at<&WavesDesc::fetchM>, 1, 1e7, "m", "open water upwind"},
     Field{"peak_enhancement", at<&WavesDesc::peakEnhancement>, 1, 10, "", "JONSWAP gamma"},
     Field{"swell", at<&WavesDesc::swell>, 0, 1, "", "elongation of the directional spreading"},
+    Field{"amplitude", at<&WavesDesc::amplitude>, 0, 1, "", "scale of the heights, 1 as the wind makes them"},
     Field{"choppiness", at<&WavesDesc::choppiness>, 0, 10, "", "scale of the horizontal displacement"},
     Field{"samples", at<&WavesDesc::samples>, 16, 1024, "", "across each cascade", false, Rule::powerOfTwo},
     Field{"cascades", at<&WavesDesc::cascades>, 1, 4, "", "bands of wavelengths"},
@@ -104,8 +105,8 @@ constexpr std::array reflectionFields = {
 constexpr std::array waterFields = {
     Field{"level_m", at<&WaterDesc::levelM>, -1e5, 1e5, "m", "height of the calm surface"},
     Field{"cell_m", at<&WaterDesc::cellM>, 0.01, 100, "m", "edge of the finest cells"},
-    Field{"cells_per_level", at<&WaterDesc::cellsPerLevel>, 32, 512, "", "across one level of detail", false,
-          Rule::multipleOf32},
+    Field{"cells_per_level", at<&WaterDesc::cellsPerLevel>, 128, 1024, "",
+          "until twice coarser ones take over"},
 };
 
 constexpr std::array cameraFields = {
@@ -181,7 +182,6 @@ struct Expectation {
     std::string operator()(const Vec3*) const { return "three numbers, each " + range(field); }
     std::string operator()(const uint32_t*) const {
         if (field.rule == Rule::powerOfTwo) return "a power of two, " + range(field);
-        if (field.rule == Rule::multipleOf32) return "a multiple of 32, " + range(field);
         return "a whole number, " + range(field);
     }
     std::string operator()(const uint64_t*) const { return "a whole number, 0 to 2^63"; }

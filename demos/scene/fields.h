@@ -22,7 +22,6 @@ enum class Rule {
     none,
     zeroOrRange, ///< 0, or within the range
     powerOfTwo,
-    multipleOf32,
     positive,   ///< within the range, its lower end excluded
     identifier, ///< letters, digits, _ and -
 };

@@ -215,7 +215,6 @@ class Reader {
         if (!convert(node, field, wide)) return false;
         out = static_cast<uint32_t>(wide);
         if (field.rule == Rule::powerOfTwo) return std::has_single_bit(out);
-        if (field.rule == Rule::multipleOf32) return out % 32 == 0;
         return true;
     }
 

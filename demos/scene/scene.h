@@ -46,6 +46,7 @@ struct WavesDesc {
     double fetchM = 300e3;
     double peakEnhancement = 3.3;
     double swell = 0;
+    double amplitude = 1;
     double choppiness = 1;
     uint32_t samples = 256;
     uint32_t cascades = 3;

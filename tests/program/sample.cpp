@@ -21,7 +21,7 @@ position_m = [0, 0.5, -5]
 
 [water]
 level_m = 0
-cells_per_level = 32
+cells_per_level = 128
 
 [water.waves]
 wind_m_s = 6

@@ -116,8 +116,8 @@ TEST_F(SceneFile, OutOfRangeNamesFileLineFieldAndRange) {
               "scene.toml:22: water.waves.wind_m_s is -3, expected 0 to 60 m/s");
     EXPECT_EQ(problem(replaced("samples = 16", "samples = 48")),
               "scene.toml:23: water.waves.samples is 48, expected a power of two, 16 to 1024");
-    EXPECT_EQ(problem(replaced("cells_per_level = 32", "cells_per_level = 40")),
-              "scene.toml:19: water.cells_per_level is 40, expected a multiple of 32, 32 to 512");
+    EXPECT_EQ(problem(replaced("cells_per_level = 128", "cells_per_level = 40")),
+              "scene.toml:19: water.cells_per_level is 40, expected a whole number, 128 to 1024");
     EXPECT_EQ(problem(replaced("technique = \"sspr\"", "technique = \"ssr\"")),
               "scene.toml:33: water.reflection.technique is 'ssr', expected sky or sspr");
 }
