@@ -47,7 +47,8 @@ struct Sheet {
         const double cosine = -(m * windU + n * windV) * dk / k;
         const double shape = spreadingShape(spectrum, omega, static_cast<double>(desc.swell));
         const double density = energy(spectrum, omega) * spreading(shape, cosine) * groupSpeed(k) / k;
-        return std::complex<float>(normals(desc.seed, cascade, m, n) * (0.5 * static_cast<double>(desc.amplitude) * std::sqrt(density) * dk));
+        return std::complex<float>(normals(desc.seed, cascade, m, n) *
+                                   (0.5 * static_cast<double>(desc.amplitude) * std::sqrt(density) * dk));
     }
 };
 

@@ -18,7 +18,6 @@ struct Range {
 } // namespace
 
 bool validate(const SeaDesc& desc, SeaError& error) {
-    error.text[0] = '\0';
     const auto model = static_cast<uint32_t>(desc.spectrum);
     if (model > static_cast<uint32_t>(SpectrumModel::piersonMoskowitz)) {
         std::snprintf(error.text, sizeof error.text,

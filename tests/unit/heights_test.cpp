@@ -122,6 +122,8 @@ TEST(Heights, StaysExactForYearsAndFarFromTheOrigin) {
     EXPECT_TRUE(same(here, heightAt(*sea, 12.5 + 4096 * 8000.0, 100.25, -31.5)));
     EXPECT_TRUE(same(here, heightAt(*sea, 12.5 - 4096, 100.25, -31.5)));
     EXPECT_NEAR(here.height, heightAt(*sea, 12.5, 100.25 + 512 * 1e6, -31.5 - 512 * 1e6).height, 1e-6);
+    const double tiles = 512 * 0x1p40;
+    EXPECT_TRUE(same(heightAt(*sea, 12.5, 100, -31), heightAt(*sea, 12.5, 100 + tiles, -31 - tiles)));
     EXPECT_NE(here.height, heightAt(*sea, 12.5, 100.25 + 256, -31.5).height);
 }
 

@@ -75,6 +75,26 @@ TEST(Sea, HasTheHeightOfItsSpectrum) {
     }
 }
 
+TEST(Sea, KnowsTheSlopesThatItsCascadesLeaveOut) {
+    SeaDesc desc;
+    desc.capFetch = false;
+    const auto sea = makeSea(desc);
+    const Spectrum spectrum = makeSpectrum(desc);
+    // Cascades that resolved 1 m, 10 cm and 2 cm waves would hold so much, by the spectrum.
+    EXPECT_NEAR(tests::slopeVariance(spectrum, 6.28), 0.018, 1e-3);
+    EXPECT_NEAR(tests::slopeVariance(spectrum, 62.8), 0.028, 1e-3);
+    EXPECT_NEAR(tests::slopeVariance(spectrum, 314), 0.034, 1e-3);
+    constexpr double shortest = 365; // [rad/m], 17 mm
+    const double resolved = tests::slopeVariance(spectrum, cascade(*sea, desc.cascades - 1).kMax);
+    const double total = tests::slopeVariance(spectrum, shortest);
+    EXPECT_NEAR(unresolvedSlopeVariance(*sea), total - resolved, 1e-3 * total);
+
+    desc.amplitude = 0.5f;
+    EXPECT_NEAR(unresolvedSlopeVariance(*makeSea(desc)), (total - resolved) / 4, 1e-3 * total);
+    desc.windSpeed = 0;
+    EXPECT_EQ(unresolvedSlopeVariance(*makeSea(desc)), 0);
+}
+
 TEST(Sea, CascadesHaveTheVarianceOfTheirBand) {
     SeaDesc desc;
     constexpr uint64_t seeds = 64;
@@ -109,6 +129,16 @@ TEST(Sea, IsHigherInMoreWind) {
         EXPECT_GT(height, last) << wind;
         last = height;
     }
+}
+
+TEST(Sea, AmplitudeScalesItsHeights) {
+    SeaDesc desc;
+    desc.samples = 64;
+    const double full = significantWaveHeight(*makeSea(desc));
+    desc.amplitude = 0.25f;
+    EXPECT_NEAR(significantWaveHeight(*makeSea(desc)), full / 4, 1e-6 * full);
+    desc.amplitude = 0;
+    EXPECT_EQ(cascadeCount(*makeSea(desc)), 0u);
 }
 
 TEST(Sea, IsFlatWithoutWind) {
@@ -211,6 +241,8 @@ TEST(Sea, NamesTheFieldItRejects) {
         {"fetch", "nan", "1 to 1e+07", [&](SeaDesc& d) { d.fetch = notANumber; }},
         {"peakEnhancement", "0", "1 to 10", [](SeaDesc& d) { d.peakEnhancement = 0; }},
         {"peakEnhancement", "nan", "1 to 10", [&](SeaDesc& d) { d.peakEnhancement = notANumber; }},
+        {"amplitude", "1.5", "0 to 1", [](SeaDesc& d) { d.amplitude = 1.5f; }},
+        {"amplitude", "nan", "0 to 1", [&](SeaDesc& d) { d.amplitude = notANumber; }},
         {"swell", "2", "0 to 1", [](SeaDesc& d) { d.swell = 2; }},
         {"swell", "nan", "0 to 1", [&](SeaDesc& d) { d.swell = notANumber; }},
         {"choppiness", "-1", "0 to 10", [](SeaDesc& d) { d.choppiness = -1; }},
