@@ -113,7 +113,7 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
         return true;
     case Stage::opaque:
         bindFrameSet(commands);
-        opaque_.record(commands, layouts_, scene_->meshes, camera_.eye, targets_);
+        opaque_.record(commands, layouts_, scene_->meshes, camera_, targets_);
         return true;
     case Stage::copy:
         targets_.copyScene(commands);

@@ -49,8 +49,9 @@ std::vector<Box> worldBounds(const MeshSet& meshes);
 
 struct MeshPipelines {
     VkPipeline opaque = VK_NULL_HANDLE, masked = VK_NULL_HANDLE;
-    bool cullBack = true; ///< back faces of materials that have none
-    uint32_t cascade = 0; ///< of the shadow map
+    bool cullBack = true;      ///< back faces of materials that have none
+    uint32_t cascade = 0;      ///< of the shadow map
+    glm::dmat4 clipFromEye{1}; ///< parts outside its clip volume, depth aside, are not drawn
 };
 
 /// Needs set 0 bound.

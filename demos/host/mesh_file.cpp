@@ -1,10 +1,12 @@
 #include "host/mesh_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <exception>
 #include <map>
+#include <span>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -24,6 +26,7 @@ constexpr int maxTextureSide = 8192;
 constexpr size_t maxTextures = 256;
 constexpr size_t maxMaterials = 1024;
 constexpr double maxCoordinate = 1e7;
+constexpr size_t maxPartTriangles = 2048;
 
 // What tinygltf asks the host for: files and images. Its own readers have no caps, and its path expansion is
 // not wanted.
@@ -468,13 +471,49 @@ class Reader {
         return true;
     }
 
+    using Triangle = std::array<uint32_t, 3>;
+
+    /// Halves the triangles along their longest side until a part is small enough to be culled with profit.
+    void addParts(std::span<Triangle> triangles, uint32_t material) {
+        if (triangles.empty()) return;
+        MeshPart part;
+        part.low = part.high = mesh.vertices[triangles.front()[0]].position;
+        for (const Triangle& triangle : triangles)
+            for (const uint32_t index : triangle) {
+                part.low = glm::min(part.low, mesh.vertices[index].position);
+                part.high = glm::max(part.high, mesh.vertices[index].position);
+            }
+        if (triangles.size() > maxPartTriangles) {
+            const glm::vec3 size = part.high - part.low;
+            const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+            const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
+            // Ties go by index, so that the order is the same with every library.
+            std::nth_element(triangles.begin(), middle, triangles.end(),
+                             [&](const Triangle& a, const Triangle& b) {
+                                 const float pa = mesh.vertices[a[0]].position[axis],
+                                             pb = mesh.vertices[b[0]].position[axis];
+                                 return pa != pb ? pa < pb : a < b;
+                             });
+            addParts({triangles.begin(), middle}, material);
+            addParts({middle, triangles.end()}, material);
+            return;
+        }
+        std::sort(triangles.begin(), triangles.end());
+        part.firstIndex = static_cast<uint32_t>(mesh.indices.size());
+        part.indexCount = static_cast<uint32_t>(triangles.size() * 3);
+        part.material = material;
+        for (const Triangle& triangle : triangles)
+            mesh.indices.insert(mesh.indices.end(), triangle.begin(), triangle.end());
+        mesh.parts.push_back(part);
+    }
+
     bool collectParts() {
         for (size_t material = 0; material < byMaterial_.size(); ++material) {
+            std::vector<Triangle> triangles;
             const std::vector<uint32_t>& list = byMaterial_[material];
-            if (list.empty()) continue;
-            mesh.parts.push_back({static_cast<uint32_t>(mesh.indices.size()),
-                                  static_cast<uint32_t>(list.size()), static_cast<uint32_t>(material)});
-            mesh.indices.insert(mesh.indices.end(), list.begin(), list.end());
+            for (size_t i = 0; i + 2 < list.size(); i += 3)
+                triangles.push_back({list[i], list[i + 1], list[i + 2]});
+            addParts(triangles, static_cast<uint32_t>(material));
         }
         if (mesh.parts.empty()) return fail("has no triangles");
         mesh.low = mesh.high = mesh.vertices.front().position;

@@ -38,9 +38,10 @@ struct MeshMaterial {
     std::optional<uint32_t> baseTexture, metallicRoughnessTexture;
 };
 
-/// Triangles of one material.
+/// Triangles of one material that lie near each other.
 struct MeshPart {
     uint32_t firstIndex = 0, indexCount = 0, material = 0;
+    glm::vec3 low{0}, high{0};
 };
 
 struct Mesh {

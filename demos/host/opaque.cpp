@@ -21,11 +21,12 @@ bool OpaquePass::create(const Device& device, const Layouts& layouts, Error& err
 }
 
 void OpaquePass::record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
-                        const glm::dvec3& eye, const FrameTargets& targets) const {
+                        const Camera& camera, const FrameTargets& targets) const {
     targets.toAttachments(commands, VK_IMAGE_LAYOUT_UNDEFINED);
     beginRendering(commands, targets.extent, &targets.color, VK_ATTACHMENT_LOAD_OP_CLEAR, targets.depth,
                    VK_ATTACHMENT_LOAD_OP_CLEAR, 0);
-    drawMeshes(commands, layouts, meshes, eye, {opaque_.get(), masked_.get(), true});
+    drawMeshes(commands, layouts, meshes, camera.eye,
+               {opaque_.get(), masked_.get(), true, 0, camera.projection * camera.rotation});
     sky_.draw(commands);
     vkCmdEndRendering(commands);
 }

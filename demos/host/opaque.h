@@ -11,8 +11,8 @@ class OpaquePass {
   public:
     bool create(const Device& device, const Layouts& layouts, Error& error);
     /// Clears and draws targets.color and targets.depth, and leaves them as attachments. Needs set 0 bound.
-    void record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
-                const glm::dvec3& eye, const FrameTargets& targets) const;
+    void record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes, const Camera& camera,
+                const FrameTargets& targets) const;
 
   private:
     UniquePipeline opaque_, masked_;

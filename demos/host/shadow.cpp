@@ -59,8 +59,9 @@ Range seenBetween(double from, double to, const Camera& camera, const LightAxes&
     Range seen;
     for (const double distance : {from, to})
         for (int i = 0; i < 4; ++i)
-            seen.add(axes.of(distance * (camera.forward + (i & 1 ? 1.0 : -1.0) * camera.tanHalfFovX * camera.right +
-                                         (i & 2 ? 1.0 : -1.0) * camera.tanHalfFovY * camera.up)));
+            seen.add(axes.of(distance *
+                             (camera.forward + (i & 1 ? 1.0 : -1.0) * camera.tanHalfFovX * camera.right +
+                              (i & 2 ? 1.0 : -1.0) * camera.tanHalfFovY * camera.up)));
     return seen;
 }
 
@@ -86,8 +87,10 @@ ShadowFit fitCascade(const Range& bounds, const Range& seen, const LightAxes& ax
 
 void setTile(VkCommandBuffer commands, uint32_t cascade) {
     constexpr uint32_t size = ShadowPass::cascadeSize;
-    const VkOffset2D corner = {static_cast<int32_t>((cascade & 1) * size), static_cast<int32_t>((cascade >> 1) * size)};
-    const VkViewport viewport = {static_cast<float>(corner.x), static_cast<float>(corner.y), size, size, 0, 1};
+    const VkOffset2D corner = {static_cast<int32_t>((cascade & 1) * size),
+                               static_cast<int32_t>((cascade >> 1) * size)};
+    const VkViewport viewport = {
+        static_cast<float>(corner.x), static_cast<float>(corner.y), size, size, 0, 1};
     const VkRect2D scissor = {corner, {size, size}};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scissor);
@@ -130,29 +133,34 @@ bool ShadowPass::create(const Device& device, const Layouts& layouts, Error& err
            createPipeline(device, layouts.pipeline.get(), masked, masked_, error);
 }
 
-void ShadowPass::record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes, const glm::dvec3& eye,
-                        const ShadowFits& fits) const {
+void ShadowPass::record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
+                        const glm::dvec3& eye, const ShadowFits& fits) const {
     constexpr VkPipelineStageFlags2 tests =
         VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
     imageBarrier(commands, map_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
                  VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, 0, tests,
-                 VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT);
-    beginRendering(commands, mapExtent, nullptr, VK_ATTACHMENT_LOAD_OP_DONT_CARE, map_, VK_ATTACHMENT_LOAD_OP_CLEAR, 1);
+                 VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
+                     VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT);
+    beginRendering(commands, mapExtent, nullptr, VK_ATTACHMENT_LOAD_OP_DONT_CARE, map_,
+                   VK_ATTACHMENT_LOAD_OP_CLEAR, 1);
     for (uint32_t i = 0; i < shadowCascades; ++i) {
         if (!fits[i].enabled) continue;
         setTile(commands, i);
-        drawMeshes(commands, layouts, meshes, eye, {opaque_.get(), masked_.get(), false, i});
+        drawMeshes(commands, layouts, meshes, eye,
+                   {opaque_.get(), masked_.get(), false, i, glm::dmat4(fits[i].clipFromEye)});
     }
     vkCmdEndRendering(commands);
-    imageBarrier(commands, map_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
-                 tests, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+    imageBarrier(commands, map_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
+                 VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, tests,
+                 VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
                  VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
 }
 
 void setShadowUniforms(const ShadowFits& fits, FrameUniforms& uniforms) {
     for (uint32_t i = 0; i < shadowCascades; ++i) {
         uniforms.shadowFromEye[i] = fits[i].clipFromEye;
-        uniforms.shadowTexelM[static_cast<int>(i)] = fits[i].enabled ? static_cast<float>(fits[i].texelM) : 0.0f;
+        uniforms.shadowTexelM[static_cast<int>(i)] =
+            fits[i].enabled ? static_cast<float>(fits[i].texelM) : 0.0f;
     }
     uniforms.shadow = glm::vec4(1.0f / ShadowPass::cascadeSize, 0, 0, 0);
 }

@@ -41,18 +41,24 @@ float filteredShadow(int cascade, vec2 uv, float depth) {
 
 float sunVisibility(vec3 fromEye, vec3 normal, float nDotL) {
     const float sine = sqrt(max(0.0, 1.0 - nDotL * nDotL));
-    for (int cascade = 0; cascade < 4; ++cascade) {
+    int chosen = -1;
+    vec3 at = vec3(0.0);
+    // From far to near: the nearest that holds the point wins. Chosen first and filtered once, since a device that
+    // masks branches would pay for each.
+    for (int cascade = 3; cascade >= 0; --cascade) {
         const float texelM = frame.shadowTexelM[cascade];
-        if (texelM == 0.0) continue;
         // Under a filter of radius r a plane seen at an angle rises by r * sin: lifting the receiver along its normal
         // by that much ends acne without a bias in depth.
         const vec3 receiver = fromEye + normal * (texelM * (2.5 * sine + 0.1));
         const vec3 clip = (frame.shadowFromEye[cascade] * vec4(receiver, 1.0)).xyz;
         // The filter must not reach into the neighbouring cascade.
-        if (max(abs(clip.x), abs(clip.y)) < 1.0 - 8.0 * frame.shadow.x)
-            return filteredShadow(cascade, clip.xy * 0.5 + 0.5, clip.z);
+        const bool inside = max(abs(clip.x), abs(clip.y)) < 1.0 - 8.0 * frame.shadow.x;
+        if (texelM > 0.0 && inside) {
+            chosen = cascade;
+            at = clip;
+        }
     }
-    return 1.0;
+    return chosen < 0 ? 1.0 : filteredShadow(chosen, at.xy * 0.5 + 0.5, at.z);
 }
 
 // Specular reflectance of a rough surface in uniform light (Karis 2014, "Physically Based Shading on Mobile").
