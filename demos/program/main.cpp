@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "program/exit_code.h"
+#include "program/no_device.h"
 #include "program/options.h"
 #include "program/render.h"
 
@@ -14,7 +15,7 @@ namespace {
 ExitCode listAll(Error& error) {
     const std::vector<DeviceInfo> devices = listDevices(error);
     if (devices.empty()) {
-        if (error.text.empty()) error.text = "no Vulkan device, expected one, such as Mesa's lavapipe";
+        explainNoDevice(error);
         return badInput;
     }
     for (const DeviceInfo& device : devices) {

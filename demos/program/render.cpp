@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/image_file.h"
+#include "program/no_device.h"
 #include "program/output.h"
 #include "program/progress.h"
 #include "program/stats.h"
@@ -217,7 +218,10 @@ ExitCode renderScene(const RenderOptions& options, Error& error) {
     Progress progress;
     progress.say("opening the device");
     const std::unique_ptr<Host> host = Host::create({options.device, options.validation}, error);
-    if (!host) return badInput;
+    if (!host) {
+        explainNoDevice(error);
+        return badInput;
+    }
     progress.say("loading " + scene->file.filename().string());
     if (!host->load(*scene, error)) {
         addPlace(*scene, error);

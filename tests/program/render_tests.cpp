@@ -73,7 +73,7 @@ TEST_F(Render, WritesEveryOutputAndSaysWhere) {
 TEST_F(Render, TheSameCommandGivesTheSameBytes) {
     ASSERT_EQ(render({"-o", "out/a.exr", "--time", "7.25"}).code, 0);
     ASSERT_EQ(render({"-o", "out/b.exr", "--time", "7.25"}).code, 0);
-    EXPECT_EQ(tests::readAll(out("a.exr")), tests::readAll(out("b.exr")));
+    EXPECT_TRUE(tests::readAll(out("a.exr")) == tests::readAll(out("b.exr")));
 }
 
 TEST_F(Render, TimeCameraAndOverridesShow) {
@@ -92,7 +92,8 @@ TEST_F(Render, TimeCameraAndOverridesShow) {
         ASSERT_EQ(outcome.code, 0) << outcome.err;
         pictures.push_back(tests::readAll(out("a.exr")));
     }
-    for (size_t i = 1; i < pictures.size(); ++i) EXPECT_NE(pictures[i], pictures[0]) << variants[i].back();
+    for (size_t i = 1; i < pictures.size(); ++i)
+        EXPECT_FALSE(pictures[i] == pictures[0]) << variants[i].back();
 }
 
 TEST_F(Render, SkyAndMeshOfOnesOwn) {
@@ -144,7 +145,7 @@ TEST_F(Render, SequencesAreNumberedInPlace) {
 TEST_F(Render, ASequenceRunsInTime) {
     ASSERT_EQ(render({"-o", "out/a.exr", "--time", "2", "--frames", "2", "--fps", "4"}).code, 0);
     ASSERT_EQ(render({"-o", "out/b.exr", "--time", "2.25"}).code, 0);
-    EXPECT_EQ(tests::readAll(out("a_0001.exr")), tests::readAll(out("b.exr")));
+    EXPECT_TRUE(tests::readAll(out("a_0001.exr")) == tests::readAll(out("b.exr")));
 }
 
 TEST_F(Render, StatsAreJson) {
