@@ -40,6 +40,7 @@ bool seaOf(const WavesDesc& waves, seaglass::SeaDesc& sea, Error& error) {
     sea.fetch = static_cast<float>(waves.fetchM);
     sea.peakEnhancement = static_cast<float>(waves.peakEnhancement);
     sea.swell = static_cast<float>(waves.swell);
+    sea.amplitude = static_cast<float>(waves.amplitude);
     sea.choppiness = static_cast<float>(waves.choppiness);
     sea.samples = waves.samples;
     sea.cascades = waves.cascades;
