@@ -15,6 +15,7 @@
 #include <mutex>
 #include <new>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -100,8 +101,7 @@ class FftwWaves {
         for (uint32_t c = 0; c < sea.count; ++c) widest = std::max(widest, stride(c));
         columns_ = allocate(2 * samples * widest);
         row_ = allocate(samples * texel);
-        rowPlan_.reserve(1);
-        rowPlan_.emplace_back(sea.desc.samples, pairs, pairs, row_.get());
+        rowPlan_.emplace(sea.desc.samples, pairs, pairs, row_.get());
         columnPlans_.reserve(sea.count);
         for (uint32_t c = 0; c < sea.count; ++c)
             columnPlans_.emplace_back(sea.desc.samples, width(c) * pairs, stride(c), columns_.get());
@@ -120,7 +120,7 @@ class FftwWaves {
             std::copy_n(spectrum + reach * texel, (reach + 1) * texel, row);
             std::fill_n(row + (reach + 1) * texel, (samples - 2 * reach - 1) * texel, 0.0f);
             std::copy_n(spectrum, reach * texel, row + (samples - reach) * texel);
-            rowPlan_[0].execute(row);
+            rowPlan_->execute(row);
             writeMaps(row, j, out);
         }
     }
@@ -198,7 +198,7 @@ class FftwWaves {
     FloatBuffer columns_; ///< [v][m][pair], rows of stride()
     FloatBuffer row_;     ///< [u][pair]
     std::vector<Plan> columnPlans_;
-    std::vector<Plan> rowPlan_;
+    std::optional<Plan> rowPlan_;
 };
 
 void* createWaves(const Sea& sea) {
