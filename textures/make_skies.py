@@ -34,10 +34,10 @@ class SkyDesc:
 SKIES = {
     "harbour": SkyDesc(
         sunAzimuthDeg=48, sunElevationDeg=14, haze=2.2, meanLuminance=0.33, ground=(0.16, 0.19, 0.20),
-        clouds=CloudDesc(seed=5, coverage=0.56, cirrus=0.32)),
+        clouds=CloudDesc(seed=5, coverage=0.58, offsetM=(36600, 23700), cirrus=0.32)),
     "ocean": SkyDesc(
-        sunAzimuthDeg=298, sunElevationDeg=8, haze=2.0, meanLuminance=0.33, ground=(0.12, 0.15, 0.17),
-        clouds=CloudDesc(seed=9, coverage=0.60, baseM=1000, thicknessM=1300, cirrus=0.4)),
+        sunAzimuthDeg=298, sunElevationDeg=7.5, haze=2.0, meanLuminance=0.30, ground=(0.12, 0.15, 0.17),
+        clouds=CloudDesc(seed=9, coverage=0.62, baseM=1000, thicknessM=1300, offsetM=(19400, 12800), cirrus=0.4)),
 }
 
 
@@ -74,12 +74,12 @@ def upperHalf(air, desc, d):
         part = slice(row, row + ROWS)
         rays = d[part].reshape(-1, 3)
         light, opacity, distance = clouds.cirrus(rays, toSun, air.sunIrradiance(desc.clouds.cirrusHeightM), skylight)
-        behind[part] = through(air, clear[part], *shaped(d[part], light, opacity, distance * 0.25))
+        behind[part] = through(air, clear[part], clear[part], *shaped(d[part], light, opacity, distance * 0.25))
         light, opacity, distance = clouds.march(rays, toSun, sunlight, skylight, groundlight, spread(d[part].shape, row))
         layer[part] = np.concatenate(shaped(d[part], light, opacity[:, None], distance[:, None] * opacity[:, None]), -1)
     layer = soften(layer)
     distance = layer[..., 4] / np.maximum(layer[..., 3], 1e-4)
-    return clear, through(air, behind, layer[..., :3], layer[..., 3], distance)
+    return clear, through(air, behind, clear, layer[..., :3], layer[..., 3], distance)
 
 
 def shaped(like, *values):
@@ -99,10 +99,10 @@ def soften(layer):
     return (rows[:-2] + 2 * rows[1:-1] + rows[2:]) / 4
 
 
-def through(air, behind, light, opacity, distance):
-    """A cloud in front of the sky, with the air between it and the eye."""
-    clear = air.airlight(distance)
-    return behind * (1 - opacity[..., None]) + clear * light + (1 - clear) * behind * opacity[..., None]
+def through(air, behind, clear, light, opacity, distance):
+    """A cloud in front of what is behind it, with air as bright as the clear sky between it and the eye."""
+    left = air.airlight(distance)
+    return behind * (1 - opacity[..., None]) + left * light + (1 - left) * clear * opacity[..., None]
 
 
 def irradiance(radiance, d):
@@ -118,7 +118,7 @@ def lowerHalf(horizon, d, ground):
     wide = np.concatenate([horizon[-64:], horizon, horizon[:64]])
     soft = np.stack([np.convolve(wide[:, c], kernel / kernel.sum(), "valid") for c in range(3)], -1)
     mean = soft.mean(0)
-    level = soft[None] + (mean - soft[None]) * (1 - np.exp(-down / 25))
+    level = soft[None] + (mean - soft[None]) * (1 - np.exp(-down / 9))
     sharp = horizon[None] * np.exp(-down / 1.0) + level * (1 - np.exp(-down / 1.0))
     fade = np.exp(-down / 5)
     return sharp * (fade + (1 - fade) * np.array(ground))

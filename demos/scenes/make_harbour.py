@@ -15,8 +15,6 @@ from make.shape import Asset, rgb
 DECK = pier.DECK
 PIER_A, PIER_B, PIER_WIDE = np.array([13.0, -2.2]), np.array([-5.5, -4.0]), 2.5   # x and z of the two ends
 PLATFORM = (1.6, 8.6, -9.4, -3.6)   # x from, to, z from, to
-SIZES = '-v' in __import__('sys').argv
-
 
 def quayStone(seed, low, high, cap):
     """One stone of the quay's wall, or of the slabs on it, wet and green where the water reaches."""
@@ -34,13 +32,13 @@ class Harbour:
         self.glb = glb.Glb()
         self.rng = np.random.default_rng(2024)
         pictures = {"wood": texture.wood(), "boards": texture.boards(), "stone": texture.rock(),
-                    "ground": texture.ground(), "tiles": texture.tiles()}
+                    "plaster": texture.plaster(), "ground": texture.ground(), "tiles": texture.tiles()}
         textures = {name: self.glb.texture(texture.png(image)) for name, image in pictures.items()}
         self.materials = {
             "wood": self.glb.material("wood", texture=textures["wood"], roughness=0.85),
             "boards": self.glb.material("boards", texture=textures["boards"], roughness=0.8),
             "stone": self.glb.material("stone", texture=textures["stone"], roughness=0.9),
-            "plaster": self.glb.material("plaster", texture=textures["ground"], roughness=0.85),
+            "plaster": self.glb.material("plaster", texture=textures["plaster"], roughness=0.85),
             "ground": self.glb.material("ground", texture=textures["ground"], roughness=0.95),
             "tiles": self.glb.material("tiles", texture=textures["tiles"], roughness=0.75),
             "paint": self.glb.material("paint", roughness=0.7),
@@ -53,8 +51,6 @@ class Harbour:
         }
 
     def mesh(self, name, asset):
-        if SIZES:
-            print(name, {m: len(s.p) for m, s in asset.joined().items()})
         return self.glb.mesh(name, [(s, self.materials[m]) for m, s in asset.joined().items()])
 
     def still(self, name, asset):
@@ -71,13 +67,13 @@ class Harbour:
 
     def boulders(self):
         grey, warm, dark = rgb("#97918a"), rgb("#a3947f"), rgb("#5f5e57")
-        shapes = [self.mesh(f"boulder {k}", Asset().add("stone", rocks.boulder(k, (grey, warm, dark)[k % 3], 2 if k < 2 else 1)))
+        shapes = [self.mesh(f"boulder {k}", Asset().add("stone", rocks.boulder(k, (grey, warm, dark)[k % 3], 2 if k < 1 else 1)))
                   for k in range(6)]
-        near, far = shapes[:4], shapes[2:]
+        near, far = shapes[:4], shapes[1:]
 
-        def put(kinds, x, z, size, sink=0.25, y=None):
+        def put(kinds, x, z, size, sink=0.25, y=None, turned=True):
             y = float(land.height(x, z)) if y is None else y
-            q = glb.times(glb.yaw(self.rng.uniform(0, 360)), glb.yaw(0))
+            q = glb.yaw(self.rng.uniform(0, 360)) if turned else None
             s = size * self.rng.uniform(0.8, 1.2, 3)
             self.glb.node(kinds[self.rng.integers(len(kinds))], (x, y + size * (0.45 - sink), z), q, s)
 
@@ -90,12 +86,12 @@ class Harbour:
                         self.rng.uniform(1.7, 2.5), y=(0.25 if row == 0 else -0.65) - 0.25 * (s > 0.93))
             if k % 2 == 0:
                 put(far, x, z, 2.6, y=-1.3)
-        for _ in range(34):   # foot of the lighthouse's rock
-            a, r = self.rng.uniform(0, 2 * np.pi), self.rng.uniform(7, 12)
-            put(near, land.LIGHTHOUSE[0] + 1.35 * r * np.cos(a), land.LIGHTHOUSE[1] + r * np.sin(a), self.rng.uniform(0.9, 2.4), 0.35)
-        for _ in range(70):   # the shoal and the bed about the pier
-            x, z = self.rng.uniform(-16, 13), self.rng.uniform(-8, 22)
-            put(far, x, z, self.rng.uniform(0.2, 0.55) * (2 if self.rng.random() < 0.12 else 1), 0.3)
+        for _ in range(44):   # foot of the lighthouse's rock
+            a, r = self.rng.uniform(0, 2 * np.pi), self.rng.uniform(5.5, 11.5)
+            put(near, land.LIGHTHOUSE[0] + 1.35 * r * np.cos(a), land.LIGHTHOUSE[1] + r * np.sin(a), self.rng.uniform(1.0, 2.9), 0.5)
+        for k in range(110):   # the bed about the pier, and more of them in front of the eye
+            x, z = (self.rng.uniform(-16, 13), self.rng.uniform(-8, 22)) if k < 55 else self.rng.normal((1, 14), (5.5, 4.5))
+            put(far, x, z, self.rng.uniform(0.15, 0.5) * (2.2 if self.rng.random() < 0.12 else 1), 0.3, turned=False)
         for _ in range(46):   # the beach
             z = self.rng.uniform(8, 24)
             put(near, float(land.coast(z)) + self.rng.uniform(-2.5, 4), z, self.rng.uniform(0.2, 0.9) ** 1.3, 0.3)
@@ -113,22 +109,22 @@ class Harbour:
 
     def forest(self):
         firs = [self.mesh(f"spruce {k}", trees.conifer(k + 1, 9.0)) for k in range(2)]
-        leafy = [self.mesh("oak", trees.broadleaf(11, 7.5, "#7d9440", "#2f4722")),
-                 self.mesh("birch", trees.broadleaf(15, 8.0, "#97a548", "#3a5326"))]
+        leafy = [self.mesh("oak", trees.broadleaf(11, 7.5, "#66803a", "#28401f")),
+                 self.mesh("birch", trees.broadleaf(15, 8.0, "#7f9442", "#324a24"))]
         taken = []
 
         def plant(x, z, kind=None, size=None):
             y = float(land.height(x, z))
-            if y < 1.7 or any(np.hypot(x - a, z - b) < 3.6 for a, b in taken):
+            if y < 1.7 or any(np.hypot(x - a, z - b) < 3.2 for a, b in taken):
                 return False
             taken.append((x, z))
             kinds = (firs if self.rng.random() < 0.55 else leafy) if kind is None else kind
-            s = self.rng.uniform(0.75, 1.35) if size is None else size
+            s = self.rng.uniform(0.8, 1.4) if size is None else size
             self.glb.node(kinds[self.rng.integers(len(kinds))], (x, y - 0.1, z), glb.yaw(self.rng.uniform(0, 360)),
                           s * np.array([1, self.rng.uniform(0.9, 1.15), 1]))
             return True
 
-        groves = [(48, -190, 22, 17, 12), (-14, -182, 16, 12, 9), (22, -178, 26, 14, 8), (76, -184, 12, 10, 4), (10, -196, 30, 12, 5)]
+        groves = [(48, -188, 18, 12, 14), (-16, -180, 13, 9, 11), (18, -176, 9, 7, 6), (76, -184, 9, 8, 4), (8, -200, 30, 10, 5)]
         for x, z, wide, deep, count in groves:
             planted = 0
             for _ in range(200):
@@ -138,7 +134,7 @@ class Harbour:
         for _ in range(300):   # behind the quay
             z = self.rng.uniform(-95, -14)
             plant(float(land.coast(z)) + 14 + abs(self.rng.normal()) * 22, z)
-            if len(taken) >= 66:
+            if len(taken) >= 64:
                 break
 
     # --- what people built ------------------------------------------------------------------------------------------
@@ -245,16 +241,16 @@ class Harbour:
         self.window = windows["#f2efe6"]
         things = Asset()
         barrel = self.mesh("barrel", Asset().add("paint", moorings.barrel()))
-        for x, z, seed, color in ((2.2, -4.3, 1, "#d8832f"), (2.25, -4.9, 2, "#3f78a8"), (8.2, -4.4, 3, "#3f78a8")):
-            things.add("paint", shape.move(shape.yawed(moorings.crate(color, seed), seed * 25), (x, DECK, z)))
-        things.add("paint", shape.move(moorings.crate("#d9c24a", 4), (2.2, DECK + 0.3, -4.35)))
+        self.crates = [self.mesh(f"crate {c}", Asset().add("paint", moorings.crate(c))) for c in ("#d8832f", "#3f78a8", "#d9c24a", "#c9c4b6")]
+        self.ring = self.mesh("life ring", Asset().add("gloss", moorings.lifeRing()))
+        for x, y, z, kind in ((2.2, 0, -4.3, 0), (2.25, 0, -4.9, 1), (2.2, 0.3, -4.35, 2), (8.2, 0, -4.4, 1)):
+            self.glb.node(self.crates[kind], (x, DECK + y, z), glb.yaw(x * 40 + kind * 25))
+        for k in range(4):
+            self.glb.node(self.crates[k], (14.7 + 0.1 * k, land.QUAY_TOP + 0.3 * (k // 2), -8.6 + 0.55 * (k % 2)), glb.yaw(7 * k))
         for x, y, z in ((8.25, DECK, -5.4), (8.2, DECK, -6.1), (15.2, land.QUAY_TOP, 0.2), (15.5, land.QUAY_TOP, 0.75), (14.9, land.QUAY_TOP, -11)):
             self.glb.node(barrel, (x, y, z), glb.yaw(x * 50))
         things.add("paint", shape.move(moorings.netHeap(3), (14.9, land.QUAY_TOP - 0.03, 2.6)), shape.move(moorings.netHeap(8, "#7a4b3a"), (2.6, DECK, -5.9)))
-        for k in range(4):
-            things.add("paint", shape.move(moorings.crate(("#d8832f", "#3f78a8", "#c9c4b6", "#d9c24a")[k], 10 + k), (14.7 + 0.1 * k, land.QUAY_TOP + 0.3 * (k // 2), -8.6 + 0.55 * (k % 2))))
-        ring = np.array([rgb("#d2452f") if (k // 3) % 2 else rgb("#f0ece0") for k in range(12)])
-        things.add("paint", shape.move(shape.turn(shape.torus(0.30, 0.065, ring, 12, 6), shape.about("x", 90)), (4.55, DECK + 1.35, -4.93)))
+        self.glb.node(self.ring, (4.55, DECK + 1.35, -4.93))
         scene.include(things)
         self.still("huts", occlusion.bake(scene, 0.16, 0.7))
 
@@ -277,7 +273,15 @@ class Harbour:
         sail = self.mesh("sailing boat", occlusion.bake(boats.sailingBoat(), 0.08, 0.6))
         self.glb.node(sail, (-10.5, 0, -8.5), glb.yaw(152))
         fishing = self.mesh("fishing boat", occlusion.bake(boats.fishingBoat(), 0.09, 0.7))
-        self.glb.node(fishing, (8.9, 0, 1.0), glb.yaw(176))
+        at, turn = np.array([8.9, 0, 1.0]), 176
+        aboard = lambda p: shape.about("y", turn) @ np.array(p) + at
+        self.glb.node(fishing, at, glb.yaw(turn))
+        tyre = self.mesh("tyre", Asset().add("paint", moorings.tyre()))
+        for p in boats.fenders():
+            self.glb.node(tyre, aboard(p), glb.yaw(turn))
+        self.glb.node(self.ring, aboard((-1.95, 1.15, 1.0)), glb.yaw(turn))
+        for k, p in enumerate(((-3.2, 0.48, -0.6), (-3.2, 0.48, 0.1), (-3.15, 0.78, -0.55), (-3.3, 0.48, 0.8), (2.7, 0.62, 0.3))):
+            self.glb.node(self.crates[k % 3], aboard(p), glb.yaw(turn + 9 * k))
 
     def moorings(self):
         poles = [self.mesh(f"pole {k}", Asset().add("wood", pier.post(k + 40, 2.1 + 0.3 * k, -4.5, 0.13))) for k in range(2)]

@@ -25,8 +25,8 @@ class CloudDesc:
     offsetM: tuple = (0.0, 0.0)   # moves the layer over the eye: choose the picture
     cirrus: float = 0.3         # optical depth of the thickest cirrus
     cirrusHeightM: float = 8500
-    sunGain: float = 1.7
-    skyGain: float = 1.0
+    sunGain: float = 2.2
+    skyGain: float = 1.2
 
 
 def henyey(cosine, g):
@@ -45,12 +45,12 @@ class Clouds:
         weather = noise.fractal(noise.gradient, 512, 7, 5, s, 2, 0.55)
         patches = noise.fractal(noise.gradient, 512, 3, 3, s + 20, 2)
         self.weather = np.clip(0.5 + 0.75 * weather + 0.35 * patches, 0, 1).astype(np.float32)
-        billow = (0.6 * noise.cellular(96, 5, s + 31) + 0.27 * noise.cellular(96, 11, s + 32)
-                  + 0.13 * noise.cellular(96, 23, s + 33))
+        billow = (0.52 * noise.cellular(96, 5, s + 31) + 0.30 * noise.cellular(96, 11, s + 32)
+                  + 0.18 * noise.cellular(96, 23, s + 33))
         rolling = noise.fractal(noise.gradient, 96, 4, 3, s + 34, 3)
         self.shape = np.clip(0.12 + 0.95 * billow + 0.35 * rolling, 0, 1).astype(np.float32)
-        self.detail = (0.6 * noise.cellular(48, 4, s + 41) + 0.3 * noise.cellular(48, 8, s + 42)
-                       + 0.1 * noise.cellular(48, 16, s + 43)).astype(np.float32)
+        self.detail = (0.45 * noise.cellular(48, 4, s + 41) + 0.33 * noise.cellular(48, 8, s + 42)
+                       + 0.22 * noise.cellular(48, 16, s + 43)).astype(np.float32)
         self.streaks = noise.fractal(noise.gradient, 512, 6, 6, s + 51, 2, 0.6).astype(np.float32)
 
     # --- where the water is -----------------------------------------------------------------------------------------
@@ -74,8 +74,8 @@ class Clouds:
         base = shape - (1 - cover * profile * 0.86)
         if fine:
             wisp = noise.sample3(self.detail, xr / d.detailTileM, y / d.detailTileM, zr / d.detailTileM)
-            base = base - (1 - wisp) * 0.17 * (1 - np.clip(base * 2, 0, 1))
-        return smoothstep(0, 0.22, base)
+            base = base - (1 - wisp) * 0.46 * (1 - np.clip(base * 1.4, 0, 1))
+        return smoothstep(0, 0.17, base)
 
     # --- light ------------------------------------------------------------------------------------------------------
 

@@ -52,19 +52,28 @@ class Hull:
         return shape.join([shape.grid(p, color, None, shape.SMOOTH),
                            shape.grid(p * [1, 1, -1], color, None, shape.SMOOTH, flip=True)])
 
+    def stem(self, ts, color):
+        """Closes the narrow gap where the sides meet."""
+        return self.end(ts, color, -1, 0.0, 1)
+
+    def breadthAt(self, station, y, inset):
+        """Whole breadth between the inner sides at a height."""
+        side = self.point(station, np.linspace(0, 1, 25), inset)
+        return 2 * np.interp(y, side[:, 1], side[:, 2])
+
     def deck(self, at, color, first=0, last=None, inset=0.0, camber=0.0, facing=1):
         """A level floor across the hull where the skin passes t = `at`."""
         k = np.arange(self.stations)[first:last]
         edge = self.point(k, at, inset)
         rows = []
         for share in (-1, -0.5, 0, 0.5, 1):
-            arch = camber * (1 - share * share) * edge[:, 2] / edge[:, 2].max()
+            arch = camber * (1 - share * share) * np.sin(np.pi * self.s[k]) ** 0.5
             rows.append(edge * [1, 1, share] + arch[:, None] * [0, 1, 0])
         return shape.grid(np.stack(rows, 1), color, None, 40, flip=facing > 0)
 
     def end(self, ts, color, station=0, inset=0.0, facing=-1, lift=0.0):
-        """A flat bulkhead filling the section."""
-        p = self.point(station, np.asarray(ts), inset, lift)
+        """A flat bulkhead filling the section, `inset` forward of the station."""
+        p = self.point(station, np.asarray(ts), inset, lift) + [inset, 0, 0]
         both = np.stack([p * [1, 1, -1], p], 0)
         color = np.broadcast_to(color, both.shape)
         return shape.grid(both, color, None, shape.FLAT, flip=facing > 0)
@@ -86,17 +95,22 @@ def rowingBoat():
         for side in (1, -1):
             m = [1, 1, side]
             asset.add("paint" if i == 5 else "hull", shape.grid(p * m, color, None, 70, flip=side < 0))
+            if side > 0:
+                both = np.stack([p * [1, 1, -1], p])
+                asset.add("paint" if i == 5 else "hull", shape.grid(both[:, -1], color, flip=True),
+                          shape.grid(both[:, 0], color * 0.9))
             if i > 0:
                 asset.add("hull", shape.grid(lap * m, color * 0.45, None, shape.SMOOTH, flip=side < 0))
     ts = np.linspace(0, 1, 7)
     wood = inside * np.linspace(0.45, 1.0, 7)[:, None]
     asset.add("paint", hull.skin(ts, wood, 0.045, True, lift=0.03), hull.rim(0.045, inside * 1.15), hull.end(ts, wood, 0, 0.045, 1, 0.03))
-    asset.add("hull", hull.end(ts, main * 0.9, 0))
+    top = hull.point(0, 1.0)
+    asset.add("paint", shape.box((0.09, 0.03, 2 * top[2]), top * [1, 1, 0] + [0.025, 0.004, 0], inside * 1.2))
     for a, b, h in ((2, 3, 0.20), (6, 7, 0.20), (10, 11, 0.24)):
         x = (hull.s[a] + hull.s[b]) / 2 * 4.3 - 2.15
-        wide = 2 * hull.half[a] * 0.92
-        asset.add("wood", shape.box((0.26, 0.045, min(wide, 2 * hull.half[b] * 0.95)), (x, h, 0), inside * 1.3, 0.7))
-    asset.add("wood", shape.box((2.6, 0.03, 0.5), (-0.2, -0.06, 0), inside * 0.7, 0.7))
+        wide = min(hull.breadthAt(a, h, 0.04), hull.breadthAt(b, h, 0.04)) - 0.02
+        asset.add("wood", shape.box((0.26, 0.045, wide), (x, h, 0), inside * 1.3, 0.7))
+    asset.add("wood", shape.box((2.2, 0.03, 0.42), (-0.2, -0.05, 0), inside * 0.7, 0.7))
     for k in range(3, 13, 2):
         rib = hull.point(k, np.linspace(0.25, 0.98, 5), 0.055, 0.03)
         for side in (1, -1):
@@ -104,9 +118,8 @@ def rowingBoat():
     rail = hull.point(np.arange(15), 1.0) + [0, 0.0, 0]
     for side in (1, -1):
         asset.add("paint", shape.tube(rail * [1, 1, side] + [0, 0, 0.012 * side], 0.028, inside * 1.25, 5, True))
-    asset.add("paint", shape.box((0.05, 0.22, 1.0), (-2.16, 0.36, 0), inside * 1.1, top=(1, 1)))
     for side in (1, -1):
-        a, b = np.array([-1.5, 0.40, 0.30 * side]), np.array([1.15, 0.47, 0.42 * side])
+        a, b = np.array([-1.35, 0.30, 0.22 * side]), np.array([1.2, 0.40, 0.26 * side])
         asset.add("paint", shape.tube([a, b], [0.026, 0.022], rgb("#d9b98a"), 5), shape.between(a - [0.5, 0.012, 0.0], a + [0.06, 0, 0], (0.15, 0.02), rgb("#c8402f")))
     return asset
 
@@ -120,7 +133,7 @@ def sailingBoat():
     for low, high, color in bands:
         ts = np.linspace(low, high, 5 if high - low > 0.2 else 2)
         asset.add("gloss", hull.skin(ts, color))
-        asset.add("gloss", hull.end(ts, color, 0))
+        asset.add("gloss", hull.end(ts, color, 0), hull.stem(ts, color))
     asset.add("paint", hull.deck(1.0, teak * 0.95, camber=0.07))
     toe = hull.point(np.arange(19), 1.0)
     for side in (1, -1):
@@ -188,13 +201,15 @@ def fishingBoat():
     green, white, red, wood = rgb("#2c7f78"), rgb("#f0ece0"), rgb("#8d2f25"), rgb("#a4855f")
     for low, high, color in [(0.0, 0.53, red), (0.53, 0.585, white), (0.585, 0.88, green), (0.88, 1.0, white)]:
         ts = np.linspace(low, high, 5 if high - low > 0.2 else 2)
-        asset.add("gloss", hull.skin(ts, color), hull.end(ts, color, 0))
+        asset.add("gloss", hull.skin(ts, color), hull.end(ts, color, 0), hull.stem(ts, color))
     floor = 0.80
     asset.add("paint", hull.rim(0.10, wood * 1.1))
     ts = np.array([floor, 0.9, 1.0])
     shade = white * np.array([0.45, 0.7, 0.95])[:, None]
     asset.add("paint", hull.skin(ts, shade, 0.10, True), hull.end(ts, shade, 0, 0.10, 1))
     asset.add("paint", hull.deck(floor, wood * 0.8, inset=0.10))
+    top = hull.point(0, 1.0)
+    asset.add("paint", shape.box((0.14, 0.05, 2 * top[2]), top * [1, 1, 0] + [0.05, 0.0, 0], wood * 1.1))
     rub = hull.point(np.arange(19), 0.89)
     for side in (1, -1):
         asset.add("paint", shape.tube(rub * [1, 1, side], 0.05, wood * 0.7, 5))
@@ -221,16 +236,12 @@ def fishingBoat():
     asset.add("paint", shape.tube([(1.7, 0.85, -0.7), (1.7, 0.85, 0.7)], [0.33, 0.33], rgb("#5d7a52"), 10))
     for z in (-0.75, 0.75):
         asset.add("paint", shape.tube([(1.7, 0.85, z), (1.7, 0.85, z * 1.08)], 0.45, rgb("#3b4a4f"), 10))
-    rng = np.random.default_rng(4)
-    for x, z, h in ((-3.2, -0.6, 0), (-3.2, 0.1, 0), (-3.15, -0.55, 0.3), (-3.3, 0.8, 0), (2.7, 0.3, 0.1)):
-        color = (rgb("#d8832f"), rgb("#3f78a8"), rgb("#d9c24a"))[rng.integers(3)]
-        asset.add("paint", shape.box((0.62, 0.28, 0.45), (x, y + 0.17 + h, z), color, top=(1.06, 1.06)))
-    for k, side in ((4, 1), (8, 1), (12, 1), (6, -1), (11, -1)):
-        at = hull.point(k, 0.86) * [1, 1, side] + [0, -0.06, 0.10 * side]
-        asset.add("paint", shape.move(shape.turn(shape.torus(0.22, 0.085, rgb("#232323"), 12, 6), shape.about("x", 90)), at))
-    ring = np.array([rgb("#d2452f") if (k // 3) % 2 else white for k in range(12)])
-    asset.add("paint", shape.move(shape.turn(shape.torus(0.26, 0.06, ring, 12, 6), shape.about("x", 90)), (-1.95, y + 0.7, 1.0)))
     for z in (-1, 1):
         asset.add("paint", shape.tube([(3.2, 1.3, 0.75 * z), (3.2, 1.95, 0.72 * z), (4.35, 2.35, 0.05 * z)], 0.02, rgb("#d8dadc"), 4))
     asset.add("paint", shape.box((0.5, 1.0, 0.08), (-4.35, -0.1, 0), red * 0.8))
     return asset
+
+
+def fenders():
+    """(position) of the tyres along the fishing boat's sides; they lie in the plane of x and y."""
+    return [(-2.5, 0.78, 1.62), (-0.4, 0.76, 1.66), (1.5, 0.86, 1.55), (-1.5, 0.76, -1.66), (1.0, 0.82, -1.6)]

@@ -22,7 +22,7 @@ def hut(size, wall, trim="#f2efe6", roof="#8a4b38", door="#3d5a4a", tall=2.4, pi
         asset.add("boards", wallOf(np.array(a), np.array(b), tall, ridge if gable else tall, wall))
     for x in (-w / 2, w / 2):
         for z in (-d / 2, d / 2):
-            asset.add("paint", shape.box((0.14, tall, 0.14), (x, tall / 2, z), trim, cuts=3))
+            asset.add("paint", shape.box((0.14, tall, 0.14), (x, tall / 2, z), trim))
     asset.add("paint", shape.box((w + 0.06, 0.14, d + 0.06), (0, 0.07, 0), rgb("#8c8479")))
     roofOver(asset, w, d, tall, ridge, pitch, rgb(roof), trim)
     places = {"front": (0, d / 2, w), "back": (180, d / 2, w), "right": (90, w / 2, d), "left": (-90, w / 2, d)}

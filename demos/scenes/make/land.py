@@ -35,7 +35,7 @@ def coast(z):
     """x of the mainland's shore; land lies to the right."""
     beach = 13 + 0.42 * np.maximum(z - QUAY_NEAR, 0)
     back = np.maximum(QUAY_FAR - z, 0)
-    return beach + back * 0.40 + 2.2 * np.sin(z * 0.13 + 1) * smooth(2, 14, np.maximum(z - QUAY_NEAR, QUAY_FAR - z))
+    return beach + back * 0.75 + 2.2 * np.sin(z * 0.13 + 1) * smooth(2, 14, np.maximum(z - QUAY_NEAR, QUAY_FAR - z))
 
 
 def mainland(x, z):
@@ -60,7 +60,7 @@ def island(x, z):
     angle = np.arctan2(q[..., 1], q[..., 0])
     r = np.linalg.norm(q, axis=-1) * (1 + 0.14 * np.sin(3 * angle + 0.7) + 0.09 * np.sin(5 * angle + 2.1))
     rise = np.clip(1 - r, -1.2, 1)
-    beach = np.where(rise > 0, 9.5 * smooth(0.0, 0.85, rise) + 2.2 * np.clip(rise / 0.12, 0, 1), rise * 17)
+    beach = np.where(rise > 0, 9.5 * smooth(0.0, 0.85, rise) + 2.2 * np.clip(rise / 0.12, 0, 1), rise * 34)
     knoll = 6.5 * np.exp(-(((x - 48) / 26) ** 2 + ((z + 190) / 20) ** 2)) + 3.5 * np.exp(
         -(((x + 14) / 22) ** 2 + ((z + 182) / 16) ** 2))
     return beach + (knoll + 1.3 * waves(x, z, 8, 34)) * np.clip(rise * 5, 0, 1)
@@ -71,23 +71,29 @@ def skerry(x, z):
     dx, dz = x - LIGHTHOUSE[0], z - LIGHTHOUSE[1]
     angle = np.arctan2(dz, dx)
     r = np.hypot(dx / 1.35, dz) * (1 + 0.12 * np.sin(2 * angle + 1) + 0.10 * np.sin(5 * angle))
-    h = 2.9 * (1 - smooth(3.6, 10.5, r)) ** 0.8 - 1.1 * np.maximum(r - 9.5, 0) * 0.42
+    h = 2.9 * (1 - smooth(3.6, 10.5, r)) ** 0.8 - 1.1 * np.maximum(r - 9.5, 0)
     ledges = np.abs(waves(x, z, 12, 7)) * 1.1 + 0.35 * waves(x, z, 13, 2.6, 2)
     return np.where(r < 3.2, 2.9, h + ledges * smooth(3.2, 4.6, r) - 0.25)
 
 
-def height(x, z):
-    x, z = np.broadcast_arrays(np.asarray(x, float), np.asarray(z, float))
+def shore(x, z):
+    """Mainland and sea bed."""
     bed = np.maximum(mainland(x, z), DEEPEST)
     bed = np.maximum(bed, np.minimum(bed + shoal(x, z), -1.25))
-    bed = np.where(x < coast(z), np.minimum(bed + 0.07 * waves(x, z, 21, 6, 3), np.maximum(bed, -0.05)), bed)
-    return np.maximum.reduce([bed, np.maximum(island(x, z), -30), np.maximum(skerry(x, z), -30)])
+    rippled = np.minimum(bed + 0.07 * waves(x, z, 21, 6, 3), np.maximum(bed, -0.05))
+    return np.where(x < coast(z), rippled, bed)
+
+
+def height(x, z):
+    """All of it."""
+    x, z = np.broadcast_arrays(np.asarray(x, float), np.asarray(z, float))
+    return np.maximum.reduce([shore(x, z), island(x, z), skerry(x, z)])
 
 
 # --- colour ----------------------------------------------------------------------------------------------------------
 
 SAND, WET, SILT, GRASS, MEADOW, DRY, ROCK, WEED = (rgb(c) for c in (
-    "#d8c49a", "#a08a62", "#93906c", "#5d7a34", "#7f9443", "#a39a58", "#8b857c", "#4b5230"))
+    "#d8c49a", "#a08a62", "#93906c", "#566d35", "#70823f", "#9c9257", "#8b857c", "#4b5230"))
 
 
 def mix(a, b, t):
@@ -106,15 +112,13 @@ def colors(x, y, z, slope):
     return mix(c, under * (1 + 0.18 * fine[..., None]), smooth(0.0, 0.35, -y))
 
 
-def patchOver(xs, zs, paint, lower=None):
-    """A mesh of the height function over a rectangular net."""
+def patchOver(xs, zs, surface, paint):
+    """A mesh of a height function over a rectangular net."""
     z, x = np.meshgrid(zs, xs, indexing="ij")
-    y = height(x, z)
-    if lower is not None:
-        y = lower(x, y, z)
+    y = surface(x, z)
     e = 0.4
-    slope = np.hypot(height(x + e, z) - height(x - e, z), height(x, z + e) - height(x, z - e)) / (2 * e)
-    uv = np.stack([x, z], -1) / 3.2
+    slope = np.hypot(surface(x + e, z) - surface(x - e, z), surface(x, z + e) - surface(x, z - e)) / (2 * e)
+    uv = np.stack([x, z], -1) / 2.6
     return shape.grid(np.stack([x, y, z], -1), np.clip(paint(x, y, z, slope), 0, 1), uv, shape.SMOOTH)
 
 
@@ -129,20 +133,16 @@ def near():
     zs = spaced((-620, -300, 160), (-300, -140, 40), (-140, -50, 12), (-50, -20, 5), (-20, -6, 2.4), (-6, 24, 1.9),
                 (24, 40, 4), (40, 100, 15), (100, 400, 150))
 
-    def lower(x, y, z):
-        """Out of the way of the finer patches, and down at the far rim."""
-        away = np.maximum(np.abs(x - LIGHTHOUSE[0]) - 14, np.abs(z - LIGHTHOUSE[1]) - 12)
-        y = np.where(away < 0, np.minimum(y, -6.5), y)
-        islandAway = np.maximum(np.abs(x - ISLAND[0]) - 100, np.abs(z - ISLAND[1]) - 58)
-        y = np.where(islandAway < 0, np.minimum(y, DEEPEST), y)
+    def sunk(x, z):
+        """Down at the far rim, so that the bed has no end to be seen."""
         rim = np.maximum(np.abs(x + 60) - 400, np.abs(z + 90) - 450)
-        return np.where((rim > 0) & (x < 100), -30, y)
+        return np.where((rim > 0) & (x < 100), -30, shore(x, z))
 
-    return patchOver(xs, zs, colors, lower)
+    return patchOver(xs, zs, sunk, colors)
 
 
 def islandPatch():
-    s = patchOver(ISLAND[0] + np.linspace(-104, 104, 38), ISLAND[1] + np.linspace(-60, 60, 25), colors)
+    s = patchOver(ISLAND[0] + np.linspace(-104, 104, 38), ISLAND[1] + np.linspace(-60, 60, 25), island, colors)
     s.uv = None
     s.c *= 0.75
     return s
@@ -156,23 +156,23 @@ def skerryPatch():
         c = mix(c, rgb("#37382c"), 1 - smooth(0.15, 0.75, y + 0.2 * fine))
         return c
 
-    return patchOver(LIGHTHOUSE[0] + np.linspace(-19, 19, 24), LIGHTHOUSE[1] + np.linspace(-15, 15, 19), paint)
+    return patchOver(LIGHTHOUSE[0] + np.linspace(-19, 19, 24), LIGHTHOUSE[1] + np.linspace(-15, 15, 19), skerry, paint)
 
 
 def hills():
     """Far ridges along part of the horizon, paler the farther: air is in their colour."""
     parts = []
-    ridges = ((620, 196, 238, 34, "#5f7866", 61), (1050, 190, 252, 72, "#7d93a0", 62), (1500, 226, 262, 95, "#9fb1c2", 63),
-              (760, 298, 345, 62, "#647c6c", 64), (1350, 286, 352, 120, "#93a7b8", 65))
+    ridges = ((620, 196, 238, 34, "#72897f", 61), (1050, 190, 252, 72, "#7d93a0", 62), (1500, 226, 262, 95, "#9fb1c2", 63),
+              (760, 298, 345, 62, "#748b84", 64), (1350, 286, 352, 120, "#93a7b8", 65))
     for radius, start, stop, top, color, seed in ridges:
         a = np.linspace(start, stop, 38)
         s = (a - start) / (stop - start)
-        end = np.sin(np.pi * s) ** 0.65
+        end = np.sin(np.pi * s) ** 1.3
         rise = end * top * (0.55 + 0.40 * waves(a * 3, a * 0, seed, 60, 5) + 0.10 * waves(a * 9, a * 0, seed + 9, 30, 3))
         rise = np.maximum(rise, 0) + 0.5
         rows = []
         for share, back in ((-0.2, 0.0), (0.4, 0.03), (0.8, 0.09), (1.0, 0.13)):
-            r = radius * (1 + back + 0.02 * waves(a * 2, a * 0 + share * 40, seed + 3, 40, 4))
+            r = radius * (1 + back + 0.012 * waves(a * 2, a * 0, seed + 3, 40, 2))
             y = rise * share if share > 0 else np.full_like(a, -6)
             if 0 < share < 1:
                 y = y * (1 + 0.2 * waves(a * 5, a * 0 + share * 60, seed + 5, 40, 3))

@@ -39,10 +39,19 @@ def barrel(color="#6d5138"):
     return shape.lathe(profile, 11, [c * 0.7, c, iron, iron, iron, iron, iron, c, c * 0.8, c * 0.5, c * 0.6], 35)
 
 
-def crate(color, seed):
-    rng = np.random.default_rng(seed)
-    c = rgb(color) * rng.uniform(0.85, 1.1)
-    return shape.box((0.62, 0.30, 0.44), (0, 0.15, 0), c, top=(1.05, 1.05))
+def crate(color):
+    return shape.box((0.62, 0.30, 0.44), (0, 0.15, 0), rgb(color), top=(1.05, 1.05))
+
+
+def tyre():
+    """Hangs in the plane of x and y."""
+    return shape.turn(shape.torus(0.22, 0.085, rgb("#232323"), 12, 6), shape.about("x", 90))
+
+
+def lifeRing():
+    """Hangs in the plane of x and y."""
+    colors = np.array([rgb("#d2452f") if (k // 3) % 2 else rgb("#f0ece0") for k in range(12)])
+    return shape.turn(shape.torus(0.29, 0.065, colors, 12, 6), shape.about("x", 90))
 
 
 def netHeap(seed, color="#3f6a5f"):

@@ -50,16 +50,22 @@ def boards(size=128, count=6):
 
 
 def rock(size=128):
-    n = sum(0.5 ** i * (noise(size, 4 << i, 20 + i) - 0.5) for i in range(5))
-    ridge = 1 - np.abs(noise(size, 6, 30) - 0.5) * 2
-    crack = np.clip(ridge - 0.88, 0, 1) * 4
-    return np.clip(0.76 + 0.5 * n - 0.6 * crack, 0, 1)
+    """Grain with a few faint cracks."""
+    n = sum(0.66 ** i * (noise(size, 5 << i, 20 + i) - 0.5) for i in range(5))
+    warped = 0.5 * noise(size, 5, 30) + 0.3 * noise(size, 11, 31) + 0.2 * noise(size, 23, 32)
+    crack = np.clip(1 - np.abs(warped - 0.5) / 0.018, 0, 1)
+    return np.clip(0.78 + 0.42 * n - 0.16 * crack, 0, 1)
+
+
+def plaster(size=128):
+    n = sum(0.8 ** i * (noise(size, 6 << i, 60 + i) - 0.5) for i in range(4))
+    return np.clip(0.93 + 0.10 * n, 0, 1)
 
 
 def ground(size=128):
     """Sand, gravel and turf from far enough away."""
-    n = sum(0.62 ** i * (noise(size, 8 << i, 40 + i) - 0.5) for i in range(4))
-    return np.clip(0.8 + 0.42 * n, 0, 1)
+    n = sum(0.85 ** i * (noise(size, 9 << i, 40 + i) - 0.5) for i in range(4))
+    return np.clip(0.8 + 0.34 * n, 0, 1)
 
 
 def tiles(size=128, rows=8, columns=8):

@@ -42,15 +42,15 @@ def broadleaf(seed, tall=7.5, light="#7f9a3f", dark="#2c4420"):
     """A birch or an oak: a few rounded masses, tufts around them."""
     rng = np.random.default_rng(seed)
     light, dark = rgb(light), rgb(dark)
-    masses = [(np.array([0, tall * 0.66, 0]), tall * 0.27)]
+    masses = [(np.array([0, tall * 0.64, 0]), tall * 0.28)]
     for k in range(5):
         a = 2 * np.pi * k / 5 + rng.uniform(-0.4, 0.4)
-        masses.append((np.array([np.cos(a) * tall * 0.19, tall * rng.uniform(0.46, 0.72), np.sin(a) * tall * 0.19]),
-                       tall * rng.uniform(0.15, 0.21)))
+        masses.append((np.array([np.cos(a) * tall * 0.19, tall * rng.uniform(0.36, 0.66), np.sin(a) * tall * 0.19]),
+                       tall * rng.uniform(0.17, 0.23)))
     center = np.array([0, tall * 0.55, 0])
     sphere, t = icosphere(1)
     parts, corners, colors = [], [], []
-    low, high = tall * 0.32, tall * 0.95
+    low, high = tall * 0.22, tall * 0.95
 
     def shade(p, tone=1.0):
         s = np.clip((p[..., 1:2] - low) / (high - low), 0, 1)
