@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr double bytesAPixel = 160;
 
 constexpr double timingSeconds = 2;
-constexpr uint32_t timingRuns = 5;
+constexpr uint32_t timingRuns = 3;
 constexpr uint32_t statsRuns = 15;
 
 bool isRegularFile(const std::string& option, const fs::path& file, const std::string& expected,
