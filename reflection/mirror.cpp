@@ -55,6 +55,7 @@ MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldP
     out.plane = glm::vec4(plane);
     out.region = glm::ivec4(view.regionOrigin, view.regionSize);
     out.farDepth = static_cast<float>(view.farDepth);
+    out.infinityDepth = static_cast<float>(view.infinityDepth);
     out.depthSign = view.reversedDepth ? 1.0f : -1.0f;
     out.edgeFadePixels = edgeFade * static_cast<float>(view.regionSize.y);
     return out;

@@ -43,7 +43,7 @@ struct MirrorUniforms {
     float farDepth = 0;
     float depthSign = 1; ///< +1 when nearer is greater
     float edgeFadePixels = 0;
-    float padding = 0;
+    float infinityDepth = 0;
 };
 static_assert(sizeof(MirrorUniforms) == 208);
 

@@ -87,6 +87,9 @@ const char* readView(const ViewDesc& view, ViewGeometry& out) {
     out.clipFromRelative = projection * rotation;
     out.reversedDepth = depthIsReversed(projection);
     out.farDepth = out.reversedDepth ? 0.0 : 1.0;
+    // Under an orthographic projection nothing lies at infinity; the far plane stands for it.
+    const bool perspective = projection[2][3] != 0;
+    out.infinityDepth = perspective ? projection[2][2] / projection[2][3] : out.farDepth;
 
     const VkViewport& v = view.viewport;
     const double top = std::min(v.y, v.y + v.height);

@@ -22,6 +22,7 @@ struct ViewGeometry {
     glm::dvec3 forward{0}; ///< unit, world
     bool reversedDepth = false;
     double farDepth = 1;        ///< depth value of the far plane, infinite or not
+    double infinityDepth = 1;   ///< depth value of points at infinity, a little past a finite far plane
     glm::ivec2 regionOrigin{0}; ///< the viewport's top left corner in the scene images
     glm::ivec2 regionSize{0};
 };

@@ -84,7 +84,7 @@ float edgeConfidence(vec2 q, vec2 source) {
 
 // The mirrored ray's far end tells whether the sky it would reach is on the screen.
 float classOfMiss(vec2 q) {
-    vec4 end = mirrored(vec3(q, farDepth));
+    vec4 end = mirrored(vec3(q, infinityDepth));
     if (!(end.w > 0.0) || !insideRegion(end.xy)) return classUnknown;
     return isFar(depthAt(end.xy)) ? classSky : classUnknown;
 }

@@ -10,7 +10,7 @@ layout(set = 0, binding = 0, std140) uniform Mirror {
     float farDepth;
     float depthSign;
     float edgeFadePixels;
-    float mirrorPadding;
+    float infinityDepth;
 };
 
 const uint noKey = 0u;

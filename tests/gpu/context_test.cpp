@@ -1,0 +1,57 @@
+// The context: what it demands of the host, and that the rig would see a hazard.
+#include "tests/gpu/rig.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+TEST_F(GpuTest, APlantedHazardIsSeen) {
+    expectValidationMessages();
+    demos::Buffer buffer;
+    demos::Error error;
+    ASSERT_TRUE(demos::createBuffer(device(), 1024, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                    demos::BufferPlace::device, buffer, error))
+        << error.text;
+    const uint32_t before = device().validationMessages();
+    frame([&](VkCommandBuffer commands) {
+        vkCmdFillBuffer(commands, buffer.buffer.get(), 0, 1024, 1);
+        vkCmdFillBuffer(commands, buffer.buffer.get(), 0, 1024, 2); // no barrier: write after write
+    });
+    EXPECT_GT(device().validationMessages(), before);
+}
+
+TEST_F(GpuTest, RefusesIncompleteDeviceDescriptions) {
+    const auto refused = [&](auto&& spoil) {
+        std::string text;
+        DeviceDesc desc = deviceDesc(&text);
+        spoil(desc);
+        Context* made = nullptr;
+        EXPECT_EQ(createContext(&desc, &made), Status::invalidArgument);
+        EXPECT_EQ(made, nullptr);
+        return text;
+    };
+    EXPECT_NE(refused([](DeviceDesc& d) { d.instance = nullptr; }).find("instance"), std::string::npos);
+    EXPECT_NE(refused([](DeviceDesc& d) { d.physicalDevice = nullptr; }).find("physicalDevice"),
+              std::string::npos);
+    EXPECT_NE(refused([](DeviceDesc& d) { d.device = nullptr; }).find("device"), std::string::npos);
+    EXPECT_NE(refused([](DeviceDesc& d) { d.getInstanceProcAddr = nullptr; }).find("getInstanceProcAddr"),
+              std::string::npos);
+    EXPECT_NE(refused([](DeviceDesc& d) { d.framesInFlight = 0; }).find("framesInFlight"), std::string::npos);
+    EXPECT_NE(refused([](DeviceDesc& d) { d.framesInFlight = 5; }).find("framesInFlight"), std::string::npos);
+}
+
+TEST_F(GpuTest, RefusesASlotThatDoesNotExist) {
+    EXPECT_EQ(beginFrame(context(), 2), Status::invalidArgument);
+    EXPECT_NE(message().find("slot"), std::string::npos);
+}
+
+TEST_F(GpuTest, SeveralContextsShareADevice) {
+    std::string text;
+    const DeviceDesc desc = deviceDesc(&text);
+    Context* second = nullptr;
+    ASSERT_EQ(createContext(&desc, &second), Status::ok) << text;
+    destroyContext(second);
+}
+
+} // namespace

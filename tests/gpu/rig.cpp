@@ -1,0 +1,136 @@
+#include "tests/gpu/rig.h"
+
+#include <cstring>
+
+#include <glm/gtc/packing.hpp>
+
+namespace tests {
+
+namespace {
+
+uint32_t channelsOf(VkFormat format) {
+    return format == VK_FORMAT_R32G32_SFLOAT ? 2 : format == VK_FORMAT_R32_SFLOAT ? 1 : 4;
+}
+
+void submit(const std::function<void(VkCommandBuffer)>& record) {
+    demos::Error error;
+    const bool done = device().run(
+        [&](VkCommandBuffer commands, demos::Error&) {
+            record(commands);
+            return true;
+        },
+        error);
+    ASSERT_TRUE(done) << error.text;
+}
+
+void imageToTransfer(VkCommandBuffer commands, VkImage image, bool back) {
+    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT;
+    barrier.oldLayout =
+        back ? VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    barrier.newLayout =
+        back ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    barrier.image = image;
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0,
+                                VK_REMAINING_ARRAY_LAYERS};
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.imageMemoryBarrierCount = 1;
+    dependency.pImageMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+} // namespace
+
+demos::Device& device() {
+    static const std::unique_ptr<demos::Device> made = [] {
+        demos::HostDesc desc;
+        desc.validation = true;
+        demos::Error error;
+        auto d = demos::Device::create(desc, error);
+        if (!d) {
+            std::fprintf(stderr, "no device to test on: %s\n", error.text.c_str());
+            std::exit(2);
+        }
+        return d;
+    }();
+    return *made;
+}
+
+seaglass::DeviceDesc deviceDesc(std::string* message) {
+    seaglass::DeviceDesc desc;
+    desc.instance = device().instance();
+    desc.physicalDevice = device().physical();
+    desc.device = device().handle();
+    desc.getInstanceProcAddr = vkGetInstanceProcAddr;
+    desc.message = {[](void* user, const char* text) { *static_cast<std::string*>(user) = text; }, message};
+    return desc;
+}
+
+void GpuTest::SetUp() {
+    messagesBefore_ = device().validationMessages();
+    const seaglass::DeviceDesc desc = deviceDesc(&message_);
+    ASSERT_EQ(seaglass::createContext(&desc, &context_), seaglass::Status::ok) << message_;
+}
+
+void GpuTest::TearDown() {
+    seaglass::destroyContext(context_);
+    if (!messagesExpected_) {
+        EXPECT_EQ(device().validationMessages(), messagesBefore_);
+    }
+}
+
+void GpuTest::frame(const std::function<void(VkCommandBuffer)>& record) {
+    ASSERT_EQ(seaglass::beginFrame(context_, slot_), seaglass::Status::ok) << message_;
+    slot_ = (slot_ + 1) % 2;
+    submit(record);
+}
+
+demos::Image uploadFloats(uint32_t width, uint32_t height, uint32_t channels,
+                          const std::vector<float>& values) {
+    demos::ImageDesc desc;
+    desc.format = channels == 1 ? VK_FORMAT_R32_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
+    desc.extent = {width, height};
+    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT;
+    const std::span<const std::byte> level = std::as_bytes(std::span(values));
+    demos::Image image;
+    demos::Error error;
+    EXPECT_TRUE(demos::createSampledImage(device(), desc, {&level, 1}, image, error)) << error.text;
+    return image;
+}
+
+seaglass::Image asSeaglass(const demos::Image& image) {
+    return {image.view.get(), image.format, image.extent, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+}
+
+std::vector<float> download(VkImage image, VkFormat format, VkExtent2D extent, uint32_t mip, uint32_t layer) {
+    const bool half = format == VK_FORMAT_R16G16B16A16_SFLOAT;
+    const size_t count = size_t{extent.width} * extent.height * channelsOf(format);
+    demos::Buffer buffer;
+    demos::Error error;
+    const VkDeviceSize bytes = count * (half ? 2 : 4);
+    EXPECT_TRUE(demos::createBuffer(device(), bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                    demos::BufferPlace::readback, buffer, error))
+        << error.text;
+    submit([&](VkCommandBuffer commands) {
+        imageToTransfer(commands, image, false);
+        VkBufferImageCopy region{};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, layer, 1};
+        region.imageExtent = {extent.width, extent.height, 1};
+        vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer.get(), 1,
+                               &region);
+        imageToTransfer(commands, image, true);
+    });
+    std::vector<float> values(count);
+    if (half) {
+        const auto* source = static_cast<const uint16_t*>(buffer.mapped);
+        for (size_t i = 0; i < count; ++i) values[i] = glm::unpackHalf1x16(source[i]);
+    } else {
+        std::memcpy(values.data(), buffer.mapped, bytes);
+    }
+    return values;
+}
+
+} // namespace tests

@@ -1,0 +1,54 @@
+// A headless device with every validation switched on, a Seaglass context on it, and ways to move pixels.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/device.h"
+#include "host/resources.h"
+#include "seaglass/host.h"
+
+namespace tests {
+
+/// The device is made once for a program: a validated instance takes long to start.
+demos::Device& device();
+
+/// Every test that uses it fails on a validation message, unless it says how many it expects.
+class GpuTest : public testing::Test {
+  protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    seaglass::Context* context() const { return context_; }
+    /// What the library said last.
+    const std::string& message() const { return message_; }
+    void expectValidationMessages() { messagesExpected_ = true; }
+
+    /// Begins the next frame slot, records and waits.
+    void frame(const std::function<void(VkCommandBuffer)>& record);
+
+  private:
+    seaglass::Context* context_ = nullptr;
+    std::string message_;
+    uint32_t messagesBefore_ = 0;
+    uint32_t slot_ = 0;
+    bool messagesExpected_ = false;
+};
+
+seaglass::DeviceDesc deviceDesc(std::string* message);
+
+/// Sampled in SHADER_READ_ONLY_OPTIMAL; rows from the top, `channels` floats a pixel. R32_SFLOAT or
+/// RGBA32_SFLOAT.
+demos::Image uploadFloats(uint32_t width, uint32_t height, uint32_t channels,
+                          const std::vector<float>& values);
+seaglass::Image asSeaglass(const demos::Image& image);
+
+/// Mip `mip`, layer `layer` of an image in SHADER_READ_ONLY_OPTIMAL as floats. RGBA16F, RG32F and RGBA32F.
+std::vector<float> download(VkImage image, VkFormat format, VkExtent2D extent, uint32_t mip = 0,
+                            uint32_t layer = 0);
+
+} // namespace tests

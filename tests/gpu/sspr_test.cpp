@@ -1,0 +1,282 @@
+// SSPR against a traced truth: what it finds, where it errs, and that nothing about the host's conventions
+// matters.
+#include <algorithm>
+
+#include "seaglass/reflection.h"
+#include "tests/gpu/rig.h"
+#include "tests/gpu/traced_scene.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+struct Reflected {
+    std::vector<float> color; ///< RGBA
+    std::vector<float> info;  ///< distance, class
+};
+
+struct Score {
+    double coverage = 0;     ///< share of recoverable pixels that were hit
+    double medianPixels = 0; ///< error of the source's position
+    double p95Pixels = 0;
+    double falseOnSky = 0;    ///< share of true sky that was hit
+    double skyOnGeometry = 0; ///< share of recoverable pixels called sky
+};
+
+double quantile(std::vector<double>& values, double q) {
+    if (values.empty()) return 0;
+    const auto at = values.begin() + static_cast<ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+Score score(const TracedView& view, const Reflected& result) {
+    double recoverable = 0, hits = 0, sky = 0, falseHits = 0, falseSky = 0;
+    std::vector<double> errors;
+    for (size_t i = 0; i < view.truth.size(); ++i) {
+        const auto found = static_cast<ReflectionClass>(static_cast<uint32_t>(result.info[i * 2 + 1]));
+        if (view.truth[i] == Truth::sky) {
+            ++sky;
+            falseHits += found == ReflectionClass::hit;
+        }
+        if (view.truth[i] != Truth::recoverable) continue;
+        ++recoverable;
+        falseSky += found == ReflectionClass::sky;
+        if (found != ReflectionClass::hit) continue;
+        ++hits;
+        const double confidence = double{result.color[i * 4 + 3]};
+        if (confidence < 0.1) continue; // faded out at the border: its colour has no digits left
+        const glm::dvec2 position(result.color[i * 4] / confidence * view.width,
+                                  result.color[i * 4 + 1] / confidence * view.height);
+        errors.push_back(glm::length(position - view.source[i]));
+    }
+    return {hits / recoverable, quantile(errors, 0.5), quantile(errors, 0.95), falseHits / std::max(sky, 1.0),
+            falseSky / recoverable};
+}
+
+class Sspr : public GpuTest {
+  protected:
+    Reflected reflectView(const TracedView& traced, ViewDesc view) {
+        const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
+        const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
+        view.sceneDepth = asSeaglass(depth);
+        view.sceneColor = asSeaglass(color);
+        const ReflectorDesc desc;
+        Reflector* reflector = nullptr;
+        EXPECT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+        frame([&](VkCommandBuffer commands) {
+            EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
+        });
+        const ReflectionImages images = reflectionImages(reflector, view.viewIndex);
+        Reflected result{download(images.colorImage, VK_FORMAT_R16G16B16A16_SFLOAT, images.extent),
+                         download(images.infoImage, VK_FORMAT_R32G32_SFLOAT, images.extent)};
+        destroyReflector(reflector);
+        // Both slots come round, so that the reflector is gone before its images are.
+        frame([](VkCommandBuffer) {});
+        frame([](VkCommandBuffer) {});
+        return result;
+    }
+
+    Reflected reflectScene(const Camera& camera, const TracedView& traced) {
+        return reflectView(traced, viewDesc(camera));
+    }
+};
+
+Camera testCamera() {
+    Camera camera;
+    camera.eye = {-1, 2.2, 9};
+    camera.target = {-0.5, 1.2, 0};
+    camera.width = 480;
+    camera.height = 270;
+    return camera;
+}
+
+struct Pose {
+    const char* name;
+    Camera camera;
+    double coverage; // at least
+    double p95;      // at most [pixel]
+};
+
+std::vector<Pose> poses() {
+    const Camera level = testCamera();
+    Camera roll35 = level;
+    roll35.rollDegrees = 35;
+    Camera roll90 = level;
+    roll90.rollDegrees = 90;
+    Camera steep = level;
+    steep.eye = {-2, 16, 0};
+    steep.target = {-2, 0, -5.8};
+    Camera grazing = level;
+    grazing.eye = {-1, 0.35, 9};
+    grazing.target = {-0.8, 0.4, 0};
+    // Looking down, walls are seen foreshortened and mirrored at full height: their holes are wider than the
+    // resolve's 3x3 search.
+    return {{"level", level, 0.985, 1.0},
+            {"roll35", roll35, 0.98, 1.0},
+            {"roll90", roll90, 0.985, 1.0},
+            {"steep", steep, 0.79, 2.5},
+            {"grazing", grazing, 0.98, 1.0}};
+}
+
+TEST_F(Sspr, AgreesWithTheTracedTruth) {
+    for (const Pose& pose : poses()) {
+        const TracedView traced = Tracer(pose.camera, harbourOfBoxes()).run();
+        const Score s = score(traced, reflectScene(pose.camera, traced));
+        std::printf("%-8s coverage %.4f, position error %.3f px median %.3f px p95, hits on sky %.5f, sky on "
+                    "geometry %.5f\n",
+                    pose.name, s.coverage, s.medianPixels, s.p95Pixels, s.falseOnSky, s.skyOnGeometry);
+        EXPECT_GE(s.coverage, pose.coverage) << pose.name;
+        EXPECT_LE(s.medianPixels, 0.55) << pose.name;
+        EXPECT_LE(s.p95Pixels, pose.p95) << pose.name;
+        EXPECT_LE(s.falseOnSky, 0.004) << pose.name;
+        EXPECT_LE(s.skyOnGeometry, 0.015) << pose.name;
+    }
+}
+
+TEST_F(Sspr, GivesTheSameBitsEachTime) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    const Reflected first = reflectScene(testCamera(), traced);
+    for (int i = 0; i < 5; ++i) {
+        const Reflected again = reflectScene(testCamera(), traced);
+        EXPECT_EQ(first.color, again.color);
+        EXPECT_EQ(first.info, again.info);
+    }
+}
+
+TEST_F(Sspr, DepthConventionsGiveTheSameClasses) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    const Reflected reference = reflectScene(testCamera(), traced);
+    for (const bool reversed : {true, false})
+        for (const double far : {0.0, 1000.0}) {
+            Camera camera = testCamera();
+            camera.reversed = reversed;
+            camera.far = far;
+            const TracedView other = Tracer(camera, harbourOfBoxes()).run();
+            const Reflected result = reflectScene(camera, other);
+            size_t differing = 0;
+            for (size_t i = 0; i < traced.truth.size(); ++i)
+                differing += result.info[i * 2 + 1] != reference.info[i * 2 + 1];
+            // Depth rounds differently, so that single pixels at edges may go the other way.
+            EXPECT_LE(differing, traced.truth.size() / 500) << "reversed " << reversed << " far " << far;
+        }
+}
+
+TEST_F(Sspr, ARegionOfALargerTargetIsTheSamePicture) {
+    const Camera camera = testCamera();
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    const Reflected whole = reflectScene(camera, traced);
+
+    const uint32_t left = 37, top = 19;
+    TracedView larger;
+    larger.width = traced.width + 64;
+    larger.height = traced.height + 48;
+    larger.depth.assign(size_t{larger.width} * larger.height,
+                        0.7f); // an obstacle wherever the region is overstepped
+    larger.color.assign(larger.depth.size() * 4, 9.0f);
+    for (uint32_t y = 0; y < traced.height; ++y)
+        for (uint32_t x = 0; x < traced.width; ++x) {
+            const size_t from = size_t{y} * traced.width + x;
+            const size_t to = size_t{y + top} * larger.width + x + left;
+            larger.depth[to] = traced.depth[from];
+            std::copy_n(traced.color.begin() + static_cast<ptrdiff_t>(from * 4), 4,
+                        larger.color.begin() + static_cast<ptrdiff_t>(to * 4));
+        }
+    ViewDesc view = viewDesc(camera);
+    view.viewport.x = left;
+    view.viewport.y = top;
+    const Reflected part = reflectView(larger, view);
+    EXPECT_EQ(part.info, whole.info);
+    EXPECT_EQ(part.color, whole.color);
+}
+
+TEST_F(Sspr, AnEmptySceneMirrorsOnlySky) {
+    const Camera camera = testCamera();
+    const TracedView traced = Tracer(camera, {}).run();
+    const Reflected result = reflectScene(camera, traced);
+    for (size_t i = 0; i < traced.truth.size(); ++i) {
+        EXPECT_NE(result.info[i * 2 + 1], static_cast<float>(ReflectionClass::hit));
+        EXPECT_EQ(result.color[i * 4 + 3], 0.0f);
+    }
+}
+
+TEST_F(Sspr, StaysFiniteAtTheExtremes) {
+    std::vector<Camera> cameras;
+    for (const double height : {1e-3, 0.0, -1e-3, -2.0, 1e5}) {
+        Camera camera = testCamera();
+        camera.width = 96;
+        camera.height = 54;
+        camera.eye.y = height;
+        cameras.push_back(camera);
+    }
+    Camera narrow = testCamera();
+    narrow.fovDegrees = 1;
+    narrow.width = 1;
+    narrow.height = 64;
+    cameras.push_back(narrow);
+    Camera wide = testCamera();
+    wide.fovDegrees = 179;
+    wide.near = 1e-4;
+    wide.width = 127;
+    wide.height = 3;
+    cameras.push_back(wide);
+    for (const Camera& camera : cameras) {
+        const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+        const Reflected result = reflectScene(camera, traced);
+        EXPECT_TRUE(std::ranges::all_of(result.color, [](float v) { return std::isfinite(v); }))
+            << camera.eye.y;
+        EXPECT_TRUE(std::ranges::all_of(result.info, [](float v) { return std::isfinite(v); }))
+            << camera.eye.y;
+    }
+}
+
+TEST_F(Sspr, SizeMayChangeEveryFrame) {
+    const ReflectorDesc desc;
+    Reflector* reflector = nullptr;
+    ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+    std::vector<demos::Image> kept;
+    for (const uint32_t width : {64u, 200u, 1u, 131u}) {
+        Camera camera = testCamera();
+        camera.width = width;
+        camera.height = 40;
+        const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+        ViewDesc view = viewDesc(camera);
+        view.sceneDepth = asSeaglass(kept.emplace_back(uploadFloats(width, 40, 1, traced.depth)));
+        view.sceneColor = asSeaglass(kept.emplace_back(uploadFloats(width, 40, 4, traced.color)));
+        frame([&](VkCommandBuffer commands) {
+            EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
+        });
+        EXPECT_EQ(reflectionImages(reflector, 0).extent.width, width);
+    }
+    destroyReflector(reflector);
+}
+
+TEST_F(Sspr, TheSkyTechniqueHoldsNothing) {
+    ReflectorDesc desc;
+    desc.reflection.technique = ReflectionTechnique::sky;
+    Reflector* reflector = nullptr;
+    ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+    EXPECT_EQ(reflectionImages(reflector, 0).color, VkImageView(VK_NULL_HANDLE));
+    destroyReflector(reflector);
+}
+
+TEST_F(Sspr, BadDescriptionsAreNamedAndLeaveNothing) {
+    const auto refused = [&](auto&& spoil) {
+        ReflectorDesc desc;
+        spoil(desc);
+        Reflector* reflector = nullptr;
+        EXPECT_EQ(createReflector(context(), &desc, &reflector), Status::invalidArgument);
+        EXPECT_EQ(reflector, nullptr);
+        return message();
+    };
+    EXPECT_NE(refused([](ReflectorDesc& d) { d.plane[1] = 0; }).find("plane"), std::string::npos);
+    EXPECT_NE(refused([](ReflectorDesc& d) { d.plane[3] = NAN; }).find("plane"), std::string::npos);
+    EXPECT_NE(refused([](ReflectorDesc& d) { d.reflection.edgeFade = -1; }).find("edgeFade"),
+              std::string::npos);
+    EXPECT_NE(refused([](ReflectorDesc& d) { d.reflection.distortion = NAN; }).find("distortion"),
+              std::string::npos);
+    EXPECT_EQ(createReflector(nullptr, nullptr, nullptr), Status::invalidArgument);
+}
+
+} // namespace

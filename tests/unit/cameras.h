@@ -1,0 +1,70 @@
+// Cameras that tests look from: built in double, as a host would.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "seaglass/host.h"
+
+namespace tests {
+
+constexpr double radians(double degrees) {
+    return degrees * std::numbers::pi / 180;
+}
+
+struct Camera {
+    glm::dvec3 eye{0, 2, 10};
+    glm::dvec3 target{0, 1, 0};
+    double rollDegrees = 0;
+    double fovDegrees = 50;
+    double near = 0.1;
+    double far = 0; ///< 0: infinite
+    bool reversed = true;
+    uint32_t width = 256, height = 144;
+};
+
+inline glm::dmat4 viewMatrix(const Camera& camera) {
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    const glm::dvec3 helper = std::abs(forward.y) > 0.999 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
+    const glm::dmat4 roll = glm::rotate(glm::dmat4(1), radians(camera.rollDegrees), glm::dvec3(0, 0, 1));
+    return roll * glm::lookAt(camera.eye, camera.target, helper);
+}
+
+/// Vulkan clip space, y down.
+inline glm::dmat4 projectionMatrix(const Camera& camera) {
+    const double f = 1 / std::tan(radians(camera.fovDegrees) / 2);
+    glm::dmat4 p(0);
+    p[0][0] = f * camera.height / camera.width;
+    p[1][1] = -f;
+    p[2][3] = -1;
+    const double n = camera.near;
+    if (camera.far == 0) {
+        p[2][2] = camera.reversed ? 0 : -1;
+        p[3][2] = camera.reversed ? n : -n;
+    } else {
+        const double z = camera.far;
+        p[2][2] = camera.reversed ? n / (z - n) : -z / (z - n);
+        p[3][2] = camera.reversed ? n * z / (z - n) : -n * z / (z - n);
+    }
+    return p;
+}
+
+inline void copyMatrix(const glm::dmat4& from, double (&to)[16]) {
+    for (int i = 0; i < 16; ++i) to[i] = from[i / 4][i % 4];
+}
+
+/// Matrices and viewport; the images are the caller's.
+inline seaglass::ViewDesc viewDesc(const Camera& camera) {
+    seaglass::ViewDesc view;
+    copyMatrix(viewMatrix(camera), view.view);
+    copyMatrix(projectionMatrix(camera), view.projection);
+    view.viewport = {0, 0, static_cast<float>(camera.width), static_cast<float>(camera.height), 0, 1};
+    return view;
+}
+
+} // namespace tests

@@ -1,0 +1,228 @@
+// The screen mirror: what it must be for any camera, any plane and any distance from the origin.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <glm/matrix.hpp>
+
+#include "reflection/mirror.h"
+#include "tests/unit/cameras.h"
+
+namespace {
+
+using namespace seaglass;
+using tests::Camera;
+
+VkImageView someHandle() {
+    return reinterpret_cast<VkImageView>(uintptr_t{1});
+}
+
+ViewDesc describedView(const Camera& camera) {
+    ViewDesc view = tests::viewDesc(camera);
+    const VkExtent2D extent = {camera.width, camera.height};
+    view.sceneColor = {someHandle(), VK_FORMAT_R16G16B16A16_SFLOAT, extent, VK_IMAGE_LAYOUT_GENERAL};
+    view.sceneDepth = {someHandle(), VK_FORMAT_D32_SFLOAT, extent, VK_IMAGE_LAYOUT_GENERAL};
+    return view;
+}
+
+ViewGeometry geometryOf(const Camera& camera) {
+    ViewGeometry geometry;
+    const char* bad = readView(describedView(camera), geometry);
+    EXPECT_EQ(bad, nullptr) << bad;
+    return geometry;
+}
+
+glm::dvec3 pixelOf(const ViewGeometry& view, const glm::dvec3& world) {
+    const glm::dvec4 p = view.pixelFromRelative * glm::dvec4(world - view.eye, 1);
+    return glm::dvec3(p) / p.w;
+}
+
+glm::dvec4 unitPlane(double x, double y, double z, double d) {
+    glm::dvec4 plane;
+    const double values[4] = {x, y, z, d};
+    EXPECT_EQ(readPlane(values, plane), nullptr);
+    return plane;
+}
+
+std::vector<Camera> everyKindOfCamera() {
+    std::vector<Camera> cameras;
+    for (const bool reversed : {true, false})
+        for (const double far : {0.0, 500.0})
+            for (const double roll : {0.0, 35.0, 90.0}) {
+                Camera camera;
+                camera.reversed = reversed;
+                camera.far = far;
+                camera.rollDegrees = roll;
+                cameras.push_back(camera);
+            }
+    Camera steep;
+    steep.eye = {0, 20, 8};
+    cameras.push_back(steep);
+    Camera distant;
+    distant.eye = {1e6, 3, -1e6};
+    distant.target = {1e6 + 3, 2, -1e6 - 20};
+    cameras.push_back(distant);
+    return cameras;
+}
+
+TEST(Mirror, MapsAPointToWhereItsMirrorImageProjects) {
+    const glm::dvec4 plane = unitPlane(0, 1, 0, -0.25);
+    for (const Camera& camera : everyKindOfCamera()) {
+        const ViewGeometry view = geometryOf(camera);
+        const ScreenMirror mirror = screenMirror(view, planeFacingEye(plane, view.eye));
+        const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
+        for (const double distance : {3.0, 12.0, 60.0}) {
+            const glm::dvec3 world = camera.eye + ahead * distance + glm::dvec3(0.3, 1.5, 0.2);
+            const glm::dvec3 image = world - glm::dvec3(0, 2 * (world.y - 0.25), 0);
+            const glm::dvec4 q = mirror.pixelFromPixel * glm::dvec4(pixelOf(view, world), 1);
+            const glm::dvec3 expected = pixelOf(view, image);
+            EXPECT_NEAR(q.x / q.w, expected.x, 1e-5);
+            EXPECT_NEAR(q.y / q.w, expected.y, 1e-5);
+            EXPECT_NEAR(q.z / q.w, expected.z, 1e-9);
+        }
+    }
+}
+
+TEST(Mirror, IsItsOwnInverseUpToScale) {
+    for (const Camera& camera : everyKindOfCamera()) {
+        const ViewGeometry view = geometryOf(camera);
+        for (const glm::dvec4& plane : {unitPlane(0, 1, 0, 0), unitPlane(0.3, 2, -0.4, 1)}) {
+            const glm::dmat4 h = screenMirror(view, planeFacingEye(plane, view.eye)).pixelFromPixel;
+            const glm::dmat4 twice = h * h;
+            const double scale = twice[0][0];
+            for (int i = 0; i < 16; ++i) {
+                // An entry's rounding grows with the entries it was summed from.
+                double magnitude = 0;
+                for (int k = 0; k < 4; ++k) magnitude += std::abs(h[k][i % 4] * h[i / 4][k]);
+                EXPECT_NEAR(twice[i / 4][i % 4], i % 5 == 0 ? scale : 0.0, 1e-9 * (magnitude + 1));
+            }
+        }
+    }
+}
+
+TEST(Mirror, HeightIsLinearInThePixel) {
+    const glm::dvec4 plane = unitPlane(0, 1, 0, -1);
+    for (const Camera& camera : everyKindOfCamera()) {
+        const ViewGeometry view = geometryOf(camera);
+        const ScreenMirror mirror = screenMirror(view, planeFacingEye(plane, view.eye));
+        const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
+        for (const double lift : {-0.5, 0.0, 4.0}) {
+            const glm::dvec3 world = camera.eye + ahead * 15.0 + glm::dvec3(0, lift, 0);
+            const glm::dvec4 p(pixelOf(view, world), 1);
+            EXPECT_NEAR(glm::dot(mirror.heightRow, p) / glm::dot(mirror.weightRow, p), world.y - 1, 1e-6);
+        }
+    }
+}
+
+TEST(Mirror, FloatUniformsStayExactFarFromTheOrigin) {
+    Camera camera;
+    camera.eye = {1e5, 2, 1e5};
+    camera.target = {1e5, 1, 1e5 - 10};
+    camera.width = 1920;
+    camera.height = 1080;
+    const ViewGeometry view = geometryOf(camera);
+    const MirrorUniforms uniforms = mirrorUniforms(view, unitPlane(0, 1, 0, 0), 0.08f);
+    const glm::dvec3 world = camera.eye + glm::dvec3(1.5, 1, -30);
+    const glm::dvec3 image(world.x, -world.y, world.z);
+    const glm::vec4 q = uniforms.screenMirror * glm::vec4(glm::vec3(pixelOf(view, world)), 1);
+    const glm::dvec3 expected = pixelOf(view, image);
+    EXPECT_NEAR(q.x / q.w, expected.x, 2e-3);
+    EXPECT_NEAR(q.y / q.w, expected.y, 2e-3);
+}
+
+TEST(Mirror, AScaledPlaneIsTheSameMirror) {
+    const ViewGeometry view = geometryOf(Camera{});
+    const MirrorUniforms a = mirrorUniforms(view, unitPlane(0, 1, 0, -0.5), 0.1f);
+    const MirrorUniforms b = mirrorUniforms(view, unitPlane(0, 400, 0, -200), 0.1f);
+    EXPECT_EQ(a.screenMirror, b.screenMirror);
+    EXPECT_EQ(a.plane, b.plane);
+}
+
+TEST(Mirror, FacesTheEyeFromEitherSide) {
+    const glm::dvec4 plane = unitPlane(0, 1, 0, 0);
+    EXPECT_GT(planeFacingEye(plane, {0, 3, 0}).w, 0);
+    const glm::dvec4 below = planeFacingEye(plane, {0, -3, 0});
+    EXPECT_GT(below.w, 0);
+    EXPECT_LT(below.y, 0);
+}
+
+TEST(Mirror, RefusesPlanesWithoutANormal) {
+    glm::dvec4 out;
+    const double zero[4] = {0, 0, 0, 1};
+    const double nan[4] = {0, NAN, 0, 1};
+    EXPECT_NE(readPlane(zero, out), nullptr);
+    EXPECT_NE(readPlane(nan, out), nullptr);
+}
+
+TEST(View, ReadsTheDepthDirectionFromTheProjection) {
+    for (const bool reversed : {true, false})
+        for (const double far : {0.0, 100.0}) {
+            Camera camera;
+            camera.reversed = reversed;
+            camera.far = far;
+            EXPECT_EQ(geometryOf(camera).reversedDepth, reversed) << "far " << far;
+        }
+}
+
+TEST(View, FindsTheEyeAndLooksForward) {
+    Camera camera;
+    camera.eye = {12, 3, -7};
+    camera.target = {2, 3, -7};
+    const ViewGeometry view = geometryOf(camera);
+    EXPECT_NEAR(glm::length(view.eye - camera.eye), 0, 1e-12);
+    EXPECT_NEAR(view.forward.x, -1, 1e-12);
+}
+
+TEST(View, PixelsCountFromTheViewportsCorner) {
+    Camera camera;
+    const glm::dvec3 world(0.5, 1.2, 0);
+    const glm::dvec3 whole = pixelOf(geometryOf(camera), world);
+    ViewDesc shifted = describedView(camera);
+    shifted.viewport.x = 40;
+    shifted.viewport.y = 24;
+    shifted.sceneColor.extent = shifted.sceneDepth.extent = {400, 300};
+    ViewGeometry geometry;
+    ASSERT_EQ(readView(shifted, geometry), nullptr);
+    EXPECT_EQ(geometry.regionOrigin, glm::ivec2(40, 24));
+    EXPECT_NEAR(glm::length(pixelOf(geometry, world) - whole), 0, 1e-9);
+}
+
+TEST(View, ANegativeHeightFlips) {
+    Camera camera;
+    ViewDesc flipped = describedView(camera);
+    glm::dmat4 projection = tests::projectionMatrix(camera);
+    projection[1][1] = -projection[1][1];
+    tests::copyMatrix(projection, flipped.projection);
+    flipped.viewport.y = static_cast<float>(camera.height);
+    flipped.viewport.height = -flipped.viewport.height;
+    ViewGeometry geometry;
+    ASSERT_EQ(readView(flipped, geometry), nullptr);
+    const glm::dvec3 world(0.5, 1.2, 0);
+    EXPECT_NEAR(glm::length(pixelOf(geometry, world) - pixelOf(geometryOf(camera), world)), 0, 1e-9);
+}
+
+TEST(View, NamesWhatIsWrong) {
+    const auto refused = [](auto&& spoil) {
+        ViewDesc view = describedView(Camera{});
+        spoil(view);
+        ViewGeometry geometry;
+        const char* text = readView(view, geometry);
+        return std::string(text ? text : "");
+    };
+    EXPECT_NE(refused([](ViewDesc& v) { v.view[5] = NAN; }).find("view"), std::string::npos);
+    EXPECT_NE(refused([](ViewDesc& v) { v.projection[0] = INFINITY; }).find("projection"), std::string::npos);
+    EXPECT_NE(refused([](ViewDesc& v) { v.projection[0] = 0; }).find("singular"), std::string::npos);
+    EXPECT_NE(refused([](ViewDesc& v) { v.viewport.width = 0; }).find("viewport"), std::string::npos);
+    EXPECT_NE(refused([](ViewDesc& v) { v.viewport.maxDepth = 0.5f; }).find("depth range"),
+              std::string::npos);
+    EXPECT_NE(refused([](ViewDesc& v) { v.viewIndex = 8; }).find("viewIndex"), std::string::npos);
+    EXPECT_NE(refused([](ViewDesc& v) { v.sceneDepth.view = VK_NULL_HANDLE; }).find("sceneDepth"),
+              std::string::npos);
+    EXPECT_NE(refused([](ViewDesc& v) {
+                  v.sceneColor.extent = {4, 4};
+              }).find("sceneColor"),
+              std::string::npos);
+}
+
+} // namespace
