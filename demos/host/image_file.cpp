@@ -18,17 +18,17 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
     return name;
 }
 
-bool writePixels(const std::filesystem::path& file, const std::string& format, const OIIO::ImageSpec& spec,
-                 OIIO::TypeDesc type, const void* pixels, Error& error) {
+/// What went wrong; empty when nothing did.
+std::string writePixels(const std::filesystem::path& file, const std::string& format,
+                        const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
+    std::error_code ignored;
+    const std::filesystem::path directory = file.parent_path();
+    if (!directory.empty() && !std::filesystem::is_directory(directory, ignored)) return "no such directory";
     const auto output = OIIO::ImageOutput::create(format);
-    if (!output) {
-        error.text = file.string() + ": " + OIIO::geterror();
-        return false;
-    }
+    if (!output) return OIIO::geterror();
     const bool written =
         output->open(file.string(), spec) && output->write_image(type, pixels) && output->close();
-    if (!written) error.text = file.string() + ": " + output->geterror();
-    return written;
+    return written ? "" : output->geterror();
 }
 
 bool writeWhole(const std::filesystem::path& file, const std::string& format, const OIIO::ImageSpec& spec,
@@ -38,15 +38,16 @@ bool writeWhole(const std::filesystem::path& file, const std::string& format, co
         return false;
     }
     const std::filesystem::path temporary = temporaryBeside(file);
+    std::string problem = writePixels(temporary, format, spec, type, pixels);
     std::error_code failed;
-    bool written = writePixels(temporary, format, spec, type, pixels, error);
-    if (written) {
+    if (problem.empty()) {
         std::filesystem::rename(temporary, file, failed);
-        if (failed) error.text = file.string() + ": " + failed.message();
-        written = !failed;
+        if (failed) problem = failed.message();
     }
-    if (!written) std::filesystem::remove(temporary, failed);
-    return written;
+    if (problem.empty()) return true;
+    std::filesystem::remove(temporary, failed);
+    error.text = file.string() + ": " + problem;
+    return false;
 }
 
 } // namespace

@@ -93,7 +93,8 @@ bool decodeImage(tinygltf::Image* image, int index, std::string* error, std::str
 std::string firstLine(const std::string& text) {
     const size_t start = text.find_first_not_of("\n");
     if (start == std::string::npos) return "is not a readable glTF file";
-    return text.substr(start, text.find('\n', start) - start);
+    // Capped, since it may quote the file.
+    return text.substr(start, std::min(text.find('\n', start) - start, size_t(200)));
 }
 
 /// An accessor whose every element lies inside its buffer.
