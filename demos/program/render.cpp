@@ -169,7 +169,7 @@ class Run {
         }
         std::optional<Visualised> visualised;
         if (std::any_of(options_.outputs.begin(), options_.outputs.end(), isPng)) {
-            visualised = visualise(picture, options_.aov, scene_.exposureEv, frame_.camera.nearM);
+            visualised = visualise(picture, options_.aov, scene_.exposureEv);
             scale_ = visualised->scale;
         }
         written_.resize(options_.outputs.size());

@@ -57,21 +57,25 @@ Visualised normal(const Picture& picture) {
     return {paint(picture, toRgb), {}};
 }
 
-Visualised depth(const Picture& picture, float nearM) {
-    const float farthest = std::max(largest(picture), nearM * 1.001f);
-    const float span = std::log(farthest / nearM);
+Visualised depth(const Picture& picture) {
+    const float farthest = std::max(largest(picture), 1e-3f);
+    float nearest = farthest;
+    for (size_t i = 0; i < picture.rgba.size(); i += 4) {
+        if (picture.rgba[i] > 0) nearest = std::min(nearest, picture.rgba[i]);
+    }
+    const float span = std::max(std::log(farthest / nearest), 1e-3f);
     const auto toRgb = [&](const float* p) {
-        return grey(std::isfinite(p[0]) ? 1 - std::log(std::max(p[0], nearM) / nearM) / span : 0.0f);
+        return grey(std::isfinite(p[0]) ? 1 - std::log(std::max(p[0], nearest) / nearest) / span : 0.0f);
     };
     std::array<char, 64> scale{};
     std::snprintf(scale.data(), scale.size(), "white %.3g m, black %.4g m, logarithmic",
-                  static_cast<double>(nearM), static_cast<double>(farthest));
+                  static_cast<double>(nearest), static_cast<double>(farthest));
     return {paint(picture, toRgb), scale.data()};
 }
 
 } // namespace
 
-Visualised visualise(const Picture& picture, Aov aov, double exposureEv, double nearM) {
+Visualised visualise(const Picture& picture, Aov aov, double exposureEv) {
     switch (aov) {
     case Aov::color:
     case Aov::reflection:
@@ -85,7 +89,7 @@ Visualised visualise(const Picture& picture, Aov aov, double exposureEv, double 
     case Aov::foam:
         return {paint(picture, [](const float* p) { return grey(p[0]); }), {}};
     case Aov::depth:
-        return depth(picture, static_cast<float>(nearM));
+        return depth(picture);
     }
     return {};
 }

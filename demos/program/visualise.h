@@ -15,8 +15,8 @@ struct Visualised {
 };
 
 /// Colour and reflection are tone-mapped; classes as they are; normals 0.5 + 0.5 n; height grey around mid
-/// grey; foam grey; depth log grey, near is white and sky black.
-Visualised visualise(const Picture& picture, Aov aov, double exposureEv, double nearM);
+/// grey; foam grey; depth logarithmic grey, the nearest white, the farthest and the sky black.
+Visualised visualise(const Picture& picture, Aov aov, double exposureEv);
 
 /// Pixels that hold what no picture should: NaN, or infinities where they mean nothing.
 uint64_t countBroken(const Picture& picture, Aov aov);

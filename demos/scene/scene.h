@@ -12,37 +12,39 @@ namespace demos {
 
 using Vec3 = std::array<double, 3>;
 
-/// A place in a file and what is wrong there: "harbour.toml:12: water.waves.wind_m_s is -3, expected 0 to 60".
+/// A place in a file and what is wrong there: "harbour.toml:12: water.waves.wind_m_s is -3, expected 0 to
+/// 60".
 struct Error {
     std::string text;
 };
 
 struct SkyDesc {
-    std::filesystem::path file;   ///< lat-long HDR or EXR, absolute
-    double rotationDeg = 0;       ///< turns it about +Y
-    double intensity = 1;         ///< radiance scale
-    std::string where = {};       ///< of `file` in the scene, for errors: "harbour.toml:9: sky.file"
+    std::filesystem::path file; ///< lat-long HDR or EXR, absolute
+    double rotationDeg = 0;     ///< turns it about +Y
+    double intensity = 1;       ///< radiance scale
+    std::string where = {};     ///< of `file` in the scene, for errors: "harbour.toml:9: sky.file"
 };
 
 struct SunDesc {
-    bool fromSky = false;   ///< take direction and irradiance from the brightest spot of the sky, ignoring the rest here
+    bool fromSky =
+        false; ///< take direction and irradiance from the brightest spot of the sky, ignoring the rest here
     double azimuthDeg = 0;    ///< of the sun, from +X towards +Z
     double elevationDeg = 30; ///< above the horizon
     Vec3 irradiance = {3, 3, 3};
 };
 
 struct MeshDesc {
-    std::filesystem::path file;   ///< glTF, absolute
+    std::filesystem::path file; ///< glTF, absolute
     Vec3 positionM = {0, 0, 0};
     double yawDeg = 0;
     double scale = 1;
-    std::string where = {};       ///< of `file` in the scene, for errors: "harbour.toml:21: mesh.0.file"
+    std::string where = {}; ///< of `file` in the scene, for errors: "harbour.toml:21: mesh.0.file"
 };
 
 struct WavesDesc {
-    std::string spectrum = "jonswap";   ///< jonswap | pierson-moskowitz
+    std::string spectrum = "jonswap"; ///< jonswap | pierson-moskowitz
     double windMps = 10;
-    double windTowardsDeg = 0;   ///< from +X towards +Z
+    double windTowardsDeg = 0; ///< from +X towards +Z
     double fetchM = 300e3;
     double peakEnhancement = 3.3;
     double swell = 0;
@@ -66,7 +68,7 @@ struct RefractionDesc {
 };
 
 struct ReflectionDesc {
-    std::string technique = "sspr";   ///< sky | sspr
+    std::string technique = "sspr"; ///< sky | sspr
     double edgeFade = 0.08;
     double distortion = 1;
 };
@@ -94,16 +96,17 @@ struct Scene {
     std::filesystem::path file;
     std::string title;
     double timeS = 0;
-    double exposureEv = 0;   ///< stops added before tone mapping
+    double exposureEv = 0; ///< stops added before tone mapping
     SkyDesc sky;
     SunDesc sun;
     std::vector<MeshDesc> meshes;
     std::optional<WaterDesc> water;
-    std::vector<CameraDesc> cameras;   ///< at least one; the first is the default
+    std::vector<CameraDesc> cameras; ///< at least one; the first is the default
 };
 
-/// Reads a scene file, with "path=value" overrides (values in TOML syntax; a bare word is taken as a string) applied
-/// before it is checked. A camera is addressed by name: camera.low.vertical_fov_deg=60.
-std::optional<Scene> loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides, Error& error);
+/// Reads a scene file, with "path=value" overrides (values in TOML syntax; a bare word is taken as a string)
+/// applied before it is checked. A camera is addressed by name: camera.low.vertical_fov_deg=60.
+std::optional<Scene> loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                               Error& error);
 
 } // namespace demos
