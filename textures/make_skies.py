@@ -17,7 +17,7 @@ from sky.atmosphere import Atmosphere
 from sky.clouds import CloudDesc, Clouds
 
 WIDTH, HEIGHT = 2048, 1024
-ROWS = 32   # worked on at once
+ROWS = 32  # worked on at once
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 
 
@@ -25,19 +25,29 @@ LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 class SkyDesc:
     sunAzimuthDeg: float
     sunElevationDeg: float
-    haze: float                # 1 is clean air
-    meanLuminance: float       # of the upper half: sets the scale of everything
-    ground: tuple              # what lies below the haze of the horizon, as a share of the horizon's light
+    haze: float  # 1 is clean air
+    meanLuminance: float  # of the upper half: sets the scale of everything
+    ground: tuple  # what lies below the haze of the horizon, as a share of the horizon's light
     clouds: CloudDesc = field(default_factory=CloudDesc)
 
 
 SKIES = {
     "harbour": SkyDesc(
-        sunAzimuthDeg=48, sunElevationDeg=14, haze=2.2, meanLuminance=0.33, ground=(0.16, 0.19, 0.20),
-        clouds=CloudDesc(seed=5, coverage=0.58, offsetM=(36600, 23700), cirrus=0.32)),
+        sunAzimuthDeg=48,
+        sunElevationDeg=14,
+        haze=2.2,
+        meanLuminance=0.33,
+        ground=(0.16, 0.19, 0.20),
+        clouds=CloudDesc(seed=5, coverage=0.58, offsetM=(36600, 23700), cirrus=0.32),
+    ),
     "ocean": SkyDesc(
-        sunAzimuthDeg=298, sunElevationDeg=7.5, haze=2.0, meanLuminance=0.30, ground=(0.12, 0.15, 0.17),
-        clouds=CloudDesc(seed=9, coverage=0.62, baseM=1000, thicknessM=1300, offsetM=(19400, 12800), cirrus=0.4)),
+        sunAzimuthDeg=298,
+        sunElevationDeg=7.5,
+        haze=2.0,
+        meanLuminance=0.30,
+        ground=(0.12, 0.15, 0.17),
+        clouds=CloudDesc(seed=9, coverage=0.62, baseM=1000, thicknessM=1300, offsetM=(19400, 12800), cirrus=0.4),
+    ),
 }
 
 
@@ -75,7 +85,9 @@ def upperHalf(air, desc, d):
         rays = d[part].reshape(-1, 3)
         light, opacity, distance = clouds.cirrus(rays, toSun, air.sunIrradiance(desc.clouds.cirrusHeightM), skylight)
         behind[part] = through(air, clear[part], clear[part], *shaped(d[part], light, opacity, distance * 0.25))
-        light, opacity, distance = clouds.march(rays, toSun, sunlight, skylight, groundlight, spread(d[part].shape, row))
+        light, opacity, distance = clouds.march(
+            rays, toSun, sunlight, skylight, groundlight, spread(d[part].shape, row)
+        )
         layer[part] = np.concatenate(shaped(d[part], light, opacity[:, None], distance[:, None] * opacity[:, None]), -1)
     layer = soften(layer)
     distance = layer[..., 4] / np.maximum(layer[..., 3], 1e-4)
@@ -88,7 +100,7 @@ def shaped(like, *values):
 
 def spread(shape, row):
     """Where in its first step each ray of a block starts, 0..1: neighbours differ as much as they can (R2 sequence)."""
-    y, x = np.mgrid[row:row + shape[0], 0:shape[1]]
+    y, x = np.mgrid[row : row + shape[0], 0 : shape[1]]
     return ((0.7548776662 * x + 0.5698402910 * y) % 1).ravel()
 
 
@@ -138,8 +150,10 @@ def makeSky(name, desc, folder):
     sun = air.sunIrradiance() * scale
     sky = irradiance(upper, d[:half]) * scale
     print(f"{path.name}: {path.stat().st_size} bytes, greatest radiance {picture.max():.2f}")
-    print(f"  [sun] azimuth_deg = {desc.sunAzimuthDeg}, elevation_deg = {desc.sunElevationDeg}, "
-          f"irradiance = [{sun[0]:.3f}, {sun[1]:.3f}, {sun[2]:.3f}]")
+    print(
+        f"  [sun] azimuth_deg = {desc.sunAzimuthDeg}, elevation_deg = {desc.sunElevationDeg}, "
+        f"irradiance = [{sun[0]:.3f}, {sun[1]:.3f}, {sun[2]:.3f}]"
+    )
     print(f"  sky irradiance on the level ground [{sky[0]:.3f}, {sky[1]:.3f}, {sky[2]:.3f}]")
 
 

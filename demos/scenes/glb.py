@@ -11,11 +11,20 @@ VERTICES, INDICES = 34962, 34963
 
 class Glb:
     def __init__(self):
-        self.json = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": []}], "nodes": [], "meshes": [],
-                     "materials": [], "accessors": [], "bufferViews": [], "buffers": []}
+        self.json = {
+            "asset": {"version": "2.0"},
+            "scene": 0,
+            "scenes": [{"nodes": []}],
+            "nodes": [],
+            "meshes": [],
+            "materials": [],
+            "accessors": [],
+            "bufferViews": [],
+            "buffers": [],
+        }
         self.data = bytearray()
         self.known = {}
-        self.arrays = {}   # bytes of accessors by (target, stride), a buffer view each
+        self.arrays = {}  # bytes of accessors by (target, stride), a buffer view each
 
     def texture(self, png):
         self.json.setdefault("images", []).append({"bufferView": png, "mimeType": "image/png"})
@@ -24,8 +33,11 @@ class Glb:
         return len(self.json["textures"]) - 1
 
     def material(self, name, color=(1, 1, 1), texture=None, roughness=0.9, metallic=0.0, doubleSided=False):
-        surface = {"baseColorFactor": [round(float(c), 4) for c in color] + [1], "roughnessFactor": roughness,
-                   "metallicFactor": metallic}
+        surface = {
+            "baseColorFactor": [round(float(c), 4) for c in color] + [1],
+            "roughnessFactor": roughness,
+            "metallicFactor": metallic,
+        }
         if texture is not None:
             surface["baseColorTexture"] = {"index": texture}
         material = {"name": name, "pbrMetallicRoughness": surface}
@@ -38,15 +50,22 @@ class Glb:
         """`parts`: pairs of a Surface and a material; a surface without `uv` gets none."""
         primitives = []
         for surface, material in parts:
-            attributes = {"POSITION": self._accessor(surface.p.astype("<f4"), FLOAT, "VEC3", bounds=True),
-                          "NORMAL": self._accessor(surface.n.astype("<f4"), FLOAT, "VEC3"),
-                          "COLOR_0": self._accessor(colorBytes(surface.c), BYTE, "VEC4", normalized=True)}
+            attributes = {
+                "POSITION": self._accessor(surface.p.astype("<f4"), FLOAT, "VEC3", bounds=True),
+                "NORMAL": self._accessor(surface.n.astype("<f4"), FLOAT, "VEC3"),
+                "COLOR_0": self._accessor(colorBytes(surface.c), BYTE, "VEC4", normalized=True),
+            }
             if surface.uv is not None:
                 attributes["TEXCOORD_0"] = self._accessor(surface.uv.astype("<f4"), FLOAT, "VEC2")
             small = len(surface.p) < 65535
             indices = surface.t.ravel().astype("<u2" if small else "<u4")
-            primitives.append({"attributes": attributes, "material": material,
-                               "indices": self._accessor(indices, SHORT if small else INT, "SCALAR", INDICES)})
+            primitives.append(
+                {
+                    "attributes": attributes,
+                    "material": material,
+                    "indices": self._accessor(indices, SHORT if small else INT, "SCALAR", INDICES),
+                }
+            )
         self.json["meshes"].append({"name": name, "primitives": primitives})
         return len(self.json["meshes"]) - 1
 
@@ -98,8 +117,13 @@ class Glb:
             return self.known[key]
         stride = array.itemsize * (array.shape[1] if array.ndim > 1 else 1)
         view = self.arrays.setdefault((target, stride), [len(self.arrays), bytearray()])
-        accessor = {"bufferView": view[0], "byteOffset": len(view[1]), "componentType": component, "count": len(array),
-                    "type": kind}
+        accessor = {
+            "bufferView": view[0],
+            "byteOffset": len(view[1]),
+            "componentType": component,
+            "count": len(array),
+            "type": kind,
+        }
         view[1].extend(content + b"\0" * (-len(content) % 4))
         if normalized:
             accessor["normalized"] = True
@@ -133,5 +157,11 @@ def times(a, b):
     """Quaternion product: first b, then a."""
     x1, y1, z1, w1 = a
     x2, y2, z2, w2 = b
-    return np.array([w1 * x2 + x1 * w2 + y1 * z2 - z1 * y2, w1 * y2 - x1 * z2 + y1 * w2 + z1 * x2,
-                     w1 * z2 + x1 * y2 - y1 * x2 + z1 * w2, w1 * w2 - x1 * x2 - y1 * y2 - z1 * z2])
+    return np.array(
+        [
+            w1 * x2 + x1 * w2 + y1 * z2 - z1 * y2,
+            w1 * y2 - x1 * z2 + y1 * w2 + z1 * x2,
+            w1 * z2 + x1 * y2 - y1 * x2 + z1 * w2,
+            w1 * w2 - x1 * x2 - y1 * y2 - z1 * z2,
+        ]
+    )

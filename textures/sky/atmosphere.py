@@ -16,12 +16,12 @@ GROUND_ALBEDO = 0.15
 
 
 def rayleighPhase(cosine):
-    return 3 / (16 * np.pi) * (1 + cosine ** 2)
+    return 3 / (16 * np.pi) * (1 + cosine**2)
 
 
 def hazePhase(cosine, g):
     """Cornette-Shanks."""
-    return 3 / (8 * np.pi) * (1 - g * g) * (1 + cosine ** 2) / ((2 + g * g) * (1 + g * g - 2 * g * cosine) ** 1.5)
+    return 3 / (8 * np.pi) * (1 - g * g) * (1 + cosine**2) / ((2 + g * g) * (1 + g * g - 2 * g * cosine) ** 1.5)
 
 
 class Atmosphere:
@@ -81,10 +81,13 @@ class Atmosphere:
         again = np.zeros(h.shape + (3,))
         for mu, phi in zip(up, around):
             r = EARTH + h + 1
-            disc = EARTH ** 2 - r * r * (1 - mu * mu)
+            disc = EARTH**2 - r * r * (1 - mu * mu)
             ground = (disc > 0) & (mu < 0)
-            reach = np.where(ground, -r * mu - np.sqrt(np.maximum(disc, 0)),
-                             -r * mu + np.sqrt((EARTH + TOP) ** 2 - r * r * (1 - mu * mu)))
+            reach = np.where(
+                ground,
+                -r * mu - np.sqrt(np.maximum(disc, 0)),
+                -r * mu + np.sqrt((EARTH + TOP) ** 2 - r * r * (1 - mu * mu)),
+            )
             through = np.ones(h.shape + (3,))
             ds = reach / steps
             sunward = mu * sun + np.sqrt(1 - mu * mu) * np.sqrt(np.maximum(1 - sun * sun, 0)) * np.cos(phi)
@@ -120,18 +123,22 @@ class Atmosphere:
         i = np.sqrt(np.arcsin(np.clip(sine, 0, 1)) / (np.pi / 2)) * (table.shape[0] - 1)
         j = np.arccos(np.clip(awayCosine, -1, 1)) / np.pi * (table.shape[1] - 1)
         parts = bilinear(table, i, j)
-        return (parts[..., 0:3] * rayleighPhase(sunCosine)[..., None]
-                + parts[..., 3:6] * hazePhase(sunCosine, self.g)[..., None] + parts[..., 6:9])
+        return (
+            parts[..., 0:3] * rayleighPhase(sunCosine)[..., None]
+            + parts[..., 3:6] * hazePhase(sunCosine, self.g)[..., None]
+            + parts[..., 6:9]
+        )
 
     def _skyTable(self, steps, elevations=112, azimuths=40):
         """Rayleigh, Mie (both still without phase) and higher-order light by elevation and azimuth from the sun."""
         if hasattr(self, "_table"):
             return self._table
-        elevation, azimuth = np.meshgrid((np.pi / 2) * np.linspace(0, 1, elevations) ** 2,
-                                         np.linspace(0, np.pi, azimuths), indexing="ij")
+        elevation, azimuth = np.meshgrid(
+            (np.pi / 2) * np.linspace(0, 1, elevations) ** 2, np.linspace(0, np.pi, azimuths), indexing="ij"
+        )
         mu = np.sin(elevation)
         r = EARTH + 2.0
-        toSun = mu * self.sunSine + np.cos(elevation) * np.sqrt(1 - self.sunSine ** 2) * np.cos(azimuth)
+        toSun = mu * self.sunSine + np.cos(elevation) * np.sqrt(1 - self.sunSine**2) * np.cos(azimuth)
         reach = -r * mu + np.sqrt((EARTH + TOP) ** 2 - r * r * (1 - mu * mu))
         parts = np.zeros(mu.shape + (9,))
         through = np.ones(mu.shape + (3,))
@@ -148,8 +155,11 @@ class Atmosphere:
             lit = gained * self.transmittance(height, local)
             parts[..., 0:3] += lit * rayleigh[..., None] * RAYLEIGH
             parts[..., 3:6] += lit * mie[..., None] * self.mieScattering
-            parts[..., 6:9] += gained * self._higherOrders(height, local) * (
-                rayleigh[..., None] * RAYLEIGH + mie[..., None] * self.mieScattering)
+            parts[..., 6:9] += (
+                gained
+                * self._higherOrders(height, local)
+                * (rayleigh[..., None] * RAYLEIGH + mie[..., None] * self.mieScattering)
+            )
             through = through * step
         self._table = parts
         return parts
@@ -168,5 +178,6 @@ def bilinear(table, i, j):
     i0 = np.clip(i.astype(int), 0, table.shape[0] - 2)
     j0 = np.clip(j.astype(int), 0, table.shape[1] - 2)
     fi, fj = (i - i0)[..., None], (j - j0)[..., None]
-    return ((table[i0, j0] * (1 - fj) + table[i0, j0 + 1] * fj) * (1 - fi)
-            + (table[i0 + 1, j0] * (1 - fj) + table[i0 + 1, j0 + 1] * fj) * fi)
+    return (table[i0, j0] * (1 - fj) + table[i0, j0 + 1] * fj) * (1 - fi) + (
+        table[i0 + 1, j0] * (1 - fj) + table[i0 + 1, j0 + 1] * fj
+    ) * fi

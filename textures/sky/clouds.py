@@ -17,13 +17,13 @@ class CloudDesc:
     seed: int = 1
     baseM: float = 1100
     thicknessM: float = 900
-    coverage: float = 0.45      # share of the sky the weather map leaves to clouds, roughly
+    coverage: float = 0.45  # share of the sky the weather map leaves to clouds, roughly
     extinctionPerM: float = 0.03
     weatherTileM: float = 38e3
     shapeTileM: float = 4200
     detailTileM: float = 760
-    offsetM: tuple = (0.0, 0.0)   # moves the layer over the eye: choose the picture
-    cirrus: float = 0.3         # optical depth of the thickest cirrus
+    offsetM: tuple = (0.0, 0.0)  # moves the layer over the eye: choose the picture
+    cirrus: float = 0.3  # optical depth of the thickest cirrus
     cirrusHeightM: float = 8500
     sunGain: float = 2.2
     skyGain: float = 1.2
@@ -45,12 +45,18 @@ class Clouds:
         weather = noise.fractal(noise.gradient, 512, 7, 5, s, 2, 0.55)
         patches = noise.fractal(noise.gradient, 512, 3, 3, s + 20, 2)
         self.weather = np.clip(0.5 + 0.75 * weather + 0.35 * patches, 0, 1).astype(np.float32)
-        billow = (0.52 * noise.cellular(96, 5, s + 31) + 0.30 * noise.cellular(96, 11, s + 32)
-                  + 0.18 * noise.cellular(96, 23, s + 33))
+        billow = (
+            0.52 * noise.cellular(96, 5, s + 31)
+            + 0.30 * noise.cellular(96, 11, s + 32)
+            + 0.18 * noise.cellular(96, 23, s + 33)
+        )
         rolling = noise.fractal(noise.gradient, 96, 4, 3, s + 34, 3)
         self.shape = np.clip(0.12 + 0.95 * billow + 0.35 * rolling, 0, 1).astype(np.float32)
-        self.detail = (0.45 * noise.cellular(48, 4, s + 41) + 0.33 * noise.cellular(48, 8, s + 42)
-                       + 0.22 * noise.cellular(48, 16, s + 43)).astype(np.float32)
+        self.detail = (
+            0.45 * noise.cellular(48, 4, s + 41)
+            + 0.33 * noise.cellular(48, 8, s + 42)
+            + 0.22 * noise.cellular(48, 16, s + 43)
+        ).astype(np.float32)
         self.streaks = noise.fractal(noise.gradient, 512, 6, 6, s + 51, 2, 0.6).astype(np.float32)
 
     # --- where the water is -----------------------------------------------------------------------------------------
@@ -80,8 +86,8 @@ class Clouds:
     # --- light ------------------------------------------------------------------------------------------------------
 
     def march(self, direction, toSun, sunlight, skylight, groundlight, start, steps=52):
-        """For rays [n,3] up from the eye: radiance scattered to it [n,3], opacity [n], mean distance [n] in metres. `start`
-        [n], 0..1, is where in its first step each begins."""
+        """For rays [n,3] up from the eye: radiance scattered to it [n,3], opacity [n], mean distance [n] in metres.
+        `start` [n], 0..1, is where in its first step each begins."""
         d = self.desc
         mu = direction[:, 1]
         level = np.hypot(direction[:, 0], direction[:, 2])
@@ -110,7 +116,7 @@ class Clouds:
             depth = self._sunDepth(x[live], h[live], z[live], toSun)
             source = np.zeros(len(live))
             for i, p in enumerate(phases):
-                source += (0.62 ** i) * p[live] * np.exp(-depth * 0.38 ** i)
+                source += (0.62**i) * p[live] * np.exp(-depth * 0.38**i)
             powder = 1 - 0.55 * np.exp(-2.2 * sigma * 130)
             high = h[live]
             ambient = (skylight * (0.35 + 0.65 * high[:, None]) + groundlight * (1 - high[:, None]) * 0.5) * d.skyGain
@@ -162,4 +168,3 @@ class Clouds:
 def shell(mu, height):
     """Distance from the ground to a sphere at this height, along rays with this sine of elevation."""
     return -EARTH * mu + np.sqrt((EARTH * mu) ** 2 + 2 * EARTH * height + height * height)
-

@@ -30,7 +30,7 @@ def gradient(size, cells, seed, dimensions=3):
     axis = ((np.arange(size) + 0.5) * cells / size).astype(np.float32)
     cell = axis.astype(int)
     fraction = axis - cell
-    fade = fraction ** 3 * (fraction * (fraction * 6 - 15) + 10)
+    fade = fraction**3 * (fraction * (fraction * 6 - 15) + 10)
     total = np.zeros([size] * dimensions, np.float32)
     for corner in np.ndindex(*[2] * dimensions):
         value = np.zeros_like(total)
@@ -62,8 +62,9 @@ def sample2(texture, x, y):
     fx, fy = (x - x0).astype(np.float32), (y - y0).astype(np.float32)
     x0, y0 = x0.astype(np.int64) % n, y0.astype(np.int64) % n
     x1, y1 = (x0 + 1) % n, (y0 + 1) % n
-    return ((texture[y0, x0] * (1 - fx) + texture[y0, x1] * fx) * (1 - fy)
-            + (texture[y1, x0] * (1 - fx) + texture[y1, x1] * fx) * fy)
+    return (texture[y0, x0] * (1 - fx) + texture[y0, x1] * fx) * (1 - fy) + (
+        texture[y1, x0] * (1 - fx) + texture[y1, x1] * fx
+    ) * fy
 
 
 def sample3(texture, x, y, z):

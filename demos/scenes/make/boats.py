@@ -1,82 +1,9 @@
-"""Boats. The bow points to +x, the water reaches y = 0 at the draught they float at; hulls are closed, inside and out."""
+"""Boats. The bow points to +x; the water is at y = 0 when they float at their draught; hulls are closed."""
 import numpy as np
 
 from . import shape
+from .hull import Hull
 from .shape import rgb
-
-
-class Hull:
-    """Lofted between stern and bow: half breadth, sheer and keel by station, and the shape of a section."""
-
-    def __init__(self, length, beam, sheer, keel, bow=0.35, transom=0.7, fullness=0.55, stations=15, rake=0.08):
-        self.length, self.stations, self.rake = length, stations, rake
-        s = np.linspace(0, 1, stations)
-        self.s = s
-        aft = transom + (1 - transom) * np.sin(np.pi / 2 * np.clip(s / 0.5, 0, 1))
-        fore = np.clip((1 - s) / (1 - 0.5), 0, 1)
-        self.half = beam / 2 * np.where(s < 0.5, aft, np.sin(np.pi / 2 * fore) ** 0.85)
-        self.half = np.maximum(self.half, 0.012)
-        low, stern, stem = sheer
-        self.sheer = low + (stern - low) * np.clip(1 - s / 0.45, 0, 1) ** 2 + (stem - low) * np.clip((s - 0.35) / 0.65, 0, 1) ** 2
-        deep, sternKeel, stemKeel = keel
-        self.keel = deep + (sternKeel - deep) * np.clip(1 - s / 0.35, 0, 1) ** 2 + (stemKeel - deep) * np.clip((s - 0.62) / 0.38, 0, 1) ** 2.2
-        self.fullness = fullness + (bow - fullness) * np.clip((s - 0.4) / 0.6, 0, 1)
-
-    def point(self, station, t, inset=0.0, lift=0.0):
-        """On the section, t from the keel (0) to the sheer (1), on the +z side; `inset` metres inside."""
-        k = np.asarray(station)
-        f, h = self.fullness[k], np.maximum(self.half[k] - inset, 0.0)
-        angle = t * np.pi / 2
-        breadth = np.sin(angle) ** (2 * (1 - f) + 0.10)
-        rise = 1 - np.cos(angle) ** (0.75 + 0.8 * f)
-        bottom = self.keel[k] + inset * 1.2 + lift
-        y = bottom + (self.sheer[k] - bottom) * rise
-        x = (self.s[k] - 0.5) * self.length
-        x = x + self.rake * self.length * np.clip((self.s[k] - 0.72) / 0.28, 0, 1) ** 1.5 * (rise - 0.4)
-        return np.stack(np.broadcast_arrays(x, y, h * breadth), -1)
-
-    def skin(self, ts, color, inset=0.0, inside=False, crease=shape.SMOOTH, first=0, last=None, lift=0.0):
-        """Both sides between the given t. `color` one, one a t, or one a station and t."""
-        k = np.arange(self.stations)[first:last]
-        p = self.point(k[:, None], np.asarray(ts)[None], inset, lift)
-        color = np.broadcast_to(color, p.shape)
-        starboard = shape.grid(p, color, None, crease, flip=inside)
-        port = shape.grid(p * [1, 1, -1], color, None, crease, flip=not inside)
-        return shape.join([starboard, port])
-
-    def rim(self, inset, color, first=0, last=None, rise=0.0):
-        """The flat between outer and inner skin along the sheer."""
-        k = np.arange(self.stations)[first:last]
-        outer, inner = self.point(k, 1.0), self.point(k, 1.0, inset)
-        p = np.stack([outer, inner], 1) + [0, rise, 0]
-        return shape.join([shape.grid(p, color, None, shape.SMOOTH),
-                           shape.grid(p * [1, 1, -1], color, None, shape.SMOOTH, flip=True)])
-
-    def stem(self, ts, color):
-        """Closes the narrow gap where the sides meet."""
-        return self.end(ts, color, -1, 0.0, 1)
-
-    def breadthAt(self, station, y, inset):
-        """Whole breadth between the inner sides at a height."""
-        side = self.point(station, np.linspace(0, 1, 25), inset)
-        return 2 * np.interp(y, side[:, 1], side[:, 2])
-
-    def deck(self, at, color, first=0, last=None, inset=0.0, camber=0.0, facing=1):
-        """A level floor across the hull where the skin passes t = `at`."""
-        k = np.arange(self.stations)[first:last]
-        edge = self.point(k, at, inset)
-        rows = []
-        for share in (-1, -0.5, 0, 0.5, 1):
-            arch = camber * (1 - share * share) * np.sin(np.pi * self.s[k]) ** 0.5
-            rows.append(edge * [1, 1, share] + arch[:, None] * [0, 1, 0])
-        return shape.grid(np.stack(rows, 1), color, None, 40, flip=facing > 0)
-
-    def end(self, ts, color, station=0, inset=0.0, facing=-1, lift=0.0):
-        """A flat bulkhead filling the section, `inset` forward of the station."""
-        p = self.point(station, np.asarray(ts), inset, lift) + [inset, 0, 0]
-        both = np.stack([p * [1, 1, -1], p], 0)
-        color = np.broadcast_to(color, both.shape)
-        return shape.grid(both, color, None, shape.FLAT, flip=facing > 0)
 
 
 def rowingBoat():
@@ -97,13 +24,21 @@ def rowingBoat():
             asset.add("paint" if i == 5 else "hull", shape.grid(p * m, color, None, 70, flip=side < 0))
             if side > 0:
                 both = np.stack([p * [1, 1, -1], p])
-                asset.add("paint" if i == 5 else "hull", shape.grid(both[:, -1], color, flip=True),
-                          shape.grid(both[:, 0], color * 0.9))
+                asset.add(
+                    "paint" if i == 5 else "hull",
+                    shape.grid(both[:, -1], color, flip=True),
+                    shape.grid(both[:, 0], color * 0.9),
+                )
             if i > 0:
                 asset.add("hull", shape.grid(lap * m, color * 0.45, None, shape.SMOOTH, flip=side < 0))
     ts = np.linspace(0, 1, 7)
     wood = inside * np.linspace(0.45, 1.0, 7)[:, None]
-    asset.add("paint", hull.skin(ts, wood, 0.045, True, lift=0.03), hull.rim(0.045, inside * 1.15), hull.end(ts, wood, 0, 0.045, 1, 0.03))
+    asset.add(
+        "paint",
+        hull.skin(ts, wood, 0.045, True, lift=0.03),
+        hull.rim(0.045, inside * 1.15),
+        hull.end(ts, wood, 0, 0.045, 1, 0.03),
+    )
     top = hull.point(0, 1.0)
     asset.add("paint", shape.box((0.09, 0.03, 2 * top[2]), top * [1, 1, 0] + [0.025, 0.004, 0], inside * 1.2))
     for a, b, h in ((2, 3, 0.20), (6, 7, 0.20), (10, 11, 0.24)):
@@ -120,14 +55,28 @@ def rowingBoat():
         asset.add("paint", shape.tube(rail * [1, 1, side] + [0, 0, 0.012 * side], 0.028, inside * 1.25, 5, True))
     for side in (1, -1):
         a, b = np.array([-1.35, 0.30, 0.22 * side]), np.array([1.2, 0.40, 0.26 * side])
-        asset.add("paint", shape.tube([a, b], [0.026, 0.022], rgb("#d9b98a"), 5), shape.between(a - [0.5, 0.012, 0.0], a + [0.06, 0, 0], (0.15, 0.02), rgb("#c8402f")))
+        asset.add(
+            "paint",
+            shape.tube([a, b], [0.026, 0.022], rgb("#d9b98a"), 5),
+            shape.between(a - [0.5, 0.012, 0.0], a + [0.06, 0, 0], (0.15, 0.02), rgb("#c8402f")),
+        )
     return asset
 
 
 def sailingBoat():
     """8.2 m, mast 10.5 m above the water, the sail furled on the boom."""
     asset = shape.Asset()
-    hull = Hull(8.2, 2.7, (0.78, 0.82, 1.12), (-0.42, -0.05, 0.05), transom=0.66, fullness=0.60, bow=0.34, stations=19, rake=0.10)
+    hull = Hull(
+        8.2,
+        2.7,
+        (0.78, 0.82, 1.12),
+        (-0.42, -0.05, 0.05),
+        transom=0.66,
+        fullness=0.60,
+        bow=0.34,
+        stations=19,
+        rake=0.10,
+    )
     white, navy, teak = rgb("#f3f1ea"), rgb("#1f3556"), rgb("#b58f60")
     bands = [(0.0, 0.52, rgb("#7a2a22")), (0.52, 0.60, white), (0.60, 0.92, navy), (0.92, 1.0, white)]
     for low, high, color in bands:
@@ -148,17 +97,39 @@ def sailingBoat():
             asset.add("glass", shape.move(pane, (x, deck + 0.25, 0.715 * side)))
     for side in (1, -1):
         asset.add("paint", shape.box((2.2, 0.26, 0.10), (-2.25, deck + 0.12, 0.72 * side), teak * 0.9, cuts=3))
-    asset.add("paint", shape.box((2.1, 0.02, 1.3), (-2.25, deck + 0.03, 0), rgb("#5b4630")),
-              shape.box((0.10, 0.28, 1.5), (-3.35, deck + 0.13, 0), teak * 0.9))
-    asset.add("paint", shape.tube([(-3.2, deck + 0.1, 0), (-3.1, deck + 0.45, 0), (-2.3, deck + 0.6, 0)], 0.03, teak, 5))
+    asset.add(
+        "paint",
+        shape.box((2.1, 0.02, 1.3), (-2.25, deck + 0.03, 0), rgb("#5b4630")),
+        shape.box((0.10, 0.28, 1.5), (-3.35, deck + 0.13, 0), teak * 0.9),
+    )
+    asset.add(
+        "paint", shape.tube([(-3.2, deck + 0.1, 0), (-3.1, deck + 0.45, 0), (-2.3, deck + 0.6, 0)], 0.03, teak, 5)
+    )
     spars(asset, deck)
-    for x, z in ((3.6, 0.2), (3.6, -0.2), (2.2, 0.78), (2.2, -0.78), (-0.2, 1.22), (-0.2, -1.22), (-3.2, 1.0), (-3.2, -1.0)):
+    for x, z in (
+        (3.6, 0.2),
+        (3.6, -0.2),
+        (2.2, 0.78),
+        (2.2, -0.78),
+        (-0.2, 1.22),
+        (-0.2, -1.22),
+        (-3.2, 1.0),
+        (-3.2, -1.0),
+    ):
         h = 1.0 if x > 3 else deck
         asset.add("paint", shape.tube([(x, h, z), (x, h + 0.62, z)], 0.016, rgb("#d8dadc"), 4))
     for side in (1, -1):
         line = [(3.6, 1.6, 0.2 * side), (2.2, 1.5, 0.78 * side), (-0.2, 1.45, 1.22 * side), (-3.2, 1.45, 1.0 * side)]
         asset.add("paint", shape.tube(line, 0.010, rgb("#d8dadc"), 3, False))
-    asset.add("paint", shape.tube([(3.6, 1.6, 0.2), (4.25, 1.72, 0.12), (4.35, 1.72, 0), (4.25, 1.72, -0.12), (3.6, 1.6, -0.2)], 0.018, rgb("#d8dadc"), 4))
+    asset.add(
+        "paint",
+        shape.tube(
+            [(3.6, 1.6, 0.2), (4.25, 1.72, 0.12), (4.35, 1.72, 0), (4.25, 1.72, -0.12), (3.6, 1.6, -0.2)],
+            0.018,
+            rgb("#d8dadc"),
+            4,
+        ),
+    )
     asset.add("paint", shape.box((0.5, 0.9, 0.05), (-4.14, 0.05, 0), navy))
     return asset
 
@@ -177,13 +148,24 @@ def spars(asset, deck):
     asset.add("paint", shape.tube(sail, girth, rgb("#f4efe0") * folds, 8))
     for side in (1, -1):
         asset.add("paint", shape.tube([(0.85, 6.1, 0), (0.7, 6.15, 0.75 * side)], 0.022, metal, 4))
-        asset.add("paint", shape.tube([top - [0, 0.15, 0], (0.7, 6.15, 0.75 * side), (0.6, deck, 1.22 * side)], 0.010, rope, 3, False))
+        asset.add(
+            "paint",
+            shape.tube([top - [0, 0.15, 0], (0.7, 6.15, 0.75 * side), (0.6, deck, 1.22 * side)], 0.010, rope, 3, False),
+        )
         asset.add("paint", shape.tube([(0.86, 6.0, 0), (1.0, deck, 1.15 * side)], 0.010, rope, 3, False))
     asset.add("paint", shape.tube([top - [0, 0.1, 0], (-4.0, deck, 0)], 0.010, rope, 3, False))
     stem = np.array([4.3, 1.15, 0])
     head = np.array([0.9, 9.6, 0])
     jib = stem + (head - stem) * np.linspace(0.05, 0.97, 10)[:, None]
-    asset.add("paint", shape.tube(jib, 0.075 * np.sin(np.linspace(0.6, 2.9, 10)) + 0.01, rgb("#efe9d8") * np.where(np.arange(10) % 2, 0.8, 1.0)[:, None], 6))
+    asset.add(
+        "paint",
+        shape.tube(
+            jib,
+            0.075 * np.sin(np.linspace(0.6, 2.9, 10)) + 0.01,
+            rgb("#efe9d8") * np.where(np.arange(10) % 2, 0.8, 1.0)[:, None],
+            6,
+        ),
+    )
     asset.add("paint", shape.tube([stem, head], 0.010, rope, 3, False))
     flag = np.zeros((7, 2, 3))
     x = np.linspace(0, 0.75, 7)
@@ -197,7 +179,17 @@ def spars(asset, deck):
 def fishingBoat():
     """8.6 m, with a wheelhouse aft of the middle, a mast with a derrick, nets and crates."""
     asset = shape.Asset()
-    hull = Hull(8.6, 3.1, (0.86, 1.0, 1.65), (-0.62, -0.30, -0.05), transom=0.72, fullness=0.64, bow=0.44, stations=19, rake=0.07)
+    hull = Hull(
+        8.6,
+        3.1,
+        (0.86, 1.0, 1.65),
+        (-0.62, -0.30, -0.05),
+        transom=0.72,
+        fullness=0.64,
+        bow=0.44,
+        stations=19,
+        rake=0.07,
+    )
     green, white, red, wood = rgb("#2c7f78"), rgb("#f0ece0"), rgb("#8d2f25"), rgb("#a4855f")
     for low, high, color in [(0.0, 0.53, red), (0.53, 0.585, white), (0.585, 0.88, green), (0.88, 1.0, white)]:
         ts = np.linspace(low, high, 5 if high - low > 0.2 else 2)
@@ -219,10 +211,21 @@ def fishingBoat():
     house.add("gloss", shape.box((2.1, 0.85, 1.9), (0, 1.52, 0), white, top=(0.90, 0.92)))
     house.add("gloss", shape.box((2.5, 0.10, 2.15), (0.05, 2.0, 0), green))
     for z in (-0.58, 0, 0.58):
-        house.add("glass", shape.move(shape.turn(shape.box((0.05, 0.55, 0.48), color=rgb("#2a3843")), shape.about("z", 7.5)), (1.01, 1.52, z)))
+        house.add(
+            "glass",
+            shape.move(
+                shape.turn(shape.box((0.05, 0.55, 0.48), color=rgb("#2a3843")), shape.about("z", 7.5)), (1.01, 1.52, z)
+            ),
+        )
     for side in (1, -1):
         for x in (-0.45, 0.4):
-            house.add("glass", shape.move(shape.turn(shape.box((0.62, 0.5, 0.05), color=rgb("#2a3843")), shape.about("x", -5 * side)), (x, 1.54, 0.92 * side)))
+            house.add(
+                "glass",
+                shape.move(
+                    shape.turn(shape.box((0.62, 0.5, 0.05), color=rgb("#2a3843")), shape.about("x", -5 * side)),
+                    (x, 1.54, 0.92 * side),
+                ),
+            )
     house.add("boards", shape.box((0.06, 1.65, 0.7), (-1.05, 0.9, 0.3), wood, 0.6))
     asset.include(house, lambda s: shape.move(s, (-1.2, y, 0)))
     asset.add("paint", shape.tube([(-1.9, y + 2.0, 0.5), (-1.9, y + 2.9, 0.5)], 0.09, rgb("#3a3a3a"), 7))
@@ -230,14 +233,23 @@ def fishingBoat():
     asset.add("paint", shape.tube([mast, mast + [0, 5.0, 0]], [0.085, 0.05], wood * 1.1, 7))
     asset.add("paint", shape.tube([mast + [0.05, 1.0, 0], mast + [2.6, 3.3, 0]], [0.06, 0.04], wood * 1.1, 6))
     line = rgb("#55524c")
-    for a, b in (((0.55, 5.3, 0), (3.15, 3.75, 0)), ((0.55, 5.3, 0), (4.2, 1.65, 0)), ((0.55, 5.3, 0), (-4.1, 1.0, 0)),
-                 ((0.55, 4.9, 0), (0.2, 0.95, 1.45)), ((0.55, 4.9, 0), (0.2, 0.95, -1.45)), ((3.15, 3.75, 0), (3.15, 1.4, 0))):
+    for a, b in (
+        ((0.55, 5.3, 0), (3.15, 3.75, 0)),
+        ((0.55, 5.3, 0), (4.2, 1.65, 0)),
+        ((0.55, 5.3, 0), (-4.1, 1.0, 0)),
+        ((0.55, 4.9, 0), (0.2, 0.95, 1.45)),
+        ((0.55, 4.9, 0), (0.2, 0.95, -1.45)),
+        ((3.15, 3.75, 0), (3.15, 1.4, 0)),
+    ):
         asset.add("paint", shape.tube([a, b], 0.013, line, 3, False))
     asset.add("paint", shape.tube([(1.7, 0.85, -0.7), (1.7, 0.85, 0.7)], [0.33, 0.33], rgb("#5d7a52"), 10))
     for z in (-0.75, 0.75):
         asset.add("paint", shape.tube([(1.7, 0.85, z), (1.7, 0.85, z * 1.08)], 0.45, rgb("#3b4a4f"), 10))
     for z in (-1, 1):
-        asset.add("paint", shape.tube([(3.2, 1.3, 0.75 * z), (3.2, 1.95, 0.72 * z), (4.35, 2.35, 0.05 * z)], 0.02, rgb("#d8dadc"), 4))
+        asset.add(
+            "paint",
+            shape.tube([(3.2, 1.3, 0.75 * z), (3.2, 1.95, 0.72 * z), (4.35, 2.35, 0.05 * z)], 0.02, rgb("#d8dadc"), 4),
+        )
     asset.add("paint", shape.box((0.5, 1.0, 0.08), (-4.35, -0.1, 0), red * 0.8))
     return asset
 

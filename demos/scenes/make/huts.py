@@ -5,19 +5,34 @@ import numpy as np
 from . import shape
 from .shape import rgb
 
-STEPS = 5   # rows of vertices up a wall: enough for the shade under the eaves
+STEPS = 5  # rows of vertices up a wall: enough for the shade under the eaves
 
 
-def hut(size, wall, trim="#f2efe6", roof="#8a4b38", door="#3d5a4a", tall=2.4, pitch=0.85, windows=((-0.3, "front"), (0.3, "front")),
-        doorAt=0.0, doorSide="front", chimney=False):
+def hut(
+    size,
+    wall,
+    trim="#f2efe6",
+    roof="#8a4b38",
+    door="#3d5a4a",
+    tall=2.4,
+    pitch=0.85,
+    windows=((-0.3, "front"), (0.3, "front")),
+    doorAt=0.0,
+    doorSide="front",
+    chimney=False,
+):
     """`size` along x and z. Windows and door: share of the side's length from its middle, and the side. Gives the hut,
     and (position, yaw in degrees) of each window, for window() to be placed there."""
     asset = shape.Asset()
     w, d = size
     wall, trim = rgb(wall), rgb(trim)
     ridge = tall + d / 2 * pitch
-    for side, (a, b) in {"front": ((-w / 2, d / 2), (w / 2, d / 2)), "back": ((w / 2, -d / 2), (-w / 2, -d / 2)),
-                         "right": ((w / 2, d / 2), (w / 2, -d / 2)), "left": ((-w / 2, -d / 2), (-w / 2, d / 2))}.items():
+    for side, (a, b) in {
+        "front": ((-w / 2, d / 2), (w / 2, d / 2)),
+        "back": ((w / 2, -d / 2), (-w / 2, -d / 2)),
+        "right": ((w / 2, d / 2), (w / 2, -d / 2)),
+        "left": ((-w / 2, -d / 2), (-w / 2, d / 2)),
+    }.items():
         gable = side in ("left", "right")
         asset.add("boards", wallOf(np.array(a), np.array(b), tall, ridge if gable else tall, wall))
     for x in (-w / 2, w / 2):
@@ -84,7 +99,9 @@ def window(trim):
         asset.add("paint", shape.box((1.02, 0.10, 0.09), (0, y, 0.03), trim))
     for x in (-0.45, 0.45):
         asset.add("paint", shape.box((0.12, 0.92, 0.08), (x, 0, 0.03), trim))
-    asset.add("paint", shape.box((0.05, 0.92, 0.07), (0, 0, 0.02), trim), shape.box((0.78, 0.05, 0.07), (0, 0.08, 0.02), trim))
+    asset.add(
+        "paint", shape.box((0.05, 0.92, 0.07), (0, 0, 0.02), trim), shape.box((0.78, 0.05, 0.07), (0, 0.08, 0.02), trim)
+    )
     return asset
 
 

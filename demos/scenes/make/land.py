@@ -18,7 +18,7 @@ def waves(x, z, seed, size, octaves=4):
     for octave in range(octaves):
         for _ in range(4):
             a, phase = rng.uniform(0, 2 * np.pi, 2)
-            k = 2 * np.pi / size * 2 ** octave * rng.uniform(0.7, 1.3)
+            k = 2 * np.pi / size * 2**octave * rng.uniform(0.7, 1.3)
             warp = 0.6 * np.sin((x * np.sin(a * 3) + z * np.cos(a * 3)) * k * 0.6 + phase * 2)
             total = total + amplitude * np.sin((x * np.cos(a) + z * np.sin(a)) * k + phase + warp)
         norm += amplitude * 2
@@ -52,7 +52,7 @@ def mainland(x, z):
 
 def shoal(x, z):
     """Sand in front of the eye, so that the bed is seen."""
-    return 3.0 * np.exp(-((x - 3) ** 2 + (z - 17) ** 2) / 11 ** 2)
+    return 3.0 * np.exp(-((x - 3) ** 2 + (z - 17) ** 2) / 11**2)
 
 
 def island(x, z):
@@ -62,7 +62,8 @@ def island(x, z):
     rise = np.clip(1 - r, -1.2, 1)
     beach = np.where(rise > 0, 9.5 * smooth(0.0, 0.85, rise) + 2.2 * np.clip(rise / 0.12, 0, 1), rise * 34)
     knoll = 6.5 * np.exp(-(((x - 48) / 26) ** 2 + ((z + 190) / 20) ** 2)) + 3.5 * np.exp(
-        -(((x + 14) / 22) ** 2 + ((z + 182) / 16) ** 2))
+        -(((x + 14) / 22) ** 2 + ((z + 182) / 16) ** 2)
+    )
     return beach + (knoll + 1.3 * waves(x, z, 8, 34)) * np.clip(rise * 5, 0, 1)
 
 
@@ -79,7 +80,7 @@ def skerry(x, z):
 def shore(x, z):
     """Mainland and sea bed."""
     bed = np.maximum(mainland(x, z), DEEPEST)
-    bed = np.maximum(bed, np.minimum(bed + shoal(x, z), -1.25))
+    bed = np.maximum(bed, np.minimum(bed + shoal(x, z), -0.95))
     rippled = np.minimum(bed + 0.07 * waves(x, z, 21, 6, 3), np.maximum(bed, -0.05))
     return np.where(x < coast(z), rippled, bed)
 
@@ -92,8 +93,9 @@ def height(x, z):
 
 # --- colour ----------------------------------------------------------------------------------------------------------
 
-SAND, WET, SILT, GRASS, MEADOW, DRY, ROCK, WEED = (rgb(c) for c in (
-    "#d8c49a", "#a08a62", "#93906c", "#566d35", "#70823f", "#9c9257", "#8b857c", "#4b5230"))
+SAND, WET, SILT, GRASS, MEADOW, DRY, ROCK, WEED = (
+    rgb(c) for c in ("#d8c49a", "#a08a62", "#93906c", "#566d35", "#70823f", "#9c9257", "#8b857c", "#4b5230")
+)
 
 
 def mix(a, b, t):
@@ -124,14 +126,34 @@ def patchOver(xs, zs, surface, paint):
 
 def spaced(*runs):
     """Joined runs of (from, to, step)."""
-    return np.unique(np.round(np.concatenate([np.linspace(a, b, max(2, round((b - a) / s) + 1)) for a, b, s in runs]), 3))
+    return np.unique(
+        np.round(np.concatenate([np.linspace(a, b, max(2, round((b - a) / s) + 1)) for a, b, s in runs]), 3)
+    )
 
 
 def near():
-    xs = spaced((-900, -300, 300), (-300, -90, 70), (-90, -30, 15), (-30, -12, 4.5), (-12, 12.4, 1.8), (12.4, 14.2, 0.6),
-                (14.2, 26, 2.3), (26, 60, 5.5), (60, 180, 20))
-    zs = spaced((-620, -300, 160), (-300, -140, 40), (-140, -50, 12), (-50, -20, 5), (-20, -6, 2.4), (-6, 24, 1.9),
-                (24, 40, 4), (40, 100, 15), (100, 400, 150))
+    xs = spaced(
+        (-900, -300, 300),
+        (-300, -90, 70),
+        (-90, -30, 15),
+        (-30, -12, 4.5),
+        (-12, 12.4, 1.8),
+        (12.4, 14.2, 0.6),
+        (14.2, 26, 2.3),
+        (26, 60, 5.5),
+        (60, 180, 20),
+    )
+    zs = spaced(
+        (-620, -300, 160),
+        (-300, -140, 40),
+        (-140, -50, 12),
+        (-50, -20, 5),
+        (-20, -6, 2.4),
+        (-6, 24, 1.9),
+        (24, 40, 4),
+        (40, 100, 15),
+        (100, 400, 150),
+    )
 
     def sunk(x, z):
         """Down at the far rim, so that the bed has no end to be seen."""
@@ -162,13 +184,20 @@ def skerryPatch():
 def hills():
     """Far ridges along part of the horizon, paler the farther: air is in their colour."""
     parts = []
-    ridges = ((620, 196, 238, 34, "#72897f", 61), (1050, 190, 252, 72, "#7d93a0", 62), (1500, 226, 262, 95, "#9fb1c2", 63),
-              (760, 298, 345, 62, "#748b84", 64), (1350, 286, 352, 120, "#93a7b8", 65))
+    ridges = (
+        (620, 196, 238, 34, "#72897f", 61),
+        (1050, 190, 252, 72, "#7d93a0", 62),
+        (1500, 226, 262, 95, "#9fb1c2", 63),
+        (760, 298, 345, 62, "#748b84", 64),
+        (1350, 286, 352, 120, "#93a7b8", 65),
+    )
     for radius, start, stop, top, color, seed in ridges:
         a = np.linspace(start, stop, 38)
         s = (a - start) / (stop - start)
         end = np.sin(np.pi * s) ** 1.3
-        rise = end * top * (0.55 + 0.40 * waves(a * 3, a * 0, seed, 60, 5) + 0.10 * waves(a * 9, a * 0, seed + 9, 30, 3))
+        rise = (
+            end * top * (0.55 + 0.40 * waves(a * 3, a * 0, seed, 60, 5) + 0.10 * waves(a * 9, a * 0, seed + 9, 30, 3))
+        )
         rise = np.maximum(rise, 0) + 0.5
         rows = []
         for share, back in ((-0.2, 0.0), (0.4, 0.03), (0.8, 0.09), (1.0, 0.13)):

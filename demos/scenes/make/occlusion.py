@@ -7,7 +7,7 @@ def spherePoints(count):
     """Fibonacci lattice."""
     i = np.arange(count) + 0.5
     y = 1 - 2 * i / count
-    a = np.pi * (1 + 5 ** 0.5) * i
+    a = np.pi * (1 + 5**0.5) * i
     r = np.sqrt(1 - y * y)
     return np.stack([r * np.cos(a), y, r * np.sin(a)], 1)
 
@@ -16,7 +16,7 @@ def scatter(p, t, spacing, rng):
     """Points over triangles, about one a spacing squared, and at least a few on each."""
     a, b, c = p[t[:, 0]], p[t[:, 1]], p[t[:, 2]]
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
-    count = np.ceil(area / spacing ** 2).astype(int) + 1
+    count = np.ceil(area / spacing**2).astype(int) + 1
     which = np.repeat(np.arange(len(t)), count)
     u, v = rng.random(len(which)), rng.random(len(which))
     fold = u + v > 1
@@ -56,6 +56,6 @@ def bake(asset, cell=0.08, depth=0.75, count=72):
     """Darkens the asset's colours; `depth` 0 leaves them."""
     joined = asset.joined()
     for surface, value in zip(joined.values(), openness(list(joined.values()), cell, count)):
-        surface.c *= (1 - depth + depth * value ** 0.9)[:, None]
+        surface.c *= (1 - depth + depth * value**0.9)[:, None]
     asset.parts = {material: [surface] for material, surface in joined.items()}
     return asset

@@ -4,7 +4,7 @@ import numpy as np
 from . import shape
 from .shape import rgb
 
-DECK = 1.25   # top of the planks
+DECK = 1.25  # top of the planks
 
 
 def plank(seed, length):
@@ -47,7 +47,11 @@ def railing(a, b, seed, tall=1.0):
         p = a + (b - a) * k / count
         parts.append(shape.between(p - [0, 0.2, 0], p + [0, tall, 0], (0.09, 0.09), color * rng.uniform(0.85, 1.05)))
     for y in (tall * 0.52, tall):
-        parts.append(shape.between(a + [0, y, 0], b + [0, y, 0], (0.12 if y == tall else 0.05, 0.045 if y == tall else 0.11), color))
+        parts.append(
+            shape.between(
+                a + [0, y, 0], b + [0, y, 0], (0.12 if y == tall else 0.05, 0.045 if y == tall else 0.11), color
+            )
+        )
     return shape.join(parts)
 
 
@@ -56,20 +60,43 @@ def ladder(at, side, depth=-0.9):
     at, side = np.asarray(at, float), np.asarray(side, float)
     across = np.cross([0, 1, 0], side)
     color = rgb("#6f5c48")
-    parts = [shape.between(at + across * s + side * 0.08 + [0, depth, 0], at + across * s + side * 0.08 + [0, 0.55, 0], (0.07, 0.07), color, 0.55)
-             for s in (-0.23, 0.23)]
+    parts = [
+        shape.between(
+            at + across * s + side * 0.08 + [0, depth, 0],
+            at + across * s + side * 0.08 + [0, 0.55, 0],
+            (0.07, 0.07),
+            color,
+            0.55,
+        )
+        for s in (-0.23, 0.23)
+    ]
     for y in np.arange(depth + 0.15, 0, 0.3):
-        parts.append(shape.between(at - across * 0.23 + side * 0.08 + [0, y, 0], at + across * 0.23 + side * 0.08 + [0, y, 0], (0.05, 0.05), color * 0.9, 0.55))
+        parts.append(
+            shape.between(
+                at - across * 0.23 + side * 0.08 + [0, y, 0],
+                at + across * 0.23 + side * 0.08 + [0, y, 0],
+                (0.05, 0.05),
+                color * 0.9,
+                0.55,
+            )
+        )
     return shape.join(parts)
 
 
 def bollard():
-    return shape.lathe([(0.15, 0), (0.12, 0.06), (0.10, 0.30), (0.17, 0.36), (0.17, 0.43), (0.10, 0.47), (0, 0.48)], 10, rgb("#2c2f33"), shape.ROUNDED)
+    return shape.lathe(
+        [(0.15, 0), (0.12, 0.06), (0.10, 0.30), (0.17, 0.36), (0.17, 0.43), (0.10, 0.47), (0, 0.48)],
+        10,
+        rgb("#2c2f33"),
+        shape.ROUNDED,
+    )
 
 
 def lamp():
     """A post with a lantern."""
     iron = rgb("#2f3a36")
-    return [shape.lathe([(0.09, 0), (0.06, 0.25), (0.04, 0.3), (0.035, 2.7)], 8, iron, shape.ROUNDED),
-            shape.box((0.20, 0.28, 0.20), (0, 2.86, 0), rgb("#ffe9b8"), top=(1.25, 1.25)),
-            shape.lathe([(0.19, 2.99), (0.17, 3.03), (0.03, 3.14), (0, 3.2)], 8, iron, shape.FLAT)]
+    return [
+        shape.lathe([(0.09, 0), (0.06, 0.25), (0.04, 0.3), (0.035, 2.7)], 8, iron, shape.ROUNDED),
+        shape.box((0.20, 0.28, 0.20), (0, 2.86, 0), rgb("#ffe9b8"), top=(1.25, 1.25)),
+        shape.lathe([(0.19, 2.99), (0.17, 3.03), (0.03, 3.14), (0, 3.2)], 8, iron, shape.FLAT),
+    ]

@@ -7,20 +7,20 @@ from typing import Optional
 
 import numpy as np
 
-SMOOTH, ROUNDED, FLAT = 180.0, 50.0, 0.0   # crease angles
+SMOOTH, ROUNDED, FLAT = 180.0, 50.0, 0.0  # crease angles
 
 
 @dataclass
 class Surface:
-    p: np.ndarray                     # [n,3] positions
-    n: np.ndarray                     # [n,3] normals
-    c: np.ndarray                     # [n,3] colours
-    t: np.ndarray                     # [m,3] triangles
-    uv: Optional[np.ndarray] = None   # [n,2]
+    p: np.ndarray  # [n,3] positions
+    n: np.ndarray  # [n,3] normals
+    c: np.ndarray  # [n,3] colours
+    t: np.ndarray  # [m,3] triangles
+    uv: Optional[np.ndarray] = None  # [n,2]
 
 
 def rgb(text):
-    value = np.array([int(text[i:i + 2], 16) for i in (1, 3, 5)]) / 255
+    value = np.array([int(text[i : i + 2], 16) for i in (1, 3, 5)]) / 255
     return np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
 
 
@@ -82,7 +82,9 @@ def grid(points, color, uv=None, crease=SMOOTH, flip=False):
     index = np.concatenate([first, second])
     if flip:
         index = index[:, ::-1]
-    return fromTriangles(flat[index], color[index], None if uv is None else np.asarray(uv).reshape(-1, 2)[index], crease)
+    return fromTriangles(
+        flat[index], color[index], None if uv is None else np.asarray(uv).reshape(-1, 2)[index], crease
+    )
 
 
 def box(size, center=(0, 0, 0), color=(1, 1, 1), texture=None, top=None, cuts=1):
@@ -117,8 +119,9 @@ def lathe(profile, segments, color, crease=ROUNDED, uv=None):
     """Turns a profile of (radius, height), from bottom to top, about +Y. `color` one, or one a ring."""
     profile = np.asarray(profile, float)
     angle = np.linspace(0, 2 * np.pi, segments + 1)
-    p = np.stack([profile[:, :1] * np.cos(angle), np.repeat(profile[:, 1:], segments + 1, 1),
-                  profile[:, :1] * np.sin(angle)], -1)
+    p = np.stack(
+        [profile[:, :1] * np.cos(angle), np.repeat(profile[:, 1:], segments + 1, 1), profile[:, :1] * np.sin(angle)], -1
+    )
     p[:, -1] = p[:, 0]
     color = np.broadcast_to(color, (len(profile), 3))[:, None] * np.ones((1, segments + 1, 1))
     if uv is not None:
@@ -157,8 +160,14 @@ def torus(radius, thickness, color, segments=14, sides=6):
     a = np.linspace(0, 2 * np.pi, segments + 1)
     b = np.linspace(0, 2 * np.pi, sides + 1)
     reach = radius + thickness * np.cos(b)[None]
-    p = np.stack([reach * np.cos(a)[:, None], np.broadcast_to(thickness * np.sin(b), (segments + 1, sides + 1)),
-                  reach * np.sin(a)[:, None]], -1)
+    p = np.stack(
+        [
+            reach * np.cos(a)[:, None],
+            np.broadcast_to(thickness * np.sin(b), (segments + 1, sides + 1)),
+            reach * np.sin(a)[:, None],
+        ],
+        -1,
+    )
     color = np.asarray(color, float)
     if color.ndim == 2:
         color = np.concatenate([color, color[:1]])[:, None]
@@ -167,14 +176,21 @@ def torus(radius, thickness, color, segments=14, sides=6):
 
 # --- putting together ------------------------------------------------------------------------------------------------
 
+
 def join(parts):
     parts = list(parts)
     start = np.concatenate([[0], np.cumsum([len(s.p) for s in parts])])
     textured = any(s.uv is not None for s in parts)
-    uv = np.concatenate([s.uv if s.uv is not None else np.full((len(s.p), 2), 0.5) for s in parts]) if textured else None
-    return Surface(np.concatenate([s.p for s in parts]), np.concatenate([s.n for s in parts]),
-                   np.concatenate([s.c for s in parts]),
-                   np.concatenate([s.t + o for s, o in zip(parts, start)]), uv)
+    uv = (
+        np.concatenate([s.uv if s.uv is not None else np.full((len(s.p), 2), 0.5) for s in parts]) if textured else None
+    )
+    return Surface(
+        np.concatenate([s.p for s in parts]),
+        np.concatenate([s.n for s in parts]),
+        np.concatenate([s.c for s in parts]),
+        np.concatenate([s.t + o for s, o in zip(parts, start)]),
+        uv,
+    )
 
 
 def move(s, by):
@@ -197,12 +213,6 @@ def about(axis, degrees):
     if axis == "y":
         return np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
     return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
-
-
-def stretch(s, by):
-    by = np.broadcast_to(by, 3).astype(float)
-    n = s.n / by
-    return Surface(s.p * by, n / np.linalg.norm(n, axis=1, keepdims=True), s.c, s.t if by.prod() > 0 else s.t[:, ::-1], s.uv)
 
 
 def between(a, b, size, color, texture=None):

@@ -9,8 +9,9 @@ def png(image, levels=20):
     """Grey [h,w] 0..1, in few enough levels to compress well."""
     value = np.round(np.clip(image, 0, 1) * (levels - 1)) / (levels - 1) * 255
     rows = value.astype(np.uint8)
-    raw = b"".join(b"\2" + (rows[y].astype(int) - (rows[y - 1] if y else 0)).astype(np.uint8).tobytes()
-                   for y in range(len(rows)))
+    raw = b"".join(
+        b"\2" + (rows[y].astype(int) - (rows[y - 1] if y else 0)).astype(np.uint8).tobytes() for y in range(len(rows))
+    )
     plain = b"".join(b"\0" + row.tobytes() for row in rows)
     packed = min((zlib.compress(r, 9) for r in (raw, plain)), key=len)
 
@@ -30,8 +31,9 @@ def noise(size, cells, seed):
     y0, x0 = y.astype(int), x.astype(int)
     fy, fx = fade(y - y0)[:, None], fade(x - x0)[None]
     y1, x1 = (y0 + 1) % down, (x0 + 1) % across
-    return ((lattice[np.ix_(y0, x0)] * (1 - fx) + lattice[np.ix_(y0, x1)] * fx) * (1 - fy)
-            + (lattice[np.ix_(y1, x0)] * (1 - fx) + lattice[np.ix_(y1, x1)] * fx) * fy)
+    return (lattice[np.ix_(y0, x0)] * (1 - fx) + lattice[np.ix_(y0, x1)] * fx) * (1 - fy) + (
+        lattice[np.ix_(y1, x0)] * (1 - fx) + lattice[np.ix_(y1, x1)] * fx
+    ) * fy
 
 
 def wood(size=128):
@@ -46,25 +48,28 @@ def boards(size=128, count=6):
     x = (np.arange(size) * count / size) % 1
     joint = np.minimum(x, 1 - x)
     tint = np.random.default_rng(11).random(count)[(np.arange(size) * count // size)]
-    return np.clip(wood(size) * 0.55 + 0.42 + 0.12 * (tint - 0.5)[None], 0, 1) * (0.45 + 0.55 * np.clip(joint / 0.07, 0, 1))[None]
+    return (
+        np.clip(wood(size) * 0.55 + 0.42 + 0.12 * (tint - 0.5)[None], 0, 1)
+        * (0.45 + 0.55 * np.clip(joint / 0.07, 0, 1))[None]
+    )
 
 
 def rock(size=128):
     """Grain with a few faint cracks."""
-    n = sum(0.66 ** i * (noise(size, 5 << i, 20 + i) - 0.5) for i in range(5))
+    n = sum(0.66**i * (noise(size, 5 << i, 20 + i) - 0.5) for i in range(5))
     warped = 0.5 * noise(size, 5, 30) + 0.3 * noise(size, 11, 31) + 0.2 * noise(size, 23, 32)
     crack = np.clip(1 - np.abs(warped - 0.5) / 0.018, 0, 1)
     return np.clip(0.78 + 0.42 * n - 0.16 * crack, 0, 1)
 
 
 def plaster(size=128):
-    n = sum(0.8 ** i * (noise(size, 6 << i, 60 + i) - 0.5) for i in range(4))
+    n = sum(0.8**i * (noise(size, 6 << i, 60 + i) - 0.5) for i in range(4))
     return np.clip(0.93 + 0.10 * n, 0, 1)
 
 
 def ground(size=128):
     """Sand, gravel and turf from far enough away."""
-    n = sum(0.85 ** i * (noise(size, 9 << i, 40 + i) - 0.5) for i in range(4))
+    n = sum(0.85**i * (noise(size, 9 << i, 40 + i) - 0.5) for i in range(4))
     return np.clip(0.8 + 0.34 * n, 0, 1)
 
 

@@ -10,7 +10,7 @@ def conifer(seed, tall=9.0):
     """A spruce: whorls of drooping fronds down a trunk."""
     rng = np.random.default_rng(seed)
     dark, light = rgb("#22381f"), rgb("#4d6b35")
-    corners, colors, normals = [], [], []
+    corners, colors = [], []
     whorls = 13
     for k in range(whorls):
         s = k / (whorls - 1)
@@ -31,10 +31,17 @@ def conifer(seed, tall=9.0):
             inner, outer = dark * 0.42 * tone, (dark + (light - dark) * (0.25 + 0.6 * s)) * tone
             ridge = (inner + outer) / 2
             corners += [[root, left, middle], [root, middle, right], [left, tip, middle], [middle, tip, right]]
-            colors += [[inner, outer, ridge], [inner, ridge, outer], [outer, outer * 1.25, ridge], [ridge, outer * 1.25, outer]]
+            colors += [
+                [inner, outer, ridge],
+                [inner, ridge, outer],
+                [outer, outer * 1.25, ridge],
+                [ridge, outer * 1.25, outer],
+            ]
     leaves = shape.fromTriangles(np.array(corners)[:, ::-1], np.clip(np.array(colors), 0, 1)[:, ::-1], None, shape.FLAT)
     leaves = merged(leaves, np.array([0, tall * 0.25, 0]), 0.6)
-    trunk = shape.lathe([(0.17, -0.4), (0.14, tall * 0.3), (0.02, tall * 0.97)], 5, [rgb("#4a3a2c") * 0.8] * 2 + [dark], shape.SMOOTH)
+    trunk = shape.lathe(
+        [(0.17, -0.4), (0.14, tall * 0.3), (0.02, tall * 0.97)], 5, [rgb("#4a3a2c") * 0.8] * 2 + [dark], shape.SMOOTH
+    )
     return shape.Asset().add("leaves", leaves).add("paint", trunk)
 
 
@@ -45,8 +52,12 @@ def broadleaf(seed, tall=7.5, light="#7f9a3f", dark="#2c4420"):
     masses = [(np.array([0, tall * 0.64, 0]), tall * 0.28)]
     for k in range(5):
         a = 2 * np.pi * k / 5 + rng.uniform(-0.4, 0.4)
-        masses.append((np.array([np.cos(a) * tall * 0.19, tall * rng.uniform(0.36, 0.66), np.sin(a) * tall * 0.19]),
-                       tall * rng.uniform(0.17, 0.23)))
+        masses.append(
+            (
+                np.array([np.cos(a) * tall * 0.19, tall * rng.uniform(0.36, 0.66), np.sin(a) * tall * 0.19]),
+                tall * rng.uniform(0.17, 0.23),
+            )
+        )
     center = np.array([0, tall * 0.55, 0])
     sphere, t = icosphere(1)
     parts, corners, colors = [], [], []
@@ -54,7 +65,7 @@ def broadleaf(seed, tall=7.5, light="#7f9a3f", dark="#2c4420"):
 
     def shade(p, tone=1.0):
         s = np.clip((p[..., 1:2] - low) / (high - low), 0, 1)
-        return np.clip((dark * 0.55 + (light - dark * 0.55) * s ** 1.15) * tone, 0, 1)
+        return np.clip((dark * 0.55 + (light - dark * 0.55) * s**1.15) * tone, 0, 1)
 
     for middle, r in masses:
         p = middle + sphere * r * (1 + rng.normal(scale=0.07, size=(len(sphere), 1))) * [1, 0.86, 1]
@@ -71,8 +82,10 @@ def broadleaf(seed, tall=7.5, light="#7f9a3f", dark="#2c4420"):
             side = np.cross(v, rng.normal(size=3))
             side /= np.linalg.norm(side)
             other = np.cross(v, side)
-            ring = [at + (side * np.cos(b) + other * np.sin(b)) * size * rng.uniform(0.7, 1.3) - v * size * 0.25
-                    for b in np.arange(4) * np.pi / 2]
+            ring = [
+                at + (side * np.cos(b) + other * np.sin(b)) * size * rng.uniform(0.7, 1.3) - v * size * 0.25
+                for b in np.arange(4) * np.pi / 2
+            ]
             top = at + v * size * 0.25
             tone = rng.uniform(0.82, 1.25)
             for i in range(4):
@@ -82,7 +95,13 @@ def broadleaf(seed, tall=7.5, light="#7f9a3f", dark="#2c4420"):
     tufts = shape.fromTriangles(np.array(corners), np.array(colors), None, shape.FLAT)
     leaves = merged(shape.join(parts + [tufts]), center, 0.75)
     bark = rgb("#6b6258")
-    trunk = shape.tube([(0, -0.4, 0), (0.05, tall * 0.25, 0.03), (0, tall * 0.5, 0)], [0.19, 0.13, 0.07], [bark, bark * 0.7, bark * 0.4], 6, False)
+    trunk = shape.tube(
+        [(0, -0.4, 0), (0.05, tall * 0.25, 0.03), (0, tall * 0.5, 0)],
+        [0.19, 0.13, 0.07],
+        [bark, bark * 0.7, bark * 0.4],
+        6,
+        False,
+    )
     return shape.Asset().add("leaves", leaves).add("paint", trunk)
 
 
