@@ -181,8 +181,8 @@ class Reader {
         return true;
     }
 
+    /// Every range is finite, so that NaN and infinity are in none.
     static bool inRange(const Field& field, double value) {
-        if (!std::isfinite(value)) return false;
         if (field.rule == Rule::zeroOrRange && value == 0) return true;
         if (field.rule == Rule::positive && value == field.least) return false;
         return field.least <= value && value <= field.most;
