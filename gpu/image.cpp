@@ -8,6 +8,7 @@ OwnedImage& OwnedImage::operator=(OwnedImage&& other) noexcept {
     device_ = std::exchange(other.device_, nullptr);
     image_ = std::exchange(other.image_, VK_NULL_HANDLE);
     view_ = std::exchange(other.view_, VK_NULL_HANDLE);
+    firstMipView_ = std::exchange(other.firstMipView_, VK_NULL_HANDLE);
     memory_ = std::exchange(other.memory_, VK_NULL_HANDLE);
     desc_ = std::exchange(other.desc_, ImageDesc{});
     return *this;
@@ -16,12 +17,14 @@ OwnedImage& OwnedImage::operator=(OwnedImage&& other) noexcept {
 void OwnedImage::release() {
     if (!device_) return;
     const DeviceTable& vk = device_->vk();
+    vk.DestroyImageView(device_->handle(), firstMipView_, device_->allocator());
     vk.DestroyImageView(device_->handle(), view_, device_->allocator());
     vk.DestroyImage(device_->handle(), image_, device_->allocator());
     vk.FreeMemory(device_->handle(), memory_, device_->allocator());
     device_ = nullptr;
     image_ = VK_NULL_HANDLE;
     view_ = VK_NULL_HANDLE;
+    firstMipView_ = VK_NULL_HANDLE;
     memory_ = VK_NULL_HANDLE;
 }
 
@@ -62,7 +65,13 @@ Status OwnedImage::create(const Device& device, const ImageDesc& desc, const cha
     view.viewType = desc.layers > 1 || desc.arrayView ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
     view.format = desc.format;
     view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, desc.mipLevels, 0, desc.layers};
-    return device.check(vk.CreateImageView(device.handle(), &view, device.allocator(), &view_), what);
+    if (const Status s =
+            device.check(vk.CreateImageView(device.handle(), &view, device.allocator(), &view_), what);
+        s != Status::ok)
+        return s;
+    if (desc.mipLevels == 1 || !(desc.usage & VK_IMAGE_USAGE_STORAGE_BIT)) return Status::ok;
+    view.subresourceRange.levelCount = 1;
+    return device.check(vk.CreateImageView(device.handle(), &view, device.allocator(), &firstMipView_), what);
 }
 
 VkImageMemoryBarrier2 imageBarrier(VkImage image, const Use& before, const Use& after, uint32_t firstMip,

@@ -27,6 +27,8 @@ class OwnedImage {
 
     VkImage handle() const { return image_; }
     VkImageView view() const { return view_; }
+    /// Mip 0 alone, as storage images are bound; the same as view() where there is no other mip.
+    VkImageView firstMipView() const { return firstMipView_ ? firstMipView_ : view_; }
     const ImageDesc& desc() const { return desc_; }
 
   private:
@@ -35,6 +37,7 @@ class OwnedImage {
     const Device* device_ = nullptr;
     VkImage image_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
+    VkImageView firstMipView_ = VK_NULL_HANDLE;
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
     ImageDesc desc_;
 };
@@ -50,6 +53,8 @@ constexpr Use sampledByShaders = {
     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
         VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
     VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+/// What shaders sampled is to be overwritten: wait for them, keep nothing.
+constexpr Use discardedAfterSampling = {sampledByShaders.stage, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED};
 constexpr Use storageWritten = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                                 VK_IMAGE_LAYOUT_GENERAL};
 

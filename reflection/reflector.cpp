@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "gpu/guard.h"
+#include "reflection/blur.h"
 #include "reflection/mirror.h"
 
 namespace seaglass {
@@ -12,7 +13,7 @@ Status SsprKernels::create(Context& context) {
     return resolve.create(context);
 }
 
-Status SsprImages::create(const gpu::Device& device, VkExtent2D extent) {
+Status SsprImages::create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels) {
     const VkDeviceSize bytes = VkDeviceSize{extent.width} * extent.height * sizeof(uint32_t);
     if (bytes > device.limits().maxStorageBufferRange)
         return device.fail(Status::unsupported,
@@ -26,10 +27,12 @@ Status SsprImages::create(const gpu::Device& device, VkExtent2D extent) {
                         "SSPR keys");
         s != Status::ok)
         return s;
-    if (const Status s =
-            color.create(device, {VK_FORMAT_R16G16B16A16_SFLOAT, extent, usage}, "reflection colour");
-        s != Status::ok)
-        return s;
+    gpu::ImageDesc colorDesc;
+    colorDesc.format = VK_FORMAT_R16G16B16A16_SFLOAT;
+    colorDesc.extent = extent;
+    colorDesc.usage = usage | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    colorDesc.mipLevels = blurMipLevels(extent, blurLevels);
+    if (const Status s = color.create(device, colorDesc, "reflection colour"); s != Status::ok) return s;
     return info.create(device, {VK_FORMAT_R32G32_SFLOAT, extent, usage}, "reflection info");
 }
 
@@ -40,6 +43,7 @@ const char* badField(const ReflectionDesc& desc) {
         return "ReflectionDesc.edgeFade is out of range, expected 0 to 0.5";
     if (!(desc.distortion >= 0 && desc.distortion <= 1))
         return "ReflectionDesc.distortion is out of range, expected 0 to 1";
+    if (desc.blurLevels > 6) return "ReflectionDesc.blurLevels is out of range, expected 0 to 6";
     return nullptr;
 }
 
@@ -66,7 +70,7 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
     const VkExtent2D current = images.color.desc().extent;
     if (!images.color.view() || current.width != extent.width || current.height != extent.height) {
         SsprImages fresh;
-        if (const Status s = fresh.create(device, extent); s != Status::ok) return s;
+        if (const Status s = fresh.create(device, extent, desc.blurLevels); s != Status::ok) return s;
         context->frame().retire(std::exchange(images, std::move(fresh)));
     }
 
@@ -78,8 +82,12 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
             recordScatter(*context, kernels->scatter, commands, slice, view.sceneDepth, images.keys, extent);
         s != Status::ok)
         return s;
-    return recordResolve(*context, kernels->resolve, commands, slice, view, images.keys, images.color,
-                         images.info);
+    if (const Status s = recordResolve(*context, kernels->resolve, commands, slice, view, images.keys,
+                                       images.color, images.info);
+        s != Status::ok)
+        return s;
+    recordBlur(*context, commands, images.color);
+    return Status::ok;
 }
 
 ReflectionImages Reflector::images(uint32_t viewIndex) const {

@@ -27,7 +27,7 @@ struct SsprImages {
     gpu::Buffer keys;
     gpu::OwnedImage color;
     gpu::OwnedImage info;
-    Status create(const gpu::Device& device, VkExtent2D extent);
+    Status create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels);
 };
 
 /// Null when the description is usable, else what is wrong with it.

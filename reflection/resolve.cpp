@@ -29,7 +29,7 @@ Status recordResolve(Context& context, const ResolveKernel& resolve, VkCommandBu
         gpu::sampledImage(nearest, view.sceneDepth.view, view.sceneDepth.layout),
         gpu::storageBuffer(keys.handle()),
         gpu::sampledImage(nearest, view.sceneColor.view, view.sceneColor.layout),
-        gpu::storageImage(color.view()),
+        gpu::storageImage(color.firstMipView()),
         gpu::storageImage(info.view()),
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
@@ -38,20 +38,16 @@ Status recordResolve(Context& context, const ResolveKernel& resolve, VkCommandBu
         return s;
 
     const gpu::PassScope pass(device, commands, "sspr_resolve");
-    // What the images held is not kept, but its readers must have finished.
-    gpu::Use discarded = gpu::sampledByShaders;
-    discarded.access = VK_ACCESS_2_NONE;
-    discarded.layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    const VkImageMemoryBarrier2 before[] = {gpu::imageBarrier(color.handle(), discarded, gpu::storageWritten),
-                                            gpu::imageBarrier(info.handle(), discarded, gpu::storageWritten)};
+    const VkImageMemoryBarrier2 before[] = {
+        gpu::imageBarrier(color.handle(), gpu::discardedAfterSampling, gpu::storageWritten, 0, 1),
+        gpu::imageBarrier(info.handle(), gpu::discardedAfterSampling, gpu::storageWritten)};
     gpu::recordBarriers(device, commands, before, 2);
     const VkExtent2D extent = color.desc().extent;
     resolve.kernel.dispatch(commands, set, (extent.width + groupEdge - 1) / groupEdge,
                             (extent.height + groupEdge - 1) / groupEdge);
-    const VkImageMemoryBarrier2 after[] = {
-        gpu::imageBarrier(color.handle(), gpu::storageWritten, gpu::sampledByShaders),
-        gpu::imageBarrier(info.handle(), gpu::storageWritten, gpu::sampledByShaders)};
-    gpu::recordBarriers(device, commands, after, 2);
+    const VkImageMemoryBarrier2 after =
+        gpu::imageBarrier(info.handle(), gpu::storageWritten, gpu::sampledByShaders);
+    gpu::recordBarriers(device, commands, &after, 1);
     return Status::ok;
 }
 

@@ -12,7 +12,8 @@ struct ResolveKernel {
     Status create(Context& context);
 };
 
-/// Writes both images, which come from any layout and are left to be sampled by shaders.
+/// Writes both images, which come from any layout. `info` is left to be sampled by shaders, mip 0 of `color`
+/// as gpu::storageWritten says.
 Status recordResolve(Context& context, const ResolveKernel& resolve, VkCommandBuffer commands,
                      const gpu::Slice& uniforms, const ViewDesc& view, const gpu::Buffer& keys,
                      const gpu::OwnedImage& color, const gpu::OwnedImage& info);

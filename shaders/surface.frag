@@ -24,6 +24,7 @@ const uint outputFoam = 5;
 struct SurfacePoint {
     vec2 slope;        // mean over the pixel
     vec3 covariance;   // of the slopes within it: uu, vv, uv
+    float slopeStep;   // change of slope to the next pixel
 };
 
 #ifdef WAVES
@@ -33,7 +34,7 @@ float jacobianOf(vec4 derivatives, float shear) {
 #endif
 
 SurfacePoint surfacePoint() {
-    SurfacePoint s = SurfacePoint(vec2(0.0), vec3(unresolvedVariance, unresolvedVariance, 0.0));
+    SurfacePoint s = SurfacePoint(vec2(0.0), vec3(unresolvedVariance, unresolvedVariance, 0.0), 0.0);
 #ifdef WAVES
     vec4 derivatives = vec4(0.0);
     float shear = 0.0;
@@ -52,6 +53,8 @@ SurfacePoint surfacePoint() {
     // Where the surface folds the Jacobian passes zero and the slope is vertical.
     s.slope = bent / max(jacobianOf(derivatives, shear), 0.15);
     s.covariance += variance;
+    vec2 change = max(abs(dFdx(s.slope)), abs(dFdy(s.slope)));
+    s.slopeStep = max(change.x, change.y);
 #endif
     return s;
 }
@@ -75,7 +78,7 @@ vec3 skyAt(vec3 direction, float spread) {
 vec3 mirroredRadiance(vec3 direction, float spread) {
     vec3 sky = skyAt(direction, spread);
 #ifdef REFLECTION
-    vec4 screen = reflectionAlong(position, direction);
+    vec4 screen = reflectionAlong(position, direction, spread);
     return sky * (1.0 - screen.a) + screen.rgb;
 #else
     return sky;
@@ -105,7 +108,8 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     float high = clamp(edgeOn, -2.0 * deviation, 2.5 * deviation);
     int points = deviation > 2e-3 ? 3 : 1;
     float width = (high - low) / float(points);
-    float spread = 2.0 * width * 0.288675;   // of a uniform segment; mirroring doubles angles
+    // Of a uniform segment, and from this pixel to the next; mirroring doubles angles.
+    float spread = 2.0 * (width * 0.288675 + 0.5 * s.slopeStep);
     Reflection sum = Reflection(vec3(0.0), 0.0);
     float weights = 0.0;
     for (int i = 0; i < points; ++i) {
@@ -204,6 +208,8 @@ vec3 refracted(vec3 normal, vec3 toEye) {
 #endif
 
 #ifdef FOAM
+const float foamTile = 24.0;   // [m], as in water/surface.h
+
 // Whitecaps form on waves of metres; folds of shorter ones are ripples' business.
 const float breakingFootprint = 1.0;   // [m]
 
@@ -227,19 +233,25 @@ float foamCover() {
     return 1.0 / (1.0 + exp(-1.702 * clamp(x, -20.0, 20.0)));   // logistic fit of the normal distribution
 }
 
-float patternAt(float tile) {
-    return texture(foamPattern, (foam.zw + calmPosition) / tile).r;
+// One octave of the pattern, and its mean where the pixel is too wide to show it.
+float patternOctave(float tile, float pixelWidth) {
+    const float patternSamples = 256.0;
+    float texels = pixelWidth * patternSamples / tile;
+    float pattern = texture(foamPattern, (foam.zw + calmPosition) / tile).r;
+    return mix(pattern, 0.5, clamp(0.5 * log2(max(texels, 1.0)), 0.0, 1.0));
 }
 
-// Cover breaks up into lace where the pattern can be seen, and is a mean where it cannot.
+// Cover breaks up into rafts and lace where they can be seen, and is a mean where they cannot.
 float foamMask(float cover) {
-    const float patternSamples = 256.0;
-    const float tile = 6.0;
     vec2 stepSize = max(abs(dFdx(calmPosition)), abs(dFdy(calmPosition)));
-    float texels = max(stepSize.x, stepSize.y) * patternSamples / tile;
-    float pattern = 0.6 * patternAt(tile) + 0.4 * patternAt(1.5);
-    float lace = smoothstep(0.0, 0.25, cover * 1.25 - pattern);
-    return mix(lace, cover, clamp(log2(max(texels, 1.0)) / 4.0, 0.0, 1.0));
+    float pixelWidth = max(stepSize.x, stepSize.y);
+    float coarse = patternOctave(foamTile, pixelWidth);
+    float middle = patternOctave(foamTile / 4.0, pixelWidth);
+    float fine = patternOctave(foamTile / 16.0, pixelWidth);
+    float rafts = smoothstep(-0.05, 0.20, cover - (0.45 * coarse + 0.35 * middle + 0.2 * fine));
+    // Bubbles burst from the middle of a raft's cells: it thins into lace before it goes.
+    rafts *= smoothstep(-0.55, 0.25, cover - 0.5 * (middle + fine));
+    return mix(rafts, cover, clamp(log2(max(pixelWidth, 1e-6) / 0.3) / 4.0, 0.0, 1.0));
 }
 
 vec3 withFoam(vec3 water, float mask, vec3 normal) {

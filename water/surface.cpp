@@ -89,7 +89,7 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
         },
         [&] { return gpu::sampledImage(samplers.trilinearRepeat(), in.foamPattern); },
         [&] {
-            return std::array{gpu::sampledImage(samplers.linearClamp(), in.reflection.color),
+            return std::array{gpu::sampledImage(samplers.trilinearClamp(), in.reflection.color),
                               gpu::sampledImage(samplers.nearestClamp(), in.reflection.info)};
         },
         [&] {

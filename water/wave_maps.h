@@ -20,9 +20,9 @@ struct WaveMaps {
     uint32_t mipLevels = 0;
 
     Status create(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount);
-    /// Makes mip 0 writable by transfers, its former content lost; readers of earlier frames are waited for.
+    /// Makes mip 0 writable by copies, its former content lost; readers of earlier frames are waited for.
     void recordBeginUpload(const gpu::Device& device, VkCommandBuffer commands) const;
-    /// From mip 0 written by transfers to all mips readable by shaders.
+    /// From mip 0 written by copies to all mips readable by shaders.
     void recordMips(const gpu::Device& device, VkCommandBuffer commands) const;
 };
 

@@ -22,8 +22,13 @@ vec2 infoAt(vec2 pixel) {
     return texelFetch(reflectionInfo, ivec2(pixel), 0).xy;
 }
 
+struct BentPoint {
+    vec2 pixel;
+    float distance;   // to the hit [m], farAway for the sky
+};
+
 // The pixel whose reflection the bent ray meets, by fixed-point iteration on the hit distance.
-vec2 bentPixel(vec3 from, vec3 direction) {
+BentPoint bentPoint(vec3 from, vec3 direction) {
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
     vec2 info = infoAt(here);
     float t = info.y == reflectionHit ? info.x : farAway;
@@ -33,19 +38,25 @@ vec2 bentPixel(vec3 from, vec3 direction) {
         if (info.y == reflectionHit) t = info.x;
         pixel = mirroredPixel(from, direction, t);
     }
-    return mix(here, pixel, reflectionDistortion);
+    return BentPoint(mix(here, pixel, reflectionDistortion), t);
 }
 
-// Radiance times confidence, and confidence.
-vec4 reflectionAlong(vec3 from, vec3 direction) {
-    vec2 pixel = bentPixel(from, direction);
+// Radiance times confidence, and confidence. Rays within the pixel spread by `spread` radians [standard deviation]; the
+// farther they go, the more of the reflection they meet.
+vec4 reflectionAlong(vec3 from, vec3 direction, float spread) {
+    BentPoint point = bentPoint(from, direction);
     vec2 size = vec2(region.zw);
-    vec2 border = min(pixel, size - pixel);
+    vec2 border = min(point.pixel, size - point.pixel);
     float inside = clamp(min(border.x, border.y), 0.0, 1.0);
-    return inside > 0.0 ? textureLod(reflectionColor, pixel / size, 0.0) * inside : vec4(0.0);
+    if (inside <= 0.0) return vec4(0.0);
+    float pixelsPerRadian = length(vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y));
+    float share = point.distance / (length(from) + point.distance);
+    // Half: mips blur alike in all directions, but slopes across a grazing line of sight hardly turn it.
+    float mip = log2(max(0.5 * spread * share * pixelsPerRadian * reflectionDistortion, 1.0));
+    return textureLod(reflectionColor, point.pixel / size, mip) * inside;
 }
 
 vec3 classColor(vec3 from, vec3 direction) {
-    float found = infoAt(bentPixel(from, direction)).y;
+    float found = infoAt(bentPoint(from, direction).pixel).y;
     return vec3(found < reflectionSky ? 1.0 : 0.0, found == reflectionHit ? 1.0 : 0.0, found == reflectionSky ? 1.0 : 0.0);
 }

@@ -22,6 +22,9 @@ struct ReflectionDesc {
     /// How far along the reflection of the normal's tilt is followed, 0 (flat mirror) .. 1 (as geometry
     /// says).
     float distortion = 1.0f;
+    /// Halvings of the reflection kept for rough surfaces to look up, 0..6; 0 costs nothing and leaves every
+    /// surface sharp.
+    uint32_t blurLevels = 4;
 };
 
 struct ReflectorDesc {
@@ -41,7 +44,7 @@ void destroyReflector(Reflector* reflector);
 /// fragment and compute shaders, and valid until this view is reflected again.
 struct ReflectionImages {
     VkImage colorImage = VK_NULL_HANDLE;
-    VkImageView color = VK_NULL_HANDLE; ///< RGBA16F: radiance, confidence 0..1
+    VkImageView color = VK_NULL_HANDLE; ///< RGBA16F: radiance times confidence, confidence 0..1; with mips
     VkImage infoImage = VK_NULL_HANDLE;
     VkImageView info = VK_NULL_HANDLE; ///< RG32F: distance from mirror to hit [m], class (ReflectionClass)
     VkExtent2D extent = {0, 0};
