@@ -1,7 +1,10 @@
 #include "host/image_file.h"
 
+#include <fstream>
+
 #include <unistd.h>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 namespace demos {
@@ -18,17 +21,26 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
     return name;
 }
 
-/// What went wrong; empty when nothing did.
-std::string writePixels(const std::filesystem::path& file, const std::string& format,
-                        const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
+/// What went wrong; empty when nothing did. The bytes are made in memory, because OpenImageIO's writers
+/// overlook some failures to write, such as a full disk's.
+std::string encode(const std::string& format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+                   const void* pixels, std::vector<unsigned char>& bytes) {
+    const auto output = OIIO::ImageOutput::create(format);
+    if (!output) return OIIO::geterror();
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const bool encoded = output->set_ioproxy(&memory) && output->open("memory." + format, spec) &&
+                         output->write_image(type, pixels) && output->close();
+    return encoded ? "" : output->geterror();
+}
+
+std::string writeBytes(const std::filesystem::path& file, const std::vector<unsigned char>& bytes) {
     std::error_code ignored;
     const std::filesystem::path directory = file.parent_path();
     if (!directory.empty() && !std::filesystem::is_directory(directory, ignored)) return "no such directory";
-    const auto output = OIIO::ImageOutput::create(format);
-    if (!output) return OIIO::geterror();
-    const bool written =
-        output->open(file.string(), spec) && output->write_image(type, pixels) && output->close();
-    return written ? "" : output->geterror();
+    std::ofstream stream(file, std::ios::binary);
+    stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    return stream ? "" : "cannot be written; is the disk full?";
 }
 
 bool writeWhole(const std::filesystem::path& file, const std::string& format, const OIIO::ImageSpec& spec,
@@ -38,7 +50,9 @@ bool writeWhole(const std::filesystem::path& file, const std::string& format, co
         return false;
     }
     const std::filesystem::path temporary = temporaryBeside(file);
-    std::string problem = writePixels(temporary, format, spec, type, pixels);
+    std::vector<unsigned char> bytes;
+    std::string problem = encode(format, spec, type, pixels, bytes);
+    if (problem.empty()) problem = writeBytes(temporary, bytes);
     std::error_code failed;
     if (problem.empty()) {
         std::filesystem::rename(temporary, file, failed);
@@ -71,6 +85,8 @@ bool writeExr(const std::filesystem::path& file, const Picture& picture, Error& 
     OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), 4,
                          OIIO::TypeDesc::FLOAT);
     spec.attribute("compression", "zip");
+    // Else OpenImageIO puts the clock's time into the file, and no two files are the same.
+    spec.attribute("DateTime", "1970:01:01 00:00:00");
     return writeWhole(file, "openexr", spec, OIIO::TypeDesc::FLOAT, picture.rgba.data(), error);
 }
 
