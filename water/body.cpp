@@ -88,7 +88,10 @@ void setWaves(SurfaceUniforms& u, const Sea& sea, const WaveMaps& maps, const gl
     u.unresolvedVariance = static_cast<float>(unresolvedSlopeVariance(sea) / 2);
     for (uint32_t i = 0; i < maps.cascades; ++i) {
         const double patch = cascade(sea, i).patch;
-        u.cascade[i] = glm::vec4(inTile(eye.x, patch), inTile(eye.z, patch), 1 / patch, maps.samples / patch);
+        // Maps hold samples at i * patch / samples, textures at half a texel more.
+        const double half = 0.5 / maps.samples;
+        u.cascade[i] = glm::vec4(inTile(eye.x, patch) + half, inTile(eye.z, patch) + half, 1 / patch,
+                                 maps.samples / patch);
     }
 }
 

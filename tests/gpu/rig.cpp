@@ -9,7 +9,18 @@ namespace tests {
 namespace {
 
 uint32_t channelsOf(VkFormat format) {
-    return format == VK_FORMAT_R32G32_SFLOAT ? 2 : format == VK_FORMAT_R32_SFLOAT ? 1 : 4;
+    switch (format) {
+    case VK_FORMAT_D32_SFLOAT:
+        return 1;
+    case VK_FORMAT_R32G32_SFLOAT:
+        return 2;
+    default:
+        return 4;
+    }
+}
+
+VkImageAspectFlags aspectOf(VkFormat format) {
+    return format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
 void submit(const std::function<void(VkCommandBuffer)>& record) {
@@ -23,7 +34,7 @@ void submit(const std::function<void(VkCommandBuffer)>& record) {
     ASSERT_TRUE(done) << error.text;
 }
 
-void imageToTransfer(VkCommandBuffer commands, VkImage image, bool back) {
+void imageToTransfer(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, bool back) {
     VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
     barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
     barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
@@ -34,8 +45,7 @@ void imageToTransfer(VkCommandBuffer commands, VkImage image, bool back) {
     barrier.newLayout =
         back ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     barrier.image = image;
-    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0,
-                                VK_REMAINING_ARRAY_LAYERS};
+    barrier.subresourceRange = {aspect, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
     VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     dependency.imageMemoryBarrierCount = 1;
     dependency.pImageMemoryBarriers = &barrier;
@@ -115,13 +125,13 @@ std::vector<float> download(VkImage image, VkFormat format, VkExtent2D extent, u
                                     demos::BufferPlace::readback, buffer, error))
         << error.text;
     submit([&](VkCommandBuffer commands) {
-        imageToTransfer(commands, image, false);
+        imageToTransfer(commands, image, aspectOf(format), false);
         VkBufferImageCopy region{};
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, layer, 1};
+        region.imageSubresource = {aspectOf(format), mip, layer, 1};
         region.imageExtent = {extent.width, extent.height, 1};
         vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer.get(), 1,
                                &region);
-        imageToTransfer(commands, image, true);
+        imageToTransfer(commands, image, aspectOf(format), true);
     });
     std::vector<float> values(count);
     if (half) {

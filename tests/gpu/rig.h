@@ -47,7 +47,8 @@ demos::Image uploadFloats(uint32_t width, uint32_t height, uint32_t channels,
                           const std::vector<float>& values);
 seaglass::Image asSeaglass(const demos::Image& image);
 
-/// Mip `mip`, layer `layer` of an image in SHADER_READ_ONLY_OPTIMAL as floats. RGBA16F, RG32F and RGBA32F.
+/// Mip `mip`, layer `layer` of an image in SHADER_READ_ONLY_OPTIMAL as floats. RGBA16F, RG32F, RGBA32F
+/// and D32F.
 std::vector<float> download(VkImage image, VkFormat format, VkExtent2D extent, uint32_t mip = 0,
                             uint32_t layer = 0);
 

@@ -1,0 +1,163 @@
+#include "tests/gpu/water_rig.h"
+
+#include <cstring>
+
+namespace tests {
+
+namespace {
+
+constexpr VkFormat colorFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
+
+demos::Image attachment(VkFormat format, VkExtent2D extent, VkImageUsageFlags usage) {
+    demos::ImageDesc desc;
+    desc.format = format;
+    desc.extent = extent;
+    desc.usage = usage | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    demos::Image image;
+    demos::Error error;
+    EXPECT_TRUE(demos::createImage(device(), desc, image, error)) << error.text;
+    return image;
+}
+
+demos::Image uniformCube() {
+    demos::ImageDesc desc;
+    desc.format = colorFormat;
+    desc.extent = {1, 1};
+    desc.cube = true;
+    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT;
+    std::vector<float> faces;
+    for (int face = 0; face < 6; ++face) faces.insert(faces.end(), {1, 2, 3, 1});
+    const std::span<const std::byte> level = std::as_bytes(std::span(faces));
+    demos::Image cube;
+    demos::Error error;
+    EXPECT_TRUE(demos::createSampledImage(device(), desc, {&level, 1}, cube, error)) << error.text;
+    return cube;
+}
+
+VkRenderingAttachmentInfo cleared(const demos::Image& image, VkImageLayout layout, VkClearValue value) {
+    VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    info.imageView = image.view.get();
+    info.imageLayout = layout;
+    info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    info.clearValue = value;
+    return info;
+}
+
+void toAttachment(VkCommandBuffer commands, const demos::Image& image, VkImageLayout layout, bool depth) {
+    demos::imageBarrier(
+        commands, image, VK_IMAGE_LAYOUT_UNDEFINED, layout, VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE,
+        depth ? VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT
+              : VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+        depth ? VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT
+              : VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT);
+}
+
+void toSampled(VkCommandBuffer commands, const demos::Image& image, VkImageLayout from) {
+    demos::imageBarrier(commands, image, from, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+                        VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT,
+                        VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT);
+}
+
+} // namespace
+
+void WaterTest::SetUp() {
+    GpuTest::SetUp();
+    skyCube_ = uniformCube();
+    lighting.skyCube = skyCube_.view.get();
+    seaglass::TargetDesc desc;
+    desc.colorFormat = colorFormat;
+    desc.depthFormat = depthFormat;
+    ASSERT_EQ(seaglass::createTarget(context(), &desc, &target_), seaglass::Status::ok) << message();
+}
+
+void WaterTest::TearDown() {
+    for (seaglass::Body* body : bodies_) seaglass::destroyBody(body);
+    seaglass::destroyTarget(target_);
+    GpuTest::TearDown();
+}
+
+seaglass::Body* WaterTest::makeBody(const seaglass::BodyDesc& desc) {
+    seaglass::Body* body = nullptr;
+    EXPECT_EQ(seaglass::createBody(context(), &desc, &body), seaglass::Status::ok) << message();
+    if (body) bodies_.push_back(body);
+    return body;
+}
+
+WaterPicture WaterTest::picture(const std::vector<seaglass::Body*>& bodies, const Camera& camera, double time,
+                                seaglass::SurfaceOutput output, const SceneBehind& behind) {
+    using seaglass::Status;
+    const VkExtent2D extent = {camera.width, camera.height};
+    const size_t pixels = size_t{camera.width} * camera.height;
+    const float farDepth = camera.reversed ? 0.0f : 1.0f;
+    const demos::Image sceneColor = uploadFloats(
+        camera.width, camera.height, 4, behind.color.empty() ? std::vector<float>(pixels * 4) : behind.color);
+    const demos::Image sceneDepth =
+        uploadFloats(camera.width, camera.height, 1,
+                     behind.depth.empty() ? std::vector<float>(pixels, farDepth) : behind.depth);
+    const demos::Image color = attachment(colorFormat, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+    const demos::Image depth = attachment(depthFormat, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+
+    seaglass::ViewDesc view = viewDesc(camera);
+    view.sceneColor = asSeaglass(sceneColor);
+    view.sceneDepth = asSeaglass(sceneDepth);
+    const auto count = static_cast<uint32_t>(bodies.size());
+    frame([&](VkCommandBuffer commands) {
+        EXPECT_EQ(seaglass::simulate(commands, bodies.data(), count, time), Status::ok) << message();
+        EXPECT_EQ(seaglass::reflect(commands, bodies.data(), count, &view), Status::ok) << message();
+        toAttachment(commands, color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, false);
+        toAttachment(commands, depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, true);
+        VkClearValue untouched{};
+        for (float& channel : untouched.color.float32) channel = WaterPicture::untouched;
+        VkClearValue far{};
+        far.depthStencil.depth = farDepth;
+        const VkRenderingAttachmentInfo colorInfo =
+            cleared(color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, untouched);
+        const VkRenderingAttachmentInfo depthInfo =
+            cleared(depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, far);
+        VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
+        rendering.renderArea.extent = extent;
+        rendering.layerCount = 1;
+        rendering.colorAttachmentCount = 1;
+        rendering.pColorAttachments = &colorInfo;
+        rendering.pDepthAttachment = &depthInfo;
+        vkCmdBeginRendering(commands, &rendering);
+        EXPECT_EQ(seaglass::draw(commands, target_, bodies.data(), count, &view, &lighting, output),
+                  Status::ok)
+            << message();
+        vkCmdEndRendering(commands);
+        toSampled(commands, color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+        toSampled(commands, depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
+    });
+    WaterPicture result;
+    result.width = camera.width;
+    result.height = camera.height;
+    result.color = download(color.image.get(), colorFormat, extent);
+    result.depth = download(depth.image.get(), depthFormat, extent);
+    return result;
+}
+
+namespace {
+
+glm::dvec3 unproject(const Camera& camera, double x, double y, double depth) {
+    const glm::dmat4 inverse = glm::inverse(projectionMatrix(camera) * viewMatrix(camera));
+    const glm::dvec4 p = inverse * glm::dvec4(x / camera.width * 2 - 1, y / camera.height * 2 - 1, depth, 1);
+    return glm::dvec3(p) / p.w;
+}
+
+} // namespace
+
+glm::dvec3 worldAt(const Camera& camera, const WaterPicture& picture, uint32_t x, uint32_t y) {
+    return unproject(camera, x + 0.5, y + 0.5, double{picture.depth[size_t{y} * picture.width + x]});
+}
+
+glm::dvec3 rayThrough(const Camera& camera, uint32_t x, uint32_t y) {
+    return glm::normalize(unproject(camera, x + 0.5, y + 0.5, 0.5) - camera.eye);
+}
+
+double angleBelowHorizon(const Camera& camera, uint32_t x, uint32_t y) {
+    return -std::asin(rayThrough(camera, x, y).y);
+}
+
+} // namespace tests

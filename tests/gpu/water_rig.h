@@ -1,0 +1,55 @@
+// Draws water bodies into a picture of floats, with the scene behind given pixel by pixel.
+#pragma once
+
+#include <optional>
+
+#include "seaglass/water.h"
+#include "tests/gpu/rig.h"
+#include "tests/unit/cameras.h"
+
+namespace tests {
+
+/// What the host's opaque scene left. Empty: nothing but sky.
+struct SceneBehind {
+    std::vector<float> color; ///< RGBA
+    std::vector<float> depth;
+};
+
+struct WaterPicture {
+    uint32_t width = 0, height = 0;
+    std::vector<float> color; ///< RGBA; `untouched` where no water was drawn
+    std::vector<float> depth;
+    static constexpr float untouched = -1e4f;
+
+    bool covered(size_t pixel) const { return color[pixel * 4 + 3] != untouched; }
+};
+
+class WaterTest : public GpuTest {
+  protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    seaglass::Body* makeBody(const seaglass::BodyDesc& desc);
+    /// A frame: simulate at `time`, reflect, draw.
+    WaterPicture picture(const std::vector<seaglass::Body*>& bodies, const Camera& camera, double time = 0,
+                         seaglass::SurfaceOutput output = seaglass::SurfaceOutput::shaded,
+                         const SceneBehind& behind = {});
+
+    seaglass::LightingDesc lighting; ///< no sun; the sky cube's radiance is 1, 2, 3
+
+  private:
+    demos::Image skyCube_;
+    seaglass::Target* target_ = nullptr;
+    std::vector<seaglass::Body*> bodies_;
+};
+
+/// The pixel's point on the surface, in the world.
+glm::dvec3 worldAt(const Camera& camera, const WaterPicture& picture, uint32_t x, uint32_t y);
+
+/// The direction of a pixel's ray, unit.
+glm::dvec3 rayThrough(const Camera& camera, uint32_t x, uint32_t y);
+
+/// The angle of a pixel's ray below the horizon [rad].
+double angleBelowHorizon(const Camera& camera, uint32_t x, uint32_t y);
+
+} // namespace tests

@@ -1,0 +1,437 @@
+// Water as it is drawn: that it covers the sea, stands where the height queries say, and keeps light's
+// accounts.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/traced_scene.h"
+#include "tests/gpu/water_rig.h"
+#include "water/body.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+Camera seaCamera() {
+    Camera camera;
+    camera.eye = {3, 4, 7};
+    camera.target = {3, 3, -10};
+    camera.width = 320;
+    camera.height = 180;
+    return camera;
+}
+
+SeaDesc breeze() {
+    SeaDesc sea;
+    sea.windSpeed = 8;
+    sea.fetch = 50e3f;
+    sea.samples = 64;
+    sea.cascades = 3;
+    return sea;
+}
+
+/// Exact Fresnel reflectance of water in another form than the shader's: from the two polarisations.
+double fresnel(double cosine) {
+    const double n = 1.333;
+    const double transmitted = std::sqrt(1 - (1 - cosine * cosine) / (n * n));
+    const double s = (cosine - n * transmitted) / (cosine + n * transmitted);
+    const double p = (transmitted - n * cosine) / (transmitted + n * cosine);
+    return (s * s + p * p) / 2;
+}
+
+/// A plane at height `bed`, of one radiance.
+SceneBehind planeBelow(const Camera& camera, double bed, float radiance) {
+    SceneBehind behind;
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    for (uint32_t y = 0; y < camera.height; ++y)
+        for (uint32_t x = 0; x < camera.width; ++x) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            const double along = (bed - camera.eye.y) / ray.y * glm::dot(ray, forward);
+            behind.depth.push_back(static_cast<float>(ray.y < 0 ? camera.near / along : 0));
+            behind.color.insert(behind.color.end(), {radiance, radiance, radiance, 1});
+        }
+    return behind;
+}
+
+class Water : public WaterTest {
+  protected:
+    Body* wavyBody(const SeaDesc& sea) {
+        BodyDesc desc;
+        desc.waves = &sea;
+        desc.wavesBackend = fftwWaves();
+        return makeBody(desc);
+    }
+    Body* flatBody() { return makeBody({}); }
+};
+
+TEST_F(Water, FlatWaterCoversAllBelowTheHorizon) {
+    Body* body = flatBody();
+    for (const double height : {0.01, 2.0, 5000.0})
+        for (const double roll : {0.0, 50.0, 180.0}) {
+            Camera camera = seaCamera();
+            camera.eye.y = height;
+            camera.target.y = height - 1;
+            camera.rollDegrees = roll;
+            camera.near = 1e-3;
+            const WaterPicture p = picture({body}, camera, 0, SurfaceOutput::height);
+            size_t holes = 0, above = 0;
+            for (uint32_t y = 0; y < p.height; ++y)
+                for (uint32_t x = 0; x < p.width; ++x) {
+                    const double angle = angleBelowHorizon(camera, x, y);
+                    const bool covered = p.covered(size_t{y} * p.width + x);
+                    holes += angle > 0.003 && !covered;
+                    above += angle < 0 && covered;
+                }
+            EXPECT_EQ(holes, 0u) << "eye at " << height << " m, roll " << roll;
+            EXPECT_EQ(above, 0u) << "eye at " << height << " m, roll " << roll;
+        }
+}
+
+TEST_F(Water, WavesLeaveNoHoles) {
+    Body* body = wavyBody(breeze());
+    for (const double height : {1.5, 6.0, 60.0, 700.0}) {
+        Camera camera = seaCamera();
+        camera.eye.y = height;
+        camera.target.y = height * 0.6;
+        camera.rollDegrees = 20;
+        const WaterPicture p = picture({body}, camera, 5, SurfaceOutput::height);
+        size_t holes = 0;
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x)
+                holes += angleBelowHorizon(camera, x, y) > 0.02 && !p.covered(size_t{y} * p.width + x);
+        EXPECT_EQ(holes, 0u) << "eye at " << height << " m";
+    }
+}
+
+TEST_F(Water, TheSurfaceStandsWhereHeightQueriesSay) {
+    SeaDesc desc = breeze();
+    desc.samples = 256;
+    Body* body = wavyBody(desc);
+    const Camera camera = seaCamera();
+    const double time = 123.4;
+    const WaterPicture p = picture({body}, camera, time, SurfaceOutput::height);
+    std::vector<double> points;
+    std::vector<double> drawn;
+    for (uint32_t y = 0; y < p.height; y += 7)
+        for (uint32_t x = 0; x < p.width; x += 13) {
+            if (!p.covered(size_t{y} * p.width + x)) continue;
+            const glm::dvec3 world = worldAt(camera, p, x, y);
+            if (glm::length(world - camera.eye) > 25) continue; // finest cells
+            points.insert(points.end(), {world.x, world.z});
+            drawn.push_back(world.y);
+        }
+    ASSERT_GT(drawn.size(), 100u);
+    std::vector<HeightSample> samples(drawn.size());
+    sampleHeights(*sea(body), time, points.data(), samples.size(), samples.data());
+    double worst = 0, scale = 0;
+    for (size_t i = 0; i < drawn.size(); ++i) {
+        worst = std::max(worst, std::abs(drawn[i] - double{samples[i].height}));
+        scale = std::max(scale, std::abs(drawn[i]));
+    }
+    std::printf("worst difference %.4f m, highest wave %.2f m\n", worst, scale);
+    // What is left is the maps' linear interpolation, 16 texels to the peak's wave and 4 to the shortest.
+    EXPECT_LT(worst, 0.05);
+    EXPECT_GT(scale, 0.3);
+}
+
+TEST_F(Water, MapsHoldWhatTheBackendEvaluated) {
+    const SeaDesc desc = breeze();
+    Body* body = wavyBody(desc);
+    const double time = 42;
+    picture({body}, seaCamera(), time);
+    const Sea& s = *sea(body);
+    const size_t floats = size_t{desc.samples} * desc.samples * 4;
+    void* state = fftwWaves()->create(s);
+    for (uint32_t c = 0; c < cascadeCount(s); ++c) {
+        std::vector<float> maps[3] = {std::vector<float>(floats), std::vector<float>(floats),
+                                      std::vector<float>(floats)};
+        fftwWaves()->evaluate(state, c, time, {maps[0].data(), maps[1].data(), maps[2].data()});
+        for (uint32_t m = 0; m < 3; ++m) {
+            const VkImage image = body->waves->maps().images[m].handle();
+            const VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
+            EXPECT_EQ(download(image, format, {desc.samples, desc.samples}, 0, c), maps[m]);
+            const uint32_t half = desc.samples / 2;
+            const std::vector<float> mip = download(image, format, {half, half}, 1, c);
+            const auto at = [&](uint32_t x, uint32_t y) {
+                return maps[m][(size_t{y} * desc.samples + x) * 4 + 1];
+            };
+            for (uint32_t i = 0; i < half; i += 5) {
+                const float mean = (at(2 * i, 6) + at(2 * i + 1, 6) + at(2 * i, 7) + at(2 * i + 1, 7)) / 4;
+                EXPECT_NEAR(mip[(size_t{3} * half + i) * 4 + 1], mean, 1e-5f);
+            }
+        }
+    }
+    fftwWaves()->destroy(state);
+}
+
+TEST_F(Water, FlatWaterMirrorsTheSkyByFresnelsFormula) {
+    Body* body = flatBody();
+    const Camera camera = seaCamera();
+    const WaterPicture p = picture({body}, camera);
+    for (uint32_t y = 0; y < p.height; y += 11)
+        for (uint32_t x = 0; x < p.width; x += 17) {
+            const size_t i = size_t{y} * p.width + x;
+            const double angle = angleBelowHorizon(camera, x, y);
+            if (angle < 0.01) continue;
+            const double expected = fresnel(std::sin(angle));
+            for (size_t channel = 0; channel < 3; ++channel)
+                EXPECT_NEAR(p.color[i * 4 + channel], expected * static_cast<double>(channel + 1),
+                            2e-3 * expected + 1e-4);
+        }
+}
+
+TEST_F(Water, WhatLiesBelowIsDimmedByBeerAndLambert) {
+    const RefractionDesc refraction = {{0.5f, 0.2f, 0.1f}, {0, 0, 0}, 1};
+    BodyDesc desc;
+    desc.refraction = &refraction;
+    Body* body = makeBody(desc);
+    Camera camera = seaCamera();
+    camera.target = {3, 0, -1};
+    const double bed = -1.5;
+    const SceneBehind behind = planeBelow(camera, bed, 4);
+    const WaterPicture p = picture({body}, camera, 0, SurfaceOutput::shaded, behind);
+    for (uint32_t y = 3; y < p.height; y += 11)
+        for (uint32_t x = 3; x < p.width; x += 17) {
+            const double angle = angleBelowHorizon(camera, x, y);
+            if (angle < 0.2) continue;
+            const double f = fresnel(std::sin(angle));
+            const double path = -bed / std::sin(angle);
+            for (size_t channel = 0; channel < 3; ++channel) {
+                const double through = std::exp(-double{refraction.absorption[channel]} * (path - bed));
+                const double expected = f * static_cast<double>(channel + 1) + (1 - f) * 4 * through;
+                EXPECT_NEAR(p.color[(size_t{y} * p.width + x) * 4 + channel], expected, 5e-3 * expected);
+            }
+        }
+}
+
+TEST_F(Water, FlatWaterShowsTheTracedReflection) {
+    const ReflectionDesc reflection;
+    BodyDesc desc;
+    desc.reflection = &reflection;
+    Body* body = makeBody(desc);
+    Camera camera = seaCamera();
+    camera.eye = {-1, 2.2, 9};
+    camera.target = {-0.5, 1.2, 0};
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    const WaterPicture p =
+        picture({body}, camera, 0, SurfaceOutput::reflection, {traced.color, traced.depth});
+    std::vector<double> errors;
+    size_t skyPixels = 0, skyRight = 0;
+    for (size_t i = 0; i < traced.truth.size(); ++i) {
+        const float* c = &p.color[i * 4];
+        if (traced.truth[i] == Truth::recoverable)
+            errors.push_back(glm::length(glm::dvec2(c[0], c[1]) * glm::dvec2(traced.width, traced.height) -
+                                         traced.source[i]));
+        if (traced.truth[i] == Truth::sky) {
+            ++skyPixels;
+            skyRight += std::abs(c[0] - 1) < 0.02 && std::abs(c[1] - 2) < 0.04 && std::abs(c[2] - 3) < 0.06;
+        }
+    }
+    std::ranges::sort(errors);
+    EXPECT_LT(errors[errors.size() / 2], 0.6);
+    EXPECT_LT(errors[errors.size() * 9 / 10], 3);
+    EXPECT_GT(static_cast<double>(skyRight), 0.98 * static_cast<double>(skyPixels));
+}
+
+TEST_F(Water, IsTheSamePictureAMillionMetresAway) {
+    SeaDesc desc = breeze();
+    desc.cascades = 1;
+    desc.largestPatch = 64;
+    Body* body = wavyBody(desc);
+    const Camera near = seaCamera();
+    Camera far = near;
+    const glm::dvec3 whole(64.0 * 15625, 0, -64.0 * 15625);
+    far.eye += whole;
+    far.target += whole;
+    const WaterPicture a = picture({body}, near, 3);
+    const WaterPicture b = picture({body}, far, 3);
+    double worst = 0;
+    for (size_t i = 0; i < a.color.size(); ++i)
+        if (a.covered(i / 4) && b.covered(i / 4))
+            worst = std::max(worst, std::abs(double{a.color[i]} - double{b.color[i]}));
+    EXPECT_LT(worst, 3.0 / 255); // the sky's radiance goes up to 3
+}
+
+TEST_F(Water, TheSameTimeGivesTheSameBits) {
+    Body* body = wavyBody(breeze());
+    const WaterPicture first = picture({body}, seaCamera(), 10);
+    picture({body}, seaCamera(), 777);
+    EXPECT_EQ(picture({body}, seaCamera(), 10).color, first.color);
+}
+
+TEST_F(Water, NormalsAreUnitAndFaceUp) {
+    Body* body = wavyBody(breeze());
+    const WaterPicture p = picture({body}, seaCamera(), 1, SurfaceOutput::normal);
+    double tilted = 0;
+    for (size_t i = 0; i < p.color.size() / 4; ++i) {
+        if (!p.covered(i)) continue;
+        const glm::dvec3 n(p.color[i * 4], p.color[i * 4 + 1], p.color[i * 4 + 2]);
+        EXPECT_NEAR(glm::length(n), 1, 1e-4);
+        EXPECT_GT(n.y, 0);
+        tilted = std::max(tilted, 1 - n.y);
+    }
+    EXPECT_GT(tilted, 0.01);
+}
+
+TEST_F(Water, StaysFiniteWhateverTheSea) {
+    for (const float wind : {0.0f, 0.01f, 3.0f, 60.0f})
+        for (const float choppiness : {0.0f, 1.0f, 10.0f}) {
+            SeaDesc desc = breeze();
+            desc.windSpeed = wind;
+            desc.choppiness = choppiness;
+            const FoamDesc foam;
+            const RefractionDesc refraction;
+            const ReflectionDesc reflection;
+            BodyDesc body;
+            body.waves = &desc;
+            body.wavesBackend = fftwWaves();
+            body.foam = &foam;
+            body.refraction = &refraction;
+            body.reflection = &reflection;
+            Body* made = makeBody(body);
+            for (const double height : {3.0, 0.0, -1.0}) {
+                Camera camera = seaCamera();
+                camera.width = 96;
+                camera.height = 54;
+                camera.eye.y = height;
+                lighting.sunIrradiance[0] = lighting.sunIrradiance[1] = lighting.sunIrradiance[2] = 5;
+                const WaterPicture p = picture({made}, camera, 1e8);
+                EXPECT_TRUE(std::ranges::all_of(p.color, [](float v) { return std::isfinite(v); }))
+                    << "wind " << wind << " choppiness " << choppiness << " eye " << height;
+            }
+        }
+}
+
+TEST_F(Water, FoamGathersWhereTheSeaIsRough) {
+    const auto cover = [&](float wind) {
+        SeaDesc desc = breeze();
+        desc.windSpeed = wind;
+        desc.fetch = 300e3f;
+        desc.samples = 128;
+        const FoamDesc foam = {0.8f, 0.6f};
+        BodyDesc body;
+        body.waves = &desc;
+        body.wavesBackend = fftwWaves();
+        body.foam = &foam;
+        Camera camera = seaCamera();
+        camera.eye.y = 30;
+        camera.target.y = 10;
+        const WaterPicture p = picture({makeBody(body)}, camera, 20, SurfaceOutput::foam);
+        double sum = 0, count = 0;
+        for (size_t i = 0; i < p.color.size() / 4; ++i) {
+            if (!p.covered(i)) continue;
+            EXPECT_GE(p.color[i * 4], 0);
+            EXPECT_LE(p.color[i * 4], 1);
+            sum += double{p.color[i * 4]};
+            ++count;
+        }
+        return sum / count;
+    };
+    const double calm = cover(3);
+    const double fresh = cover(10);
+    const double gale = cover(20);
+    EXPECT_LT(calm, fresh);
+    EXPECT_LT(fresh, gale);
+    EXPECT_LT(gale, 0.5);
+}
+
+TEST_F(Water, AFeatureThatIsOffIsNotThere) {
+    Body* flat = flatBody();
+    EXPECT_FALSE(flat->sea);
+    EXPECT_FALSE(flat->waves.has_value());
+    EXPECT_FALSE(flat->foamMap.has_value());
+    EXPECT_FALSE(flat->reflector);
+
+    SeaDesc calm = breeze();
+    calm.windSpeed = 0;
+    BodyDesc desc;
+    desc.waves = &calm;
+    desc.wavesBackend = fftwWaves();
+    Body* still = makeBody(desc);
+    EXPECT_FALSE(still->waves.has_value());
+    EXPECT_EQ(sea(still), nullptr);
+
+    const ReflectionDesc sky = {ReflectionTechnique::sky, 0.08f, 1, 4};
+    BodyDesc skyOnly;
+    skyOnly.reflection = &sky;
+    EXPECT_FALSE(makeBody(skyOnly)->reflector);
+}
+
+TEST_F(Water, BadDescriptionsAreNamedAndLeaveNothing) {
+    SeaDesc waves = breeze();
+    FoamDesc foam;
+    RefractionDesc refraction;
+    ReflectionDesc reflection;
+    const auto refused = [&](auto&& spoil) {
+        BodyDesc desc;
+        spoil(desc);
+        Body* body = nullptr;
+        EXPECT_EQ(createBody(context(), &desc, &body), Status::invalidArgument);
+        EXPECT_EQ(body, nullptr);
+        return message();
+    };
+    const auto names = [](const std::string& text, const char* field) {
+        return text.find(field) != std::string::npos;
+    };
+    EXPECT_TRUE(names(refused([](BodyDesc& d) { d.plane[1] = 0; }), "plane"));
+    EXPECT_TRUE(names(refused([](BodyDesc& d) { d.plane[0] = 0.5; }), "plane"));
+    EXPECT_TRUE(names(refused([&](BodyDesc& d) { d.foam = &foam; }), "foam"));
+    EXPECT_TRUE(names(refused([&](BodyDesc& d) { d.waves = &waves; }), "wavesBackend"));
+    EXPECT_TRUE(names(refused([](BodyDesc& d) { d.mesh.cellSize = NAN; }), "cellSize"));
+    EXPECT_TRUE(names(refused([](BodyDesc& d) { d.mesh.cellsPerLevel = 3; }), "cellsPerLevel"));
+    EXPECT_TRUE(names(refused([&](BodyDesc& d) {
+                          waves.samples = 100;
+                          d.waves = &waves;
+                          d.wavesBackend = fftwWaves();
+                      }),
+                      "samples"));
+    EXPECT_TRUE(names(refused([&](BodyDesc& d) {
+                          refraction.absorption[1] = -1;
+                          d.refraction = &refraction;
+                      }),
+                      "absorption"));
+    EXPECT_TRUE(names(refused([&](BodyDesc& d) {
+                          reflection.edgeFade = 2;
+                          d.reflection = &reflection;
+                      }),
+                      "edgeFade"));
+}
+
+TEST_F(Water, DrawingBeforeSimulatingIsAnError) {
+    Body* body = wavyBody(breeze());
+    Target* target = nullptr;
+    const TargetDesc desc = {VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_D32_SFLOAT};
+    ASSERT_EQ(createTarget(context(), &desc, &target), Status::ok);
+    const demos::Image color = uploadFloats(4, 4, 4, std::vector<float>(64));
+    const demos::Image depth = uploadFloats(4, 4, 1, std::vector<float>(16));
+    Camera camera = seaCamera();
+    camera.width = camera.height = 4;
+    ViewDesc view = viewDesc(camera);
+    view.sceneColor = asSeaglass(color);
+    view.sceneDepth = asSeaglass(depth);
+    frame([&](VkCommandBuffer commands) {
+        EXPECT_EQ(draw(commands, target, &body, 1, &view, &lighting), Status::invalidArgument);
+        EXPECT_NE(message().find("simulate"), std::string::npos);
+        EXPECT_EQ(simulate(commands, &body, 1, NAN), Status::invalidArgument);
+    });
+    destroyTarget(target);
+}
+
+TEST_F(Water, BodiesMayGoWhileTheGpuUsesThem) {
+    const SeaDesc waves = breeze();
+    for (int i = 0; i < 4; ++i) {
+        BodyDesc desc;
+        desc.waves = &waves;
+        desc.wavesBackend = fftwWaves();
+        Body* body = nullptr;
+        ASSERT_EQ(createBody(context(), &desc, &body), Status::ok) << message();
+        frame([&](VkCommandBuffer commands) {
+            EXPECT_EQ(simulate(commands, &body, 1, i), Status::ok) << message();
+            destroyBody(body); // recorded, not yet executed
+        });
+    }
+}
+
+} // namespace
