@@ -35,7 +35,7 @@ Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)
 
 /// What the line says, before any of it is checked.
 struct Raw {
-    std::string scene, size, time, camera, frames, fps, aov, sky, mesh, stats, device;
+    std::string scene, size, supersample, time, camera, frames, fps, aov, sky, mesh, stats, device;
     std::vector<std::string> outputs, overrides;
     bool validation = false, noValidation = false;
 };
@@ -63,6 +63,10 @@ void describe(CLI::App& app, CLI::App& render, Raw& raw) {
         ->allow_extra_args(false)
         ->type_name("FILE");
     render.add_option("--size", raw.size, "Picture size, 1280x720 if not given")->type_name("WxH");
+    render
+        .add_option("--supersample", raw.supersample,
+                    "Render N times larger each way and average, 1 to 4, 1 if not given")
+        ->type_name("N");
     render.add_option("--time", raw.time, "Time of the waves, the scene's if not given")
         ->type_name("SECONDS");
     render.add_option("--camera", raw.camera, "One of the scene's cameras, its first if not given")
@@ -125,6 +129,16 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
         if (!size) return false;
         out.size = *size;
     }
+    if (!raw.supersample.empty()) {
+        const std::optional<uint32_t> factor = parseCount("--supersample", raw.supersample, 4, error);
+        if (!factor) return false;
+        if (std::max(out.size.width, out.size.height) * *factor > longestSide) {
+            return fail("--supersample is '" + raw.supersample + "', expected no more than " +
+                            std::to_string(longestSide) + " pixels a side in all",
+                        error);
+        }
+        out.supersample = *factor;
+    }
     if (!raw.time.empty()) {
         out.timeS = parseNumber("--time", raw.time, -1e6, 1e6, "a number of seconds, -1e6 to 1e6", error);
         if (!out.timeS) return false;
@@ -151,6 +165,10 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
                         error);
         }
         out.aov = found->second;
+        if (out.supersample > 1 && out.aov != Aov::color)
+            return fail("--supersample is given with --aov " + raw.aov +
+                            ", expected color, which can be averaged",
+                        error);
     }
     out.camera = raw.camera;
     out.overrides = raw.overrides;

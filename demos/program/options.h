@@ -16,6 +16,7 @@ struct RenderOptions {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs; ///< at least one; every one gets each frame
     Size size;
+    uint32_t supersample = 1; ///< render so many times larger each way, then average
     std::optional<double> timeS;
     std::string camera; ///< empty takes the scene's first
     uint32_t frames = 1;

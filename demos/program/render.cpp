@@ -11,6 +11,7 @@
 #include "program/output.h"
 #include "program/progress.h"
 #include "program/stats.h"
+#include "program/supersample.h"
 #include "program/visualise.h"
 #include "scene/nearest.h"
 
@@ -80,8 +81,10 @@ double availableBytes() {
     return std::numeric_limits<double>::infinity();
 }
 
-bool checkMemory(const Size& size, Error& error) {
-    const double needed = bytesAPixel * size.width * size.height, available = availableBytes();
+bool checkMemory(const RenderOptions& options, Error& error) {
+    const Size& size = options.size;
+    const double samples = options.supersample * options.supersample;
+    const double needed = bytesAPixel * samples * size.width * size.height, available = availableBytes();
     if (needed <= available) return true;
     char text[160];
     std::snprintf(text, sizeof(text),
@@ -114,6 +117,10 @@ bool write(const fs::path& file, const Picture& picture, const std::optional<Vis
     return writePng(file, picture.width, picture.height, visualised->rgb, error);
 }
 
+std::string sizeText(uint32_t width, uint32_t height) {
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
@@ -122,8 +129,8 @@ class Run {
   public:
     Run(const RenderOptions& options, const Scene& scene, const CameraDesc& camera, Host& host)
         : options_(options), scene_(scene), host_(host) {
-        frame_ = {options.size.width, options.size.height, camera, options.timeS.value_or(scene.timeS),
-                  options.aov};
+        frame_ = {options.size.width * options.supersample, options.size.height * options.supersample, camera,
+                  options.timeS.value_or(scene.timeS), options.aov};
     }
 
     bool all(Progress& progress, Error& error) {
@@ -136,7 +143,9 @@ class Run {
             const std::optional<Picture> picture = host_.render(frame_, error);
             if (!picture) return false;
             lastMs = millisecondsSince(began);
-            if (!keep(*picture, i, progress, error)) return false;
+            const bool larger = options_.supersample > 1;
+            if (!keep(larger ? averaged(*picture, options_.supersample) : *picture, i, progress, error))
+                return false;
         }
         progress.say("measuring");
         const uint32_t affordable =
@@ -155,8 +164,11 @@ class Run {
         if (!scale_.empty()) std::printf("scale: %s\n", scale_.c_str());
         for (const auto& [first, last] : written_) {
             const std::string until = first == last ? "" : " .. " + last.filename().string();
-            std::printf("%s: %ux%u, %.1f ms a frame, %s%s\n", host_.device().name.c_str(), frame_.width,
-                        frame_.height, times_.frameMs, first.string().c_str(), until.c_str());
+            const std::string sampled =
+                options_.supersample == 1 ? "" : " from " + sizeText(frame_.width, frame_.height);
+            std::printf("%s: %s%s, %.1f ms a frame, %s%s\n", host_.device().name.c_str(),
+                        sizeText(options_.size.width, options_.size.height).c_str(), sampled.c_str(),
+                        times_.frameMs, first.string().c_str(), until.c_str());
         }
     }
 
@@ -212,8 +224,7 @@ ExitCode renderScene(const RenderOptions& options, Error& error) {
     const std::optional<Scene> scene = readScene(options, error);
     if (!scene) return badInput;
     const std::optional<CameraDesc> camera = chooseCamera(*scene, options.camera, error);
-    if (!camera || !checkOutputs(options, *scene, error) || !checkMemory(options.size, error))
-        return badInput;
+    if (!camera || !checkOutputs(options, *scene, error) || !checkMemory(options, error)) return badInput;
 
     Progress progress;
     progress.say("opening the device");

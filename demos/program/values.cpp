@@ -7,8 +7,6 @@ namespace demos {
 
 namespace {
 
-constexpr uint32_t longestSide = 16384;
-
 template<class T>
 std::optional<T> parseAll(std::string_view text) {
     T value{};

@@ -10,6 +10,8 @@
 
 namespace demos {
 
+constexpr uint32_t longestSide = 16384; ///< of a picture, in pixels
+
 struct Size {
     uint32_t width = 1280, height = 720;
 };

@@ -129,6 +129,13 @@ TEST_F(Render, ValidationIsSilent) {
     EXPECT_EQ(outcome.err, "");
 }
 
+TEST_F(Render, SupersamplingKeepsTheSizeAndSoftensEdges) {
+    ASSERT_EQ(render({"-o", "out/once.exr"}).code, 0);
+    ASSERT_EQ(render({"-o", "out/four.exr", "--supersample", "2"}).code, 0);
+    EXPECT_EQ(outputs(), (Names{"four.exr", "once.exr"}));
+    EXPECT_FALSE(tests::readAll(out("once.exr")) == tests::readAll(out("four.exr")));
+}
+
 TEST_F(Render, SequencesAreNumberedBeforeTheExtension) {
     const Outcome outcome = render({"-o", "out/a.png", "--frames", "3", "--fps", "10"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
