@@ -6,7 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "host/camera.h"
+#include "host/placement.h"
 
 namespace demos {
 namespace {
@@ -112,19 +112,6 @@ bool outside(const MeshPart& part, const glm::dmat4& clipFromMesh) {
         for (int side = 0; side < 5; ++side) beyond[side] = beyond[side] && past[side];
     }
     return std::any_of(std::begin(beyond), std::end(beyond), [](bool b) { return b; });
-}
-
-/// Where a mesh stands. Its yaw turns as every azimuth here does, from +X towards +Z.
-bool placement(const MeshDesc& desc, glm::dmat4& out, Error& error) {
-    const glm::dvec3 position = toGlm(desc.positionM);
-    if (!finite(position) || !std::isfinite(desc.yawDeg) || !(desc.scale > 0) || !std::isfinite(desc.scale)) {
-        error.text = desc.file.string() + ": position and yaw must be finite and the scale above 0";
-        return false;
-    }
-    out = glm::translate(glm::dmat4(1), position);
-    out = glm::rotate(out, glm::radians(-desc.yawDeg), glm::dvec3(0, 1, 0));
-    out = glm::scale(out, glm::dvec3(desc.scale));
-    return true;
 }
 
 } // namespace

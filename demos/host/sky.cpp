@@ -11,9 +11,6 @@
 namespace demos {
 namespace {
 
-/// The sun's radius as seen from the Earth [rad], 0.27 degrees.
-constexpr double sunRadius = 0.0047;
-
 std::vector<uint64_t> halves(const std::vector<glm::vec3>& colors) {
     std::vector<uint64_t> packed(colors.size());
     for (size_t i = 0; i < colors.size(); ++i)
@@ -41,25 +38,6 @@ bool uploadImage(Device& device, const SkyImage& image, Image& out, Error& error
     desc.format = VK_FORMAT_R16G16B16A16_SFLOAT;
     desc.extent = {image.width, image.height};
     return createSampledImage(device, desc, {&bytes, 1}, out, error);
-}
-
-bool chooseSun(const SkyDesc& sky, const SunDesc& desc, const ImageSun& inImage, Sun& out, Error& error) {
-    if (desc.fromSky) {
-        const double angle = glm::radians(sky.rotationDeg), c = std::cos(angle), s = std::sin(angle);
-        const glm::dvec3& d = inImage.direction;
-        out.direction = {c * d.x - s * d.z, d.y, s * d.x + c * d.z};
-        out.irradiance = inImage.irradiance * sky.intensity;
-    } else {
-        out.direction = directionOf(desc.azimuthDeg, desc.elevationDeg);
-        out.irradiance = toGlm(desc.irradiance);
-    }
-    if (!finite(out.direction) || !finite(out.irradiance) ||
-        glm::any(glm::lessThan(out.irradiance, glm::dvec3(0)))) {
-        error.text = "the sun's direction and irradiance must be finite, and the irradiance not negative";
-        return false;
-    }
-    if (out.direction.y <= 0) out.irradiance = glm::dvec3(0);
-    return true;
 }
 
 } // namespace
@@ -93,7 +71,7 @@ void setSkyUniforms(const Sky& sky, const Camera& camera, VkExtent2D extent, Fra
     const bool visible = sky.sun.direction.y > 0;
     uniforms.toSun = glm::vec4(sky.sun.direction, visible ? 1 : 0);
     uniforms.sunIrradiance = glm::vec4(sky.sun.irradiance, 0);
-    const double soft = std::min(0.9 * sunRadius, std::max(0.1 * sunRadius, 0.75 * pixel));
+    const double soft = softEdgeOfSun(pixel);
     const glm::dvec3 radiance = sky.sun.irradiance / (std::numbers::pi * sunRadius * sunRadius);
     uniforms.sunRadiance = glm::vec4(radiance, soft);
     for (size_t i = 0; i < 9; ++i) uniforms.irradianceSh[i] = glm::vec4(sky.irradianceSh[i], 0);

@@ -3,15 +3,9 @@
 
 #include "host/camera.h"
 #include "host/layouts.h"
-#include "host/sky_image.h"
+#include "host/sun.h"
 
 namespace demos {
-
-/// The sun that lights the scene. Below the horizon it gives no light.
-struct Sun {
-    glm::dvec3 direction{0, 1, 0};
-    glm::dvec3 irradiance{0};
-};
 
 struct Sky {
     Image cube;

@@ -113,25 +113,6 @@ bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, RowAverager&
     return true;
 }
 
-glm::vec3 sampleBilinear(const SkyImage& image, const glm::dvec3& direction) {
-    const double u = std::atan2(direction.z, direction.x) / (2 * pi);
-    const double v = std::acos(std::clamp(direction.y, -1.0, 1.0)) / pi;
-    const double x = u * image.width - 0.5, y = v * image.height - 0.5;
-    const double x0 = std::floor(x), y0 = std::floor(y);
-    const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
-    const auto column = [&](double c) {
-        return static_cast<size_t>((static_cast<int64_t>(c) + 2 * int64_t(image.width)) % image.width);
-    };
-    const auto row = [&](double r) {
-        return static_cast<size_t>(std::clamp(r, 0.0, image.height - 1.0)) * image.width;
-    };
-    const auto at = [&](double c, double r) -> const glm::vec3& {
-        return image.radiance[row(r) + column(c)];
-    };
-    return glm::mix(glm::mix(at(x0, y0), at(x0 + 1, y0), fx),
-                    glm::mix(at(x0, y0 + 1), at(x0 + 1, y0 + 1), fx), fy);
-}
-
 /// Direction of a point on a cube face, s and t from -1 to 1 and a little beyond (Vulkan 1.3, "Cube Map Face
 /// Selection", solved for the direction).
 glm::dvec3 faceDirection(uint32_t face, double s, double t) {
@@ -203,7 +184,7 @@ std::vector<glm::vec3> largestLevel(const SkyImage& image, uint32_t size, double
                 for (const double ds : {-0.5, 0.5}) {
                     const glm::dvec3 d =
                         glm::normalize(faceDirection(face, texelCentre(x, size) + ds / size, t + dt / size));
-                    sum += sampleBilinear(image, {c * d.x - s * d.z, d.y, s * d.x + c * d.z});
+                    sum += sampleSky(image, {c * d.x - s * d.z, d.y, s * d.x + c * d.z});
                 }
             level[static_cast<size_t>(row) * size + x] = glm::min(sum * (0.25f * intensity), maxCubeRadiance);
         }
@@ -271,6 +252,43 @@ void integrate(const std::vector<glm::vec3>& level, uint32_t size, SkyLight& lig
 }
 
 } // namespace
+
+glm::vec3 sampleSky(const SkyImage& image, const glm::dvec3& direction) {
+    const double u = std::atan2(direction.z, direction.x) / (2 * pi);
+    const double v = std::acos(std::clamp(direction.y, -1.0, 1.0)) / pi;
+    const double x = u * image.width - 0.5, y = v * image.height - 0.5;
+    const double x0 = std::floor(x), y0 = std::floor(y);
+    const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
+    const auto column = [&](double c) {
+        return static_cast<size_t>((static_cast<int64_t>(c) + 2 * int64_t(image.width)) % image.width);
+    };
+    const auto row = [&](double r) {
+        return static_cast<size_t>(std::clamp(r, 0.0, image.height - 1.0)) * image.width;
+    };
+    const auto at = [&](double c, double r) -> const glm::vec3& {
+        return image.radiance[row(r) + column(c)];
+    };
+    return glm::mix(glm::mix(at(x0, y0), at(x0 + 1, y0), fx),
+                    glm::mix(at(x0, y0 + 1), at(x0 + 1, y0 + 1), fx), fy);
+}
+
+glm::vec3 sampleCube(const SkyCube& cube, const glm::dvec3& direction, float mip) {
+    const FacePoint at = facePoint(direction);
+    const auto fromLevel = [&](size_t index) {
+        const std::vector<glm::vec3>& level = cube.mips[index];
+        const uint32_t size = cube.faceSize >> index;
+        const double x = (at.s + 1) / 2 * size - 0.5, y = (at.t + 1) / 2 * size - 0.5;
+        const auto x0 = static_cast<int64_t>(std::floor(x)), y0 = static_cast<int64_t>(std::floor(y));
+        const auto fx = static_cast<float>(x - std::floor(x)), fy = static_cast<float>(y - std::floor(y));
+        const auto texel = [&](int64_t i, int64_t j) { return texelAcross(level, size, at.face, i, j); };
+        return glm::mix(glm::mix(texel(x0, y0), texel(x0 + 1, y0), fx),
+                        glm::mix(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), fx), fy);
+    };
+    const float kept = std::clamp(mip, 0.0f, static_cast<float>(cube.mips.size() - 1));
+    const auto level = static_cast<size_t>(kept);
+    const size_t next = std::min(level + 1, cube.mips.size() - 1);
+    return glm::mix(fromLevel(level), fromLevel(next), kept - static_cast<float>(level));
+}
 
 std::optional<SkyImage> readSkyImage(const std::filesystem::path& file, Error& error) {
     const std::string name = file.string();

@@ -1,7 +1,7 @@
 // A lat-long sky as light: clean pixels, the sun taken out, a filtered cube and the irradiance it gives. CPU
 // only.
 //
-// The left edge of the image faces +X, a quarter to its right is +Z: azimuth = 360 u, elevation = 180 (1/2 - v).
+// The left edge of the image faces +X, a quarter to its right is +Z: azimuth = 360 u, elevation = 90 - 180 v.
 #pragma once
 
 #include <array>
@@ -49,6 +49,12 @@ std::optional<SkyImage> readSkyImage(const std::filesystem::path& file, Error& e
 /// ring just outside the disc is taken away. Its irradiance is returned, so that image plus sun keep the
 /// energy they had.
 ImageSun takeOutSun(SkyImage& image);
+
+/// Radiance from a direction of the image's own frame, bilinear.
+glm::vec3 sampleSky(const SkyImage& image, const glm::dvec3& direction);
+
+/// Radiance of the cube from a direction, trilinear, as a GPU filters it across the faces' edges.
+glm::vec3 sampleCube(const SkyCube& cube, const glm::dvec3& direction, float mip);
 
 /// Filters the image, turned about +Y (from +X towards +Z) and scaled.
 SkyLight filterSky(const SkyImage& image, double rotationDeg, double intensity);

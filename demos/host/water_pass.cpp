@@ -1,53 +1,14 @@
 #include "host/water_pass.h"
 
 #include <chrono>
-#include <numbers>
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include "host/rendering.h"
-#ifdef DEMOS_WAVES_FFTW
-#include "seaglass/waves_fftw.h"
-#endif
+#include "host/waves.h"
 
 namespace demos {
 namespace {
-
-const seaglass::WavesBackend* wavesBackend() {
-#ifdef DEMOS_WAVES_FFTW
-    return seaglass::fftwWaves();
-#else
-    return nullptr;
-#endif
-}
-
-bool seaOf(const WavesDesc& waves, seaglass::SeaDesc& sea, Error& error) {
-    if (!wavesBackend()) {
-        error.text = "water.waves: this program was built without a wave backend (SEAGLASS_FFTW)";
-        return false;
-    }
-    if (waves.spectrum == "jonswap") {
-        sea.spectrum = seaglass::SpectrumModel::jonswap;
-    } else if (waves.spectrum == "pierson-moskowitz") {
-        sea.spectrum = seaglass::SpectrumModel::piersonMoskowitz;
-    } else {
-        error.text =
-            "water.waves.spectrum is \"" + waves.spectrum + "\", expected jonswap or pierson-moskowitz";
-        return false;
-    }
-    sea.windSpeed = static_cast<float>(waves.windMps);
-    sea.windDirection = static_cast<float>(waves.windTowardsDeg * std::numbers::pi / 180);
-    sea.fetch = static_cast<float>(waves.fetchM);
-    sea.peakEnhancement = static_cast<float>(waves.peakEnhancement);
-    sea.swell = static_cast<float>(waves.swell);
-    sea.amplitude = static_cast<float>(waves.amplitude);
-    sea.choppiness = static_cast<float>(waves.choppiness);
-    sea.samples = waves.samples;
-    sea.cascades = waves.cascades;
-    sea.largestPatch = static_cast<float>(waves.largestPatchM);
-    sea.seed = waves.seed;
-    return true;
-}
 
 bool reflectionOf(const ReflectionDesc& desc, seaglass::ReflectionDesc& reflection, Error& error) {
     if (desc.technique == "sspr") {
