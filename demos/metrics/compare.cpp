@@ -1,0 +1,102 @@
+#include "metrics/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "metrics/finite.h"
+#include "metrics/psnr.h"
+
+namespace demos {
+
+namespace {
+
+/// Black wherever either picture is not finite, so that no filter spreads it.
+std::vector<float> mended(const Image& image, const Image& other) {
+    std::vector<float> rgba(image.rgba.begin(), image.rgba.end());
+    for (size_t i = 0; i < image.pixels(); ++i) {
+        if (!isFinite(image, i) || !isFinite(other, i)) std::fill_n(&rgba[4 * i], 4, 0.0f);
+    }
+    return rgba;
+}
+
+double greatest(std::span<const float> rgba) {
+    float most = 0;
+    for (size_t i = 0; i < rgba.size(); ++i) {
+        if (i % 4 != 3) most = std::max(most, rgba[i]);
+    }
+    return static_cast<double>(most);
+}
+
+void pool(Comparison& comparison) {
+    std::vector<float> values = comparison.flipMap;
+    if (values.empty()) return;
+    comparison.flipMean =
+        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    comparison.flipMax = static_cast<double>(*std::max_element(values.begin(), values.end()));
+    const auto rank = values.begin() + static_cast<std::ptrdiff_t>((values.size() * 99 + 99) / 100 - 1);
+    std::nth_element(values.begin(), rank, values.end());
+    comparison.flipP99 = static_cast<double>(*rank);
+}
+
+} // namespace
+
+Comparison compare(const Image& reference, const Image& test, PictureKind kind, const Limits& limits) {
+    Comparison found;
+    found.shares.resize(limits.shares.size());
+    found.sameSize = reference.width == test.width && reference.height == test.height;
+    if (!found.sameSize || reference.pixels() == 0) return found;
+    found.notFiniteInReference = countNotFinite(reference);
+    found.notFiniteInTest = countNotFinite(test);
+
+    const std::vector<float> soundReference = mended(reference, test), soundTest = mended(test, reference);
+    const Image a{reference.width, reference.height, soundReference}, b{test.width, test.height, soundTest};
+    if (kind == PictureKind::linear) {
+        HdrFlip hdr = hdrFlip(a, b);
+        found.flipMap = std::move(hdr.map);
+        found.exposures = hdr.exposures;
+    } else {
+        found.flipMap = flip(a, b);
+    }
+    for (size_t i = 0; i < found.flipMap.size(); ++i) {
+        if (!isFinite(reference, i) || !isFinite(test, i)) found.flipMap[i] = 1;
+    }
+    pool(found);
+
+    found.difference = difference(reference, test);
+    found.psnrDb =
+        psnrDb(found.difference.meanSquare, kind == PictureKind::display ? 1 : greatest(soundReference));
+    std::transform(limits.shares.begin(), limits.shares.end(), found.shares.begin(),
+                   [&](const ShareLimit& limit) { return shareOver(reference, test, limit.over); });
+    return found;
+}
+
+std::vector<std::string> objections(const Comparison& comparison, const Limits& limits) {
+    if (!comparison.sameSize) return {"the pictures differ in size"};
+    std::vector<std::string> all;
+    const auto notFinite = [&all](const char* which, uint64_t pixels) {
+        if (pixels == 0) return;
+        all.push_back("NaN or infinity in " + std::to_string(pixels) + " pixels of the " + which +
+                      ", expected none");
+    };
+    notFinite("reference", comparison.notFiniteInReference);
+    notFinite("test", comparison.notFiniteInTest);
+    const auto object = [&all](const std::string& what, double is, double limit) {
+        // What is not a number is within no limit.
+        if (is <= limit) return;
+        char text[96];
+        std::snprintf(text, sizeof(text), " is %.4g, expected at most %.4g", is, limit);
+        all.push_back(what + text);
+    };
+    if (limits.flipMean) object("mean FLIP", comparison.flipMean, *limits.flipMean);
+    if (limits.differenceMean) object("mean difference", comparison.difference.mean, *limits.differenceMean);
+    for (size_t i = 0; i < limits.shares.size(); ++i) {
+        char what[64];
+        std::snprintf(what, sizeof(what), "share of pixels off by more than %.4g", limits.shares[i].over);
+        object(what, comparison.shares[i], limits.shares[i].share);
+    }
+    return all;
+}
+
+} // namespace demos

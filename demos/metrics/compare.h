@@ -1,0 +1,45 @@
+// All measures of two pictures at once, and whether they are within limits. A mean forgives a spot and a
+// maximum forgives nothing, so both are there.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "metrics/difference.h"
+#include "metrics/flip_hdr.h"
+
+namespace demos {
+
+/// Display-encoded 0..1, as in a PNG, or linear light without limit, as in an EXR.
+enum class PictureKind { display, linear };
+
+/// At most `share` of the pixels may differ by more than `over` in some channel.
+struct ShareLimit {
+    double over = 0, share = 0;
+};
+
+/// What is not given is not looked at, but for NaN and infinity, which always fail.
+struct Limits {
+    std::optional<double> flipMean;
+    std::optional<double> differenceMean;
+    std::vector<ShareLimit> shares;
+};
+
+struct Comparison {
+    bool sameSize = false;                                  ///< else nothing below is filled in
+    uint64_t notFiniteInReference = 0, notFiniteInTest = 0; ///< pixels; the other measures are over the rest
+    Difference difference;
+    double psnrDb = 0; ///< infinite when equal; of the peak 1, or the reference's greatest when linear
+    double flipMean = 0, flipP99 = 0, flipMax = 0;
+    std::vector<float> flipMap; ///< 1 where there is NaN or infinity
+    ExposureRange exposures;    ///< of HDR-FLIP, when linear
+    std::vector<double> shares; ///< of pixels, for each of Limits::shares
+};
+
+Comparison compare(const Image& reference, const Image& test, PictureKind kind, const Limits& limits);
+
+/// What is beyond the limits, in words; empty when nothing is.
+std::vector<std::string> objections(const Comparison& comparison, const Limits& limits);
+
+} // namespace demos

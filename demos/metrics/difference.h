@@ -1,0 +1,21 @@
+// How far the values of two pictures of one size are apart, channel by channel.
+#pragma once
+
+#include "metrics/image.h"
+
+namespace demos {
+
+/// Over red, green and blue of all pixels that are finite in both.
+struct Difference {
+    double mean = 0;
+    double meanSquare = 0;
+    double max = 0;
+};
+
+Difference difference(const Image& a, const Image& b);
+
+/// Share of the pixels, 0..1, that differ by more than `limit` in some channel. Those with NaN or infinity
+/// do.
+double shareOver(const Image& a, const Image& b, double limit);
+
+} // namespace demos

@@ -1,0 +1,17 @@
+// Counted before anything is compared: NaN passes every comparison with a limit.
+#pragma once
+
+#include "metrics/image.h"
+
+namespace demos {
+
+/// Whether +infinity means something in a picture: in one of depth it is the sky.
+enum class Infinity { broken, far };
+
+/// Pixels with NaN or infinity in any channel, alpha too.
+uint64_t countNotFinite(const Image& image, Infinity infinity = Infinity::broken);
+
+/// Whether the colour of a pixel is finite.
+bool isFinite(const Image& image, size_t pixel);
+
+} // namespace demos

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace demos {
+
+/// A view of float RGBA pixels, top row first: 4 * width * height values. Measures look at colour alone.
+struct Image {
+    uint32_t width = 0, height = 0;
+    std::span<const float> rgba;
+
+    size_t pixels() const { return size_t{width} * height; }
+};
+
+} // namespace demos
