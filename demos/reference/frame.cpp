@@ -1,0 +1,66 @@
+#include "reference/frame.h"
+
+namespace demos::reference {
+
+bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& error) {
+    out.world = &world;
+    out.desc = desc;
+    const double aspect = static_cast<double>(desc.width) / desc.height;
+    if (!std::isfinite(desc.timeS)) {
+        error.text = "the time of a frame must be finite";
+        return false;
+    }
+    if (!makeCamera(desc.camera, aspect, out.camera, error) || !out.geometry.create(error)) return false;
+    out.pixelAngle = static_cast<float>(2 * out.camera.tanHalfFovY / desc.height);
+    for (const Instance& instance : world.instances) out.geometry.add(instance, out.camera.eye);
+    if (world.water) {
+        if (!out.surface.create(world.sea.get(), desc.timeS, error)) return false;
+        SurfaceMeshDesc mesh;
+        mesh.levelM = world.water->levelM;
+        mesh.height = desc.height;
+        out.mesh = meshOf(out.surface, out.camera, mesh);
+        out.geometry.add(out.mesh);
+        out.mesh.positions = {};
+    }
+    return out.geometry.build(error);
+}
+
+Ray Frame::rayThrough(const glm::vec2& pixel) const {
+    const auto through = [&](double x, double y) {
+        const double right = 2 * x / desc.width - 1, up = 1 - 2 * y / desc.height;
+        return camera.forward + camera.right * (right * camera.tanHalfFovX) +
+               camera.up * (up * camera.tanHalfFovY);
+    };
+    const double x = static_cast<double>(pixel.x), y = static_cast<double>(pixel.y);
+    const glm::dvec3 towards = through(x, y);
+    const double length = glm::length(towards);
+    Ray ray;
+    ray.direction = glm::vec3(towards / length);
+    ray.nearest = static_cast<float>(camera.near * length);
+    ray.footprint = {glm::vec3(0), glm::vec3(through(x + 1, y)), glm::vec3(through(x, y + 1))};
+    return ray;
+}
+
+glm::dvec3 Frame::seenAt(const glm::vec3& position) const {
+    const glm::dvec3 p(position);
+    const double along = glm::dot(p, camera.forward);
+    const double right = glm::dot(p, camera.right) / (along * camera.tanHalfFovX);
+    const double up = glm::dot(p, camera.up) / (along * camera.tanHalfFovY);
+    return {(right + 1) / 2 * desc.width, (1 - up) / 2 * desc.height, along};
+}
+
+glm::dvec2 Frame::calmAt(const Hit& waterHit) const {
+    const glm::uvec3 corners = mesh.triangles[waterHit.triangle];
+    glm::dvec2 calm(camera.eye.x, camera.eye.z);
+    for (int i = 0; i < 3; ++i)
+        calm += static_cast<double>(waterHit.weights[i]) *
+                glm::dvec2(mesh.calm[corners[static_cast<glm::length_t>(i)]]);
+    return calm;
+}
+
+float Frame::heightOf(const glm::vec3& position) const {
+    const double level = world->water ? world->water->levelM : 0;
+    return static_cast<float>(static_cast<double>(position.y) + camera.eye.y - level);
+}
+
+} // namespace demos::reference

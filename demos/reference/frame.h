@@ -1,0 +1,41 @@
+// One picture's worth of a world: what rays hit from this eye at this time.
+#pragma once
+
+#include "reference/random.h"
+#include "reference/world.h"
+
+namespace demos::reference {
+
+struct FrameDesc {
+    uint32_t width = 1280, height = 720;
+    CameraDesc camera;
+    double timeS = 0;
+    uint32_t samples = 1; ///< of each pixel; 1 is its centre
+    uint64_t seed = 1;
+    uint32_t threads = 0; ///< 0: as many as the machine has; the picture does not depend on it
+};
+
+struct Frame {
+    const World* world = nullptr;
+    FrameDesc desc;
+    Camera camera;
+    float pixelAngle = 0; ///< [rad]
+    WaterSurface surface;
+    SurfaceMesh mesh; ///< without its positions, which the geometry holds
+    Geometry geometry;
+
+    /// Through a point of the picture, in pixels from its left top corner.
+    Ray rayThrough(const glm::vec2& pixel) const;
+    /// Where in the picture a point relative to the eye is seen; z is its distance along the view axis, not
+    /// positive behind the eye.
+    glm::dvec3 seenAt(const glm::vec3& position) const;
+    /// Where the water of a hit rests, in the world.
+    glm::dvec2 calmAt(const Hit& waterHit) const;
+    /// Height of a point relative to the eye above the calm water [m].
+    float heightOf(const glm::vec3& position) const;
+};
+
+/// `out` keeps a pointer to the world.
+bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& error);
+
+} // namespace demos::reference

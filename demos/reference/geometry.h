@@ -1,0 +1,98 @@
+// What rays can hit: the opaque meshes and the water's surface, in one Embree scene relative to the eye.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <embree3/rtcore.h>
+
+#include "host/mesh_file.h"
+#include "reference/ray.h"
+#include "reference/texture.h"
+
+namespace demos::reference {
+
+/// A mesh as it was read, and its textures ready to be looked at.
+struct Model {
+    Mesh mesh;
+    std::vector<Texture> textures;
+    explicit Model(Mesh source);
+};
+
+struct Instance {
+    const Model* model = nullptr;
+    glm::dmat4 worldFromMesh{1};
+};
+
+/// Bits that say what a ray may hit.
+enum Kind : unsigned { opaque = 1, water = 2, everything = 3 };
+
+/// One instance as Embree holds it.
+struct OpaquePart {
+    const Model* model = nullptr;
+    glm::mat3 eyeFromMesh{1};             ///< of directions
+    const glm::vec3* positions = nullptr; ///< relative to the eye
+    std::vector<uint32_t> materials;      ///< of each triangle
+};
+
+struct Hit {
+    Kind kind = Kind::opaque;
+    float distance = 0;
+    glm::vec3 position{0};
+    glm::vec3 geometricNormal{0, 1, 0}; ///< unit, by the corners' order
+    glm::vec3 weights{1, 0, 0};         ///< of the corners
+    uint32_t triangle = 0;
+    const OpaquePart* part = nullptr; ///< null for water
+    bool frontFacing = true;
+
+    /// Unit, towards where the ray came from.
+    glm::vec3 facing() const { return frontFacing ? geometricNormal : -geometricNormal; }
+};
+
+/// Triangles of the water's surface, relative to the eye.
+struct SurfaceMesh {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec2> calm; ///< (u, v) before displacement
+    std::vector<glm::uvec3> triangles;
+};
+
+/// Immutable once built; tracing may go on in several threads at once.
+class Geometry {
+  public:
+    Geometry() = default;
+    Geometry(const Geometry&) = delete;
+    Geometry& operator=(const Geometry&) = delete;
+    ~Geometry();
+
+    bool create(Error& error);
+    void add(const Instance& instance, const glm::dvec3& eye);
+    void add(const SurfaceMesh& surface);
+    /// After the last add(), before the first ray.
+    bool build(Error& error);
+
+    /// The nearest hit, back faces and cut-outs left out as the host leaves them out.
+    bool trace(const Ray& ray, Kind kinds, Hit& hit) const;
+    /// Whether anything lies between; both faces of everything cast shadows, as in the host.
+    bool occluded(const glm::vec3& from, const glm::vec3& direction, Kind kinds,
+                  const Footprint& footprint) const;
+
+  private:
+    RTCDevice device_ = nullptr;
+    RTCScene scene_ = nullptr;
+    std::vector<std::unique_ptr<OpaquePart>> parts_; ///< by Embree's geometry
+    unsigned waterGeometry_ = RTC_INVALID_GEOMETRY_ID;
+    const glm::vec3* waterPositions_ = nullptr;
+    const glm::uvec3* waterTriangles_ = nullptr;
+};
+
+/// Colour and alpha of an opaque surface before light, with what `footprint` blurs in its texture.
+glm::vec4 baseColorAt(const OpaquePart& part, uint32_t triangle, const glm::vec3& weights,
+                      const glm::vec3& position, const Footprint& footprint);
+/// Metalness in blue, roughness in green, as glTF has them, factors left out.
+glm::vec4 metallicRoughnessAt(const OpaquePart& part, uint32_t triangle, const glm::vec3& weights,
+                              const glm::vec3& position, const Footprint& footprint);
+/// How far to step off a surface so that a ray does not meet it again [m].
+float clearanceAt(const glm::vec3& position);
+
+} // namespace demos::reference

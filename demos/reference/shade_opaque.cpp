@@ -1,0 +1,80 @@
+#include "reference/shade_opaque.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/optics.h"
+
+namespace demos::reference {
+namespace {
+
+/// Specular reflectance of a rough surface in uniform light (Karis 2014, "Physically Based Shading on
+/// Mobile").
+glm::vec3 environmentBrdf(const glm::vec3& f0, float roughness, float nDotV) {
+    const glm::vec4 r =
+        roughness * glm::vec4(-1.0f, -0.0275f, -0.572f, 0.022f) + glm::vec4(1.0f, 0.0425f, 1.04f, -0.04f);
+    const float a = std::min(r.x * r.x, std::exp2(-9.28f * nDotV)) * r.x + r.y;
+    const glm::vec2 ab = glm::vec2(-1.04f, 1.04f) * a + glm::vec2(r.z, r.w);
+    return f0 * ab.x + ab.y;
+}
+
+/// GGX with the height-correlated Smith term (Heitz 2014), Fresnel by Schlick.
+glm::vec3 sunSpecular(const glm::vec3& n, const glm::vec3& v, const glm::vec3& l, float nDotL, float nDotV,
+                      const glm::vec3& f0, float roughness) {
+    const glm::vec3 h = glm::normalize(v + l);
+    const float nDotH = glm::clamp(glm::dot(n, h), 0.0f, 1.0f),
+                vDotH = glm::clamp(glm::dot(v, h), 0.0f, 1.0f);
+    const float alpha = roughness * roughness, a2 = alpha * alpha;
+    const float d = nDotH * nDotH * (a2 - 1) + 1;
+    const float smith =
+        nDotL * std::sqrt(nDotV * nDotV * (1 - a2) + a2) + nDotV * std::sqrt(nDotL * nDotL * (1 - a2) + a2);
+    const glm::vec3 f = f0 + (1.0f - f0) * std::pow(1 - vDotH, 5.0f);
+    return f * (a2 / (pi * d * d)) * (0.5f / std::max(smith, 1e-5f));
+}
+
+glm::vec3 interpolatedNormal(const Hit& hit) {
+    const Mesh& mesh = hit.part->model->mesh;
+    glm::vec3 n(0);
+    for (int i = 0; i < 3; ++i)
+        n += hit.weights[i] *
+             mesh.vertices[mesh.indices[size_t(hit.triangle) * 3 + static_cast<size_t>(i)]].normal;
+    return glm::normalize(hit.part->eyeFromMesh * n);
+}
+
+} // namespace
+
+glm::vec3 shadeOpaque(const Geometry& geometry, const Light& light, const Ray& ray, const Hit& hit,
+                      const glm::vec3& towardsSun) {
+    const MeshMaterial& material = hit.part->model->mesh.materials[hit.part->materials[hit.triangle]];
+    const glm::vec3 base(baseColorAt(*hit.part, hit.triangle, hit.weights, hit.position, ray.footprint));
+    const glm::vec4 mr =
+        metallicRoughnessAt(*hit.part, hit.triangle, hit.weights, hit.position, ray.footprint);
+    const float metallic = material.metallic * mr.b;
+    const float roughness = glm::clamp(material.roughness * mr.g, 0.06f, 1.0f);
+    const glm::vec3 f0 = glm::mix(glm::vec3(0.04f), base, metallic);
+    const glm::vec3 diffuse = base * (1 - metallic);
+
+    glm::vec3 n = interpolatedNormal(hit);
+    if (!hit.frontFacing) n = -n;
+    const glm::vec3 v = -ray.direction;
+    const glm::vec3 l = light.toSun();
+    const float nDotL = glm::dot(n, l), nDotV = std::max(std::abs(glm::dot(n, v)), 1e-3f);
+
+    glm::vec3 radiance = material.emissive;
+    const bool lit = nDotL > 0 && light.sunIrradiance() != glm::vec3(0);
+    if (lit && !geometry.occluded(hit.position + hit.facing() * clearanceAt(hit.position), towardsSun,
+                                  Kind::opaque, ray.footprint)) {
+        radiance += light.sunIrradiance() * nDotL *
+                    (diffuse / pi + sunSpecular(n, v, l, nDotL, nDotV, f0, roughness));
+    }
+    const glm::vec3 ambient = environmentBrdf(f0, roughness, nDotV);
+    // The mip whose texels are as large as the lobe: solid angles 4 pi alpha^2 and 4 pi / (6 size^2).
+    const auto& cube = light.filtered.cube;
+    const auto lastMip = static_cast<float>(cube.mips.size() - 1);
+    const float mip = std::log2(static_cast<float>(cube.faceSize) * roughness * roughness * 2.449f);
+    const glm::vec3 mirrored = light.cube(glm::reflect(-v, n), glm::clamp(mip, 0.0f, lastMip - 1));
+    radiance += diffuse / pi * light.irradiance(n) * (1.0f - ambient) + mirrored * ambient;
+    return glm::min(radiance, glm::vec3(60000));
+}
+
+} // namespace demos::reference

@@ -1,0 +1,14 @@
+// demos/host/shaders/opaque.frag on the CPU.
+#pragma once
+
+#include "reference/geometry.h"
+#include "reference/light.h"
+
+namespace demos::reference {
+
+/// Radiance towards where the ray came from. `towardsSun` is a direction to a point of the sun's disc: a ray
+/// is traced there in place of the host's shadow map.
+glm::vec3 shadeOpaque(const Geometry& geometry, const Light& light, const Ray& ray, const Hit& hit,
+                      const glm::vec3& towardsSun);
+
+} // namespace demos::reference

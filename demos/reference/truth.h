@@ -1,0 +1,28 @@
+// What the water truly mirrors at a pixel, and whether the picture itself could have told.
+#pragma once
+
+#include "reference/frame.h"
+
+namespace demos::reference {
+
+enum class TruthClass : int {
+    none = 0, ///< no water is seen here
+    sky = 1,
+    recoverable = 2, ///< what is mirrored is seen elsewhere in the picture
+    offScreen = 3,   ///< ... lies beyond its border
+    hidden = 4,      ///< ... is within it, behind something else
+    backFacing = 5,  ///< ... is within it, but turned away
+    water = 6,       ///< another wave, which no picture of the opaque scene holds
+};
+
+struct Truth {
+    TruthClass kind = TruthClass::none;
+    glm::vec2 pixel{
+        -1}; ///< where the mirrored point lies in the picture, its border or not; -1 behind the eye
+    float distance = 0; ///< from the water to it [m]; 0 for the sky
+};
+
+/// Of the ray through a point of the picture, mirrored by the mean slope over the pixel.
+Truth truthAt(const Frame& frame, const glm::vec2& pixel);
+
+} // namespace demos::reference

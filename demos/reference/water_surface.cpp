@@ -1,0 +1,236 @@
+#include "reference/water_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "host/waves.h"
+
+namespace demos::reference {
+namespace {
+
+std::vector<glm::vec4> halved(const std::vector<glm::vec4>& level, uint32_t size) {
+    const uint32_t half = size / 2;
+    std::vector<glm::vec4> next(size_t(half) * half);
+    for (size_t y = 0; y < half; ++y)
+        for (size_t x = 0; x < half; ++x) {
+            const size_t at = 2 * y * size + 2 * x;
+            next[y * half + x] =
+                0.25f * ((level[at] + level[at + 1]) + (level[at + size] + level[at + size + 1]));
+        }
+    return next;
+}
+
+void addLevels(std::vector<std::vector<glm::vec4>>& map, uint32_t size) {
+    for (; size > 1; size /= 2) map.push_back(halved(map.back(), size));
+}
+
+float jacobianOf(const glm::vec4& derivatives, float shear) {
+    return (1 + derivatives.z) * (1 + derivatives.w) - shear * shear;
+}
+
+/// The azimuths that a camera sees of a plane, as a middle and half a width [rad].
+struct Azimuths {
+    double middle = 0, half = std::numbers::pi;
+};
+
+Azimuths azimuthsOf(const Camera& camera) {
+    const glm::dvec2 ahead(camera.forward.x, camera.forward.z);
+    if (glm::length(ahead) < 1e-3) return {};
+    Azimuths seen{std::atan2(ahead.y, ahead.x), 0};
+    const glm::dvec2 axis = glm::normalize(ahead);
+    // Edges of the picture are straight lines, so that their ends see farthest round; straight down or up
+    // sees all round.
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0}) {
+            const glm::dvec3 corner = camera.forward + camera.right * (x * camera.tanHalfFovX) +
+                                      camera.up * (y * camera.tanHalfFovY);
+            const double along = glm::dot(glm::dvec2(corner.x, corner.z), axis);
+            const double across = std::abs(axis.x * corner.z - axis.y * corner.x);
+            seen.half = std::max(seen.half, std::atan2(across, along));
+        }
+    if (seen.half > 0.45 * std::numbers::pi) return {};
+    return seen;
+}
+
+std::vector<double> azimuthSteps(const Azimuths& seen, double fine) {
+    constexpr double margin = 0.03;
+    const double half = std::min(std::numbers::pi, seen.half + margin);
+    const auto within = static_cast<size_t>(std::ceil(2 * half / fine));
+    std::vector<double> angles;
+    for (size_t i = 0; i <= within; ++i)
+        angles.push_back(seen.middle - half +
+                         2 * half * static_cast<double>(i) / static_cast<double>(within));
+    constexpr double coarse = 0.03;
+    const double rest = 2 * (std::numbers::pi - half);
+    const auto outside = static_cast<size_t>(std::ceil(rest / coarse));
+    for (size_t i = 1; i < outside; ++i)
+        angles.push_back(seen.middle + half + rest * static_cast<double>(i) / static_cast<double>(outside));
+    if (outside == 0) angles.pop_back(); // the first again
+    return angles;
+}
+
+} // namespace
+
+bool WaterSurface::create(const seaglass::Sea* sea, double timeS, Error& error) {
+    cascades_.clear();
+    unresolvedVariance_ = 0;
+    const uint32_t count = sea ? seaglass::cascadeCount(*sea) : 0;
+    if (count == 0) return true;
+    const seaglass::WavesBackend& backend = *wavesBackend();
+    const std::unique_ptr<void, void (*)(void*)> state(backend.create(*sea), backend.destroy);
+    if (!state) {
+        error.text = "water.waves: out of memory";
+        return false;
+    }
+    unresolvedVariance_ = static_cast<float>(seaglass::unresolvedSlopeVariance(*sea) / 2);
+    for (uint32_t i = 0; i < count; ++i) {
+        const seaglass::Cascade& from = seaglass::cascade(*sea, i);
+        Cascade& to = cascades_.emplace_back();
+        to.patch = from.patch;
+        to.samples = from.samples;
+        const size_t texels = size_t(from.samples) * from.samples;
+        to.displacement.emplace_back(texels);
+        to.derivatives.emplace_back(texels);
+        to.moments.emplace_back(texels);
+        backend.evaluate(state.get(), i, timeS,
+                         {&to.displacement[0][0].x, &to.derivatives[0][0].x, &to.moments[0][0].x});
+        for (auto* map : {&to.displacement, &to.derivatives, &to.moments}) addLevels(*map, from.samples);
+    }
+    return true;
+}
+
+glm::vec4 WaterSurface::bilinear(const Cascade& cascade, const std::vector<Level>& map, size_t mip,
+                                 const glm::dvec2& calm) {
+    const uint32_t size = cascade.samples >> mip;
+    // Sample i of the sea lies at i / samples of the patch; a mip's texel at the middle of those it is the
+    // mean of.
+    const double scale = std::ldexp(1.0, -static_cast<int>(mip));
+    const auto at = [&](double position) {
+        const double texels =
+            (position / cascade.patch - std::floor(position / cascade.patch)) * cascade.samples;
+        return (texels + 0.5) * scale - 0.5;
+    };
+    const double x = at(calm.x), y = at(calm.y), x0 = std::floor(x), y0 = std::floor(y);
+    const auto index = [&](double i) { return static_cast<size_t>(static_cast<int64_t>(i) + size) % size; };
+    const size_t left = index(x0), right = index(x0 + 1), top = index(y0) * size,
+                 bottom = index(y0 + 1) * size;
+    const Level& level = map[mip];
+    const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
+    return glm::mix(glm::mix(level[top + left], level[top + right], fx),
+                    glm::mix(level[bottom + left], level[bottom + right], fx), fy);
+}
+
+glm::vec4 WaterSurface::trilinear(const Cascade& cascade, const std::vector<Level>& map, double mip,
+                                  const glm::dvec2& calm) {
+    const auto last = static_cast<double>(map.size() - 1);
+    const double kept = std::clamp(mip, 0.0, last);
+    const auto level = static_cast<size_t>(kept);
+    const auto share = static_cast<float>(kept - static_cast<double>(level));
+    const glm::vec4 fine = bilinear(cascade, map, level, calm);
+    return share == 0 ? fine : glm::mix(fine, bilinear(cascade, map, level + 1, calm), share);
+}
+
+namespace {
+double mipOf(double footprint, double texel) {
+    return footprint > texel ? std::log2(footprint / texel) : 0.0;
+}
+} // namespace
+
+glm::vec3 WaterSurface::displacement(const glm::dvec2& calm, double footprint) const {
+    glm::vec3 sum(0);
+    for (const Cascade& cascade : cascades_) {
+        const double mip = mipOf(footprint, cascade.texel());
+        // The last mip is the tile's mean, which is zero.
+        if (mip < static_cast<double>(cascade.displacement.size() - 1))
+            sum += glm::vec3(trilinear(cascade, cascade.displacement, mip, calm));
+    }
+    return sum;
+}
+
+WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footprint) const {
+    Slopes s;
+    glm::vec4 derivatives(0);
+    float shear = 0;
+    glm::vec3 variance(0);
+    for (const Cascade& cascade : cascades_) {
+        const double mip = mipOf(footprint, cascade.texel());
+        const glm::vec4 d = trilinear(cascade, cascade.derivatives, mip, calm);
+        derivatives += d;
+        shear += trilinear(cascade, cascade.displacement, mip, calm).w;
+        if (footprint > 0)
+            variance += glm::vec3(trilinear(cascade, cascade.moments, mip, calm)) -
+                        glm::vec3(d.x * d.x, d.y * d.y, d.x * d.y);
+    }
+    variance.x = std::max(variance.x, 0.0f);
+    variance.y = std::max(variance.y, 0.0f);
+    // The tangents' cross product, as in shaders/surface.frag.
+    const glm::vec2 diagonal(1 + derivatives.z, 1 + derivatives.w);
+    const glm::vec2 bent(derivatives.x * diagonal.y - derivatives.y * shear,
+                         derivatives.y * diagonal.x - derivatives.x * shear);
+    s.mean = bent / std::max(jacobianOf(derivatives, shear), 0.15f);
+    s.covariance = variance + glm::vec3(unresolvedVariance_, unresolvedVariance_, 0);
+    return s;
+}
+
+float WaterSurface::foamCover(const glm::dvec2& calm, double footprint, float threshold) const {
+    constexpr double breakingFootprint = 1; // [m]
+    glm::vec4 derivatives(0);
+    float shear = 0, variance = 0.004f;
+    for (const Cascade& cascade : cascades_) {
+        const double breaking = std::log2(breakingFootprint / cascade.texel());
+        const auto maxMip = static_cast<double>(cascade.derivatives.size() - 1);
+        if (breaking > maxMip - 2) continue; // a tile of ripples alone
+        const double mip = std::max(mipOf(footprint, cascade.texel()), std::max(breaking, 0.0));
+        const glm::vec4 d = trilinear(cascade, cascade.derivatives, mip, calm);
+        derivatives += d;
+        shear += trilinear(cascade, cascade.displacement, mip, calm).w;
+        const float stretch = d.z + d.w;
+        if (mip >= breaking + 0.5)
+            variance += std::max(trilinear(cascade, cascade.moments, mip, calm).w - stretch * stretch, 0.0f);
+    }
+    const float x = (threshold - jacobianOf(derivatives, shear)) / std::sqrt(variance);
+    return 1 / (1 + std::exp(-1.702f * std::clamp(x, -20.0f, 20.0f)));
+}
+
+SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc) {
+    const double eyeHeight = camera.eye.y - desc.levelM, height = std::max(std::abs(eyeHeight), 0.05);
+    const double pixel = 2 * camera.tanHalfFovY / desc.height;
+    const double fine = std::clamp(desc.pixelsACell * pixel, 1e-3, 0.1);
+    const std::vector<double> azimuths = azimuthSteps(azimuthsOf(camera), fine);
+    // A flat sea comes within h/d radians of the horizon: as far as the renderer's own mesh.
+    const double horizon = std::max(100e3, 4000 * height);
+    constexpr double finestCell = 0.005; // [m]
+    const auto cellAt = [&](double r) { return std::max(fine * std::hypot(r, height), finestCell); };
+
+    SurfaceMesh mesh;
+    const auto add = [&](const glm::dvec2& fromFoot, double cell) {
+        const glm::dvec2 calm = fromFoot + glm::dvec2(camera.eye.x, camera.eye.z);
+        const glm::vec3 moved = surface.displacement(calm, cell);
+        mesh.calm.emplace_back(fromFoot);
+        mesh.positions.emplace_back(static_cast<float>(fromFoot.x + moved.x),
+                                    static_cast<float>(moved.y - eyeHeight),
+                                    static_cast<float>(fromFoot.y + moved.z));
+    };
+    add(glm::dvec2(0), cellAt(0));
+    uint32_t rings = 0;
+    for (double r = cellAt(0); r < horizon; r += cellAt(r), ++rings)
+        for (const double azimuth : azimuths)
+            add(r * glm::dvec2(std::cos(azimuth), std::sin(azimuth)), cellAt(r));
+
+    const auto around = static_cast<uint32_t>(azimuths.size());
+    const auto vertex = [&](uint32_t ring, uint32_t i) { return 1 + ring * around + i % around; };
+    mesh.triangles.reserve(size_t(2) * rings * around);
+    // Upwards is from +x towards -z, against the azimuths.
+    for (uint32_t i = 0; i < around; ++i) mesh.triangles.emplace_back(0, vertex(0, i + 1), vertex(0, i));
+    for (uint32_t ring = 0; ring + 1 < rings; ++ring)
+        for (uint32_t i = 0; i < around; ++i) {
+            const uint32_t a = vertex(ring, i), b = vertex(ring, i + 1);
+            const uint32_t c = vertex(ring + 1, i), d = vertex(ring + 1, i + 1);
+            mesh.triangles.emplace_back(a, b, c);
+            mesh.triangles.emplace_back(b, d, c);
+        }
+    return mesh;
+}
+
+} // namespace demos::reference

@@ -1,0 +1,70 @@
+// The sea's displaced surface: the maps that the GPU is given, looked up as it does, and a mesh fine enough
+// to trace.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "host/camera.h"
+#include "reference/geometry.h"
+#include "seaglass/sea.h"
+
+namespace demos::reference {
+
+struct SeaDeleter {
+    void operator()(seaglass::Sea* sea) const { seaglass::destroySea(sea); }
+};
+using SeaPointer = std::unique_ptr<seaglass::Sea, SeaDeleter>;
+
+/// Positions on the calm plane are (u, v) = world (x, z) in metres. A footprint is the width [m] over which a
+/// value is a mean; 0 gives the maps' own samples. Reading is for any number of threads.
+class WaterSurface {
+  public:
+    /// Evaluates the waves. Flat without a sea, or when the sea is calm.
+    bool create(const seaglass::Sea* sea, double timeS, Error& error);
+    bool flat() const { return cascades_.empty(); }
+
+    /// Dx, h, Dz.
+    glm::vec3 displacement(const glm::dvec2& calm, double footprint) const;
+
+    struct Slopes {
+        glm::vec2 mean{0};
+        glm::vec3 covariance{0}; ///< uu, vv, uv of what the footprint hides, unresolved waves included
+    };
+    Slopes slopes(const glm::dvec2& calm, double footprint) const;
+    /// Slope variance of waves too short for any map, in each direction.
+    float unresolvedVariance() const { return unresolvedVariance_; }
+
+    /// Share of the footprint that breaks: shaders/surface.frag's foamCover().
+    float foamCover(const glm::dvec2& calm, double footprint, float threshold) const;
+
+  private:
+    using Level = std::vector<glm::vec4>;
+    struct Cascade {
+        double patch = 0;
+        uint32_t samples = 0;
+        std::vector<Level> displacement, derivatives, moments; ///< by mip
+        double texel() const { return patch / samples; }
+    };
+    static glm::vec4 bilinear(const Cascade& cascade, const std::vector<Level>& map, size_t mip,
+                              const glm::dvec2& calm);
+    static glm::vec4 trilinear(const Cascade& cascade, const std::vector<Level>& map, double mip,
+                               const glm::dvec2& calm);
+
+    std::vector<Cascade> cascades_;
+    float unresolvedVariance_ = 0;
+};
+
+struct SurfaceMeshDesc {
+    double levelM = 0;
+    double aspect = 1;
+    uint32_t height = 1;      ///< pixels
+    double pixelsACell = 1.5; ///< edge of a cell as it is seen across the line of sight
+};
+
+/// Rings around the eye's foot, close where it looks and wide elsewhere: one grid bent round, so that no
+/// crack opens. Cells grow with distance and what they cannot carry is filtered out of their displacement;
+/// the slopes at a hit do not come from the mesh. It ends where the horizon is less than a pixel away.
+SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc);
+
+} // namespace demos::reference

@@ -1,0 +1,37 @@
+#include "reference/world.h"
+
+#include "host/placement.h"
+#include "host/waves.h"
+
+namespace demos::reference {
+
+bool loadWorld(const Scene& scene, World& out, Error& error) {
+    std::optional<SkyImage> image = readSkyImage(scene.sky.file, error);
+    if (!image || !makeLight(std::move(*image), scene.sky, scene.sun, out.light, error)) return false;
+    for (const MeshDesc& desc : scene.meshes) {
+        auto known = out.models.find(desc.file);
+        if (known == out.models.end()) {
+            std::optional<Mesh> mesh = readMesh(desc.file, error);
+            if (!mesh) return false;
+            known = out.models.emplace(desc.file, Model(std::move(*mesh))).first;
+        }
+        Instance instance{&known->second, glm::dmat4(1)};
+        if (!placement(desc, instance.worldFromMesh, error)) return false;
+        out.instances.push_back(instance);
+    }
+    return setWater(scene.water, out, error);
+}
+
+bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error) {
+    out.water = desc;
+    out.sea.reset();
+    if (!desc || !desc->waves) return true;
+    seaglass::SeaDesc sea;
+    if (!seaOf(*desc->waves, sea, error)) return false;
+    seaglass::SeaError problem;
+    out.sea.reset(seaglass::createSea(&sea, &problem));
+    if (!out.sea) error.text = std::string("water: BodyDesc.waves: ") + problem.text;
+    return out.sea != nullptr;
+}
+
+} // namespace demos::reference
