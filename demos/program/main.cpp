@@ -1,4 +1,4 @@
-// seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass devices: see --help.
+// seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass reference ..., seaglass devices: see --help.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -6,6 +6,7 @@
 #include "program/exit_code.h"
 #include "program/no_device.h"
 #include "program/options.h"
+#include "program/reference.h"
 #include "program/render.h"
 
 namespace demos {
@@ -30,6 +31,8 @@ ExitCode runCommand(const Options& options, Error& error) {
     switch (options.command) {
     case Options::Command::render:
         return renderScene(options.render, error);
+    case Options::Command::reference:
+        return renderReference(options.reference, error);
     case Options::Command::devices:
         return listAll(error);
     case Options::Command::printed:

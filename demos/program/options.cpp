@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <limits>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,7 @@ namespace demos {
 namespace {
 
 constexpr uint32_t mostFrames = 100000;
+constexpr uint32_t mostSamples = 65536;
 
 constexpr std::array<std::pair<std::string_view, Aov>, 7> aovs = {{
     {"color", Aov::color},
@@ -30,12 +32,14 @@ constexpr const char* footer = R"(Examples:
   seaglass render demos/scenes/ocean.toml -o sea.exr --set water.waves.wind_m_s=16 --camera low
   seaglass render demos/scenes/ocean.toml -o frames/%04d.png --frames 240 --fps 24
   seaglass render demos/scenes/ocean.toml -o mine.png --sky my_sky.exr --mesh my_boat.glb
+  seaglass reference demos/scenes/harbour.toml -o truth.exr --spp 64 --truth classes.exr
 
 Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)";
 
 /// What the line says, before any of it is checked.
 struct Raw {
-    std::string scene, size, supersample, time, camera, frames, fps, aov, sky, mesh, stats, device;
+    std::string scene, size, supersample, time, camera, frames, fps, aov, sky, mesh, stats, device, spp, seed,
+        truth;
     std::vector<std::string> outputs, overrides;
     bool validation = false, noValidation = false;
 };
@@ -46,54 +50,68 @@ std::vector<std::string_view> aovNames() {
     return names;
 }
 
-void describe(CLI::App& app, CLI::App& render, Raw& raw) {
-    app.set_help_flag("-h,--help", "Print this help");
-    app.set_version_flag("--version", std::string("seaglass ") + SEAGLASS_VERSION);
-    app.footer(footer);
-    render.footer(footer);
-
+/// What render and reference have in common.
+void describePicture(CLI::App& command, Raw& raw) {
+    command.footer(footer);
     // Scripts append to a command line: the last of an option counts, but for those that collect.
-    render.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     // Required ones are checked by hand, for errors that say what is expected.
-    render.add_option("SCENE", raw.scene, "Scene file (TOML)");
-    render
+    command.add_option("SCENE", raw.scene, "Scene file (TOML)");
+    command
         .add_option("-o,--output", raw.outputs,
                     "PNG (tone-mapped) or EXR (linear); may be given more than once")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false)
         ->type_name("FILE");
-    render.add_option("--size", raw.size, "Picture size, 1280x720 if not given")->type_name("WxH");
-    render
-        .add_option("--supersample", raw.supersample,
-                    "Render N times larger each way and average, 1 to 4, 1 if not given")
-        ->type_name("N");
-    render.add_option("--time", raw.time, "Time of the waves, the scene's if not given")
+    command.add_option("--size", raw.size, "Picture size, 1280x720 if not given")->type_name("WxH");
+    command.add_option("--time", raw.time, "Time of the waves, the scene's if not given")
         ->type_name("SECONDS");
-    render.add_option("--camera", raw.camera, "One of the scene's cameras, its first if not given")
+    command.add_option("--camera", raw.camera, "One of the scene's cameras, its first if not given")
         ->type_name("NAME");
-    render
-        .add_option("--frames", raw.frames,
-                    "Render so many, numbered in place of %04d or before the extension")
-        ->type_name("N");
-    render.add_option("--fps", raw.fps, "Frames in a second, 30 if not given")->type_name("F");
-    render
+    command
         .add_option("--set", raw.overrides,
                     "Override a scene value: water.waves.wind_m_s=12, camera.low.roll_deg=5, mesh.0.scale=2")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false)
         ->type_name("PATH=VALUE");
+    command.add_option("--sky", raw.sky, "Lat-long HDR or EXR instead of the scene's sky")->type_name("FILE");
+    command.add_option("--mesh", raw.mesh, "glTF at the origin instead of the scene's meshes")
+        ->type_name("FILE");
+    command.allow_extras();
+}
+
+void describeReference(CLI::App& reference, Raw& raw) {
+    describePicture(reference, raw);
+    reference.add_option("--spp", raw.spp, "Samples a pixel, 1 (its centre) if not given")->type_name("N");
+    reference.add_option("--seed", raw.seed, "Of the samples, 1 if not given")->type_name("N");
+    reference
+        .add_option("--truth", raw.truth,
+                    "EXR: class of what is mirrored, its pixel (x, y), its distance from the water")
+        ->type_name("FILE");
+}
+
+void describe(CLI::App& app, CLI::App& render, Raw& raw) {
+    app.set_help_flag("-h,--help", "Print this help");
+    app.set_version_flag("--version", std::string("seaglass ") + SEAGLASS_VERSION);
+    app.footer(footer);
+    describePicture(render, raw);
+    render
+        .add_option("--supersample", raw.supersample,
+                    "Render N times larger each way and average, 1 to 4, 1 if not given")
+        ->type_name("N");
+    render
+        .add_option("--frames", raw.frames,
+                    "Render so many, numbered in place of %04d or before the extension")
+        ->type_name("N");
+    render.add_option("--fps", raw.fps, "Frames in a second, 30 if not given")->type_name("F");
     render.add_option("--aov", raw.aov, "What to draw: color reflection class height normal foam depth")
         ->type_name("NAME");
-    render.add_option("--sky", raw.sky, "Lat-long HDR or EXR instead of the scene's sky")->type_name("FILE");
-    render.add_option("--mesh", raw.mesh, "glTF at the origin instead of the scene's meshes")
-        ->type_name("FILE");
     render.add_option("--stats", raw.stats, "Measure the frame's passes, print them and write them as JSON")
         ->type_name("FILE");
     render.add_option("--device", raw.device, "Part of a device's name; the best device if not given")
         ->type_name("NAME");
     render.add_flag("--validation", raw.validation, "Vulkan validation; any message makes the exit code 1");
     render.add_flag("--no-validation", raw.noValidation, "No Vulkan validation");
-    render.allow_extras();
     app.allow_extras();
 }
 
@@ -116,7 +134,9 @@ bool checkExtras(const CLI::App& app, const std::vector<std::string>& extras, Er
         const std::vector<std::string_view> known(names.begin(), names.end());
         return fail(extra + " is not known, the nearest is " + std::string(nearest(extra, known)), error);
     }
-    return fail("'" + extra + "' is one word too many, expected options (see seaglass render --help)", error);
+    return fail("'" + extra + "' is one word too many, expected options (see seaglass " + app.get_name() +
+                    " --help)",
+                error);
 }
 
 bool check(const Raw& raw, RenderOptions& out, Error& error) {
@@ -182,15 +202,34 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
     return true;
 }
 
+bool check(const Raw& raw, ReferenceOptions& out, Error& error) {
+    if (!check(raw, out.picture, error)) return false;
+    if (!raw.spp.empty()) {
+        const std::optional<uint32_t> samples = parseCount("--spp", raw.spp, mostSamples, error);
+        if (!samples) return false;
+        out.samples = *samples;
+    }
+    if (!raw.seed.empty()) {
+        const std::optional<uint32_t> seed =
+            parseCount("--seed", raw.seed, std::numeric_limits<uint32_t>::max(), error);
+        if (!seed) return false;
+        out.seed = *seed;
+    }
+    out.truth = raw.truth;
+    return true;
+}
+
 } // namespace
 
 std::optional<Options> parseOptions(int argc, const char* const* argv, Error& error) {
     CLI::App app("Water for Vulkan: renders scene files to pictures.", "seaglass");
     CLI::App& render = *app.add_subcommand("render", "Render a scene file");
+    CLI::App& reference = *app.add_subcommand("reference", "Ray-trace a scene file on the CPU");
     CLI::App& devices = *app.add_subcommand("devices", "List the Vulkan devices");
     devices.allow_extras();
     Raw raw;
     describe(app, render, raw);
+    describeReference(reference, raw);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
@@ -203,6 +242,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
         return std::nullopt;
     }
     if (!checkExtras(app, app.remaining(), error) || !checkExtras(render, render.remaining(), error) ||
+        !checkExtras(reference, reference.remaining(), error) ||
         !checkExtras(devices, devices.remaining(), error)) {
         return std::nullopt;
     }
@@ -211,8 +251,13 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
         options.command = Options::Command::devices;
         return options;
     }
+    if (reference.parsed()) {
+        options.command = Options::Command::reference;
+        if (!check(raw, options.reference, error)) return std::nullopt;
+        return options;
+    }
     if (!render.parsed()) {
-        error.text = "no command, expected seaglass render or seaglass devices (see seaglass --help)";
+        error.text = "no command, expected seaglass render, reference or devices (see seaglass --help)";
         return std::nullopt;
     }
     options.command = Options::Command::render;

@@ -31,10 +31,18 @@ struct RenderOptions {
     bool validation = false;
 };
 
+struct ReferenceOptions {
+    RenderOptions picture; ///< of which what a device, a sequence or a measurement needs stays unset
+    uint32_t samples = 1;  ///< of each pixel
+    uint64_t seed = 1;
+    std::filesystem::path truth; ///< empty writes none
+};
+
 struct Options {
-    enum class Command { render, devices, printed };
+    enum class Command { render, reference, devices, printed };
     Command command = Command::printed; ///< printed: help or version, and all is done
     RenderOptions render;
+    ReferenceOptions reference;
 };
 
 /// Null with `error` set when the line makes no sense. Prints help and version when asked to.

@@ -10,10 +10,10 @@
 #include "program/no_device.h"
 #include "program/output.h"
 #include "program/progress.h"
+#include "program/scene_input.h"
 #include "program/stats.h"
 #include "program/supersample.h"
 #include "program/visualise.h"
-#include "scene/nearest.h"
 
 namespace demos {
 
@@ -28,49 +28,6 @@ constexpr double bytesAPixel = 160;
 constexpr double timingSeconds = 2;
 constexpr uint32_t timingRuns = 3;
 constexpr uint32_t statsRuns = 15;
-
-bool isRegularFile(const std::string& option, const fs::path& file, const std::string& expected,
-                   Error& error) {
-    std::error_code code;
-    if (fs::is_regular_file(file, code)) return true;
-    const std::string why = fs::is_directory(file, code) ? "is a folder" : "no such file";
-    error.text = option + " " + file.string() + ": " + why + ", expected " + expected;
-    return false;
-}
-
-/// The scene with --sky, --mesh and --set applied, in this order.
-std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
-    std::vector<std::string> overrides;
-    const bool sky = !options.sky.empty(), mesh = !options.mesh.empty();
-    if (sky) {
-        if (!isRegularFile("--sky", options.sky, "a lat-long HDR or EXR file", error)) return std::nullopt;
-        overrides.push_back("sky.file=" + fs::absolute(options.sky).string());
-    }
-    if (mesh) {
-        if (!isRegularFile("--mesh", options.mesh, "a glTF file", error)) return std::nullopt;
-        overrides.push_back("mesh=[{}]");
-        overrides.push_back("mesh.0.file=" + fs::absolute(options.mesh).string());
-    }
-    overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
-    std::optional<Scene> scene = loadScene(options.scene, overrides, error);
-    if (scene && sky) scene->sky.where = "--sky";
-    if (scene && mesh && !scene->meshes.empty()) scene->meshes.front().where = "--mesh";
-    return scene;
-}
-
-std::optional<CameraDesc> chooseCamera(const Scene& scene, const std::string& name, Error& error) {
-    if (name.empty()) return scene.cameras.front();
-    std::vector<std::string_view> names;
-    std::string list;
-    for (const CameraDesc& camera : scene.cameras) {
-        if (camera.name == name) return camera;
-        names.push_back(camera.name);
-        list += (list.empty() ? "" : ", ") + camera.name;
-    }
-    error.text = "--camera is '" + name + "', expected one of " + scene.file.filename().string() + ": " +
-                 list + "; the nearest is " + std::string(nearest(name, names));
-    return std::nullopt;
-}
 
 /// Linux says what could be had without swapping; elsewhere nothing is known, and nothing checked.
 double availableBytes() {
@@ -95,20 +52,9 @@ bool checkMemory(const RenderOptions& options, Error& error) {
 }
 
 bool checkOutputs(const RenderOptions& options, const Scene& scene, Error& error) {
-    std::vector<fs::path> inputs = {scene.file, scene.sky.file};
-    for (const MeshDesc& mesh : scene.meshes) inputs.push_back(mesh.file);
-    for (const fs::path& file : options.outputs) {
-        const fs::path first = options.numbered ? numbered(file, 0) : file;
-        if (!checkOutput("-o", first, {".png", ".exr"}, error)) return false;
-        if (!checkApart("-o", first, inputs, error)) return false;
-    }
+    if (!checkPictures(options, scene, error)) return false;
     if (options.stats.empty()) return true;
     return checkOutput("--stats", options.stats, {".json"}, error);
-}
-
-bool isPng(const fs::path& file) {
-    const std::string extension = file.extension().string();
-    return extension.size() == 4 && (extension[1] == 'p' || extension[1] == 'P');
 }
 
 bool write(const fs::path& file, const Picture& picture, const std::optional<Visualised>& visualised,
@@ -203,20 +149,6 @@ class Run {
     std::string scale_;
     std::vector<std::pair<fs::path, fs::path>> written_; // first and last, of each output
 };
-
-/// Says where in the scene the file was named that the host could not read.
-void addPlace(const Scene& scene, Error& error) {
-    const auto prefix = [&error](const fs::path& file, const std::string& where) {
-        const bool names = error.text.find(file.filename().string()) != std::string::npos;
-        if (!names || where.empty() || error.text.starts_with(where)) return false;
-        error.text = where + ": " + error.text;
-        return true;
-    };
-    if (prefix(scene.sky.file, scene.sky.where)) return;
-    for (const MeshDesc& mesh : scene.meshes) {
-        if (prefix(mesh.file, mesh.where)) return;
-    }
-}
 
 } // namespace
 

@@ -1,0 +1,22 @@
+// What every command that draws a scene does first: read it, choose its camera, check where the pictures go.
+#pragma once
+
+#include "program/options.h"
+
+namespace demos {
+
+/// The scene with --sky, --mesh and --set applied, in this order.
+std::optional<Scene> readScene(const RenderOptions& options, Error& error);
+
+/// Null with `error` set when the scene has no camera of this name; an empty one takes its first.
+std::optional<CameraDesc> chooseCamera(const Scene& scene, const std::string& name, Error& error);
+
+/// Whether every -o can be written and is none of the scene's own files.
+bool checkPictures(const RenderOptions& options, const Scene& scene, Error& error);
+
+bool isPng(const std::filesystem::path& file);
+
+/// Says where in the scene the file was named that could not be read.
+void addPlace(const Scene& scene, Error& error);
+
+} // namespace demos
