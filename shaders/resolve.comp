@@ -54,18 +54,30 @@ uint keyAt(ivec2 pixel) {
     return keys[pixel.y * region.z + pixel.x];
 }
 
-Hit nearestHit(ivec2 pixel, vec2 q) {
-    Hit best = Hit(false, vec2(0.0), 0.0);
-    uint own = keyAt(pixel);
-    if (own != noKey) best = refined(q, depthFromKey(own));
-    if (best.valid) return best;
-    for (int i = 0; i < 9; ++i) {
-        uint key = i == 4 ? noKey : keyAt(pixel + ivec2(i % 3 - 1, i / 3 - 1));
-        if (key == noKey) continue;
-        Hit hit = refined(q, depthFromKey(key));
-        if (hit.valid && (!best.valid || depthSign * (hit.depth - best.depth) > 0.0)) best = hit;
-    }
+// The nearest key around `pixel` that is farther than `last`, whose turn is over.
+uint nextKey(ivec2 pixel, uint last) {
+    uint best = noKey;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            uint key = keyAt(pixel + ivec2(x, y));
+            if (key < last) best = max(best, key);
+        }
     return best;
+}
+
+// The pixel's own key first, then its neighbours' from near to far; the first that proves itself counts. One flat loop:
+// CPU devices mask branches instead of jumping them, but do leave a loop when nobody is in it.
+Hit nearestHit(ivec2 pixel, vec2 q) {
+    Hit hit = Hit(false, vec2(0.0), 0.0);
+    uint key = keyAt(pixel);
+    uint last = ~0u;
+    if (key == noKey) key = last = nextKey(pixel, last);
+    while (key != noKey) {
+        hit = refined(q, depthFromKey(key));
+        if (hit.valid) break;
+        key = last = nextKey(pixel, last);
+    }
+    return hit;
 }
 
 // How far the border is from `source`, going on in the direction in which the mirror borrowed it: an upright camera

@@ -4,6 +4,20 @@
 
 namespace demos {
 
+namespace {
+
+void waitForAll(VkCommandBuffer commands) {
+    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+} // namespace
+
 bool PassTimer::create(const Device& device, Error& error) {
     device_ = &device;
     if (device.timestampNs() == 0) return true;
@@ -35,9 +49,10 @@ void PassTimer::mark(VkCommandBuffer commands, const char* pass, bool begins) {
         if (open == spans_.rend()) return;
         open->end = used_;
     }
-    vkCmdWriteTimestamp2(
-        commands, begins ? VK_PIPELINE_STAGE_2_TOP_OF_PIPE_BIT : VK_PIPELINE_STAGE_2_BOTTOM_OF_PIPE_BIT,
-        pool_.get(), used_++);
+    // A pass begins when all before it has ended: at the top of the pipe its time would hold theirs, or they its.
+    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_.get(), used_++);
+    // lavapipe takes the time at its next flush: without a barrier here that can be after the pass's first dispatch.
+    if (begins) waitForAll(commands);
 }
 
 std::vector<PassTime> PassTimer::collect() const {

@@ -51,8 +51,9 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread) {
     if (inside <= 0.0) return vec4(0.0);
     float pixelsPerRadian = length(vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y));
     float share = point.distance / (length(from) + point.distance);
-    // Half: mips blur alike in all directions, but slopes across a grazing line of sight hardly turn it.
-    float mip = log2(max(0.5 * spread * share * pixelsPerRadian * reflectionDistortion, 1.0));
+    // A quarter: mips blur alike in all directions, but at grazing angles slopes turn the mirrored ray mostly up and down,
+    // and a mast must stay a line.
+    float mip = log2(max(0.25 * spread * share * pixelsPerRadian * reflectionDistortion, 1.0));
     return textureLod(reflectionColor, point.pixel / size, mip) * inside;
 }
 
