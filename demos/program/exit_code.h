@@ -6,6 +6,7 @@ namespace demos {
 enum ExitCode : int {
     ok = 0,
     runFailed = 1, ///< the device, the disk or validation objected while rendering
+    different = 1, ///< compare: beyond the limits
     badInput = 2,  ///< nothing was rendered and nothing written
 };
 

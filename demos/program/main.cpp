@@ -1,8 +1,10 @@
-// seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass reference ..., seaglass devices: see --help.
+// seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass reference ..., seaglass compare A B ...,
+// seaglass devices: see --help.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 
+#include "program/compare.h"
 #include "program/exit_code.h"
 #include "program/no_device.h"
 #include "program/options.h"
@@ -33,6 +35,8 @@ ExitCode runCommand(const Options& options, Error& error) {
         return renderScene(options.render, error);
     case Options::Command::reference:
         return renderReference(options.reference, error);
+    case Options::Command::compare:
+        return comparePictures(options.compare, error);
     case Options::Command::devices:
         return listAll(error);
     case Options::Command::printed:

@@ -222,14 +222,17 @@ bool check(const Raw& raw, ReferenceOptions& out, Error& error) {
 } // namespace
 
 std::optional<Options> parseOptions(int argc, const char* const* argv, Error& error) {
-    CLI::App app("Water for Vulkan: renders scene files to pictures.", "seaglass");
+    CLI::App app("Water for Vulkan: renders scene files to pictures, and compares pictures.", "seaglass");
     CLI::App& render = *app.add_subcommand("render", "Render a scene file");
     CLI::App& reference = *app.add_subcommand("reference", "Ray-trace a scene file on the CPU");
+    CLI::App& comparison = *app.add_subcommand("compare", "Compare two pictures");
     CLI::App& devices = *app.add_subcommand("devices", "List the Vulkan devices");
     devices.allow_extras();
     Raw raw;
     describe(app, render, raw);
     describeReference(reference, raw);
+    RawCompare rawCompare;
+    describeCompare(comparison, rawCompare);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
@@ -243,6 +246,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
     }
     if (!checkExtras(app, app.remaining(), error) || !checkExtras(render, render.remaining(), error) ||
         !checkExtras(reference, reference.remaining(), error) ||
+        !checkExtras(comparison, comparison.remaining(), error) ||
         !checkExtras(devices, devices.remaining(), error)) {
         return std::nullopt;
     }
@@ -256,8 +260,16 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
         if (!check(raw, options.reference, error)) return std::nullopt;
         return options;
     }
+    if (comparison.parsed()) {
+        std::optional<CompareOptions> checked = checkCompare(rawCompare, error);
+        if (!checked) return std::nullopt;
+        options.command = Options::Command::compare;
+        options.compare = std::move(*checked);
+        return options;
+    }
     if (!render.parsed()) {
-        error.text = "no command, expected seaglass render, reference or devices (see seaglass --help)";
+        error.text =
+            "no command, expected seaglass render, reference, compare or devices (see seaglass --help)";
         return std::nullopt;
     }
     options.command = Options::Command::render;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/host.h"
+#include "program/compare_options.h"
 #include "program/values.h"
 #include "scene/scene.h"
 
@@ -39,10 +40,11 @@ struct ReferenceOptions {
 };
 
 struct Options {
-    enum class Command { render, reference, devices, printed };
+    enum class Command { render, reference, compare, devices, printed };
     Command command = Command::printed; ///< printed: help or version, and all is done
     RenderOptions render;
     ReferenceOptions reference;
+    CompareOptions compare;
 };
 
 /// Null with `error` set when the line makes no sense. Prints help and version when asked to.

@@ -1,0 +1,32 @@
+// The command line of seaglass compare.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "metrics/compare.h"
+#include "scene/scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace demos {
+
+struct CompareOptions {
+    std::filesystem::path reference, test;
+    Limits limits;
+    std::filesystem::path report, json; ///< empty: none
+    std::optional<double> exposureEv;   ///< of the report's pictures of linear light
+};
+
+/// What the line says, before any of it is checked.
+struct RawCompare {
+    std::string reference, test, maxFlip, maxDiff, maxShare, report, exposure, json;
+};
+
+void describeCompare(CLI::App& command, RawCompare& raw);
+std::optional<CompareOptions> checkCompare(const RawCompare& raw, Error& error);
+
+} // namespace demos
