@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "host/image_file.h"
+#include "metrics/finite.h"
 #include "program/no_device.h"
 #include "program/output.h"
 #include "program/progress.h"
@@ -120,7 +121,9 @@ class Run {
 
   private:
     bool keep(const Picture& picture, uint32_t index, Progress& progress, Error& error) {
-        if (const uint64_t broken = countBroken(picture, options_.aov)) {
+        const Infinity infinity = options_.aov == Aov::depth ? Infinity::far : Infinity::broken;
+        const Image image{picture.width, picture.height, picture.rgba};
+        if (const uint64_t broken = countNotFinite(image, infinity)) {
             progress.clear();
             std::fprintf(stderr, "warning: frame %u holds %llu pixels of NaN or infinity\n", index,
                          static_cast<unsigned long long>(broken));

@@ -94,17 +94,4 @@ Visualised visualise(const Picture& picture, Aov aov, double exposureEv) {
     return {};
 }
 
-uint64_t countBroken(const Picture& picture, Aov aov) {
-    uint64_t broken = 0;
-    for (size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
-        const auto bad = [aov](float value) {
-            const bool skyDepth = aov == Aov::depth && value == HUGE_VALF;
-            return !std::isfinite(value) && !skyDepth;
-        };
-        const float* p = &picture.rgba[i];
-        if (bad(p[0]) || bad(p[1]) || bad(p[2]) || bad(p[3])) ++broken;
-    }
-    return broken;
-}
-
 } // namespace demos

@@ -18,7 +18,4 @@ struct Visualised {
 /// grey; foam grey; depth logarithmic grey, the nearest white, the farthest and the sky black.
 Visualised visualise(const Picture& picture, Aov aov, double exposureEv);
 
-/// Pixels that hold what no picture should: NaN, or infinities where they mean nothing.
-uint64_t countBroken(const Picture& picture, Aov aov);
-
 } // namespace demos

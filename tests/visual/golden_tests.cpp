@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "demos/host/image_file.h"
+#include "demos/metrics/finite.h"
 #include "tests/program/run.h"
-#include "tests/visual/compare.h"
+#include "tests/visual/limits.h"
 
 namespace {
 
@@ -34,6 +35,10 @@ std::vector<Golden> listGoldens() {
     return goldens;
 }
 
+demos::Image view(const demos::Picture& picture) {
+    return {picture.width, picture.height, picture.rgba};
+}
+
 class GoldenPicture : public testing::TestWithParam<Golden> {
   protected:
     GoldenPicture() { fs::create_directories(folder_); }
@@ -46,9 +51,8 @@ class GoldenPicture : public testing::TestWithParam<Golden> {
 TEST_P(GoldenPicture, IsAsApproved) {
     const Golden& golden = GetParam();
     const fs::path approved = fs::path(SEAGLASS_SOURCE) / "tests/visual/golden" / (golden.name() + ".png");
-    const fs::path actualPng = file(".png"), actualExr = file(".exr"),
-                   differencePng = file("_difference.png");
-    fs::remove(differencePng);
+    const fs::path actualPng = file(".png"), actualExr = file(".exr"), report = file("_report");
+    fs::remove_all(report);
 
     // lavapipe, because it is everywhere: another device's pictures are as good, but not the same.
     const std::string scene = SEAGLASS_SOURCE "/demos/scenes/" + golden.scene + ".toml";
@@ -62,21 +66,23 @@ TEST_P(GoldenPicture, IsAsApproved) {
     demos::Error error;
     const auto linear = demos::readPicture(actualExr, error);
     ASSERT_TRUE(linear) << error.text;
-    EXPECT_EQ(tests::countNotFinite(*linear), 0u) << actualExr;
+    EXPECT_EQ(demos::countNotFinite(view(*linear)), 0u) << actualExr;
 
     const auto actual = demos::readPicture(actualPng, error);
     ASSERT_TRUE(actual) << error.text;
     const auto expected = demos::readPicture(approved, error);
     ASSERT_TRUE(expected) << error.text << "; the picture to approve is " << actualPng;
-    const tests::Limits limits;
-    const std::string objections = tests::objections(tests::compare(*expected, *actual, limits), limits);
+    const demos::Limits limits = tests::goldenLimits();
+    const demos::Comparison comparison =
+        demos::compare(view(*expected), view(*actual), demos::PictureKind::display, limits);
+    const std::vector<std::string> objections = demos::objections(comparison, limits);
     if (objections.empty()) return;
-    if (!demos::writePng(differencePng, actual->width, actual->height,
-                         tests::differencePicture(*expected, *actual), error)) {
-        ADD_FAILURE() << error.text;
-    }
-    FAIL() << objections << "\n  golden:     " << approved << "\n  actual:     " << actualPng
-           << "\n  difference: " << differencePng
+    tests::run(SEAGLASS_PROGRAM,
+               {{"compare", approved.string(), actualPng.string(), "--report", report.string()}});
+    std::string list;
+    for (const std::string& objection : objections) list += objection + "\n  ";
+    FAIL() << list << "golden: " << approved << "\n  actual: " << actualPng
+           << "\n  both:   " << report / "index.html"
            << "\n  If the change is meant, look at both and see scripts/goldens.";
 }
 
