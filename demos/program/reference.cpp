@@ -1,5 +1,6 @@
 #include "program/reference.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
@@ -17,7 +18,17 @@ namespace fs = std::filesystem;
 
 bool checkOutputs(const ReferenceOptions& options, const Scene& scene, Error& error) {
     if (!checkPictures(options.picture, scene, error)) return false;
-    return options.truth.empty() || checkOutput("--truth", options.truth, {".exr"}, error);
+    if (options.truth.empty()) return true;
+    const auto same = [&](const fs::path& file) {
+        return fs::absolute(file).lexically_normal() == fs::absolute(options.truth).lexically_normal();
+    };
+    const std::vector<fs::path>& outputs = options.picture.outputs;
+    if (std::any_of(outputs.begin(), outputs.end(), same)) {
+        error.text = "--truth " + options.truth.string() + ": is an -o as well, expected another file";
+        return false;
+    }
+    return checkOutput("--truth", options.truth, {".exr"}, error) &&
+           checkApart("--truth", options.truth, sceneFiles(scene), error);
 }
 
 bool write(const ReferenceOptions& options, const reference::Pictures& pictures, double exposureEv,

@@ -53,9 +53,14 @@ std::optional<CameraDesc> chooseCamera(const Scene& scene, const std::string& na
     return std::nullopt;
 }
 
+std::vector<fs::path> sceneFiles(const Scene& scene) {
+    std::vector<fs::path> files = {scene.file, scene.sky.file};
+    for (const MeshDesc& mesh : scene.meshes) files.push_back(mesh.file);
+    return files;
+}
+
 bool checkPictures(const RenderOptions& options, const Scene& scene, Error& error) {
-    std::vector<fs::path> inputs = {scene.file, scene.sky.file};
-    for (const MeshDesc& mesh : scene.meshes) inputs.push_back(mesh.file);
+    const std::vector<fs::path> inputs = sceneFiles(scene);
     for (const fs::path& file : options.outputs) {
         const fs::path first = options.numbered ? numbered(file, 0) : file;
         if (!checkOutput("-o", first, {".png", ".exr"}, error)) return false;

@@ -11,6 +11,9 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error);
 /// Null with `error` set when the scene has no camera of this name; an empty one takes its first.
 std::optional<CameraDesc> chooseCamera(const Scene& scene, const std::string& name, Error& error);
 
+/// Everything that is read, for outputs to stay away from.
+std::vector<std::filesystem::path> sceneFiles(const Scene& scene);
+
 /// Whether every -o can be written and is none of the scene's own files.
 bool checkPictures(const RenderOptions& options, const Scene& scene, Error& error);
 

@@ -34,7 +34,7 @@ inline float slopeDensity(const glm::vec2& d, const glm::vec3& covariance) {
     const float determinant = std::max(covariance.x * covariance.y - covariance.z * covariance.z, 1e-12f);
     const float exponent =
         (covariance.y * d.x * d.x - 2 * covariance.z * d.x * d.y + covariance.x * d.y * d.y) / determinant;
-    return std::exp(-0.5f * std::min(exponent, 80.0f)) / (2 * pi * std::sqrt(determinant));
+    return std::exp(-0.5f * exponent) / (2 * pi * std::sqrt(determinant));
 }
 
 inline glm::vec3 normalOf(const glm::vec2& slope) {

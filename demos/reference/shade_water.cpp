@@ -42,13 +42,13 @@ Facet meanFacet(const Frame& frame, const Ray& ray, const Hit& hit) {
     return f;
 }
 
-Facet randomFacet(const Frame& frame, const Ray& ray, const Hit& hit, Random& random) {
+Facet randomFacet(const Frame& frame, const Ray& ray, const Hit& hit, float leastCosine, Random& random) {
     Facet f;
     f.up = hit.facing();
     f.slopes = frame.surface.slopes(frame.calmAt(hit), 0);
     const glm::vec2 slope =
         f.slopes.mean + std::sqrt(frame.surface.unresolvedVariance()) * random.nextNormal();
-    f.meshCosine = std::max(-glm::dot(ray.direction, f.up) / std::max(std::abs(f.up.y), 0.05f), 0.01f);
+    f.meshCosine = std::max(-glm::dot(ray.direction, f.up) / std::max(std::abs(f.up.y), 0.05f), leastCosine);
     const float seen = -glm::dot(ray.direction, glm::vec3(-slope.x, 1, -slope.y));
     // A trace is kept of facets seen from behind, so that no pixel's sum is empty.
     f.weight = std::clamp(seen / f.meshCosine, 1e-4f, 20.0f);
@@ -163,7 +163,9 @@ MirroredRay mirrorOfMean(const Frame& frame, const Ray& ray, const Hit& hit) {
 WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int bounces, Random* random) {
     const World& world = *frame.world;
     const glm::vec3 toEye = -ray.direction;
-    const Facet facet = random ? randomFacet(frame, ray, hit, *random) : meanFacet(frame, ray, hit);
+    const float leastCosine = bounces == mostBounces ? 0.01f : 0.1f;
+    const Facet facet =
+        random ? randomFacet(frame, ray, hit, leastCosine, *random) : meanFacet(frame, ray, hit);
     const float fresnel = fresnelWater(glm::dot(toEye, facet.normal));
     glm::vec3 radiance = fresnel * mirrored(frame, ray, hit, facet, bounces, random) +
                          (1 - fresnel) * refracted(frame, ray, hit, facet, random);
@@ -203,8 +205,10 @@ glm::vec3 radianceAlong(const Frame& frame, const Ray& ray, int bounces, Random*
                                     : sky;
     }
     if (hit.kind == Kind::opaque) return shadeHit(frame, ray, hit, random);
+    // Weights are 1 on the mean. What one sample of a bounce may count is bounded, or it would be seen as a
+    // spark.
     const WaterRadiance water = shadeWater(frame, ray, hit, bounces, random);
-    return water.radiance / std::max(water.weight, 0.1f);
+    return water.radiance / std::max(water.weight, 1.0f);
 }
 
 } // namespace demos::reference
