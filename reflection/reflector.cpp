@@ -22,9 +22,10 @@ Status SsprImages::create(const gpu::Device& device, VkExtent2D extent, uint32_t
                            device.limits().maxStorageBufferRange);
     const VkImageUsageFlags usage =
         VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    if (const Status s =
-            keys.create(device, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                        "SSPR keys");
+    if (const Status s = keys.create(device, bytes,
+                                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                         VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                     "SSPR keys");
         s != Status::ok)
         return s;
     gpu::ImageDesc colorDesc;

@@ -4,6 +4,8 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "tests/gpu/spy.h"
+
 namespace tests {
 
 namespace {
@@ -74,7 +76,7 @@ seaglass::DeviceDesc deviceDesc(std::string* message) {
     desc.instance = device().instance();
     desc.physicalDevice = device().physical();
     desc.device = device().handle();
-    desc.getInstanceProcAddr = vkGetInstanceProcAddr;
+    desc.getInstanceProcAddr = spiedGetInstanceProcAddr;
     desc.message = {[](void* user, const char* text) { *static_cast<std::string*>(user) = text; }, message};
     return desc;
 }
@@ -141,6 +143,21 @@ std::vector<float> download(VkImage image, VkFormat format, VkExtent2D extent, u
         std::memcpy(values.data(), buffer.mapped, bytes);
     }
     return values;
+}
+
+std::vector<uint32_t> downloadWords(VkBuffer source, size_t count) {
+    demos::Buffer buffer;
+    demos::Error error;
+    EXPECT_TRUE(demos::createBuffer(device(), count * 4, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                    demos::BufferPlace::readback, buffer, error))
+        << error.text;
+    submit([&](VkCommandBuffer commands) {
+        const VkBufferCopy region{0, 0, count * 4};
+        vkCmdCopyBuffer(commands, source, buffer.buffer.get(), 1, &region);
+    });
+    std::vector<uint32_t> words(count);
+    std::memcpy(words.data(), buffer.mapped, count * 4);
+    return words;
 }
 
 } // namespace tests

@@ -52,4 +52,7 @@ seaglass::Image asSeaglass(const demos::Image& image);
 std::vector<float> download(VkImage image, VkFormat format, VkExtent2D extent, uint32_t mip = 0,
                             uint32_t layer = 0);
 
+/// The first words of a buffer that was last written by a compute shader.
+std::vector<uint32_t> downloadWords(VkBuffer buffer, size_t count);
+
 } // namespace tests

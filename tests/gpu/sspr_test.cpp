@@ -1,9 +1,12 @@
 // SSPR against a traced truth: what it finds, where it errs, and that nothing about the host's conventions
 // matters.
 #include <algorithm>
+#include <bit>
 
+#include "reflection/reflector.h"
 #include "seaglass/reflection.h"
 #include "tests/gpu/rig.h"
+#include "tests/gpu/spy.h"
 #include "tests/gpu/traced_scene.h"
 
 namespace {
@@ -135,6 +138,77 @@ TEST_F(Sspr, AgreesWithTheTracedTruth) {
     }
 }
 
+TEST_F(Sspr, KeysAreTheNearestMirroredDepths) {
+    const Camera camera = testCamera();
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
+    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
+    ViewDesc view = viewDesc(camera);
+    view.sceneDepth = asSeaglass(depth);
+    view.sceneColor = asSeaglass(color);
+    const ReflectorDesc desc;
+    Reflector* reflector = nullptr;
+    ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+    frame([&](VkCommandBuffer commands) {
+        EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
+    });
+    const std::vector<uint32_t> keys = downloadWords(reflector->views[0].keys.handle(), traced.depth.size());
+
+    // The same scatter in double, in order.
+    std::vector<float> expected(traced.depth.size(), 0.0f);
+    const glm::dmat4 clip = projectionMatrix(camera) * viewMatrix(camera);
+    const glm::dmat4 inverse = glm::inverse(clip);
+    for (uint32_t y = 0; y < traced.height; ++y)
+        for (uint32_t x = 0; x < traced.width; ++x) {
+            const double d = double{traced.depth[size_t{y} * traced.width + x]};
+            if (d == 0) continue;
+            glm::dvec4 p = inverse * glm::dvec4((x + 0.5) / traced.width * 2 - 1,
+                                                (y + 0.5) / traced.height * 2 - 1, d, 1);
+            p /= p.w;
+            if (p.y < 0.01) continue;
+            p.y = -p.y;
+            const glm::dvec4 q = clip * p;
+            const double qx = (q.x / q.w * 0.5 + 0.5) * traced.width;
+            const double qy = (q.y / q.w * 0.5 + 0.5) * traced.height;
+            if (q.w <= 0 || qx < 0 || qy < 0 || qx >= traced.width || qy >= traced.height) continue;
+            float& nearest = expected[static_cast<size_t>(qy) * traced.width + static_cast<size_t>(qx)];
+            nearest = std::max(nearest, static_cast<float>(q.z / q.w));
+        }
+    size_t filled = 0, same = 0;
+    for (size_t i = 0; i < keys.size(); ++i) {
+        if (expected[i] == 0) continue;
+        ++filled;
+        same += std::abs(std::bit_cast<float>(keys[i]) - expected[i]) < 1e-4f * expected[i];
+    }
+    EXPECT_GT(filled, 5000u);
+    // Rounding puts a few on the next pixel, and those near the plane lie within its contact height.
+    EXPECT_GT(static_cast<double>(same), 0.99 * static_cast<double>(filled));
+    destroyReflector(reflector);
+}
+
+TEST_F(Sspr, TheResolveWaitsForTheScatter) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    spiedCalls().clear();
+    reflectScene(testCamera(), traced);
+    std::vector<SpiedCall> calls = spiedCalls();
+    const auto isDispatch = [](const SpiedCall& call) { return call.name == "CmdDispatch"; };
+    const auto fill = std::ranges::find(calls, "CmdFillBuffer", &SpiedCall::name);
+    const auto scatter = std::find_if(fill, calls.end(), isDispatch);
+    ASSERT_NE(scatter, calls.end());
+    const auto resolve = std::find_if(scatter + 1, calls.end(), isDispatch);
+    ASSERT_NE(resolve, calls.end());
+    const auto waits = [](auto from, auto to, VkAccessFlags2 source, VkAccessFlags2 target) {
+        return std::any_of(from, to, [&](const SpiedCall& call) {
+            return (call.source & source) == source && (call.target & target) == target;
+        });
+    };
+    EXPECT_TRUE(waits(fill, scatter, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT));
+    EXPECT_TRUE(
+        waits(scatter, resolve, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT));
+    EXPECT_TRUE(waits(resolve, calls.end(), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+                      VK_ACCESS_2_SHADER_SAMPLED_READ_BIT));
+}
+
 TEST_F(Sspr, GivesTheSameBitsEachTime) {
     const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
     const Reflected first = reflectScene(testCamera(), traced);
@@ -255,9 +329,11 @@ TEST_F(Sspr, SizeMayChangeEveryFrame) {
 TEST_F(Sspr, TheSkyTechniqueHoldsNothing) {
     ReflectorDesc desc;
     desc.reflection.technique = ReflectionTechnique::sky;
+    spiedCalls().clear();
     Reflector* reflector = nullptr;
     ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
     EXPECT_EQ(reflectionImages(reflector, 0).color, VkImageView(VK_NULL_HANDLE));
+    EXPECT_EQ(countSpied("CreateComputePipelines"), 0u);
     destroyReflector(reflector);
 }
 

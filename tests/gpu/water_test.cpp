@@ -5,6 +5,7 @@
 #include <map>
 
 #include "seaglass/waves_fftw.h"
+#include "tests/gpu/spy.h"
 #include "tests/gpu/traced_scene.h"
 #include "tests/gpu/water_rig.h"
 #include "water/body.h"
@@ -357,6 +358,21 @@ TEST_F(Water, AFeatureThatIsOffIsNotThere) {
     BodyDesc skyOnly;
     skyOnly.reflection = &sky;
     EXPECT_FALSE(makeBody(skyOnly)->reflector);
+}
+
+TEST_F(Water, AFlatPondCreatesAndRecordsNextToNothing) {
+    // What a context makes once, and each frame slot.
+    for (int slot = 0; slot < 2; ++slot) picture({flatBody()}, seaCamera());
+    spiedCalls().clear();
+    Body* pond = flatBody();
+    picture({pond}, seaCamera());
+    EXPECT_EQ(countSpied("CreateImage"), 0u);
+    EXPECT_EQ(countSpied("AllocateMemory"), 0u);
+    EXPECT_EQ(countSpied("CreateComputePipelines"), 0u);
+    EXPECT_EQ(countSpied("CmdDispatch"), 0u);
+    EXPECT_EQ(countSpied("CmdCopyBufferToImage"), 0u);
+    EXPECT_EQ(countSpied("CmdPipelineBarrier2"), 0u);
+    EXPECT_EQ(countSpied("CmdDrawIndexed"), 1u);
 }
 
 TEST_F(Water, BadDescriptionsAreNamedAndLeaveNothing) {

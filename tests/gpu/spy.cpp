@@ -1,0 +1,79 @@
+#include "tests/gpu/spy.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace tests {
+
+std::vector<SpiedCall>& spiedCalls() {
+    static std::vector<SpiedCall> calls;
+    return calls;
+}
+
+size_t countSpied(const std::string& name) {
+    return static_cast<size_t>(
+        std::ranges::count_if(spiedCalls(), [&](const SpiedCall& call) { return call.name == name; }));
+}
+
+namespace {
+
+/// Forwards to the function that volk loaded under the same name.
+template<auto* real, class Result, class... Arguments>
+struct Spy {
+    static inline const char* name = nullptr;
+    static Result VKAPI_CALL call(Arguments... arguments) {
+        spiedCalls().push_back({name});
+        return (*real)(arguments...);
+    }
+};
+
+template<auto* real, class Result, class... Arguments>
+PFN_vkVoidFunction spyOn(const char* name, Result(VKAPI_PTR*)(Arguments...)) {
+    using Watched = Spy<real, Result, Arguments...>;
+    Watched::name = name;
+    return reinterpret_cast<PFN_vkVoidFunction>(&Watched::call);
+}
+
+void VKAPI_CALL spiedBarrier(VkCommandBuffer commands, const VkDependencyInfo* info) {
+    SpiedCall call{"CmdPipelineBarrier2"};
+    const auto add = [&](const auto* barriers, uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i) {
+            call.source |= barriers[i].srcAccessMask;
+            call.target |= barriers[i].dstAccessMask;
+        }
+    };
+    add(info->pMemoryBarriers, info->memoryBarrierCount);
+    add(info->pBufferMemoryBarriers, info->bufferMemoryBarrierCount);
+    add(info->pImageMemoryBarriers, info->imageMemoryBarrierCount);
+    spiedCalls().push_back(call);
+    vkCmdPipelineBarrier2(commands, info);
+}
+
+PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char* name) {
+    if (!std::strcmp(name, "vkCmdPipelineBarrier2"))
+        return reinterpret_cast<PFN_vkVoidFunction>(&spiedBarrier);
+#define SPY(function)                                                                                        \
+    if (!std::strcmp(name, "vk" #function)) return spyOn<&vk##function>(#function, vk##function);
+    SPY(CmdBlitImage)
+    SPY(CmdCopyBufferToImage)
+    SPY(CmdDispatch)
+    SPY(CmdDrawIndexed)
+    SPY(CmdFillBuffer)
+    SPY(CreateBuffer)
+    SPY(CreateComputePipelines)
+    SPY(CreateGraphicsPipelines)
+    SPY(CreateImage)
+    SPY(AllocateMemory)
+#undef SPY
+    return vkGetDeviceProcAddr(device, name);
+}
+
+} // namespace
+
+PFN_vkVoidFunction VKAPI_CALL spiedGetInstanceProcAddr(VkInstance instance, const char* name) {
+    if (!std::strcmp(name, "vkGetDeviceProcAddr"))
+        return reinterpret_cast<PFN_vkVoidFunction>(&spiedGetDeviceProcAddr);
+    return vkGetInstanceProcAddr(instance, name);
+}
+
+} // namespace tests

@@ -1,0 +1,25 @@
+// Listens to what the library asks of Vulkan, by standing between it and the loader: what it creates, and in
+// which order it records. Validation cannot see everything: it takes an atomic in a shader for a read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <volk.h>
+
+namespace tests {
+
+struct SpiedCall {
+    std::string name;          ///< without "vk"
+    VkAccessFlags2 source = 0; ///< of a barrier: all its source accesses together
+    VkAccessFlags2 target = 0;
+};
+
+/// The calls since clear(). One list for the program: tests run one at a time.
+std::vector<SpiedCall>& spiedCalls();
+size_t countSpied(const std::string& name);
+
+/// To be handed to a context as its loader.
+PFN_vkVoidFunction VKAPI_CALL spiedGetInstanceProcAddr(VkInstance instance, const char* name);
+
+} // namespace tests
