@@ -37,15 +37,7 @@ Status Buffer::allocate(const Device& device, VkDeviceSize size, VkBufferUsageFl
         return s;
     VkMemoryRequirements needs{};
     vk.GetBufferMemoryRequirements(device.handle(), buffer_, &needs);
-    VkMemoryAllocateInfo allocation{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
-    allocation.allocationSize = needs.size;
-    allocation.memoryTypeIndex = device.memoryType(needs.memoryTypeBits, memory);
-    if (allocation.memoryTypeIndex == ~0u)
-        return device.fail(Status::unsupported, "%s: no fitting memory type", what);
-    if (const Status s =
-            device.check(vk.AllocateMemory(device.handle(), &allocation, device.allocator(), &memory_), what);
-        s != Status::ok)
-        return s;
+    if (const Status s = device.allocate(needs, memory, what, memory_); s != Status::ok) return s;
     return device.check(vk.BindBufferMemory(device.handle(), buffer_, memory_, 0), what);
 }
 

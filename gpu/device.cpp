@@ -38,6 +38,15 @@ uint32_t Device::memoryType(uint32_t allowedBits, VkMemoryPropertyFlags wanted) 
     return ~0u;
 }
 
+Status Device::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, const char* what,
+                        VkDeviceMemory& out) const {
+    VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+    info.allocationSize = needs.size;
+    info.memoryTypeIndex = memoryType(needs.memoryTypeBits, wanted);
+    if (info.memoryTypeIndex == ~0u) return fail(Status::unsupported, "%s: no fitting memory type", what);
+    return check(table_.AllocateMemory(device_, &info, allocator(), &out), what);
+}
+
 Status Device::fail(Status status, const char* format, ...) const {
     if (!message_.function) return status;
     char text[512];

@@ -18,8 +18,9 @@ class Device {
     const VkPhysicalDeviceLimits& limits() const { return limits_; }
     VkFormatFeatureFlags optimalFeatures(VkFormat format) const;
 
-    /// A memory type out of `allowedBits` with all `wanted` properties, or ~0u.
-    uint32_t memoryType(uint32_t allowedBits, VkMemoryPropertyFlags wanted) const;
+    /// Memory with all `wanted` properties for one buffer or image.
+    Status allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, const char* what,
+                    VkDeviceMemory& out) const;
 
     /// Sends one line to the host and gives `status` back, so that a failing call reads `return
     /// device.fail(...)`.
@@ -31,6 +32,9 @@ class Device {
     void passEnds(VkCommandBuffer commands, const char* pass) const;
 
   private:
+    /// A memory type out of `allowedBits` with all `wanted` properties, or ~0u.
+    uint32_t memoryType(uint32_t allowedBits, VkMemoryPropertyFlags wanted) const;
+
     VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
     VkDevice device_ = VK_NULL_HANDLE;
     InstanceTable instanceTable_;

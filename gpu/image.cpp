@@ -48,13 +48,7 @@ Status OwnedImage::create(const Device& device, const ImageDesc& desc, const cha
         return s;
     VkMemoryRequirements needs{};
     vk.GetImageMemoryRequirements(device.handle(), image_, &needs);
-    VkMemoryAllocateInfo allocation{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
-    allocation.allocationSize = needs.size;
-    allocation.memoryTypeIndex = device.memoryType(needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-    if (allocation.memoryTypeIndex == ~0u)
-        return device.fail(Status::unsupported, "%s: no fitting memory type", what);
-    if (const Status s =
-            device.check(vk.AllocateMemory(device.handle(), &allocation, device.allocator(), &memory_), what);
+    if (const Status s = device.allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, what, memory_);
         s != Status::ok)
         return s;
     if (const Status s = device.check(vk.BindImageMemory(device.handle(), image_, memory_, 0), what);
