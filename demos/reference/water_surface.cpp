@@ -195,13 +195,21 @@ float WaterSurface::foamCover(const glm::dvec2& calm, double footprint, float th
 
 SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc) {
     const double eyeHeight = camera.eye.y - desc.levelM, height = std::max(std::abs(eyeHeight), 0.05);
-    const double pixel = 2 * camera.tanHalfFovY / desc.height;
-    const double fine = std::clamp(desc.pixelsACell * pixel, 1e-3, 0.1);
-    const std::vector<double> azimuths = azimuthSteps(azimuthsOf(camera), fine);
     // A flat sea comes within h/d radians of the horizon: as far as the renderer's own mesh.
     const double horizon = std::max(100e3, 4000 * height);
     constexpr double finestCell = 0.005; // [m]
-    const auto cellAt = [&](double r) { return std::max(fine * std::hypot(r, height), finestCell); };
+    const auto cellAt = [&](double r, double fine) {
+        return std::max(fine * std::hypot(r, height), finestCell);
+    };
+    const Azimuths seen = azimuthsOf(camera);
+    // Flat water needs no more than a horizon that looks round.
+    double fine = surface.flat() ? 0.1 : desc.pixelsACell * 2 * camera.tanHalfFovY / desc.height;
+    fine = std::clamp(fine, 1e-4, 0.1);
+    const auto vertices = [&] {
+        return std::log(2 * horizon / height) / fine * static_cast<double>(azimuthSteps(seen, fine).size());
+    };
+    while (vertices() > desc.mostVertices) fine *= 1.1;
+    const std::vector<double> azimuths = azimuthSteps(seen, fine);
 
     SurfaceMesh mesh;
     const auto add = [&](const glm::dvec2& fromFoot, double cell) {
@@ -212,11 +220,11 @@ SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const Surf
                                     static_cast<float>(moved.y - eyeHeight),
                                     static_cast<float>(fromFoot.y + moved.z));
     };
-    add(glm::dvec2(0), cellAt(0));
+    add(glm::dvec2(0), cellAt(0, fine));
     uint32_t rings = 0;
-    for (double r = cellAt(0); r < horizon; r += cellAt(r), ++rings)
+    for (double r = cellAt(0, fine); r < horizon; r += cellAt(r, fine), ++rings)
         for (const double azimuth : azimuths)
-            add(r * glm::dvec2(std::cos(azimuth), std::sin(azimuth)), cellAt(r));
+            add(r * glm::dvec2(std::cos(azimuth), std::sin(azimuth)), cellAt(r, fine));
 
     const auto around = static_cast<uint32_t>(azimuths.size());
     const auto vertex = [&](uint32_t ring, uint32_t i) { return 1 + ring * around + i % around; };

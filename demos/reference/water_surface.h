@@ -58,8 +58,9 @@ class WaterSurface {
 struct SurfaceMeshDesc {
     double levelM = 0;
     double aspect = 1;
-    uint32_t height = 1;      ///< pixels
-    double pixelsACell = 1.5; ///< edge of a cell as it is seen across the line of sight
+    uint32_t height = 1;       ///< pixels
+    double pixelsACell = 1.5;  ///< edge of a cell as it is seen across the line of sight
+    double mostVertices = 3e6; ///< about; beyond, all cells grow alike
 };
 
 /// Rings around the eye's foot, close where it looks and wide elsewhere: one grid bent round, so that no
