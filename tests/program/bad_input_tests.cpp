@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include "tests/program/refused.h"
 #include "tests/program/run.h"
 #include "tests/program/sample.h"
 
@@ -142,13 +143,7 @@ class BadInputTest : public testing::TestWithParam<BadInput> {
 TEST_P(BadInputTest, SaysSoOnOneLineAndLeavesNothing) {
     const std::vector<std::string> before = tests::namesIn(folder_.path());
     const Outcome outcome = tests::run(SEAGLASS_PROGRAM, {GetParam().arguments, {}, folder_.path()});
-    EXPECT_EQ(outcome.code, 2) << outcome.err;
-    EXPECT_EQ(tests::countLines(outcome.err), 1u) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-    for (const std::string& words : GetParam().says) {
-        EXPECT_NE(outcome.err.find(words), std::string::npos)
-            << "'" << words << "' is not in: " << outcome.err;
-    }
+    tests::expectRefused(outcome, GetParam().says);
     EXPECT_EQ(tests::namesIn(folder_.path()), before);
     EXPECT_TRUE(tests::namesIn(folder_.path() / "out").empty());
 }
