@@ -198,7 +198,9 @@ TEST_F(Water, WhatLiesBelowIsDimmedByBeerAndLambert) {
             const double angle = angleBelowHorizon(camera, x, y);
             if (angle < 0.2) continue;
             const double f = fresnel(std::sin(angle));
-            const double path = -bed / std::sin(angle);
+            // Snell: the ray goes on steeper than it came.
+            const double sine = std::cos(angle) / 1.333;
+            const double path = -bed / std::sqrt(1 - sine * sine);
             for (size_t channel = 0; channel < 3; ++channel) {
                 const double through = std::exp(-double{refraction.absorption[channel]} * (path - bed));
                 const double expected = f * static_cast<double>(channel + 1) + (1 - f) * 4 * through;

@@ -25,7 +25,7 @@ cells_per_level = 128
 
 [water.waves]
 wind_m_s = 6
-samples = 16
+samples = 128
 cascades = 1
 
 [water.foam]
