@@ -180,11 +180,12 @@ Behind behindAt(vec2 pixel) {
     return b;
 }
 
-// As much of a shift as the picture has room for: all of a small one, and ever less of one that would leave it.
+// As much of a shift as the picture has room for: nearly all of a small one, and at most half the way to the border, so
+// that what lies there is stretched no more than twice.
 vec2 keptInside(vec2 from, vec2 shift) {
-    vec2 room = mix(from, vec2(region.zw) - from, step(0.0, shift));
-    vec2 share = room / max(room + abs(shift), vec2(1e-6));
-    return shift * min(share.x, share.y);
+    vec2 room = max(mix(from, vec2(region.zw) - from, step(0.0, shift)), vec2(1e-3));
+    vec2 share = 2.0 * shift / room;
+    return shift * inversesqrt(1.0 + max(share.x * share.x, share.y * share.y));
 }
 
 // What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
