@@ -69,10 +69,10 @@ vec3 normalOf(vec2 slope) {
 
 vec3 skyAt(vec3 direction, float spread) {
     // A cube texel spans about pi/2 / edge; `spread` is the standard deviation of the mirrored direction, two of which
-    // a texel of the mip should span.
+    // a texel of the mip should span. No mirrored ray comes from below the horizon, so neither may the blur.
     float texel = 0.5 * pi / exp2(skyMips - 1.0);
     float mip = clamp(log2(max(2.0 * spread / texel, 1.0)), 0.0, max(skyMips - 2.0, 0.0));
-    return textureLod(skyCube, direction, mip).rgb;
+    return textureLod(skyCube, vec3(direction.x, max(direction.y, spread), direction.z), mip).rgb;
 }
 
 vec3 mirroredRadiance(vec3 direction, float spread) {
@@ -90,9 +90,20 @@ struct Reflection {
     float fresnel;
 };
 
-// Rays that would go below the horizon meet another wave; turning them up stands for the second bounce.
 vec3 keptAbove(vec3 direction) {
     return normalize(vec3(direction.x, max(abs(direction.y), 1e-3), direction.z));
+}
+
+// What a facet mirrors. Low rays meet another wave before they reach the sky (Smith's masking by all the sea's slopes);
+// that wave's facets lean towards the ray by 1.25 deviations in the mean, and mirror a higher part of the sky in turn.
+vec3 mirroredBySea(vec3 direction, float spread) {
+    vec3 first = mirroredRadiance(keptAbove(direction), spread);
+    if (wholeDeviation <= 0.0) return first;
+    float clear = direction.y > 0.0 ? 1.0 / (1.0 + smithLambda(direction.y, wholeDeviation)) : 0.0;
+    vec2 along = direction.xz / max(length(direction.xz), 1e-6);
+    vec3 facet = normalOf(along * (1.25 * wholeDeviation));
+    vec3 second = keptAbove(reflect(direction, facet));
+    return first * clear + skyAt(second, spread) * (fresnelWater(dot(-direction, facet)) * (1.0 - clear));
 }
 
 // Midpoint rule over the visible slopes: within 2.5 deviations, and less than what turns a facet edge on. Three points
@@ -120,8 +131,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
         float weight = exp(-0.5 * relative * relative) * max(edgeOn - offset, 1e-4);
         vec3 normal = normalOf(slope);
         float fresnel = fresnelWater(dot(toEye, normal));
-        vec3 direction = keptAbove(reflect(-toEye, normal));
-        sum.radiance += weight * fresnel * mirroredRadiance(direction, spread);
+        sum.radiance += weight * fresnel * mirroredBySea(reflect(-toEye, normal), spread);
         sum.fresnel += weight * fresnel;
         weights += weight;
     }
@@ -141,9 +151,8 @@ vec3 sunGlint(SurfacePoint s, vec3 toEye) {
     float fresnel = fresnelWater(dot(toEye, halfway));
     vec3 normal = normalOf(s.slope);
     float cosEye = max(dot(toEye, normal), 1e-3);
-    float cosSun = max(dot(toSun.xyz, normal), 1e-3);
     float deviation = sqrt(0.5 * (s.covariance.x + s.covariance.y));
-    float masking = 1.0 + smithLambda(cosEye, deviation) + smithLambda(cosSun, deviation);
+    float masking = 1.0 + smithLambda(cosEye, deviation) + smithLambda(max(toSun.y, 1e-3), wholeDeviation);
     float up2 = halfway.y * halfway.y;
     return sunIrradiance.rgb * (fresnel * density / (4.0 * up2 * up2 * cosEye * masking));
 }

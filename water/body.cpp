@@ -85,7 +85,9 @@ double inTile(double position, double tile) {
 void setWaves(SurfaceUniforms& u, const Sea& sea, const WaveMaps& maps, const glm::dvec3& eye) {
     u.cascades = static_cast<int32_t>(maps.cascades);
     u.maxMip = static_cast<float>(maps.mipLevels - 1);
-    u.unresolvedVariance = static_cast<float>(unresolvedSlopeVariance(sea) / 2);
+    const double unresolved = unresolvedSlopeVariance(sea);
+    u.unresolvedVariance = static_cast<float>(unresolved / 2);
+    u.wholeDeviation = static_cast<float>(std::sqrt((resolvedSlopeVariance(sea) + unresolved) / 2));
     for (uint32_t i = 0; i < maps.cascades; ++i) {
         const double patch = cascade(sea, i).patch;
         // Maps hold samples at i * patch / samples, textures at half a texel more.

@@ -4,6 +4,7 @@
 #include "water/spectrum.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace seaglass {
 namespace {
@@ -23,14 +24,27 @@ double slopeVariance(const Spectrum& spectrum, double kMin, double kMax) {
     return sum;
 }
 
+double scaledVariance(const Sea& sea, double kMin, double kMax) {
+    const auto amplitude = static_cast<double>(sea.desc.amplitude);
+    return amplitude * amplitude * slopeVariance(makeSpectrum(sea.desc), kMin, kMax);
+}
+
+double shortestResolved(const Sea& sea) {
+    return sea.cascades[sea.count - 1].kMax;
+}
+
 } // namespace
 
-double unresolvedSlopeVariance(const Sea& sea) {
+double resolvedSlopeVariance(const Sea& sea) {
     if (sea.count == 0) return 0;
-    const double kMin = sea.cascades[sea.count - 1].kMax;
-    if (kMin >= shortestGravityWave) return 0;
-    const auto amplitude = static_cast<double>(sea.desc.amplitude);
-    return amplitude * amplitude * slopeVariance(makeSpectrum(sea.desc), kMin, shortestGravityWave);
+    // The first cascade begins at its lattice's first wave; what is longer has next to no slope.
+    const double longest = 2 * std::numbers::pi / sea.cascades[0].patch;
+    return scaledVariance(sea, longest, shortestResolved(sea));
+}
+
+double unresolvedSlopeVariance(const Sea& sea) {
+    if (sea.count == 0 || shortestResolved(sea) >= shortestGravityWave) return 0;
+    return scaledVariance(sea, shortestResolved(sea), shortestGravityWave);
 }
 
 } // namespace seaglass

@@ -43,8 +43,10 @@ struct SurfaceUniforms {
     float farDepth = 0;
     float depthSign = 1;
     float skyMips = 1;
+    float wholeDeviation = 0; ///< of all slopes of the sea, in each direction
     int32_t cascades = 0;
     float maxMip = 0;
+    float padding[3] = {};
 };
 
 /// Edge of the tile that foam patterns repeat in [m]; shaders/surface.frag samples divisions of it.

@@ -25,5 +25,5 @@ float slopeDensity(vec2 d, vec3 covariance) {
     float determinant = max(covariance.x * covariance.y - covariance.z * covariance.z, 1e-12);
     float exponent =
         (covariance.y * d.x * d.x - 2.0 * covariance.z * d.x * d.y + covariance.x * d.y * d.y) / determinant;
-    return exp(-0.5 * min(exponent, 80.0)) / (2.0 * pi * sqrt(determinant));
+    return exp(-0.5 * exponent) / (2.0 * pi * sqrt(determinant));
 }

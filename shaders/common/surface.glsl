@@ -20,6 +20,7 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     float farDepth;
     float depthSign;
     float skyMips;
+    float wholeDeviation;
     int cascades;
     float maxMip;
 };

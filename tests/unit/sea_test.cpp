@@ -95,6 +95,25 @@ TEST(Sea, KnowsTheSlopesThatItsCascadesLeaveOut) {
     EXPECT_EQ(unresolvedSlopeVariance(*makeSea(desc)), 0);
 }
 
+TEST(Sea, TheMapsHaveTheResolvedSlopeVariance) {
+    SeaDesc desc;
+    desc.amplitude = 0.5f;
+    const auto sea = makeSea(desc);
+    Waves waves(*sea);
+    double sum = 0;
+    for (uint32_t c = 0; c < desc.cascades; ++c) {
+        const Maps maps = waves.at(c, 12);
+        double band = 0;
+        for (size_t texel = 0; texel < maps.texels(); ++texel)
+            band += static_cast<double>(maps.moments[4 * texel]) +
+                    static_cast<double>(maps.moments[4 * texel + 1]);
+        sum += band / static_cast<double>(maps.texels());
+    }
+    EXPECT_NEAR(sum, resolvedSlopeVariance(*sea), 0.03 * sum);
+    desc.windSpeed = 0;
+    EXPECT_EQ(resolvedSlopeVariance(*makeSea(desc)), 0);
+}
+
 TEST(Sea, CascadesHaveTheVarianceOfTheirBand) {
     SeaDesc desc;
     constexpr uint64_t seeds = 64;

@@ -59,6 +59,8 @@ uint32_t cascadeCount(const Sea& sea);           ///< 0 when the sea is flat
 const Cascade& cascade(const Sea& sea, uint32_t index); ///< index < cascadeCount
 double peakFrequency(const Sea& sea);            ///< [rad/s], 0 when flat
 double significantWaveHeight(const Sea& sea);    ///< 4 sqrt(m0) of the modes held [m]
+/// Slope variance (both axes together) of the waves that the cascades hold.
+double resolvedSlopeVariance(const Sea& sea);
 /// Slope variance (both axes together) of the waves shorter than the shortest mode: a surface's roughness.
 double unresolvedSlopeVariance(const Sea& sea);
 
