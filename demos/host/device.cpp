@@ -189,6 +189,7 @@ DeviceInfo describe(VkInstance instance, VkPhysicalDevice physical) {
     vkGetPhysicalDeviceProperties2(physical, &properties);
     DeviceInfo info;
     info.name = properties.properties.deviceName;
+    info.longestSide = properties.properties.limits.maxImageDimension2D;
     info.driver = std::string(driver.driverName) + " " + driver.driverInfo;
     info.type = typeName(properties.properties.deviceType);
     info.whyNot = missingForHost(physical, properties.properties);

@@ -19,6 +19,7 @@ struct DeviceInfo {
     std::string type;   ///< discrete, integrated, virtual, cpu, other
     bool supported = false;
     std::string whyNot; ///< when not supported: what is missing
+    uint32_t longestSide = 0; ///< of a picture, in pixels
 };
 
 /// Every Vulkan device here, best first (discrete, integrated, virtual, CPU). Empty with `error` set when
