@@ -2,8 +2,7 @@
 //
 // Tiles and their bands do not depend on the number of samples, but where that is too small to carry a whole
 // band; so a sea of fewer samples is the same sea, truncated.
-#ifndef SEAGLASS_WATER_CASCADES_H
-#define SEAGLASS_WATER_CASCADES_H
+#pragma once
 
 #include "water/spectrum.h"
 
@@ -13,5 +12,3 @@ namespace seaglass {
 void layCascades(const SeaDesc& desc, const Spectrum& spectrum, Cascade* cascades);
 
 } // namespace seaglass
-
-#endif

@@ -1,6 +1,5 @@
 // Linear dispersion of gravity-capillary waves: omega^2 = (g k + (tau/rho) k^3) tanh(k h).
-#ifndef SEAGLASS_WATER_DISPERSION_H
-#define SEAGLASS_WATER_DISPERSION_H
+#pragma once
 
 #include <limits>
 
@@ -17,5 +16,3 @@ double angularFrequency(double k, double depth = deepWater);
 double groupSpeed(double k, double depth = deepWater);
 
 } // namespace seaglass
-
-#endif

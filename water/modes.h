@@ -3,8 +3,7 @@
 // With h(k,t) = h0(k) e^{iwt} + conj(h0(-k)) e^{-iwt} the height is the sum of h(k,t) e^{ik.x} over all k.
 // The part h0(k) travels towards -k. E|h0|^2 = S(w) D(theta) (dw/dk)/k dk^2 / 2, so that the height's
 // variance is the spectrum's.
-#ifndef SEAGLASS_WATER_MODES_H
-#define SEAGLASS_WATER_MODES_H
+#pragma once
 
 #include "water/spectrum.h"
 
@@ -37,5 +36,3 @@ struct Modes {
 Modes drawModes(const SeaDesc& desc, const Spectrum& spectrum, uint32_t index, Cascade& cascade);
 
 } // namespace seaglass
-
-#endif

@@ -1,8 +1,7 @@
 // Phases that stay exact however late it is. Frequencies are whole multiples n of 2 pi / T, T the time after
 // which the sea repeats, and the phase is the wrapped 32-bit product n * round(2^32 frac(t/T)): no rounding
 // grows with time, and every device forms the same integer.
-#ifndef SEAGLASS_WATER_PHASE_H
-#define SEAGLASS_WATER_PHASE_H
+#pragma once
 
 #include <cstdint>
 #include <numbers>
@@ -48,5 +47,3 @@ inline SineCosine sineCosine(uint32_t phase) {
 }
 
 } // namespace seaglass
-
-#endif

@@ -1,6 +1,5 @@
 // What a sea holds: its description, its cascades and their modes. Never changed once made.
-#ifndef SEAGLASS_WATER_SEA_H
-#define SEAGLASS_WATER_SEA_H
+#pragma once
 
 #include "seaglass/sea.h"
 #include "water/modes.h"
@@ -19,5 +18,3 @@ struct Sea {
 };
 
 } // namespace seaglass
-
-#endif

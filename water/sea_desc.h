@@ -1,6 +1,5 @@
 // What a sea's description may say.
-#ifndef SEAGLASS_WATER_SEA_DESC_H
-#define SEAGLASS_WATER_SEA_DESC_H
+#pragma once
 
 #include "seaglass/sea.h"
 
@@ -10,5 +9,3 @@ namespace seaglass {
 bool validate(const SeaDesc& desc, SeaError& error);
 
 } // namespace seaglass
-
-#endif

@@ -1,8 +1,7 @@
 // One-dimensional frequency spectra of the height of a wind sea, S(omega) [m^2 s].
 //
 // Pierson and Moskowitz 1964; JONSWAP: Hasselmann et al. 1973.
-#ifndef SEAGLASS_WATER_SPECTRUM_H
-#define SEAGLASS_WATER_SPECTRUM_H
+#pragma once
 
 #include "seaglass/sea.h"
 
@@ -27,5 +26,3 @@ double energy(const Spectrum& spectrum, double omega);
 double peakWavelength(const Spectrum& spectrum);
 
 } // namespace seaglass
-
-#endif

@@ -1,7 +1,6 @@
 // Directional spreading: cos^2s(theta/2), its shape s after Hasselmann et al. 1980, elongated by swell after
 // Horvath 2015, "Empirical directional wave spectra for computer graphics".
-#ifndef SEAGLASS_WATER_SPREADING_H
-#define SEAGLASS_WATER_SPREADING_H
+#pragma once
 
 #include "water/spectrum.h"
 
@@ -17,5 +16,3 @@ double spreadingNorm(double shape);
 double spreading(double shape, double cosine);
 
 } // namespace seaglass
-
-#endif

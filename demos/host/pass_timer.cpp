@@ -49,9 +49,11 @@ void PassTimer::mark(VkCommandBuffer commands, const char* pass, bool begins) {
         if (open == spans_.rend()) return;
         open->end = used_;
     }
-    // A pass begins when all before it has ended: at the top of the pipe its time would hold theirs, or they its.
+    // A pass begins when all before it has ended: at the top of the pipe its time would hold theirs, or they
+    // its.
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_.get(), used_++);
-    // lavapipe takes the time at its next flush: without a barrier here that can be after the pass's first dispatch.
+    // lavapipe takes the time at its next flush: without a barrier here that can be after the pass's first
+    // dispatch.
     if (begins) waitForAll(commands);
 }
 

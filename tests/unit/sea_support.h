@@ -1,6 +1,5 @@
 // What the tests of the sea share.
-#ifndef SEAGLASS_TESTS_UNIT_SEA_SUPPORT_H
-#define SEAGLASS_TESTS_UNIT_SEA_SUPPORT_H
+#pragma once
 
 #include "seaglass/waves_fftw.h"
 #include "water/sea.h"
@@ -84,5 +83,3 @@ double moment(const Spectrum& spectrum, double low, double high, int power = 0);
 double slopeVariance(const Spectrum& spectrum, double kMax);
 
 } // namespace seaglass::tests
-
-#endif

@@ -1,6 +1,5 @@
 // Memory that runs out: while a Starved lives, its thread gets only so many more allocations.
-#ifndef SEAGLASS_TESTS_UNIT_STARVED_H
-#define SEAGLASS_TESTS_UNIT_STARVED_H
+#pragma once
 
 namespace seaglass::tests {
 
@@ -13,5 +12,3 @@ class Starved {
 };
 
 } // namespace seaglass::tests
-
-#endif

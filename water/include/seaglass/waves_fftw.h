@@ -1,5 +1,5 @@
-// The CPU wave backend. FFTW is under the GPL: linking seaglass::waves_fftw puts that licence on the program that
-// does. Leave the target out to stay clear of it.
+// The CPU wave backend. FFTW is under the GPL: linking seaglass::waves_fftw puts that licence on the program
+// that does. Leave the target out to stay clear of it.
 #ifndef SEAGLASS_WAVES_FFTW_H
 #define SEAGLASS_WAVES_FFTW_H
 
