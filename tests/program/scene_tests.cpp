@@ -70,7 +70,7 @@ TEST_F(SceneFile, SampleLoads) {
     EXPECT_EQ(scene->meshes[0].positionM, (demos::Vec3{0, 0.5, -5}));
     ASSERT_TRUE(scene->water && scene->water->waves && scene->water->foam);
     EXPECT_EQ(scene->water->waves->windMps, 6);
-    EXPECT_EQ(scene->water->waves->samples, 16u);
+    EXPECT_EQ(scene->water->waves->samples, 128u);
     ASSERT_EQ(scene->cameras.size(), 2u);
     EXPECT_EQ(scene->cameras[1].name, "low");
 }
@@ -114,7 +114,7 @@ TEST_F(SceneFile, ARelativeSceneFindsItsFiles) {
 TEST_F(SceneFile, OutOfRangeNamesFileLineFieldAndRange) {
     EXPECT_EQ(problem(replaced("wind_m_s = 6", "wind_m_s = -3")),
               "scene.toml:22: water.waves.wind_m_s is -3, expected 0 to 60 m/s");
-    EXPECT_EQ(problem(replaced("samples = 16", "samples = 48")),
+    EXPECT_EQ(problem(replaced("samples = 128", "samples = 48")),
               "scene.toml:23: water.waves.samples is 48, expected a power of two, 16 to 1024");
     EXPECT_EQ(problem(replaced("cells_per_level = 128", "cells_per_level = 40")),
               "scene.toml:19: water.cells_per_level is 40, expected a whole number, 128 to 1024");
@@ -125,8 +125,8 @@ TEST_F(SceneFile, OutOfRangeNamesFileLineFieldAndRange) {
 TEST_F(SceneFile, WrongTypesAreRefused) {
     EXPECT_EQ(problem(replaced("wind_m_s = 6", "wind_m_s = '6'")),
               "scene.toml:22: water.waves.wind_m_s is '6', expected 0 to 60 m/s");
-    EXPECT_EQ(problem(replaced("samples = 16", "samples = 16.0")),
-              "scene.toml:23: water.waves.samples is 16.0, expected a power of two, 16 to 1024");
+    EXPECT_EQ(problem(replaced("samples = 128", "samples = 128.0")),
+              "scene.toml:23: water.waves.samples is 128.0, expected a power of two, 16 to 1024");
     EXPECT_EQ(problem(replaced("irradiance = [3, 2, 1]", "irradiance = [3, 2]")),
               "scene.toml:11: sun.irradiance is [ 3, 2 ], expected three numbers, each 0 to 1e+06");
     EXPECT_EQ(problem(replaced("[sun]", "[sun]\nfrom_sky = 1")),
