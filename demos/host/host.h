@@ -18,7 +18,7 @@ struct DeviceInfo {
     std::string driver; ///< driver name and version
     std::string type;   ///< discrete, integrated, virtual, cpu, other
     bool supported = false;
-    std::string whyNot; ///< when not supported: what is missing
+    std::string whyNot;       ///< when not supported: what is missing
     uint32_t longestSide = 0; ///< of a picture, in pixels
 };
 
@@ -61,6 +61,12 @@ struct FrameTimes {
     double cpuSimulateMs = 0; ///< median CPU time inside seaglass::simulate
     uint32_t runs = 0;
     std::vector<PassTime> passes; ///< in order; compute by timestamps, drawing by submit and fence alone
+    /// What the reflection's passes take together; 0 where there are none. By submit and fence on a device
+    /// without timestamps.
+    PassTime reflection;
+    /// A compute copy of RGBA16F colour and R32F depth of the frame's size, between the same frames. Only if
+    /// asked for.
+    std::optional<PassTime> floor;
 };
 
 class Host {
@@ -76,7 +82,8 @@ class Host {
     /// Draws one frame and waits for it.
     std::optional<Picture> render(const FrameDesc& frame, Error& error);
     /// Draws the frame `runs` times after a warm-up and gives medians by pass.
-    std::optional<FrameTimes> measure(const FrameDesc& frame, uint32_t runs, Error& error);
+    std::optional<FrameTimes> measure(const FrameDesc& frame, uint32_t runs, Error& error,
+                                      bool withFloor = false);
     /// Validation messages seen so far.
     uint32_t validationMessages() const;
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/floor_pass.h"
 #include "host/host_impl.h"
 
 namespace demos {
@@ -17,6 +18,10 @@ double quantile(std::vector<double> samples, double q) {
     return samples[below] + (at - std::floor(at)) * (samples[above] - samples[below]);
 }
 
+PassTime summary(const std::string& name, const std::vector<double>& ms) {
+    return {name, quantile(ms, 0.5), quantile(ms, 0.75) - quantile(ms, 0.25)};
+}
+
 /// Samples by pass, in the order the passes were first seen.
 class PassSamples {
   public:
@@ -30,8 +35,7 @@ class PassSamples {
     }
     std::vector<PassTime> medians() const {
         std::vector<PassTime> times;
-        for (const auto& [name, ms] : samples_)
-            times.push_back({name, quantile(ms, 0.5), quantile(ms, 0.75) - quantile(ms, 0.25)});
+        for (const auto& [name, ms] : samples_) times.push_back(summary(name, ms));
         return times;
     }
 
@@ -39,8 +43,10 @@ class PassSamples {
     std::vector<std::pair<std::string, std::vector<double>>> samples_;
 };
 
-/// Runs the frame stage by stage, each waited for, so that a stage's time is its own.
-bool measureStages(Device& device, FrameRecorder& recorder, PassSamples& samples, Error& error) {
+/// Runs the frame stage by stage, each waited for, so that a stage's time is its own. `reflectionMs` is what
+/// the passes of reflections take together.
+bool measureStages(Device& device, FrameRecorder& recorder, PassSamples& samples, double& reflectionMs,
+                   Error& error) {
     PassTimer& timer = recorder.timer();
     for (const StageName& stage : stages) {
         if (!recorder.needed(stage.stage)) continue;
@@ -55,14 +61,40 @@ bool measureStages(Device& device, FrameRecorder& recorder, PassSamples& samples
         if (!ran) return false;
         samples.add(stage.name, device.lastRunMs());
         if (!stage.compute) continue;
-        for (const PassTime& pass : timer.collect()) samples.add(pass.name, pass.ms);
+        double passesMs = 0;
+        for (const PassTime& pass : timer.collect()) {
+            samples.add(pass.name, pass.ms);
+            passesMs += pass.ms;
+        }
+        if (stage.stage == Stage::reflect)
+            reflectionMs = device.timestampNs() > 0 ? passesMs : device.lastRunMs();
     }
+    return true;
+}
+
+bool measureFloor(Device& device, PassTimer& timer, const FloorPass& floor, std::vector<double>& ms,
+                  Error& error) {
+    const bool ran = device.run(
+        [&](VkCommandBuffer commands, Error&) {
+            timer.listen(commands);
+            // Once unseen: what is timed is the copy, not the waking of the device.
+            floor.record(commands);
+            timer.mark(commands, "floor", true);
+            floor.record(commands);
+            timer.mark(commands, "floor", false);
+            timer.stop();
+            return true;
+        },
+        error);
+    if (!ran) return false;
+    const std::vector<PassTime> timed = timer.collect();
+    ms.push_back(timed.empty() ? device.lastRunMs() : timed.front().ms);
     return true;
 }
 
 } // namespace
 
-std::optional<FrameTimes> Host::measure(const FrameDesc& frame, uint32_t runs, Error& error) {
+std::optional<FrameTimes> Host::measure(const FrameDesc& frame, uint32_t runs, Error& error, bool withFloor) {
     Impl& impl = *impl_;
     if (!impl.ready(error)) return std::nullopt;
     if (runs == 0) {
@@ -70,11 +102,14 @@ std::optional<FrameTimes> Host::measure(const FrameDesc& frame, uint32_t runs, E
         return std::nullopt;
     }
     constexpr uint32_t warmUps = 2; // the first compiles pipelines on some drivers, the second settles memory
-    std::vector<double> whole, simulate;
+    FloorPass floor;
+    if (withFloor && !floor.create(*impl.device, {frame.width, frame.height}, error)) return std::nullopt;
+    std::vector<double> whole, simulate, reflection, floorMs;
     PassSamples samples;
     for (uint32_t i = 0; i < warmUps + runs; ++i) {
         const bool warm = i >= warmUps;
         PassSamples ignored;
+        double reflectionMs = 0;
         // Whole frames and stages alternate, so that both see the same machine.
         if (!impl.recorder.begin(*impl.scene, frame, error) ||
             !impl.device->run(
@@ -86,7 +121,12 @@ std::optional<FrameTimes> Host::measure(const FrameDesc& frame, uint32_t runs, E
             simulate.push_back(impl.recorder.cpuSimulateMs());
         }
         if (!impl.recorder.begin(*impl.scene, frame, error) ||
-            !measureStages(*impl.device, impl.recorder, warm ? samples : ignored, error))
+            !measureStages(*impl.device, impl.recorder, warm ? samples : ignored, reflectionMs, error))
+            return std::nullopt;
+        if (warm) reflection.push_back(reflectionMs);
+        std::vector<double> first;
+        if (withFloor &&
+            !measureFloor(*impl.device, impl.recorder.timer(), floor, warm ? floorMs : first, error))
             return std::nullopt;
     }
     FrameTimes times;
@@ -94,6 +134,8 @@ std::optional<FrameTimes> Host::measure(const FrameDesc& frame, uint32_t runs, E
     times.cpuSimulateMs = impl.scene->water ? quantile(simulate, 0.5) : 0;
     times.runs = runs;
     times.passes = samples.medians();
+    times.reflection = summary("reflection", reflection);
+    if (withFloor) times.floor = summary("floor", floorMs);
     return times;
 }
 

@@ -1,11 +1,12 @@
-// seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass reference ..., seaglass compare A B ...,
-// seaglass devices: see --help.
+// seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass reference ..., seaglass measure ...,
+// seaglass compare A B ..., seaglass devices: see --help.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 
 #include "program/compare.h"
 #include "program/exit_code.h"
+#include "program/measure.h"
 #include "program/no_device.h"
 #include "program/options.h"
 #include "program/reference.h"
@@ -37,6 +38,8 @@ ExitCode runCommand(const Options& options, Error& error) {
         return renderReference(options.reference, error);
     case Options::Command::compare:
         return comparePictures(options.compare, error);
+    case Options::Command::measure:
+        return measureTechniques(options.measure, error);
     case Options::Command::devices:
         return listAll(error);
     case Options::Command::printed:

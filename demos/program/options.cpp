@@ -226,6 +226,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
     CLI::App& render = *app.add_subcommand("render", "Render a scene file");
     CLI::App& reference = *app.add_subcommand("reference", "Ray-trace a scene file on the CPU");
     CLI::App& comparison = *app.add_subcommand("compare", "Compare two pictures");
+    CLI::App& measurement =
+        *app.add_subcommand("measure", "Measure cost and error of the techniques side by side");
     CLI::App& devices = *app.add_subcommand("devices", "List the Vulkan devices");
     devices.allow_extras();
     Raw raw;
@@ -233,6 +235,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
     describeReference(reference, raw);
     RawCompare rawCompare;
     describeCompare(comparison, rawCompare);
+    RawMeasure rawMeasure;
+    describeMeasure(measurement, rawMeasure);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
@@ -247,6 +251,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
     if (!checkExtras(app, app.remaining(), error) || !checkExtras(render, render.remaining(), error) ||
         !checkExtras(reference, reference.remaining(), error) ||
         !checkExtras(comparison, comparison.remaining(), error) ||
+        !checkExtras(measurement, measurement.remaining(), error) ||
         !checkExtras(devices, devices.remaining(), error)) {
         return std::nullopt;
     }
@@ -267,9 +272,16 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
         options.compare = std::move(*checked);
         return options;
     }
+    if (measurement.parsed()) {
+        std::optional<MeasureOptions> checked = checkMeasure(rawMeasure, error);
+        if (!checked) return std::nullopt;
+        options.command = Options::Command::measure;
+        options.measure = std::move(*checked);
+        return options;
+    }
     if (!render.parsed()) {
-        error.text =
-            "no command, expected seaglass render, reference, compare or devices (see seaglass --help)";
+        error.text = "no command, expected seaglass render, reference, compare, measure or devices "
+                     "(see seaglass --help)";
         return std::nullopt;
     }
     options.command = Options::Command::render;

@@ -8,6 +8,7 @@
 
 #include "host/host.h"
 #include "program/compare_options.h"
+#include "program/measure_options.h"
 #include "program/values.h"
 #include "scene/scene.h"
 
@@ -40,11 +41,12 @@ struct ReferenceOptions {
 };
 
 struct Options {
-    enum class Command { render, reference, compare, devices, printed };
+    enum class Command { render, reference, compare, measure, devices, printed };
     Command command = Command::printed; ///< printed: help or version, and all is done
     RenderOptions render;
     ReferenceOptions reference;
     CompareOptions compare;
+    MeasureOptions measure;
 };
 
 /// Null with `error` set when the line makes no sense. Prints help and version when asked to.

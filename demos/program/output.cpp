@@ -54,6 +54,20 @@ bool checkOutput(const std::string& option, const fs::path& file, const std::vec
     return true;
 }
 
+bool checkFolder(const std::string& option, const fs::path& folder, Error& error) {
+    const auto fail = [&](const std::string& what) {
+        error.text = option + " " + folder.string() + ": " + what;
+        return false;
+    };
+    std::error_code code;
+    fs::path there = fs::absolute(folder).lexically_normal();
+    while (!fs::exists(there, code) && there.has_relative_path()) there = there.parent_path();
+    if (!fs::is_directory(there, code)) return fail(there.string() + " is a file, expected a folder");
+    if (access(there.c_str(), W_OK | X_OK) != 0)
+        return fail("folder " + there.string() + " cannot be written to, expected one that can");
+    return true;
+}
+
 bool checkApart(const std::string& option, const fs::path& output, const std::vector<fs::path>& inputs,
                 Error& error) {
     for (const fs::path& input : inputs) {

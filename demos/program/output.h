@@ -14,6 +14,9 @@ namespace demos {
 bool checkOutput(const std::string& option, const std::filesystem::path& file,
                  const std::vector<std::string>& extensions, Error& error);
 
+/// Whether a folder is there or can be made, and can be written to.
+bool checkFolder(const std::string& option, const std::filesystem::path& folder, Error& error);
+
 /// False with `error` set when the output is one of the inputs.
 bool checkApart(const std::string& option, const std::filesystem::path& output,
                 const std::vector<std::filesystem::path>& inputs, Error& error);

@@ -7,8 +7,6 @@
 #include <map>
 #include <system_error>
 
-#include <unistd.h>
-
 #include "host/image_file.h"
 #include "metrics/magma.h"
 #include "program/measures.h"
@@ -126,17 +124,8 @@ std::string page(const CompareOptions& options, PictureKind kind, const Picture&
 
 bool checkReport(const CompareOptions& options, Error& error) {
     const fs::path& folder = options.report;
-    const auto fail = [&](const std::string& what) {
-        error.text = "--report " + folder.string() + ": " + what;
-        return false;
-    };
+    if (!checkFolder("--report", folder, error)) return false;
     std::error_code code;
-    fs::path there = fs::absolute(folder).lexically_normal();
-    while (!fs::exists(there, code) && there.has_relative_path()) there = there.parent_path();
-    if (!fs::is_directory(there, code)) return fail(there.string() + " is a file, expected a folder");
-    if (access(there.c_str(), W_OK | X_OK) != 0) {
-        return fail("folder " + there.string() + " cannot be written to, expected one that can");
-    }
     if (!fs::exists(folder, code)) return true;
     for (const char* const name : pictures) {
         if (!checkOutput("--report", folder / name, {".png"}, error) ||

@@ -1,0 +1,124 @@
+#include "host/floor_pass.h"
+
+#include "spirv/floor.comp.h"
+
+namespace demos {
+
+bool FloorPass::create(Device& device, VkExtent2D extent, Error& error) {
+    return createImages(device, extent, error) && createSet(device, error) && createPipeline(device, error);
+}
+
+bool FloorPass::createImages(Device& device, VkExtent2D extent, Error& error) {
+    for (size_t i = 0; i < 4; ++i) {
+        ImageDesc desc;
+        desc.format = i % 2 == 0 ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32_SFLOAT;
+        desc.extent = extent;
+        desc.usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+        if (!createImage(device, desc, images_[i], error)) return false;
+    }
+    // Filled, since memory that nobody has written yet may not be there to be read.
+    return device.run(
+        [&](VkCommandBuffer commands, Error&) {
+            for (const Image& image : images_) {
+                imageBarrier(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL, 0, 0,
+                             VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
+                const VkClearColorValue grey = {{0.5f, 0.5f, 0.5f, 1}};
+                const VkImageSubresourceRange range = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+                vkCmdClearColorImage(commands, image.image.get(), VK_IMAGE_LAYOUT_GENERAL, &grey, 1, &range);
+            }
+            return true;
+        },
+        error);
+}
+
+bool FloorPass::createSet(const Device& device, Error& error) {
+    VkDescriptorSetLayoutBinding bindings[4] = {};
+    for (uint32_t i = 0; i < 4; ++i)
+        bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+    VkDescriptorSetLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+    layoutInfo.bindingCount = 4;
+    layoutInfo.pBindings = bindings;
+    VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateDescriptorSetLayout(device.handle(), &layoutInfo, nullptr, &setLayout),
+                   "vkCreateDescriptorSetLayout", error))
+        return false;
+    setLayout_ = UniqueDescriptorSetLayout(device.handle(), setLayout);
+
+    const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 4};
+    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    poolInfo.maxSets = 1;
+    poolInfo.poolSizeCount = 1;
+    poolInfo.pPoolSizes = &size;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateDescriptorPool(device.handle(), &poolInfo, nullptr, &pool),
+                   "vkCreateDescriptorPool", error))
+        return false;
+    pool_ = UniqueDescriptorPool(device.handle(), pool);
+
+    VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    info.descriptorPool = pool;
+    info.descriptorSetCount = 1;
+    info.pSetLayouts = &setLayout;
+    if (!succeeded(vkAllocateDescriptorSets(device.handle(), &info, &set_), "vkAllocateDescriptorSets",
+                   error))
+        return false;
+    for (uint32_t i = 0; i < 4; ++i) {
+        const VkDescriptorImageInfo image = {VK_NULL_HANDLE, images_[i].view.get(), VK_IMAGE_LAYOUT_GENERAL};
+        VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+        write.dstSet = set_;
+        write.dstBinding = i;
+        write.descriptorCount = 1;
+        write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+        write.pImageInfo = &image;
+        vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
+    }
+    return true;
+}
+
+bool FloorPass::createPipeline(const Device& device, Error& error) {
+    VkPipelineLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+    layoutInfo.setLayoutCount = 1;
+    layoutInfo.pSetLayouts = &setLayout_.get();
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    if (!succeeded(vkCreatePipelineLayout(device.handle(), &layoutInfo, nullptr, &layout),
+                   "vkCreatePipelineLayout", error))
+        return false;
+    layout_ = UniquePipelineLayout(device.handle(), layout);
+
+    VkShaderModuleCreateInfo code{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    code.codeSize = sizeof(floor_comp);
+    code.pCode = floor_comp;
+    VkShaderModule shader = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateShaderModule(device.handle(), &code, nullptr, &shader), "vkCreateShaderModule",
+                   error))
+        return false;
+    const UniqueShaderModule owned(device.handle(), shader);
+    VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+    info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+    info.stage.module = shader;
+    info.stage.pName = "main";
+    info.layout = layout;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+                   "vkCreateComputePipelines", error))
+        return false;
+    pipeline_ = UniquePipeline(device.handle(), pipeline);
+    return true;
+}
+
+void FloorPass::record(VkCommandBuffer commands) const {
+    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    barrier.srcAccessMask = barrier.dstAccessMask = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &dependency);
+    const VkExtent2D extent = images_[0].extent;
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_.get());
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0, nullptr);
+    vkCmdDispatch(commands, (extent.width + 7) / 8, (extent.height + 7) / 8, 1);
+}
+
+} // namespace demos

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "measure/tradeoff.h"
+
+namespace demos::measure {
+
+/// What was not measured is null.
+std::string tradeoffJson(const Tradeoff& tradeoff);
+/// One line an entry, under a line of names. What was not measured is empty.
+std::string tradeoffCsv(const Tradeoff& tradeoff);
+
+} // namespace demos::measure

@@ -1,0 +1,59 @@
+// Cost and error of techniques, as plain data. What was not measured is not there: nothing is made up.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/host.h"
+
+namespace demos::measure {
+
+struct Cost {
+    PassTime reflection; ///< the reflection's own passes; the water's drawing is among `passes`
+    PassTime floor;      ///< measured between the same frames
+    std::optional<double> xFloor;
+    std::optional<uint64_t> bytes;
+    std::vector<PassTime> passes; ///< of the whole frame
+};
+
+/// Shares are 0..1. What has no pixel to be measured on is not there.
+struct PictureError {
+    std::optional<double> flip, psnrDb;               ///< over the pixels of water
+    std::optional<double> flipPicture, psnrPictureDb; ///< over the whole picture
+    std::optional<double> coverage;      ///< hits, of what is mirrored and seen elsewhere in the picture
+    std::optional<double> falseSkyHits;  ///< hits, of what mirrors the sky
+    std::optional<double> skyOnGeometry; ///< called sky, of what mirrors something solid
+    std::optional<double> positionPxP50, positionPxP95;
+    std::optional<double> wrongShare; ///< pixels of water that are off by more than 5 % of white
+};
+
+struct Entry {
+    std::string scene, camera, technique, quality;
+    Cost cost;
+    PictureError error;
+};
+
+/// Pictures of one scene and camera, tone-mapped: RGB, rows from the top.
+struct Sheet {
+    struct Shown {
+        std::string name;
+        std::vector<uint8_t> rgb;
+    };
+    std::string scene, camera;
+    std::vector<Shown> pictures; ///< the reference first, then one for each entry
+    size_t firstEntry = 0;       ///< of Tradeoff::entries
+};
+
+struct Tradeoff {
+    std::string device, driver;
+    uint32_t width = 0, height = 0;
+    uint32_t runs = 0;
+    std::vector<Entry> entries; ///< by scene, camera and technique, in this order
+    std::vector<Sheet> sheets;
+
+    /// The median over the entries.
+    std::optional<double> floorMs() const;
+};
+
+} // namespace demos::measure

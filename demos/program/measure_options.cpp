@@ -1,0 +1,75 @@
+#include "program/measure_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace demos {
+
+namespace {
+
+constexpr const char* usual[] = {"demos/scenes/harbour.toml", "demos/scenes/ocean.toml"};
+constexpr Size quickSize = {320, 180};
+constexpr uint32_t quickRuns = 5;
+
+constexpr const char* footer =
+    R"(For each scene, camera and technique: what the reflection costs, in milliseconds and as a multiple of
+the floor (a compute copy of the frame's colour and depth, timed between the same frames), and how far the
+picture is from the ray-traced one. Writes tradeoff.json, tradeoff.csv and index.html with plots and pictures.
+
+  flip, psnr_db, wrong_share   over the pixels of water, of the tone-mapped pictures
+  flip_picture, psnr_picture_db   the same over the whole picture
+  coverage         of what is mirrored and seen elsewhere in the picture: how much was found
+  false_sky_hits   of what mirrors the sky: how much was taken for something solid
+  sky_on_geometry  of what mirrors something solid: how much was taken for the sky
+
+What cannot be measured is null: bytes and the position errors, which the library does not say, and shares of
+nothing. Validation, which would be timed as well, is off.
+
+Examples:
+  seaglass measure -o out/tradeoff
+  seaglass measure demos/scenes/harbour.toml -o out/tradeoff --quick
+
+Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)";
+
+} // namespace
+
+void describeMeasure(CLI::App& command, RawMeasure& raw) {
+    command.footer(footer);
+    command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    command
+        .add_option("SCENE", raw.scenes,
+                    "Scene files (TOML) with water; demos/scenes/harbour.toml and ocean.toml if not given")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command.add_option("-o,--output", raw.folder, "Folder for what is found; it is made if need be")
+        ->type_name("DIR");
+    command.add_option("--size", raw.size, "Picture size, 1280x720 if not given, 320x180 with --quick")
+        ->type_name("WxH");
+    command.add_flag("--quick", raw.quick, "Each scene's first camera alone, medians of 5 instead of 20");
+    command.add_option("--device", raw.device, "Part of a device's name; the best device if not given")
+        ->type_name("NAME");
+    command.allow_extras();
+}
+
+std::optional<MeasureOptions> checkMeasure(const RawMeasure& raw, Error& error) {
+    MeasureOptions options;
+    if (raw.folder.empty()) {
+        error.text = "no output, expected -o DIR";
+        return std::nullopt;
+    }
+    options.folder = raw.folder;
+    options.scenes.assign(raw.scenes.begin(), raw.scenes.end());
+    if (options.scenes.empty()) options.scenes.assign(std::begin(usual), std::end(usual));
+    if (raw.quick) {
+        options.size = quickSize;
+        options.runs = quickRuns;
+        options.firstCameraOnly = true;
+    }
+    if (!raw.size.empty()) {
+        const std::optional<Size> size = parseSize("--size", raw.size, error);
+        if (!size) return std::nullopt;
+        options.size = *size;
+    }
+    options.device = raw.device;
+    return options;
+}
+
+} // namespace demos

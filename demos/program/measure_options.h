@@ -1,0 +1,36 @@
+// The command line of seaglass measure.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "program/values.h"
+
+namespace CLI {
+class App;
+}
+
+namespace demos {
+
+struct MeasureOptions {
+    std::vector<std::filesystem::path> scenes;
+    std::filesystem::path folder;
+    Size size;
+    uint32_t runs = 20;
+    bool firstCameraOnly = false;
+    std::string device; ///< part of its name; empty takes the best
+};
+
+/// What the line says, before any of it is checked.
+struct RawMeasure {
+    std::vector<std::string> scenes;
+    std::string folder, size, device;
+    bool quick = false;
+};
+
+void describeMeasure(CLI::App& command, RawMeasure& raw);
+std::optional<MeasureOptions> checkMeasure(const RawMeasure& raw, Error& error);
+
+} // namespace demos
