@@ -1,9 +1,16 @@
 #include "program/measure.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
+#include "host/image_file.h"
+#include "measure/contact_sheet.h"
+#include "measure/page.h"
+#include "measure/plot.h"
 #include "measure/run.h"
 #include "measure/table.h"
 #include "program/no_device.h"
@@ -22,7 +29,17 @@ bool checkOutputs(const MeasureOptions& options, Error& error) {
     std::error_code code;
     if (!fs::exists(options.folder, code)) return true;
     return checkOutput("-o", options.folder / "tradeoff.json", {".json"}, error) &&
-           checkOutput("-o", options.folder / "tradeoff.csv", {".csv"}, error);
+           checkOutput("-o", options.folder / "tradeoff.csv", {".csv"}, error) &&
+           checkOutput("-o", options.folder / "index.html", {".html"}, error);
+}
+
+/// "1_harbour_level": a camera may be called anything.
+std::string nameOf(const measure::Sheet& sheet, size_t number) {
+    std::string name =
+        std::to_string(number) + "_" + fs::path(sheet.scene).stem().string() + "_" + sheet.camera;
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
+    return name;
 }
 
 bool write(const MeasureOptions& options, const measure::Tradeoff& tradeoff, Error& error) {
@@ -32,8 +49,19 @@ bool write(const MeasureOptions& options, const measure::Tradeoff& tradeoff, Err
         error.text = "-o " + options.folder.string() + ": cannot be made: " + code.message();
         return false;
     }
+    std::vector<std::string> sheets;
+    for (const measure::Sheet& sheet : tradeoff.sheets) {
+        const fs::path file = options.folder / nameOf(sheet, sheets.size() + 1);
+        const measure::ContactSheet contact = contactSheet(sheet, tradeoff.width, tradeoff.height);
+        if (!writePng(file.string() + ".png", contact.width, contact.height, contact.rgb, error) ||
+            !writeText(file.string() + ".svg", plotSvg(tradeoff, sheet), error))
+            return false;
+        std::ifstream png(file.string() + ".png", std::ios::binary);
+        sheets.emplace_back(std::istreambuf_iterator<char>(png), std::istreambuf_iterator<char>());
+    }
     return writeText(options.folder / "tradeoff.json", tradeoffJson(tradeoff), error) &&
-           writeText(options.folder / "tradeoff.csv", tradeoffCsv(tradeoff), error);
+           writeText(options.folder / "tradeoff.csv", tradeoffCsv(tradeoff), error) &&
+           writeText(options.folder / "index.html", tradeoffPage(tradeoff, sheets), error);
 }
 
 std::string text(const char* format, const std::optional<double>& value) {
@@ -99,7 +127,7 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
     if (!write(options, tradeoff, error)) return runFailed;
     progress.clear();
     summarise(tradeoff);
-    std::printf("measured: %s\n", fs::absolute(options.folder).lexically_normal().c_str());
+    std::printf("measured: %s\n", fs::absolute(options.folder / "index.html").lexically_normal().c_str());
     return ok;
 }
 

@@ -59,7 +59,7 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     const Outcome outcome = measure({"calm.toml", "-o", "new/tradeoff", "--quick", "--size", "96x54"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "") << "progress is for terminals";
-    EXPECT_NE(outcome.out.find("measured: " + path("new/tradeoff").string()), std::string::npos)
+    EXPECT_NE(outcome.out.find("measured: " + path("new/tradeoff/index.html").string()), std::string::npos)
         << outcome.out;
     const json found = json::parse(tests::readAll(path("new/tradeoff/tradeoff.json")));
     EXPECT_FALSE(found["device"].get<std::string>().empty());
@@ -96,6 +96,15 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     EXPECT_LT(sspr["error"]["sky_on_geometry"].get<double>(), 0.2);
     EXPECT_LT(sspr["error"]["flip"].get<double>(), sky["error"]["flip"].get<double>());
     EXPECT_EQ(tests::countLines(tests::readAll(path("new/tradeoff/tradeoff.csv"))), 4u);
+
+    EXPECT_EQ(tests::namesIn(path("new/tradeoff")),
+              (std::vector<std::string>{"1_calm_level.png", "1_calm_level.svg", "index.html", "tradeoff.csv",
+                                        "tradeoff.json"}));
+    const std::string page = tests::readAll(path("new/tradeoff/index.html"));
+    EXPECT_NE(page.find("<polyline class=\"front\""), std::string::npos);
+    EXPECT_NE(page.find("src=\"data:image/png;base64,iVBORw0KGgo"), std::string::npos);
+    EXPECT_EQ(page.find("src=\"http"), std::string::npos) << "nothing from elsewhere";
+    EXPECT_NE(page.find("<td>sspr, default</td>"), std::string::npos);
 }
 
 TEST_F(Measure, BadLinesAreRefused) {
