@@ -6,7 +6,6 @@
 namespace seaglass::gpu {
 
 Status Device::init(const DeviceDesc& desc) {
-    physicalDevice_ = desc.physicalDevice;
     device_ = desc.device;
     pipelineCache_ = desc.pipelineCache;
     message_ = desc.message;
@@ -20,16 +19,10 @@ Status Device::init(const DeviceDesc& desc) {
     if (const char* missing = load(table_, desc.device, instanceTable_.GetDeviceProcAddr))
         return fail(Status::unsupported, "the device has no %s; Vulkan 1.3 is needed", missing);
     VkPhysicalDeviceProperties properties{};
-    instanceTable_.GetPhysicalDeviceProperties(physicalDevice_, &properties);
+    instanceTable_.GetPhysicalDeviceProperties(desc.physicalDevice, &properties);
     limits_ = properties.limits;
-    instanceTable_.GetPhysicalDeviceMemoryProperties(physicalDevice_, &memory_);
+    instanceTable_.GetPhysicalDeviceMemoryProperties(desc.physicalDevice, &memory_);
     return Status::ok;
-}
-
-VkFormatFeatureFlags Device::optimalFeatures(VkFormat format) const {
-    VkFormatProperties properties{};
-    instanceTable_.GetPhysicalDeviceFormatProperties(physicalDevice_, format, &properties);
-    return properties.optimalTilingFeatures;
 }
 
 uint32_t Device::memoryType(uint32_t allowedBits, VkMemoryPropertyFlags wanted) const {

@@ -16,7 +16,6 @@ class Device {
     const VkAllocationCallbacks* allocator() const { return hasAllocator_ ? &allocator_ : nullptr; }
     VkPipelineCache pipelineCache() const { return pipelineCache_; }
     const VkPhysicalDeviceLimits& limits() const { return limits_; }
-    VkFormatFeatureFlags optimalFeatures(VkFormat format) const;
 
     /// Memory with all `wanted` properties for one buffer or image.
     Status allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, const char* what,
@@ -35,7 +34,6 @@ class Device {
     /// A memory type out of `allowedBits` with all `wanted` properties, or ~0u.
     uint32_t memoryType(uint32_t allowedBits, VkMemoryPropertyFlags wanted) const;
 
-    VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
     VkDevice device_ = VK_NULL_HANDLE;
     InstanceTable instanceTable_;
     DeviceTable table_;

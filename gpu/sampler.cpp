@@ -24,7 +24,7 @@ Status make(const Device& device, VkFilter filter, VkSamplerMipmapMode mips, VkS
 
 Samplers::~Samplers() {
     if (!device_) return;
-    for (const VkSampler sampler : {nearestClamp_, linearClamp_, trilinearClamp_, trilinearRepeat_})
+    for (const VkSampler sampler : {nearestClamp_, trilinearClamp_, trilinearRepeat_})
         device_->vk().DestroySampler(device_->handle(), sampler, device_->allocator());
 }
 
@@ -35,7 +35,6 @@ Status Samplers::create(const Device& device) {
     constexpr auto nearestMip = VK_SAMPLER_MIPMAP_MODE_NEAREST;
     constexpr auto linearMip = VK_SAMPLER_MIPMAP_MODE_LINEAR;
     Status s = make(device, VK_FILTER_NEAREST, nearestMip, clamp, nearestClamp_);
-    if (s == Status::ok) s = make(device, VK_FILTER_LINEAR, nearestMip, clamp, linearClamp_);
     if (s == Status::ok) s = make(device, VK_FILTER_LINEAR, linearMip, clamp, trilinearClamp_);
     if (s == Status::ok) s = make(device, VK_FILTER_LINEAR, linearMip, repeat, trilinearRepeat_);
     return s;

@@ -15,14 +15,12 @@ class Samplers {
     Status create(const Device& device);
 
     VkSampler nearestClamp() const { return nearestClamp_; }
-    VkSampler linearClamp() const { return linearClamp_; }
     VkSampler trilinearClamp() const { return trilinearClamp_; }
     VkSampler trilinearRepeat() const { return trilinearRepeat_; }
 
   private:
     const Device* device_ = nullptr;
     VkSampler nearestClamp_ = VK_NULL_HANDLE;
-    VkSampler linearClamp_ = VK_NULL_HANDLE;
     VkSampler trilinearClamp_ = VK_NULL_HANDLE;
     VkSampler trilinearRepeat_ = VK_NULL_HANDLE;
 };

@@ -93,7 +93,7 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
                               gpu::sampledImage(samplers.nearestClamp(), in.reflection.info)};
         },
         [&] {
-            return std::array{gpu::sampledImage(samplers.linearClamp(), in.view->sceneColor.view,
+            return std::array{gpu::sampledImage(samplers.nearestClamp(), in.view->sceneColor.view,
                                                 in.view->sceneColor.layout),
                               gpu::sampledImage(samplers.nearestClamp(), in.view->sceneDepth.view,
                                                 in.view->sceneDepth.layout)};

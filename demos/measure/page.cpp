@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "measure/html.h"
 #include "measure/plot.h"
 
 namespace demos::measure {

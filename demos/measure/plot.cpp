@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "measure/html.h"
 #include "measure/pareto.h"
 
 namespace demos::measure {
@@ -87,29 +88,6 @@ std::string frameOf(const Axis& x, const Axis& y) {
 }
 
 } // namespace
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default:
-            result += c;
-        }
-    }
-    return result;
-}
 
 std::string plotSvg(const Tradeoff& tradeoff, const Sheet& sheet) {
     const std::vector<Mark> marks = marksOf(tradeoff, sheet);

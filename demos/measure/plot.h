@@ -8,7 +8,4 @@ namespace demos::measure {
 /// those that no other beats in both are joined. Entries that lack either number are left out.
 std::string plotSvg(const Tradeoff& tradeoff, const Sheet& sheet);
 
-/// For text and attributes of HTML and SVG.
-std::string escaped(const std::string& text);
-
 } // namespace demos::measure

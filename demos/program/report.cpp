@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "host/image_file.h"
+#include "measure/html.h"
 #include "metrics/magma.h"
 #include "program/measures.h"
 #include "program/output.h"
@@ -23,32 +24,6 @@ namespace fs = std::filesystem;
 constexpr uint32_t pageWidth = 960;
 
 constexpr std::array<const char*, 3> pictures = {"reference.png", "test.png", "flip.png"};
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        case '@': // which would be taken for a name to fill in
-            result += "&#64;";
-            break;
-        default:
-            result += c;
-        }
-    }
-    return result;
-}
 
 std::string filled(std::string page, const std::map<std::string, std::string>& values) {
     for (const auto& [name, value] : values) {
