@@ -8,33 +8,9 @@
 
 namespace seaglass {
 
-Status SsprKernels::create(Context& context) {
-    if (const Status s = scatter.create(context); s != Status::ok) return s;
-    return resolve.create(context);
-}
-
-Status SsprImages::create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels) {
-    const VkDeviceSize bytes = VkDeviceSize{extent.width} * extent.height * sizeof(uint32_t);
-    if (bytes > device.limits().maxStorageBufferRange)
-        return device.fail(Status::unsupported,
-                           "reflect: %u x %u pixels need a storage buffer of %llu bytes, the device has %u",
-                           extent.width, extent.height, static_cast<unsigned long long>(bytes),
-                           device.limits().maxStorageBufferRange);
-    const VkImageUsageFlags usage =
-        VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    if (const Status s = keys.create(device, bytes,
-                                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                                         VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                     "SSPR keys");
-        s != Status::ok)
-        return s;
-    gpu::ImageDesc colorDesc;
-    colorDesc.format = VK_FORMAT_R16G16B16A16_SFLOAT;
-    colorDesc.extent = extent;
-    colorDesc.usage = usage | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    colorDesc.mipLevels = blurMipLevels(extent, blurLevels);
-    if (const Status s = color.create(device, colorDesc, "reflection colour"); s != Status::ok) return s;
-    return info.create(device, {VK_FORMAT_R32G32_SFLOAT, extent, usage}, "reflection info");
+Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    if (const Status s = sspr.create(device, extent); s != Status::ok) return s;
+    return images.create(device, extent, desc.blurLevels);
 }
 
 const char* badField(const ReflectionDesc& desc) {
@@ -54,47 +30,43 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
     if (const char* bad = readPlane(description.plane, plane))
         return owner.device.fail(Status::invalidArgument, "ReflectorDesc: %s", bad);
     if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
-    if (desc.technique == ReflectionTechnique::sspr) return owner.share(kernels);
+    if (desc.technique == ReflectionTechnique::sspr) return owner.share(sspr);
+    return Status::ok;
+}
+
+Status Reflector::prepare(ReflectedView& view, VkExtent2D extent) {
+    const VkExtent2D current = view.images.color.desc().extent;
+    if (view.images.color.view() && current.width == extent.width && current.height == extent.height)
+        return Status::ok;
+    ReflectedView fresh;
+    if (const Status s = fresh.create(context->device, extent, desc); s != Status::ok) return s;
+    context->frame().retire(std::exchange(view, std::move(fresh)));
     return Status::ok;
 }
 
 Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
     if (desc.technique == ReflectionTechnique::sky) return Status::ok;
-    const gpu::Device& device = context->device;
     ViewGeometry geometry;
     if (const char* bad = readView(view, geometry))
-        return device.fail(Status::invalidArgument, "reflect: %s", bad);
-    const VkExtent2D extent = {static_cast<uint32_t>(geometry.regionSize.x),
-                               static_cast<uint32_t>(geometry.regionSize.y)};
-
-    SsprImages& images = views[view.viewIndex];
-    const VkExtent2D current = images.color.desc().extent;
-    if (!images.color.view() || current.width != extent.width || current.height != extent.height) {
-        SsprImages fresh;
-        if (const Status s = fresh.create(device, extent, desc.blurLevels); s != Status::ok) return s;
-        context->frame().retire(std::exchange(images, std::move(fresh)));
-    }
+        return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
+    ReflectedView& reflected = views[view.viewIndex];
+    if (const Status s = prepare(reflected, {static_cast<uint32_t>(geometry.regionSize.x),
+                                             static_cast<uint32_t>(geometry.regionSize.y)});
+        s != Status::ok)
+        return s;
 
     const MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc.edgeFade);
     gpu::Slice slice;
     if (const Status s = context->frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
     std::memcpy(slice.data, &uniforms, sizeof uniforms);
-    if (const Status s =
-            recordScatter(*context, kernels->scatter, commands, slice, view.sceneDepth, images.keys, extent);
-        s != Status::ok)
-        return s;
-    if (const Status s = recordResolve(*context, kernels->resolve, commands, slice, view, images.keys,
-                                       images.color, images.info);
-        s != Status::ok)
-        return s;
-    recordBlur(*context, commands, images.color);
+    const ReflectPass pass{*context, commands, view, geometry, desc, slice};
+    if (const Status s = recordSspr(pass, *sspr, reflected.sspr, reflected.images); s != Status::ok) return s;
+    recordBlur(*context, commands, reflected.images.color);
     return Status::ok;
 }
 
 ReflectionImages Reflector::images(uint32_t viewIndex) const {
-    if (viewIndex >= maxViews) return {};
-    const SsprImages& v = views[viewIndex];
-    return {v.color.handle(), v.color.view(), v.info.handle(), v.info.view(), v.color.desc().extent};
+    return viewIndex < maxViews ? views[viewIndex].images.handles() : ReflectionImages{};
 }
 
 Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** out) {

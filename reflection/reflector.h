@@ -7,27 +7,16 @@
 
 #include <glm/vec4.hpp>
 
-#include "gpu/context.h"
-#include "gpu/image.h"
 #include "reflection/limits.h"
-#include "reflection/resolve.h"
-#include "reflection/scatter.h"
-#include "seaglass/reflection.h"
+#include "reflection/sspr.h"
 
 namespace seaglass {
 
-struct SsprKernels {
-    ScatterKernel scatter;
-    ResolveKernel resolve;
-    Status create(Context& context);
-};
-
-/// What SSPR keeps for one view.
-struct SsprImages {
-    gpu::Buffer keys;
-    gpu::OwnedImage color;
-    gpu::OwnedImage info;
-    Status create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels);
+/// What a reflector keeps for one view.
+struct ReflectedView {
+    OwnedReflection images;
+    SsprScratch sspr;
+    Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
 };
 
 /// Null when the description is usable, else what is wrong with it.
@@ -37,12 +26,16 @@ struct Reflector {
     Context* context = nullptr;
     glm::dvec4 plane{0}; ///< world, unit normal
     ReflectionDesc desc;
-    std::shared_ptr<SsprKernels> kernels; ///< null with technique `sky`
-    std::array<SsprImages, maxViews> views;
+    std::shared_ptr<SsprKernels> sspr; ///< null with techniques that do not scatter
+    std::array<ReflectedView, maxViews> views;
 
     Status create(Context& owner, const ReflectorDesc& description);
     Status record(VkCommandBuffer commands, const ViewDesc& view);
     ReflectionImages images(uint32_t viewIndex) const;
+
+  private:
+    /// Makes what a view of this size needs, where it is not there yet.
+    Status prepare(ReflectedView& view, VkExtent2D extent);
 };
 
 } // namespace seaglass

@@ -32,13 +32,13 @@ Status ScatterKernel::create(Context& context) {
     return kernel.create(context.device, scatter_comp, bindings, "scatter pipeline");
 }
 
-Status recordScatter(Context& context, const ScatterKernel& scatter, VkCommandBuffer commands,
-                     const gpu::Slice& uniforms, const Image& sceneDepth, const gpu::Buffer& keys,
-                     VkExtent2D region) {
+Status recordScatter(const ReflectPass& pass, const ScatterKernel& scatter, const gpu::Buffer& keys) {
+    Context& context = pass.context;
     const gpu::Device& device = context.device;
+    const Image& depth = pass.view.sceneDepth;
     const gpu::Resource resources[] = {
-        gpu::uniformBuffer(uniforms.buffer, uniforms.offset, sizeof(MirrorUniforms)),
-        gpu::sampledImage(context.samplers.nearestClamp(), sceneDepth.view, sceneDepth.layout),
+        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
+        gpu::sampledImage(context.samplers.nearestClamp(), depth.view, depth.layout),
         gpu::storageBuffer(keys.handle()),
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
@@ -46,9 +46,10 @@ Status recordScatter(Context& context, const ScatterKernel& scatter, VkCommandBu
         s != Status::ok)
         return s;
 
+    const VkCommandBuffer commands = pass.commands;
     {
         // The view's previous frame may still be resolving from these keys.
-        const gpu::PassScope pass(device, commands, "sspr_clear");
+        const gpu::PassScope scope(device, commands, "sspr_clear");
         barrier(device, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_NONE,
                 VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
         device.vk().CmdFillBuffer(commands, keys.handle(), 0, VK_WHOLE_SIZE, 0);
@@ -57,9 +58,11 @@ Status recordScatter(Context& context, const ScatterKernel& scatter, VkCommandBu
                 VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
     }
     {
-        const gpu::PassScope pass(device, commands, "sspr_scatter");
-        const uint32_t rows = (region.height + rowsPerInvocation - 1) / rowsPerInvocation;
-        scatter.kernel.dispatch(commands, set, (region.width + groupWidth - 1) / groupWidth, rows);
+        const gpu::PassScope scope(device, commands, "sspr_scatter");
+        const auto width = static_cast<uint32_t>(pass.geometry.regionSize.x);
+        const auto height = static_cast<uint32_t>(pass.geometry.regionSize.y);
+        const uint32_t rows = (height + rowsPerInvocation - 1) / rowsPerInvocation;
+        scatter.kernel.dispatch(commands, set, (width + groupWidth - 1) / groupWidth, rows);
         barrier(device, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                 VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                 VK_ACCESS_2_SHADER_STORAGE_READ_BIT);

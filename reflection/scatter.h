@@ -1,8 +1,8 @@
 // SSPR's first pass: mirrored depths, one key a pixel.
 #pragma once
 
-#include "gpu/context.h"
 #include "gpu/kernel.h"
+#include "reflection/reflect_pass.h"
 
 namespace seaglass {
 
@@ -11,10 +11,8 @@ struct ScatterKernel {
     Status create(Context& context);
 };
 
-/// Clears `keys` (one uint32 a pixel of the region) and scatters into it. `uniforms` holds MirrorUniforms.
-/// Leaves the keys visible to compute shaders.
-Status recordScatter(Context& context, const ScatterKernel& scatter, VkCommandBuffer commands,
-                     const gpu::Slice& uniforms, const Image& sceneDepth, const gpu::Buffer& keys,
-                     VkExtent2D region);
+/// Clears `keys` (one uint32 a pixel of the region) and scatters into it. Leaves the keys visible to compute
+/// shaders.
+Status recordScatter(const ReflectPass& pass, const ScatterKernel& scatter, const gpu::Buffer& keys);
 
 } // namespace seaglass

@@ -4,6 +4,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
+#include "reflection_info.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -13,11 +14,8 @@ layout(set = 0, binding = 2, std430) readonly buffer Keys {
 };
 layout(set = 0, binding = 3) uniform sampler2D sceneColor;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D reflectionColor;
-layout(set = 0, binding = 5, rg32f) uniform writeonly image2D reflectionInfo;
+layout(set = 0, binding = 5, r16f) uniform writeonly image2D reflectionInfo;
 
-const float classUnknown = 0.0;
-const float classSky = 1.0;
-const float classHit = 2.0;
 const float acceptedPixels = 0.75;
 const int refinements = 3;
 
@@ -95,10 +93,10 @@ float edgeConfidence(vec2 q, vec2 source) {
 }
 
 // The mirrored ray's far end tells whether the sky it would reach is on the screen.
-float classOfMiss(vec2 q) {
+float infoOfMiss(vec2 q) {
     vec4 end = mirrored(vec3(q, infinityDepth));
-    if (!(end.w > 0.0) || !insideRegion(end.xy)) return classUnknown;
-    return isFar(depthAt(end.xy)) ? classSky : classUnknown;
+    if (!(end.w > 0.0) || !insideRegion(end.xy)) return infoUnknown;
+    return isFar(depthAt(end.xy)) ? infoSky : infoUnknown;
 }
 
 void main() {
@@ -110,18 +108,18 @@ void main() {
     vec3 ray = normalize(unprojected(vec3(q, 0.5)));
     float towardsPlane = -dot(plane.xyz, ray);
     vec4 color = vec4(0.0);
-    vec2 info = vec2(0.0, classUnknown);
+    float info = infoUnknown;
     if (towardsPlane > 0.0) {
         Hit hit = nearestHit(pixel, q);
         if (hit.valid) {
             float confidence = edgeConfidence(q, hit.source);
             color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * confidence, confidence);
             float beyond = length(unprojected(vec3(q, hit.depth))) - plane.w / towardsPlane;
-            info = vec2(max(beyond, 0.0), classHit);
+            info = infoOfHit(beyond);
         } else {
-            info.y = classOfMiss(q);
+            info = infoOfMiss(q);
         }
     }
     imageStore(reflectionColor, pixel, color);
-    imageStore(reflectionInfo, pixel, vec4(info, 0.0, 0.0));
+    imageStore(reflectionInfo, pixel, vec4(info, 0.0, 0.0, 0.0));
 }

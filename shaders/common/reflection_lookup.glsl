@@ -5,8 +5,8 @@
 // the flat mirror shows of it. t comes from the image itself, so the shift vanishes where things touch the water and
 // grows with their distance; a constant offset would tear shorelines.
 
-const float reflectionSky = 1.0;
-const float reflectionHit = 2.0;
+#include "reflection_info.glsl"
+
 const float farAway = 1e5;
 
 vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
@@ -17,9 +17,9 @@ vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
     return pixel.w > 0.0 ? pixel.xy : vec2(-1e4);
 }
 
-vec2 infoAt(vec2 pixel) {
-    if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, vec2(region.zw)))) return vec2(0.0);
-    return texelFetch(reflectionInfo, ivec2(pixel), 0).xy;
+float infoAt(vec2 pixel) {
+    if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, vec2(region.zw)))) return infoUnknown;
+    return texelFetch(reflectionInfo, ivec2(pixel), 0).x;
 }
 
 struct BentPoint {
@@ -30,12 +30,12 @@ struct BentPoint {
 // The pixel whose reflection the bent ray meets, by fixed-point iteration on the hit distance.
 BentPoint bentPoint(vec3 from, vec3 direction) {
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
-    vec2 info = infoAt(here);
-    float t = info.y == reflectionHit ? info.x : farAway;
+    float info = infoAt(here);
+    float t = infoIsHit(info) ? info : farAway;
     vec2 pixel = mirroredPixel(from, direction, t);
     for (int i = 0; i < 2; ++i) {
         info = infoAt(pixel);
-        if (info.y == reflectionHit) t = info.x;
+        if (infoIsHit(info)) t = info;
         pixel = mirroredPixel(from, direction, t);
     }
     return BentPoint(mix(here, pixel, reflectionDistortion), t);
@@ -58,6 +58,7 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread) {
 }
 
 vec3 classColor(vec3 from, vec3 direction) {
-    float found = infoAt(bentPoint(from, direction).pixel).y;
-    return vec3(found < reflectionSky ? 1.0 : 0.0, found == reflectionHit ? 1.0 : 0.0, found == reflectionSky ? 1.0 : 0.0);
+    float info = infoAt(bentPoint(from, direction).pixel);
+    if (infoIsHit(info)) return vec3(0.0, 1.0, 0.0);
+    return infoIsSky(info) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
 }

@@ -46,7 +46,9 @@ struct ReflectionImages {
     VkImage colorImage = VK_NULL_HANDLE;
     VkImageView color = VK_NULL_HANDLE; ///< RGBA16F: radiance times confidence, confidence 0..1; with mips
     VkImage infoImage = VK_NULL_HANDLE;
-    VkImageView info = VK_NULL_HANDLE; ///< RG32F: distance from mirror to hit [m], class (ReflectionClass)
+    /// R16F: positive, the distance from the mirror to what it shows [m]; 0, nothing is known; negative, it
+    /// shows the sky. See ReflectionClass.
+    VkImageView info = VK_NULL_HANDLE;
     VkExtent2D extent = {0, 0};
 };
 
@@ -55,6 +57,12 @@ enum class ReflectionClass : uint32_t {
     sky = 1,     ///< proven to mirror the far plane: use the sky
     hit = 2,     ///< `color` holds what is mirrored
 };
+
+/// What a value of `info` says.
+inline ReflectionClass reflectionClass(float info) {
+    if (info > 0) return ReflectionClass::hit;
+    return info < 0 ? ReflectionClass::sky : ReflectionClass::unknown;
+}
 
 /// Records the reflection of `view` for each reflector. Outside any render pass. Reads view.sceneColor and
 /// view.sceneDepth in compute shaders: the host has made them visible there

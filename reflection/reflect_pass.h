@@ -1,0 +1,19 @@
+// What every technique is given to record the reflection of one view.
+#pragma once
+
+#include "gpu/context.h"
+#include "reflection/view.h"
+#include "seaglass/reflection.h"
+
+namespace seaglass {
+
+struct ReflectPass {
+    Context& context;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    const ViewDesc& view;
+    const ViewGeometry& geometry;
+    const ReflectionDesc& desc;
+    gpu::Slice mirror; ///< MirrorUniforms
+};
+
+} // namespace seaglass

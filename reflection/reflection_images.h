@@ -1,0 +1,18 @@
+// What every technique leaves for a view: the picture the plane mirrors, and what is known about each pixel
+// of it.
+#pragma once
+
+#include "gpu/image.h"
+#include "seaglass/reflection.h"
+
+namespace seaglass {
+
+struct OwnedReflection {
+    gpu::OwnedImage color; ///< RGBA16F, premultiplied by confidence, with the pyramid's mips
+    gpu::OwnedImage info;  ///< R16F, see shaders/common/reflection_info.glsl
+
+    Status create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels);
+    ReflectionImages handles() const;
+};
+
+} // namespace seaglass

@@ -1,0 +1,29 @@
+#include "reflection/sspr.h"
+
+namespace seaglass {
+
+Status SsprKernels::create(Context& context) {
+    if (const Status s = scatter.create(context); s != Status::ok) return s;
+    return resolve.create(context);
+}
+
+Status SsprScratch::create(const gpu::Device& device, VkExtent2D extent) {
+    const VkDeviceSize bytes = VkDeviceSize{extent.width} * extent.height * sizeof(uint32_t);
+    if (bytes > device.limits().maxStorageBufferRange)
+        return device.fail(Status::unsupported,
+                           "reflect: %u x %u pixels need a storage buffer of %llu bytes, the device has %u",
+                           extent.width, extent.height, static_cast<unsigned long long>(bytes),
+                           device.limits().maxStorageBufferRange);
+    return keys.create(device, bytes,
+                       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                           VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                       "SSPR keys");
+}
+
+Status recordSspr(const ReflectPass& pass, const SsprKernels& kernels, const SsprScratch& scratch,
+                  const OwnedReflection& images) {
+    if (const Status s = recordScatter(pass, kernels.scatter, scratch.keys); s != Status::ok) return s;
+    return recordResolve(pass, kernels.resolve, scratch.keys, images);
+}
+
+} // namespace seaglass
