@@ -4,6 +4,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
+#include "edge_fade.glsl"
 #include "reflection_info.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -76,20 +77,6 @@ Hit nearestHit(ivec2 pixel, vec2 q) {
         key = last = nextKey(pixel, last);
     }
     return hit;
-}
-
-// How far the border is from `source`, going on in the direction in which the mirror borrowed it: an upright camera
-// borrows upwards, so only the top border can cut a reflection off.
-float borderDistance(vec2 q, vec2 source) {
-    vec2 along = source - q;
-    vec2 room = mix(source, vec2(region.zw) - source, step(0.0, along));
-    vec2 steps = room * length(along) / max(abs(along), vec2(1e-6));
-    return min(steps.x, steps.y);
-}
-
-float edgeConfidence(vec2 q, vec2 source) {
-    float x = clamp(borderDistance(q, source) / max(edgeFadePixels, 1e-6), 0.0, 1.0);
-    return x * x * x * (x * (x * 6.0 - 15.0) + 10.0);
 }
 
 // The mirrored ray's far end tells whether the sky it would reach is on the screen.

@@ -1,0 +1,15 @@
+// How a reflection fades out where the picture that it borrows from ends. Needs mirror.glsl.
+
+// How far the border is from `source`, going on in the direction in which the mirror borrowed it: an upright camera
+// borrows upwards, so only the top border can cut a reflection off.
+float borderDistance(vec2 q, vec2 source) {
+    vec2 along = source - q;
+    vec2 room = mix(source, vec2(region.zw) - source, step(0.0, along));
+    vec2 steps = room * length(along) / max(abs(along), vec2(1e-6));
+    return min(steps.x, steps.y);
+}
+
+float edgeConfidence(vec2 q, vec2 source) {
+    float x = clamp(borderDistance(q, source) / max(edgeFadePixels, 1e-6), 0.0, 1.0);
+    return x * x * x * (x * (x * 6.0 - 15.0) + 10.0);
+}
