@@ -9,6 +9,7 @@
 #include "program/progress.h"
 #include "program/scene_input.h"
 #include "reference/reference.h"
+#include "scene/offset.h"
 
 namespace demos {
 
@@ -47,10 +48,11 @@ bool write(const ReferenceOptions& options, const reference::Pictures& pictures,
 
 ExitCode renderReference(const ReferenceOptions& options, Error& error) {
     const RenderOptions& picture = options.picture;
-    const std::optional<Scene> scene = readScene(picture, error);
+    std::optional<Scene> scene = readScene(picture, error);
     if (!scene) return badInput;
-    const std::optional<CameraDesc> camera = chooseCamera(*scene, picture.camera, error);
+    std::optional<CameraDesc> camera = chooseCamera(*scene, picture.camera, error);
     if (!camera || !checkOutputs(options, *scene, error)) return badInput;
+    applyOffset(*scene, *camera);
 
     Progress progress;
     progress.say("loading " + scene->file.filename().string());

@@ -15,6 +15,7 @@
 #include "program/stats.h"
 #include "program/supersample.h"
 #include "program/visualise.h"
+#include "scene/offset.h"
 
 namespace demos {
 
@@ -156,10 +157,11 @@ class Run {
 } // namespace
 
 ExitCode renderScene(const RenderOptions& options, Error& error) {
-    const std::optional<Scene> scene = readScene(options, error);
+    std::optional<Scene> scene = readScene(options, error);
     if (!scene) return badInput;
-    const std::optional<CameraDesc> camera = chooseCamera(*scene, options.camera, error);
+    std::optional<CameraDesc> camera = chooseCamera(*scene, options.camera, error);
     if (!camera || !checkOutputs(options, *scene, error) || !checkMemory(options, error)) return badInput;
+    applyOffset(*scene, *camera);
 
     Progress progress;
     progress.say("opening the device");

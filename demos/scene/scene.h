@@ -90,6 +90,7 @@ struct CameraDesc {
     double rollDeg = 0;
     double verticalFovDeg = 45;
     double nearM = 0.1;
+    Vec3 offsetM = {0, 0, 0}; ///< added to every place in the scene, this camera's own included
 };
 
 struct Scene {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "demos/scene/fields.h"
+#include "demos/scene/offset.h"
 #include "demos/scene/scene.h"
 #include "tests/program/run.h"
 #include "tests/program/sample.h"
@@ -177,6 +178,21 @@ TEST_F(SceneFile, CamerasMustDifferAndLookSomewhere) {
               "scene.toml:38: camera.0.target_m is its position_m, expected a point away from the eye");
     EXPECT_EQ(problem(replaced("name = \"low\"", "name = \"low.er\"")),
               "scene.toml:41: camera.1.name is 'low.er', expected a name of letters, digits, _ and -");
+}
+
+TEST_F(SceneFile, AnOffsetMovesEverythingThatHasAPlace) {
+    std::optional<Scene> scene = load({"camera.low.offset_m=[100, 20, 3]"});
+    ASSERT_TRUE(scene) << error_.text;
+    demos::CameraDesc camera = scene->cameras[1];
+    demos::applyOffset(*scene, camera);
+    EXPECT_EQ(scene->meshes[0].positionM, (demos::Vec3{100, 20.5, -2}));
+    EXPECT_EQ(scene->water->levelM, 20);
+    EXPECT_EQ(camera.positionM, (demos::Vec3{100, 21, 7}));
+    EXPECT_EQ(camera.targetM, (demos::Vec3{100, 21, -2}));
+    EXPECT_EQ(camera.offsetM, (demos::Vec3{0, 0, 0}));
+    EXPECT_EQ(problemOf("camera.low.offset_m=[1e7, 0, 0]"),
+              "--set camera.low.offset_m=[1e7, 0, 0]: camera.1.offset_m is [ 10000000.0, 0, 0 ], expected "
+              "three numbers, each -1e+06 to 1e+06 m");
 }
 
 TEST_F(SceneFile, FoamNeedsWaves) {

@@ -1,0 +1,18 @@
+#include "scene/offset.h"
+
+#include <utility>
+
+namespace demos {
+
+void applyOffset(Scene& scene, CameraDesc& camera) {
+    const Vec3 offset = std::exchange(camera.offsetM, {});
+    const auto move = [&offset](Vec3& place) {
+        for (size_t i = 0; i < 3; ++i) place[i] += offset[i];
+    };
+    for (MeshDesc& mesh : scene.meshes) move(mesh.positionM);
+    if (scene.water) scene.water->levelM += offset[1];
+    move(camera.positionM);
+    move(camera.targetM);
+}
+
+} // namespace demos

@@ -1,0 +1,11 @@
+// A scene moved as a whole, to where a float no longer holds a place.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace demos {
+
+/// Moves meshes, water and the camera by the camera's offset, which is zero from then on.
+void applyOffset(Scene& scene, CameraDesc& camera);
+
+} // namespace demos
