@@ -2,27 +2,12 @@
 
 #include <chrono>
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include "host/rendering.h"
+#include "host/seaglass_view.h"
 #include "host/waves.h"
 
 namespace demos {
 namespace {
-
-bool reflectionOf(const ReflectionDesc& desc, seaglass::ReflectionDesc& reflection, Error& error) {
-    if (desc.technique == "sspr") {
-        reflection.technique = seaglass::ReflectionTechnique::sspr;
-    } else if (desc.technique == "sky") {
-        reflection.technique = seaglass::ReflectionTechnique::sky;
-    } else {
-        error.text = "water.reflection.technique is \"" + desc.technique + "\", expected sky or sspr";
-        return false;
-    }
-    reflection.edgeFade = static_cast<float>(desc.edgeFade);
-    reflection.distortion = static_cast<float>(desc.distortion);
-    return true;
-}
 
 seaglass::RefractionDesc refractionOf(const RefractionDesc& desc) {
     seaglass::RefractionDesc refraction;
@@ -32,21 +17,6 @@ seaglass::RefractionDesc refractionOf(const RefractionDesc& desc) {
     }
     refraction.distortion = static_cast<float>(desc.distortion);
     return refraction;
-}
-
-seaglass::Image sampled(const Image& image) {
-    return {image.view.get(), image.format, image.extent, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-}
-
-seaglass::ViewDesc viewOf(const Camera& camera, const FrameTargets& targets) {
-    seaglass::ViewDesc view;
-    std::copy_n(glm::value_ptr(camera.view), 16, view.view);
-    std::copy_n(glm::value_ptr(camera.projection), 16, view.projection);
-    view.viewport = {
-        0, 0, static_cast<float>(targets.extent.width), static_cast<float>(targets.extent.height), 0, 1};
-    view.sceneColor = sampled(targets.sceneColor);
-    view.sceneDepth = sampled(targets.sceneDepth);
-    return view;
 }
 
 seaglass::LightingDesc lightingOf(const Sky& sky) {
@@ -137,7 +107,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
         body.refraction = &refraction;
     }
     if (desc.reflection) {
-        if (!reflectionOf(*desc.reflection, reflection, error)) return false;
+        if (!reflectionOf(*desc.reflection, "water", reflection, error)) return false;
         body.reflection = &reflection;
     }
     seaglass::Body* made = nullptr;

@@ -1,0 +1,16 @@
+// What the host tells Seaglass of a frame and of a reflection, for whatever surface mirrors it.
+#pragma once
+
+#include "host/camera.h"
+#include "host/frame_targets.h"
+#include "seaglass/reflection.h"
+
+namespace demos {
+
+seaglass::ViewDesc viewOf(const Camera& camera, const FrameTargets& targets);
+
+/// `surface` is whose reflection it is, for errors: "water".
+bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::ReflectionDesc& out,
+                  Error& error);
+
+} // namespace demos
