@@ -53,4 +53,17 @@ Status Buffer::createMapped(const Device& device, VkDeviceSize size, VkBufferUsa
     return device.check(device.vk().MapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_), what);
 }
 
+void recordBarrier(const Device& device, VkCommandBuffer commands, const BufferUse& before,
+                   const BufferUse& after) {
+    VkMemoryBarrier2 memory{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    memory.srcStageMask = before.stage;
+    memory.srcAccessMask = before.access;
+    memory.dstStageMask = after.stage;
+    memory.dstAccessMask = after.access;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &memory;
+    device.vk().CmdPipelineBarrier2(commands, &dependency);
+}
+
 } // namespace seaglass::gpu

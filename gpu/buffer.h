@@ -36,4 +36,13 @@ class Buffer {
     void* mapped_ = nullptr;
 };
 
+struct BufferUse {
+    VkPipelineStageFlags2 stage = VK_PIPELINE_STAGE_2_NONE;
+    VkAccessFlags2 access = VK_ACCESS_2_NONE;
+};
+
+/// A barrier on all buffers.
+void recordBarrier(const Device& device, VkCommandBuffer commands, const BufferUse& before,
+                   const BufferUse& after);
+
 } // namespace seaglass::gpu

@@ -21,8 +21,10 @@
     X(CmdBindIndexBuffer)                                                                                    \
     X(CmdBindPipeline)                                                                                       \
     X(CmdBlitImage)                                                                                          \
+    X(CmdClearColorImage)                                                                                    \
     X(CmdCopyBufferToImage)                                                                                  \
     X(CmdDispatch)                                                                                           \
+    X(CmdDispatchIndirect)                                                                                   \
     X(CmdDrawIndexed)                                                                                        \
     X(CmdFillBuffer)                                                                                         \
     X(CmdPipelineBarrier2)                                                                                   \

@@ -48,13 +48,23 @@ Status Kernel::create(const Device& device, std::span<const uint32_t> spirv,
                         what);
 }
 
-void Kernel::dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t groupsX,
-                      uint32_t groupsY) const {
+void Kernel::bind(VkCommandBuffer commands, VkDescriptorSet set) const {
     const DeviceTable& vk = device_->vk();
     vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
     vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.pipeline(), 0, 1, &set, 0,
                              nullptr);
-    vk.CmdDispatch(commands, groupsX, groupsY, 1);
+}
+
+void Kernel::dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t groupsX,
+                      uint32_t groupsY) const {
+    bind(commands, set);
+    device_->vk().CmdDispatch(commands, groupsX, groupsY, 1);
+}
+
+void Kernel::dispatchIndirect(VkCommandBuffer commands, VkDescriptorSet set, VkBuffer groups,
+                              VkDeviceSize offset) const {
+    bind(commands, set);
+    device_->vk().CmdDispatchIndirect(commands, groups, offset);
 }
 
 } // namespace seaglass::gpu

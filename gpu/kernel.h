@@ -20,8 +20,12 @@ class Kernel {
     const Layout& layout() const { return layout_; }
     /// Binds pipeline and set, then dispatches.
     void dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t groupsX, uint32_t groupsY) const;
+    /// As many groups as the VkDispatchIndirectCommand at `offset` says.
+    void dispatchIndirect(VkCommandBuffer commands, VkDescriptorSet set, VkBuffer groups,
+                          VkDeviceSize offset) const;
 
   private:
+    void bind(VkCommandBuffer commands, VkDescriptorSet set) const;
     void release();
 
     const Device* device_ = nullptr;

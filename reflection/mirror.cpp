@@ -44,7 +44,8 @@ ScreenMirror screenMirror(const ViewGeometry& view, const glm::dvec4& plane) {
     return mirror;
 }
 
-MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane, float edgeFade) {
+MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane,
+                              const ReflectionDesc& desc) {
     const glm::dvec4 plane = planeFacingEye(worldPlane, view.eye);
     const ScreenMirror mirror = screenMirror(view, plane);
     MirrorUniforms out;
@@ -57,7 +58,8 @@ MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldP
     out.farDepth = static_cast<float>(view.farDepth);
     out.infinityDepth = static_cast<float>(view.infinityDepth);
     out.depthSign = view.reversedDepth ? 1.0f : -1.0f;
-    out.edgeFadePixels = edgeFade * static_cast<float>(view.regionSize.y);
+    out.edgeFadePixels = desc.edgeFade * static_cast<float>(view.regionSize.y);
+    out.bent = desc.distortion > 0 ? 1 : 0;
     return out;
 }
 

@@ -11,6 +11,7 @@
 #include <glm/vec4.hpp>
 
 #include "reflection/view.h"
+#include "seaglass/reflection.h"
 
 namespace seaglass {
 
@@ -44,9 +45,12 @@ struct MirrorUniforms {
     float depthSign = 1; ///< +1 when nearer is greater
     float edgeFadePixels = 0;
     float infinityDepth = 0;
+    uint32_t bent = 0; ///< whether lookups stray from where the plane is seen
+    uint32_t padding[3] = {};
 };
-static_assert(sizeof(MirrorUniforms) == 208);
+static_assert(sizeof(MirrorUniforms) == 224);
 
-MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane, float edgeFade);
+MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane,
+                              const ReflectionDesc& desc);
 
 } // namespace seaglass

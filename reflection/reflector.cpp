@@ -55,7 +55,7 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
         s != Status::ok)
         return s;
 
-    const MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc.edgeFade);
+    const MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc);
     gpu::Slice slice;
     if (const Status s = context->frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
     std::memcpy(slice.data, &uniforms, sizeof uniforms);

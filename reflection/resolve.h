@@ -9,12 +9,13 @@ namespace seaglass {
 
 struct ResolveKernel {
     gpu::Kernel kernel;
+    gpu::Kernel miss; ///< for tiles that no key is near
     Status create(Context& context);
 };
 
-/// Writes both images, which come from any layout. `info` is left to be sampled by shaders, mip 0 of `color`
-/// as gpu::storageWritten says.
+/// Writes both images, which come from any layout, where `tiles` lists tiles, and clears them elsewhere.
+/// `info` is left to be sampled by shaders, mip 0 of `color` as gpu::storageWritten says.
 Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, const gpu::Buffer& keys,
-                     const OwnedReflection& images);
+                     const gpu::Buffer& tiles, const OwnedReflection& images);
 
 } // namespace seaglass

@@ -11,8 +11,9 @@ struct ScatterKernel {
     Status create(Context& context);
 };
 
-/// Clears `keys` (one uint32 a pixel of the region) and scatters into it. Leaves the keys visible to compute
-/// shaders.
-Status recordScatter(const ReflectPass& pass, const ScatterKernel& scatter, const gpu::Buffer& keys);
+/// Clears `keys` (one uint32 a pixel of the region) and `tiles`, and scatters into both. Leaves them visible
+/// to compute shaders.
+Status recordScatter(const ReflectPass& pass, const ScatterKernel& scatter, const gpu::Buffer& keys,
+                     const gpu::Buffer& tiles);
 
 } // namespace seaglass

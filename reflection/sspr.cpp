@@ -4,6 +4,7 @@ namespace seaglass {
 
 Status SsprKernels::create(Context& context) {
     if (const Status s = scatter.create(context); s != Status::ok) return s;
+    if (const Status s = tiles.create(context); s != Status::ok) return s;
     return resolve.create(context);
 }
 
@@ -14,16 +15,19 @@ Status SsprScratch::create(const gpu::Device& device, VkExtent2D extent) {
                            "reflect: %u x %u pixels need a storage buffer of %llu bytes, the device has %u",
                            extent.width, extent.height, static_cast<unsigned long long>(bytes),
                            device.limits().maxStorageBufferRange);
-    return keys.create(device, bytes,
-                       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                           VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                       "SSPR keys");
+    const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                     VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+    if (const Status s = keys.create(device, bytes, usage, "SSPR keys"); s != Status::ok) return s;
+    return tiles.create(device, tileBufferBytes(extent), usage | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+                        "SSPR tiles");
 }
 
 Status recordSspr(const ReflectPass& pass, const SsprKernels& kernels, const SsprScratch& scratch,
                   const OwnedReflection& images) {
-    if (const Status s = recordScatter(pass, kernels.scatter, scratch.keys); s != Status::ok) return s;
-    return recordResolve(pass, kernels.resolve, scratch.keys, images);
+    if (const Status s = recordScatter(pass, kernels.scatter, scratch.keys, scratch.tiles); s != Status::ok)
+        return s;
+    if (const Status s = recordTiles(pass, kernels.tiles, scratch.tiles); s != Status::ok) return s;
+    return recordResolve(pass, kernels.resolve, scratch.keys, scratch.tiles, images);
 }
 
 } // namespace seaglass

@@ -4,11 +4,13 @@
 #include "reflection/reflection_images.h"
 #include "reflection/resolve.h"
 #include "reflection/scatter.h"
+#include "reflection/tiles.h"
 
 namespace seaglass {
 
 struct SsprKernels {
     ScatterKernel scatter;
+    TilesKernel tiles;
     ResolveKernel resolve;
     Status create(Context& context);
 };
@@ -16,6 +18,7 @@ struct SsprKernels {
 /// What SSPR needs for one view besides its images.
 struct SsprScratch {
     gpu::Buffer keys;
+    gpu::Buffer tiles;
     Status create(const gpu::Device& device, VkExtent2D extent);
 };
 

@@ -1,51 +1,102 @@
-// SSPR, second pass: turns mirrored depths into colour. A candidate depth is followed back to its source, the surface
-// that is really seen there is mirrored again, and the candidate counts only when that lands on this pixel: holes are
-// filled and leaks refused by proof instead of by likeness of colour.
+// SSPR, second pass: turns mirrored depths into colour. A key says roughly how far along this pixel's mirrored ray
+// something lies; the ray is met there with the plane through the scene's depths, and the key counts only when they meet
+// within the very pixel those depths were taken from. Holes are filled and leaks refused by proof instead of by likeness
+// of colour.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
 #include "edge_fade.glsl"
 #include "reflection_info.glsl"
+#include "tiles.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
-
-layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2, std430) readonly buffer Keys {
+layout(set = 0, binding = 1, std430) readonly buffer Tiles {
+    TileHeader header;
+    uint tiles[];
+};
+layout(set = 0, binding = 2) uniform sampler2D sceneDepth;
+layout(set = 0, binding = 3, std430) readonly buffer Keys {
     uint keys[];
 };
-layout(set = 0, binding = 3) uniform sampler2D sceneColor;
-layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D reflectionColor;
-layout(set = 0, binding = 5, r16f) uniform writeonly image2D reflectionInfo;
+layout(set = 0, binding = 4) uniform sampler2D sceneColor;
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reflectionColor;
+layout(set = 0, binding = 6, r16f) uniform writeonly image2D reflectionInfo;
 
-const float acceptedPixels = 0.75;
+#include "miss.glsl"
+#include "tile_list.glsl"
+
 const int refinements = 3;
+const float acceptedPixels = 0.75;   // from the middle of the source: half of one, and room for rounding
 
 struct Hit {
     bool valid;
-    vec2 source;      // pixel
-    float depth;      // mirrored, at this pixel
+    vec2 source;   // pixel
+    float depth;   // mirrored, at this pixel
 };
 
-float depthAt(vec2 pixel) {
-    return texelFetch(sceneDepth, region.xy + ivec2(pixel), 0).r;
+const Hit noHit = Hit(false, vec2(0.0), 0.0);
+
+// The mirrored ray of a pixel as screen points: origin + mirroredDepth * along.
+struct ScreenRay {
+    vec4 origin;
+    vec4 along;
+};
+
+// The smaller of the steps to both sides, since the other may lead off the surface; none where they part in sign, as on
+// what is a pixel wide (minmod, van Leer 1979).
+float edgeAwareStep(float before, float here, float after) {
+    float left = here - before;
+    float right = after - here;
+    if (left * right <= 0.0) return 0.0;
+    return abs(left) < abs(right) ? left : right;
 }
 
-Hit refined(vec2 q, float mirroredDepth) {
-    Hit hit = Hit(false, vec2(0.0), mirroredDepth);
-    for (int i = 0; i < refinements; ++i) {
-        vec4 source = mirrored(vec3(q, hit.depth));
-        if (!(source.w > 0.0) || !insideRegion(source.xy)) return Hit(false, vec2(0.0), 0.0);
-        float seen = depthAt(source.xy);
-        vec3 surface = vec3(source.xy, seen);
-        if (isFar(seen) || heightAbovePlane(surface) < -contactHeight(surface)) return Hit(false, vec2(0.0), 0.0);
-        vec4 back = mirrored(surface);
-        if (!(back.w > 0.0)) return Hit(false, vec2(0.0), 0.0);
-        hit.source = source.xy;
-        hit.depth = back.z;
-        vec2 miss = back.xy - q;
-        hit.valid = dot(miss, miss) <= acceptedPixels * acceptedPixels;
+// Depth is affine on the screen over any plane.
+vec2 depthGradient(ivec2 pixel, float depth) {
+    ivec2 low = max(pixel - 1, ivec2(0));
+    ivec2 high = min(pixel + 1, region.zw - 1);
+    return vec2(edgeAwareStep(depthAt(ivec2(low.x, pixel.y)), depth, depthAt(ivec2(high.x, pixel.y))),
+                edgeAwareStep(depthAt(ivec2(pixel.x, low.y)), depth, depthAt(ivec2(pixel.x, high.y))));
+}
+
+// Where the ray meets the plane through a pixel's depth; valid within that pixel.
+Hit metWithin(ScreenRay ray, vec2 middle, float depth, vec2 gradient) {
+    // z - depth w - gradient . (xy - middle w) = 0 on the plane.
+    vec4 surface = vec4(-gradient, 1.0, dot(gradient, middle) - depth);
+    float met = -dot(surface, ray.origin) / dot(surface, ray.along);
+    vec4 p = ray.origin + met * ray.along;
+    vec2 source = p.xy / p.w;
+    vec2 off = abs(source - middle);
+    return Hit(met > 0.0 && met <= 1.0 && p.w > 0.0 && max(off.x, off.y) <= acceptedPixels, source, met);
+}
+
+bool solid(ivec2 pixel, float depth) {
+    return !isFar(depth) && !wellBelowPlane(vec3(vec2(pixel) + 0.5, depth));
+}
+
+// The pixel that a point lies next to.
+ivec2 besides(ivec2 pixel, vec2 point) {
+    vec2 off = point - (vec2(pixel) + 0.5);
+    ivec2 next = abs(off.x) > abs(off.y) ? ivec2(off.x > 0.0 ? 1 : -1, 0) : ivec2(0, off.y > 0.0 ? 1 : -1);
+    return clamp(pixel + next, ivec2(0), region.zw - 1);
+}
+
+Hit refined(ScreenRay ray, float mirroredDepth) {
+    vec4 p = ray.origin + mirroredDepth * ray.along;
+    if (!(p.w > 0.0)) return noHit;
+    Hit hit = Hit(false, p.xy / p.w, mirroredDepth);
+    for (int i = 0; i < refinements && !hit.valid; ++i) {
+        if (!insideRegion(hit.source)) return noHit;
+        ivec2 pixel = ivec2(hit.source);
+        float depth = depthAt(pixel);
+        if (!solid(pixel, depth)) {
+            // Just off an edge: what stands there still covers part of this pixel.
+            pixel = besides(pixel, hit.source);
+            depth = depthAt(pixel);
+            if (!solid(pixel, depth)) return noHit;
+        }
+        hit = metWithin(ray, vec2(pixel) + 0.5, depth, depthGradient(pixel, depth));
     }
-    return hit;
+    return hit.valid ? hit : noHit;
 }
 
 uint keyAt(ivec2 pixel) {
@@ -66,43 +117,33 @@ uint nextKey(ivec2 pixel, uint last) {
 
 // The pixel's own key first, then its neighbours' from near to far; the first that proves itself counts. One flat loop:
 // CPU devices mask branches instead of jumping them, but do leave a loop when nobody is in it.
-Hit nearestHit(ivec2 pixel, vec2 q) {
-    Hit hit = Hit(false, vec2(0.0), 0.0);
+Hit nearestHit(ivec2 pixel, ScreenRay ray) {
+    Hit hit = noHit;
     uint key = keyAt(pixel);
     uint last = ~0u;
     if (key == noKey) key = last = nextKey(pixel, last);
     while (key != noKey) {
-        hit = refined(q, depthFromKey(key));
+        hit = refined(ray, depthFromKey(key));
         if (hit.valid) break;
         key = last = nextKey(pixel, last);
     }
     return hit;
 }
 
-// The mirrored ray's far end tells whether the sky it would reach is on the screen.
-float infoOfMiss(vec2 q) {
-    vec4 end = mirrored(vec3(q, infinityDepth));
-    if (!(end.w > 0.0) || !insideRegion(end.xy)) return infoUnknown;
-    return isFar(depthAt(end.xy)) ? infoSky : infoUnknown;
-}
-
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, region.zw))) return;
+    ivec2 pixel = pixelToResolve();
+    if (pixel == noPixel) return;
     vec2 q = vec2(pixel) + 0.5;
-
-    // Any depth serves to find the ray through this pixel; half way avoids both ends.
-    vec3 ray = normalize(unprojected(vec3(q, 0.5)));
-    float towardsPlane = -dot(plane.xyz, ray);
     vec4 color = vec4(0.0);
     float info = infoUnknown;
+    vec3 ahead = normalize(unprojected(vec3(q, 0.5)));
+    float towardsPlane = -dot(plane.xyz, ahead);
     if (towardsPlane > 0.0) {
-        Hit hit = nearestHit(pixel, q);
+        Hit hit = nearestHit(pixel, ScreenRay(screenMirror * vec4(q, 0.0, 1.0), screenMirror[2]));
         if (hit.valid) {
             float confidence = edgeConfidence(q, hit.source);
             color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * confidence, confidence);
-            float beyond = length(unprojected(vec3(q, hit.depth))) - plane.w / towardsPlane;
-            info = infoOfHit(beyond);
+            info = infoOfHit(length(unprojected(vec3(q, hit.depth))) - plane.w / towardsPlane);
         } else {
             info = infoOfMiss(q);
         }

@@ -171,6 +171,7 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
         ReflectorDesc reflectorDesc;
         std::memcpy(reflectorDesc.plane, desc.plane, sizeof desc.plane);
         reflectorDesc.reflection = *desc.reflection;
+        if (!waves) reflectorDesc.reflection.distortion = 0; // nothing bends it
         reflector = std::make_unique<Reflector>();
         if (const Status s = reflector->create(owner, reflectorDesc); s != Status::ok) return s;
         reflectionDistortion = desc.reflection->distortion;

@@ -11,6 +11,7 @@ layout(set = 0, binding = 0, std140) uniform Mirror {
     float depthSign;
     float edgeFadePixels;
     float infinityDepth;
+    bool bent;     // looked up away from where the plane is seen
 };
 
 const uint noKey = 0u;
@@ -21,22 +22,28 @@ vec4 mirrored(vec3 screenPoint) {
     return vec4(q.xyz / q.w, q.w);
 }
 
-// Signed height above the plane on the eye's side, in metres.
-float heightAbovePlane(vec3 screenPoint) {
-    vec4 p = vec4(screenPoint, 1.0);
-    return dot(heightRow, p) / dot(weightRow, p);
-}
-
 // Relative to the eye.
 vec3 unprojected(vec3 screenPoint) {
     vec4 p = relativeFromPixel * vec4(screenPoint, 1.0);
     return p.xyz / p.w;
 }
 
-// Heights under which a point counts as lying on the plane: what a depth buffer can no longer tell apart.
-float contactHeight(vec3 screenPoint) {
-    float distance = 1.0 / max(abs(dot(weightRow, vec4(screenPoint, 1.0))), 1e-20);
-    return 1e-3 + 2e-5 * distance;
+// Heights under which a point counts as lying on the plane: what a depth buffer can no longer tell apart, 1 mm and 20
+// micrometres a metre of distance. Both sides of height < contact are linear in a screen point once they are multiplied
+// by its weight, and so tell of points at infinity too: below the plane's horizon or above it.
+bool onOrBelowPlane(float height, float weight) {
+    return height <= 1e-3 * weight + 2e-5;
+}
+
+bool onOrBelowPlane(vec3 screenPoint) {
+    vec4 p = vec4(screenPoint, 1.0);
+    return onOrBelowPlane(dot(heightRow, p), dot(weightRow, p));
+}
+
+// Deeper under the plane than it is told apart.
+bool wellBelowPlane(vec3 screenPoint) {
+    vec4 p = vec4(screenPoint, 1.0);
+    return dot(heightRow, p) < -(1e-3 * dot(weightRow, p) + 2e-5);
 }
 
 bool insideRegion(vec2 pixel) {

@@ -57,6 +57,7 @@ PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char
     SPY(CmdBlitImage)
     SPY(CmdCopyBufferToImage)
     SPY(CmdDispatch)
+    SPY(CmdDispatchIndirect)
     SPY(CmdDrawIndexed)
     SPY(CmdFillBuffer)
     SPY(CreateBuffer)

@@ -1,0 +1,49 @@
+#include "reflection/tiles.h"
+
+#include "reflection/mirror.h"
+#include "spirv/tiles.comp.h"
+
+namespace seaglass {
+
+namespace {
+
+constexpr uint32_t groupWidth = 64;
+
+uint32_t tileCount(VkExtent2D extent) {
+    return ((extent.width + tileEdge - 1) / tileEdge) * ((extent.height + tileEdge - 1) / tileEdge);
+}
+
+} // namespace
+
+VkDeviceSize tileBufferBytes(VkExtent2D extent) {
+    return sizeof(TileHeader) + VkDeviceSize{tileCount(extent)} * 2 * sizeof(uint32_t);
+}
+
+Status TilesKernel::create(Context& context) {
+    constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                                             VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+    return kernel.create(context.device, tiles_comp, bindings, "tiles pipeline");
+}
+
+Status recordTiles(const ReflectPass& pass, const TilesKernel& kernel, const gpu::Buffer& tiles) {
+    Context& context = pass.context;
+    const gpu::Resource resources[] = {
+        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
+        gpu::storageBuffer(tiles.handle()),
+    };
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(kernel.kernel.layout().set(), resources, set);
+        s != Status::ok)
+        return s;
+    const gpu::PassScope scope(context.device, pass.commands, "sspr_tiles");
+    const VkExtent2D extent = {static_cast<uint32_t>(pass.geometry.regionSize.x),
+                               static_cast<uint32_t>(pass.geometry.regionSize.y)};
+    kernel.kernel.dispatch(pass.commands, set, (tileCount(extent) + groupWidth - 1) / groupWidth, 1);
+    gpu::recordBarrier(context.device, pass.commands,
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
+                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT});
+    return Status::ok;
+}
+
+} // namespace seaglass

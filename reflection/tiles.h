@@ -1,0 +1,35 @@
+// The picture in tiles of 8 x 8 pixels, and lists of those that are worth a dispatch:
+// shaders/common/tiles.glsl. Most of a picture is not a mirror, and devices that mask branches pay for every
+// pixel that is dispatched.
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/kernel.h"
+#include "reflection/reflect_pass.h"
+
+namespace seaglass {
+
+constexpr uint32_t tileEdge = 8;
+
+/// The start of the buffer; a flag for each tile and the array of both lists follow. Cleared to zero before
+/// the scatter.
+struct TileHeader {
+    VkDispatchIndirectCommand resolveGroups;
+    uint32_t resolveCount;
+    VkDispatchIndirectCommand emptyGroups;
+    uint32_t emptyCount;
+};
+static_assert(sizeof(TileHeader) == 32);
+
+VkDeviceSize tileBufferBytes(VkExtent2D extent);
+
+struct TilesKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+
+/// Fills the lists by the flags that the scatter left; leaves them visible to compute shaders and indirect
+/// dispatches.
+Status recordTiles(const ReflectPass& pass, const TilesKernel& kernel, const gpu::Buffer& tiles);
+
+} // namespace seaglass

@@ -1,0 +1,23 @@
+// Which pixel an invocation of an indirect dispatch over a list of tiles is for. Needs tiles.glsl and the buffer Tiles.
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+const ivec2 noPixel = ivec2(-1);
+
+ivec2 pixelOfTile(uint entry) {
+    ivec2 pixel = unpackedTile(tiles[entry]) * tileEdge + ivec2(gl_LocalInvocationID.xy);
+    return all(lessThan(pixel, region.zw)) ? pixel : noPixel;
+}
+
+// noPixel beyond the region and beyond the list's end.
+ivec2 pixelToResolve() {
+    uint n = gl_WorkGroupID.y * groupsPerRow + gl_WorkGroupID.x;
+    if (n >= header.resolveGroups.w) return noPixel;
+    return pixelOfTile(uint(tilesAcross() * tilesDown()) + n);
+}
+
+ivec2 pixelWithoutKeys() {
+    uint n = gl_WorkGroupID.y * groupsPerRow + gl_WorkGroupID.x;
+    if (n >= header.emptyGroups.w) return noPixel;
+    return pixelOfTile(uint(2 * tilesAcross() * tilesDown()) - 1u - n);
+}

@@ -1,0 +1,34 @@
+// Tiles of 8 x 8 pixels: reflection/tiles.h. Needs mirror.glsl's region.
+
+const int tileEdge = 8;
+const uint tileSeesPlane = 1u;
+const uint tileHasKeys = 2u;
+
+// A list of tiles is dispatched indirectly, a group a tile, in rows that every device takes.
+const uint groupsPerRow = 32768u;
+
+// Two lists grow from both ends of one array behind the tiles' flags: tiles to resolve, and tiles that no key is near.
+struct TileHeader {
+    uvec4 resolveGroups;   // VkDispatchIndirectCommand, and how many there are
+    uvec4 emptyGroups;
+};
+
+int tilesAcross() {
+    return (region.z + tileEdge - 1) / tileEdge;
+}
+
+int tilesDown() {
+    return (region.w + tileEdge - 1) / tileEdge;
+}
+
+int tileAt(ivec2 tile) {
+    return tile.y * tilesAcross() + tile.x;
+}
+
+uint packedTile(ivec2 tile) {
+    return uint(tile.x) | uint(tile.y) << 16;
+}
+
+ivec2 unpackedTile(uint tile) {
+    return ivec2(tile & 0xffffu, tile >> 16);
+}

@@ -1,0 +1,43 @@
+// Sorts the tiles that are looked up into two lists: those with keys in or around them, and the rest. The order within
+// a list is any; what is computed of a tile does not depend on it.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "mirror.glsl"
+#include "tiles.glsl"
+
+layout(local_size_x = 64, local_size_y = 1) in;
+
+layout(set = 0, binding = 1, std430) buffer Tiles {
+    TileHeader header;
+    uint tiles[];
+};
+
+bool keysNear(ivec2 tile) {
+    ivec2 low = max(tile - 1, ivec2(0));
+    ivec2 high = min(tile + 1, ivec2(tilesAcross(), tilesDown()) - 1);
+    uint flags = 0u;
+    for (int y = low.y; y <= high.y; ++y)
+        for (int x = low.x; x <= high.x; ++x) flags |= tiles[tileAt(ivec2(x, y))];
+    return (flags & tileHasKeys) != 0u;
+}
+
+void main() {
+    int count = tilesAcross() * tilesDown();
+    int index = int(gl_GlobalInvocationID.x);
+    if (index == 0) header.resolveGroups.z = header.emptyGroups.z = 1u;
+    // What is mirrored behind things that stand before the plane is seen only by rays that waves bend there.
+    uint wanted = tileSeesPlane | (bent ? tileHasKeys : 0u);
+    if (index >= count || (tiles[index] & wanted) == 0u) return;
+    ivec2 tile = ivec2(index % tilesAcross(), index / tilesAcross());
+    if (keysNear(tile)) {
+        uint n = atomicAdd(header.resolveGroups.w, 1u);
+        atomicMax(header.resolveGroups.x, min(n + 1u, groupsPerRow));
+        atomicMax(header.resolveGroups.y, n / groupsPerRow + 1u);
+        tiles[count + int(n)] = packedTile(tile);
+    } else {
+        uint n = atomicAdd(header.emptyGroups.w, 1u);
+        atomicMax(header.emptyGroups.x, min(n + 1u, groupsPerRow));
+        atomicMax(header.emptyGroups.y, n / groupsPerRow + 1u);
+        tiles[2 * count - 1 - int(n)] = packedTile(tile);
+    }
+}

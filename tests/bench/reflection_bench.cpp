@@ -1,0 +1,185 @@
+// What a reflection costs on this device, as multiples of the floor: a compute copy of the frame's colour and
+// depth; and how much of the traced truth it finds. Floor and reflection alternate, so that both see the same
+// machine; medians over the rounds.
+//
+//   seaglass_bench_reflection [WIDTHxHEIGHT [ROUNDS]]
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+
+#include "host/floor_pass.h"
+#include "host/pass_timer.h"
+#include "seaglass/reflection.h"
+#include "tests/gpu/poses.h"
+#include "tests/gpu/reflection_score.h"
+#include "tests/gpu/rig.h"
+
+namespace {
+
+using namespace seaglass;
+
+struct Setting {
+    const char* name;
+    ReflectionDesc desc;
+};
+
+/// A fifth of the screen is mirror, nearly half, and the poses of the tests.
+std::vector<tests::Pose> posesOf(uint32_t width, uint32_t height) {
+    tests::Camera fifth = tests::testCamera();
+    fifth.target = {-0.5, 4.4, 0};
+    tests::Camera half = tests::testCamera();
+    half.target = {-0.5, 2.3, 0};
+    std::vector<tests::Pose> poses = tests::poses();
+    poses.insert(poses.begin(), {{"fifth", fifth}, {"half", half}});
+    for (tests::Pose& pose : poses) {
+        pose.camera.width = width;
+        pose.camera.height = height;
+    }
+    return poses;
+}
+
+std::vector<Setting> settings() {
+    ReflectionDesc flat;
+    flat.distortion = 0;
+    flat.blurLevels = 0;
+    const ReflectionDesc bent;
+    return {{"sspr, flat mirror", flat}, {"sspr, bent, blurred", bent}};
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values.empty() ? 0 : values[values.size() / 2];
+}
+
+template<typename Record>
+void run(Record&& record) {
+    demos::Error error;
+    const bool done = tests::device().run(
+        [&](VkCommandBuffer commands, demos::Error&) {
+            record(commands);
+            return true;
+        },
+        error);
+    if (done) return;
+    std::fprintf(stderr, "%s\n", error.text.c_str());
+    std::exit(1);
+}
+
+class Bench {
+  public:
+    Bench(uint32_t width, uint32_t height, uint32_t rounds) : rounds_(rounds) {
+        demos::Error error;
+        DeviceDesc desc = tests::deviceDesc(&message_);
+        desc.pass = {[](void* user, VkCommandBuffer commands, const char* pass, bool begins) {
+                         static_cast<demos::PassTimer*>(user)->mark(commands, pass, begins);
+                     },
+                     &timer_};
+        require(timer_.create(tests::device(), error) &&
+                    floor_.create(tests::device(), {width, height}, error),
+                error.text);
+        require(createContext(&desc, &context_) == Status::ok, message_);
+    }
+    ~Bench() { destroyContext(context_); }
+
+    void measure(const tests::Pose& pose) {
+        const tests::TracedView traced = tests::Tracer(pose.camera, tests::harbourOfBoxes()).run();
+        const demos::Image depth = tests::uploadFloats(traced.width, traced.height, 1, traced.depth);
+        const demos::Image color = tests::uploadFloats(traced.width, traced.height, 4, traced.color);
+        ViewDesc view = tests::viewDesc(pose.camera);
+        view.sceneDepth = tests::asSeaglass(depth);
+        view.sceneColor = tests::asSeaglass(color);
+        const auto mirrored = std::count_if(traced.truth.begin(), traced.truth.end(),
+                                            [](tests::Truth t) { return t != tests::Truth::none; });
+        std::printf("%s: %.1f %% of the screen is mirror\n", pose.name,
+                    100.0 * static_cast<double>(mirrored) / static_cast<double>(traced.truth.size()));
+
+        const std::vector<Setting> all = settings();
+        std::vector<Reflector*> reflectors;
+        for (const Setting& setting : all) {
+            const ReflectorDesc desc{{0, 1, 0, 0}, setting.desc};
+            require(createReflector(context_, &desc, &reflectors.emplace_back()) == Status::ok, message_);
+        }
+        std::vector<std::map<std::string, std::vector<double>>> passes(all.size());
+        std::vector<std::vector<double>> sums(all.size());
+        std::vector<double> floorMs;
+        constexpr uint32_t warmUps = 2;
+        for (uint32_t round = 0; round < warmUps + rounds_; ++round) {
+            const double floor = floorOnce();
+            if (round >= warmUps) floorMs.push_back(floor);
+            for (size_t i = 0; i < all.size(); ++i) {
+                double sum = 0;
+                for (const demos::PassTime& pass : reflectOnce(reflectors[i], view)) {
+                    if (round >= warmUps) passes[i][pass.name].push_back(pass.ms);
+                    sum += pass.ms;
+                }
+                if (round >= warmUps) sums[i].push_back(sum);
+            }
+        }
+        const double floor = median(floorMs);
+        std::printf("  floor %.2f ms\n", floor);
+        for (size_t i = 0; i < all.size(); ++i) {
+            std::printf("  %-20s %7.2f ms %6.2f x floor:", all[i].name, median(sums[i]),
+                        median(sums[i]) / floor);
+            for (const auto& [name, ms] : passes[i])
+                std::printf("  %s %.2f", name.c_str(), median(ms) / floor);
+            std::printf("\n");
+            tests::print("   ", tests::score(traced, downloaded(reflectors[i])));
+        }
+        for (Reflector* reflector : reflectors) destroyReflector(reflector);
+        for (int i = 0; i < 2; ++i) require(beginFrame(context_, slot_ ^= 1) == Status::ok, message_);
+    }
+
+  private:
+    static void require(bool done, const std::string& why) {
+        if (done) return;
+        std::fprintf(stderr, "%s\n", why.c_str());
+        std::exit(1);
+    }
+    static tests::Reflected downloaded(const Reflector* reflector) {
+        const ReflectionImages images = reflectionImages(reflector, 0);
+        return {tests::download(images.colorImage, VK_FORMAT_R16G16B16A16_SFLOAT, images.extent),
+                tests::download(images.infoImage, VK_FORMAT_R16_SFLOAT, images.extent)};
+    }
+    double floorOnce() {
+        run([&](VkCommandBuffer commands) {
+            timer_.listen(commands);
+            floor_.record(commands); // once unseen, to wake the device
+            timer_.mark(commands, "floor", true);
+            floor_.record(commands);
+            timer_.mark(commands, "floor", false);
+            timer_.stop();
+        });
+        return timer_.collect().front().ms;
+    }
+    std::vector<demos::PassTime> reflectOnce(Reflector* reflector, const ViewDesc& view) {
+        require(beginFrame(context_, slot_ ^= 1) == Status::ok, message_);
+        run([&](VkCommandBuffer commands) {
+            timer_.listen(commands);
+            require(reflect(commands, &reflector, 1, &view) == Status::ok, message_);
+            timer_.stop();
+        });
+        return timer_.collect();
+    }
+
+    uint32_t rounds_;
+    uint32_t slot_ = 0;
+    std::string message_;
+    demos::PassTimer timer_;
+    demos::FloorPass floor_;
+    Context* context_ = nullptr;
+};
+
+} // namespace
+
+int main(int count, char** arguments) {
+    uint32_t width = 1920, height = 1080, rounds = 20;
+    if (count > 1 && std::sscanf(arguments[1], "%ux%u", &width, &height) != 2) {
+        std::fprintf(stderr, "'%s' is no size, expected WIDTHxHEIGHT\n", arguments[1]);
+        return 2;
+    }
+    if (count > 2) rounds = static_cast<uint32_t>(std::max(std::atoi(arguments[2]), 1));
+    std::printf("%s, %u x %u, medians of %u\n", tests::device().info().name.c_str(), width, height, rounds);
+    Bench bench(width, height, rounds);
+    for (const tests::Pose& pose : posesOf(width, height)) bench.measure(pose);
+}
