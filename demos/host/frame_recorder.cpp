@@ -51,7 +51,19 @@ bool FrameRecorder::load(const Scene& scene, LoadedScene& out, Error& error) {
         !loadMeshes(*device_, layouts_, scene.meshes, out.meshes, error) || !createFrameSet(out, error))
         return false;
     out.bounds = worldBounds(out.meshes);
-    return !scene.water || water_.createBody(*scene.water, out.water, error);
+    return !scene.water || addWater(*scene.water, out, error);
+}
+
+bool FrameRecorder::addWater(const WaterDesc& water, LoadedScene& scene, Error& error) {
+    WaterBody body;
+    if (!water_.createBody(water, body, error)) return false;
+    scene.waters.push_back(std::move(body));
+    return true;
+}
+
+const WaterBody& FrameRecorder::water() const {
+    static const WaterBody none;
+    return scene_->waters.empty() ? none : scene_->waters[frame_.water];
 }
 
 bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Error& error) {
@@ -59,6 +71,10 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
     frame_ = frame;
     if (!std::isfinite(frame.timeS)) {
         error.text = "the time of a frame must be finite";
+        return false;
+    }
+    if (frame.water > 0 && frame.water >= scene.waters.size()) {
+        error.text = "the scene has no water " + std::to_string(frame.water);
         return false;
     }
     const VkExtent2D extent = {frame.width, frame.height};
@@ -84,15 +100,15 @@ void FrameRecorder::writeUniforms() {
 }
 
 bool FrameRecorder::needed(Stage stage) const {
-    const bool water = static_cast<bool>(scene_->water);
+    const bool hasWater = static_cast<bool>(water());
     switch (stage) {
     case Stage::simulate:
     case Stage::copy:
     case Stage::reflect:
-        return water;
+        return hasWater;
     // Without water the other outputs are black.
     case Stage::water:
-        return water || (frame_.aov != Aov::color && frame_.aov != Aov::depth);
+        return hasWater || (frame_.aov != Aov::color && frame_.aov != Aov::depth);
     default:
         return true;
     }
@@ -106,7 +122,7 @@ void FrameRecorder::bindFrameSet(VkCommandBuffer commands) const {
 bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) {
     switch (stage) {
     case Stage::simulate:
-        return water_.simulate(commands, scene_->water, frame_.timeS, cpuSimulateMs_, error);
+        return water_.simulate(commands, water(), frame_.timeS, cpuSimulateMs_, error);
     case Stage::shadow:
         bindFrameSet(commands);
         shadow_.record(commands, layouts_, scene_->meshes, camera_.eye, shadowFits_);
@@ -119,10 +135,10 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
         targets_.copyScene(commands);
         return true;
     case Stage::reflect:
-        return water_.reflect(commands, scene_->water, camera_, targets_, error);
+        return water_.reflect(commands, water(), camera_, targets_, error);
     case Stage::water:
-        if (!scene_->water) targets_.betweenPasses(commands);
-        return water_.draw(commands, scene_->water, camera_, targets_, scene_->sky, frame_.aov, error);
+        if (!water()) targets_.betweenPasses(commands);
+        return water_.draw(commands, water(), camera_, targets_, scene_->sky, frame_.aov, error);
     }
     return false;
 }

@@ -15,7 +15,7 @@ struct LoadedScene {
     UniqueDescriptorPool pool;
     Buffer uniforms;
     VkDescriptorSet frameSet = VK_NULL_HANDLE;
-    WaterBody water;
+    std::vector<WaterBody> waters; ///< of which a frame draws one
 };
 
 enum class Stage { simulate, shadow, opaque, copy, reflect, water };
@@ -36,6 +36,7 @@ class FrameRecorder {
   public:
     bool create(Device& device, uint32_t framesInFlight, Error& error);
     bool load(const Scene& scene, LoadedScene& out, Error& error);
+    bool addWater(const WaterDesc& water, LoadedScene& scene, Error& error);
 
     /// Checks the frame and readies everything for recording it; the frame before has finished.
     bool begin(const LoadedScene& scene, const FrameDesc& frame, Error& error);
@@ -52,6 +53,8 @@ class FrameRecorder {
     bool createFrameSet(LoadedScene& scene, Error& error);
     void bindFrameSet(VkCommandBuffer commands) const;
     void writeUniforms();
+    /// The frame's; one without a body where the scene has none.
+    const WaterBody& water() const;
 
     Device* device_ = nullptr;
     Layouts layouts_;

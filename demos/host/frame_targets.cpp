@@ -34,16 +34,32 @@ void depthToSource(VkCommandBuffer commands, const Image& depth) {
 }
 
 void copyWhole(VkCommandBuffer commands, const Image& from, const Image& to) {
-    imageBarrier(commands, to, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, readers, 0,
-                 transfer, VK_ACCESS_2_TRANSFER_WRITE_BIT);
     VkImageCopy copy{};
     copy.srcSubresource = {from.aspect, 0, 0, 1};
     copy.dstSubresource = {to.aspect, 0, 0, 1};
     copy.extent = {from.extent.width, from.extent.height, 1};
     vkCmdCopyImage(commands, from.image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.image.get(),
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+}
+
+void copyForReaders(VkCommandBuffer commands, const Image& from, const Image& to) {
+    imageBarrier(commands, to, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, readers, 0,
+                 transfer, VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    copyWhole(commands, from, to);
     imageBarrier(commands, to, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
                  transfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, readers, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
+}
+
+/// From what shaders sample; the attachment is left as a copy's destination.
+void copyToAttachment(VkCommandBuffer commands, const Image& from, const Image& to) {
+    imageBarrier(commands, from, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+                 VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, readers, 0, transfer, VK_ACCESS_2_TRANSFER_READ_BIT);
+    imageBarrier(commands, to, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                 colorOutput | depthTests, 0, transfer, VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    copyWhole(commands, from, to);
+    imageBarrier(commands, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                 VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, transfer, 0, readers,
+                 VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
 }
 
 Picture emptyPicture(VkExtent2D extent) {
@@ -53,10 +69,10 @@ Picture emptyPicture(VkExtent2D extent) {
 } // namespace
 
 void FrameTargets::toAttachments(VkCommandBuffer commands, VkImageLayout from) const {
-    imageBarrier(commands, color, from, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, transfer | colorOutput, 0,
-                 colorOutput, colorAccess);
-    imageBarrier(commands, depth, from, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, transfer | depthTests, 0,
-                 depthTests, depthAccess);
+    imageBarrier(commands, color, from, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, transfer | colorOutput,
+                 VK_ACCESS_2_TRANSFER_WRITE_BIT, colorOutput, colorAccess);
+    imageBarrier(commands, depth, from, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, transfer | depthTests,
+                 VK_ACCESS_2_TRANSFER_WRITE_BIT, depthTests, depthAccess);
 }
 
 void FrameTargets::betweenPasses(VkCommandBuffer commands) const {
@@ -71,9 +87,15 @@ void FrameTargets::betweenPasses(VkCommandBuffer commands) const {
 void FrameTargets::copyScene(VkCommandBuffer commands) const {
     colorToSource(commands, color);
     depthToSource(commands, depth);
-    copyWhole(commands, color, sceneColor);
-    copyWhole(commands, depth, sceneDepth);
+    copyForReaders(commands, color, sceneColor);
+    copyForReaders(commands, depth, sceneDepth);
     toAttachments(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+}
+
+void FrameTargets::restoreScene(VkCommandBuffer commands) const {
+    copyToAttachment(commands, sceneColor, color);
+    copyToAttachment(commands, sceneDepth, depth);
+    toAttachments(commands, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
 }
 
 void FrameTargets::copyBack(VkCommandBuffer commands, bool depthInstead) const {
@@ -112,12 +134,13 @@ bool createFrameTargets(const Device& device, VkExtent2D extent, FrameTargets& o
     ImageDesc color;
     color.format = FrameTargets::colorFormat;
     color.extent = extent;
-    color.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    constexpr VkImageUsageFlags copied = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    color.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | copied;
     ImageDesc depth = color;
     depth.format = FrameTargets::depthFormat;
-    depth.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    depth.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | copied;
     ImageDesc sceneColor = color, sceneDepth = depth;
-    sceneColor.usage = sceneDepth.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    sceneColor.usage = sceneDepth.usage = VK_IMAGE_USAGE_SAMPLED_BIT | copied;
     out.extent = extent;
     return createImage(device, color, out.color, error) && createImage(device, depth, out.depth, error) &&
            createImage(device, sceneColor, out.sceneColor, error) &&

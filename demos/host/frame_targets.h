@@ -21,6 +21,8 @@ struct FrameTargets {
     /// Copies colour and depth to sceneColor and sceneDepth, which compute and fragment shaders may then
     /// sample.
     void copyScene(VkCommandBuffer commands) const;
+    /// Copies sceneColor and sceneDepth back, as if nothing had been drawn since copyScene().
+    void restoreScene(VkCommandBuffer commands) const;
     /// Copies colour or depth into `readback`; they end as transfer sources.
     void copyBack(VkCommandBuffer commands, bool depthInstead) const;
 };

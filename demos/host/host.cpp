@@ -34,6 +34,10 @@ bool Host::load(const Scene& scene, Error& error) {
     return true;
 }
 
+bool Host::addWater(const WaterDesc& water, Error& error) {
+    return impl_->ready(error) && impl_->recorder.addWater(water, *impl_->scene, error);
+}
+
 std::optional<Picture> Host::render(const FrameDesc& frame, Error& error) {
     Impl& impl = *impl_;
     if (!impl.ready(error) || !impl.recorder.begin(*impl.scene, frame, error)) return std::nullopt;

@@ -48,6 +48,7 @@ struct FrameDesc {
     CameraDesc camera;
     double timeS = 0;
     Aov aov = Aov::color;
+    uint32_t water = 0; ///< of those that the scene was given; the first is its own
 };
 
 struct PassTime {
@@ -61,13 +62,26 @@ struct FrameTimes {
     double cpuSimulateMs = 0; ///< median CPU time inside seaglass::simulate
     uint32_t runs = 0;
     std::vector<PassTime> passes; ///< in order; compute by timestamps, drawing by submit and fence alone
+};
+
+/// What one water takes of frames in which waters take turns.
+struct WaterTimes {
     /// What the reflection's passes take together; 0 where there are none. By submit and fence on a device
     /// without timestamps.
     PassTime reflection;
-    /// A compute copy of RGBA16F colour and R32F depth of the frame's size, between the same frames. Only if
-    /// asked for.
-    std::optional<PassTime> floor;
+    PassTime ofFloor; ///< the same over the floor of the same round: no milliseconds, but a ratio
+    double cpuSimulateMs = 0;
+    std::vector<PassTime> passes; ///< of the whole frame, the scene's own among them
 };
+
+struct ComparedTimes {
+    /// A compute copy of RGBA16F colour and R32F depth of the frame's size, between the same frames.
+    PassTime floor;
+    std::vector<WaterTimes> waters; ///< none when it was stopped
+};
+
+/// Rounds done, and of how many; false stops.
+using RoundFunction = std::function<bool(uint32_t, uint32_t)>;
 
 class Host {
   public:
@@ -79,11 +93,16 @@ class Host {
     /// Loads the sky and the meshes of a scene and creates its water; replaces the scene before it, or leaves
     /// it as it was on an error.
     bool load(const Scene& scene, Error& error);
+    /// Another water for the scene that is loaded: FrameDesc::water counts them in this order.
+    bool addWater(const WaterDesc& water, Error& error);
     /// Draws one frame and waits for it.
     std::optional<Picture> render(const FrameDesc& frame, Error& error);
     /// Draws the frame `runs` times after a warm-up and gives medians by pass.
-    std::optional<FrameTimes> measure(const FrameDesc& frame, uint32_t runs, Error& error,
-                                      bool withFloor = false);
+    std::optional<FrameTimes> measure(const FrameDesc& frame, uint32_t runs, Error& error);
+    /// Draws the frame with all of the scene's waters in turn, `rounds` times after a warm-up, each over the
+    /// same picture of the opaque scene, and gives medians. FrameDesc::water does not matter.
+    std::optional<ComparedTimes> measureWaters(const FrameDesc& frame, uint32_t rounds,
+                                               const RoundFunction& goOn, Error& error);
     /// Validation messages seen so far.
     uint32_t validationMessages() const;
 

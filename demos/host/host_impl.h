@@ -6,6 +6,9 @@
 namespace demos {
 
 struct Host::Impl {
+    /// The first compiles pipelines on some drivers, the second settles memory.
+    static constexpr uint32_t warmUps = 2;
+
     bool ready(Error& error) const;
     bool recordFrame(VkCommandBuffer commands, Error& error);
 

@@ -10,7 +10,7 @@ struct ContactSheet {
     std::vector<uint8_t> rgb;
 };
 
-/// Of pictures of one size.
-ContactSheet contactSheet(const Sheet& sheet, uint32_t width, uint32_t height);
+/// The reference first, then a picture of each entry, all of this size.
+ContactSheet contactSheet(const ViewResult& view, uint32_t width, uint32_t height);
 
 } // namespace demos::measure

@@ -66,13 +66,12 @@ std::string table(const Tradeoff& tradeoff, const Sheet& sheet) {
           "PSNR, dB", "found", "sky as solid", "solid as sky", "wrong", "FLIP of the picture"})
         html += std::string("<th>") + name + "</th>";
     html += "</tr>\n";
-    for (size_t i = 1; i < sheet.pictures.size(); ++i) {
-        const Entry& entry = tradeoff.entries.at(sheet.firstEntry + i - 1);
+    for (const Entry& entry : tradeoff.of(sheet)) {
         const Cost& cost = entry.cost;
         const PictureError& error = entry.error;
         std::optional<double> megabytes;
         if (cost.bytes) megabytes = static_cast<double>(*cost.bytes) / 1e6;
-        html += "<tr><td>" + escaped(sheet.pictures[i].name) + "</td>";
+        html += "<tr><td>" + escaped(entry.name()) + "</td>";
         for (const std::string& cell :
              {print("%.3f", cost.reflection.ms), print("%.3f", cost.reflection.spreadMs),
               print("%.2f", cost.xFloor), print("%.3f", cost.floor.ms), print("%.1f", drawingMs(entry)),
@@ -107,17 +106,14 @@ std::string tradeoffPage(const Tradeoff& tradeoff, const std::vector<std::string
     std::snprintf(size, sizeof(size), "%u &times; %u, medians of %u, floor %s ms", tradeoff.width,
                   tradeoff.height, tradeoff.runs, print("%.3f", tradeoff.floorMs()).c_str());
     std::string html = head;
-    html +=
-        "<p>" + escaped(tradeoff.device) + ", " + escaped(tradeoff.driver) + "; " + size + "</p>\n" + notes;
+    html += "<p>" + escaped(tradeoff.device) + ", " + escaped(tradeoff.driver) + "; " + size +
+            (tradeoff.flat ? ", the water stilled" : "") + "</p>\n" + notes;
     for (size_t i = 0; i < sheets.size(); ++i) {
         const Sheet& sheet = tradeoff.sheets[i];
         html += "<h2>" + escaped(sheet.scene) + ", camera " + escaped(sheet.camera) + "</h2>\n" +
                 table(tradeoff, sheet) + plotSvg(tradeoff, sheet);
-        std::string names;
-        for (const Sheet::Shown& shown : sheet.pictures) {
-            html += names.empty() ? "<p class=\"note\">Pictures, row by row: " : "; ";
-            html += names = escaped(shown.name);
-        }
+        html += "<p class=\"note\">Pictures, row by row: reference";
+        for (const Entry& entry : tradeoff.of(sheet)) html += "; " + escaped(entry.name());
         html += "</p>\n<img alt=\"The reference and each technique\" src=\"data:image/png;base64," +
                 base64(sheets[i]) + "\">\n";
     }

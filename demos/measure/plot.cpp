@@ -57,10 +57,9 @@ struct Mark {
 
 std::vector<Mark> marksOf(const Tradeoff& tradeoff, const Sheet& sheet) {
     std::vector<Mark> marks;
-    for (size_t i = 1; i < sheet.pictures.size(); ++i) {
-        const Entry& entry = tradeoff.entries.at(sheet.firstEntry + i - 1);
+    for (const Entry& entry : tradeoff.of(sheet)) {
         if (!entry.cost.xFloor || !entry.error.flip) continue;
-        marks.push_back({sheet.pictures[i].name,
+        marks.push_back({entry.name(),
                          {*entry.cost.xFloor, *entry.error.flip},
                          entry.cost.reflection.spreadMs / entry.cost.floor.ms});
     }

@@ -1,7 +1,5 @@
 #include "measure/run.h"
 
-#include <algorithm>
-
 #include "measure/picture_error.h"
 #include "reference/reference.h"
 
@@ -9,104 +7,120 @@ namespace demos::measure {
 
 namespace {
 
-/// One camera's truth, and what was found by it so far.
-struct View {
-    CameraDesc camera;
-    reference::Pictures truth;
-    Sheet sheet;
-    std::vector<Entry> entries;
-};
+bool load(Host& host, const Subject& subject, reference::World& world, Error& error) {
+    if (!host.load(subject.scene, error) || !reference::loadWorld(subject.scene, world, error)) return false;
+    for (size_t i = 1; i < subject.variants.size(); ++i)
+        if (!host.addWater(subject.variants[i].water, error)) return false;
+    return true;
+}
 
-bool trace(const Scene& scene, const RunDesc& desc, const ProgressFunction& progress,
-           std::vector<View>& views, RunResult& result, Error& error) {
-    reference::World world;
-    result = RunResult::unreadable;
-    if (!reference::loadWorld(scene, world, error)) return false;
-    result = RunResult::failed;
-    for (View& view : views) {
-        reference::FrameDesc frameDesc;
-        frameDesc.width = desc.width;
-        frameDesc.height = desc.height;
-        frameDesc.camera = view.camera;
-        frameDesc.timeS = scene.timeS;
-        reference::Frame frame;
-        if (!reference::prepareFrame(world, frameDesc, frame, error)) return false;
-        const std::string what = "tracing " + view.sheet.scene + ", " + view.camera.name + ", row";
-        view.truth =
-            renderReference(frame, true, [&](uint32_t done, uint32_t all) { progress(what, done, all); });
-        view.sheet.pictures.push_back({"reference", toneMap(view.truth.color, scene.exposureEv)});
+/// One camera of a subject that is loaded.
+class View {
+  public:
+    View(Host& host, const Subject& subject, const CameraDesc& camera, const RunDesc& desc,
+         const ProgressFunction& progress)
+        : host_(host), subject_(subject), progress_(progress),
+          rounds_(desc.rounds), frame_{desc.width, desc.height, camera, subject.scene.timeS, Aov::color, 0} {
+        result_.scene = subject.file;
+        result_.camera = camera.name;
     }
-    return true;
-}
 
-bool measureView(Host& host, const Variant& variant, const RunDesc& desc, View& view, Error& error) {
-    FrameDesc frame = {desc.width, desc.height, view.camera, variant.scene.timeS, Aov::color};
-    const std::optional<Picture> color = host.render(frame, error);
-    if (!color) return false;
-    frame.aov = Aov::reflectionClass;
-    const std::optional<Picture> classes = host.render(frame, error);
-    if (!classes) return false;
-    frame.aov = Aov::color;
-    const std::optional<FrameTimes> times = host.measure(frame, desc.runs, error, true);
-    if (!times) return false;
+    RunResult measure(const reference::World& world, Error& error) {
+        if (const RunResult traced = trace(world, error); traced != RunResult::ok) return traced;
+        if (const RunResult timed = time(error); timed != RunResult::ok) return timed;
+        for (uint32_t i = 0; i < subject_.variants.size(); ++i)
+            if (!compare(i, error)) return RunResult::failed;
+        return RunResult::ok;
+    }
+    ViewResult takeResult() { return std::move(result_); }
 
-    Entry entry;
-    entry.scene = view.sheet.scene;
-    entry.camera = view.camera.name;
-    entry.technique = variant.technique->name;
-    entry.quality = variant.technique->quality;
-    entry.cost.reflection = times->reflection;
-    entry.cost.floor = *times->floor;
-    if (times->floor->ms > 0) entry.cost.xFloor = times->reflection.ms / times->floor->ms;
-    entry.cost.passes = times->passes;
-    std::vector<uint8_t> shown = toneMap(*color, variant.scene.exposureEv);
-    const Shots shots = {view.sheet.pictures.front().rgb, shown, &view.truth.truth, &*classes};
-    entry.error = errorOf(shots, variant.technique->answers);
-    view.entries.push_back(std::move(entry));
-    view.sheet.pictures.push_back(
-        {variant.technique->name + ", " + variant.technique->quality, std::move(shown)});
-    return true;
-}
+  private:
+    reference::ProgressFunction telling(const std::string& what) {
+        return [this, what](uint32_t done, uint32_t all) {
+            goesOn_ = goesOn_ && progress_(what + " " + result_.scene + ", " + result_.camera, done, all);
+            return goesOn_;
+        };
+    }
+
+    RunResult trace(const reference::World& world, Error& error) {
+        reference::FrameDesc desc;
+        desc.width = frame_.width;
+        desc.height = frame_.height;
+        desc.camera = frame_.camera;
+        desc.timeS = frame_.timeS;
+        reference::Frame frame;
+        if (!reference::prepareFrame(world, desc, frame, error)) return RunResult::failed;
+        truth_ = renderReference(frame, true, telling("tracing"));
+        result_.reference = toneMap(truth_.color, subject_.scene.exposureEv);
+        return goesOn_ ? RunResult::ok : RunResult::stopped;
+    }
+
+    RunResult time(Error& error) {
+        const std::optional<ComparedTimes> times =
+            host_.measureWaters(frame_, rounds_, telling("measuring"), error);
+        if (!goesOn_) return RunResult::stopped;
+        if (!times) return RunResult::failed;
+        for (size_t i = 0; i < subject_.variants.size(); ++i) {
+            Entry& entry = result_.entries.emplace_back();
+            const Technique& technique = *subject_.variants[i].technique;
+            entry.scene = result_.scene;
+            entry.camera = result_.camera;
+            entry.technique = technique.name;
+            entry.quality = technique.quality;
+            entry.cost = costOf(times->waters[i], times->floor);
+        }
+        return RunResult::ok;
+    }
+
+    static Cost costOf(const WaterTimes& times, const PassTime& floor) {
+        Cost cost;
+        cost.reflection = times.reflection;
+        cost.floor = floor;
+        if (floor.ms > 0) {
+            cost.xFloor = times.ofFloor.ms;
+            cost.xFloorSpread = times.ofFloor.spreadMs;
+        }
+        cost.passes = times.passes;
+        return cost;
+    }
+
+    std::optional<Picture> draw(uint32_t water, Aov aov, Error& error) {
+        frame_.water = water;
+        frame_.aov = aov;
+        return host_.render(frame_, error);
+    }
+
+    bool compare(uint32_t water, Error& error) {
+        const std::optional<Picture> color = draw(water, Aov::color, error);
+        if (!color) return false;
+        const std::optional<Picture> classes = draw(water, Aov::reflectionClass, error);
+        if (!classes) return false;
+        result_.pictures.push_back(toneMap(*color, subject_.scene.exposureEv));
+        const Shots shots = {result_.reference, result_.pictures.back(), &truth_.truth, &*classes};
+        result_.entries[water].error = errorOf(shots, subject_.variants[water].technique->answers);
+        return true;
+    }
+
+    Host& host_;
+    const Subject& subject_;
+    const ProgressFunction& progress_;
+    uint32_t rounds_;
+    FrameDesc frame_;
+    reference::Pictures truth_;
+    ViewResult result_;
+    bool goesOn_ = true;
+};
 
 } // namespace
 
-std::optional<double> Tradeoff::floorMs() const {
-    if (entries.empty()) return std::nullopt;
-    std::vector<double> ms;
-    for (const Entry& entry : entries) ms.push_back(entry.cost.floor.ms);
-    std::sort(ms.begin(), ms.end());
-    return (ms[(ms.size() - 1) / 2] + ms[ms.size() / 2]) / 2;
-}
-
-RunResult measureScene(Host& host, std::span<const Variant> variants, const RunDesc& desc,
-                       const ProgressFunction& progress, Tradeoff& out, Error& error) {
-    const Scene& plain = variants.front().scene;
-    std::vector<View> views;
-    for (const CameraDesc& camera : plain.cameras) {
-        if (desc.firstCameraOnly && !views.empty()) break;
-        View& view = views.emplace_back();
-        view.camera = camera;
-        view.sheet.scene = variants.front().file;
-        view.sheet.camera = camera.name;
-    }
-    RunResult result = RunResult::ok;
-    if (!trace(plain, desc, progress, views, result, error)) return result;
-
-    const auto all = static_cast<uint32_t>(views.size() * variants.size());
-    uint32_t done = 0;
-    for (const Variant& variant : variants) {
-        if (!host.load(variant.scene, error)) return RunResult::unreadable;
-        for (View& view : views) {
-            progress("measuring " + view.sheet.scene + ", " + view.camera.name + ", " +
-                         variant.technique->name,
-                     done++, all);
-            if (!measureView(host, variant, desc, view, error)) return RunResult::failed;
-        }
-    }
-    for (View& view : views) {
-        view.sheet.firstEntry = out.entries.size();
-        std::move(view.entries.begin(), view.entries.end(), std::back_inserter(out.entries));
-        out.sheets.push_back(std::move(view.sheet));
+RunResult measureSubject(Host& host, const Subject& subject, const RunDesc& desc,
+                         const ProgressFunction& progress, const FinishedFunction& finished, Error& error) {
+    reference::World world;
+    if (!load(host, subject, world, error)) return RunResult::failed;
+    for (const CameraDesc& camera : subject.cameras) {
+        View view(host, subject, camera, desc, progress);
+        if (const RunResult result = view.measure(world, error); result != RunResult::ok) return result;
+        if (!finished(view.takeResult(), error)) return RunResult::failed;
     }
     return RunResult::ok;
 }

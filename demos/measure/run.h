@@ -2,27 +2,27 @@
 #pragma once
 
 #include <functional>
-#include <span>
 
-#include "measure/technique.h"
+#include "measure/subject.h"
 #include "measure/tradeoff.h"
 
 namespace demos::measure {
 
 struct RunDesc {
     uint32_t width = 1280, height = 720;
-    uint32_t runs = 20;           ///< medians of so many
-    bool firstCameraOnly = false; ///< instead of all
+    uint32_t rounds = 20; ///< medians of so many
 };
 
-enum class RunResult { ok, unreadable, failed }; ///< unreadable: a file that the scene names
+enum class RunResult { ok, failed, stopped };
 
-/// What is being done, how much is done, and of how much.
-using ProgressFunction = std::function<void(const std::string&, uint32_t, uint32_t)>;
+/// What is being done, how much is done, and of how much. False stops it.
+using ProgressFunction = std::function<bool(const std::string&, uint32_t, uint32_t)>;
+/// Takes each view as it is finished. False with the error set fails the run.
+using FinishedFunction = std::function<bool(ViewResult&&, Error&)>;
 
-/// Adds the entries and sheets of one scene. The reference is of the same moment, one ray a pixel through its
+/// Measures one view after the other. The reference is of the same moment, one ray a pixel through its
 /// centre, as the host samples it.
-RunResult measureScene(Host& host, std::span<const Variant> variants, const RunDesc& desc,
-                       const ProgressFunction& progress, Tradeoff& out, Error& error);
+RunResult measureSubject(Host& host, const Subject& subject, const RunDesc& desc,
+                         const ProgressFunction& progress, const FinishedFunction& finished, Error& error);
 
 } // namespace demos::measure

@@ -20,6 +20,7 @@ Json costJson(const Cost& cost) {
     json["ms"] = cost.reflection.ms;
     json["spread_ms"] = cost.reflection.spreadMs;
     json["x_floor"] = orNull(cost.xFloor);
+    json["x_floor_spread"] = orNull(cost.xFloorSpread);
     json["floor_ms"] = cost.floor.ms;
     json["floor_spread_ms"] = cost.floor.spreadMs;
     json["bytes"] = orNull(cost.bytes);
@@ -75,6 +76,7 @@ std::string tradeoffJson(const Tradeoff& tradeoff) {
     json["driver"] = tradeoff.driver;
     json["size"] = {tradeoff.width, tradeoff.height};
     json["runs"] = tradeoff.runs;
+    json["flat"] = tradeoff.flat;
     json["floor_ms"] = orNull(tradeoff.floorMs());
     json["entries"] = Json::array();
     for (const Entry& entry : tradeoff.entries) json["entries"].push_back(entryJson(entry));

@@ -1,33 +1,61 @@
 #include "measure/technique.h"
 
+#include <algorithm>
+
+#include "scene/fields.h"
+#include "scene/nearest.h"
+
 namespace demos::measure {
 
-std::span<const Technique> techniques() {
-    static const Technique all[] = {
-        {"none", "default", {}, Answers::sky, false},
-        {"sky", "default", {"water.reflection.technique=sky"}, Answers::sky},
-        {"sspr", "default", {"water.reflection.technique=sspr"}, Answers::classes},
-    };
+namespace {
+
+std::vector<Technique> allTechniques() {
+    std::vector<Technique> all = {{"none", "default", {}, Answers::sky, false}};
+    for (const std::string_view word : choicesOf("water.reflection.technique")) {
+        const std::string name(word);
+        all.push_back({name,
+                       "default",
+                       {"water.reflection.technique=" + name},
+                       name == "sky" ? Answers::sky : Answers::classes});
+    }
     return all;
 }
 
-std::optional<std::vector<Variant>> variantsOf(const std::filesystem::path& file, Error& error) {
-    std::optional<Scene> plain = loadScene(file, {}, error);
-    if (!plain) return std::nullopt;
-    // An override of the water's reflection would give it some.
-    if (!plain->water) {
-        error.text = file.string() + ": has no water, expected [water]";
-        return std::nullopt;
-    }
-    std::vector<Variant> variants;
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool areKnown(const std::vector<std::string>& names, Error& error) {
+    std::vector<std::string_view> known;
+    std::string list;
     for (const Technique& technique : techniques()) {
-        std::optional<Scene> scene = loadScene(file, technique.overrides, error);
-        if (!scene) return std::nullopt;
-        // No override takes a part away.
-        if (!technique.part) scene->water->reflection.reset();
-        variants.push_back({&technique, file.string(), std::move(*scene)});
+        if (std::find(known.begin(), known.end(), technique.name) != known.end()) continue;
+        known.push_back(technique.name);
+        list += (list.empty() ? "" : ", ") + technique.name;
     }
-    return variants;
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        error.text = "--technique is '" + name + "', expected one of " + list + "; the nearest is " +
+                     std::string(nearest(name, known));
+        return false;
+    }
+    return true;
+}
+
+} // namespace
+
+std::span<const Technique> techniques() {
+    static const std::vector<Technique> all = allTechniques();
+    return all;
+}
+
+std::optional<std::vector<const Technique*>> chooseTechniques(const std::vector<std::string>& names,
+                                                              Error& error) {
+    if (!areKnown(names, error)) return std::nullopt;
+    std::vector<const Technique*> chosen;
+    for (const Technique& technique : techniques())
+        if (names.empty() || contains(names, technique.name)) chosen.push_back(&technique);
+    return chosen;
 }
 
 } // namespace demos::measure

@@ -1,7 +1,6 @@
-// The techniques that are measured: a later one is a row of the table in technique.cpp and no more.
+// The techniques that are measured: all that a scene file can name, so that a later one needs nothing here.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,15 +25,8 @@ struct Technique {
 
 std::span<const Technique> techniques();
 
-/// A scene as one technique draws it.
-struct Variant {
-    const Technique* technique = nullptr;
-    std::string file; ///< as it was named
-    Scene scene;
-};
-
-/// One for each technique; all else is as the file has it. Null with `error` set when the file cannot be read
-/// or has no water.
-std::optional<std::vector<Variant>> variantsOf(const std::filesystem::path& file, Error& error);
+/// Those with one of the names, all if none is given. Null with `error` set when there is none of a name.
+std::optional<std::vector<const Technique*>> chooseTechniques(const std::vector<std::string>& names,
+                                                              Error& error);
 
 } // namespace demos::measure

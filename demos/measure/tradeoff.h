@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace demos::measure {
 struct Cost {
     PassTime reflection; ///< the reflection's own passes; the water's drawing is among `passes`
     PassTime floor;      ///< measured between the same frames
-    std::optional<double> xFloor;
+    std::optional<double> xFloor, xFloorSpread;
     std::optional<uint64_t> bytes;
     std::vector<PassTime> passes; ///< of the whole frame
 };
@@ -32,28 +33,36 @@ struct Entry {
     std::string scene, camera, technique, quality;
     Cost cost;
     PictureError error;
+
+    std::string name() const { return technique + ", " + quality; }
 };
 
-/// Pictures of one scene and camera, tone-mapped: RGB, rows from the top.
-struct Sheet {
-    struct Shown {
-        std::string name;
-        std::vector<uint8_t> rgb;
-    };
+/// What one camera of a scene gave, with tone-mapped pictures: RGB, rows from the top.
+struct ViewResult {
     std::string scene, camera;
-    std::vector<Shown> pictures; ///< the reference first, then one for each entry
-    size_t firstEntry = 0;       ///< of Tradeoff::entries
+    std::vector<uint8_t> reference;
+    std::vector<Entry> entries;                 ///< by technique
+    std::vector<std::vector<uint8_t>> pictures; ///< one for each entry
+};
+
+/// The entries of one camera of a scene.
+struct Sheet {
+    std::string scene, camera;
+    std::string file;                   ///< of its pictures and its plot, without folder and ending
+    size_t firstEntry = 0, entries = 0; ///< of Tradeoff::entries
 };
 
 struct Tradeoff {
     std::string device, driver;
     uint32_t width = 0, height = 0;
     uint32_t runs = 0;
+    bool flat = false;          ///< the waters were stilled
     std::vector<Entry> entries; ///< by scene, camera and technique, in this order
     std::vector<Sheet> sheets;
 
-    /// The median over the entries.
+    /// The median over the sheets.
     std::optional<double> floorMs() const;
+    std::span<const Entry> of(const Sheet& sheet) const;
 };
 
 } // namespace demos::measure

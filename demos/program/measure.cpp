@@ -1,22 +1,16 @@
 #include "program/measure.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
-#include <fstream>
 #include <iterator>
-#include <system_error>
 
-#include "host/image_file.h"
-#include "measure/contact_sheet.h"
-#include "measure/page.h"
-#include "measure/plot.h"
 #include "measure/run.h"
-#include "measure/table.h"
+#include "program/interrupt.h"
+#include "program/memory.h"
 #include "program/no_device.h"
-#include "program/output.h"
 #include "program/progress.h"
 #include "program/scene_input.h"
+#include "program/tradeoff_files.h"
 
 namespace demos {
 
@@ -24,44 +18,57 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool checkOutputs(const MeasureOptions& options, Error& error) {
-    if (!checkFolder("-o", options.folder, error)) return false;
-    std::error_code code;
-    if (!fs::exists(options.folder, code)) return true;
-    return checkOutput("-o", options.folder / "tradeoff.json", {".json"}, error) &&
-           checkOutput("-o", options.folder / "tradeoff.csv", {".csv"}, error) &&
-           checkOutput("-o", options.folder / "index.html", {".html"}, error);
+std::optional<std::vector<measure::Subject>> readAll(const MeasureOptions& options, Error& error) {
+    const std::optional<std::vector<const measure::Technique*>> techniques =
+        measure::chooseTechniques(options.techniques, error);
+    if (!techniques) return std::nullopt;
+    std::vector<measure::Subject> subjects;
+    for (const fs::path& file : options.scenes) {
+        const measure::SubjectDesc desc = {
+            file, options.overrides, *techniques, options.cameras, options.firstCameraOnly, options.flat};
+        std::optional<std::vector<measure::Subject>> found = measure::readSubjects(desc, error);
+        if (!found) return std::nullopt;
+        std::move(found->begin(), found->end(), std::back_inserter(subjects));
+    }
+    return subjects;
 }
 
-/// "1_harbour_level": a camera may be called anything.
-std::string nameOf(const measure::Sheet& sheet, size_t number) {
-    std::string name =
-        std::to_string(number) + "_" + fs::path(sheet.scene).stem().string() + "_" + sheet.camera;
-    for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
-    return name;
+/// Beside the frame: the reference, what is drawn for a comparison, and each technique's images and picture.
+double bytesAPixel(const std::vector<measure::Subject>& subjects) {
+    constexpr double pictures = 8 * 16, technique = 48;
+    size_t most = 0;
+    for (const measure::Subject& subject : subjects) most = std::max(most, subject.variants.size());
+    return frameBytesAPixel + pictures + technique * static_cast<double>(most);
 }
 
-bool write(const MeasureOptions& options, const measure::Tradeoff& tradeoff, Error& error) {
-    std::error_code code;
-    fs::create_directories(options.folder, code);
-    if (code) {
-        error.text = "-o " + options.folder.string() + ": cannot be made: " + code.message();
+/// All of them before any is measured: what cannot be read is bad input, and leaves nothing behind.
+bool canBeLoaded(Host& host, const std::vector<measure::Subject>& subjects, Progress& progress,
+                 Error& error) {
+    for (const measure::Subject& subject : subjects) {
+        progress.say("loading " + subject.file);
+        if (host.load(subject.scene, error)) continue;
+        addPlace(subject.scene, error);
         return false;
     }
-    std::vector<std::string> sheets;
-    for (const measure::Sheet& sheet : tradeoff.sheets) {
-        const fs::path file = options.folder / nameOf(sheet, sheets.size() + 1);
-        const measure::ContactSheet contact = contactSheet(sheet, tradeoff.width, tradeoff.height);
-        if (!writePng(file.string() + ".png", contact.width, contact.height, contact.rgb, error) ||
-            !writeText(file.string() + ".svg", plotSvg(tradeoff, sheet), error))
-            return false;
-        std::ifstream png(file.string() + ".png", std::ios::binary);
-        sheets.emplace_back(std::istreambuf_iterator<char>(png), std::istreambuf_iterator<char>());
-    }
-    return writeText(options.folder / "tradeoff.json", tradeoffJson(tradeoff), error) &&
-           writeText(options.folder / "tradeoff.csv", tradeoffCsv(tradeoff), error) &&
-           writeText(options.folder / "index.html", tradeoffPage(tradeoff, sheets), error);
+    return true;
+}
+
+bool fits(Size size, const DeviceInfo& device, Error& error) {
+    if (std::max(size.width, size.height) <= device.longestSide) return true;
+    error.text = "--size is over the limit of " + device.name + ", expected at most " +
+                 std::to_string(device.longestSide) + " a side";
+    return false;
+}
+
+measure::Tradeoff emptyTradeoff(const MeasureOptions& options, const DeviceInfo& device) {
+    measure::Tradeoff tradeoff;
+    tradeoff.device = device.name;
+    tradeoff.driver = device.driver;
+    tradeoff.width = options.size.width;
+    tradeoff.height = options.size.height;
+    tradeoff.runs = options.rounds;
+    tradeoff.flat = options.flat;
+    return tradeoff;
 }
 
 std::string text(const char* format, const std::optional<double>& value) {
@@ -83,16 +90,19 @@ void summarise(const measure::Tradeoff& tradeoff) {
                     entry.camera.c_str(), fs::path(entry.scene).filename().string().c_str());
 }
 
+void sayInterrupted(const TradeoffFiles& files, size_t views, Error& error) {
+    const size_t done = files.tradeoff().sheets.size();
+    error.text = "interrupted: " + std::to_string(done) + " of " + std::to_string(views) + " views measured";
+    if (done > 0) error.text += ", see " + fs::absolute(files.page()).lexically_normal().string();
+}
+
 } // namespace
 
 ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
-    std::vector<std::vector<measure::Variant>> scenes;
-    for (const fs::path& file : options.scenes) {
-        std::optional<std::vector<measure::Variant>> variants = measure::variantsOf(file, error);
-        if (!variants) return badInput;
-        scenes.push_back(std::move(*variants));
-    }
-    if (!checkOutputs(options, error)) return badInput;
+    const std::optional<std::vector<measure::Subject>> subjects = readAll(options, error);
+    if (!subjects || !checkTradeoffFiles(options.folder, error) ||
+        !fitsMemory(options.size, bytesAPixel(*subjects), error))
+        return badInput;
 
     Progress progress;
     progress.say("opening the device");
@@ -101,33 +111,36 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
         explainNoDevice(error);
         return badInput;
     }
-    const DeviceInfo device = host->device();
-    if (std::max(options.size.width, options.size.height) > device.longestSide) {
-        error.text = "--size is over the limit of " + device.name + ", expected at most " +
-                     std::to_string(device.longestSide) + " a side";
+    TradeoffFiles files(options.folder, emptyTradeoff(options, host->device()));
+    if (!fits(options.size, host->device(), error) || !canBeLoaded(*host, *subjects, progress, error) ||
+        !files.makeFolder(error))
         return badInput;
-    }
-    measure::Tradeoff tradeoff;
-    tradeoff.device = device.name;
-    tradeoff.driver = device.driver;
-    tradeoff.width = options.size.width;
-    tradeoff.height = options.size.height;
-    tradeoff.runs = options.runs;
-    const measure::RunDesc desc = {options.size.width, options.size.height, options.runs,
-                                   options.firstCameraOnly};
+
+    const Interrupt interrupt;
     const auto say = [&](const std::string& what, uint32_t done, uint32_t all) {
         progress.say(what, done, all);
+        return !interrupt.wished();
     };
-    for (const std::vector<measure::Variant>& variants : scenes) {
-        const measure::RunResult result = measure::measureScene(*host, variants, desc, say, tradeoff, error);
-        if (result == measure::RunResult::ok) continue;
-        if (result == measure::RunResult::unreadable) addPlace(variants.front().scene, error);
-        return result == measure::RunResult::unreadable ? badInput : runFailed;
+    const auto write = [&](measure::ViewResult&& view, Error& problem) {
+        return files.add(std::move(view), problem);
+    };
+    size_t views = 0;
+    for (const measure::Subject& subject : *subjects) views += subject.cameras.size();
+    for (const measure::Subject& subject : *subjects) {
+        const measure::RunDesc desc = {options.size.width, options.size.height, options.rounds};
+        switch (measure::measureSubject(*host, subject, desc, say, write, error)) {
+        case measure::RunResult::ok:
+            break;
+        case measure::RunResult::failed:
+            return runFailed;
+        case measure::RunResult::stopped:
+            sayInterrupted(files, views, error);
+            return interrupted;
+        }
     }
-    if (!write(options, tradeoff, error)) return runFailed;
     progress.clear();
-    summarise(tradeoff);
-    std::printf("measured: %s\n", fs::absolute(options.folder / "index.html").lexically_normal().c_str());
+    summarise(files.tradeoff());
+    std::printf("measured: %s\n", fs::absolute(files.page()).lexically_normal().c_str());
     return ok;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* usual[] = {"demos/scenes/harbour.toml", "demos/scenes/ocean.toml"};
 constexpr Size quickSize = {320, 180};
-constexpr uint32_t quickRuns = 5;
+constexpr uint32_t quickRounds = 5;
 
 constexpr const char* footer =
     R"(For each scene, camera and technique: what the reflection costs, in milliseconds and as a multiple of
@@ -27,8 +27,10 @@ nothing. Validation, which would be timed as well, is off.
 Examples:
   seaglass measure -o out/tradeoff
   seaglass measure demos/scenes/harbour.toml -o out/tradeoff --quick
+  seaglass measure demos/scenes/harbour.toml -o out/flat --flat --technique sspr --camera level
 
-Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)";
+Files are written view by view. Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written),
+130 interrupted (what was finished is written).)";
 
 } // namespace
 
@@ -43,6 +45,20 @@ void describeMeasure(CLI::App& command, RawMeasure& raw) {
         ->type_name("DIR");
     command.add_option("--size", raw.size, "Picture size, 1280x720 if not given, 320x180 with --quick")
         ->type_name("WxH");
+    const auto addCollected = [&](const char* name, std::vector<std::string>& values, const char* about,
+                                  const char* type) {
+        command.add_option(name, values, about)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+            ->allow_extra_args(false)
+            ->type_name(type);
+    };
+    addCollected("--technique", raw.techniques, "Measure this one, and others given likewise; all if none is",
+                 "NAME");
+    addCollected("--camera", raw.cameras,
+                 "Measure this camera of each scene, and others given likewise; all if none is", "NAME");
+    addCollected("--set", raw.overrides, "Override a value of the scenes: water.waves.wind_m_s=12",
+                 "PATH=VALUE");
+    command.add_flag("--flat", raw.flat, "Still the water: no waves, no foam, where mirrors are exact");
     command.add_flag("--quick", raw.quick, "Each scene's first camera alone, medians of 5 instead of 20");
     command.add_option("--device", raw.device, "Part of a device's name; the best device if not given")
         ->type_name("NAME");
@@ -57,11 +73,15 @@ std::optional<MeasureOptions> checkMeasure(const RawMeasure& raw, Error& error) 
     }
     options.folder = raw.folder;
     options.scenes.assign(raw.scenes.begin(), raw.scenes.end());
+    options.techniques = raw.techniques;
+    options.cameras = raw.cameras;
+    options.overrides = raw.overrides;
+    options.flat = raw.flat;
     if (options.scenes.empty()) options.scenes.assign(std::begin(usual), std::end(usual));
     if (raw.quick) {
         options.size = quickSize;
-        options.runs = quickRuns;
-        options.firstCameraOnly = true;
+        options.rounds = quickRounds;
+        options.firstCameraOnly = options.cameras.empty();
     }
     if (!raw.size.empty()) {
         const std::optional<Size> size = parseSize("--size", raw.size, error);

@@ -18,16 +18,20 @@ struct MeasureOptions {
     std::vector<std::filesystem::path> scenes;
     std::filesystem::path folder;
     Size size;
-    uint32_t runs = 20;
+    uint32_t rounds = 20;
+    std::vector<std::string> techniques; ///< empty takes all
+    std::vector<std::string> cameras;    ///< of every scene; empty takes all
+    std::vector<std::string> overrides;
     bool firstCameraOnly = false;
+    bool flat = false;
     std::string device; ///< part of its name; empty takes the best
 };
 
 /// What the line says, before any of it is checked.
 struct RawMeasure {
-    std::vector<std::string> scenes;
+    std::vector<std::string> scenes, techniques, cameras, overrides;
     std::string folder, size, device;
-    bool quick = false;
+    bool quick = false, flat = false;
 };
 
 void describeMeasure(CLI::App& command, RawMeasure& raw);

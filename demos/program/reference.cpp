@@ -73,6 +73,7 @@ ExitCode renderReference(const ReferenceOptions& options, Error& error) {
     const reference::Pictures pictures =
         reference::renderReference(frame, !options.truth.empty(), [&](uint32_t done, uint32_t all) {
             progress.say("tracing row", done, all);
+            return true;
         });
     if (!write(options, pictures, scene->exposureEv, error)) return runFailed;
     progress.clear();

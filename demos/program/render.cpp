@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
-#include <limits>
 
 #include "host/image_file.h"
 #include "metrics/finite.h"
+#include "program/memory.h"
 #include "program/no_device.h"
 #include "program/output.h"
 #include "program/progress.h"
@@ -23,34 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Attachments, their copies, reflections and read-back of a frame, for each pixel. On a CPU device all of it
-/// is ordinary memory.
-constexpr double bytesAPixel = 160;
-
 constexpr double timingSeconds = 2;
 constexpr uint32_t timingRuns = 3;
 constexpr uint32_t statsRuns = 15;
 
-/// Linux says what could be had without swapping; elsewhere nothing is known, and nothing checked.
-double availableBytes() {
-    std::ifstream info("/proc/meminfo");
-    for (std::string key, rest; info >> key && std::getline(info, rest);) {
-        if (key == "MemAvailable:") return std::stod(rest) * 1024;
-    }
-    return std::numeric_limits<double>::infinity();
-}
-
 bool checkMemory(const RenderOptions& options, Error& error) {
-    const Size& size = options.size;
-    const double samples = options.supersample * options.supersample;
-    const double needed = bytesAPixel * samples * size.width * size.height, available = availableBytes();
-    if (needed <= available) return true;
-    char text[160];
-    std::snprintf(text, sizeof(text),
-                  "--size is '%ux%u', which needs about %.1f GB, expected at most the %.1f GB free",
-                  size.width, size.height, needed / 1e9, available / 1e9);
-    error.text = text;
-    return false;
+    return fitsMemory(options.size, frameBytesAPixel * options.supersample * options.supersample, error);
 }
 
 bool checkOutputs(const RenderOptions& options, const Scene& scene, Error& error) {

@@ -1,7 +1,6 @@
 #include "program/scene_input.h"
 
 #include "program/output.h"
-#include "scene/nearest.h"
 
 namespace demos {
 
@@ -37,20 +36,6 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
     if (scene && sky) scene->sky.where = "--sky";
     if (scene && mesh && !scene->meshes.empty()) scene->meshes.front().where = "--mesh";
     return scene;
-}
-
-std::optional<CameraDesc> chooseCamera(const Scene& scene, const std::string& name, Error& error) {
-    if (name.empty()) return scene.cameras.front();
-    std::vector<std::string_view> names;
-    std::string list;
-    for (const CameraDesc& camera : scene.cameras) {
-        if (camera.name == name) return camera;
-        names.push_back(camera.name);
-        list += (list.empty() ? "" : ", ") + camera.name;
-    }
-    error.text = "--camera is '" + name + "', expected one of " + scene.file.filename().string() + ": " +
-                 list + "; the nearest is " + std::string(nearest(name, names));
-    return std::nullopt;
 }
 
 std::vector<fs::path> sceneFiles(const Scene& scene) {

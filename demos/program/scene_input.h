@@ -2,14 +2,12 @@
 #pragma once
 
 #include "program/options.h"
+#include "scene/camera_choice.h"
 
 namespace demos {
 
 /// The scene with --sky, --mesh and --set applied, in this order.
 std::optional<Scene> readScene(const RenderOptions& options, Error& error);
-
-/// Null with `error` set when the scene has no camera of this name; an empty one takes its first.
-std::optional<CameraDesc> chooseCamera(const Scene& scene, const std::string& name, Error& error);
 
 /// Everything that is read, for outputs to stay away from.
 std::vector<std::filesystem::path> sceneFiles(const Scene& scene);

@@ -80,7 +80,7 @@ Pictures renderReference(const Frame& frame, bool withTruth, const ProgressFunct
             renderRow(frame, y, out);
             const std::scoped_lock lock(told);
             ++done;
-            if (progress) progress(done, frame.desc.height);
+            if (progress && !progress(done, frame.desc.height)) next = frame.desc.height;
         }
     };
     const uint32_t threads =

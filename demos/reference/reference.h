@@ -15,8 +15,8 @@ struct Pictures {
     Picture truth;
 };
 
-/// `progress` is told rows done and rows in all, by one thread at a time.
-using ProgressFunction = std::function<void(uint32_t, uint32_t)>;
+/// Is told rows done and rows in all, by one thread at a time; false leaves the rest undone.
+using ProgressFunction = std::function<bool(uint32_t, uint32_t)>;
 
 Pictures renderReference(const Frame& frame, bool withTruth, const ProgressFunction& progress = {});
 

@@ -1,5 +1,6 @@
 #include "scene/fields.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -199,6 +200,21 @@ struct Expectation {
 
 const Section& sceneSection() {
     return scene;
+}
+
+std::span<const std::string_view> choicesOf(std::string_view path) {
+    const Section* section = &scene;
+    for (size_t dot = path.find('.'); dot != path.npos; dot = path.find('.')) {
+        const auto child =
+            std::find_if(section->children.begin(), section->children.end(),
+                         [&](const Child& c) { return c.section->key == path.substr(0, dot); });
+        if (child == section->children.end()) return {};
+        section = child->section;
+        path.remove_prefix(dot + 1);
+    }
+    const auto field = std::find_if(section->fields.begin(), section->fields.end(),
+                                    [&](const Field& f) { return f.key == path; });
+    return field == section->fields.end() ? std::span<const std::string_view>{} : field->choices;
 }
 
 std::string expectation(const Field& field, const Target& target) {

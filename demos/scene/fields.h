@@ -60,6 +60,9 @@ struct Section {
 /// The whole file. Its targets take a Scene*.
 const Section& sceneSection();
 
+/// What a field of words may hold, by its path, such as water.reflection.technique; empty when any.
+std::span<const std::string_view> choicesOf(std::string_view path);
+
 /// What a field may hold, in words: "0 to 60 m/s". The target is the field's own.
 std::string expectation(const Field& field, const Target& target);
 

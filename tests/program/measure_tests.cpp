@@ -24,10 +24,13 @@ class Measure : public testing::Test {
   protected:
     Measure() { tests::writeSample(folder_.path()); }
 
-    Outcome measure(const std::vector<std::string>& more, size_t largestFile = 0) {
+    Outcome measure(const std::vector<std::string>& more, const fs::path& interruptOnce = {}) {
         std::vector<std::string> arguments = {"measure"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        return tests::run(SEAGLASS_PROGRAM, {arguments, {}, folder_.path(), largestFile});
+        return tests::run(SEAGLASS_PROGRAM, {arguments, {}, folder_.path(), 0, interruptOnce});
+    }
+    json measured(const std::string& folder) const {
+        return json::parse(tests::readAll(path(folder) / "tradeoff.json"));
     }
     void expectRefused(const std::vector<std::string>& more, const std::vector<std::string>& words) {
         const std::vector<std::string> before = tests::namesIn(folder_.path());
@@ -61,7 +64,7 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     EXPECT_EQ(outcome.err, "") << "progress is for terminals";
     EXPECT_NE(outcome.out.find("measured: " + path("new/tradeoff/index.html").string()), std::string::npos)
         << outcome.out;
-    const json found = json::parse(tests::readAll(path("new/tradeoff/tradeoff.json")));
+    const json found = measured("new/tradeoff");
     EXPECT_FALSE(found["device"].get<std::string>().empty());
     EXPECT_FALSE(found["driver"].get<std::string>().empty());
     EXPECT_EQ(found["size"], json({96, 54}));
@@ -72,7 +75,7 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
         EXPECT_EQ(entry["scene"], "calm.toml");
         EXPECT_EQ(entry["camera"], "level");
         EXPECT_EQ(entry["quality"], "default");
-        for (const char* const key : {"ms", "x_floor", "spread_ms", "floor_ms"})
+        for (const char* const key : {"ms", "x_floor", "x_floor_spread", "spread_ms", "floor_ms"})
             expectNumber(entry["cost"], key);
         EXPECT_TRUE(entry["cost"].at("bytes").is_null());
         for (const json& pass : entry["cost"].at("passes")) expectNumber(pass, "ms");
@@ -116,6 +119,14 @@ TEST_F(Measure, BadLinesAreRefused) {
     expectRefused({"scene.toml", "-o", "new", "--sise", "3x3"}, {"--sise", "nearest is --size"});
     expectRefused({"scene.toml", "-o", "sky.hdr"}, {"-o sky.hdr", "is a file, expected a folder"});
     expectRefused({"scene.toml", "-o", "new", "--device", "no such device"}, {"no such device"});
+    expectRefused({"scene.toml", "-o", "new", "--technique", "sspt"},
+                  {"--technique is 'sspt'", "none, sky, sspr", "nearest is sspr"});
+    expectRefused({"scene.toml", "-o", "new", "--camera", "leven"},
+                  {"--camera is 'leven'", "level, low", "nearest is level"});
+    expectRefused({"scene.toml", "-o", "new", "--set", "water.wave.wind_m_s=3"},
+                  {"--set water.wave.wind_m_s=3", "nearest is water.waves.wind_m_s"});
+    expectRefused({"scene.toml", "-o", "new", "--size", "16384x16384000"}, {"--size is '16384x16384000'"});
+    expectRefused({"scene.toml", "-o", "new", "--size", "16384x16384"}, {"--size is '16384x16384'", "GB"});
     std::string dry = tests::sampleScene();
     dry.erase(dry.find("[water]"), dry.find("[[camera]]") - dry.find("[water]"));
     tests::writeAll(path("dry.toml"), dry);
@@ -125,6 +136,72 @@ TEST_F(Measure, BadLinesAreRefused) {
 TEST_F(Measure, AFileThatASceneNamesIsRefusedWithItsPlace) {
     tests::writeAll(path("sky.hdr"), "none");
     expectRefused({"scene.toml", "-o", "new", "--quick"}, {"scene.toml", "sky.hdr"});
+    // Before anything is measured, whichever scene it is.
+    fs::create_directory(path("sound"));
+    tests::writeSample(path("sound"));
+    expectRefused({"sound/scene.toml", "scene.toml", "-o", "new", "--quick"}, {"scene.toml", "sky.hdr"});
+}
+
+TEST_F(Measure, AFolderThatCannotBeWrittenIsRefused) {
+    // Not even root writes there.
+    expectRefused({"scene.toml", "-o", "/proc/seaglass", "--quick"}, {"-o /proc/seaglass", "cannot be made"});
+    expectRefused({"scene.toml", "-o", "/proc", "--quick"}, {"-o /proc", "cannot be written to"});
+}
+
+TEST_F(Measure, MeasuresWhatItIsAskedFor) {
+    const Outcome outcome = measure({"scene.toml", "-o", "some", "--quick", "--size", "48x27", "--technique",
+                                     "sspr", "--technique", "sky", "--camera", "low", "--set", "time_s=3"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json entries = measured("some")["entries"];
+    ASSERT_EQ(entries.size(), 2u);
+    EXPECT_EQ(entries[0]["technique"], "sky");
+    EXPECT_EQ(entries[1]["technique"], "sspr");
+    for (const json& entry : entries) EXPECT_EQ(entry["camera"], "low");
+}
+
+TEST_F(Measure, FlatWaterIsASceneWithoutWavesAndFoam) {
+    calm();
+    const std::vector<std::string> line = {"--quick", "--size", "48x27", "--technique", "sspr"};
+    const auto measureTo = [&](const std::string& folder, std::vector<std::string> more) {
+        more.insert(more.end(), {"-o", folder});
+        more.insert(more.end(), line.begin(), line.end());
+        const Outcome outcome = measure(more);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return measured(folder);
+    };
+    const json flat = measureTo("flat", {"scene.toml", "--flat"});
+    const json calm = measureTo("calm", {"calm.toml"});
+    const json wavy = measureTo("wavy", {"scene.toml"});
+    EXPECT_EQ(flat["flat"], true);
+    EXPECT_EQ(wavy["flat"], false);
+    EXPECT_EQ(flat["entries"][0]["error"], calm["entries"][0]["error"]);
+    EXPECT_NE(flat["entries"][0]["error"], wavy["entries"][0]["error"]);
+    for (const json& pass : flat["entries"][0]["cost"]["passes"]) EXPECT_NE(pass["name"], "waves_upload");
+}
+
+TEST_F(Measure, AnInterruptionLeavesWhatIsFinished) {
+    calm();
+    const Outcome outcome = measure({"calm.toml", "-o", "part", "--size", "64x36"}, path("part/index.html"));
+    EXPECT_EQ(outcome.code, 130) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find("interrupted: 1 of 2 views"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(path("part/index.html").string()), std::string::npos) << outcome.err;
+    EXPECT_EQ(measured("part")["entries"].size(), 3u);
+    EXPECT_EQ(tests::countLines(tests::readAll(path("part/tradeoff.csv"))), 4u);
+    EXPECT_EQ(tests::namesIn(path("part")),
+              (std::vector<std::string>{"1_calm_level.png", "1_calm_level.svg", "index.html", "tradeoff.csv",
+                                        "tradeoff.json"}));
+}
+
+TEST_F(Measure, TwoRunsFindTheSameErrors) {
+    const auto errors = [&](const std::string& folder) {
+        const Outcome outcome = measure({"scene.toml", "-o", folder, "--quick", "--size", "64x36"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        json found = json::array();
+        for (const json& entry : measured(folder)["entries"]) found.push_back(entry["error"]);
+        return found;
+    };
+    EXPECT_EQ(errors("one"), errors("two"));
 }
 
 TEST(Pareto, KeepsWhatNothingBeats) {

@@ -41,6 +41,22 @@ namespace {
     _exit(127);
 }
 
+/// The child's status as waitpid() gives it.
+int statusOf(pid_t child, const fs::path& interruptOnce) {
+    int status = 0;
+    for (bool interrupt = !interruptOnce.empty();;) {
+        const pid_t ended = waitpid(child, &status, interrupt ? WNOHANG : 0);
+        if (ended == child) return status;
+        if (ended < 0 && errno != EINTR) throw std::runtime_error("cannot wait");
+        std::error_code ignored;
+        if (interrupt && fs::exists(interruptOnce, ignored)) {
+            kill(child, SIGINT);
+            interrupt = false;
+        }
+        if (interrupt) usleep(2000);
+    }
+}
+
 } // namespace
 
 Outcome run(const fs::path& program, const RunDesc& desc) {
@@ -49,9 +65,7 @@ Outcome run(const fs::path& program, const RunDesc& desc) {
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("cannot fork");
     if (child == 0) become(program, desc, out, err);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
+    const int status = statusOf(child, desc.interruptOnce);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readAll(out), readAll(err)};
 }
 

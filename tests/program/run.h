@@ -18,7 +18,8 @@ struct RunDesc {
     std::vector<std::string> arguments;
     std::map<std::string, std::string> environment = {}; ///< added to this process's
     std::filesystem::path folder = {};                   ///< to run in; empty stays here
-    size_t largestFile = 0; ///< bytes a file can grow to, as on a full disk; 0: no limit
+    size_t largestFile = 0;                   ///< bytes a file can grow to, as on a full disk; 0: no limit
+    std::filesystem::path interruptOnce = {}; ///< SIGINT once this file is there; empty never
 };
 
 Outcome run(const std::filesystem::path& program, const RunDesc& desc);

@@ -1,0 +1,93 @@
+#include "measure/subject.h"
+
+#include <algorithm>
+
+#include "scene/camera_choice.h"
+#include "scene/offset.h"
+
+namespace demos::measure {
+
+namespace {
+
+void still(WaterDesc& water) {
+    water.waves.reset();
+    water.foam.reset();
+}
+
+std::optional<Scene> sceneWith(const Technique& technique, const SubjectDesc& desc, Error& error) {
+    std::vector<std::string> overrides = desc.overrides;
+    overrides.insert(overrides.end(), technique.overrides.begin(), technique.overrides.end());
+    std::optional<Scene> scene = loadScene(desc.file, overrides, error);
+    if (!scene) return std::nullopt;
+    // No override takes a part away.
+    if (!technique.part) scene->water->reflection.reset();
+    if (desc.flat) still(*scene->water);
+    return scene;
+}
+
+bool chooseCameras(const Scene& scene, const SubjectDesc& desc, std::vector<CameraDesc>& cameras,
+                   Error& error) {
+    if (desc.cameras.empty()) {
+        cameras = scene.cameras;
+        if (desc.firstCameraOnly) cameras.resize(1);
+        return true;
+    }
+    for (const std::string& name : desc.cameras) {
+        const std::optional<CameraDesc> camera = chooseCamera(scene, name, error);
+        if (!camera) return false;
+        cameras.push_back(*camera);
+    }
+    return true;
+}
+
+CameraDesc moved(CameraDesc camera) {
+    Scene ignored;
+    applyOffset(ignored, camera);
+    return camera;
+}
+
+Subject movedBy(const Vec3& offsetM, const std::vector<Scene>& scenes, const SubjectDesc& desc) {
+    Subject subject;
+    subject.file = desc.file.string();
+    subject.offsetM = offsetM;
+    for (size_t i = 0; i < scenes.size(); ++i) {
+        Scene scene = scenes[i];
+        CameraDesc camera;
+        camera.offsetM = offsetM;
+        applyOffset(scene, camera);
+        subject.variants.push_back({desc.techniques[i], *scene.water});
+        if (i == 0) subject.scene = std::move(scene);
+    }
+    return subject;
+}
+
+} // namespace
+
+std::optional<std::vector<Subject>> readSubjects(const SubjectDesc& desc, Error& error) {
+    const std::optional<Scene> plain = loadScene(desc.file, desc.overrides, error);
+    if (!plain) return std::nullopt;
+    // An override of the water's reflection would give it some.
+    if (!plain->water) {
+        error.text = desc.file.string() + ": has no water, expected [water]";
+        return std::nullopt;
+    }
+    std::vector<CameraDesc> cameras;
+    if (!chooseCameras(*plain, desc, cameras, error)) return std::nullopt;
+    std::vector<Scene> scenes; // one for each technique
+    for (const Technique* const technique : desc.techniques) {
+        std::optional<Scene> scene = sceneWith(*technique, desc, error);
+        if (!scene) return std::nullopt;
+        scenes.push_back(std::move(*scene));
+    }
+    std::vector<Subject> subjects;
+    for (const CameraDesc& camera : cameras) {
+        auto subject = std::find_if(subjects.begin(), subjects.end(),
+                                    [&](const Subject& known) { return known.offsetM == camera.offsetM; });
+        if (subject == subjects.end())
+            subject = subjects.insert(subject, movedBy(camera.offsetM, scenes, desc));
+        subject->cameras.push_back(moved(camera));
+    }
+    return subjects;
+}
+
+} // namespace demos::measure

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "scene/scene.h"
+
+namespace demos {
+
+/// Null with `error` set when the scene has no camera of this name; an empty one takes its first.
+std::optional<CameraDesc> chooseCamera(const Scene& scene, const std::string& name, Error& error);
+
+} // namespace demos
