@@ -1,6 +1,35 @@
 #include "gpu/image.h"
 
+#include <algorithm>
+
 namespace seaglass::gpu {
+
+namespace {
+
+VkDeviceSize texelBytes(VkFormat format) {
+    switch (format) {
+    case VK_FORMAT_R8_UNORM:
+        return 1;
+    case VK_FORMAT_R16_SFLOAT:
+        return 2;
+    case VK_FORMAT_R16G16B16A16_SFLOAT:
+        return 8;
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+        return 16;
+    default: // D32, R32, RGBA8, B10G11R11
+        return 4;
+    }
+}
+
+} // namespace
+
+VkDeviceSize imageBytes(const ImageDesc& desc) {
+    VkDeviceSize texels = 0;
+    for (uint32_t mip = 0; mip < desc.mipLevels; ++mip)
+        texels +=
+            VkDeviceSize{std::max(desc.extent.width >> mip, 1u)} * std::max(desc.extent.height >> mip, 1u);
+    return texels * desc.layers * texelBytes(desc.format);
+}
 
 OwnedImage& OwnedImage::operator=(OwnedImage&& other) noexcept {
     if (this == &other) return *this;

@@ -16,6 +16,9 @@ struct ImageDesc {
     bool arrayView = false; ///< view as an array even with one layer
 };
 
+/// Of all mips and layers, as tightly as the format allows.
+VkDeviceSize imageBytes(const ImageDesc& desc);
+
 class OwnedImage {
   public:
     OwnedImage() = default;

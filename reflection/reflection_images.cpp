@@ -4,17 +4,35 @@
 
 namespace seaglass {
 
-Status OwnedReflection::create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels) {
+namespace {
+
+gpu::ImageDesc infoDesc(VkExtent2D extent) {
     gpu::ImageDesc desc;
-    desc.format = VK_FORMAT_R16G16B16A16_SFLOAT;
+    desc.format = VK_FORMAT_R16_SFLOAT;
     desc.extent = extent;
     desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                  VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    return desc;
+}
+
+gpu::ImageDesc colorDesc(VkExtent2D extent, uint32_t blurLevels) {
+    gpu::ImageDesc desc = infoDesc(extent);
+    desc.format = VK_FORMAT_R16G16B16A16_SFLOAT;
     desc.mipLevels = blurMipLevels(extent, blurLevels);
-    if (const Status s = color.create(device, desc, "reflection colour"); s != Status::ok) return s;
-    desc.format = VK_FORMAT_R16_SFLOAT;
-    desc.mipLevels = 1;
-    return info.create(device, desc, "reflection info");
+    return desc;
+}
+
+} // namespace
+
+Status OwnedReflection::create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels) {
+    if (const Status s = color.create(device, colorDesc(extent, blurLevels), "reflection colour");
+        s != Status::ok)
+        return s;
+    return info.create(device, infoDesc(extent), "reflection info");
+}
+
+VkDeviceSize OwnedReflection::bytes(VkExtent2D extent, uint32_t blurLevels) {
+    return gpu::imageBytes(colorDesc(extent, blurLevels)) + gpu::imageBytes(infoDesc(extent));
 }
 
 ReflectionImages OwnedReflection::handles() const {

@@ -12,6 +12,7 @@ struct OwnedReflection {
     gpu::OwnedImage info;  ///< R16F, see shaders/common/reflection_info.glsl
 
     Status create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels);
+    static VkDeviceSize bytes(VkExtent2D extent, uint32_t blurLevels);
     ReflectionImages handles() const;
 };
 

@@ -13,6 +13,14 @@ Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const
     return images.create(device, extent, desc.blurLevels);
 }
 
+Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
+    Estimate estimate;
+    if (desc.technique == ReflectionTechnique::sky) return estimate;
+    estimate.bytesPerView = OwnedReflection::bytes(extent, desc.blurLevels) + SsprScratch::bytes(extent);
+    estimate.dispatchesPerView = ssprDispatches;
+    return estimate;
+}
+
 const char* badField(const ReflectionDesc& desc) {
     if (desc.technique != ReflectionTechnique::sky && desc.technique != ReflectionTechnique::sspr)
         return "ReflectionDesc.technique is none of ReflectionTechnique";
@@ -78,6 +86,16 @@ Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** 
         *out = reflector.release();
         return Status::ok;
     });
+}
+
+Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out) {
+    if (!context || !desc || !out) return Status::invalidArgument;
+    *out = {};
+    if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    if (extent.width == 0 || extent.height == 0)
+        return context->device.fail(Status::invalidArgument, "estimate: the extent is empty");
+    *out = estimateOf(*desc, extent);
+    return Status::ok;
 }
 
 void destroyReflector(Reflector* reflector) {

@@ -19,6 +19,9 @@ struct ReflectedView {
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
 };
 
+/// Of a reflector with a usable description.
+Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent);
+
 /// Null when the description is usable, else what is wrong with it.
 const char* badField(const ReflectionDesc& desc);
 

@@ -20,7 +20,11 @@ struct SsprScratch {
     gpu::Buffer keys;
     gpu::Buffer tiles;
     Status create(const gpu::Device& device, VkExtent2D extent);
+    static VkDeviceSize bytes(VkExtent2D extent);
 };
+
+/// Scatter, tiles, and a resolve for each list.
+constexpr uint32_t ssprDispatches = 4;
 
 /// Writes mip 0 of `images.color`, left as gpu::storageWritten says, and `images.info`, left to be sampled.
 Status recordSspr(const ReflectPass& pass, const SsprKernels& kernels, const SsprScratch& scratch,

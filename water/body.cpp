@@ -262,6 +262,34 @@ Status createBody(Context* context, const BodyDesc* desc, Body** out) {
     });
 }
 
+namespace {
+
+Status addWaves(Context& context, const SeaDesc& waves, Estimate& out) {
+    SeaError error;
+    const std::unique_ptr<Sea, SeaDeleter> sea(createSea(&waves, &error));
+    if (!sea) return context.device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
+    if (cascadeCount(*sea) > 0) out.bytes += Waves::bytes(*sea, context.frameCount);
+    return Status::ok;
+}
+
+} // namespace
+
+Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out) {
+    if (!context || !desc || !out) return Status::invalidArgument;
+    *out = {};
+    if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    return gpu::guarded([&] {
+        Estimate sum;
+        if (desc->reflection)
+            if (const Status s = estimate(context, desc->reflection, extent, &sum); s != Status::ok) return s;
+        if (desc->waves)
+            if (const Status s = addWaves(*context, *desc->waves, sum); s != Status::ok) return s;
+        if (desc->foam && sum.bytes > 0) sum.bytes += FoamMap::bytes();
+        *out = sum;
+        return Status::ok;
+    });
+}
+
 void destroyBody(Body* body) {
     if (!body) return;
     body->context->frame().retire(std::unique_ptr<Body>(body));

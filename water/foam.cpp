@@ -83,6 +83,11 @@ std::vector<uint8_t> foamPattern() {
     return pattern;
 }
 
+VkDeviceSize FoamMap::bytes() {
+    constexpr VkDeviceSize pattern = VkDeviceSize{size} * size;
+    return 2 * pattern; // the image and its staging
+}
+
 Status FoamMap::create(Context& context) {
     gpu::ImageDesc desc;
     desc.format = format;

@@ -18,6 +18,7 @@ std::vector<uint8_t> foamPattern();
 class FoamMap {
   public:
     Status create(Context& context);
+    static VkDeviceSize bytes();
     /// Uploads on its first call, does nothing after.
     void recordUpload(const gpu::Device& device, VkCommandBuffer commands);
     VkImageView view() const { return image_.view(); }

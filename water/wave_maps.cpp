@@ -14,20 +14,29 @@ constexpr gpu::Use copyWritten = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRAN
 constexpr const char* mapNames[waveMapCount] = {"wave displacement map", "wave derivative map",
                                                 "wave moment map"};
 
-} // namespace
-
-Status WaveMaps::create(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount) {
-    samples = samplesAcross;
-    cascades = cascadeCount;
-    mipLevels = static_cast<uint32_t>(std::bit_width(samplesAcross));
+gpu::ImageDesc mapDesc(uint32_t samples, uint32_t cascades) {
     gpu::ImageDesc desc;
     desc.format = waveMapFormat;
     desc.extent = {samples, samples};
     desc.usage =
         VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    desc.mipLevels = mipLevels;
+    desc.mipLevels = static_cast<uint32_t>(std::bit_width(samples));
     desc.layers = cascades;
     desc.arrayView = true;
+    return desc;
+}
+
+} // namespace
+
+VkDeviceSize WaveMaps::bytes(uint32_t samplesAcross, uint32_t cascadeCount) {
+    return gpu::imageBytes(mapDesc(samplesAcross, cascadeCount)) * waveMapCount;
+}
+
+Status WaveMaps::create(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount) {
+    samples = samplesAcross;
+    cascades = cascadeCount;
+    const gpu::ImageDesc desc = mapDesc(samples, cascades);
+    mipLevels = desc.mipLevels;
     for (uint32_t i = 0; i < waveMapCount; ++i)
         if (const Status s = images[i].create(device, desc, mapNames[i]); s != Status::ok) return s;
     return Status::ok;

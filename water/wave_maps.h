@@ -20,6 +20,7 @@ struct WaveMaps {
     uint32_t mipLevels = 0;
 
     Status create(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount);
+    static VkDeviceSize bytes(uint32_t samplesAcross, uint32_t cascadeCount);
     /// Makes mip 0 writable by copies, its former content lost; readers of earlier frames are waited for.
     void recordBeginUpload(const gpu::Device& device, VkCommandBuffer commands) const;
     /// From mip 0 written by copies to all mips readable by shaders.

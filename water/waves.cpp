@@ -6,15 +6,19 @@ namespace {
 
 constexpr VkDeviceSize texelBytes = 4 * sizeof(float);
 
-VkDeviceSize layerBytes(const WaveMaps& maps) {
-    return texelBytes * maps.samples * maps.samples;
+VkDeviceSize layerBytes(uint32_t samples) {
+    return texelBytes * samples * samples;
+}
+
+VkDeviceSize stagingBytes(const Sea& sea) {
+    return layerBytes(cascade(sea, 0).samples) * cascadeCount(sea) * waveMapCount;
 }
 
 void copyToMip0(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& staging,
                 const WaveMaps& maps) {
     for (uint32_t map = 0; map < waveMapCount; ++map) {
         VkBufferImageCopy region{};
-        region.bufferOffset = layerBytes(maps) * maps.cascades * map;
+        region.bufferOffset = layerBytes(maps.samples) * maps.cascades * map;
         region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, maps.cascades};
         region.imageExtent = {maps.samples, maps.samples, 1};
         device.vk().CmdCopyBufferToImage(commands, staging.handle(), maps.images[map].handle(),
@@ -23,6 +27,10 @@ void copyToMip0(const gpu::Device& device, VkCommandBuffer commands, const gpu::
 }
 
 } // namespace
+
+VkDeviceSize Waves::bytes(const Sea& sea, uint32_t framesInFlight) {
+    return WaveMaps::bytes(cascade(sea, 0).samples, cascadeCount(sea)) + stagingBytes(sea) * framesInFlight;
+}
 
 Status Waves::create(Context& context, const Sea& sea, const WavesBackend& backend) {
     backend_ = &backend;
@@ -33,9 +41,8 @@ Status Waves::create(Context& context, const Sea& sea, const WavesBackend& backe
     if (const Status s = maps_.create(context.device, cascade(sea, 0).samples, count); s != Status::ok)
         return s;
     for (uint32_t slot = 0; slot < context.frameCount; ++slot)
-        if (const Status s =
-                staging_[slot].createMapped(context.device, layerBytes(maps_) * count * waveMapCount,
-                                            VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "wave staging buffer");
+        if (const Status s = staging_[slot].createMapped(
+                context.device, stagingBytes(sea), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "wave staging buffer");
             s != Status::ok)
             return s;
     return Status::ok;
@@ -43,7 +50,7 @@ Status Waves::create(Context& context, const Sea& sea, const WavesBackend& backe
 
 Status Waves::record(Context& context, VkCommandBuffer commands, double time) {
     const gpu::Buffer& staging = staging_[context.slot];
-    const size_t layer = static_cast<size_t>(layerBytes(maps_)) / sizeof(float);
+    const size_t layer = static_cast<size_t>(layerBytes(maps_.samples)) / sizeof(float);
     for (uint32_t i = 0; i < maps_.cascades; ++i) {
         const auto mapped = [&](uint32_t map) {
             return static_cast<float*>(staging.mapped()) + layer * (map * maps_.cascades + i);

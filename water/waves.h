@@ -21,6 +21,8 @@ class Waves {
     /// Evaluates the sea at `time` on the calling thread and records its upload.
     Status record(Context& context, VkCommandBuffer commands, double time);
 
+    /// Maps and staging of a sea that is not flat.
+    static VkDeviceSize bytes(const Sea& sea, uint32_t framesInFlight);
     const WaveMaps& maps() const { return maps_; }
 
   private:

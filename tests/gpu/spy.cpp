@@ -15,6 +15,12 @@ size_t countSpied(const std::string& name) {
         std::ranges::count_if(spiedCalls(), [&](const SpiedCall& call) { return call.name == name; }));
 }
 
+VkDeviceSize bytesSpied() {
+    VkDeviceSize sum = 0;
+    for (const SpiedCall& call : spiedCalls()) sum += call.bytes;
+    return sum;
+}
+
 namespace {
 
 /// Forwards to the function that volk loaded under the same name.
@@ -49,9 +55,18 @@ void VKAPI_CALL spiedBarrier(VkCommandBuffer commands, const VkDependencyInfo* i
     vkCmdPipelineBarrier2(commands, info);
 }
 
+VkResult VKAPI_CALL spiedAllocate(VkDevice device, const VkMemoryAllocateInfo* info,
+                                  const VkAllocationCallbacks* allocator, VkDeviceMemory* memory) {
+    SpiedCall call{"AllocateMemory"};
+    call.bytes = info->allocationSize;
+    spiedCalls().push_back(call);
+    return vkAllocateMemory(device, info, allocator, memory);
+}
+
 PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char* name) {
     if (!std::strcmp(name, "vkCmdPipelineBarrier2"))
         return reinterpret_cast<PFN_vkVoidFunction>(&spiedBarrier);
+    if (!std::strcmp(name, "vkAllocateMemory")) return reinterpret_cast<PFN_vkVoidFunction>(&spiedAllocate);
 #define SPY(function)                                                                                        \
     if (!std::strcmp(name, "vk" #function)) return spyOn<&vk##function>(#function, vk##function);
     SPY(CmdBlitImage)
@@ -64,7 +79,6 @@ PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char
     SPY(CreateComputePipelines)
     SPY(CreateGraphicsPipelines)
     SPY(CreateImage)
-    SPY(AllocateMemory)
 #undef SPY
     return vkGetDeviceProcAddr(device, name);
 }

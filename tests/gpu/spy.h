@@ -13,11 +13,14 @@ struct SpiedCall {
     std::string name;          ///< without "vk"
     VkAccessFlags2 source = 0; ///< of a barrier: all its source accesses together
     VkAccessFlags2 target = 0;
+    VkDeviceSize bytes = 0; ///< of an allocation
 };
 
 /// The calls since clear(). One list for the program: tests run one at a time.
 std::vector<SpiedCall>& spiedCalls();
 size_t countSpied(const std::string& name);
+/// Device memory asked for.
+VkDeviceSize bytesSpied();
 
 /// To be handed to a context as its loader.
 PFN_vkVoidFunction VKAPI_CALL spiedGetInstanceProcAddr(VkInstance instance, const char* name);

@@ -204,6 +204,45 @@ TEST_F(Sspr, SizeMayChangeEveryFrame) {
     destroyReflector(reflector);
 }
 
+TEST_F(Sspr, TheEstimateIsWhatIsAllocatedAndDispatched) {
+    Camera camera = testCamera();
+    camera.width = 640;
+    camera.height = 360;
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
+    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
+    ViewDesc view = viewDesc(camera);
+    view.sceneDepth = asSeaglass(depth);
+    view.sceneColor = asSeaglass(color);
+    frame([](VkCommandBuffer) {});
+    for (const uint32_t blurLevels : {0u, 4u}) {
+        ReflectorDesc desc;
+        desc.reflection.blurLevels = blurLevels;
+        Estimate estimated;
+        ASSERT_EQ(estimate(context(), &desc.reflection, {640, 360}, &estimated), Status::ok) << message();
+        Reflector* reflector = nullptr;
+        ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+        // The first frame makes uniform blocks, of which no estimate is made.
+        frame([&](VkCommandBuffer commands) {
+            view.viewIndex = 1;
+            EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
+        });
+        frame([](VkCommandBuffer) {});
+        spiedCalls().clear();
+        frame([&](VkCommandBuffer commands) {
+            view.viewIndex = 0;
+            EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
+        });
+        EXPECT_GE(bytesSpied(), estimated.bytesPerView);
+        EXPECT_LE(bytesSpied(), estimated.bytesPerView + (4u << 10) * countSpied("AllocateMemory"));
+        EXPECT_EQ(countSpied("CmdDispatch") + countSpied("CmdDispatchIndirect"), estimated.dispatchesPerView);
+        if (blurLevels == 0) {
+            EXPECT_LE(estimated.bytesPerView, 16u * 640 * 360);
+        }
+        destroyReflector(reflector);
+    }
+}
+
 TEST_F(Sspr, TheSkyTechniqueHoldsNothing) {
     ReflectorDesc desc;
     desc.reflection.technique = ReflectionTechnique::sky;

@@ -356,7 +356,8 @@ TEST_F(Water, AFeatureThatIsOffIsNotThere) {
     EXPECT_FALSE(still->waves.has_value());
     EXPECT_EQ(sea(still), nullptr);
 
-    const ReflectionDesc sky = {ReflectionTechnique::sky, 0.08f, 1, 4};
+    ReflectionDesc sky;
+    sky.technique = ReflectionTechnique::sky;
     BodyDesc skyOnly;
     skyOnly.reflection = &sky;
     EXPECT_FALSE(makeBody(skyOnly)->reflector);
@@ -375,6 +376,35 @@ TEST_F(Water, AFlatPondCreatesAndRecordsNextToNothing) {
     EXPECT_EQ(countSpied("CmdCopyBufferToImage"), 0u);
     EXPECT_EQ(countSpied("CmdPipelineBarrier2"), 0u);
     EXPECT_EQ(countSpied("CmdDrawIndexed"), 1u);
+}
+
+TEST_F(Water, TheEstimateIsWhatIsAllocated) {
+    makeBody({}); // what all bodies share
+    const SeaDesc waves = breeze();
+    const FoamDesc foam;
+    const ReflectionDesc reflection;
+    BodyDesc desc;
+    const auto agrees = [&](const char* what) {
+        Estimate estimated;
+        ASSERT_EQ(estimate(context(), &desc, {320, 180}, &estimated), Status::ok) << message();
+        spiedCalls().clear();
+        makeBody(desc);
+        EXPECT_GE(bytesSpied(), estimated.bytes) << what;
+        EXPECT_LE(bytesSpied(), estimated.bytes + (4u << 10) * countSpied("AllocateMemory")) << what;
+    };
+    agrees("flat");
+    desc.waves = &waves;
+    desc.wavesBackend = fftwWaves();
+    agrees("waves");
+    desc.foam = &foam;
+    agrees("foam");
+
+    Estimate estimated;
+    desc.reflection = &reflection;
+    ASSERT_EQ(estimate(context(), &desc, {320, 180}, &estimated), Status::ok) << message();
+    EXPECT_GE(estimated.bytesPerView, 320u * 180 * 14);
+    EXPECT_EQ(estimate(context(), &desc, {0, 180}, &estimated), Status::invalidArgument);
+    EXPECT_NE(message().find("extent"), std::string::npos);
 }
 
 TEST_F(Water, BadDescriptionsAreNamedAndLeaveNothing) {

@@ -101,6 +101,14 @@ struct ViewDesc {
     uint32_t viewIndex = 0;     ///< 0..7: which view of this frame, so that each keeps its own images
 };
 
+/// What something costs, known before it is made. Memory is that of its images and buffers; drivers round
+/// each up, on most devices to some KiB. Pipelines and the frame slots' small uniform blocks are left out.
+struct Estimate {
+    uint64_t bytes = 0;             ///< device memory held once
+    uint64_t bytesPerView = 0;      ///< device memory held for each view index that is used
+    uint32_t dispatchesPerView = 0; ///< compute dispatches that reflect() records
+};
+
 /// Where light comes from.
 struct LightingDesc {
     double toSun[3] = {0, 1, 0};        ///< unit, world, from the surface towards the sun

@@ -32,6 +32,9 @@ struct ReflectorDesc {
     ReflectionDesc reflection;
 };
 
+/// What a reflector of this description costs for views of `extent` pixels. Nothing is created.
+Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out);
+
 struct Reflector;
 
 /// Transactional; allocates no image until the first reflect().

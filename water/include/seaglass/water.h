@@ -45,6 +45,11 @@ struct BodyDesc {
     MeshDesc mesh;
 };
 
+/// What a body of this description costs, for views of `extent` pixels; what all bodies of a context share is
+/// left out. Nothing is created on the device; waves are laid out on the CPU to count them, which takes some
+/// milliseconds.
+Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out);
+
 struct Body;
 
 Status createBody(Context* context, const BodyDesc* desc, Body** out);
