@@ -1,5 +1,7 @@
 #include "reflection/mirror.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -36,6 +38,10 @@ glm::dvec4 row(const glm::dmat4& m, int index) {
 
 } // namespace
 
+uint32_t keyScale(const ReflectionDesc& desc) {
+    return std::max(desc.downscale, desc.coarseKeys ? 2u : 1u);
+}
+
 ScreenMirror screenMirror(const ViewGeometry& view, const glm::dvec4& plane) {
     ScreenMirror mirror;
     mirror.pixelFromPixel = view.pixelFromRelative * householder(plane) * view.relativeFromPixel;
@@ -60,6 +66,8 @@ MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldP
     out.depthSign = view.reversedDepth ? 1.0f : -1.0f;
     out.edgeFadePixels = desc.edgeFade * static_cast<float>(view.regionSize.y);
     out.bent = desc.distortion > 0 ? 1 : 0;
+    out.pixelShift = std::countr_zero(desc.downscale);
+    out.keyShift = std::countr_zero(keyScale(desc));
     return out;
 }
 

@@ -45,10 +45,15 @@ struct MirrorUniforms {
     float depthSign = 1; ///< +1 when nearer is greater
     float edgeFadePixels = 0;
     float infinityDepth = 0;
-    uint32_t bent = 0; ///< whether lookups stray from where the plane is seen
-    uint32_t padding[3] = {};
+    uint32_t bent = 0;      ///< whether lookups stray from where the plane is seen
+    int32_t pixelShift = 0; ///< log2 of the pixels of the region to one of the reflection, each way
+    int32_t keyShift = 0;   ///< and to one key
+    uint32_t padding = 0;
 };
 static_assert(sizeof(MirrorUniforms) == 224);
+
+/// Pixels of the view to one SSPR key, each way.
+uint32_t keyScale(const ReflectionDesc& desc);
 
 MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane,
                               const ReflectionDesc& desc);

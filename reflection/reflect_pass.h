@@ -14,6 +14,11 @@ struct ReflectPass {
     const ViewGeometry& geometry;
     const ReflectionDesc& desc;
     gpu::Slice mirror; ///< MirrorUniforms
+
+    /// Of the view's region [pixel].
+    VkExtent2D extent() const {
+        return {static_cast<uint32_t>(geometry.regionSize.x), static_cast<uint32_t>(geometry.regionSize.y)};
+    }
 };
 
 } // namespace seaglass

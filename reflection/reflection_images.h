@@ -7,6 +7,11 @@
 
 namespace seaglass {
 
+/// The size of a view's reflection, or of its keys.
+constexpr VkExtent2D scaledDown(VkExtent2D extent, uint32_t scale) {
+    return {(extent.width + scale - 1) / scale, (extent.height + scale - 1) / scale};
+}
+
 struct OwnedReflection {
     gpu::OwnedImage color; ///< RGBA16F, premultiplied by confidence, with the pyramid's mips
     gpu::OwnedImage info;  ///< R16F, see shaders/common/reflection_info.glsl

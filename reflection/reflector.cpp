@@ -9,14 +9,16 @@
 namespace seaglass {
 
 Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
-    if (const Status s = sspr.create(device, extent); s != Status::ok) return s;
-    return images.create(device, extent, desc.blurLevels);
+    region = extent;
+    if (const Status s = sspr.create(device, extent, desc); s != Status::ok) return s;
+    return images.create(device, scaledDown(extent, desc.downscale), desc.blurLevels);
 }
 
 Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
     Estimate estimate;
     if (desc.technique == ReflectionTechnique::sky) return estimate;
-    estimate.bytesPerView = OwnedReflection::bytes(extent, desc.blurLevels) + SsprScratch::bytes(extent);
+    estimate.bytesPerView = OwnedReflection::bytes(scaledDown(extent, desc.downscale), desc.blurLevels) +
+                            SsprScratch::bytes(extent, desc);
     estimate.dispatchesPerView = ssprDispatches;
     return estimate;
 }
@@ -24,6 +26,8 @@ Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
 const char* badField(const ReflectionDesc& desc) {
     if (desc.technique != ReflectionTechnique::sky && desc.technique != ReflectionTechnique::sspr)
         return "ReflectionDesc.technique is none of ReflectionTechnique";
+    if (desc.downscale != 1 && desc.downscale != 2 && desc.downscale != 4 && desc.downscale != 8)
+        return "ReflectionDesc.downscale is out of range, expected 1, 2, 4 or 8";
     if (!(desc.edgeFade >= 0 && desc.edgeFade <= 0.5f))
         return "ReflectionDesc.edgeFade is out of range, expected 0 to 0.5";
     if (!(desc.distortion >= 0 && desc.distortion <= 1))
@@ -38,14 +42,12 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
     if (const char* bad = readPlane(description.plane, plane))
         return owner.device.fail(Status::invalidArgument, "ReflectorDesc: %s", bad);
     if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
-    if (desc.technique == ReflectionTechnique::sspr) return owner.share(sspr);
+    if (desc.technique == ReflectionTechnique::sspr) return sspr.create(owner, desc);
     return Status::ok;
 }
 
 Status Reflector::prepare(ReflectedView& view, VkExtent2D extent) {
-    const VkExtent2D current = view.images.color.desc().extent;
-    if (view.images.color.view() && current.width == extent.width && current.height == extent.height)
-        return Status::ok;
+    if (view.region.width == extent.width && view.region.height == extent.height) return Status::ok;
     ReflectedView fresh;
     if (const Status s = fresh.create(context->device, extent, desc); s != Status::ok) return s;
     context->frame().retire(std::exchange(view, std::move(fresh)));
@@ -68,7 +70,7 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
     if (const Status s = context->frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
     std::memcpy(slice.data, &uniforms, sizeof uniforms);
     const ReflectPass pass{*context, commands, view, geometry, desc, slice};
-    if (const Status s = recordSspr(pass, *sspr, reflected.sspr, reflected.images); s != Status::ok) return s;
+    if (const Status s = recordSspr(pass, sspr, reflected.sspr, reflected.images); s != Status::ok) return s;
     recordBlur(*context, commands, reflected.images.color);
     return Status::ok;
 }

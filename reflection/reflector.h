@@ -16,6 +16,7 @@ namespace seaglass {
 struct ReflectedView {
     OwnedReflection images;
     SsprScratch sspr;
+    VkExtent2D region = {0, 0}; ///< the view's, in pixels
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
 };
 
@@ -29,7 +30,7 @@ struct Reflector {
     Context* context = nullptr;
     glm::dvec4 plane{0}; ///< world, unit normal
     ReflectionDesc desc;
-    std::shared_ptr<SsprKernels> sspr; ///< null with techniques that do not scatter
+    SsprKernels sspr; ///< empty with techniques that do not scatter
     std::array<ReflectedView, maxViews> views;
 
     Status create(Context& owner, const ReflectorDesc& description);

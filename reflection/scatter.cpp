@@ -1,8 +1,10 @@
 #include "reflection/scatter.h"
 
 #include "reflection/mirror.h"
+#include "reflection/reflection_images.h"
 #include "reflection/tiles.h"
 #include "spirv/scatter.comp.h"
+#include "spirv/scatter_coarse.comp.h"
 
 namespace seaglass {
 
@@ -28,13 +30,21 @@ void recordClear(const gpu::Device& device, VkCommandBuffer commands, const gpu:
                         VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
 }
 
-} // namespace
-
-Status ScatterKernel::create(Context& context) {
+Status createKernel(Context& context, std::span<const uint32_t> spirv, gpu::Kernel& out) {
     constexpr VkDescriptorType bindings[] = {
         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
-    return kernel.create(context.device, scatter_comp, bindings, "scatter pipeline");
+    return out.create(context.device, spirv, bindings, "scatter pipeline");
+}
+
+} // namespace
+
+Status ScatterKernel::create(Context& context) {
+    return createKernel(context, scatter_comp, kernel);
+}
+
+Status CoarseScatterKernel::create(Context& context) {
+    return createKernel(context, scatter_coarse_comp, scatter.kernel);
 }
 
 Status recordScatter(const ReflectPass& pass, const ScatterKernel& scatter, const gpu::Buffer& keys,
@@ -55,10 +65,10 @@ Status recordScatter(const ReflectPass& pass, const ScatterKernel& scatter, cons
     recordClear(device, pass.commands, keys, tiles);
 
     const gpu::PassScope scope(device, pass.commands, "sspr_scatter");
-    const auto width = static_cast<uint32_t>(pass.geometry.regionSize.x);
-    const auto height = static_cast<uint32_t>(pass.geometry.regionSize.y);
-    scatter.kernel.dispatch(pass.commands, set, (width + groupWidth - 1) / groupWidth,
-                            (height + tileEdge - 1) / tileEdge);
+    const VkExtent2D grid = scaledDown(pass.extent(), keyScale(pass.desc));
+    const uint32_t tileRows =
+        (scaledDown(pass.extent(), pass.desc.downscale).height + tileEdge - 1) / tileEdge;
+    scatter.kernel.dispatch(pass.commands, set, (grid.width + groupWidth - 1) / groupWidth, tileRows);
     gpu::recordBarrier(device, pass.commands,
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});

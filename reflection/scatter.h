@@ -6,12 +6,19 @@
 
 namespace seaglass {
 
+/// One key a pixel.
 struct ScatterKernel {
     gpu::Kernel kernel;
     Status create(Context& context);
 };
 
-/// Clears `keys` (one uint32 a pixel of the region) and `tiles`, and scatters into both. Leaves them visible
+/// One key for several pixels.
+struct CoarseScatterKernel {
+    ScatterKernel scatter;
+    Status create(Context& context);
+};
+
+/// Clears `keys` (one uint32 each) and `tiles`, and scatters into both. Leaves them visible
 /// to compute shaders.
 Status recordScatter(const ReflectPass& pass, const ScatterKernel& scatter, const gpu::Buffer& keys,
                      const gpu::Buffer& tiles);

@@ -9,18 +9,19 @@
 namespace seaglass {
 
 struct SsprKernels {
-    ScatterKernel scatter;
-    TilesKernel tiles;
-    ResolveKernel resolve;
-    Status create(Context& context);
+    std::shared_ptr<ScatterKernel> scatter;
+    std::shared_ptr<TilesKernel> tiles;
+    std::shared_ptr<ResolveKernel> resolve;
+    /// Those that `desc` needs, shared with all who need them.
+    Status create(Context& context, const ReflectionDesc& desc);
 };
 
 /// What SSPR needs for one view besides its images.
 struct SsprScratch {
     gpu::Buffer keys;
     gpu::Buffer tiles;
-    Status create(const gpu::Device& device, VkExtent2D extent);
-    static VkDeviceSize bytes(VkExtent2D extent);
+    Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
+    static VkDeviceSize bytes(VkExtent2D extent, const ReflectionDesc& desc);
 };
 
 /// Scatter, tiles, and a resolve for each list.

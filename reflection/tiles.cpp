@@ -1,6 +1,7 @@
 #include "reflection/tiles.h"
 
 #include "reflection/mirror.h"
+#include "reflection/reflection_images.h"
 #include "spirv/tiles.comp.h"
 
 namespace seaglass {
@@ -36,9 +37,8 @@ Status recordTiles(const ReflectPass& pass, const TilesKernel& kernel, const gpu
         s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "sspr_tiles");
-    const VkExtent2D extent = {static_cast<uint32_t>(pass.geometry.regionSize.x),
-                               static_cast<uint32_t>(pass.geometry.regionSize.y)};
-    kernel.kernel.dispatch(pass.commands, set, (tileCount(extent) + groupWidth - 1) / groupWidth, 1);
+    const VkExtent2D images = scaledDown(pass.extent(), pass.desc.downscale);
+    kernel.kernel.dispatch(pass.commands, set, (tileCount(images) + groupWidth - 1) / groupWidth, 1);
     gpu::recordBarrier(context.device, pass.commands,
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,

@@ -18,6 +18,6 @@ layout(set = 0, binding = 3, r16f) uniform writeonly image2D reflectionInfo;
 void main() {
     ivec2 pixel = pixelWithoutKeys();
     if (pixel == noPixel) return;
-    vec2 q = vec2(pixel) + 0.5;
+    vec2 q = middleOf(pixel);
     imageStore(reflectionInfo, pixel, vec4(planeAhead(q) ? infoOfMiss(q) : infoUnknown, 0.0, 0.0, 0.0));
 }

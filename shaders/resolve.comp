@@ -99,33 +99,34 @@ Hit refined(ScreenRay ray, float mirroredDepth) {
     return hit.valid ? hit : noHit;
 }
 
-uint keyAt(ivec2 pixel) {
-    if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, region.zw))) return noKey;
-    return keys[pixel.y * region.z + pixel.x];
+uint keyAt(ivec2 cell) {
+    ivec2 grid = keyGrid();
+    if (any(lessThan(cell, ivec2(0))) || any(greaterThanEqual(cell, grid))) return noKey;
+    return keys[cell.y * grid.x + cell.x];
 }
 
-// The nearest key around `pixel` that is farther than `last`, whose turn is over.
-uint nextKey(ivec2 pixel, uint last) {
+// The nearest key around `cell` that is farther than `last`, whose turn is over.
+uint nextKey(ivec2 cell, uint last) {
     uint best = noKey;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
-            uint key = keyAt(pixel + ivec2(x, y));
+            uint key = keyAt(cell + ivec2(x, y));
             if (key < last) best = max(best, key);
         }
     return best;
 }
 
-// The pixel's own key first, then its neighbours' from near to far; the first that proves itself counts. One flat loop:
+// The cell's own key first, then its neighbours' from near to far; the first that proves itself counts. One flat loop:
 // CPU devices mask branches instead of jumping them, but do leave a loop when nobody is in it.
-Hit nearestHit(ivec2 pixel, ScreenRay ray) {
+Hit nearestHit(ivec2 cell, ScreenRay ray) {
     Hit hit = noHit;
-    uint key = keyAt(pixel);
+    uint key = keyAt(cell);
     uint last = ~0u;
-    if (key == noKey) key = last = nextKey(pixel, last);
+    if (key == noKey) key = last = nextKey(cell, last);
     while (key != noKey) {
         hit = refined(ray, depthFromKey(key));
         if (hit.valid) break;
-        key = last = nextKey(pixel, last);
+        key = last = nextKey(cell, last);
     }
     return hit;
 }
@@ -133,13 +134,13 @@ Hit nearestHit(ivec2 pixel, ScreenRay ray) {
 void main() {
     ivec2 pixel = pixelToResolve();
     if (pixel == noPixel) return;
-    vec2 q = vec2(pixel) + 0.5;
+    vec2 q = middleOf(pixel);
     vec4 color = vec4(0.0);
     float info = infoUnknown;
     vec3 ahead = normalize(unprojected(vec3(q, 0.5)));
     float towardsPlane = -dot(plane.xyz, ahead);
     if (towardsPlane > 0.0) {
-        Hit hit = nearestHit(pixel, ScreenRay(screenMirror * vec4(q, 0.0, 1.0), screenMirror[2]));
+        Hit hit = nearestHit(ivec2(q) >> keyShift, ScreenRay(screenMirror * vec4(q, 0.0, 1.0), screenMirror[2]));
         if (hit.valid) {
             float confidence = edgeConfidence(q, hit.source);
             color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * confidence, confidence);

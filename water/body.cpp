@@ -112,6 +112,7 @@ SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, con
     u.farDepth = static_cast<float>(geometry.farDepth);
     u.depthSign = geometry.reversedDepth ? 1.0f : -1.0f;
     u.reflectionDistortion = body.reflectionDistortion;
+    if (body.reflector) u.reflectionScale = static_cast<float>(body.reflector->desc.downscale);
     if (body.waves) setWaves(u, *body.sea, body.waves->maps(), geometry.eye);
     if (body.foam)
         u.foam =

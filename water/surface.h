@@ -46,7 +46,8 @@ struct SurfaceUniforms {
     float wholeDeviation = 0; ///< of all slopes of the sea, in each direction
     int32_t cascades = 0;
     float maxMip = 0;
-    float padding[3] = {};
+    float reflectionScale = 1; ///< pixels of the region to one of the reflection, each way
+    float padding[2] = {};
 };
 
 /// Edge of the tile that foam patterns repeat in [m]; shaders/surface.frag samples divisions of it.

@@ -11,8 +11,25 @@ layout(set = 0, binding = 0, std140) uniform Mirror {
     float depthSign;
     float edgeFadePixels;
     float infinityDepth;
-    bool bent;     // looked up away from where the plane is seen
+    bool bent;        // looked up away from where the plane is seen
+    // Powers of two, since integers divide slowly.
+    int pixelShift;   // pixels of the region to one of the reflection, each way
+    int keyShift;     // and to one key
 };
+
+// The reflection's pixels, and its keys'.
+ivec2 imageSize() {
+    return (region.zw + (1 << pixelShift) - 1) >> pixelShift;
+}
+
+ivec2 keyGrid() {
+    return (region.zw + (1 << keyShift) - 1) >> keyShift;
+}
+
+// The middle of a pixel of the reflection, in the region's pixels.
+vec2 middleOf(ivec2 imagePixel) {
+    return (vec2(imagePixel) + 0.5) * float(1 << pixelShift);
+}
 
 const uint noKey = 0u;
 

@@ -1,5 +1,5 @@
 // Looks up a reflection image along a ray that waves have bent. Needs surface.glsl's names: plane, region, pixelOf,
-// reflectionColor, reflectionInfo, reflectionDistortion.
+// reflectionColor, reflectionInfo, reflectionDistortion, reflectionScale.
 //
 // A point at distance t along the ray is mirrored about the plane and projected: the reflection image holds there what
 // the flat mirror shows of it. t comes from the image itself, so the shift vanishes where things touch the water and
@@ -19,7 +19,7 @@ vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
 
 float infoAt(vec2 pixel) {
     if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, vec2(region.zw)))) return infoUnknown;
-    return texelFetch(reflectionInfo, ivec2(pixel), 0).x;
+    return texelFetch(reflectionInfo, ivec2(pixel / reflectionScale), 0).x;
 }
 
 struct BentPoint {
@@ -53,8 +53,9 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread) {
     float share = point.distance / (length(from) + point.distance);
     // A quarter: mips blur alike in all directions, but at grazing angles slopes turn the mirrored ray mostly up and down,
     // and a mast must stay a line.
-    float mip = log2(max(0.25 * spread * share * pixelsPerRadian * reflectionDistortion, 1.0));
-    return textureLod(reflectionColor, point.pixel / size, mip) * inside;
+    float texels = 0.25 * spread * share * pixelsPerRadian * reflectionDistortion / reflectionScale;
+    vec2 texel = point.pixel / reflectionScale;
+    return textureLod(reflectionColor, texel / vec2(textureSize(reflectionColor, 0)), log2(max(texels, 1.0))) * inside;
 }
 
 vec3 classColor(vec3 from, vec3 direction) {

@@ -23,6 +23,7 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     float wholeDeviation;
     int cascades;
     float maxMip;
+    float reflectionScale;   // pixels of the region to one of the reflection
 };
 
 struct MeshPatch {

@@ -6,10 +6,10 @@ const ivec2 noPixel = ivec2(-1);
 
 ivec2 pixelOfTile(uint entry) {
     ivec2 pixel = unpackedTile(tiles[entry]) * tileEdge + ivec2(gl_LocalInvocationID.xy);
-    return all(lessThan(pixel, region.zw)) ? pixel : noPixel;
+    return all(lessThan(pixel, imageSize())) ? pixel : noPixel;
 }
 
-// noPixel beyond the region and beyond the list's end.
+// noPixel beyond the image and beyond the list's end.
 ivec2 pixelToResolve() {
     uint n = gl_WorkGroupID.y * groupsPerRow + gl_WorkGroupID.x;
     if (n >= header.resolveGroups.w) return noPixel;

@@ -1,6 +1,7 @@
-// Tiles of 8 x 8 pixels: reflection/tiles.h. Needs mirror.glsl's region.
+// Tiles of 8 x 8 pixels of the reflection: reflection/tiles.h. Needs mirror.glsl.
 
-const int tileEdge = 8;
+const int tileShift = 3;
+const int tileEdge = 1 << tileShift;
 const uint tileSeesPlane = 1u;
 const uint tileHasKeys = 2u;
 
@@ -14,11 +15,11 @@ struct TileHeader {
 };
 
 int tilesAcross() {
-    return (region.z + tileEdge - 1) / tileEdge;
+    return (imageSize().x + tileEdge - 1) >> tileShift;
 }
 
 int tilesDown() {
-    return (region.w + tileEdge - 1) / tileEdge;
+    return (imageSize().y + tileEdge - 1) >> tileShift;
 }
 
 int tileAt(ivec2 tile) {

@@ -43,8 +43,13 @@ std::vector<Setting> settings() {
     ReflectionDesc flat;
     flat.distortion = 0;
     flat.blurLevels = 0;
+    ReflectionDesc coarse = flat;
+    coarse.coarseKeys = true;
+    ReflectionDesc half = flat;
+    half.downscale = 2;
     const ReflectionDesc bent;
-    return {{"sspr, flat mirror", flat}, {"sspr, bent, blurred", bent}};
+    return {
+        {"sspr", flat}, {"sspr, coarse keys", coarse}, {"sspr, half", half}, {"sspr, bent, blurred", bent}};
 }
 
 double median(std::vector<double> values) {
@@ -124,7 +129,8 @@ class Bench {
             for (const auto& [name, ms] : passes[i])
                 std::printf("  %s %.2f", name.c_str(), median(ms) / floor);
             std::printf("\n");
-            tests::print("   ", tests::score(traced, downloaded(reflectors[i])));
+            if (all[i].desc.downscale == 1)
+                tests::print("   ", tests::score(traced, downloaded(reflectors[i])));
         }
         for (Reflector* reflector : reflectors) destroyReflector(reflector);
         for (int i = 0; i < 2; ++i) require(beginFrame(context_, slot_ ^= 1) == Status::ok, message_);

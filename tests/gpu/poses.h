@@ -11,8 +11,8 @@ inline Camera testCamera() {
     Camera camera;
     camera.eye = {-1, 2.2, 9};
     camera.target = {-0.5, 1.2, 0};
-    camera.width = 480;
-    camera.height = 270;
+    camera.width = 480; // both divide by 8
+    camera.height = 272;
     return camera;
 }
 

@@ -204,6 +204,34 @@ TEST_F(Sspr, SizeMayChangeEveryFrame) {
     destroyReflector(reflector);
 }
 
+TEST_F(Sspr, LowerResolutionsFindWhatTheyCanHold) {
+    struct Level {
+        uint32_t downscale;
+        bool coarseKeys;
+        double coverage; // at least
+    };
+    for (const Level& level :
+         {Level{1, true, 0.98}, Level{2, false, 0.97}, Level{4, false, 0.95}, Level{8, false, 0.9}})
+        for (const Pose& pose : poses()) {
+            const TracedView traced = Tracer(pose.camera, harbourOfBoxes()).run();
+            ReflectorDesc desc;
+            desc.reflection.downscale = level.downscale;
+            desc.reflection.coarseKeys = level.coarseKeys;
+            const Reflected result = reflectScene(pose.camera, traced, desc);
+            // Pixels of a smaller picture lie in the middle of the blocks that the reflection holds.
+            Camera small = pose.camera;
+            small.width /= level.downscale;
+            small.height /= level.downscale;
+            const TracedView truth = Tracer(small, harbourOfBoxes()).run();
+            const Score s = score(truth, result);
+            std::printf("1/%u%s ", level.downscale, level.coarseKeys ? " coarse" : "");
+            print(pose.name, s);
+            EXPECT_GE(s.coverage, level.coverage) << pose.name;
+            EXPECT_LE(s.medianPixels, 0.5) << pose.name;
+            EXPECT_LE(s.falseOnSky, 0.02) << pose.name;
+        }
+}
+
 TEST_F(Sspr, TheEstimateIsWhatIsAllocatedAndDispatched) {
     Camera camera = testCamera();
     camera.width = 640;

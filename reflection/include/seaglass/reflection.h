@@ -1,8 +1,8 @@
 // Screen-space planar reflections (SSPR) for water, floors and mirrors. Usable without the water library.
 //
-// For each view a Reflector gives two images of the view's size: `color`, the scene as the plane mirrors it
-// at each pixel, and `info`, what is known about it. Whoever shades the surface looks them up (see
-// shaders/common/reflection_lookup.glsl) and bends the lookup by its own normals.
+// For each view a Reflector gives two images of the view's size, or of a fraction of it: `color`, the scene
+// as the plane mirrors it at each pixel, and `info`, what is known about it. Whoever shades the surface looks
+// them up (see shaders/common/reflection_lookup.glsl) and bends the lookup by its own normals.
 #ifndef SEAGLASS_REFLECTION_H
 #define SEAGLASS_REFLECTION_H
 
@@ -17,6 +17,11 @@ enum class ReflectionTechnique : uint32_t {
 
 struct ReflectionDesc {
     ReflectionTechnique technique = ReflectionTechnique::sspr;
+    /// Pixels of the view to one of the reflection, each way: 1, 2, 4 or 8.
+    uint32_t downscale = 1;
+    /// SSPR at full resolution scatters one key for each 2 x 2 pixels: about two thirds of the cost. Looking
+    /// steeply down it finds less.
+    bool coarseKeys = false;
     float edgeFade =
         0.08f; ///< share of the picture's height over which borrowed pixels fade out at its border, 0..0.5
     /// How far along the reflection of the normal's tilt is followed, 0 (flat mirror) .. 1 (as geometry
