@@ -87,7 +87,7 @@ Status OwnedImage::create(const Device& device, const ImageDesc& desc, const cha
     view.image = image_;
     view.viewType = desc.layers > 1 || desc.arrayView ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
     view.format = desc.format;
-    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, desc.mipLevels, 0, desc.layers};
+    view.subresourceRange = {desc.aspect, 0, desc.mipLevels, 0, desc.layers};
     if (const Status s =
             device.check(vk.CreateImageView(device.handle(), &view, device.allocator(), &view_), what);
         s != Status::ok)

@@ -14,6 +14,7 @@ struct ImageDesc {
     uint32_t mipLevels = 1;
     uint32_t layers = 1;
     bool arrayView = false; ///< view as an array even with one layer
+    VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
 };
 
 /// Of all mips and layers, as tightly as the format allows.

@@ -24,10 +24,11 @@ gpu::ImageDesc colorDesc(VkExtent2D extent, uint32_t blurLevels) {
 
 } // namespace
 
-Status OwnedReflection::create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels) {
-    if (const Status s = color.create(device, colorDesc(extent, blurLevels), "reflection colour");
-        s != Status::ok)
-        return s;
+Status OwnedReflection::create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels,
+                               bool drawnInto) {
+    gpu::ImageDesc desc = colorDesc(extent, blurLevels);
+    if (drawnInto) desc.usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    if (const Status s = color.create(device, desc, "reflection colour"); s != Status::ok) return s;
     return info.create(device, infoDesc(extent), "reflection info");
 }
 

@@ -16,7 +16,8 @@ struct OwnedReflection {
     gpu::OwnedImage color; ///< RGBA16F, premultiplied by confidence, with the pyramid's mips
     gpu::OwnedImage info;  ///< R16F, see shaders/common/reflection_info.glsl
 
-    Status create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels);
+    /// `drawnInto`: mip 0 of the colour is an attachment too.
+    Status create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels, bool drawnInto);
     static VkDeviceSize bytes(VkExtent2D extent, uint32_t blurLevels);
     ReflectionImages handles() const;
 };

@@ -10,21 +10,36 @@ namespace seaglass {
 
 Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
     region = extent;
-    if (const Status s = sspr.create(device, extent, desc); s != Status::ok) return s;
-    return images.create(device, scaledDown(extent, desc.downscale), desc.blurLevels);
+    const bool drawn = desc.technique == ReflectionTechnique::planar;
+    const VkExtent2D scaled = scaledDown(extent, desc.downscale);
+    if (const Status s = drawn ? planar.create(device, scaled) : sspr.create(device, extent, desc);
+        s != Status::ok)
+        return s;
+    return images.create(device, scaled, desc.blurLevels, drawn);
 }
 
 Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
     Estimate estimate;
     if (desc.technique == ReflectionTechnique::sky) return estimate;
-    estimate.bytesPerView = OwnedReflection::bytes(scaledDown(extent, desc.downscale), desc.blurLevels) +
-                            SsprScratch::bytes(extent, desc);
-    estimate.dispatchesPerView = ssprDispatches;
+    const bool drawn = desc.technique == ReflectionTechnique::planar;
+    const VkExtent2D scaled = scaledDown(extent, desc.downscale);
+    estimate.bytesPerView = OwnedReflection::bytes(scaled, desc.blurLevels) +
+                            (drawn ? PlanarScratch::bytes(scaled) : SsprScratch::bytes(extent, desc));
+    estimate.dispatchesPerView = drawn ? planarDispatches : ssprDispatches;
     return estimate;
 }
 
+namespace {
+
+VkExtent2D extentOf(const ViewGeometry& geometry) {
+    return {static_cast<uint32_t>(geometry.regionSize.x), static_cast<uint32_t>(geometry.regionSize.y)};
+}
+
+} // namespace
+
 const char* badField(const ReflectionDesc& desc) {
-    if (desc.technique != ReflectionTechnique::sky && desc.technique != ReflectionTechnique::sspr)
+    if (desc.technique != ReflectionTechnique::sky && desc.technique != ReflectionTechnique::sspr &&
+        desc.technique != ReflectionTechnique::planar)
         return "ReflectionDesc.technique is none of ReflectionTechnique";
     if (desc.downscale != 1 && desc.downscale != 2 && desc.downscale != 4 && desc.downscale != 8)
         return "ReflectionDesc.downscale is out of range, expected 1, 2, 4 or 8";
@@ -43,34 +58,61 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
         return owner.device.fail(Status::invalidArgument, "ReflectorDesc: %s", bad);
     if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
     if (desc.technique == ReflectionTechnique::sspr) return sspr.create(owner, desc);
+    if (desc.technique == ReflectionTechnique::planar) return owner.share(planar);
     return Status::ok;
 }
 
 Status Reflector::prepare(ReflectedView& view, VkExtent2D extent) {
-    if (view.region.width == extent.width && view.region.height == extent.height) return Status::ok;
+    if (view.isOf(extent)) return Status::ok;
     ReflectedView fresh;
     if (const Status s = fresh.create(context->device, extent, desc); s != Status::ok) return s;
     context->frame().retire(std::exchange(view, std::move(fresh)));
     return Status::ok;
 }
 
+Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
+    const gpu::Device& device = context->device;
+    if (desc.technique != ReflectionTechnique::planar)
+        return device.fail(Status::invalidArgument,
+                           "planarView: ReflectionDesc.technique is not ReflectionTechnique::planar");
+    ViewGeometry geometry;
+    if (const char* bad = readCamera(view, geometry))
+        return device.fail(Status::invalidArgument, "planarView: %s", bad);
+    ReflectedView& reflected = views[view.viewIndex];
+    if (const Status s = prepare(reflected, extentOf(geometry)); s != Status::ok) return s;
+    const MirroredCamera camera = mirroredCamera(view, geometry, plane);
+    out = describe(camera, view, geometry, desc.downscale, reflected.planar, reflected.images);
+    reflected.planar.handedOut = true;
+    return Status::ok;
+}
+
+Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view) {
+    if (desc.technique == ReflectionTechnique::planar) {
+        view.planar.handedOut = false;
+        return recordPlanar(pass, *planar, view.planar, plane, view.images);
+    }
+    return recordSspr(pass, sspr, view.sspr, view.images);
+}
+
 Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
     if (desc.technique == ReflectionTechnique::sky) return Status::ok;
+    const bool drawn = desc.technique == ReflectionTechnique::planar;
     ViewGeometry geometry;
-    if (const char* bad = readView(view, geometry))
+    if (const char* bad = drawn ? readCamera(view, geometry) : readView(view, geometry))
         return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
     ReflectedView& reflected = views[view.viewIndex];
-    if (const Status s = prepare(reflected, {static_cast<uint32_t>(geometry.regionSize.x),
-                                             static_cast<uint32_t>(geometry.regionSize.y)});
-        s != Status::ok)
-        return s;
+    const VkExtent2D extent = extentOf(geometry);
+    if (drawn && !(reflected.planar.handedOut && reflected.isOf(extent)))
+        return context->device.fail(Status::invalidArgument,
+                                    "reflect: planarView() was not called for this view before");
+    if (const Status s = prepare(reflected, extent); s != Status::ok) return s;
 
     const MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc);
     gpu::Slice slice;
     if (const Status s = context->frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
     std::memcpy(slice.data, &uniforms, sizeof uniforms);
     const ReflectPass pass{*context, commands, view, geometry, desc, slice};
-    if (const Status s = recordSspr(pass, sspr, reflected.sspr, reflected.images); s != Status::ok) return s;
+    if (const Status s = recordTechnique(pass, reflected); s != Status::ok) return s;
     recordBlur(*context, commands, reflected.images.color);
     return Status::ok;
 }
@@ -103,6 +145,11 @@ Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent,
 void destroyReflector(Reflector* reflector) {
     if (!reflector) return;
     reflector->context->frame().retire(std::unique_ptr<Reflector>(reflector));
+}
+
+Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out) {
+    if (!reflector || !view || !out) return Status::invalidArgument;
+    return gpu::guarded([&] { return reflector->handOut(*view, *out); });
 }
 
 Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t count, const ViewDesc* view) {

@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 
 #include "reflection/limits.h"
+#include "reflection/planar.h"
 #include "reflection/sspr.h"
 
 namespace seaglass {
@@ -16,7 +17,11 @@ namespace seaglass {
 struct ReflectedView {
     OwnedReflection images;
     SsprScratch sspr;
+    PlanarScratch planar;
     VkExtent2D region = {0, 0}; ///< the view's, in pixels
+    bool isOf(VkExtent2D extent) const {
+        return region.width == extent.width && region.height == extent.height;
+    }
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
 };
 
@@ -30,16 +35,19 @@ struct Reflector {
     Context* context = nullptr;
     glm::dvec4 plane{0}; ///< world, unit normal
     ReflectionDesc desc;
-    SsprKernels sspr; ///< empty with techniques that do not scatter
+    SsprKernels sspr;                     ///< empty with techniques that do not scatter
+    std::shared_ptr<PlanarKernel> planar; ///< null with every other technique
     std::array<ReflectedView, maxViews> views;
 
     Status create(Context& owner, const ReflectorDesc& description);
+    Status handOut(const ViewDesc& view, PlanarView& out);
     Status record(VkCommandBuffer commands, const ViewDesc& view);
     ReflectionImages images(uint32_t viewIndex) const;
 
   private:
     /// Makes what a view of this size needs, where it is not there yet.
     Status prepare(ReflectedView& view, VkExtent2D extent);
+    Status recordTechnique(const ReflectPass& pass, ReflectedView& view);
 };
 
 } // namespace seaglass

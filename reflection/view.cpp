@@ -12,14 +12,6 @@ namespace seaglass {
 
 namespace {
 
-bool readMatrix(const double (&values)[16], glm::dmat4& out) {
-    for (int i = 0; i < 16; ++i) {
-        if (!std::isfinite(values[i])) return false;
-        out[i / 4][i % 4] = values[i];
-    }
-    return true;
-}
-
 bool allFinite(const glm::dmat4& m) {
     for (int i = 0; i < 16; ++i)
         if (!std::isfinite(m[i / 4][i % 4])) return false;
@@ -63,19 +55,28 @@ glm::dmat4 pixelFromClip(const VkViewport& v, const glm::ivec2& origin) {
 
 } // namespace
 
+glm::dmat4 toMatrix(const double (&values)[16]) {
+    glm::dmat4 m;
+    for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = values[i];
+    return m;
+}
+
 const char* readView(const ViewDesc& view, ViewGeometry& out) {
-    glm::dmat4 viewMatrix;
-    glm::dmat4 projection;
-    if (!readMatrix(view.view, viewMatrix)) return "ViewDesc.view is not finite";
-    if (!readMatrix(view.projection, projection)) return "ViewDesc.projection is not finite";
-    if (const char* bad = badViewport(view.viewport)) return bad;
-    if (view.viewIndex >= maxViews) return "ViewDesc.viewIndex is out of range, expected 0 to 7";
+    if (const char* bad = readCamera(view, out)) return bad;
     if (const char* bad = badImage(view.sceneDepth, view.viewport, "ViewDesc.sceneDepth.view is null",
                                    "ViewDesc.sceneDepth is smaller than the viewport"))
         return bad;
-    if (const char* bad = badImage(view.sceneColor, view.viewport, "ViewDesc.sceneColor.view is null",
-                                   "ViewDesc.sceneColor is smaller than the viewport"))
-        return bad;
+    return badImage(view.sceneColor, view.viewport, "ViewDesc.sceneColor.view is null",
+                    "ViewDesc.sceneColor is smaller than the viewport");
+}
+
+const char* readCamera(const ViewDesc& view, ViewGeometry& out) {
+    const glm::dmat4 viewMatrix = toMatrix(view.view);
+    const glm::dmat4 projection = toMatrix(view.projection);
+    if (!allFinite(viewMatrix)) return "ViewDesc.view is not finite";
+    if (!allFinite(projection)) return "ViewDesc.projection is not finite";
+    if (const char* bad = badViewport(view.viewport)) return bad;
+    if (view.viewIndex >= maxViews) return "ViewDesc.viewIndex is out of range, expected 0 to 7";
 
     const glm::dmat4 worldFromView = glm::inverse(viewMatrix);
     if (!allFinite(worldFromView)) return "ViewDesc.view is singular";

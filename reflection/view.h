@@ -30,4 +30,9 @@ struct ViewGeometry {
 /// Null when `view` is usable, else what is wrong with it. Fills `out`.
 const char* readView(const ViewDesc& view, ViewGeometry& out);
 
+/// The same for a view whose scene images are not read.
+const char* readCamera(const ViewDesc& view, ViewGeometry& out);
+
+glm::dmat4 toMatrix(const double (&values)[16]);
+
 } // namespace seaglass

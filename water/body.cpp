@@ -316,6 +316,14 @@ Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, d
     return forEach(bodies, count, [&](Body& body) { return body.simulate(commands, time); });
 }
 
+Status planarView(Body* body, const ViewDesc* view, PlanarView* out) {
+    if (!body || !view || !out) return Status::invalidArgument;
+    if (!body->reflector)
+        return body->context->device.fail(Status::invalidArgument,
+                                          "planarView: the body's reflection is the sky alone");
+    return planarView(body->reflector.get(), view, out);
+}
+
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view) {
     if (!commands || (count && !bodies) || !view) return Status::invalidArgument;
     return forEach(bodies, count, [&](Body& body) {

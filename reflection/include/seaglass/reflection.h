@@ -1,4 +1,5 @@
-// Screen-space planar reflections (SSPR) for water, floors and mirrors. Usable without the water library.
+// Reflections in planes, for water, floors and mirrors: screen-space (SSPR) or drawn by the host with a
+// mirrored camera (planar). Usable without the water library.
 //
 // For each view a Reflector gives two images of the view's size, or of a fraction of it: `color`, the scene
 // as the plane mirrors it at each pixel, and `info`, what is known about it. Whoever shades the surface looks
@@ -11,8 +12,9 @@
 namespace seaglass {
 
 enum class ReflectionTechnique : uint32_t {
-    sky = 0,  ///< the environment cube alone; costs nothing
-    sspr = 1, ///< scene pixels scattered to where the plane mirrors them
+    sky = 0,    ///< the environment cube alone; costs nothing
+    sspr = 1,   ///< scene pixels scattered to where the plane mirrors them
+    planar = 4, ///< the host draws its scene once more, as planarView() says
 };
 
 struct ReflectionDesc {
@@ -72,10 +74,42 @@ inline ReflectionClass reflectionClass(float info) {
     return info < 0 ? ReflectionClass::sky : ReflectionClass::unknown;
 }
 
+/// What the host draws, and where, for technique `planar`: its opaque scene from behind the mirror, without
+/// the sky and without whatever lies in the plane itself.
+///
+/// Before drawing, the host takes mip 0 of the colour and the depth from VK_IMAGE_LAYOUT_UNDEFINED, waiting
+/// for fragment and compute shaders that may still sample what was in them; it clears the depth to
+/// `clearDepth` and need not clear the colour. It leaves them in VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL and
+/// VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, last written by attachment output and depth tests; reflect()
+/// does the rest. Alpha may hold anything. Depth runs as in the host's own projection: same compare, same
+/// pipelines.
+struct PlanarView {
+    double view[16] = {};       ///< world to mirrored view: the host's view times the reflection in the plane
+    double projection[16] = {}; ///< the host's, with the plane as near plane; x, y and w are as they were
+    /// False where the eye is so close to the plane that it cannot be a near plane, or sees nothing of it:
+    /// the projection is then the host's own.
+    bool obliqueClip = false;
+    bool windingFlipped = true; ///< always: front faces are wound the other way round
+    VkViewport viewport = {};   ///< within the images below
+    VkExtent2D extent = {0, 0};
+    VkImage colorImage = VK_NULL_HANDLE;
+    VkImageView color = VK_NULL_HANDLE; ///< mip 0 alone; linear radiance as in ViewDesc::sceneColor
+    VkFormat colorFormat = VK_FORMAT_UNDEFINED;
+    VkImage depthImage = VK_NULL_HANDLE;
+    VkImageView depth = VK_NULL_HANDLE;
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED;
+    float clearDepth = 0; ///< of the far plane: where nothing was drawn the sky is mirrored
+};
+
+/// Says what to draw before reflect() is called with the same `view`, once for each such call. Records
+/// nothing. Allocates when a view's size changes. The scene's images in `view` are not looked at. Fails with
+/// `invalidArgument` when the reflector's technique is not `planar`.
+Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out);
+
 /// Records the reflection of `view` for each reflector. Outside any render pass. Reads view.sceneColor and
 /// view.sceneDepth in compute shaders: the host has made them visible there
 /// (VK_ACCESS_2_SHADER_SAMPLED_READ). Allocates when a view's size changes. With technique `sky` nothing is
-/// recorded.
+/// recorded; with `planar` the scene's images are not read, but what was drawn since planarView().
 Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t count, const ViewDesc* view);
 
 /// The images of a view index, null handles where it has not been reflected.

@@ -75,6 +75,9 @@ void destroyTarget(Target* target);
 /// frame. Work on the CPU happens here when the backend is a CPU one.
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time);
 
+/// What to draw for a body whose reflection is `planar`; as planarView() for reflectors.
+Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
+
 /// Records the reflections of `view`; as reflect() for reflectors. Outside any render pass.
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view);
 

@@ -1,0 +1,162 @@
+#include "reflection/planar.h"
+
+#include <cstring>
+
+#include <glm/matrix.hpp>
+
+#include "reflection/mirror.h"
+#include "reflection/oblique.h"
+#include "spirv/planar.comp.h"
+
+namespace seaglass {
+
+namespace {
+
+constexpr uint32_t groupEdge = 8;
+constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
+
+/// The std140 block of shaders/planar.comp.
+struct PlanarUniforms {
+    glm::vec4 heightRow{0};
+    glm::vec4 weightRow{0};
+};
+
+constexpr gpu::Use drawnColor = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                                 VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+                                 VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+constexpr gpu::Use drawnDepth = {
+    VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT,
+    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL};
+constexpr gpu::Use changedInPlace = {
+    VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+    VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
+
+gpu::ImageDesc depthDesc(VkExtent2D extent) {
+    gpu::ImageDesc desc;
+    desc.format = depthFormat;
+    desc.extent = extent;
+    desc.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                 VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    desc.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
+    return desc;
+}
+
+glm::dvec4 row(const glm::dmat4& m, int index) {
+    return {m[0][index], m[1][index], m[2][index], m[3][index]};
+}
+
+/// Without its translation: what the view does to points relative to the eye.
+glm::dmat4 turned(const glm::dmat4& view) {
+    glm::dmat4 rotation = view;
+    rotation[3] = glm::dvec4(0, 0, 0, 1);
+    return rotation;
+}
+
+void recordBarriers(const ReflectPass& pass, const PlanarScratch& scratch, const OwnedReflection& images) {
+    VkImageMemoryBarrier2 before[] = {
+        gpu::imageBarrier(images.color.handle(), drawnColor, changedInPlace, 0, 1),
+        gpu::imageBarrier(scratch.depth.handle(), drawnDepth, gpu::sampledByShaders),
+        gpu::imageBarrier(images.info.handle(), gpu::discardedAfterSampling, gpu::storageWritten)};
+    before[1].subresourceRange.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
+    gpu::recordBarriers(pass.context.device, pass.commands, before, 3);
+}
+
+} // namespace
+
+Status PlanarKernel::create(Context& context) {
+    constexpr VkDescriptorType bindings[] = {
+        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
+    return kernel.create(context.device, planar_comp, bindings, "planar pipeline");
+}
+
+Status PlanarScratch::create(const gpu::Device& device, VkExtent2D extent) {
+    return depth.create(device, depthDesc(extent), "mirrored depth");
+}
+
+VkDeviceSize PlanarScratch::bytes(VkExtent2D extent) {
+    return gpu::imageBytes(depthDesc(extent));
+}
+
+MirroredCamera mirroredCamera(const ViewDesc& view, const ViewGeometry& geometry,
+                              const glm::dvec4& worldPlane) {
+    const glm::dmat4 hostView = toMatrix(view.view);
+    const glm::dmat4 hostProjection = toMatrix(view.projection);
+    const glm::dmat4 rotation = turned(hostView);
+    const glm::dvec4 plane = planeFacingEye(worldPlane, geometry.eye);
+    // A world point p is drawn at v = V R p. Its height is plane.p = -(plane V^-1).v, since plane R = -plane.
+    const glm::dvec4 keptSide = -(plane * glm::inverse(rotation));
+
+    MirroredCamera camera;
+    camera.view = hostView * householder(worldPlane);
+    const ObliqueProjection clipped = obliqueProjection(hostProjection, geometry.reversedDepth, keptSide);
+    camera.projection = clipped.projection;
+    camera.obliqueClip = clipped.oblique;
+
+    const glm::dmat4 pixelFromClip = geometry.pixelFromRelative * glm::inverse(geometry.clipFromRelative);
+    const glm::dmat4 viewFromPixel = glm::inverse(pixelFromClip * camera.projection);
+    camera.heightRow = keptSide * viewFromPixel;
+    camera.weightRow = row(viewFromPixel, 3);
+    return camera;
+}
+
+PlanarView describe(const MirroredCamera& camera, const ViewDesc& view, const ViewGeometry& geometry,
+                    uint32_t downscale, const PlanarScratch& scratch, const OwnedReflection& images) {
+    PlanarView out;
+    for (int i = 0; i < 16; ++i) {
+        out.view[i] = camera.view[i / 4][i % 4];
+        out.projection[i] = camera.projection[i / 4][i % 4];
+    }
+    out.obliqueClip = camera.obliqueClip;
+    const auto scale = static_cast<float>(downscale);
+    out.viewport = {(view.viewport.x - static_cast<float>(geometry.regionOrigin.x)) / scale,
+                    (view.viewport.y - static_cast<float>(geometry.regionOrigin.y)) / scale,
+                    view.viewport.width / scale,
+                    view.viewport.height / scale,
+                    0,
+                    1};
+    out.extent = images.color.desc().extent;
+    out.colorImage = images.color.handle();
+    out.color = images.color.firstMipView();
+    out.colorFormat = images.color.desc().format;
+    out.depthImage = scratch.depth.handle();
+    out.depth = scratch.depth.view();
+    out.depthFormat = depthFormat;
+    out.clearDepth = static_cast<float>(geometry.farDepth);
+    return out;
+}
+
+Status recordPlanar(const ReflectPass& pass, const PlanarKernel& planar, const PlanarScratch& scratch,
+                    const glm::dvec4& worldPlane, const OwnedReflection& images) {
+    Context& context = pass.context;
+    const MirroredCamera camera = mirroredCamera(pass.view, pass.geometry, worldPlane);
+    const PlanarUniforms uniforms{glm::vec4(camera.heightRow), glm::vec4(camera.weightRow)};
+    gpu::Slice slice;
+    if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
+    std::memcpy(slice.data, &uniforms, sizeof uniforms);
+    const gpu::Resource resources[] = {
+        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
+        gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
+        gpu::sampledImage(context.samplers.nearestClamp(), scratch.depth.view()),
+        gpu::storageImage(images.color.firstMipView()),
+        gpu::storageImage(images.info.view()),
+    };
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(planar.kernel.layout().set(), resources, set);
+        s != Status::ok)
+        return s;
+
+    const VkCommandBuffer commands = pass.commands;
+    const gpu::PassScope scope(context.device, commands, "planar_resolve");
+    recordBarriers(pass, scratch, images);
+    const VkExtent2D extent = images.color.desc().extent;
+    planar.kernel.dispatch(commands, set, (extent.width + groupEdge - 1) / groupEdge,
+                           (extent.height + groupEdge - 1) / groupEdge);
+    const VkImageMemoryBarrier2 after =
+        gpu::imageBarrier(images.info.handle(), gpu::storageWritten, gpu::sampledByShaders);
+    gpu::recordBarriers(context.device, commands, &after, 1);
+    return Status::ok;
+}
+
+} // namespace seaglass
