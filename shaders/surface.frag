@@ -20,6 +20,7 @@ const uint outputClass = 2;
 const uint outputHeight = 3;
 const uint outputNormal = 4;
 const uint outputFoam = 5;
+const uint outputReflectionSource = 6;
 
 struct SurfacePoint {
     vec2 slope;        // mean over the pixel
@@ -290,6 +291,13 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
 #ifdef REFLECTION
     if (surfaceOutput == outputClass) return vec4(classColor(position, keptAbove(reflect(-toEye, normal))), 1.0);
 #endif
+    if (surfaceOutput == outputReflectionSource) {
+#ifdef REFLECTION
+        return reflectionSource(position, keptAbove(reflect(-toEye, normal)));
+#else
+        return vec4(-1.0, -1.0, 0.0, 1.0);   // the sky
+#endif
+    }
     if (surfaceOutput == outputReflection) {
         Reflection r = reflected(s, toEye);
         return vec4(r.radiance / max(r.fresnel, 1e-4), 1.0);

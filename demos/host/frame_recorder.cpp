@@ -84,6 +84,7 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
         if (!createFrameTargets(*device_, extent, made, error)) return false;
         targets_ = std::move(made);
     }
+    if (needsExact(frame.aov) && !createExactTarget(*device_, targets_, error)) return false;
     if (!makeCamera(frame.camera, static_cast<double>(extent.width) / extent.height, camera_, error))
         return false;
     shadowFits_ = fitShadows(scene.bounds, camera_, scene.sky.sun.direction);

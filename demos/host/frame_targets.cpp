@@ -98,12 +98,16 @@ void FrameTargets::restoreScene(VkCommandBuffer commands) const {
     toAttachments(commands, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
 }
 
-void FrameTargets::copyBack(VkCommandBuffer commands, bool depthInstead) const {
-    const Image& source = depthInstead ? depth : color;
-    if (depthInstead)
-        depthToSource(commands, depth);
+void FrameTargets::exactToAttachment(VkCommandBuffer commands) const {
+    imageBarrier(commands, exact, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                 transfer | colorOutput, 0, colorOutput, colorAccess);
+}
+
+void FrameTargets::copyBack(VkCommandBuffer commands, const Image& source) const {
+    if (source.aspect == VK_IMAGE_ASPECT_DEPTH_BIT)
+        depthToSource(commands, source);
     else
-        colorToSource(commands, color);
+        colorToSource(commands, source);
     VkBufferImageCopy copy{};
     copy.imageSubresource = {source.aspect, 0, 0, 1};
     copy.imageExtent = {extent.width, extent.height, 1};
@@ -149,6 +153,17 @@ bool createFrameTargets(const Device& device, VkExtent2D extent, FrameTargets& o
                         VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferPlace::readback, out.readback, error);
 }
 
+bool createExactTarget(const Device& device, FrameTargets& targets, Error& error) {
+    if (targets.exact.view) return true;
+    ImageDesc desc;
+    desc.format = FrameTargets::exactFormat;
+    desc.extent = targets.extent;
+    desc.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    return createImage(device, desc, targets.exact, error) &&
+           createBuffer(device, VkDeviceSize(desc.extent.width) * desc.extent.height * 16,
+                        VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferPlace::readback, targets.readback, error);
+}
+
 Picture readColor(const FrameTargets& targets) {
     Picture picture = emptyPicture(targets.extent);
     const auto* const halves = static_cast<const uint64_t*>(targets.readback.mapped);
@@ -156,6 +171,12 @@ Picture readColor(const FrameTargets& targets) {
         const glm::vec4 pixel = glm::unpackHalf4x16(halves[i]);
         std::memcpy(&picture.rgba[4 * i], &pixel, sizeof(pixel));
     }
+    return picture;
+}
+
+Picture readExact(const FrameTargets& targets) {
+    Picture picture = emptyPicture(targets.extent);
+    std::memcpy(picture.rgba.data(), targets.readback.mapped, picture.rgba.size() * sizeof(float));
     return picture;
 }
 

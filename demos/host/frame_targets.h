@@ -8,10 +8,12 @@ namespace demos {
 struct FrameTargets {
     static constexpr VkFormat colorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
     static constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
+    static constexpr VkFormat exactFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
     VkExtent2D extent = {0, 0};
     Image color, depth;
     Image sceneColor, sceneDepth; ///< the opaque scene, for the water to read
+    Image exact;                  ///< for what halves do not hold; only once createExactTarget() made it
     Buffer readback;
 
     /// Attachments from `from`, whatever was done with them before.
@@ -23,15 +25,21 @@ struct FrameTargets {
     void copyScene(VkCommandBuffer commands) const;
     /// Copies sceneColor and sceneDepth back, as if nothing had been drawn since copyScene().
     void restoreScene(VkCommandBuffer commands) const;
-    /// Copies colour or depth into `readback`; they end as transfer sources.
-    void copyBack(VkCommandBuffer commands, bool depthInstead) const;
+    /// Readies `exact` for a pass that clears it.
+    void exactToAttachment(VkCommandBuffer commands) const;
+    /// Copies colour, exact or depth into `readback`; it ends as a transfer source.
+    void copyBack(VkCommandBuffer commands, const Image& source) const;
 };
 
 /// An extent over the device's limits or memory is an error.
 bool createFrameTargets(const Device& device, VkExtent2D extent, FrameTargets& out, Error& error);
 
+/// Adds `exact` to targets that lack it.
+bool createExactTarget(const Device& device, FrameTargets& targets, Error& error);
+
 /// What copyBack() brought, as floats.
 Picture readColor(const FrameTargets& targets);
+Picture readExact(const FrameTargets& targets);
 /// Metres along the view axis in red, infinite for the far plane.
 Picture readDepth(const FrameTargets& targets, double nearM);
 

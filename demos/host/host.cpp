@@ -41,17 +41,19 @@ bool Host::addWater(const WaterDesc& water, Error& error) {
 std::optional<Picture> Host::render(const FrameDesc& frame, Error& error) {
     Impl& impl = *impl_;
     if (!impl.ready(error) || !impl.recorder.begin(*impl.scene, frame, error)) return std::nullopt;
-    const bool depth = frame.aov == Aov::depth;
+    const FrameTargets& targets = impl.recorder.targets();
+    const bool depth = frame.aov == Aov::depth, exact = needsExact(frame.aov);
+    const Image& source = depth ? targets.depth : exact ? targets.exact : targets.color;
     const bool drawn = impl.device->run(
         [&](VkCommandBuffer commands, Error& problem) {
             if (!impl.recordFrame(commands, problem)) return false;
-            impl.recorder.targets().copyBack(commands, depth);
+            targets.copyBack(commands, source);
             return true;
         },
         error);
     if (!drawn) return std::nullopt;
-    const FrameTargets& targets = impl.recorder.targets();
-    return depth ? readDepth(targets, impl.recorder.camera().near) : readColor(targets);
+    if (depth) return readDepth(targets, impl.recorder.camera().near);
+    return exact ? readExact(targets) : readColor(targets);
 }
 
 bool Host::Impl::ready(Error& error) const {

@@ -43,6 +43,8 @@ seaglass::SurfaceOutput outputOf(Aov aov) {
         return seaglass::SurfaceOutput::normal;
     case Aov::foam:
         return seaglass::SurfaceOutput::foam;
+    case Aov::reflectionSource:
+        return seaglass::SurfaceOutput::reflectionSource;
     default:
         return seaglass::SurfaceOutput::shaded;
     }
@@ -51,7 +53,8 @@ seaglass::SurfaceOutput outputOf(Aov aov) {
 } // namespace
 
 WaterPass::~WaterPass() {
-    if (target_) seaglass::destroyTarget(target_);
+    for (seaglass::Target* const target : {target_, exactTarget_})
+        if (target) seaglass::destroyTarget(target);
     if (context_) seaglass::destroyContext(context_);
 }
 
@@ -80,7 +83,9 @@ bool WaterPass::create(const Device& device, uint32_t framesInFlight, PassTimer&
     seaglass::TargetDesc target;
     target.colorFormat = FrameTargets::colorFormat;
     target.depthFormat = FrameTargets::depthFormat;
-    return ok(seaglass::createTarget(context_, &target, &target_), "water", error);
+    if (!ok(seaglass::createTarget(context_, &target, &target_), "water", error)) return false;
+    target.colorFormat = FrameTargets::exactFormat;
+    return ok(seaglass::createTarget(context_, &target, &exactTarget_), "water", error);
 }
 
 bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) {
@@ -140,7 +145,9 @@ bool WaterPass::reflect(VkCommandBuffer commands, const WaterBody& body, const C
 bool WaterPass::draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                      const FrameTargets& targets, const Sky& sky, Aov aov, Error& error) {
     const bool overScene = aov == Aov::color || aov == Aov::depth;
-    beginRendering(commands, targets.extent, &targets.color,
+    const bool exact = needsExact(aov);
+    if (exact) targets.exactToAttachment(commands);
+    beginRendering(commands, targets.extent, exact ? &targets.exact : &targets.color,
                    overScene ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR, targets.depth,
                    VK_ATTACHMENT_LOAD_OP_LOAD, 0);
     seaglass::Status status = seaglass::Status::ok;
@@ -148,7 +155,8 @@ bool WaterPass::draw(VkCommandBuffer commands, const WaterBody& body, const Came
         seaglass::Body* const bodies[] = {body.get()};
         const seaglass::ViewDesc view = viewOf(camera, targets);
         const seaglass::LightingDesc lighting = lightingOf(sky);
-        status = seaglass::draw(commands, target_, bodies, 1, &view, &lighting, outputOf(aov));
+        status = seaglass::draw(commands, exact ? exactTarget_ : target_, bodies, 1, &view, &lighting,
+                                outputOf(aov));
     }
     vkCmdEndRendering(commands);
     return ok(status, "water", error);

@@ -29,6 +29,11 @@ class WaterBody {
     seaglass::Body* body_ = nullptr;
 };
 
+/// Whether an output is drawn into FrameTargets::exact instead of color.
+inline bool needsExact(Aov aov) {
+    return aov == Aov::reflectionSource;
+}
+
 class WaterPass {
   public:
     WaterPass() = default;
@@ -45,7 +50,7 @@ class WaterPass {
     bool simulate(VkCommandBuffer commands, const WaterBody& body, double timeS, double& cpuMs, Error& error);
     bool reflect(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                  const FrameTargets& targets, Error& error);
-    /// Draws into targets.color over the opaque depth; for anything but colour, over black.
+    /// Draws into targets.color, or exact, over the opaque depth; for anything but colour, over black.
     bool draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
               const FrameTargets& targets, const Sky& sky, Aov aov, Error& error);
 
@@ -54,6 +59,7 @@ class WaterPass {
 
     seaglass::Context* context_ = nullptr;
     seaglass::Target* target_ = nullptr;
+    seaglass::Target* exactTarget_ = nullptr;
     uint32_t framesInFlight_ = 1, slot_ = 0;
     std::string message_; ///< what Seaglass last said
 };

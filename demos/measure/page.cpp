@@ -40,10 +40,11 @@ img { display: block; width: 100%; }
 constexpr const char* notes =
     R"html(<p class="note">Cost is that of the reflection's own passes; the water's drawing is given beside it. The
 floor is a compute copy of the frame's colour (RGBA16F) and depth (R32F), timed between the same frames. &plusmn; is
-the interquartile range. FLIP, PSNR and wrong (the share that is off by more than 5 % of white in some channel) compare
-the tone-mapped picture with the ray-traced one over the pixels of water, FLIP of the picture over all. Found is the
-share, of what is mirrored and seen elsewhere in the picture, that the technique found; sky as solid and solid as sky
-are its mistakes about the sky. A dash is what was not measured. In the plots, filled marks are beaten by no other in
+the interquartile range. FLIP and wrong (the share that is off by more than 5 % of white in some channel) compare the
+tone-mapped picture with the ray-traced one over the pixels of water. What is mirrored can be recovered where it is seen
+elsewhere in the picture: PSNR is that of the reflection there, before Fresnel; found is the share that the technique
+found, and off by how far from the mirrored point it was then taken. Sky as solid and solid as sky are mistakes about the
+sky. A dash is what was not measured or has no pixel. In the plots, filled marks are beaten by no other in
 both cost and error.</p>
 )html";
 
@@ -63,7 +64,7 @@ std::string table(const Tradeoff& tradeoff, const Sheet& sheet) {
     std::string html = "<div class=\"scroll\"><table>\n<tr>";
     for (const char* const name :
          {"technique", "ms", "&plusmn;", "&times; floor", "floor, ms", "water drawn, ms", "MB", "FLIP",
-          "PSNR, dB", "found", "sky as solid", "solid as sky", "wrong", "FLIP of the picture"})
+          "wrong", "PSNR, dB", "found", "off, px: median", "p95", "sky as solid", "solid as sky"})
         html += std::string("<th>") + name + "</th>";
     html += "</tr>\n";
     for (const Entry& entry : tradeoff.of(sheet)) {
@@ -75,10 +76,10 @@ std::string table(const Tradeoff& tradeoff, const Sheet& sheet) {
         for (const std::string& cell :
              {print("%.3f", cost.reflection.ms), print("%.3f", cost.reflection.spreadMs),
               print("%.2f", cost.xFloor), print("%.3f", cost.floor.ms), print("%.1f", drawingMs(entry)),
-              print("%.1f", megabytes), print("%.4f", error.flip), print("%.2f", error.psnrDb),
-              print("%.4f", error.coverage), print("%.4f", error.falseSkyHits),
-              print("%.4f", error.skyOnGeometry), print("%.4f", error.wrongShare),
-              print("%.4f", error.flipPicture)})
+              print("%.1f", megabytes), print("%.4f", error.flip), print("%.4f", error.wrongShare),
+              print("%.2f", error.psnrDb), print("%.4f", error.coverage), print("%.2f", error.positionPxP50),
+              print("%.2f", error.positionPxP95), print("%.4f", error.falseSkyHits),
+              print("%.4f", error.skyOnGeometry)})
             html += "<td>" + cell + "</td>";
         html += "</tr>\n";
     }

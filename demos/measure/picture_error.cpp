@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/pass_samples.h"
+#include "metrics/finite.h"
 #include "metrics/flip.h"
 #include "metrics/psnr.h"
-#include "reference/truth.h"
 
 namespace demos::measure {
 
@@ -15,19 +16,41 @@ using reference::TruthClass;
 
 constexpr double wrongBy = 0.05;
 
-std::vector<float> displayed(std::span<const uint8_t> rgb) {
-    std::vector<float> rgba(rgb.size() / 3 * 4, 1.0f);
+bool isSound(const Picture& picture, const std::string& name, Error& error) {
+    const uint64_t broken = countNotFinite({picture.width, picture.height, picture.rgba});
+    if (broken == 0) return true;
+    error.text =
+        "NaN or infinity in " + std::to_string(broken) + " pixels of the " + name + ", expected none";
+    return false;
+}
+
+/// RGBA, display-encoded 0..1.
+std::vector<float> displayed(const Picture& picture, double exposureEv) {
+    const std::vector<uint8_t> rgb = toneMap(picture, exposureEv);
+    std::vector<float> rgba(picture.rgba.size(), 1.0f);
     for (size_t i = 0; i < rgb.size(); ++i) rgba[i / 3 * 4 + i % 3] = static_cast<float>(rgb[i]) / 255;
     return rgba;
 }
 
+struct Off {
+    double squares = 0, most = 0; ///< over red, green and blue
+};
+
+Off offAt(size_t pixel, const std::vector<float>& a, const std::vector<float>& b) {
+    Off off;
+    for (size_t c = 4 * pixel; c < 4 * pixel + 3; ++c) {
+        const double by = static_cast<double>(std::abs(a[c] - b[c]));
+        off.squares += by * by;
+        off.most = std::max(off.most, by);
+    }
+    return off;
+}
+
 enum class Claim { nothing, sky, hit };
 
-Claim claimAt(const Shots& shots, Answers answers, size_t pixel) {
-    if (answers == Answers::sky) return Claim::sky;
-    const float* const color = &shots.classes->rgba[pixel * 4]; // green a hit, blue the sky, red unknown
-    if (color[1] > 0.5f) return Claim::hit;
-    return color[2] > 0.5f ? Claim::sky : Claim::nothing;
+/// The class of Aov::reflectionSource.
+Claim claimAt(const Picture& sources, size_t pixel) {
+    return static_cast<Claim>(std::lround(sources.rgba[4 * pixel + 3]));
 }
 
 bool isSolid(TruthClass kind) {
@@ -50,64 +73,114 @@ class Share {
     uint64_t among_ = 0, of_ = 0;
 };
 
-/// FLIP and PSNR over some pixels.
 class Mean {
   public:
-    void add(double flip, double squares) {
-        flip_ += flip;
-        squares_ += squares;
-        ++pixels_;
+    void add(double value) {
+        sum_ += value;
+        ++count_;
     }
-    std::optional<double> flip() const {
-        if (pixels_ == 0) return std::nullopt;
-        return flip_ / pixels_;
+    std::optional<double> value() const {
+        if (count_ == 0) return std::nullopt;
+        return sum_ / count_;
     }
-    /// Not there when nothing differs: no number is infinite.
+    /// Of sums of three squares. Not there when nothing differs: no number is infinite.
     std::optional<double> psnr() const {
-        if (squares_ == 0) return std::nullopt;
-        return psnrDb(squares_ / (3 * pixels_), 1);
+        if (sum_ == 0) return std::nullopt;
+        return psnrDb(sum_ / (3 * count_), 1);
     }
 
   private:
-    double flip_ = 0, squares_ = 0, pixels_ = 0;
+    double sum_ = 0, count_ = 0;
+};
+
+/// In pixels, between where the mirrored point is and where it was taken from.
+double positionError(const Picture& truth, const Picture& sources, size_t pixel) {
+    const float* const is = &truth.rgba[4 * pixel + 1];
+    const float* const found = &sources.rgba[4 * pixel];
+    return std::hypot(static_cast<double>(is[0] - found[0]), static_cast<double>(is[1] - found[1]));
+}
+
+/// Everything that is counted pixel by pixel.
+class Counts {
+  public:
+    void picture(double flip, const Off& off) {
+        flipPicture_.add(flip);
+        squaresPicture_.add(off.squares);
+    }
+    void water(double flip, const Off& off) {
+        flip_.add(flip);
+        squaresWater_.add(off.squares);
+        wrong_.count(off.most > wrongBy);
+    }
+    void claim(TruthClass kind, Claim claim) {
+        if (kind == TruthClass::recoverable) covered_.count(claim == Claim::hit);
+        if (kind == TruthClass::sky) falseHits_.count(claim == Claim::hit);
+        if (isSolid(kind)) calledSky_.count(claim == Claim::sky);
+    }
+    void recoverable(const Off& off) { squares_.add(off.squares); }
+    void found(const Off& off, double positionPx) {
+        squaresFound_.add(off.squares);
+        positions_.push_back(positionPx);
+    }
+
+    PictureError summary() const {
+        PictureError error;
+        error.flip = flip_.value();
+        error.psnrDb = squares_.psnr();
+        error.psnrValidDb = squaresFound_.psnr();
+        error.psnrWaterDb = squaresWater_.psnr();
+        error.flipPicture = flipPicture_.value();
+        error.psnrPictureDb = squaresPicture_.psnr();
+        error.coverage = covered_.value();
+        error.falseSkyHits = falseHits_.value();
+        error.skyOnGeometry = calledSky_.value();
+        error.wrongShare = wrong_.value();
+        if (positions_.empty()) return error;
+        error.positionPxP50 = quantile(positions_, 0.5);
+        error.positionPxP95 = quantile(positions_, 0.95);
+        error.positionPxMax = quantile(positions_, 1);
+        return error;
+    }
+
+  private:
+    Mean flip_, flipPicture_;
+    Mean squares_, squaresFound_, squaresWater_, squaresPicture_;
+    Share covered_, falseHits_, calledSky_, wrong_;
+    std::vector<double> positions_;
 };
 
 } // namespace
 
-PictureError errorOf(const Shots& shots, Answers answers) {
-    const Picture& truth = *shots.truth;
-    const std::vector<float> reference = displayed(shots.reference), test = displayed(shots.test);
+std::optional<PictureError> errorOf(const reference::Pictures& truth, const Shots& shots, double exposureEv,
+                                    Error& error) {
+    if (!isSound(truth.color, "reference", error) ||
+        !isSound(truth.mirrored, "reference's reflection", error) ||
+        !isSound(shots.color, "picture", error) || !isSound(shots.reflection, "reflection", error) ||
+        !isSound(shots.sources, "reflection's sources", error))
+        return std::nullopt;
+    const Picture& classes = truth.truth;
+    const std::vector<float> reference = displayed(truth.color, exposureEv),
+                             test = displayed(shots.color, exposureEv),
+                             mirrored = displayed(truth.mirrored, exposureEv),
+                             reflection = displayed(shots.reflection, exposureEv);
     const std::vector<float> flips =
-        flip({truth.width, truth.height, reference}, {truth.width, truth.height, test});
-    Mean water, whole;
-    Share covered, falseHits, calledSky, wrong;
+        flip({classes.width, classes.height, reference}, {classes.width, classes.height, test});
+    Counts counts;
     for (size_t i = 0; i < flips.size(); ++i) {
-        double squares = 0, most = 0;
-        for (size_t c = 4 * i; c < 4 * i + 3; ++c) {
-            const double by = static_cast<double>(std::abs(reference[c] - test[c]));
-            squares += by * by;
-            most = std::max(most, by);
-        }
-        whole.add(static_cast<double>(flips[i]), squares);
-        const auto kind = static_cast<TruthClass>(std::lround(truth.rgba[4 * i]));
+        const auto flipped = static_cast<double>(flips[i]);
+        const Off off = offAt(i, reference, test);
+        counts.picture(flipped, off);
+        const auto kind = static_cast<TruthClass>(std::lround(classes.rgba[4 * i]));
         if (kind == TruthClass::none) continue;
-        water.add(static_cast<double>(flips[i]), squares);
-        wrong.count(most > wrongBy);
-        const Claim claim = claimAt(shots, answers, i);
-        if (kind == TruthClass::recoverable) covered.count(claim == Claim::hit);
-        if (kind == TruthClass::sky) falseHits.count(claim == Claim::hit);
-        if (isSolid(kind)) calledSky.count(claim == Claim::sky);
+        const Claim claim = claimAt(shots.sources, i);
+        counts.water(flipped, off);
+        counts.claim(kind, claim);
+        if (kind != TruthClass::recoverable) continue;
+        const Off mirrorOff = offAt(i, mirrored, reflection);
+        counts.recoverable(mirrorOff);
+        if (claim == Claim::hit) counts.found(mirrorOff, positionError(classes, shots.sources, i));
     }
-    PictureError error;
-    error.flip = water.flip();
-    error.psnrDb = water.psnr();
-    error.flipPicture = whole.flip();
-    error.psnrPictureDb = whole.psnr();
-    error.coverage = covered.value();
-    error.falseSkyHits = falseHits.value();
-    error.skyOnGeometry = calledSky.value();
-    error.wrongShare = wrong.value();
-    return error;
+    return counts.summary();
 }
 
 } // namespace demos::measure

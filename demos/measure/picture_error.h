@@ -1,20 +1,21 @@
 #pragma once
 
-#include <span>
-
-#include "measure/technique.h"
 #include "measure/tradeoff.h"
+#include "reference/reference.h"
 
 namespace demos::measure {
 
+/// What a technique drew, all of one size: linear as the host gives them.
 struct Shots {
-    std::span<const uint8_t> reference, test; ///< tone-mapped alike, RGB
-    const Picture* truth = nullptr;           ///< reference::Pictures::truth
-    const Picture* classes = nullptr;         ///< Aov::reflectionClass; looked at for Answers::classes alone
+    Picture color;      ///< Aov::color
+    Picture reflection; ///< Aov::reflection
+    Picture sources;    ///< Aov::reflectionSource
 };
 
-/// Of pictures of one size. FLIP, PSNR and the share that is wrong are of the tone-mapped pictures: of what
-/// is seen.
-PictureError errorOf(const Shots& shots, Answers answers);
+/// Shots against the truth, which is of their size. FLIP, PSNR and the share that is wrong are of tone-mapped
+/// pictures: of what is seen. Null with `error` set when a picture holds NaN or infinity, since what is
+/// measured of such a picture means nothing.
+std::optional<PictureError> errorOf(const reference::Pictures& truth, const Shots& shots, double exposureEv,
+                                    Error& error);
 
 } // namespace demos::measure

@@ -84,20 +84,30 @@ class View {
         return cost;
     }
 
-    std::optional<Picture> draw(uint32_t water, Aov aov, Error& error) {
-        frame_.water = water;
-        frame_.aov = aov;
-        return host_.render(frame_, error);
+    bool draw(uint32_t water, Aov aov, Picture& out, Error& error) {
+        FrameDesc frame = frame_;
+        frame.water = water;
+        frame.aov = aov;
+        std::optional<Picture> picture = host_.render(frame, error);
+        if (picture) out = std::move(*picture);
+        return picture.has_value();
     }
 
     bool compare(uint32_t water, Error& error) {
-        const std::optional<Picture> color = draw(water, Aov::color, error);
-        if (!color) return false;
-        const std::optional<Picture> classes = draw(water, Aov::reflectionClass, error);
-        if (!classes) return false;
-        result_.pictures.push_back(toneMap(*color, subject_.scene.exposureEv));
-        const Shots shots = {result_.reference, result_.pictures.back(), &truth_.truth, &*classes};
-        result_.entries[water].error = errorOf(shots, subject_.variants[water].technique->answers);
+        Shots shots;
+        if (!draw(water, Aov::color, shots.color, error) ||
+            !draw(water, Aov::reflection, shots.reflection, error) ||
+            !draw(water, Aov::reflectionSource, shots.sources, error))
+            return false;
+        const double exposureEv = subject_.scene.exposureEv;
+        const std::optional<PictureError> found = errorOf(truth_, shots, exposureEv, error);
+        if (!found) {
+            error.text = result_.scene + ", camera " + result_.camera + ", " + result_.entries[water].name() +
+                         ": " + error.text;
+            return false;
+        }
+        result_.pictures.push_back(toneMap(shots.color, exposureEv));
+        result_.entries[water].error = *found;
         return true;
     }
 

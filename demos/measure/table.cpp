@@ -40,6 +40,9 @@ Json errorJson(const PictureError& error) {
     json["position_px_p50"] = orNull(error.positionPxP50);
     json["position_px_p95"] = orNull(error.positionPxP95);
     json["wrong_share"] = orNull(error.wrongShare);
+    json["position_px_max"] = orNull(error.positionPxMax);
+    json["psnr_valid_db"] = orNull(error.psnrValidDb);
+    json["psnr_water_db"] = orNull(error.psnrWaterDb);
     json["flip_picture"] = orNull(error.flipPicture);
     json["psnr_picture_db"] = orNull(error.psnrPictureDb);
     return json;

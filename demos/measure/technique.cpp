@@ -10,13 +10,10 @@ namespace demos::measure {
 namespace {
 
 std::vector<Technique> allTechniques() {
-    std::vector<Technique> all = {{"none", "default", {}, Answers::sky, false}};
+    std::vector<Technique> all = {{"none", "default", {}, false}};
     for (const std::string_view word : choicesOf("water.reflection.technique")) {
         const std::string name(word);
-        all.push_back({name,
-                       "default",
-                       {"water.reflection.technique=" + name},
-                       name == "sky" ? Answers::sky : Answers::classes});
+        all.push_back({name, "default", {"water.reflection.technique=" + name}});
     }
     return all;
 }

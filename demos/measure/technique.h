@@ -10,16 +10,9 @@
 
 namespace demos::measure {
 
-/// What a technique says of the reflection at a pixel of water.
-enum class Answers {
-    sky,     ///< the sky, everywhere
-    classes, ///< what Aov::reflectionClass shows
-};
-
 struct Technique {
     std::string name, quality;
     std::vector<std::string> overrides; ///< of the scene, as --set takes them
-    Answers answers = Answers::classes;
     bool part = true; ///< whether the water has a reflection at all; without, it mirrors the sky as well
 };
 

@@ -20,12 +20,16 @@ struct Cost {
 
 /// Shares are 0..1. What has no pixel to be measured on is not there.
 struct PictureError {
-    std::optional<double> flip, psnrDb;               ///< over the pixels of water
-    std::optional<double> flipPicture, psnrPictureDb; ///< over the whole picture
+    std::optional<double> flip, psnrWaterDb;          ///< of the picture over the pixels of water
+    std::optional<double> flipPicture, psnrPictureDb; ///< over all its pixels
+    /// Of what is mirrored, before Fresnel, where it is seen elsewhere in the picture; and of these where the
+    /// technique says that it found it.
+    std::optional<double> psnrDb, psnrValidDb;
     std::optional<double> coverage;      ///< hits, of what is mirrored and seen elsewhere in the picture
     std::optional<double> falseSkyHits;  ///< hits, of what mirrors the sky
     std::optional<double> skyOnGeometry; ///< called sky, of what mirrors something solid
-    std::optional<double> positionPxP50, positionPxP95;
+    /// How far from the mirrored point, in pixels, the picture was looked up, where it was rightly so.
+    std::optional<double> positionPxP50, positionPxP95, positionPxMax;
     std::optional<double> wrongShare; ///< pixels of water that are off by more than 5 % of white
 };
 

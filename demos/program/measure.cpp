@@ -80,14 +80,15 @@ std::string text(const char* format, const std::optional<double>& value) {
 void summarise(const measure::Tradeoff& tradeoff) {
     std::printf("%s, %ux%u, floor %s ms\n", tradeoff.device.c_str(), tradeoff.width, tradeoff.height,
                 text("%.3f", tradeoff.floorMs()).c_str());
-    std::printf("%-10s %9s %9s %8s %8s %9s %7s  %s\n", "technique", "ms", "x floor", "FLIP", "PSNR dB",
-                "coverage", "wrong", "camera");
+    std::printf("%-10s %9s %9s %8s %8s %9s %8s  %s\n", "technique", "ms", "x floor", "FLIP", "PSNR dB",
+                "coverage", "off px", "camera");
     for (const measure::Entry& entry : tradeoff.entries)
-        std::printf("%-10s %9.3f %9s %8s %8s %9s %7s  %s of %s\n", entry.technique.c_str(),
+        std::printf("%-10s %9.3f %9s %8s %8s %9s %8s  %s of %s\n", entry.technique.c_str(),
                     entry.cost.reflection.ms, text("%.2f", entry.cost.xFloor).c_str(),
                     text("%.4f", entry.error.flip).c_str(), text("%.2f", entry.error.psnrDb).c_str(),
-                    text("%.3f", entry.error.coverage).c_str(), text("%.3f", entry.error.wrongShare).c_str(),
-                    entry.camera.c_str(), fs::path(entry.scene).filename().string().c_str());
+                    text("%.3f", entry.error.coverage).c_str(),
+                    text("%.2f", entry.error.positionPxP50).c_str(), entry.camera.c_str(),
+                    fs::path(entry.scene).filename().string().c_str());
 }
 
 void sayInterrupted(const TradeoffFiles& files, size_t views, Error& error) {

@@ -15,14 +15,16 @@ constexpr const char* footer =
 the floor (a compute copy of the frame's colour and depth, timed between the same frames), and how far the
 picture is from the ray-traced one. Writes tradeoff.json, tradeoff.csv and index.html with plots and pictures.
 
-  flip, psnr_db, wrong_share   over the pixels of water, of the tone-mapped pictures
-  flip_picture, psnr_picture_db   the same over the whole picture
-  coverage         of what is mirrored and seen elsewhere in the picture: how much was found
+  flip, wrong_share, psnr_water_db   of the tone-mapped picture over the pixels of water
+  flip_picture, psnr_picture_db      the same over the whole picture
+  psnr_db          of what is mirrored, before Fresnel, where it is seen elsewhere in the picture
+  psnr_valid_db    the same where it was found
+  coverage         how much of it was found
+  position_px_*    how far from the mirrored point the picture was looked up for it, in pixels
   false_sky_hits   of what mirrors the sky: how much was taken for something solid
   sky_on_geometry  of what mirrors something solid: how much was taken for the sky
 
-What cannot be measured is null: bytes and the position errors, which the library does not say, and shares of
-nothing. Validation, which would be timed as well, is off.
+What cannot be measured is null, such as shares of nothing. Validation, which would be timed as well, is off.
 
 Examples:
   seaglass measure -o out/tradeoff

@@ -17,7 +17,7 @@ namespace {
 constexpr uint32_t mostFrames = 100000;
 constexpr uint32_t mostSamples = 65536;
 
-constexpr std::array<std::pair<std::string_view, Aov>, 7> aovs = {{
+constexpr std::array<std::pair<std::string_view, Aov>, 8> aovs = {{
     {"color", Aov::color},
     {"reflection", Aov::reflection},
     {"class", Aov::reflectionClass},
@@ -25,6 +25,7 @@ constexpr std::array<std::pair<std::string_view, Aov>, 7> aovs = {{
     {"normal", Aov::normal},
     {"foam", Aov::foam},
     {"depth", Aov::depth},
+    {"reflection_source", Aov::reflectionSource},
 }};
 
 constexpr const char* footer = R"(Examples:
@@ -104,7 +105,9 @@ void describe(CLI::App& app, CLI::App& render, Raw& raw) {
                     "Render so many, numbered in place of %04d or before the extension")
         ->type_name("N");
     render.add_option("--fps", raw.fps, "Frames in a second, 30 if not given")->type_name("F");
-    render.add_option("--aov", raw.aov, "What to draw: color reflection class height normal foam depth")
+    render
+        .add_option("--aov", raw.aov,
+                    "What to draw: color reflection class height normal foam depth reflection_source")
         ->type_name("NAME");
     render.add_option("--stats", raw.stats, "Measure the frame's passes, print them and write them as JSON")
         ->type_name("FILE");
@@ -180,7 +183,8 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
             std::find_if(aovs.begin(), aovs.end(), [&raw](const auto& a) { return a.first == raw.aov; });
         if (found == aovs.end()) {
             return fail("--aov is '" + raw.aov +
-                            "', expected color, reflection, class, height, normal, foam or depth;" +
+                            "', expected color, reflection, class, height, normal, foam, depth or "
+                            "reflection_source;" +
                             " the nearest is " + std::string(nearest(raw.aov, aovNames())),
                         error);
         }

@@ -73,6 +73,15 @@ Visualised depth(const Picture& picture) {
     return {paint(picture, toRgb), scale.data()};
 }
 
+Visualised source(const Picture& picture) {
+    const auto width = static_cast<float>(picture.width), height = static_cast<float>(picture.height);
+    const auto toRgb = [=](const float* p) { return Rgb{p[0] / width, p[1] / height, 0}; };
+    std::array<char, 64> scale{};
+    std::snprintf(scale.data(), scale.size(), "red across %u pixels, green down %u", picture.width,
+                  picture.height);
+    return {paint(picture, toRgb), scale.data()};
+}
+
 } // namespace
 
 Visualised visualise(const Picture& picture, Aov aov, double exposureEv) {
@@ -90,6 +99,8 @@ Visualised visualise(const Picture& picture, Aov aov, double exposureEv) {
         return {paint(picture, [](const float* p) { return grey(p[0]); }), {}};
     case Aov::depth:
         return depth(picture);
+    case Aov::reflectionSource:
+        return source(picture);
     }
     return {};
 }

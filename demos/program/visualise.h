@@ -15,7 +15,8 @@ struct Visualised {
 };
 
 /// Colour and reflection are tone-mapped; classes as they are; normals 0.5 + 0.5 n; height grey around mid
-/// grey; foam grey; depth logarithmic grey, the nearest white, the farthest and the sky black.
+/// grey; foam grey; depth logarithmic grey, the nearest white, the farthest and the sky black. Sources: red
+/// across the picture, green down it, black where there is none.
 Visualised visualise(const Picture& picture, Aov aov, double exposureEv);
 
 } // namespace demos

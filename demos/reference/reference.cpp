@@ -63,6 +63,8 @@ void renderRow(const Frame& frame, uint32_t y, Pictures& out) {
         out.truth.rgba[at + 1] = truth.pixel.x;
         out.truth.rgba[at + 2] = truth.pixel.y;
         out.truth.rgba[at + 3] = truth.distance;
+        for (int c = 0; c < 3; ++c) out.mirrored.rgba[at + static_cast<size_t>(c)] = truth.radiance[c];
+        out.mirrored.rgba[at + 3] = 1;
     }
 }
 
@@ -71,7 +73,7 @@ void renderRow(const Frame& frame, uint32_t y, Pictures& out) {
 Pictures renderReference(const Frame& frame, bool withTruth, const ProgressFunction& progress) {
     Pictures out;
     out.color = emptyPicture(frame);
-    if (withTruth) out.truth = emptyPicture(frame);
+    if (withTruth) out.truth = out.mirrored = emptyPicture(frame);
     std::atomic<uint32_t> next{0};
     std::mutex told;
     uint32_t done = 0;

@@ -13,6 +13,7 @@ struct Pictures {
     /// Class, the mirrored point's pixel (x, y), its distance from the water [m]: see Truth. Empty unless
     /// asked for.
     Picture truth;
+    Picture mirrored; ///< linear, what the water mirrors before Fresnel; black elsewhere. Empty as truth is
 };
 
 /// Is told rows done and rows in all, by one thread at a time; false leaves the rest undone.

@@ -33,6 +33,7 @@ Truth truthAt(const Frame& frame, const glm::vec2& pixel) {
     Hit surface;
     if (!frame.geometry.trace(ray, Kind::everything, surface) || surface.kind != Kind::water) return truth;
     const Ray mirrored = mirrorOfMean(frame, ray, surface).ray;
+    truth.radiance = radianceAlong(frame, mirrored, mostBounces - 1, nullptr);
     Hit hit;
     const bool found = frame.geometry.trace(mirrored, Kind::everything, hit);
     const glm::dvec3 seen = frame.seenAt(found ? hit.position : mirrored.direction);

@@ -19,7 +19,8 @@ struct Truth {
     TruthClass kind = TruthClass::none;
     glm::vec2 pixel{
         -1}; ///< where the mirrored point lies in the picture, its border or not; -1 behind the eye
-    float distance = 0; ///< from the water to it [m]; 0 for the sky
+    float distance = 0;    ///< from the water to it [m]; 0 for the sky
+    glm::vec3 radiance{0}; ///< along the mirrored ray
 };
 
 /// Of the ray through a point of the picture, mirrored by the mean slope over the pixel.

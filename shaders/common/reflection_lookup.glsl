@@ -58,6 +58,25 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread) {
     return textureLod(reflectionColor, texel / vec2(textureSize(reflectionColor, 0)), log2(max(texels, 1.0))) * inside;
 }
 
+vec3 rayThrough(vec2 pixel) {
+    vec4 p = relativeFromPixel * vec4(pixel, 0.5, 1.0);
+    return normalize(p.xyz / p.w);
+}
+
+// Where in the region the mirrored thing is taken from, its distance from the surface and its ReflectionClass. A texel
+// of the reflection says how far away its mirror image is; the lookup's own ray meets it there.
+vec4 reflectionSource(vec3 from, vec3 direction) {
+    vec2 pixel = bentPoint(from, direction).pixel;
+    float info = infoAt(pixel);
+    if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
+    vec3 throughTexel = rayThrough((floor(pixel / reflectionScale) + 0.5) * reflectionScale);
+    float toSurface = plane.w / max(-throughTexel.y, 1e-6);
+    vec3 source = rayThrough(pixel) * (toSurface + info);
+    source.y = -source.y - 2.0 * plane.w;
+    vec4 seen = pixelOf(source);
+    return seen.w > 0.0 ? vec4(seen.xy, info, 2.0) : vec4(-1.0, -1.0, info, 2.0);
+}
+
 vec3 classColor(vec3 from, vec3 direction) {
     float info = infoAt(bentPoint(from, direction).pixel);
     if (infoIsHit(info)) return vec3(0.0, 1.0, 0.0);

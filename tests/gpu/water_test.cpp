@@ -238,6 +238,45 @@ TEST_F(Water, FlatWaterShowsTheTracedReflection) {
     EXPECT_GT(static_cast<double>(skyRight), 0.98 * static_cast<double>(skyPixels));
 }
 
+TEST_F(Water, SaysWhereTheReflectionIsTakenFrom) {
+    const ReflectionDesc reflection;
+    BodyDesc desc;
+    desc.reflection = &reflection;
+    Body* body = makeBody(desc);
+    Camera camera = seaCamera();
+    camera.eye = {-1, 2.2, 9};
+    camera.target = {-0.5, 1.2, 0};
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    const SceneBehind behind = {traced.color, traced.depth};
+    const WaterPicture colors = picture({body}, camera, 0, SurfaceOutput::reflection, behind);
+    const WaterPicture sources = picture({body}, camera, 0, SurfaceOutput::reflectionSource, behind);
+    std::vector<double> fromTruth, fromColors;
+    for (size_t i = 0; i < traced.truth.size(); ++i) {
+        const float* const source = &sources.color[i * 4];
+        if (source[3] != 2.0f || traced.truth[i] != Truth::recoverable) continue;
+        const glm::dvec2 pixel(source[0], source[1]);
+        const float* const c = &colors.color[i * 4];
+        fromTruth.push_back(glm::length(pixel - traced.source[i]));
+        fromColors.push_back(
+            glm::length(glm::dvec2(c[0], c[1]) * glm::dvec2(traced.width, traced.height) - pixel));
+    }
+    ASSERT_GT(fromTruth.size(), 1000u);
+    std::ranges::sort(fromTruth);
+    std::ranges::sort(fromColors);
+    // This attachment's halves hold a place to an eighth of a pixel.
+    EXPECT_LT(fromTruth[fromTruth.size() / 2], 0.15);
+    EXPECT_LT(fromTruth[fromTruth.size() * 9 / 10], 0.5);
+    // Colours are those of whole pixels.
+    EXPECT_LT(fromColors[fromColors.size() / 2], 0.6);
+
+    const WaterPicture sky = picture({makeBody({})}, camera, 0, SurfaceOutput::reflectionSource, behind);
+    for (size_t i = 0; i < traced.truth.size(); ++i)
+        if (sky.covered(i)) {
+            const float* const source = &sky.color[i * 4];
+            ASSERT_TRUE(source[0] == -1.0f && source[1] == -1.0f && source[3] == 1.0f) << i;
+        }
+}
+
 TEST_F(Water, IsTheSamePictureAMillionMetresAway) {
     SeaDesc desc = breeze();
     desc.cascades = 1;

@@ -2,19 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 
 #include "measure/pareto.h"
 #include "measure/picture_error.h"
-#include "reference/truth.h"
 #include "tests/program/refused.h"
 #include "tests/program/sample.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-using demos::measure::Answers;
 using demos::measure::PictureError;
 using demos::reference::TruthClass;
 using nlohmann::json;
@@ -80,10 +79,11 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
         EXPECT_TRUE(entry["cost"].at("bytes").is_null());
         for (const json& pass : entry["cost"].at("passes")) expectNumber(pass, "ms");
         for (const char* const key : {"flip", "psnr_db", "coverage", "false_sky_hits", "sky_on_geometry",
-                                      "wrong_share", "flip_picture", "psnr_picture_db"})
+                                      "wrong_share", "psnr_water_db", "flip_picture", "psnr_picture_db"})
             expectNumber(entry["error"], key);
-        for (const char* const key : {"position_px_p50", "position_px_p95"})
-            EXPECT_TRUE(entry["error"].at(key).is_null());
+        for (const char* const key :
+             {"position_px_p50", "position_px_p95", "position_px_max", "psnr_valid_db"})
+            EXPECT_EQ(entry["error"].at(key).is_null(), entry["technique"] != "sspr") << key;
         entries[entry["technique"]] = entry;
     }
     const json& none = entries.at("none");
@@ -97,7 +97,10 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     EXPECT_GT(sspr["error"]["coverage"].get<double>(), 0.8);
     EXPECT_LT(sspr["error"]["false_sky_hits"].get<double>(), 0.05);
     EXPECT_LT(sspr["error"]["sky_on_geometry"].get<double>(), 0.2);
+    EXPECT_LT(sspr["error"]["position_px_p50"].get<double>(), 0.1);
+    EXPECT_LT(sspr["error"]["position_px_p95"].get<double>(), 1);
     EXPECT_LT(sspr["error"]["flip"].get<double>(), sky["error"]["flip"].get<double>());
+    EXPECT_GT(sspr["error"]["psnr_db"].get<double>(), sky["error"]["psnr_db"].get<double>() + 6);
     EXPECT_EQ(tests::countLines(tests::readAll(path("new/tradeoff/tradeoff.csv"))), 4u);
 
     EXPECT_EQ(tests::namesIn(path("new/tradeoff")),
@@ -211,44 +214,98 @@ TEST(Pareto, KeepsWhatNothingBeats) {
     EXPECT_EQ(paretoFront({{1, 1}, {1, 1}}), (std::vector<bool>{true, true})) << "equals do not beat";
 }
 
-TEST(PictureErrors, CountWhatEachClassOfTruthAllows) {
-    // One row of pixels; the last is no water and wholly wrong.
-    const std::vector<TruthClass> kinds = {TruthClass::recoverable, TruthClass::recoverable,
-                                           TruthClass::offScreen,   TruthClass::sky,
-                                           TruthClass::sky,         TruthClass::none};
-    const std::string claims = "hshs?h";
-    const auto count = static_cast<uint32_t>(kinds.size());
-    demos::Picture truth{count, 1, std::vector<float>(count * 4)};
-    demos::Picture classes = truth;
-    for (size_t i = 0; i < count; ++i) {
-        truth.rgba[4 * i] = static_cast<float>(kinds[i]);
-        classes.rgba[4 * i + 1] = claims[i] == 'h' ? 1 : 0;
-        classes.rgba[4 * i + 2] = claims[i] == 's' ? 1 : 0;
+/// One row of pixels, all of one grey, of which the truth and the technique say these things.
+struct Row {
+    Row(const std::vector<TruthClass>& kinds, const std::string& claims)
+        : width(static_cast<uint32_t>(kinds.size())) {
+        const demos::Picture grey{width, 1, std::vector<float>(width * 4, 0.2f)};
+        truth.color = truth.mirrored = truth.truth = grey;
+        shots.color = shots.reflection = shots.sources = grey;
+        for (size_t i = 0; i < width; ++i) {
+            truth.truth.rgba[4 * i] = static_cast<float>(kinds[i]);
+            truth.truth.rgba[4 * i + 1] = truth.truth.rgba[4 * i + 2] = 10;
+            shots.sources.rgba[4 * i] = shots.sources.rgba[4 * i + 1] = 10;
+            shots.sources.rgba[4 * i + 3] = claims[i] == 'h' ? 2 : claims[i] == 's' ? 1 : 0;
+        }
     }
-    std::swap(classes.rgba[4 * 3 + 1], classes.rgba[4 * 3 + 2]); // a hit where the sky is mirrored
-    const std::vector<uint8_t> reference(count * 3, 100);
-    std::vector<uint8_t> test = reference;
-    test[0] = 151; // by a fifth of white
-    test[count * 3 - 1] = 255;
-    const PictureError error = demos::measure::errorOf({reference, test, &truth, &classes}, Answers::classes);
-    EXPECT_DOUBLE_EQ(error.coverage.value(), 0.5);
-    EXPECT_DOUBLE_EQ(error.falseSkyHits.value(), 0.5);
-    EXPECT_DOUBLE_EQ(error.skyOnGeometry.value(), 1.0 / 3);
-    EXPECT_DOUBLE_EQ(error.wrongShare.value(), 0.2);
-    EXPECT_NEAR(error.psnrDb.value(), 10 * std::log10(15 / (0.2 * 0.2)), 1e-4);
-    EXPECT_LT(error.psnrPictureDb.value(), error.psnrDb.value());
+    PictureError error() const {
+        demos::Error problem;
+        const std::optional<PictureError> found = errorOf(truth, shots, 0, problem);
+        EXPECT_TRUE(found) << problem.text;
+        return found.value_or(PictureError{});
+    }
+
+    uint32_t width;
+    demos::reference::Pictures truth;
+    demos::measure::Shots shots;
+};
+
+constexpr TruthClass none = TruthClass::none, sky = TruthClass::sky, recoverable = TruthClass::recoverable,
+                     offScreen = TruthClass::offScreen;
+
+TEST(PictureErrors, CountWhatEachClassOfTruthAllows) {
+    Row row({recoverable, recoverable, offScreen, sky, sky, none}, "hsshuh");
+    row.shots.color.rgba[0] = 0.4f;
+    row.shots.color.rgba[4 * 5] = 9; // no water, and wholly wrong
+    const PictureError error = row.error();
+    EXPECT_EQ(error.coverage, 0.5);
+    EXPECT_EQ(error.falseSkyHits, 0.5);
+    EXPECT_DOUBLE_EQ(error.skyOnGeometry.value(), 2.0 / 3);
+    EXPECT_EQ(error.wrongShare, 0.2);
+    EXPECT_LT(error.psnrPictureDb.value(), error.psnrWaterDb.value());
     EXPECT_GT(error.flip.value(), 0);
+    EXPECT_FALSE(error.psnrDb) << "nothing differs there, and infinite is no number";
 
-    const PictureError sky = demos::measure::errorOf({reference, test, &truth, nullptr}, Answers::sky);
-    EXPECT_EQ(sky.coverage, 0);
-    EXPECT_EQ(sky.falseSkyHits, 0);
-    EXPECT_EQ(sky.skyOnGeometry, 1);
+    const PictureError dry = Row({none, none}, "hh").error();
+    EXPECT_FALSE(dry.flip || dry.psnrWaterDb || dry.coverage || dry.falseSkyHits || dry.wrongShare ||
+                 dry.positionPxP50)
+        << "shares of nothing";
+    EXPECT_EQ(dry.flipPicture, 0);
+}
 
-    EXPECT_FALSE(demos::measure::errorOf({reference, reference, &truth, &classes}, Answers::classes).psnrDb)
-        << "infinite is no number";
-    for (size_t i = 0; i < count; ++i) truth.rgba[4 * i] = 0;
-    const PictureError dry = demos::measure::errorOf({reference, test, &truth, &classes}, Answers::classes);
-    EXPECT_FALSE(dry.flip || dry.psnrDb || dry.coverage || dry.wrongShare) << "shares of nothing";
+TEST(PictureErrors, OfTheReflectionAreWhereItCouldBeFound) {
+    Row row({recoverable, recoverable, recoverable, offScreen, sky}, "hhsss");
+    row.shots.reflection.rgba[4 * 3] = row.shots.reflection.rgba[4 * 4] = 5;
+    EXPECT_FALSE(row.error().psnrDb) << "these could not";
+    row.shots.reflection.rgba[4 * 2] = 5;
+    EXPECT_TRUE(row.error().psnrDb);
+    EXPECT_FALSE(row.error().psnrValidDb) << "that was not";
+    const double before = row.error().psnrDb.value();
+    row.shots.reflection.rgba[0] = 5;
+    EXPECT_TRUE(row.error().psnrValidDb);
+    EXPECT_NEAR(row.error().psnrDb.value(), before - 10 * std::log10(2.0), 1e-6);
+}
+
+TEST(PictureErrors, PositionsAreOfHitsThatCouldBeFound) {
+    Row row({recoverable, recoverable, recoverable, recoverable, offScreen}, "hhhsh");
+    row.shots.sources.rgba[0] += 3;
+    row.shots.sources.rgba[1] += 4;
+    row.shots.sources.rgba[4 * 2] += 1;
+    row.shots.sources.rgba[4 * 3] = row.shots.sources.rgba[4 * 4] = -1;
+    const PictureError error = row.error();
+    EXPECT_DOUBLE_EQ(error.positionPxP50.value(), 1);
+    EXPECT_DOUBLE_EQ(error.positionPxP95.value(), 1 + 0.9 * 4);
+    EXPECT_DOUBLE_EQ(error.positionPxMax.value(), 5);
+}
+
+TEST(PictureErrors, ArePictureByPictureRefusedWhereSomethingIsNotFinite) {
+    const auto refused = [](const char* where, const auto& spoil) {
+        Row row({recoverable, recoverable, sky}, "hhs");
+        spoil(row);
+        demos::Error problem;
+        EXPECT_FALSE(errorOf(row.truth, row.shots, 0, problem));
+        EXPECT_EQ(problem.text,
+                  "NaN or infinity in 2 pixels of the " + std::string(where) + ", expected none");
+    };
+    const auto spoil = [](demos::Picture& picture) {
+        picture.rgba[1] = std::numeric_limits<float>::quiet_NaN();
+        picture.rgba[10] = picture.rgba[11] = std::numeric_limits<float>::infinity();
+    };
+    refused("picture", [&](Row& row) { spoil(row.shots.color); });
+    refused("reflection", [&](Row& row) { spoil(row.shots.reflection); });
+    refused("reflection's sources", [&](Row& row) { spoil(row.shots.sources); });
+    refused("reference", [&](Row& row) { spoil(row.truth.color); });
+    refused("reference's reflection", [&](Row& row) { spoil(row.truth.mirrored); });
 }
 
 } // namespace

@@ -89,6 +89,10 @@ enum class SurfaceOutput : uint32_t {
     height,          ///< height above the calm plane [m], in red
     normal,          ///< unit world normal
     foam,            ///< coverage 0..1, in red
+    /// Where the scene's picture is looked up for what the surface mirrors: x and y in pixels of the view's
+    /// region, -1 where it is not; its distance from the surface [m]; its ReflectionClass. Wants a float
+    /// attachment: halves do not hold a pixel's place.
+    reflectionSource,
 };
 
 /// Draws the bodies into the pass that the host has begun: a colour attachment and a depth attachment with
