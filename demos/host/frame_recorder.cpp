@@ -12,7 +12,7 @@ bool FrameRecorder::create(Device& device, uint32_t framesInFlight, Error& error
            water_.create(device, framesInFlight, timer_, error);
 }
 
-bool FrameRecorder::createFrameSet(LoadedScene& scene, Error& error) {
+bool FrameRecorder::createFrameSet(const Sky& sky, FrameSet& out, Error& error) {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
                                           {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3}};
     VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
@@ -23,32 +23,33 @@ bool FrameRecorder::createFrameSet(LoadedScene& scene, Error& error) {
     if (!succeeded(vkCreateDescriptorPool(device_->handle(), &poolInfo, nullptr, &pool),
                    "vkCreateDescriptorPool", error))
         return false;
-    scene.pool = UniqueDescriptorPool(device_->handle(), pool);
+    out.pool = UniqueDescriptorPool(device_->handle(), pool);
     VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
     info.descriptorPool = pool;
     info.descriptorSetCount = 1;
     info.pSetLayouts = &layouts_.frame.get();
-    if (!succeeded(vkAllocateDescriptorSets(device_->handle(), &info, &scene.frameSet),
-                   "vkAllocateDescriptorSets", error) ||
+    if (!succeeded(vkAllocateDescriptorSets(device_->handle(), &info, &out.set), "vkAllocateDescriptorSets",
+                   error) ||
         !createBuffer(*device_, sizeof(FrameUniforms), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                      BufferPlace::upload, scene.uniforms, error))
+                      BufferPlace::upload, out.uniforms, error))
         return false;
-    const VkDescriptorBufferInfo buffer = {scene.uniforms.buffer.get(), 0, sizeof(FrameUniforms)};
+    const VkDescriptorBufferInfo buffer = {out.uniforms.buffer.get(), 0, sizeof(FrameUniforms)};
     VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = scene.frameSet;
+    write.dstSet = out.set;
     write.descriptorCount = 1;
     write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     write.pBufferInfo = &buffer;
     vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
-    writeTexture(*device_, scene.frameSet, 1, scene.sky.cube.view.get(), scene.sky.cubeSampler.get());
-    writeTexture(*device_, scene.frameSet, 2, scene.sky.image.view.get(), scene.sky.imageSampler.get());
-    writeTexture(*device_, scene.frameSet, 3, shadow_.map(), shadow_.sampler());
+    writeTexture(*device_, out.set, 1, sky.cube.view.get(), sky.cubeSampler.get());
+    writeTexture(*device_, out.set, 2, sky.image.view.get(), sky.imageSampler.get());
+    writeTexture(*device_, out.set, 3, shadow_.map(), shadow_.sampler());
     return true;
 }
 
 bool FrameRecorder::load(const Scene& scene, LoadedScene& out, Error& error) {
     if (!loadSky(*device_, scene.sky, scene.sun, out.sky, error) ||
-        !loadMeshes(*device_, layouts_, scene.meshes, out.meshes, error) || !createFrameSet(out, error))
+        !loadMeshes(*device_, layouts_, scene.meshes, out.meshes, error) ||
+        !createFrameSet(out.sky, out.frame, error))
         return false;
     out.bounds = worldBounds(out.meshes);
     return !scene.water || addWater(*scene.water, out, error);
@@ -57,6 +58,8 @@ bool FrameRecorder::load(const Scene& scene, LoadedScene& out, Error& error) {
 bool FrameRecorder::addWater(const WaterDesc& water, LoadedScene& scene, Error& error) {
     WaterBody body;
     if (!water_.createBody(water, body, error)) return false;
+    if (body.planar() && !scene.mirrored.set && !createFrameSet(scene.sky, scene.mirrored, error))
+        return false;
     scene.waters.push_back(std::move(body));
     return true;
 }
@@ -93,11 +96,11 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
 }
 
 void FrameRecorder::writeUniforms() {
-    FrameUniforms uniforms{};
-    uniforms.clipFromEye = glm::mat4(camera_.projection * camera_.rotation);
-    setSkyUniforms(scene_->sky, camera_, targets_.extent, uniforms);
-    setShadowUniforms(shadowFits_, uniforms);
-    std::memcpy(scene_->uniforms.mapped, &uniforms, sizeof(uniforms));
+    uniforms_ = {};
+    uniforms_.clipFromEye = glm::mat4(camera_.projection * camera_.rotation);
+    setSkyUniforms(scene_->sky, camera_, targets_.extent, uniforms_);
+    setShadowUniforms(shadowFits_, uniforms_);
+    std::memcpy(scene_->frame.uniforms.mapped, &uniforms_, sizeof(uniforms_));
 }
 
 bool FrameRecorder::needed(Stage stage) const {
@@ -107,6 +110,8 @@ bool FrameRecorder::needed(Stage stage) const {
     case Stage::copy:
     case Stage::reflect:
         return hasWater;
+    case Stage::mirrored:
+        return water().planar();
     // Without water the other outputs are black.
     case Stage::water:
         return hasWater || (frame_.aov != Aov::color && frame_.aov != Aov::depth);
@@ -115,9 +120,20 @@ bool FrameRecorder::needed(Stage stage) const {
     }
 }
 
-void FrameRecorder::bindFrameSet(VkCommandBuffer commands) const {
+void FrameRecorder::bindFrameSet(VkCommandBuffer commands, const FrameSet& frame) const {
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layouts_.pipeline.get(), 0, 1,
-                            &scene_->frameSet, 0, nullptr);
+                            &frame.set, 0, nullptr);
+}
+
+bool FrameRecorder::recordMirrored(VkCommandBuffer commands, Error& error) {
+    seaglass::PlanarView view;
+    if (!water_.planarView(water(), camera_, targets_, view, error)) return false;
+    const MirroredEye eye = mirroredEye(view);
+    const FrameUniforms uniforms = mirroredUniforms(uniforms_, camera_, eye);
+    std::memcpy(scene_->mirrored.uniforms.mapped, &uniforms, sizeof(uniforms));
+    bindFrameSet(commands, scene_->mirrored);
+    recordMirroredScene(commands, layouts_, scene_->meshes, opaque_, eye, view);
+    return true;
 }
 
 bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) {
@@ -125,16 +141,18 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
     case Stage::simulate:
         return water_.simulate(commands, water(), frame_.timeS, cpuSimulateMs_, error);
     case Stage::shadow:
-        bindFrameSet(commands);
+        bindFrameSet(commands, scene_->frame);
         shadow_.record(commands, layouts_, scene_->meshes, camera_.eye, shadowFits_);
         return true;
     case Stage::opaque:
-        bindFrameSet(commands);
+        bindFrameSet(commands, scene_->frame);
         opaque_.record(commands, layouts_, scene_->meshes, camera_, targets_);
         return true;
     case Stage::copy:
         targets_.copyScene(commands);
         return true;
+    case Stage::mirrored:
+        return recordMirrored(commands, error);
     case Stage::reflect:
         return water_.reflect(commands, water(), camera_, targets_, error);
     case Stage::water:

@@ -1,24 +1,31 @@
 // A frame of the host as stages that can be recorded into one command buffer or into one each.
 #pragma once
 
+#include "host/mirrored_scene.h"
 #include "host/opaque.h"
 #include "host/shadow.h"
 #include "host/water_pass.h"
 
 namespace demos {
 
+/// Set 0 of one of the host's views.
+struct FrameSet {
+    UniqueDescriptorPool pool;
+    Buffer uniforms;
+    VkDescriptorSet set = VK_NULL_HANDLE;
+};
+
 /// A scene as it lies on the device.
 struct LoadedScene {
     Sky sky;
     MeshSet meshes;
     std::vector<Box> bounds;
-    UniqueDescriptorPool pool;
-    Buffer uniforms;
-    VkDescriptorSet frameSet = VK_NULL_HANDLE;
+    FrameSet frame;
+    FrameSet mirrored;             ///< only where a water's reflection is planar
     std::vector<WaterBody> waters; ///< of which a frame draws one
 };
 
-enum class Stage { simulate, shadow, opaque, copy, reflect, water };
+enum class Stage { simulate, shadow, opaque, copy, mirrored, reflect, water };
 
 struct StageName {
     Stage stage;
@@ -27,9 +34,10 @@ struct StageName {
 };
 
 constexpr StageName stages[] = {
-    {Stage::simulate, "simulate", true},   {Stage::shadow, "host_shadow", false},
-    {Stage::opaque, "host_opaque", false}, {Stage::copy, "host_copy", false},
-    {Stage::reflect, "reflect", true},     {Stage::water, "water_draw", false},
+    {Stage::simulate, "simulate", true},       {Stage::shadow, "host_shadow", false},
+    {Stage::opaque, "host_opaque", false},     {Stage::copy, "host_copy", false},
+    {Stage::mirrored, "host_mirrored", false}, {Stage::reflect, "reflect", true},
+    {Stage::water, "water_draw", false},
 };
 
 class FrameRecorder {
@@ -50,9 +58,10 @@ class FrameRecorder {
     double cpuSimulateMs() const { return cpuSimulateMs_; }
 
   private:
-    bool createFrameSet(LoadedScene& scene, Error& error);
-    void bindFrameSet(VkCommandBuffer commands) const;
+    bool createFrameSet(const Sky& sky, FrameSet& out, Error& error);
+    void bindFrameSet(VkCommandBuffer commands, const FrameSet& frame) const;
     void writeUniforms();
+    bool recordMirrored(VkCommandBuffer commands, Error& error);
     /// The frame's; one without a body where the scene has none.
     const WaterBody& water() const;
 
@@ -68,6 +77,7 @@ class FrameRecorder {
     FrameDesc frame_;
     Camera camera_;
     ShadowFits shadowFits_;
+    FrameUniforms uniforms_;
     double cpuSimulateMs_ = 0;
 };
 

@@ -67,8 +67,8 @@ struct FrameTimes {
 
 /// What one water takes of frames in which waters take turns.
 struct WaterTimes {
-    /// What the reflection's passes take together; 0 where there are none. By submit and fence on a device
-    /// without timestamps.
+    /// What the reflection's passes take together, and what the host draws for them alone; 0 where there are
+    /// none. Drawing by submit and fence, and all of it on a device without timestamps.
     PassTime reflection;
     PassTime ofFloor; ///< the same over the floor of the same round: no milliseconds, but a ratio
     double cpuSimulateMs = 0;

@@ -8,9 +8,9 @@ namespace demos {
 namespace {
 
 constexpr StageName sceneStages[] = {stages[1], stages[2], stages[3]};
-constexpr StageName waterStages[] = {stages[0], stages[4], stages[5]};
+constexpr StageName waterStages[] = {stages[0], stages[4], stages[5], stages[6]};
 static_assert(sceneStages[0].stage == Stage::shadow && sceneStages[2].stage == Stage::copy);
-static_assert(waterStages[1].stage == Stage::reflect && waterStages[2].stage == Stage::water);
+static_assert(waterStages[1].stage == Stage::mirrored && waterStages[3].stage == Stage::water);
 
 /// What one water took, round by round.
 struct WaterSamples {

@@ -153,6 +153,8 @@ std::vector<Box> worldBounds(const MeshSet& meshes) {
 
 void drawMeshes(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
                 const glm::dvec3& eye, const MeshPipelines& pipelines) {
+    vkCmdSetFrontFace(commands,
+                      pipelines.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     VkPipeline bound = VK_NULL_HANDLE;
     for (const MeshInstance& instance : meshes.instances) {
         const GpuMesh& mesh = *instance.mesh;

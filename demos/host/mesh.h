@@ -52,6 +52,7 @@ struct MeshPipelines {
     bool cullBack = true;      ///< back faces of materials that have none
     uint32_t cascade = 0;      ///< of the shadow map
     glm::dmat4 clipFromEye{1}; ///< parts outside its clip volume, depth aside, are not drawn
+    bool mirrored = false;     ///< front faces are wound the other way round
 };
 
 /// Needs set 0 bound.

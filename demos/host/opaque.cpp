@@ -25,8 +25,7 @@ void OpaquePass::record(VkCommandBuffer commands, const Layouts& layouts, const 
     targets.toAttachments(commands, VK_IMAGE_LAYOUT_UNDEFINED);
     beginRendering(commands, targets.extent, &targets.color, VK_ATTACHMENT_LOAD_OP_CLEAR, targets.depth,
                    VK_ATTACHMENT_LOAD_OP_CLEAR, 0);
-    drawMeshes(commands, layouts, meshes, camera.eye,
-               {opaque_.get(), masked_.get(), true, 0, camera.projection * camera.rotation});
+    drawMeshes(commands, layouts, meshes, camera.eye, meshPipelines(camera.projection * camera.rotation));
     sky_.draw(commands);
     vkCmdEndRendering(commands);
 }

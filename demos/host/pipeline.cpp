@@ -63,7 +63,6 @@ bool createPipeline(const Device& device, VkPipelineLayout layout, const Pipelin
     viewport.viewportCount = 1;
     viewport.scissorCount = 1;
     VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
-    raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
     raster.lineWidth = 1;
     raster.depthBiasEnable = desc.slopeBias != 0;
     raster.depthBiasSlopeFactor = desc.slopeBias;
@@ -80,9 +79,9 @@ bool createPipeline(const Device& device, VkPipelineLayout layout, const Pipelin
     blend.attachmentCount = desc.colorFormat == VK_FORMAT_UNDEFINED ? 0 : 1;
     blend.pAttachments = &attachment;
     const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                       VK_DYNAMIC_STATE_CULL_MODE};
+                                       VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
     VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
-    dynamic.dynamicStateCount = 3;
+    dynamic.dynamicStateCount = 4;
     dynamic.pDynamicStates = dynamics;
     VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
     rendering.colorAttachmentCount = blend.attachmentCount;

@@ -19,7 +19,7 @@ struct PipelineDesc {
     float slopeBias = 0;
 };
 
-/// Viewport, scissor and cull mode are dynamic.
+/// Viewport, scissor, cull mode and front face are dynamic.
 bool createPipeline(const Device& device, VkPipelineLayout layout, const PipelineDesc& desc,
                     UniquePipeline& out, Error& error);
 

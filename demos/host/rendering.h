@@ -7,16 +7,16 @@ namespace demos {
 
 /// Colour is cleared to zero, depth to `clearDepth`; both are kept. Viewport and scissor are set to all of
 /// it.
-inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent, const Image* color,
-                           VkAttachmentLoadOp colorLoad, const Image& depth, VkAttachmentLoadOp depthLoad,
+inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageView color,
+                           VkAttachmentLoadOp colorLoad, VkImageView depth, VkAttachmentLoadOp depthLoad,
                            float clearDepth) {
     VkRenderingAttachmentInfo colorInfo{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-    if (color) colorInfo.imageView = color->view.get();
+    colorInfo.imageView = color;
     colorInfo.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     colorInfo.loadOp = colorLoad;
     colorInfo.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     VkRenderingAttachmentInfo depthInfo{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-    depthInfo.imageView = depth.view.get();
+    depthInfo.imageView = depth;
     depthInfo.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
     depthInfo.loadOp = depthLoad;
     depthInfo.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
@@ -33,6 +33,13 @@ inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent, const Im
     const VkRect2D scissor = {{0, 0}, extent};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &scissor);
+}
+
+inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent, const Image* color,
+                           VkAttachmentLoadOp colorLoad, const Image& depth, VkAttachmentLoadOp depthLoad,
+                           float clearDepth) {
+    beginRendering(commands, extent, color ? color->view.get() : VK_NULL_HANDLE, colorLoad, depth.view.get(),
+                   depthLoad, clearDepth);
 }
 
 } // namespace demos

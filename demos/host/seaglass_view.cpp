@@ -28,9 +28,11 @@ bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::Ref
         out.technique = seaglass::ReflectionTechnique::sspr;
     } else if (desc.technique == "sky") {
         out.technique = seaglass::ReflectionTechnique::sky;
+    } else if (desc.technique == "planar") {
+        out.technique = seaglass::ReflectionTechnique::planar;
     } else {
         error.text = std::string(surface) + ".reflection.technique is \"" + desc.technique +
-                     "\", expected sky or sspr";
+                     "\", expected sky, sspr or planar";
         return false;
     }
     out.edgeFade = static_cast<float>(desc.edgeFade);

@@ -1,5 +1,7 @@
 #include "host/stage_times.h"
 
+#include <utility>
+
 namespace demos {
 
 bool timeStage(Device& device, FrameRecorder& recorder, const StageName& stage, StageTimes& times,
@@ -16,6 +18,7 @@ bool timeStage(Device& device, FrameRecorder& recorder, const StageName& stage, 
         error);
     if (!ran) return false;
     times.passes.add(stage.name, device.lastRunMs());
+    if (stage.stage == Stage::mirrored) times.mirroredMs = device.lastRunMs();
     if (!stage.compute) return true;
     double passesMs = 0;
     for (const PassTime& pass : timer.collect()) {
@@ -23,7 +26,8 @@ bool timeStage(Device& device, FrameRecorder& recorder, const StageName& stage, 
         passesMs += pass.ms;
     }
     if (stage.stage == Stage::reflect)
-        times.reflectionMs = device.timestampNs() > 0 ? passesMs : device.lastRunMs();
+        times.reflectionMs =
+            std::exchange(times.mirroredMs, 0.0) + (device.timestampNs() > 0 ? passesMs : device.lastRunMs());
     return true;
 }
 

@@ -8,10 +8,12 @@
 
 namespace demos {
 
-/// What reflections take of a frame. By submit and fence on a device without timestamps.
+/// What reflections take of a frame. By submit and fence on a device without timestamps, as is all that is
+/// drawn.
 struct StageTimes {
     PassSamples passes;
-    double reflectionMs = 0; ///< of the stage Stage::reflect that ran last
+    double mirroredMs = 0;   ///< of a Stage::mirrored that Stage::reflect has not followed yet
+    double reflectionMs = 0; ///< of the stage Stage::reflect that ran last, and the Stage::mirrored before it
 };
 
 /// Runs one stage, if it is needed, and waits for it. Adds the stage and, of compute, its passes.

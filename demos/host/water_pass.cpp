@@ -117,7 +117,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     }
     seaglass::Body* made = nullptr;
     if (!ok(seaglass::createBody(context_, &body, &made), "water", error)) return false;
-    out = WaterBody(made);
+    out = WaterBody(made, body.reflection && reflection.technique == seaglass::ReflectionTechnique::planar);
     return true;
 }
 
@@ -133,6 +133,12 @@ bool WaterPass::simulate(VkCommandBuffer commands, const WaterBody& body, double
     const seaglass::Status status = seaglass::simulate(commands, bodies, 1, timeS);
     cpuMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return ok(status, "water", error);
+}
+
+bool WaterPass::planarView(const WaterBody& body, const Camera& camera, const FrameTargets& targets,
+                           seaglass::PlanarView& out, Error& error) {
+    const seaglass::ViewDesc view = viewOf(camera, targets);
+    return ok(seaglass::planarView(body.get(), &view, &out), "water", error);
 }
 
 bool WaterPass::reflect(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,

@@ -13,10 +13,12 @@ namespace demos {
 class WaterBody {
   public:
     WaterBody() = default;
-    explicit WaterBody(seaglass::Body* body) : body_(body) {}
-    WaterBody(WaterBody&& other) noexcept : body_(std::exchange(other.body_, nullptr)) {}
+    WaterBody(seaglass::Body* body, bool planar) : body_(body), planar_(planar) {}
+    WaterBody(WaterBody&& other) noexcept
+        : body_(std::exchange(other.body_, nullptr)), planar_(other.planar_) {}
     WaterBody& operator=(WaterBody&& other) noexcept {
         std::swap(body_, other.body_);
+        std::swap(planar_, other.planar_);
         return *this;
     }
     ~WaterBody() {
@@ -24,9 +26,12 @@ class WaterBody {
     }
     seaglass::Body* get() const { return body_; }
     explicit operator bool() const { return body_ != nullptr; }
+    /// Whether the scene has to be drawn for it a second time.
+    bool planar() const { return planar_; }
 
   private:
     seaglass::Body* body_ = nullptr;
+    bool planar_ = false;
 };
 
 /// Whether an output is drawn into FrameTargets::exact instead of color.
@@ -48,6 +53,9 @@ class WaterPass {
     bool beginFrame(Error& error);
     /// Milliseconds on the CPU go to `cpuMs`.
     bool simulate(VkCommandBuffer commands, const WaterBody& body, double timeS, double& cpuMs, Error& error);
+    /// What to draw for a planar reflection, before reflect().
+    bool planarView(const WaterBody& body, const Camera& camera, const FrameTargets& targets,
+                    seaglass::PlanarView& out, Error& error);
     bool reflect(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                  const FrameTargets& targets, Error& error);
     /// Draws into targets.color, or exact, over the opaque depth; for anything but colour, over black.

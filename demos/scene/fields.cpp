@@ -45,7 +45,7 @@ constexpr double turn = 360;
 constexpr bool required = true;
 
 constexpr std::array<std::string_view, 2> spectra = {"jonswap", "pierson-moskowitz"};
-constexpr std::array<std::string_view, 2> techniques = {"sky", "sspr"};
+constexpr std::array<std::string_view, 3> techniques = {"sky", "sspr", "planar"};
 
 constexpr std::array skyFields = {
     Field{"file", at<&SkyDesc::file>, 0, 0, "", "lat-long HDR or EXR file", required},
@@ -173,7 +173,10 @@ std::string range(const Field& field) {
 
 std::string oneOf(std::span<const std::string_view> choices) {
     std::string words;
-    for (const std::string_view choice : choices) words.append(words.empty() ? "" : " or ").append(choice);
+    for (const std::string_view& choice : choices) {
+        const bool last = &choice == &choices.back();
+        words.append(words.empty() ? "" : last ? " or " : ", ").append(choice);
+    }
     return words;
 }
 

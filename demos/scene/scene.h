@@ -68,7 +68,7 @@ struct RefractionDesc {
 };
 
 struct ReflectionDesc {
-    std::string technique = "sspr"; ///< sky | sspr
+    std::string technique = "sspr"; ///< sky | sspr | planar
     double edgeFade = 0.08;
     double distortion = 1;
 };

@@ -8,6 +8,7 @@
 
 #include "measure/pareto.h"
 #include "measure/picture_error.h"
+#include "scene/fields.h"
 #include "tests/program/refused.h"
 #include "tests/program/sample.h"
 
@@ -18,6 +19,9 @@ using demos::measure::PictureError;
 using demos::reference::TruthClass;
 using nlohmann::json;
 using tests::Outcome;
+
+/// Those a scene can name, and none.
+const size_t techniques = demos::choicesOf("water.reflection.technique").size() + 1;
 
 class Measure : public testing::Test {
   protected:
@@ -68,7 +72,7 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     EXPECT_FALSE(found["driver"].get<std::string>().empty());
     EXPECT_EQ(found["size"], json({96, 54}));
     EXPECT_GT(found["floor_ms"].get<double>(), 0);
-    ASSERT_EQ(found["entries"].size(), 3u);
+    ASSERT_EQ(found["entries"].size(), techniques);
     std::map<std::string, json> entries;
     for (const json& entry : found["entries"]) {
         EXPECT_EQ(entry["scene"], "calm.toml");
@@ -101,7 +105,12 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     EXPECT_LT(sspr["error"]["position_px_p95"].get<double>(), 1);
     EXPECT_LT(sspr["error"]["flip"].get<double>(), sky["error"]["flip"].get<double>());
     EXPECT_GT(sspr["error"]["psnr_db"].get<double>(), sky["error"]["psnr_db"].get<double>() + 6);
-    EXPECT_EQ(tests::countLines(tests::readAll(path("new/tradeoff/tradeoff.csv"))), 4u);
+    const json& planar = entries.at("planar");
+    EXPECT_GT(planar["cost"]["ms"].get<double>(), 0);
+    EXPECT_GT(planar["error"]["coverage"].get<double>(), 0.98);
+    EXPECT_LE(planar["error"]["false_sky_hits"].get<double>(), 0.01);
+    EXPECT_LE(planar["error"]["sky_on_geometry"].get<double>(), 0.02);
+    EXPECT_EQ(tests::countLines(tests::readAll(path("new/tradeoff/tradeoff.csv"))), techniques + 1);
 
     EXPECT_EQ(tests::namesIn(path("new/tradeoff")),
               (std::vector<std::string>{"1_calm_level.png", "1_calm_level.svg", "index.html", "tradeoff.csv",
@@ -189,8 +198,8 @@ TEST_F(Measure, AnInterruptionLeavesWhatIsFinished) {
     EXPECT_EQ(outcome.out, "");
     EXPECT_NE(outcome.err.find("interrupted: 1 of 2 views"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find(path("part/index.html").string()), std::string::npos) << outcome.err;
-    EXPECT_EQ(measured("part")["entries"].size(), 3u);
-    EXPECT_EQ(tests::countLines(tests::readAll(path("part/tradeoff.csv"))), 4u);
+    EXPECT_EQ(measured("part")["entries"].size(), techniques);
+    EXPECT_EQ(tests::countLines(tests::readAll(path("part/tradeoff.csv"))), techniques + 1);
     EXPECT_EQ(tests::namesIn(path("part")),
               (std::vector<std::string>{"1_calm_level.png", "1_calm_level.svg", "index.html", "tradeoff.csv",
                                         "tradeoff.json"}));

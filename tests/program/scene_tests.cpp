@@ -120,7 +120,7 @@ TEST_F(SceneFile, OutOfRangeNamesFileLineFieldAndRange) {
     EXPECT_EQ(problem(replaced("cells_per_level = 128", "cells_per_level = 40")),
               "scene.toml:19: water.cells_per_level is 40, expected a whole number, 128 to 1024");
     EXPECT_EQ(problem(replaced("technique = \"sspr\"", "technique = \"ssr\"")),
-              "scene.toml:33: water.reflection.technique is 'ssr', expected sky or sspr");
+              "scene.toml:33: water.reflection.technique is 'ssr', expected sky, sspr or planar");
 }
 
 TEST_F(SceneFile, WrongTypesAreRefused) {

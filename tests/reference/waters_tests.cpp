@@ -17,9 +17,12 @@ TEST(Waters, TakeTurnsOverOneScene) {
     flat.waves.reset();
     flat.foam.reset();
     flat.reflection->technique = "sky";
+    WaterDesc planar = flat;
+    planar.reflection->technique = "planar";
     const std::unique_ptr<Host> host = Host::create({{}, true}, error);
     ASSERT_TRUE(host) << error.text;
-    ASSERT_TRUE(host->load(*scene, error) && host->addWater(flat, error)) << error.text;
+    ASSERT_TRUE(host->load(*scene, error) && host->addWater(flat, error) && host->addWater(planar, error))
+        << error.text;
 
     FrameDesc frame{160, 90, scene->cameras.front(), scene->timeS, Aov::color, 0};
     uint32_t rounds = 0;
@@ -28,7 +31,7 @@ TEST(Waters, TakeTurnsOverOneScene) {
     ASSERT_TRUE(times) << error.text;
     EXPECT_EQ(rounds, 5u) << "with two to warm up";
     EXPECT_GT(times->floor.ms, 0);
-    ASSERT_EQ(times->waters.size(), 2u);
+    ASSERT_EQ(times->waters.size(), 3u);
     EXPECT_GT(times->waters[0].reflection.ms, 0);
     EXPECT_GT(times->waters[0].ofFloor.ms, 0);
     EXPECT_EQ(times->waters[1].reflection.ms, 0);
@@ -37,10 +40,17 @@ TEST(Waters, TakeTurnsOverOneScene) {
             if (pass.name == name) return true;
         return false;
     };
-    for (size_t water = 0; water < 2; ++water)
+    for (size_t water = 0; water < 3; ++water)
         EXPECT_TRUE(has(water, "host_opaque") && has(water, "water_draw")) << water;
     EXPECT_TRUE(has(0, "waves_upload"));
     EXPECT_FALSE(has(1, "waves_upload"));
+    // Only a planar reflection has the scene drawn again, and pays for it.
+    EXPECT_FALSE(has(0, "host_mirrored") || has(1, "host_mirrored"));
+    ASSERT_TRUE(has(2, "host_mirrored"));
+    for (const PassTime& pass : times->waters[2].passes)
+        if (pass.name == "host_mirrored") {
+            EXPECT_GE(times->waters[2].reflection.ms, pass.ms) << "a part of it in every round";
+        }
     const auto stopped = host->measureWaters(
         frame, 3, [](uint32_t, uint32_t) { return false; }, error);
     EXPECT_TRUE(stopped && stopped->waters.empty());
