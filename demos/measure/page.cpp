@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "measure/html.h"
-#include "measure/plot.h"
 
 namespace demos::measure {
 
@@ -29,8 +28,8 @@ th, td { padding: .2rem .9rem .2rem 0; border-bottom: 1px solid #3a3e42; text-al
 th:first-child, td:first-child { text-align: left; }
 th { font-weight: 600; }
 .note { max-width: 60rem; color: #a4abb2; font-size: .85rem; }
-.plot { display: block; width: 100%; max-width: 40rem; margin: 1rem 0; }
 img { display: block; width: 100%; }
+.plot { max-width: 45rem; margin: 1rem 0; }
 </style>
 </head>
 <body>
@@ -102,21 +101,24 @@ std::string base64(const std::string& bytes) {
 
 } // namespace
 
-std::string tradeoffPage(const Tradeoff& tradeoff, const std::vector<std::string>& sheets) {
+std::string tradeoffPage(const Tradeoff& tradeoff, const std::vector<SheetFiles>& files) {
     char size[128];
     std::snprintf(size, sizeof(size), "%u &times; %u, medians of %u, floor %s ms", tradeoff.width,
                   tradeoff.height, tradeoff.runs, print("%.3f", tradeoff.floorMs()).c_str());
     std::string html = head;
     html += "<p>" + escaped(tradeoff.device) + ", " + escaped(tradeoff.driver) + "; " + size +
             (tradeoff.flat ? ", the water stilled" : "") + "</p>\n" + notes;
-    for (size_t i = 0; i < sheets.size(); ++i) {
+    for (size_t i = 0; i < files.size(); ++i) {
         const Sheet& sheet = tradeoff.sheets[i];
         html += "<h2>" + escaped(sheet.scene) + ", camera " + escaped(sheet.camera) + "</h2>\n" +
-                table(tradeoff, sheet) + plotSvg(tradeoff, sheet);
+                table(tradeoff, sheet);
+        if (!files[i].svg.empty())
+            html += "<img class=\"plot\" alt=\"Error against cost\" src=\"data:image/svg+xml;base64," +
+                    base64(files[i].svg) + "\">\n";
         html += "<p class=\"note\">Pictures, row by row: reference";
         for (const Entry& entry : tradeoff.of(sheet)) html += "; " + escaped(entry.name());
         html += "</p>\n<img alt=\"The reference and each technique\" src=\"data:image/png;base64," +
-                base64(sheets[i]) + "\">\n";
+                base64(files[i].png) + "\">\n";
     }
     return html + "</body>\n</html>\n";
 }

@@ -4,7 +4,13 @@
 
 namespace demos::measure {
 
-/// One HTML page with everything in it: tables, plots, and each sheet's PNG from `sheets`, which are bytes.
-std::string tradeoffPage(const Tradeoff& tradeoff, const std::vector<std::string>& sheets);
+/// Bytes of what goes with a sheet.
+struct SheetFiles {
+    std::string png; ///< the contact sheet
+    std::string svg; ///< the plot; empty where there is none
+};
+
+/// One HTML page with everything in it; `files` has one element for each sheet.
+std::string tradeoffPage(const Tradeoff& tradeoff, const std::vector<SheetFiles>& files);
 
 } // namespace demos::measure

@@ -4,133 +4,162 @@
 #include <cmath>
 #include <cstdio>
 
-#include "measure/html.h"
 #include "measure/pareto.h"
 
 namespace demos::measure {
 
 namespace {
 
-constexpr double width = 480, height = 300, left = 60, right = 90, top = 20, bottom = 50;
-constexpr const char* style = R"(<style>
-.plot { fill: #dcdfe2; font: 11px system-ui, sans-serif; }
-.back { fill: #1b1d1f; }
-.grid { stroke: #33373b; }
-.front { fill: none; stroke: #6cb2ff; stroke-width: 1.5; stroke-dasharray: 4 3; }
-.spread { stroke: #dcdfe2; }
-.best { fill: #6cb2ff; }
-.beaten { fill: #1b1d1f; stroke: #a4abb2; stroke-width: 1.5; }
-</style>
-<rect class="back" width="100%" height="100%"/>
+/// Colours are those of the page.
+constexpr const char* style = R"(set encoding utf8
+set border 3 lc rgb "#a4abb2"
+set grid lc rgb "#33373b" lt 1
+set tics nomirror scale 0.5 textcolor rgb "#dcdfe2"
+set xlabel "cost, multiples of the floor" textcolor rgb "#dcdfe2"
+set ylabel "FLIP over the water" textcolor rgb "#dcdfe2"
+set key off
+set rmargin 14
 )";
-constexpr int gaps = 4; ///< between ticks
+
+constexpr double freeBelowLeast = 4; ///< how many times less than the least cost the place of none is
+
+struct Mark {
+    std::string label;
+    Point point;
+    double spread = 0; ///< of the cost
+};
 
 template<class... Numbers>
 std::string print(const char* format, Numbers... numbers) {
-    char text[512];
+    char text[256];
     std::snprintf(text, sizeof(text), format, numbers...);
     return text;
 }
 
-/// Linear from 0 to somewhat above the greatest.
-class Axis {
-  public:
-    Axis(double greatest, double from, double to) : from_(from), to_(to) {
-        const double step = (greatest > 0 ? greatest * 1.05 : 1) / gaps;
-        const double power = std::pow(10, std::floor(std::log10(step)));
-        for (const double multiple : {1.0, 2.0, 2.5, 5.0, 10.0})
-            if (most_ == 0 && multiple * power >= step) most_ = multiple * power * gaps;
-        if (most_ == 0) most_ = 10 * power * gaps;
-    }
-    double at(double value) const { return from_ + (to_ - from_) * value / most_; }
-    double tick(int i) const { return most_ * i / gaps; }
-
-  private:
-    double from_, to_, most_ = 0;
-};
-
-struct Mark {
-    std::string name;
-    Point point;
-    double spread = 0; ///< of the cost
-};
+/// Without what would end a text of gnuplot's.
+std::string quoted(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '"' || c == '\\' || c == '\n'; }, ' ');
+    return '"' + text + '"';
+}
 
 std::vector<Mark> marksOf(const Tradeoff& tradeoff, const Sheet& sheet) {
     std::vector<Mark> marks;
     for (const Entry& entry : tradeoff.of(sheet)) {
         if (!entry.cost.xFloor || !entry.error.flip) continue;
-        marks.push_back({entry.name(),
+        marks.push_back({entry.quality == "default" ? entry.technique : entry.name(),
                          {*entry.cost.xFloor, *entry.error.flip},
-                         entry.cost.reflection.spreadMs / entry.cost.floor.ms});
+                         entry.cost.xFloorSpread.value_or(0)});
     }
     return marks;
 }
 
-std::string frameOf(const Axis& x, const Axis& y) {
-    std::string svg;
-    for (int i = 0; i <= gaps; ++i) {
-        svg += print("<line class=\"grid\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n",
-                     x.at(x.tick(i)), top, x.at(x.tick(i)), height - bottom);
-        svg += print("<line class=\"grid\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n", left,
-                     y.at(y.tick(i)), width - right, y.at(y.tick(i)));
-        svg += print("<text text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">%.3g</text>\n", x.at(x.tick(i)),
-                     height - bottom + 16, x.tick(i));
-        svg += print("<text text-anchor=\"end\" x=\"%.1f\" y=\"%.1f\">%.3g</text>\n", left - 6,
-                     y.at(y.tick(i)) + 4, y.tick(i));
+/// Costs on a logarithmic axis that has a place for nothing as well.
+class CostAxis {
+  public:
+    explicit CostAxis(const std::vector<Mark>& marks) {
+        for (const Mark& mark : marks) {
+            const double cost = mark.point.cost;
+            if (cost > 0) least_ = least_ > 0 ? std::min(least_, cost) : cost;
+            most_ = std::max(most_, cost + mark.spread);
+        }
+        if (least_ == 0) least_ = most_ = 1;
     }
-    svg += print("<text text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">cost, multiples of the floor</text>\n",
-                 (left + width - right) / 2, height - 12);
-    svg += print("<text text-anchor=\"middle\" transform=\"translate(14 %.1f) rotate(-90)\">FLIP over the "
-                 "water</text>\n",
-                 (top + height - bottom) / 2);
-    return svg;
+    double at(double cost) const { return std::max(cost, none()); }
+    double none() const { return least_ / freeBelowLeast; }
+    /// How far apart two costs are, as a share of the axis.
+    double apart(double a, double b) const {
+        return std::abs(std::log(at(a) / at(b))) / std::log(upper() / lower());
+    }
+
+    std::string script() const {
+        std::string text =
+            print("set logscale x\nset xrange [%.6g:%.6g]\nset xtics (\"0\" %.6g", lower(), upper(), none());
+        const double first = std::pow(10, std::floor(std::log10(least_)));
+        for (double decade = first; decade < upper(); decade *= 10)
+            for (const double multiple : {1.0, 2.0, 5.0})
+                if (multiple * decade > 1.5 * none() && multiple * decade < upper())
+                    text += print(", \"%.6g\" %.6g", multiple * decade, multiple * decade);
+        return text + ")\n";
+    }
+
+  private:
+    double lower() const { return none() / 1.5; }
+    double upper() const { return most_ * 2; }
+
+    double least_ = 0, most_ = 0;
+};
+
+/// How many lines below its mark a label goes, so that it does not cover those before it.
+size_t lineOf(size_t label, const std::vector<Mark>& marks, const CostAxis& costs, double mostError) {
+    const Point& point = marks[label].point;
+    return static_cast<size_t>(std::count_if(
+        marks.begin(), marks.begin() + static_cast<std::ptrdiff_t>(label), [&](const Mark& other) {
+            return costs.apart(other.point.cost, point.cost) < 0.15 &&
+                   std::abs(other.point.error - point.error) < 0.05 * mostError;
+        }));
+}
+
+std::string frontData(const std::vector<Mark>& marks, const std::vector<bool>& front, const CostAxis& costs) {
+    std::vector<Point> joined;
+    for (size_t i = 0; i < marks.size(); ++i)
+        if (front[i]) joined.push_back(marks[i].point);
+    std::sort(joined.begin(), joined.end(), [](const Point& a, const Point& b) { return a.cost < b.cost; });
+    std::string data = "# the Pareto front: cost, error\n$front << EOD\n";
+    for (const Point& point : joined) data += print("%.6g %.6g\n", costs.at(point.cost), point.error);
+    return data + "EOD\n";
+}
+
+std::string markData(const char* name, const std::vector<Mark>& marks, const std::vector<bool>& chosen,
+                     bool which, const CostAxis& costs) {
+    std::string data = print("# cost, its quartiles, error\n$%s << EOD\n", name);
+    for (size_t i = 0; i < marks.size(); ++i) {
+        if (chosen[i] != which) continue;
+        const Point& point = marks[i].point;
+        data +=
+            print("%.6g %.6g %.6g %.6g\n", costs.at(point.cost), costs.at(point.cost - marks[i].spread / 2),
+                  costs.at(point.cost + marks[i].spread / 2), point.error);
+    }
+    return data + "EOD\n";
+}
+
+std::string labels(const std::vector<Mark>& marks, const CostAxis& costs, double mostError) {
+    std::string text;
+    for (size_t i = 0; i < marks.size(); ++i)
+        text += "set label " + quoted(marks[i].label) +
+                print(" at %.6g,%.6g left offset 1,%.1f noenhanced textcolor rgb \"#dcdfe2\"\n",
+                      costs.at(marks[i].point.cost), marks[i].point.error,
+                      0.6 - static_cast<double>(lineOf(i, marks, costs, mostError)));
+    return text;
 }
 
 } // namespace
 
-std::string plotSvg(const Tradeoff& tradeoff, const Sheet& sheet) {
+std::string plotScript(const Tradeoff& tradeoff, const Sheet& sheet, const std::string& svg) {
     const std::vector<Mark> marks = marksOf(tradeoff, sheet);
-    Point most;
     std::vector<Point> points;
+    double mostError = 0;
     for (const Mark& mark : marks) {
         points.push_back(mark.point);
-        most = {std::max(most.cost, mark.point.cost + mark.spread / 2),
-                std::max(most.error, mark.point.error)};
+        mostError = std::max(mostError, mark.point.error);
     }
-    const Axis x(most.cost, left, width - right), y(most.error, height - bottom, top);
-    std::string svg =
-        print("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 %.0f %.0f\" "
-              "role=\"img\" aria-label=\"Error against cost\">\n",
-              width, height) +
-        style + frameOf(x, y);
-
+    if (mostError == 0) mostError = 1;
     const std::vector<bool> front = paretoFront(points);
-    std::vector<Point> joined;
-    for (size_t i = 0; i < points.size(); ++i)
-        if (front[i]) joined.push_back(points[i]);
-    std::sort(joined.begin(), joined.end(), [](const Point& a, const Point& b) { return a.cost < b.cost; });
-    std::string line;
-    for (const Point& point : joined) line += print("%.1f,%.1f ", x.at(point.cost), y.at(point.error));
-    svg += "<polyline class=\"front\" points=\"" + line + "\"/>\n";
-
-    for (size_t i = 0; i < marks.size(); ++i) {
-        const Point& point = points[i];
-        svg += print("<line class=\"spread\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n",
-                     x.at(std::max(point.cost - marks[i].spread / 2, 0.0)), y.at(point.error),
-                     x.at(point.cost + marks[i].spread / 2), y.at(point.error));
-        svg += print("<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"5\"/>\n", front[i] ? "best" : "beaten",
-                     x.at(point.cost), y.at(point.error));
-        // Names of marks that fall together go below each other.
-        const auto above = std::count_if(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i),
-                                         [&](const Point& other) {
-                                             return std::abs(x.at(other.cost) - x.at(point.cost)) < 40 &&
-                                                    std::abs(y.at(other.error) - y.at(point.error)) < 12;
-                                         });
-        svg += print("<text x=\"%.1f\" y=\"%.1f\">", x.at(point.cost) + 9,
-                     y.at(point.error) - 5 + 13 * static_cast<double>(above)) +
-               escaped(marks[i].name) + "</text>\n";
+    const CostAxis costs(marks);
+    std::string script =
+        "set terminal svg size 720,420 dynamic background \"#1b1d1f\" font \"sans-serif,12\"\n";
+    script += "set output " + quoted(svg) + "\n" + style + costs.script();
+    script += print("set yrange [0:%.6g]\n", 1.15 * mostError);
+    script += frontData(marks, front, costs) + markData("best", marks, front, true, costs) +
+              markData("beaten", marks, front, false, costs) + labels(marks, costs, mostError);
+    script += "plot $front using 1:2 with lines lc rgb \"#6cb2ff\" dt 2";
+    for (const auto& [name, look] :
+         {std::pair{"best", "lc rgb \"#6cb2ff\" pt 7"}, std::pair{"beaten", "lc rgb \"#a4abb2\" pt 6"}}) {
+        const bool which = name == std::string("best");
+        if (std::find(front.begin(), front.end(), which) == front.end()) continue;
+        script += print(", \\\n  $%s using 1:4:2:3 with xerrorbars ps 1 %s", name, look);
     }
-    return svg + "</svg>\n";
+    return script + "\n";
 }
 
 } // namespace demos::measure

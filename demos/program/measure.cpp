@@ -140,6 +140,7 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
         }
     }
     progress.clear();
+    if (!files.whyNoPlots().empty()) std::fprintf(stderr, "warning: %s\n", files.whyNoPlots().c_str());
     summarise(files.tradeoff());
     std::printf("measured: %s\n", fs::absolute(files.page()).lexically_normal().c_str());
     return ok;

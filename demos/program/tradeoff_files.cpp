@@ -10,6 +10,7 @@
 #include "measure/page.h"
 #include "measure/plot.h"
 #include "measure/table.h"
+#include "program/gnuplot.h"
 #include "program/output.h"
 
 namespace demos {
@@ -68,16 +69,24 @@ bool TradeoffFiles::add(measure::ViewResult view, Error& error) {
         return false;
     std::move(view.entries.begin(), view.entries.end(), std::back_inserter(tradeoff_.entries));
     tradeoff_.sheets.push_back(sheet);
-    return writeText(folder_ / (sheet.file + ".svg"), plotSvg(tradeoff_, sheet), error) && writeTables(error);
+    return plot(sheet, error) && writeTables(error);
+}
+
+bool TradeoffFiles::plot(const measure::Sheet& sheet, Error& error) {
+    const fs::path script = folder_ / (sheet.file + ".gp");
+    if (!writeText(script, plotScript(tradeoff_, sheet, sheet.file + ".svg"), error)) return false;
+    Error problem;
+    if (runGnuplot(script, problem) != Plotted::yes) whyNoPlots_ = problem.text;
+    return true;
 }
 
 bool TradeoffFiles::writeTables(Error& error) const {
-    std::vector<std::string> pictures;
+    std::vector<measure::SheetFiles> files;
     for (const measure::Sheet& sheet : tradeoff_.sheets)
-        pictures.push_back(bytesOf(folder_ / (sheet.file + ".png")));
+        files.push_back({bytesOf(folder_ / (sheet.file + ".png")), bytesOf(folder_ / (sheet.file + ".svg"))});
     return writeText(folder_ / "tradeoff.json", tradeoffJson(tradeoff_), error) &&
            writeText(folder_ / "tradeoff.csv", tradeoffCsv(tradeoff_), error) &&
-           writeText(page(), tradeoffPage(tradeoff_, pictures), error);
+           writeText(page(), tradeoffPage(tradeoff_, files), error);
 }
 
 } // namespace demos

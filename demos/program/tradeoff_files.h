@@ -21,14 +21,18 @@ class TradeoffFiles {
     /// Writes the view's pictures and plot, then tables and page anew. The view's pictures are not kept.
     bool add(measure::ViewResult view, Error& error);
 
+    /// Why there are no plots; empty when there are.
+    const std::string& whyNoPlots() const { return whyNoPlots_; }
     const measure::Tradeoff& tradeoff() const { return tradeoff_; }
     std::filesystem::path page() const { return folder_ / "index.html"; }
 
   private:
+    bool plot(const measure::Sheet& sheet, Error& error);
     bool writeTables(Error& error) const;
 
     std::filesystem::path folder_;
     measure::Tradeoff tradeoff_;
+    std::string whyNoPlots_;
 };
 
 } // namespace demos

@@ -8,6 +8,7 @@
 
 #include "measure/pareto.h"
 #include "measure/picture_error.h"
+#include "measure/plot.h"
 #include "scene/fields.h"
 #include "tests/program/refused.h"
 #include "tests/program/sample.h"
@@ -115,10 +116,11 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     EXPECT_EQ(tests::countLines(tests::readAll(path("new/tradeoff/tradeoff.csv"))), techniques + 1);
 
     EXPECT_EQ(tests::namesIn(path("new/tradeoff")),
-              (std::vector<std::string>{"1_calm_level.png", "1_calm_level.svg", "index.html", "tradeoff.csv",
-                                        "tradeoff.json"}));
+              (std::vector<std::string>{"1_calm_level.gp", "1_calm_level.png", "1_calm_level.svg",
+                                        "index.html", "tradeoff.csv", "tradeoff.json"}));
+    EXPECT_NE(tests::readAll(path("new/tradeoff/1_calm_level.svg")).find("sspr"), std::string::npos);
     const std::string page = tests::readAll(path("new/tradeoff/index.html"));
-    EXPECT_NE(page.find("<polyline class=\"front\""), std::string::npos);
+    EXPECT_NE(page.find("src=\"data:image/svg+xml;base64,"), std::string::npos);
     EXPECT_NE(page.find("src=\"data:image/png;base64,iVBORw0KGgo"), std::string::npos);
     EXPECT_EQ(page.find("src=\"http"), std::string::npos) << "nothing from elsewhere";
     EXPECT_NE(page.find("<td>sspr, default</td>"), std::string::npos);
@@ -203,8 +205,22 @@ TEST_F(Measure, AnInterruptionLeavesWhatIsFinished) {
     EXPECT_EQ(measured("part")["entries"].size(), techniques);
     EXPECT_EQ(tests::countLines(tests::readAll(path("part/tradeoff.csv"))), techniques + 1);
     EXPECT_EQ(tests::namesIn(path("part")),
-              (std::vector<std::string>{"1_calm_level.png", "1_calm_level.svg", "index.html", "tradeoff.csv",
+              (std::vector<std::string>{"1_calm_level.gp", "1_calm_level.png", "1_calm_level.svg",
+                                        "index.html", "tradeoff.csv", "tradeoff.json"}));
+}
+
+TEST_F(Measure, WithoutGnuplotOnlyThePlotsAreMissing) {
+    const Outcome outcome = tests::run(SEAGLASS_PROGRAM, {{"measure", "scene.toml", "-o", "bare", "--quick",
+                                                           "--size", "48x27", "--technique", "sky"},
+                                                          {{"PATH", "/nowhere"}},
+                                                          folder_.path()});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(tests::countLines(outcome.err), 1u) << outcome.err;
+    EXPECT_NE(outcome.err.find("warning: gnuplot was not found"), std::string::npos) << outcome.err;
+    EXPECT_EQ(tests::namesIn(path("bare")),
+              (std::vector<std::string>{"1_scene_level.gp", "1_scene_level.png", "index.html", "tradeoff.csv",
                                         "tradeoff.json"}));
+    EXPECT_EQ(tests::readAll(path("bare/index.html")).find("svg+xml"), std::string::npos);
 }
 
 TEST_F(Measure, TwoRunsFindTheSameErrors) {
@@ -216,6 +232,31 @@ TEST_F(Measure, TwoRunsFindTheSameErrors) {
         return found;
     };
     EXPECT_EQ(errors("one"), errors("two"));
+}
+
+TEST(Plot, JoinsTheFrontAndHasAPlaceForWhatCostsNothing) {
+    demos::measure::Tradeoff tradeoff;
+    const auto add = [&](const char* technique, const char* quality, double xFloor, double flip) {
+        demos::measure::Entry& entry = tradeoff.entries.emplace_back();
+        entry.technique = technique;
+        entry.quality = quality;
+        entry.cost.xFloor = xFloor;
+        entry.error.flip = flip;
+    };
+    add("sky", "default", 0, 0.3);
+    add("good", "high", 8, 0.1);
+    add("bad", "default", 16, 0.2);
+    add("unseen", "default", 4, 0.05);
+    tradeoff.entries.back().error.flip.reset();
+    const demos::measure::Sheet sheet = {"s", "c", "f", 0, 4};
+    const std::string script = plotScript(tradeoff, sheet, "a\"b.svg");
+    const auto has = [&](const std::string& text) { return script.find(text) != std::string::npos; };
+    EXPECT_TRUE(has("set output \"a b.svg\""));
+    EXPECT_TRUE(has("$front << EOD\n2 0.3\n8 0.1\nEOD")) << script;
+    EXPECT_TRUE(has("$beaten << EOD\n16 16 16 0.2\nEOD")) << script;
+    EXPECT_TRUE(has("\"0\" 2,")) << script;
+    EXPECT_TRUE(has("\"good, high\" at 8,0.1") && has("\"bad\" at 16,0.2")) << script;
+    EXPECT_FALSE(has("unseen"));
 }
 
 TEST(Pareto, KeepsWhatNothingBeats) {
