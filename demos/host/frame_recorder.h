@@ -52,6 +52,7 @@ class FrameRecorder {
     bool needed(Stage stage) const;
     bool record(VkCommandBuffer commands, Stage stage, Error& error);
 
+    WaterPass& waterPass() { return water_; }
     const FrameTargets& targets() const { return targets_; }
     const Camera& camera() const { return camera_; }
     PassTimer& timer() { return timer_; }

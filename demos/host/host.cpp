@@ -38,6 +38,14 @@ bool Host::addWater(const WaterDesc& water, Error& error) {
     return impl_->ready(error) && impl_->recorder.addWater(water, *impl_->scene, error);
 }
 
+std::optional<uint64_t> Host::reflectionBytes(const WaterDesc& water, uint32_t width, uint32_t height,
+                                              Error& error) {
+    uint64_t bytes = 0;
+    if (!impl_->recorder.waterPass().estimateReflection(water, {width, height}, bytes, error))
+        return std::nullopt;
+    return bytes;
+}
+
 std::optional<Picture> Host::render(const FrameDesc& frame, Error& error) {
     Impl& impl = *impl_;
     if (!impl.ready(error) || !impl.recorder.begin(*impl.scene, frame, error)) return std::nullopt;

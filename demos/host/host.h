@@ -96,6 +96,10 @@ class Host {
     bool load(const Scene& scene, Error& error);
     /// Another water for the scene that is loaded: FrameDesc::water counts them in this order.
     bool addWater(const WaterDesc& water, Error& error);
+    /// Bytes on the device that a water's reflection takes for one view of this size, as the library
+    /// estimates them.
+    std::optional<uint64_t> reflectionBytes(const WaterDesc& water, uint32_t width, uint32_t height,
+                                            Error& error);
     /// Draws one frame and waits for it.
     std::optional<Picture> render(const FrameDesc& frame, Error& error);
     /// Draws the frame `runs` times after a warm-up and gives medians by pass.

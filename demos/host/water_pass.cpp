@@ -121,6 +121,18 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     return true;
 }
 
+bool WaterPass::estimateReflection(const WaterDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error) {
+    bytes = 0;
+    if (!desc.reflection) return true;
+    seaglass::ReflectionDesc reflection;
+    seaglass::Estimate estimate;
+    if (!reflectionOf(*desc.reflection, "water", reflection, error) ||
+        !ok(seaglass::estimate(context_, &reflection, extent, &estimate), "water", error))
+        return false;
+    bytes = estimate.bytes + estimate.bytesPerView;
+    return true;
+}
+
 bool WaterPass::beginFrame(Error& error) {
     slot_ = (slot_ + 1) % framesInFlight_;
     return ok(seaglass::beginFrame(context_, slot_), "water", error);

@@ -49,6 +49,9 @@ class WaterPass {
     bool create(const Device& device, uint32_t framesInFlight, PassTimer& timer, Error& error);
     bool createBody(const WaterDesc& desc, WaterBody& out, Error& error);
 
+    /// What the library says that a water's reflection holds for one view of this size.
+    bool estimateReflection(const WaterDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error);
+
     /// Before anything else is recorded for a frame; slots are taken in turn.
     bool beginFrame(Error& error);
     /// Milliseconds on the CPU go to `cpuMs`.

@@ -68,6 +68,9 @@ class View {
             entry.technique = technique.name;
             entry.quality = technique.quality;
             entry.cost = costOf(times->waters[i], times->floor);
+            entry.cost.bytes =
+                host_.reflectionBytes(subject_.variants[i].water, frame_.width, frame_.height, error);
+            if (!entry.cost.bytes) return RunResult::failed;
         }
         return RunResult::ok;
     }

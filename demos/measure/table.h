@@ -10,5 +10,7 @@ namespace demos::measure {
 std::string tradeoffJson(const Tradeoff& tradeoff);
 /// One line an entry, under a line of names. What was not measured is empty.
 std::string tradeoffCsv(const Tradeoff& tradeoff);
+/// A table for each scene, in the columns that a reader compares. What was not measured is a dash.
+std::string tradeoffMarkdown(const Tradeoff& tradeoff);
 
 } // namespace demos::measure

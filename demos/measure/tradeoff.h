@@ -14,8 +14,8 @@ struct Cost {
     PassTime reflection; ///< the reflection's own passes; the water's drawing is among `passes`
     PassTime floor;      ///< measured between the same frames
     std::optional<double> xFloor, xFloorSpread;
-    std::optional<uint64_t> bytes;
-    std::vector<PassTime> passes; ///< of the whole frame
+    std::optional<uint64_t> bytes; ///< of the reflection on the device, for one view
+    std::vector<PassTime> passes;  ///< of the whole frame
 };
 
 /// Shares are 0..1. What has no pixel to be measured on is not there.

@@ -18,12 +18,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Those of the folder that have water, by name; all that cannot be read as well, for the error to be told.
+std::vector<fs::path> scenesWithWater(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        if (entry.path().extension() != ".toml") continue;
+        Error unread;
+        const std::optional<Scene> scene = loadScene(entry.path(), {}, unread);
+        if (!scene || scene->water) files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 std::optional<std::vector<measure::Subject>> readAll(const MeasureOptions& options, Error& error) {
     const std::optional<std::vector<const measure::Technique*>> techniques =
         measure::chooseTechniques(options.techniques, error);
     if (!techniques) return std::nullopt;
+    const fs::path usual = "demos/scenes";
+    const std::vector<fs::path> files = options.scenes.empty() ? scenesWithWater(usual) : options.scenes;
+    if (files.empty()) {
+        error.text = "no scenes in " + usual.string() + ", expected SCENE.toml";
+        return std::nullopt;
+    }
     std::vector<measure::Subject> subjects;
-    for (const fs::path& file : options.scenes) {
+    for (const fs::path& file : files) {
         const measure::SubjectDesc desc = {
             file, options.overrides, *techniques, options.cameras, options.firstCameraOnly, options.flat};
         std::optional<std::vector<measure::Subject>> found = measure::readSubjects(desc, error);

@@ -6,14 +6,13 @@ namespace demos {
 
 namespace {
 
-constexpr const char* usual[] = {"demos/scenes/harbour.toml", "demos/scenes/ocean.toml"};
 constexpr Size quickSize = {320, 180};
 constexpr uint32_t quickRounds = 5;
 
 constexpr const char* footer =
     R"(For each scene, camera and technique: what the reflection costs, in milliseconds and as a multiple of
 the floor (a compute copy of the frame's colour and depth, timed between the same frames), and how far the
-picture is from the ray-traced one. Writes tradeoff.json, tradeoff.csv and index.html with plots and pictures.
+picture is from the ray-traced one. Writes tradeoff.json, .csv and .md, and index.html with plots and pictures.
 
   flip, wrong_share, psnr_water_db   of the tone-mapped picture over the pixels of water
   flip_picture, psnr_picture_db      the same over the whole picture
@@ -41,7 +40,7 @@ void describeMeasure(CLI::App& command, RawMeasure& raw) {
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     command
         .add_option("SCENE", raw.scenes,
-                    "Scene files (TOML) with water; demos/scenes/harbour.toml and ocean.toml if not given")
+                    "Scene files (TOML) with water; all of demos/scenes that have some if not given")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command.add_option("-o,--output", raw.folder, "Folder for what is found; it is made if need be")
         ->type_name("DIR");
@@ -79,7 +78,6 @@ std::optional<MeasureOptions> checkMeasure(const RawMeasure& raw, Error& error) 
     options.cameras = raw.cameras;
     options.overrides = raw.overrides;
     options.flat = raw.flat;
-    if (options.scenes.empty()) options.scenes.assign(std::begin(usual), std::end(usual));
     if (raw.quick) {
         options.size = quickSize;
         options.rounds = quickRounds;

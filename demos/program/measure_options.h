@@ -15,7 +15,7 @@ class App;
 namespace demos {
 
 struct MeasureOptions {
-    std::vector<std::filesystem::path> scenes;
+    std::vector<std::filesystem::path> scenes; ///< empty takes those of demos/scenes that have water
     std::filesystem::path folder;
     Size size;
     uint32_t rounds = 20;

@@ -41,6 +41,7 @@ bool checkTradeoffFiles(const fs::path& folder, Error& error) {
     if (!fs::exists(folder, code)) return true;
     return checkOutput("-o", folder / "tradeoff.json", {".json"}, error) &&
            checkOutput("-o", folder / "tradeoff.csv", {".csv"}, error) &&
+           checkOutput("-o", folder / "tradeoff.md", {".md"}, error) &&
            checkOutput("-o", folder / "index.html", {".html"}, error);
 }
 
@@ -86,6 +87,7 @@ bool TradeoffFiles::writeTables(Error& error) const {
         files.push_back({bytesOf(folder_ / (sheet.file + ".png")), bytesOf(folder_ / (sheet.file + ".svg"))});
     return writeText(folder_ / "tradeoff.json", tradeoffJson(tradeoff_), error) &&
            writeText(folder_ / "tradeoff.csv", tradeoffCsv(tradeoff_), error) &&
+           writeText(folder_ / "tradeoff.md", tradeoffMarkdown(tradeoff_), error) &&
            writeText(page(), tradeoffPage(tradeoff_, files), error);
 }
 

@@ -81,7 +81,6 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
         EXPECT_EQ(entry["quality"], "default");
         for (const char* const key : {"ms", "x_floor", "x_floor_spread", "spread_ms", "floor_ms"})
             expectNumber(entry["cost"], key);
-        EXPECT_TRUE(entry["cost"].at("bytes").is_null());
         for (const json& pass : entry["cost"].at("passes")) expectNumber(pass, "ms");
         for (const char* const key : {"flip", "psnr_db", "coverage", "false_sky_hits", "sky_on_geometry",
                                       "wrong_share", "psnr_water_db", "flip_picture", "psnr_picture_db"})
@@ -98,6 +97,11 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     const json& sspr = entries.at("sspr");
     EXPECT_EQ(none["cost"]["ms"], 0);
     EXPECT_EQ(sky["cost"]["ms"], 0);
+    EXPECT_EQ(none["cost"]["bytes"], 0);
+    EXPECT_EQ(sky["cost"]["bytes"], 0);
+    // Colour, what is known and keys, each pixel; blurred copies and tiles beside.
+    EXPECT_GT(sspr["cost"]["bytes"].get<int>(), 96 * 54 * (8 + 2));
+    EXPECT_LT(sspr["cost"]["bytes"].get<int>(), 96 * 54 * 40);
     EXPECT_GT(sspr["cost"]["ms"].get<double>(), 0);
     EXPECT_EQ(sky["error"]["coverage"], 0);
     EXPECT_EQ(sky["error"]["sky_on_geometry"], 1);
@@ -117,8 +121,11 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
 
     EXPECT_EQ(tests::namesIn(path("new/tradeoff")),
               (std::vector<std::string>{"1_calm_level.gp", "1_calm_level.png", "1_calm_level.svg",
-                                        "index.html", "tradeoff.csv", "tradeoff.json"}));
+                                        "index.html", "tradeoff.csv", "tradeoff.json", "tradeoff.md"}));
     EXPECT_NE(tests::readAll(path("new/tradeoff/1_calm_level.svg")).find("sspr"), std::string::npos);
+    const std::string markdown = tests::readAll(path("new/tradeoff/tradeoff.md"));
+    EXPECT_NE(markdown.find("### calm.toml\n\n| camera |"), std::string::npos) << markdown;
+    EXPECT_NE(markdown.find("\n| level | sspr | default |"), std::string::npos) << markdown;
     const std::string page = tests::readAll(path("new/tradeoff/index.html"));
     EXPECT_NE(page.find("src=\"data:image/svg+xml;base64,"), std::string::npos);
     EXPECT_NE(page.find("src=\"data:image/png;base64,iVBORw0KGgo"), std::string::npos);
@@ -129,7 +136,7 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
 TEST_F(Measure, BadLinesAreRefused) {
     expectRefused({}, {"no output", "-o DIR"});
     expectRefused({"scene.toml"}, {"no output", "-o DIR"});
-    expectRefused({"-o", "new"}, {"demos/scenes/harbour.toml", "no such file"});
+    expectRefused({"-o", "new"}, {"demos/scenes", "no scenes"});
     expectRefused({"nope.toml", "-o", "new"}, {"nope.toml", "no such file"});
     expectRefused({"scene.toml", "-o", "new", "--size", "big"}, {"--size is 'big'", "WIDTHxHEIGHT"});
     expectRefused({"scene.toml", "-o", "new", "--sise", "3x3"}, {"--sise", "nearest is --size"});
@@ -175,6 +182,29 @@ TEST_F(Measure, MeasuresWhatItIsAskedFor) {
     for (const json& entry : entries) EXPECT_EQ(entry["camera"], "low");
 }
 
+TEST_F(Measure, TakesAllScenesWithWaterIfNoneIsNamed) {
+    for (const char* const name : {"one", "two"}) {
+        const fs::path folder = path("demos/scenes") / name;
+        fs::create_directories(folder);
+        tests::writeSample(folder);
+    }
+    const auto place = [&](const std::string& name, std::string scene) {
+        for (const char* const file : {"sky.hdr", "tetra.gltf"}) scene.replace(scene.find(file), 0, "one/");
+        tests::writeAll(path("demos/scenes") / (name + ".toml"), scene);
+    };
+    std::string dry = tests::sampleScene();
+    place("b", dry);
+    place("a", dry);
+    dry.erase(dry.find("[water]"), dry.find("[[camera]]") - dry.find("[water]"));
+    place("dry", dry);
+    const Outcome outcome = measure({"-o", "all", "--quick", "--size", "48x27", "--technique", "sky"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json entries = measured("all")["entries"];
+    ASSERT_EQ(entries.size(), 2u);
+    EXPECT_EQ(entries[0]["scene"], "demos/scenes/a.toml");
+    EXPECT_EQ(entries[1]["scene"], "demos/scenes/b.toml");
+}
+
 TEST_F(Measure, FlatWaterIsASceneWithoutWavesAndFoam) {
     calm();
     const std::vector<std::string> line = {"--quick", "--size", "48x27", "--technique", "sspr"};
@@ -206,7 +236,7 @@ TEST_F(Measure, AnInterruptionLeavesWhatIsFinished) {
     EXPECT_EQ(tests::countLines(tests::readAll(path("part/tradeoff.csv"))), techniques + 1);
     EXPECT_EQ(tests::namesIn(path("part")),
               (std::vector<std::string>{"1_calm_level.gp", "1_calm_level.png", "1_calm_level.svg",
-                                        "index.html", "tradeoff.csv", "tradeoff.json"}));
+                                        "index.html", "tradeoff.csv", "tradeoff.json", "tradeoff.md"}));
 }
 
 TEST_F(Measure, WithoutGnuplotOnlyThePlotsAreMissing) {
@@ -219,7 +249,7 @@ TEST_F(Measure, WithoutGnuplotOnlyThePlotsAreMissing) {
     EXPECT_NE(outcome.err.find("warning: gnuplot was not found"), std::string::npos) << outcome.err;
     EXPECT_EQ(tests::namesIn(path("bare")),
               (std::vector<std::string>{"1_scene_level.gp", "1_scene_level.png", "index.html", "tradeoff.csv",
-                                        "tradeoff.json"}));
+                                        "tradeoff.json", "tradeoff.md"}));
     EXPECT_EQ(tests::readAll(path("bare/index.html")).find("svg+xml"), std::string::npos);
 }
 
