@@ -1,6 +1,7 @@
 // Draws water bodies into a picture of floats, with the scene behind given pixel by pixel.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "seaglass/water.h"
@@ -35,6 +36,8 @@ class WaterTest : public GpuTest {
                          seaglass::SurfaceOutput output = seaglass::SurfaceOutput::shaded,
                          const SceneBehind& behind = {});
 
+    /// Changes what reflect() is told of the view that draw() is told the truth of; null leaves it.
+    std::function<void(seaglass::ViewDesc&)> misleadReflection;
     seaglass::LightingDesc lighting; ///< no sun; the sky cube's radiance is 1, 2, 3
 
   private:

@@ -263,7 +263,6 @@ TEST_F(Water, SaysWhereTheReflectionIsTakenFrom) {
     ASSERT_GT(fromTruth.size(), 1000u);
     std::ranges::sort(fromTruth);
     std::ranges::sort(fromColors);
-    // This attachment's halves hold a place to an eighth of a pixel.
     EXPECT_LT(fromTruth[fromTruth.size() / 2], 0.15);
     EXPECT_LT(fromTruth[fromTruth.size() * 9 / 10], 0.5);
     // Colours are those of whole pixels.

@@ -1,0 +1,159 @@
+// Defects planted in what a reflection is made from, each of which must move the measure that is there to
+// tell.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "measure/picture_error.h"
+#include "tests/gpu/traced_scene.h"
+#include "tests/gpu/water_rig.h"
+#include "water/body.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+using demos::measure::PictureError;
+using demos::reference::TruthClass;
+
+demos::Picture pictureOf(const WaterPicture& drawn) {
+    demos::Picture picture{drawn.width, drawn.height, drawn.color};
+    for (size_t i = 0; i < drawn.depth.size(); ++i)
+        if (!drawn.covered(i)) std::fill_n(&picture.rgba[i * 4], 4, 0.0f);
+    return picture;
+}
+
+TruthClass classOf(Truth truth) {
+    switch (truth) {
+    case Truth::none:
+        return TruthClass::none;
+    case Truth::sky:
+        return TruthClass::sky;
+    case Truth::recoverable:
+        return TruthClass::recoverable;
+    case Truth::lost:
+        return TruthClass::hidden;
+    }
+    return TruthClass::none;
+}
+
+/// Things in the traced scene have the colour of their place, the sky that of the rig's cube.
+demos::reference::Pictures truthOf(const TracedView& traced) {
+    demos::reference::Pictures truth;
+    truth.truth = {traced.width, traced.height, std::vector<float>(traced.truth.size() * 4)};
+    truth.mirrored = truth.truth;
+    for (size_t i = 0; i < traced.truth.size(); ++i) {
+        float* const kind = &truth.truth.rgba[i * 4];
+        kind[0] = static_cast<float>(classOf(traced.truth[i]));
+        kind[1] = static_cast<float>(traced.source[i].x);
+        kind[2] = static_cast<float>(traced.source[i].y);
+        float* const color = &truth.mirrored.rgba[i * 4];
+        for (int c = 0; c < 3 && traced.truth[i] == Truth::sky; ++c) color[c] = static_cast<float>(c + 1);
+        if (traced.truth[i] != Truth::recoverable) continue;
+        color[0] = kind[1] / static_cast<float>(traced.width);
+        color[1] = kind[2] / static_cast<float>(traced.height);
+        color[2] = 1;
+    }
+    truth.color = truth.mirrored;
+    return truth;
+}
+
+class Defects : public WaterTest {
+  protected:
+    void SetUp() override {
+        WaterTest::SetUp();
+        camera_.eye = {-1, 2.2, 9};
+        camera_.target = {-0.5, 1.2, 0};
+        camera_.width = 320;
+        camera_.height = 180;
+        traced_ = Tracer(camera_, harbourOfBoxes()).run();
+        behind_ = {traced_.color, traced_.depth};
+        reflection_.edgeFade = 0; // a fade is no defect, but it is an error
+        BodyDesc desc;
+        desc.reflection = &reflection_;
+        body_ = makeBody(desc);
+    }
+
+    std::optional<PictureError> measured(demos::Error& error) {
+        demos::measure::Shots shots;
+        shots.reflection = pictureOf(picture({body_}, camera_, 0, SurfaceOutput::reflection, behind_));
+        shots.sources = pictureOf(picture({body_}, camera_, 0, SurfaceOutput::reflectionSource, behind_));
+        shots.color = shots.reflection;
+        return errorOf(truthOf(traced_), shots, 0, error);
+    }
+    PictureError measured() {
+        demos::Error error;
+        const std::optional<PictureError> found = measured(error);
+        EXPECT_TRUE(found) << error.text;
+        return found.value_or(PictureError{});
+    }
+
+    Camera camera_;
+    TracedView traced_;
+    SceneBehind behind_;
+    seaglass::ReflectionDesc reflection_;
+    Body* body_ = nullptr;
+};
+
+TEST_F(Defects, NoneIsWithinTightLimits) {
+    const PictureError error = measured();
+    EXPECT_GT(error.coverage.value(), 0.95);
+    EXPECT_LT(error.falseSkyHits.value(), 0.005);
+    // Of what is hidden, much lies behind what looks like the way to the sky.
+    EXPECT_LT(error.skyOnGeometry.value(), 0.15);
+    EXPECT_LT(error.positionPxP50.value(), 0.02);
+    EXPECT_LT(error.positionPxP95.value(), 0.1);
+    EXPECT_GT(error.psnrValidDb.value(), 48);
+}
+
+TEST_F(Defects, ADroppedHalfTexelIsSeenInPlaceAndColor) {
+    const PictureError sound = measured();
+    misleadReflection = [&](ViewDesc& view) {
+        view.projection[8] -= 1.0 / camera_.width;
+        view.projection[9] -= 1.0 / camera_.height;
+    };
+    const PictureError error = measured();
+    EXPECT_GT(error.positionPxP50.value(), 0.2);
+    EXPECT_LT(error.psnrValidDb.value(), sound.psnrValidDb.value() - 3);
+}
+
+TEST_F(Defects, APlaneTooHighIsSeenInPlaceAndColor) {
+    const PictureError sound = measured();
+    body_->reflector->plane.w -= 0.1;
+    const PictureError error = measured();
+    EXPECT_GT(error.positionPxP50.value(), 0.4);
+    EXPECT_LT(error.psnrDb.value(), sound.psnrDb.value() - 3);
+}
+
+TEST_F(Defects, DepthTakenTheWrongWayRoundIsSeenInCoverage) {
+    misleadReflection = [&](ViewDesc& view) {
+        Camera other = camera_;
+        other.reversed = !other.reversed;
+        const ViewDesc wrong = viewDesc(other);
+        std::copy(std::begin(wrong.projection), std::end(wrong.projection), view.projection);
+    };
+    EXPECT_LT(measured().coverage.value(), 0.1);
+}
+
+TEST_F(Defects, AScatteredSkyIsSeenInHitsOnSky) {
+    std::vector<float> depth = traced_.depth;
+    for (float& value : depth)
+        if (value == 0) value = 1e-5f; // 10 km away
+    const demos::Image image = uploadFloats(traced_.width, traced_.height, 1, depth);
+    misleadReflection = [&](ViewDesc& view) { view.sceneDepth = asSeaglass(image); };
+    // The rest of the mirrored sky is not on the screen.
+    EXPECT_GT(measured().falseSkyHits.value(), 0.3);
+}
+
+TEST_F(Defects, NaNIsRefusedByItsCount) {
+    const PictureError sound = measured();
+    EXPECT_TRUE(sound.psnrDb);
+    for (size_t i = 0; i < behind_.depth.size(); i += 7)
+        behind_.color[i * 4] = std::numeric_limits<float>::quiet_NaN();
+    demos::Error error;
+    EXPECT_FALSE(measured(error));
+    EXPECT_NE(error.text.find("NaN or infinity in "), std::string::npos) << error.text;
+    EXPECT_NE(error.text.find(" pixels of the "), std::string::npos) << error.text;
+}
+
+} // namespace
