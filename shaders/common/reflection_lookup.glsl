@@ -46,7 +46,7 @@ BentPoint bentPoint(vec3 from, vec3 direction) {
 vec4 reflectionAlong(vec3 from, vec3 direction, float spread) {
     BentPoint point = bentPoint(from, direction);
     vec2 size = vec2(region.zw);
-    vec2 border = min(point.pixel, size - point.pixel);
+    vec2 border = min(point.pixel, size - point.pixel) + 0.5;
     float inside = clamp(min(border.x, border.y), 0.0, 1.0);
     if (inside <= 0.0) return vec4(0.0);
     float pixelsPerRadian = length(vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y));
