@@ -35,6 +35,8 @@ bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::Ref
                      "\", expected sky, sspr or planar";
         return false;
     }
+    out.downscale = desc.downscale;
+    out.coarseKeys = desc.coarseKeys;
     out.edgeFade = static_cast<float>(desc.edgeFade);
     out.distortion = static_cast<float>(desc.distortion);
     return true;

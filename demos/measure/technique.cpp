@@ -9,11 +9,36 @@ namespace demos::measure {
 
 namespace {
 
+struct Quality {
+    const char* name;
+    const char* override;       ///< null leaves all as it is
+    std::string_view only = {}; ///< the technique that has it; empty: all that make an image
+};
+
+constexpr Quality qualities[] = {
+    {"default", nullptr},
+    {"coarse keys", "water.reflection.coarse_keys=true", "sspr"},
+    {"half", "water.reflection.downscale=2"},
+    {"quarter", "water.reflection.downscale=4"},
+};
+
+bool has(std::string_view technique, const Quality& quality) {
+    if (!quality.override) return true;
+    return technique != "sky" && (quality.only.empty() || quality.only == technique);
+}
+
 std::vector<Technique> allTechniques() {
     std::vector<Technique> all = {{"none", "default", {}, false}};
     for (const std::string_view word : choicesOf("water.reflection.technique")) {
         const std::string name(word);
-        all.push_back({name, "default", {"water.reflection.technique=" + name}});
+        for (const Quality& quality : qualities) {
+            if (!has(word, quality)) continue;
+            Technique& added = all.emplace_back();
+            added.name = name;
+            added.quality = quality.name;
+            added.overrides = {"water.reflection.technique=" + name};
+            if (quality.override) added.overrides.push_back(quality.override);
+        }
     }
     return all;
 }

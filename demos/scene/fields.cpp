@@ -99,6 +99,9 @@ constexpr std::array refractionFields = {
 constexpr std::array reflectionFields = {
     Field{"technique", at<&ReflectionDesc::technique>, 0, 0, "", "where reflections come from", false,
           Rule::none, techniques},
+    Field{"downscale", at<&ReflectionDesc::downscale>, 1, 8, "", "pixels to one of the reflection, each way",
+          false, Rule::powerOfTwo},
+    Field{"coarse_keys", at<&ReflectionDesc::coarseKeys>, 0, 0, "", "sspr: one key for 2 x 2 pixels"},
     Field{"edge_fade", at<&ReflectionDesc::edgeFade>, 0, 0.5, "", "share of the picture's height"},
     Field{"distortion", at<&ReflectionDesc::distortion>, 0, 1, "", "0 flat mirror, 1 as geometry says"},
 };
