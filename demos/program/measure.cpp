@@ -100,10 +100,10 @@ std::string text(const char* format, const std::optional<double>& value) {
 void summarise(const measure::Tradeoff& tradeoff) {
     std::printf("%s, %ux%u, floor %s ms\n", tradeoff.device.c_str(), tradeoff.width, tradeoff.height,
                 text("%.3f", tradeoff.floorMs()).c_str());
-    std::printf("%-10s %9s %9s %8s %8s %9s %8s  %s\n", "technique", "ms", "x floor", "FLIP", "PSNR dB",
+    std::printf("%-18s %9s %9s %8s %8s %9s %8s  %s\n", "technique", "ms", "x floor", "FLIP", "PSNR dB",
                 "coverage", "off px", "camera");
     for (const measure::Entry& entry : tradeoff.entries)
-        std::printf("%-10s %9.3f %9s %8s %8s %9s %8s  %s of %s\n", entry.technique.c_str(),
+        std::printf("%-18s %9.3f %9s %8s %8s %9s %8s  %s of %s\n", entry.name().c_str(),
                     entry.cost.reflection.ms, text("%.2f", entry.cost.xFloor).c_str(),
                     text("%.4f", entry.error.flip).c_str(), text("%.2f", entry.error.psnrDb).c_str(),
                     text("%.3f", entry.error.coverage).c_str(),

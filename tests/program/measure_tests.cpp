@@ -122,6 +122,7 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     EXPECT_GT(planar["error"]["coverage"].get<double>(), 0.98);
     EXPECT_LE(planar["error"]["false_sky_hits"].get<double>(), 0.01);
     EXPECT_LE(planar["error"]["sky_on_geometry"].get<double>(), 0.02);
+    EXPECT_NE(outcome.out.find("\nsspr, half "), std::string::npos) << outcome.out;
     EXPECT_EQ(tests::countLines(tests::readAll(path("new/tradeoff/tradeoff.csv"))), techniques + 1);
 
     EXPECT_EQ(tests::namesIn(path("new/tradeoff")),
