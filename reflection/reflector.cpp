@@ -8,24 +8,63 @@
 
 namespace seaglass {
 
+namespace {
+
+bool scatters(ReflectionTechnique technique) {
+    return technique == ReflectionTechnique::sspr || technique == ReflectionTechnique::hybrid;
+}
+
+const char* badMarch(const ReflectionDesc& desc) {
+    if (desc.marchSteps < 8 || desc.marchSteps > 512)
+        return "ReflectionDesc.marchSteps is out of range, expected 8 to 512";
+    if (!(desc.marchThickness >= 0.001f && desc.marchThickness <= 100))
+        return "ReflectionDesc.marchThickness is out of range, expected 0.001 to 100";
+    if (!(desc.marchDistance >= 0.1f && desc.marchDistance <= 1e6f))
+        return "ReflectionDesc.marchDistance is out of range, expected 0.1 to 1e6";
+    if (!(desc.marchJitter >= 0 && desc.marchJitter <= 1))
+        return "ReflectionDesc.marchJitter is out of range, expected 0 to 1";
+    return nullptr;
+}
+
+} // namespace
+
 Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
     region = extent;
     const bool drawn = desc.technique == ReflectionTechnique::planar;
     const VkExtent2D scaled = scaledDown(extent, desc.downscale);
-    if (const Status s = drawn ? planar.create(device, scaled) : sspr.create(device, extent, desc);
-        s != Status::ok)
-        return s;
+    if (drawn)
+        if (const Status s = planar.create(device, scaled); s != Status::ok) return s;
+    if (scatters(desc.technique))
+        if (const Status s = sspr.create(device, extent, desc); s != Status::ok) return s;
+    if (desc.technique == ReflectionTechnique::hybrid)
+        if (const Status s = hybrid.create(device, scaled); s != Status::ok) return s;
     return images.create(device, scaled, desc.blurLevels, drawn);
 }
 
 Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
     Estimate estimate;
     if (desc.technique == ReflectionTechnique::sky) return estimate;
-    const bool drawn = desc.technique == ReflectionTechnique::planar;
     const VkExtent2D scaled = scaledDown(extent, desc.downscale);
-    estimate.bytesPerView = OwnedReflection::bytes(scaled, desc.blurLevels) +
-                            (drawn ? PlanarScratch::bytes(scaled) : SsprScratch::bytes(extent, desc));
-    estimate.dispatchesPerView = drawn ? planarDispatches : ssprDispatches;
+    estimate.bytesPerView = OwnedReflection::bytes(scaled, desc.blurLevels);
+    if (scatters(desc.technique)) estimate.bytesPerView += SsprScratch::bytes(extent, desc);
+    switch (desc.technique) {
+    case ReflectionTechnique::sky:
+        break;
+    case ReflectionTechnique::sspr:
+        estimate.dispatchesPerView = ssprDispatches;
+        break;
+    case ReflectionTechnique::ssr:
+        estimate.dispatchesPerView = marchDispatches;
+        break;
+    case ReflectionTechnique::hybrid:
+        estimate.bytesPerView += tileBufferBytes(scaled);
+        estimate.dispatchesPerView = hybridDispatches;
+        break;
+    case ReflectionTechnique::planar:
+        estimate.bytesPerView += PlanarScratch::bytes(scaled);
+        estimate.dispatchesPerView = planarDispatches;
+        break;
+    }
     return estimate;
 }
 
@@ -38,8 +77,7 @@ VkExtent2D extentOf(const ViewGeometry& geometry) {
 } // namespace
 
 const char* badField(const ReflectionDesc& desc) {
-    if (desc.technique != ReflectionTechnique::sky && desc.technique != ReflectionTechnique::sspr &&
-        desc.technique != ReflectionTechnique::planar)
+    if (desc.technique > ReflectionTechnique::planar)
         return "ReflectionDesc.technique is none of ReflectionTechnique";
     if (desc.downscale != 1 && desc.downscale != 2 && desc.downscale != 4 && desc.downscale != 8)
         return "ReflectionDesc.downscale is out of range, expected 1, 2, 4 or 8";
@@ -48,7 +86,7 @@ const char* badField(const ReflectionDesc& desc) {
     if (!(desc.distortion >= 0 && desc.distortion <= 1))
         return "ReflectionDesc.distortion is out of range, expected 0 to 1";
     if (desc.blurLevels > 6) return "ReflectionDesc.blurLevels is out of range, expected 0 to 6";
-    return nullptr;
+    return badMarch(desc);
 }
 
 Status Reflector::create(Context& owner, const ReflectorDesc& description) {
@@ -57,7 +95,10 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
     if (const char* bad = readPlane(description.plane, plane))
         return owner.device.fail(Status::invalidArgument, "ReflectorDesc: %s", bad);
     if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
-    if (desc.technique == ReflectionTechnique::sspr) return sspr.create(owner, desc);
+    if (scatters(desc.technique))
+        if (const Status s = sspr.create(owner, desc); s != Status::ok) return s;
+    if (desc.technique == ReflectionTechnique::ssr) return owner.share(march);
+    if (desc.technique == ReflectionTechnique::hybrid) return owner.share(hybrid);
     if (desc.technique == ReflectionTechnique::planar) return owner.share(planar);
     return Status::ok;
 }
@@ -87,11 +128,20 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
 }
 
 Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view) {
-    if (desc.technique == ReflectionTechnique::planar) {
+    switch (desc.technique) {
+    case ReflectionTechnique::sky:
+        break;
+    case ReflectionTechnique::sspr:
+        return recordSspr(pass, sspr, view.sspr, view.images);
+    case ReflectionTechnique::ssr:
+        return recordMarch(pass, *march, view.images);
+    case ReflectionTechnique::hybrid:
+        return recordHybrid(pass, sspr, *hybrid, view.sspr, view.hybrid, view.images);
+    case ReflectionTechnique::planar:
         view.planar.handedOut = false;
         return recordPlanar(pass, *planar, view.planar, plane, view.images);
     }
-    return recordSspr(pass, sspr, view.sspr, view.images);
+    return Status::ok;
 }
 
 Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {

@@ -7,16 +7,18 @@
 
 #include <glm/vec4.hpp>
 
+#include "reflection/hybrid.h"
 #include "reflection/limits.h"
+#include "reflection/march.h"
 #include "reflection/planar.h"
-#include "reflection/sspr.h"
 
 namespace seaglass {
 
 /// What a reflector keeps for one view.
 struct ReflectedView {
     OwnedReflection images;
-    SsprScratch sspr;
+    SsprScratch sspr; ///< empty with techniques that do not scatter
+    HybridScratch hybrid;
     PlanarScratch planar;
     VkExtent2D region = {0, 0}; ///< the view's, in pixels
     bool isOf(VkExtent2D extent) const {
@@ -35,8 +37,10 @@ struct Reflector {
     Context* context = nullptr;
     glm::dvec4 plane{0}; ///< world, unit normal
     ReflectionDesc desc;
-    SsprKernels sspr;                     ///< empty with techniques that do not scatter
-    std::shared_ptr<PlanarKernel> planar; ///< null with every other technique
+    SsprKernels sspr;                      ///< empty with techniques that do not scatter
+    std::shared_ptr<MarchKernel> march;    ///< null with every technique but ssr
+    std::shared_ptr<HybridKernels> hybrid; ///< null with every other technique
+    std::shared_ptr<PlanarKernel> planar;  ///< null with every other technique
     std::array<ReflectedView, maxViews> views;
 
     Status create(Context& owner, const ReflectorDesc& description);

@@ -10,11 +10,11 @@ namespace {
 
 constexpr uint32_t groupWidth = 64;
 
+} // namespace
+
 uint32_t tileCount(VkExtent2D extent) {
     return ((extent.width + tileEdge - 1) / tileEdge) * ((extent.height + tileEdge - 1) / tileEdge);
 }
-
-} // namespace
 
 VkDeviceSize tileBufferBytes(VkExtent2D extent) {
     return sizeof(TileHeader) + VkDeviceSize{tileCount(extent)} * 2 * sizeof(uint32_t);

@@ -21,6 +21,7 @@ struct TileHeader {
 };
 static_assert(sizeof(TileHeader) == 32);
 
+uint32_t tileCount(VkExtent2D extent);
 VkDeviceSize tileBufferBytes(VkExtent2D extent);
 
 struct TilesKernel {

@@ -25,9 +25,7 @@ void main() {
     int count = tilesAcross() * tilesDown();
     int index = int(gl_GlobalInvocationID.x);
     if (index == 0) header.resolveGroups.z = header.emptyGroups.z = 1u;
-    // What is mirrored behind things that stand before the plane is seen only by rays that waves bend there.
-    uint wanted = tileSeesPlane | (bent ? tileHasKeys : 0u);
-    if (index >= count || (tiles[index] & wanted) == 0u) return;
+    if (index >= count || (tiles[index] & lookedUp()) == 0u) return;
     ivec2 tile = ivec2(index % tilesAcross(), index / tilesAcross());
     if (keysNear(tile)) {
         uint n = atomicAdd(header.resolveGroups.w, 1u);

@@ -1,5 +1,8 @@
 #include "host/seaglass_view.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include <glm/gtc/type_ptr.hpp>
 
 namespace demos {
@@ -24,17 +27,20 @@ seaglass::ViewDesc viewOf(const Camera& camera, const FrameTargets& targets) {
 
 bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::ReflectionDesc& out,
                   Error& error) {
-    if (desc.technique == "sspr") {
-        out.technique = seaglass::ReflectionTechnique::sspr;
-    } else if (desc.technique == "sky") {
-        out.technique = seaglass::ReflectionTechnique::sky;
-    } else if (desc.technique == "planar") {
-        out.technique = seaglass::ReflectionTechnique::planar;
-    } else {
+    using seaglass::ReflectionTechnique;
+    using Named = std::pair<std::string_view, ReflectionTechnique>;
+    constexpr Named techniques[] = {{"sky", ReflectionTechnique::sky},
+                                    {"sspr", ReflectionTechnique::sspr},
+                                    {"ssr", ReflectionTechnique::ssr},
+                                    {"hybrid", ReflectionTechnique::hybrid},
+                                    {"planar", ReflectionTechnique::planar}};
+    const auto named = std::ranges::find(techniques, desc.technique, &Named::first);
+    if (named == std::end(techniques)) {
         error.text = std::string(surface) + ".reflection.technique is \"" + desc.technique +
-                     "\", expected sky, sspr or planar";
+                     "\", expected sky, sspr, ssr, hybrid or planar";
         return false;
     }
+    out.technique = named->second;
     out.downscale = desc.downscale;
     out.coarseKeys = desc.coarseKeys;
     out.edgeFade = static_cast<float>(desc.edgeFade);

@@ -45,7 +45,7 @@ constexpr double turn = 360;
 constexpr bool required = true;
 
 constexpr std::array<std::string_view, 2> spectra = {"jonswap", "pierson-moskowitz"};
-constexpr std::array<std::string_view, 3> techniques = {"sky", "sspr", "planar"};
+constexpr std::array<std::string_view, 5> techniques = {"sky", "sspr", "ssr", "hybrid", "planar"};
 
 constexpr std::array skyFields = {
     Field{"file", at<&SkyDesc::file>, 0, 0, "", "lat-long HDR or EXR file", required},

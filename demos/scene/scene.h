@@ -68,7 +68,7 @@ struct RefractionDesc {
 };
 
 struct ReflectionDesc {
-    std::string technique = "sspr"; ///< sky | sspr | planar
+    std::string technique = "sspr"; ///< sky | sspr | ssr | hybrid | planar
     uint32_t downscale = 1;         ///< pixels of the picture to one of the reflection, each way
     bool coarseKeys = false;        ///< sspr: one key for 2 x 2 pixels
     double edgeFade = 0.08;

@@ -14,6 +14,12 @@ struct TileHeader {
     uvec4 emptyGroups;
 };
 
+// Flags of tiles that shading looks up. What is mirrored behind things that stand before the plane is seen only by rays
+// that waves bend there.
+uint lookedUp() {
+    return tileSeesPlane | (bent ? tileHasKeys : 0u);
+}
+
 int tilesAcross() {
     return (imageSize().x + tileEdge - 1) >> tileShift;
 }

@@ -1,8 +1,29 @@
 #include "tests/gpu/reflection_rig.h"
 
+#include "tests/gpu/poses.h"
+#include "tests/gpu/spy.h"
+
 namespace tests {
 
 using seaglass::Status;
+
+TracedView framed(const TracedView& traced, uint32_t left, uint32_t top) {
+    TracedView larger;
+    larger.width = traced.width + 64;
+    larger.height = traced.height + 48;
+    // An obstacle wherever the region is overstepped.
+    larger.depth.assign(size_t{larger.width} * larger.height, 0.7f);
+    larger.color.assign(larger.depth.size() * 4, 9.0f);
+    for (uint32_t y = 0; y < traced.height; ++y)
+        for (uint32_t x = 0; x < traced.width; ++x) {
+            const size_t from = size_t{y} * traced.width + x;
+            const size_t to = size_t{y + top} * larger.width + x + left;
+            larger.depth[to] = traced.depth[from];
+            std::copy_n(traced.color.begin() + static_cast<ptrdiff_t>(from * 4), 4,
+                        larger.color.begin() + static_cast<ptrdiff_t>(to * 4));
+        }
+    return larger;
+}
 
 Reflected ReflectionTest::reflectView(const TracedView& traced, seaglass::ViewDesc view,
                                       const seaglass::ReflectorDesc& desc) {
@@ -28,6 +49,42 @@ Reflected ReflectionTest::reflectView(const TracedView& traced, seaglass::ViewDe
 Reflected ReflectionTest::reflectScene(const Camera& camera, const TracedView& traced,
                                        const seaglass::ReflectorDesc& desc) {
     return reflectView(traced, viewDesc(camera), desc);
+}
+
+seaglass::Estimate ReflectionTest::expectEstimateHolds(const seaglass::ReflectorDesc& desc,
+                                                       VkExtent2D extent) {
+    Camera camera = testCamera();
+    camera.width = extent.width;
+    camera.height = extent.height;
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
+    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
+    seaglass::ViewDesc view = viewDesc(camera);
+    view.sceneDepth = asSeaglass(depth);
+    view.sceneColor = asSeaglass(color);
+    frame([](VkCommandBuffer) {});
+    seaglass::Estimate estimated;
+    EXPECT_EQ(seaglass::estimate(context(), &desc.reflection, extent, &estimated), Status::ok) << message();
+    seaglass::Reflector* reflector = nullptr;
+    EXPECT_EQ(seaglass::createReflector(context(), &desc, &reflector), Status::ok) << message();
+    // The first frame makes uniform blocks, of which no estimate is made.
+    frame([&](VkCommandBuffer commands) {
+        view.viewIndex = 1;
+        EXPECT_EQ(seaglass::reflect(commands, &reflector, 1, &view), Status::ok) << message();
+    });
+    frame([](VkCommandBuffer) {});
+    spiedCalls().clear();
+    frame([&](VkCommandBuffer commands) {
+        view.viewIndex = 0;
+        EXPECT_EQ(seaglass::reflect(commands, &reflector, 1, &view), Status::ok) << message();
+    });
+    EXPECT_GE(bytesSpied(), estimated.bytesPerView);
+    EXPECT_LE(bytesSpied(), estimated.bytesPerView + (4u << 10) * countSpied("AllocateMemory"));
+    EXPECT_EQ(countSpied("CmdDispatch") + countSpied("CmdDispatchIndirect"), estimated.dispatchesPerView);
+    seaglass::destroyReflector(reflector);
+    frame([](VkCommandBuffer) {});
+    frame([](VkCommandBuffer) {});
+    return estimated;
 }
 
 } // namespace tests

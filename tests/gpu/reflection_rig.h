@@ -6,12 +6,17 @@
 
 namespace tests {
 
+/// The view as a region of a larger target, its corner at (left, top).
+TracedView framed(const TracedView& traced, uint32_t left, uint32_t top);
+
 class ReflectionTest : public GpuTest {
   protected:
     Reflected reflectView(const TracedView& traced, seaglass::ViewDesc view,
                           const seaglass::ReflectorDesc& desc = {});
     Reflected reflectScene(const Camera& camera, const TracedView& traced,
                            const seaglass::ReflectorDesc& desc = {});
+    /// Holds estimate() against what a first view of `extent` asks of Vulkan.
+    seaglass::Estimate expectEstimateHolds(const seaglass::ReflectorDesc& desc, VkExtent2D extent);
 };
 
 } // namespace tests

@@ -119,8 +119,9 @@ TEST_F(SceneFile, OutOfRangeNamesFileLineFieldAndRange) {
               "scene.toml:23: water.waves.samples is 48, expected a power of two, 16 to 1024");
     EXPECT_EQ(problem(replaced("cells_per_level = 128", "cells_per_level = 40")),
               "scene.toml:19: water.cells_per_level is 40, expected a whole number, 128 to 1024");
-    EXPECT_EQ(problem(replaced("technique = \"sspr\"", "technique = \"ssr\"")),
-              "scene.toml:33: water.reflection.technique is 'ssr', expected sky, sspr or planar");
+    EXPECT_EQ(
+        problem(replaced("technique = \"sspr\"", "technique = \"srr\"")),
+        "scene.toml:33: water.reflection.technique is 'srr', expected sky, sspr, ssr, hybrid or planar");
 }
 
 TEST_F(SceneFile, WrongTypesAreRefused) {

@@ -14,6 +14,8 @@ namespace seaglass {
 enum class ReflectionTechnique : uint32_t {
     sky = 0,    ///< the environment cube alone; costs nothing
     sspr = 1,   ///< scene pixels scattered to where the plane mirrors them
+    ssr = 2,    ///< each pixel's mirrored ray followed over the picture
+    hybrid = 3, ///< sspr, and ssr where it knows nothing
     planar = 4, ///< the host draws its scene once more, as planarView() says
 };
 
@@ -32,6 +34,15 @@ struct ReflectionDesc {
     /// Halvings of the reflection kept for rough surfaces to look up, 0..6; 0 costs nothing and leaves every
     /// surface sharp.
     uint32_t blurLevels = 4;
+
+    // Of techniques that follow rays over the picture.
+    uint32_t marchSteps = 64; ///< strides a ray at most, 8..512; shorter rays take one a pixel
+    float marchThickness =
+        0.5f; ///< how deep things are taken to be behind what is seen of them [m], 0.001..100
+    float marchDistance = 1000; ///< how far along a ray hits are looked for [m], 0.1..1e6
+    /// Share of a stride by which each pixel's ray starts earlier or later than its neighbours', 0..1: trades
+    /// banding for noise, the same in each frame.
+    float marchJitter = 0;
 };
 
 struct ReflectorDesc {

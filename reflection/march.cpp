@@ -1,0 +1,119 @@
+#include "reflection/march.h"
+
+#include <cstddef>
+#include <cstring>
+
+#include "reflection/mirror.h"
+#include "reflection/tiles.h"
+#include "spirv/march.comp.h"
+#include "spirv/march_open.comp.h"
+
+namespace seaglass {
+
+namespace {
+
+/// The std140 block of shaders/common/march.glsl.
+struct MarchUniforms {
+    glm::mat4 pixelFromRelative{1};
+    glm::vec4 forwardRow{0};
+    float thickness = 0;
+    float longest = 0;
+    float jitter = 0;
+    int32_t steps = 0;
+};
+static_assert(sizeof(MarchUniforms) == 96);
+
+MarchUniforms marchUniforms(const ViewGeometry& view, const ReflectionDesc& desc) {
+    MarchUniforms out;
+    out.pixelFromRelative = glm::mat4(view.pixelFromRelative);
+    out.forwardRow = glm::vec4(glm::dvec4(view.forward, 0) * view.relativeFromPixel);
+    out.thickness = desc.marchThickness;
+    out.longest = desc.marchDistance;
+    out.jitter = desc.marchJitter;
+    out.steps = static_cast<int32_t>(desc.marchSteps);
+    return out;
+}
+
+constexpr gpu::Use storageCompleted = {
+    VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+    VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
+
+constexpr VkDescriptorType bindings[] = {
+    VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+    VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+    VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,  VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+    VK_DESCRIPTOR_TYPE_STORAGE_BUFFER /* only to complete */};
+
+/// `open` null: of a march over the whole picture.
+Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, const OwnedReflection& images,
+                   const gpu::Buffer* open, VkDescriptorSet& out) {
+    gpu::Frame& frame = pass.context.frame();
+    const MarchUniforms uniforms = marchUniforms(pass.geometry, pass.desc);
+    gpu::Slice settings;
+    if (const Status s = frame.allocate(sizeof uniforms, settings); s != Status::ok) return s;
+    std::memcpy(settings.data, &uniforms, sizeof uniforms);
+
+    const VkSampler nearest = pass.context.samplers.nearestClamp();
+    const Image& depth = pass.view.sceneDepth;
+    const Image& color = pass.view.sceneColor;
+    std::vector<gpu::Resource> resources = {
+        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
+        gpu::sampledImage(nearest, depth.view, depth.layout),
+        gpu::uniformBuffer(settings.buffer, settings.offset, sizeof uniforms),
+        gpu::sampledImage(nearest, color.view, color.layout),
+        gpu::storageImage(images.color.firstMipView()),
+        gpu::storageImage(images.info.view()),
+    };
+    if (open) resources.push_back(gpu::storageBuffer(open->handle()));
+    return frame.allocateSet(kernel.layout().set(), resources, out);
+}
+
+void recordInfoSampled(const ReflectPass& pass, const OwnedReflection& images) {
+    const VkImageMemoryBarrier2 after =
+        gpu::imageBarrier(images.info.handle(), gpu::storageWritten, gpu::sampledByShaders);
+    gpu::recordBarriers(pass.context.device, pass.commands, &after, 1);
+}
+
+} // namespace
+
+Status MarchKernel::create(Context& context) {
+    return kernel.create(context.device, march_comp, std::span(bindings).first(std::size(bindings) - 1),
+                         "march pipeline");
+}
+
+Status OpenMarchKernel::create(Context& context) {
+    return kernel.create(context.device, march_open_comp, bindings, "open march pipeline");
+}
+
+Status recordMarch(const ReflectPass& pass, const MarchKernel& march, const OwnedReflection& images) {
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = allocateSet(pass, march.kernel, images, nullptr, set); s != Status::ok) return s;
+    const gpu::Device& device = pass.context.device;
+    const gpu::PassScope scope(device, pass.commands, "ssr_march");
+    const VkImageMemoryBarrier2 before[] = {
+        gpu::imageBarrier(images.color.handle(), gpu::discardedAfterSampling, gpu::storageWritten, 0, 1),
+        gpu::imageBarrier(images.info.handle(), gpu::discardedAfterSampling, gpu::storageWritten)};
+    gpu::recordBarriers(device, pass.commands, before, 2);
+    const VkExtent2D extent = images.color.desc().extent;
+    march.kernel.dispatch(pass.commands, set, (extent.width + tileEdge - 1) / tileEdge,
+                          (extent.height + tileEdge - 1) / tileEdge);
+    recordInfoSampled(pass, images);
+    return Status::ok;
+}
+
+Status recordOpenMarch(const ReflectPass& pass, const OpenMarchKernel& march, const gpu::Buffer& open,
+                       const OwnedReflection& images) {
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = allocateSet(pass, march.kernel, images, &open, set); s != Status::ok) return s;
+    const gpu::Device& device = pass.context.device;
+    const gpu::PassScope scope(device, pass.commands, "hybrid_march");
+    const VkImageMemoryBarrier2 before[] = {
+        gpu::imageBarrier(images.color.handle(), gpu::storageWritten, gpu::storageWritten, 0, 1),
+        gpu::imageBarrier(images.info.handle(), gpu::sampledByShaders, storageCompleted)};
+    gpu::recordBarriers(device, pass.commands, before, 2);
+    march.kernel.dispatchIndirect(pass.commands, set, open.handle(), offsetof(TileHeader, resolveGroups));
+    recordInfoSampled(pass, images);
+    return Status::ok;
+}
+
+} // namespace seaglass

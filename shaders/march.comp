@@ -1,0 +1,62 @@
+// Screen-space reflection (SSR): each pixel of the plane follows its mirrored ray over the picture until it goes behind
+// what is seen there, then closes in on the crossing by bisection.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "mirror.glsl"
+#include "edge_fade.glsl"
+#include "reflection_info.glsl"
+#include "march.glsl"
+
+layout(set = 0, binding = 3) uniform sampler2D sceneColor;
+layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D reflectionColor;
+layout(set = 0, binding = 5, r16f) uniform image2D reflectionInfo;
+
+#ifdef OPEN
+#include "tiles.glsl"
+layout(set = 0, binding = 6, std430) readonly buffer Tiles {
+    TileHeader header;
+    uint tiles[];
+};
+#include "tile_list.glsl"
+
+// One that another technique knew nothing of.
+ivec2 pixelToMarch() {
+    ivec2 pixel = pixelToResolve();
+    if (pixel == noPixel || imageLoad(reflectionInfo, pixel).r != infoUnknown) return noPixel;
+    return pixel;
+}
+#else
+layout(local_size_x = 8, local_size_y = 8) in;
+
+const ivec2 noPixel = ivec2(-1);
+
+ivec2 pixelToMarch() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    return all(lessThan(pixel, imageSize())) ? pixel : noPixel;
+}
+#endif
+
+// Interleaved gradient noise (Jimenez 2014): 0..1, and evenly spread among neighbours.
+float noiseAt(vec2 pixel) {
+    return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
+}
+
+void main() {
+    ivec2 pixel = pixelToMarch();
+    if (pixel == noPixel) return;
+    vec2 q = middleOf(pixel);
+
+    vec4 color = vec4(0.0);
+    float info = infoUnknown;
+    SightLine sight = sightLine(q);
+    if (sight.towardsPlane > 0.0) {
+        March found = marched(sight.onPlane, reflect(sight.direction, plane.xyz), noiseAt(vec2(pixel)));
+        info = found.info;
+        if (infoIsHit(info)) {
+            float confidence = edgeConfidence(q, found.source);
+            color = vec4(texelFetch(sceneColor, region.xy + ivec2(found.source), 0).rgb * confidence, confidence);
+        }
+    }
+    imageStore(reflectionColor, pixel, color);
+    imageStore(reflectionInfo, pixel, vec4(info, 0.0, 0.0, 0.0));
+}

@@ -1,0 +1,41 @@
+// Lists the tiles in which a reflection holds pixels that nothing is known of, among those that are looked up. The order
+// of the list is any; what is computed of a tile does not depend on it.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "mirror.glsl"
+#include "reflection_info.glsl"
+#include "tiles.glsl"
+
+layout(local_size_x = 64, local_size_y = 1) in;
+
+layout(set = 0, binding = 1, std430) readonly buffer Sorted {
+    TileHeader sortedHeader;
+    uint sorted[];
+};
+layout(set = 0, binding = 2) uniform sampler2D reflectionInfo;
+layout(set = 0, binding = 3, std430) buffer Tiles {
+    TileHeader header;
+    uint tiles[];
+};
+
+bool holdsUnknown(ivec2 tile) {
+    ivec2 low = tile * tileEdge;
+    ivec2 high = min(low + tileEdge, imageSize());
+    for (int y = low.y; y < high.y; ++y)
+        for (int x = low.x; x < high.x; ++x)
+            if (texelFetch(reflectionInfo, ivec2(x, y), 0).r == infoUnknown) return true;
+    return false;
+}
+
+void main() {
+    int count = tilesAcross() * tilesDown();
+    int index = int(gl_GlobalInvocationID.x);
+    if (index == 0) header.resolveGroups.z = 1u;
+    if (index >= count || (sorted[index] & lookedUp()) == 0u) return;
+    ivec2 tile = ivec2(index % tilesAcross(), index / tilesAcross());
+    if (!holdsUnknown(tile)) return;
+    uint n = atomicAdd(header.resolveGroups.w, 1u);
+    atomicMax(header.resolveGroups.x, min(n + 1u, groupsPerRow));
+    atomicMax(header.resolveGroups.y, n / groupsPerRow + 1u);
+    tiles[count + int(n)] = packedTile(tile);
+}

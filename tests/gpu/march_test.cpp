@@ -1,0 +1,369 @@
+// Techniques that follow rays over the picture, against a traced truth.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "reflection/reflector.h"
+#include "tests/gpu/poses.h"
+#include "tests/gpu/reflection_rig.h"
+#include "tests/gpu/spy.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+ReflectorDesc with(ReflectionTechnique technique) {
+    ReflectorDesc desc;
+    desc.reflection.technique = technique;
+    return desc;
+}
+
+size_t differingClasses(const Reflected& a, const Reflected& b) {
+    size_t differing = 0;
+    for (size_t i = 0; i < a.info.size(); ++i)
+        differing += reflectionClass(a.info[i]) != reflectionClass(b.info[i]);
+    return differing;
+}
+
+bool allFinite(const std::vector<float>& values) {
+    return std::ranges::all_of(values, [](float v) { return std::isfinite(v); });
+}
+
+class Ssr : public ReflectionTest {
+  protected:
+    Score scoreOf(const Pose& pose, const ReflectorDesc& desc) {
+        const TracedView traced = Tracer(pose.camera, harbourOfBoxes()).run();
+        const Score s = score(traced, reflectScene(pose.camera, traced, desc));
+        print(pose.name, s);
+        return s;
+    }
+};
+
+TEST_F(Ssr, AgreesWithTheTracedTruth) {
+    // Strides pass over what is thinner than they are: seen steeply from above, most walls.
+    const std::map<std::string, double> coverage = {
+        {"level", 0.97}, {"roll35", 0.97}, {"roll90", 0.97}, {"steep", 0.88}, {"grazing", 0.975}};
+    for (const Pose& pose : poses()) {
+        const Score s = scoreOf(pose, with(ReflectionTechnique::ssr));
+        EXPECT_GE(s.coverage, coverage.at(pose.name)) << pose.name;
+        EXPECT_LE(s.medianPixels, pose.name == std::string("steep") ? 0.8 : 0.55) << pose.name;
+        EXPECT_LE(s.p95Pixels, pose.name == std::string("steep") ? 2.5 : 1.0) << pose.name;
+        EXPECT_LE(s.falseOnSky, 0.004) << pose.name;
+        EXPECT_LE(s.skyOnGeometry, 0.022) << pose.name;
+    }
+}
+
+TEST_F(Ssr, StridesOfAPixelMissNothing) {
+    ReflectorDesc desc = with(ReflectionTechnique::ssr);
+    desc.reflection.marchSteps = 512;
+    for (const Pose& pose : poses()) {
+        const Score s = scoreOf(pose, desc);
+        EXPECT_GE(s.coverage, 0.99) << pose.name;
+        EXPECT_LE(s.p95Pixels, pose.name == std::string("steep") ? 2.5 : 1.0) << pose.name;
+        EXPECT_LE(s.falseOnSky, 0.004) << pose.name;
+        EXPECT_LE(s.skyOnGeometry, 0.006) << pose.name;
+    }
+}
+
+/// Between neighbours in a row.
+size_t classChanges(const TracedView& view, const Reflected& result) {
+    size_t changes = 0;
+    for (size_t i = 1; i < result.info.size(); ++i)
+        changes += i % view.width && reflectionClass(result.info[i]) != reflectionClass(result.info[i - 1]);
+    return changes;
+}
+
+TEST_F(Ssr, JitterTurnsBandsIntoNoise) {
+    const TracedView rail = Tracer(testCamera(), {{{-4, 1, -1}, {3, 1.04, -0.96}}}).run();
+    ReflectorDesc desc = with(ReflectionTechnique::ssr);
+    const size_t banded = classChanges(rail, reflectScene(testCamera(), rail, desc));
+    desc.reflection.marchJitter = 1;
+    EXPECT_GT(classChanges(rail, reflectScene(testCamera(), rail, desc)), banded + 100);
+}
+
+TEST_F(Ssr, ThinThings) {
+    const Camera camera = testCamera();
+    const double width = 0.04; // 1.2 pixels
+    const TracedView poles = Tracer(camera, {{{-3, -1, -1}, {-3 + width, 2, -1 + width}},
+                                             {{-1, -1, -1}, {-1 + width, 2, -1 + width}},
+                                             {{2, -1, -1}, {2 + width, 2, -1 + width}}})
+                                 .run();
+    const TracedView rails = Tracer(camera, {{{-4, 1, -1}, {3, 1 + width, -1 + width}}}).run();
+    // Jitter: else neighbours' strides fall alike, and all of a rail is met or missed.
+    ReflectorDesc desc = with(ReflectionTechnique::ssr);
+    desc.reflection.marchJitter = 1;
+    const Score upright = score(poles, reflectScene(camera, poles, desc));
+    const Score lying = score(rails, reflectScene(camera, rails, desc));
+    print("poles", upright);
+    print("rails", lying);
+    // Rays run along what is upright and across what lies: strides of four pixels meet a rail by chance.
+    EXPECT_GE(upright.coverage, 0.8);
+    EXPECT_GE(lying.coverage, 0.3);
+}
+
+TEST_F(Ssr, FindsNothingFartherThanItsDistance) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    ReflectorDesc desc = with(ReflectionTechnique::ssr);
+    desc.reflection.marchDistance = 12;
+    const Reflected near = reflectScene(testCamera(), traced, desc);
+    const Reflected all = reflectScene(testCamera(), traced, with(ReflectionTechnique::ssr));
+    size_t within = 0, beyond = 0, calledSky = 0;
+    for (size_t i = 0; i < near.info.size(); ++i) {
+        EXPECT_LE(near.info[i], 12.01f);
+        if (all.info[i] > 0 && all.info[i] < 11.5f) within += near.info[i] > 0;
+        if (all.info[i] > 12.5f) {
+            ++beyond;
+            calledSky += reflectionClass(near.info[i]) == ReflectionClass::sky;
+        }
+    }
+    EXPECT_GT(within, 500u);
+    EXPECT_GT(beyond, 500u);
+    // What was not looked for is not proven to be sky.
+    EXPECT_LE(static_cast<double>(calledSky), 0.1 * static_cast<double>(beyond));
+}
+
+TEST_F(Ssr, ThicknessDecidesWhatARayPassesBehind) {
+    // A thin board, and a ray that passes 0.3 m behind it before it meets the sky.
+    const Camera camera = testCamera();
+    const TracedView traced = Tracer(camera, {{{-3, 1, -1.05}, {2, 2, -1}}}).run();
+    const auto falseHits = [&](float thickness) {
+        ReflectorDesc desc = with(ReflectionTechnique::ssr);
+        desc.reflection.marchSteps = 512;
+        desc.reflection.marchThickness = thickness;
+        return score(traced, reflectScene(camera, traced, desc)).falseOnSky;
+    };
+    EXPECT_LT(falseHits(0.02f), 0.002);
+    EXPECT_GT(falseHits(5.0f), 4 * falseHits(0.02f));
+}
+
+TEST_F(Ssr, JitterIsTheSameEachTime) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    ReflectorDesc desc = with(ReflectionTechnique::ssr);
+    desc.reflection.marchJitter = 1;
+    const Reflected jittered = reflectScene(testCamera(), traced, desc);
+    const Reflected again = reflectScene(testCamera(), traced, desc);
+    EXPECT_EQ(jittered.info, again.info);
+    EXPECT_EQ(jittered.color, again.color);
+    const Score s = score(traced, jittered);
+    print("jitter", s);
+    EXPECT_GE(s.coverage, 0.96);
+    EXPECT_LE(s.p95Pixels, 1.0);
+}
+
+TEST_F(Ssr, NothingIsKnownBehindTheFarPlane) {
+    Camera camera = testCamera();
+    camera.far = 18;
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    const Reflected result = reflectScene(camera, traced, with(ReflectionTechnique::ssr));
+    const glm::dmat4 inverse = glm::inverse(projectionMatrix(camera) * viewMatrix(camera));
+    size_t beyond = 0;
+    for (uint32_t y = 0; y < camera.height; ++y) {
+        const glm::dvec4 end = inverse * glm::dvec4(0, (y + 0.5) / camera.height * 2 - 1, 0, 1);
+        if (end.y / end.w < 0) continue;
+        for (size_t i = size_t{y} * camera.width; i < size_t{y + 1} * camera.width; ++i) {
+            ++beyond;
+            EXPECT_EQ(reflectionClass(result.info[i]), ReflectionClass::unknown);
+        }
+    }
+    EXPECT_GT(beyond, 1000u);
+}
+
+TEST_F(Ssr, HoldsNothingOfOtherTechniques) {
+    spiedCalls().clear();
+    Reflector* reflector = nullptr;
+    const ReflectorDesc desc = with(ReflectionTechnique::ssr);
+    ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+    EXPECT_EQ(countSpied("CreateComputePipelines"), 1u);
+    EXPECT_EQ(reflector->sspr.scatter, nullptr);
+    destroyReflector(reflector);
+    frame([](VkCommandBuffer) {});
+    frame([](VkCommandBuffer) {});
+
+    spiedCalls().clear();
+    const ReflectorDesc other;
+    ASSERT_EQ(createReflector(context(), &other, &reflector), Status::ok) << message();
+    EXPECT_EQ(reflector->march, nullptr);
+    destroyReflector(reflector);
+}
+
+TEST_F(Ssr, BadFieldsAreNamed) {
+    const auto refused = [&](auto&& spoil) {
+        ReflectorDesc desc = with(ReflectionTechnique::ssr);
+        spoil(desc.reflection);
+        Reflector* reflector = nullptr;
+        EXPECT_EQ(createReflector(context(), &desc, &reflector), Status::invalidArgument);
+        EXPECT_EQ(reflector, nullptr);
+        return message();
+    };
+    using Desc = ReflectionDesc;
+    const auto names = [](const std::string& text, const char* field) {
+        return text.find(field) != std::string::npos;
+    };
+    EXPECT_TRUE(names(refused([](Desc& d) { d.marchSteps = 7; }), "marchSteps"));
+    EXPECT_TRUE(names(refused([](Desc& d) { d.marchSteps = 513; }), "marchSteps"));
+    EXPECT_TRUE(names(refused([](Desc& d) { d.marchThickness = 0; }), "marchThickness"));
+    EXPECT_TRUE(names(refused([](Desc& d) { d.marchThickness = NAN; }), "marchThickness"));
+    EXPECT_TRUE(names(refused([](Desc& d) { d.marchDistance = 0; }), "marchDistance"));
+    EXPECT_TRUE(names(refused([](Desc& d) { d.marchDistance = INFINITY; }), "marchDistance"));
+    EXPECT_TRUE(names(refused([](Desc& d) { d.marchJitter = -0.1f; }), "marchJitter"));
+    EXPECT_TRUE(names(refused([](Desc& d) { d.marchJitter = 1.1f; }), "marchJitter"));
+    EXPECT_TRUE(
+        names(refused([](Desc& d) { d.technique = static_cast<ReflectionTechnique>(99); }), "technique"));
+}
+
+class Hybrid : public Ssr {};
+
+TEST_F(Hybrid, FindsWhatSsprFindsAndMore) {
+    for (const Pose& pose : poses()) {
+        const TracedView traced = Tracer(pose.camera, harbourOfBoxes()).run();
+        const Reflected scattered = reflectScene(pose.camera, traced, with(ReflectionTechnique::sspr));
+        const Reflected completed = reflectScene(pose.camera, traced, with(ReflectionTechnique::hybrid));
+        size_t found = 0;
+        for (size_t i = 0; i < scattered.info.size(); ++i) {
+            if (reflectionClass(scattered.info[i]) == ReflectionClass::unknown) {
+                found += reflectionClass(completed.info[i]) == ReflectionClass::hit;
+                continue;
+            }
+            ASSERT_EQ(scattered.info[i], completed.info[i]) << pose.name << " at " << i;
+            for (size_t c = 0; c < 4; ++c)
+                ASSERT_EQ(scattered.color[i * 4 + c], completed.color[i * 4 + c]) << pose.name << " at " << i;
+        }
+        EXPECT_GT(found, 20u) << pose.name;
+        const Score s = score(traced, completed);
+        print(pose.name, s);
+        EXPECT_GE(s.coverage, 0.99) << pose.name;
+        EXPECT_GE(s.coverage, score(traced, scattered).coverage) << pose.name;
+        EXPECT_LE(s.medianPixels, 0.55) << pose.name;
+        EXPECT_LE(s.p95Pixels, 1.0) << pose.name;
+        EXPECT_LE(s.falseOnSky, 0.004) << pose.name;
+    }
+}
+
+TEST_F(Hybrid, HoldsTwoPipelinesMoreThanSspr) {
+    const auto pipelines = [&](ReflectionTechnique technique) {
+        spiedCalls().clear();
+        Reflector* reflector = nullptr;
+        const ReflectorDesc desc = with(technique);
+        EXPECT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+        const size_t made = countSpied("CreateComputePipelines");
+        destroyReflector(reflector);
+        frame([](VkCommandBuffer) {});
+        frame([](VkCommandBuffer) {});
+        return made;
+    };
+    EXPECT_EQ(pipelines(ReflectionTechnique::hybrid), pipelines(ReflectionTechnique::sspr) + 2);
+}
+
+class Marching : public ReflectionTest, public testing::WithParamInterface<ReflectionTechnique> {};
+
+TEST_P(Marching, GivesTheSameBitsEachTime) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    const Reflected first = reflectScene(testCamera(), traced, with(GetParam()));
+    for (int i = 0; i < 5; ++i) {
+        const Reflected again = reflectScene(testCamera(), traced, with(GetParam()));
+        EXPECT_EQ(first.color, again.color);
+        EXPECT_EQ(first.info, again.info);
+    }
+}
+
+TEST_P(Marching, DepthConventionsGiveTheSameClasses) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    const Reflected reference = reflectScene(testCamera(), traced, with(GetParam()));
+    for (const bool reversed : {true, false})
+        for (const double far : {0.0, 2000.0}) {
+            Camera camera = testCamera();
+            camera.reversed = reversed;
+            camera.far = far;
+            const TracedView other = Tracer(camera, harbourOfBoxes()).run();
+            const Reflected result = reflectScene(camera, other, with(GetParam()));
+            // Depth rounds differently, so that single pixels at edges may go the other way.
+            EXPECT_LE(differingClasses(reference, result), traced.truth.size() / 500)
+                << "reversed " << reversed << " far " << far;
+        }
+}
+
+TEST_P(Marching, ARegionOfALargerTargetIsTheSamePicture) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    const Reflected whole = reflectScene(testCamera(), traced, with(GetParam()));
+    ViewDesc view = viewDesc(testCamera());
+    view.viewport.x = 37;
+    view.viewport.y = 19;
+    const Reflected part = reflectView(framed(traced, 37, 19), view, with(GetParam()));
+    EXPECT_EQ(part.info, whole.info);
+    EXPECT_EQ(part.color, whole.color);
+}
+
+TEST_P(Marching, AnEmptySceneMirrorsOnlySky) {
+    for (const double far : {0.0, 100.0}) {
+        Camera camera = testCamera();
+        camera.far = far;
+        const TracedView traced = Tracer(camera, {}).run();
+        const Reflected result = reflectScene(camera, traced, with(GetParam()));
+        size_t sky = 0;
+        for (size_t i = 0; i < traced.truth.size(); ++i) {
+            const ReflectionClass found = reflectionClass(result.info[i]);
+            EXPECT_NE(found, ReflectionClass::hit);
+            EXPECT_EQ(result.color[i * 4 + 3], 0.0f);
+            sky += found == ReflectionClass::sky;
+        }
+        // Below the horizon, as far down as the ray still ends within the picture.
+        EXPECT_GT(sky, traced.truth.size() / 4) << "far " << far;
+    }
+}
+
+TEST_P(Marching, AFloorInTheDepthIsNoObstacle) {
+    // A host that draws the mirror itself: a slab whose top is the plane.
+    std::vector<Box> boxes = harbourOfBoxes();
+    boxes.push_back({{-200, -1, -200}, {200, 0, 200}});
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    TracedView floored = Tracer(testCamera(), boxes).run();
+    floored.truth = traced.truth;
+    floored.source = traced.source;
+    // The closer to its start a ray is first looked at, the closer is the floor.
+    ReflectorDesc desc = with(GetParam());
+    desc.reflection.marchJitter = 1;
+    const Score s = score(floored, reflectScene(testCamera(), floored, desc));
+    print("floor", s);
+    EXPECT_GE(s.coverage, 0.96);
+    EXPECT_LE(s.falseOnSky, 0.008); // a floor that is met shows in a fifth of the sky
+}
+
+TEST_P(Marching, StaysFiniteAtTheExtremes) {
+    for (const Camera& camera : extremeCameras()) {
+        const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+        const Reflected result = reflectScene(camera, traced, with(GetParam()));
+        EXPECT_TRUE(allFinite(result.color)) << camera.eye.y;
+        EXPECT_TRUE(allFinite(result.info)) << camera.eye.y;
+    }
+}
+
+TEST_P(Marching, AtHalfResolutionNothingElseChanges) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    ReflectorDesc desc = with(GetParam());
+    desc.reflection.downscale = 2;
+    const Reflected half = reflectScene(testCamera(), traced, desc);
+    const size_t across = traced.width / 2;
+    ASSERT_EQ(half.info.size(), across * (traced.height / 2));
+    size_t recoverable = 0, hits = 0;
+    for (size_t y = 0; y < traced.height / 2; ++y)
+        for (size_t x = 0; x < across; ++x) {
+            if (traced.truth[2 * y * traced.width + 2 * x] != Truth::recoverable) continue;
+            ++recoverable;
+            hits += reflectionClass(half.info[y * across + x]) == ReflectionClass::hit;
+        }
+    // Truth is of a pixel half a pixel away.
+    EXPECT_GE(static_cast<double>(hits), 0.92 * static_cast<double>(recoverable));
+}
+
+TEST_P(Marching, TheEstimateIsWhatIsAllocatedAndDispatched) {
+    expectEstimateHolds(with(GetParam()), {640, 360});
+}
+
+INSTANTIATE_TEST_SUITE_P(, Marching, testing::Values(ReflectionTechnique::ssr, ReflectionTechnique::hybrid),
+                         [](const auto& info) {
+                             return info.param == ReflectionTechnique::ssr ? "Ssr" : "Hybrid";
+                         });
+
+} // namespace
