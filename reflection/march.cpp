@@ -20,10 +20,14 @@ struct MarchUniforms {
     float longest = 0;
     float jitter = 0;
     int32_t steps = 0;
+    uint32_t hasNormals = 0;
+    uint32_t padding[3] = {};
 };
-static_assert(sizeof(MarchUniforms) == 96);
+static_assert(sizeof(MarchUniforms) == 112);
 
-MarchUniforms marchUniforms(const ViewGeometry& view, const ReflectionDesc& desc) {
+MarchUniforms marchUniforms(const ReflectPass& pass) {
+    const ViewGeometry& view = pass.geometry;
+    const ReflectionDesc& desc = pass.desc;
     MarchUniforms out;
     out.pixelFromRelative = glm::mat4(view.pixelFromRelative);
     out.forwardRow = glm::vec4(glm::dvec4(view.forward, 0) * view.relativeFromPixel);
@@ -31,6 +35,7 @@ MarchUniforms marchUniforms(const ViewGeometry& view, const ReflectionDesc& desc
     out.longest = desc.marchDistance;
     out.jitter = desc.marchJitter;
     out.steps = static_cast<int32_t>(desc.marchSteps);
+    out.hasNormals = pass.view.surfaceNormals ? 1 : 0;
     return out;
 }
 
@@ -38,17 +43,23 @@ constexpr gpu::Use storageCompleted = {
     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
     VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
 
-constexpr VkDescriptorType bindings[] = {
-    VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-    VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-    VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,  VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-    VK_DESCRIPTOR_TYPE_STORAGE_BUFFER /* only to complete */};
+/// `last`: normals, or the tiles to complete.
+Status createKernel(Context& context, std::span<const uint32_t> spirv, VkDescriptorType last,
+                    const char* what, gpu::Kernel& out) {
+    const VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                                         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                                         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                                         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                                         VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+                                         VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+                                         last};
+    return out.create(context.device, spirv, bindings, what);
+}
 
-/// `open` null: of a march over the whole picture.
 Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, const OwnedReflection& images,
-                   const gpu::Buffer* open, VkDescriptorSet& out) {
+                   const gpu::Resource& last, VkDescriptorSet& out) {
     gpu::Frame& frame = pass.context.frame();
-    const MarchUniforms uniforms = marchUniforms(pass.geometry, pass.desc);
+    const MarchUniforms uniforms = marchUniforms(pass);
     gpu::Slice settings;
     if (const Status s = frame.allocate(sizeof uniforms, settings); s != Status::ok) return s;
     std::memcpy(settings.data, &uniforms, sizeof uniforms);
@@ -56,15 +67,15 @@ Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, const Own
     const VkSampler nearest = pass.context.samplers.nearestClamp();
     const Image& depth = pass.view.sceneDepth;
     const Image& color = pass.view.sceneColor;
-    std::vector<gpu::Resource> resources = {
+    const gpu::Resource resources[] = {
         gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
         gpu::sampledImage(nearest, depth.view, depth.layout),
         gpu::uniformBuffer(settings.buffer, settings.offset, sizeof uniforms),
         gpu::sampledImage(nearest, color.view, color.layout),
         gpu::storageImage(images.color.firstMipView()),
         gpu::storageImage(images.info.view()),
+        last,
     };
-    if (open) resources.push_back(gpu::storageBuffer(open->handle()));
     return frame.allocateSet(kernel.layout().set(), resources, out);
 }
 
@@ -77,17 +88,22 @@ void recordInfoSampled(const ReflectPass& pass, const OwnedReflection& images) {
 } // namespace
 
 Status MarchKernel::create(Context& context) {
-    return kernel.create(context.device, march_comp, std::span(bindings).first(std::size(bindings) - 1),
-                         "march pipeline");
+    return createKernel(context, march_comp, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, "march pipeline",
+                        kernel);
 }
 
 Status OpenMarchKernel::create(Context& context) {
-    return kernel.create(context.device, march_open_comp, bindings, "open march pipeline");
+    return createKernel(context, march_open_comp, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, "open march pipeline",
+                        kernel);
 }
 
 Status recordMarch(const ReflectPass& pass, const MarchKernel& march, const OwnedReflection& images) {
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = allocateSet(pass, march.kernel, images, nullptr, set); s != Status::ok) return s;
+    // The colour stands in for normals that nobody reads.
+    const Image& normals = pass.view.surfaceNormals ? *pass.view.surfaceNormals : pass.view.sceneColor;
+    const gpu::Resource last =
+        gpu::sampledImage(pass.context.samplers.nearestClamp(), normals.view, normals.layout);
+    if (const Status s = allocateSet(pass, march.kernel, images, last, set); s != Status::ok) return s;
     const gpu::Device& device = pass.context.device;
     const gpu::PassScope scope(device, pass.commands, "ssr_march");
     const VkImageMemoryBarrier2 before[] = {
@@ -104,7 +120,9 @@ Status recordMarch(const ReflectPass& pass, const MarchKernel& march, const Owne
 Status recordOpenMarch(const ReflectPass& pass, const OpenMarchKernel& march, const gpu::Buffer& open,
                        const OwnedReflection& images) {
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = allocateSet(pass, march.kernel, images, &open, set); s != Status::ok) return s;
+    if (const Status s = allocateSet(pass, march.kernel, images, gpu::storageBuffer(open.handle()), set);
+        s != Status::ok)
+        return s;
     const gpu::Device& device = pass.context.device;
     const gpu::PassScope scope(device, pass.commands, "hybrid_march");
     const VkImageMemoryBarrier2 before[] = {

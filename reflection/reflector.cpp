@@ -134,6 +134,7 @@ Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view) 
     case ReflectionTechnique::sspr:
         return recordSspr(pass, sspr, view.sspr, view.images);
     case ReflectionTechnique::ssr:
+        view.bent = pass.view.surfaceNormals != nullptr;
         return recordMarch(pass, *march, view.images);
     case ReflectionTechnique::hybrid:
         return recordHybrid(pass, sspr, *hybrid, view.sspr, view.hybrid, view.images);
@@ -168,7 +169,10 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
 }
 
 ReflectionImages Reflector::images(uint32_t viewIndex) const {
-    return viewIndex < maxViews ? views[viewIndex].images.handles() : ReflectionImages{};
+    if (viewIndex >= maxViews) return {};
+    ReflectionImages images = views[viewIndex].images.handles();
+    images.bent = views[viewIndex].bent;
+    return images;
 }
 
 Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** out) {

@@ -20,6 +20,7 @@ struct ReflectedView {
     SsprScratch sspr; ///< empty with techniques that do not scatter
     HybridScratch hybrid;
     PlanarScratch planar;
+    bool bent = false;          ///< by the view's own normals
     VkExtent2D region = {0, 0}; ///< the view's, in pixels
     bool isOf(VkExtent2D extent) const {
         return region.width == extent.width && region.height == extent.height;

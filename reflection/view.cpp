@@ -66,8 +66,12 @@ const char* readView(const ViewDesc& view, ViewGeometry& out) {
     if (const char* bad = badImage(view.sceneDepth, view.viewport, "ViewDesc.sceneDepth.view is null",
                                    "ViewDesc.sceneDepth is smaller than the viewport"))
         return bad;
-    return badImage(view.sceneColor, view.viewport, "ViewDesc.sceneColor.view is null",
-                    "ViewDesc.sceneColor is smaller than the viewport");
+    if (const char* bad = badImage(view.sceneColor, view.viewport, "ViewDesc.sceneColor.view is null",
+                                   "ViewDesc.sceneColor is smaller than the viewport"))
+        return bad;
+    if (!view.surfaceNormals) return nullptr;
+    return badImage(*view.surfaceNormals, view.viewport, "ViewDesc.surfaceNormals.view is null",
+                    "ViewDesc.surfaceNormals is smaller than the viewport");
 }
 
 const char* readCamera(const ViewDesc& view, ViewGeometry& out) {

@@ -19,6 +19,11 @@ layout(set = 0, binding = 6, std430) readonly buffer Tiles {
 };
 #include "tile_list.glsl"
 
+// As all of the picture that it completes.
+vec3 mirroredBySurface(vec2 q, vec3 direction) {
+    return reflect(direction, plane.xyz);
+}
+
 // One that another technique knew nothing of.
 ivec2 pixelToMarch() {
     ivec2 pixel = pixelToResolve();
@@ -27,6 +32,17 @@ ivec2 pixelToMarch() {
 }
 #else
 layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 6) uniform sampler2D surfaceNormals;
+
+// Kept above the plane, as what shades the surface keeps it.
+vec3 mirroredBySurface(vec2 q, vec3 direction) {
+    vec3 normal = texelFetch(surfaceNormals, region.xy + ivec2(q), 0).xyz;
+    if (!hasNormals || !(dot(normal, normal) > 0.01)) return reflect(direction, plane.xyz);
+    vec3 r = reflect(direction, normalize(normal));
+    float up = dot(r, plane.xyz);
+    return normalize(r + plane.xyz * (max(abs(up), 1e-3) - up));
+}
 
 const ivec2 noPixel = ivec2(-1);
 
@@ -50,7 +66,7 @@ void main() {
     float info = infoUnknown;
     SightLine sight = sightLine(q);
     if (sight.towardsPlane > 0.0) {
-        March found = marched(sight.onPlane, reflect(sight.direction, plane.xyz), noiseAt(vec2(pixel)));
+        March found = marched(sight.onPlane, mirroredBySurface(q, sight.direction), noiseAt(vec2(pixel)));
         info = found.info;
         if (infoIsHit(info)) {
             float confidence = edgeConfidence(q, found.source);

@@ -226,7 +226,8 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     const SurfacePipelines::Pipeline* pipeline = nullptr;
     if (const Status s = target.pipelines.get(wanted, output, pipeline); s != Status::ok) return s;
 
-    const SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
+    SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
+    if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
     MeshView meshView;
     meshView.eye = {geometry.eye.x, geometry.eye.z};
     meshView.eyeHeight = uniforms.plane.w;

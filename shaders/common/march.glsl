@@ -11,6 +11,7 @@ layout(set = 0, binding = 2, std140) uniform MarchSettings {
     float longest;      // [m] of a ray
     float jitter;       // share of a stride
     int steps;
+    bool hasNormals;
 };
 
 const int bisections = 6;

@@ -170,6 +170,75 @@ TEST_F(Ssr, NothingIsKnownBehindTheFarPlane) {
     EXPECT_GT(beyond, 1000u);
 }
 
+TEST_F(Ssr, NormalsBendItsRays) {
+    const glm::dvec3 tilted = glm::normalize(glm::dvec3(0.06, 1, 0.03));
+    ReflectorDesc desc = with(ReflectionTechnique::ssr);
+    desc.reflection.marchSteps = 256;
+    for (const glm::dvec3& normal : {glm::dvec3(0, 1, 0), tilted}) {
+        const TracedView traced = Tracer(testCamera(), harbourOfBoxes(), normal).run();
+        std::vector<float> normals;
+        for (size_t i = 0; i < traced.truth.size(); ++i)
+            for (const double value : {normal.x, normal.y, normal.z, 0.0})
+                normals.push_back(static_cast<float>(value));
+        const demos::Image image = uploadFloats(traced.width, traced.height, 4, normals);
+        const Image handed = asSeaglass(image);
+        ViewDesc view = viewDesc(testCamera());
+        view.surfaceNormals = &handed;
+        const Score s = score(traced, reflectView(traced, view, desc));
+        print("normals", s);
+        EXPECT_GE(s.coverage, 0.98);
+        EXPECT_LE(s.p95Pixels, 1.0);
+        EXPECT_LE(s.falseOnSky, 0.004);
+    }
+}
+
+TEST_F(Ssr, NoNormalsAreThePlanes) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    const demos::Image image =
+        uploadFloats(traced.width, traced.height, 4, std::vector<float>(traced.depth.size() * 4, 0.0f));
+    const Image handed = asSeaglass(image);
+    ViewDesc view = viewDesc(testCamera());
+    const Reflected without = reflectView(traced, view, with(ReflectionTechnique::ssr));
+    view.surfaceNormals = &handed;
+    const Reflected with0 = reflectView(traced, view, with(ReflectionTechnique::ssr));
+    EXPECT_EQ(without.color, with0.color);
+    EXPECT_EQ(without.info, with0.info);
+}
+
+TEST_F(Ssr, SaysWhetherNormalsHaveBentIt) {
+    const TracedView traced = Tracer(testCamera(), {}).run();
+    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
+    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
+    const Image normals = asSeaglass(color);
+    ViewDesc view = viewDesc(testCamera());
+    view.sceneDepth = asSeaglass(depth);
+    view.sceneColor = asSeaglass(color);
+    for (const ReflectionTechnique technique : {ReflectionTechnique::ssr, ReflectionTechnique::hybrid}) {
+        Reflector* reflector = nullptr;
+        const ReflectorDesc desc = with(technique);
+        ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+        for (const Image* given : {&normals, static_cast<const Image*>(nullptr)}) {
+            view.surfaceNormals = given;
+            frame([&](VkCommandBuffer commands) {
+                EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
+            });
+            EXPECT_EQ(reflectionImages(reflector, 0).bent, given && technique == ReflectionTechnique::ssr);
+        }
+        destroyReflector(reflector);
+    }
+    Image small = normals;
+    small.extent = {8, 8};
+    view.surfaceNormals = &small;
+    Reflector* reflector = nullptr;
+    const ReflectorDesc desc = with(ReflectionTechnique::ssr);
+    ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+    frame([&](VkCommandBuffer commands) {
+        EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::invalidArgument);
+    });
+    EXPECT_NE(message().find("surfaceNormals"), std::string::npos);
+    destroyReflector(reflector);
+}
+
 TEST_F(Ssr, HoldsNothingOfOtherTechniques) {
     spiedCalls().clear();
     Reflector* reflector = nullptr;

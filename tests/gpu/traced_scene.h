@@ -61,7 +61,9 @@ struct TracedView {
 
 class Tracer {
   public:
-    Tracer(const Camera& camera, std::vector<Box> boxes) : camera_(camera), boxes_(std::move(boxes)) {
+    /// `normal` tilts the mirror everywhere, without displacing it.
+    Tracer(const Camera& camera, std::vector<Box> boxes, const glm::dvec3& normal = {0, 1, 0})
+        : camera_(camera), boxes_(std::move(boxes)), normal_(glm::normalize(normal)) {
         clip_ = projectionMatrix(camera) * viewMatrix(camera);
         inverse_ = glm::inverse(clip_);
     }
@@ -107,7 +109,8 @@ class Tracer {
         const double toPlane = -camera_.eye.y / ray.y;
         if (ray.y >= 0 || toPlane >= hit) return;
         const glm::dvec3 on = camera_.eye + ray * toPlane;
-        const glm::dvec3 up(ray.x, -ray.y, ray.z);
+        const glm::dvec3 up = glm::reflect(ray, normal_);
+        if (up.y <= 0) return;
         const double mirrored = nearestHit(boxes_, on, up);
         out.truth[i] = Truth::sky;
         if (std::isinf(mirrored)) return;
@@ -124,6 +127,7 @@ class Tracer {
 
     Camera camera_;
     std::vector<Box> boxes_;
+    glm::dvec3 normal_;
     glm::dmat4 clip_;
     glm::dmat4 inverse_;
 };

@@ -99,6 +99,10 @@ struct ViewDesc {
     Image sceneColor;           ///< opaque scene colour, linear
     Image sceneDepth;           ///< opaque scene depth of the same pixels
     uint32_t viewIndex = 0;     ///< 0..7: which view of this frame, so that each keeps its own images
+    /// Optional: unit normals of the surface in the world (x, y, z of RGBA16F or RGBA8_SNORM) at the same
+    /// pixels, made visible to compute shaders like the scene's images; (0, 0, 0) stands for the plane's. The
+    /// technique ssr then follows each pixel's own mirrored ray; others leave normals to whoever shades.
+    const Image* surfaceNormals = nullptr;
 };
 
 /// What something costs, known before it is made. Memory is that of its images and buffers; drivers round

@@ -71,6 +71,9 @@ struct ReflectionImages {
     /// shows the sky. See ReflectionClass.
     VkImageView info = VK_NULL_HANDLE;
     VkExtent2D extent = {0, 0};
+    /// True: the surface's normals have bent `color` and `info` already (ViewDesc::surfaceNormals), and a
+    /// lookup takes its own pixel. False: they show a flat mirror, and lookups bend.
+    bool bent = false;
 };
 
 enum class ReflectionClass : uint32_t {
