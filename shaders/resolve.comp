@@ -73,35 +73,37 @@ bool solid(ivec2 pixel, float depth) {
     return !isFar(depth) && !wellBelowPlane(vec3(vec2(pixel) + 0.5, depth));
 }
 
-// The pixel that a point lies next to.
-ivec2 besides(ivec2 pixel, vec2 point) {
-    vec2 off = point - (vec2(pixel) + 0.5);
-    ivec2 next = abs(off.x) > abs(off.y) ? ivec2(off.x > 0.0 ? 1 : -1, 0) : ivec2(0, off.y > 0.0 ? 1 : -1);
-    return clamp(pixel + next, ivec2(0), region.zw - 1);
+// The middle of the pixel that a point lies next to. Just off an edge, what stands there still covers part of the pixel.
+vec2 besides(vec2 middle, vec2 point) {
+    vec2 off = point - middle;
+    return middle + (abs(off.x) > abs(off.y) ? vec2(sign(off.x), 0.0) : vec2(0.0, sign(off.y)));
 }
 
 Hit refined(ScreenRay ray, float mirroredDepth) {
     vec4 p = ray.origin + mirroredDepth * ray.along;
     if (!(p.w > 0.0)) return noHit;
     Hit hit = Hit(false, p.xy / p.w, mirroredDepth);
+    bool movedOver = false;
     for (int i = 0; i < refinements && !hit.valid; ++i) {
         if (!insideRegion(hit.source)) return noHit;
         ivec2 pixel = ivec2(hit.source);
         float depth = depthAt(pixel);
+        vec2 middle = vec2(pixel) + 0.5;
         if (!solid(pixel, depth)) {
-            // Just off an edge: what stands there still covers part of this pixel.
-            pixel = besides(pixel, hit.source);
-            depth = depthAt(pixel);
-            if (!solid(pixel, depth)) return noHit;
+            if (movedOver) return noHit;
+            movedOver = true;
+            hit.source = besides(middle, hit.source);
+            continue;
         }
-        hit = metWithin(ray, vec2(pixel) + 0.5, depth, depthGradient(pixel, depth));
+        hit = metWithin(ray, middle, depth, depthGradient(pixel, depth));
     }
     return hit.valid ? hit : noHit;
 }
 
+// Beyond the border its own keys again, which have had their turn.
 uint keyAt(ivec2 cell) {
     ivec2 grid = keyGrid();
-    if (any(lessThan(cell, ivec2(0))) || any(greaterThanEqual(cell, grid))) return noKey;
+    cell = clamp(cell, ivec2(0), grid - 1);
     return keys[cell.y * grid.x + cell.x];
 }
 
@@ -116,19 +118,32 @@ uint nextKey(ivec2 cell, uint last) {
     return best;
 }
 
-// The cell's own key first, then its neighbours' from near to far; the first that proves itself counts. One flat loop:
-// CPU devices mask branches instead of jumping them, but do leave a loop when nobody is in it.
+// Nearer keys lead to the same place of the picture.
+uint beyond(ScreenRay ray, float mirroredDepth) {
+    vec4 p = ray.origin + mirroredDepth * ray.along;
+    vec2 shift = ray.along.xy - p.xy / p.w * ray.along.w;
+    float quarterPixel = 0.25 * abs(p.w) / max(length(shift), 1e-30);
+    return keyFromDepth(clamp(mirroredDepth - depthSign * quarterPixel, 0.0, 1.0));
+}
+
+// The nearest key in and around the cell first: where a near surface is mirrored larger than it is seen, its keys leave
+// holes, and what shows through them would prove itself as well. The first that does counts. CPU devices mask branches,
+// but leave a loop when nobody is in it.
 Hit nearestHit(ivec2 cell, ScreenRay ray) {
     Hit hit = noHit;
-    uint key = keyAt(cell);
-    uint last = ~0u;
-    if (key == noKey) key = last = nextKey(cell, last);
+    uint key = nextKey(cell, ~0u);
     while (key != noKey) {
         hit = refined(ray, depthFromKey(key));
         if (hit.valid) break;
-        key = last = nextKey(cell, last);
+        key = nextKey(cell, beyond(ray, depthFromKey(key)));
     }
     return hit;
+}
+
+// From the mirror to what is hit: the mirrored ray is as long below the plane as the way to its end.
+float distanceToHit(vec2 q, float mirroredDepth) {
+    vec3 end = unprojected(vec3(q, mirroredDepth));
+    return length(end) * (1.0 + plane.w / dot(plane.xyz, end));
 }
 
 void main() {
@@ -137,17 +152,15 @@ void main() {
     vec2 q = middleOf(pixel);
     vec4 color = vec4(0.0);
     float info = infoUnknown;
-    vec3 ahead = normalize(unprojected(vec3(q, 0.5)));
-    float towardsPlane = -dot(plane.xyz, ahead);
-    if (towardsPlane > 0.0) {
+    if (planeAhead(q)) {
         Hit hit = nearestHit(ivec2(q) >> keyShift, ScreenRay(screenMirror * vec4(q, 0.0, 1.0), screenMirror[2]));
-        if (hit.valid) {
+        // Loops of one round, since those that nobody enters are left out.
+        for (bool hits = hit.valid; hits; hits = false) {
             float confidence = edgeConfidence(q, hit.source);
             color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * confidence, confidence);
-            info = infoOfHit(length(unprojected(vec3(q, hit.depth))) - plane.w / towardsPlane);
-        } else {
-            info = infoOfMiss(q);
+            info = infoOfHit(distanceToHit(q, hit.depth));
         }
+        for (bool misses = !hit.valid; misses; misses = false) info = infoOfMiss(q);
     }
     imageStore(reflectionColor, pixel, color);
     imageStore(reflectionInfo, pixel, vec4(info, 0.0, 0.0, 0.0));

@@ -7,12 +7,12 @@ float depthAt(ivec2 pixel) {
 
 // The mirrored ray's far end tells whether the sky it would reach is on the screen.
 float infoOfMiss(vec2 q) {
-    vec4 end = mirrored(vec3(q, infinityDepth));
-    if (!(end.w > 0.0) || !insideRegion(end.xy)) return infoUnknown;
-    return isFar(depthAt(ivec2(end.xy))) ? infoSky : infoUnknown;
+    vec4 end = screenMirror * vec4(q, infinityDepth, 1.0);
+    vec2 pixel = end.xy / end.w;
+    if (!(end.w > 0.0) || !insideRegion(pixel)) return infoUnknown;
+    return isFar(depthAt(ivec2(pixel))) ? infoSky : infoUnknown;
 }
 
 bool planeAhead(vec2 q) {
-    // Any depth serves to find the ray through this pixel; half way avoids both ends.
-    return dot(plane.xyz, unprojected(vec3(q, 0.5))) < 0.0;
+    return dot(heightRow, vec4(q, infinityDepth, 1.0)) < 0.0;
 }

@@ -22,7 +22,10 @@ struct Score {
     double p95Pixels = 0;
     double falseOnSky = 0;    ///< share of true sky that was hit
     double skyOnGeometry = 0; ///< share of recoverable pixels called sky
+    double misplaced = 0;     ///< share of hits that are off by more than misplacedPixels
 };
+
+constexpr double misplacedPixels = 4;
 
 inline double quantile(std::vector<double>& values, double q) {
     if (values.empty()) return 0;
@@ -51,8 +54,11 @@ inline Score score(const TracedView& view, const Reflected& result) {
                                   result.color[i * 4 + 1] / confidence * view.height);
         errors.push_back(glm::length(position - view.source[i]));
     }
-    return {hits / recoverable, quantile(errors, 0.5), quantile(errors, 0.95), falseHits / std::max(sky, 1.0),
-            falseSky / recoverable};
+    const auto misplaced = static_cast<double>(
+        std::ranges::count_if(errors, [](double error) { return error > misplacedPixels; }));
+    return {hits / recoverable,     quantile(errors, 0.5),
+            quantile(errors, 0.95), falseHits / std::max(sky, 1.0),
+            falseSky / recoverable, misplaced / std::max(hits, 1.0)};
 }
 
 inline void print(const char* what, const Score& s) {

@@ -29,6 +29,22 @@ TEST_F(Sspr, AgreesWithTheTracedTruth) {
     }
 }
 
+// A flaring hull is seen foreshortened and mirrored at about three times that height: between its keys those
+// of the wall behind it show, which are as true to the screen.
+TEST_F(Sspr, NothingShowsThroughTheHolesOfWhatIsMirroredLarger) {
+    Camera camera = testCamera();
+    camera.eye = {0, 1.6, 4};
+    camera.target = {0, 0.9, 0};
+    camera.fovDegrees = 70;
+    const Box hull{{-6, -1, -2}, {6, 0.7, 0}, 1.2};
+    const TracedView traced = Tracer(camera, {hull, {{-9, -1, -12}, {9, 9, -11}}}).run();
+    const Score s = score(traced, reflectScene(camera, traced));
+    print("holes", s);
+    std::printf("         misplaced %.5f\n", s.misplaced);
+    EXPECT_GE(s.coverage, 0.99);
+    EXPECT_LE(s.misplaced, 0.002);
+}
+
 TEST_F(Sspr, KeysAreTheNearestMirroredDepths) {
     const Camera camera = testCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();

@@ -15,6 +15,7 @@ namespace tests {
 struct Box {
     glm::dvec3 low;
     glm::dvec3 high;
+    double lean = 0; ///< how far it leans towards +z for each metre above the plane
 };
 
 /// A pier, a tower, a crate, a far island and a slab in the air, over y = 0; some reach below it.
@@ -27,7 +28,9 @@ inline std::vector<Box> harbourOfBoxes() {
     };
 }
 
-inline double hitDistance(const Box& box, const glm::dvec3& origin, const glm::dvec3& direction) {
+inline double hitDistance(const Box& box, glm::dvec3 origin, glm::dvec3 direction) {
+    origin.z -= box.lean * origin.y;
+    direction.z -= box.lean * direction.y;
     const glm::dvec3 a = (box.low - origin) / direction;
     const glm::dvec3 b = (box.high - origin) / direction;
     const glm::dvec3 first = glm::min(a, b);
