@@ -55,7 +55,7 @@ Claim claimAt(const Picture& sources, size_t pixel) {
 
 bool isSolid(TruthClass kind) {
     return kind == TruthClass::recoverable || kind == TruthClass::offScreen || kind == TruthClass::hidden ||
-           kind == TruthClass::backFacing;
+           kind == TruthClass::backFacing || kind == TruthClass::unsampled;
 }
 
 class Share {

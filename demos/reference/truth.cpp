@@ -1,5 +1,7 @@
 #include "reference/truth.h"
 
+#include <cmath>
+
 #include "reference/shade_water.h"
 
 namespace demos::reference {
@@ -8,6 +10,22 @@ namespace {
 bool within(const Frame& frame, const glm::dvec3& seen) {
     return seen.z >= frame.camera.near && seen.x >= 0 && seen.y >= 0 && seen.x < frame.desc.width &&
            seen.y < frame.desc.height;
+}
+
+/// Whether a pixel's centre next to a place in the picture shows the surface that a hit there is on. What is
+/// thinner than a pixel, or seen edge on, is in sight and yet in no pixel.
+bool isSampled(const Frame& frame, const Hit& hit, const glm::dvec3& seen) {
+    const float distance = glm::length(hit.position);
+    const glm::vec2 corner = glm::floor(glm::vec2(seen) - 0.5f) + 0.5f;
+    for (int i = 0; i < 4; ++i) {
+        Ray ray = frame.rayThrough(corner + glm::vec2(i & 1, i >> 1));
+        Hit there;
+        if (!frame.geometry.trace(ray, Kind::opaque, there)) continue;
+        const float off = std::abs(glm::dot(hit.geometricNormal, there.position - hit.position));
+        if (off <= 0.01f + 2e-3f * distance && std::abs(there.distance - distance) <= 0.25f * distance)
+            return true;
+    }
+    return false;
 }
 
 TruthClass classOf(const Frame& frame, const Ray& mirrored, const Hit& hit, const glm::dvec3& seen) {
@@ -19,10 +37,10 @@ TruthClass classOf(const Frame& frame, const Ray& mirrored, const Hit& hit, cons
     Hit first;
     const float distance = glm::length(hit.position);
     // The picture holds the opaque scene alone: water hides nothing.
-    if (!frame.geometry.trace(direct, Kind::opaque, first))
-        return TruthClass::recoverable; // an edge seen end on
-    return first.distance < distance - (0.01f + 1e-3f * distance) ? TruthClass::hidden
-                                                                  : TruthClass::recoverable;
+    if (frame.geometry.trace(direct, Kind::opaque, first) &&
+        first.distance < distance - (0.01f + 1e-3f * distance))
+        return TruthClass::hidden;
+    return isSampled(frame, hit, seen) ? TruthClass::recoverable : TruthClass::unsampled;
 }
 
 } // namespace

@@ -13,6 +13,7 @@ enum class TruthClass : int {
     hidden = 4,      ///< ... is within it, behind something else
     backFacing = 5,  ///< ... is within it, but turned away
     water = 6,       ///< another wave, which no picture of the opaque scene holds
+    unsampled = 7,   ///< ... is within it and in sight, but the pixels around all show something else there
 };
 
 struct Truth {

@@ -194,7 +194,7 @@ TEST(Analytic, ClassesOfTruth) {
     desc.camera.verticalFovDeg = 38; // the tower's top is out of the picture
     const Eye eye(desc);
     const Picture truth = draw(world, desc, true).truth;
-    int counted[7] = {}, unsure = 0;
+    int counted[8] = {}, unsure = 0;
     for (uint32_t y = 0; y < desc.height; ++y)
         for (uint32_t x = 0; x < desc.width; ++x) {
             const float* const found = &truth.rgba[(size_t(y) * desc.width + x) * 4];
@@ -229,6 +229,7 @@ TEST(Analytic, ClassesOfTruth) {
                 ++unsure;
                 continue;
             }
+            // What lies in the middle of a class is sampled there.
             EXPECT_EQ(kind, expected) << x << ", " << y;
             ++counted[static_cast<int>(kind)];
             const glm::dvec3 pixel = eye.pixelOf(at + up * distance);
@@ -245,6 +246,28 @@ TEST(Analytic, ClassesOfTruth) {
           reference::TruthClass::hidden, reference::TruthClass::backFacing})
         EXPECT_GT(counted[static_cast<int>(kind)], 10) << "class " << static_cast<int>(kind);
     EXPECT_LT(unsure, 600);
+}
+
+// The underside of a deck just above the eye: seen at less than a pixel's height, mirrored at half the
+// picture's.
+TEST(Analytic, WhatNoPixelShowsIsUnsampled) {
+    const std::vector<Box> boxes = {{{-20, 2.003, -30}, {20, 2.2, -5}}};
+    reference::World world;
+    ASSERT_TRUE(tests::lightWorld(glm::vec3(0.5f), world));
+    tests::addMesh("deck", tests::shiningBoxes(boxes, glm::vec3(1)), world);
+    Error error;
+    ASSERT_TRUE(reference::setWater(WaterDesc{}, world, error));
+    reference::FrameDesc desc = tests::smallFrame();
+    desc.width = 160;
+    desc.height = 90;
+    desc.camera.positionM = {0, 2, 0};
+    desc.camera.targetM = {0, 2, -10};
+    const Picture truth = draw(world, desc, true).truth;
+    int counted[8] = {};
+    for (size_t i = 0; i < truth.rgba.size(); i += 4) ++counted[static_cast<int>(truth.rgba[i])];
+    const int unsampled = counted[static_cast<int>(reference::TruthClass::unsampled)];
+    EXPECT_GT(unsampled, 500);
+    EXPECT_LT(counted[static_cast<int>(reference::TruthClass::recoverable)], unsampled / 4);
 }
 
 } // namespace
