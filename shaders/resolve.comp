@@ -25,6 +25,7 @@ layout(set = 0, binding = 6, r16f) uniform writeonly image2D reflectionInfo;
 #include "tile_list.glsl"
 
 const int refinements = 3;
+const int holeCells = 12;   // to each side
 const float acceptedPixels = 0.75;   // from the middle of the source: half of one, and room for rounding
 
 struct Hit {
@@ -140,6 +141,22 @@ Hit nearestHit(ivec2 cell, ScreenRay ray) {
     return hit;
 }
 
+// What is seen edge on is mirrored many times larger, and its keys lie far apart, but only along the line through a pixel
+// and its source, which is the same for all depths. With keys to both sides on that line a miss may be such a hole.
+bool insideHole(vec2 q, ScreenRay ray) {
+    vec4 p = ray.origin + 0.5 * ray.along;
+    vec2 direction = p.xy / p.w - q;
+    vec2 step = direction / max(max(abs(direction.x), abs(direction.y)), 1e-6);
+    vec2 cell = q / float(1 << keyShift);
+    bool ahead = false;
+    bool behind = false;
+    for (int i = 1; i <= holeCells && !(ahead && behind); ++i) {
+        ahead = ahead || keyAt(ivec2(floor(cell + float(i) * step))) != noKey;
+        behind = behind || keyAt(ivec2(floor(cell - float(i) * step))) != noKey;
+    }
+    return ahead && behind;
+}
+
 // From the mirror to what is hit: the mirrored ray is as long below the plane as the way to its end.
 float distanceToHit(vec2 q, float mirroredDepth) {
     vec3 end = unprojected(vec3(q, mirroredDepth));
@@ -153,14 +170,16 @@ void main() {
     vec4 color = vec4(0.0);
     float info = infoUnknown;
     if (planeAhead(q)) {
-        Hit hit = nearestHit(ivec2(q) >> keyShift, ScreenRay(screenMirror * vec4(q, 0.0, 1.0), screenMirror[2]));
+        ScreenRay ray = ScreenRay(screenMirror * vec4(q, 0.0, 1.0), screenMirror[2]);
+        Hit hit = nearestHit(ivec2(q) >> keyShift, ray);
         // Loops of one round, since those that nobody enters are left out.
         for (bool hits = hit.valid; hits; hits = false) {
             float confidence = edgeConfidence(q, hit.source);
             color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * confidence, confidence);
             info = infoOfHit(distanceToHit(q, hit.depth));
         }
-        for (bool misses = !hit.valid; misses; misses = false) info = infoOfMiss(q);
+        for (bool misses = !hit.valid; misses; misses = false)
+            info = insideHole(q, ray) ? infoUnknown : infoOfMiss(q);
     }
     imageStore(reflectionColor, pixel, color);
     imageStore(reflectionInfo, pixel, vec4(info, 0.0, 0.0, 0.0));

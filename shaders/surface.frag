@@ -306,6 +306,8 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
 }
 
 void main() {
+    // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.
+    if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) discard;
     SurfacePoint s = surfacePoint();
     vec3 toEye = -normalize(position);
     vec3 normal = normalOf(s.slope);

@@ -5,11 +5,11 @@
 
 namespace demos {
 
-bool FrameRecorder::create(Device& device, uint32_t framesInFlight, Error& error) {
+bool FrameRecorder::create(Device& device, const HostDesc& desc, Error& error) {
     device_ = &device;
     return createLayouts(device, layouts_, error) && shadow_.create(device, layouts_, error) &&
            opaque_.create(device, layouts_, error) && timer_.create(device, error) &&
-           water_.create(device, framesInFlight, timer_, error);
+           water_.create(device, desc, timer_, error);
 }
 
 bool FrameRecorder::createFrameSet(const Sky& sky, FrameSet& out, Error& error) {

@@ -42,7 +42,7 @@ constexpr StageName stages[] = {
 
 class FrameRecorder {
   public:
-    bool create(Device& device, uint32_t framesInFlight, Error& error);
+    bool create(Device& device, const HostDesc& desc, Error& error);
     bool load(const Scene& scene, LoadedScene& out, Error& error);
     bool addWater(const WaterDesc& water, LoadedScene& scene, Error& error);
 

@@ -12,7 +12,7 @@ std::unique_ptr<Host> Host::create(const HostDesc& desc, Error& error) {
     }
     auto impl = std::make_unique<Impl>();
     impl->device = Device::create(desc, error);
-    if (!impl->device || !impl->recorder.create(*impl->device, desc.framesInFlight, error)) return nullptr;
+    if (!impl->device || !impl->recorder.create(*impl->device, desc, error)) return nullptr;
     return std::unique_ptr<Host>(new Host(std::move(impl)));
 }
 

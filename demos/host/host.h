@@ -11,6 +11,10 @@
 
 #include "scene/scene.h"
 
+namespace seaglass {
+struct WavesBackend;
+}
+
 namespace demos {
 
 struct DeviceInfo {
@@ -31,6 +35,7 @@ struct HostDesc {
     bool validation =
         false; ///< core and synchronisation validation; messages are counted and printed to stderr
     uint32_t framesInFlight = 2;
+    const seaglass::WavesBackend* wavesBackend = nullptr; ///< null: the one that the program was built with
 };
 
 /// What a frame is to deliver. The names are the program's --aov.

@@ -65,14 +65,15 @@ bool WaterPass::ok(seaglass::Status status, const char* what, Error& error) {
     return false;
 }
 
-bool WaterPass::create(const Device& device, uint32_t framesInFlight, PassTimer& timer, Error& error) {
-    framesInFlight_ = framesInFlight;
+bool WaterPass::create(const Device& device, const HostDesc& hostDesc, PassTimer& timer, Error& error) {
+    framesInFlight_ = hostDesc.framesInFlight;
+    wavesBackend_ = hostDesc.wavesBackend ? hostDesc.wavesBackend : wavesBackend();
     seaglass::DeviceDesc desc;
     desc.instance = device.instance();
     desc.physicalDevice = device.physical();
     desc.device = device.handle();
     desc.getInstanceProcAddr = vkGetInstanceProcAddr;
-    desc.framesInFlight = framesInFlight;
+    desc.framesInFlight = framesInFlight_;
     desc.message.user = &message_;
     desc.message.function = [](void* user, const char* text) { *static_cast<std::string*>(user) = text; };
     desc.pass.user = &timer;
@@ -100,7 +101,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     if (desc.waves) {
         if (!seaOf(*desc.waves, sea, error)) return false;
         body.waves = &sea;
-        body.wavesBackend = wavesBackend();
+        body.wavesBackend = wavesBackend_;
     }
     if (desc.foam) {
         foam.threshold = static_cast<float>(desc.foam->threshold);

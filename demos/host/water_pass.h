@@ -46,7 +46,7 @@ class WaterPass {
     WaterPass& operator=(const WaterPass&) = delete;
     ~WaterPass();
 
-    bool create(const Device& device, uint32_t framesInFlight, PassTimer& timer, Error& error);
+    bool create(const Device& device, const HostDesc& desc, PassTimer& timer, Error& error);
     bool createBody(const WaterDesc& desc, WaterBody& out, Error& error);
 
     /// What the library says that a water's reflection holds for one view of this size.
@@ -70,6 +70,7 @@ class WaterPass {
 
     seaglass::Context* context_ = nullptr;
     seaglass::Target* target_ = nullptr;
+    const seaglass::WavesBackend* wavesBackend_ = nullptr;
     seaglass::Target* exactTarget_ = nullptr;
     uint32_t framesInFlight_ = 1, slot_ = 0;
     std::string message_; ///< what Seaglass last said

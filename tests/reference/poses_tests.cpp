@@ -1,4 +1,5 @@
 // Every camera of the harbour gives a picture: finite, valid, and with water in it.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -57,6 +58,23 @@ TEST(HarbourPoses, AreFiniteValidAndShowWater) {
         }
     }
     EXPECT_EQ(host->validationMessages(), 0u);
+}
+
+/// One pixel of this very picture was once NaN: a triangle without area had drawn it.
+TEST(HarbourPoses, NoPixelOfTwoMillionIsNan) {
+    Error error;
+    std::optional<Scene> scene = loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {}, error);
+    ASSERT_TRUE(scene) << error.text;
+    scene->water->waves.reset();
+    scene->water->foam.reset();
+    const auto roll35 = std::find_if(scene->cameras.begin(), scene->cameras.end(),
+                                     [](const CameraDesc& camera) { return camera.name == "roll35"; });
+    ASSERT_NE(roll35, scene->cameras.end());
+    const std::unique_ptr<Host> host = Host::create({}, error);
+    ASSERT_TRUE(host && host->load(*scene, error)) << error.text;
+    const std::optional<Picture> color = host->render({1920, 1080, *roll35, scene->timeS, Aov::color}, error);
+    ASSERT_TRUE(color) << error.text;
+    EXPECT_EQ(countNotFinite(*color), 0u);
 }
 
 } // namespace

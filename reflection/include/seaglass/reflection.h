@@ -23,7 +23,7 @@ struct ReflectionDesc {
     ReflectionTechnique technique = ReflectionTechnique::sspr;
     /// Pixels of the view to one of the reflection, each way: 1, 2, 4 or 8.
     uint32_t downscale = 1;
-    /// SSPR at full resolution scatters one key for each 2 x 2 pixels: about two thirds of the cost. Looking
+    /// SSPR scatters one key for each 2 x 2 pixels: a quarter of their memory, and fewer atomics. Looking
     /// steeply down it finds less.
     bool coarseKeys = false;
     float edgeFade =
