@@ -7,6 +7,7 @@ namespace demos {
 
 bool FrameRecorder::create(Device& device, const HostDesc& desc, Error& error) {
     device_ = &device;
+    mirror_.create(device, layouts_, desc.framesInFlight, timer_);
     return createLayouts(device, layouts_, error) && shadow_.create(device, layouts_, error) &&
            opaque_.create(device, layouts_, error) && timer_.create(device, error) &&
            water_.create(device, desc, timer_, error);
@@ -52,7 +53,13 @@ bool FrameRecorder::load(const Scene& scene, LoadedScene& out, Error& error) {
         !createFrameSet(out.sky, out.frame, error))
         return false;
     out.bounds = worldBounds(out.meshes);
+    if (scene.floor) return addFloor(*scene.floor, out, error);
     return !scene.water || addWater(*scene.water, out, error);
+}
+
+bool FrameRecorder::addFloor(const FloorDesc& floor, LoadedScene& scene, Error& error) {
+    return mirror_.createSurface(floor, scene.mirror, error) &&
+           (!scene.mirror.planar || createFrameSet(scene.sky, scene.mirrored, error));
 }
 
 bool FrameRecorder::addWater(const WaterDesc& water, LoadedScene& scene, Error& error) {
@@ -87,12 +94,16 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
         if (!createFrameTargets(*device_, extent, made, error)) return false;
         targets_ = std::move(made);
     }
+    if (needsExact(frame.aov) && scene.mirror.exists()) {
+        error.text = "a floor does not say where its reflection is taken from";
+        return false;
+    }
     if (needsExact(frame.aov) && !createExactTarget(*device_, targets_, error)) return false;
     if (!makeCamera(frame.camera, static_cast<double>(extent.width) / extent.height, camera_, error))
         return false;
     shadowFits_ = fitShadows(scene.bounds, camera_, scene.sky.sun.direction);
     writeUniforms();
-    return water_.beginFrame(error);
+    return water_.beginFrame(error) && mirror_.beginFrame(error);
 }
 
 void FrameRecorder::writeUniforms() {
@@ -104,17 +115,20 @@ void FrameRecorder::writeUniforms() {
 }
 
 bool FrameRecorder::needed(Stage stage) const {
-    const bool hasWater = static_cast<bool>(water());
+    const bool hasWater = static_cast<bool>(water()), hasFloor = scene_->mirror.exists();
     switch (stage) {
     case Stage::simulate:
+        return hasWater;
     case Stage::copy:
     case Stage::reflect:
-        return hasWater;
+        return hasWater || scene_->mirror.reflector;
     case Stage::mirrored:
-        return water().planar();
-    // Without water the other outputs are black.
+        return water().planar() || scene_->mirror.planar;
+    // Without a surface the other outputs are black.
     case Stage::water:
-        return hasWater || (frame_.aov != Aov::color && frame_.aov != Aov::depth);
+        return hasWater || (!hasFloor && frame_.aov != Aov::color && frame_.aov != Aov::depth);
+    case Stage::mirror:
+        return hasFloor;
     default:
         return true;
     }
@@ -127,7 +141,10 @@ void FrameRecorder::bindFrameSet(VkCommandBuffer commands, const FrameSet& frame
 
 bool FrameRecorder::recordMirrored(VkCommandBuffer commands, Error& error) {
     seaglass::PlanarView view;
-    if (!water_.planarView(water(), camera_, targets_, view, error)) return false;
+    const bool known = scene_->mirror.planar
+                           ? mirror_.planarView(scene_->mirror, camera_, targets_, view, error)
+                           : water_.planarView(water(), camera_, targets_, view, error);
+    if (!known) return false;
     const MirroredEye eye = mirroredEye(view);
     const FrameUniforms uniforms = mirroredUniforms(uniforms_, camera_, eye);
     std::memcpy(scene_->mirrored.uniforms.mapped, &uniforms, sizeof(uniforms));
@@ -154,10 +171,17 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
     case Stage::mirrored:
         return recordMirrored(commands, error);
     case Stage::reflect:
+        if (scene_->mirror.reflector)
+            return mirror_.reflect(commands, scene_->mirror, camera_, targets_, error);
         return water_.reflect(commands, water(), camera_, targets_, error);
     case Stage::water:
         if (!water()) targets_.betweenPasses(commands);
         return water_.draw(commands, water(), camera_, targets_, scene_->sky, frame_.aov, error);
+    case Stage::mirror:
+        if (!needed(Stage::copy)) targets_.betweenPasses(commands);
+        bindFrameSet(commands, scene_->frame);
+        mirror_.draw(commands, scene_->mirror, camera_, targets_, frame_.aov);
+        return true;
     }
     return false;
 }

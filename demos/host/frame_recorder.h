@@ -1,6 +1,7 @@
 // A frame of the host as stages that can be recorded into one command buffer or into one each.
 #pragma once
 
+#include "host/mirror_pass.h"
 #include "host/mirrored_scene.h"
 #include "host/opaque.h"
 #include "host/shadow.h"
@@ -21,11 +22,12 @@ struct LoadedScene {
     MeshSet meshes;
     std::vector<Box> bounds;
     FrameSet frame;
-    FrameSet mirrored;             ///< only where a water's reflection is planar
+    FrameSet mirrored;             ///< only where a reflection is planar
     std::vector<WaterBody> waters; ///< of which a frame draws one
+    MirrorSurface mirror;
 };
 
-enum class Stage { simulate, shadow, opaque, copy, mirrored, reflect, water };
+enum class Stage { simulate, shadow, opaque, copy, mirrored, reflect, water, mirror };
 
 struct StageName {
     Stage stage;
@@ -37,13 +39,14 @@ constexpr StageName stages[] = {
     {Stage::simulate, "simulate", true},       {Stage::shadow, "host_shadow", false},
     {Stage::opaque, "host_opaque", false},     {Stage::copy, "host_copy", false},
     {Stage::mirrored, "host_mirrored", false}, {Stage::reflect, "reflect", true},
-    {Stage::water, "water_draw", false},
+    {Stage::water, "water_draw", false},       {Stage::mirror, "mirror_draw", false},
 };
 
 class FrameRecorder {
   public:
     bool create(Device& device, const HostDesc& desc, Error& error);
     bool load(const Scene& scene, LoadedScene& out, Error& error);
+    bool addFloor(const FloorDesc& floor, LoadedScene& scene, Error& error);
     bool addWater(const WaterDesc& water, LoadedScene& scene, Error& error);
 
     /// Checks the frame and readies everything for recording it; the frame before has finished.
@@ -72,6 +75,7 @@ class FrameRecorder {
     OpaquePass opaque_;
     PassTimer timer_;
     WaterPass water_;
+    MirrorPass mirror_;
     FrameTargets targets_;
 
     const LoadedScene* scene_ = nullptr;

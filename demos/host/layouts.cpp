@@ -1,7 +1,6 @@
 #include "host/layouts.h"
 
 namespace demos {
-namespace {
 
 bool createSetLayout(const Device& device, std::span<const VkDescriptorType> types,
                      UniqueDescriptorSetLayout& out, Error& error) {
@@ -17,8 +16,6 @@ bool createSetLayout(const Device& device, std::span<const VkDescriptorType> typ
     out = UniqueDescriptorSetLayout(device.handle(), layout);
     return true;
 }
-
-} // namespace
 
 bool createLayouts(const Device& device, Layouts& out, Error& error) {
     constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;

@@ -39,6 +39,10 @@ struct Layouts {
     UniquePipelineLayout pipeline;
 };
 
+/// One descriptor of each type, bound in their order, for vertex and fragment shaders.
+bool createSetLayout(const Device& device, std::span<const VkDescriptorType> types,
+                     UniqueDescriptorSetLayout& out, Error& error);
+
 bool createLayouts(const Device& device, Layouts& out, Error& error);
 
 constexpr VkShaderStageFlags drawStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;

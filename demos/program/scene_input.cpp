@@ -41,6 +41,7 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
 std::vector<fs::path> sceneFiles(const Scene& scene) {
     std::vector<fs::path> files = {scene.file, scene.sky.file};
     for (const MeshDesc& mesh : scene.meshes) files.push_back(mesh.file);
+    if (scene.floor && !scene.floor->texture.empty()) files.push_back(scene.floor->texture);
     return files;
 }
 
@@ -67,6 +68,8 @@ void addPlace(const Scene& scene, Error& error) {
         return true;
     };
     if (prefix(scene.sky.file, scene.sky.where)) return;
+    if (scene.floor && !scene.floor->texture.empty() && prefix(scene.floor->texture, scene.floor->where))
+        return;
     for (const MeshDesc& mesh : scene.meshes) {
         if (prefix(mesh.file, mesh.where)) return;
     }

@@ -2,6 +2,22 @@
 
 namespace demos::reference {
 
+namespace {
+
+/// Front faces counter-clockwise.
+SurfaceMesh rectangleOf(const Floor& floor, const glm::dvec3& eye) {
+    SurfaceMesh mesh;
+    const glm::dvec3 across = floor.plane.across * (floor.desc.widthM / 2),
+                     along = floor.plane.along * (floor.desc.lengthM / 2), middle = floor.plane.middle - eye;
+    for (const glm::dvec2 at : {glm::dvec2(-1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1), glm::dvec2(1, -1)})
+        mesh.positions.emplace_back(middle + at.x * across + at.y * along);
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    mesh.oneSided = true;
+    return mesh;
+}
+
+} // namespace
+
 bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& error) {
     out.world = &world;
     out.desc = desc;
@@ -13,6 +29,10 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
     if (!makeCamera(desc.camera, aspect, out.camera, error) || !out.geometry.create(error)) return false;
     out.pixelAngle = static_cast<float>(2 * out.camera.tanHalfFovY / desc.height);
     for (const Instance& instance : world.instances) out.geometry.add(instance, out.camera.eye);
+    if (world.floor) {
+        out.mesh = rectangleOf(*world.floor, out.camera.eye);
+        out.geometry.add(out.mesh);
+    }
     if (world.water) {
         if (!out.surface.create(world.sea.get(), desc.timeS, error)) return false;
         SurfaceMeshDesc mesh;

@@ -83,6 +83,16 @@ void filter(const RTCFilterFunctionNArguments* args) {
         args->valid[0] = 0;
 }
 
+/// Takes hits on the back of the surface back.
+void filterBack(const RTCFilterFunctionNArguments* args) {
+    if (args->valid[0] != -1) return;
+    const glm::vec3 d(RTCRayN_dir_x(args->ray, args->N, 0), RTCRayN_dir_y(args->ray, args->N, 0),
+                      RTCRayN_dir_z(args->ray, args->N, 0));
+    const glm::vec3 n(RTCHitN_Ng_x(args->hit, args->N, 0), RTCHitN_Ng_y(args->hit, args->N, 0),
+                      RTCHitN_Ng_z(args->hit, args->N, 0));
+    if (glm::dot(n, d) >= 0) args->valid[0] = 0;
+}
+
 template<class T>
 T* newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, size_t count) {
     return static_cast<T*>(rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), count));
@@ -152,12 +162,13 @@ void Geometry::add(const SurfaceMesh& surface) {
     auto* const triangles =
         newBuffer<glm::uvec3>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, surface.triangles.size());
     std::copy(surface.triangles.begin(), surface.triangles.end(), triangles);
-    rtcSetGeometryMask(geometry, Kind::water);
+    rtcSetGeometryMask(geometry, Kind::surface);
+    if (surface.oneSided) rtcSetGeometryIntersectFilterFunction(geometry, filterBack);
     rtcCommitGeometry(geometry);
-    waterGeometry_ = rtcAttachGeometry(scene_, geometry);
+    surfaceGeometry_ = rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);
-    waterPositions_ = positions;
-    waterTriangles_ = triangles;
+    surfacePositions_ = positions;
+    surfaceTriangles_ = triangles;
 }
 
 bool Geometry::build(Error& error) {
@@ -184,16 +195,16 @@ bool Geometry::trace(const Ray& ray, Kind kinds, Hit& hit) const {
     rtcIntersect1(scene_, &context.embree, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
 
-    const bool isWater = query.hit.geomID == waterGeometry_;
-    hit.kind = isWater ? Kind::water : Kind::opaque;
+    const bool isSurface = query.hit.geomID == surfaceGeometry_;
+    hit.kind = isSurface ? Kind::surface : Kind::opaque;
     hit.distance = query.ray.tfar;
     hit.triangle = query.hit.primID;
     hit.weights = {1 - query.hit.u - query.hit.v, query.hit.u, query.hit.v};
-    hit.part = isWater ? nullptr : parts_[query.hit.geomID].get();
-    const glm::vec3* const p = isWater ? waterPositions_ : hit.part->positions;
+    hit.part = isSurface ? nullptr : parts_[query.hit.geomID].get();
+    const glm::vec3* const p = isSurface ? surfacePositions_ : hit.part->positions;
     glm::uvec3 corners;
-    if (isWater) {
-        corners = waterTriangles_[hit.triangle];
+    if (isSurface) {
+        corners = surfaceTriangles_[hit.triangle];
     } else {
         const Corners c = cornersOf(*hit.part, hit.triangle);
         corners = {c.index[0], c.index[1], c.index[2]};

@@ -1,4 +1,5 @@
-// What rays can hit: the opaque meshes and the water's surface, in one Embree scene relative to the eye.
+// What rays can hit: the opaque meshes and the surface that mirrors, water or floor, in one Embree scene
+// relative to the eye.
 #pragma once
 
 #include <memory>
@@ -26,7 +27,7 @@ struct Instance {
 };
 
 /// Bits that say what a ray may hit.
-enum Kind : unsigned { opaque = 1, water = 2, everything = 3 };
+enum Kind : unsigned { opaque = 1, surface = 2, everything = 3 };
 
 /// One instance as Embree holds it.
 struct OpaquePart {
@@ -43,18 +44,19 @@ struct Hit {
     glm::vec3 geometricNormal{0, 1, 0}; ///< unit, by the corners' order
     glm::vec3 weights{1, 0, 0};         ///< of the corners
     uint32_t triangle = 0;
-    const OpaquePart* part = nullptr; ///< null for water
+    const OpaquePart* part = nullptr; ///< null for the surface
     bool frontFacing = true;
 
     /// Unit, towards where the ray came from.
     glm::vec3 facing() const { return frontFacing ? geometricNormal : -geometricNormal; }
 };
 
-/// Triangles of the water's surface, relative to the eye.
+/// Triangles of the surface that mirrors, relative to the eye.
 struct SurfaceMesh {
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec2> calm; ///< (u, v) before displacement
+    std::vector<glm::vec2> calm; ///< of water: (u, v) before displacement
     std::vector<glm::uvec3> triangles;
+    bool oneSided = false; ///< rays pass through its back
 };
 
 /// Immutable once built; tracing may go on in several threads at once.
@@ -81,9 +83,9 @@ class Geometry {
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
     std::vector<std::unique_ptr<OpaquePart>> parts_; ///< by Embree's geometry
-    unsigned waterGeometry_ = RTC_INVALID_GEOMETRY_ID;
-    const glm::vec3* waterPositions_ = nullptr;
-    const glm::uvec3* waterTriangles_ = nullptr;
+    unsigned surfaceGeometry_ = RTC_INVALID_GEOMETRY_ID;
+    const glm::vec3* surfacePositions_ = nullptr;
+    const glm::uvec3* surfaceTriangles_ = nullptr;
 };
 
 /// Colour and alpha of an opaque surface before light, with what `footprint` blurs in its texture.

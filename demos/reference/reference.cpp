@@ -5,6 +5,7 @@
 #include <mutex>
 #include <thread>
 
+#include "reference/shade_floor.h"
 #include "reference/shade_water.h"
 
 namespace demos::reference {
@@ -35,6 +36,8 @@ glm::vec3 colorOf(const Frame& frame, uint32_t x, uint32_t y) {
             sum += background(frame, ray.direction);
         } else if (hit.kind == Kind::opaque) {
             sum += shadeHit(frame, ray, hit, chance);
+        } else if (frame.world->floor) {
+            sum += shadeFloor(frame, ray, hit, chance);
         } else {
             const WaterRadiance water = shadeWater(frame, ray, hit, mostBounces, chance);
             waterSum += water.radiance;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/optics.h"
+#include "reference/ggx.h"
 
 namespace demos::reference {
 namespace {
@@ -16,20 +16,6 @@ glm::vec3 environmentBrdf(const glm::vec3& f0, float roughness, float nDotV) {
     const float a = std::min(r.x * r.x, std::exp2(-9.28f * nDotV)) * r.x + r.y;
     const glm::vec2 ab = glm::vec2(-1.04f, 1.04f) * a + glm::vec2(r.z, r.w);
     return f0 * ab.x + ab.y;
-}
-
-/// GGX with the height-correlated Smith term (Heitz 2014), Fresnel by Schlick.
-glm::vec3 sunSpecular(const glm::vec3& n, const glm::vec3& v, const glm::vec3& l, float nDotL, float nDotV,
-                      const glm::vec3& f0, float roughness) {
-    const glm::vec3 h = glm::normalize(v + l);
-    const float nDotH = glm::clamp(glm::dot(n, h), 0.0f, 1.0f),
-                vDotH = glm::clamp(glm::dot(v, h), 0.0f, 1.0f);
-    const float alpha = roughness * roughness, a2 = alpha * alpha;
-    const float d = nDotH * nDotH * (a2 - 1) + 1;
-    const float smith =
-        nDotL * std::sqrt(nDotV * nDotV * (1 - a2) + a2) + nDotV * std::sqrt(nDotL * nDotL * (1 - a2) + a2);
-    const glm::vec3 f = f0 + (1.0f - f0) * std::pow(1 - vDotH, 5.0f);
-    return f * (a2 / (pi * d * d)) * (0.5f / std::max(smith, 1e-5f));
 }
 
 glm::vec3 interpolatedNormal(const Hit& hit) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "reference/shade_floor.h"
 #include "reference/shade_water.h"
 
 namespace demos::reference {
@@ -49,8 +50,9 @@ Truth truthAt(const Frame& frame, const glm::vec2& pixel) {
     Truth truth;
     const Ray ray = frame.rayThrough(pixel);
     Hit surface;
-    if (!frame.geometry.trace(ray, Kind::everything, surface) || surface.kind != Kind::water) return truth;
-    const Ray mirrored = mirrorOfMean(frame, ray, surface).ray;
+    if (!frame.geometry.trace(ray, Kind::everything, surface) || surface.kind != Kind::surface) return truth;
+    const bool floor = frame.world->floor.has_value();
+    const Ray mirrored = floor ? mirrorOfFloor(frame, ray, surface) : mirrorOfMean(frame, ray, surface).ray;
     truth.radiance = radianceAlong(frame, mirrored, mostBounces - 1, nullptr);
     Hit hit;
     const bool found = frame.geometry.trace(mirrored, Kind::everything, hit);
@@ -61,7 +63,7 @@ Truth truthAt(const Frame& frame, const glm::vec2& pixel) {
         return truth;
     }
     truth.distance = hit.distance;
-    truth.kind = hit.kind == Kind::water ? TruthClass::water : classOf(frame, mirrored, hit, seen);
+    truth.kind = hit.kind == Kind::surface ? TruthClass::water : classOf(frame, mirrored, hit, seen);
     return truth;
 }
 

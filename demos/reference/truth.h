@@ -1,4 +1,4 @@
-// What the water truly mirrors at a pixel, and whether the picture itself could have told.
+// What water or floor truly mirrors at a pixel, and whether the picture itself could have told.
 #pragma once
 
 #include "reference/frame.h"
@@ -6,7 +6,7 @@
 namespace demos::reference {
 
 enum class TruthClass : int {
-    none = 0, ///< no water is seen here
+    none = 0, ///< nothing that mirrors is seen here
     sky = 1,
     recoverable = 2, ///< what is mirrored is seen elsewhere in the picture
     offScreen = 3,   ///< ... lies beyond its border
@@ -20,7 +20,7 @@ struct Truth {
     TruthClass kind = TruthClass::none;
     glm::vec2 pixel{
         -1}; ///< where the mirrored point lies in the picture, its border or not; -1 behind the eye
-    float distance = 0;    ///< from the water to it [m]; 0 for the sky
+    float distance = 0;    ///< from the surface to it [m]; 0 for the sky
     glm::vec3 radiance{0}; ///< along the mirrored ray
 };
 

@@ -1,5 +1,6 @@
 #include "reference/world.h"
 
+#include "host/floor_texture.h"
 #include "host/placement.h"
 #include "host/waves.h"
 
@@ -19,7 +20,15 @@ bool loadWorld(const Scene& scene, World& out, Error& error) {
         if (!placement(desc, instance.worldFromMesh, error)) return false;
         out.instances.push_back(instance);
     }
-    return setWater(scene.water, out, error);
+    return setFloor(scene.floor, out, error) && setWater(scene.water, out, error);
+}
+
+bool setFloor(const std::optional<FloorDesc>& desc, World& out, Error& error) {
+    out.floor.reset();
+    if (!desc) return true;
+    const std::optional<MeshTexture> texture = readFloorTexture(*desc, error);
+    if (texture) out.floor.emplace(Floor{*desc, floorPlane(*desc), Texture(*texture)});
+    return texture.has_value();
 }
 
 bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error) {

@@ -4,10 +4,17 @@
 #include <map>
 #include <optional>
 
+#include "host/floor_plane.h"
 #include "reference/light.h"
 #include "reference/water_surface.h"
 
 namespace demos::reference {
+
+struct Floor {
+    FloorDesc desc;
+    FloorPlane plane;
+    Texture texture;
+};
 
 struct World {
     std::map<std::filesystem::path, Model> models; ///< each file once
@@ -15,10 +22,13 @@ struct World {
     Light light;
     std::optional<WaterDesc> water;
     SeaPointer sea; ///< null when flat
+    std::optional<Floor> floor;
 };
 
 /// Reads the sky and the meshes and draws the sea's modes.
 bool loadWorld(const Scene& scene, World& out, Error& error);
+/// Sets the floor alone.
+bool setFloor(const std::optional<FloorDesc>& desc, World& out, Error& error);
 /// Sets the water alone.
 bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error);
 

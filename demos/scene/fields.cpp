@@ -113,6 +113,19 @@ constexpr std::array waterFields = {
           "until twice coarser ones take over"},
 };
 
+constexpr std::array floorFields = {
+    Field{"point_m", at<&FloorDesc::pointM>, -far, far, "m", "of its middle"},
+    Field{"normal", at<&FloorDesc::normal>, -1e6, 1e6, "", "towards its front"},
+    Field{"width_m", at<&FloorDesc::widthM>, 0, 1e5, "m", "along +X, or the horizontal", false,
+          Rule::positive},
+    Field{"length_m", at<&FloorDesc::lengthM>, 0, 1e5, "m", "across its width", false, Rule::positive},
+    Field{"color", at<&FloorDesc::color>, 0, 1, "", "red, green, blue"},
+    Field{"texture", at<&FloorDesc::texture>, 0, 0, "", "PNG file"},
+    Field{"texture_m", at<&FloorDesc::textureM>, 1e-3, 1e4, "m", "what one repeat covers"},
+    Field{"reflectance", at<&FloorDesc::reflectance>, 0, 1, "", "of the mirror, seen straight on"},
+    Field{"roughness", at<&FloorDesc::roughness>, 0, 1, "", "0 a mirror, 1 matt"},
+};
+
 constexpr std::array cameraFields = {
     Field{"name", at<&CameraDesc::name>, 0, 0, "", "what --camera calls it", required, Rule::identifier},
     Field{"position_m", at<&CameraDesc::positionM>, -far, far, "m", "of the eye", required},
@@ -137,7 +150,7 @@ constexpr Section foam = {"foam", foamFields, {}, "foam on breaking waves"};
 constexpr Section refraction = {
     "refraction", refractionFields, {}, "light that enters; without it the water is opaque"};
 constexpr Section reflection = {
-    "reflection", reflectionFields, {}, "what the water mirrors; without it the sky alone"};
+    "reflection", reflectionFields, {}, "what the surface mirrors; without it the sky alone"};
 
 constexpr std::array waterChildren = {
     Child{&waves, open<&WaterDesc::waves>},
@@ -147,6 +160,9 @@ constexpr std::array waterChildren = {
 };
 
 constexpr Section water = {"water", waterFields, waterChildren, "the water; without it there is none"};
+constexpr std::array floorChildren = {Child{&reflection, open<&FloorDesc::reflection>}};
+constexpr Section floor = {"floor", floorFields, floorChildren,
+                           "a polished floor or a mirror, instead of water"};
 constexpr Section camera = {"camera", cameraFields, {}, "a place to look from"};
 
 constexpr std::array sceneChildren = {
@@ -154,6 +170,7 @@ constexpr std::array sceneChildren = {
     Child{&sun, open<&Scene::sun>},
     Child{&mesh, open<&Scene::meshes>, true},
     Child{&water, open<&Scene::water>},
+    Child{&floor, open<&Scene::floor>},
     Child{&camera, open<&Scene::cameras>, true, required},
 };
 

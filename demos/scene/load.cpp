@@ -384,6 +384,18 @@ bool checkWater(const Scene& scene, const toml::table& root, Reader& reader) {
                        "water.foam is set, expected [water.waves] too: foam comes from waves");
 }
 
+bool checkFloor(const Scene& scene, const toml::table& root, Reader& reader) {
+    if (!scene.floor) return true;
+    if (scene.water) {
+        return reader.fail(place(*root["floor"].node(), reader.file()),
+                           "floor is set, expected no [water] then: a scene has one surface that mirrors");
+    }
+    const Vec3& normal = scene.floor->normal;
+    if (std::hypot(normal[0], normal[1], normal[2]) >= 1e-6) return true;
+    return reader.fail(place(*root["floor"]["normal"].node(), reader.file()),
+                       "floor.normal has no length, expected a direction, such as [0, 1, 0]");
+}
+
 /// Where meshes and sky were named, for those who will find out whether they can be read.
 void rememberPlaces(Scene& scene, const toml::table& root, const std::string& file) {
     scene.sky.where = place(*root["sky"]["file"].node(), file) + ": sky.file";
@@ -391,6 +403,8 @@ void rememberPlaces(Scene& scene, const toml::table& root, const std::string& fi
         scene.meshes[i].where =
             place(*root["mesh"][i]["file"].node(), file) + ": mesh." + std::to_string(i) + ".file";
     }
+    if (scene.floor && !scene.floor->texture.empty())
+        scene.floor->where = place(*root["floor"]["texture"].node(), file) + ": floor.texture";
 }
 
 std::optional<std::string> readText(const fs::path& file, Error& error) {
@@ -439,7 +453,9 @@ std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::stri
     scene.file = fs::absolute(file).lexically_normal();
     Reader reader(file, error);
     if (!reader.read(root, sceneSection(), &scene, "", "")) return std::nullopt;
-    if (!checkCameras(scene, root, reader) || !checkWater(scene, root, reader)) return std::nullopt;
+    if (!checkCameras(scene, root, reader) || !checkWater(scene, root, reader) ||
+        !checkFloor(scene, root, reader))
+        return std::nullopt;
     rememberPlaces(scene, root, file.string());
     return scene;
 }

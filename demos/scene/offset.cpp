@@ -11,6 +11,7 @@ void applyOffset(Scene& scene, CameraDesc& camera) {
     };
     for (MeshDesc& mesh : scene.meshes) move(mesh.positionM);
     if (scene.water) scene.water->levelM += offset[1];
+    if (scene.floor) move(scene.floor->pointM);
     move(camera.positionM);
     move(camera.targetM);
 }

@@ -5,7 +5,7 @@
 
 namespace demos {
 
-/// Moves meshes, water and the camera by the camera's offset, which is zero from then on.
+/// Moves meshes, water or floor, and the camera by the camera's offset, which is zero from then on.
 void applyOffset(Scene& scene, CameraDesc& camera);
 
 } // namespace demos

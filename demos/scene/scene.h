@@ -85,6 +85,21 @@ struct WaterDesc {
     std::optional<ReflectionDesc> reflection;
 };
 
+/// A polished floor, or a mirror: a rectangle of a plane, seen from its front alone.
+struct FloorDesc {
+    Vec3 pointM = {0, 0, 0};       ///< its middle
+    Vec3 normal = {0, 1, 0};       ///< towards its front, of any length
+    double widthM = 20;            ///< along +X if it is level, else along the horizontal
+    double lengthM = 20;           ///< across that
+    Vec3 color = {0.5, 0.5, 0.5};  ///< diffuse reflectance; scales the texture's
+    std::filesystem::path texture; ///< PNG, absolute, or empty; its alpha says how polished each spot is
+    double textureM = 2;           ///< what one repeat of the texture covers
+    double reflectance = 0.04;     ///< of the mirror, seen straight on: Schlick's F0
+    double roughness = 0;          ///< square root of GGX's alpha; 0: a mirror
+    std::optional<ReflectionDesc> reflection;
+    std::string where = {}; ///< of `texture` in the scene, for errors: "floor.toml:21: floor.texture"
+};
+
 struct CameraDesc {
     std::string name;
     Vec3 positionM = {0, 2, 0};
@@ -103,9 +118,16 @@ struct Scene {
     SkyDesc sky;
     SunDesc sun;
     std::vector<MeshDesc> meshes;
-    std::optional<WaterDesc> water;
+    std::optional<WaterDesc> water;  ///< or
+    std::optional<FloorDesc> floor;  ///< but not both
     std::vector<CameraDesc> cameras; ///< at least one; the first is the default
 };
+
+/// Of the surface that mirrors, water or floor; null when there is neither.
+inline const std::optional<ReflectionDesc>* reflectionOf(const Scene& scene) {
+    if (scene.water) return &scene.water->reflection;
+    return scene.floor ? &scene.floor->reflection : nullptr;
+}
 
 /// Reads a scene file, with "path=value" overrides (values in TOML syntax; a bare word is taken as a string)
 /// applied before it is checked. A camera is addressed by name: camera.low.vertical_fov_deg=60.

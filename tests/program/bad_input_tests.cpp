@@ -79,6 +79,25 @@ std::vector<BadInput> files() {
         {"OutOfRange",
          render({}, "range.toml"),
          {"range.toml:22: water.waves.wind_m_s is -3", "expected 0 to 60 m/s"}},
+        {"FloorOutOfRange",
+         render({}, "floor_range.toml"),
+         {"floor_range.toml:21: floor.roughness is 1.5", "expected 0 to 1"}},
+        {"FloorUnknownKey",
+         render({}, "floor_key.toml"),
+         {"floor_key.toml:20: floor.with_m", "nearest is floor.width_m"}},
+        {"FloorWithoutDirection",
+         render({}, "floor_normal.toml"),
+         {"floor_normal.toml:19: floor.normal has no length", "expected a direction"}},
+        {"FloorTechniqueUnknown",
+         render({}, "floor_technique.toml"),
+         {"floor_technique.toml:24: floor.reflection.technique is 'srr'", "expected sky, sspr, ssr"}},
+        {"FloorAndWater", render({"--set", "floor.width_m=3"}), {"floor is set, expected no [water]"}},
+        {"FloorTextureMissing",
+         render({"--set", "floor.texture=nope.png"}, "floor.toml"),
+         {"--set floor.texture=nope.png:", "floor.texture", "expected a PNG file", "is not there"}},
+        {"FloorTextureIsBroken",
+         render({"--set", "floor.texture=broken.exr"}, "floor.toml"),
+         {"--set floor.texture=broken.exr: floor.texture:", "broken.exr"}},
         {"SkyMissing", render({"--sky", "nope.exr"}), {"--sky nope.exr", "no such file", "HDR or EXR"}},
         {"SkyIsFolder", render({"--sky", "out"}), {"--sky out", "is a folder"}},
         {"SkyIsNoPicture", render({"--sky", "scene.toml"}), {"--sky", "scene.toml"}},
@@ -129,6 +148,12 @@ class BadInputTest : public testing::TestWithParam<BadInput> {
         writeAll(at / "truncated.toml", scene.substr(0, scene.find("position_m = [0, 2, 4]") + 16));
         writeAll(at / "unknown.toml", replaced(scene, "wind_m_s = 6", "wind_ms = 6"));
         writeAll(at / "range.toml", replaced(scene, "wind_m_s = 6", "wind_m_s = -3"));
+        const std::string floor = tests::sampleFloorScene();
+        writeAll(at / "floor.toml", floor);
+        writeAll(at / "floor_range.toml", replaced(floor, "roughness = 0.25", "roughness = 1.5"));
+        writeAll(at / "floor_key.toml", replaced(floor, "width_m = 10", "with_m = 10"));
+        writeAll(at / "floor_normal.toml", replaced(floor, "normal = [0, 1, 0]", "normal = [0, 0, 0]"));
+        writeAll(at / "floor_technique.toml", replaced(floor, "\"sspr\"", "\"srr\""));
         writeAll(at / "broken_sky.toml", replaced(scene, "sky.hdr", "broken.exr"));
         writeAll(at / "broken_mesh.toml", replaced(scene, "tetra.gltf", "broken.glb"));
         writeAll(at / "broken.exr", std::string("\x76\x2f\x31\x01\x02\0\0\0channels", 16));

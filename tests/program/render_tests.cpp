@@ -114,6 +114,33 @@ TEST_F(Render, EveryAov) {
     EXPECT_NE(render({"-o", "out/a.png", "--aov", "height"}).out.find("scale: black -"), std::string::npos);
 }
 
+TEST_F(Render, EveryAovOfAFloor) {
+    tests::writeAll(folder_.path() / "scene.toml", tests::sampleFloorScene());
+    std::vector<std::string> pictures;
+    for (const char* aov : {"color", "reflection", "class", "height", "normal", "foam", "depth"}) {
+        const Outcome outcome = render({"-o", "out/a.png", "--aov", aov, "--validation"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "") << aov;
+        pictures.push_back(tests::readAll(out("a.png")));
+    }
+    EXPECT_FALSE(pictures[1] == pictures[5]) << "the reflection is black";
+    EXPECT_FALSE(pictures[2] == pictures[5]) << "the classes are black";
+    EXPECT_FALSE(pictures[4] == pictures[5]) << "the normals are black";
+}
+
+TEST_F(Render, AFloorMirrorsNoMoreThanItIsAskedTo) {
+    std::string scene = tests::sampleFloorScene();
+    tests::writeAll(folder_.path() / "scene.toml", scene);
+    ASSERT_EQ(render({"-o", "out/sspr.exr"}).code, 0);
+    ASSERT_EQ(render({"-o", "out/sky.exr", "--set", "floor.reflection.technique=sky"}).code, 0);
+    const size_t from = scene.find("[floor.reflection]"), to = scene.find("[[camera]]");
+    tests::writeAll(folder_.path() / "scene.toml", scene.erase(from, to - from));
+    const Outcome outcome = render({"-o", "out/none.exr", "--validation"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(tests::readAll(out("none.exr")) == tests::readAll(out("sky.exr")));
+    EXPECT_FALSE(tests::readAll(out("sspr.exr")) == tests::readAll(out("sky.exr")));
+}
+
 TEST_F(Render, WithoutWaterAndWithFlatWater) {
     const std::string scene = tests::sampleScene();
     const size_t water = scene.find("[water]"), waves = scene.find("[water.waves]"),

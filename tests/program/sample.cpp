@@ -49,6 +49,21 @@ target_m = [0, 1, -5]
 )";
 }
 
+std::string sampleFloorScene() {
+    std::string scene = sampleScene();
+    const size_t from = scene.find("[water]"), to = scene.find("[[camera]]");
+    return scene.replace(from, to - from, R"([floor]
+point_m = [0, 0, 0]
+normal = [0, 1, 0]
+width_m = 10
+roughness = 0.25
+
+[floor.reflection]
+technique = "sspr"
+
+)");
+}
+
 std::string sampleSky() {
     const int width = 16, height = 8;
     std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n";

@@ -9,6 +9,8 @@ namespace tests {
 
 /// The scene's text: sky.hdr, tetra.gltf, water with all features, cameras "level" and "low".
 std::string sampleScene();
+/// The same with a floor in the water's place.
+std::string sampleFloorScene();
 /// A 16x8 lat-long sky, Radiance HDR.
 std::string sampleSky();
 /// One tetrahedron, its data within the JSON.

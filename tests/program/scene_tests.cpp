@@ -181,6 +181,30 @@ TEST_F(SceneFile, CamerasMustDifferAndLookSomewhere) {
               "scene.toml:41: camera.1.name is 'low.er', expected a name of letters, digits, _ and -");
 }
 
+TEST_F(SceneFile, AFloorTakesTheWatersPlace) {
+    tests::writeAll(folder_.path() / "tiles.png", "not read here");
+    std::optional<Scene> scene =
+        loadText(tests::sampleFloorScene(), {"floor.texture=tiles.png", "camera.low.offset_m=[100, 20, 3]"});
+    ASSERT_TRUE(scene) << error_.text;
+    EXPECT_FALSE(scene->water);
+    ASSERT_TRUE(scene->floor);
+    EXPECT_EQ(scene->floor->widthM, 10);
+    EXPECT_EQ(scene->floor->roughness, 0.25);
+    EXPECT_EQ(scene->floor->reflectance, demos::FloorDesc{}.reflectance);
+    EXPECT_EQ(scene->floor->texture, folder_.path() / "tiles.png");
+    EXPECT_EQ(demos::reflectionOf(*scene), &scene->floor->reflection);
+    demos::CameraDesc camera = scene->cameras[1];
+    demos::applyOffset(*scene, camera);
+    EXPECT_EQ(scene->floor->pointM, (demos::Vec3{100, 20, 3}));
+}
+
+TEST_F(SceneFile, ReflectionsAreFoundWhateverMirrors) {
+    const std::optional<Scene> wet = load();
+    ASSERT_TRUE(wet) << error_.text;
+    EXPECT_EQ(demos::reflectionOf(*wet), &wet->water->reflection);
+    EXPECT_EQ(demos::reflectionOf(Scene{}), nullptr);
+}
+
 TEST_F(SceneFile, AnOffsetMovesEverythingThatHasAPlace) {
     std::optional<Scene> scene = load({"camera.low.offset_m=[100, 20, 3]"});
     ASSERT_TRUE(scene) << error_.text;
@@ -359,6 +383,9 @@ TEST_F(SceneFile, EveryNumberHoldsItsRange) {
     for (const Place& place : everyField()) {
         if (!isNumber(place)) continue;
         const Field& field = *place.field;
+        // A scene has water or a floor, not both.
+        tests::writeAll(file(),
+                        place.path.starts_with("floor.") ? tests::sampleFloorScene() : tests::sampleScene());
         ASSERT_TRUE(std::isfinite(field.least) && std::isfinite(field.most) && field.least < field.most)
             << place.path;
         const auto written = [&](double value) {

@@ -110,7 +110,7 @@ TEST(Surface, HasNoHoles) {
         ray.direction = glm::normalize(glm::vec3(0.01f * random.next(), -1, 0.01f * random.next()));
         ray.footprint = reference::footprintAfter(ray.origin, ray.direction, 0, 1e-3f);
         reference::Hit hit;
-        ASSERT_TRUE(frame.geometry.trace(ray, reference::Kind::water, hit))
+        ASSERT_TRUE(frame.geometry.trace(ray, reference::Kind::surface, hit))
             << distance << " m, " << angle << " rad";
     }
 }

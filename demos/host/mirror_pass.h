@@ -1,0 +1,85 @@
+// The host's polished floor: everything it does with seaglass::reflection, which is all of Seaglass it needs.
+#pragma once
+
+#include "host/floor_plane.h"
+#include "host/frame_targets.h"
+#include "host/layouts.h"
+#include "host/pass_timer.h"
+#include "seaglass/reflection.h"
+
+namespace demos {
+
+struct ReflectorDeleter {
+    void operator()(seaglass::Reflector* reflector) const { seaglass::destroyReflector(reflector); }
+};
+
+/// As in shaders/mirror.glsl.
+struct MirrorUniforms {
+    glm::vec4 middle; ///< relative to the eye; w: reflectance
+    glm::vec4 across; ///< half the width; w: repeats of the texture in that
+    glm::vec4 along;  ///< half the length; w: repeats of the texture in that
+    glm::vec4 normal; ///< w: roughness
+    glm::vec4 color;  ///< w: pixels a radian at the middle of the picture
+    glm::ivec4 modes; ///< output, whether the scene is mirrored, pixels to one of its reflection
+};
+
+/// A scene's floor on the device. Destroy it before the MirrorPass it comes from.
+struct MirrorSurface {
+    FloorPlane plane;
+    FloorDesc desc;
+    Image texture;
+    UniqueSampler textureSampler, reflectionSampler;
+    Buffer uniforms;
+    UniqueDescriptorPool pool;
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    std::unique_ptr<seaglass::Reflector, ReflectorDeleter> reflector; ///< null when only the sky is mirrored
+    int downscale = 1;   ///< pixels of the frame to one of the reflection
+    bool planar = false; ///< whether the scene has to be drawn for it a second time
+
+    bool exists() const { return set != VK_NULL_HANDLE; }
+};
+
+class MirrorPass {
+  public:
+    MirrorPass() = default;
+    MirrorPass(const MirrorPass&) = delete;
+    MirrorPass& operator=(const MirrorPass&) = delete;
+    ~MirrorPass();
+
+    /// Nothing is made before the first floor is.
+    void create(Device& device, const Layouts& layouts, uint32_t framesInFlight, PassTimer& timer);
+    bool createSurface(const FloorDesc& desc, MirrorSurface& out, Error& error);
+
+    /// Before anything else is recorded for a frame; slots are taken in turn.
+    bool beginFrame(Error& error);
+    /// What to draw for a planar reflection, before reflect().
+    bool planarView(const MirrorSurface& surface, const Camera& camera, const FrameTargets& targets,
+                    seaglass::PlanarView& out, Error& error);
+    bool reflect(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
+                 const FrameTargets& targets, Error& error);
+    /// Draws into targets.color and targets.depth over the opaque scene; for anything but colour, over black.
+    /// Needs set 0 bound.
+    void draw(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
+              const FrameTargets& targets, Aov aov) const;
+
+  private:
+    bool createOnce(Error& error);
+    bool createLayout(Error& error);
+    bool createReflector(const ReflectionDesc& desc, const FloorPlane& plane, MirrorSurface& out,
+                         Error& error);
+    bool createSet(MirrorSurface& surface, Error& error) const;
+    void writeUniforms(const MirrorSurface& surface, const Camera& camera, VkExtent2D extent, Aov aov) const;
+    bool ok(seaglass::Status status, Error& error);
+
+    Device* device_ = nullptr;
+    const Layouts* layouts_ = nullptr;
+    PassTimer* timer_ = nullptr;
+    seaglass::Context* context_ = nullptr;
+    UniqueDescriptorSetLayout setLayout_;
+    UniquePipelineLayout layout_;
+    UniquePipeline pipeline_;
+    uint32_t framesInFlight_ = 1, slot_ = 0;
+    std::string message_; ///< what Seaglass last said
+};
+
+} // namespace demos

@@ -1,0 +1,86 @@
+// A polished surface: a diffuse ground under a clear, flat coat that mirrors the scene.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "mirror.glsl"
+#include "sunlight.glsl"
+#include "reflection_info.glsl"
+
+layout(set = 0, binding = 1) uniform samplerCube skyCube;
+layout(set = 1, binding = 1) uniform sampler2D ground;
+layout(set = 1, binding = 2) uniform sampler2D reflectionColor;
+layout(set = 1, binding = 3) uniform sampler2D reflectionInfo;
+
+layout(location = 0) in vec3 inFromEye;
+layout(location = 1) in vec2 inUv;
+
+layout(location = 0) out vec4 outColor;
+
+// The program's --aov, as host.h numbers them.
+const int aovReflection = 1;
+const int aovClass = 2;
+const int aovNormal = 4;
+const int aovColor = 0;
+const int aovDepth = 6;
+
+float infoHere() {
+    return mirror.modes.y != 0 ? texelFetch(reflectionInfo, ivec2(gl_FragCoord.xy) / mirror.modes.z, 0).x : infoUnknown;
+}
+
+vec3 classColor(float info) {
+    if (infoIsHit(info)) return vec3(0.0, 1.0, 0.0);
+    return infoIsSky(info) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+}
+
+// The mip whose texels are as large as the lobe: solid angles 4 pi alpha^2 and 4 pi / (6 size^2).
+vec3 skyAlong(vec3 direction, float roughness) {
+    const float mip = log2(max(frame.sky.w * roughness * roughness * 2.449, 1.0));
+    return textureLod(skyCube, direction, clamp(mip, 0.0, frame.sky.z - 1.0)).rgb;
+}
+
+// A flat mirror needs no bent lookup: the reflection image holds at each pixel what is mirrored there. The farther the
+// rays of a rough one go, the more of it they meet: the lobe's solid angle is 4 pi alpha^2 cos, as seen from the mirror.
+vec4 sceneHere(float cosine, float roughness) {
+    if (mirror.modes.y == 0) return vec4(0.0);
+    const float info = infoHere();
+    const float share = infoIsHit(info) ? info / (length(inFromEye) + info) : 1.0;
+    const float lobe = 3.545 * roughness * roughness * sqrt(cosine);
+    const float downscale = float(mirror.modes.z);
+    const float mip = log2(max(lobe * share * mirror.color.w / downscale, 1.0));
+    const vec2 texel = gl_FragCoord.xy / downscale;
+    return textureLod(reflectionColor, texel / vec2(textureSize(reflectionColor, 0)), mip);
+}
+
+// Schlick's, held down where a rough surface hides its own grazing facets (Lagarde 2011).
+float fresnel(float f0, float roughness, float cosine) {
+    return f0 + (max(1.0 - roughness, f0) - f0) * pow(1.0 - cosine, 5.0);
+}
+
+void main() {
+    const vec4 polished = texture(ground, inUv);
+    const vec3 diffuse = mirror.color.rgb * polished.rgb;
+    const float f0 = mirror.middle.w, roughness = mirror.normal.w;
+    const vec3 n = mirror.normal.xyz, v = normalize(-inFromEye), l = frame.toSun.xyz;
+    const float nDotL = dot(n, l), nDotV = max(dot(n, v), 1e-3);
+
+    const vec4 scene = sceneHere(nDotV, roughness);
+    const vec3 mirrored = skyAlong(reflect(-v, n), roughness) * (1.0 - scene.a) + scene.rgb;
+    if (mirror.modes.x != aovColor && mirror.modes.x != aovDepth) {
+        vec3 shown = vec3(0.0);
+        if (mirror.modes.x == aovReflection) shown = mirrored;
+        if (mirror.modes.x == aovClass && mirror.modes.y != 0) shown = classColor(infoHere());
+        if (mirror.modes.x == aovNormal) shown = n;
+        outColor = vec4(shown, 1.0);
+        return;
+    }
+    vec3 light = skyIrradiance(n), glint = vec3(0.0);
+    if (nDotL > 0.0) {
+        const vec3 sun = frame.sunIrradiance.rgb * (nDotL * sunVisibility(inFromEye, n, nDotL));
+        light += sun;
+        // No mirror is sharper than the sun's disc is wide.
+        glint = sun * sunSpecular(n, v, l, nDotL, nDotV, vec3(f0), max(roughness, 0.06));
+    }
+    const float coat = polished.a * fresnel(f0, roughness, nDotV);
+    const vec3 radiance = diffuse / pi * light * (1.0 - coat) + mirrored * coat + glint * polished.a;
+    outColor = vec4(min(radiance, vec3(60000.0)), 1.0);
+}
