@@ -18,7 +18,7 @@ set tics nomirror scale 0.5 textcolor rgb "#dcdfe2"
 set xlabel "cost, multiples of the floor" textcolor rgb "#dcdfe2"
 set ylabel "FLIP over the water" textcolor rgb "#dcdfe2"
 set key off
-set rmargin 14
+set rmargin 22
 )";
 
 constexpr double freeBelowLeast = 4; ///< how many times less than the least cost the place of none is
@@ -67,10 +67,6 @@ class CostAxis {
     }
     double at(double cost) const { return std::max(cost, none()); }
     double none() const { return least_ / freeBelowLeast; }
-    /// How far apart two costs are, as a share of the axis.
-    double apart(double a, double b) const {
-        return std::abs(std::log(at(a) / at(b))) / std::log(upper() / lower());
-    }
 
     std::string script() const {
         std::string text =
@@ -89,16 +85,6 @@ class CostAxis {
 
     double least_ = 0, most_ = 0;
 };
-
-/// How many lines below its mark a label goes, so that it does not cover those before it.
-size_t lineOf(size_t label, const std::vector<Mark>& marks, const CostAxis& costs, double mostError) {
-    const Point& point = marks[label].point;
-    return static_cast<size_t>(std::count_if(
-        marks.begin(), marks.begin() + static_cast<std::ptrdiff_t>(label), [&](const Mark& other) {
-            return costs.apart(other.point.cost, point.cost) < 0.15 &&
-                   std::abs(other.point.error - point.error) < 0.05 * mostError;
-        }));
-}
 
 std::string frontData(const std::vector<Mark>& marks, const std::vector<bool>& front, const CostAxis& costs) {
     std::vector<Point> joined;
@@ -123,13 +109,17 @@ std::string markData(const char* name, const std::vector<Mark>& marks, const std
     return data + "EOD\n";
 }
 
-std::string labels(const std::vector<Mark>& marks, const CostAxis& costs, double mostError) {
+/// Marks lie too close for names: numbers beside them, and names beside the plot.
+std::string labels(const std::vector<Mark>& marks, const CostAxis& costs) {
     std::string text;
-    for (size_t i = 0; i < marks.size(); ++i)
-        text += "set label " + quoted(marks[i].label) +
-                print(" at %.6g,%.6g left offset 1,%.1f noenhanced textcolor rgb \"#dcdfe2\"\n",
-                      costs.at(marks[i].point.cost), marks[i].point.error,
-                      0.6 - static_cast<double>(lineOf(i, marks, costs, mostError)));
+    for (size_t i = 0; i < marks.size(); ++i) {
+        const auto number = static_cast<int>(i) + 1;
+        text += print("set label \"%d\" at %.6g,%.6g left offset 0.5,0.5 textcolor rgb \"#dcdfe2\"\n", number,
+                      costs.at(marks[i].point.cost), marks[i].point.error);
+        text += "set label " + quoted(std::to_string(number) + "  " + marks[i].label) +
+                print(" at graph 1.03, graph %.4f left noenhanced textcolor rgb \"#dcdfe2\"\n",
+                      1 - 0.06 * static_cast<double>(i));
+    }
     return text;
 }
 
@@ -151,7 +141,7 @@ std::string plotScript(const Tradeoff& tradeoff, const Sheet& sheet, const std::
     script += "set output " + quoted(svg) + "\n" + style + costs.script();
     script += print("set yrange [0:%.6g]\n", 1.15 * mostError);
     script += frontData(marks, front, costs) + markData("best", marks, front, true, costs) +
-              markData("beaten", marks, front, false, costs) + labels(marks, costs, mostError);
+              markData("beaten", marks, front, false, costs) + labels(marks, costs);
     script += "plot $front using 1:2 with lines lc rgb \"#6cb2ff\" dt 2";
     for (const auto& [name, look] :
          {std::pair{"best", "lc rgb \"#6cb2ff\" pt 7"}, std::pair{"beaten", "lc rgb \"#a4abb2\" pt 6"}}) {

@@ -291,7 +291,8 @@ TEST(Plot, JoinsTheFrontAndHasAPlaceForWhatCostsNothing) {
     EXPECT_TRUE(has("$front << EOD\n2 0.3\n8 0.1\nEOD")) << script;
     EXPECT_TRUE(has("$beaten << EOD\n16 16 16 0.2\nEOD")) << script;
     EXPECT_TRUE(has("\"0\" 2,")) << script;
-    EXPECT_TRUE(has("\"good, high\" at 8,0.1") && has("\"bad\" at 16,0.2")) << script;
+    EXPECT_TRUE(has("\"2\" at 8,0.1") && has("\"2  good, high\" at graph")) << script;
+    EXPECT_TRUE(has("\"3\" at 16,0.2") && has("\"3  bad\" at graph")) << script;
     EXPECT_FALSE(has("unseen"));
 }
 

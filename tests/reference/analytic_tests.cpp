@@ -181,16 +181,25 @@ reference::TruthClass classOf(const std::vector<Box>& boxes, const Eye& eye, con
     return reference::TruthClass::hidden;
 }
 
-TEST(Analytic, ClassesOfTruth) {
-    std::vector<Box> boxes = tests::harbourOfBoxes();
-    reference::World world;
-    ASSERT_TRUE(tests::lightWorld(glm::vec3(0.5f), world));
-    tests::addMesh("boxes", tests::shiningBoxes(boxes, glm::vec3(1)), world);
+bool flatWaterUnder(const std::vector<Box>& boxes, reference::World& world) {
     Error error;
-    ASSERT_TRUE(reference::setWater(WaterDesc{}, world, error));
+    if (!tests::lightWorld(glm::vec3(0.5f), world)) return false;
+    tests::addMesh("boxes", tests::shiningBoxes(boxes, glm::vec3(1)), world);
+    return reference::setWater(WaterDesc{}, world, error);
+}
+
+reference::FrameDesc wideFrame() {
     reference::FrameDesc desc = tests::smallFrame();
     desc.width = 160;
     desc.height = 90;
+    return desc;
+}
+
+TEST(Analytic, ClassesOfTruth) {
+    std::vector<Box> boxes = tests::harbourOfBoxes();
+    reference::World world;
+    ASSERT_TRUE(flatWaterUnder(boxes, world));
+    reference::FrameDesc desc = wideFrame();
     desc.camera.verticalFovDeg = 38; // the tower's top is out of the picture
     const Eye eye(desc);
     const Picture truth = draw(world, desc, true).truth;
@@ -253,13 +262,8 @@ TEST(Analytic, ClassesOfTruth) {
 TEST(Analytic, WhatNoPixelShowsIsUnsampled) {
     const std::vector<Box> boxes = {{{-20, 2.003, -30}, {20, 2.2, -5}}};
     reference::World world;
-    ASSERT_TRUE(tests::lightWorld(glm::vec3(0.5f), world));
-    tests::addMesh("deck", tests::shiningBoxes(boxes, glm::vec3(1)), world);
-    Error error;
-    ASSERT_TRUE(reference::setWater(WaterDesc{}, world, error));
-    reference::FrameDesc desc = tests::smallFrame();
-    desc.width = 160;
-    desc.height = 90;
+    ASSERT_TRUE(flatWaterUnder(boxes, world));
+    reference::FrameDesc desc = wideFrame();
     desc.camera.positionM = {0, 2, 0};
     desc.camera.targetM = {0, 2, -10};
     const Picture truth = draw(world, desc, true).truth;
