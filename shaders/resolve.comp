@@ -26,7 +26,9 @@ layout(set = 0, binding = 6, r16f) uniform writeonly image2D reflectionInfo;
 
 const int refinements = 3;
 const int holeCells = 12;   // to each side
-const float acceptedPixels = 0.75;   // from the middle of the source: half of one, and room for rounding
+// From the middle of the source: within it; or a little off, where nothing else claims this pixel.
+const float withinPixel = 0.52;
+const float besidePixel = 0.75;
 
 struct Hit {
     bool valid;
@@ -60,14 +62,14 @@ vec2 depthGradient(ivec2 pixel, float depth) {
 }
 
 // Where the ray meets the plane through a pixel's depth; valid within that pixel.
-Hit metWithin(ScreenRay ray, vec2 middle, float depth, vec2 gradient) {
+Hit metWithin(float accepted, ScreenRay ray, vec2 middle, float depth, vec2 gradient) {
     // z - depth w - gradient . (xy - middle w) = 0 on the plane.
     vec4 surface = vec4(-gradient, 1.0, dot(gradient, middle) - depth);
     float met = -dot(surface, ray.origin) / dot(surface, ray.along);
     vec4 p = ray.origin + met * ray.along;
     vec2 source = p.xy / p.w;
     vec2 off = abs(source - middle);
-    return Hit(met > 0.0 && met <= 1.0 && p.w > 0.0 && max(off.x, off.y) <= acceptedPixels, source, met);
+    return Hit(met > 0.0 && met <= 1.0 && p.w > 0.0 && max(off.x, off.y) <= accepted, source, met);
 }
 
 bool solid(ivec2 pixel, float depth) {
@@ -80,7 +82,7 @@ vec2 besides(vec2 middle, vec2 point) {
     return middle + (abs(off.x) > abs(off.y) ? vec2(sign(off.x), 0.0) : vec2(0.0, sign(off.y)));
 }
 
-Hit refined(ScreenRay ray, float mirroredDepth) {
+Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
     vec4 p = ray.origin + mirroredDepth * ray.along;
     if (!(p.w > 0.0)) return noHit;
     Hit hit = Hit(false, p.xy / p.w, mirroredDepth);
@@ -96,7 +98,7 @@ Hit refined(ScreenRay ray, float mirroredDepth) {
             hit.source = besides(middle, hit.source);
             continue;
         }
-        hit = metWithin(ray, middle, depth, depthGradient(pixel, depth));
+        hit = metWithin(accepted, ray, middle, depth, depthGradient(pixel, depth));
     }
     return hit.valid ? hit : noHit;
 }
@@ -132,9 +134,10 @@ uint beyond(ScreenRay ray, float mirroredDepth) {
 // but leave a loop when nobody is in it.
 Hit nearestHit(ivec2 cell, ScreenRay ray) {
     Hit hit = noHit;
+    uint own = keyAt(cell);
     uint key = nextKey(cell, ~0u);
     while (key != noKey) {
-        hit = refined(ray, depthFromKey(key));
+        hit = refined(key > own && own != noKey ? withinPixel : besidePixel, ray, depthFromKey(key));
         if (hit.valid) break;
         key = nextKey(cell, beyond(ray, depthFromKey(key)));
     }
