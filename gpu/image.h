@@ -62,6 +62,11 @@ constexpr Use discardedAfterSampling = {sampledByShaders.stage, VK_ACCESS_2_NONE
 constexpr Use storageWritten = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                                 VK_IMAGE_LAYOUT_GENERAL};
 
+/// Read and written by a kernel that changes it in place.
+constexpr Use storageChanged = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                                VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+                                VK_IMAGE_LAYOUT_GENERAL};
+
 /// A barrier on mip levels [firstMip, firstMip + mips) of a colour image, all layers.
 VkImageMemoryBarrier2 imageBarrier(VkImage image, const Use& before, const Use& after, uint32_t firstMip = 0,
                                    uint32_t mips = VK_REMAINING_MIP_LEVELS);

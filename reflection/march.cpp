@@ -39,10 +39,6 @@ MarchUniforms marchUniforms(const ReflectPass& pass) {
     return out;
 }
 
-constexpr gpu::Use storageCompleted = {
-    VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-    VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
-
 /// `last`: normals, or the tiles to complete.
 Status createKernel(Context& context, std::span<const uint32_t> spirv, VkDescriptorType last,
                     const char* what, gpu::Kernel& out) {
@@ -79,12 +75,6 @@ Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, const Own
     return frame.allocateSet(kernel.layout().set(), resources, out);
 }
 
-void recordInfoSampled(const ReflectPass& pass, const OwnedReflection& images) {
-    const VkImageMemoryBarrier2 after =
-        gpu::imageBarrier(images.info.handle(), gpu::storageWritten, gpu::sampledByShaders);
-    gpu::recordBarriers(pass.context.device, pass.commands, &after, 1);
-}
-
 } // namespace
 
 Status MarchKernel::create(Context& context) {
@@ -113,7 +103,7 @@ Status recordMarch(const ReflectPass& pass, const MarchKernel& march, const Owne
     const VkExtent2D extent = images.color.desc().extent;
     march.kernel.dispatch(pass.commands, set, (extent.width + tileEdge - 1) / tileEdge,
                           (extent.height + tileEdge - 1) / tileEdge);
-    recordInfoSampled(pass, images);
+    images.recordInfoSampled(device, pass.commands);
     return Status::ok;
 }
 
@@ -127,10 +117,10 @@ Status recordOpenMarch(const ReflectPass& pass, const OpenMarchKernel& march, co
     const gpu::PassScope scope(device, pass.commands, "hybrid_march");
     const VkImageMemoryBarrier2 before[] = {
         gpu::imageBarrier(images.color.handle(), gpu::storageWritten, gpu::storageWritten, 0, 1),
-        gpu::imageBarrier(images.info.handle(), gpu::sampledByShaders, storageCompleted)};
+        gpu::imageBarrier(images.info.handle(), gpu::sampledByShaders, gpu::storageChanged)};
     gpu::recordBarriers(device, pass.commands, before, 2);
     march.kernel.dispatchIndirect(pass.commands, set, open.handle(), offsetof(TileHeader, resolveGroups));
-    recordInfoSampled(pass, images);
+    images.recordInfoSampled(device, pass.commands);
     return Status::ok;
 }
 

@@ -30,14 +30,6 @@ glm::dmat4 householder(const glm::dvec4& plane) {
     return glm::dmat4(1) - 2.0 * glm::outerProduct(normal, plane);
 }
 
-namespace {
-
-glm::dvec4 row(const glm::dmat4& m, int index) {
-    return {m[0][index], m[1][index], m[2][index], m[3][index]};
-}
-
-} // namespace
-
 uint32_t keyScale(const ReflectionDesc& desc) {
     return std::max(desc.downscale, desc.coarseKeys ? 2u : 1u);
 }

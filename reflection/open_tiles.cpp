@@ -7,8 +7,6 @@ namespace seaglass {
 
 namespace {
 
-constexpr uint32_t groupWidth = 64;
-
 constexpr gpu::BufferUse transferWritten = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
                                             VK_ACCESS_2_TRANSFER_WRITE_BIT};
 
@@ -48,12 +46,7 @@ Status recordOpenTiles(const ReflectPass& pass, const OpenTilesKernel& kernel, c
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "hybrid_open_tiles");
     recordClear(context.device, pass.commands, open);
-    const uint32_t count = tileCount(images.color.desc().extent);
-    kernel.kernel.dispatch(pass.commands, set, (count + groupWidth - 1) / groupWidth, 1);
-    gpu::recordBarrier(context.device, pass.commands,
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
-                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT});
+    recordTileLists(pass, kernel.kernel, set);
     return Status::ok;
 }
 

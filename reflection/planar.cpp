@@ -27,9 +27,6 @@ constexpr gpu::Use drawnColor = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT
 constexpr gpu::Use drawnDepth = {
     VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT,
     VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL};
-constexpr gpu::Use changedInPlace = {
-    VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-    VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL};
 
 gpu::ImageDesc depthDesc(VkExtent2D extent) {
     gpu::ImageDesc desc;
@@ -41,10 +38,6 @@ gpu::ImageDesc depthDesc(VkExtent2D extent) {
     return desc;
 }
 
-glm::dvec4 row(const glm::dmat4& m, int index) {
-    return {m[0][index], m[1][index], m[2][index], m[3][index]};
-}
-
 /// Without its translation: what the view does to points relative to the eye.
 glm::dmat4 turned(const glm::dmat4& view) {
     glm::dmat4 rotation = view;
@@ -54,7 +47,7 @@ glm::dmat4 turned(const glm::dmat4& view) {
 
 void recordBarriers(const ReflectPass& pass, const PlanarScratch& scratch, const OwnedReflection& images) {
     VkImageMemoryBarrier2 before[] = {
-        gpu::imageBarrier(images.color.handle(), drawnColor, changedInPlace, 0, 1),
+        gpu::imageBarrier(images.color.handle(), drawnColor, gpu::storageChanged, 0, 1),
         gpu::imageBarrier(scratch.depth.handle(), drawnDepth, gpu::sampledByShaders),
         gpu::imageBarrier(images.info.handle(), gpu::discardedAfterSampling, gpu::storageWritten)};
     before[1].subresourceRange.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
@@ -153,9 +146,7 @@ Status recordPlanar(const ReflectPass& pass, const PlanarKernel& planar, const P
     const VkExtent2D extent = images.color.desc().extent;
     planar.kernel.dispatch(commands, set, (extent.width + groupEdge - 1) / groupEdge,
                            (extent.height + groupEdge - 1) / groupEdge);
-    const VkImageMemoryBarrier2 after =
-        gpu::imageBarrier(images.info.handle(), gpu::storageWritten, gpu::sampledByShaders);
-    gpu::recordBarriers(context.device, commands, &after, 1);
+    images.recordInfoSampled(context.device, commands);
     return Status::ok;
 }
 

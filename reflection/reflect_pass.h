@@ -16,9 +16,7 @@ struct ReflectPass {
     gpu::Slice mirror; ///< MirrorUniforms
 
     /// Of the view's region [pixel].
-    VkExtent2D extent() const {
-        return {static_cast<uint32_t>(geometry.regionSize.x), static_cast<uint32_t>(geometry.regionSize.y)};
-    }
+    VkExtent2D extent() const { return extentOf(geometry); }
 };
 
 } // namespace seaglass

@@ -36,6 +36,12 @@ VkDeviceSize OwnedReflection::bytes(VkExtent2D extent, uint32_t blurLevels) {
     return gpu::imageBytes(colorDesc(extent, blurLevels)) + gpu::imageBytes(infoDesc(extent));
 }
 
+void OwnedReflection::recordInfoSampled(const gpu::Device& device, VkCommandBuffer commands) const {
+    const VkImageMemoryBarrier2 after =
+        gpu::imageBarrier(info.handle(), gpu::storageWritten, gpu::sampledByShaders);
+    gpu::recordBarriers(device, commands, &after, 1);
+}
+
 ReflectionImages OwnedReflection::handles() const {
     return {color.handle(), color.view(), info.handle(), info.view(), color.desc().extent};
 }

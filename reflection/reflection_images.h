@@ -19,6 +19,8 @@ struct OwnedReflection {
     /// `drawnInto`: mip 0 of the colour is an attachment too.
     Status create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels, bool drawnInto);
     static VkDeviceSize bytes(VkExtent2D extent, uint32_t blurLevels);
+    /// `info` from written by a kernel to sampled by shaders.
+    void recordInfoSampled(const gpu::Device& device, VkCommandBuffer commands) const;
     ReflectionImages handles() const;
 };
 

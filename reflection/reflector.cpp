@@ -68,14 +68,6 @@ Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
     return estimate;
 }
 
-namespace {
-
-VkExtent2D extentOf(const ViewGeometry& geometry) {
-    return {static_cast<uint32_t>(geometry.regionSize.x), static_cast<uint32_t>(geometry.regionSize.y)};
-}
-
-} // namespace
-
 const char* badField(const ReflectionDesc& desc) {
     if (desc.technique > ReflectionTechnique::planar)
         return "ReflectionDesc.technique is none of ReflectionTechnique";

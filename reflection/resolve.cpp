@@ -85,9 +85,7 @@ Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, cons
     resolve.kernel.dispatchIndirect(commands, resolveSet, tiles.handle(),
                                     offsetof(TileHeader, resolveGroups));
     resolve.miss.dispatchIndirect(commands, missSet, tiles.handle(), offsetof(TileHeader, emptyGroups));
-    const VkImageMemoryBarrier2 after =
-        gpu::imageBarrier(images.info.handle(), gpu::storageWritten, gpu::sampledByShaders);
-    gpu::recordBarriers(device, commands, &after, 1);
+    images.recordInfoSampled(device, commands);
     return Status::ok;
 }
 

@@ -10,11 +10,11 @@ namespace {
 
 constexpr uint32_t groupWidth = 64;
 
-} // namespace
-
 uint32_t tileCount(VkExtent2D extent) {
     return ((extent.width + tileEdge - 1) / tileEdge) * ((extent.height + tileEdge - 1) / tileEdge);
 }
+
+} // namespace
 
 VkDeviceSize tileBufferBytes(VkExtent2D extent) {
     return sizeof(TileHeader) + VkDeviceSize{tileCount(extent)} * 2 * sizeof(uint32_t);
@@ -24,6 +24,15 @@ Status TilesKernel::create(Context& context) {
     constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                                              VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
     return kernel.create(context.device, tiles_comp, bindings, "tiles pipeline");
+}
+
+void recordTileLists(const ReflectPass& pass, const gpu::Kernel& kernel, VkDescriptorSet set) {
+    const uint32_t count = tileCount(scaledDown(pass.extent(), pass.desc.downscale));
+    kernel.dispatch(pass.commands, set, (count + groupWidth - 1) / groupWidth, 1);
+    gpu::recordBarrier(pass.context.device, pass.commands,
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
+                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT});
 }
 
 Status recordTiles(const ReflectPass& pass, const TilesKernel& kernel, const gpu::Buffer& tiles) {
@@ -37,12 +46,7 @@ Status recordTiles(const ReflectPass& pass, const TilesKernel& kernel, const gpu
         s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "sspr_tiles");
-    const VkExtent2D images = scaledDown(pass.extent(), pass.desc.downscale);
-    kernel.kernel.dispatch(pass.commands, set, (tileCount(images) + groupWidth - 1) / groupWidth, 1);
-    gpu::recordBarrier(context.device, pass.commands,
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
-                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT});
+    recordTileLists(pass, kernel.kernel, set);
     return Status::ok;
 }
 

@@ -21,13 +21,16 @@ struct TileHeader {
 };
 static_assert(sizeof(TileHeader) == 32);
 
-uint32_t tileCount(VkExtent2D extent);
 VkDeviceSize tileBufferBytes(VkExtent2D extent);
 
 struct TilesKernel {
     gpu::Kernel kernel;
     Status create(Context& context);
 };
+
+/// Dispatches a kernel that takes an invocation a tile and fills lists; leaves them visible to compute
+/// shaders and indirect dispatches.
+void recordTileLists(const ReflectPass& pass, const gpu::Kernel& kernel, VkDescriptorSet set);
 
 /// Fills the lists by the flags that the scatter left; leaves them visible to compute shaders and indirect
 /// dispatches.

@@ -27,6 +27,15 @@ struct ViewGeometry {
     glm::ivec2 regionSize{0};
 };
 
+/// Of the region [pixel].
+inline VkExtent2D extentOf(const ViewGeometry& view) {
+    return {static_cast<uint32_t>(view.regionSize.x), static_cast<uint32_t>(view.regionSize.y)};
+}
+
+inline glm::dvec4 row(const glm::dmat4& m, int index) {
+    return {m[0][index], m[1][index], m[2][index], m[3][index]};
+}
+
 /// Null when `view` is usable, else what is wrong with it. Fills `out`.
 const char* readView(const ViewDesc& view, ViewGeometry& out);
 

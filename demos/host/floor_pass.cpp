@@ -1,5 +1,7 @@
 #include "host/floor_pass.h"
 
+#include "host/layouts.h"
+
 #include "spirv/floor.comp.h"
 
 namespace demos {
@@ -45,23 +47,7 @@ bool FloorPass::createSet(const Device& device, Error& error) {
     setLayout_ = UniqueDescriptorSetLayout(device.handle(), setLayout);
 
     const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 4};
-    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    poolInfo.maxSets = 1;
-    poolInfo.poolSizeCount = 1;
-    poolInfo.pPoolSizes = &size;
-    VkDescriptorPool pool = VK_NULL_HANDLE;
-    if (!succeeded(vkCreateDescriptorPool(device.handle(), &poolInfo, nullptr, &pool),
-                   "vkCreateDescriptorPool", error))
-        return false;
-    pool_ = UniqueDescriptorPool(device.handle(), pool);
-
-    VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-    info.descriptorPool = pool;
-    info.descriptorSetCount = 1;
-    info.pSetLayouts = &setLayout;
-    if (!succeeded(vkAllocateDescriptorSets(device.handle(), &info, &set_), "vkAllocateDescriptorSets",
-                   error))
-        return false;
+    if (!allocateSet(device, setLayout, {&size, 1}, pool_, set_, error)) return false;
     for (uint32_t i = 0; i < 4; ++i) {
         const VkDescriptorImageInfo image = {VK_NULL_HANDLE, images_[i].view.get(), VK_IMAGE_LAYOUT_GENERAL};
         VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};

@@ -16,31 +16,11 @@ bool FrameRecorder::create(Device& device, const HostDesc& desc, Error& error) {
 bool FrameRecorder::createFrameSet(const Sky& sky, FrameSet& out, Error& error) {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
                                           {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3}};
-    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    poolInfo.maxSets = 1;
-    poolInfo.poolSizeCount = 2;
-    poolInfo.pPoolSizes = sizes;
-    VkDescriptorPool pool = VK_NULL_HANDLE;
-    if (!succeeded(vkCreateDescriptorPool(device_->handle(), &poolInfo, nullptr, &pool),
-                   "vkCreateDescriptorPool", error))
-        return false;
-    out.pool = UniqueDescriptorPool(device_->handle(), pool);
-    VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-    info.descriptorPool = pool;
-    info.descriptorSetCount = 1;
-    info.pSetLayouts = &layouts_.frame.get();
-    if (!succeeded(vkAllocateDescriptorSets(device_->handle(), &info, &out.set), "vkAllocateDescriptorSets",
-                   error) ||
+    if (!allocateSet(*device_, layouts_.frame.get(), sizes, out.pool, out.set, error) ||
         !createBuffer(*device_, sizeof(FrameUniforms), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                       BufferPlace::upload, out.uniforms, error))
         return false;
-    const VkDescriptorBufferInfo buffer = {out.uniforms.buffer.get(), 0, sizeof(FrameUniforms)};
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = out.set;
-    write.descriptorCount = 1;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    write.pBufferInfo = &buffer;
-    vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
+    writeUniformBuffer(*device_, out.set, out.uniforms.buffer.get(), sizeof(FrameUniforms));
     writeTexture(*device_, out.set, 1, sky.cube.view.get(), sky.cubeSampler.get());
     writeTexture(*device_, out.set, 2, sky.image.view.get(), sky.imageSampler.get());
     writeTexture(*device_, out.set, 3, shadow_.map(), shadow_.sampler());

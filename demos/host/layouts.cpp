@@ -40,6 +40,36 @@ bool createLayouts(const Device& device, Layouts& out, Error& error) {
     return true;
 }
 
+bool allocateSet(const Device& device, VkDescriptorSetLayout layout,
+                 std::span<const VkDescriptorPoolSize> sizes, UniqueDescriptorPool& pool,
+                 VkDescriptorSet& set, Error& error) {
+    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    poolInfo.maxSets = 1;
+    poolInfo.poolSizeCount = static_cast<uint32_t>(sizes.size());
+    poolInfo.pPoolSizes = sizes.data();
+    VkDescriptorPool made = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateDescriptorPool(device.handle(), &poolInfo, nullptr, &made),
+                   "vkCreateDescriptorPool", error))
+        return false;
+    pool = UniqueDescriptorPool(device.handle(), made);
+    VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    info.descriptorPool = made;
+    info.descriptorSetCount = 1;
+    info.pSetLayouts = &layout;
+    return succeeded(vkAllocateDescriptorSets(device.handle(), &info, &set), "vkAllocateDescriptorSets",
+                     error);
+}
+
+void writeUniformBuffer(const Device& device, VkDescriptorSet set, VkBuffer buffer, VkDeviceSize size) {
+    const VkDescriptorBufferInfo range = {buffer, 0, size};
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    write.pBufferInfo = &range;
+    vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
+}
+
 void writeTexture(const Device& device, VkDescriptorSet set, uint32_t binding, VkImageView view,
                   VkSampler sampler) {
     const VkDescriptorImageInfo image = {sampler, view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};

@@ -47,6 +47,12 @@ bool createLayouts(const Device& device, Layouts& out, Error& error);
 
 constexpr VkShaderStageFlags drawStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
+/// A set from a pool of its own.
+bool allocateSet(const Device& device, VkDescriptorSetLayout layout,
+                 std::span<const VkDescriptorPoolSize> sizes, UniqueDescriptorPool& pool,
+                 VkDescriptorSet& set, Error& error);
+/// All of a uniform buffer of `size` bytes at binding 0.
+void writeUniformBuffer(const Device& device, VkDescriptorSet set, VkBuffer buffer, VkDeviceSize size);
 /// Points one combined image sampler of a set at an image in SHADER_READ_ONLY_OPTIMAL.
 void writeTexture(const Device& device, VkDescriptorSet set, uint32_t binding, VkImageView view,
                   VkSampler sampler);

@@ -115,29 +115,8 @@ bool MirrorPass::createReflector(const ReflectionDesc& desc, const FloorPlane& p
 bool MirrorPass::createSet(MirrorSurface& surface, Error& error) const {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
                                           {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3}};
-    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    poolInfo.maxSets = 1;
-    poolInfo.poolSizeCount = 2;
-    poolInfo.pPoolSizes = sizes;
-    VkDescriptorPool pool = VK_NULL_HANDLE;
-    if (!succeeded(vkCreateDescriptorPool(device_->handle(), &poolInfo, nullptr, &pool),
-                   "vkCreateDescriptorPool", error))
-        return false;
-    surface.pool = UniqueDescriptorPool(device_->handle(), pool);
-    VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-    info.descriptorPool = pool;
-    info.descriptorSetCount = 1;
-    info.pSetLayouts = &setLayout_.get();
-    if (!succeeded(vkAllocateDescriptorSets(device_->handle(), &info, &surface.set),
-                   "vkAllocateDescriptorSets", error))
-        return false;
-    const VkDescriptorBufferInfo buffer = {surface.uniforms.buffer.get(), 0, sizeof(MirrorUniforms)};
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = surface.set;
-    write.descriptorCount = 1;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    write.pBufferInfo = &buffer;
-    vkUpdateDescriptorSets(device_->handle(), 1, &write, 0, nullptr);
+    if (!allocateSet(*device_, setLayout_.get(), sizes, surface.pool, surface.set, error)) return false;
+    writeUniformBuffer(*device_, surface.set, surface.uniforms.buffer.get(), sizeof(MirrorUniforms));
     writeTexture(*device_, surface.set, textureBinding, surface.texture.view.get(),
                  surface.textureSampler.get());
     // Without a reflection they are not read, and need something to point at.

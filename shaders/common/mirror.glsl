@@ -1,7 +1,7 @@
 // The screen mirror of reflection/mirror.h. A "screen point" is (x, y, depth, 1) in pixels of the view's region.
 
 layout(set = 0, binding = 0, std140) uniform Mirror {
-    mat4 screenMirror;
+    mat4 screenMirror;   // to where the plane shows a screen point, w <= 0 behind the camera; its own inverse
     mat4 relativeFromPixel;
     vec4 heightRow;
     vec4 weightRow;
@@ -32,12 +32,6 @@ vec2 middleOf(ivec2 imagePixel) {
 }
 
 const uint noKey = 0u;
-
-// Where the plane shows a screen point; w <= 0 behind the camera. Its own inverse.
-vec4 mirrored(vec3 screenPoint) {
-    vec4 q = screenMirror * vec4(screenPoint, 1.0);
-    return vec4(q.xyz / q.w, q.w);
-}
 
 // Relative to the eye.
 vec3 unprojected(vec3 screenPoint) {
