@@ -95,6 +95,7 @@ void FrameRecorder::writeUniforms() {
 }
 
 bool FrameRecorder::needed(Stage stage) const {
+    if (frame_.aov == Aov::scene) return stage == Stage::shadow || stage == Stage::opaque;
     const bool hasWater = static_cast<bool>(water()), hasFloor = scene_->mirror.exists();
     switch (stage) {
     case Stage::simulate:

@@ -39,11 +39,12 @@ struct HostDesc {
 };
 
 /// What a frame is to deliver. The names are the program's --aov.
-enum class Aov { color, reflection, reflectionClass, height, normal, foam, depth, reflectionSource };
+enum class Aov { color, reflection, reflectionClass, height, normal, foam, depth, reflectionSource, scene };
 
 /// Linear float RGBA pixels, top row first. Colour is before tone mapping; `depth` is metres along the view
-/// axis, infinite where there is only sky, in the first channel. `reflectionSource` holds what
-/// seaglass::SurfaceOutput says of it, and four zeros where no water is seen.
+/// axis, infinite where there is only sky, in the first channel. `scene` is the colour before any water or
+/// floor. `reflectionSource` holds what seaglass::SurfaceOutput says of it, and four zeros where no water is
+/// seen.
 struct Picture {
     uint32_t width = 0, height = 0;
     std::vector<float> rgba;

@@ -36,14 +36,18 @@ struct Off {
     double squares = 0, most = 0; ///< over red, green and blue
 };
 
-Off offAt(size_t pixel, const std::vector<float>& a, const std::vector<float>& b) {
+Off offAt(size_t pixel, const std::vector<float>& a, const std::vector<float>& b, size_t pixelOfB) {
     Off off;
-    for (size_t c = 4 * pixel; c < 4 * pixel + 3; ++c) {
-        const double by = static_cast<double>(std::abs(a[c] - b[c]));
+    for (size_t c = 0; c < 3; ++c) {
+        const double by = static_cast<double>(std::abs(a[4 * pixel + c] - b[4 * pixelOfB + c]));
         off.squares += by * by;
         off.most = std::max(off.most, by);
     }
     return off;
+}
+
+Off offAt(size_t pixel, const std::vector<float>& a, const std::vector<float>& b) {
+    return offAt(pixel, a, b, pixel);
 }
 
 enum class Claim { nothing, sky, hit };
@@ -100,6 +104,15 @@ double positionError(const Picture& truth, const Picture& sources, size_t pixel)
     return std::hypot(static_cast<double>(is[0] - found[0]), static_cast<double>(is[1] - found[1]));
 }
 
+/// The pixel of the picture in which the mirrored point is seen.
+size_t seenAt(const Picture& truth, size_t pixel) {
+    const auto at = [](float position, uint32_t size) {
+        return static_cast<size_t>(std::clamp(position, 0.0f, static_cast<float>(size) - 1));
+    };
+    const float* const is = &truth.rgba[4 * pixel + 1];
+    return at(is[1], truth.height) * truth.width + at(is[0], truth.width);
+}
+
 /// Everything that is counted pixel by pixel.
 class Counts {
   public:
@@ -117,7 +130,10 @@ class Counts {
         if (kind == TruthClass::sky) falseHits_.count(claim == Claim::hit);
         if (isSolid(kind)) calledSky_.count(claim == Claim::sky);
     }
-    void recoverable(const Off& off) { squares_.add(off.squares); }
+    void recoverable(const Off& off, const Off& ofExactPlace) {
+        squares_.add(off.squares);
+        squaresExact_.add(ofExactPlace.squares);
+    }
     void found(const Off& off, double positionPx) {
         squaresFound_.add(off.squares);
         positions_.push_back(positionPx);
@@ -128,6 +144,7 @@ class Counts {
         error.flip = flip_.value();
         error.psnrDb = squares_.psnr();
         error.psnrValidDb = squaresFound_.psnr();
+        error.psnrExactDb = squaresExact_.psnr();
         error.psnrWaterDb = squaresWater_.psnr();
         error.flipPicture = flipPicture_.value();
         error.psnrPictureDb = squaresPicture_.psnr();
@@ -144,7 +161,7 @@ class Counts {
 
   private:
     Mean flip_, flipPicture_;
-    Mean squares_, squaresFound_, squaresWater_, squaresPicture_;
+    Mean squares_, squaresFound_, squaresExact_, squaresWater_, squaresPicture_;
     Share covered_, falseHits_, calledSky_, wrong_;
     std::vector<double> positions_;
 };
@@ -156,13 +173,14 @@ std::optional<PictureError> errorOf(const reference::Pictures& truth, const Shot
     if (!isSound(truth.color, "reference", error) ||
         !isSound(truth.mirrored, "reference's reflection", error) ||
         !isSound(shots.color, "picture", error) || !isSound(shots.reflection, "reflection", error) ||
-        !isSound(shots.sources, "reflection's sources", error))
+        !isSound(shots.sources, "reflection's sources", error) || !isSound(shots.scene, "scene", error))
         return std::nullopt;
     const Picture& classes = truth.truth;
     const std::vector<float> reference = displayed(truth.color, exposureEv),
                              test = displayed(shots.color, exposureEv),
                              mirrored = displayed(truth.mirrored, exposureEv),
-                             reflection = displayed(shots.reflection, exposureEv);
+                             reflection = displayed(shots.reflection, exposureEv),
+                             scene = displayed(shots.scene, exposureEv);
     const std::vector<float> flips =
         flip({classes.width, classes.height, reference}, {classes.width, classes.height, test});
     Counts counts;
@@ -177,7 +195,7 @@ std::optional<PictureError> errorOf(const reference::Pictures& truth, const Shot
         counts.claim(kind, claim);
         if (kind != TruthClass::recoverable) continue;
         const Off mirrorOff = offAt(i, mirrored, reflection);
-        counts.recoverable(mirrorOff);
+        counts.recoverable(mirrorOff, offAt(i, mirrored, scene, seenAt(classes, i)));
         if (claim == Claim::hit) counts.found(mirrorOff, positionError(classes, shots.sources, i));
     }
     return counts.summary();

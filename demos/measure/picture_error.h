@@ -10,6 +10,7 @@ struct Shots {
     Picture color;      ///< Aov::color
     Picture reflection; ///< Aov::reflection
     Picture sources;    ///< Aov::reflectionSource
+    Picture scene;      ///< Aov::scene: what techniques look up on the screen
 };
 
 /// Shots against the truth, which is of their size. FLIP, PSNR and the share that is wrong are of tone-mapped

@@ -28,6 +28,7 @@ class View {
     RunResult measure(const reference::World& world, Error& error) {
         if (const RunResult traced = trace(world, error); traced != RunResult::ok) return traced;
         if (const RunResult timed = time(error); timed != RunResult::ok) return timed;
+        if (!draw(0, Aov::scene, shots_.scene, error)) return RunResult::failed;
         for (uint32_t i = 0; i < subject_.variants.size(); ++i)
             if (!compare(i, error)) return RunResult::failed;
         return RunResult::ok;
@@ -97,19 +98,18 @@ class View {
     }
 
     bool compare(uint32_t water, Error& error) {
-        Shots shots;
-        if (!draw(water, Aov::color, shots.color, error) ||
-            !draw(water, Aov::reflection, shots.reflection, error) ||
-            !draw(water, Aov::reflectionSource, shots.sources, error))
+        if (!draw(water, Aov::color, shots_.color, error) ||
+            !draw(water, Aov::reflection, shots_.reflection, error) ||
+            !draw(water, Aov::reflectionSource, shots_.sources, error))
             return false;
         const double exposureEv = subject_.scene.exposureEv;
-        const std::optional<PictureError> found = errorOf(truth_, shots, exposureEv, error);
+        const std::optional<PictureError> found = errorOf(truth_, shots_, exposureEv, error);
         if (!found) {
             error.text = result_.scene + ", camera " + result_.camera + ", " + result_.entries[water].name() +
                          ": " + error.text;
             return false;
         }
-        result_.pictures.push_back(toneMap(shots.color, exposureEv));
+        result_.pictures.push_back(toneMap(shots_.color, exposureEv));
         result_.entries[water].error = *found;
         return true;
     }
@@ -120,6 +120,7 @@ class View {
     uint32_t rounds_;
     FrameDesc frame_;
     reference::Pictures truth_;
+    Shots shots_; ///< of the water that was compared last
     ViewResult result_;
     bool goesOn_ = true;
 };

@@ -42,6 +42,7 @@ Json errorJson(const PictureError& error) {
     json["wrong_share"] = orNull(error.wrongShare);
     json["position_px_max"] = orNull(error.positionPxMax);
     json["psnr_valid_db"] = orNull(error.psnrValidDb);
+    json["psnr_exact_db"] = orNull(error.psnrExactDb);
     json["psnr_water_db"] = orNull(error.psnrWaterDb);
     json["flip_picture"] = orNull(error.flipPicture);
     json["psnr_picture_db"] = orNull(error.psnrPictureDb);

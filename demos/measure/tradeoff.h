@@ -25,6 +25,8 @@ struct PictureError {
     /// Of what is mirrored, before Fresnel, where it is seen elsewhere in the picture; and of these where the
     /// technique says that it found it.
     std::optional<double> psnrDb, psnrValidDb;
+    /// What `psnrDb` would be were each such pixel looked up in the very pixel that shows what it mirrors.
+    std::optional<double> psnrExactDb;
     std::optional<double> coverage;      ///< hits, of what is mirrored and seen elsewhere in the picture
     std::optional<double> falseSkyHits;  ///< hits, of what mirrors the sky
     std::optional<double> skyOnGeometry; ///< called sky, of what mirrors something solid

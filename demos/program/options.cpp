@@ -17,7 +17,7 @@ namespace {
 constexpr uint32_t mostFrames = 100000;
 constexpr uint32_t mostSamples = 65536;
 
-constexpr std::array<std::pair<std::string_view, Aov>, 8> aovs = {{
+constexpr std::array<std::pair<std::string_view, Aov>, 9> aovs = {{
     {"color", Aov::color},
     {"reflection", Aov::reflection},
     {"class", Aov::reflectionClass},
@@ -26,6 +26,7 @@ constexpr std::array<std::pair<std::string_view, Aov>, 8> aovs = {{
     {"foam", Aov::foam},
     {"depth", Aov::depth},
     {"reflection_source", Aov::reflectionSource},
+    {"scene", Aov::scene},
 }};
 
 constexpr const char* footer = R"(Examples:

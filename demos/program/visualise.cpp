@@ -88,6 +88,7 @@ Visualised visualise(const Picture& picture, Aov aov, double exposureEv) {
     switch (aov) {
     case Aov::color:
     case Aov::reflection:
+    case Aov::scene:
         return {toneMap(picture, exposureEv), {}};
     case Aov::reflectionClass:
         return {paint(picture, [](const float* p) { return Rgb{p[0], p[1], p[2]}; }), {}};

@@ -82,7 +82,7 @@ class Defects : public WaterTest {
         demos::measure::Shots shots;
         shots.reflection = pictureOf(picture({body_}, camera_, 0, SurfaceOutput::reflection, behind_));
         shots.sources = pictureOf(picture({body_}, camera_, 0, SurfaceOutput::reflectionSource, behind_));
-        shots.color = shots.reflection;
+        shots.color = shots.scene = shots.reflection;
         return errorOf(truthOf(traced_), shots, 0, error);
     }
     PictureError measured() {

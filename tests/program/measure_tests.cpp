@@ -85,7 +85,7 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
                                       "wrong_share", "psnr_water_db", "flip_picture", "psnr_picture_db"})
             expectNumber(entry["error"], key);
         for (const char* const key :
-             {"position_px_p50", "position_px_p95", "position_px_max", "psnr_valid_db"})
+             {"position_px_p50", "position_px_p95", "position_px_max", "psnr_valid_db", "psnr_exact_db"})
             EXPECT_EQ(entry["error"].at(key).is_null(),
                       entry["technique"] == "none" || entry["technique"] == "sky")
                 << key;
@@ -309,7 +309,7 @@ struct Row {
         : width(static_cast<uint32_t>(kinds.size())) {
         const demos::Picture grey{width, 1, std::vector<float>(width * 4, 0.2f)};
         truth.color = truth.mirrored = truth.truth = grey;
-        shots.color = shots.reflection = shots.sources = grey;
+        shots.color = shots.reflection = shots.sources = shots.scene = grey;
         for (size_t i = 0; i < width; ++i) {
             truth.truth.rgba[4 * i] = static_cast<float>(kinds[i]);
             truth.truth.rgba[4 * i + 1] = truth.truth.rgba[4 * i + 2] = 10;
@@ -365,6 +365,18 @@ TEST(PictureErrors, OfTheReflectionAreWhereItCouldBeFound) {
     EXPECT_NEAR(row.error().psnrDb.value(), before - 10 * std::log10(2.0), 1e-6);
 }
 
+TEST(PictureErrors, AnExactLookupReadsThePixelThatShowsTheMirroredPoint) {
+    Row row({recoverable, none, none, sky}, "uuuu");
+    row.truth.truth.rgba[1] = 2.9f;
+    row.truth.truth.rgba[2] = 0.5f;
+    row.shots.scene.rgba[0] = row.shots.scene.rgba[4] = row.shots.scene.rgba[4 * 3] = 5;
+    EXPECT_FALSE(row.error().psnrExactDb) << "none of these is looked up";
+    row.shots.scene.rgba[4 * 2] = 0.4f;
+    const PictureError error = row.error();
+    row.shots.reflection.rgba[0] = 0.4f;
+    EXPECT_DOUBLE_EQ(error.psnrExactDb.value(), row.error().psnrDb.value());
+}
+
 TEST(PictureErrors, PositionsAreOfHitsThatCouldBeFound) {
     Row row({recoverable, recoverable, recoverable, recoverable, offScreen}, "hhhsh");
     row.shots.sources.rgba[0] += 3;
@@ -393,6 +405,7 @@ TEST(PictureErrors, ArePictureByPictureRefusedWhereSomethingIsNotFinite) {
     refused("picture", [&](Row& row) { spoil(row.shots.color); });
     refused("reflection", [&](Row& row) { spoil(row.shots.reflection); });
     refused("reflection's sources", [&](Row& row) { spoil(row.shots.sources); });
+    refused("scene", [&](Row& row) { spoil(row.shots.scene); });
     refused("reference", [&](Row& row) { spoil(row.truth.color); });
     refused("reference's reflection", [&](Row& row) { spoil(row.truth.mirrored); });
 }

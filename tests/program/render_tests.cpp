@@ -105,8 +105,8 @@ TEST_F(Render, SkyAndMeshOfOnesOwn) {
 }
 
 TEST_F(Render, EveryAov) {
-    for (const char* aov :
-         {"color", "reflection", "class", "height", "normal", "foam", "depth", "reflection_source"}) {
+    for (const char* aov : {"color", "reflection", "class", "height", "normal", "foam", "depth",
+                            "reflection_source", "scene"}) {
         const Outcome outcome = render({"-o", "out/a.png", "--aov", aov});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_EQ(outcome.err, "") << aov;

@@ -41,7 +41,7 @@ std::optional<measure::PictureError> errorWith(const seaglass::WavesBackend* wav
         return drawn.has_value();
     };
     if (!draw(Aov::color, shots.color) || !draw(Aov::reflection, shots.reflection) ||
-        !draw(Aov::reflectionSource, shots.sources))
+        !draw(Aov::reflectionSource, shots.sources) || !draw(Aov::scene, shots.scene))
         return std::nullopt;
     return errorOf(truth, shots, scene.exposureEv, error);
 }
