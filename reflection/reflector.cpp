@@ -116,6 +116,7 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
     const MirroredCamera camera = mirroredCamera(view, geometry, plane);
     out = describe(camera, view, geometry, desc.downscale, reflected.planar, reflected.images);
     reflected.planar.handedOut = true;
+    reflected.reflected = false;
     return Status::ok;
 }
 
@@ -137,6 +138,13 @@ Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view) 
     return Status::ok;
 }
 
+Status Reflector::uploadMirror(const ViewGeometry& geometry, gpu::Slice& out) {
+    const MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc);
+    if (const Status s = context->frame().allocate(sizeof uniforms, out); s != Status::ok) return s;
+    std::memcpy(out.data, &uniforms, sizeof uniforms);
+    return Status::ok;
+}
+
 Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
     if (desc.technique == ReflectionTechnique::sky) return Status::ok;
     const bool drawn = desc.technique == ReflectionTechnique::planar;
@@ -150,14 +158,32 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
                                     "reflect: planarView() was not called for this view before");
     if (const Status s = prepare(reflected, extent); s != Status::ok) return s;
 
-    const MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc);
     gpu::Slice slice;
-    if (const Status s = context->frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
-    std::memcpy(slice.data, &uniforms, sizeof uniforms);
+    if (const Status s = uploadMirror(geometry, slice); s != Status::ok) return s;
     const ReflectPass pass{*context, commands, view, geometry, desc, slice};
     if (const Status s = recordTechnique(pass, reflected); s != Status::ok) return s;
     recordBlur(*context, commands, reflected.images.color);
+    reflected.reflected = true;
     return Status::ok;
+}
+
+Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
+                              const OverlayDesc& overlayDesc) {
+    ViewGeometry geometry;
+    const char* bad = readView(view, geometry);
+    if (!bad) bad = badField(overlayDesc, view);
+    if (!bad && showsReflection(overlayDesc.kind)) {
+        const ReflectedView& reflected = views[view.viewIndex];
+        if (!reflected.reflected || !reflected.isOf(extentOf(geometry)))
+            bad = "OverlayDesc.kind shows what reflect() leaves, which was not called for this view before";
+    }
+    if (bad) return context->device.fail(Status::invalidArgument, "recordOverlay: %s", bad);
+    if (!overlay)
+        if (const Status s = context->share(overlay); s != Status::ok) return s;
+    gpu::Slice slice;
+    if (const Status s = uploadMirror(geometry, slice); s != Status::ok) return s;
+    const ReflectPass pass{*context, commands, view, geometry, desc, slice};
+    return recordOverlay(pass, *overlay, images(view.viewIndex), overlayDesc);
 }
 
 ReflectionImages Reflector::images(uint32_t viewIndex) const {
@@ -211,6 +237,12 @@ Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t 
 
 ReflectionImages reflectionImages(const Reflector* reflector, uint32_t viewIndex) {
     return reflector ? reflector->images(viewIndex) : ReflectionImages{};
+}
+
+Status recordOverlay(VkCommandBuffer commands, Reflector* reflector, const ViewDesc* view,
+                     const OverlayDesc* desc) {
+    if (!commands || !reflector || !view || !desc) return Status::invalidArgument;
+    return gpu::guarded([&] { return reflector->drawOverlay(commands, *view, *desc); });
 }
 
 } // namespace seaglass

@@ -10,6 +10,7 @@
 #include "reflection/hybrid.h"
 #include "reflection/limits.h"
 #include "reflection/march.h"
+#include "reflection/overlay.h"
 #include "reflection/planar.h"
 
 namespace seaglass {
@@ -20,6 +21,7 @@ struct ReflectedView {
     SsprScratch sspr; ///< empty with techniques that do not scatter
     HybridScratch hybrid;
     PlanarScratch planar;
+    bool reflected = false;     ///< the images hold what reflect() has left
     bool bent = false;          ///< by the view's own normals
     VkExtent2D region = {0, 0}; ///< the view's, in pixels
     bool isOf(VkExtent2D extent) const {
@@ -38,20 +40,23 @@ struct Reflector {
     Context* context = nullptr;
     glm::dvec4 plane{0}; ///< world, unit normal
     ReflectionDesc desc;
-    SsprKernels sspr;                      ///< empty with techniques that do not scatter
-    std::shared_ptr<MarchKernel> march;    ///< null with every technique but ssr
-    std::shared_ptr<HybridKernels> hybrid; ///< null with every other technique
-    std::shared_ptr<PlanarKernel> planar;  ///< null with every other technique
+    SsprKernels sspr;                       ///< empty with techniques that do not scatter
+    std::shared_ptr<MarchKernel> march;     ///< null with every technique but ssr
+    std::shared_ptr<HybridKernels> hybrid;  ///< null with every other technique
+    std::shared_ptr<PlanarKernel> planar;   ///< null with every other technique
+    std::shared_ptr<OverlayKernel> overlay; ///< null until it is first asked for
     std::array<ReflectedView, maxViews> views;
 
     Status create(Context& owner, const ReflectorDesc& description);
     Status handOut(const ViewDesc& view, PlanarView& out);
     Status record(VkCommandBuffer commands, const ViewDesc& view);
+    Status drawOverlay(VkCommandBuffer commands, const ViewDesc& view, const OverlayDesc& overlayDesc);
     ReflectionImages images(uint32_t viewIndex) const;
 
   private:
     /// Makes what a view of this size needs, where it is not there yet.
     Status prepare(ReflectedView& view, VkExtent2D extent);
+    Status uploadMirror(const ViewGeometry& geometry, gpu::Slice& out);
     Status recordTechnique(const ReflectPass& pass, ReflectedView& view);
 };
 

@@ -325,6 +325,14 @@ Status planarView(Body* body, const ViewDesc* view, PlanarView* out) {
     return planarView(body->reflector.get(), view, out);
 }
 
+Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view, const OverlayDesc* desc) {
+    if (!commands || !body || !view || !desc) return Status::invalidArgument;
+    if (!body->reflector)
+        return body->context->device.fail(Status::invalidArgument,
+                                          "recordOverlay: the body's reflection is the sky alone");
+    return recordOverlay(commands, body->reflector.get(), view, desc);
+}
+
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view) {
     if (!commands || (count && !bodies) || !view) return Status::invalidArgument;
     return forEach(bodies, count, [&](Body& body) {

@@ -20,6 +20,7 @@ struct Camera {
     glm::dmat4 projection{1}; ///< view to clip; y points down as Vulkan's does; depth = near / distance
     double tanHalfFovX = 1, tanHalfFovY = 1;
     double near = 0.1;
+    glm::dmat4 toldProjection{1}; ///< what the library is told: a Mistake apart, the projection
 };
 
 inline glm::dvec3 toGlm(const Vec3& v) {
@@ -78,6 +79,7 @@ inline bool makeCamera(const CameraDesc& desc, double aspect, Camera& out, Error
     out.projection[1][1] = -1 / out.tanHalfFovY;
     out.projection[2][3] = -1;
     out.projection[3][2] = desc.nearM;
+    out.toldProjection = out.projection;
     return true;
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "host/seaglass_view.h"
+
 namespace demos {
 
 bool FrameRecorder::create(Device& device, const HostDesc& desc, Error& error) {
@@ -78,9 +80,15 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
         error.text = "a floor does not say where its reflection is taken from";
         return false;
     }
+    if (isOverlay(frame.aov) && scene.waters.empty() && !scene.mirror.reflector) {
+        error.text = "nothing in the scene mirrors it, and overlays show how it is mirrored";
+        return false;
+    }
     if (needsExact(frame.aov) && !createExactTarget(*device_, targets_, error)) return false;
+    if (isOverlay(frame.aov) && !createOverlayTarget(*device_, targets_, error)) return false;
     if (!makeCamera(frame.camera, static_cast<double>(extent.width) / extent.height, camera_, error))
         return false;
+    camera_.toldProjection = mistaken(camera_.projection, frame.mistake);
     shadowFits_ = fitShadows(scene.bounds, camera_, scene.sky.sun.direction);
     writeUniforms();
     return water_.beginFrame(error) && mirror_.beginFrame(error);
@@ -105,11 +113,14 @@ bool FrameRecorder::needed(Stage stage) const {
         return hasWater || scene_->mirror.reflector;
     case Stage::mirrored:
         return water().planar() || scene_->mirror.planar;
+    case Stage::overlay:
+        return isOverlay(frame_.aov);
     // Without a surface the other outputs are black.
     case Stage::water:
-        return hasWater || (!hasFloor && frame_.aov != Aov::color && frame_.aov != Aov::depth);
+        return !isOverlay(frame_.aov) &&
+               (hasWater || (!hasFloor && frame_.aov != Aov::color && frame_.aov != Aov::depth));
     case Stage::mirror:
-        return hasFloor;
+        return !isOverlay(frame_.aov) && hasFloor;
     default:
         return true;
     }
@@ -134,6 +145,15 @@ bool FrameRecorder::recordMirrored(VkCommandBuffer commands, Error& error) {
     return true;
 }
 
+bool FrameRecorder::recordOverlay(VkCommandBuffer commands, Error& error) {
+    targets_.beginOverlay(commands);
+    const bool drawn = scene_->mirror.reflector
+                           ? mirror_.overlay(commands, scene_->mirror, camera_, targets_, frame_.aov, error)
+                           : water_.overlay(commands, water(), camera_, targets_, frame_.aov, error);
+    targets_.endOverlay(commands);
+    return drawn;
+}
+
 bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) {
     switch (stage) {
     case Stage::simulate:
@@ -155,6 +175,8 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
         if (scene_->mirror.reflector)
             return mirror_.reflect(commands, scene_->mirror, camera_, targets_, error);
         return water_.reflect(commands, water(), camera_, targets_, error);
+    case Stage::overlay:
+        return recordOverlay(commands, error);
     case Stage::water:
         if (!water()) targets_.betweenPasses(commands);
         return water_.draw(commands, water(), camera_, targets_, scene_->sky, frame_.aov, error);

@@ -27,7 +27,7 @@ struct LoadedScene {
     MirrorSurface mirror;
 };
 
-enum class Stage { simulate, shadow, opaque, copy, mirrored, reflect, water, mirror };
+enum class Stage { simulate, shadow, opaque, copy, mirrored, reflect, water, mirror, overlay };
 
 struct StageName {
     Stage stage;
@@ -40,6 +40,7 @@ constexpr StageName stages[] = {
     {Stage::opaque, "host_opaque", false},     {Stage::copy, "host_copy", false},
     {Stage::mirrored, "host_mirrored", false}, {Stage::reflect, "reflect", true},
     {Stage::water, "water_draw", false},       {Stage::mirror, "mirror_draw", false},
+    {Stage::overlay, "overlay", true},
 };
 
 class FrameRecorder {
@@ -66,6 +67,7 @@ class FrameRecorder {
     void bindFrameSet(VkCommandBuffer commands, const FrameSet& frame) const;
     void writeUniforms();
     bool recordMirrored(VkCommandBuffer commands, Error& error);
+    bool recordOverlay(VkCommandBuffer commands, Error& error);
     /// The frame's; one without a body where the scene has none.
     const WaterBody& water() const;
 

@@ -103,6 +103,17 @@ void FrameTargets::exactToAttachment(VkCommandBuffer commands) const {
                  transfer | colorOutput, 0, colorOutput, colorAccess);
 }
 
+void FrameTargets::beginOverlay(VkCommandBuffer commands) const {
+    imageBarrier(commands, overlay, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL, transfer, 0,
+                 VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+}
+
+void FrameTargets::endOverlay(VkCommandBuffer commands) const {
+    imageBarrier(commands, overlay, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                 VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, colorOutput,
+                 colorAccess);
+}
+
 void FrameTargets::copyBack(VkCommandBuffer commands, const Image& source) const {
     if (source.aspect == VK_IMAGE_ASPECT_DEPTH_BIT)
         depthToSource(commands, source);
@@ -162,6 +173,16 @@ bool createExactTarget(const Device& device, FrameTargets& targets, Error& error
     return createImage(device, desc, targets.exact, error) &&
            createBuffer(device, VkDeviceSize(desc.extent.width) * desc.extent.height * 16,
                         VK_BUFFER_USAGE_TRANSFER_DST_BIT, BufferPlace::readback, targets.readback, error);
+}
+
+bool createOverlayTarget(const Device& device, FrameTargets& targets, Error& error) {
+    if (targets.overlay.view) return true;
+    ImageDesc desc;
+    desc.format = FrameTargets::colorFormat;
+    desc.extent = targets.extent;
+    desc.usage =
+        VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    return createImage(device, desc, targets.overlay, error);
 }
 
 Picture readColor(const FrameTargets& targets) {

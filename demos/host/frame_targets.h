@@ -14,6 +14,7 @@ struct FrameTargets {
     Image color, depth;
     Image sceneColor, sceneDepth; ///< the opaque scene, for the water to read
     Image exact;                  ///< for what halves do not hold; only once createExactTarget() made it
+    Image overlay;                ///< for the library to draw into; only once createOverlayTarget() made it
     Buffer readback;
 
     /// Attachments from `from`, whatever was done with them before.
@@ -27,7 +28,11 @@ struct FrameTargets {
     void restoreScene(VkCommandBuffer commands) const;
     /// Readies `exact` for a pass that clears it.
     void exactToAttachment(VkCommandBuffer commands) const;
-    /// Copies colour, exact or depth into `readback`; it ends as a transfer source.
+    /// Readies `overlay` to be written by compute shaders, and what they wrote to be copied as attachments
+    /// are.
+    void beginOverlay(VkCommandBuffer commands) const;
+    void endOverlay(VkCommandBuffer commands) const;
+    /// Copies colour, exact, overlay or depth into `readback`; it ends as a transfer source.
     void copyBack(VkCommandBuffer commands, const Image& source) const;
 };
 
@@ -36,6 +41,9 @@ bool createFrameTargets(const Device& device, VkExtent2D extent, FrameTargets& o
 
 /// Adds `exact` to targets that lack it.
 bool createExactTarget(const Device& device, FrameTargets& targets, Error& error);
+
+/// Adds `overlay` to targets that lack it.
+bool createOverlayTarget(const Device& device, FrameTargets& targets, Error& error);
 
 /// What copyBack() brought, as floats.
 Picture readColor(const FrameTargets& targets);

@@ -2,6 +2,7 @@
 
 #include "host/frame_recorder.h"
 #include "host/host_impl.h"
+#include "host/seaglass_view.h"
 
 namespace demos {
 
@@ -51,7 +52,10 @@ std::optional<Picture> Host::render(const FrameDesc& frame, Error& error) {
     if (!impl.ready(error) || !impl.recorder.begin(*impl.scene, frame, error)) return std::nullopt;
     const FrameTargets& targets = impl.recorder.targets();
     const bool depth = frame.aov == Aov::depth, exact = needsExact(frame.aov);
-    const Image& source = depth ? targets.depth : exact ? targets.exact : targets.color;
+    const Image& source = depth                  ? targets.depth
+                          : exact                ? targets.exact
+                          : isOverlay(frame.aov) ? targets.overlay
+                                                 : targets.color;
     const bool drawn = impl.device->run(
         [&](VkCommandBuffer commands, Error& problem) {
             if (!impl.recordFrame(commands, problem)) return false;

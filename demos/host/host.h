@@ -39,7 +39,29 @@ struct HostDesc {
 };
 
 /// What a frame is to deliver. The names are the program's --aov.
-enum class Aov { color, reflection, reflectionClass, height, normal, foam, depth, reflectionSource, scene };
+enum class Aov {
+    color,
+    reflection,
+    reflectionClass,
+    height,
+    normal,
+    foam,
+    depth,
+    reflectionSource,
+    scene,
+    overlayDepth, ///< the first of the library's own overlays, as seaglass::OverlayKind numbers them
+    overlayPlane,
+    overlayClasses,
+    overlayConfidence,
+    overlayDistance,
+};
+
+/// What the host gets wrong on purpose, to show what that looks like.
+enum class Mistake {
+    none,
+    flippedY,     ///< a projection for clip space with y up
+    forwardDepth, ///< a projection whose depth runs the other way than what was drawn
+};
 
 /// Linear float RGBA pixels, top row first. Colour is before tone mapping; `depth` is metres along the view
 /// axis, infinite where there is only sky, in the first channel. `scene` is the colour before any water or
@@ -55,7 +77,8 @@ struct FrameDesc {
     CameraDesc camera;
     double timeS = 0;
     Aov aov = Aov::color;
-    uint32_t water = 0; ///< of those that the scene was given; the first is its own
+    uint32_t water = 0;              ///< of those that the scene was given; the first is its own
+    Mistake mistake = Mistake::none; ///< in what the library is told of the camera
 };
 
 struct PassTime {

@@ -155,6 +155,13 @@ bool MirrorPass::reflect(VkCommandBuffer commands, const MirrorSurface& surface,
     return ok(seaglass::reflect(commands, reflectors, 1, &view), error);
 }
 
+bool MirrorPass::overlay(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
+                         const FrameTargets& targets, Aov aov, Error& error) {
+    const seaglass::ViewDesc view = viewOf(camera, targets);
+    const seaglass::OverlayDesc desc = overlayOf(aov, targets);
+    return ok(seaglass::recordOverlay(commands, surface.reflector.get(), &view, &desc), error);
+}
+
 void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camera, VkExtent2D extent,
                                Aov aov) const {
     const FloorDesc& desc = surface.desc;

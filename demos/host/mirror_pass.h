@@ -57,6 +57,9 @@ class MirrorPass {
                     seaglass::PlanarView& out, Error& error);
     bool reflect(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
                  const FrameTargets& targets, Error& error);
+    /// Draws into targets.overlay how the library understands the frame, after reflect().
+    bool overlay(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
+                 const FrameTargets& targets, Aov aov, Error& error);
     /// Draws into targets.color and targets.depth over the opaque scene; for anything but colour, over black.
     /// Needs set 0 bound.
     void draw(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,

@@ -17,12 +17,31 @@ seaglass::Image sampled(const Image& image) {
 seaglass::ViewDesc viewOf(const Camera& camera, const FrameTargets& targets) {
     seaglass::ViewDesc view;
     std::copy_n(glm::value_ptr(camera.view), 16, view.view);
-    std::copy_n(glm::value_ptr(camera.projection), 16, view.projection);
+    std::copy_n(glm::value_ptr(camera.toldProjection), 16, view.projection);
     view.viewport = {
         0, 0, static_cast<float>(targets.extent.width), static_cast<float>(targets.extent.height), 0, 1};
     view.sceneColor = sampled(targets.sceneColor);
     view.sceneDepth = sampled(targets.sceneDepth);
     return view;
+}
+
+glm::dmat4 mistaken(const glm::dmat4& projection, Mistake mistake) {
+    glm::dmat4 told = projection;
+    if (mistake == Mistake::flippedY) told[1][1] = -told[1][1];
+    if (mistake == Mistake::forwardDepth) {
+        told[2][2] = -1;
+        told[3][2] = -told[3][2];
+    }
+    return told;
+}
+
+seaglass::OverlayDesc overlayOf(Aov aov, const FrameTargets& targets) {
+    seaglass::OverlayDesc desc;
+    desc.kind = static_cast<seaglass::OverlayKind>(static_cast<uint32_t>(aov) -
+                                                   static_cast<uint32_t>(Aov::overlayDepth));
+    desc.target = {targets.overlay.view.get(), targets.overlay.format, targets.extent,
+                   VK_IMAGE_LAYOUT_GENERAL};
+    return desc;
 }
 
 bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::ReflectionDesc& out,

@@ -9,6 +9,17 @@ namespace demos {
 
 seaglass::ViewDesc viewOf(const Camera& camera, const FrameTargets& targets);
 
+/// The projection with something wrong about it.
+glm::dmat4 mistaken(const glm::dmat4& projection, Mistake mistake);
+
+/// Whether an output is drawn by the library, over no scene at all.
+constexpr bool isOverlay(Aov aov) {
+    return aov >= Aov::overlayDepth;
+}
+
+/// Into targets.overlay.
+seaglass::OverlayDesc overlayOf(Aov aov, const FrameTargets& targets);
+
 /// `surface` is whose reflection it is, for errors: "water".
 bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::ReflectionDesc& out,
                   Error& error);

@@ -161,6 +161,13 @@ bool WaterPass::reflect(VkCommandBuffer commands, const WaterBody& body, const C
     return ok(seaglass::reflect(commands, bodies, 1, &view), "water", error);
 }
 
+bool WaterPass::overlay(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
+                        const FrameTargets& targets, Aov aov, Error& error) {
+    const seaglass::ViewDesc view = viewOf(camera, targets);
+    const seaglass::OverlayDesc desc = overlayOf(aov, targets);
+    return ok(seaglass::recordOverlay(commands, body.get(), &view, &desc), "water", error);
+}
+
 bool WaterPass::draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                      const FrameTargets& targets, const Sky& sky, Aov aov, Error& error) {
     const bool overScene = aov == Aov::color || aov == Aov::depth;

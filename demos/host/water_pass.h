@@ -61,6 +61,9 @@ class WaterPass {
                     seaglass::PlanarView& out, Error& error);
     bool reflect(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                  const FrameTargets& targets, Error& error);
+    /// Draws into targets.overlay how the library understands the frame, after reflect().
+    bool overlay(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
+                 const FrameTargets& targets, Aov aov, Error& error);
     /// Draws into targets.color, or exact, over the opaque depth; for anything but colour, over black.
     bool draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
               const FrameTargets& targets, const Sky& sky, Aov aov, Error& error);

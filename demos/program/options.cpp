@@ -17,7 +17,7 @@ namespace {
 constexpr uint32_t mostFrames = 100000;
 constexpr uint32_t mostSamples = 65536;
 
-constexpr std::array<std::pair<std::string_view, Aov>, 9> aovs = {{
+constexpr std::array<std::pair<std::string_view, Aov>, 14> aovs = {{
     {"color", Aov::color},
     {"reflection", Aov::reflection},
     {"class", Aov::reflectionClass},
@@ -27,6 +27,16 @@ constexpr std::array<std::pair<std::string_view, Aov>, 9> aovs = {{
     {"depth", Aov::depth},
     {"reflection_source", Aov::reflectionSource},
     {"scene", Aov::scene},
+    {"overlay_depth", Aov::overlayDepth},
+    {"overlay_plane", Aov::overlayPlane},
+    {"overlay_classes", Aov::overlayClasses},
+    {"overlay_confidence", Aov::overlayConfidence},
+    {"overlay_distance", Aov::overlayDistance},
+}};
+
+constexpr std::array<std::pair<std::string_view, Mistake>, 2> mistakes = {{
+    {"flipped_y", Mistake::flippedY},
+    {"forward_depth", Mistake::forwardDepth},
 }};
 
 constexpr const char* footer = R"(Examples:
@@ -40,8 +50,8 @@ Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)
 
 /// What the line says, before any of it is checked.
 struct Raw {
-    std::string scene, size, supersample, time, camera, frames, fps, aov, sky, mesh, stats, device, spp, seed,
-        truth;
+    std::string scene, size, supersample, time, camera, frames, fps, aov, mistake, sky, mesh, stats, device,
+        spp, seed, truth;
     std::vector<std::string> outputs, overrides;
     bool validation = false, noValidation = false;
 };
@@ -107,8 +117,16 @@ void describe(CLI::App& app, CLI::App& render, Raw& raw) {
         ->type_name("N");
     render.add_option("--fps", raw.fps, "Frames in a second, 30 if not given")->type_name("F");
     render
-        .add_option("--aov", raw.aov,
-                    "What to draw: color reflection class height normal foam depth reflection_source")
+        .add_option(
+            "--aov", raw.aov,
+            "What to draw: color reflection class height normal foam depth reflection_source, or how the "
+            "library understands the frame: overlay_depth overlay_plane overlay_classes "
+            "overlay_confidence overlay_distance")
+        ->type_name("NAME");
+    render
+        .add_option(
+            "--mistake", raw.mistake,
+            "Tell the library a wrong projection, to know what that looks like: flipped_y forward_depth")
         ->type_name("NAME");
     render.add_option("--stats", raw.stats, "Measure the frame's passes, print them and write them as JSON")
         ->type_name("FILE");
@@ -184,8 +202,8 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
             std::find_if(aovs.begin(), aovs.end(), [&raw](const auto& a) { return a.first == raw.aov; });
         if (found == aovs.end()) {
             return fail("--aov is '" + raw.aov +
-                            "', expected color, reflection, class, height, normal, foam, depth or "
-                            "reflection_source;" +
+                            "', expected color, reflection, class, height, normal, foam, depth, "
+                            "reflection_source or overlay_depth, _plane, _classes, _confidence, _distance;" +
                             " the nearest is " + std::string(nearest(raw.aov, aovNames())),
                         error);
         }
@@ -194,6 +212,13 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
             return fail("--supersample is given with --aov " + raw.aov +
                             ", expected color, which can be averaged",
                         error);
+    }
+    if (!raw.mistake.empty()) {
+        const auto* const found =
+            std::ranges::find(mistakes, raw.mistake, &std::pair<std::string_view, Mistake>::first);
+        if (found == mistakes.end())
+            return fail("--mistake is '" + raw.mistake + "', expected flipped_y or forward_depth", error);
+        out.mistake = found->second;
     }
     out.camera = raw.camera;
     out.overrides = raw.overrides;

@@ -26,6 +26,7 @@ struct RenderOptions {
     double fps = 30;
     std::vector<std::string> overrides;
     Aov aov = Aov::color;
+    Mistake mistake = Mistake::none;
     std::filesystem::path sky;  ///< instead of the scene's; empty keeps it
     std::filesystem::path mesh; ///< instead of the scene's; empty keeps them
     std::filesystem::path stats;

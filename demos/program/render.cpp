@@ -54,8 +54,13 @@ class Run {
   public:
     Run(const RenderOptions& options, const Scene& scene, const CameraDesc& camera, Host& host)
         : options_(options), scene_(scene), host_(host) {
-        frame_ = {options.size.width * options.supersample, options.size.height * options.supersample, camera,
-                  options.timeS.value_or(scene.timeS), options.aov};
+        frame_ = {options.size.width * options.supersample,
+                  options.size.height * options.supersample,
+                  camera,
+                  options.timeS.value_or(scene.timeS),
+                  options.aov,
+                  0,
+                  options.mistake};
     }
 
     bool all(Progress& progress, Error& error) {

@@ -91,6 +91,11 @@ Visualised visualise(const Picture& picture, Aov aov, double exposureEv) {
     case Aov::scene:
         return {toneMap(picture, exposureEv), {}};
     case Aov::reflectionClass:
+    case Aov::overlayDepth:
+    case Aov::overlayPlane:
+    case Aov::overlayClasses:
+    case Aov::overlayConfidence:
+    case Aov::overlayDistance:
         return {paint(picture, [](const float* p) { return Rgb{p[0], p[1], p[2]}; }), {}};
     case Aov::height:
         return height(picture);

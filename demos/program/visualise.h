@@ -14,9 +14,9 @@ struct Visualised {
     std::string scale; ///< what grey stands for; empty when it needs no words
 };
 
-/// Colour and reflection are tone-mapped; classes as they are; normals 0.5 + 0.5 n; height grey around mid
-/// grey; foam grey; depth logarithmic grey, the nearest white, the farthest and the sky black. Sources: red
-/// across the picture, green down it, black where there is none.
+/// Colour and reflection are tone-mapped; classes and overlays as they are; normals 0.5 + 0.5 n; height grey
+/// around mid grey; foam grey; depth logarithmic grey, the nearest white, the farthest and the sky black.
+/// Sources: red across the picture, green down it, black where there is none.
 Visualised visualise(const Picture& picture, Aov aov, double exposureEv);
 
 } // namespace demos

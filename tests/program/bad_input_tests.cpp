@@ -56,6 +56,7 @@ std::vector<BadInput> commandLines() {
         {"FpsZero", render({"--frames", "2", "--fps", "0"}), {"--fps is '0'"}},
         {"FpsAlone", render({"--fps", "24"}), {"--fps", "--frames"}},
         {"UnknownAov", render({"--aov", "hight"}), {"--aov is 'hight'", "nearest is height"}},
+        {"UnknownMistake", render({"--mistake", "typo"}), {"--mistake is 'typo'", "flipped_y"}},
         {"UnknownCamera", render({"--camera", "lo"}), {"--camera is 'lo'", "level, low", "nearest is low"}},
         {"BothValidations", render({"--validation", "--no-validation"}), {"--validation"}},
         {"SetWithoutValue", render({"--set", "time_s"}), {"--set time_s", "path=value"}},

@@ -105,11 +105,19 @@ TEST_F(Render, SkyAndMeshOfOnesOwn) {
 }
 
 TEST_F(Render, EveryAov) {
-    for (const char* aov : {"color", "reflection", "class", "height", "normal", "foam", "depth",
-                            "reflection_source", "scene"}) {
+    for (const char* aov :
+         {"color", "reflection", "class", "height", "normal", "foam", "depth", "reflection_source", "scene",
+          "overlay_depth", "overlay_plane", "overlay_classes", "overlay_confidence", "overlay_distance"}) {
         const Outcome outcome = render({"-o", "out/a.png", "--aov", aov});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_EQ(outcome.err, "") << aov;
+    }
+    EXPECT_EQ(render({"-o", "out/a.png", "--aov", "overlay_plane"}).code, 0);
+    const std::string right = tests::readAll(out("a.png"));
+    for (const char* mistake : {"flipped_y", "forward_depth"}) {
+        const Outcome outcome = render({"-o", "out/a.png", "--aov", "overlay_plane", "--mistake", mistake});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_FALSE(tests::readAll(out("a.png")) == right) << mistake;
     }
     EXPECT_NE(render({"-o", "out/a.png", "--aov", "height"}).out.find("scale: black -"), std::string::npos);
 }
@@ -117,7 +125,8 @@ TEST_F(Render, EveryAov) {
 TEST_F(Render, EveryAovOfAFloor) {
     tests::writeAll(folder_.path() / "scene.toml", tests::sampleFloorScene());
     std::vector<std::string> pictures;
-    for (const char* aov : {"color", "reflection", "class", "height", "normal", "foam", "depth"}) {
+    for (const char* aov : {"color", "reflection", "class", "height", "normal", "foam", "depth",
+                            "overlay_plane", "overlay_classes"}) {
         const Outcome outcome = render({"-o", "out/a.png", "--aov", aov, "--validation"});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_EQ(outcome.err, "") << aov;

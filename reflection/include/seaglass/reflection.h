@@ -129,6 +129,39 @@ Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t 
 /// The images of a view index, null handles where it has not been reflected.
 ReflectionImages reflectionImages(const Reflector* reflector, uint32_t viewIndex);
 
+/// What recordOverlay() draws of a view. Distances [m] run from white at 0.1 over yellow at 1, teal at 10 and
+/// violet at 100 to black at 1000, in bands that end at 1, 2, 5, 10, 20 ..., every other one darker.
+enum class OverlayKind : uint32_t {
+    /// Distance ahead of the eye, as depth and matrices tell it. Light blue: the far plane. Magenta: no
+    /// depth.
+    depth = 0,
+    /// Blue, in bands of distance: the plane is seen there. Green to white: what stands above it, with a
+    /// black
+    /// contour line every `contourSpacing`, white from the tenth on. Light blue: the far plane.
+    plane = 1,
+    classes = 2,    ///< of what is mirrored. Green: hit, blue: sky, red: unknown, near black: no plane seen
+    confidence = 3, ///< dark red: 0, white: 1, near black: no plane seen
+    /// From the mirror to what it shows. Light blue: sky, red: unknown, near black: no plane seen.
+    hitDistance = 4,
+};
+
+/// Debugging: what the library makes of its inputs.
+struct OverlayDesc {
+    OverlayKind kind = OverlayKind::depth;
+    /// An RGBA16F storage image in VK_IMAGE_LAYOUT_GENERAL, at least as large as the viewport, and drawn into
+    /// there: colours of 0..1, alpha 1. The host has made it ready for writing in compute shaders
+    /// (VK_ACCESS_2_SHADER_STORAGE_WRITE), and waits for that afterwards.
+    Image target;
+    float contourSpacing = 1; ///< heights between the contour lines of OverlayKind::plane [m], 0.001..1e6
+};
+
+/// Draws how the library understands a view's camera, depth and plane, or what reflect() has left for it: a
+/// wrong matrix shows at once. Outside any render pass; reads view.sceneDepth like reflect(). `depth` and
+/// `plane` need no reflect() before. The pipeline is made at the first call; a host that never calls pays
+/// nothing.
+Status recordOverlay(VkCommandBuffer commands, Reflector* reflector, const ViewDesc* view,
+                     const OverlayDesc* desc);
+
 } // namespace seaglass
 
 #endif

@@ -81,6 +81,9 @@ Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
 /// Records the reflections of `view`; as reflect() for reflectors. Outside any render pass.
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view);
 
+/// As recordOverlay() for reflectors; of a body whose reflection is the sky alone there is nothing to see.
+Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view, const OverlayDesc* desc);
+
 /// What draw() writes. Everything but `shaded` is for looking at and measuring the inputs.
 enum class SurfaceOutput : uint32_t {
     shaded = 0,

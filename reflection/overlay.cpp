@@ -1,0 +1,90 @@
+#include "reflection/overlay.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "reflection/mirror.h"
+#include "spirv/overlay.comp.h"
+
+namespace seaglass {
+
+namespace {
+
+constexpr uint32_t groupEdge = 8;
+
+/// The std140 block of shaders/overlay.comp.
+struct OverlayUniforms {
+    glm::vec4 forwardRow{0};
+    float contourSpacing = 1;
+    uint32_t kind = 0;
+    uint32_t padding[2] = {};
+};
+
+} // namespace
+
+Status OverlayKernel::create(Context& context) {
+    constexpr VkDescriptorType bindings[] = {
+        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
+    return kernel.create(context.device, overlay_comp, bindings, "overlay pipeline");
+}
+
+bool showsReflection(OverlayKind kind) {
+    return kind != OverlayKind::depth && kind != OverlayKind::plane;
+}
+
+const char* badField(const OverlayDesc& desc, const ViewDesc& view) {
+    if (desc.kind > OverlayKind::hitDistance) return "OverlayDesc.kind is none of OverlayKind";
+    if (!(desc.contourSpacing >= 0.001f && desc.contourSpacing <= 1e6f))
+        return "OverlayDesc.contourSpacing is out of range, expected 0.001 to 1e6";
+    const Image& target = desc.target;
+    if (!target.view) return "OverlayDesc.target.view is null";
+    if (target.format != VK_FORMAT_R16G16B16A16_SFLOAT)
+        return "OverlayDesc.target.format is not VK_FORMAT_R16G16B16A16_SFLOAT";
+    if (target.layout != VK_IMAGE_LAYOUT_GENERAL)
+        return "OverlayDesc.target.layout is not VK_IMAGE_LAYOUT_GENERAL";
+    const VkViewport& v = view.viewport;
+    if (std::max(v.x, v.x + v.width) > static_cast<float>(target.extent.width) ||
+        std::max(v.y, v.y + v.height) > static_cast<float>(target.extent.height))
+        return "OverlayDesc.target is smaller than the viewport";
+    return nullptr;
+}
+
+Status recordOverlay(const ReflectPass& pass, const OverlayKernel& overlay, const ReflectionImages& images,
+                     const OverlayDesc& desc) {
+    Context& context = pass.context;
+    const ViewGeometry& view = pass.geometry;
+    OverlayUniforms uniforms;
+    uniforms.forwardRow = glm::vec4(glm::dvec4(view.forward, 0) * view.relativeFromPixel);
+    uniforms.contourSpacing = desc.contourSpacing;
+    uniforms.kind = static_cast<uint32_t>(desc.kind);
+    gpu::Slice slice;
+    if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
+    std::memcpy(slice.data, &uniforms, sizeof uniforms);
+
+    const VkSampler nearest = context.samplers.nearestClamp();
+    const Image& depth = pass.view.sceneDepth;
+    const gpu::Resource sceneDepth = gpu::sampledImage(nearest, depth.view, depth.layout);
+    // What a kind does not show needs something to point at.
+    const bool shown = showsReflection(desc.kind);
+    const gpu::Resource resources[] = {
+        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
+        gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
+        sceneDepth,
+        shown ? gpu::sampledImage(nearest, images.color) : sceneDepth,
+        shown ? gpu::sampledImage(nearest, images.info) : sceneDepth,
+        gpu::storageImage(desc.target.view),
+    };
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(overlay.kernel.layout().set(), resources, set);
+        s != Status::ok)
+        return s;
+    const gpu::PassScope scope(context.device, pass.commands, "reflection_overlay");
+    const VkExtent2D extent = pass.extent();
+    overlay.kernel.dispatch(pass.commands, set, (extent.width + groupEdge - 1) / groupEdge,
+                            (extent.height + groupEdge - 1) / groupEdge);
+    return Status::ok;
+}
+
+} // namespace seaglass
