@@ -9,6 +9,16 @@
 
 namespace seaglass {
 
+namespace {
+
+/// Of what lies on the plane, the share that grows with the distance: 20 micrometres a metre, and what the
+/// depth's format cannot tell apart. Height is affine in depth before it is divided by the weight.
+double contactPerMetre(const ScreenMirror& mirror, double depthStep) {
+    return 2e-5 + depthStep * std::abs(mirror.heightRow.z);
+}
+
+} // namespace
+
 const char* readPlane(const double (&plane)[4], glm::dvec4& out) {
     for (const double value : plane)
         if (!std::isfinite(value)) return "plane is not finite";
@@ -51,6 +61,8 @@ MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldP
     out.relativeFromPixel = glm::mat4(view.relativeFromPixel);
     out.heightRow = glm::vec4(mirror.heightRow);
     out.weightRow = glm::vec4(mirror.weightRow);
+    out.depthRow =
+        glm::vec4(row(mirror.pixelFromPixel, 2) - view.infinityDepth * row(mirror.pixelFromPixel, 3));
     out.plane = glm::vec4(plane);
     out.region = glm::ivec4(view.regionOrigin, view.regionSize);
     out.farDepth = static_cast<float>(view.farDepth);
@@ -60,6 +72,8 @@ MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldP
     out.bent = desc.distortion > 0 ? 1 : 0;
     out.pixelShift = std::countr_zero(desc.downscale);
     out.keyShift = std::countr_zero(keyScale(desc));
+    out.contactPerMetre = static_cast<float>(contactPerMetre(mirror, view.depthStep));
+    out.depthStep = static_cast<float>(view.depthStep);
     return out;
 }
 

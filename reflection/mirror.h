@@ -39,18 +39,21 @@ struct MirrorUniforms {
     glm::mat4 relativeFromPixel{1};
     glm::vec4 heightRow{0};
     glm::vec4 weightRow{0};
+    glm::vec4 depthRow{0};
     glm::vec4 plane{0};
     glm::ivec4 region{0};
     float farDepth = 0;
     float depthSign = 1; ///< +1 when nearer is greater
     float edgeFadePixels = 0;
     float infinityDepth = 0;
-    uint32_t bent = 0;      ///< whether lookups stray from where the plane is seen
-    int32_t pixelShift = 0; ///< log2 of the pixels of the region to one of the reflection, each way
-    int32_t keyShift = 0;   ///< and to one key
-    uint32_t padding = 0;
+    uint32_t bent = 0;         ///< whether lookups stray from where the plane is seen
+    int32_t pixelShift = 0;    ///< log2 of the pixels of the region to one of the reflection, each way
+    int32_t keyShift = 0;      ///< and to one key
+    float contactPerMetre = 0; ///< see onOrBelowPlane() of shaders/common/mirror.glsl
+    float depthStep = 0;
+    uint32_t padding[3] = {};
 };
-static_assert(sizeof(MirrorUniforms) == 224);
+static_assert(sizeof(MirrorUniforms) == 256);
 
 /// Pixels of the view to one SSPR key, each way.
 uint32_t keyScale(const ReflectionDesc& desc);

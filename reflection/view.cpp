@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "reflection/limits.h"
+#include "reflection/scene_formats.h"
 
 namespace seaglass {
 
@@ -24,12 +25,49 @@ bool depthIsReversed(const glm::dmat4& p) {
     return p[2][2] * p[3][3] - p[3][2] * p[2][3] > 0;
 }
 
-const char* badImage(const Image& image, const VkViewport& viewport, const char* nullText,
-                     const char* smallText) {
-    if (!image.view) return nullText;
+/// What is demanded of one of a view's images, and what is said when it is not met.
+struct ImageRules {
+    bool (*holds)(VkFormat);
+    const char* isNull;
+    const char* isOfOtherFormat;
+    const char* isInOtherLayout;
+    const char* isSmall;
+};
+
+constexpr ImageRules depthRules = {
+    holdsDepth,
+    "ViewDesc.sceneDepth.view is null",
+    "ViewDesc.sceneDepth.format holds no depth that can be read, expected D16_UNORM, X8_D24_UNORM_PACK32 or "
+    "D32_SFLOAT, with stencil or without, R16_UNORM or R32_SFLOAT",
+    "ViewDesc.sceneDepth.layout is none to sample from, expected GENERAL or one that is read-only",
+    "ViewDesc.sceneDepth is smaller than the viewport",
+};
+
+constexpr ImageRules colorRules = {
+    holdsColor,
+    "ViewDesc.sceneColor.view is null",
+    "ViewDesc.sceneColor.format holds no colour that can be read, expected R16G16B16A16_SFLOAT, "
+    "R32G32B32A32_SFLOAT, B10G11R11_UFLOAT_PACK32, or 8-bit RGBA, BGRA or ABGR, UNORM or SRGB",
+    "ViewDesc.sceneColor.layout is none to sample from, expected GENERAL or one that is read-only",
+    "ViewDesc.sceneColor is smaller than the viewport",
+};
+
+constexpr ImageRules normalsRules = {
+    holdsNormals,
+    "ViewDesc.surfaceNormals.view is null",
+    "ViewDesc.surfaceNormals.format holds no normals that can be read, expected R16G16B16A16_SFLOAT, "
+    "R32G32B32A32_SFLOAT or R8G8B8A8_SNORM",
+    "ViewDesc.surfaceNormals.layout is none to sample from, expected GENERAL or one that is read-only",
+    "ViewDesc.surfaceNormals is smaller than the viewport",
+};
+
+const char* badImage(const Image& image, const VkViewport& viewport, const ImageRules& rules) {
+    if (!image.view) return rules.isNull;
+    if (!rules.holds(image.format)) return rules.isOfOtherFormat;
+    if (!sampledIn(image.layout)) return rules.isInOtherLayout;
     const double right = std::max(viewport.x, viewport.x + viewport.width);
     const double bottom = std::max(viewport.y, viewport.y + viewport.height);
-    if (right > image.extent.width || bottom > image.extent.height) return smallText;
+    if (right > image.extent.width || bottom > image.extent.height) return rules.isSmall;
     return nullptr;
 }
 
@@ -63,15 +101,12 @@ glm::dmat4 toMatrix(const double (&values)[16]) {
 
 const char* readView(const ViewDesc& view, ViewGeometry& out) {
     if (const char* bad = readCamera(view, out)) return bad;
-    if (const char* bad = badImage(view.sceneDepth, view.viewport, "ViewDesc.sceneDepth.view is null",
-                                   "ViewDesc.sceneDepth is smaller than the viewport"))
-        return bad;
-    if (const char* bad = badImage(view.sceneColor, view.viewport, "ViewDesc.sceneColor.view is null",
-                                   "ViewDesc.sceneColor is smaller than the viewport"))
-        return bad;
-    if (!view.surfaceNormals) return nullptr;
-    return badImage(*view.surfaceNormals, view.viewport, "ViewDesc.surfaceNormals.view is null",
-                    "ViewDesc.surfaceNormals is smaller than the viewport");
+    if (const char* bad = badImage(view.sceneDepth, view.viewport, depthRules)) return bad;
+    if (const char* bad = badImage(view.sceneColor, view.viewport, colorRules)) return bad;
+    if (view.surfaceNormals)
+        if (const char* bad = badImage(*view.surfaceNormals, view.viewport, normalsRules)) return bad;
+    out.depthStep = depthStep(view.sceneDepth.format, out.reversedDepth);
+    return nullptr;
 }
 
 const char* readCamera(const ViewDesc& view, ViewGeometry& out) {

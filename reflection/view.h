@@ -23,6 +23,7 @@ struct ViewGeometry {
     bool reversedDepth = false;
     double farDepth = 1;        ///< depth value of the far plane, infinite or not
     double infinityDepth = 1;   ///< depth value of points at infinity, a little past a finite far plane
+    double depthStep = 0;       ///< scene depths closer than this may be held as one
     glm::ivec2 regionOrigin{0}; ///< the viewport's top left corner in the scene images
     glm::ivec2 regionSize{0};
 };

@@ -29,6 +29,7 @@ const int holeCells = 12;   // to each side
 // From the middle of the source: within it; or a little off, where nothing else claims this pixel.
 const float withinPixel = 0.52;
 const float besidePixel = 0.75;
+const float mostLoose = 4.0;
 
 struct Hit {
     bool valid;
@@ -38,11 +39,19 @@ struct Hit {
 
 const Hit noHit = Hit(false, vec2(0.0), 0.0);
 
-// The mirrored ray of a pixel as screen points: origin + mirroredDepth * along.
+// The mirrored ray of a pixel as screen points whose depth counts from infinityDepth: origin + mirroredDepth * along.
 struct ScreenRay {
     vec4 origin;
     vec4 along;
 };
+
+ScreenRay rayOf(vec2 q) {
+    vec4 origin = screenMirror * vec4(q, 0.0, 1.0);
+    vec4 along = screenMirror[2];
+    origin.z = dot(depthRow, vec4(q, 0.0, 1.0));
+    along.z = depthRow.z;
+    return ScreenRay(origin, along);
+}
 
 // The smaller of the steps to both sides, since the other may lead off the surface; none where they part in sign, as on
 // what is a pixel wide (minmod, van Leer 1979).
@@ -64,11 +73,14 @@ vec2 depthGradient(ivec2 pixel, float depth) {
 // Where the ray meets the plane through a pixel's depth; valid within that pixel.
 Hit metWithin(float accepted, ScreenRay ray, vec2 middle, float depth, vec2 gradient) {
     // z - depth w - gradient . (xy - middle w) = 0 on the plane.
-    vec4 surface = vec4(-gradient, 1.0, dot(gradient, middle) - depth);
-    float met = -dot(surface, ray.origin) / dot(surface, ray.along);
+    vec4 surface = vec4(-gradient, 1.0, dot(gradient, middle) - (depth - infinityDepth));
+    float perMet = dot(surface, ray.along);
+    float met = -dot(surface, ray.origin) / perMet;
     vec4 p = ray.origin + met * ray.along;
     vec2 source = p.xy / p.w;
-    vec2 off = abs(source - middle);
+    // As far as the depth's last digit moves it.
+    vec2 loose = min(abs(depthStep / perMet * (ray.along.xy - source * ray.along.w)), mostLoose);
+    vec2 off = abs(source - middle) - loose;
     return Hit(met > 0.0 && met <= 1.0 && p.w > 0.0 && max(off.x, off.y) <= accepted, source, met);
 }
 
@@ -173,7 +185,7 @@ void main() {
     vec4 color = vec4(0.0);
     float info = infoUnknown;
     if (planeAhead(q)) {
-        ScreenRay ray = ScreenRay(screenMirror * vec4(q, 0.0, 1.0), screenMirror[2]);
+        ScreenRay ray = rayOf(q);
         Hit hit = nearestHit(ivec2(q) >> keyShift, ray);
         // Loops of one round, since those that nobody enters are left out.
         for (bool hits = hit.valid; hits; hits = false) {

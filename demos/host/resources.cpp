@@ -45,6 +45,17 @@ VkImageView makeView(const Device& device, const Image& image, bool cube, Error&
     return view;
 }
 
+bool holdsStencil(VkFormat format) {
+    return format == VK_FORMAT_D16_UNORM_S8_UINT || format == VK_FORMAT_D24_UNORM_S8_UINT ||
+           format == VK_FORMAT_D32_SFLOAT_S8_UINT;
+}
+
+VkImageAspectFlags viewedAspect(VkFormat format) {
+    const bool depth = holdsStencil(format) || format == VK_FORMAT_D16_UNORM ||
+                       format == VK_FORMAT_X8_D24_UNORM_PACK32 || format == VK_FORMAT_D32_SFLOAT;
+    return depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
 VkExtent2D halved(VkExtent2D extent, uint32_t level) {
     return {std::max(1u, extent.width >> level), std::max(1u, extent.height >> level)};
 }
@@ -157,14 +168,14 @@ bool createImage(const Device& device, const ImageDesc& desc, Image& out, Error&
     info.extent = {desc.extent.width, desc.extent.height, 1};
     info.mipLevels = desc.mips;
     info.arrayLayers = desc.cube ? 6 : 1;
-    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.samples = desc.samples;
     info.usage = desc.usage;
     Image made;
     made.format = desc.format;
     made.extent = desc.extent;
     made.mips = desc.mips;
     made.layers = info.arrayLayers;
-    made.aspect = desc.format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+    made.aspect = viewedAspect(desc.format);
     VkImage image = VK_NULL_HANDLE;
     if (!succeeded(vkCreateImage(device.handle(), &info, nullptr, &image), "vkCreateImage", error))
         return false;
@@ -237,7 +248,9 @@ void imageBarrier(VkCommandBuffer commands, const Image& image, VkImageLayout fr
     barrier.newLayout = to;
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image.image.get();
-    barrier.subresourceRange = {image.aspect, 0, image.mips, 0, image.layers};
+    // Depth and stencil change their layout together.
+    const VkImageAspectFlags stencil = holdsStencil(image.format) ? VK_IMAGE_ASPECT_STENCIL_BIT : 0;
+    barrier.subresourceRange = {image.aspect | stencil, 0, image.mips, 0, image.layers};
     VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     dependency.imageMemoryBarrierCount = 1;
     dependency.pImageMemoryBarriers = &barrier;

@@ -31,7 +31,7 @@ struct Image {
     VkExtent2D extent = {0, 0};
     uint32_t mips = 1;
     uint32_t layers = 1;
-    VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
+    VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT; ///< of the view and of copies: never stencil
 };
 
 struct ImageDesc {
@@ -39,6 +39,7 @@ struct ImageDesc {
     VkExtent2D extent = {1, 1};
     uint32_t mips = 1;
     bool cube = false;
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
     VkImageUsageFlags usage = 0;
 };
 

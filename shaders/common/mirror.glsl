@@ -5,6 +5,7 @@ layout(set = 0, binding = 0, std140) uniform Mirror {
     mat4 relativeFromPixel;
     vec4 heightRow;
     vec4 weightRow;
+    vec4 depthRow;   // of screenMirror: w times depth less infinityDepth, made before the digits they share are rounded
     vec4 plane;   // relative to the eye, facing it
     ivec4 region; // origin in the scene images, size
     float farDepth;
@@ -15,6 +16,8 @@ layout(set = 0, binding = 0, std140) uniform Mirror {
     // Powers of two, since integers divide slowly.
     int pixelShift;   // pixels of the region to one of the reflection, each way
     int keyShift;     // and to one key
+    float contactPerMetre;   // see onOrBelowPlane()
+    float depthStep;         // scene depths closer than this may be held as one
 };
 
 // The reflection's pixels, and its keys'.
@@ -39,11 +42,12 @@ vec3 unprojected(vec3 screenPoint) {
     return p.xyz / p.w;
 }
 
-// Heights under which a point counts as lying on the plane: what a depth buffer can no longer tell apart, 1 mm and 20
-// micrometres a metre of distance. Both sides of height < contact are linear in a screen point once they are multiplied
-// by its weight, and so tell of points at infinity too: below the plane's horizon or above it.
+// Heights under which a point counts as lying on the plane: what a depth buffer can no longer tell apart, 1 mm and what
+// contactPerMetre says for each metre of distance, 20 micrometres or a step of the depth's format. Both sides of height <
+// contact are linear in a screen point once they are multiplied by its weight, and so tell of points at infinity too:
+// below the plane's horizon or above it.
 bool onOrBelowPlane(float height, float weight) {
-    return height <= 1e-3 * weight + 2e-5;
+    return height <= 1e-3 * weight + contactPerMetre;
 }
 
 bool onOrBelowPlane(vec3 screenPoint) {
@@ -54,7 +58,7 @@ bool onOrBelowPlane(vec3 screenPoint) {
 // Deeper under the plane than it is told apart.
 bool wellBelowPlane(vec3 screenPoint) {
     vec4 p = vec4(screenPoint, 1.0);
-    return dot(heightRow, p) < -(1e-3 * dot(weightRow, p) + 2e-5);
+    return dot(heightRow, p) < -(1e-3 * dot(weightRow, p) + contactPerMetre);
 }
 
 bool insideRegion(vec2 pixel) {

@@ -31,6 +31,10 @@ Reflected ReflectionTest::reflectView(const TracedView& traced, seaglass::ViewDe
     const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
     view.sceneDepth = asSeaglass(depth);
     view.sceneColor = asSeaglass(color);
+    return reflectImages(view, desc);
+}
+
+Reflected ReflectionTest::reflectImages(const seaglass::ViewDesc& view, const seaglass::ReflectorDesc& desc) {
     seaglass::Reflector* reflector = nullptr;
     EXPECT_EQ(seaglass::createReflector(context(), &desc, &reflector), Status::ok) << message();
     frame([&](VkCommandBuffer commands) {

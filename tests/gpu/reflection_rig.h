@@ -13,6 +13,8 @@ class ReflectionTest : public GpuTest {
   protected:
     Reflected reflectView(const TracedView& traced, seaglass::ViewDesc view,
                           const seaglass::ReflectorDesc& desc = {});
+    /// Of a view that names its images.
+    Reflected reflectImages(const seaglass::ViewDesc& view, const seaglass::ReflectorDesc& desc = {});
     Reflected reflectScene(const Camera& camera, const TracedView& traced,
                            const seaglass::ReflectorDesc& desc = {});
     /// Holds estimate() against what a first view of `extent` asks of Vulkan.

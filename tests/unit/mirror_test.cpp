@@ -225,4 +225,64 @@ TEST(View, NamesWhatIsWrong) {
               std::string::npos);
 }
 
+TEST(View, NamesTheImageThatCannotBeRead) {
+    const auto refused = [](auto&& spoil) {
+        ViewDesc view = describedView(Camera{});
+        Image normals = view.sceneColor;
+        view.surfaceNormals = &normals;
+        spoil(view, normals);
+        ViewGeometry geometry;
+        const char* text = readView(view, geometry);
+        return std::string(text ? text : "");
+    };
+    const auto begins = [](const std::string& text, const char* with) { return text.find(with) == 0; };
+    using View = ViewDesc;
+    EXPECT_EQ(refused([](View&, Image&) {}), "");
+    EXPECT_TRUE(begins(refused([](View& v, Image&) { v.sceneDepth.format = VK_FORMAT_UNDEFINED; }),
+                       "ViewDesc.sceneDepth.format"));
+    EXPECT_TRUE(begins(refused([](View& v, Image&) { v.sceneDepth.format = VK_FORMAT_R16G16B16A16_SFLOAT; }),
+                       "ViewDesc.sceneDepth.format"));
+    EXPECT_TRUE(begins(refused([](View& v, Image&) { v.sceneDepth.format = VK_FORMAT_S8_UINT; }),
+                       "ViewDesc.sceneDepth.format"));
+    EXPECT_TRUE(begins(refused([](View& v, Image&) { v.sceneColor.format = VK_FORMAT_R32G32B32A32_UINT; }),
+                       "ViewDesc.sceneColor.format"));
+    EXPECT_TRUE(begins(refused([](View& v, Image&) { v.sceneColor.format = VK_FORMAT_D32_SFLOAT; }),
+                       "ViewDesc.sceneColor.format"));
+    EXPECT_TRUE(begins(refused([](View&, Image& n) { n.format = VK_FORMAT_R8G8B8A8_UNORM; }),
+                       "ViewDesc.surfaceNormals.format"));
+    for (const VkImageLayout layout : {VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL}) {
+        EXPECT_TRUE(begins(refused([&](View& v, Image&) { v.sceneDepth.layout = layout; }),
+                           "ViewDesc.sceneDepth.layout"));
+        EXPECT_TRUE(begins(refused([&](View& v, Image&) { v.sceneColor.layout = layout; }),
+                           "ViewDesc.sceneColor.layout"));
+        EXPECT_TRUE(begins(refused([&](View&, Image& n) { n.layout = layout; }), //
+                           "ViewDesc.surfaceNormals.layout"));
+    }
+    EXPECT_TRUE(begins(refused([](View& v, Image&) {
+                           v.sceneDepth.extent = {0, 0};
+                       }),
+                       "ViewDesc.sceneDepth"));
+    EXPECT_TRUE(begins(refused([](View& v, Image&) { v.viewport.x = 1; }), "ViewDesc.sceneDepth"));
+    EXPECT_TRUE(begins(refused([](View&, Image& n) { n.extent.height = 0; }), "ViewDesc.surfaceNormals"));
+}
+
+TEST(View, DepthStepsAreThoseOfTheFormat) {
+    const auto stepOf = [](VkFormat format, bool reversed) {
+        Camera camera;
+        camera.reversed = reversed;
+        ViewDesc view = describedView(camera);
+        view.sceneDepth.format = format;
+        ViewGeometry geometry;
+        EXPECT_EQ(readView(view, geometry), nullptr);
+        return geometry.depthStep;
+    };
+    for (const bool reversed : {true, false}) {
+        EXPECT_EQ(stepOf(VK_FORMAT_D16_UNORM, reversed), 1.0 / 65535);
+        EXPECT_EQ(stepOf(VK_FORMAT_D24_UNORM_S8_UINT, reversed), 1.0 / 16777215);
+    }
+    EXPECT_EQ(stepOf(VK_FORMAT_D32_SFLOAT_S8_UINT, true), 0);
+    EXPECT_EQ(stepOf(VK_FORMAT_D32_SFLOAT_S8_UINT, false), 0x1p-24);
+}
+
 } // namespace

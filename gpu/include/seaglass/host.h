@@ -83,12 +83,15 @@ void destroyContext(Context* context);
 /// now.
 Status beginFrame(Context* context, uint32_t slot);
 
-/// One of the host's images, as a sampled view. A depth view selects the depth aspect alone.
+/// One of the host's images, as a sampled view: made of an image with VK_IMAGE_USAGE_SAMPLED_BIT, type 2D,
+/// its swizzle the identity. Of an image that holds stencil too, the view selects VK_IMAGE_ASPECT_DEPTH_BIT
+/// alone.
 struct Image {
     VkImageView view = VK_NULL_HANDLE;
-    VkFormat format = VK_FORMAT_UNDEFINED;
+    VkFormat format = VK_FORMAT_UNDEFINED; ///< the view's; an sRGB view decodes what a UNORM view would not
     VkExtent2D extent = {0, 0};
-    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; ///< its layout when sampled; Seaglass never changes it
+    /// Its layout when sampled: GENERAL or one that is read-only. Seaglass never changes it.
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
 /// One camera in one frame.
@@ -96,12 +99,17 @@ struct ViewDesc {
     double view[16] = {};       ///< world to view
     double projection[16] = {}; ///< view to clip. Depth direction, near, far and infinity are read from it
     VkViewport viewport = {};   ///< as set for drawing, in pixels; a negative height flips; depth range 0..1
-    Image sceneColor;           ///< opaque scene colour, linear
-    Image sceneDepth;           ///< opaque scene depth of the same pixels
-    uint32_t viewIndex = 0;     ///< 0..7: which view of this frame, so that each keeps its own images
-    /// Optional: unit normals of the surface in the world (x, y, z of RGBA16F or RGBA8_SNORM) at the same
-    /// pixels, made visible to compute shaders like the scene's images; (0, 0, 0) stands for the plane's. The
-    /// technique ssr then follows each pixel's own mirrored ray; others leave normals to whoever shades.
+    /// Opaque scene colour, linear once sampled: RGBA16F, RGBA32F, B10G11R11_UFLOAT, or RGBA8 and BGRA8 as
+    /// UNORM or SRGB (A8B8G8R8 packed too). Alpha is not read.
+    Image sceneColor;
+    /// Opaque scene depth of the same pixels: D16, X8_D24, D32, each with stencil or without, or a copy of it
+    /// as R16_UNORM or R32_SFLOAT. What the format cannot tell apart from the plane counts as lying on it.
+    Image sceneDepth;
+    uint32_t viewIndex = 0; ///< 0..7: which view of this frame, so that each keeps its own images
+    /// Optional: unit normals of the surface in the world (x, y, z of RGBA16F, RGBA32F or RGBA8_SNORM) at the
+    /// same pixels, made visible to compute shaders like the scene's images; (0, 0, 0) stands for the
+    /// plane's. The technique ssr then follows each pixel's own mirrored ray; others leave normals to whoever
+    /// shades.
     const Image* surfaceNormals = nullptr;
 };
 

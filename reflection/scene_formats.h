@@ -1,0 +1,20 @@
+// Which of a host's images can be read as the scene, and how exactly they tell depth.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+namespace seaglass {
+
+bool holdsColor(VkFormat format);
+bool holdsDepth(VkFormat format);
+bool holdsNormals(VkFormat format);
+
+/// Whether images are sampled in this layout.
+bool sampledIn(VkImageLayout layout);
+
+/// Two depths closer than this may be held as one. Of floats, where they are coarsest while still telling
+/// things apart: near 1 with forward depth; with reversed depth what is far stands near 0, and nothing is
+/// lost.
+double depthStep(VkFormat format, bool reversedDepth);
+
+} // namespace seaglass
