@@ -29,8 +29,8 @@ MarchUniforms marchUniforms(const ReflectPass& pass) {
     const ViewGeometry& view = pass.geometry;
     const ReflectionDesc& desc = pass.desc;
     MarchUniforms out;
-    out.pixelFromRelative = glm::mat4(view.pixelFromRelative);
-    out.forwardRow = glm::vec4(glm::dvec4(view.forward, 0) * view.relativeFromPixel);
+    out.pixelFromRelative = glm::mat4(scenePixelFromRelative(view));
+    out.forwardRow = glm::vec4(glm::dvec4(view.forward, 0) * relativeFromScenePixel(view));
     out.thickness = desc.marchThickness;
     out.longest = desc.marchDistance;
     out.jitter = desc.marchJitter;

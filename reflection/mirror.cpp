@@ -46,9 +46,11 @@ uint32_t keyScale(const ReflectionDesc& desc) {
 
 ScreenMirror screenMirror(const ViewGeometry& view, const glm::dvec4& plane) {
     ScreenMirror mirror;
-    mirror.pixelFromPixel = view.pixelFromRelative * householder(plane) * view.relativeFromPixel;
-    mirror.heightRow = plane * view.relativeFromPixel;
-    mirror.weightRow = row(view.relativeFromPixel, 3);
+    const glm::dmat4 relativeFromScene = relativeFromScenePixel(view);
+    mirror.pixelFromPixel = view.pixelFromRelative * householder(plane) * relativeFromScene;
+    mirror.sceneFromPixel = scenePixelFromRelative(view) * householder(plane) * view.relativeFromPixel;
+    mirror.heightRow = plane * relativeFromScene;
+    mirror.weightRow = row(relativeFromScene, 3);
     return mirror;
 }
 
@@ -58,11 +60,12 @@ MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldP
     const ScreenMirror mirror = screenMirror(view, plane);
     MirrorUniforms out;
     out.screenMirror = glm::mat4(mirror.pixelFromPixel);
+    out.sceneFromPixel = glm::mat4(mirror.sceneFromPixel);
     out.relativeFromPixel = glm::mat4(view.relativeFromPixel);
     out.heightRow = glm::vec4(mirror.heightRow);
     out.weightRow = glm::vec4(mirror.weightRow);
     out.depthRow =
-        glm::vec4(row(mirror.pixelFromPixel, 2) - view.infinityDepth * row(mirror.pixelFromPixel, 3));
+        glm::vec4(row(mirror.sceneFromPixel, 2) - view.infinityDepth * row(mirror.sceneFromPixel, 3));
     out.plane = glm::vec4(plane);
     out.region = glm::ivec4(view.regionOrigin, view.regionSize);
     out.farDepth = static_cast<float>(view.farDepth);

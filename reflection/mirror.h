@@ -25,8 +25,9 @@ glm::dvec4 planeFacingEye(const glm::dvec4& worldPlane, const glm::dvec3& eye);
 glm::dmat4 householder(const glm::dvec4& plane);
 
 struct ScreenMirror {
-    glm::dmat4 pixelFromPixel{1}; ///< H
-    glm::dvec4 heightRow{0}; ///< height above the plane is heightRow.p / weightRow.p for p = (x, y, depth, 1)
+    glm::dmat4 pixelFromPixel{1}; ///< H, from a scene's pixel to one of the reflection
+    glm::dmat4 sceneFromPixel{1}; ///< and back: the same matrix where the scene's pixels show their middles
+    glm::dvec4 heightRow{0}; ///< of a scene's pixel p = (x, y, depth, 1): height is heightRow.p / weightRow.p
     glm::dvec4 weightRow{0};
 };
 
@@ -36,6 +37,7 @@ ScreenMirror screenMirror(const ViewGeometry& view, const glm::dvec4& plane);
 /// The std140 block of shaders/common/mirror.glsl.
 struct MirrorUniforms {
     glm::mat4 screenMirror{1};
+    glm::mat4 sceneFromPixel{1};
     glm::mat4 relativeFromPixel{1};
     glm::vec4 heightRow{0};
     glm::vec4 weightRow{0};
@@ -53,7 +55,7 @@ struct MirrorUniforms {
     float depthStep = 0;
     uint32_t padding[3] = {};
 };
-static_assert(sizeof(MirrorUniforms) == 256);
+static_assert(sizeof(MirrorUniforms) == 320);
 
 /// Pixels of the view to one SSPR key, each way.
 uint32_t keyScale(const ReflectionDesc& desc);

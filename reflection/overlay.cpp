@@ -56,7 +56,7 @@ Status recordOverlay(const ReflectPass& pass, const OverlayKernel& overlay, cons
     Context& context = pass.context;
     const ViewGeometry& view = pass.geometry;
     OverlayUniforms uniforms;
-    uniforms.forwardRow = glm::vec4(glm::dvec4(view.forward, 0) * view.relativeFromPixel);
+    uniforms.forwardRow = glm::vec4(glm::dvec4(view.forward, 0) * relativeFromScenePixel(view));
     uniforms.contourSpacing = desc.contourSpacing;
     uniforms.kind = static_cast<uint32_t>(desc.kind);
     gpu::Slice slice;

@@ -120,6 +120,20 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
     return Status::ok;
 }
 
+Status Reflector::takeSamples(const ReflectPass& pass, ReflectedView& view, ViewDesc& scene) {
+    if (!isMultisampled(scene)) {
+        if (view.scene.depth.handle()) context->frame().retire(std::exchange(view.scene, {}));
+        return Status::ok;
+    }
+    if (const Status s = singleSample.create(*context, scene); s != Status::ok) return s;
+    if (!view.scene.fits(scene)) {
+        SingleSampledScene fresh;
+        if (const Status s = fresh.create(context->device, scene); s != Status::ok) return s;
+        context->frame().retire(std::exchange(view.scene, std::move(fresh)));
+    }
+    return recordSingleSample(pass, singleSample, view.scene, scene);
+}
+
 Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view) {
     switch (desc.technique) {
     case ReflectionTechnique::sky:
@@ -160,7 +174,10 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
 
     gpu::Slice slice;
     if (const Status s = uploadMirror(geometry, slice); s != Status::ok) return s;
-    const ReflectPass pass{*context, commands, view, geometry, desc, slice};
+    ViewDesc scene = view;
+    const ReflectPass pass{*context, commands, scene, geometry, desc, slice};
+    if (!drawn)
+        if (const Status s = takeSamples(pass, reflected, scene); s != Status::ok) return s;
     if (const Status s = recordTechnique(pass, reflected); s != Status::ok) return s;
     recordBlur(*context, commands, reflected.images.color);
     reflected.reflected = true;
@@ -182,7 +199,9 @@ Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
         if (const Status s = context->share(overlay); s != Status::ok) return s;
     gpu::Slice slice;
     if (const Status s = uploadMirror(geometry, slice); s != Status::ok) return s;
-    const ReflectPass pass{*context, commands, view, geometry, desc, slice};
+    ViewDesc scene = view;
+    const ReflectPass pass{*context, commands, scene, geometry, desc, slice};
+    if (const Status s = takeSamples(pass, views[view.viewIndex], scene); s != Status::ok) return s;
     return recordOverlay(pass, *overlay, images(view.viewIndex), overlayDesc);
 }
 

@@ -12,6 +12,7 @@
 #include "reflection/march.h"
 #include "reflection/overlay.h"
 #include "reflection/planar.h"
+#include "reflection/single_sample.h"
 
 namespace seaglass {
 
@@ -21,6 +22,7 @@ struct ReflectedView {
     SsprScratch sspr; ///< empty with techniques that do not scatter
     HybridScratch hybrid;
     PlanarScratch planar;
+    SingleSampledScene scene;   ///< empty where the host's own is
     bool reflected = false;     ///< the images hold what reflect() has left
     bool bent = false;          ///< by the view's own normals
     VkExtent2D region = {0, 0}; ///< the view's, in pixels
@@ -40,10 +42,11 @@ struct Reflector {
     Context* context = nullptr;
     glm::dvec4 plane{0}; ///< world, unit normal
     ReflectionDesc desc;
-    SsprKernels sspr;                       ///< empty with techniques that do not scatter
-    std::shared_ptr<MarchKernel> march;     ///< null with every technique but ssr
-    std::shared_ptr<HybridKernels> hybrid;  ///< null with every other technique
-    std::shared_ptr<PlanarKernel> planar;   ///< null with every other technique
+    SsprKernels sspr;                      ///< empty with techniques that do not scatter
+    std::shared_ptr<MarchKernel> march;    ///< null with every technique but ssr
+    std::shared_ptr<HybridKernels> hybrid; ///< null with every other technique
+    std::shared_ptr<PlanarKernel> planar;  ///< null with every other technique
+    SingleSampleKernels singleSample;
     std::shared_ptr<OverlayKernel> overlay; ///< null until it is first asked for
     std::array<ReflectedView, maxViews> views;
 
@@ -57,6 +60,8 @@ struct Reflector {
     /// Makes what a view of this size needs, where it is not there yet.
     Status prepare(ReflectedView& view, VkExtent2D extent);
     Status uploadMirror(const ViewGeometry& geometry, gpu::Slice& out);
+    /// Makes the view's scene single-sampled where it is not: `scene` is then the view to read it from.
+    Status takeSamples(const ReflectPass& pass, ReflectedView& view, ViewDesc& scene);
     Status recordTechnique(const ReflectPass& pass, ReflectedView& view);
 };
 

@@ -54,6 +54,27 @@ bool sampledIn(VkImageLayout layout) {
     }
 }
 
+bool hasSamplePlace(VkSampleCountFlagBits samples) {
+    return samples == VK_SAMPLE_COUNT_1_BIT || samples == VK_SAMPLE_COUNT_2_BIT ||
+           samples == VK_SAMPLE_COUNT_4_BIT || samples == VK_SAMPLE_COUNT_8_BIT ||
+           samples == VK_SAMPLE_COUNT_16_BIT;
+}
+
+glm::dvec2 samplePlace(VkSampleCountFlagBits samples) {
+    switch (samples) {
+    case VK_SAMPLE_COUNT_2_BIT:
+        return {0.75, 0.75};
+    case VK_SAMPLE_COUNT_4_BIT:
+        return {0.375, 0.125};
+    case VK_SAMPLE_COUNT_8_BIT:
+        return {0.5625, 0.3125};
+    case VK_SAMPLE_COUNT_16_BIT:
+        return {0.5625, 0.5625};
+    default:
+        return {0.5, 0.5};
+    }
+}
+
 double depthStep(VkFormat format, bool reversedDepth) {
     switch (format) {
     case VK_FORMAT_D16_UNORM:

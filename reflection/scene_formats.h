@@ -1,6 +1,7 @@
-// Which of a host's images can be read as the scene, and how exactly they tell depth.
+// Which of a host's images can be read as the scene, and how exactly they tell depth and place.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <vulkan/vulkan_core.h>
 
 namespace seaglass {
@@ -11,6 +12,10 @@ bool holdsNormals(VkFormat format);
 
 /// Whether images are sampled in this layout.
 bool sampledIn(VkImageLayout layout);
+
+/// Where in a pixel sample 0 lies: the standard locations of Vulkan 1.3, 28.3.
+bool hasSamplePlace(VkSampleCountFlagBits samples);
+glm::dvec2 samplePlace(VkSampleCountFlagBits samples);
 
 /// Two depths closer than this may be held as one. Of floats, where they are coarsest while still telling
 /// things apart: near 1 with forward depth; with reversed depth what is far stands near 0, and nothing is

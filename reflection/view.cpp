@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -32,6 +33,7 @@ struct ImageRules {
     const char* isOfOtherFormat;
     const char* isInOtherLayout;
     const char* isSmall;
+    const char* hasOtherSamples;
 };
 
 constexpr ImageRules depthRules = {
@@ -41,6 +43,7 @@ constexpr ImageRules depthRules = {
     "D32_SFLOAT, with stencil or without, R16_UNORM or R32_SFLOAT",
     "ViewDesc.sceneDepth.layout is none to sample from, expected GENERAL or one that is read-only",
     "ViewDesc.sceneDepth is smaller than the viewport",
+    "ViewDesc.sceneDepth.samples is none of 1, 2, 4, 8 and 16",
 };
 
 constexpr ImageRules colorRules = {
@@ -50,6 +53,7 @@ constexpr ImageRules colorRules = {
     "R32G32B32A32_SFLOAT, B10G11R11_UFLOAT_PACK32, or 8-bit RGBA, BGRA or ABGR, UNORM or SRGB",
     "ViewDesc.sceneColor.layout is none to sample from, expected GENERAL or one that is read-only",
     "ViewDesc.sceneColor is smaller than the viewport",
+    "ViewDesc.sceneColor.samples is none of 1, 2, 4, 8 and 16",
 };
 
 constexpr ImageRules normalsRules = {
@@ -59,12 +63,14 @@ constexpr ImageRules normalsRules = {
     "R32G32B32A32_SFLOAT or R8G8B8A8_SNORM",
     "ViewDesc.surfaceNormals.layout is none to sample from, expected GENERAL or one that is read-only",
     "ViewDesc.surfaceNormals is smaller than the viewport",
+    "ViewDesc.surfaceNormals.samples is not 1",
 };
 
 const char* badImage(const Image& image, const VkViewport& viewport, const ImageRules& rules) {
     if (!image.view) return rules.isNull;
     if (!rules.holds(image.format)) return rules.isOfOtherFormat;
     if (!sampledIn(image.layout)) return rules.isInOtherLayout;
+    if (!hasSamplePlace(image.samples)) return rules.hasOtherSamples;
     const double right = std::max(viewport.x, viewport.x + viewport.width);
     const double bottom = std::max(viewport.y, viewport.y + viewport.height);
     if (right > image.extent.width || bottom > image.extent.height) return rules.isSmall;
@@ -93,6 +99,14 @@ glm::dmat4 pixelFromClip(const VkViewport& v, const glm::ivec2& origin) {
 
 } // namespace
 
+glm::dmat4 scenePixelFromRelative(const ViewGeometry& view) {
+    return glm::translate(glm::dmat4(1), glm::dvec3(view.sceneShift, 0)) * view.pixelFromRelative;
+}
+
+glm::dmat4 relativeFromScenePixel(const ViewGeometry& view) {
+    return view.relativeFromPixel * glm::translate(glm::dmat4(1), glm::dvec3(-view.sceneShift, 0));
+}
+
 glm::dmat4 toMatrix(const double (&values)[16]) {
     glm::dmat4 m;
     for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = values[i];
@@ -103,8 +117,14 @@ const char* readView(const ViewDesc& view, ViewGeometry& out) {
     if (const char* bad = readCamera(view, out)) return bad;
     if (const char* bad = badImage(view.sceneDepth, view.viewport, depthRules)) return bad;
     if (const char* bad = badImage(view.sceneColor, view.viewport, colorRules)) return bad;
+    const VkSampleCountFlagBits samples = view.sceneColor.samples;
+    if (samples != VK_SAMPLE_COUNT_1_BIT && samples != view.sceneDepth.samples)
+        return "ViewDesc.sceneColor.samples is neither 1 nor that of ViewDesc.sceneDepth";
+    if (view.surfaceNormals && view.surfaceNormals->samples != VK_SAMPLE_COUNT_1_BIT)
+        return normalsRules.hasOtherSamples;
     if (view.surfaceNormals)
         if (const char* bad = badImage(*view.surfaceNormals, view.viewport, normalsRules)) return bad;
+    out.sceneShift = glm::dvec2(0.5) - samplePlace(view.sceneDepth.samples);
     out.depthStep = depthStep(view.sceneDepth.format, out.reversedDepth);
     return nullptr;
 }

@@ -21,8 +21,11 @@ struct ViewGeometry {
     glm::dmat4 relativeFromPixel{1};
     glm::dvec3 forward{0}; ///< unit, world
     bool reversedDepth = false;
-    double farDepth = 1;        ///< depth value of the far plane, infinite or not
-    double infinityDepth = 1;   ///< depth value of points at infinity, a little past a finite far plane
+    double farDepth = 1;      ///< depth value of the far plane, infinite or not
+    double infinityDepth = 1; ///< depth value of points at infinity, a little past a finite far plane
+    /// From a point's pixel to that of the scene which shows it: a multisampled pixel is sampled off its
+    /// middle.
+    glm::dvec2 sceneShift{0};
     double depthStep = 0;       ///< scene depths closer than this may be held as one
     glm::ivec2 regionOrigin{0}; ///< the viewport's top left corner in the scene images
     glm::ivec2 regionSize{0};
@@ -42,6 +45,10 @@ const char* readView(const ViewDesc& view, ViewGeometry& out);
 
 /// The same for a view whose scene images are not read.
 const char* readCamera(const ViewDesc& view, ViewGeometry& out);
+
+/// To and from pixels of the scene: as their namesakes in ViewGeometry, moved by its sceneShift.
+glm::dmat4 scenePixelFromRelative(const ViewGeometry& view);
+glm::dmat4 relativeFromScenePixel(const ViewGeometry& view);
 
 glm::dmat4 toMatrix(const double (&values)[16]);
 

@@ -46,8 +46,8 @@ struct ScreenRay {
 };
 
 ScreenRay rayOf(vec2 q) {
-    vec4 origin = screenMirror * vec4(q, 0.0, 1.0);
-    vec4 along = screenMirror[2];
+    vec4 origin = sceneFromPixel * vec4(q, 0.0, 1.0);
+    vec4 along = sceneFromPixel[2];
     origin.z = dot(depthRow, vec4(q, 0.0, 1.0));
     along.z = depthRow.z;
     return ScreenRay(origin, along);

@@ -216,6 +216,9 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     if (const char* bad = readView(view, geometry))
         return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (refraction && view.sceneDepth.samples != VK_SAMPLE_COUNT_1_BIT)
+        return device.fail(Status::unsupported,
+                           "draw: ViewDesc.sceneDepth.samples is not 1: refraction reads resolved images");
     if (waves && !simulated)
         return device.fail(Status::invalidArgument,
                            "draw: the body has waves but simulate() was never called");

@@ -68,7 +68,8 @@ bool createPipeline(const Device& device, VkPipelineLayout layout, const Pipelin
     raster.depthBiasSlopeFactor = desc.slopeBias;
     VkPipelineMultisampleStateCreateInfo multisample{
         VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    multisample.rasterizationSamples = desc.samples;
+    multisample.pSampleMask = &desc.sampleMask;
     VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
     depth.depthTestEnable = VK_TRUE;
     depth.depthWriteEnable = desc.depthWrite;

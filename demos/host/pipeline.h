@@ -15,7 +15,9 @@ struct PipelineDesc {
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
     VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;
     bool depthWrite = true;
-    bool masked = false; ///< the fragment shader's constant 0
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+    VkSampleMask sampleMask = ~0u; ///< those that are written
+    bool masked = false;           ///< the fragment shader's constant 0
     float slopeBias = 0;
 };
 

@@ -1,11 +1,12 @@
 // The screen mirror of reflection/mirror.h. A "screen point" is (x, y, depth, 1) in pixels of the view's region.
 
 layout(set = 0, binding = 0, std140) uniform Mirror {
-    mat4 screenMirror;   // to where the plane shows a screen point, w <= 0 behind the camera; its own inverse
+    mat4 screenMirror;   // to where the plane shows a screen point of the scene, w <= 0 behind the camera
+    mat4 sceneFromPixel; // its inverse: itself, unless the scene's pixels show some other point than their middles
     mat4 relativeFromPixel;
     vec4 heightRow;
     vec4 weightRow;
-    vec4 depthRow;   // of screenMirror: w times depth less infinityDepth, made before the digits they share are rounded
+    vec4 depthRow;   // of sceneFromPixel: w times depth less infinityDepth, made before the digits they share are rounded
     vec4 plane;   // relative to the eye, facing it
     ivec4 region; // origin in the scene images, size
     float farDepth;

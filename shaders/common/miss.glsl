@@ -7,7 +7,7 @@ float depthAt(ivec2 pixel) {
 
 // The mirrored ray's far end tells whether the sky it would reach is on the screen.
 float infoOfMiss(vec2 q) {
-    vec4 end = screenMirror * vec4(q, infinityDepth, 1.0);
+    vec4 end = sceneFromPixel * vec4(q, infinityDepth, 1.0);
     vec2 pixel = end.xy / end.w;
     if (!(end.w > 0.0) || !insideRegion(pixel)) return infoUnknown;
     return isFar(depthAt(ivec2(pixel))) ? infoSky : infoUnknown;

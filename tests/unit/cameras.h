@@ -7,6 +7,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "seaglass/host.h"
@@ -25,6 +26,7 @@ struct Camera {
     double near = 0.1;
     double far = 0; ///< 0: infinite
     bool reversed = true;
+    glm::dvec2 jitter{0}; ///< by which all of the picture is moved [pixel]
     uint32_t width = 256, height = 144;
 };
 
@@ -42,6 +44,8 @@ inline glm::dmat4 projectionMatrix(const Camera& camera) {
     p[0][0] = f * camera.height / camera.width;
     p[1][1] = -f;
     p[2][3] = -1;
+    p[2][0] = -2 * camera.jitter.x / camera.width;
+    p[2][1] = -2 * camera.jitter.y / camera.height;
     const double n = camera.near;
     if (camera.far == 0) {
         p[2][2] = camera.reversed ? 0 : -1;

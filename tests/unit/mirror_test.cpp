@@ -267,6 +267,44 @@ TEST(View, NamesTheImageThatCannotBeRead) {
     EXPECT_TRUE(begins(refused([](View&, Image& n) { n.extent.height = 0; }), "ViewDesc.surfaceNormals"));
 }
 
+TEST(View, NamesSampleCountsThatDoNotFit) {
+    const auto refused = [](VkSampleCountFlagBits depth, VkSampleCountFlagBits color,
+                            VkSampleCountFlagBits normal) {
+        ViewDesc view = describedView(Camera{});
+        Image normals = view.sceneColor;
+        view.surfaceNormals = &normals;
+        view.sceneDepth.samples = depth;
+        view.sceneColor.samples = color;
+        normals.samples = normal;
+        ViewGeometry geometry;
+        const char* text = readView(view, geometry);
+        return std::string(text ? text : "");
+    };
+    constexpr auto one = VK_SAMPLE_COUNT_1_BIT, four = VK_SAMPLE_COUNT_4_BIT, eight = VK_SAMPLE_COUNT_8_BIT;
+    EXPECT_EQ(refused(four, four, one), "");
+    EXPECT_EQ(refused(four, one, one), "");
+    EXPECT_EQ(refused(one, four, one).find("ViewDesc.sceneColor.samples"), 0u);
+    EXPECT_EQ(refused(four, eight, one).find("ViewDesc.sceneColor.samples"), 0u);
+    EXPECT_EQ(refused(four, four, four).find("ViewDesc.surfaceNormals.samples"), 0u);
+    for (const auto none : {VkSampleCountFlagBits{}, VK_SAMPLE_COUNT_32_BIT})
+        EXPECT_EQ(refused(none, none, one).find("ViewDesc.sceneDepth.samples"), 0u);
+}
+
+TEST(View, MultisampledScenesAreMirroredFromWhereTheirSampleLies) {
+    for (const VkSampleCountFlagBits samples :
+         {VK_SAMPLE_COUNT_1_BIT, VK_SAMPLE_COUNT_2_BIT, VK_SAMPLE_COUNT_4_BIT, VK_SAMPLE_COUNT_8_BIT}) {
+        ViewDesc desc = describedView(Camera{});
+        desc.sceneDepth.samples = samples;
+        ViewGeometry view;
+        ASSERT_EQ(readView(desc, view), nullptr);
+        const ScreenMirror mirror = screenMirror(view, planeFacingEye(unitPlane(0, 1, 0, 0), view.eye));
+        const glm::dmat4 both = mirror.sceneFromPixel * mirror.pixelFromPixel;
+        const glm::dmat4 unit = both / both[3][3];
+        for (int i = 0; i < 16; ++i) EXPECT_NEAR(unit[i / 4][i % 4], i % 5 == 0 ? 1 : 0, 1e-6);
+        EXPECT_EQ(mirror.sceneFromPixel == mirror.pixelFromPixel, samples == VK_SAMPLE_COUNT_1_BIT);
+    }
+}
+
 TEST(View, DepthStepsAreThoseOfTheFormat) {
     const auto stepOf = [](VkFormat format, bool reversed) {
         Camera camera;

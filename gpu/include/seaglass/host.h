@@ -92,6 +92,8 @@ struct Image {
     VkExtent2D extent = {0, 0};
     /// Its layout when sampled: GENERAL or one that is read-only. Seaglass never changes it.
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    /// Of scene colour and depth: 1 to 16 a pixel, at Vulkan's standard locations. Of anything else 1.
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 
 /// One camera in one frame.
@@ -104,6 +106,10 @@ struct ViewDesc {
     Image sceneColor;
     /// Opaque scene depth of the same pixels: D16, X8_D24, D32, each with stencil or without, or a copy of it
     /// as R16_UNORM or R32_SFLOAT. What the format cannot tell apart from the plane counts as lying on it.
+    ///
+    /// Where it is multisampled, reflections take sample 0 of each pixel, with that sample's colour where the
+    /// colour is multisampled alike; else the host hands in resolved colour. A view then holds 4 bytes a
+    /// pixel of sceneDepth more, and 8 more for multisampled colour, which estimate() does not know of.
     Image sceneDepth;
     uint32_t viewIndex = 0; ///< 0..7: which view of this frame, so that each keeps its own images
     /// Optional: unit normals of the surface in the world (x, y, z of RGBA16F, RGBA32F or RGBA8_SNORM) at the

@@ -102,7 +102,8 @@ enum class SurfaceOutput : uint32_t {
 /// test and write, of the target's formats. Reads view.sceneColor and view.sceneDepth in fragment shaders, so
 /// they must not be the attachments written (a copy of the colour; depth may be a read-only attachment or a
 /// copy). Leaves pipeline, descriptor sets, push constants and index buffer bound to its own; the viewport
-/// and scissor are set from the view.
+/// and scissor are set from the view. A body with refraction is `unsupported` where the view's scene is
+/// multisampled.
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 

@@ -1,0 +1,51 @@
+// Multisampled scenes, made single-sampled before a technique reads them: of each pixel sample 0, its depth
+// and its own colour. A mean of depths lies on no surface, and the nearest of a pixel's samples would stand
+// now here, now there in it; one sample throughout keeps planes plane, and is as near to the middle as any.
+// Reading it once and writing it down is cheaper than for each of the techniques to pick it out of a
+// multisampled image, again and again.
+#pragma once
+
+#include <memory>
+
+#include "gpu/image.h"
+#include "gpu/kernel.h"
+#include "reflection/reflect_pass.h"
+
+namespace seaglass {
+
+struct DepthSampleKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+
+struct ColorSampleKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+
+/// Null until a view hands in images that need them.
+struct SingleSampleKernels {
+    std::shared_ptr<DepthSampleKernel> depth;
+    std::shared_ptr<ColorSampleKernel> color;
+    Status create(Context& context, const ViewDesc& view);
+};
+
+/// Of one view, as large as the host's own images; empty where those hold one sample.
+struct SingleSampledScene {
+    gpu::OwnedImage depth; ///< R32F
+    gpu::OwnedImage color; ///< RGBA16F
+    bool fits(const ViewDesc& view) const;
+    Status create(const gpu::Device& device, const ViewDesc& view);
+};
+
+/// What single-sampled hosts never pay for.
+inline bool isMultisampled(const ViewDesc& view) {
+    return view.sceneDepth.samples != VK_SAMPLE_COUNT_1_BIT;
+}
+
+/// Fills the region of `scene` and leaves it to be sampled; `view` is given back with those images for its
+/// own.
+Status recordSingleSample(const ReflectPass& pass, const SingleSampleKernels& kernels,
+                          const SingleSampledScene& scene, ViewDesc& view);
+
+} // namespace seaglass

@@ -1,0 +1,141 @@
+// Multisampled scenes: depth and colour of one sample of each pixel, at the place where it lies.
+#include "tests/gpu/multisampled_scene.h"
+#include "tests/gpu/poses.h"
+#include "tests/gpu/reflection_rig.h"
+#include "tests/gpu/spy.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+Image multisampled(const demos::Image& image, VkSampleCountFlagBits samples) {
+    Image handed = asSeaglass(image);
+    handed.layout = VK_IMAGE_LAYOUT_GENERAL;
+    handed.samples = samples;
+    return handed;
+}
+
+ReflectorDesc with(ReflectionTechnique technique) {
+    ReflectorDesc desc;
+    desc.reflection.technique = technique;
+    return desc;
+}
+
+/// Whether all around a pixel is of one class, and at one distance if it is something.
+bool isAwayFromEdges(const Reflected& reflected, size_t width, size_t x, size_t y) {
+    float least = reflected.info[y * width + x], most = least;
+    for (size_t v = y - 1; v <= y + 1; ++v)
+        for (size_t u = x - 1; u <= x + 1; ++u) {
+            least = std::min(least, reflected.info[v * width + u]);
+            most = std::max(most, reflected.info[v * width + u]);
+        }
+    return reflectionClass(least) == reflectionClass(most) && most - least <= 0.05f * std::abs(most);
+}
+
+class Multisampled : public ReflectionTest, public testing::WithParamInterface<VkSampleCountFlagBits> {
+  protected:
+    void SetUp() override {
+        ReflectionTest::SetUp();
+        if (!canMultisample(GetParam())) GTEST_SKIP() << "the device has no " << GetParam() << " samples";
+    }
+};
+
+TEST_P(Multisampled, ScenesAreReflectedAsExactlyAsSingleSampledOnes) {
+    for (const Pose& pose : poses()) {
+        const TracedView traced = Tracer(pose.camera, harbourOfBoxes()).run();
+        const MultisampledScene scene = drawMultisampled(pose.camera, harbourOfBoxes(), GetParam());
+        ViewDesc view = viewDesc(pose.camera);
+        view.sceneDepth = multisampled(scene.depth, GetParam());
+        for (const ReflectionTechnique technique :
+             {ReflectionTechnique::sspr, ReflectionTechnique::ssr, ReflectionTechnique::hybrid}) {
+            const Score single = score(traced, reflectScene(pose.camera, traced, with(technique)));
+            view.sceneColor = multisampled(scene.color, GetParam());
+            const Reflected own = reflectImages(view, with(technique));
+            const Score s = score(traced, own);
+            print(pose.name, single);
+            print("  many", s);
+            // Samples lie beside the middles of mirrored pixels, which the truth is told of.
+            EXPECT_GE(s.coverage, single.coverage - 0.02) << pose.name;
+            EXPECT_LE(s.medianPixels, single.medianPixels + 0.08) << pose.name;
+            EXPECT_LE(s.p95Pixels, single.p95Pixels + 0.08) << pose.name;
+            EXPECT_LE(s.misplaced, single.misplaced + 0.008) << pose.name;
+            EXPECT_LE(s.falseOnSky, single.falseOnSky + 0.004) << pose.name;
+            EXPECT_LE(s.skyOnGeometry, single.skyOnGeometry + 0.013) << pose.name;
+
+            view.sceneColor = asSeaglass(scene.resolved);
+            const Reflected resolved = reflectImages(view, with(technique));
+            EXPECT_EQ(resolved.info, own.info);
+            EXPECT_NE(resolved.color, own.color);
+        }
+    }
+}
+
+TEST_P(Multisampled, PicturesDifferAtEdgesAlone) {
+    const Camera camera = testCamera();
+    const glm::vec2 pixel = 1.5f / glm::vec2(camera.width, camera.height);
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    const MultisampledScene scene = drawMultisampled(camera, harbourOfBoxes(), GetParam());
+    ViewDesc view = viewDesc(camera);
+    view.sceneDepth = multisampled(scene.depth, GetParam());
+    view.sceneColor = multisampled(scene.color, GetParam());
+    for (const ReflectionTechnique technique : {ReflectionTechnique::sspr, ReflectionTechnique::hybrid}) {
+        const Reflected single = reflectScene(camera, traced, with(technique));
+        const Reflected many = reflectImages(view, with(technique));
+        size_t compared = 0, otherClass = 0, otherDistance = 0, otherPlace = 0;
+        for (size_t y = 1; y + 1 < camera.height; ++y)
+            for (size_t x = 1; x + 1 < camera.width; ++x) {
+                if (!isAwayFromEdges(single, camera.width, x, y)) continue;
+                const size_t i = y * camera.width + x;
+                ++compared;
+                otherClass += reflectionClass(single.info[i]) != reflectionClass(many.info[i]);
+                otherDistance += std::abs(single.info[i] - many.info[i]) > 0.02f * std::abs(single.info[i]);
+                otherPlace += std::abs(single.color[i * 4] - many.color[i * 4]) > pixel.x ||
+                              std::abs(single.color[i * 4 + 1] - many.color[i * 4 + 1]) > pixel.y;
+            }
+        EXPECT_GT(compared, 30000u);
+        EXPECT_LE(otherClass, compared / 1000);
+        EXPECT_LE(otherDistance, compared / 500);
+        EXPECT_LE(otherPlace, compared / 500);
+    }
+}
+
+TEST_P(Multisampled, OnlyTheyMakePipelinesAndImages) {
+    const Camera camera = testCamera();
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    const MultisampledScene scene = drawMultisampled(camera, harbourOfBoxes(), GetParam());
+    const demos::Image depth = uploadFloats(camera.width, camera.height, 1, traced.depth);
+    ViewDesc view = viewDesc(camera);
+    Reflector* reflector = nullptr;
+    const ReflectorDesc desc;
+    ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+    struct Made {
+        size_t pipelines, images;
+        bool operator==(const Made&) const = default;
+    };
+    const auto made = [&](const Image& sceneDepth, const Image& sceneColor) {
+        view.sceneDepth = sceneDepth;
+        view.sceneColor = sceneColor;
+        spiedCalls().clear();
+        frame([&](VkCommandBuffer commands) {
+            EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
+        });
+        return Made{countSpied("CreateComputePipelines"), countSpied("CreateImage")};
+    };
+    const Image many = multisampled(scene.depth, GetParam());
+    EXPECT_EQ(made(asSeaglass(depth), asSeaglass(scene.resolved)), (Made{0, 2})); // the reflection itself
+    EXPECT_EQ(made(asSeaglass(depth), asSeaglass(scene.resolved)), (Made{0, 0}));
+    EXPECT_EQ(made(many, asSeaglass(scene.resolved)), (Made{1, 1}));
+    EXPECT_EQ(made(many, asSeaglass(scene.resolved)), (Made{0, 0}));
+    EXPECT_EQ(made(many, multisampled(scene.color, GetParam())), (Made{1, 2}));
+    EXPECT_EQ(made(asSeaglass(depth), asSeaglass(scene.resolved)), (Made{0, 0}));
+    destroyReflector(reflector);
+    frame([](VkCommandBuffer) {});
+    frame([](VkCommandBuffer) {});
+}
+
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P(, Multisampled,
+                         testing::Values(VK_SAMPLE_COUNT_2_BIT, VK_SAMPLE_COUNT_4_BIT, VK_SAMPLE_COUNT_8_BIT),
+                         [](const auto& info) { return "Samples" + std::to_string(info.param); });

@@ -1,0 +1,6 @@
+// A triangle over all of the picture.
+#version 450
+
+void main() {
+    gl_Position = vec4(vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1) * 4.0 - 1.0, 0.5, 1.0);
+}
