@@ -7,6 +7,16 @@
 
 namespace demos {
 
+namespace {
+
+bool isPlanar(const SurfaceDesc& desc) {
+    return std::visit(
+        [](const auto& surface) { return surface.reflection && surface.reflection->technique == "planar"; },
+        desc);
+}
+
+} // namespace
+
 bool FrameRecorder::create(Device& device, const HostDesc& desc, Error& error) {
     device_ = &device;
     mirror_.create(device, layouts_, desc.framesInFlight, timer_);
@@ -35,27 +45,52 @@ bool FrameRecorder::load(const Scene& scene, LoadedScene& out, Error& error) {
         !createFrameSet(out.sky, out.frame, error))
         return false;
     out.bounds = worldBounds(out.meshes);
-    if (scene.floor) return addFloor(*scene.floor, out, error);
-    return !scene.water || addWater(*scene.water, out, error);
+    const std::optional<SurfaceDesc> surface = surfaceOf(scene);
+    return !surface || addSurface(*surface, out, error);
 }
 
-bool FrameRecorder::addFloor(const FloorDesc& floor, LoadedScene& scene, Error& error) {
-    return mirror_.createSurface(floor, scene.mirror, error) &&
-           (!scene.mirror.planar || createFrameSet(scene.sky, scene.mirrored, error));
-}
-
-bool FrameRecorder::addWater(const WaterDesc& water, LoadedScene& scene, Error& error) {
+bool FrameRecorder::createSurface(const WaterDesc& desc, LoadedScene& scene, Error& error) {
     WaterBody body;
-    if (!water_.createBody(water, body, error)) return false;
-    if (body.planar() && !scene.mirrored.set && !createFrameSet(scene.sky, scene.mirrored, error))
-        return false;
-    scene.waters.push_back(std::move(body));
+    if (!water_.createBody(desc, body, error)) return false;
+    scene.surfaces.emplace_back(std::move(body));
     return true;
 }
 
-const WaterBody& FrameRecorder::water() const {
-    static const WaterBody none;
-    return scene_->waters.empty() ? none : scene_->waters[frame_.water];
+bool FrameRecorder::createSurface(const FloorDesc& desc, LoadedScene& scene, Error& error) {
+    const MirrorSurface* const first =
+        scene.surfaces.empty() ? nullptr : std::get_if<MirrorSurface>(&scene.surfaces.front());
+    MirrorSurface surface;
+    if (!mirror_.createSurface(desc, first, surface, error)) return false;
+    scene.surfaces.emplace_back(std::move(surface));
+    return true;
+}
+
+bool FrameRecorder::addSurface(const SurfaceDesc& desc, LoadedScene& scene, Error& error) {
+    if (!scene.mirrored.set && isPlanar(desc) && !createFrameSet(scene.sky, scene.mirrored, error))
+        return false;
+    return std::visit([&](const auto& surface) { return createSurface(surface, scene, error); }, desc);
+}
+
+bool FrameRecorder::estimateReflection(const SurfaceDesc& desc, VkExtent2D extent, uint64_t& bytes,
+                                       Error& error) {
+    if (const auto* const floor = std::get_if<FloorDesc>(&desc))
+        return mirror_.estimateReflection(*floor, extent, bytes, error);
+    return water_.estimateReflection(std::get<WaterDesc>(desc), extent, bytes, error);
+}
+
+uint64_t FrameRecorder::hostBytes() const {
+    uint64_t bytes = 0;
+    if (needed(Stage::copy)) bytes += targets_.sceneColor.bytes + targets_.sceneDepth.bytes;
+    if (needed(Stage::mirrored)) bytes += scene_->mirrored.uniforms.size;
+    return bytes;
+}
+
+const WaterBody* FrameRecorder::water() const {
+    return std::get_if<WaterBody>(surface_);
+}
+
+const MirrorSurface* FrameRecorder::floor() const {
+    return std::get_if<MirrorSurface>(surface_);
 }
 
 bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Error& error) {
@@ -65,10 +100,13 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
         error.text = "the time of a frame must be finite";
         return false;
     }
-    if (frame.water > 0 && frame.water >= scene.waters.size()) {
-        error.text = "the scene has no water " + std::to_string(frame.water);
+    if (frame.surface > 0 && frame.surface >= scene.surfaces.size()) {
+        error.text = "the scene has no surface " + std::to_string(frame.surface);
         return false;
     }
+    static const Surface none;
+    surface_ = scene.surfaces.empty() ? &none : &scene.surfaces[frame.surface];
+    cpuSimulateMs_ = 0;
     const VkExtent2D extent = {frame.width, frame.height};
     if (extent.width != targets_.extent.width || extent.height != targets_.extent.height) {
         targets_ = {}; // the old ones go first: both may not fit
@@ -76,11 +114,7 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
         if (!createFrameTargets(*device_, extent, made, error)) return false;
         targets_ = std::move(made);
     }
-    if (needsExact(frame.aov) && scene.mirror.exists()) {
-        error.text = "a floor does not say where its reflection is taken from";
-        return false;
-    }
-    if (isOverlay(frame.aov) && scene.waters.empty() && !scene.mirror.reflector) {
+    if (isOverlay(frame.aov) && !needed(Stage::reflect)) {
         error.text = "nothing in the scene mirrors it, and overlays show how it is mirrored";
         return false;
     }
@@ -104,23 +138,25 @@ void FrameRecorder::writeUniforms() {
 
 bool FrameRecorder::needed(Stage stage) const {
     if (frame_.aov == Aov::scene) return stage == Stage::shadow || stage == Stage::opaque;
-    const bool hasWater = static_cast<bool>(water()), hasFloor = scene_->mirror.exists();
+    const WaterBody* const water = this->water();
+    const MirrorSurface* const floor = this->floor();
+    const bool hasWater = water && *water, overlay = isOverlay(frame_.aov);
     switch (stage) {
     case Stage::simulate:
         return hasWater;
     case Stage::copy:
-    case Stage::reflect:
-        return hasWater || scene_->mirror.reflector;
+        return hasWater || (floor && (overlay || floor->readsScene()));
     case Stage::mirrored:
-        return water().planar() || scene_->mirror.planar;
+        return floor ? floor->planar : water->planar();
+    case Stage::reflect:
+        return hasWater || (floor && floor->reflector);
     case Stage::overlay:
-        return isOverlay(frame_.aov);
+        return overlay;
     // Without a surface the other outputs are black.
     case Stage::water:
-        return !isOverlay(frame_.aov) &&
-               (hasWater || (!hasFloor && frame_.aov != Aov::color && frame_.aov != Aov::depth));
+        return !overlay && (hasWater || (water && frame_.aov != Aov::color && frame_.aov != Aov::depth));
     case Stage::mirror:
-        return !isOverlay(frame_.aov) && hasFloor;
+        return !overlay && floor;
     default:
         return true;
     }
@@ -133,9 +169,8 @@ void FrameRecorder::bindFrameSet(VkCommandBuffer commands, const FrameSet& frame
 
 bool FrameRecorder::recordMirrored(VkCommandBuffer commands, Error& error) {
     seaglass::PlanarView view;
-    const bool known = scene_->mirror.planar
-                           ? mirror_.planarView(scene_->mirror, camera_, targets_, view, error)
-                           : water_.planarView(water(), camera_, targets_, view, error);
+    const bool known = floor() ? mirror_.planarView(*floor(), camera_, targets_, view, error)
+                               : water_.planarView(*water(), camera_, targets_, view, error);
     if (!known) return false;
     const MirroredEye eye = mirroredEye(view);
     const FrameUniforms uniforms = mirroredUniforms(uniforms_, camera_, eye);
@@ -147,9 +182,8 @@ bool FrameRecorder::recordMirrored(VkCommandBuffer commands, Error& error) {
 
 bool FrameRecorder::recordOverlay(VkCommandBuffer commands, Error& error) {
     targets_.beginOverlay(commands);
-    const bool drawn = scene_->mirror.reflector
-                           ? mirror_.overlay(commands, scene_->mirror, camera_, targets_, frame_.aov, error)
-                           : water_.overlay(commands, water(), camera_, targets_, frame_.aov, error);
+    const bool drawn = floor() ? mirror_.overlay(commands, *floor(), camera_, targets_, frame_.aov, error)
+                               : water_.overlay(commands, *water(), camera_, targets_, frame_.aov, error);
     targets_.endOverlay(commands);
     return drawn;
 }
@@ -157,7 +191,7 @@ bool FrameRecorder::recordOverlay(VkCommandBuffer commands, Error& error) {
 bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) {
     switch (stage) {
     case Stage::simulate:
-        return water_.simulate(commands, water(), frame_.timeS, cpuSimulateMs_, error);
+        return water_.simulate(commands, *water(), frame_.timeS, cpuSimulateMs_, error);
     case Stage::shadow:
         bindFrameSet(commands, scene_->frame);
         shadow_.record(commands, layouts_, scene_->meshes, camera_.eye, shadowFits_);
@@ -172,18 +206,17 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
     case Stage::mirrored:
         return recordMirrored(commands, error);
     case Stage::reflect:
-        if (scene_->mirror.reflector)
-            return mirror_.reflect(commands, scene_->mirror, camera_, targets_, error);
-        return water_.reflect(commands, water(), camera_, targets_, error);
+        if (floor()) return mirror_.reflect(commands, *floor(), camera_, targets_, error);
+        return water_.reflect(commands, *water(), camera_, targets_, error);
     case Stage::overlay:
         return recordOverlay(commands, error);
     case Stage::water:
-        if (!water()) targets_.betweenPasses(commands);
-        return water_.draw(commands, water(), camera_, targets_, scene_->sky, frame_.aov, error);
+        if (!needed(Stage::copy)) targets_.betweenPasses(commands);
+        return water_.draw(commands, *water(), camera_, targets_, scene_->sky, frame_.aov, error);
     case Stage::mirror:
         if (!needed(Stage::copy)) targets_.betweenPasses(commands);
         bindFrameSet(commands, scene_->frame);
-        mirror_.draw(commands, scene_->mirror, camera_, targets_, frame_.aov);
+        mirror_.draw(commands, *floor(), camera_, targets_, frame_.aov);
         return true;
     }
     return false;

@@ -16,6 +16,9 @@ struct FrameSet {
     VkDescriptorSet set = VK_NULL_HANDLE;
 };
 
+/// What mirrors.
+using Surface = std::variant<WaterBody, MirrorSurface>;
+
 /// A scene as it lies on the device.
 struct LoadedScene {
     Sky sky;
@@ -23,8 +26,7 @@ struct LoadedScene {
     std::vector<Box> bounds;
     FrameSet frame;
     FrameSet mirrored;             ///< only where a reflection is planar
-    std::vector<WaterBody> waters; ///< of which a frame draws one
-    MirrorSurface mirror;
+    std::vector<Surface> surfaces; ///< of which a frame draws one
 };
 
 enum class Stage { simulate, shadow, opaque, copy, mirrored, reflect, water, mirror, overlay };
@@ -47,8 +49,9 @@ class FrameRecorder {
   public:
     bool create(Device& device, const HostDesc& desc, Error& error);
     bool load(const Scene& scene, LoadedScene& out, Error& error);
-    bool addFloor(const FloorDesc& floor, LoadedScene& scene, Error& error);
-    bool addWater(const WaterDesc& water, LoadedScene& scene, Error& error);
+    bool addSurface(const SurfaceDesc& desc, LoadedScene& scene, Error& error);
+    /// What the library says that a surface's reflection holds for one view of this size.
+    bool estimateReflection(const SurfaceDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error);
 
     /// Checks the frame and readies everything for recording it; the frame before has finished.
     bool begin(const LoadedScene& scene, const FrameDesc& frame, Error& error);
@@ -56,7 +59,9 @@ class FrameRecorder {
     bool needed(Stage stage) const;
     bool record(VkCommandBuffer commands, Stage stage, Error& error);
 
-    WaterPass& waterPass() { return water_; }
+    /// What the host itself holds on the device for the frame's surface to mirror the scene.
+    uint64_t hostBytes() const;
+
     const FrameTargets& targets() const { return targets_; }
     const Camera& camera() const { return camera_; }
     PassTimer& timer() { return timer_; }
@@ -66,10 +71,13 @@ class FrameRecorder {
     bool createFrameSet(const Sky& sky, FrameSet& out, Error& error);
     void bindFrameSet(VkCommandBuffer commands, const FrameSet& frame) const;
     void writeUniforms();
+    bool createSurface(const WaterDesc& desc, LoadedScene& scene, Error& error);
+    bool createSurface(const FloorDesc& desc, LoadedScene& scene, Error& error);
     bool recordMirrored(VkCommandBuffer commands, Error& error);
     bool recordOverlay(VkCommandBuffer commands, Error& error);
-    /// The frame's; one without a body where the scene has none.
-    const WaterBody& water() const;
+    /// The frame's, or null; a water without a body where the scene has no surface.
+    const WaterBody* water() const;
+    const MirrorSurface* floor() const;
 
     Device* device_ = nullptr;
     Layouts layouts_;
@@ -81,6 +89,7 @@ class FrameRecorder {
     FrameTargets targets_;
 
     const LoadedScene* scene_ = nullptr;
+    const Surface* surface_ = nullptr;
     FrameDesc frame_;
     Camera camera_;
     ShadowFits shadowFits_;

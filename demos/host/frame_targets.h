@@ -36,6 +36,11 @@ struct FrameTargets {
     void copyBack(VkCommandBuffer commands, const Image& source) const;
 };
 
+/// Whether an output is drawn into FrameTargets::exact instead of color.
+inline bool needsExact(Aov aov) {
+    return aov == Aov::reflectionSource;
+}
+
 /// An extent over the device's limits or memory is an error.
 bool createFrameTargets(const Device& device, VkExtent2D extent, FrameTargets& out, Error& error);
 

@@ -35,15 +35,14 @@ bool Host::load(const Scene& scene, Error& error) {
     return true;
 }
 
-bool Host::addWater(const WaterDesc& water, Error& error) {
-    return impl_->ready(error) && impl_->recorder.addWater(water, *impl_->scene, error);
+bool Host::addSurface(const SurfaceDesc& surface, Error& error) {
+    return impl_->ready(error) && impl_->recorder.addSurface(surface, *impl_->scene, error);
 }
 
-std::optional<uint64_t> Host::reflectionBytes(const WaterDesc& water, uint32_t width, uint32_t height,
+std::optional<uint64_t> Host::reflectionBytes(const SurfaceDesc& surface, uint32_t width, uint32_t height,
                                               Error& error) {
     uint64_t bytes = 0;
-    if (!impl_->recorder.waterPass().estimateReflection(water, {width, height}, bytes, error))
-        return std::nullopt;
+    if (!impl_->recorder.estimateReflection(surface, {width, height}, bytes, error)) return std::nullopt;
     return bytes;
 }
 

@@ -65,8 +65,8 @@ enum class Mistake {
 
 /// Linear float RGBA pixels, top row first. Colour is before tone mapping; `depth` is metres along the view
 /// axis, infinite where there is only sky, in the first channel. `scene` is the colour before any water or
-/// floor. `reflectionSource` holds what seaglass::SurfaceOutput says of it, and four zeros where no water is
-/// seen.
+/// floor. `reflectionSource` holds what seaglass::SurfaceOutput says of it, and four zeros where nothing that
+/// mirrors is seen.
 struct Picture {
     uint32_t width = 0, height = 0;
     std::vector<float> rgba;
@@ -77,7 +77,7 @@ struct FrameDesc {
     CameraDesc camera;
     double timeS = 0;
     Aov aov = Aov::color;
-    uint32_t water = 0;              ///< of those that the scene was given; the first is its own
+    uint32_t surface = 0;            ///< of those that the scene was given; the first is its own
     Mistake mistake = Mistake::none; ///< in what the library is told of the camera
 };
 
@@ -94,20 +94,24 @@ struct FrameTimes {
     std::vector<PassTime> passes; ///< in order; compute by timestamps, drawing by submit and fence alone
 };
 
-/// What one water takes of frames in which waters take turns.
-struct WaterTimes {
+/// What one surface takes of frames in which surfaces take turns.
+struct SurfaceTimes {
     /// What the reflection's passes take together, and what the host draws for them alone; 0 where there are
     /// none. Drawing by submit and fence, and all of it on a device without timestamps.
     PassTime reflection;
     PassTime ofFloor; ///< the same over the floor of the same round: no milliseconds, but a ratio
     double cpuSimulateMs = 0;
+    /// What the host itself holds on the device for the surface to mirror the scene: the copies of its colour
+    /// and depth where those are read, and what draws it a second time. The images that a planar reflection
+    /// is drawn into are the library's.
+    uint64_t hostBytes = 0;
     std::vector<PassTime> passes; ///< of the whole frame, the scene's own among them
 };
 
 struct ComparedTimes {
     /// A compute copy of RGBA16F colour and R32F depth of the frame's size, between the same frames.
     PassTime floor;
-    std::vector<WaterTimes> waters; ///< none when it was stopped
+    std::vector<SurfaceTimes> surfaces; ///< none when it was stopped
 };
 
 /// Rounds done, and of how many; false stops.
@@ -120,23 +124,23 @@ class Host {
     ~Host();
 
     DeviceInfo device() const;
-    /// Loads the sky and the meshes of a scene and creates its water; replaces the scene before it, or leaves
-    /// it as it was on an error.
+    /// Loads the sky and the meshes of a scene and creates its surface; replaces the scene before it, or
+    /// leaves it as it was on an error.
     bool load(const Scene& scene, Error& error);
-    /// Another water for the scene that is loaded: FrameDesc::water counts them in this order.
-    bool addWater(const WaterDesc& water, Error& error);
-    /// Bytes on the device that a water's reflection takes for one view of this size, as the library
+    /// Another surface for the scene that is loaded: FrameDesc::surface counts them in this order.
+    bool addSurface(const SurfaceDesc& surface, Error& error);
+    /// Bytes on the device that a surface's reflection takes for one view of this size, as the library
     /// estimates them.
-    std::optional<uint64_t> reflectionBytes(const WaterDesc& water, uint32_t width, uint32_t height,
+    std::optional<uint64_t> reflectionBytes(const SurfaceDesc& surface, uint32_t width, uint32_t height,
                                             Error& error);
     /// Draws one frame and waits for it.
     std::optional<Picture> render(const FrameDesc& frame, Error& error);
     /// Draws the frame `runs` times after a warm-up and gives medians by pass.
     std::optional<FrameTimes> measure(const FrameDesc& frame, uint32_t runs, Error& error);
-    /// Draws the frame with all of the scene's waters in turn, `rounds` times after a warm-up, each over the
-    /// same picture of the opaque scene, and gives medians. FrameDesc::water does not matter.
-    std::optional<ComparedTimes> measureWaters(const FrameDesc& frame, uint32_t rounds,
-                                               const RoundFunction& goOn, Error& error);
+    /// Draws the frame with all of the scene's surfaces in turn, `rounds` times after a warm-up, each over
+    /// the same picture of the opaque scene, and gives medians. FrameDesc::surface does not matter.
+    std::optional<ComparedTimes> measureSurfaces(const FrameDesc& frame, uint32_t rounds,
+                                                 const RoundFunction& goOn, Error& error);
     /// Validation messages seen so far.
     uint32_t validationMessages() const;
 

@@ -31,7 +31,7 @@ std::optional<FrameTimes> Host::measure(const FrameDesc& frame, uint32_t runs, E
     }
     FrameTimes found;
     found.frameMs = quantile(whole, 0.5);
-    found.cpuSimulateMs = impl.scene->waters.empty() ? 0 : quantile(simulate, 0.5);
+    found.cpuSimulateMs = quantile(simulate, 0.5);
     found.runs = runs;
     found.passes = times.passes.medians();
     return found;

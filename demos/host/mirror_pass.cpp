@@ -17,7 +17,7 @@ constexpr VkDescriptorType bindings[] = {
     VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
 constexpr uint32_t textureBinding = 1, colorBinding = 2, infoBinding = 3;
 
-bool createTexture(Device& device, const FloorDesc& desc, MirrorSurface& out, Error& error) {
+bool createTexture(Device& device, const FloorDesc& desc, FloorTexture& out, Error& error) {
     const std::optional<MeshTexture> texture = readFloorTexture(desc, error);
     if (!texture) return false;
     ImageDesc image;
@@ -29,23 +29,20 @@ bool createTexture(Device& device, const FloorDesc& desc, MirrorSurface& out, Er
     sampler.u = sampler.v = VK_SAMPLER_ADDRESS_MODE_REPEAT;
     // As the meshes' textures.
     sampler.anisotropic = device.info().type != "cpu";
-    return createSampledImage(device, image, {&level, 1}, out.texture, error) &&
-           createSampler(device, sampler, out.textureSampler, error) &&
-           createSampler(device, {}, out.reflectionSampler, error);
+    return createSampledImage(device, image, {&level, 1}, out.image, error) &&
+           createSampler(device, sampler, out.sampler, error);
+}
+
+bool isMirrored(const std::optional<ReflectionDesc>& desc) {
+    return desc && desc->technique != "sky";
+}
+
+bool reflectionOfFloor(const FloorDesc& desc, seaglass::ReflectionDesc& out, Error& error) {
+    out.blurLevels = desc.roughness > 0 ? 6 : 0;
+    return reflectionOf(*desc.reflection, "floor", out, error);
 }
 
 } // namespace
-
-MirrorPass::~MirrorPass() {
-    if (context_) seaglass::destroyContext(context_);
-}
-
-bool MirrorPass::ok(seaglass::Status status, Error& error) {
-    if (status == seaglass::Status::ok) return true;
-    error.text = "floor: " + (message_.empty() ? seaglass::toString(status) : message_);
-    message_.clear();
-    return false;
-}
 
 void MirrorPass::create(Device& device, const Layouts& layouts, uint32_t framesInFlight, PassTimer& timer) {
     device_ = &device;
@@ -55,27 +52,21 @@ void MirrorPass::create(Device& device, const Layouts& layouts, uint32_t framesI
 }
 
 bool MirrorPass::createOnce(Error& error) {
-    if (context_) return true;
-    seaglass::DeviceDesc desc;
-    desc.instance = device_->instance();
-    desc.physicalDevice = device_->physical();
-    desc.device = device_->handle();
-    desc.getInstanceProcAddr = vkGetInstanceProcAddr;
-    desc.framesInFlight = framesInFlight_;
-    desc.message.user = &message_;
-    desc.message.function = [](void* user, const char* text) { *static_cast<std::string*>(user) = text; };
-    desc.pass.user = timer_;
-    desc.pass.function = [](void* user, VkCommandBuffer commands, const char* pass, bool begins) {
-        static_cast<PassTimer*>(user)->mark(commands, pass, begins);
-    };
-    PipelineDesc pipeline;
-    pipeline.vertex = mirror_vert;
-    pipeline.fragment = mirror_frag;
-    pipeline.meshVertices = false;
-    pipeline.colorFormat = FrameTargets::colorFormat;
-    pipeline.depthFormat = FrameTargets::depthFormat;
-    return createLayout(error) && createPipeline(*device_, layout_.get(), pipeline, pipeline_, error) &&
-           ok(seaglass::createContext(&desc, &context_), error);
+    return context_.exists() || (createLayout(error) && createPipelines(error) &&
+                                 context_.create(*device_, framesInFlight_, "floor", *timer_, error));
+}
+
+bool MirrorPass::createPipelines(Error& error) {
+    PipelineDesc desc;
+    desc.vertex = mirror_vert;
+    desc.fragment = mirror_frag;
+    desc.meshVertices = false;
+    desc.colorFormat = FrameTargets::colorFormat;
+    desc.depthFormat = FrameTargets::depthFormat;
+    PipelineDesc exact = desc;
+    exact.colorFormat = FrameTargets::exactFormat;
+    return createPipeline(*device_, layout_.get(), desc, pipeline_, error) &&
+           createPipeline(*device_, layout_.get(), exact, exactPipeline_, error);
 }
 
 bool MirrorPass::createLayout(Error& error) {
@@ -96,16 +87,13 @@ bool MirrorPass::createLayout(Error& error) {
     return true;
 }
 
-bool MirrorPass::createReflector(const ReflectionDesc& desc, const FloorPlane& plane, MirrorSurface& out,
-                                 Error& error) {
+bool MirrorPass::createReflector(MirrorSurface& out, Error& error) {
     seaglass::ReflectorDesc reflector;
-    if (!reflectionOf(desc, "floor", reflector.reflection, error)) return false;
-    if (reflector.reflection.technique == seaglass::ReflectionTechnique::sky) return true;
-    reflector.reflection.blurLevels = out.desc.roughness > 0 ? 6 : 0;
-    for (int i = 0; i < 3; ++i) reflector.plane[i] = plane.normal[i];
-    reflector.plane[3] = -glm::dot(plane.normal, plane.middle);
+    if (!reflectionOfFloor(out.desc, reflector.reflection, error)) return false;
+    for (int i = 0; i < 3; ++i) reflector.plane[i] = out.plane.normal[i];
+    reflector.plane[3] = -glm::dot(out.plane.normal, out.plane.middle);
     seaglass::Reflector* made = nullptr;
-    if (!ok(seaglass::createReflector(context_, &reflector, &made), error)) return false;
+    if (!context_.ok(seaglass::createReflector(context_.get(), &reflector, &made), error)) return false;
     out.reflector.reset(made);
     out.downscale = static_cast<int>(reflector.reflection.downscale);
     out.planar = reflector.reflection.technique == seaglass::ReflectionTechnique::planar;
@@ -117,49 +105,59 @@ bool MirrorPass::createSet(MirrorSurface& surface, Error& error) const {
                                           {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3}};
     if (!allocateSet(*device_, setLayout_.get(), sizes, surface.pool, surface.set, error)) return false;
     writeUniformBuffer(*device_, surface.set, surface.uniforms.buffer.get(), sizeof(MirrorUniforms));
-    writeTexture(*device_, surface.set, textureBinding, surface.texture.view.get(),
-                 surface.textureSampler.get());
+    writeTexture(*device_, surface.set, textureBinding, surface.texture->image.view.get(),
+                 surface.texture->sampler.get());
     // Without a reflection they are not read, and need something to point at.
     for (const uint32_t binding : {colorBinding, infoBinding})
-        writeTexture(*device_, surface.set, binding, surface.texture.view.get(),
+        writeTexture(*device_, surface.set, binding, surface.texture->image.view.get(),
                      surface.reflectionSampler.get());
     return true;
 }
 
-bool MirrorPass::createSurface(const FloorDesc& desc, MirrorSurface& out, Error& error) {
+bool MirrorPass::createSurface(const FloorDesc& desc, const MirrorSurface* alike, MirrorSurface& out,
+                               Error& error) {
     out.desc = desc;
     out.plane = floorPlane(desc);
-    return createOnce(error) && createTexture(*device_, desc, out, error) &&
+    if (!createOnce(error)) return false;
+    if (alike && alike->desc.texture == desc.texture) {
+        out.texture = alike->texture;
+    } else {
+        const auto texture = std::make_shared<FloorTexture>();
+        if (!createTexture(*device_, desc, *texture, error)) return false;
+        out.texture = texture;
+    }
+    return createSampler(*device_, {}, out.reflectionSampler, error) &&
            createBuffer(*device_, sizeof(MirrorUniforms), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                         BufferPlace::upload, out.uniforms, error) &&
-           createSet(out, error) &&
-           (!desc.reflection || createReflector(*desc.reflection, out.plane, out, error));
+           createSet(out, error) && (!isMirrored(desc.reflection) || createReflector(out, error));
 }
 
-bool MirrorPass::beginFrame(Error& error) {
-    if (!context_) return true;
-    slot_ = (slot_ + 1) % framesInFlight_;
-    return ok(seaglass::beginFrame(context_, slot_), error);
+bool MirrorPass::estimateReflection(const FloorDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error) {
+    bytes = 0;
+    if (!isMirrored(desc.reflection)) return true;
+    seaglass::ReflectionDesc reflection;
+    return createOnce(error) && reflectionOfFloor(desc, reflection, error) &&
+           context_.estimate(reflection, extent, bytes, error);
 }
 
 bool MirrorPass::planarView(const MirrorSurface& surface, const Camera& camera, const FrameTargets& targets,
                             seaglass::PlanarView& out, Error& error) {
     const seaglass::ViewDesc view = viewOf(camera, targets);
-    return ok(seaglass::planarView(surface.reflector.get(), &view, &out), error);
+    return context_.ok(seaglass::planarView(surface.reflector.get(), &view, &out), error);
 }
 
 bool MirrorPass::reflect(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
                          const FrameTargets& targets, Error& error) {
     seaglass::Reflector* const reflectors[] = {surface.reflector.get()};
     const seaglass::ViewDesc view = viewOf(camera, targets);
-    return ok(seaglass::reflect(commands, reflectors, 1, &view), error);
+    return context_.ok(seaglass::reflect(commands, reflectors, 1, &view), error);
 }
 
 bool MirrorPass::overlay(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
                          const FrameTargets& targets, Aov aov, Error& error) {
     const seaglass::ViewDesc view = viewOf(camera, targets);
     const seaglass::OverlayDesc desc = overlayOf(aov, targets);
-    return ok(seaglass::recordOverlay(commands, surface.reflector.get(), &view, &desc), error);
+    return context_.ok(seaglass::recordOverlay(commands, surface.reflector.get(), &view, &desc), error);
 }
 
 void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camera, VkExtent2D extent,
@@ -174,6 +172,7 @@ void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camer
     uniforms.normal = with(plane.normal, desc.roughness);
     uniforms.color = with(toGlm(desc.color), extent.height / (2 * camera.tanHalfFovY));
     uniforms.modes = {static_cast<int>(aov), surface.reflector ? 1 : 0, surface.downscale, 0};
+    uniforms.picture = glm::vec4(extent.width, extent.height, 0, 0);
     std::memcpy(surface.uniforms.mapped, &uniforms, sizeof(uniforms));
 }
 
@@ -185,11 +184,12 @@ void MirrorPass::draw(VkCommandBuffer commands, const MirrorSurface& surface, co
         writeTexture(*device_, surface.set, colorBinding, images.color, surface.reflectionSampler.get());
         writeTexture(*device_, surface.set, infoBinding, images.info, surface.reflectionSampler.get());
     }
-    const bool overScene = aov == Aov::color || aov == Aov::depth;
-    beginRendering(commands, targets.extent, &targets.color,
+    const bool overScene = aov == Aov::color || aov == Aov::depth, exact = needsExact(aov);
+    if (exact) targets.exactToAttachment(commands);
+    beginRendering(commands, targets.extent, exact ? &targets.exact : &targets.color,
                    overScene ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR, targets.depth,
                    VK_ATTACHMENT_LOAD_OP_LOAD, 0);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, (exact ? exactPipeline_ : pipeline_).get());
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 1, 1, &surface.set, 0,
                             nullptr);
     vkCmdSetCullMode(commands, VK_CULL_MODE_BACK_BIT);

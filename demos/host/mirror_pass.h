@@ -4,8 +4,7 @@
 #include "host/floor_plane.h"
 #include "host/frame_targets.h"
 #include "host/layouts.h"
-#include "host/pass_timer.h"
-#include "seaglass/reflection.h"
+#include "host/seaglass_context.h"
 
 namespace demos {
 
@@ -15,20 +14,26 @@ struct ReflectorDeleter {
 
 /// As in shaders/mirror.glsl.
 struct MirrorUniforms {
-    glm::vec4 middle; ///< relative to the eye; w: reflectance
-    glm::vec4 across; ///< half the width; w: repeats of the texture in that
-    glm::vec4 along;  ///< half the length; w: repeats of the texture in that
-    glm::vec4 normal; ///< w: roughness
-    glm::vec4 color;  ///< w: pixels a radian at the middle of the picture
-    glm::ivec4 modes; ///< output, whether the scene is mirrored, pixels to one of its reflection
+    glm::vec4 middle;  ///< relative to the eye; w: reflectance
+    glm::vec4 across;  ///< half the width; w: repeats of the texture in that
+    glm::vec4 along;   ///< half the length; w: repeats of the texture in that
+    glm::vec4 normal;  ///< w: roughness
+    glm::vec4 color;   ///< w: pixels a radian at the middle of the picture
+    glm::ivec4 modes;  ///< output, whether the scene is mirrored, pixels to one of its reflection
+    glm::vec4 picture; ///< its width and height [pixels]
+};
+
+struct FloorTexture {
+    Image image;
+    UniqueSampler sampler;
 };
 
 /// A scene's floor on the device. Destroy it before the MirrorPass it comes from.
 struct MirrorSurface {
     FloorPlane plane;
     FloorDesc desc;
-    Image texture;
-    UniqueSampler textureSampler, reflectionSampler;
+    std::shared_ptr<const FloorTexture> texture; ///< of all floors that look alike
+    UniqueSampler reflectionSampler;
     Buffer uniforms;
     UniqueDescriptorPool pool;
     VkDescriptorSet set = VK_NULL_HANDLE;
@@ -36,7 +41,8 @@ struct MirrorSurface {
     int downscale = 1;   ///< pixels of the frame to one of the reflection
     bool planar = false; ///< whether the scene has to be drawn for it a second time
 
-    bool exists() const { return set != VK_NULL_HANDLE; }
+    /// Whether the reflection is made of the picture itself.
+    bool readsScene() const { return reflector && !planar; }
 };
 
 class MirrorPass {
@@ -44,14 +50,16 @@ class MirrorPass {
     MirrorPass() = default;
     MirrorPass(const MirrorPass&) = delete;
     MirrorPass& operator=(const MirrorPass&) = delete;
-    ~MirrorPass();
 
     /// Nothing is made before the first floor is.
     void create(Device& device, const Layouts& layouts, uint32_t framesInFlight, PassTimer& timer);
-    bool createSurface(const FloorDesc& desc, MirrorSurface& out, Error& error);
+    /// `alike` may have the texture already, or be null.
+    bool createSurface(const FloorDesc& desc, const MirrorSurface* alike, MirrorSurface& out, Error& error);
 
-    /// Before anything else is recorded for a frame; slots are taken in turn.
-    bool beginFrame(Error& error);
+    /// What the library says that a floor's reflection holds for one view of this size.
+    bool estimateReflection(const FloorDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error);
+
+    bool beginFrame(Error& error) { return !context_.exists() || context_.beginFrame(error); }
     /// What to draw for a planar reflection, before reflect().
     bool planarView(const MirrorSurface& surface, const Camera& camera, const FrameTargets& targets,
                     seaglass::PlanarView& out, Error& error);
@@ -60,7 +68,8 @@ class MirrorPass {
     /// Draws into targets.overlay how the library understands the frame, after reflect().
     bool overlay(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
                  const FrameTargets& targets, Aov aov, Error& error);
-    /// Draws into targets.color and targets.depth over the opaque scene; for anything but colour, over black.
+    /// Draws into targets.color, or exact, and targets.depth over the opaque scene; for anything but colour,
+    /// over black.
     /// Needs set 0 bound.
     void draw(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
               const FrameTargets& targets, Aov aov) const;
@@ -68,21 +77,19 @@ class MirrorPass {
   private:
     bool createOnce(Error& error);
     bool createLayout(Error& error);
-    bool createReflector(const ReflectionDesc& desc, const FloorPlane& plane, MirrorSurface& out,
-                         Error& error);
+    bool createPipelines(Error& error);
+    bool createReflector(MirrorSurface& out, Error& error);
     bool createSet(MirrorSurface& surface, Error& error) const;
     void writeUniforms(const MirrorSurface& surface, const Camera& camera, VkExtent2D extent, Aov aov) const;
-    bool ok(seaglass::Status status, Error& error);
 
     Device* device_ = nullptr;
     const Layouts* layouts_ = nullptr;
     PassTimer* timer_ = nullptr;
-    seaglass::Context* context_ = nullptr;
+    SeaglassContext context_;
     UniqueDescriptorSetLayout setLayout_;
     UniquePipelineLayout layout_;
-    UniquePipeline pipeline_;
-    uint32_t framesInFlight_ = 1, slot_ = 0;
-    std::string message_; ///< what Seaglass last said
+    UniquePipeline pipeline_, exactPipeline_;
+    uint32_t framesInFlight_ = 1;
 };
 
 } // namespace demos

@@ -182,6 +182,7 @@ bool createImage(const Device& device, const ImageDesc& desc, Image& out, Error&
     made.image = UniqueImage(device.handle(), image);
     VkMemoryRequirements needs{};
     vkGetImageMemoryRequirements(device.handle(), image, &needs);
+    made.bytes = needs.size;
     if (!allocate(device, needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, made.memory, error)) {
         error.text = "an image of " + sizeText(desc.extent) + " pixels: " + error.text;
         return false;

@@ -32,6 +32,7 @@ struct Image {
     uint32_t mips = 1;
     uint32_t layers = 1;
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT; ///< of the view and of copies: never stencil
+    VkDeviceSize bytes = 0;                                ///< of its memory
 };
 
 struct ImageDesc {

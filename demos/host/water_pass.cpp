@@ -55,38 +55,17 @@ seaglass::SurfaceOutput outputOf(Aov aov) {
 WaterPass::~WaterPass() {
     for (seaglass::Target* const target : {target_, exactTarget_})
         if (target) seaglass::destroyTarget(target);
-    if (context_) seaglass::destroyContext(context_);
-}
-
-bool WaterPass::ok(seaglass::Status status, const char* what, Error& error) {
-    if (status == seaglass::Status::ok) return true;
-    error.text = std::string(what) + ": " + (message_.empty() ? seaglass::toString(status) : message_);
-    message_.clear();
-    return false;
 }
 
 bool WaterPass::create(const Device& device, const HostDesc& hostDesc, PassTimer& timer, Error& error) {
-    framesInFlight_ = hostDesc.framesInFlight;
     wavesBackend_ = hostDesc.wavesBackend ? hostDesc.wavesBackend : wavesBackend();
-    seaglass::DeviceDesc desc;
-    desc.instance = device.instance();
-    desc.physicalDevice = device.physical();
-    desc.device = device.handle();
-    desc.getInstanceProcAddr = vkGetInstanceProcAddr;
-    desc.framesInFlight = framesInFlight_;
-    desc.message.user = &message_;
-    desc.message.function = [](void* user, const char* text) { *static_cast<std::string*>(user) = text; };
-    desc.pass.user = &timer;
-    desc.pass.function = [](void* user, VkCommandBuffer commands, const char* pass, bool begins) {
-        static_cast<PassTimer*>(user)->mark(commands, pass, begins);
-    };
-    if (!ok(seaglass::createContext(&desc, &context_), "water", error)) return false;
+    if (!context_.create(device, hostDesc.framesInFlight, "water", timer, error)) return false;
     seaglass::TargetDesc target;
     target.colorFormat = FrameTargets::colorFormat;
     target.depthFormat = FrameTargets::depthFormat;
-    if (!ok(seaglass::createTarget(context_, &target, &target_), "water", error)) return false;
+    if (!context_.ok(seaglass::createTarget(context_.get(), &target, &target_), error)) return false;
     target.colorFormat = FrameTargets::exactFormat;
-    return ok(seaglass::createTarget(context_, &target, &exactTarget_), "water", error);
+    return context_.ok(seaglass::createTarget(context_.get(), &target, &exactTarget_), error);
 }
 
 bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) {
@@ -117,7 +96,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
         body.reflection = &reflection;
     }
     seaglass::Body* made = nullptr;
-    if (!ok(seaglass::createBody(context_, &body, &made), "water", error)) return false;
+    if (!context_.ok(seaglass::createBody(context_.get(), &body, &made), error)) return false;
     out = WaterBody(made, body.reflection && reflection.technique == seaglass::ReflectionTechnique::planar);
     return true;
 }
@@ -126,17 +105,8 @@ bool WaterPass::estimateReflection(const WaterDesc& desc, VkExtent2D extent, uin
     bytes = 0;
     if (!desc.reflection) return true;
     seaglass::ReflectionDesc reflection;
-    seaglass::Estimate estimate;
-    if (!reflectionOf(*desc.reflection, "water", reflection, error) ||
-        !ok(seaglass::estimate(context_, &reflection, extent, &estimate), "water", error))
-        return false;
-    bytes = estimate.bytes + estimate.bytesPerView;
-    return true;
-}
-
-bool WaterPass::beginFrame(Error& error) {
-    slot_ = (slot_ + 1) % framesInFlight_;
-    return ok(seaglass::beginFrame(context_, slot_), "water", error);
+    return reflectionOf(*desc.reflection, "water", reflection, error) &&
+           context_.estimate(reflection, extent, bytes, error);
 }
 
 bool WaterPass::simulate(VkCommandBuffer commands, const WaterBody& body, double timeS, double& cpuMs,
@@ -145,27 +115,27 @@ bool WaterPass::simulate(VkCommandBuffer commands, const WaterBody& body, double
     const auto start = std::chrono::steady_clock::now();
     const seaglass::Status status = seaglass::simulate(commands, bodies, 1, timeS);
     cpuMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return ok(status, "water", error);
+    return context_.ok(status, error);
 }
 
 bool WaterPass::planarView(const WaterBody& body, const Camera& camera, const FrameTargets& targets,
                            seaglass::PlanarView& out, Error& error) {
     const seaglass::ViewDesc view = viewOf(camera, targets);
-    return ok(seaglass::planarView(body.get(), &view, &out), "water", error);
+    return context_.ok(seaglass::planarView(body.get(), &view, &out), error);
 }
 
 bool WaterPass::reflect(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                         const FrameTargets& targets, Error& error) {
     seaglass::Body* const bodies[] = {body.get()};
     const seaglass::ViewDesc view = viewOf(camera, targets);
-    return ok(seaglass::reflect(commands, bodies, 1, &view), "water", error);
+    return context_.ok(seaglass::reflect(commands, bodies, 1, &view), error);
 }
 
 bool WaterPass::overlay(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                         const FrameTargets& targets, Aov aov, Error& error) {
     const seaglass::ViewDesc view = viewOf(camera, targets);
     const seaglass::OverlayDesc desc = overlayOf(aov, targets);
-    return ok(seaglass::recordOverlay(commands, body.get(), &view, &desc), "water", error);
+    return context_.ok(seaglass::recordOverlay(commands, body.get(), &view, &desc), error);
 }
 
 bool WaterPass::draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
@@ -185,7 +155,7 @@ bool WaterPass::draw(VkCommandBuffer commands, const WaterBody& body, const Came
                                 outputOf(aov));
     }
     vkCmdEndRendering(commands);
-    return ok(status, "water", error);
+    return context_.ok(status, error);
 }
 
 } // namespace demos

@@ -3,7 +3,7 @@
 
 #include "host/camera.h"
 #include "host/frame_targets.h"
-#include "host/pass_timer.h"
+#include "host/seaglass_context.h"
 #include "host/sky.h"
 #include "seaglass/water.h"
 
@@ -34,11 +34,6 @@ class WaterBody {
     bool planar_ = false;
 };
 
-/// Whether an output is drawn into FrameTargets::exact instead of color.
-inline bool needsExact(Aov aov) {
-    return aov == Aov::reflectionSource;
-}
-
 class WaterPass {
   public:
     WaterPass() = default;
@@ -52,8 +47,7 @@ class WaterPass {
     /// What the library says that a water's reflection holds for one view of this size.
     bool estimateReflection(const WaterDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error);
 
-    /// Before anything else is recorded for a frame; slots are taken in turn.
-    bool beginFrame(Error& error);
+    bool beginFrame(Error& error) { return context_.beginFrame(error); }
     /// Milliseconds on the CPU go to `cpuMs`.
     bool simulate(VkCommandBuffer commands, const WaterBody& body, double timeS, double& cpuMs, Error& error);
     /// What to draw for a planar reflection, before reflect().
@@ -69,14 +63,10 @@ class WaterPass {
               const FrameTargets& targets, const Sky& sky, Aov aov, Error& error);
 
   private:
-    bool ok(seaglass::Status status, const char* what, Error& error);
-
-    seaglass::Context* context_ = nullptr;
+    SeaglassContext context_;
     seaglass::Target* target_ = nullptr;
     const seaglass::WavesBackend* wavesBackend_ = nullptr;
     seaglass::Target* exactTarget_ = nullptr;
-    uint32_t framesInFlight_ = 1, slot_ = 0;
-    std::string message_; ///< what Seaglass last said
 };
 
 } // namespace demos

@@ -37,14 +37,14 @@ img { display: block; width: 100%; }
 )html";
 
 constexpr const char* notes =
-    R"html(<p class="note">Cost is that of the reflection's own passes; the water's drawing is given beside it. The
+    R"html(<p class="note">Cost is that of the reflection's own passes; the surface's drawing is given beside it. The
 floor is a compute copy of the frame's colour (RGBA16F) and depth (R32F), timed between the same frames. &plusmn; is
 the interquartile range. FLIP and wrong (the share that is off by more than 5 % of white in some channel) compare the
-tone-mapped picture with the ray-traced one over the pixels of water. What is mirrored can be recovered where it is seen
-elsewhere in the picture: PSNR is that of the reflection there, before Fresnel; found is the share that the technique
-found, and off by how far from the mirrored point it was then taken. Sky as solid and solid as sky are mistakes about the
-sky. A dash is what was not measured or has no pixel. In the plots, filled marks are beaten by no other in
-both cost and error.</p>
+tone-mapped picture with the ray-traced one over the pixels of the surface that mirrors, water or polished floor. What is
+mirrored can be recovered where it is seen elsewhere in the picture: PSNR is that of the reflection there, before Fresnel;
+found is the share that the technique found, and off by how far from the mirrored point it was then taken. Sky as solid
+and solid as sky are mistakes about the sky. A dash is what was not measured or has no pixel. In the plots, filled marks
+are beaten by no other in both cost and error.</p>
 )html";
 
 std::string print(const char* format, const std::optional<double>& value) {
@@ -55,14 +55,14 @@ std::string print(const char* format, const std::optional<double>& value) {
 
 std::optional<double> drawingMs(const Entry& entry) {
     for (const PassTime& pass : entry.cost.passes)
-        if (pass.name == "water_draw") return pass.ms;
+        if (pass.name == "water_draw" || pass.name == "mirror_draw") return pass.ms;
     return std::nullopt;
 }
 
 std::string table(const Tradeoff& tradeoff, const Sheet& sheet) {
     std::string html = "<div class=\"scroll\"><table>\n<tr>";
     for (const char* const name : {"technique", "ms", "&plusmn;", "&times; floor", "floor, ms",
-                                   "water drawn, ms", "MB", "FLIP", "wrong", "PSNR, dB", "exactly placed",
+                                   "surface drawn, ms", "MB", "FLIP", "wrong", "PSNR, dB", "exactly placed",
                                    "found", "off, px: median", "p95", "sky as solid", "solid as sky"})
         html += std::string("<th>") + name + "</th>";
     html += "</tr>\n";

@@ -120,9 +120,9 @@ class Counts {
         flipPicture_.add(flip);
         squaresPicture_.add(off.squares);
     }
-    void water(double flip, const Off& off) {
+    void surface(double flip, const Off& off) {
         flip_.add(flip);
-        squaresWater_.add(off.squares);
+        squaresSurface_.add(off.squares);
         wrong_.count(off.most > wrongBy);
     }
     void claim(TruthClass kind, Claim claim) {
@@ -145,7 +145,7 @@ class Counts {
         error.psnrDb = squares_.psnr();
         error.psnrValidDb = squaresFound_.psnr();
         error.psnrExactDb = squaresExact_.psnr();
-        error.psnrWaterDb = squaresWater_.psnr();
+        error.psnrSurfaceDb = squaresSurface_.psnr();
         error.flipPicture = flipPicture_.value();
         error.psnrPictureDb = squaresPicture_.psnr();
         error.coverage = covered_.value();
@@ -161,7 +161,7 @@ class Counts {
 
   private:
     Mean flip_, flipPicture_;
-    Mean squares_, squaresFound_, squaresExact_, squaresWater_, squaresPicture_;
+    Mean squares_, squaresFound_, squaresExact_, squaresSurface_, squaresPicture_;
     Share covered_, falseHits_, calledSky_, wrong_;
     std::vector<double> positions_;
 };
@@ -191,7 +191,7 @@ std::optional<PictureError> errorOf(const reference::Pictures& truth, const Shot
         const auto kind = static_cast<TruthClass>(std::lround(classes.rgba[4 * i]));
         if (kind == TruthClass::none) continue;
         const Claim claim = claimAt(shots.sources, i);
-        counts.water(flipped, off);
+        counts.surface(flipped, off);
         counts.claim(kind, claim);
         if (kind != TruthClass::recoverable) continue;
         const Off mirrorOff = offAt(i, mirrored, reflection);

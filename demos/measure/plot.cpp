@@ -16,7 +16,7 @@ set border 3 lc rgb "#a4abb2"
 set grid lc rgb "#33373b" lt 1
 set tics nomirror scale 0.5 textcolor rgb "#dcdfe2"
 set xlabel "cost, multiples of the floor" textcolor rgb "#dcdfe2"
-set ylabel "FLIP over the water" textcolor rgb "#dcdfe2"
+set ylabel "FLIP over what mirrors" textcolor rgb "#dcdfe2"
 set key off
 set rmargin 22
 )";

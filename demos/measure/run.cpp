@@ -10,7 +10,7 @@ namespace {
 bool load(Host& host, const Subject& subject, reference::World& world, Error& error) {
     if (!host.load(subject.scene, error) || !reference::loadWorld(subject.scene, world, error)) return false;
     for (size_t i = 1; i < subject.variants.size(); ++i)
-        if (!host.addWater(subject.variants[i].water, error)) return false;
+        if (!host.addSurface(subject.variants[i].surface, error)) return false;
     return true;
 }
 
@@ -58,7 +58,7 @@ class View {
 
     RunResult time(Error& error) {
         const std::optional<ComparedTimes> times =
-            host_.measureWaters(frame_, rounds_, telling("measuring"), error);
+            host_.measureSurfaces(frame_, rounds_, telling("measuring"), error);
         if (!goesOn_) return RunResult::stopped;
         if (!times) return RunResult::failed;
         for (size_t i = 0; i < subject_.variants.size(); ++i) {
@@ -68,15 +68,15 @@ class View {
             entry.camera = result_.camera;
             entry.technique = technique.name;
             entry.quality = technique.quality;
-            entry.cost = costOf(times->waters[i], times->floor);
+            entry.cost = costOf(times->surfaces[i], times->floor);
             entry.cost.bytes =
-                host_.reflectionBytes(subject_.variants[i].water, frame_.width, frame_.height, error);
+                host_.reflectionBytes(subject_.variants[i].surface, frame_.width, frame_.height, error);
             if (!entry.cost.bytes) return RunResult::failed;
         }
         return RunResult::ok;
     }
 
-    static Cost costOf(const WaterTimes& times, const PassTime& floor) {
+    static Cost costOf(const SurfaceTimes& times, const PassTime& floor) {
         Cost cost;
         cost.reflection = times.reflection;
         cost.floor = floor;
@@ -84,33 +84,34 @@ class View {
             cost.xFloor = times.ofFloor.ms;
             cost.xFloorSpread = times.ofFloor.spreadMs;
         }
+        cost.hostBytes = times.hostBytes;
         cost.passes = times.passes;
         return cost;
     }
 
-    bool draw(uint32_t water, Aov aov, Picture& out, Error& error) {
+    bool draw(uint32_t surface, Aov aov, Picture& out, Error& error) {
         FrameDesc frame = frame_;
-        frame.water = water;
+        frame.surface = surface;
         frame.aov = aov;
         std::optional<Picture> picture = host_.render(frame, error);
         if (picture) out = std::move(*picture);
         return picture.has_value();
     }
 
-    bool compare(uint32_t water, Error& error) {
-        if (!draw(water, Aov::color, shots_.color, error) ||
-            !draw(water, Aov::reflection, shots_.reflection, error) ||
-            !draw(water, Aov::reflectionSource, shots_.sources, error))
+    bool compare(uint32_t surface, Error& error) {
+        if (!draw(surface, Aov::color, shots_.color, error) ||
+            !draw(surface, Aov::reflection, shots_.reflection, error) ||
+            !draw(surface, Aov::reflectionSource, shots_.sources, error))
             return false;
         const double exposureEv = subject_.scene.exposureEv;
         const std::optional<PictureError> found = errorOf(truth_, shots_, exposureEv, error);
         if (!found) {
-            error.text = result_.scene + ", camera " + result_.camera + ", " + result_.entries[water].name() +
-                         ": " + error.text;
+            error.text = result_.scene + ", camera " + result_.camera + ", " +
+                         result_.entries[surface].name() + ": " + error.text;
             return false;
         }
         result_.pictures.push_back(toneMap(shots_.color, exposureEv));
-        result_.entries[water].error = *found;
+        result_.entries[surface].error = *found;
         return true;
     }
 

@@ -14,14 +14,17 @@ void still(WaterDesc& water) {
     water.foam.reset();
 }
 
-std::optional<Scene> sceneWith(const Technique& technique, const SubjectDesc& desc, Error& error) {
+std::optional<Scene> sceneWith(const Technique& technique, const std::string& surface,
+                               const SubjectDesc& desc, Error& error) {
     std::vector<std::string> overrides = desc.overrides;
-    overrides.insert(overrides.end(), technique.overrides.begin(), technique.overrides.end());
+    for (const std::string& setting : technique.settings)
+        overrides.push_back(surface + ".reflection." + setting);
     std::optional<Scene> scene = loadScene(desc.file, overrides, error);
     if (!scene) return std::nullopt;
     // No override takes a part away.
-    if (!technique.part) scene->water->reflection.reset();
-    if (desc.flat) still(*scene->water);
+    if (!technique.part && scene->water) scene->water->reflection.reset();
+    if (!technique.part && scene->floor) scene->floor->reflection.reset();
+    if (desc.flat && scene->water) still(*scene->water);
     return scene;
 }
 
@@ -55,7 +58,7 @@ Subject movedBy(const Vec3& offsetM, const std::vector<Scene>& scenes, const Sub
         CameraDesc camera;
         camera.offsetM = offsetM;
         applyOffset(scene, camera);
-        subject.variants.push_back({desc.techniques[i], *scene.water});
+        subject.variants.push_back({desc.techniques[i], *surfaceOf(scene)});
         if (i == 0) subject.scene = std::move(scene);
     }
     return subject;
@@ -66,16 +69,16 @@ Subject movedBy(const Vec3& offsetM, const std::vector<Scene>& scenes, const Sub
 std::optional<std::vector<Subject>> readSubjects(const SubjectDesc& desc, Error& error) {
     const std::optional<Scene> plain = loadScene(desc.file, desc.overrides, error);
     if (!plain) return std::nullopt;
-    // An override of the water's reflection would give it some.
-    if (!plain->water) {
-        error.text = desc.file.string() + ": has no water, expected [water]";
+    // An override of its reflection would give it a surface.
+    if (!surfaceOf(*plain)) {
+        error.text = desc.file.string() + ": has neither water nor floor, expected [water] or [floor]";
         return std::nullopt;
     }
     std::vector<CameraDesc> cameras;
     if (!chooseCameras(*plain, desc, cameras, error)) return std::nullopt;
     std::vector<Scene> scenes; // one for each technique
     for (const Technique* const technique : desc.techniques) {
-        std::optional<Scene> scene = sceneWith(*technique, desc, error);
+        std::optional<Scene> scene = sceneWith(*technique, plain->water ? "water" : "floor", desc, error);
         if (!scene) return std::nullopt;
         scenes.push_back(std::move(*scene));
     }

@@ -1,4 +1,4 @@
-// What is measured of a scene: its cameras, and the water that each technique makes of its own.
+// What is measured of a scene: its cameras, and what each technique makes of the surface that mirrors.
 #pragma once
 
 #include <filesystem>
@@ -17,25 +17,25 @@ struct SubjectDesc {
     std::vector<const Technique*> techniques; ///< at least one
     std::vector<std::string> cameras;         ///< empty takes all
     bool firstCameraOnly = false;             ///< instead of all
-    bool flat = false;                        ///< no waves and no foam
+    bool flat = false;                        ///< water without waves and foam
 };
 
-/// The scene's water as one technique has it.
+/// The scene's surface as one technique has it.
 struct Variant {
     const Technique* technique = nullptr;
-    WaterDesc water;
+    SurfaceDesc surface;
 };
 
 struct Subject {
     std::string file;         ///< as it was named
-    Scene scene;              ///< with the water of the first variant
+    Scene scene;              ///< with the surface of the first variant
     Vec3 offsetM = {0, 0, 0}; ///< what it was moved by
     std::vector<CameraDesc> cameras;
     std::vector<Variant> variants; ///< one for each technique
 };
 
 /// One for each place that the cameras move the scene to, which most do not. Null with `error` set when the
-/// file cannot be read, has no water, or lacks a camera that is named.
+/// file cannot be read, has no surface that mirrors, or lacks a camera that is named.
 std::optional<std::vector<Subject>> readSubjects(const SubjectDesc& desc, Error& error);
 
 } // namespace demos::measure

@@ -24,6 +24,7 @@ Json costJson(const Cost& cost) {
     json["floor_ms"] = cost.floor.ms;
     json["floor_spread_ms"] = cost.floor.spreadMs;
     json["bytes"] = orNull(cost.bytes);
+    json["host_bytes"] = cost.hostBytes;
     json["passes"] = Json::array();
     for (const PassTime& pass : cost.passes)
         json["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"spread_ms", pass.spreadMs}});
@@ -43,7 +44,7 @@ Json errorJson(const PictureError& error) {
     json["position_px_max"] = orNull(error.positionPxMax);
     json["psnr_valid_db"] = orNull(error.psnrValidDb);
     json["psnr_exact_db"] = orNull(error.psnrExactDb);
-    json["psnr_water_db"] = orNull(error.psnrWaterDb);
+    json["psnr_surface_db"] = orNull(error.psnrSurfaceDb);
     json["flip_picture"] = orNull(error.flipPicture);
     json["psnr_picture_db"] = orNull(error.psnrPictureDb);
     return json;

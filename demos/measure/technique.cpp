@@ -11,24 +11,25 @@ namespace {
 
 struct Quality {
     const char* name;
-    const char* override;       ///< null leaves all as it is
+    const char* setting;        ///< null leaves all as it is
     std::string_view only = {}; ///< the technique that has it; empty: all that make an image
 };
 
 constexpr Quality qualities[] = {
     {"default", nullptr},
-    {"coarse keys", "water.reflection.coarse_keys=true", "sspr"},
-    {"half", "water.reflection.downscale=2"},
-    {"quarter", "water.reflection.downscale=4"},
+    {"coarse keys", "coarse_keys=true", "sspr"},
+    {"half", "downscale=2"},
+    {"quarter", "downscale=4"},
 };
 
 bool has(std::string_view technique, const Quality& quality) {
-    if (!quality.override) return true;
+    if (!quality.setting) return true;
     return technique != "sky" && (quality.only.empty() || quality.only == technique);
 }
 
 std::vector<Technique> allTechniques() {
     std::vector<Technique> all = {{"none", "default", {}, false}};
+    // A floor's are the same.
     for (const std::string_view word : choicesOf("water.reflection.technique")) {
         const std::string name(word);
         for (const Quality& quality : qualities) {
@@ -36,8 +37,8 @@ std::vector<Technique> allTechniques() {
             Technique& added = all.emplace_back();
             added.name = name;
             added.quality = quality.name;
-            added.overrides = {"water.reflection.technique=" + name};
-            if (quality.override) added.overrides.push_back(quality.override);
+            added.settings = {"technique=" + name};
+            if (quality.setting) added.settings.push_back(quality.setting);
         }
     }
     return all;

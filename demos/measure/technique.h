@@ -12,8 +12,8 @@ namespace demos::measure {
 
 struct Technique {
     std::string name, quality;
-    std::vector<std::string> overrides; ///< of the scene, as --set takes them
-    bool part = true; ///< whether the water has a reflection at all; without, it mirrors the sky as well
+    std::vector<std::string> settings; ///< of the surface's reflection, as --set takes them
+    bool part = true; ///< whether the surface has a reflection at all; without, it mirrors the sky as well
 };
 
 std::span<const Technique> techniques();

@@ -11,16 +11,17 @@
 namespace demos::measure {
 
 struct Cost {
-    PassTime reflection; ///< the reflection's own passes; the water's drawing is among `passes`
+    PassTime reflection; ///< the reflection's own passes; the surface's drawing is among `passes`
     PassTime floor;      ///< measured between the same frames
     std::optional<double> xFloor, xFloorSpread;
     std::optional<uint64_t> bytes; ///< of the reflection on the device, for one view
+    uint64_t hostBytes = 0;        ///< what the host holds for it beside, as SurfaceTimes says
     std::vector<PassTime> passes;  ///< of the whole frame
 };
 
 /// Shares are 0..1. What has no pixel to be measured on is not there.
 struct PictureError {
-    std::optional<double> flip, psnrWaterDb;          ///< of the picture over the pixels of water
+    std::optional<double> flip, psnrSurfaceDb;        ///< of the picture over the pixels of the surface
     std::optional<double> flipPicture, psnrPictureDb; ///< over all its pixels
     /// Of what is mirrored, before Fresnel, where it is seen elsewhere in the picture; and of these where the
     /// technique says that it found it.
@@ -32,7 +33,7 @@ struct PictureError {
     std::optional<double> skyOnGeometry; ///< called sky, of what mirrors something solid
     /// How far from the mirrored point, in pixels, the picture was looked up, where it was rightly so.
     std::optional<double> positionPxP50, positionPxP95, positionPxMax;
-    std::optional<double> wrongShare; ///< pixels of water that are off by more than 5 % of white
+    std::optional<double> wrongShare; ///< pixels of the surface that are off by more than 5 % of white
 };
 
 struct Entry {

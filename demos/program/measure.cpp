@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "measure/run.h"
+#include "program/device_limit.h"
 #include "program/interrupt.h"
 #include "program/memory.h"
 #include "program/no_device.h"
@@ -18,15 +19,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Those of the folder that have water, by name; all that cannot be read as well, for the error to be told.
-std::vector<fs::path> scenesWithWater(const fs::path& folder) {
+/// Those of the folder that have a surface to measure, by name; all that cannot be read as well, for the
+/// error to be told.
+std::vector<fs::path> scenesThatMirror(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
         if (entry.path().extension() != ".toml") continue;
         Error unread;
         const std::optional<Scene> scene = loadScene(entry.path(), {}, unread);
-        if (!scene || scene->water) files.push_back(entry.path());
+        if (!scene || surfaceOf(*scene)) files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
     return files;
@@ -37,7 +39,7 @@ std::optional<std::vector<measure::Subject>> readAll(const MeasureOptions& optio
         measure::chooseTechniques(options.techniques, error);
     if (!techniques) return std::nullopt;
     const fs::path usual = "demos/scenes";
-    const std::vector<fs::path> files = options.scenes.empty() ? scenesWithWater(usual) : options.scenes;
+    const std::vector<fs::path> files = options.scenes.empty() ? scenesThatMirror(usual) : options.scenes;
     if (files.empty()) {
         error.text = "no scenes in " + usual.string() + ", expected SCENE.toml";
         return std::nullopt;
@@ -71,13 +73,6 @@ bool canBeLoaded(Host& host, const std::vector<measure::Subject>& subjects, Prog
         return false;
     }
     return true;
-}
-
-bool fits(Size size, const DeviceInfo& device, Error& error) {
-    if (std::max(size.width, size.height) <= device.longestSide) return true;
-    error.text = "--size is over the limit of " + device.name + ", expected at most " +
-                 std::to_string(device.longestSide) + " a side";
-    return false;
 }
 
 measure::Tradeoff emptyTradeoff(const MeasureOptions& options, const DeviceInfo& device) {
@@ -133,8 +128,8 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
         return badInput;
     }
     TradeoffFiles files(options.folder, emptyTradeoff(options, host->device()));
-    if (!fits(options.size, host->device(), error) || !canBeLoaded(*host, *subjects, progress, error) ||
-        !files.makeFolder(error))
+    if (!fitsDevice(options.size, 1, host->device(), error) ||
+        !canBeLoaded(*host, *subjects, progress, error) || !files.makeFolder(error))
         return badInput;
 
     const Interrupt interrupt;

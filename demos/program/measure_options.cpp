@@ -14,7 +14,7 @@ constexpr const char* footer =
 the floor (a compute copy of the frame's colour and depth, timed between the same frames), and how far the
 picture is from the ray-traced one. Writes tradeoff.json, .csv and .md, and index.html with plots and pictures.
 
-  flip, wrong_share, psnr_water_db   of the tone-mapped picture over the pixels of water
+  flip, wrong_share, psnr_surface_db   of the tone-mapped picture over the surface that mirrors
   flip_picture, psnr_picture_db      the same over the whole picture
   psnr_db          of what is mirrored, before Fresnel, where it is seen elsewhere in the picture
   psnr_valid_db    the same where it was found
@@ -40,7 +40,7 @@ void describeMeasure(CLI::App& command, RawMeasure& raw) {
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     command
         .add_option("SCENE", raw.scenes,
-                    "Scene files (TOML) with water; all of demos/scenes that have some if not given")
+                    "Scene files (TOML) with water or a floor; all such of demos/scenes if not given")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command.add_option("-o,--output", raw.folder, "Folder for what is found; it is made if need be")
         ->type_name("DIR");

@@ -15,7 +15,7 @@ class App;
 namespace demos {
 
 struct MeasureOptions {
-    std::vector<std::filesystem::path> scenes; ///< empty takes those of demos/scenes that have water
+    std::vector<std::filesystem::path> scenes; ///< empty takes those of demos/scenes that mirror
     std::filesystem::path folder;
     Size size;
     uint32_t rounds = 20;

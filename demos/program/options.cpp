@@ -51,7 +51,7 @@ Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)
 /// What the line says, before any of it is checked.
 struct Raw {
     std::string scene, size, supersample, time, camera, frames, fps, aov, mistake, sky, mesh, stats, device,
-        spp, seed, truth;
+        spp, seed, truth, mirrored;
     std::vector<std::string> outputs, overrides;
     bool validation = false, noValidation = false;
 };
@@ -98,7 +98,11 @@ void describeReference(CLI::App& reference, Raw& raw) {
     reference.add_option("--seed", raw.seed, "Of the samples, 1 if not given")->type_name("N");
     reference
         .add_option("--truth", raw.truth,
-                    "EXR: class of what is mirrored, its pixel (x, y), its distance from the water")
+                    "EXR: class of what is mirrored, its pixel (x, y), its distance from the surface")
+        ->type_name("FILE");
+    reference
+        .add_option("--mirrored", raw.mirrored,
+                    "EXR: radiance of what is mirrored, before Fresnel; black where nothing mirrors")
         ->type_name("FILE");
 }
 
@@ -246,6 +250,7 @@ bool check(const Raw& raw, ReferenceOptions& out, Error& error) {
         out.seed = *seed;
     }
     out.truth = raw.truth;
+    out.mirrored = raw.mirrored;
     return true;
 }
 

@@ -38,7 +38,8 @@ struct ReferenceOptions {
     RenderOptions picture; ///< of which what a device, a sequence or a measurement needs stays unset
     uint32_t samples = 1;  ///< of each pixel
     uint64_t seed = 1;
-    std::filesystem::path truth; ///< empty writes none
+    std::filesystem::path truth;    ///< empty writes none
+    std::filesystem::path mirrored; ///< likewise
 };
 
 struct Options {

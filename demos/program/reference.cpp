@@ -1,6 +1,7 @@
 #include "program/reference.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 
@@ -17,19 +18,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct TruthOutput {
+    const char* option;
+    const fs::path& file; ///< empty: not wished for
+};
+
+std::array<TruthOutput, 2> truthOutputs(const ReferenceOptions& options) {
+    return {{{"--truth", options.truth}, {"--mirrored", options.mirrored}}};
+}
+
 bool checkOutputs(const ReferenceOptions& options, const Scene& scene, Error& error) {
     if (!checkPictures(options.picture, scene, error)) return false;
-    if (options.truth.empty()) return true;
-    const auto same = [&](const fs::path& file) {
-        return fs::absolute(file).lexically_normal() == fs::absolute(options.truth).lexically_normal();
-    };
-    const std::vector<fs::path>& outputs = options.picture.outputs;
-    if (std::any_of(outputs.begin(), outputs.end(), same)) {
-        error.text = "--truth " + options.truth.string() + ": is an -o as well, expected another file";
-        return false;
+    const auto whole = [](const fs::path& file) { return fs::absolute(file).lexically_normal(); };
+    std::vector<fs::path> taken;
+    for (const fs::path& file : options.picture.outputs) taken.push_back(whole(file));
+    for (const auto& [option, file] : truthOutputs(options)) {
+        if (file.empty()) continue;
+        if (std::find(taken.begin(), taken.end(), whole(file)) != taken.end()) {
+            error.text = std::string(option) + " " + file.string() +
+                         ": is another output as well, expected another file";
+            return false;
+        }
+        taken.push_back(whole(file));
+        if (!checkOutput(option, file, {".exr"}, error) ||
+            !checkApart(option, file, sceneFiles(scene), error))
+            return false;
     }
-    return checkOutput("--truth", options.truth, {".exr"}, error) &&
-           checkApart("--truth", options.truth, sceneFiles(scene), error);
+    return true;
 }
 
 bool write(const ReferenceOptions& options, const reference::Pictures& pictures, double exposureEv,
@@ -41,7 +56,8 @@ bool write(const ReferenceOptions& options, const reference::Pictures& pictures,
                         : writeExr(file, color, error);
         if (!written) return false;
     }
-    return options.truth.empty() || writeExr(options.truth, pictures.truth, error);
+    return (options.truth.empty() || writeExr(options.truth, pictures.truth, error)) &&
+           (options.mirrored.empty() || writeExr(options.mirrored, pictures.mirrored, error));
 }
 
 } // namespace
@@ -70,8 +86,9 @@ ExitCode renderReference(const ReferenceOptions& options, Error& error) {
         addPlace(*scene, error);
         return badInput;
     }
+    const bool withTruth = !options.truth.empty() || !options.mirrored.empty();
     const reference::Pictures pictures =
-        reference::renderReference(frame, !options.truth.empty(), [&](uint32_t done, uint32_t all) {
+        reference::renderReference(frame, withTruth, [&](uint32_t done, uint32_t all) {
             progress.say("tracing row", done, all);
             return true;
         });

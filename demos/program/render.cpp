@@ -6,6 +6,7 @@
 
 #include "host/image_file.h"
 #include "metrics/finite.h"
+#include "program/device_limit.h"
 #include "program/memory.h"
 #include "program/no_device.h"
 #include "program/output.h"
@@ -152,13 +153,7 @@ ExitCode renderScene(const RenderOptions& options, Error& error) {
         explainNoDevice(error);
         return badInput;
     }
-    const uint32_t side = std::max(options.size.width, options.size.height) * options.supersample;
-    if (side > host->device().longestSide) {
-        error.text = "--size and --supersample make a side of " + std::to_string(side) +
-                     " pixels, expected at most the " + std::to_string(host->device().longestSide) + " of " +
-                     host->device().name;
-        return badInput;
-    }
+    if (!fitsDevice(options.size, options.supersample, host->device(), error)) return badInput;
     progress.say("loading " + scene->file.filename().string());
     if (!host->load(*scene, error)) {
         addPlace(*scene, error);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace demos {
@@ -123,10 +124,14 @@ struct Scene {
     std::vector<CameraDesc> cameras; ///< at least one; the first is the default
 };
 
-/// Of the surface that mirrors, water or floor; null when there is neither.
-inline const std::optional<ReflectionDesc>* reflectionOf(const Scene& scene) {
-    if (scene.water) return &scene.water->reflection;
-    return scene.floor ? &scene.floor->reflection : nullptr;
+/// The surface that mirrors.
+using SurfaceDesc = std::variant<WaterDesc, FloorDesc>;
+
+/// Null when there is none.
+inline std::optional<SurfaceDesc> surfaceOf(const Scene& scene) {
+    if (scene.water) return *scene.water;
+    if (scene.floor) return *scene.floor;
+    return std::nullopt;
 }
 
 /// Reads a scene file, with "path=value" overrides (values in TOML syntax; a bare word is taken as a string)

@@ -6,6 +6,7 @@
 // grows with their distance; a constant offset would tear shorelines.
 
 #include "reflection_info.glsl"
+#include "reflection_source.glsl"
 
 const float farAway = 1e5;
 
@@ -70,9 +71,7 @@ vec4 reflectionSource(vec3 from, vec3 direction) {
     float info = infoAt(pixel);
     if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
     vec3 throughTexel = rayThrough((floor(pixel / reflectionScale) + 0.5) * reflectionScale);
-    float toSurface = plane.w / max(-throughTexel.y, 1e-6);
-    vec3 source = rayThrough(pixel) * (toSurface + info);
-    source.y = -source.y - 2.0 * plane.w;
+    vec3 source = mirroredPoint(rayThrough(pixel), throughTexel, info, plane.xyz, plane.w);
     vec4 seen = pixelOf(source);
     return seen.w > 0.0 ? vec4(seen.xy, info, 2.0) : vec4(-1.0, -1.0, info, 2.0);
 }

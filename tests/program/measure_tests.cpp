@@ -50,6 +50,13 @@ class Measure : public testing::Test {
         scene.erase(foam, scene.find("[water.refraction]") - foam);
         tests::writeAll(folder_.path() / "calm.toml", scene);
     }
+    /// A polished one, under the same things.
+    void floor() {
+        std::string scene = tests::sampleFloorScene();
+        const std::string rough = "roughness = 0.25";
+        scene.replace(scene.find(rough), rough.size(), "roughness = 0");
+        tests::writeAll(folder_.path() / "floor.toml", scene);
+    }
     fs::path path(const std::string& name) const { return folder_.path() / name; }
 
     const tests::TemporaryFolder folder_;
@@ -81,11 +88,12 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
         for (const char* const key : {"ms", "x_floor", "x_floor_spread", "spread_ms", "floor_ms"})
             expectNumber(entry["cost"], key);
         for (const json& pass : entry["cost"].at("passes")) expectNumber(pass, "ms");
-        for (const char* const key : {"flip", "psnr_db", "coverage", "false_sky_hits", "sky_on_geometry",
-                                      "wrong_share", "psnr_water_db", "flip_picture", "psnr_picture_db"})
+        for (const char* const key :
+             {"flip", "psnr_db", "coverage", "false_sky_hits", "sky_on_geometry", "wrong_share",
+              "psnr_surface_db", "flip_picture", "psnr_picture_db", "psnr_exact_db"})
             expectNumber(entry["error"], key);
         for (const char* const key :
-             {"position_px_p50", "position_px_p95", "position_px_max", "psnr_valid_db", "psnr_exact_db"})
+             {"position_px_p50", "position_px_p95", "position_px_max", "psnr_valid_db"})
             EXPECT_EQ(entry["error"].at(key).is_null(),
                       entry["technique"] == "none" || entry["technique"] == "sky")
                 << key;
@@ -139,6 +147,47 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     EXPECT_NE(page.find("<td>sspr, default</td>"), std::string::npos);
 }
 
+TEST_F(Measure, TakesAFloorAsItTakesWater) {
+    floor();
+    const Outcome outcome = measure({"floor.toml", "-o", "new", "--quick", "--size", "96x54"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json found = measured("new");
+    ASSERT_EQ(found["entries"].size(), techniques);
+    std::map<std::string, json> entries;
+    for (const json& entry : found["entries"]) {
+        size_t draws = 0;
+        for (const json& pass : entry["cost"]["passes"]) draws += pass["name"] == "mirror_draw" ? 1 : 0;
+        EXPECT_EQ(draws, 1u) << entry["technique"];
+        for (const char* const key : {"flip", "psnr_db", "coverage", "false_sky_hits", "sky_on_geometry",
+                                      "wrong_share", "flip_picture", "psnr_picture_db"})
+            expectNumber(entry["error"], key);
+        const bool makesImage = entry["technique"] != "none" && entry["technique"] != "sky";
+        EXPECT_EQ(entry["cost"]["ms"] > 0, makesImage);
+        EXPECT_EQ(entry["cost"]["bytes"] > 0, makesImage);
+        EXPECT_EQ(entry["cost"]["host_bytes"] > 0, makesImage);
+        EXPECT_EQ(entry["error"]["position_px_p50"].is_number(), makesImage);
+        const std::string quality = entry["quality"], technique = entry["technique"];
+        entries[quality == "default" ? technique : technique + " " + quality] = entry;
+    }
+    EXPECT_EQ(entries.at("none")["error"], entries.at("sky")["error"]);
+    const json &sky = entries.at("sky")["error"], &sspr = entries.at("sspr")["error"],
+               &planar = entries.at("planar")["error"];
+    EXPECT_EQ(sky["coverage"], 0);
+    EXPECT_EQ(sky["sky_on_geometry"], 1);
+    for (const json& error : {sspr, planar}) {
+        EXPECT_GT(error["coverage"].get<double>(), 0.8);
+        EXPECT_LT(error["false_sky_hits"].get<double>(), 0.05);
+        EXPECT_LT(error["sky_on_geometry"].get<double>(), 0.2);
+        EXPECT_LT(error["position_px_p50"].get<double>(), 0.1);
+        EXPECT_LT(error["position_px_p95"].get<double>(), 1);
+        EXPECT_LT(error["flip"].get<double>(), sky["flip"].get<double>());
+        EXPECT_GT(error["psnr_db"].get<double>(), sky["psnr_db"].get<double>() + 6);
+    }
+    EXPECT_GT(entries.at("sspr half")["error"]["position_px_p50"].get<double>(),
+              sspr["position_px_p50"].get<double>());
+    EXPECT_NE(tests::readAll(path("new/index.html")).find("surface drawn, ms"), std::string::npos);
+}
+
 TEST_F(Measure, BadLinesAreRefused) {
     expectRefused({}, {"no output", "-o DIR"});
     expectRefused({"scene.toml"}, {"no output", "-o DIR"});
@@ -159,7 +208,8 @@ TEST_F(Measure, BadLinesAreRefused) {
     std::string dry = tests::sampleScene();
     dry.erase(dry.find("[water]"), dry.find("[[camera]]") - dry.find("[water]"));
     tests::writeAll(path("dry.toml"), dry);
-    expectRefused({"scene.toml", "dry.toml", "-o", "new"}, {"dry.toml", "no water"});
+    expectRefused({"scene.toml", "dry.toml", "-o", "new"},
+                  {"dry.toml", "neither water nor floor", "[water] or [floor]"});
 }
 
 TEST_F(Measure, AFileThatASceneNamesIsRefusedWithItsPlace) {
@@ -188,7 +238,7 @@ TEST_F(Measure, MeasuresWhatItIsAskedFor) {
     for (const json& entry : entries) EXPECT_EQ(entry["camera"], "low");
 }
 
-TEST_F(Measure, TakesAllScenesWithWaterIfNoneIsNamed) {
+TEST_F(Measure, TakesAllScenesThatMirrorIfNoneIsNamed) {
     for (const char* const name : {"one", "two"}) {
         const fs::path folder = path("demos/scenes") / name;
         fs::create_directories(folder);
@@ -203,12 +253,14 @@ TEST_F(Measure, TakesAllScenesWithWaterIfNoneIsNamed) {
     place("a", dry);
     dry.erase(dry.find("[water]"), dry.find("[[camera]]") - dry.find("[water]"));
     place("dry", dry);
+    place("floor", tests::sampleFloorScene());
     const Outcome outcome = measure({"-o", "all", "--quick", "--size", "48x27", "--technique", "sky"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const json entries = measured("all")["entries"];
-    ASSERT_EQ(entries.size(), 2u);
+    ASSERT_EQ(entries.size(), 3u);
     EXPECT_EQ(entries[0]["scene"], "demos/scenes/a.toml");
     EXPECT_EQ(entries[1]["scene"], "demos/scenes/b.toml");
+    EXPECT_EQ(entries[2]["scene"], "demos/scenes/floor.toml");
 }
 
 TEST_F(Measure, FlatWaterIsASceneWithoutWavesAndFoam) {
@@ -260,11 +312,15 @@ TEST_F(Measure, WithoutGnuplotOnlyThePlotsAreMissing) {
 }
 
 TEST_F(Measure, TwoRunsFindTheSameErrors) {
+    floor();
     const auto errors = [&](const std::string& folder) {
-        const Outcome outcome = measure({"scene.toml", "-o", folder, "--quick", "--size", "64x36"});
+        const Outcome outcome =
+            measure({"scene.toml", "floor.toml", "-o", folder, "--quick", "--size", "64x36"});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const json entries = measured(folder)["entries"];
         json found = json::array();
-        for (const json& entry : measured(folder)["entries"]) found.push_back(entry["error"]);
+        for (const json& entry : entries) found.push_back(entry["error"]);
+        EXPECT_EQ(found.size(), 2 * techniques);
         return found;
     };
     EXPECT_EQ(errors("one"), errors("two"));
@@ -341,12 +397,12 @@ TEST(PictureErrors, CountWhatEachClassOfTruthAllows) {
     EXPECT_EQ(error.falseSkyHits, 0.5);
     EXPECT_DOUBLE_EQ(error.skyOnGeometry.value(), 2.0 / 3);
     EXPECT_EQ(error.wrongShare, 0.2);
-    EXPECT_LT(error.psnrPictureDb.value(), error.psnrWaterDb.value());
+    EXPECT_LT(error.psnrPictureDb.value(), error.psnrSurfaceDb.value());
     EXPECT_GT(error.flip.value(), 0);
     EXPECT_FALSE(error.psnrDb) << "nothing differs there, and infinite is no number";
 
     const PictureError dry = Row({none, none}, "hh").error();
-    EXPECT_FALSE(dry.flip || dry.psnrWaterDb || dry.coverage || dry.falseSkyHits || dry.wrongShare ||
+    EXPECT_FALSE(dry.flip || dry.psnrSurfaceDb || dry.coverage || dry.falseSkyHits || dry.wrongShare ||
                  dry.positionPxP50)
         << "shares of nothing";
     EXPECT_EQ(dry.flipPicture, 0);

@@ -192,17 +192,20 @@ TEST_F(SceneFile, AFloorTakesTheWatersPlace) {
     EXPECT_EQ(scene->floor->roughness, 0.25);
     EXPECT_EQ(scene->floor->reflectance, demos::FloorDesc{}.reflectance);
     EXPECT_EQ(scene->floor->texture, folder_.path() / "tiles.png");
-    EXPECT_EQ(demos::reflectionOf(*scene), &scene->floor->reflection);
+    const std::optional<demos::SurfaceDesc> surface = demos::surfaceOf(*scene);
+    ASSERT_TRUE(surface && std::holds_alternative<demos::FloorDesc>(*surface));
+    EXPECT_EQ(std::get<demos::FloorDesc>(*surface).widthM, 10);
     demos::CameraDesc camera = scene->cameras[1];
     demos::applyOffset(*scene, camera);
     EXPECT_EQ(scene->floor->pointM, (demos::Vec3{100, 20, 3}));
 }
 
-TEST_F(SceneFile, ReflectionsAreFoundWhateverMirrors) {
+TEST_F(SceneFile, WhatMirrorsIsWaterIfThereIsSome) {
     const std::optional<Scene> wet = load();
     ASSERT_TRUE(wet) << error_.text;
-    EXPECT_EQ(demos::reflectionOf(*wet), &wet->water->reflection);
-    EXPECT_EQ(demos::reflectionOf(Scene{}), nullptr);
+    const std::optional<demos::SurfaceDesc> surface = demos::surfaceOf(*wet);
+    EXPECT_TRUE(surface && std::holds_alternative<demos::WaterDesc>(*surface));
+    EXPECT_FALSE(demos::surfaceOf(Scene{}));
 }
 
 TEST_F(SceneFile, AnOffsetMovesEverythingThatHasAPlace) {

@@ -1,6 +1,9 @@
 // A polished floor must look in the reference as the host renders it, wherever the screen can tell.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "host/pass_samples.h"
 #include "reference/reference.h"
 
 namespace {
@@ -117,6 +120,53 @@ TEST(FloorOfTheHost, AMirrorOnAWallShowsThingsWhereTheyAreTraced) {
     EXPECT_GT(hits, 500u);
     EXPECT_GT(static_cast<double>(right), 0.97 * static_cast<double>(hits));
     EXPECT_GT(static_cast<double>(found), 0.6 * static_cast<double>(recoverable));
+}
+
+/// How far, in pixels, from where they are traced the hits were taken from: median and 95th percentile.
+struct Distances {
+    double median = 0, p95 = 0;
+};
+Distances distancesOf(const Both& both, size_t least) {
+    std::vector<double> off;
+    for (size_t i = 0; i < both.rendered.rgba.size(); i += 4) {
+        const float *const found = &both.rendered.rgba[i], *const truth = &both.traced.truth.rgba[i];
+        const auto kind = static_cast<reference::TruthClass>(static_cast<int>(truth[0]));
+        if (kind != reference::TruthClass::recoverable || found[3] != 2) continue;
+        off.push_back(static_cast<double>(std::hypot(found[0] - truth[1], found[1] - truth[2])));
+    }
+    EXPECT_GT(off.size(), least);
+    return {quantile(off, 0.5), quantile(off, 0.95)};
+}
+
+TEST(FloorOfTheHost, SaysWhereItsReflectionIsTakenFrom) {
+    Error error;
+    for (const std::string technique : {"sspr", "planar"})
+        for (const uint32_t downscale : {1u, 2u}) {
+            std::optional<Scene> scene = court(error);
+            ASSERT_TRUE(scene) << error.text;
+            scene->floor->reflection->technique = technique;
+            scene->floor->reflection->downscale = downscale;
+            const std::optional<Both> both =
+                drawBoth(*scene, scene->cameras[1], Aov::reflectionSource, error);
+            ASSERT_TRUE(both) << error.text;
+            const Distances off = distancesOf(*both, 5000);
+            EXPECT_LT(off.median, downscale == 1 ? 0.1 : 0.2) << technique << downscale;
+            EXPECT_LT(off.p95, downscale == 1 ? 1 : 3) << technique << downscale;
+        }
+}
+
+TEST(FloorOfTheHost, SaysSoOfAMirrorThatLeans) {
+    Error error;
+    std::optional<Scene> scene = court(error);
+    ASSERT_TRUE(scene) << error.text;
+    scene->floor->normal = {0.1, 1, 0.05};
+    scene->floor->pointM = {0, 0.6, 0};
+    scene->floor->reflection->technique = "planar";
+    const std::optional<Both> both = drawBoth(*scene, scene->cameras.front(), Aov::reflectionSource, error);
+    ASSERT_TRUE(both) << error.text;
+    const Distances off = distancesOf(*both, 2000);
+    EXPECT_LT(off.median, 0.1);
+    EXPECT_LT(off.p95, 1);
 }
 
 } // namespace

@@ -29,18 +29,29 @@ class Reference : public testing::Test {
 };
 
 TEST_F(Reference, WritesPicturesAndTruthWithoutADevice) {
-    const Outcome outcome =
-        trace({"-o", "out/a.png", "-o", "out/b.exr", "--truth", "out/c.exr", "--spp", "2"});
+    const Outcome outcome = trace({"-o", "out/a.png", "-o", "out/b.exr", "--truth", "out/c.exr", "--mirrored",
+                                   "out/d.exr", "--spp", "2"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "") << "progress is for terminals";
-    EXPECT_EQ(outputs(), (std::vector<std::string>{"a.png", "b.exr", "c.exr"}));
+    EXPECT_EQ(outputs(), (std::vector<std::string>{"a.png", "b.exr", "c.exr", "d.exr"}));
     EXPECT_NE(outcome.out.find("32x18, 2 samples a pixel"), std::string::npos) << outcome.out;
     demos::Error error;
     const std::optional<demos::Picture> truth = demos::readPicture(out("c.exr"), error);
     ASSERT_TRUE(truth) << error.text;
+    const std::optional<demos::Picture> mirrored = demos::readPicture(out("d.exr"), error);
+    ASSERT_TRUE(mirrored) << error.text;
     size_t sky = 0;
-    for (size_t i = 0; i < truth->rgba.size(); i += 4) sky += truth->rgba[i] == 1 ? 1 : 0;
+    for (size_t i = 0; i < truth->rgba.size(); i += 4) {
+        sky += truth->rgba[i] == 1 ? 1 : 0;
+        EXPECT_EQ(mirrored->rgba[i + 2] > 0, truth->rgba[i] > 0) << "black where nothing mirrors";
+    }
     EXPECT_GT(sky, 50u);
+}
+
+TEST_F(Reference, WhatIsMirroredCanBeHadAlone) {
+    ASSERT_EQ(trace({"-o", "out/a.png", "--mirrored", "out/b.exr"}).code, 0);
+    ASSERT_EQ(trace({"-o", "out/a.png", "--truth", "out/c.exr", "--mirrored", "out/d.exr"}).code, 0);
+    EXPECT_TRUE(tests::readAll(out("b.exr")) == tests::readAll(out("d.exr")));
 }
 
 TEST_F(Reference, SeedTimeAndSamplesShow) {
@@ -74,7 +85,10 @@ TEST_F(Reference, BadInputIsNamed) {
     expect({"-o", "out/a.png", "--spp", "0"}, "--spp is '0', expected a whole number");
     expect({"-o", "out/a.png", "--seed", "-1"}, "--seed is '-1'");
     expect({"-o", "out/a.png", "--truth", "out/b.png"}, "expected .exr");
-    expect({"-o", "out/a.exr", "--truth", "out/a.exr"}, "--truth out/a.exr: is an -o as well");
+    expect({"-o", "out/a.exr", "--truth", "out/a.exr"}, "--truth out/a.exr: is another output as well");
+    expect({"-o", "out/a.png", "--mirrored", "out/b.png"}, "--mirrored out/b.png: '.png'");
+    expect({"-o", "out/a.png", "--truth", "out/b.exr", "--mirrored", "out/b.exr"},
+           "--mirrored out/b.exr: is another output as well");
     expect({"-o", "out/a.png", "--camera", "lov"}, "the nearest is low");
     expect({"-o", "out/a.png", "--aov", "height"}, "--aov is not known");
     tests::writeAll(folder_.path() / "tetra.gltf", "{}");

@@ -5,6 +5,7 @@
 #include "mirror.glsl"
 #include "sunlight.glsl"
 #include "reflection_info.glsl"
+#include "reflection_source.glsl"
 
 layout(set = 0, binding = 1) uniform samplerCube skyCube;
 layout(set = 1, binding = 1) uniform sampler2D ground;
@@ -22,6 +23,7 @@ const int aovClass = 2;
 const int aovNormal = 4;
 const int aovColor = 0;
 const int aovDepth = 6;
+const int aovSource = 7;
 
 float infoHere() {
     return mirror.modes.y != 0 ? texelFetch(reflectionInfo, ivec2(gl_FragCoord.xy) / mirror.modes.z, 0).x : infoUnknown;
@@ -30,6 +32,25 @@ float infoHere() {
 vec3 classColor(float info) {
     if (infoIsHit(info)) return vec3(0.0, 1.0, 0.0);
     return infoIsSky(info) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+}
+
+vec3 rayThrough(vec2 pixel) {
+    const vec2 at = 2.0 * pixel / mirror.picture.xy - 1.0;
+    return normalize(frame.skyForward.xyz + at.x * frame.skyRight.xyz - at.y * frame.skyUp.xyz);
+}
+
+// Where in the picture what is mirrored here is taken from, its distance from the floor and its ReflectionClass, as
+// seaglass::SurfaceOutput has it of water.
+vec4 sourceHere() {
+    if (mirror.modes.y == 0) return vec4(-1.0, -1.0, 0.0, 1.0);
+    const float info = infoHere();
+    if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
+    const float downscale = float(mirror.modes.z);
+    const vec3 throughTexel = rayThrough((floor(gl_FragCoord.xy / downscale) + 0.5) * downscale);
+    const vec3 n = mirror.normal.xyz;
+    const vec3 source = mirroredPoint(normalize(inFromEye), throughTexel, info, n, -dot(n, mirror.middle.xyz));
+    const vec4 seen = frame.clipFromEye * vec4(source, 1.0);
+    return seen.w > 0.0 ? vec4((0.5 + 0.5 * seen.xy / seen.w) * mirror.picture.xy, info, 2.0) : vec4(-1.0, -1.0, info, 2.0);
 }
 
 // The mip whose texels are as large as the lobe: solid angles 4 pi alpha^2 and 4 pi / (6 size^2).
@@ -57,6 +78,10 @@ float fresnel(float f0, float roughness, float cosine) {
 }
 
 void main() {
+    if (mirror.modes.x == aovSource) {
+        outColor = sourceHere();
+        return;
+    }
     const vec4 polished = texture(ground, inUv);
     const vec3 diffuse = mirror.color.rgb * polished.rgb;
     const float f0 = mirror.middle.w, roughness = mirror.normal.w;

@@ -6,4 +6,5 @@ layout(set = 1, binding = 0, std140) uniform Mirror {
     vec4 normal;   // w: roughness
     vec4 color;    // w: pixels a radian at the middle of the picture
     ivec4 modes;   // output, whether the scene is mirrored, pixels to one of its reflection
+    vec4 picture;  // its width and height [pixels]
 } mirror;

@@ -1,4 +1,4 @@
-// Times of one view with each of its waters in turn, round after round, so that all see the same machine.
+// Times of one view with each of its surfaces in turn, round after round, so that all see the same machine.
 #include "host/floor_pass.h"
 #include "host/host_impl.h"
 #include "host/stage_times.h"
@@ -7,21 +7,23 @@ namespace demos {
 
 namespace {
 
-constexpr StageName sceneStages[] = {stages[1], stages[2], stages[3]};
-constexpr StageName waterStages[] = {stages[0], stages[4], stages[5], stages[6]};
-static_assert(sceneStages[0].stage == Stage::shadow && sceneStages[2].stage == Stage::copy);
-static_assert(waterStages[1].stage == Stage::mirrored && waterStages[3].stage == Stage::water);
+constexpr StageName sceneStages[] = {stages[1], stages[2]};
+constexpr StageName copyStage = stages[3];
+constexpr StageName surfaceStages[] = {stages[0], stages[4], stages[5], stages[6], stages[7]};
+static_assert(sceneStages[0].stage == Stage::shadow && copyStage.stage == Stage::copy);
+static_assert(surfaceStages[1].stage == Stage::mirrored && surfaceStages[4].stage == Stage::mirror);
 
-/// What one water took, round by round.
-struct WaterSamples {
+/// What one surface took, round by round.
+struct SurfaceSamples {
     StageTimes times;
     std::vector<double> reflectionMs, ofFloor, simulateMs;
+    uint64_t hostBytes = 0;
 };
 
 struct Samples {
     StageTimes scene;
     std::vector<double> floorMs;
-    std::vector<WaterSamples> waters;
+    std::vector<SurfaceSamples> surfaces;
 };
 
 bool timeFloor(Device& device, PassTimer& timer, const FloorPass& floor, double& ms, Error& error) {
@@ -43,17 +45,18 @@ bool timeFloor(Device& device, PassTimer& timer, const FloorPass& floor, double&
     return true;
 }
 
-WaterTimes timesOf(const WaterSamples& samples, const std::vector<PassTime>& scenePasses) {
-    WaterTimes times;
+SurfaceTimes timesOf(const SurfaceSamples& samples, const std::vector<PassTime>& scenePasses) {
+    SurfaceTimes times;
     times.reflection = summary("reflection", samples.reflectionMs);
     times.ofFloor = summary("of_floor", samples.ofFloor);
     times.cpuSimulateMs = quantile(samples.simulateMs, 0.5);
+    times.hostBytes = samples.hostBytes;
     times.passes = scenePasses;
     for (PassTime& pass : samples.times.passes.medians()) times.passes.push_back(std::move(pass));
     return times;
 }
 
-/// One round: the opaque scene and the floor, then each water over the same scene.
+/// One round: the opaque scene and the floor, then each surface over the same scene.
 class RoundTimer {
   public:
     RoundTimer(Device& device, FrameRecorder& recorder, const LoadedScene& scene, const FrameDesc& frame,
@@ -62,30 +65,37 @@ class RoundTimer {
 
     bool round(uint32_t number, Samples& samples, Error& error) {
         double floorMs = 0;
+        const auto copy = [&](VkCommandBuffer commands, Error&) {
+            recorder_.targets().copyScene(commands);
+            return true;
+        };
         if (!recorder_.begin(scene_, frame_, error) ||
-            !timeStages(device_, recorder_, sceneStages, samples.scene, error) ||
-            !timeFloor(device_, recorder_.timer(), floor_, floorMs, error))
+            !timeStages(device_, recorder_, sceneStages, samples.scene, error) || !device_.run(copy, error))
             return false;
+        copyMs_ = device_.lastRunMs();
+        if (!timeFloor(device_, recorder_.timer(), floor_, floorMs, error)) return false;
         samples.floorMs.push_back(floorMs);
         // Another one begins each time: none is always behind the same one.
-        const auto count = static_cast<uint32_t>(samples.waters.size());
+        const auto count = static_cast<uint32_t>(samples.surfaces.size());
         for (uint32_t i = 0; i < count; ++i) {
-            const uint32_t water = (number + i) % count;
-            if (!timeWater(water, floorMs, samples.waters[water], error)) return false;
+            const uint32_t surface = (number + i) % count;
+            if (!timeSurface(surface, floorMs, samples.surfaces[surface], error)) return false;
         }
         return true;
     }
 
   private:
-    bool timeWater(uint32_t water, double floorMs, WaterSamples& samples, Error& error) {
-        frame_.water = water;
+    bool timeSurface(uint32_t surface, double floorMs, SurfaceSamples& samples, Error& error) {
+        frame_.surface = surface;
         const auto restore = [&](VkCommandBuffer commands, Error&) {
             recorder_.targets().restoreScene(commands);
             return true;
         };
-        if (!recorder_.begin(scene_, frame_, error) || !device_.run(restore, error) ||
-            !timeStages(device_, recorder_, waterStages, samples.times, error))
-            return false;
+        if (!recorder_.begin(scene_, frame_, error) || !device_.run(restore, error)) return false;
+        // All are restored from it, but in a frame of their own some would do without.
+        if (recorder_.needed(copyStage.stage)) samples.times.passes.add(copyStage.name, copyMs_);
+        if (!timeStages(device_, recorder_, surfaceStages, samples.times, error)) return false;
+        samples.hostBytes = recorder_.hostBytes();
         samples.reflectionMs.push_back(samples.times.reflectionMs);
         if (floorMs > 0) samples.ofFloor.push_back(samples.times.reflectionMs / floorMs);
         samples.simulateMs.push_back(recorder_.cpuSimulateMs());
@@ -97,24 +107,25 @@ class RoundTimer {
     const LoadedScene& scene_;
     FrameDesc frame_;
     const FloorPass& floor_;
+    double copyMs_ = 0;
 };
 
 } // namespace
 
-std::optional<ComparedTimes> Host::measureWaters(const FrameDesc& frame, uint32_t rounds,
-                                                 const RoundFunction& goOn, Error& error) {
+std::optional<ComparedTimes> Host::measureSurfaces(const FrameDesc& frame, uint32_t rounds,
+                                                   const RoundFunction& goOn, Error& error) {
     Impl& impl = *impl_;
     if (!impl.ready(error)) return std::nullopt;
-    if (rounds == 0 || impl.scene->waters.empty()) {
-        error.text = "measuring needs at least one round and one water";
+    if (rounds == 0 || impl.scene->surfaces.empty()) {
+        error.text = "measuring needs at least one round and one surface";
         return std::nullopt;
     }
     FloorPass floor;
     if (!floor.create(*impl.device, {frame.width, frame.height}, error)) return std::nullopt;
     RoundTimer timer(*impl.device, impl.recorder, *impl.scene, frame, floor);
     Samples samples, ignored;
-    samples.waters.resize(impl.scene->waters.size());
-    ignored.waters.resize(impl.scene->waters.size());
+    samples.surfaces.resize(impl.scene->surfaces.size());
+    ignored.surfaces.resize(impl.scene->surfaces.size());
     for (uint32_t i = 0; i < Impl::warmUps + rounds; ++i) {
         if (goOn && !goOn(i, Impl::warmUps + rounds)) return ComparedTimes{};
         if (!timer.round(i, i < Impl::warmUps ? ignored : samples, error)) return std::nullopt;
@@ -122,7 +133,8 @@ std::optional<ComparedTimes> Host::measureWaters(const FrameDesc& frame, uint32_
     ComparedTimes found;
     found.floor = summary("floor", samples.floorMs);
     const std::vector<PassTime> scenePasses = samples.scene.passes.medians();
-    for (const WaterSamples& water : samples.waters) found.waters.push_back(timesOf(water, scenePasses));
+    for (const SurfaceSamples& surface : samples.surfaces)
+        found.surfaces.push_back(timesOf(surface, scenePasses));
     return found;
 }
 
