@@ -327,16 +327,6 @@ TEST_F(Hybrid, HoldsTwoPipelinesMoreThanSspr) {
 
 class Marching : public ReflectionTest, public testing::WithParamInterface<ReflectionTechnique> {};
 
-TEST_P(Marching, GivesTheSameBitsEachTime) {
-    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
-    const Reflected first = reflectScene(testCamera(), traced, with(GetParam()));
-    for (int i = 0; i < 5; ++i) {
-        const Reflected again = reflectScene(testCamera(), traced, with(GetParam()));
-        EXPECT_EQ(first.color, again.color);
-        EXPECT_EQ(first.info, again.info);
-    }
-}
-
 TEST_P(Marching, DepthConventionsGiveTheSameClasses) {
     const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
     const Reflected reference = reflectScene(testCamera(), traced, with(GetParam()));
