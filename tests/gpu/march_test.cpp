@@ -343,17 +343,6 @@ TEST_P(Marching, DepthConventionsGiveTheSameClasses) {
         }
 }
 
-TEST_P(Marching, ARegionOfALargerTargetIsTheSamePicture) {
-    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
-    const Reflected whole = reflectScene(testCamera(), traced, with(GetParam()));
-    ViewDesc view = viewDesc(testCamera());
-    view.viewport.x = 37;
-    view.viewport.y = 19;
-    const Reflected part = reflectView(framed(traced, 37, 19), view, with(GetParam()));
-    EXPECT_EQ(part.info, whole.info);
-    EXPECT_EQ(part.color, whole.color);
-}
-
 TEST_P(Marching, AnEmptySceneMirrorsOnlySky) {
     for (const double far : {0.0, 100.0}) {
         Camera camera = testCamera();

@@ -123,19 +123,6 @@ TEST_F(Sspr, DepthConventionsGiveTheSameClasses) {
         }
 }
 
-TEST_F(Sspr, ARegionOfALargerTargetIsTheSamePicture) {
-    const Camera camera = testCamera();
-    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
-    const Reflected whole = reflectScene(camera, traced);
-
-    ViewDesc view = viewDesc(camera);
-    view.viewport.x = 37;
-    view.viewport.y = 19;
-    const Reflected part = reflectView(framed(traced, 37, 19), view);
-    EXPECT_EQ(part.info, whole.info);
-    EXPECT_EQ(part.color, whole.color);
-}
-
 TEST_F(Sspr, AnEmptySceneMirrorsOnlySky) {
     const Camera camera = testCamera();
     const TracedView traced = Tracer(camera, {}).run();
