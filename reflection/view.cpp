@@ -20,6 +20,15 @@ bool allFinite(const glm::dmat4& m) {
     return true;
 }
 
+/// Columns that lie in one plane to within rounding, whatever their lengths: near planes make some very
+/// short.
+template<typename Matrix>
+bool isSingular(const Matrix& m) {
+    double lengths = 1;
+    for (int i = 0; i < Matrix::length(); ++i) lengths *= glm::length(m[i]);
+    return !(std::abs(glm::determinant(m)) > 1e-12 * lengths);
+}
+
 /// Depth grows towards the viewer when d(depth)/dz > 0; z/w is a Moebius function of view-space z, so one
 /// determinant tells, for perspective, infinite and orthographic matrices alike.
 bool depthIsReversed(const glm::dmat4& p) {
@@ -134,6 +143,8 @@ const char* readCamera(const ViewDesc& view, ViewGeometry& out) {
     const glm::dmat4 projection = toMatrix(view.projection);
     if (!allFinite(viewMatrix)) return "ViewDesc.view is not finite";
     if (!allFinite(projection)) return "ViewDesc.projection is not finite";
+    if (isSingular(glm::dmat3(viewMatrix))) return "ViewDesc.view is singular";
+    if (isSingular(projection)) return "ViewDesc.projection is singular";
     if (const char* bad = badViewport(view.viewport)) return bad;
     if (view.viewIndex >= maxViews) return "ViewDesc.viewIndex is out of range, expected 0 to 7";
 

@@ -1,0 +1,107 @@
+// Bad input is refused by the name of its field before anything is recorded or made; odd input that means
+// something is taken for what it means.
+#include <cmath>
+
+#include "seaglass/reflection.h"
+#include "tests/gpu/poses.h"
+#include "tests/gpu/reflection_rig.h"
+#include "tests/gpu/spy.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+class BadInput : public ReflectionTest, public testing::WithParamInterface<ReflectionTechnique> {
+  protected:
+    ReflectorDesc desc() const {
+        ReflectorDesc reflector;
+        reflector.reflection.technique = GetParam();
+        return reflector;
+    }
+};
+
+TEST_P(BadInput, InAViewIsRefusedBeforeAnythingIsRecorded) {
+    const Camera camera = testCamera();
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
+    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
+    Reflector* reflector = nullptr;
+    const ReflectorDesc reflectorDesc = desc();
+    ASSERT_EQ(createReflector(context(), &reflectorDesc, &reflector), Status::ok) << message();
+    const auto expectRefused = [&](const char* field, auto&& spoil) {
+        ViewDesc view = viewDesc(camera);
+        view.sceneDepth = asSeaglass(depth);
+        view.sceneColor = asSeaglass(color);
+        spoil(view);
+        frame([&](VkCommandBuffer commands) {
+            spiedCalls().clear();
+            EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::invalidArgument) << field;
+            EXPECT_EQ(spiedCalls().size(), 0u) << field << ": " << spiedCalls().front().name;
+        });
+        EXPECT_NE(message().find(field), std::string::npos) << message();
+        EXPECT_EQ(reflectionImages(reflector, 0).color, VkImageView(VK_NULL_HANDLE)) << field;
+    };
+    const auto zero = [](double(&matrix)[16]) { std::fill(std::begin(matrix), std::end(matrix), 0.0); };
+    expectRefused("ViewDesc.view is singular", [&](ViewDesc& v) { zero(v.view); });
+    expectRefused("ViewDesc.view is not finite", [](ViewDesc& v) { v.view[12] = NAN; });
+    expectRefused("ViewDesc.projection is singular", [&](ViewDesc& v) { zero(v.projection); });
+    expectRefused("ViewDesc.projection is singular", [](ViewDesc& v) { v.projection[5] = 0; });
+    expectRefused("ViewDesc.projection is not finite", [](ViewDesc& v) { v.projection[10] = INFINITY; });
+    expectRefused("ViewDesc.viewport", [](ViewDesc& v) { v.viewport.width = 0; });
+    expectRefused("ViewDesc.viewport", [](ViewDesc& v) { v.viewport.height = NAN; });
+    expectRefused("ViewDesc.viewport", [](ViewDesc& v) { v.viewport.x = -1; });
+    expectRefused("ViewDesc.viewport", [](ViewDesc& v) { v.viewport.minDepth = 0.1f; });
+    expectRefused("ViewDesc.viewIndex", [](ViewDesc& v) { v.viewIndex = 8; });
+    expectRefused("ViewDesc.sceneDepth is smaller", [](ViewDesc& v) { v.viewport.y = 1; });
+    expectRefused("ViewDesc.sceneDepth is smaller", [](ViewDesc& v) { v.sceneDepth.extent = {0, 0}; });
+    expectRefused("ViewDesc.sceneColor is smaller", [](ViewDesc& v) { v.sceneColor.extent.width = 0; });
+    expectRefused("ViewDesc.sceneDepth.view", [](ViewDesc& v) { v.sceneDepth.view = VK_NULL_HANDLE; });
+    expectRefused("ViewDesc.sceneDepth.format",
+                  [](ViewDesc& v) { v.sceneDepth.format = VK_FORMAT_R32_UINT; });
+    expectRefused("ViewDesc.sceneColor.format",
+                  [](ViewDesc& v) { v.sceneColor.format = VK_FORMAT_R8_UNORM; });
+    expectRefused("ViewDesc.sceneColor.layout",
+                  [](ViewDesc& v) { v.sceneColor.layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL; });
+    expectRefused("ViewDesc.sceneColor.samples",
+                  [](ViewDesc& v) { v.sceneColor.samples = VK_SAMPLE_COUNT_4_BIT; });
+    destroyReflector(reflector);
+}
+
+TEST_P(BadInput, InAPlaneIsRefusedAndLeavesNothing) {
+    for (const auto& [index, value] : std::vector<std::pair<int, double>>{
+             {1, 0.0}, {1, 1e-13}, {0, NAN}, {1, NAN}, {2, -INFINITY}, {3, NAN}, {3, INFINITY}}) {
+        ReflectorDesc bad = desc();
+        bad.plane[index] = value;
+        Reflector* reflector = nullptr;
+        spiedCalls().clear();
+        EXPECT_EQ(createReflector(context(), &bad, &reflector), Status::invalidArgument);
+        EXPECT_EQ(reflector, nullptr);
+        EXPECT_TRUE(spiedCalls().empty());
+        EXPECT_NE(message().find("ReflectorDesc: plane"), std::string::npos) << message();
+    }
+}
+
+TEST_P(BadInput, ButAPlaneOfAnyScaleIsThePlane) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    ReflectorDesc wanted = desc();
+    const Reflected unit = reflectScene(testCamera(), traced, wanted);
+    for (const double scale : {7.0, -7.0, 1e-6}) {
+        for (int i = 0; i < 4; ++i) wanted.plane[i] = desc().plane[i] * scale;
+        const Reflected scaled = reflectScene(testCamera(), traced, wanted);
+        EXPECT_EQ(scaled.info, unit.info) << scale;
+        EXPECT_EQ(scaled.color, unit.color) << scale;
+    }
+}
+
+std::string nameOf(const testing::TestParamInfo<ReflectionTechnique>& info) {
+    if (info.param == ReflectionTechnique::sspr) return "Sspr";
+    return info.param == ReflectionTechnique::ssr ? "Ssr" : "Hybrid";
+}
+
+INSTANTIATE_TEST_SUITE_P(, BadInput,
+                         testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::ssr,
+                                         ReflectionTechnique::hybrid),
+                         nameOf);
+
+} // namespace
