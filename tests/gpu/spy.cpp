@@ -63,9 +63,19 @@ VkResult VKAPI_CALL spiedAllocate(VkDevice device, const VkMemoryAllocateInfo* i
     return vkAllocateMemory(device, info, allocator, memory);
 }
 
+VkResult VKAPI_CALL spiedShaderModule(VkDevice device, const VkShaderModuleCreateInfo* info,
+                                      const VkAllocationCallbacks* allocator, VkShaderModule* module) {
+    SpiedCall call{"CreateShaderModule"};
+    call.spirv.assign(info->pCode, info->pCode + info->codeSize / sizeof(uint32_t));
+    spiedCalls().push_back(std::move(call));
+    return vkCreateShaderModule(device, info, allocator, module);
+}
+
 PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char* name) {
     if (!std::strcmp(name, "vkCmdPipelineBarrier2"))
         return reinterpret_cast<PFN_vkVoidFunction>(&spiedBarrier);
+    if (!std::strcmp(name, "vkCreateShaderModule"))
+        return reinterpret_cast<PFN_vkVoidFunction>(&spiedShaderModule);
     if (!std::strcmp(name, "vkAllocateMemory")) return reinterpret_cast<PFN_vkVoidFunction>(&spiedAllocate);
 #define SPY(function)                                                                                        \
     if (!std::strcmp(name, "vk" #function)) return spyOn<&vk##function>(#function, vk##function);

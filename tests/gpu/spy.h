@@ -13,7 +13,8 @@ struct SpiedCall {
     std::string name;          ///< without "vk"
     VkAccessFlags2 source = 0; ///< of a barrier: all its source accesses together
     VkAccessFlags2 target = 0;
-    VkDeviceSize bytes = 0; ///< of an allocation
+    VkDeviceSize bytes = 0;      ///< of an allocation
+    std::vector<uint32_t> spirv; ///< of a shader module
 };
 
 /// The calls since clear(). One list for the program: tests run one at a time.
