@@ -37,7 +37,7 @@ OwnedImage& OwnedImage::operator=(OwnedImage&& other) noexcept {
     device_ = std::exchange(other.device_, nullptr);
     image_ = std::exchange(other.image_, VK_NULL_HANDLE);
     view_ = std::exchange(other.view_, VK_NULL_HANDLE);
-    firstMipView_ = std::exchange(other.firstMipView_, VK_NULL_HANDLE);
+    mipViews_ = std::exchange(other.mipViews_, {});
     memory_ = std::exchange(other.memory_, VK_NULL_HANDLE);
     desc_ = std::exchange(other.desc_, ImageDesc{});
     return *this;
@@ -46,14 +46,15 @@ OwnedImage& OwnedImage::operator=(OwnedImage&& other) noexcept {
 void OwnedImage::release() {
     if (!device_) return;
     const DeviceTable& vk = device_->vk();
-    vk.DestroyImageView(device_->handle(), firstMipView_, device_->allocator());
+    for (const VkImageView view : mipViews_)
+        vk.DestroyImageView(device_->handle(), view, device_->allocator());
     vk.DestroyImageView(device_->handle(), view_, device_->allocator());
     vk.DestroyImage(device_->handle(), image_, device_->allocator());
     vk.FreeMemory(device_->handle(), memory_, device_->allocator());
     device_ = nullptr;
     image_ = VK_NULL_HANDLE;
     view_ = VK_NULL_HANDLE;
-    firstMipView_ = VK_NULL_HANDLE;
+    mipViews_.clear();
     memory_ = VK_NULL_HANDLE;
 }
 
@@ -94,7 +95,15 @@ Status OwnedImage::create(const Device& device, const ImageDesc& desc, const cha
         return s;
     if (desc.mipLevels == 1 || !(desc.usage & VK_IMAGE_USAGE_STORAGE_BIT)) return Status::ok;
     view.subresourceRange.levelCount = 1;
-    return device.check(vk.CreateImageView(device.handle(), &view, device.allocator(), &firstMipView_), what);
+    for (uint32_t mip = 0; mip < desc.mipLevels; ++mip) {
+        view.subresourceRange.baseMipLevel = mip;
+        VkImageView& made = mipViews_.emplace_back(VK_NULL_HANDLE);
+        if (const Status s =
+                device.check(vk.CreateImageView(device.handle(), &view, device.allocator(), &made), what);
+            s != Status::ok)
+            return s;
+    }
+    return Status::ok;
 }
 
 VkImageMemoryBarrier2 imageBarrier(VkImage image, const Use& before, const Use& after, uint32_t firstMip,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <utility>
+#include <vector>
 
 #include "gpu/device.h"
 
@@ -31,8 +32,10 @@ class OwnedImage {
 
     VkImage handle() const { return image_; }
     VkImageView view() const { return view_; }
-    /// Mip 0 alone, as storage images are bound; the same as view() where there is no other mip.
-    VkImageView firstMipView() const { return firstMipView_ ? firstMipView_ : view_; }
+    /// As storage images are bound; the same as view() where there is no other mip.
+    VkImageView firstMipView() const { return mipView(0); }
+    /// One mip alone, of an image that shaders write to.
+    VkImageView mipView(uint32_t mip) const { return mipViews_.empty() ? view_ : mipViews_[mip]; }
     const ImageDesc& desc() const { return desc_; }
 
   private:
@@ -41,7 +44,7 @@ class OwnedImage {
     const Device* device_ = nullptr;
     VkImage image_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
-    VkImageView firstMipView_ = VK_NULL_HANDLE;
+    std::vector<VkImageView> mipViews_;
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
     ImageDesc desc_;
 };

@@ -3,19 +3,52 @@
 #include <algorithm>
 #include <bit>
 
-#include "gpu/mip_chain.h"
+#include "spirv/blur.comp.h"
 
 namespace seaglass {
+
+namespace {
+
+constexpr uint32_t groupEdge = 8;
+
+} // namespace
 
 uint32_t blurMipLevels(VkExtent2D extent, uint32_t levels) {
     const auto whole = static_cast<uint32_t>(std::bit_width(std::max(extent.width, extent.height)));
     return std::min(1 + levels, whole);
 }
 
-void recordBlur(Context& context, VkCommandBuffer commands, const gpu::OwnedImage& color) {
-    const gpu::PassScope pass(context.device, commands, "sspr_blur");
-    const gpu::OwnedImage* const images[] = {&color};
-    gpu::recordMipChain(context.device, commands, images, gpu::storageWritten);
+Status BlurKernel::create(Context& context) {
+    constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                                             VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
+    return kernel.create(context.device, blur_comp, bindings, "blur pipeline");
+}
+
+Status recordBlur(Context& context, VkCommandBuffer commands, const BlurKernel* blur,
+                  const gpu::OwnedImage& color) {
+    const gpu::PassScope pass(context.device, commands, "reflection_blur");
+    const gpu::ImageDesc& desc = color.desc();
+    const VkImage image = color.handle();
+    VkImageMemoryBarrier2 barriers[] = {
+        gpu::imageBarrier(image, gpu::storageWritten, gpu::sampledByShaders, 0, 1),
+        gpu::imageBarrier(image, gpu::discardedAfterSampling, gpu::storageWritten, 1)};
+    gpu::recordBarriers(context.device, commands, barriers, desc.mipLevels > 1 ? 2 : 1);
+    for (uint32_t mip = 1; mip < desc.mipLevels; ++mip) {
+        const gpu::Resource resources[] = {
+            gpu::sampledImage(context.samplers.trilinearClamp(), color.mipView(mip - 1)),
+            gpu::storageImage(color.mipView(mip))};
+        VkDescriptorSet set = VK_NULL_HANDLE;
+        if (const Status s = context.frame().allocateSet(blur->kernel.layout().set(), resources, set);
+            s != Status::ok)
+            return s;
+        const auto groups = [mip](uint32_t size) {
+            return (std::max(size >> mip, 1u) + groupEdge - 1) / groupEdge;
+        };
+        blur->kernel.dispatch(commands, set, groups(desc.extent.width), groups(desc.extent.height));
+        barriers[0] = gpu::imageBarrier(image, gpu::storageWritten, gpu::sampledByShaders, mip, 1);
+        gpu::recordBarriers(context.device, commands, barriers, 1);
+    }
+    return Status::ok;
 }
 
 } // namespace seaglass

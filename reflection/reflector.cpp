@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "gpu/guard.h"
-#include "reflection/blur.h"
 #include "reflection/mirror.h"
 
 namespace seaglass {
@@ -23,6 +22,21 @@ const char* badMarch(const ReflectionDesc& desc) {
         return "ReflectionDesc.marchDistance is out of range, expected 0.1 to 1e6";
     if (!(desc.marchJitter >= 0 && desc.marchJitter <= 1))
         return "ReflectionDesc.marchJitter is out of range, expected 0 to 1";
+    return nullptr;
+}
+
+const char* badLook(const ReflectionDesc& desc) {
+    if (desc.blurLevels > 6) return "ReflectionDesc.blurLevels is out of range, expected 0 to 6";
+    if (!(desc.clearDistance >= 0 && desc.clearDistance <= 1e6f))
+        return "ReflectionDesc.clearDistance is out of range, expected 0 to 1e6";
+    if (!(desc.scatter >= 0 && desc.scatter <= 1))
+        return "ReflectionDesc.scatter is out of range, expected 0 to 1";
+    if (!(desc.skyFadeDistance >= 0 && desc.skyFadeDistance <= 1e6f))
+        return "ReflectionDesc.skyFadeDistance is out of range, expected 0 to 1e6";
+    if (!(desc.edgeStretch >= 0 && desc.edgeStretch <= 100))
+        return "ReflectionDesc.edgeStretch is out of range, expected 0 to 100";
+    if (!(desc.edgeStretchBand >= 0.01f && desc.edgeStretchBand <= 0.5f))
+        return "ReflectionDesc.edgeStretchBand is out of range, expected 0.01 to 0.5";
     return nullptr;
 }
 
@@ -65,6 +79,8 @@ Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
         estimate.dispatchesPerView = planarDispatches;
         break;
     }
+    estimate.dispatchesPerView += blurMipLevels(scaled, desc.blurLevels) - 1;
+    if (desc.edgeStretch > 0) estimate.dispatchesPerView += stretchDispatches;
     return estimate;
 }
 
@@ -77,7 +93,7 @@ const char* badField(const ReflectionDesc& desc) {
         return "ReflectionDesc.edgeFade is out of range, expected 0 to 0.5";
     if (!(desc.distortion >= 0 && desc.distortion <= 1))
         return "ReflectionDesc.distortion is out of range, expected 0 to 1";
-    if (desc.blurLevels > 6) return "ReflectionDesc.blurLevels is out of range, expected 0 to 6";
+    if (const char* bad = badLook(desc)) return bad;
     return badMarch(desc);
 }
 
@@ -89,6 +105,11 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
     if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
     if (scatters(desc.technique))
         if (const Status s = sspr.create(owner, desc); s != Status::ok) return s;
+    if (desc.technique == ReflectionTechnique::sky) return Status::ok;
+    if (desc.blurLevels > 0)
+        if (const Status s = owner.share(blur); s != Status::ok) return s;
+    if (desc.edgeStretch > 0)
+        if (const Status s = owner.share(stretch); s != Status::ok) return s;
     if (desc.technique == ReflectionTechnique::ssr) return owner.share(march);
     if (desc.technique == ReflectionTechnique::hybrid) return owner.share(hybrid);
     if (desc.technique == ReflectionTechnique::planar) return owner.share(planar);
@@ -179,7 +200,10 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
     if (!drawn)
         if (const Status s = takeSamples(pass, reflected, scene); s != Status::ok) return s;
     if (const Status s = recordTechnique(pass, reflected); s != Status::ok) return s;
-    recordBlur(*context, commands, reflected.images.color);
+    if (stretch)
+        if (const Status s = recordStretch(pass, *stretch, reflected.images); s != Status::ok) return s;
+    if (const Status s = recordBlur(*context, commands, blur.get(), reflected.images.color); s != Status::ok)
+        return s;
     reflected.reflected = true;
     return Status::ok;
 }

@@ -7,12 +7,14 @@
 
 #include <glm/vec4.hpp>
 
+#include "reflection/blur.h"
 #include "reflection/hybrid.h"
 #include "reflection/limits.h"
 #include "reflection/march.h"
 #include "reflection/overlay.h"
 #include "reflection/planar.h"
 #include "reflection/single_sample.h"
+#include "reflection/stretch.h"
 
 namespace seaglass {
 
@@ -42,10 +44,12 @@ struct Reflector {
     Context* context = nullptr;
     glm::dvec4 plane{0}; ///< world, unit normal
     ReflectionDesc desc;
-    SsprKernels sspr;                      ///< empty with techniques that do not scatter
-    std::shared_ptr<MarchKernel> march;    ///< null with every technique but ssr
-    std::shared_ptr<HybridKernels> hybrid; ///< null with every other technique
-    std::shared_ptr<PlanarKernel> planar;  ///< null with every other technique
+    SsprKernels sspr;                       ///< empty with techniques that do not scatter
+    std::shared_ptr<MarchKernel> march;     ///< null with every technique but ssr
+    std::shared_ptr<HybridKernels> hybrid;  ///< null with every other technique
+    std::shared_ptr<PlanarKernel> planar;   ///< null with every other technique
+    std::shared_ptr<StretchKernel> stretch; ///< null without edge stretch
+    std::shared_ptr<BlurKernel> blur;       ///< null without blur
     SingleSampleKernels singleSample;
     std::shared_ptr<OverlayKernel> overlay; ///< null until it is first asked for
     std::array<ReflectedView, maxViews> views;

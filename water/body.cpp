@@ -112,7 +112,11 @@ SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, con
     u.farDepth = static_cast<float>(geometry.farDepth);
     u.depthSign = geometry.reversedDepth ? 1.0f : -1.0f;
     u.reflectionDistortion = body.reflectionDistortion;
-    if (body.reflector) u.reflectionScale = static_cast<float>(body.reflector->desc.downscale);
+    if (body.reflector) {
+        const ReflectionDesc& reflection = body.reflector->desc;
+        u.reflectionScale = static_cast<float>(reflection.downscale);
+        u.reflectionLook = {reflection.clearDistance, reflection.scatter, reflection.skyFadeDistance, 0};
+    }
     if (body.waves) setWaves(u, *body.sea, body.waves->maps(), geometry.eye);
     if (body.foam)
         u.foam =

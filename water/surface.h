@@ -48,6 +48,8 @@ struct SurfaceUniforms {
     float maxMip = 0;
     float reflectionScale = 1; ///< pixels of the region to one of the reflection, each way
     float padding[2] = {};
+    glm::vec4 reflectionLook{
+        0}; ///< clear distance [m], scatter, distance at which the sky has taken over [m]
 };
 
 /// Edge of the tile that foam patterns repeat in [m]; shaders/surface.frag samples divisions of it.

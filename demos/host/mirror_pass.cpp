@@ -38,8 +38,9 @@ bool isMirrored(const std::optional<ReflectionDesc>& desc) {
 }
 
 bool reflectionOfFloor(const FloorDesc& desc, seaglass::ReflectionDesc& out, Error& error) {
-    out.blurLevels = desc.roughness > 0 ? 6 : 0;
-    return reflectionOf(*desc.reflection, "floor", out, error);
+    if (!reflectionOf(*desc.reflection, "floor", out, error)) return false;
+    if (desc.roughness == 0 && desc.reflection->scatter == 0) out.blurLevels = 0;
+    return true;
 }
 
 } // namespace
@@ -173,6 +174,9 @@ void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camer
     uniforms.color = with(toGlm(desc.color), extent.height / (2 * camera.tanHalfFovY));
     uniforms.modes = {static_cast<int>(aov), surface.reflector ? 1 : 0, surface.downscale, 0};
     uniforms.picture = glm::vec4(extent.width, extent.height, 0, 0);
+    if (desc.reflection)
+        uniforms.look = glm::dvec4(desc.reflection->clearDistanceM, desc.reflection->scatter,
+                                   desc.reflection->skyFadeM, 0);
     std::memcpy(surface.uniforms.mapped, &uniforms, sizeof(uniforms));
 }
 

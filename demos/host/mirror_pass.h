@@ -21,6 +21,7 @@ struct MirrorUniforms {
     glm::vec4 color;   ///< w: pixels a radian at the middle of the picture
     glm::ivec4 modes;  ///< output, whether the scene is mirrored, pixels to one of its reflection
     glm::vec4 picture; ///< its width and height [pixels]
+    glm::vec4 look;    ///< clear distance [m], scatter, distance at which the sky has taken over [m]
 };
 
 struct FloorTexture {

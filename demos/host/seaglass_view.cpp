@@ -64,6 +64,11 @@ bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::Ref
     out.coarseKeys = desc.coarseKeys;
     out.edgeFade = static_cast<float>(desc.edgeFade);
     out.distortion = static_cast<float>(desc.distortion);
+    out.blurLevels = desc.blurLevels;
+    out.clearDistance = static_cast<float>(desc.clearDistanceM);
+    out.scatter = static_cast<float>(desc.scatter);
+    out.skyFadeDistance = static_cast<float>(desc.skyFadeM);
+    out.edgeStretch = static_cast<float>(desc.edgeStretchPerM);
     return true;
 }
 

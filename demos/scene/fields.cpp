@@ -104,6 +104,12 @@ constexpr std::array reflectionFields = {
     Field{"coarse_keys", at<&ReflectionDesc::coarseKeys>, 0, 0, "", "sspr: one key for 2 x 2 pixels"},
     Field{"edge_fade", at<&ReflectionDesc::edgeFade>, 0, 0.5, "", "share of the picture's height"},
     Field{"distortion", at<&ReflectionDesc::distortion>, 0, 1, "", "0 flat mirror, 1 as geometry says"},
+    Field{"blur_levels", at<&ReflectionDesc::blurLevels>, 0, 6, "", "halvings for rough surfaces, 0 sharp"},
+    Field{"clear_distance_m", at<&ReflectionDesc::clearDistanceM>, 0, 1e6, "m", "scattered only beyond"},
+    Field{"scatter", at<&ReflectionDesc::scatter>, 0, 1, "", "how fast reflections widen with distance"},
+    Field{"sky_fade_m", at<&ReflectionDesc::skyFadeM>, 0, 1e6, "m", "where only sky is mirrored, 0 nowhere"},
+    Field{"edge_stretch_per_m", at<&ReflectionDesc::edgeStretchPerM>, 0, 100, "1/m",
+          "stretches reflections over the border"},
 };
 
 constexpr std::array waterFields = {

@@ -74,6 +74,11 @@ struct ReflectionDesc {
     bool coarseKeys = false;        ///< sspr: one key for 2 x 2 pixels
     double edgeFade = 0.08;
     double distortion = 1;
+    uint32_t blurLevels = 4;
+    double clearDistanceM = 0;
+    double scatter = 0;
+    double skyFadeM = 0;
+    double edgeStretchPerM = 0;
 };
 
 struct WaterDesc {

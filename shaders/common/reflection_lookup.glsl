@@ -1,5 +1,5 @@
 // Looks up a reflection image along a ray that waves have bent. Needs surface.glsl's names: plane, region, pixelOf,
-// reflectionColor, reflectionInfo, reflectionDistortion, reflectionScale.
+// reflectionColor, reflectionInfo, reflectionDistortion, reflectionScale, reflectionLook.
 //
 // A point at distance t along the ray is mirrored about the plane and projected: the reflection image holds there what
 // the flat mirror shows of it. t comes from the image itself, so the shift vanishes where things touch the water and
@@ -7,6 +7,8 @@
 
 #include "reflection_info.glsl"
 #include "reflection_source.glsl"
+#include "reflection_blur.glsl"
+#include "reflection_texels.glsl"
 
 const float farAway = 1e5;
 
@@ -51,12 +53,12 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread) {
     float inside = clamp(min(border.x, border.y), 0.0, 1.0);
     if (inside <= 0.0) return vec4(0.0);
     float pixelsPerRadian = length(vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y));
-    float share = point.distance / (length(from) + point.distance);
     // A quarter: mips blur alike in all directions, but at grazing angles slopes turn the mirrored ray mostly up and down,
     // and a mast must stay a line.
-    float texels = 0.25 * spread * share * pixelsPerRadian * reflectionDistortion / reflectionScale;
-    vec2 texel = point.pixel / reflectionScale;
-    return textureLod(reflectionColor, texel / vec2(textureSize(reflectionColor, 0)), log2(max(texels, 1.0))) * inside;
+    float width = bundleWidth(0.25 * spread * reflectionDistortion, point.distance, reflectionLook);
+    float mip = bundleMip(width, length(from), point.distance, pixelsPerRadian / reflectionScale);
+    return reflectionTexel(point.pixel / reflectionScale, mip, reflectionScale) *
+           (inside * shareOfScene(point.distance, reflectionLook));
 }
 
 vec3 rayThrough(vec2 pixel) {

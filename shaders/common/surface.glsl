@@ -24,6 +24,7 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     int cascades;
     float maxMip;
     float reflectionScale;   // pixels of the region to one of the reflection
+    vec3 reflectionLook;     // clear distance, scatter, distance of the sky: reflection_blur.glsl
 };
 
 struct MeshPatch {

@@ -238,6 +238,126 @@ TEST_F(Water, FlatWaterShowsTheTracedReflection) {
     EXPECT_GT(static_cast<double>(skyRight), 0.98 * static_cast<double>(skyPixels));
 }
 
+/// The boxes over flat water, and what the reflection image knows of each pixel.
+struct Mirrored {
+    std::vector<float> color; ///< RGBA, before Fresnel
+    std::vector<float> info;
+};
+
+class WaterLook : public Water {
+  protected:
+    static Camera boxCamera() {
+        Camera camera = seaCamera();
+        camera.eye = {-1, 2.2, 9};
+        camera.target = {-0.5, 1.2, 0};
+        return camera;
+    }
+    Mirrored mirrored(const ReflectionDesc& reflection, const TracedView& traced) {
+        BodyDesc desc;
+        desc.reflection = &reflection;
+        Body* body = makeBody(desc);
+        const WaterPicture p =
+            picture({body}, boxCamera(), 0, SurfaceOutput::reflection, {traced.color, traced.depth});
+        const ReflectionImages images = reflectionImages(body, 0);
+        return {p.color, download(images.infoImage, VK_FORMAT_R16_SFLOAT, images.extent)};
+    }
+};
+
+bool sameColor(const std::vector<float>& a, const std::vector<float>& b, size_t pixel, float tolerance) {
+    for (size_t i = pixel * 4; i < pixel * 4 + 3; ++i)
+        if (!(std::abs(a[i] - b[i]) <= tolerance)) return false;
+    return true;
+}
+
+TEST_F(WaterLook, ScatterBlursBeyondTheClearDistanceAlone) {
+    const TracedView traced = Tracer(boxCamera(), harbourOfBoxes()).run();
+    ReflectionDesc desc;
+    const Mirrored sharp = mirrored(desc, traced);
+    desc.scatter = 0.2f;
+    desc.clearDistance = 2;
+    const Mirrored scattered = mirrored(desc, traced);
+    desc.blurLevels = 0;
+    const Mirrored withoutMips = mirrored(desc, traced);
+    size_t near = 0, nearMoved = 0, far = 0, farMoved = 0, movedWithoutMips = 0;
+    for (size_t i = 0; i < traced.truth.size(); ++i) {
+        if (traced.truth[i] != Truth::recoverable) continue;
+        const bool moved = !sameColor(sharp.color, scattered.color, i, 1e-4f);
+        movedWithoutMips += !sameColor(sharp.color, withoutMips.color, i, 1e-4f);
+        if (sharp.info[i] > 0 && sharp.info[i] < 1.99f) ++near, nearMoved += moved;
+        if (sharp.info[i] > 4) ++far, farMoved += moved;
+    }
+    EXPECT_GT(near, 300u);
+    EXPECT_GT(far, 300u);
+    EXPECT_EQ(nearMoved, 0u);
+    EXPECT_GT(farMoved, far * 9 / 10);
+    EXPECT_EQ(movedWithoutMips, 0u);
+}
+
+TEST_F(WaterLook, FadesToTheSkyWithDistance) {
+    const TracedView traced = Tracer(boxCamera(), harbourOfBoxes()).run();
+    ReflectionDesc desc;
+    const Mirrored plain = mirrored(desc, traced);
+    desc.skyFadeDistance = 6;
+    const Mirrored faded = mirrored(desc, traced);
+    size_t near = 0, nearSame = 0, far = 0, farSky = 0;
+    for (size_t i = 0; i < traced.truth.size(); ++i) {
+        if (traced.truth[i] != Truth::recoverable || !(plain.info[i] > 0)) continue;
+        if (plain.info[i] < 3) ++near, nearSame += sameColor(plain.color, faded.color, i, 1e-4f);
+        if (plain.info[i] >= 6) {
+            ++far;
+            farSky +=
+                std::abs(faded.color[i * 4] - 1) < 0.01f && std::abs(faded.color[i * 4 + 1] - 2) < 0.02f;
+        }
+    }
+    EXPECT_GT(near, 300u);
+    EXPECT_GT(far, 100u);
+    EXPECT_EQ(nearSame, near);
+    EXPECT_EQ(farSky, far);
+}
+
+// Texels of a smaller reflection lie under what stands before the water, too, and know nothing.
+TEST_F(WaterLook, ASmallerReflectionLetsNoSkyInAlongWhatStandsBeforeIt) {
+    const TracedView traced = Tracer(boxCamera(), harbourOfBoxes()).run();
+    for (const uint32_t downscale : {2u, 4u}) {
+        ReflectionDesc desc;
+        desc.downscale = downscale;
+        const Mirrored result = mirrored(desc, traced);
+        const int reach = static_cast<int>(downscale);
+        size_t beside = 0, skyInIt = 0;
+        double squares = 0;
+        size_t counted = 0;
+        for (int y = reach; y < static_cast<int>(traced.height) - reach; ++y)
+            for (int x = reach; x < static_cast<int>(traced.width) - reach; ++x) {
+                const auto at = [&](int column, int line) {
+                    return static_cast<size_t>(line) * traced.width + static_cast<size_t>(column);
+                };
+                const size_t i = at(x, y);
+                if (traced.truth[i] != Truth::recoverable) continue;
+                const glm::dvec2 shown = glm::dvec2(result.color[i * 4], result.color[i * 4 + 1]) -
+                                         traced.source[i] / glm::dvec2(traced.width, traced.height);
+                squares += glm::dot(shown, shown);
+                ++counted;
+                bool hits = true, stands = false;
+                for (int dy = -reach; dy <= reach; ++dy)
+                    for (int dx = -reach; dx <= reach; ++dx) {
+                        const Truth truth = traced.truth[at(x + dx, y + dy)];
+                        hits = hits && truth != Truth::sky && truth != Truth::lost;
+                        stands = stands || (truth == Truth::none && traced.depth[at(x + dx, y + dy)] > 0);
+                    }
+                if (!hits || !stands) continue;
+                ++beside;
+                // The scene's blue is 1, the sky's 3.
+                skyInIt += result.color[i * 4 + 2] > 1.2f;
+            }
+        const double psnr = 10 * std::log10(2 * static_cast<double>(counted) / squares);
+        std::printf("1/%u: PSNR %.2f dB, %zu of %zu beside things are the sky's in part\n", downscale, psnr,
+                    skyInIt, beside);
+        EXPECT_GT(beside, 300u);
+        EXPECT_LE(skyInIt, beside / 25) << downscale;
+        EXPECT_GE(psnr, 13.5) << downscale;
+    }
+}
+
 TEST_F(Water, SaysWhereTheReflectionIsTakenFrom) {
     const ReflectionDesc reflection;
     BodyDesc desc;

@@ -12,6 +12,9 @@ layout(set = 1, binding = 1) uniform sampler2D ground;
 layout(set = 1, binding = 2) uniform sampler2D reflectionColor;
 layout(set = 1, binding = 3) uniform sampler2D reflectionInfo;
 
+#include "reflection_blur.glsl"
+#include "reflection_texels.glsl"
+
 layout(location = 0) in vec3 inFromEye;
 layout(location = 1) in vec2 inUv;
 
@@ -24,6 +27,8 @@ const int aovNormal = 4;
 const int aovColor = 0;
 const int aovDepth = 6;
 const int aovSource = 7;
+
+const float farAway = 1e5;   // [m]
 
 float infoHere() {
     return mirror.modes.y != 0 ? texelFetch(reflectionInfo, ivec2(gl_FragCoord.xy) / mirror.modes.z, 0).x : infoUnknown;
@@ -64,12 +69,12 @@ vec3 skyAlong(vec3 direction, float roughness) {
 vec4 sceneHere(float cosine, float roughness) {
     if (mirror.modes.y == 0) return vec4(0.0);
     const float info = infoHere();
-    const float share = infoIsHit(info) ? info / (length(inFromEye) + info) : 1.0;
-    const float lobe = 3.545 * roughness * roughness * sqrt(cosine);
+    const float distance = infoIsHit(info) ? info : farAway;
+    const float cone = 3.545 * roughness * roughness * sqrt(cosine);
     const float downscale = float(mirror.modes.z);
-    const float mip = log2(max(lobe * share * mirror.color.w / downscale, 1.0));
-    const vec2 texel = gl_FragCoord.xy / downscale;
-    return textureLod(reflectionColor, texel / vec2(textureSize(reflectionColor, 0)), mip);
+    const float toMirror = length(inFromEye);
+    const float mip = bundleMip(bundleWidth(cone, distance, mirror.look.xyz), toMirror, distance, mirror.color.w / downscale);
+    return reflectionTexel(gl_FragCoord.xy / downscale, mip, downscale) * shareOfScene(distance, mirror.look.xyz);
 }
 
 // Schlick's, held down where a rough surface hides its own grazing facets (Lagarde 2011).

@@ -34,6 +34,20 @@ struct ReflectionDesc {
     /// Halvings of the reflection kept for rough surfaces to look up, 0..6; 0 costs nothing and leaves every
     /// surface sharp.
     uint32_t blurLevels = 4;
+    /// Reflections of what is no farther from the mirror than this are not blurred by `scatter` [m], 0..1e6.
+    float clearDistance = 0;
+    /// How fast reflections widen beyond it: the sine of a cone's angle, 0 (not at all) .. 1. Wants
+    /// blurLevels.
+    float scatter = 0;
+    /// Where, in distance from the mirror, reflections have given way to the sky, which they begin to at half
+    /// of it [m], 0..1e6; 0: nowhere.
+    float skyFadeDistance = 0;
+    /// Pixels beside the picture's borders take what is mirrored farther inside, by 1 + height of that above
+    /// the plane [m] x how steeply the camera looks down (0..1) x nearness to the border (0..1) x this [1/m],
+    /// 0..100. 0 costs nothing; else one dispatch.
+    float edgeStretch = 0;
+    float edgeStretchBand =
+        0.15f; ///< share of the picture's width, from either border, that it moves, 0.01..0.5
 
     // Of techniques that follow rays over the picture.
     uint32_t marchSteps = 64; ///< strides a ray at most, 8..512; shorter rays take one a pixel

@@ -1,0 +1,20 @@
+// How blurred a reflection is looked up. `look` is, as ReflectionDesc says them: the clear distance [m], the scatter, and
+// the distance at which the sky has taken over [m], 0 for nowhere. `distance` is from the mirror to what it shows [m].
+
+// Width [m] of the bundle of rays that arrives there: a rough surface's cone of `cone` radians opens at the mirror, what
+// is scattered does only beyond the clear distance.
+float bundleWidth(float cone, float distance, vec3 look) {
+    return cone * distance + look.y * max(distance - look.x, 0.0);
+}
+
+// A texel of the pyramid, read linearly, spreads by 0.65 of its width [standard deviation]; a mean of 2 x 2 spreads by 0.5.
+const float texelSpread = 1.29;
+
+// The mip whose texels are as wide as the bundle, as the eye sees it, `toMirror` + `distance` metres away.
+float bundleMip(float width, float toMirror, float distance, float texelsPerRadian) {
+    return log2(max(width / (toMirror + distance) * texelsPerRadian / texelSpread, 1.0));
+}
+
+float shareOfScene(float distance, vec3 look) {
+    return look.z > 0.0 ? 1.0 - smoothstep(0.5 * look.z, look.z, distance) : 1.0;
+}
