@@ -26,18 +26,22 @@ layout(set = 0, binding = 6, r16f) uniform writeonly image2D reflectionInfo;
 
 const int refinements = 3;
 const int holeCells = 12;   // to each side
-// From the middle of the source: within it; or a little off, where nothing else claims this pixel.
+// From the middle of the source [pixel]: within it; a little off, where nothing else claims this pixel; or between two
+// pixels that claim the same.
 const float withinPixel = 0.52;
 const float besidePixel = 0.75;
+const float betweenPixels = 1.5;
 const float mostLoose = 4.0;
 
 struct Hit {
     bool valid;
+    bool front;    // on the side that is seen
     vec2 source;   // pixel
+    float off;     // from the middle of the pixel whose surface was met
     float depth;   // mirrored, at this pixel
 };
 
-const Hit noHit = Hit(false, vec2(0.0), 0.0);
+const Hit noHit = Hit(false, false, vec2(0.0), 0.0, 0.0);
 
 // The mirrored ray of a pixel as screen points whose depth counts from infinityDepth: origin + mirroredDepth * along.
 struct ScreenRay {
@@ -55,23 +59,32 @@ ScreenRay rayOf(vec2 q) {
 
 // The smaller of the steps to both sides, since the other may lead off the surface; none where they part in sign, as on
 // what is a pixel wide (minmod, van Leer 1979).
-float edgeAwareStep(float before, float here, float after) {
-    float left = here - before;
-    float right = after - here;
-    if (left * right <= 0.0) return 0.0;
-    return abs(left) < abs(right) ? left : right;
+float edgeAwareStep(float before, float after) {
+    if (before * after <= 0.0) return 0.0;
+    return abs(before) < abs(after) ? before : after;
 }
 
-// Depth is affine on the screen over any plane.
-vec2 depthGradient(ivec2 pixel, float depth) {
+float farthest(vec2 apart) {
+    return max(abs(apart.x), abs(apart.y));
+}
+
+// Depth is affine on the screen over any plane. Its steps from the pixels before, and to those after.
+struct Steps {
+    vec2 before;
+    vec2 after;
+};
+
+Steps depthSteps(ivec2 pixel, float depth) {
     ivec2 low = max(pixel - 1, ivec2(0));
     ivec2 high = min(pixel + 1, region.zw - 1);
-    return vec2(edgeAwareStep(depthAt(ivec2(low.x, pixel.y)), depth, depthAt(ivec2(high.x, pixel.y))),
-                edgeAwareStep(depthAt(ivec2(pixel.x, low.y)), depth, depthAt(ivec2(pixel.x, high.y))));
+    return Steps(depth - vec2(depthAt(ivec2(low.x, pixel.y)), depthAt(ivec2(pixel.x, low.y))),
+                 vec2(depthAt(ivec2(high.x, pixel.y)), depthAt(ivec2(pixel.x, high.y))) - depth);
 }
 
-// Where the ray meets the plane through a pixel's depth; valid within that pixel.
-Hit metWithin(float accepted, ScreenRay ray, vec2 middle, float depth, vec2 gradient) {
+// Where the ray meets the plane through a pixel's depth; valid within that pixel. Where the steps to both sides differ, as
+// on what is thin, it has the benefit of the doubt on which side it meets.
+Hit metWithin(float accepted, ScreenRay ray, vec2 middle, float depth, Steps steps) {
+    vec2 gradient = vec2(edgeAwareStep(steps.before.x, steps.after.x), edgeAwareStep(steps.before.y, steps.after.y));
     // z - depth w - gradient . (xy - middle w) = 0 on the plane.
     vec4 surface = vec4(-gradient, 1.0, dot(gradient, middle) - (depth - infinityDepth));
     float perMet = dot(surface, ray.along);
@@ -80,8 +93,12 @@ Hit metWithin(float accepted, ScreenRay ray, vec2 middle, float depth, vec2 grad
     vec2 source = p.xy / p.w;
     // As far as the depth's last digit moves it.
     vec2 loose = min(abs(depthStep / perMet * (ray.along.xy - source * ray.along.w)), mostLoose);
-    vec2 off = abs(source - middle) - loose;
-    return Hit(met > 0.0 && met <= 1.0 && p.w > 0.0 && max(off.x, off.y) <= accepted, source, met);
+    vec2 away = abs(source - middle) - loose;
+    float off = max(away.x, away.y);
+    vec2 across = ray.along.xy - middle * ray.along.w;
+    vec2 most = max(-steps.before * across, -steps.after * across) + depthStep * abs(across);
+    bool front = ray.along.z - (depth - infinityDepth) * ray.along.w + most.x + most.y > 0.0;
+    return Hit(met > 0.0 && met <= 1.0 && p.w > 0.0 && off <= accepted, front, source, off, met);
 }
 
 bool solid(ivec2 pixel, float depth) {
@@ -97,7 +114,7 @@ vec2 besides(vec2 middle, vec2 point) {
 Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
     vec4 p = ray.origin + mirroredDepth * ray.along;
     if (!(p.w > 0.0)) return noHit;
-    Hit hit = Hit(false, p.xy / p.w, mirroredDepth);
+    Hit hit = Hit(false, false, p.xy / p.w, 0.0, mirroredDepth);
     bool movedOver = false;
     for (int i = 0; i < refinements && !hit.valid; ++i) {
         if (!insideRegion(hit.source)) return noHit;
@@ -110,7 +127,7 @@ Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
             hit.source = besides(middle, hit.source);
             continue;
         }
-        hit = metWithin(accepted, ray, middle, depth, depthGradient(pixel, depth));
+        hit = metWithin(accepted, ray, middle, depth, depthSteps(pixel, depth));
     }
     return hit.valid ? hit : noHit;
 }
@@ -156,20 +173,52 @@ Hit nearestHit(ivec2 cell, ScreenRay ray) {
     return hit;
 }
 
+// A key on the line through a pixel and its source.
+struct LineKey {
+    uint key;
+    ivec2 cell;
+};
+
+// Where the ray meets what left a key in another cell.
+Hit metAtKey(ScreenRay ray, LineKey from) {
+    if (from.key == noKey) return noHit;
+    vec4 p = sceneFromPixel * vec4((vec2(from.cell) + 0.5) * float(1 << keyShift), depthFromKey(from.key), 1.0);
+    ivec2 pixel = clamp(ivec2(p.xy / p.w), ivec2(0), region.zw - 1);
+    float depth = depthAt(pixel);
+    Hit hit = metWithin(betweenPixels, ray, vec2(pixel) + 0.5, depth, depthSteps(pixel, depth));
+    hit.valid = hit.valid && hit.front && solid(pixel, depth) && insideRegion(hit.source);
+    return hit;
+}
+
+struct Hole {
+    bool inside;
+    Hit hit;
+};
+
 // What is seen edge on is mirrored many times larger, and its keys lie far apart, but only along the line through a pixel
-// and its source, which is the same for all depths. With keys to both sides on that line a miss may be such a hole.
-bool insideHole(vec2 q, ScreenRay ray) {
+// and its source, which is the same for all depths. Keys on that line, nearer than what shows here, may have what is met
+// here between them.
+Hole holeAround(vec2 q, ScreenRay ray, uint shown) {
     vec4 p = ray.origin + 0.5 * ray.along;
     vec2 direction = p.xy / p.w - q;
-    vec2 step = direction / max(max(abs(direction.x), abs(direction.y)), 1e-6);
+    vec2 step = direction / max(farthest(direction), 1e-6);
     vec2 cell = q / float(1 << keyShift);
-    bool ahead = false;
-    bool behind = false;
-    for (int i = 1; i <= holeCells && !(ahead && behind); ++i) {
-        ahead = ahead || keyAt(ivec2(floor(cell + float(i) * step))) != noKey;
-        behind = behind || keyAt(ivec2(floor(cell - float(i) * step))) != noKey;
+    LineKey ahead = LineKey(noKey, ivec2(0));
+    LineKey behind = ahead;
+    for (int i = 1; i <= holeCells && (ahead.key == noKey || behind.key == noKey); ++i) {
+        ivec2 next = ivec2(floor(cell + float(i) * step));
+        ivec2 last = ivec2(floor(cell - float(i) * step));
+        uint nextKey = keyAt(next);
+        uint lastKey = keyAt(last);
+        if (ahead.key == noKey && nextKey > shown) ahead = LineKey(nextKey, next);
+        if (behind.key == noKey && lastKey > shown) behind = LineKey(lastKey, last);
     }
-    return ahead && behind;
+    Hit one = metAtKey(ray, ahead);
+    Hit other = metAtKey(ray, behind);
+    bool agree = one.valid && other.valid && farthest(one.source - other.source) <= betweenPixels;
+    Hit best = one.valid && (!other.valid || one.off <= other.off) ? one : other;
+    best.valid = best.valid && (agree || best.off <= besidePixel);
+    return Hole(ahead.key != noKey && behind.key != noKey, best);
 }
 
 // From the mirror to what is hit: the mirrored ray is as long below the plane as the way to its end.
@@ -186,15 +235,20 @@ void main() {
     float info = infoUnknown;
     if (planeAhead(q)) {
         ScreenRay ray = rayOf(q);
-        Hit hit = nearestHit(ivec2(q) >> keyShift, ray);
-        // Loops of one round, since those that nobody enters are left out.
+        ivec2 cell = ivec2(q) >> keyShift;
+        Hit hit = nearestHit(cell, ray);
+        // Loops of one round, since those that nobody enters are left out. What is mirrored of a thing whose top is seen
+        // is its underside: a ray that comes out of the top has met something before, which may be such a hole.
+        for (bool doubts = !hit.front; doubts; doubts = false) {
+            Hole hole = holeAround(q, ray, hit.valid ? keyFromDepth(hit.depth) : keyAt(cell));
+            if (!hit.valid && !hole.inside) info = infoOfMiss(q);
+            if (hole.hit.valid || followed) hit = hole.hit;
+        }
         for (bool hits = hit.valid; hits; hits = false) {
             float confidence = edgeConfidence(q, hit.source);
             color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * confidence, confidence);
             info = infoOfHit(distanceToHit(q, hit.depth));
         }
-        for (bool misses = !hit.valid; misses; misses = false)
-            info = insideHole(q, ray) ? infoUnknown : infoOfMiss(q);
     }
     imageStore(reflectionColor, pixel, color);
     imageStore(reflectionInfo, pixel, vec4(info, 0.0, 0.0, 0.0));

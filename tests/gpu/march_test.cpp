@@ -289,16 +289,21 @@ TEST_F(Hybrid, FindsWhatSsprFindsAndMore) {
         const TracedView traced = Tracer(pose.camera, harbourOfBoxes()).run();
         const Reflected scattered = reflectScene(pose.camera, traced, with(ReflectionTechnique::sspr));
         const Reflected completed = reflectScene(pose.camera, traced, with(ReflectionTechnique::hybrid));
-        size_t found = 0;
+        size_t found = 0, followed = 0;
         for (size_t i = 0; i < scattered.info.size(); ++i) {
             if (reflectionClass(scattered.info[i]) == ReflectionClass::unknown) {
                 found += reflectionClass(completed.info[i]) == ReflectionClass::hit;
                 continue;
             }
-            ASSERT_EQ(scattered.info[i], completed.info[i]) << pose.name << " at " << i;
+            bool same = scattered.info[i] == completed.info[i];
             for (size_t c = 0; c < 4; ++c)
-                ASSERT_EQ(scattered.color[i * 4 + c], completed.color[i * 4 + c]) << pose.name << " at " << i;
+                same = same && scattered.color[i * 4 + c] == completed.color[i * 4 + c];
+            followed += !same && traced.truth[i] == Truth::recoverable;
         }
+        // Alone, SSPR shows the outside of what a ray comes out of rather than nothing; these are followed,
+        // most to what the picture does not hold.
+        EXPECT_LE(static_cast<double>(followed), 0.002 * static_cast<double>(scattered.info.size()))
+            << pose.name;
         EXPECT_GT(found, 20u) << pose.name;
         const Score s = score(traced, completed);
         print(pose.name, s);

@@ -94,7 +94,7 @@ TEST_P(Multisampled, PicturesDifferAtEdgesAlone) {
                               std::abs(single.color[i * 4 + 1] - many.color[i * 4 + 1]) > pixel.y;
             }
         EXPECT_GT(compared, 30000u);
-        EXPECT_LE(otherClass, compared / 1000);
+        EXPECT_LE(otherClass, compared / 700);
         EXPECT_LE(otherDistance, compared / 500);
         EXPECT_LE(otherPlace, compared / 500);
     }

@@ -2,6 +2,8 @@
 // matters.
 #include <algorithm>
 #include <bit>
+#include <map>
+#include <string_view>
 
 #include "reflection/reflector.h"
 #include "seaglass/reflection.h"
@@ -18,6 +20,9 @@ using namespace tests;
 class Sspr : public ReflectionTest {};
 
 TEST_F(Sspr, AgreesWithTheTracedTruth) {
+    // Grazing, and at the edges of what is mirrored larger, holes are closed from their edges.
+    const std::map<std::string_view, double> coverage = {
+        {"level", 0.9945}, {"roll35", 0.988}, {"roll90", 0.9945}, {"steep", 0.984}, {"grazing", 0.992}};
     for (const Pose& pose : poses())
         for (const bool reversed : {true, false}) {
             Camera camera = pose.camera;
@@ -25,7 +30,7 @@ TEST_F(Sspr, AgreesWithTheTracedTruth) {
             const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
             const Score s = score(traced, reflectScene(camera, traced));
             print(pose.name, s);
-            EXPECT_GE(s.coverage, 0.984) << pose.name;
+            EXPECT_GE(s.coverage, coverage.at(pose.name)) << pose.name;
             EXPECT_LE(s.medianPixels, 0.45) << pose.name;
             EXPECT_LE(s.p95Pixels, 0.75) << pose.name;
             EXPECT_LE(s.falseOnSky, 0.004) << pose.name;
@@ -169,10 +174,11 @@ TEST_F(Sspr, LowerResolutionsFindWhatTheyCanHold) {
     struct Level {
         uint32_t downscale;
         bool coarseKeys;
-        double coverage; // at least
+        double coverage;  // at least
+        double p95Pixels; // at most: looking steeply, walls that keys missed show the tops behind them
     };
-    for (const Level& level :
-         {Level{1, true, 0.975}, Level{2, false, 0.97}, Level{4, false, 0.95}, Level{8, false, 0.9}})
+    for (const Level& level : {Level{1, true, 0.975, 1.2}, Level{2, false, 0.97, 1.8},
+                               Level{4, false, 0.95, 0.3}, Level{8, false, 0.9, 0.3}})
         for (const Pose& pose : poses()) {
             const TracedView traced = Tracer(pose.camera, harbourOfBoxes()).run();
             ReflectorDesc desc;
@@ -189,6 +195,7 @@ TEST_F(Sspr, LowerResolutionsFindWhatTheyCanHold) {
             print(pose.name, s);
             EXPECT_GE(s.coverage, level.coverage) << pose.name;
             EXPECT_LE(s.medianPixels, 0.5) << pose.name;
+            EXPECT_LE(s.p95Pixels, level.p95Pixels) << pose.name;
             EXPECT_LE(s.falseOnSky, 0.02) << pose.name;
         }
 }
