@@ -2,26 +2,43 @@
 
 namespace seaglass {
 
-Status HybridKernels::create(Context& context) {
-    if (const Status s = openTiles.create(context); s != Status::ok) return s;
-    return march.create(context);
+Status HybridKernels::create(Context& context, const ReflectionDesc& desc) {
+    if (desc.marchCells)
+        if (const Status s = context.share(cells); s != Status::ok) return s;
+    if (const Status s = context.share(openTiles); s != Status::ok) return s;
+    return shareMarch(context, desc.marchCells, true, march);
 }
 
-Status HybridScratch::create(const gpu::Device& device, VkExtent2D imageExtent) {
-    return open.create(device, tileBufferBytes(imageExtent),
-                       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                           VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+VkDeviceSize HybridScratch::bytes(VkExtent2D extent, const ReflectionDesc& desc) {
+    return (desc.marchCells ? cellBufferBytes(extent) : 0) +
+           tileBufferBytes(scaledDown(extent, desc.downscale));
+}
+
+Status HybridScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    if (desc.marchCells)
+        if (const Status s = cells.create(device, cellBufferBytes(extent), cellBufferUsage, "hybrid's cells");
+            s != Status::ok)
+            return s;
+    return open.create(device, tileBufferBytes(scaledDown(extent, desc.downscale)), tileBufferUsage,
                        "hybrid's open tiles");
+}
+
+uint32_t hybridDispatches(const ReflectionDesc& desc) {
+    return ssprDispatches + (desc.marchCells ? cellsDispatches : 0) + 1 + marchDispatches;
 }
 
 Status recordHybrid(const ReflectPass& pass, const SsprKernels& sspr, const HybridKernels& hybrid,
                     const SsprScratch& ssprScratch, const HybridScratch& scratch,
                     const OwnedReflection& images) {
     if (const Status s = recordSspr(pass, sspr, ssprScratch, images); s != Status::ok) return s;
-    if (const Status s = recordOpenTiles(pass, hybrid.openTiles, ssprScratch.tiles, images, scratch.open);
+    if (const Status s = recordOpenTiles(pass, *hybrid.openTiles, ssprScratch.tiles, images, scratch.open);
         s != Status::ok)
         return s;
-    return recordOpenMarch(pass, hybrid.march, scratch.open, images);
+    if (!pass.desc.marchCells) return recordMarch(pass, *hybrid.march, scratch.open, nullptr, images);
+    // Its flags go where nobody reads them any more.
+    if (const Status s = recordCells(pass, *hybrid.cells, scratch.cells, scratch.open); s != Status::ok)
+        return s;
+    return recordMarch(pass, *hybrid.march, scratch.open, &scratch.cells, images);
 }
 
 } // namespace seaglass

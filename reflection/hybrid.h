@@ -1,6 +1,7 @@
 // SSPR first, and a ray only where it knows nothing.
 #pragma once
 
+#include "reflection/cells.h"
 #include "reflection/march.h"
 #include "reflection/open_tiles.h"
 #include "reflection/sspr.h"
@@ -8,18 +9,21 @@
 namespace seaglass {
 
 struct HybridKernels {
-    OpenTilesKernel openTiles;
-    OpenMarchKernel march;
-    Status create(Context& context);
+    std::shared_ptr<CellsKernel> cells; ///< null without ReflectionDesc::marchCells
+    std::shared_ptr<OpenTilesKernel> openTiles;
+    std::shared_ptr<MarchKernel> march;
+    Status create(Context& context, const ReflectionDesc& desc);
 };
 
 /// What the hybrid needs for one view besides SSPR's.
 struct HybridScratch {
+    gpu::Buffer cells; ///< empty without ReflectionDesc::marchCells
     gpu::Buffer open;
-    Status create(const gpu::Device& device, VkExtent2D imageExtent);
+    Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
+    static VkDeviceSize bytes(VkExtent2D extent, const ReflectionDesc& desc);
 };
 
-constexpr uint32_t hybridDispatches = ssprDispatches + 1 + marchDispatches;
+uint32_t hybridDispatches(const ReflectionDesc& desc);
 
 /// As recordSspr().
 Status recordHybrid(const ReflectPass& pass, const SsprKernels& sspr, const HybridKernels& hybrid,

@@ -1,12 +1,15 @@
 #include "reflection/march.h"
 
+#include <array>
 #include <cstddef>
 #include <cstring>
 
 #include "reflection/mirror.h"
 #include "reflection/tiles.h"
-#include "spirv/march.comp.h"
-#include "spirv/march_open.comp.h"
+#include "spirv/march_cells.comp.h"
+#include "spirv/march_cells_open.comp.h"
+#include "spirv/march_strides.comp.h"
+#include "spirv/march_strides_open.comp.h"
 
 namespace seaglass {
 
@@ -39,21 +42,30 @@ MarchUniforms marchUniforms(const ReflectPass& pass) {
     return out;
 }
 
-/// `last`: normals, or the tiles to complete.
-Status createKernel(Context& context, std::span<const uint32_t> spirv, VkDescriptorType last,
-                    const char* what, gpu::Kernel& out) {
-    const VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-                                         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                                         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-                                         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                                         VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-                                         VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-                                         last};
-    return out.create(context.device, spirv, bindings, what);
+/// At most; those that a variant needs.
+template<typename T>
+struct Bindings {
+    std::array<T, 9> values;
+    size_t count = 0;
+    void add(const T& value) { values[count++] = value; }
+    operator std::span<const T>() const { return {values.data(), count}; }
+};
+
+std::span<const uint32_t> spirvOf(bool cells, bool open) {
+    if (cells) return open ? std::span<const uint32_t>(march_cells_open_comp) : march_cells_comp;
+    return open ? std::span<const uint32_t>(march_strides_open_comp) : march_strides_comp;
 }
 
-Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, const OwnedReflection& images,
-                   const gpu::Resource& last, VkDescriptorSet& out) {
+template<bool cells, bool open>
+Status shareVariant(Context& context, std::shared_ptr<MarchKernel>& out) {
+    std::shared_ptr<SharedMarch<cells, open>> shared;
+    if (const Status s = context.share(shared); s != Status::ok) return s;
+    out = std::shared_ptr<MarchKernel>(shared, &shared->march);
+    return Status::ok;
+}
+
+Status allocateSet(const ReflectPass& pass, const MarchKernel& march, const gpu::Buffer& tiles,
+                   const gpu::Buffer* cells, const OwnedReflection& images, VkDescriptorSet& out) {
     gpu::Frame& frame = pass.context.frame();
     const MarchUniforms uniforms = marchUniforms(pass);
     gpu::Slice settings;
@@ -63,63 +75,56 @@ Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, const Own
     const VkSampler nearest = pass.context.samplers.nearestClamp();
     const Image& depth = pass.view.sceneDepth;
     const Image& color = pass.view.sceneColor;
-    const gpu::Resource resources[] = {
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
-        gpu::sampledImage(nearest, depth.view, depth.layout),
-        gpu::uniformBuffer(settings.buffer, settings.offset, sizeof uniforms),
-        gpu::sampledImage(nearest, color.view, color.layout),
-        gpu::storageImage(images.color.firstMipView()),
-        gpu::storageImage(images.info.view()),
-        last,
-    };
-    return frame.allocateSet(kernel.layout().set(), resources, out);
+    Bindings<gpu::Resource> resources;
+    resources.add(gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)));
+    resources.add(gpu::sampledImage(nearest, depth.view, depth.layout));
+    resources.add(gpu::uniformBuffer(settings.buffer, settings.offset, sizeof uniforms));
+    resources.add(gpu::sampledImage(nearest, color.view, color.layout));
+    resources.add(gpu::storageImage(images.color.firstMipView()));
+    resources.add(gpu::storageImage(images.info.view()));
+    resources.add(gpu::storageBuffer(tiles.handle()));
+    if (cells) resources.add(gpu::storageBuffer(cells->handle()));
+    if (march.takesNormals) {
+        // The colour stands in for normals that nobody reads.
+        const Image& normals = pass.view.surfaceNormals ? *pass.view.surfaceNormals : color;
+        resources.add(gpu::sampledImage(nearest, normals.view, normals.layout));
+    }
+    return frame.allocateSet(march.kernel.layout().set(), resources, out);
 }
 
 } // namespace
 
-Status MarchKernel::create(Context& context) {
-    return createKernel(context, march_comp, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, "march pipeline",
-                        kernel);
+Status MarchKernel::create(Context& context, bool cells, bool open) {
+    takesNormals = !open;
+    Bindings<VkDescriptorType> bindings;
+    bindings.add(VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
+    bindings.add(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+    bindings.add(VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
+    bindings.add(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+    bindings.add(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    bindings.add(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    bindings.add(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    if (cells) bindings.add(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    if (takesNormals) bindings.add(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+    return kernel.create(context.device, spirvOf(cells, open), bindings, "march pipeline");
 }
 
-Status OpenMarchKernel::create(Context& context) {
-    return createKernel(context, march_open_comp, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, "open march pipeline",
-                        kernel);
+Status shareMarch(Context& context, bool cells, bool open, std::shared_ptr<MarchKernel>& out) {
+    if (cells) return open ? shareVariant<true, true>(context, out) : shareVariant<true, false>(context, out);
+    return open ? shareVariant<false, true>(context, out) : shareVariant<false, false>(context, out);
 }
 
-Status recordMarch(const ReflectPass& pass, const MarchKernel& march, const OwnedReflection& images) {
+Status recordMarch(const ReflectPass& pass, const MarchKernel& march, const gpu::Buffer& tiles,
+                   const gpu::Buffer* cells, const OwnedReflection& images) {
     VkDescriptorSet set = VK_NULL_HANDLE;
-    // The colour stands in for normals that nobody reads.
-    const Image& normals = pass.view.surfaceNormals ? *pass.view.surfaceNormals : pass.view.sceneColor;
-    const gpu::Resource last =
-        gpu::sampledImage(pass.context.samplers.nearestClamp(), normals.view, normals.layout);
-    if (const Status s = allocateSet(pass, march.kernel, images, last, set); s != Status::ok) return s;
+    if (const Status s = allocateSet(pass, march, tiles, cells, images, set); s != Status::ok) return s;
     const gpu::Device& device = pass.context.device;
-    const gpu::PassScope scope(device, pass.commands, "ssr_march");
-    const VkImageMemoryBarrier2 before[] = {
-        gpu::imageBarrier(images.color.handle(), gpu::discardedAfterSampling, gpu::storageWritten, 0, 1),
-        gpu::imageBarrier(images.info.handle(), gpu::discardedAfterSampling, gpu::storageWritten)};
-    gpu::recordBarriers(device, pass.commands, before, 2);
-    const VkExtent2D extent = images.color.desc().extent;
-    march.kernel.dispatch(pass.commands, set, (extent.width + tileEdge - 1) / tileEdge,
-                          (extent.height + tileEdge - 1) / tileEdge);
-    images.recordInfoSampled(device, pass.commands);
-    return Status::ok;
-}
-
-Status recordOpenMarch(const ReflectPass& pass, const OpenMarchKernel& march, const gpu::Buffer& open,
-                       const OwnedReflection& images) {
-    VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = allocateSet(pass, march.kernel, images, gpu::storageBuffer(open.handle()), set);
-        s != Status::ok)
-        return s;
-    const gpu::Device& device = pass.context.device;
-    const gpu::PassScope scope(device, pass.commands, "hybrid_march");
+    const gpu::PassScope scope(device, pass.commands, march.takesNormals ? "ssr_march" : "hybrid_march");
     const VkImageMemoryBarrier2 before[] = {
         gpu::imageBarrier(images.color.handle(), gpu::storageWritten, gpu::storageWritten, 0, 1),
         gpu::imageBarrier(images.info.handle(), gpu::sampledByShaders, gpu::storageChanged)};
     gpu::recordBarriers(device, pass.commands, before, 2);
-    march.kernel.dispatchIndirect(pass.commands, set, open.handle(), offsetof(TileHeader, resolveGroups));
+    march.kernel.dispatchIndirect(pass.commands, set, tiles.handle(), offsetof(TileHeader, resolveGroups));
     images.recordInfoSampled(device, pass.commands);
     return Status::ok;
 }

@@ -1,5 +1,7 @@
-// Screen-space reflection (SSR): follows each pixel's mirrored ray over the picture.
+// Follows mirrored rays over the picture, in the tiles of a list.
 #pragma once
+
+#include <memory>
 
 #include "gpu/buffer.h"
 #include "gpu/kernel.h"
@@ -10,23 +12,27 @@ namespace seaglass {
 
 struct MarchKernel {
     gpu::Kernel kernel;
-    Status create(Context& context);
+    bool takesNormals = false;
+    Status create(Context& context, bool cells, bool open);
 };
+
+/// A type for each variant, for Context::share().
+template<bool cells, bool open>
+struct SharedMarch {
+    MarchKernel march;
+    Status create(Context& context) { return march.create(context, cells, open); }
+};
+
+/// `cells`: rays pass over cells of pixels (reflection/cells.h) and look at each pixel of the others; else
+/// they go in strides. `open`: only pixels that another technique knew nothing of, without the view's
+/// normals.
+Status shareMarch(Context& context, bool cells, bool open, std::shared_ptr<MarchKernel>& out);
 
 constexpr uint32_t marchDispatches = 1;
 
-/// Writes both images, which come from any layout. `info` is left to be sampled by shaders, mip 0 of `color`
-/// as gpu::storageWritten says.
-Status recordMarch(const ReflectPass& pass, const MarchKernel& march, const OwnedReflection& images);
-
-/// Only where another technique knew nothing.
-struct OpenMarchKernel {
-    gpu::Kernel kernel;
-    Status create(Context& context);
-};
-
-/// Completes both images in the resolve list of `open`. They come as recordMarch() leaves them, and go so.
-Status recordOpenMarch(const ReflectPass& pass, const OpenMarchKernel& march, const gpu::Buffer& open,
-                       const OwnedReflection& images);
+/// Completes both images in the resolve list of `tiles`. They come and go with `info` to be sampled by
+/// shaders, mip 0 of `color` as gpu::storageWritten says. `cells`: null for a kernel that does without.
+Status recordMarch(const ReflectPass& pass, const MarchKernel& march, const gpu::Buffer& tiles,
+                   const gpu::Buffer* cells, const OwnedReflection& images);
 
 } // namespace seaglass

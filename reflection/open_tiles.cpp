@@ -2,50 +2,55 @@
 
 #include "reflection/mirror.h"
 #include "spirv/open_tiles.comp.h"
+#include "spirv/seen_tiles.comp.h"
 
 namespace seaglass {
 
 namespace {
 
-constexpr gpu::BufferUse transferWritten = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-                                            VK_ACCESS_2_TRANSFER_WRITE_BIT};
+constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
 
-void recordClear(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& open) {
-    // The view's previous frame may still be dispatching from it.
-    gpu::recordBarrier(
-        device, commands,
-        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_NONE},
-        transferWritten);
-    device.vk().CmdFillBuffer(commands, open.handle(), 0, sizeof(TileHeader), 0);
-    gpu::recordBarrier(device, commands, transferWritten,
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
+gpu::Resource mirrorOf(const ReflectPass& pass) {
+    return gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms));
 }
 
 } // namespace
 
+Status SeenTilesKernel::create(Context& context) {
+    return kernel.create(context.device, seen_tiles_comp, std::span(bindings).first<3>(),
+                         "seen tiles pipeline");
+}
+
 Status OpenTilesKernel::create(Context& context) {
-    constexpr VkDescriptorType bindings[] = {
-        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
     return kernel.create(context.device, open_tiles_comp, bindings, "open tiles pipeline");
+}
+
+Status recordSeenTiles(const ReflectPass& pass, const SeenTilesKernel& kernel, const gpu::Buffer& tiles) {
+    const gpu::Resource resources[] = {mirrorOf(pass), gpu::storageBuffer(tiles.handle()),
+                                       gpu::storageBuffer(tiles.handle())};
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = pass.context.frame().allocateSet(kernel.kernel.layout().set(), resources, set);
+        s != Status::ok)
+        return s;
+    const gpu::PassScope scope(pass.context.device, pass.commands, "ssr_tiles");
+    recordTileLists(pass, kernel.kernel, set);
+    return Status::ok;
 }
 
 Status recordOpenTiles(const ReflectPass& pass, const OpenTilesKernel& kernel, const gpu::Buffer& sorted,
                        const OwnedReflection& images, const gpu::Buffer& open) {
     Context& context = pass.context;
     const gpu::Resource resources[] = {
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
-        gpu::storageBuffer(sorted.handle()),
-        gpu::sampledImage(context.samplers.nearestClamp(), images.info.view()),
-        gpu::storageBuffer(open.handle()),
-    };
+        mirrorOf(pass), gpu::storageBuffer(sorted.handle()), gpu::storageBuffer(open.handle()),
+        gpu::sampledImage(context.samplers.nearestClamp(), images.info.view())};
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.kernel.layout().set(), resources, set);
         s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "hybrid_open_tiles");
-    recordClear(context.device, pass.commands, open);
+    recordBufferCleared(context.device, pass.commands, open, sizeof(TileHeader));
     recordTileLists(pass, kernel.kernel, set);
     return Status::ok;
 }

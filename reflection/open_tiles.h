@@ -1,4 +1,4 @@
-// The tiles in which a reflection still holds pixels that nothing is known of.
+// Lists of the tiles in which rays are followed.
 #pragma once
 
 #include "reflection/reflection_images.h"
@@ -6,13 +6,23 @@
 
 namespace seaglass {
 
+/// All that are looked up.
+struct SeenTilesKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+
+/// Those in which a reflection still holds pixels that nothing is known of.
 struct OpenTilesKernel {
     gpu::Kernel kernel;
     Status create(Context& context);
 };
 
-/// Fills the resolve list of `open` from SSPR's flags in `sorted` and the info it left to be sampled; leaves
-/// the list visible to compute shaders and indirect dispatches.
+/// Fills the resolve list of `tiles` by its own flags.
+Status recordSeenTiles(const ReflectPass& pass, const SeenTilesKernel& kernel, const gpu::Buffer& tiles);
+
+/// Fills the resolve list of `open` from SSPR's flags in `sorted` and the info it left to be sampled. Both
+/// leave the list visible to compute shaders and indirect dispatches.
 Status recordOpenTiles(const ReflectPass& pass, const OpenTilesKernel& kernel, const gpu::Buffer& sorted,
                        const OwnedReflection& images, const gpu::Buffer& open);
 

@@ -19,6 +19,8 @@ struct OwnedReflection {
     /// `drawnInto`: mip 0 of the colour is an attachment too.
     Status create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels, bool drawnInto);
     static VkDeviceSize bytes(VkExtent2D extent, uint32_t blurLevels);
+    /// Mip 0 of both, which come from any layout, to nothing known; left for kernels to write.
+    void recordCleared(const gpu::Device& device, VkCommandBuffer commands) const;
     /// `info` from written by a kernel to sampled by shaders.
     void recordInfoSampled(const gpu::Device& device, VkCommandBuffer commands) const;
     ReflectionImages handles() const;

@@ -51,7 +51,9 @@ Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const
     if (scatters(desc.technique))
         if (const Status s = sspr.create(device, extent, desc); s != Status::ok) return s;
     if (desc.technique == ReflectionTechnique::hybrid)
-        if (const Status s = hybrid.create(device, scaled); s != Status::ok) return s;
+        if (const Status s = hybrid.create(device, extent, desc); s != Status::ok) return s;
+    if (desc.technique == ReflectionTechnique::ssr)
+        if (const Status s = ssr.create(device, extent, desc); s != Status::ok) return s;
     return images.create(device, scaled, desc.blurLevels, drawn);
 }
 
@@ -68,11 +70,12 @@ Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
         estimate.dispatchesPerView = ssprDispatches;
         break;
     case ReflectionTechnique::ssr:
-        estimate.dispatchesPerView = marchDispatches;
+        estimate.bytesPerView += SsrScratch::bytes(extent, desc);
+        estimate.dispatchesPerView = ssrDispatches;
         break;
     case ReflectionTechnique::hybrid:
-        estimate.bytesPerView += tileBufferBytes(scaled);
-        estimate.dispatchesPerView = hybridDispatches;
+        estimate.bytesPerView += HybridScratch::bytes(extent, desc);
+        estimate.dispatchesPerView = hybridDispatches(desc);
         break;
     case ReflectionTechnique::planar:
         estimate.bytesPerView += PlanarScratch::bytes(scaled);
@@ -110,8 +113,8 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
         if (const Status s = owner.share(blur); s != Status::ok) return s;
     if (desc.edgeStretch > 0)
         if (const Status s = owner.share(stretch); s != Status::ok) return s;
-    if (desc.technique == ReflectionTechnique::ssr) return owner.share(march);
-    if (desc.technique == ReflectionTechnique::hybrid) return owner.share(hybrid);
+    if (desc.technique == ReflectionTechnique::ssr) return ssr.create(owner, desc);
+    if (desc.technique == ReflectionTechnique::hybrid) return hybrid.create(owner, desc);
     if (desc.technique == ReflectionTechnique::planar) return owner.share(planar);
     return Status::ok;
 }
@@ -163,9 +166,9 @@ Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view) 
         return recordSspr(pass, sspr, view.sspr, view.images);
     case ReflectionTechnique::ssr:
         view.bent = pass.view.surfaceNormals != nullptr;
-        return recordMarch(pass, *march, view.images);
+        return recordSsr(pass, ssr, view.ssr, view.images);
     case ReflectionTechnique::hybrid:
-        return recordHybrid(pass, sspr, *hybrid, view.sspr, view.hybrid, view.images);
+        return recordHybrid(pass, sspr, hybrid, view.sspr, view.hybrid, view.images);
     case ReflectionTechnique::planar:
         view.planar.handedOut = false;
         return recordPlanar(pass, *planar, view.planar, plane, view.images);
@@ -173,8 +176,10 @@ Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view) 
     return Status::ok;
 }
 
-Status Reflector::uploadMirror(const ViewGeometry& geometry, gpu::Slice& out) {
-    const MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc);
+Status Reflector::uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, gpu::Slice& out) {
+    MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc);
+    // A surface with normals of its own stands where the flat plane is not seen.
+    if (view.surfaceNormals) uniforms.bent = 1;
     if (const Status s = context->frame().allocate(sizeof uniforms, out); s != Status::ok) return s;
     std::memcpy(out.data, &uniforms, sizeof uniforms);
     return Status::ok;
@@ -194,7 +199,7 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
     if (const Status s = prepare(reflected, extent); s != Status::ok) return s;
 
     gpu::Slice slice;
-    if (const Status s = uploadMirror(geometry, slice); s != Status::ok) return s;
+    if (const Status s = uploadMirror(view, geometry, slice); s != Status::ok) return s;
     ViewDesc scene = view;
     const ReflectPass pass{*context, commands, scene, geometry, desc, slice};
     if (!drawn)
@@ -222,7 +227,7 @@ Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
     if (!overlay)
         if (const Status s = context->share(overlay); s != Status::ok) return s;
     gpu::Slice slice;
-    if (const Status s = uploadMirror(geometry, slice); s != Status::ok) return s;
+    if (const Status s = uploadMirror(view, geometry, slice); s != Status::ok) return s;
     ViewDesc scene = view;
     const ReflectPass pass{*context, commands, scene, geometry, desc, slice};
     if (const Status s = takeSamples(pass, views[view.viewIndex], scene); s != Status::ok) return s;

@@ -10,10 +10,10 @@
 #include "reflection/blur.h"
 #include "reflection/hybrid.h"
 #include "reflection/limits.h"
-#include "reflection/march.h"
 #include "reflection/overlay.h"
 #include "reflection/planar.h"
 #include "reflection/single_sample.h"
+#include "reflection/ssr.h"
 #include "reflection/stretch.h"
 
 namespace seaglass {
@@ -22,6 +22,7 @@ namespace seaglass {
 struct ReflectedView {
     OwnedReflection images;
     SsprScratch sspr; ///< empty with techniques that do not scatter
+    SsrScratch ssr;
     HybridScratch hybrid;
     PlanarScratch planar;
     SingleSampledScene scene;   ///< empty where the host's own is
@@ -45,8 +46,8 @@ struct Reflector {
     glm::dvec4 plane{0}; ///< world, unit normal
     ReflectionDesc desc;
     SsprKernels sspr;                       ///< empty with techniques that do not scatter
-    std::shared_ptr<MarchKernel> march;     ///< null with every technique but ssr
-    std::shared_ptr<HybridKernels> hybrid;  ///< null with every other technique
+    SsrKernels ssr;                         ///< empty with every other technique
+    HybridKernels hybrid;                   ///< empty with every other technique
     std::shared_ptr<PlanarKernel> planar;   ///< null with every other technique
     std::shared_ptr<StretchKernel> stretch; ///< null without edge stretch
     std::shared_ptr<BlurKernel> blur;       ///< null without blur
@@ -63,7 +64,7 @@ struct Reflector {
   private:
     /// Makes what a view of this size needs, where it is not there yet.
     Status prepare(ReflectedView& view, VkExtent2D extent);
-    Status uploadMirror(const ViewGeometry& geometry, gpu::Slice& out);
+    Status uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, gpu::Slice& out);
     /// Makes the view's scene single-sampled where it is not: `scene` is then the view to read it from.
     Status takeSamples(const ReflectPass& pass, ReflectedView& view, ViewDesc& scene);
     Status recordTechnique(const ReflectPass& pass, ReflectedView& view);

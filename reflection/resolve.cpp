@@ -16,26 +16,6 @@ constexpr VkDescriptorType buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr VkDescriptorType sampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 
-constexpr gpu::Use cleared = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                              VK_IMAGE_LAYOUT_GENERAL};
-
-/// Both to nothing known.
-void recordClear(const gpu::Device& device, VkCommandBuffer commands, const OwnedReflection& images) {
-    const gpu::PassScope scope(device, commands, "reflection_clear");
-    const VkImage handles[] = {images.color.handle(), images.info.handle()};
-    VkImageMemoryBarrier2 barriers[2];
-    for (int i = 0; i < 2; ++i)
-        barriers[i] = gpu::imageBarrier(handles[i], gpu::discardedAfterSampling, cleared, 0, 1);
-    gpu::recordBarriers(device, commands, barriers, 2);
-    const VkClearColorValue zero{};
-    const VkImageSubresourceRange mip0 = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    for (const VkImage image : handles)
-        device.vk().CmdClearColorImage(commands, image, VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &mip0);
-    for (int i = 0; i < 2; ++i)
-        barriers[i] = gpu::imageBarrier(handles[i], cleared, gpu::storageWritten, 0, 1);
-    gpu::recordBarriers(device, commands, barriers, 2);
-}
-
 } // namespace
 
 Status ResolveKernel::create(Context& context) {
@@ -80,7 +60,7 @@ Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, cons
         return s;
 
     const VkCommandBuffer commands = pass.commands;
-    recordClear(device, commands, images);
+    images.recordCleared(device, commands);
     const gpu::PassScope scope(device, commands, "sspr_resolve");
     resolve.kernel.dispatchIndirect(commands, resolveSet, tiles.handle(),
                                     offsetof(TileHeader, resolveGroups));

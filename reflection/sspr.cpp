@@ -45,8 +45,7 @@ Status SsprScratch::create(const gpu::Device& device, VkExtent2D extent, const R
     const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
                                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
     if (const Status s = keys.create(device, wanted, usage, "SSPR keys"); s != Status::ok) return s;
-    return tiles.create(device, tileBytes(extent, desc), usage | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
-                        "SSPR tiles");
+    return tiles.create(device, tileBytes(extent, desc), tileBufferUsage, "SSPR tiles");
 }
 
 Status recordSspr(const ReflectPass& pass, const SsprKernels& kernels, const SsprScratch& scratch,

@@ -23,6 +23,15 @@ static_assert(sizeof(TileHeader) == 32);
 
 VkDeviceSize tileBufferBytes(VkExtent2D extent);
 
+constexpr VkBufferUsageFlags tileBufferUsage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+    VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+
+/// Clears the first `bytes` of a buffer that the view's previous frame may still read or dispatch from;
+/// leaves it to compute shaders.
+void recordBufferCleared(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& buffer,
+                         VkDeviceSize bytes);
+
 struct TilesKernel {
     gpu::Kernel kernel;
     Status create(Context& context);

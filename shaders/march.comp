@@ -1,24 +1,36 @@
 // Screen-space reflection (SSR): each pixel of the plane follows its mirrored ray over the picture until it goes behind
-// what is seen there, then closes in on the crossing by bisection.
+// what is seen there.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
 #include "edge_fade.glsl"
 #include "reflection_info.glsl"
+#include "tiles.glsl"
 #include "march.glsl"
 
 layout(set = 0, binding = 3) uniform sampler2D sceneColor;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D reflectionColor;
 layout(set = 0, binding = 5, r16f) uniform image2D reflectionInfo;
-
-#ifdef OPEN
-#include "tiles.glsl"
 layout(set = 0, binding = 6, std430) readonly buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
 #include "tile_list.glsl"
 
+#ifdef CELLS
+#include "cells.glsl"
+layout(set = 0, binding = 7, std430) readonly buffer Cells {
+    uint cells[];
+};
+#include "march_cells.glsl"
+#define AFTER_CELLS 8
+#else
+#include "march_strides.glsl"
+#define AFTER_CELLS 7
+#endif
+#include "march_ray.glsl"
+
+#ifdef OPEN
 // As all of the picture that it completes.
 vec3 mirroredBySurface(vec2 q, vec3 direction) {
     return reflect(direction, plane.xyz);
@@ -31,9 +43,7 @@ ivec2 pixelToMarch() {
     return pixel;
 }
 #else
-layout(local_size_x = 8, local_size_y = 8) in;
-
-layout(set = 0, binding = 6) uniform sampler2D surfaceNormals;
+layout(set = 0, binding = AFTER_CELLS) uniform sampler2D surfaceNormals;
 
 // Kept above the plane, as what shades the surface keeps it.
 vec3 mirroredBySurface(vec2 q, vec3 direction) {
@@ -44,11 +54,8 @@ vec3 mirroredBySurface(vec2 q, vec3 direction) {
     return normalize(r + plane.xyz * (max(abs(up), 1e-3) - up));
 }
 
-const ivec2 noPixel = ivec2(-1);
-
 ivec2 pixelToMarch() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    return all(lessThan(pixel, imageSize())) ? pixel : noPixel;
+    return pixelToResolve();
 }
 #endif
 

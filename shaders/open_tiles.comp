@@ -1,5 +1,5 @@
-// Lists the tiles in which a reflection holds pixels that nothing is known of, among those that are looked up. The order
-// of the list is any; what is computed of a tile does not depend on it.
+// Lists the tiles that are looked up; with HOLES, only those in which a reflection holds pixels that nothing is known of.
+// The order of the list is any; what is computed of a tile does not depend on it.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
@@ -12,11 +12,13 @@ layout(set = 0, binding = 1, std430) readonly buffer Sorted {
     TileHeader sortedHeader;
     uint sorted[];
 };
-layout(set = 0, binding = 2) uniform sampler2D reflectionInfo;
-layout(set = 0, binding = 3, std430) buffer Tiles {
+layout(set = 0, binding = 2, std430) buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
+
+#ifdef HOLES
+layout(set = 0, binding = 3) uniform sampler2D reflectionInfo;
 
 bool holdsUnknown(ivec2 tile) {
     ivec2 low = tile * tileEdge;
@@ -26,6 +28,11 @@ bool holdsUnknown(ivec2 tile) {
             if (texelFetch(reflectionInfo, ivec2(x, y), 0).r == infoUnknown) return true;
     return false;
 }
+#else
+bool holdsUnknown(ivec2 tile) {
+    return true;
+}
+#endif
 
 void main() {
     int count = tilesAcross() * tilesDown();

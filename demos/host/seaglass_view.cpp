@@ -69,6 +69,11 @@ bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::Ref
     out.scatter = static_cast<float>(desc.scatter);
     out.skyFadeDistance = static_cast<float>(desc.skyFadeM);
     out.edgeStretch = static_cast<float>(desc.edgeStretchPerM);
+    out.marchCells = desc.marchCells;
+    out.marchSteps = desc.marchSteps;
+    out.marchThickness = static_cast<float>(desc.marchThicknessM);
+    out.marchDistance = static_cast<float>(desc.marchDistanceM);
+    out.marchJitter = static_cast<float>(desc.marchJitter);
     return true;
 }
 

@@ -110,6 +110,14 @@ constexpr std::array reflectionFields = {
     Field{"sky_fade_m", at<&ReflectionDesc::skyFadeM>, 0, 1e6, "m", "where only sky is mirrored, 0 nowhere"},
     Field{"edge_stretch_per_m", at<&ReflectionDesc::edgeStretchPerM>, 0, 100, "1/m",
           "stretches reflections over the border"},
+    Field{"march_cells", at<&ReflectionDesc::marchCells>, 0, 0, "",
+          "ssr: pixel by pixel over cells, else in strides"},
+    Field{"march_steps", at<&ReflectionDesc::marchSteps>, 8, 512, "", "ssr: looks a ray at most"},
+    Field{"march_thickness_m", at<&ReflectionDesc::marchThicknessM>, 0.001, 100, "m",
+          "ssr: how deep things are behind what is seen of them"},
+    Field{"march_distance_m", at<&ReflectionDesc::marchDistanceM>, 0.1, 1e6, "m", "ssr: of a ray at most"},
+    Field{"march_jitter", at<&ReflectionDesc::marchJitter>, 0, 1, "",
+          "ssr: share of a stride, noise for bands"},
 };
 
 constexpr std::array waterFields = {

@@ -79,6 +79,12 @@ struct ReflectionDesc {
     double scatter = 0;
     double skyFadeM = 0;
     double edgeStretchPerM = 0;
+    // Of ssr and hybrid, as in seaglass/reflection.h.
+    bool marchCells = true;
+    uint32_t marchSteps = 64;
+    double marchThicknessM = 0.5;
+    double marchDistanceM = 10000;
+    double marchJitter = 0;
 };
 
 struct WaterDesc {

@@ -1,4 +1,5 @@
-// Follows a ray over the picture. Needs mirror.glsl and reflection_info.glsl.
+// Follows a ray over the picture. Needs mirror.glsl and reflection_info.glsl, and march_strides.glsl or march_cells.glsl
+// after it, which say where the ray goes behind what is seen.
 //
 // A point moving along a 3D line is a homogeneous screen point that moves linearly: clipping to the picture and to the
 // depth range is exact, and between two screen points pixel, depth and 1/w are linear (McGuire and Mara 2014).
@@ -14,8 +15,7 @@ layout(set = 0, binding = 2, std140) uniform MarchSettings {
     bool hasNormals;
 };
 
-const int bisections = 6;
-const int falseAlarms = 6;   // crossings that bisection may turn down before the ray is given up
+const int falseAlarms = 6;   // crossings that may be turned down before the ray is given up
 
 struct SightLine {
     vec3 onPlane;         // where it meets the plane, relative to the eye
@@ -33,14 +33,32 @@ SightLine sightLine(vec2 pixel) {
     return SightLine(from + direction * ((dot(plane.xyz, from) + plane.w) / towards), direction, towards);
 }
 
-// A stretch of a ray on the screen. All but the metres is linear in the share of its length.
+// What each look at the scene needs, loaded once: CPU devices load uniforms anew in each turn of a loop.
+struct Scene {
+    ivec2 origin;
+    vec2 lastPixel;
+    float depthSign;
+    float far;               // signed depth
+    vec4 aboveRow;           // positive for (x, y, depth, 1) above the plane by more than is told apart
+    float thickness;
+    float weightPerDepth;    // signed
+};
+
+Scene loadedScene() {
+    return Scene(region.xy, vec2(region.zw) - 0.5, depthSign, depthSign * farDepth,
+                 heightRow - 1e-3 * weightRow - vec4(0.0, 0.0, 0.0, contactPerMetre), thickness, depthSign * weightRow.z);
+}
+
+// A ray on the screen. All but the metres is linear in the share of its length there; depths are signed so that the nearer
+// is the greater.
 struct Track {
-    vec4 first;           // pixel, depth, 1/w
-    vec4 last;
-    vec2 ahead;           // of both ends: distance ahead of the eye, times 1/w
+    vec3 first;           // pixel, signed depth
+    vec3 along;           // to its end
+    vec4 weights;         // 1/w at its start, and how much more it is at its end; the same of `turns`
     vec2 range;           // [m] along the ray, empty unless the first is less than the second
     float halfPixel;      // as a share
     bool leavesPicture;   // at its end
+    Scene scene;
 };
 
 // Narrows `range` to where a linear function is not negative.
@@ -56,6 +74,11 @@ void keepWhere(float atStart, float perMetre, inout vec2 range) {
 
 vec4 screenPoint(vec4 homogeneous) {
     return vec4(homogeneous.xyz, 1.0) / homogeneous.w;
+}
+
+// How distance ahead turns with depth at a screen point whose 1/w is `weight`; see within().
+float turnsWithDepth(vec3 point, float weight) {
+    return depthSign * (dot(forwardRow, vec4(point, 1.0)) * weightRow.z - forwardRow.z * weight);
 }
 
 Track trackOf(vec4 start, vec4 perMetre) {
@@ -75,135 +98,160 @@ Track trackOf(vec4 start, vec4 perMetre) {
     track.range = picture;
     keepWhere(far.x, far.y, track.range);
     track.leavesPicture = picture.y < longest && track.range.y >= picture.y;
-    track.first = screenPoint(start + perMetre * track.range.x);
-    track.last = screenPoint(start + perMetre * track.range.y);
-    track.ahead = vec2(dot(forwardRow, vec4(track.first.xyz, 1.0)), dot(forwardRow, vec4(track.last.xyz, 1.0)));
-    vec2 along = abs(track.last.xy - track.first.xy);
-    track.halfPixel = min(0.5 / max(max(along.x, along.y), 1e-6), 1.0);
+    vec4 first = screenPoint(start + perMetre * track.range.x);
+    vec4 last = screenPoint(start + perMetre * track.range.y);
+    vec3 toSigned = vec3(1.0, 1.0, depthSign);
+    track.first = first.xyz * toSigned;
+    track.along = (last.xyz - first.xyz) * toSigned;
+    vec2 turns = vec2(turnsWithDepth(first.xyz, first.w), turnsWithDepth(last.xyz, last.w));
+    track.weights = vec4(first.w, last.w - first.w, turns.x, turns.y - turns.x);
+    float pixels = max(abs(track.along.x), abs(track.along.y));
+    track.halfPixel = min(0.5 / max(pixels, 1e-6), 1.0);
+    track.scene = loadedScene();
     return track;
 }
 
 vec3 trackPoint(Track track, float share) {
-    return mix(track.first.xyz, track.last.xyz, share);
+    return track.first + share * track.along;
 }
 
 float trackMetres(Track track, float share) {
-    vec2 weights = vec2(1.0 - share, share) * vec2(track.first.w, track.last.w);
+    vec2 weights = vec2(1.0 - share, share) * vec2(track.weights.x, track.weights.x + track.weights.y);
     return dot(weights, track.range) / (weights.x + weights.y);
-}
-
-float trackAhead(Track track, float share) {
-    float s = clamp(share, 0.0, 1.0);
-    return mix(track.ahead.x, track.ahead.y, s) / mix(track.first.w, track.last.w, s);
 }
 
 float depthAt(vec2 pixel) {
     return texelFetch(sceneDepth, region.xy + ivec2(pixel), 0).r;
 }
 
-// The ray while it crosses a pixel, and how far it is behind what shows there [m], negative before it.
-struct Probe {
-    float ahead;   // in the pixel's middle [m]
-    float least;
-    float most;
+// What a ray can be behind.
+struct Seen {
+    float depth;    // signed
+    bool counts;
 };
 
-const float nothing = 1e30;   // [m]
-
-Probe probe(Track track, float share) {
-    vec2 middle = floor(min(trackPoint(track, share).xy, vec2(region.zw) - 0.5)) + 0.5;
-    vec4 seen = vec4(middle, depthAt(middle), 1.0);
-    float enters = trackAhead(track, share - track.halfPixel);
-    float leaves = trackAhead(track, share + track.halfPixel);
-    // What lies on the plane or below is the mirror itself, or shines through it: no ray above can be behind that.
-    bool counts = !isFar(seen.z) && !onOrBelowPlane(seen.xyz);
-    float surface = counts ? dot(forwardRow, seen) / dot(weightRow, seen) : nothing;
-    return Probe(0.5 * (enters + leaves), min(enters, leaves) - surface, max(enters, leaves) - surface);
+// What lies on the plane or below is the mirror itself, or shines through it: no ray above can be behind that.
+Seen seenAt(Scene scene, ivec2 pixel) {
+    float depth = texelFetch(sceneDepth, scene.origin + pixel, 0).r;
+    float above = dot(scene.aboveRow, vec4(vec2(pixel) + 0.5, depth, 1.0));
+    return Seen(scene.depthSign * depth, scene.depthSign * depth > scene.far && above > 0.0);
 }
 
-// Where in or next to its pixel the ray is as far ahead as what shows there, if the same still shows there.
-float settled(Track track, float share) {
-    for (int i = 0; i < 2; ++i) {
-        Probe here = probe(track, share);
-        float middle = 0.5 * (here.least + here.most);
-        float perHalf = trackAhead(track, share + track.halfPixel) - here.ahead;
-        float halves = clamp(middle / (abs(perHalf) > 0.0 ? perHalf : 1.0), -1.0, 1.0);
-        float moved = clamp(share - track.halfPixel * halves, 0.0, 1.0);
-        Probe there = probe(track, moved);
-        if (there.most >= 0.0 && there.least <= thickness) share = moved;
-    }
-    return share;
+ivec2 pixelAt(Scene scene, vec2 point) {
+    return ivec2(min(point, scene.lastPixel));
+}
+
+// Whether a ray at the signed depth `ray` is at most `thickness` behind what is seen. Both distances ahead of the eye are
+// fractions N/W; with N and W affine in depth, their difference is `turns` times the depths', over both W. Multiplied
+// out, it costs no division.
+bool within(Track track, float share, float ray, float seen) {
+    vec2 here = track.weights.xz + share * track.weights.yw;
+    float deeper = seen - ray;
+    return deeper * here.y <= track.scene.thickness * here.x * (here.x + track.scene.weightPerDepth * deeper);
+}
+
+// The smaller step to both sides; none where they part in sign, as on what is a pixel wide (minmod, van Leer 1979). A step
+// is sure where the next one goes on like it: over a plane depth is affine on the screen.
+struct Slope {
+    float perPixel;
+    bool sure;
+};
+
+// How far the difference of two depths may be off.
+float roundingAt(float depth) {
+    return 1e-6 * abs(depth) + depthStep;
+}
+
+Slope slopeOf(float before2, float before, float here, float after, float after2) {
+    float left = here - before;
+    float right = after - here;
+    float rounding = 2.0 * roundingAt(here);
+    bool leftSure = abs(left - (before - before2)) <= 0.1 * abs(left) + rounding;
+    bool rightSure = abs((after2 - after) - right) <= 0.1 * abs(right) + rounding;
+    if (leftSure != rightSure) return Slope(leftSure ? left : right, true);
+    float less = abs(left) < abs(right) ? left : right;
+    return Slope(left * right > 0.0 || leftSure ? less : 0.0, leftSure);
+}
+
+float signedDepthAt(vec2 pixel) {
+    return depthSign * depthAt(clamp(pixel, vec2(0.0), vec2(region.zw) - 0.5));
+}
+
+Slope slopeAlong(vec2 pixel, vec2 step, float here) {
+    return slopeOf(signedDepthAt(pixel - 2.0 * step), signedDepthAt(pixel - step), here,
+                   signedDepthAt(pixel + step), signedDepthAt(pixel + 2.0 * step));
+}
+
+// A stretch of a track over one pixel, in which the ray goes behind what is seen there.
+struct Crossing {
+    bool found;
+    float share;
+    float begins;   // as shares
+    float ends;
+};
+
+// Whether the ray, a pixel before, was in front of something by less than it may be behind it: at an edge it met the one
+// face, and the pixel shows the other.
+bool cameCloseTo(Track track, float share) {
+    float before = max(share - 2.0 * track.halfPixel, 0.0);
+    vec3 point = trackPoint(track, before);
+    Seen seen = seenAt(track.scene, pixelAt(track.scene, point.xy));
+    return seen.counts && seen.depth <= point.z && within(track, before, seen.depth, point.z);
+}
+
+// What a crossing is worth.
+const int refused = 0;
+const int behind = 1;   // the ray passes behind what is seen; it meets it if that is thick
+const int met = 2;
+
+// Whether a ray is behind what is seen by no more than two pixels cover there: what is too narrow to tell its slope is taken
+// to be about as thick as wide.
+bool withinPixels(Track track, float share, float ray, float seen) {
+    vec2 here = track.weights.xz + share * track.weights.yw;
+    vec3 row = vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y);
+    float deeper = seen - ray;
+    return deeper * here.y * length(row) <= 2.0 * (here.x + track.scene.weightPerDepth * deeper);
+}
+
+// Moves a crossing to where the ray meets the plane through what is seen. Refused where the ray leaves that plane towards
+// the eye instead: what shows is then the far side of what the ray would meet.
+int settled(Track track, inout Crossing crossing) {
+    vec3 point = trackPoint(track, crossing.share);
+    vec2 middle = floor(min(point.xy, vec2(region.zw) - 0.5)) + 0.5;
+    float seen = signedDepthAt(middle);
+    Slope x = slopeAlong(middle, vec2(1.0, 0.0), seen);
+    Slope y = slopeAlong(middle, vec2(0.0, 1.0), seen);
+    vec2 slope = vec2(x.perPixel, y.perPixel);
+    float above = point.z - seen - dot(slope, point.xy - middle);
+    float perShare = track.along.z - dot(slope, track.along.xy);
+    float rounding = roundingAt(seen) / track.halfPixel;
+    if (x.sure && y.sure && perShare > rounding && !cameCloseTo(track, crossing.begins)) return refused;
+    float meets = crossing.share - above / (abs(perShare) > 0.0 ? perShare : 1.0);
+    crossing.share = clamp(meets, max(crossing.begins, 0.0), min(crossing.ends, 1.0));
+    // Half a pixel beside, since an edge falls anywhere in its pixel.
+    if (abs(meets - crossing.share) <= track.halfPixel) return met;
+    bool wide = x.sure && y.sure;
+    return wide || withinPixels(track, crossing.share, trackPoint(track, crossing.share).z, seen) ? behind : refused;
 }
 
 // Whether the far plane shows where the ray was left and where it would end.
 bool reachesSky(Track track, vec4 perMetre) {
     if (!(perMetre.w > 0.0)) return false;
     vec2 end = perMetre.xy / perMetre.w;
-    if (!insideRegion(end) || !insideRegion(track.last.xy)) return false;
-    return isFar(depthAt(end)) && isFar(depthAt(track.last.xy));
+    vec2 last = trackPoint(track, 1.0).xy;
+    if (!insideRegion(end) || !insideRegion(last)) return false;
+    return isFar(depthAt(end)) && isFar(depthAt(last));
 }
+
+// How far a ray has been followed.
+struct Progress {
+    float reached;   // share
+    bool inFront;    // of what is seen there
+    bool hidden;     // was behind something
+    int looks;       // left
+};
 
 struct March {
     float info;
     vec2 source;   // pixel of the hit
 };
-
-// From `from` along the unit `direction`, which leads away from the plane. `noise` is 0..1.
-//
-// One loop for strides and halvings: devices that mask branches instead of jumping them pay for one fetch a turn.
-March marched(vec3 from, vec3 direction, float noise) {
-    vec4 perMetre = pixelFromRelative * vec4(direction, 0.0);
-    Track track = trackOf(pixelFromRelative * vec4(from, 1.0), perMetre);
-    if (!(track.range.x < track.range.y)) return March(infoUnknown, vec2(0.0));
-
-    float stride = max(2.0 * track.halfPixel, 1.0 / float(steps));
-    float reached = 0.0;
-    float next = stride * (1.0 - jitter * noise);
-    Probe last = probe(track, 0.0);
-    Probe strided = last;
-    bool inFront = last.most < 0.0;
-    bool hidden = false;
-    bool hit = false;
-    float low = 0.0;
-    float high = 0.0;
-    float least = 0.0;
-    int halvings = 0;
-    int turns = int(ceil(1.0 / stride)) + 1 + falseAlarms * bisections;
-    for (int turn = 0; turn < turns && !hit; ++turn) {
-        float share = halvings > 0 ? 0.5 * (low + high) : min(next, 1.0);
-        Probe here = probe(track, share);
-        if (halvings > 0) {
-            bool crossed = here.most >= 0.0 && (inFront || here.least <= thickness);
-            if (crossed) {
-                high = share;
-                least = here.least;
-            } else {
-                low = share;
-                inFront = inFront || here.most < 0.0;
-            }
-            if (--halvings > 0) continue;
-            hit = least <= thickness;
-            here = strided;
-        } else if (here.most >= 0.0 && min(here.least, last.ahead - here.ahead + here.least) <= thickness) {
-            // The ray was behind by no more than that somewhere on the stride.
-            low = reached;
-            high = share;
-            least = here.least;
-            strided = here;
-            halvings = bisections;
-            continue;
-        }
-        hidden = hidden || here.most >= 0.0;
-        inFront = here.most < 0.0;
-        last = here;
-        reached = min(next, 1.0);
-        if (reached >= 1.0) break;
-        next += stride;
-    }
-    if (hit) {
-        float at = settled(track, high);
-        return March(infoOfHit(trackMetres(track, at)), trackPoint(track, at).xy);
-    }
-    bool sky = !hidden && !track.leavesPicture && reachesSky(track, perMetre);
-    return March(sky ? infoSky : infoUnknown, vec2(0.0));
-}

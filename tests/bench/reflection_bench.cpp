@@ -2,11 +2,12 @@
 // depth; and how much of the traced truth it finds. Floor and reflection alternate, so that both see the same
 // machine; medians over the rounds.
 //
-//   seaglass_bench_reflection [WIDTHxHEIGHT [ROUNDS]]
+//   seaglass_bench_reflection [WIDTHxHEIGHT [ROUNDS [POSE]]]
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <string_view>
 
 #include "host/floor_pass.h"
 #include "host/pass_timer.h"
@@ -48,8 +49,15 @@ std::vector<Setting> settings() {
     ReflectionDesc half = flat;
     half.downscale = 2;
     const ReflectionDesc bent;
+    ReflectionDesc ssr = flat;
+    ssr.technique = ReflectionTechnique::ssr;
+    ReflectionDesc strides = ssr;
+    strides.marchCells = false;
+    ReflectionDesc hybrid = flat;
+    hybrid.technique = ReflectionTechnique::hybrid;
     return {
-        {"sspr", flat}, {"sspr, coarse keys", coarse}, {"sspr, half", half}, {"sspr, bent, blurred", bent}};
+        {"sspr", flat}, {"sspr, coarse keys", coarse}, {"sspr, half", half}, {"sspr, bent, blurred", bent},
+        {"ssr", ssr},   {"ssr, strides", strides},     {"hybrid", hybrid}};
 }
 
 double median(std::vector<double> values) {
@@ -187,5 +195,6 @@ int main(int count, char** arguments) {
     if (count > 2) rounds = static_cast<uint32_t>(std::max(std::atoi(arguments[2]), 1));
     std::printf("%s, %u x %u, medians of %u\n", tests::device().info().name.c_str(), width, height, rounds);
     Bench bench(width, height, rounds);
-    for (const tests::Pose& pose : posesOf(width, height)) bench.measure(pose);
+    for (const tests::Pose& pose : posesOf(width, height))
+        if (count <= 3 || pose.name == std::string_view(arguments[3])) bench.measure(pose);
 }

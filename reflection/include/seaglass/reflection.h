@@ -50,12 +50,17 @@ struct ReflectionDesc {
         0.15f; ///< share of the picture's width, from either border, that it moves, 0.01..0.5
 
     // Of techniques that follow rays over the picture.
-    uint32_t marchSteps = 64; ///< strides a ray at most, 8..512; shorter rays take one a pixel
+    /// Rays pass at once over cells of 8 x 8 pixels in which nothing is as near as they are, and look at
+    /// every pixel of the others: they miss nothing that is thin. Without, they go in strides.
+    bool marchCells = true;
+    /// Pixels a ray looks at at most, 8..512; in strides, those of a ray are as long as that asks for, and
+    /// one a pixel at least.
+    uint32_t marchSteps = 64;
     float marchThickness =
         0.5f; ///< how deep things are taken to be behind what is seen of them [m], 0.001..100
-    float marchDistance = 1000; ///< how far along a ray hits are looked for [m], 0.1..1e6
+    float marchDistance = 10000; ///< how far along a ray hits are looked for [m], 0.1..1e6
     /// Share of a stride by which each pixel's ray starts earlier or later than its neighbours', 0..1: trades
-    /// banding for noise, the same in each frame.
+    /// banding for noise, the same in each frame. Without strides there are no bands, and it does nothing.
     float marchJitter = 0;
 };
 

@@ -1,0 +1,29 @@
+// How near the nearest thing above the plane is, in cells of 8 x 8 pixels and in blocks of 64 x 64. A ray
+// passes over squares in which all lies farther than it does without looking at their pixels.
+#pragma once
+
+#include "gpu/buffer.h"
+#include "gpu/kernel.h"
+#include "reflection/reflect_pass.h"
+
+namespace seaglass {
+
+struct CellsKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+
+constexpr VkBufferUsageFlags cellBufferUsage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+
+/// `extent`: of the view's region.
+VkDeviceSize cellBufferBytes(VkExtent2D extent);
+
+constexpr uint32_t cellsDispatches = 1;
+
+/// Fills `cells`, and flags in `tiles` where the plane is seen or, with lookups that bend, may be looked up;
+/// both are left visible to compute shaders.
+Status recordCells(const ReflectPass& pass, const CellsKernel& kernel, const gpu::Buffer& cells,
+                   const gpu::Buffer& tiles);
+
+} // namespace seaglass

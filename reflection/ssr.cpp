@@ -1,0 +1,36 @@
+#include "reflection/ssr.h"
+
+namespace seaglass {
+
+Status SsrKernels::create(Context& context, const ReflectionDesc& desc) {
+    if (const Status s = context.share(cells); s != Status::ok) return s;
+    if (const Status s = context.share(seenTiles); s != Status::ok) return s;
+    return shareMarch(context, desc.marchCells, false, march);
+}
+
+VkDeviceSize SsrScratch::bytes(VkExtent2D extent, const ReflectionDesc& desc) {
+    return cellBufferBytes(extent) + tileBufferBytes(scaledDown(extent, desc.downscale));
+}
+
+Status SsrScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    if (const Status s = cells.create(device, cellBufferBytes(extent), cellBufferUsage, "SSR cells");
+        s != Status::ok)
+        return s;
+    return tiles.create(device, tileBufferBytes(scaledDown(extent, desc.downscale)), tileBufferUsage,
+                        "SSR tiles");
+}
+
+Status recordSsr(const ReflectPass& pass, const SsrKernels& kernels, const SsrScratch& scratch,
+                 const OwnedReflection& images) {
+    const gpu::Device& device = pass.context.device;
+    recordBufferCleared(device, pass.commands, scratch.tiles, VK_WHOLE_SIZE);
+    if (const Status s = recordCells(pass, *kernels.cells, scratch.cells, scratch.tiles); s != Status::ok)
+        return s;
+    if (const Status s = recordSeenTiles(pass, *kernels.seenTiles, scratch.tiles); s != Status::ok) return s;
+    images.recordCleared(device, pass.commands);
+    images.recordInfoSampled(device, pass.commands);
+    return recordMarch(pass, *kernels.march, scratch.tiles, pass.desc.marchCells ? &scratch.cells : nullptr,
+                       images);
+}
+
+} // namespace seaglass

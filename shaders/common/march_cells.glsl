@@ -1,0 +1,92 @@
+// Where a ray goes behind what is seen, pixel by pixel: squares of pixels in which all that is seen lies farther than the
+// ray are passed over at once. Needs march.glsl, cells.glsl and the buffer Cells.
+
+Progress atStart(Track track, float noise) {
+    return Progress(0.0, true, false, steps);
+}
+
+// Squares of pixels that a track crosses one after the other (Amanatides and Woo 1987).
+struct Walk {
+    ivec2 square;
+    ivec2 step;
+    vec2 borders;   // the shares at which it crosses the square's own, in x and y
+    vec2 edge;      // shares from one border to the next
+};
+
+Walk walkFrom(Track track, float reached, int shift) {
+    vec2 along = mix(track.along.xy, vec2(1e-20), equal(track.along.xy, vec2(0.0)));
+    vec2 perPixel = 1.0 / along;
+    // What lies this close before a border is beyond it: rounding would catch a track that runs along one.
+    vec2 point = trackPoint(track, reached).xy + 0.01 * sign(along);
+    ivec2 square = ivec2(clamp(point, vec2(0.0), vec2(region.zw) - 0.5)) >> shift;
+    vec2 next = vec2(square + ivec2(step(vec2(0.0), along))) * float(1 << shift);
+    return Walk(square, ivec2(sign(along)), (next - track.first.xy) * perPixel, abs(perPixel) * float(1 << shift));
+}
+
+float leavesAt(Walk walk) {
+    return min(min(walk.borders.x, walk.borders.y), 1.0);
+}
+
+void goOn(inout Walk walk) {
+    bool sideways = walk.borders.x < walk.borders.y;
+    walk.square += sideways ? ivec2(walk.step.x, 0) : ivec2(0, walk.step.y);
+    walk.borders += sideways ? vec2(walk.edge.x, 0.0) : vec2(0.0, walk.edge.y);
+}
+
+// Passes over squares until one, before `until`, holds something that the ray may be behind; says where that one ends.
+bool meetsSquare(Track track, int shift, float until, inout float reached, inout float ends) {
+    int across = squaresAcross(shift);
+    int first = firstSquare(shift);
+    Walk walk = walkFrom(track, reached, shift);
+    float toDepth = track.scene.depthSign;
+    uint flipped = toDepth > 0.0 ? 0u : ~0u;   // as keyFromDepth() does
+    bool receding = track.along.z < 0.0;
+    bool meets = false;
+    while (reached < until) {
+        ends = leavesAt(walk);
+        float farthest = track.first.z + (receding ? ends : reached) * track.along.z;
+        uint key = floatBitsToUint(clamp(toDepth * farthest, 0.0, 1.0)) ^ flipped;
+        meets = cells[first + walk.square.y * across + walk.square.x] >= key;
+        if (meets) break;
+        reached = max(ends, reached);
+        goOn(walk);
+    }
+    return meets;
+}
+
+// The next pixel before `until` in which the ray crosses what is seen.
+Crossing crossedPixel(Track track, float until, inout Progress at) {
+    Crossing crossing = Crossing(false, 0.0, 0.0, 0.0);
+    Walk walk = walkFrom(track, at.reached, 0);
+    while (at.reached < until && at.looks > 0) {
+        --at.looks;
+        crossing.begins = at.reached;
+        crossing.ends = leavesAt(walk);
+        Seen seen = seenAt(track.scene, walk.square);
+        float entering = track.first.z + crossing.begins * track.along.z;
+        float leaving = track.first.z + crossing.ends * track.along.z;
+        at.reached = max(crossing.ends, at.reached);
+        bool isBehind = seen.counts && seen.depth >= min(entering, leaving);
+        at.hidden = at.hidden || isBehind;
+        crossing.found = isBehind && within(track, crossing.begins, max(entering, leaving), seen.depth);
+        if (crossing.found) break;
+        goOn(walk);
+    }
+    crossing.share = 0.5 * (crossing.begins + crossing.ends);
+    return crossing;
+}
+
+// Loops that nobody is in are left, while all of a masked branch is paid for.
+Crossing nextCrossing(Track track, inout Progress at) {
+    Crossing crossing = Crossing(false, 0.0, 0.0, 0.0);
+    float end = 1.0 - 0.02 * track.halfPixel;   // not beyond the picture by rounding
+    while (at.looks > 0 && at.reached < end && !crossing.found) {
+        float blockEnds = 0.0;
+        float cellEnds = 0.0;
+        bool block = meetsSquare(track, blockShift, end, at.reached, blockEnds);
+        bool cell = meetsSquare(track, cellShift, block ? min(blockEnds, end) : 0.0, at.reached, cellEnds);
+        crossing = crossedPixel(track, cell ? min(cellEnds, end) : 0.0, at);
+    }
+    at.reached = at.reached < end ? at.reached : 1.0;
+    return crossing;
+}

@@ -1,0 +1,55 @@
+// Where a ray goes behind what is seen, by strides and bisection. Needs march.glsl.
+
+const int bisections = 6;
+
+Progress atStart(Track track, float noise) {
+    float stride = max(2.0 * track.halfPixel, 1.0 / float(steps));
+    Seen seen = seenAt(track.scene, pixelAt(track.scene, track.first.xy));
+    float halfPixel = track.halfPixel * abs(track.along.z);
+    bool isBehind = seen.counts && seen.depth >= track.first.z - halfPixel;
+    return Progress(-jitter * noise * stride, !isBehind, false, steps + 1);
+}
+
+// Closes in on a crossing between two strides.
+Crossing bisected(Track track, float low, float high, bool inFront) {
+    float halfPixel = track.halfPixel * abs(track.along.z);
+    bool close = false;
+    for (int i = 0; i <= bisections; ++i) {
+        float share = i < bisections ? 0.5 * (low + high) : high;
+        vec3 point = trackPoint(track, share);
+        Seen seen = seenAt(track.scene, pixelAt(track.scene, point.xy));
+        bool isBehind = seen.counts && seen.depth >= point.z - halfPixel;
+        close = within(track, share, point.z + halfPixel, seen.depth);
+        bool crossed = isBehind && (inFront || close);
+        high = crossed ? share : high;
+        low = crossed ? low : share;
+        inFront = inFront || !isBehind;
+    }
+    return Crossing(close, high, high - track.halfPixel, high + track.halfPixel);
+}
+
+// The next stride on which the ray may cross what is seen. The interval of depth that the ray has over a pixel is compared,
+// not its middle: otherwise the last row of every edge is missed.
+Crossing nextCrossing(Track track, inout Progress at) {
+    float stride = max(2.0 * track.halfPixel, 1.0 / float(steps));
+    float halfPixel = track.halfPixel * abs(track.along.z);
+    float nearer = max(-track.along.z * stride, 0.0) + halfPixel;
+    float last = at.reached;
+    bool wasInFront = at.inFront;
+    bool candidate = false;
+    while (at.looks > 0 && at.reached < 1.0) {
+        --at.looks;
+        last = at.reached;
+        wasInFront = at.inFront;
+        at.reached = min(at.reached + stride, 1.0);
+        vec3 point = trackPoint(track, at.reached);
+        Seen seen = seenAt(track.scene, pixelAt(track.scene, point.xy));
+        bool isBehind = seen.counts && seen.depth >= point.z - halfPixel;
+        at.inFront = !isBehind;
+        at.hidden = at.hidden || isBehind;
+        candidate = isBehind && within(track, at.reached, point.z + nearer, seen.depth);
+        if (candidate) break;
+    }
+    if (!candidate) return Crossing(false, 0.0, 0.0, 0.0);
+    return bisected(track, max(last, 0.0), at.reached, wasInFront);
+}
