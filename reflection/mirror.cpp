@@ -55,7 +55,7 @@ ScreenMirror screenMirror(const ViewGeometry& view, const glm::dvec4& plane) {
 }
 
 MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane,
-                              const ReflectionDesc& desc) {
+                              const ReflectionDesc& desc, const Bounds& bounds) {
     const glm::dvec4 plane = planeFacingEye(worldPlane, view.eye);
     const ScreenMirror mirror = screenMirror(view, plane);
     MirrorUniforms out;
@@ -68,6 +68,8 @@ MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldP
         glm::vec4(row(mirror.sceneFromPixel, 2) - view.infinityDepth * row(mirror.sceneFromPixel, 3));
     out.plane = glm::vec4(plane);
     out.region = glm::ivec4(view.regionOrigin, view.regionSize);
+    // Lookups that are bent stray from where the mirror shows.
+    out.shown = desc.distortion > 0 ? glm::ivec4(0, 0, view.regionSize) : pixelsThatMayShow(bounds, view);
     out.farDepth = static_cast<float>(view.farDepth);
     out.infinityDepth = static_cast<float>(view.infinityDepth);
     out.depthSign = view.reversedDepth ? 1.0f : -1.0f;

@@ -10,6 +10,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include "reflection/bounds.h"
 #include "reflection/view.h"
 #include "seaglass/reflection.h"
 
@@ -44,6 +45,7 @@ struct MirrorUniforms {
     glm::vec4 depthRow{0};
     glm::vec4 plane{0};
     glm::ivec4 region{0};
+    glm::ivec4 shown{0}; ///< pixels of the region that may show the mirror: low, and one past high
     float farDepth = 0;
     float depthSign = 1; ///< +1 when nearer is greater
     float edgeFadePixels = 0;
@@ -56,12 +58,12 @@ struct MirrorUniforms {
     uint32_t followed = 0; ///< whether rays are followed afterwards where nothing is known
     uint32_t padding[2] = {};
 };
-static_assert(sizeof(MirrorUniforms) == 320);
+static_assert(sizeof(MirrorUniforms) == 336);
 
 /// Pixels of the view to one SSPR key, each way.
 uint32_t keyScale(const ReflectionDesc& desc);
 
 MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane,
-                              const ReflectionDesc& desc);
+                              const ReflectionDesc& desc, const Bounds& bounds = {});
 
 } // namespace seaglass

@@ -105,6 +105,8 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
     desc = description.reflection;
     if (const char* bad = readPlane(description.plane, plane))
         return owner.device.fail(Status::invalidArgument, "ReflectorDesc: %s", bad);
+    if (const char* bad = readBounds(description.boundsLow, description.boundsHigh, bounds))
+        return owner.device.fail(Status::invalidArgument, "ReflectorDesc: %s", bad);
     if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
     if (scatters(desc.technique))
         if (const Status s = sspr.create(owner, desc); s != Status::ok) return s;
@@ -136,6 +138,9 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
     if (const char* bad = readCamera(view, geometry))
         return device.fail(Status::invalidArgument, "planarView: %s", bad);
     ReflectedView& reflected = views[view.viewIndex];
+    out = {};
+    out.visible = !isEmpty(pixelsThatMayShow(bounds, geometry));
+    if (!out.visible) return Status::ok;
     if (const Status s = prepare(reflected, extentOf(geometry)); s != Status::ok) return s;
     const MirroredCamera camera = mirroredCamera(view, geometry, plane);
     out = describe(camera, view, geometry, desc.downscale, reflected.planar, reflected.images);
@@ -177,7 +182,7 @@ Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view) 
 }
 
 Status Reflector::uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, gpu::Slice& out) {
-    MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc);
+    MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc, bounds);
     // A surface with normals of its own stands where the flat plane is not seen.
     if (view.surfaceNormals) uniforms.bent = 1;
     if (const Status s = context->frame().allocate(sizeof uniforms, out); s != Status::ok) return s;
@@ -192,6 +197,7 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
     if (const char* bad = drawn ? readCamera(view, geometry) : readView(view, geometry))
         return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
     ReflectedView& reflected = views[view.viewIndex];
+    if (isEmpty(pixelsThatMayShow(bounds, geometry))) return Status::ok;
     const VkExtent2D extent = extentOf(geometry);
     if (drawn && !(reflected.planar.handedOut && reflected.isOf(extent)))
         return context->device.fail(Status::invalidArgument,
@@ -275,8 +281,12 @@ Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out) {
 Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t count, const ViewDesc* view) {
     if (!commands || (count && !reflectors) || !view) return Status::invalidArgument;
     return gpu::guarded([&] {
-        for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t i = 0; i < count; ++i)
             if (!reflectors[i]) return Status::invalidArgument;
+        if (count > maxReflectors)
+            return reflectors[0]->context->device.fail(
+                Status::invalidArgument, "reflect: count is %u, expected %u at most", count, maxReflectors);
+        for (uint32_t i = 0; i < count; ++i) {
             if (const Status s = reflectors[i]->record(commands, *view); s != Status::ok) return s;
         }
         return Status::ok;

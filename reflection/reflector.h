@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 
 #include "reflection/blur.h"
+#include "reflection/bounds.h"
 #include "reflection/hybrid.h"
 #include "reflection/limits.h"
 #include "reflection/overlay.h"
@@ -44,6 +45,7 @@ const char* badField(const ReflectionDesc& desc);
 struct Reflector {
     Context* context = nullptr;
     glm::dvec4 plane{0}; ///< world, unit normal
+    Bounds bounds;
     ReflectionDesc desc;
     SsprKernels sspr;                       ///< empty with techniques that do not scatter
     SsrKernels ssr;                         ///< empty with every other technique

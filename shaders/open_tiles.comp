@@ -38,8 +38,9 @@ void main() {
     int count = tilesAcross() * tilesDown();
     int index = int(gl_GlobalInvocationID.x);
     if (index == 0) header.resolveGroups.z = 1u;
-    if (index >= count || (sorted[index] & lookedUp()) == 0u) return;
+    if (index >= count) return;
     ivec2 tile = ivec2(index % tilesAcross(), index / tilesAcross());
+    if (!lookedUp(tile, sorted[index])) return;
     if (!holdsUnknown(tile)) return;
     uint n = atomicAdd(header.resolveGroups.w, 1u);
     atomicMax(header.resolveGroups.x, min(n + 1u, groupsPerRow));

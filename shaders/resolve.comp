@@ -196,29 +196,31 @@ struct Hole {
 };
 
 // What is seen edge on is mirrored many times larger, and its keys lie far apart, but only along the line through a pixel
-// and its source, which is the same for all depths. Keys on that line, nearer than what shows here, may have what is met
-// here between them.
-Hole holeAround(vec2 q, ScreenRay ray, uint shown) {
+// and its source, which is the same for all depths. Between keys on that line a miss may be such a hole, and those nearer
+// than what shows here may have left it.
+Hole holeAround(vec2 q, ScreenRay ray, uint here) {
     vec4 p = ray.origin + 0.5 * ray.along;
     vec2 direction = p.xy / p.w - q;
     vec2 step = direction / max(farthest(direction), 1e-6);
     vec2 cell = q / float(1 << keyShift);
     LineKey ahead = LineKey(noKey, ivec2(0));
     LineKey behind = ahead;
+    bvec2 keysBeside = bvec2(false);
     for (int i = 1; i <= holeCells && (ahead.key == noKey || behind.key == noKey); ++i) {
         ivec2 next = ivec2(floor(cell + float(i) * step));
         ivec2 last = ivec2(floor(cell - float(i) * step));
         uint nextKey = keyAt(next);
         uint lastKey = keyAt(last);
-        if (ahead.key == noKey && nextKey > shown) ahead = LineKey(nextKey, next);
-        if (behind.key == noKey && lastKey > shown) behind = LineKey(lastKey, last);
+        keysBeside = bvec2(keysBeside.x || nextKey != noKey, keysBeside.y || lastKey != noKey);
+        if (ahead.key == noKey && nextKey > here) ahead = LineKey(nextKey, next);
+        if (behind.key == noKey && lastKey > here) behind = LineKey(lastKey, last);
     }
     Hit one = metAtKey(ray, ahead);
     Hit other = metAtKey(ray, behind);
     bool agree = one.valid && other.valid && farthest(one.source - other.source) <= betweenPixels;
     Hit best = one.valid && (!other.valid || one.off <= other.off) ? one : other;
     best.valid = best.valid && (agree || best.off <= besidePixel);
-    return Hole(ahead.key != noKey && behind.key != noKey, best);
+    return Hole(all(keysBeside), best);
 }
 
 // From the mirror to what is hit: the mirrored ray is as long below the plane as the way to its end.

@@ -25,8 +25,9 @@ void main() {
     int count = tilesAcross() * tilesDown();
     int index = int(gl_GlobalInvocationID.x);
     if (index == 0) header.resolveGroups.z = header.emptyGroups.z = 1u;
-    if (index >= count || (tiles[index] & lookedUp()) == 0u) return;
+    if (index >= count) return;
     ivec2 tile = ivec2(index % tilesAcross(), index / tilesAcross());
+    if (!lookedUp(tile, tiles[index])) return;
     if (keysNear(tile)) {
         uint n = atomicAdd(header.resolveGroups.w, 1u);
         atomicMax(header.resolveGroups.x, min(n + 1u, groupsPerRow));

@@ -172,6 +172,7 @@ bool FrameRecorder::recordMirrored(VkCommandBuffer commands, Error& error) {
     const bool known = floor() ? mirror_.planarView(*floor(), camera_, targets_, view, error)
                                : water_.planarView(*water(), camera_, targets_, view, error);
     if (!known) return false;
+    if (!view.visible) return true;
     const MirroredEye eye = mirroredEye(view);
     const FrameUniforms uniforms = mirroredUniforms(uniforms_, camera_, eye);
     std::memcpy(scene_->mirrored.uniforms.mapped, &uniforms, sizeof(uniforms));

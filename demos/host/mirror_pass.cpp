@@ -93,6 +93,13 @@ bool MirrorPass::createReflector(MirrorSurface& out, Error& error) {
     if (!reflectionOfFloor(out.desc, reflector.reflection, error)) return false;
     for (int i = 0; i < 3; ++i) reflector.plane[i] = out.plane.normal[i];
     reflector.plane[3] = -glm::dot(out.plane.normal, out.plane.middle);
+    const glm::dvec3 reach = glm::abs(out.plane.across) * (0.5 * out.desc.widthM) +
+                             glm::abs(out.plane.along) * (0.5 * out.desc.lengthM);
+    for (int i = 0; i < 3; ++i) {
+        reflector.boundsLow[i] = out.plane.middle[i] - reach[i];
+        reflector.boundsHigh[i] = out.plane.middle[i] + reach[i];
+    }
+    reflector.reflection.distortion = 0; // nothing bends it
     seaglass::Reflector* made = nullptr;
     if (!context_.ok(seaglass::createReflector(context_.get(), &reflector, &made), error)) return false;
     out.reflector.reset(made);

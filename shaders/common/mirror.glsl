@@ -9,6 +9,7 @@ layout(set = 0, binding = 0, std140) uniform Mirror {
     vec4 depthRow;   // of sceneFromPixel: w times depth less infinityDepth, made before the digits they share are rounded
     vec4 plane;   // relative to the eye, facing it
     ivec4 region; // origin in the scene images, size
+    ivec4 shown;  // pixels of the region that may show the mirror: low, and one past high
     float farDepth;
     float depthSign;
     float edgeFadePixels;

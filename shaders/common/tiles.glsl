@@ -14,11 +14,6 @@ struct TileHeader {
     uvec4 emptyGroups;
 };
 
-// Flags of tiles that shading looks up. What is mirrored behind things that stand before the plane is seen only by rays
-// that waves bend there.
-uint lookedUp() {
-    return tileSeesPlane | (bent ? tileHasKeys : 0u);
-}
 
 int tilesAcross() {
     return (imageSize().x + tileEdge - 1) >> tileShift;
@@ -34,6 +29,15 @@ int tileAt(ivec2 tile) {
 
 uint packedTile(ivec2 tile) {
     return uint(tile.x) | uint(tile.y) << 16;
+}
+
+// Whether shading looks a tile with these flags up, or a pixel beside it. What is mirrored behind things that stand before
+// the plane is seen only by rays that waves bend there.
+bool lookedUp(ivec2 tile, uint flags) {
+    ivec2 low = tile * tileEdge - 1 << pixelShift;
+    ivec2 high = (tile + 1) * tileEdge + 1 << pixelShift;
+    bool sees = (flags & (tileSeesPlane | (bent ? tileHasKeys : 0u))) != 0u;
+    return sees && all(lessThan(low, shown.zw)) && all(greaterThan(high, shown.xy));
 }
 
 ivec2 unpackedTile(uint tile) {

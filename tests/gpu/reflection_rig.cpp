@@ -25,29 +25,47 @@ TracedView framed(const TracedView& traced, uint32_t left, uint32_t top) {
     return larger;
 }
 
-Reflected ReflectionTest::reflectView(const TracedView& traced, seaglass::ViewDesc view,
+Reflected ReflectionTest::reflectView(const TracedView& traced, const seaglass::ViewDesc& view,
                                       const seaglass::ReflectorDesc& desc) {
+    return reflectTogether(traced, view, {&desc, 1}).front();
+}
+
+Reflected ReflectionTest::reflectImages(const seaglass::ViewDesc& view, const seaglass::ReflectorDesc& desc) {
+    return reflectTogether(view, {&desc, 1}).front();
+}
+
+std::vector<Reflected> ReflectionTest::reflectTogether(const seaglass::ViewDesc& view,
+                                                       std::span<const seaglass::ReflectorDesc> descs) {
+    std::vector<seaglass::Reflector*> reflectors;
+    for (const seaglass::ReflectorDesc& desc : descs)
+        EXPECT_EQ(seaglass::createReflector(context(), &desc, &reflectors.emplace_back()), Status::ok)
+            << message();
+    frame([&](VkCommandBuffer commands) {
+        EXPECT_EQ(
+            seaglass::reflect(commands, reflectors.data(), static_cast<uint32_t>(reflectors.size()), &view),
+            Status::ok)
+            << message();
+    });
+    std::vector<Reflected> results;
+    for (seaglass::Reflector* const reflector : reflectors) {
+        const seaglass::ReflectionImages images = seaglass::reflectionImages(reflector, view.viewIndex);
+        results.push_back({download(images.colorImage, VK_FORMAT_R16G16B16A16_SFLOAT, images.extent),
+                           download(images.infoImage, VK_FORMAT_R16_SFLOAT, images.extent)});
+        seaglass::destroyReflector(reflector);
+    }
+    // Both slots come round, so that the reflectors are gone before their images are.
+    frame([](VkCommandBuffer) {});
+    frame([](VkCommandBuffer) {});
+    return results;
+}
+
+std::vector<Reflected> ReflectionTest::reflectTogether(const TracedView& traced, seaglass::ViewDesc view,
+                                                       std::span<const seaglass::ReflectorDesc> descs) {
     const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
     const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
     view.sceneDepth = asSeaglass(depth);
     view.sceneColor = asSeaglass(color);
-    return reflectImages(view, desc);
-}
-
-Reflected ReflectionTest::reflectImages(const seaglass::ViewDesc& view, const seaglass::ReflectorDesc& desc) {
-    seaglass::Reflector* reflector = nullptr;
-    EXPECT_EQ(seaglass::createReflector(context(), &desc, &reflector), Status::ok) << message();
-    frame([&](VkCommandBuffer commands) {
-        EXPECT_EQ(seaglass::reflect(commands, &reflector, 1, &view), Status::ok) << message();
-    });
-    const seaglass::ReflectionImages images = seaglass::reflectionImages(reflector, view.viewIndex);
-    Reflected result{download(images.colorImage, VK_FORMAT_R16G16B16A16_SFLOAT, images.extent),
-                     download(images.infoImage, VK_FORMAT_R16_SFLOAT, images.extent)};
-    seaglass::destroyReflector(reflector);
-    // Both slots come round, so that the reflector is gone before its images are.
-    frame([](VkCommandBuffer) {});
-    frame([](VkCommandBuffer) {});
-    return result;
+    return reflectTogether(view, descs);
 }
 
 Reflected ReflectionTest::reflectScene(const Camera& camera, const TracedView& traced,

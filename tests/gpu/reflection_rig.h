@@ -1,6 +1,8 @@
 // Reflects traced scenes and brings the images back.
 #pragma once
 
+#include <span>
+
 #include "tests/gpu/reflection_score.h"
 #include "tests/gpu/rig.h"
 
@@ -11,10 +13,15 @@ TracedView framed(const TracedView& traced, uint32_t left, uint32_t top);
 
 class ReflectionTest : public GpuTest {
   protected:
-    Reflected reflectView(const TracedView& traced, seaglass::ViewDesc view,
+    Reflected reflectView(const TracedView& traced, const seaglass::ViewDesc& view,
                           const seaglass::ReflectorDesc& desc = {});
     /// Of a view that names its images.
     Reflected reflectImages(const seaglass::ViewDesc& view, const seaglass::ReflectorDesc& desc = {});
+    /// By one call.
+    std::vector<Reflected> reflectTogether(const seaglass::ViewDesc& view,
+                                           std::span<const seaglass::ReflectorDesc> descs);
+    std::vector<Reflected> reflectTogether(const TracedView& traced, seaglass::ViewDesc view,
+                                           std::span<const seaglass::ReflectorDesc> descs);
     Reflected reflectScene(const Camera& camera, const TracedView& traced,
                            const seaglass::ReflectorDesc& desc = {});
     /// Holds estimate() against what a first view of `extent` asks of Vulkan.

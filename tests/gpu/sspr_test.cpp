@@ -211,6 +211,126 @@ TEST_F(Sspr, TheEstimateIsWhatIsAllocatedAndDispatched) {
     }
 }
 
+TEST_F(Sspr, PlanesOfOneFrameDoNotDisturbEachOther) {
+    const Camera camera = testCamera();
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    ReflectorDesc water, wall;
+    water.reflection.distortion = 0;
+    wall.plane[0] = -1; // x = 6, facing -x
+    wall.plane[1] = 0;
+    wall.plane[3] = 6;
+    const std::vector<Reflected> together =
+        reflectTogether(traced, viewDesc(camera), std::vector{water, wall});
+    size_t hits = 0;
+    for (const float info : together[1].info) hits += info > 0;
+    EXPECT_GT(hits, 500u);
+    for (size_t i = 0; i < 2; ++i) {
+        const Reflected alone = reflectScene(camera, traced, i == 0 ? water : wall);
+        EXPECT_EQ(together[i].color, alone.color);
+        EXPECT_EQ(together[i].info, alone.info);
+    }
+}
+
+// Of the same mirror's left half.
+TEST_F(Sspr, IsResolvedWhereItsBoundsMayShow) {
+    const Camera camera = testCamera();
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    ReflectorDesc desc;
+    desc.reflection.distortion = 0;
+    desc.reflection.blurLevels = 0;
+    const Reflected all = reflectScene(camera, traced, desc);
+    const double low[3] = {-40, 0, -40}, high[3] = {-1, 0, 4};
+    std::ranges::copy(low, desc.boundsLow);
+    std::ranges::copy(high, desc.boundsHigh);
+    const Reflected part = reflectScene(camera, traced, desc);
+    size_t within = 0, left = 0;
+    const glm::dmat4 clip = projectionMatrix(camera) * viewMatrix(camera);
+    for (uint32_t y = 0; y < camera.height; ++y)
+        for (uint32_t x = 0; x < camera.width; ++x) {
+            const size_t i = size_t{y} * camera.width + x;
+            if (traced.truth[i] == Truth::none) continue;
+            const glm::dvec4 p = glm::inverse(clip) * glm::dvec4((x + 0.5) / camera.width * 2 - 1,
+                                                                 (y + 0.5) / camera.height * 2 - 1, 0.5, 1);
+            const glm::dvec3 ray = glm::dvec3(p) / p.w - camera.eye;
+            const glm::dvec3 on = camera.eye - ray * (camera.eye.y / ray.y);
+            const bool inside = on.x >= low[0] && on.x <= high[0] && on.z >= low[2] && on.z <= high[2];
+            if (inside) {
+                ++within;
+                EXPECT_EQ(part.info[i], all.info[i]);
+                EXPECT_EQ(part.color[4 * i], all.color[4 * i]);
+            } else {
+                left += part.info[i] == 0 && all.info[i] != 0;
+            }
+        }
+    EXPECT_GT(within, 3000u);
+    EXPECT_GT(left, 3000u);
+}
+
+TEST_F(Sspr, WhatTheViewDoesNotSeeCostsNothing) {
+    const Camera camera = testCamera();
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
+    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
+    ViewDesc view = viewDesc(camera);
+    view.sceneDepth = asSeaglass(depth);
+    view.sceneColor = asSeaglass(color);
+    struct Place {
+        const char* name;
+        double low[3], high[3];
+        bool seen;
+    };
+    for (const Place& place :
+         {Place{"behind", {-1, 0, 12}, {1, 0, 20}, false}, Place{"left", {-90, 0, -1}, {-80, 0, 1}, false},
+          Place{"right", {80, 0, -1}, {90, 0, 1}, false},
+          Place{"left, and reaching behind", {-30, 2, 5}, {-25, 2.4, 20}, false},
+          Place{"right, and reaching behind", {25, 2, 5}, {30, 2.4, 20}, false},
+          Place{"above, and reaching behind", {-1, 40, 5}, {1, 41, 20}, false},
+          Place{"below, and reaching behind", {-1, -41, 5}, {1, -40, 20}, false},
+          Place{"above", {-1, 40, -1}, {1, 41, 1}, false}, Place{"below", {-1, -40, 0}, {1, -39, 1}, false},
+          Place{"around the eye", {-50, -1, -50}, {50, 5, 50}, true},
+          Place{"ahead", {-1, 0, -1}, {1, 0, 1}, true}}) {
+        ReflectorDesc desc;
+        std::ranges::copy(place.low, desc.boundsLow);
+        std::ranges::copy(place.high, desc.boundsHigh);
+        Reflector* reflector = nullptr;
+        ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+        spiedCalls().clear();
+        frame([&](VkCommandBuffer commands) {
+            EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
+        });
+        EXPECT_EQ(countSpied("CmdDispatch") > 0, place.seen) << place.name;
+        EXPECT_EQ(countSpied("CreateImage") > 0, place.seen) << place.name;
+        destroyReflector(reflector);
+
+        desc.reflection.technique = ReflectionTechnique::planar;
+        ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+        PlanarView planar;
+        EXPECT_EQ(planarView(reflector, &view, &planar), Status::ok) << message();
+        EXPECT_EQ(planar.visible, place.seen) << place.name;
+        EXPECT_EQ(planar.color != VK_NULL_HANDLE, place.seen) << place.name;
+        if (!place.seen)
+            frame([&](VkCommandBuffer commands) {
+                EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
+            });
+        destroyReflector(reflector);
+    }
+}
+
+TEST_F(Sspr, TooManyReflectorsAreRefusedBeforeAnyIsRecorded) {
+    const ReflectorDesc desc;
+    Reflector* reflector = nullptr;
+    ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+    const std::vector<Reflector*> many(maxReflectors + 1, reflector);
+    const ViewDesc view = viewDesc(testCamera());
+    spiedCalls().clear();
+    frame([&](VkCommandBuffer commands) {
+        EXPECT_EQ(reflect(commands, many.data(), maxReflectors + 1, &view), Status::invalidArgument);
+    });
+    EXPECT_NE(message().find("count is 17, expected 16 at most"), std::string::npos) << message();
+    EXPECT_EQ(countSpied("CmdDispatch"), 0u);
+    destroyReflector(reflector);
+}
+
 TEST_F(Sspr, TheSkyTechniqueHoldsNothing) {
     ReflectorDesc desc;
     desc.reflection.technique = ReflectionTechnique::sky;
@@ -237,6 +357,13 @@ TEST_F(Sspr, BadDescriptionsAreNamedAndLeaveNothing) {
               std::string::npos);
     EXPECT_NE(refused([](ReflectorDesc& d) { d.reflection.distortion = NAN; }).find("distortion"),
               std::string::npos);
+    EXPECT_NE(refused([](ReflectorDesc& d) { d.boundsLow[1] = 0; }).find("boundsLow"), std::string::npos);
+    EXPECT_NE(refused([](ReflectorDesc& d) {
+                  std::ranges::fill(d.boundsLow, 0);
+                  std::ranges::fill(d.boundsHigh, -1);
+              }).find("boundsHigh"),
+              std::string::npos);
+    EXPECT_NE(refused([](ReflectorDesc& d) { d.boundsHigh[2] = NAN; }).find("boundsHigh"), std::string::npos);
     EXPECT_EQ(createReflector(nullptr, nullptr, nullptr), Status::invalidArgument);
 }
 

@@ -7,6 +7,8 @@
 #ifndef SEAGLASS_REFLECTION_H
 #define SEAGLASS_REFLECTION_H
 
+#include <math.h>
+
 #include "seaglass/host.h"
 
 namespace seaglass {
@@ -67,7 +69,15 @@ struct ReflectionDesc {
 struct ReflectorDesc {
     double plane[4] = {0, 1, 0, 0}; ///< n.p + d = 0 in the world; any scale but zero
     ReflectionDesc reflection;
+    /// A box around all of the surface that mirrors, waves included [m, world]; all infinite: anywhere in the
+    /// plane. Views that do not see it cost nothing, and others only where it may show, if
+    /// ReflectionDesc::distortion is 0.
+    double boundsLow[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    double boundsHigh[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
 };
+
+/// Of one call of reflect().
+constexpr uint32_t maxReflectors = 16;
 
 /// What a reflector of this description costs for views of `extent` pixels. Nothing is created.
 Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out);
@@ -117,6 +127,8 @@ inline ReflectionClass reflectionClass(float info) {
 /// does the rest. Alpha may hold anything. Depth runs as in the host's own projection: same compare, same
 /// pipelines.
 struct PlanarView {
+    /// False where the view does not see the reflector: nothing need be drawn, and nothing else is said.
+    bool visible = true;
     double view[16] = {};       ///< world to mirrored view: the host's view times the reflection in the plane
     double projection[16] = {}; ///< the host's, with the plane as near plane; x, y and w are as they were
     /// False where the eye is so close to the plane that it cannot be a near plane, or sees nothing of it:
@@ -139,7 +151,9 @@ struct PlanarView {
 /// `invalidArgument` when the reflector's technique is not `planar`.
 Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out);
 
-/// Records the reflection of `view` for each reflector. Outside any render pass. Reads view.sceneColor and
+/// Records the reflection of `view` for each of at most maxReflectors, whose planes may differ: what one
+/// shows does not depend on the others. Those that the view does not see are passed over; what
+/// reflectionImages() has of them is of some frame before. Outside any render pass. Reads view.sceneColor and
 /// view.sceneDepth in compute shaders: the host has made them visible there
 /// (VK_ACCESS_2_SHADER_SAMPLED_READ). Allocates when a view's size changes. With technique `sky` nothing is
 /// recorded; with `planar` the scene's images are not read, but what was drawn since planarView().
