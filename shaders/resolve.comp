@@ -132,11 +132,13 @@ Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
     return hit.valid ? hit : noHit;
 }
 
+// Of keyGrid(), loaded once: CPU devices load uniforms anew in each turn of a loop.
+ivec2 lastCell;
+
 // Beyond the border its own keys again, which have had their turn.
 uint keyAt(ivec2 cell) {
-    ivec2 grid = keyGrid();
-    cell = clamp(cell, ivec2(0), grid - 1);
-    return keys[cell.y * grid.x + cell.x];
+    cell = clamp(cell, ivec2(0), lastCell);
+    return keys[cell.y * (lastCell.x + 1) + cell.x];
 }
 
 // The nearest key around `cell` that is farther than `last`, whose turn is over.
@@ -232,6 +234,7 @@ float distanceToHit(vec2 q, float mirroredDepth) {
 void main() {
     ivec2 pixel = pixelToResolve();
     if (pixel == noPixel) return;
+    lastCell = keyGrid() - 1;
     vec2 q = middleOf(pixel);
     vec4 color = vec4(0.0);
     float info = infoUnknown;

@@ -19,88 +19,106 @@ layout(set = 0, binding = 3, std430) buffer Tiles {
     uint tiles[];
 };
 
-bool nearer(float a, float b) {
-    return depthSign * (a - b) > 0.0;
-}
-
-#ifdef COARSE
-struct Sample {
-    ivec2 pixel;
-    float depth;
-};
-
-// Of a cell's pixels the nearest stands for all, since any fixed one would lose what is thin; the farthest tells whether
-// the plane is seen.
-void sampleCell(ivec2 first, out Sample nearest, out Sample farthest) {
-    int edge = 1 << keyShift;
-    for (int i = 0; i < edge * edge; ++i) {
-        ivec2 pixel = min(first + ivec2(i & (edge - 1), i >> keyShift), region.zw - 1);
-        Sample here = Sample(pixel, texelFetch(sceneDepth, region.xy + pixel, 0).r);
-        if (i == 0 || nearer(here.depth, nearest.depth)) nearest = here;
-        if (i == 0 || nearer(farthest.depth, here.depth)) farthest = here;
-    }
-}
-
-// The plane goes on behind a far plane.
-vec3 screenPoint(Sample s) {
-    return vec3(vec2(s.pixel) + 0.5, isFar(s.depth) ? infinityDepth : s.depth);
-}
-#endif
-
-// What stays the same for all keys of an invocation.
+// What stays the same for all keys of an invocation. CPU devices load uniforms anew in each turn of a loop.
 struct Grid {
+    vec2 size;          // of the region [pixel]
+    int keyShift;
     int keysAcross;
+    int tileShift;      // from the region's pixels
     int tilesAcross;
-    int tileShift;   // from the region's pixels
+    float depthSign;
+    float far;          // signed
+    float infinity;
+    uint flipped;       // by keyFromDepth()
 };
+
+Grid gridOfKeys() {
+    return Grid(vec2(region.zw), keyShift, keyGrid().x, tileShift + pixelShift, tilesAcross(), depthSign,
+                depthSign * farDepth, infinityDepth, keyFromDepth(0.0));
+}
 
 int keyTile = -1;
 
 void scatter(Grid grid, vec4 target, bool far) {
     vec3 point = target.xyz / target.w;
-    if (far || !(target.w > 0.0) || !(point.z > 0.0 && point.z <= 1.0) || !insideRegion(point.xy)) return;
+    bool inside = all(greaterThanEqual(point.xy, vec2(0.0))) && all(lessThan(point.xy, grid.size));
+    if (far || !(target.w > 0.0) || !(point.z > 0.0 && point.z <= 1.0) || !inside) return;
     ivec2 pixel = ivec2(point.xy);
-    ivec2 cell = pixel >> keyShift;
-    atomicMax(keys[cell.y * grid.keysAcross + cell.x], keyFromDepth(point.z));
+    ivec2 cell = pixel >> grid.keyShift;
+    atomicMax(keys[cell.y * grid.keysAcross + cell.x], floatBitsToUint(point.z) ^ grid.flipped);
     ivec2 inTile = pixel >> grid.tileShift;
     int tile = inTile.y * grid.tilesAcross + inTile.x;
     if (tile != keyTile) atomicOr(tiles[tile], tileHasKeys);
     keyTile = tile;
 }
 
+bool isFar(Grid grid, float depth) {
+    return grid.depthSign * depth <= grid.far;
+}
+
+#ifdef COARSE
+// Of a cell's pixels the nearest stands for all, since any fixed one would lose what is thin; the farthest tells whether
+// the plane is seen, which goes on behind a far plane.
+bool scatterCells(Grid grid, ivec2 first, int rows) {
+    vec4 above = aboveRow();
+    mat4 mirror = screenMirror;
+    ivec2 origin = region.xy;
+    ivec2 last = region.zw - 1;
+    int edge = 1 << grid.keyShift;
+    bool planeSeen = false;
+    for (int row = 0; row < rows && first.y <= last.y; ++row) {
+        vec4 nearest, farthest;
+        for (int i = 0; i < edge * edge; ++i) {
+            ivec2 pixel = min(first + ivec2(i & (edge - 1), i >> grid.keyShift), last);
+            float depth = texelFetch(sceneDepth, origin + pixel, 0).r;
+            vec4 here = vec4(vec2(pixel) + 0.5, depth, 1.0);
+            float ahead = grid.depthSign * depth;
+            if (i == 0 || ahead > grid.depthSign * nearest.z) nearest = here;
+            if (i == 0 || ahead < grid.depthSign * farthest.z) farthest = here;
+        }
+        bool far = isFar(grid, nearest.z);
+        if (isFar(grid, farthest.z)) farthest.z = grid.infinity;
+        if (far || dot(above, nearest) > 0.0) scatter(grid, mirror * nearest, far);
+        planeSeen = planeSeen || dot(above, farthest) <= 0.0;
+        first.y += edge;
+    }
+    return planeSeen;
+}
+#else
+// All that a pixel needs is affine in (x, y, depth): only the depth's share is left for the loop.
+bool scatterPixels(Grid grid, ivec2 first, int rows) {
+    vec4 corner = vec4(vec2(first) + 0.5, 0.0, 1.0);
+    vec4 target = screenMirror * corner;
+    vec4 targetPerRow = screenMirror[1];
+    vec4 targetPerDepth = screenMirror[2];
+    vec4 perPixel = aboveRow();
+    float above = dot(perPixel, corner);
+    ivec2 pixel = region.xy + first;
+    bool planeSeen = false;
+    rows = min(rows, region.w - first.y);
+    for (int row = 0; row < rows; ++row) {
+        float depth = texelFetch(sceneDepth, pixel, 0).r;
+        bool far = isFar(grid, depth);
+        if (above + perPixel.z * (far ? grid.infinity : depth) <= 0.0)
+            planeSeen = true;
+        else
+            scatter(grid, target + targetPerDepth * depth, far);
+        target += targetPerRow;
+        above += perPixel.y;
+        ++pixel.y;
+    }
+    return planeSeen;
+}
+#endif
+
 void main() {
     int rows = (tileEdge << pixelShift) >> keyShift;
     ivec2 first = (ivec2(gl_GlobalInvocationID.xy) * ivec2(1, rows)) << keyShift;
     if (first.x >= region.z) return;
-    Grid grid = Grid(keyGrid().x, tilesAcross(), tileShift + pixelShift);
-    bool planeSeen = false;
 #ifdef COARSE
-    for (int row = 0; row < rows && first.y + (row << keyShift) < region.w; ++row) {
-        Sample nearest, farthest;
-        sampleCell(first + ivec2(0, (row << keyShift)), nearest, farthest);
-        vec3 p = screenPoint(nearest);
-        if (!onOrBelowPlane(p)) scatter(grid, screenMirror * vec4(p, 1.0), isFar(nearest.depth));
-        if (onOrBelowPlane(screenPoint(farthest))) planeSeen = true;
-    }
+    bool planeSeen = scatterCells(gridOfKeys(), first, rows);
 #else
-    // All of these are affine in (x, y, depth): only the depth's share is left for the loop.
-    vec4 corner = vec4(vec2(first) + 0.5, 0.0, 1.0);
-    vec4 target = screenMirror * corner;
-    float height = dot(heightRow, corner);
-    float weight = dot(weightRow, corner);
-    rows = min(rows, region.w - first.y);
-    for (int row = 0; row < rows; ++row) {
-        float depth = texelFetch(sceneDepth, region.xy + first + ivec2(0, row), 0).r;
-        bool far = isFar(depth);
-        float reach = far ? infinityDepth : depth;
-        if (onOrBelowPlane(height + heightRow.z * reach, weight + weightRow.z * reach))
-            planeSeen = true;
-        else
-            scatter(grid, target + screenMirror[2] * depth, far);
-        target += screenMirror[1];
-        height += heightRow.y;
-        weight += weightRow.y;
-    }
+    bool planeSeen = scatterPixels(gridOfKeys(), first, rows);
 #endif
-    if (planeSeen) atomicOr(tiles[tileAt(first >> grid.tileShift)], tileSeesPlane);
+    if (planeSeen) atomicOr(tiles[tileAt(first >> (tileShift + pixelShift))], tileSeesPlane);
 }

@@ -46,7 +46,7 @@ struct Scene {
 
 Scene loadedScene() {
     return Scene(region.xy, vec2(region.zw) - 0.5, depthSign, depthSign * farDepth,
-                 heightRow - 1e-3 * weightRow - vec4(0.0, 0.0, 0.0, contactPerMetre), thickness, depthSign * weightRow.z);
+                 aboveRow(), thickness, depthSign * weightRow.z);
 }
 
 // A ray on the screen. All but the metres is linear in the share of its length there; depths are signed so that the nearer

@@ -49,13 +49,12 @@ vec3 unprojected(vec3 screenPoint) {
 // contactPerMetre says for each metre of distance, 20 micrometres or a step of the depth's format. Both sides of height <
 // contact are linear in a screen point once they are multiplied by its weight, and so tell of points at infinity too:
 // below the plane's horizon or above it.
-bool onOrBelowPlane(float height, float weight) {
-    return height <= 1e-3 * weight + contactPerMetre;
+vec4 aboveRow() {
+    return heightRow - 1e-3 * weightRow - vec4(0.0, 0.0, 0.0, contactPerMetre);
 }
 
 bool onOrBelowPlane(vec3 screenPoint) {
-    vec4 p = vec4(screenPoint, 1.0);
-    return onOrBelowPlane(dot(heightRow, p), dot(weightRow, p));
+    return dot(aboveRow(), vec4(screenPoint, 1.0)) <= 0.0;
 }
 
 // Deeper under the plane than it is told apart.
