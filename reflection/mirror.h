@@ -55,7 +55,7 @@ struct MirrorUniforms {
     int32_t keyShift = 0;      ///< and to one key
     float contactPerMetre = 0; ///< see onOrBelowPlane() of shaders/common/mirror.glsl
     float depthStep = 0;
-    uint32_t followed = 0; ///< whether rays are followed afterwards where nothing is known
+    uint32_t followed = 0; ///< whether rays are followed afterwards where nothing is proven
     uint32_t padding[2] = {};
 };
 static_assert(sizeof(MirrorUniforms) == 336);

@@ -36,10 +36,10 @@ vec3 mirroredBySurface(vec2 q, vec3 direction) {
     return reflect(direction, plane.xyz);
 }
 
-// One that another technique knew nothing of.
+// One that another technique knew nothing of, or doubted.
 ivec2 pixelToMarch() {
     ivec2 pixel = pixelToResolve();
-    if (pixel == noPixel || imageLoad(reflectionInfo, pixel).r != infoUnknown) return noPixel;
+    if (pixel == noPixel || !infoIsOpen(imageLoad(reflectionInfo, pixel).r)) return noPixel;
     return pixel;
 }
 #else
@@ -80,6 +80,13 @@ void main() {
             color = vec4(texelFetch(sceneColor, region.xy + ivec2(found.source), 0).rgb * confidence, confidence);
         }
     }
+#ifdef OPEN
+    float doubted = imageLoad(reflectionInfo, pixel).r;
+    if (info == infoUnknown && infoIsDoubt(doubted)) {
+        imageStore(reflectionInfo, pixel, vec4(hitOfDoubt(doubted), 0.0, 0.0, 0.0));
+        return;
+    }
+#endif
     imageStore(reflectionColor, pixel, color);
     imageStore(reflectionInfo, pixel, vec4(info, 0.0, 0.0, 0.0));
 }

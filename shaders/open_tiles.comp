@@ -25,7 +25,7 @@ bool holdsUnknown(ivec2 tile) {
     ivec2 high = min(low + tileEdge, imageSize());
     for (int y = low.y; y < high.y; ++y)
         for (int x = low.x; x < high.x; ++x)
-            if (texelFetch(reflectionInfo, ivec2(x, y), 0).r == infoUnknown) return true;
+            if (infoIsOpen(texelFetch(reflectionInfo, ivec2(x, y), 0).r)) return true;
     return false;
 }
 #else

@@ -247,12 +247,13 @@ void main() {
         for (bool doubts = !hit.front; doubts; doubts = false) {
             Hole hole = holeAround(q, ray, hit.valid ? keyFromDepth(hit.depth) : keyAt(cell));
             if (!hit.valid && !hole.inside) info = infoOfMiss(q);
-            if (hole.hit.valid || followed) hit = hole.hit;
+            if (hole.hit.valid) hit = hole.hit;
         }
         for (bool hits = hit.valid; hits; hits = false) {
             float confidence = edgeConfidence(q, hit.source);
             color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * confidence, confidence);
             info = infoOfHit(distanceToHit(q, hit.depth));
+            if (followed && !hit.front) info = infoOfDoubt(info);
         }
     }
     imageStore(reflectionColor, pixel, color);

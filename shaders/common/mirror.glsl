@@ -20,7 +20,7 @@ layout(set = 0, binding = 0, std140) uniform Mirror {
     int keyShift;     // and to one key
     float contactPerMetre;   // see onOrBelowPlane()
     float depthStep;         // scene depths closer than this may be held as one
-    bool followed;           // rays are followed afterwards where nothing is known
+    bool followed;           // rays are followed afterwards where nothing is proven
 };
 
 // The reflection's pixels, and its keys'.

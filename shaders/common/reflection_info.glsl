@@ -13,6 +13,23 @@ bool infoIsHit(float info) {
     return info > 0.0;
 }
 
+// Between two passes of the hybrid: a hit on what a ray comes out of, which stands unless another way is found.
+float infoOfDoubt(float hit) {
+    return -2.0 - hit;
+}
+
+float hitOfDoubt(float info) {
+    return infoOfHit(-2.0 - info);
+}
+
+bool infoIsDoubt(float info) {
+    return info < -1.5;
+}
+
+bool infoIsOpen(float info) {
+    return info == infoUnknown || infoIsDoubt(info);
+}
+
 bool infoIsSky(float info) {
     return info < 0.0;
 }

@@ -444,6 +444,25 @@ TEST_F(Hybrid, FollowsWhatComesOutOfTops) {
     EXPECT_LE(p95With(ReflectionTechnique::hybrid), p95With(ReflectionTechnique::sspr) - 0.1);
 }
 
+// A deck from above: nothing on the screen shows its underside. Its top stands in, rather than the sky.
+TEST_F(Hybrid, LeavesNoHoleThatSsprFills) {
+    Camera camera = testCamera();
+    camera.eye = {-2, 16, 0};
+    camera.target = {-2, 0, -5.8};
+    const TracedView deck = Tracer(camera, {{{-6, 0.8, -8}, {2, 1.1, -3}}}).run();
+    const Reflected sspr = reflectScene(camera, deck, with(ReflectionTechnique::sspr));
+    const Reflected hybrid = reflectScene(camera, deck, with(ReflectionTechnique::hybrid));
+    size_t filled = 0, opened = 0;
+    for (size_t i = 0; i < sspr.info.size(); ++i) {
+        if (reflectionClass(sspr.info[i]) != ReflectionClass::hit) continue;
+        ++filled;
+        opened += reflectionClass(hybrid.info[i]) == ReflectionClass::unknown;
+        EXPECT_GE(hybrid.info[i], -1.0f) << "a doubt is left at " << i;
+    }
+    EXPECT_GT(filled, 500u);
+    EXPECT_EQ(opened, 0u);
+}
+
 TEST_F(Hybrid, HoldsCellsAndTwoPipelinesMoreThanSspr) {
     const auto pipelines = [&](const ReflectorDesc& desc) {
         spiedCalls().clear();
