@@ -45,7 +45,7 @@ Status recordCells(const ReflectPass& pass, const CellsKernel& kernel, const gpu
         s != Status::ok)
         return s;
     const gpu::PassScope scope(device, pass.commands, "ssr_cells");
-    recordBufferCleared(device, pass.commands, cells, VK_WHOLE_SIZE);
+    recordBuffersCleared(device, pass.commands, {cells.handle()});
     const uint32_t count = countOf(pass.extent(), cellEdge);
     kernel.kernel.dispatch(pass.commands, set, (count + groupWidth - 1) / groupWidth, 1);
     gpu::recordBarrier(device, pass.commands,

@@ -50,7 +50,7 @@ Status recordOpenTiles(const ReflectPass& pass, const OpenTilesKernel& kernel, c
         s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "hybrid_open_tiles");
-    recordBufferCleared(context.device, pass.commands, open, sizeof(TileHeader));
+    recordBuffersCleared(context.device, pass.commands, {open.handle()}, sizeof(TileHeader));
     recordTileLists(pass, kernel.kernel, set);
     return Status::ok;
 }

@@ -12,22 +12,10 @@ namespace {
 
 constexpr uint32_t groupWidth = 64;
 
-constexpr gpu::BufferUse transferWritten = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-                                            VK_ACCESS_2_TRANSFER_WRITE_BIT};
-
 void recordClear(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& keys,
                  const gpu::Buffer& tiles) {
     const gpu::PassScope scope(device, commands, "sspr_clear");
-    // The view's previous frame may still be resolving from these.
-    gpu::recordBarrier(
-        device, commands,
-        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_NONE},
-        transferWritten);
-    device.vk().CmdFillBuffer(commands, keys.handle(), 0, VK_WHOLE_SIZE, 0);
-    device.vk().CmdFillBuffer(commands, tiles.handle(), 0, VK_WHOLE_SIZE, 0);
-    gpu::recordBarrier(device, commands, transferWritten,
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
+    recordBuffersCleared(device, commands, {keys.handle(), tiles.handle()});
 }
 
 Status createKernel(Context& context, std::span<const uint32_t> spirv, gpu::Kernel& out) {

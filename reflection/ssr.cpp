@@ -23,7 +23,7 @@ Status SsrScratch::create(const gpu::Device& device, VkExtent2D extent, const Re
 Status recordSsr(const ReflectPass& pass, const SsrKernels& kernels, const SsrScratch& scratch,
                  const OwnedReflection& images) {
     const gpu::Device& device = pass.context.device;
-    recordBufferCleared(device, pass.commands, scratch.tiles, VK_WHOLE_SIZE);
+    recordBuffersCleared(device, pass.commands, {scratch.tiles.handle()});
     if (const Status s = recordCells(pass, *kernels.cells, scratch.cells, scratch.tiles); s != Status::ok)
         return s;
     if (const Status s = recordSeenTiles(pass, *kernels.seenTiles, scratch.tiles); s != Status::ok) return s;

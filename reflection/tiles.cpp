@@ -20,14 +20,14 @@ VkDeviceSize tileBufferBytes(VkExtent2D extent) {
     return sizeof(TileHeader) + VkDeviceSize{tileCount(extent)} * 2 * sizeof(uint32_t);
 }
 
-void recordBufferCleared(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& buffer,
-                         VkDeviceSize bytes) {
+void recordBuffersCleared(const gpu::Device& device, VkCommandBuffer commands,
+                          std::initializer_list<VkBuffer> buffers, VkDeviceSize bytes) {
     constexpr gpu::BufferUse written = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
     gpu::recordBarrier(
         device, commands,
         {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_NONE},
         written);
-    device.vk().CmdFillBuffer(commands, buffer.handle(), 0, bytes, 0);
+    for (const VkBuffer buffer : buffers) device.vk().CmdFillBuffer(commands, buffer, 0, bytes, 0);
     gpu::recordBarrier(device, commands, written,
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                         VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});

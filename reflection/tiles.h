@@ -3,6 +3,8 @@
 // pixel that is dispatched.
 #pragma once
 
+#include <initializer_list>
+
 #include "gpu/buffer.h"
 #include "gpu/kernel.h"
 #include "reflection/reflect_pass.h"
@@ -27,10 +29,10 @@ constexpr VkBufferUsageFlags tileBufferUsage =
     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
     VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
 
-/// Clears the first `bytes` of a buffer that the view's previous frame may still read or dispatch from;
-/// leaves it to compute shaders.
-void recordBufferCleared(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& buffer,
-                         VkDeviceSize bytes);
+/// Clears the first `bytes` of buffers that the view's previous frame may still read or dispatch from; leaves
+/// them to compute shaders.
+void recordBuffersCleared(const gpu::Device& device, VkCommandBuffer commands,
+                          std::initializer_list<VkBuffer> buffers, VkDeviceSize bytes = VK_WHOLE_SIZE);
 
 struct TilesKernel {
     gpu::Kernel kernel;

@@ -27,11 +27,8 @@ class Blur : public ReflectionTest {
     }
 
     std::vector<Mip> mips(const TracedView& traced, const Camera& camera) {
-        const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
-        const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
         ViewDesc view = viewDesc(camera);
-        view.sceneDepth = asSeaglass(depth);
-        view.sceneColor = asSeaglass(color);
+        const SceneOnDevice scene = upload(traced, view);
         frame([&](VkCommandBuffer commands) {
             EXPECT_EQ(reflect(commands, &reflector_, 1, &view), Status::ok) << message();
         });

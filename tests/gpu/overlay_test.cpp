@@ -82,11 +82,8 @@ class Overlay : public ReflectionTest {
   protected:
     /// Reflects the boxes and draws an overlay of them; `told` are the matrices that the library is given.
     Look look(OverlayKind kind, const TracedView& traced, ViewDesc told, const ReflectorDesc& desc = {}) {
-        const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
-        const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
         const demos::Image target = targetOf({traced.width, traced.height});
-        told.sceneDepth = asSeaglass(depth);
-        told.sceneColor = asSeaglass(color);
+        const SceneOnDevice scene = upload(traced, told);
         OverlayDesc overlay;
         overlay.kind = kind;
         overlay.target = described(target);
@@ -319,12 +316,9 @@ TEST_F(Overlay, NoDepthIsMagenta) {
 TEST_F(Overlay, CostsNothingUntilItIsAskedFor) {
     const Camera camera = testCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
-    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
-    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
     const demos::Image target = targetOf({traced.width, traced.height});
     ViewDesc view = viewDesc(camera);
-    view.sceneDepth = asSeaglass(depth);
-    view.sceneColor = asSeaglass(color);
+    const SceneOnDevice scene = upload(traced, view);
     ReflectorDesc desc;
     desc.reflection.technique = ReflectionTechnique::sky;
     spiedCalls().clear();
@@ -347,12 +341,9 @@ TEST_F(Overlay, CostsNothingUntilItIsAskedFor) {
 TEST_F(Overlay, BadDescriptionsAreNamed) {
     const Camera camera = testCamera();
     const TracedView traced = Tracer(camera, {}).run();
-    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
-    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
     const demos::Image target = targetOf({traced.width, traced.height});
     ViewDesc view = viewDesc(camera);
-    view.sceneDepth = asSeaglass(depth);
-    view.sceneColor = asSeaglass(color);
+    const SceneOnDevice scene = upload(traced, view);
     const ReflectorDesc desc;
     Reflector* reflector = nullptr;
     ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();

@@ -25,6 +25,14 @@ TracedView framed(const TracedView& traced, uint32_t left, uint32_t top) {
     return larger;
 }
 
+SceneOnDevice ReflectionTest::upload(const TracedView& traced, seaglass::ViewDesc& view) {
+    SceneOnDevice scene{uploadFloats(traced.width, traced.height, 1, traced.depth),
+                        uploadFloats(traced.width, traced.height, 4, traced.color)};
+    view.sceneDepth = asSeaglass(scene.depth);
+    view.sceneColor = asSeaglass(scene.color);
+    return scene;
+}
+
 Reflected ReflectionTest::reflectView(const TracedView& traced, const seaglass::ViewDesc& view,
                                       const seaglass::ReflectorDesc& desc) {
     return reflectTogether(traced, view, {&desc, 1}).front();
@@ -61,10 +69,7 @@ std::vector<Reflected> ReflectionTest::reflectTogether(const seaglass::ViewDesc&
 
 std::vector<Reflected> ReflectionTest::reflectTogether(const TracedView& traced, seaglass::ViewDesc view,
                                                        std::span<const seaglass::ReflectorDesc> descs) {
-    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
-    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
-    view.sceneDepth = asSeaglass(depth);
-    view.sceneColor = asSeaglass(color);
+    const SceneOnDevice scene = upload(traced, view);
     return reflectTogether(view, descs);
 }
 
@@ -79,11 +84,8 @@ seaglass::Estimate ReflectionTest::expectEstimateHolds(const seaglass::Reflector
     camera.width = extent.width;
     camera.height = extent.height;
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
-    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
-    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
     seaglass::ViewDesc view = viewDesc(camera);
-    view.sceneDepth = asSeaglass(depth);
-    view.sceneColor = asSeaglass(color);
+    const SceneOnDevice scene = upload(traced, view);
     frame([](VkCommandBuffer) {});
     seaglass::Estimate estimated;
     EXPECT_EQ(seaglass::estimate(context(), &desc.reflection, extent, &estimated), Status::ok) << message();

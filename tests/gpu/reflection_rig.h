@@ -11,8 +11,14 @@ namespace tests {
 /// The view as a region of a larger target, its corner at (left, top).
 TracedView framed(const TracedView& traced, uint32_t left, uint32_t top);
 
+struct SceneOnDevice {
+    demos::Image depth, color;
+};
+
 class ReflectionTest : public GpuTest {
   protected:
+    /// Points the view at what it returns.
+    SceneOnDevice upload(const TracedView& traced, seaglass::ViewDesc& view);
     Reflected reflectView(const TracedView& traced, const seaglass::ViewDesc& view,
                           const seaglass::ReflectorDesc& desc = {});
     /// Of a view that names its images.

@@ -57,11 +57,8 @@ TEST_F(Sspr, NothingShowsThroughTheHolesOfWhatIsMirroredLarger) {
 TEST_F(Sspr, KeysAreTheNearestMirroredDepths) {
     const Camera camera = testCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
-    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
-    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
     ViewDesc view = viewDesc(camera);
-    view.sceneDepth = asSeaglass(depth);
-    view.sceneColor = asSeaglass(color);
+    const SceneOnDevice scene = upload(traced, view);
     const ReflectorDesc desc;
     Reflector* reflector = nullptr;
     ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
@@ -269,11 +266,8 @@ TEST_F(Sspr, IsResolvedWhereItsBoundsMayShow) {
 TEST_F(Sspr, WhatTheViewDoesNotSeeCostsNothing) {
     const Camera camera = testCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
-    const demos::Image depth = uploadFloats(traced.width, traced.height, 1, traced.depth);
-    const demos::Image color = uploadFloats(traced.width, traced.height, 4, traced.color);
     ViewDesc view = viewDesc(camera);
-    view.sceneDepth = asSeaglass(depth);
-    view.sceneColor = asSeaglass(color);
+    const SceneOnDevice scene = upload(traced, view);
     struct Place {
         const char* name;
         double low[3], high[3];
