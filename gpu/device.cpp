@@ -21,6 +21,7 @@ Status Device::init(const DeviceDesc& desc) {
     VkPhysicalDeviceProperties properties{};
     instanceTable_.GetPhysicalDeviceProperties(desc.physicalDevice, &properties);
     limits_ = properties.limits;
+    type_ = properties.deviceType;
     instanceTable_.GetPhysicalDeviceMemoryProperties(desc.physicalDevice, &memory_);
     return Status::ok;
 }

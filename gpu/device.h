@@ -16,6 +16,7 @@ class Device {
     const VkAllocationCallbacks* allocator() const { return hasAllocator_ ? &allocator_ : nullptr; }
     VkPipelineCache pipelineCache() const { return pipelineCache_; }
     const VkPhysicalDeviceLimits& limits() const { return limits_; }
+    VkPhysicalDeviceType type() const { return type_; }
 
     /// Memory with all `wanted` properties for one buffer or image.
     Status allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, const char* what,
@@ -41,6 +42,7 @@ class Device {
     bool hasAllocator_ = false;
     VkPipelineCache pipelineCache_ = VK_NULL_HANDLE;
     VkPhysicalDeviceLimits limits_{};
+    VkPhysicalDeviceType type_ = VK_PHYSICAL_DEVICE_TYPE_OTHER;
     VkPhysicalDeviceMemoryProperties memory_{};
     MessageCallback message_;
     PassCallback pass_;

@@ -22,6 +22,7 @@
     X(CmdBindPipeline)                                                                                       \
     X(CmdBlitImage)                                                                                          \
     X(CmdClearColorImage)                                                                                    \
+    X(CmdCopyBuffer)                                                                                         \
     X(CmdCopyBufferToImage)                                                                                  \
     X(CmdDispatch)                                                                                           \
     X(CmdDispatchIndirect)                                                                                   \

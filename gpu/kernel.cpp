@@ -1,6 +1,7 @@
 #include "gpu/kernel.h"
 
 #include <utility>
+#include <vector>
 
 namespace seaglass::gpu {
 
@@ -29,7 +30,8 @@ void Kernel::release() {
 }
 
 Status Kernel::create(const Device& device, std::span<const uint32_t> spirv,
-                      std::span<const VkDescriptorType> bindings, const char* what) {
+                      std::span<const VkDescriptorType> bindings, const char* what,
+                      std::span<const uint32_t> constants) {
     release();
     device_ = &device;
     if (const Status s = layout_.create(device, bindings, VK_SHADER_STAGE_COMPUTE_BIT, 0, what);
@@ -42,6 +44,12 @@ Status Kernel::create(const Device& device, std::span<const uint32_t> spirv,
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
     info.stage.module = module.handle();
     info.stage.pName = "main";
+    std::vector<VkSpecializationMapEntry> entries;
+    for (uint32_t id = 0; id < constants.size(); ++id)
+        entries.push_back({id, id * static_cast<uint32_t>(sizeof(uint32_t)), sizeof(uint32_t)});
+    const VkSpecializationInfo specialization{static_cast<uint32_t>(entries.size()), entries.data(),
+                                              constants.size_bytes(), constants.data()};
+    info.stage.pSpecializationInfo = &specialization;
     info.layout = layout_.pipeline();
     return device.check(device.vk().CreateComputePipelines(device.handle(), device.pipelineCache(), 1, &info,
                                                            device.allocator(), &pipeline_),

@@ -14,8 +14,10 @@ class Kernel {
     Kernel(Kernel&& other) noexcept { *this = std::move(other); }
     Kernel& operator=(Kernel&& other) noexcept;
 
+    /// `constants` are the specialisation constants, number 0 first.
     Status create(const Device& device, std::span<const uint32_t> spirv,
-                  std::span<const VkDescriptorType> bindings, const char* what);
+                  std::span<const VkDescriptorType> bindings, const char* what,
+                  std::span<const uint32_t> constants = {});
 
     const Layout& layout() const { return layout_; }
     /// Binds pipeline and set, then dispatches.

@@ -49,7 +49,9 @@ const char* badField(const BodyDesc& desc) {
     if (const char* bad = readPlane(desc.plane, plane)) return bad;
     if (glm::length(glm::dvec3(plane) - glm::dvec3(0, 1, 0)) > 1e-9) return "BodyDesc.plane does not face +Y";
     if (desc.foam && !desc.waves) return "BodyDesc.foam needs BodyDesc.waves";
-    if (desc.waves && !desc.wavesBackend) return "BodyDesc.waves needs BodyDesc.wavesBackend";
+    if (desc.wavesOn > WavesOn::cpu) return "BodyDesc.wavesOn is no WavesOn";
+    if (desc.waves && desc.wavesOn == WavesOn::cpu && !desc.wavesBackend)
+        return "BodyDesc.wavesOn is cpu, which needs BodyDesc.wavesBackend";
     if (desc.foam)
         if (const char* bad = badField(*desc.foam)) return bad;
     if (desc.refraction)
@@ -57,6 +59,13 @@ const char* badField(const BodyDesc& desc) {
     if (desc.reflection)
         if (const char* bad = badField(*desc.reflection)) return bad;
     return badField(desc.mesh);
+}
+
+/// Null: compute shaders.
+const WavesBackend* chosenBackend(const gpu::Device& device, const BodyDesc& desc) {
+    const bool onCpu = desc.wavesOn == WavesOn::cpu ||
+                       (desc.wavesOn == WavesOn::automatic && device.type() == VK_PHYSICAL_DEVICE_TYPE_CPU);
+    return onCpu ? desc.wavesBackend : nullptr;
 }
 
 const char* badField(const LightingDesc& lighting) {
@@ -190,7 +199,7 @@ Status Body::createWaves(const BodyDesc& desc) {
     if (!made) return context->device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
     if (cascadeCount(*made) == 0) return Status::ok; // Wind 0 is a flat body, by branch.
     sea = std::move(made);
-    return waves.emplace().create(*context, *sea, *desc.wavesBackend);
+    return waves.emplace().create(*context, *sea, chosenBackend(context->device, desc));
 }
 
 Status Body::simulate(VkCommandBuffer commands, double time) {
@@ -273,11 +282,12 @@ Status createBody(Context* context, const BodyDesc* desc, Body** out) {
 
 namespace {
 
-Status addWaves(Context& context, const SeaDesc& waves, Estimate& out) {
+Status addWaves(Context& context, const BodyDesc& desc, Estimate& out) {
     SeaError error;
-    const std::unique_ptr<Sea, SeaDeleter> sea(createSea(&waves, &error));
+    const std::unique_ptr<Sea, SeaDeleter> sea(createSea(desc.waves, &error));
     if (!sea) return context.device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
-    if (cascadeCount(*sea) > 0) out.bytes += Waves::bytes(*sea, context.frameCount);
+    if (cascadeCount(*sea) > 0)
+        out.bytes += Waves::bytes(*sea, chosenBackend(context.device, desc), context.frameCount);
     return Status::ok;
 }
 
@@ -292,7 +302,7 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
         if (desc->reflection)
             if (const Status s = estimate(context, desc->reflection, extent, &sum); s != Status::ok) return s;
         if (desc->waves)
-            if (const Status s = addWaves(*context, *desc->waves, sum); s != Status::ok) return s;
+            if (const Status s = addWaves(*context, *desc, sum); s != Status::ok) return s;
         if (desc->foam && sum.bytes > 0) sum.bytes += FoamMap::bytes();
         *out = sum;
         return Status::ok;

@@ -8,18 +8,16 @@ namespace seaglass {
 
 namespace {
 
-constexpr gpu::Use copyWritten = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
-
 constexpr const char* mapNames[waveMapCount] = {"wave displacement map", "wave derivative map",
                                                 "wave moment map"};
 
-gpu::ImageDesc mapDesc(uint32_t samples, uint32_t cascades) {
+gpu::ImageDesc mapDesc(uint32_t samples, uint32_t cascades, VkImageUsageFlags filledBy = 0) {
     gpu::ImageDesc desc;
     desc.format = waveMapFormat;
     desc.extent = {samples, samples};
-    desc.usage =
-        VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    // Mips are blitted.
+    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+                 VK_IMAGE_USAGE_TRANSFER_SRC_BIT | filledBy;
     desc.mipLevels = static_cast<uint32_t>(std::bit_width(samples));
     desc.layers = cascades;
     desc.arrayView = true;
@@ -32,26 +30,30 @@ VkDeviceSize WaveMaps::bytes(uint32_t samplesAcross, uint32_t cascadeCount) {
     return gpu::imageBytes(mapDesc(samplesAcross, cascadeCount)) * waveMapCount;
 }
 
-Status WaveMaps::create(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount) {
+Status WaveMaps::create(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount,
+                        VkImageUsageFlags filledBy) {
     samples = samplesAcross;
     cascades = cascadeCount;
-    const gpu::ImageDesc desc = mapDesc(samples, cascades);
+    const gpu::ImageDesc desc = mapDesc(samples, cascades, filledBy);
     mipLevels = desc.mipLevels;
     for (uint32_t i = 0; i < waveMapCount; ++i)
         if (const Status s = images[i].create(device, desc, mapNames[i]); s != Status::ok) return s;
     return Status::ok;
 }
 
-void WaveMaps::recordBeginUpload(const gpu::Device& device, VkCommandBuffer commands) const {
+void WaveMaps::recordBegin(const gpu::Device& device, VkCommandBuffer commands,
+                           const gpu::Use& written) const {
     std::array<VkImageMemoryBarrier2, waveMapCount> barriers;
     for (uint32_t i = 0; i < waveMapCount; ++i)
-        barriers[i] = gpu::imageBarrier(images[i].handle(), gpu::discardedAfterSampling, copyWritten, 0, 1);
+        barriers[i] = gpu::imageBarrier(images[i].handle(), gpu::discardedAfterSampling, written, 0, 1);
     gpu::recordBarriers(device, commands, barriers.data(), waveMapCount);
 }
 
-void WaveMaps::recordMips(const gpu::Device& device, VkCommandBuffer commands) const {
+void WaveMaps::recordMips(const gpu::Device& device, VkCommandBuffer commands,
+                          const gpu::Use& written) const {
+    const gpu::PassScope pass(device, commands, "waves_mips");
     const gpu::OwnedImage* const all[waveMapCount] = {&images[0], &images[1], &images[2]};
-    gpu::recordMipChain(device, commands, all, copyWritten);
+    gpu::recordMipChain(device, commands, all, written);
 }
 
 } // namespace seaglass

@@ -19,12 +19,14 @@ struct WaveMaps {
     uint32_t cascades = 0;
     uint32_t mipLevels = 0;
 
-    Status create(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount);
+    /// `filledBy` is the usage that whoever fills mip 0 needs.
+    Status create(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount,
+                  VkImageUsageFlags filledBy);
     static VkDeviceSize bytes(uint32_t samplesAcross, uint32_t cascadeCount);
-    /// Makes mip 0 writable by copies, its former content lost; readers of earlier frames are waited for.
-    void recordBeginUpload(const gpu::Device& device, VkCommandBuffer commands) const;
-    /// From mip 0 written by copies to all mips readable by shaders.
-    void recordMips(const gpu::Device& device, VkCommandBuffer commands) const;
+    /// Makes mip 0 ready to be `written`, its former content lost; readers of earlier frames are waited for.
+    void recordBegin(const gpu::Device& device, VkCommandBuffer commands, const gpu::Use& written) const;
+    /// From mip 0 `written` to all mips readable by shaders.
+    void recordMips(const gpu::Device& device, VkCommandBuffer commands, const gpu::Use& written) const;
 };
 
 } // namespace seaglass

@@ -1,35 +1,29 @@
-// A body's waves: the sea, the backend that evaluates it, and the maps it fills.
+// A body's waves: the maps of its sea, and who fills them.
 #pragma once
 
-#include <array>
-#include <memory>
+#include <variant>
 
 #include "seaglass/sea.h"
 #include "water/wave_maps.h"
+#include "water/waves_gpu.h"
+#include "water/waves_upload.h"
 
 namespace seaglass {
 
-struct BackendStateDeleter {
-    void (*destroy)(void*) = nullptr;
-    void operator()(void* state) const { destroy(state); }
-};
-
 class Waves {
   public:
-    /// `sea` is not flat and outlives the waves.
-    Status create(Context& context, const Sea& sea, const WavesBackend& backend);
-    /// Evaluates the sea at `time` on the calling thread and records its upload.
+    /// `sea` is not flat and outlives the waves. By compute shaders without a backend.
+    Status create(Context& context, const Sea& sea, const WavesBackend* backend);
+    /// Sets the maps to the sea at `time`, for shaders to sample.
     Status record(Context& context, VkCommandBuffer commands, double time);
 
-    /// Maps and staging of a sea that is not flat.
-    static VkDeviceSize bytes(const Sea& sea, uint32_t framesInFlight);
+    /// Of a sea that is not flat, whatever fills the maps included.
+    static VkDeviceSize bytes(const Sea& sea, const WavesBackend* backend, uint32_t framesInFlight);
     const WaveMaps& maps() const { return maps_; }
 
   private:
-    const WavesBackend* backend_ = nullptr;
-    std::unique_ptr<void, BackendStateDeleter> state_;
     WaveMaps maps_;
-    std::array<gpu::Buffer, 4> staging_; ///< one a frame slot: map after map, cascade after cascade
+    std::variant<ComputedWaves, UploadedWaves> source_;
 };
 
 } // namespace seaglass

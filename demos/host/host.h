@@ -35,7 +35,8 @@ struct HostDesc {
     bool validation =
         false; ///< core and synchronisation validation; messages are counted and printed to stderr
     uint32_t framesInFlight = 2;
-    const seaglass::WavesBackend* wavesBackend = nullptr; ///< null: the one that the program was built with
+    const seaglass::WavesBackend* wavesBackend =
+        nullptr; ///< of the CPU; null: what the program was built with
 };
 
 /// What a frame is to deliver. The names are the program's --aov.

@@ -78,7 +78,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     body.mesh.cellSize = static_cast<float>(desc.cellM);
     body.mesh.cellsPerLevel = desc.cellsPerLevel;
     if (desc.waves) {
-        if (!seaOf(*desc.waves, sea, error)) return false;
+        if (!seaOf(*desc.waves, sea, error) || !wavesOnOf(*desc.waves, body.wavesOn, error)) return false;
         body.waves = &sea;
         body.wavesBackend = wavesBackend_;
     }

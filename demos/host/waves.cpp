@@ -16,11 +16,24 @@ const seaglass::WavesBackend* wavesBackend() {
 #endif
 }
 
-bool seaOf(const WavesDesc& waves, seaglass::SeaDesc& sea, Error& error) {
-    if (!wavesBackend()) {
-        error.text = "water.waves: this program was built without a wave backend (SEAGLASS_FFTW)";
+bool wavesOnOf(const WavesDesc& waves, seaglass::WavesOn& on, Error& error) {
+    if (waves.backend == "automatic") {
+        on = seaglass::WavesOn::automatic;
+    } else if (waves.backend == "gpu") {
+        on = seaglass::WavesOn::gpu;
+    } else if (waves.backend != "fftw") {
+        error.text = "water.waves.backend is \"" + waves.backend + "\", expected automatic, gpu or fftw";
         return false;
+    } else if (!wavesBackend()) {
+        error.text = "water.waves.backend is \"fftw\", which this program was built without (SEAGLASS_FFTW)";
+        return false;
+    } else {
+        on = seaglass::WavesOn::cpu;
     }
+    return true;
+}
+
+bool seaOf(const WavesDesc& waves, seaglass::SeaDesc& sea, Error& error) {
     if (waves.spectrum == "jonswap") {
         sea.spectrum = seaglass::SpectrumModel::jonswap;
     } else if (waves.spectrum == "pierson-moskowitz") {

@@ -77,6 +77,10 @@ bool WaterSurface::create(const seaglass::Sea* sea, double timeS, Error& error) 
     unresolvedVariance_ = 0;
     const uint32_t count = sea ? seaglass::cascadeCount(*sea) : 0;
     if (count == 0) return true;
+    if (!wavesBackend()) {
+        error.text = "water.waves: this program was built without waves on the CPU (SEAGLASS_FFTW)";
+        return false;
+    }
     const seaglass::WavesBackend& backend = *wavesBackend();
     const std::unique_ptr<void, void (*)(void*)> state(backend.create(*sea), backend.destroy);
     if (!state) {

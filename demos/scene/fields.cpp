@@ -45,6 +45,7 @@ constexpr double turn = 360;
 constexpr bool required = true;
 
 constexpr std::array<std::string_view, 2> spectra = {"jonswap", "pierson-moskowitz"};
+constexpr std::array<std::string_view, 3> backends = {"automatic", "gpu", "fftw"};
 constexpr std::array<std::string_view, 5> techniques = {"sky", "sspr", "ssr", "hybrid", "planar"};
 
 constexpr std::array skyFields = {
@@ -83,6 +84,7 @@ constexpr std::array wavesFields = {
           "edge of the largest cascade, 0 chooses", false, Rule::zeroOrRange},
     // TOML's integers are signed.
     Field{"seed", at<&WavesDesc::seed>, 0, 9223372036854774784.0, "", "of the random phases"},
+    Field{"backend", at<&WavesDesc::backend>, 0, 0, "", "what computes them", false, Rule::none, backends},
 };
 
 constexpr std::array foamFields = {

@@ -55,6 +55,7 @@ struct WavesDesc {
     uint32_t cascades = 3;
     double largestPatchM = 0;
     uint64_t seed = 1;
+    std::string backend = "automatic"; ///< automatic | gpu | fftw: where they are computed
 };
 
 struct FoamDesc {

@@ -554,6 +554,8 @@ TEST_F(Water, TheEstimateIsWhatIsAllocated) {
     desc.waves = &waves;
     desc.wavesBackend = fftwWaves();
     agrees("waves");
+    desc.wavesOn = WavesOn::gpu;
+    agrees("waves by compute shaders");
     desc.foam = &foam;
     agrees("foam");
 
@@ -584,7 +586,12 @@ TEST_F(Water, BadDescriptionsAreNamedAndLeaveNothing) {
     EXPECT_TRUE(names(refused([](BodyDesc& d) { d.plane[1] = 0; }), "plane"));
     EXPECT_TRUE(names(refused([](BodyDesc& d) { d.plane[0] = 0.5; }), "plane"));
     EXPECT_TRUE(names(refused([&](BodyDesc& d) { d.foam = &foam; }), "foam"));
-    EXPECT_TRUE(names(refused([&](BodyDesc& d) { d.waves = &waves; }), "wavesBackend"));
+    EXPECT_TRUE(names(refused([&](BodyDesc& d) {
+                          d.waves = &waves;
+                          d.wavesOn = WavesOn::cpu;
+                      }),
+                      "wavesBackend"));
+    EXPECT_TRUE(names(refused([](BodyDesc& d) { d.wavesOn = static_cast<WavesOn>(7); }), "wavesOn"));
     EXPECT_TRUE(names(refused([](BodyDesc& d) { d.mesh.cellSize = NAN; }), "cellSize"));
     EXPECT_TRUE(names(refused([](BodyDesc& d) { d.mesh.cellsPerLevel = 3; }), "cellsPerLevel"));
     EXPECT_TRUE(names(refused([&](BodyDesc& d) {

@@ -32,14 +32,22 @@ struct MeshDesc {
     uint32_t cellsPerLevel = 128; ///< cells until a twice coarser level takes over, 128..1024
 };
 
+/// Where a body's waves are computed; the sea is the same.
+enum class WavesOn : uint32_t {
+    automatic = 0, ///< the GPU; or, on a device that is a CPU itself, `wavesBackend` if there is one
+    gpu,           ///< compute shaders, on any device; nothing is kept or done on the CPU
+    cpu,           ///< `wavesBackend`, in simulate(), and uploaded
+};
+
 /// One water body. A null feature costs nothing: no memory, no pipeline, no dispatch. Copied, pointees
 /// included.
 struct BodyDesc {
     double plane[4] = {0, 1, 0, 0}; ///< the calm surface, n.p + d = 0; at present n must be +Y
-    const WavesBackend* wavesBackend =
-        nullptr;                    ///< needed with `waves`: e.g. fftwWaves() of seaglass/waves_fftw.h
     const SeaDesc* waves = nullptr; ///< null: flat as glass
-    const FoamDesc* foam = nullptr; ///< needs `waves`
+    WavesOn wavesOn = WavesOn::automatic;
+    /// A backend of the CPU, e.g. fftwWaves() of seaglass/waves_fftw.h. Null: there is none but the GPU.
+    const WavesBackend* wavesBackend = nullptr;
+    const FoamDesc* foam = nullptr;             ///< needs `waves`
     const RefractionDesc* refraction = nullptr; ///< null: opaque, and sceneColor is not read
     const ReflectionDesc* reflection = nullptr; ///< null: the sky cube alone
     MeshDesc mesh;

@@ -1,0 +1,216 @@
+// What the waves cost, as multiples of bare FFTW: the same complex transforms with nothing around them,
+// single precision, the fastest plans that it finds (MEASURE, four times as fast as ESTIMATE's here), one
+// thread. All take turns, so that they see the same machine; medians over the rounds.
+//
+//   seaglass_bench_waves [SAMPLES [CASCADES [ROUNDS]]]
+#include <ctime>
+#include <fftw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "host/pass_timer.h"
+#include "seaglass/water.h"
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/rig.h"
+
+namespace {
+
+using namespace seaglass;
+
+constexpr uint32_t pairs = 4; ///< complex fields of a cascade
+
+void require(bool done, const std::string& why) {
+    if (done) return;
+    std::fprintf(stderr, "%s\n", why.c_str());
+    std::exit(1);
+}
+
+double millisecondsOf(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double processorMilliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values.empty() ? 0 : values[values.size() / 2];
+}
+
+double least(const std::vector<double>& values) {
+    return *std::min_element(values.begin(), values.end());
+}
+
+/// Inverse transforms in place, `count` of samples^2, each with a plan of its own as threads want it.
+class BareFftw {
+  public:
+    BareFftw(uint32_t samples, uint32_t count)
+        : points_(size_t{samples} * samples), count_(count),
+          memory_(fftwf_alloc_complex(points_ * count), fftwf_free) {
+        for (size_t i = 0; i < points_ * count; ++i) memory_.get()[i][0] = memory_.get()[i][1] = 0;
+        const int size[] = {static_cast<int>(samples), static_cast<int>(samples)};
+        plan_ = fftwf_plan_dft(2, size, memory_.get(), memory_.get(), FFTW_BACKWARD, FFTW_MEASURE);
+        require(plan_, "no plan");
+    }
+    ~BareFftw() { fftwf_destroy_plan(plan_); }
+    BareFftw(const BareFftw&) = delete;
+    BareFftw& operator=(const BareFftw&) = delete;
+
+    void run(uint32_t threads) const {
+        std::vector<std::jthread> others;
+        for (uint32_t t = 1; t < threads; ++t) others.emplace_back([this, t, threads] { share(t, threads); });
+        share(0, threads);
+    }
+
+  private:
+    void share(uint32_t thread, uint32_t threads) const {
+        for (uint32_t i = thread; i < count_; i += threads)
+            fftwf_execute_dft(plan_, memory_.get() + points_ * i, memory_.get() + points_ * i);
+    }
+
+    size_t points_;
+    uint32_t count_;
+    std::unique_ptr<fftwf_complex, void (*)(void*)> memory_;
+    fftwf_plan plan_ = nullptr;
+};
+
+/// All cascades of a sea by the FFTW backend, into memory.
+class CpuWaves {
+  public:
+    explicit CpuWaves(const Sea& sea)
+        : sea_(sea), state_(fftwWaves()->create(sea)),
+          floats_(4 * size_t{description(sea).samples} * description(sea).samples),
+          maps_(3 * floats_ * cascadeCount(sea)) {}
+    ~CpuWaves() { fftwWaves()->destroy(state_); }
+    CpuWaves(const CpuWaves&) = delete;
+    CpuWaves& operator=(const CpuWaves&) = delete;
+
+    void run(double time) {
+        for (uint32_t c = 0; c < cascadeCount(sea_); ++c) {
+            float* maps = maps_.data() + 3 * floats_ * c;
+            fftwWaves()->evaluate(state_, c, time, {maps, maps + floats_, maps + 2 * floats_});
+        }
+    }
+
+  private:
+    const Sea& sea_;
+    void* state_;
+    size_t floats_;
+    std::vector<float> maps_;
+};
+
+/// A body's waves by compute shaders, timed by the device.
+class DeviceWaves {
+  public:
+    explicit DeviceWaves(const SeaDesc& sea) {
+        demos::Error error;
+        require(timer_.create(tests::device(), error), error.text);
+        DeviceDesc device = tests::deviceDesc(&message_);
+        device.pass = {[](void* user, VkCommandBuffer commands, const char* pass, bool begins) {
+                           static_cast<demos::PassTimer*>(user)->mark(commands, pass, begins);
+                       },
+                       &timer_};
+        require(createContext(&device, &context_) == Status::ok, message_);
+        BodyDesc desc;
+        desc.waves = &sea;
+        desc.wavesOn = WavesOn::gpu;
+        require(createBody(context_, &desc, &body_) == Status::ok, message_);
+    }
+    ~DeviceWaves() {
+        destroyBody(body_);
+        destroyContext(context_);
+    }
+    DeviceWaves(const DeviceWaves&) = delete;
+    DeviceWaves& operator=(const DeviceWaves&) = delete;
+
+    std::vector<demos::PassTime> run(double time) {
+        require(beginFrame(context_, slot_ ^= 1) == Status::ok, message_);
+        demos::Error error;
+        const bool done = tests::device().run(
+            [&](VkCommandBuffer commands, demos::Error&) {
+                timer_.listen(commands);
+                require(simulate(commands, &body_, 1, time) == Status::ok, message_);
+                timer_.stop();
+                return true;
+            },
+            error);
+        require(done, error.text);
+        return timer_.collect();
+    }
+
+  private:
+    std::string message_;
+    demos::PassTimer timer_;
+    Context* context_ = nullptr;
+    Body* body_ = nullptr;
+    uint32_t slot_ = 0;
+};
+
+/// Times of one thing, round by round.
+struct Row {
+    std::string name;
+    std::vector<double> ms;
+};
+
+std::vector<double>& timesOf(std::vector<Row>& rows, const std::string& name) {
+    for (Row& row : rows)
+        if (row.name == name) return row.ms;
+    return rows.emplace_back(Row{name, {}}).ms;
+}
+
+uint32_t argument(int count, char** arguments, int index, uint32_t otherwise) {
+    return count > index ? static_cast<uint32_t>(std::max(std::atoi(arguments[index]), 1)) : otherwise;
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    SeaDesc desc;
+    desc.samples = argument(count, arguments, 1, 256);
+    desc.cascades = argument(count, arguments, 2, 3);
+    const uint32_t rounds = argument(count, arguments, 3, 200);
+    SeaError error;
+    const std::unique_ptr<Sea, void (*)(Sea*)> sea(createSea(&desc, &error), destroySea);
+    require(sea != nullptr, error.text);
+
+    const BareFftw bare(desc.samples, pairs * desc.cascades);
+    CpuWaves cpu(*sea);
+    DeviceWaves gpu(desc);
+    std::vector<Row> rows;
+    constexpr uint32_t warmUps = 3;
+    for (uint32_t round = 0; round < warmUps + rounds; ++round) {
+        const double time = round / 60.0;
+        const auto add = [&](const std::string& name, double ms) {
+            std::vector<double>& times = timesOf(rows, name);
+            if (round >= warmUps) times.push_back(ms);
+        };
+        add("bare FFTW, one thread", millisecondsOf([&] { bare.run(1); }));
+        add("bare FFTW, two threads", millisecondsOf([&] { bare.run(2); }));
+        add("fftwWaves(), whole update", millisecondsOf([&] { cpu.run(time); }));
+        const double before = processorMilliseconds();
+        const std::vector<demos::PassTime> passes = gpu.run(time);
+        const double used = processorMilliseconds() - before;
+        for (const demos::PassTime& pass : passes) add("compute shaders: " + pass.name, pass.ms);
+        add("compute shaders: all processors", used);
+    }
+    std::printf("%s, %u cascades of %u^2, %u rounds\n", tests::device().info().name.c_str(), desc.cascades,
+                desc.samples, rounds);
+    const std::vector<double> one = timesOf(rows, "bare FFTW, one thread");
+    std::printf("%-34s %21s   %s\n", "", "median, x bare", "least, x bare");
+    for (const Row& row : rows)
+        std::printf("%-34s %8.3f ms %8.2f   %8.3f ms %8.2f\n", row.name.c_str(), median(row.ms),
+                    median(row.ms) / median(one), least(row.ms), least(row.ms) / least(one));
+}

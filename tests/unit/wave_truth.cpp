@@ -1,0 +1,90 @@
+#include "tests/unit/wave_truth.h"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <numbers>
+
+namespace seaglass::tests {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double tau = 2 * std::numbers::pi;
+
+// h(k,t) of a mode of the stored half plane.
+Complex heightNow(const Sea& sea, const Modes& modes, size_t at, double time) {
+    const long double loop = sea.desc.loopPeriod;
+    const long double turns = modes.frequency[at] * (std::fmod(static_cast<long double>(time), loop) / loop);
+    const Complex turn = std::polar(1.0, tau * static_cast<double>(turns - std::floor(turns)));
+    return Complex(modes.forwardRe[at], modes.forwardIm[at]) * turn +
+           Complex(modes.backwardRe[at], modes.backwardIm[at]) * std::conj(turn);
+}
+
+// What h(k) is multiplied with for each field.
+std::array<Complex, waveFields> factors(double ku, double kv, double choppiness) {
+    const double d = choppiness / std::hypot(ku, kv);
+    const Complex i(0, 1);
+    return {i * ku * d, 1, i * kv * d, -ku * kv * d, i * ku, i * kv, -ku * ku * d, -kv * kv * d};
+}
+
+} // namespace
+
+WaveTruth waveTruth(const Sea& sea, uint32_t cascade, double time) {
+    const Modes& modes = sea.modes[cascade];
+    const double dk = tau / sea.cascades[cascade].patch;
+    const auto samples = static_cast<int32_t>(sea.desc.samples);
+    const auto texels = static_cast<size_t>(samples) * sea.desc.samples;
+    const auto texel = [samples](int32_t m, int32_t n) {
+        return static_cast<size_t>((n + samples) % samples) * static_cast<size_t>(samples) +
+               static_cast<size_t>((m + samples) % samples);
+    };
+    std::array<std::vector<Complex>, waveFields> spectra;
+    for (auto& spectrum : spectra) spectrum.assign(texels, 0);
+    for (int32_t n = 0; n <= modes.reach; ++n)
+        for (int32_t m = -modes.reach; m <= modes.reach; ++m) {
+            const size_t at = modes.at(m, n);
+            if (modes.frequency[at] == 0) continue;
+            const Complex h = heightNow(sea, modes, at, time);
+            const auto factor = factors(m * dk, n * dk, static_cast<double>(sea.desc.choppiness));
+            for (size_t f = 0; f < waveFields; ++f) {
+                spectra[f][texel(m, n)] = factor[f] * h;
+                spectra[f][texel(-m, -n)] = std::conj(factor[f] * h);
+            }
+        }
+    WaveTruth truth;
+    for (size_t f = 0; f < waveFields; ++f) {
+        auto* memory = reinterpret_cast<fftw_complex*>(spectra[f].data());
+        const std::unique_ptr<fftw_plan_s, void (*)(fftw_plan)> plan(
+            fftw_plan_dft_2d(samples, samples, memory, memory, FFTW_BACKWARD, FFTW_ESTIMATE),
+            fftw_destroy_plan);
+        fftw_execute(plan.get());
+        for (const Complex& value : spectra[f]) truth[f].push_back(value.real());
+    }
+    return truth;
+}
+
+double rootMeanSquare(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value * value;
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+WaveError waveError(const WaveTruth& truth, const std::vector<float>& displacement,
+                    const std::vector<float>& derivatives) {
+    WaveError error;
+    for (size_t f = 0; f < waveFields; ++f) {
+        std::vector<double> off(truth[f].size());
+        for (size_t t = 0; t < off.size(); ++t)
+            off[t] = static_cast<double>(f < 4 ? displacement[4 * t + f] : derivatives[4 * t + f - 4]) -
+                     truth[f][t];
+        error.relative[f] = rootMeanSquare(off) / rootMeanSquare(truth[f]);
+        if (f >= 3) continue;
+        for (const double o : off) error.worst = std::max(error.worst, std::abs(o));
+    }
+    return error;
+}
+
+} // namespace seaglass::tests

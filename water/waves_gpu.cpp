@@ -1,0 +1,205 @@
+#include "water/waves_gpu.h"
+
+#include <array>
+#include <complex>
+#include <cstring>
+#include <numbers>
+
+#include "spirv/waves_columns.comp.h"
+#include "spirv/waves_rows.comp.h"
+#include "water/phase.h"
+#include "water/sea.h"
+#include "water/wave_fields.h"
+
+namespace seaglass {
+
+namespace {
+
+constexpr uint32_t groupPoints = 1024; ///< of transforms in one workgroup: shaders/common/fft.glsl
+
+/// As shaders/common/wave_fields.glsl lays it out.
+struct WavesUniforms {
+    struct Band {
+        float dk = 0;
+        float packing = 1;
+        uint32_t firstColumn = ~0u;
+        uint32_t columns = 0;
+    } bands[maxCascades];
+    uint32_t now = 0;
+    uint32_t allColumns = 0;
+    float choppiness = 0;
+    uint32_t padding = 0;
+};
+
+uint32_t columnsOf(const Sea& sea, uint32_t band) {
+    return static_cast<uint32_t>(sea.modes[band].reach) + 1;
+}
+
+uint32_t allColumns(const Sea& sea) {
+    uint32_t sum = 0;
+    for (uint32_t c = 0; c < sea.count; ++c) sum += columnsOf(sea, c);
+    return sum;
+}
+
+size_t modeCount(const Sea& sea) {
+    return size_t{allColumns(sea)} * sea.desc.samples / 2;
+}
+
+VkDeviceSize amplitudeBytes(const Sea& sea) {
+    constexpr VkDeviceSize alignment = 256; // the most that a device may ask of a storage buffer's offset
+    return (modeCount(sea) * 4 * sizeof(float) + alignment - 1) / alignment * alignment;
+}
+
+VkDeviceSize modeBytes(const Sea& sea) {
+    return amplitudeBytes(sea) + modeCount(sea) * sizeof(uint32_t);
+}
+
+VkDeviceSize columnBytes(const Sea& sea) {
+    return VkDeviceSize{allColumns(sea)} * waveColumnFields * sea.desc.samples * 2 * sizeof(float);
+}
+
+/// h0(k) and conj(h0(-k)) of any k with m >= 0; in the half plane that is not stored they change places.
+struct Amplitudes {
+    std::complex<float> forward, backward;
+    uint32_t frequency = 0;
+};
+
+Amplitudes amplitudesAt(const Modes& modes, int32_t m, int32_t n) {
+    const bool stored = n > 0 || (n == 0 && m > 0);
+    if (m > modes.reach || std::abs(n) > modes.reach || (m == 0 && n == 0)) return {};
+    const size_t at = stored ? modes.at(m, n) : modes.at(-m, -n);
+    const std::complex<float> forward(modes.forwardRe[at], modes.forwardIm[at]);
+    const std::complex<float> backward(modes.backwardRe[at], modes.backwardIm[at]);
+    if (stored) return {forward, backward, modes.frequency[at]};
+    return {std::conj(backward), std::conj(forward), modes.frequency[at]};
+}
+
+/// In the order of shaders/waves_columns.comp.
+void writeModes(const Sea& sea, std::byte* out) {
+    auto* amplitude = reinterpret_cast<float*>(out);
+    auto* frequency = reinterpret_cast<uint32_t*>(out + amplitudeBytes(sea));
+    const auto half = static_cast<int32_t>(sea.desc.samples / 2);
+    for (uint32_t c = 0; c < sea.count; ++c)
+        for (int32_t m = 0; m <= sea.modes[c].reach; ++m)
+            for (int32_t slot = 0; slot < half; ++slot) {
+                const Amplitudes a = amplitudesAt(sea.modes[c], m, slot < half / 2 ? slot : slot - half);
+                const std::complex<float> sum = a.forward + a.backward, difference = a.forward - a.backward;
+                for (const float value : {sum.real(), sum.imag(), difference.real(), difference.imag()})
+                    *amplitude++ = value;
+                *frequency++ = a.frequency;
+            }
+}
+
+WavesUniforms uniformsOf(const Sea& sea, const std::array<float, maxCascades>& packing, double time) {
+    WavesUniforms u;
+    u.now = loopPhase(time, sea.desc.loopPeriod);
+    u.choppiness = sea.desc.choppiness;
+    for (uint32_t c = 0; c < sea.count; ++c) {
+        u.bands[c].dk = static_cast<float>(2 * std::numbers::pi / sea.cascades[c].patch);
+        u.bands[c].packing = packing[c];
+        u.bands[c].firstColumn = u.allColumns;
+        u.bands[c].columns = columnsOf(sea, c);
+        u.allColumns += u.bands[c].columns;
+    }
+    return u;
+}
+
+constexpr gpu::BufferUse shaderRead = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                                       VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
+constexpr gpu::BufferUse shaderWritten = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                                          VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+constexpr gpu::BufferUse copyWritten = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+
+} // namespace
+
+Status WaveKernels::get(const gpu::Device& device, uint32_t samples, const Pair*& out) {
+    const auto [entry, fresh] = kernels_.try_emplace(samples);
+    out = &entry->second;
+    if (!fresh) return Status::ok;
+    constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    constexpr VkDescriptorType buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    constexpr VkDescriptorType image = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    const uint32_t constants[] = {samples};
+    Pair& pair = entry->second;
+    Status s = pair.columns.create(device, waves_columns_comp, std::array{uniform, buffer, buffer, buffer},
+                                   "waves columns pipeline", constants);
+    if (s == Status::ok)
+        s = pair.rows.create(device, waves_rows_comp, std::array{uniform, buffer, image, image, image},
+                             "waves rows pipeline", constants);
+    if (s != Status::ok) kernels_.erase(entry);
+    return s;
+}
+
+VkDeviceSize ComputedWaves::bytes(const Sea& sea) {
+    return 2 * modeBytes(sea) + columnBytes(sea);
+}
+
+Status ComputedWaves::create(Context& context, const Sea& sea) {
+    sea_ = &sea;
+    for (uint32_t c = 0; c < sea.count; ++c) packing_[c] = wavePacking(sea.modes[c]);
+    if (const Status s = context.share(kernels_); s != Status::ok) return s;
+    const WaveKernels::Pair* built = nullptr;
+    if (const Status s = kernels_->get(context.device, sea.desc.samples, built); s != Status::ok) return s;
+    const VkDeviceSize bytes = modeBytes(sea);
+    if (const Status s = modes_.create(context.device, bytes,
+                                       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                       "wave modes");
+        s != Status::ok)
+        return s;
+    if (const Status s = staging_.createMapped(context.device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                               "wave modes staging buffer");
+        s != Status::ok)
+        return s;
+    writeModes(sea, static_cast<std::byte*>(staging_.mapped()));
+    return columns_.create(context.device, columnBytes(sea), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                           "wave columns");
+}
+
+Status ComputedWaves::record(Context& context, VkCommandBuffer commands, const WaveMaps& maps, double time) {
+    const gpu::Device& device = context.device;
+    const WaveKernels::Pair* kernels = nullptr;
+    if (const Status s = kernels_->get(device, maps.samples, kernels); s != Status::ok) return s;
+    const WavesUniforms uniforms = uniformsOf(*sea_, packing_, time);
+    gpu::Slice slice;
+    if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
+    std::memcpy(slice.data, &uniforms, sizeof uniforms);
+
+    const gpu::Resource uniform = gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms);
+    const VkDeviceSize split = amplitudeBytes(*sea_);
+    const std::array columnResources{uniform, gpu::storageBuffer(modes_.handle(), 0, split),
+                                     gpu::storageBuffer(modes_.handle(), split, modes_.size() - split),
+                                     gpu::storageBuffer(columns_.handle())};
+    const std::array rowResources{
+        uniform, gpu::storageBuffer(columns_.handle()), gpu::storageImage(maps.images[0].firstMipView()),
+        gpu::storageImage(maps.images[1].firstMipView()), gpu::storageImage(maps.images[2].firstMipView())};
+    VkDescriptorSet columnSet = VK_NULL_HANDLE, rowSet = VK_NULL_HANDLE;
+    if (const Status s =
+            context.frame().allocateSet(kernels->columns.layout().set(), columnResources, columnSet);
+        s != Status::ok)
+        return s;
+    if (const Status s = context.frame().allocateSet(kernels->rows.layout().set(), rowResources, rowSet);
+        s != Status::ok)
+        return s;
+
+    if (!uploaded_) {
+        const VkBufferCopy region{0, 0, modes_.size()};
+        device.vk().CmdCopyBuffer(commands, staging_.handle(), modes_.handle(), 1, &region);
+        gpu::recordBarrier(device, commands, copyWritten, shaderRead);
+        context.frame().retire(std::move(staging_));
+        uploaded_ = true;
+    }
+    const uint32_t lines = groupPoints / maps.samples;
+    const auto groups = [lines](uint32_t all) { return (all + lines - 1) / lines; };
+    {
+        const gpu::PassScope pass(device, commands, "waves");
+        gpu::recordBarrier(device, commands, {shaderRead.stage, VK_ACCESS_2_NONE}, shaderWritten);
+        kernels->columns.dispatch(commands, columnSet, groups(uniforms.allColumns), 1);
+        maps.recordBegin(device, commands, gpu::storageWritten);
+        gpu::recordBarrier(device, commands, shaderWritten, shaderRead);
+        kernels->rows.dispatch(commands, rowSet, groups(maps.samples), maps.cascades);
+    }
+    maps.recordMips(device, commands, gpu::storageWritten);
+    return Status::ok;
+}
+
+} // namespace seaglass

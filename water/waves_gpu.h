@@ -1,0 +1,52 @@
+// Waves by compute shaders: spectrum and columns in one dispatch, rows and maps in another. Everything stays
+// within what Vulkan guarantees of any device: 64 invocations a group, 9 KiB they share.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+
+#include "gpu/buffer.h"
+#include "gpu/kernel.h"
+#include "seaglass/sea.h"
+#include "water/wave_maps.h"
+
+namespace seaglass {
+
+/// Of all bodies of a context, by samples across.
+class WaveKernels {
+  public:
+    Status create(Context&) { return Status::ok; }
+
+    struct Pair {
+        gpu::Kernel columns;
+        gpu::Kernel rows;
+    };
+    /// Builds on first use.
+    Status get(const gpu::Device& device, uint32_t samples, const Pair*& out);
+
+  private:
+    std::map<uint32_t, Pair> kernels_;
+};
+
+class ComputedWaves {
+  public:
+    static constexpr VkImageUsageFlags mapUsage = VK_IMAGE_USAGE_STORAGE_BIT;
+
+    /// `sea` is not flat and outlives the waves.
+    Status create(Context& context, const Sea& sea);
+    Status record(Context& context, VkCommandBuffer commands, const WaveMaps& maps, double time);
+
+    static VkDeviceSize bytes(const Sea& sea);
+
+  private:
+    const Sea* sea_ = nullptr;
+    std::shared_ptr<WaveKernels> kernels_;
+    gpu::Buffer modes_;   ///< amplitudes, then frequencies
+    gpu::Buffer staging_; ///< of the modes, until they are recorded
+    gpu::Buffer columns_; ///< transforms along the columns
+    std::array<float, maxCascades> packing_{};
+    bool uploaded_ = false;
+};
+
+} // namespace seaglass
