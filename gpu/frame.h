@@ -1,6 +1,7 @@
 // What lives for one frame slot: descriptor sets, mapped memory, and objects that the GPU may still be using.
 #pragma once
 
+#include <cstring>
 #include <memory>
 #include <span>
 #include <vector>
@@ -32,6 +33,13 @@ class Frame {
                        VkDescriptorSet& out);
     /// Uniform or storage memory, written by the CPU.
     Status allocate(VkDeviceSize size, Slice& out);
+    /// A uniform block.
+    template<typename T>
+    Status upload(const T& block, Slice& out) {
+        if (const Status s = allocate(sizeof block, out); s != Status::ok) return s;
+        std::memcpy(out.data, &block, sizeof block);
+        return Status::ok;
+    }
 
     /// Keeps a movable object alive until this slot begins again.
     template<typename T>

@@ -69,6 +69,11 @@ void Kernel::dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t gr
     device_->vk().CmdDispatch(commands, groupsX, groupsY, 1);
 }
 
+void Kernel::dispatchOver(VkCommandBuffer commands, VkDescriptorSet set, VkExtent2D pixels) const {
+    constexpr uint32_t edge = 8;
+    dispatch(commands, set, (pixels.width + edge - 1) / edge, (pixels.height + edge - 1) / edge);
+}
+
 void Kernel::dispatchIndirect(VkCommandBuffer commands, VkDescriptorSet set, VkBuffer groups,
                               VkDeviceSize offset) const {
     bind(commands, set);

@@ -22,6 +22,8 @@ class Kernel {
     const Layout& layout() const { return layout_; }
     /// Binds pipeline and set, then dispatches.
     void dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t groupsX, uint32_t groupsY) const;
+    /// A group for each 8 x 8 pixels.
+    void dispatchOver(VkCommandBuffer commands, VkDescriptorSet set, VkExtent2D pixels) const;
     /// As many groups as the VkDispatchIndirectCommand at `offset` says.
     void dispatchIndirect(VkCommandBuffer commands, VkDescriptorSet set, VkBuffer groups,
                           VkDeviceSize offset) const;

@@ -7,12 +7,6 @@
 
 namespace seaglass {
 
-namespace {
-
-constexpr uint32_t groupEdge = 8;
-
-} // namespace
-
 uint32_t blurMipLevels(VkExtent2D extent, uint32_t levels) {
     const auto whole = static_cast<uint32_t>(std::bit_width(std::max(extent.width, extent.height)));
     return std::min(1 + levels, whole);
@@ -41,10 +35,9 @@ Status recordBlur(Context& context, VkCommandBuffer commands, const BlurKernel* 
         if (const Status s = context.frame().allocateSet(blur->kernel.layout().set(), resources, set);
             s != Status::ok)
             return s;
-        const auto groups = [mip](uint32_t size) {
-            return (std::max(size >> mip, 1u) + groupEdge - 1) / groupEdge;
-        };
-        blur->kernel.dispatch(commands, set, groups(desc.extent.width), groups(desc.extent.height));
+        const VkExtent2D halved = {std::max(desc.extent.width >> mip, 1u),
+                                   std::max(desc.extent.height >> mip, 1u)};
+        blur->kernel.dispatchOver(commands, set, halved);
         barriers[0] = gpu::imageBarrier(image, gpu::storageWritten, gpu::sampledByShaders, mip, 1);
         gpu::recordBarriers(context.device, commands, barriers, 1);
     }

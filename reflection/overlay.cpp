@@ -1,7 +1,6 @@
 #include "reflection/overlay.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "reflection/mirror.h"
 #include "spirv/overlay.comp.h"
@@ -9,8 +8,6 @@
 namespace seaglass {
 
 namespace {
-
-constexpr uint32_t groupEdge = 8;
 
 /// The std140 block of shaders/overlay.comp.
 struct OverlayUniforms {
@@ -60,8 +57,7 @@ Status recordOverlay(const ReflectPass& pass, const OverlayKernel& overlay, cons
     uniforms.contourSpacing = desc.contourSpacing;
     uniforms.kind = static_cast<uint32_t>(desc.kind);
     gpu::Slice slice;
-    if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
-    std::memcpy(slice.data, &uniforms, sizeof uniforms);
+    if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
 
     const VkSampler nearest = context.samplers.nearestClamp();
     const Image& depth = pass.view.sceneDepth;
@@ -81,9 +77,7 @@ Status recordOverlay(const ReflectPass& pass, const OverlayKernel& overlay, cons
         s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "reflection_overlay");
-    const VkExtent2D extent = pass.extent();
-    overlay.kernel.dispatch(pass.commands, set, (extent.width + groupEdge - 1) / groupEdge,
-                            (extent.height + groupEdge - 1) / groupEdge);
+    overlay.kernel.dispatchOver(pass.commands, set, pass.extent());
     return Status::ok;
 }
 

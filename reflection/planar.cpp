@@ -1,7 +1,5 @@
 #include "reflection/planar.h"
 
-#include <cstring>
-
 #include <glm/matrix.hpp>
 
 #include "reflection/mirror.h"
@@ -12,7 +10,6 @@ namespace seaglass {
 
 namespace {
 
-constexpr uint32_t groupEdge = 8;
 constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 
 /// The std140 block of shaders/planar.comp.
@@ -126,8 +123,7 @@ Status recordPlanar(const ReflectPass& pass, const PlanarKernel& planar, const P
     const MirroredCamera camera = mirroredCamera(pass.view, pass.geometry, worldPlane);
     const PlanarUniforms uniforms{glm::vec4(camera.heightRow), glm::vec4(camera.weightRow)};
     gpu::Slice slice;
-    if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
-    std::memcpy(slice.data, &uniforms, sizeof uniforms);
+    if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
     const gpu::Resource resources[] = {
         gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
         gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
@@ -143,9 +139,7 @@ Status recordPlanar(const ReflectPass& pass, const PlanarKernel& planar, const P
     const VkCommandBuffer commands = pass.commands;
     const gpu::PassScope scope(context.device, commands, "planar_resolve");
     recordBarriers(pass, scratch, images);
-    const VkExtent2D extent = images.color.desc().extent;
-    planar.kernel.dispatch(commands, set, (extent.width + groupEdge - 1) / groupEdge,
-                           (extent.height + groupEdge - 1) / groupEdge);
+    planar.kernel.dispatchOver(commands, set, images.color.desc().extent);
     images.recordInfoSampled(context.device, commands);
     return Status::ok;
 }

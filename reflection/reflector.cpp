@@ -37,6 +37,8 @@ const char* badLook(const ReflectionDesc& desc) {
         return "ReflectionDesc.edgeStretch is out of range, expected 0 to 100";
     if (!(desc.edgeStretchBand >= 0.01f && desc.edgeStretchBand <= 0.5f))
         return "ReflectionDesc.edgeStretchBand is out of range, expected 0.01 to 0.5";
+    if (!(desc.temporal >= 0 && desc.temporal <= 0.95f))
+        return "ReflectionDesc.temporal is out of range, expected 0 to 0.95";
     return nullptr;
 }
 
@@ -54,7 +56,9 @@ Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const
         if (const Status s = hybrid.create(device, extent, desc); s != Status::ok) return s;
     if (desc.technique == ReflectionTechnique::ssr)
         if (const Status s = ssr.create(device, extent, desc); s != Status::ok) return s;
-    return images.create(device, scaled, desc.blurLevels, drawn);
+    if (desc.temporal > 0)
+        if (const Status s = temporal.create(device, scaled, desc, drawn); s != Status::ok) return s;
+    return images.create(device, scaled, desc.blurLevels, drawn && desc.temporal == 0);
 }
 
 Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
@@ -84,6 +88,10 @@ Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
     }
     estimate.dispatchesPerView += blurMipLevels(scaled, desc.blurLevels) - 1;
     if (desc.edgeStretch > 0) estimate.dispatchesPerView += stretchDispatches;
+    if (desc.temporal > 0) {
+        estimate.bytesPerView += TemporalScratch::bytes(scaled, desc);
+        estimate.dispatchesPerView += temporalDispatches;
+    }
     return estimate;
 }
 
@@ -115,6 +123,8 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
         if (const Status s = owner.share(blur); s != Status::ok) return s;
     if (desc.edgeStretch > 0)
         if (const Status s = owner.share(stretch); s != Status::ok) return s;
+    if (desc.temporal > 0)
+        if (const Status s = owner.share(temporal); s != Status::ok) return s;
     if (desc.technique == ReflectionTechnique::ssr) return ssr.create(owner, desc);
     if (desc.technique == ReflectionTechnique::hybrid) return hybrid.create(owner, desc);
     if (desc.technique == ReflectionTechnique::planar) return owner.share(planar);
@@ -143,7 +153,7 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
     if (!out.visible) return Status::ok;
     if (const Status s = prepare(reflected, extentOf(geometry)); s != Status::ok) return s;
     const MirroredCamera camera = mirroredCamera(view, geometry, plane);
-    out = describe(camera, view, geometry, desc.downscale, reflected.planar, reflected.images);
+    out = describe(camera, view, geometry, desc.downscale, reflected.planar, reflected.found(desc));
     reflected.planar.handedOut = true;
     reflected.reflected = false;
     return Status::ok;
@@ -163,20 +173,21 @@ Status Reflector::takeSamples(const ReflectPass& pass, ReflectedView& view, View
     return recordSingleSample(pass, singleSample, view.scene, scene);
 }
 
-Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view) {
+Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view,
+                                  const OwnedReflection& images) {
     switch (desc.technique) {
     case ReflectionTechnique::sky:
         break;
     case ReflectionTechnique::sspr:
-        return recordSspr(pass, sspr, view.sspr, view.images);
+        return recordSspr(pass, sspr, view.sspr, images);
     case ReflectionTechnique::ssr:
         view.bent = pass.view.surfaceNormals != nullptr;
-        return recordSsr(pass, ssr, view.ssr, view.images);
+        return recordSsr(pass, ssr, view.ssr, images);
     case ReflectionTechnique::hybrid:
-        return recordHybrid(pass, sspr, hybrid, view.sspr, view.hybrid, view.images);
+        return recordHybrid(pass, sspr, hybrid, view.sspr, view.hybrid, images);
     case ReflectionTechnique::planar:
         view.planar.handedOut = false;
-        return recordPlanar(pass, *planar, view.planar, plane, view.images);
+        return recordPlanar(pass, *planar, view.planar, plane, images);
     }
     return Status::ok;
 }
@@ -197,7 +208,10 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
     if (const char* bad = drawn ? readCamera(view, geometry) : readView(view, geometry))
         return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
     ReflectedView& reflected = views[view.viewIndex];
-    if (isEmpty(pixelsThatMayShow(bounds, geometry))) return Status::ok;
+    if (isEmpty(pixelsThatMayShow(bounds, geometry))) {
+        reflected.temporal.last = {};
+        return Status::ok;
+    }
     const VkExtent2D extent = extentOf(geometry);
     if (drawn && !(reflected.planar.handedOut && reflected.isOf(extent)))
         return context->device.fail(Status::invalidArgument,
@@ -210,9 +224,14 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
     const ReflectPass pass{*context, commands, scene, geometry, desc, slice};
     if (!drawn)
         if (const Status s = takeSamples(pass, reflected, scene); s != Status::ok) return s;
-    if (const Status s = recordTechnique(pass, reflected); s != Status::ok) return s;
+    const OwnedReflection& found = reflected.found(desc);
+    if (const Status s = recordTechnique(pass, reflected, found); s != Status::ok) return s;
     if (stretch)
-        if (const Status s = recordStretch(pass, *stretch, reflected.images); s != Status::ok) return s;
+        if (const Status s = recordStretch(pass, *stretch, found); s != Status::ok) return s;
+    if (temporal)
+        if (const Status s = recordTemporal(pass, *temporal, plane, reflected.temporal, reflected.images);
+            s != Status::ok)
+            return s;
     if (const Status s = recordBlur(*context, commands, blur.get(), reflected.images.color); s != Status::ok)
         return s;
     reflected.reflected = true;

@@ -16,6 +16,7 @@
 #include "reflection/single_sample.h"
 #include "reflection/ssr.h"
 #include "reflection/stretch.h"
+#include "reflection/temporal.h"
 
 namespace seaglass {
 
@@ -26,6 +27,7 @@ struct ReflectedView {
     SsrScratch ssr;
     HybridScratch hybrid;
     PlanarScratch planar;
+    TemporalScratch temporal;   ///< empty without temporal reuse
     SingleSampledScene scene;   ///< empty where the host's own is
     bool reflected = false;     ///< the images hold what reflect() has left
     bool bent = false;          ///< by the view's own normals
@@ -34,6 +36,8 @@ struct ReflectedView {
         return region.width == extent.width && region.height == extent.height;
     }
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
+    /// What techniques write.
+    OwnedReflection& found(const ReflectionDesc& desc) { return desc.temporal > 0 ? temporal.found : images; }
 };
 
 /// Of a reflector with a usable description.
@@ -47,12 +51,13 @@ struct Reflector {
     glm::dvec4 plane{0}; ///< world, unit normal
     Bounds bounds;
     ReflectionDesc desc;
-    SsprKernels sspr;                       ///< empty with techniques that do not scatter
-    SsrKernels ssr;                         ///< empty with every other technique
-    HybridKernels hybrid;                   ///< empty with every other technique
-    std::shared_ptr<PlanarKernel> planar;   ///< null with every other technique
-    std::shared_ptr<StretchKernel> stretch; ///< null without edge stretch
-    std::shared_ptr<BlurKernel> blur;       ///< null without blur
+    SsprKernels sspr;                         ///< empty with techniques that do not scatter
+    SsrKernels ssr;                           ///< empty with every other technique
+    HybridKernels hybrid;                     ///< empty with every other technique
+    std::shared_ptr<PlanarKernel> planar;     ///< null with every other technique
+    std::shared_ptr<StretchKernel> stretch;   ///< null without edge stretch
+    std::shared_ptr<BlurKernel> blur;         ///< null without blur
+    std::shared_ptr<TemporalKernel> temporal; ///< null without temporal reuse
     SingleSampleKernels singleSample;
     std::shared_ptr<OverlayKernel> overlay; ///< null until it is first asked for
     std::array<ReflectedView, maxViews> views;
@@ -69,7 +74,7 @@ struct Reflector {
     Status uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, gpu::Slice& out);
     /// Makes the view's scene single-sampled where it is not: `scene` is then the view to read it from.
     Status takeSamples(const ReflectPass& pass, ReflectedView& view, ViewDesc& scene);
-    Status recordTechnique(const ReflectPass& pass, ReflectedView& view);
+    Status recordTechnique(const ReflectPass& pass, ReflectedView& view, const OwnedReflection& images);
 };
 
 } // namespace seaglass

@@ -8,8 +8,6 @@ namespace seaglass {
 
 namespace {
 
-constexpr uint32_t groupEdge = 8;
-
 Status createKernel(Context& context, std::span<const uint32_t> spirv, gpu::Kernel& out) {
     constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                                              VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
@@ -49,9 +47,7 @@ Status recordImage(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu
     const VkImageMemoryBarrier2 before =
         gpu::imageBarrier(to.handle(), gpu::discardedAfterSampling, gpu::storageWritten);
     gpu::recordBarriers(device, pass.commands, &before, 1);
-    const VkExtent2D extent = pass.extent();
-    kernel.dispatch(pass.commands, set, (extent.width + groupEdge - 1) / groupEdge,
-                    (extent.height + groupEdge - 1) / groupEdge);
+    kernel.dispatchOver(pass.commands, set, pass.extent());
     const VkImageMemoryBarrier2 after =
         gpu::imageBarrier(to.handle(), gpu::storageWritten, gpu::sampledByShaders);
     gpu::recordBarriers(device, pass.commands, &after, 1);

@@ -50,8 +50,7 @@ Status recordStretch(const ReflectPass& pass, const StretchKernel& stretch, cons
     const VkExtent2D extent = images.color.desc().extent;
     const StretchUniforms uniforms = uniformsOf(pass, extent);
     gpu::Slice slice;
-    if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
-    std::memcpy(slice.data, &uniforms, sizeof uniforms);
+    if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
     const gpu::Resource resources[] = {
         gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
         gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),

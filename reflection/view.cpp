@@ -148,6 +148,10 @@ const char* readCamera(const ViewDesc& view, ViewGeometry& out) {
     if (const char* bad = badViewport(view.viewport)) return bad;
     if (view.viewIndex >= maxViews) return "ViewDesc.viewIndex is out of range, expected 0 to 7";
 
+    for (const double pixels : view.jitter)
+        if (!(std::abs(pixels) <= 16)) return "ViewDesc.jitter is out of range, expected -16 to 16";
+    out.jitter = {view.jitter[0], view.jitter[1]};
+
     const glm::dmat4 worldFromView = glm::inverse(viewMatrix);
     if (!allFinite(worldFromView)) return "ViewDesc.view is singular";
     out.eye = glm::dvec3(worldFromView[3]);

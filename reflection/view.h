@@ -29,6 +29,7 @@ struct ViewGeometry {
     double depthStep = 0;       ///< scene depths closer than this may be held as one
     glm::ivec2 regionOrigin{0}; ///< the viewport's top left corner in the scene images
     glm::ivec2 regionSize{0};
+    glm::dvec2 jitter{0}; ///< by which the picture is moved [pixel]
 };
 
 /// Of the region [pixel].

@@ -6,6 +6,7 @@
 #include "edge_fade.glsl"
 #include "reflection_info.glsl"
 #include "tiles.glsl"
+#include "sight_line.glsl"
 #include "march.glsl"
 
 layout(set = 0, binding = 3) uniform sampler2D sceneColor;
@@ -71,7 +72,7 @@ void main() {
 
     vec4 color = vec4(0.0);
     float info = infoUnknown;
-    SightLine sight = sightLine(q);
+    SightLine sight = sightLine(relativeFromPixel, q);
     if (sight.towardsPlane > 0.0) {
         March found = marched(sight.onPlane, mirroredBySurface(q, sight.direction), noiseAt(vec2(pixel)));
         info = found.info;

@@ -21,6 +21,8 @@ struct Camera {
     double tanHalfFovX = 1, tanHalfFovY = 1;
     double near = 0.1;
     glm::dmat4 toldProjection{1}; ///< what the library is told: a Mistake apart, the projection
+    glm::dvec2 jitterPx{0};       ///< by which `projection` moves the picture, right and down
+    bool follows = false;         ///< the frame before
 };
 
 inline glm::dvec3 toGlm(const Vec3& v) {

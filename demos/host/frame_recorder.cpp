@@ -122,6 +122,10 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
     if (isOverlay(frame.aov) && !createOverlayTarget(*device_, targets_, error)) return false;
     if (!makeCamera(frame.camera, static_cast<double>(extent.width) / extent.height, camera_, error))
         return false;
+    camera_.jitterPx = {frame.jitterPx[0], frame.jitterPx[1]};
+    camera_.follows = frame.follows;
+    camera_.projection[2][0] = -2 * camera_.jitterPx.x / extent.width;
+    camera_.projection[2][1] = -2 * camera_.jitterPx.y / extent.height;
     camera_.toldProjection = mistaken(camera_.projection, frame.mistake);
     shadowFits_ = fitShadows(scene.bounds, camera_, scene.sky.sun.direction);
     writeUniforms();

@@ -2,6 +2,7 @@
 // Seaglass through the public headers alone.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -80,6 +81,9 @@ struct FrameDesc {
     Aov aov = Aov::color;
     uint32_t surface = 0;            ///< of those that the scene was given; the first is its own
     Mistake mistake = Mistake::none; ///< in what the library is told of the camera
+    /// The same surface was drawn just before, from nearby: reflections may reuse what that frame knew.
+    bool follows = false;
+    std::array<double, 2> jitterPx = {0, 0}; ///< moves the picture right and down, but for the sky
 };
 
 struct PassTime {

@@ -4,7 +4,9 @@
 
 namespace demos {
 
-std::optional<FrameTimes> Host::measure(const FrameDesc& frame, uint32_t runs, Error& error) {
+std::optional<FrameTimes> Host::measure(const FrameDesc& measured, uint32_t runs, Error& error) {
+    FrameDesc frame = measured;
+    frame.follows = true;
     Impl& impl = *impl_;
     if (!impl.ready(error)) return std::nullopt;
     if (runs == 0) {

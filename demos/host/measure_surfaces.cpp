@@ -61,7 +61,9 @@ class RoundTimer {
   public:
     RoundTimer(Device& device, FrameRecorder& recorder, const LoadedScene& scene, const FrameDesc& frame,
                const FloorPass& floor)
-        : device_(device), recorder_(recorder), scene_(scene), frame_(frame), floor_(floor) {}
+        : device_(device), recorder_(recorder), scene_(scene), frame_(frame), floor_(floor) {
+        frame_.follows = true;
+    }
 
     bool round(uint32_t number, Samples& samples, Error& error) {
         double floorMs = 0;

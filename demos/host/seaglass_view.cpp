@@ -18,6 +18,8 @@ seaglass::ViewDesc viewOf(const Camera& camera, const FrameTargets& targets) {
     seaglass::ViewDesc view;
     std::copy_n(glm::value_ptr(camera.view), 16, view.view);
     std::copy_n(glm::value_ptr(camera.toldProjection), 16, view.projection);
+    std::copy_n(glm::value_ptr(camera.jitterPx), 2, view.jitter);
+    view.cut = !camera.follows;
     view.viewport = {
         0, 0, static_cast<float>(targets.extent.width), static_cast<float>(targets.extent.height), 0, 1};
     view.sceneColor = sampled(targets.sceneColor);
@@ -69,6 +71,7 @@ bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::Ref
     out.scatter = static_cast<float>(desc.scatter);
     out.skyFadeDistance = static_cast<float>(desc.skyFadeM);
     out.edgeStretch = static_cast<float>(desc.edgeStretchPerM);
+    out.temporal = static_cast<float>(desc.temporal);
     out.marchCells = desc.marchCells;
     out.marchSteps = desc.marchSteps;
     out.marchThickness = static_cast<float>(desc.marchThicknessM);

@@ -7,6 +7,27 @@ namespace demos::measure {
 
 namespace {
 
+constexpr uint32_t settlingFrames = 8;
+
+bool reusesFrames(const SurfaceDesc& desc) {
+    return std::visit(
+        [](const auto& surface) { return surface.reflection && surface.reflection->temporal > 0; }, desc);
+}
+
+/// Within half a pixel; of Halton's sequence to the bases 2 and 3.
+std::array<double, 2> haltonPx(uint32_t index) {
+    std::array<double, 2> at = {-0.5, -0.5};
+    for (size_t axis = 0; axis < 2; ++axis) {
+        const uint32_t base = axis == 0 ? 2 : 3;
+        double digit = 1;
+        for (uint32_t i = index + 1; i > 0; i /= base) {
+            digit /= base;
+            at[axis] += digit * (i % base);
+        }
+    }
+    return at;
+}
+
 bool load(Host& host, const Subject& subject, reference::World& world, Error& error) {
     if (!host.load(subject.scene, error) || !reference::loadWorld(subject.scene, world, error)) return false;
     for (size_t i = 1; i < subject.variants.size(); ++i)
@@ -89,17 +110,31 @@ class View {
         return cost;
     }
 
+    /// What a frame before it left is reused: as many as it takes, each of another part of the pixels.
+    bool settle(uint32_t surface, Error& error) {
+        if (!reusesFrames(subject_.variants[surface].surface)) return true;
+        FrameDesc frame = frame_;
+        frame.surface = surface;
+        for (uint32_t i = 0; i < settlingFrames; ++i) {
+            frame.follows = i > 0;
+            frame.jitterPx = haltonPx(i);
+            if (!host_.render(frame, error)) return false;
+        }
+        return true;
+    }
+
     bool draw(uint32_t surface, Aov aov, Picture& out, Error& error) {
         FrameDesc frame = frame_;
         frame.surface = surface;
         frame.aov = aov;
+        frame.follows = true;
         std::optional<Picture> picture = host_.render(frame, error);
         if (picture) out = std::move(*picture);
         return picture.has_value();
     }
 
     bool compare(uint32_t surface, Error& error) {
-        if (!draw(surface, Aov::color, shots_.color, error) ||
+        if (!settle(surface, error) || !draw(surface, Aov::color, shots_.color, error) ||
             !draw(surface, Aov::reflection, shots_.reflection, error) ||
             !draw(surface, Aov::reflectionSource, shots_.sources, error))
             return false;

@@ -20,6 +20,7 @@ constexpr Quality qualities[] = {
     {"coarse keys", "coarse_keys=true", "sspr"},
     {"half", "downscale=2"},
     {"quarter", "downscale=4"},
+    {"temporal", "temporal=0.9"},
     {"32 steps", "march_steps=32", "ssr"},
     {"128 steps", "march_steps=128", "ssr"},
     {"strides", "march_cells=false", "ssr"},

@@ -70,6 +70,7 @@ class Run {
         for (uint32_t i = 0; i < options_.frames; ++i) {
             progress.say("rendering frame", i, options_.frames);
             frame_.timeS = start + i / options_.fps;
+            frame_.follows = i > 0;
             const auto began = std::chrono::steady_clock::now();
             const std::optional<Picture> picture = host_.render(frame_, error);
             if (!picture) return false;

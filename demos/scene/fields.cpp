@@ -112,6 +112,8 @@ constexpr std::array reflectionFields = {
     Field{"sky_fade_m", at<&ReflectionDesc::skyFadeM>, 0, 1e6, "m", "where only sky is mirrored, 0 nowhere"},
     Field{"edge_stretch_per_m", at<&ReflectionDesc::edgeStretchPerM>, 0, 100, "1/m",
           "stretches reflections over the border"},
+    Field{"temporal", at<&ReflectionDesc::temporal>, 0, 0.95, "",
+          "share taken from the frame before, 0 none"},
     Field{"march_cells", at<&ReflectionDesc::marchCells>, 0, 0, "",
           "ssr: pixel by pixel over cells, else in strides"},
     Field{"march_steps", at<&ReflectionDesc::marchSteps>, 8, 512, "", "ssr: looks a ray at most"},

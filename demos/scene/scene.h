@@ -80,6 +80,7 @@ struct ReflectionDesc {
     double scatter = 0;
     double skyFadeM = 0;
     double edgeStretchPerM = 0;
+    double temporal = 0; ///< share of each pixel taken from the last frame
     // Of ssr and hybrid, as in seaglass/reflection.h.
     bool marchCells = true;
     uint32_t marchSteps = 64;

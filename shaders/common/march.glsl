@@ -17,22 +17,6 @@ layout(set = 0, binding = 2, std140) uniform MarchSettings {
 
 const int falseAlarms = 6;   // crossings that may be turned down before the ray is given up
 
-struct SightLine {
-    vec3 onPlane;         // where it meets the plane, relative to the eye
-    vec3 direction;       // unit, away from the eye
-    float towardsPlane;   // cosine to the plane's normal; not positive where the plane is not met
-};
-
-// Of all that shows at a pixel, whatever the projection.
-SightLine sightLine(vec2 pixel) {
-    vec4 p = relativeFromPixel * vec4(pixel, 0.5, 1.0);
-    vec4 perDepth = relativeFromPixel[2];
-    vec3 direction = normalize(depthSign * (p.xyz * perDepth.w - perDepth.xyz * p.w));
-    vec3 from = p.xyz / p.w;
-    float towards = -dot(plane.xyz, direction);
-    return SightLine(from + direction * ((dot(plane.xyz, from) + plane.w) / towards), direction, towards);
-}
-
 // What each look at the scene needs, loaded once: CPU devices load uniforms anew in each turn of a loop.
 struct Scene {
     ivec2 origin;

@@ -184,6 +184,26 @@ struct Convention {
 };
 constexpr Convention conventions[] = {{true, 0}, {true, 1000}, {false, 0}, {false, 1000}};
 
+TEST_F(Planar, TemporalReuseLeavesWhatStandsStillAsItIs) {
+    ReflectorDesc desc = planarDesc();
+    const ViewDesc view = viewDesc(testCamera());
+    const Reflected once = reflectBoxes(view);
+    destroyReflector(reflector());
+    desc.reflection.temporal = 0.9f;
+    use(desc);
+    for (int i = 0; i < 4; ++i) {
+        const Reflected again = reflectBoxes(view);
+        EXPECT_EQ(again.info, once.info) << i;
+        EXPECT_EQ(again.color, once.color) << i;
+    }
+    Camera moved = testCamera();
+    moved.eye.x += 0.3;
+    const Reflected after = reflectBoxes(viewDesc(moved));
+    ViewDesc cut = viewDesc(moved);
+    cut.cut = true;
+    EXPECT_NE(reflectBoxes(cut).color, after.color);
+}
+
 TEST_F(Planar, AgreesWithTheTracedTruth) {
     const std::vector<Box> boxes = harbourOfBoxes();
     for (const Pose& pose : poses())

@@ -117,6 +117,12 @@ struct ViewDesc {
     /// plane's. The technique ssr then follows each pixel's own mirrored ray; others leave normals to whoever
     /// shades.
     const Image* surfaceNormals = nullptr;
+    /// By how much `projection` moves the picture in this frame, right and down [pixel], -16..16. Read by
+    /// ReflectionDesc::temporal alone, which averages over it.
+    double jitter[2] = {0, 0};
+    /// The view's last frame tells nothing of this one: the camera jumped, or the scene did. Read by
+    /// ReflectionDesc::temporal alone, which then begins anew.
+    bool cut = false;
 };
 
 /// What something costs, known before it is made. Memory is that of its images and buffers; drivers round

@@ -50,6 +50,10 @@ struct ReflectionDesc {
     float edgeStretch = 0;
     float edgeStretchBand =
         0.15f; ///< share of the picture's width, from either border, that it moves, 0.01..0.5
+    /// Share of each pixel that is taken from the view's last frame, 0..0.95; 0 costs nothing. Reflections
+    /// then shimmer less, and keep for a while what this frame alone does not know. About 1 / (1 - this)
+    /// frames are averaged; 0.9 suits most. See ViewDesc::jitter and ViewDesc::cut.
+    float temporal = 0;
 
     // Of techniques that follow rays over the picture.
     /// Rays pass at once over cells of 8 x 8 pixels in which nothing is as near as they are, and look at
@@ -90,8 +94,9 @@ Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** 
 /// ignored.
 void destroyReflector(Reflector* reflector);
 
-/// What reflect() left for a view. Both images are in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, visible to
-/// fragment and compute shaders, and valid until this view is reflected again.
+/// What reflect() left for a view, to be asked for anew in each frame. Both images are in
+/// VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, visible to fragment and compute shaders, and valid until this
+/// view is reflected again.
 struct ReflectionImages {
     VkImage colorImage = VK_NULL_HANDLE;
     VkImageView color = VK_NULL_HANDLE; ///< RGBA16F: radiance times confidence, confidence 0..1; with mips

@@ -1,0 +1,130 @@
+#include "reflection/temporal.h"
+
+#include <algorithm>
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "reflection/mirror.h"
+#include "spirv/temporal.comp.h"
+
+namespace seaglass {
+
+namespace {
+
+/// The std140 block of shaders/temporal.comp.
+struct TemporalUniforms {
+    glm::mat4 lastFromRelative{1};
+    glm::mat4 relativeFromLast{1};
+    glm::vec2 jitter{0};
+    float share = 0;
+    float kept = 0;
+};
+
+glm::dmat4 movedBy(const glm::dvec3& offset) {
+    return glm::translate(glm::dmat4(1), offset);
+}
+
+LastFrame frameOf(const ReflectPass& pass) {
+    const ViewGeometry& view = pass.geometry;
+    LastFrame frame;
+    frame.count = 1;
+    frame.bent = pass.view.surfaceNormals != nullptr;
+    frame.eye = view.eye;
+    frame.pixelFromRelative = movedBy({-view.jitter, 0}) * view.pixelFromRelative;
+    frame.reversedDepth = view.reversedDepth;
+    return frame;
+}
+
+/// Whether the one can be looked up in the other.
+bool follows(const LastFrame& frame, const LastFrame& last, const glm::dvec4& worldPlane) {
+    const auto height = [&](const glm::dvec3& eye) {
+        return glm::dot(glm::dvec3(worldPlane), eye) + worldPlane.w;
+    };
+    return last.count > 0 && frame.bent == last.bent && frame.reversedDepth == last.reversedDepth &&
+           height(frame.eye) * height(last.eye) > 0;
+}
+
+TemporalUniforms uniformsOf(const ReflectPass& pass, const LastFrame& last) {
+    TemporalUniforms out;
+    const glm::dvec3 moved = pass.geometry.eye - last.eye;
+    out.lastFromRelative = glm::mat4(last.pixelFromRelative * movedBy(moved));
+    out.relativeFromLast = glm::mat4(movedBy(-moved) * glm::inverse(last.pixelFromRelative));
+    out.jitter = glm::vec2(pass.geometry.jitter);
+    // The mean of the first frames, until that is steadier than what is asked for.
+    const auto count = static_cast<float>(last.count);
+    out.share = std::min(pass.desc.temporal, count / (count + 1));
+    out.kept = pass.desc.temporal;
+    return out;
+}
+
+void recordBarriers(const ReflectPass& pass, const OwnedReflection& found, const OwnedReflection& images) {
+    const VkImageMemoryBarrier2 before[] = {
+        gpu::imageBarrier(found.color.handle(), gpu::storageWritten, gpu::sampledByShaders),
+        gpu::imageBarrier(images.color.handle(), gpu::discardedAfterSampling, gpu::storageWritten, 0, 1),
+        gpu::imageBarrier(images.info.handle(), gpu::discardedAfterSampling, gpu::storageWritten)};
+    gpu::recordBarriers(pass.context.device, pass.commands, before, 3);
+}
+
+} // namespace
+
+Status TemporalKernel::create(Context& context) {
+    constexpr VkDescriptorType bindings[] = {
+        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
+    return kernel.create(context.device, temporal_comp, bindings, "temporal pipeline");
+}
+
+Status TemporalScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc,
+                               bool drawnInto) {
+    if (const Status s = found.create(device, extent, 0, drawnInto); s != Status::ok) return s;
+    return other.create(device, extent, desc.blurLevels, false);
+}
+
+VkDeviceSize TemporalScratch::bytes(VkExtent2D extent, const ReflectionDesc& desc) {
+    return OwnedReflection::bytes(extent, 0) + OwnedReflection::bytes(extent, desc.blurLevels);
+}
+
+Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, const glm::dvec4& worldPlane,
+                      TemporalScratch& scratch, OwnedReflection& images) {
+    Context& context = pass.context;
+    LastFrame frame = frameOf(pass);
+    const bool known = !pass.view.cut && follows(frame, scratch.last, worldPlane);
+    const TemporalUniforms uniforms = known ? uniformsOf(pass, scratch.last) : TemporalUniforms{};
+    if (known) frame.count += std::min(scratch.last.count, 1000u);
+    // Until all is recorded there is none.
+    scratch.last = {};
+    std::swap(scratch.other, images);
+
+    gpu::Slice slice;
+    if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
+    const VkSampler nearest = context.samplers.nearestClamp();
+    const OwnedReflection& found = scratch.found;
+    // What nobody reads needs something to point at.
+    const OwnedReflection& last = known ? scratch.other : found;
+    const gpu::Resource resources[] = {
+        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
+        gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
+        gpu::sampledImage(nearest, found.color.view()),
+        gpu::sampledImage(nearest, found.info.view()),
+        gpu::sampledImage(nearest, last.color.view()),
+        gpu::sampledImage(nearest, last.info.view()),
+        gpu::storageImage(images.color.firstMipView()),
+        gpu::storageImage(images.info.view()),
+    };
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(temporal.kernel.layout().set(), resources, set);
+        s != Status::ok)
+        return s;
+    const gpu::PassScope scope(context.device, pass.commands, "reflection_temporal");
+    recordBarriers(pass, found, images);
+    temporal.kernel.dispatchOver(pass.commands, set, images.color.desc().extent);
+    images.recordInfoSampled(context.device, pass.commands);
+    scratch.last = frame;
+    return Status::ok;
+}
+
+} // namespace seaglass
