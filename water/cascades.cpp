@@ -1,6 +1,7 @@
 #include "water/cascades.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace seaglass {
@@ -15,18 +16,37 @@ constexpr double patchRatio = 3 + 2 * std::numbers::sqrt2;
 // 4 % too energetic.
 constexpr double wavesPerTile = 8.234;
 constexpr double peakWavesPerLargestTile = 16;
+// However long the waves: with fewer, the lattice is too coarse for a spectrum's peak.
+constexpr double leastPeakWavesPerTile = 6;
+
+// The last band ends so far past the dominant peak at the least, about half of its energy below.
+constexpr double pastPeak = 1.4;
 
 constexpr double samplesPerWave = 4;
+
+// Nothing shorter than these capillary waves has a peak to hold.
+constexpr double smallestPatch = 0.05;
 
 // Viscosity leaves no wind waves shorter than a millimetre.
 constexpr double largestWaveNumber = 2 * std::numbers::pi / 1e-3;
 
+double automaticPatch(const SeaDesc& desc, const WaveSystems& systems) {
+    double longest = 0;
+    for (uint32_t i = 0; i < systems.count; ++i)
+        longest = std::max(longest, peakWavelength(systems.system[i].spectrum, systems.depth));
+    const double dominant = peakWavelength(dominantSystem(systems).spectrum, systems.depth);
+    const double wanted = std::max(std::clamp(peakWavesPerLargestTile * longest, 60.0, 2000.0),
+                                   leastPeakWavesPerTile * longest);
+    // The last cascade ends at samplesPerWave of its samples.
+    const double wavesPerTile = desc.samples / samplesPerWave * std::pow(patchRatio, desc.cascades - 1.0);
+    return std::max(std::min(wanted, wavesPerTile / pastPeak * dominant), smallestPatch);
+}
+
 } // namespace
 
-void layCascades(const SeaDesc& desc, const Spectrum& spectrum, Cascade* cascades) {
-    double patch = desc.largestPatch > 0
-                       ? static_cast<double>(desc.largestPatch)
-                       : std::clamp(peakWavesPerLargestTile * peakWavelength(spectrum), 60.0, 2000.0);
+void layCascades(const SeaDesc& desc, const WaveSystems& systems, Cascade* cascades) {
+    double patch =
+        desc.largestPatch > 0 ? static_cast<double>(desc.largestPatch) : automaticPatch(desc, systems);
     double kMin = 0;
     for (uint32_t c = 0; c < desc.cascades; ++c) {
         const double dk = 2 * std::numbers::pi / patch;

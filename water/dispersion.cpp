@@ -17,6 +17,19 @@ double angularFrequency(double k, double depth) {
     return std::sqrt((gravity * k + surfaceTension * k * k * k) * std::tanh(kh));
 }
 
+double waveNumber(double omega, double depth) {
+    // The frequency rises with k: bracketed from the deep gravity wave, then halved to the last bit.
+    double low = 0;
+    double high = omega * omega / gravity;
+    while (angularFrequency(high, depth) < omega) low = high, high *= 2;
+    for (int step = 0; step < 200; ++step) {
+        const double middle = 0.5 * (low + high);
+        if (!(low < middle && middle < high)) break;
+        (angularFrequency(middle, depth) < omega ? low : high) = middle;
+    }
+    return high;
+}
+
 double groupSpeed(double k, double depth) {
     const double omega = angularFrequency(k, depth);
     if (!(omega > 0)) return 0;

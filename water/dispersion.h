@@ -12,6 +12,9 @@ constexpr double deepWater = std::numeric_limits<double>::infinity();
 /// Angular frequency [rad/s] of waves of wave number k >= 0 [rad/m] over a depth >= 0 [m].
 double angularFrequency(double k, double depth = deepWater);
 
+/// k [rad/m] of waves of an angular frequency > 0 over a depth > 0.
+double waveNumber(double omega, double depth = deepWater);
+
 /// d omega / d k [m/s]; 0 at k = 0 in deep water, where the limit is infinite but no wave lives.
 double groupSpeed(double k, double depth = deepWater);
 

@@ -2,10 +2,12 @@
 
 #include "water/dispersion.h"
 #include "water/phase.h"
-#include "water/spreading.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <cstdlib>
 #include <numbers>
 
 namespace seaglass {
@@ -32,24 +34,81 @@ std::complex<double> normals(uint64_t seed, uint32_t cascade, int32_t m, int32_t
     return std::polar(std::sqrt(-2 * std::log(uniform(first))), 2 * std::numbers::pi * uniform(second));
 }
 
-struct Sheet {
-    const SeaDesc& desc;
-    const Spectrum& spectrum;
-    uint32_t cascade;
-    double dk;
-    double windU = std::cos(static_cast<double>(desc.windDirection));
-    double windV = std::sin(static_cast<double>(desc.windDirection));
+struct Amplitudes {
+    std::complex<float> forward;  ///< h0(k)
+    std::complex<float> backward; ///< h0(-k)
+};
 
-    // h0 at (m, n) * dk, whose length is k.
-    std::complex<float> amplitude(int32_t m, int32_t n, double k) const {
-        const double omega = angularFrequency(k);
-        // h0(k) travels towards -k.
-        const double cosine = -(m * windU + n * windV) * dk / k;
-        const double shape = spreadingShape(spectrum, omega, static_cast<double>(desc.swell));
-        const double density = energy(spectrum, omega) * spreading(shape, cosine) * groupSpeed(k) / k;
-        return std::complex<float>(normals(desc.seed, cascade, m, n) *
-                                   (0.5 * static_cast<double>(desc.amplitude) * std::sqrt(density) * dk));
+class Sheet {
+  public:
+    Sheet(const SeaDesc& desc, const WaveSystems& systems, uint32_t cascade, double dk)
+        : systems_(systems), seed_(desc.seed), cascade_(cascade), dk_(dk),
+          scale_(0.5 * static_cast<double>(desc.amplitude) * dk) {
+        for (uint32_t s = 0; s < systems.count; ++s)
+            along_[s] = {std::cos(systems.system[s].direction), std::sin(systems.system[s].direction)};
     }
+
+    // At k = (m, n) dk and at -k.
+    Amplitudes at(int32_t m, int32_t n) const {
+        const Densities found = isCoarse(m, n) ? overCell(m, n) : densitiesAt(m, n);
+        return {draw(m, n, found.forward), draw(-m, -n, found.backward)};
+    }
+
+  private:
+    struct Direction {
+        double u = 0, v = 0;
+    };
+
+    // Of h0's square, at k and at -k.
+    struct Densities {
+        double forward = 0, backward = 0;
+    };
+
+    // The systems are independent: their energies add, and one draw serves them all.
+    Densities densitiesAt(double m, double n) const {
+        const double k = std::sqrt(m * m + n * n) * dk_;
+        const double omega = angularFrequency(k, systems_.depth);
+        const double area = groupSpeed(k, systems_.depth) / k;
+        Densities sum;
+        for (uint32_t s = 0; s < systems_.count; ++s) {
+            const WaveSystem& system = systems_.system[s];
+            const double all = energy(system.spectrum, omega) * area;
+            if (!(all > 0)) continue;
+            const Spread spread = spreadAt(system.spreading, system.spectrum, omega);
+            const double cosine = (m * along_[s].u + n * along_[s].v) * dk_ / k;
+            sum.forward += all * density(spread, -cosine); // h0(k) travels towards -k.
+            sum.backward += all * density(spread, cosine);
+        }
+        return sum;
+    }
+
+    // Among the first waves of a lattice a spectrum changes within one cell.
+    static bool isCoarse(int32_t m, int32_t n) { return std::max(std::abs(m), std::abs(n)) <= 1; }
+
+    // The mean over the lattice's cell.
+    Densities overCell(int32_t m, int32_t n) const {
+        constexpr int parts = 4;
+        Densities sum;
+        for (int i = 0; i < parts; ++i) {
+            for (int j = 0; j < parts; ++j) {
+                const Densities part = densitiesAt(m + (i + 0.5) / parts - 0.5, n + (j + 0.5) / parts - 0.5);
+                sum.forward += part.forward / (parts * parts);
+                sum.backward += part.backward / (parts * parts);
+            }
+        }
+        return sum;
+    }
+
+    std::complex<float> draw(int32_t m, int32_t n, double density) const {
+        return std::complex<float>(normals(seed_, cascade_, m, n) * (scale_ * std::sqrt(density)));
+    }
+
+    const WaveSystems& systems_;
+    uint64_t seed_;
+    uint32_t cascade_;
+    double dk_;
+    double scale_;
+    std::array<Direction, 1 + maxSwells> along_;
 };
 
 int32_t latticeReach(const Cascade& cascade, double dk) {
@@ -60,7 +119,7 @@ int32_t latticeReach(const Cascade& cascade, double dk) {
 
 } // namespace
 
-Modes drawModes(const SeaDesc& desc, const Spectrum& spectrum, uint32_t index, Cascade& cascade) {
+Modes drawModes(const SeaDesc& desc, const WaveSystems& systems, uint32_t index, Cascade& cascade) {
     const double dk = 2 * std::numbers::pi / cascade.patch;
     Modes modes;
     modes.reach = latticeReach(cascade, dk);
@@ -71,20 +130,21 @@ Modes drawModes(const SeaDesc& desc, const Spectrum& spectrum, uint32_t index, C
         values->assign(count, 0.0f);
     modes.frequency.assign(count, 0);
 
-    const Sheet sheet{.desc = desc, .spectrum = spectrum, .cascade = index, .dk = dk};
+    const Sheet sheet(desc, systems, index, dk);
     double variance = 0;
     for (int32_t n = 0; n <= modes.reach; ++n) {
         for (int32_t m = n > 0 ? -modes.reach : 1; m <= modes.reach; ++m) {
             const double k = dk * std::sqrt(static_cast<double>(m) * m + static_cast<double>(n) * n);
             if (!(k >= cascade.kMin && k < cascade.kMax)) continue;
-            const std::complex<float> forward = sheet.amplitude(m, n, k);
-            const std::complex<float> backward = std::conj(sheet.amplitude(-m, -n, k));
+            const Amplitudes drawn = sheet.at(m, n);
+            const std::complex<float> forward = drawn.forward;
+            const std::complex<float> backward = std::conj(drawn.backward);
             const size_t at = modes.at(m, n);
             modes.forwardRe[at] = forward.real();
             modes.forwardIm[at] = forward.imag();
             modes.backwardRe[at] = backward.real();
             modes.backwardIm[at] = backward.imag();
-            modes.frequency[at] = frequencyIndex(angularFrequency(k), desc.loopPeriod);
+            modes.frequency[at] = frequencyIndex(angularFrequency(k, systems.depth), desc.loopPeriod);
             modes.inverseK[at] = static_cast<float>(1 / k);
             variance +=
                 2 * (std::norm(std::complex<double>(forward)) + std::norm(std::complex<double>(backward)));

@@ -5,7 +5,7 @@
 // variance is the spectrum's.
 #pragma once
 
-#include "water/spectrum.h"
+#include "water/wave_systems.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +32,7 @@ struct Modes {
 };
 
 /// Draws the modes of cascade number `index`, and sets its variance. Each mode depends only on the sea's
-/// wind, the patch, the seed and (index, m, n): not on the number of samples. May throw bad_alloc.
-Modes drawModes(const SeaDesc& desc, const Spectrum& spectrum, uint32_t index, Cascade& cascade);
+/// systems, the patch, the seed and (index, m, n): not on the number of samples. May throw bad_alloc.
+Modes drawModes(const SeaDesc& desc, const WaveSystems& systems, uint32_t index, Cascade& cascade);
 
 } // namespace seaglass

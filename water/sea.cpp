@@ -2,7 +2,6 @@
 
 #include "water/cascades.h"
 #include "water/sea_desc.h"
-#include "water/spectrum.h"
 
 #include <cmath>
 #include <cstdio>
@@ -15,15 +14,21 @@ namespace {
 std::unique_ptr<Sea> makeSea(const SeaDesc& desc) {
     auto sea = std::make_unique<Sea>();
     sea->desc = desc;
-    const bool calm = desc.windSpeed == 0 || desc.amplitude == 0;
-    if (calm) return sea;
+    if (desc.spectrum == SpectrumModel::table) {
+        sea->table.assign(desc.spectrumTable, desc.spectrumTable + desc.spectrumTableCount);
+        sea->desc.spectrumTable = sea->table.data();
+    } else {
+        sea->desc.spectrumTable = nullptr;
+        sea->desc.spectrumTableCount = 0;
+    }
+    sea->systems = makeSystems(sea->desc);
+    if (sea->systems.count == 0) return sea;
 
-    const Spectrum spectrum = makeSpectrum(desc);
-    sea->peak = spectrum.peak;
+    sea->peak = dominantSystem(sea->systems).spectrum.peak;
     sea->count = desc.cascades;
-    layCascades(desc, spectrum, sea->cascades.data());
+    layCascades(desc, sea->systems, sea->cascades.data());
     for (uint32_t c = 0; c < sea->count; ++c) {
-        sea->modes[c] = drawModes(desc, spectrum, c, sea->cascades[c]);
+        sea->modes[c] = drawModes(desc, sea->systems, c, sea->cascades[c]);
         sea->variance += sea->cascades[c].variance;
     }
     return sea;
@@ -64,6 +69,10 @@ const Cascade& cascade(const Sea& sea, uint32_t index) {
 }
 double peakFrequency(const Sea& sea) {
     return sea.peak;
+}
+double frequencySpectrum(const Sea& sea, double omega) {
+    const auto amplitude = static_cast<double>(sea.desc.amplitude);
+    return amplitude * amplitude * energy(sea.systems, omega);
 }
 double significantWaveHeight(const Sea& sea) {
     return 4 * std::sqrt(sea.variance);

@@ -5,11 +5,18 @@
 #include "water/modes.h"
 
 #include <array>
+#include <vector>
 
 namespace seaglass {
 
 struct Sea {
-    SeaDesc desc;
+    Sea() = default;
+    Sea(const Sea&) = delete;
+    Sea& operator=(const Sea&) = delete;
+
+    SeaDesc desc; ///< its table is the one below
+    std::vector<SpectrumSample> table;
+    WaveSystems systems;
     uint32_t count = 0; ///< of cascades; 0 when flat
     std::array<Cascade, maxCascades> cascades;
     std::array<Modes, maxCascades> modes;

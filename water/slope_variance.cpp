@@ -1,7 +1,5 @@
 // What the waves add to the surface's slopes, resolved or not.
-#include "water/dispersion.h"
 #include "water/sea.h"
-#include "water/spectrum.h"
 
 #include <cmath>
 #include <numbers>
@@ -13,20 +11,20 @@ namespace {
 constexpr double shortestGravityWave = 365.0; // [rad/m]
 constexpr int steps = 256;
 
-// The integral of k^2 S(w) dw, by the midpoint rule over equal ratios of k.
-double slopeVariance(const Spectrum& spectrum, double kMin, double kMax) {
+// The integral of k^2 S(k) dk, by the midpoint rule over equal ratios of k.
+double slopeVariance(const WaveSystems& systems, double kMin, double kMax) {
     const double ratio = std::log(kMax / kMin) / steps;
     double sum = 0;
     for (int i = 0; i < steps; ++i) {
         const double k = kMin * std::exp((i + 0.5) * ratio);
-        sum += k * k * energy(spectrum, angularFrequency(k)) * groupSpeed(k) * k * ratio;
+        sum += k * k * waveNumberSpectrum(systems, k) * k * ratio;
     }
     return sum;
 }
 
 double scaledVariance(const Sea& sea, double kMin, double kMax) {
     const auto amplitude = static_cast<double>(sea.desc.amplitude);
-    return amplitude * amplitude * slopeVariance(makeSpectrum(sea.desc), kMin, kMax);
+    return amplitude * amplitude * slopeVariance(sea.systems, kMin, kMax);
 }
 
 double shortestResolved(const Sea& sea) {

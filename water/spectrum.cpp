@@ -1,7 +1,5 @@
 #include "water/spectrum.h"
 
-#include "water/dispersion.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,32 +7,57 @@
 namespace seaglass {
 namespace {
 
+constexpr double tau = 2 * std::numbers::pi;
+
+// Of the saturated range of a fully developed sea.
+constexpr double phillipsConstant = 8.1e-3;
+
+Spectrum fullyDeveloped(double exponent, double windOfExponent, double wind) {
+    // S = 8.1e-3 g^2 w^-5 exp(-exponent (g/(U w))^4), whose peak has an exponent of 5/4.
+    const double peakOfWind = std::pow(0.8 * exponent, 0.25);
+    return {.peak = peakOfWind * gravity / windOfExponent, .wind = wind, .alpha = phillipsConstant};
+}
+
 Spectrum piersonMoskowitz(double wind) {
-    // The published constants are for the wind at 19.5 m: S = 8.1e-3 g^2 w^-5 exp(-0.74 (g/(U w))^4).
-    const double wind195 = 1.026 * wind;
-    const double peakOfWind = std::pow(0.8 * 0.74, 0.25);
-    return {.alpha = 8.1e-3, .peak = peakOfWind * gravity / wind195, .gamma = 1, .wind = wind};
+    // The published constants are for the wind at 19.5 m.
+    return fullyDeveloped(0.74, 1.026 * wind, wind);
 }
 
-Spectrum jonswap(double wind, double fetch, bool capFetch, double gamma) {
-    constexpr double fullyDeveloped = 1e4;
-    const double chi = gravity * fetch / (wind * wind);
-    const double x = capFetch ? std::min(chi, fullyDeveloped) : chi;
-    return {.alpha = 0.076 * std::pow(x, -0.22),
-            .peak = 22 * gravity / wind * std::pow(x, -1.0 / 3),
-            .gamma = gamma,
-            .wind = wind};
+Spectrum phillips(double wind) {
+    // In deep water k = w^2/g, so that (k L)^-2 = (g/(U w))^4.
+    return fullyDeveloped(1, wind, wind);
 }
 
-} // namespace
-
-Spectrum makeSpectrum(const SeaDesc& desc) {
-    if (desc.spectrum == SpectrumModel::piersonMoskowitz) return piersonMoskowitz(desc.windSpeed);
-    return jonswap(desc.windSpeed, desc.fetch, desc.capFetch, desc.peakEnhancement);
+Spectrum jonswap(const SeaDesc& desc) {
+    constexpr double longestFetch = 1e4;
+    const double wind = desc.windSpeed;
+    const double chi = gravity * static_cast<double>(desc.fetch) / (wind * wind);
+    const double x = desc.capFetch ? std::min(chi, longestFetch) : chi;
+    return {.peak = 22 * gravity / wind * std::pow(x, -1.0 / 3),
+            .wind = wind,
+            .alpha = 0.076 * std::pow(x, -0.22),
+            .gamma = desc.peakEnhancement};
 }
 
-double energy(const Spectrum& spectrum, double omega) {
-    if (!(omega > 0)) return 0;
+Spectrum tma(const SeaDesc& desc) {
+    Spectrum spectrum = jonswap(desc);
+    spectrum.depth = desc.depth;
+    return spectrum;
+}
+
+Spectrum tabulated(const SeaDesc& desc) {
+    const std::span table(desc.spectrumTable, desc.spectrumTableCount);
+    const auto highest =
+        std::max_element(table.begin(), table.end(), [](const SpectrumSample& a, const SpectrumSample& b) {
+            return a.density < b.density;
+        });
+    return {.form = Spectrum::Form::table,
+            .peak = tau * static_cast<double>(highest->frequency),
+            .wind = desc.windSpeed,
+            .table = table};
+}
+
+double windSeaEnergy(const Spectrum& spectrum, double omega) {
     const double ratio = spectrum.peak / omega;
     const double exponent = 1.25 * ratio * ratio * ratio * ratio;
     // Far below the peak w^-5 overflows where the exponential has long vanished.
@@ -42,11 +65,85 @@ double energy(const Spectrum& spectrum, double omega) {
     const double sigma = omega <= spectrum.peak ? 0.07 : 0.09;
     const double off = (omega - spectrum.peak) / (sigma * spectrum.peak);
     const double enhancement = std::pow(spectrum.gamma, std::exp(-0.5 * off * off));
-    return spectrum.alpha * gravity * gravity * std::pow(omega, -5) * std::exp(-exponent) * enhancement;
+    return spectrum.alpha * gravity * gravity * std::pow(omega, -5) * std::exp(-exponent) * enhancement *
+           kitaigorodskii(omega, spectrum.depth);
 }
 
-double peakWavelength(const Spectrum& spectrum) {
-    return 2 * std::numbers::pi * gravity / (spectrum.peak * spectrum.peak);
+double swellEnergy(const Spectrum& spectrum, double omega) {
+    const double width = spectrum.bandwidth * spectrum.peak;
+    const double off = (omega - spectrum.peak) / width;
+    return spectrum.variance / (width * std::sqrt(tau)) * std::exp(-0.5 * off * off);
+}
+
+double tableEnergy(std::span<const SpectrumSample> table, double omega) {
+    const double frequency = omega / tau;
+    const auto above =
+        std::upper_bound(table.begin(), table.end(), frequency, [](double f, const SpectrumSample& sample) {
+            return f < static_cast<double>(sample.frequency);
+        });
+    if (above == table.begin() || above == table.end()) return 0;
+    const SpectrumSample &low = *(above - 1), &high = *above;
+    const double from = low.frequency;
+    const double t = (frequency - from) / (static_cast<double>(high.frequency) - from);
+    return std::lerp(static_cast<double>(low.density), static_cast<double>(high.density), t) / tau;
+}
+
+} // namespace
+
+Spectrum makeSpectrum(const SeaDesc& desc) {
+    switch (desc.spectrum) {
+    case SpectrumModel::piersonMoskowitz:
+        return piersonMoskowitz(desc.windSpeed);
+    case SpectrumModel::tma:
+        return tma(desc);
+    case SpectrumModel::phillips:
+        return phillips(desc.windSpeed);
+    case SpectrumModel::table:
+        return tabulated(desc);
+    case SpectrumModel::jonswap:
+        break;
+    }
+    return jonswap(desc);
+}
+
+Spectrum makeSpectrum(const SwellDesc& desc) {
+    const auto height = static_cast<double>(desc.height);
+    return {.form = Spectrum::Form::swell,
+            .peak = tau / static_cast<double>(desc.peakPeriod),
+            .variance = height * height / 16,
+            .bandwidth = desc.bandwidth};
+}
+
+double energy(const Spectrum& spectrum, double omega) {
+    if (!(omega > 0)) return 0;
+    switch (spectrum.form) {
+    case Spectrum::Form::swell:
+        return swellEnergy(spectrum, omega);
+    case Spectrum::Form::table:
+        return tableEnergy(spectrum.table, omega);
+    case Spectrum::Form::windSea:
+        break;
+    }
+    return windSeaEnergy(spectrum, omega);
+}
+
+double kitaigorodskii(double omega, double depth) {
+    const double deepKh = omega * omega / gravity * depth;
+    // From here on the factor is 1 to the last bit, and cosh would overflow later.
+    if (!(deepKh < 20)) return 1;
+    if (deepKh < 1e-8) return deepKh / 2;
+    // Newton for kh tanh(kh) = w^2 h/g, from above.
+    double kh = std::max(deepKh, std::sqrt(deepKh)) + 0.2 * std::min(deepKh, 1.0);
+    for (int step = 0; step < 6; ++step) {
+        const double t = std::tanh(kh);
+        kh -= (kh * t - deepKh) / (t + kh * (1 - t * t));
+    }
+    const double t = std::tanh(kh);
+    return t * t / (1 + 2 * kh / std::sinh(2 * kh));
+}
+
+double peakWavelength(const Spectrum& spectrum, double depth) {
+    return tau / waveNumber(spectrum.peak, depth);
 }
 
 } // namespace seaglass

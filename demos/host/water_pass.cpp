@@ -69,7 +69,7 @@ bool WaterPass::create(const Device& device, const HostDesc& hostDesc, PassTimer
 }
 
 bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) {
-    seaglass::SeaDesc sea;
+    SceneSea sea;
     seaglass::FoamDesc foam;
     seaglass::RefractionDesc refraction;
     seaglass::ReflectionDesc reflection;
@@ -79,7 +79,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     body.mesh.cellsPerLevel = desc.cellsPerLevel;
     if (desc.waves) {
         if (!seaOf(*desc.waves, sea, error) || !wavesOnOf(*desc.waves, body.wavesOn, error)) return false;
-        body.waves = &sea;
+        body.waves = &sea.desc;
         body.wavesBackend = wavesBackend_;
     }
     if (desc.foam) {

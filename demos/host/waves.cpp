@@ -1,12 +1,80 @@
 #include "host/waves.h"
 
+#include <algorithm>
+#include <array>
 #include <numbers>
+#include <utility>
+
+#include "host/spectrum_file.h"
 
 #ifdef DEMOS_WAVES_FFTW
 #include "seaglass/waves_fftw.h"
 #endif
 
 namespace demos {
+
+namespace {
+
+using seaglass::SpectrumModel;
+using seaglass::SpreadingModel;
+
+constexpr std::array<std::pair<std::string_view, SpectrumModel>, 5> spectra = {{
+    {"jonswap", SpectrumModel::jonswap},
+    {"pierson-moskowitz", SpectrumModel::piersonMoskowitz},
+    {"tma", SpectrumModel::tma},
+    {"phillips", SpectrumModel::phillips},
+    {"table", SpectrumModel::table},
+}};
+
+constexpr std::array<std::pair<std::string_view, SpreadingModel>, 4> spreadings = {{
+    {"hasselmann", SpreadingModel::hasselmann},
+    {"mitsuyasu", SpreadingModel::mitsuyasu},
+    {"donelan-banner", SpreadingModel::donelanBanner},
+    {"cos2s", SpreadingModel::cosine2s},
+}};
+
+template<class Names, class Model>
+bool choose(const char* field, const std::string& name, const Names& names, Model& model, Error& error) {
+    std::string known;
+    for (const auto& [candidate, value] : names) {
+        if (candidate == name) {
+            model = value;
+            return true;
+        }
+        known.append(known.empty() ? "" : ", ").append(candidate);
+    }
+    error.text = std::string("water.waves.") + field + " is \"" + name + "\", expected one of " + known;
+    return false;
+}
+
+float radians(double degrees) {
+    return static_cast<float>(degrees * std::numbers::pi / 180);
+}
+
+seaglass::SwellDesc swellOf(const SwellDesc& swell) {
+    return {.height = static_cast<float>(swell.heightM),
+            .peakPeriod = static_cast<float>(swell.periodS),
+            .direction = radians(swell.towardsDeg),
+            .bandwidth = static_cast<float>(swell.bandwidth),
+            .spreading = static_cast<float>(swell.spreading)};
+}
+
+void setWind(const WavesDesc& waves, seaglass::SeaDesc& sea) {
+    const float direction = radians(waves.windTowardsDeg);
+    size_t next = 0;
+    if (waves.beaufort != WavesDesc::noForce) {
+        sea = seaglass::beaufortSea(waves.beaufort, direction);
+        if (sea.swells[0].height > 0) next = 1;
+    } else {
+        sea.windSpeed = static_cast<float>(waves.windMps);
+        sea.windDirection = direction;
+        sea.fetch = static_cast<float>(waves.fetchM);
+    }
+    for (size_t i = 0; i < waves.swells.size() && next < seaglass::maxSwells; ++i, ++next)
+        sea.swells[next] = swellOf(waves.swells[i]);
+}
+
+} // namespace
 
 const seaglass::WavesBackend* wavesBackend() {
 #ifdef DEMOS_WAVES_FFTW
@@ -33,20 +101,21 @@ bool wavesOnOf(const WavesDesc& waves, seaglass::WavesOn& on, Error& error) {
     return true;
 }
 
-bool seaOf(const WavesDesc& waves, seaglass::SeaDesc& sea, Error& error) {
-    if (waves.spectrum == "jonswap") {
-        sea.spectrum = seaglass::SpectrumModel::jonswap;
-    } else if (waves.spectrum == "pierson-moskowitz") {
-        sea.spectrum = seaglass::SpectrumModel::piersonMoskowitz;
-    } else {
-        error.text =
-            "water.waves.spectrum is \"" + waves.spectrum + "\", expected jonswap or pierson-moskowitz";
+bool seaOf(const WavesDesc& waves, SceneSea& out, Error& error) {
+    seaglass::SeaDesc& sea = out.desc;
+    setWind(waves, sea);
+    if (!choose("spectrum", waves.spectrum, spectra, sea.spectrum, error) ||
+        !choose("spreading", waves.spreading, spreadings, sea.spreading, error))
         return false;
+    if (sea.spectrum == SpectrumModel::table) {
+        if (!readSpectrum(waves.spectrumTable, out.table, error)) return false;
+        sea.spectrumTable = out.table.data();
+        sea.spectrumTableCount = static_cast<uint32_t>(out.table.size());
     }
-    sea.windSpeed = static_cast<float>(waves.windMps);
-    sea.windDirection = static_cast<float>(waves.windTowardsDeg * std::numbers::pi / 180);
-    sea.fetch = static_cast<float>(waves.fetchM);
+    sea.capFetch = waves.capFetch;
+    sea.depth = static_cast<float>(waves.depthM);
     sea.peakEnhancement = static_cast<float>(waves.peakEnhancement);
+    sea.spreadingShape = static_cast<float>(waves.spreadingShape);
     sea.swell = static_cast<float>(waves.swell);
     sea.amplitude = static_cast<float>(waves.amplitude);
     sea.choppiness = static_cast<float>(waves.choppiness);

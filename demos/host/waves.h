@@ -1,6 +1,8 @@
 // The waves of a scene as Seaglass is told of them.
 #pragma once
 
+#include <vector>
+
 #include "scene/scene.h"
 #include "seaglass/water.h"
 
@@ -12,7 +14,17 @@ const seaglass::WavesBackend* wavesBackend();
 /// Where the scene wants its waves computed. False with `error` set when the program cannot.
 bool wavesOnOf(const WavesDesc& waves, seaglass::WavesOn& on, Error& error);
 
-/// False with `error` set when there is no such spectrum.
-bool seaOf(const WavesDesc& waves, seaglass::SeaDesc& sea, Error& error);
+/// A description and what it refers to. Moves, but does not copy.
+struct SceneSea {
+    SceneSea() = default;
+    SceneSea(SceneSea&&) = default;
+    SceneSea& operator=(SceneSea&&) = default;
+
+    seaglass::SeaDesc desc;
+    std::vector<seaglass::SpectrumSample> table;
+};
+
+/// False with `error` set when there is no such model, or no table in the file that is named.
+bool seaOf(const WavesDesc& waves, SceneSea& sea, Error& error);
 
 } // namespace demos

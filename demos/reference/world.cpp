@@ -35,10 +35,10 @@ bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error) {
     out.water = desc;
     out.sea.reset();
     if (!desc || !desc->waves) return true;
-    seaglass::SeaDesc sea;
+    SceneSea sea;
     if (!seaOf(*desc->waves, sea, error)) return false;
     seaglass::SeaError problem;
-    out.sea.reset(seaglass::createSea(&sea, &problem));
+    out.sea.reset(seaglass::createSea(&sea.desc, &problem));
     if (!out.sea) error.text = std::string("water: BodyDesc.waves: ") + problem.text;
     return out.sea != nullptr;
 }

@@ -44,7 +44,9 @@ constexpr double far = 1e6; // metres: beyond it a float no longer resolves a wa
 constexpr double turn = 360;
 constexpr bool required = true;
 
-constexpr std::array<std::string_view, 2> spectra = {"jonswap", "pierson-moskowitz"};
+constexpr std::array<std::string_view, 5> spectra = {"jonswap", "pierson-moskowitz", "tma", "phillips",
+                                                     "table"};
+constexpr std::array<std::string_view, 4> spreadings = {"hasselmann", "mitsuyasu", "donelan-banner", "cos2s"};
 constexpr std::array<std::string_view, 3> backends = {"automatic", "gpu", "fftw"};
 constexpr std::array<std::string_view, 5> techniques = {"sky", "sspr", "ssr", "hybrid", "planar"};
 
@@ -71,10 +73,17 @@ constexpr std::array meshFields = {
 constexpr std::array wavesFields = {
     Field{"spectrum", at<&WavesDesc::spectrum>, 0, 0, "", "model of the spectrum", false, Rule::none,
           spectra},
-    Field{"wind_m_s", at<&WavesDesc::windMps>, 0, 60, "m/s", "wind speed at 10 m"},
+    Field{"spectrum_table", at<&WavesDesc::spectrumTable>, 0, 0, "", "CSV file of Hz and m^2/Hz"},
+    Field{"beaufort", at<&WavesDesc::beaufort>, 0, 12, "", "force: wind, fetch and old waves at once"},
+    Field{"wind_m_s", at<&WavesDesc::windMps>, 0, 100, "m/s", "wind speed at 10 m"},
     Field{"wind_towards_deg", at<&WavesDesc::windTowardsDeg>, -turn, turn, "degrees", "from +X towards +Z"},
-    Field{"fetch_m", at<&WavesDesc::fetchM>, 1, 1e7, "m", "open water upwind"},
+    Field{"fetch_m", at<&WavesDesc::fetchM>, 1, 1e6, "m", "open water upwind"},
+    Field{"cap_fetch", at<&WavesDesc::capFetch>, 0, 0, "", "no further than a fully developed sea"},
+    Field{"depth_m", at<&WavesDesc::depthM>, 0, 1e5, "m", "of the water, for its waves"},
     Field{"peak_enhancement", at<&WavesDesc::peakEnhancement>, 1, 10, "", "JONSWAP gamma"},
+    Field{"spreading", at<&WavesDesc::spreading>, 0, 0, "", "model of the directions", false, Rule::none,
+          spreadings},
+    Field{"spreading_shape", at<&WavesDesc::spreadingShape>, 0, 1000, "", "s of cos2s"},
     Field{"swell", at<&WavesDesc::swell>, 0, 1, "", "elongation of the directional spreading"},
     Field{"amplitude", at<&WavesDesc::amplitude>, 0, 1, "", "scale of the heights, 1 as the wind makes them"},
     Field{"choppiness", at<&WavesDesc::choppiness>, 0, 10, "", "scale of the horizontal displacement"},
@@ -85,6 +94,14 @@ constexpr std::array wavesFields = {
     // TOML's integers are signed.
     Field{"seed", at<&WavesDesc::seed>, 0, 9223372036854774784.0, "", "of the random phases"},
     Field{"backend", at<&WavesDesc::backend>, 0, 0, "", "what computes them", false, Rule::none, backends},
+};
+
+constexpr std::array swellFields = {
+    Field{"height_m", at<&SwellDesc::heightM>, 0, 30, "m", "its own significant wave height"},
+    Field{"period_s", at<&SwellDesc::periodS>, 1, 30, "s", "of its peak"},
+    Field{"towards_deg", at<&SwellDesc::towardsDeg>, -turn, turn, "degrees", "from +X towards +Z"},
+    Field{"bandwidth", at<&SwellDesc::bandwidth>, 0.02, 0.25, "", "of frequency, as a share"},
+    Field{"spreading", at<&SwellDesc::spreading>, 0, 1000, "", "s of cos^2s: greater is straighter"},
 };
 
 constexpr std::array foamFields = {
@@ -163,7 +180,10 @@ constexpr std::array sceneFields = {
 constexpr Section sky = {"sky", skyFields, {}, "the light from afar"};
 constexpr Section sun = {"sun", sunFields, {}, "the light from one direction"};
 constexpr Section mesh = {"mesh", meshFields, {}, "a glTF model"};
-constexpr Section waves = {"waves", wavesFields, {}, "the sea's waves; without it the water is flat"};
+constexpr Section swells = {"swells", swellFields, {}, "waves from afar, four systems at most"};
+constexpr std::array wavesChildren = {Child{&swells, open<&WavesDesc::swells>, true}};
+constexpr Section waves = {"waves", wavesFields, wavesChildren,
+                           "the sea's waves; without it the water is flat"};
 constexpr Section foam = {"foam", foamFields, {}, "foam on breaking waves"};
 constexpr Section refraction = {
     "refraction", refractionFields, {}, "light that enters; without it the water is opaque"};

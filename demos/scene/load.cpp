@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr uintmax_t largestFile = 1 << 20;
 constexpr size_t longestValue = 60;
+constexpr size_t mostSwells = 4;
 
 std::string join(const std::string& path, std::string_view key) {
     return path.empty() ? std::string(key) : path + "." + std::string(key);
@@ -384,6 +385,22 @@ bool checkWater(const Scene& scene, const toml::table& root, Reader& reader) {
                        "water.foam is set, expected [water.waves] too: foam comes from waves");
 }
 
+bool checkWaves(const Scene& scene, const toml::table& root, Reader& reader) {
+    if (!scene.water || !scene.water->waves) return true;
+    const WavesDesc& waves = *scene.water->waves;
+    const toml::table& table = *root["water"]["waves"].as_table();
+    const size_t most = waves.beaufort == WavesDesc::noForce ? mostSwells : mostSwells - 1;
+    if (waves.swells.size() > most) {
+        return reader.fail(place(*table.get("swells"), reader.file()),
+                           "water.waves.swells are " + std::to_string(waves.swells.size()) +
+                               ", expected at most " + std::to_string(most) +
+                               (most < mostSwells ? ": beaufort has one of its own" : ""));
+    }
+    if (waves.spectrum != "table" || !waves.spectrumTable.empty()) return true;
+    return reader.fail(place(*table.get("spectrum"), reader.file()),
+                       "water.waves.spectrum is 'table', expected water.waves.spectrum_table too");
+}
+
 bool checkFloor(const Scene& scene, const toml::table& root, Reader& reader) {
     if (!scene.floor) return true;
     if (scene.water) {
@@ -454,7 +471,7 @@ std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::stri
     Reader reader(file, error);
     if (!reader.read(root, sceneSection(), &scene, "", "")) return std::nullopt;
     if (!checkCameras(scene, root, reader) || !checkWater(scene, root, reader) ||
-        !checkFloor(scene, root, reader))
+        !checkWaves(scene, root, reader) || !checkFloor(scene, root, reader))
         return std::nullopt;
     rememberPlaces(scene, root, file.string());
     return scene;

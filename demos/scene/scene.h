@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -14,7 +15,7 @@ namespace demos {
 using Vec3 = std::array<double, 3>;
 
 /// A place in a file and what is wrong there: "harbour.toml:12: water.waves.wind_m_s is -3, expected 0 to
-/// 60".
+/// 100".
 struct Error {
     std::string text;
 };
@@ -42,13 +43,31 @@ struct MeshDesc {
     std::string where = {}; ///< of `file` in the scene, for errors: "harbour.toml:21: mesh.0.file"
 };
 
+/// Waves from afar: seaglass::SwellDesc.
+struct SwellDesc {
+    double heightM = 1;
+    double periodS = 12;
+    double towardsDeg = 0; ///< from +X towards +Z
+    double bandwidth = 0.08;
+    double spreading = 50;
+};
+
 struct WavesDesc {
-    std::string spectrum = "jonswap"; ///< jonswap | pierson-moskowitz
+    static constexpr uint32_t noForce = 13;
+
+    std::string spectrum = "jonswap";    ///< jonswap | pierson-moskowitz | tma | phillips | table
+    std::filesystem::path spectrumTable; ///< CSV of `table`: Hz, m^2/Hz; absolute
+    uint32_t beaufort = noForce;         ///< sets wind, fetch and the first swell in place of those here
     double windMps = 10;
     double windTowardsDeg = 0; ///< from +X towards +Z
     double fetchM = 300e3;
+    bool capFetch = true;
+    double depthM = std::numeric_limits<double>::infinity(); ///< deep unless it is said
     double peakEnhancement = 3.3;
+    std::string spreading = "hasselmann"; ///< hasselmann | mitsuyasu | donelan-banner | cos2s
+    double spreadingShape = 5;            ///< s of cos2s
     double swell = 0;
+    std::vector<SwellDesc> swells;
     double amplitude = 1;
     double choppiness = 1;
     uint32_t samples = 256;

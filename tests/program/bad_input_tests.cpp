@@ -65,7 +65,7 @@ std::vector<BadInput> commandLines() {
          {"--set water.wave=1", "nearest is water.waves"}},
         {"SetOutOfRange",
          render({"--set", "water.waves.wind_m_s=-3"}),
-         {"--set water.waves.wind_m_s=-3:", "0 to 60"}},
+         {"--set water.waves.wind_m_s=-3:", "0 to 100"}},
     };
 }
 
@@ -79,7 +79,7 @@ std::vector<BadInput> files() {
          {"unknown.toml:22: water.waves.wind_ms", "nearest is water.waves.wind_m_s"}},
         {"OutOfRange",
          render({}, "range.toml"),
-         {"range.toml:22: water.waves.wind_m_s is -3", "expected 0 to 60 m/s"}},
+         {"range.toml:22: water.waves.wind_m_s is -3", "expected 0 to 100 m/s"}},
         {"FloorOutOfRange",
          render({}, "floor_range.toml"),
          {"floor_range.toml:21: floor.roughness is 1.5", "expected 0 to 1"}},

@@ -83,6 +83,38 @@ TEST_F(SceneFile, FilesAreKeptWithTheirPlaces) {
     EXPECT_EQ(scene->meshes[0].where, file().string() + ":14: mesh.0.file");
 }
 
+TEST_F(SceneFile, WavesAreAWindSeaAndSwells) {
+    tests::writeAll(folder_.path() / "buoy.csv", "0.1,4\n0.2,1\n");
+    const std::string swells =
+        "[[water.waves.swells]]\nheight_m = 1.5\n[[water.waves.swells]]\nperiod_s = 9\n";
+    const std::optional<Scene> scene =
+        loadText(tests::sampleScene() + swells,
+                 {"water.waves.spectrum=table", "water.waves.spectrum_table=buoy.csv",
+                  "water.waves.depth_m=12", "water.waves.spreading=donelan-banner", "water.waves.beaufort=7",
+                  "water.waves.cap_fetch=false", "water.waves.swells.1.towards_deg=30"});
+    ASSERT_TRUE(scene) << error_.text;
+    const demos::WavesDesc& waves = *scene->water->waves;
+    EXPECT_EQ(waves.spectrumTable, folder_.path() / "buoy.csv");
+    EXPECT_EQ(waves.depthM, 12);
+    EXPECT_EQ(waves.spreading, "donelan-banner");
+    EXPECT_EQ(waves.beaufort, 7u);
+    EXPECT_FALSE(waves.capFetch);
+    ASSERT_EQ(waves.swells.size(), 2u);
+    EXPECT_EQ(waves.swells[0].heightM, 1.5);
+    EXPECT_EQ(waves.swells[1].towardsDeg, 30);
+
+    EXPECT_EQ(problemOf("water.waves.beaufort=13"),
+              "--set water.waves.beaufort=13: water.waves.beaufort is 13, expected a whole number, 0 to 12");
+    EXPECT_EQ(
+        problemOf("water.waves.swells.0.height_m=31"),
+        "--set water.waves.swells.0.height_m=31: water.waves.swells.0.height_m is 31, expected 0 to 30 m");
+    EXPECT_NE(problemOf("water.waves.spectrum=table").find("expected water.waves.spectrum_table too"),
+              std::string::npos);
+    std::string many = tests::sampleScene();
+    for (int i = 0; i < 5; ++i) many += "[[water.waves.swells]]\nheight_m = 1\n";
+    EXPECT_NE(problem(many).find("water.waves.swells are 5, expected at most 4"), std::string::npos);
+}
+
 TEST_F(SceneFile, AbsentTablesAreAbsentFeatures) {
     const std::string least =
         "[sky]\nfile = 'sky.hdr'\n[[camera]]\nname = 'a'\nposition_m = [0, 2, 0]\ntarget_m = [0, 2, -1]\n";
@@ -114,7 +146,7 @@ TEST_F(SceneFile, ARelativeSceneFindsItsFiles) {
 
 TEST_F(SceneFile, OutOfRangeNamesFileLineFieldAndRange) {
     EXPECT_EQ(problem(replaced("wind_m_s = 6", "wind_m_s = -3")),
-              "scene.toml:22: water.waves.wind_m_s is -3, expected 0 to 60 m/s");
+              "scene.toml:22: water.waves.wind_m_s is -3, expected 0 to 100 m/s");
     EXPECT_EQ(problem(replaced("samples = 128", "samples = 48")),
               "scene.toml:23: water.waves.samples is 48, expected a power of two, 16 to 1024");
     EXPECT_EQ(problem(replaced("cells_per_level = 128", "cells_per_level = 40")),
@@ -126,7 +158,7 @@ TEST_F(SceneFile, OutOfRangeNamesFileLineFieldAndRange) {
 
 TEST_F(SceneFile, WrongTypesAreRefused) {
     EXPECT_EQ(problem(replaced("wind_m_s = 6", "wind_m_s = '6'")),
-              "scene.toml:22: water.waves.wind_m_s is '6', expected 0 to 60 m/s");
+              "scene.toml:22: water.waves.wind_m_s is '6', expected 0 to 100 m/s");
     EXPECT_EQ(problem(replaced("samples = 128", "samples = 128.0")),
               "scene.toml:23: water.waves.samples is 128.0, expected a power of two, 16 to 1024");
     EXPECT_EQ(problem(replaced("irradiance = [3, 2, 1]", "irradiance = [3, 2]")),
@@ -293,9 +325,9 @@ TEST_F(SceneFile, OverridesMendWhatIsBroken) {
 
 TEST_F(SceneFile, OverrideErrorsNameTheOverride) {
     EXPECT_EQ(problemOf("water.waves.wind_m_s=-3"),
-              "--set water.waves.wind_m_s=-3: water.waves.wind_m_s is -3, expected 0 to 60 m/s");
+              "--set water.waves.wind_m_s=-3: water.waves.wind_m_s is -3, expected 0 to 100 m/s");
     EXPECT_EQ(problemOf("water.waves.wind_m_s=fast"),
-              "--set water.waves.wind_m_s=fast: water.waves.wind_m_s is 'fast', expected 0 to 60 m/s");
+              "--set water.waves.wind_m_s=fast: water.waves.wind_m_s is 'fast', expected 0 to 100 m/s");
     EXPECT_EQ(problemOf("sun.irradience=1"),
               "--set sun.irradience=1: sun.irradience is not a known key, the nearest is sun.irradiance");
     EXPECT_EQ(
@@ -367,7 +399,13 @@ TEST_F(SceneFile, EveryFieldIsInTheTableOnce) {
     EXPECT_EQ(std::adjacent_find(paths.begin(), paths.end()), paths.end());
 }
 
+/// The sample, with one of everything that can be repeated.
+std::string fullSample() {
+    return tests::sampleScene() + "[[water.waves.swells]]\n";
+}
+
 TEST_F(SceneFile, EveryFieldRefusesADate) {
+    tests::writeAll(file(), fullSample());
     for (const Place& place : everyField()) {
         EXPECT_NE(problemOf(place.path + "=1979-05-27").find(" is 1979-05-27, expected "), std::string::npos)
             << place.path << ": " << error_.text;
@@ -387,8 +425,7 @@ TEST_F(SceneFile, EveryNumberHoldsItsRange) {
         if (!isNumber(place)) continue;
         const Field& field = *place.field;
         // A scene has water or a floor, not both.
-        tests::writeAll(file(),
-                        place.path.starts_with("floor.") ? tests::sampleFloorScene() : tests::sampleScene());
+        tests::writeAll(file(), place.path.starts_with("floor.") ? tests::sampleFloorScene() : fullSample());
         ASSERT_TRUE(std::isfinite(field.least) && std::isfinite(field.most) && field.least < field.most)
             << place.path;
         const auto written = [&](double value) {

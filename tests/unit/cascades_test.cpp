@@ -72,6 +72,14 @@ TEST(Cascades, LargestPatchIsAsAskedOrFitsThePeak) {
     EXPECT_EQ(cascade(*makeSea(desc), 0).patch, 60);
     desc.windSpeed = 40;
     EXPECT_EQ(cascade(*makeSea(desc), 0).patch, 2000);
+    desc.spectrum = SpectrumModel::piersonMoskowitz;
+    EXPECT_NEAR(cascade(*makeSea(desc), 0).patch, 6 * peakWavelength(makeSpectrum(desc)), 1e-6);
+    SeaDesc swell;
+    swell.depth = 4;
+    swell.swells[0] = {.height = 1, .peakPeriod = 14};
+    EXPECT_NEAR(cascade(*makeSea(swell), 0).patch, 16 * peakWavelength(makeSpectrum(swell.swells[0]), 4),
+                1e-6)
+        << "of the longest system, over its depth";
 }
 
 TEST(Cascades, ModesKeepToTheirBand) {
@@ -99,32 +107,84 @@ TEST(Cascades, ModesKeepToTheirBand) {
     }
 }
 
-TEST(Cascades, SharedModesAreTheSameWhenSamplesDouble) {
-    for (const uint32_t samples : {64u, 256u}) {
-        const auto coarse = makeSea(withSamples(samples)), fine = makeSea(withSamples(2 * samples));
-        for (uint32_t c = 0; c < cascadeCount(*coarse); ++c) {
-            const Modes &few = coarse->modes[c], &many = fine->modes[c];
-            ASSERT_EQ(cascade(*coarse, c).patch, cascade(*fine, c).patch);
-            size_t shared = 0, lost = 0;
-            for (int32_t n = 0; n <= few.reach; ++n) {
-                for (int32_t m = -few.reach; m <= few.reach; ++m) {
-                    const size_t a = few.at(m, n), b = many.at(m, n);
-                    if (few.frequency[a] == 0) continue;
-                    if (many.frequency[b] == 0) {
-                        ++lost;
-                        continue;
-                    }
-                    ++shared;
-                    EXPECT_EQ(few.frequency[a], many.frequency[b]);
-                    EXPECT_EQ(few.forwardRe[a], many.forwardRe[b]);
-                    EXPECT_EQ(few.forwardIm[a], many.forwardIm[b]);
-                    EXPECT_EQ(few.backwardRe[a], many.backwardRe[b]);
-                    EXPECT_EQ(few.backwardIm[a], many.backwardIm[b]);
+void expectTruncation(SeaDesc desc, uint32_t samples) {
+    desc.samples = samples;
+    const auto coarse = makeSea(desc);
+    desc.samples = 2 * samples;
+    const auto fine = makeSea(desc);
+    for (uint32_t c = 0; c < cascadeCount(*coarse); ++c) {
+        const Modes &few = coarse->modes[c], &many = fine->modes[c];
+        ASSERT_EQ(cascade(*coarse, c).patch, cascade(*fine, c).patch);
+        size_t shared = 0, lost = 0;
+        for (int32_t n = 0; n <= few.reach; ++n) {
+            for (int32_t m = -few.reach; m <= few.reach; ++m) {
+                const size_t a = few.at(m, n), b = many.at(m, n);
+                if (few.frequency[a] == 0) continue;
+                if (many.frequency[b] == 0) {
+                    ++lost;
+                    continue;
                 }
+                ++shared;
+                EXPECT_EQ(few.frequency[a], many.frequency[b]);
+                EXPECT_EQ(few.forwardRe[a], many.forwardRe[b]);
+                EXPECT_EQ(few.forwardIm[a], many.forwardIm[b]);
+                EXPECT_EQ(few.backwardRe[a], many.backwardRe[b]);
+                EXPECT_EQ(few.backwardIm[a], many.backwardIm[b]);
             }
-            EXPECT_GT(shared, 100u);
-            if (samples >= 256) {
-                EXPECT_EQ(lost, 0u) << "cascade " << c;
+        }
+        EXPECT_GT(shared, 100u);
+        if (samples >= 256) {
+            EXPECT_EQ(lost, 0u) << "cascade " << c;
+        }
+    }
+}
+
+TEST(Cascades, SharedModesAreTheSameWhenSamplesDouble) {
+    const SpectrumSample table[] = {{0.05f, 0}, {0.1f, 4}, {0.2f, 1}, {0.4f, 0}};
+    for (const auto model : {SpectrumModel::jonswap, SpectrumModel::piersonMoskowitz, SpectrumModel::tma,
+                             SpectrumModel::phillips, SpectrumModel::table}) {
+        SeaDesc desc = withSamples(64);
+        desc.spectrum = model;
+        desc.depth = 20;
+        desc.spectrumTable = table;
+        desc.spectrumTableCount = 4;
+        desc.swells[0] = {.height = 1, .peakPeriod = 9, .direction = 1};
+        for (const uint32_t samples : {64u, 256u}) expectTruncation(desc, samples);
+    }
+    for (const auto spreading :
+         {SpreadingModel::mitsuyasu, SpreadingModel::donelanBanner, SpreadingModel::cosine2s}) {
+        SeaDesc desc = withSamples(64);
+        desc.spreading = spreading;
+        desc.swell = 0.3f;
+        expectTruncation(desc, 64);
+    }
+}
+
+// However few the samples: a sea is never flat by accident.
+TEST(Cascades, HoldEveryPeak) {
+    struct Case {
+        float wind;
+        double swellPeriod;
+    };
+    for (const Case c : {Case{0.5f, 0}, Case{3, 0}, Case{10, 0}, Case{30, 0}, Case{100, 0}, Case{5, 20}}) {
+        for (const uint32_t samples : {16u, 64u, 256u}) {
+            for (uint32_t cascades = 1; cascades <= maxCascades; ++cascades) {
+                SeaDesc desc = withSamples(samples);
+                desc.cascades = cascades;
+                desc.windSpeed = c.wind;
+                desc.spectrum = SpectrumModel::piersonMoskowitz;
+                if (c.swellPeriod > 0)
+                    desc.swells[0] = {.height = 2, .peakPeriod = static_cast<float>(c.swellPeriod)};
+                double height = 0;
+                for (desc.seed = 1; desc.seed <= 8; ++desc.seed)
+                    height += significantWaveHeight(*makeSea(desc)) / 8;
+                const double wind195 = 1.026 * static_cast<double>(c.wind);
+                const double windSea = 0.21 * wind195 * wind195 / 9.81;
+                const double whole = std::hypot(windSea, c.swellPeriod > 0 ? 2 : 0);
+                EXPECT_GT(height, 0.55 * whole) << c.wind << " m/s, " << samples << " x " << cascades;
+                // A narrow peak on the first waves of a lattice is that much louder.
+                EXPECT_LT(height, (samples > 16 ? 1.1 : 1.5) * whole)
+                    << c.wind << " m/s, " << samples << " x " << cascades;
             }
         }
     }

@@ -59,8 +59,8 @@ DirectSum directSum(const Sea& sea, uint32_t cascade, double time, double u, dou
 }
 
 double moment(const Spectrum& spectrum, double low, double high, int power) {
-    // In ln omega, where the spectrum is smooth; nothing lives below a third of the peak or far past it.
-    const double from = std::log(std::max(low, spectrum.peak / 3));
+    // In ln omega, where the spectrum is smooth; nothing lives below a fifth of the peak or far past it.
+    const double from = std::log(std::max(low, spectrum.peak / 5));
     const double to = std::log(std::min(high, spectrum.peak * 1e4));
     constexpr int steps = 40000;
     const double step = (to - from) / steps;

@@ -94,7 +94,7 @@ TEST(Spectrum, IsLargestAtItsPeak) {
 }
 
 TEST(Spectrum, CapHoldsTheFetchAtFullDevelopment) {
-    SeaDesc desc = jonswap(10, 1e7f);
+    SeaDesc desc = jonswap(10, 1e6f);
     const double uncapped = waveHeight(makeSpectrum(desc));
     desc.capFetch = true;
     const double capped = waveHeight(makeSpectrum(desc));
@@ -108,9 +108,86 @@ TEST(Spectrum, CapHoldsTheFetchAtFullDevelopment) {
     EXPECT_EQ(makeSpectrum(desc).alpha, makeSpectrum(open).alpha);
 }
 
+TEST(Spectrum, BottomLowersItAsPublished) {
+    // Kitaigorodskii's factor of wh = w sqrt(h/g).
+    for (const auto& [wh, factor] : {std::pair{0.5, 0.1248}, {1.0, 0.4828}, {1.5, 0.8785}, {2.0, 0.9934}}) {
+        for (const double depth : {0.3, 12.0})
+            EXPECT_NEAR(kitaigorodskii(wh * std::sqrt(gravity / depth), depth), factor, 5e-5) << wh;
+    }
+    EXPECT_EQ(kitaigorodskii(1, infinity), 1);
+    EXPECT_NEAR(kitaigorodskii(1e-3, 1), 1e-6 / gravity / 2, 1e-12);
+    EXPECT_EQ(kitaigorodskii(1e-300, 1e-30), 0);
+    double last = 0;
+    for (double omega = 1e-5; omega < 10; omega *= 1.01) {
+        const double factor = kitaigorodskii(omega, 10);
+        EXPECT_GE(factor, last) << omega;
+        EXPECT_LE(factor, 1) << omega;
+        last = factor;
+    }
+}
+
+TEST(Spectrum, TmaHasItsHeights) {
+    for (const auto& [depth, height] :
+         {std::pair{5.0f, 2.17}, {10.0f, 2.97}, {20.0f, 3.95}, {50.0f, 5.20}, {INFINITY, 5.65}}) {
+        SeaDesc desc = jonswap(15, 300e3f);
+        desc.spectrum = SpectrumModel::tma;
+        desc.depth = depth;
+        EXPECT_NEAR(waveHeight(makeSpectrum(desc)) / height, 1, 3e-3) << depth << " m";
+        desc.spectrum = SpectrumModel::jonswap;
+        EXPECT_NEAR(waveHeight(makeSpectrum(desc)) / 5.65, 1, 3e-3) << "JONSWAP heeds no bottom";
+    }
+}
+
+TEST(Spectrum, PhillipsIsThatOfWaveNumbers) {
+    SeaDesc desc;
+    desc.spectrum = SpectrumModel::phillips;
+    desc.windSpeed = 12;
+    const Spectrum spectrum = makeSpectrum(desc);
+    const double length = 12 * 12 / gravity;
+    for (const double k : {0.5 / length, 1 / length, 8 / length}) {
+        // alpha/2 k^-3 exp(-1/(k L)^2) dk = S dw, w^2 = g k.
+        const double perWaveNumber = 8.1e-3 / 2 / (k * k * k) * std::exp(-1 / (k * length * k * length));
+        const double groupSpeed = 0.5 * std::sqrt(gravity / k);
+        EXPECT_NEAR(energy(spectrum, std::sqrt(gravity * k)) * groupSpeed / perWaveNumber, 1, 1e-9);
+    }
+    // Its integral is alpha L^2/4.
+    EXPECT_NEAR(waveHeight(spectrum), 4 * std::sqrt(8.1e-3) * length / 2, 1e-3);
+}
+
+TEST(Spectrum, SwellHasTheHeightAndPeriodItIsGiven) {
+    SwellDesc swell;
+    swell.height = 1.7f;
+    swell.peakPeriod = 11;
+    for (const float bandwidth : {0.02f, 0.08f, 0.25f}) {
+        swell.bandwidth = bandwidth;
+        const Spectrum spectrum = makeSpectrum(swell);
+        EXPECT_NEAR(waveHeight(spectrum), 1.7, 2e-3) << bandwidth;
+        EXPECT_NEAR(moment(spectrum, 0, infinity, 1) / moment(spectrum, 0, infinity),
+                    2 * std::numbers::pi / 11, 2e-3);
+        EXPECT_GT(energy(spectrum, spectrum.peak), energy(spectrum, 1.01 * spectrum.peak));
+        EXPECT_GT(energy(spectrum, spectrum.peak), energy(spectrum, 0.99 * spectrum.peak));
+    }
+}
+
+TEST(Spectrum, TableIsLinearBetweenItsSamples) {
+    const SpectrumSample samples[] = {{0.05f, 0}, {0.1f, 4}, {0.2f, 1}, {0.4f, 0}};
+    SeaDesc desc;
+    desc.spectrum = SpectrumModel::table;
+    desc.spectrumTable = samples;
+    desc.spectrumTableCount = 4;
+    const Spectrum spectrum = makeSpectrum(desc);
+    const double turn = 2 * std::numbers::pi;
+    EXPECT_NEAR(spectrum.peak, turn * 0.1, 1e-6);
+    for (const auto& [hertz, density] :
+         {std::pair{0.04, 0.0}, {0.075, 2.0}, {0.1, 4.0}, {0.15, 2.5}, {0.3, 0.5}, {0.41, 0.0}})
+        EXPECT_NEAR(energy(spectrum, turn * hertz) * turn, density, 1e-5) << hertz;
+    // Trapezia of 0.1, 0.25 and 0.1 m^2.
+    EXPECT_NEAR(waveHeight(spectrum), 4 * std::sqrt(0.45), 1e-3);
+}
+
 TEST(Spectrum, IsFiniteAndNeverNegative) {
-    for (const float wind : {0.01f, 60.0f}) {
-        for (const float fetch : {1.0f, 1e7f}) {
+    for (const float wind : {0.01f, 100.0f}) {
+        for (const float fetch : {1.0f, 1e6f}) {
             for (const bool cap : {false, true}) {
                 SeaDesc desc = jonswap(wind, fetch);
                 desc.capFetch = cap;

@@ -9,21 +9,65 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace seaglass {
 
 constexpr uint32_t maxCascades = 4;
+constexpr uint32_t maxSwells = 4;
+constexpr uint32_t maxSpectrumSamples = 4096;
 
-enum class SpectrumModel : uint32_t { jonswap = 0, piersonMoskowitz = 1 };
+/// How the wind sea's energy lies over frequency.
+enum class SpectrumModel : uint32_t {
+    jonswap = 0,          ///< grows with wind and fetch (Hasselmann et al. 1973)
+    piersonMoskowitz = 1, ///< fully developed, by the wind alone (Pierson and Moskowitz 1964)
+    tma = 2,              ///< JONSWAP over a bottom: times Kitaigorodskii's factor (Bouws et al. 1985)
+    phillips = 3, ///< alpha/2 k^-3 exp(-1/(k L)^2), L = U^2/g, alpha 0.0081 (Tessendorf 2001): in his terms
+                  ///< an amplitude of 1.29e-3 without his cos^2, which the spreading replaces
+    table = 4     ///< SeaDesc.spectrumTable
+};
 
+/// How energy lies over direction, at each frequency; each integrates to 1 over the circle.
+enum class SpreadingModel : uint32_t {
+    hasselmann = 0,    ///< cos^2s(theta/2), s by frequency and wave age (Hasselmann et al. 1980)
+    mitsuyasu = 1,     ///< the same with s of Mitsuyasu et al. 1975
+    donelanBanner = 2, ///< sech^2(beta theta) (Donelan et al. 1985, Banner 1990)
+    cosine2s = 3       ///< cos^2s(theta/2) with SeaDesc.spreadingShape everywhere
+};
+
+/// One point of a measured spectrum, as buoys report it.
+struct SpectrumSample {
+    float frequency = 0; ///< [Hz], 0.01..50
+    float density = 0;   ///< [m^2/Hz], 0..1e6
+};
+
+/// Waves that have left the wind that made them: long, of nearly one period and direction.
+struct SwellDesc {
+    float height = 0;        ///< their own significant wave height [m], 0..30; 0 is no swell, by branch
+    float peakPeriod = 12;   ///< [s], 1..30
+    float direction = 0;     ///< where they run towards, from +u to +v [rad]
+    float bandwidth = 0.08f; ///< standard deviation of frequency, as a share of the peak's, 0.02..0.25
+    float spreading = 50;    ///< s of cos^2s(theta/2), 0..1000
+};
+
+/// A wind sea and up to maxSwells swells; their energies add. Copied by createSea, pointees included.
 struct SeaDesc {
     SpectrumModel spectrum = SpectrumModel::jonswap;
-    float windSpeed = 10.0f;      ///< U10, at 10 m [m/s], 0..60; 0 is a flat sea, by branch
+    float windSpeed = 10.0f;      ///< U10, at 10 m [m/s], 0..100; 0 is no wind sea, by branch
     float windDirection = 0.0f;   ///< where it blows towards, from +u to +v [rad]
-    float fetch = 300e3f;         ///< [m], 1..1e7
+    float fetch = 300e3f;         ///< [m], 1..1e6
     bool capFetch = true;         ///< hold g F / U^2 at 1e4, past which JONSWAP exceeds a fully developed sea
     float peakEnhancement = 3.3f; ///< JONSWAP gamma, 1..10
-    float swell = 0.0f;           ///< elongation of the directional spreading, 0..1 (Horvath 2015)
+    /// Of the water [m], 0..infinity: shallow water shortens and slows waves. Only `tma` lowers them as well;
+    /// the other models are taken as the sea that is there. 0 is flat, by branch.
+    float depth = std::numeric_limits<float>::infinity();
+    SpreadingModel spreading = SpreadingModel::hasselmann;
+    float spreadingShape = 5; ///< s of `cosine2s`, 0..1000
+    float swell = 0.0f;       ///< elongation of the directional spreading, 0..1 (Horvath 2015)
+    /// Of `table`: at rising frequencies, linear between and nothing outside; 2..maxSpectrumSamples.
+    const SpectrumSample* spectrumTable = nullptr;
+    uint32_t spectrumTableCount = 0;
+    SwellDesc swells[maxSwells] = {};
     /// Scale of all heights, 0..1: 1 is the spectrum's own sea, less is water that something shelters; 0 is
     /// flat.
     float amplitude = 1.0f;
@@ -31,11 +75,17 @@ struct SeaDesc {
     uint32_t samples = 256;  ///< across each cascade, power of two, 16..1024; from 256 up, fewer samples are
                              ///< the same sea without its shortest waves
     uint32_t cascades = 3;   ///< 1..maxCascades
-    float largestPatch =
-        0.0f; ///< edge of the largest cascade [m], 1..1e5; 0 is 16 peak wavelengths, in 60..2000
+    /// Edge of the largest cascade [m], 1..1e5. 0 chooses: 16 of the longest system's peak wavelengths in
+    /// 60..2000 m, but 6 at least, and no more than lets the samples carry the greatest peak.
+    float largestPatch = 0.0f;
     double loopPeriod = 4096.0; ///< time after which the sea repeats exactly [s], 16..1e6
     uint64_t seed = 1;
 };
+
+/// The open sea at a force of Beaufort's scale: mean wind, a plausible fetch, and up to force 3 the waves
+/// that earlier winds left, so that the significant wave height is the scale's probable one (5: 7 % below). 0
+/// is flat; past 12 is 12.
+SeaDesc beaufortSea(uint32_t force, float windDirection = 0.0f);
 
 /// One band of wave vectors on its own tile. Each wave vector of the sea lives in exactly one cascade.
 struct Cascade {
@@ -61,8 +111,11 @@ void destroySea(Sea* sea);
 const SeaDesc& description(const Sea& sea);
 uint32_t cascadeCount(const Sea& sea);                  ///< 0 when the sea is flat
 const Cascade& cascade(const Sea& sea, uint32_t index); ///< index < cascadeCount
-double peakFrequency(const Sea& sea);                   ///< [rad/s], 0 when flat
-double significantWaveHeight(const Sea& sea);           ///< 4 sqrt(m0) of the modes held [m]
+/// Of the system with the greatest peak [rad/s]; 0 when flat.
+double peakFrequency(const Sea& sea);
+/// S(omega) of all systems together as asked for, resolved or not [m^2 s]; 0 when flat.
+double frequencySpectrum(const Sea& sea, double omega);
+double significantWaveHeight(const Sea& sea); ///< 4 sqrt(m0) of the modes held [m]
 /// Slope variance (both axes together) of the waves that the cascades hold.
 double resolvedSlopeVariance(const Sea& sea);
 /// Slope variance (both axes together) of the waves shorter than the shortest mode: a surface's roughness.

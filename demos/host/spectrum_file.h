@@ -1,0 +1,17 @@
+// A measured spectrum as a text of two columns.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "scene/scene.h"
+#include "seaglass/sea.h"
+
+namespace demos {
+
+/// Lines of "hertz,density in m^2/Hz"; those that are empty or begin with # are passed over. What the numbers
+/// may be is left to the sea. False with `error` set, which names the line.
+bool readSpectrum(const std::filesystem::path& file, std::vector<seaglass::SpectrumSample>& out,
+                  Error& error);
+
+} // namespace demos
