@@ -78,7 +78,7 @@ void setWind(const WavesDesc& waves, seaglass::SeaDesc& sea) {
 
 const seaglass::WavesBackend* wavesBackend() {
 #ifdef DEMOS_WAVES_FFTW
-    return seaglass::fftwWaves();
+    return seaglass::fftwWaves(2);
 #else
     return nullptr;
 #endif

@@ -90,23 +90,24 @@ class BareFftw {
 /// All cascades of a sea by the FFTW backend, into memory.
 class CpuWaves {
   public:
-    explicit CpuWaves(const Sea& sea)
-        : sea_(sea), state_(fftwWaves()->create(sea)),
+    CpuWaves(const Sea& sea, uint32_t threads)
+        : sea_(sea), backend_(*fftwWaves(threads)), state_(backend_.create(sea)),
           floats_(4 * size_t{description(sea).samples} * description(sea).samples),
           maps_(3 * floats_ * cascadeCount(sea)) {}
-    ~CpuWaves() { fftwWaves()->destroy(state_); }
+    ~CpuWaves() { backend_.destroy(state_); }
     CpuWaves(const CpuWaves&) = delete;
     CpuWaves& operator=(const CpuWaves&) = delete;
 
     void run(double time) {
         for (uint32_t c = 0; c < cascadeCount(sea_); ++c) {
             float* maps = maps_.data() + 3 * floats_ * c;
-            fftwWaves()->evaluate(state_, c, time, {maps, maps + floats_, maps + 2 * floats_});
+            backend_.evaluate(state_, c, time, {maps, maps + floats_, maps + 2 * floats_});
         }
     }
 
   private:
     const Sea& sea_;
+    const WavesBackend& backend_;
     void* state_;
     size_t floats_;
     std::vector<float> maps_;
@@ -187,7 +188,7 @@ int main(int count, char** arguments) {
     require(sea != nullptr, error.text);
 
     const BareFftw bare(desc.samples, pairs * desc.cascades);
-    CpuWaves cpu(*sea);
+    CpuWaves cpu(*sea, 1), cpuTwo(*sea, 2);
     DeviceWaves gpu(desc);
     std::vector<Row> rows;
     constexpr uint32_t warmUps = 3;
@@ -199,7 +200,8 @@ int main(int count, char** arguments) {
         };
         add("bare FFTW, one thread", millisecondsOf([&] { bare.run(1); }));
         add("bare FFTW, two threads", millisecondsOf([&] { bare.run(2); }));
-        add("fftwWaves(), whole update", millisecondsOf([&] { cpu.run(time); }));
+        add("fftwWaves(1), whole update", millisecondsOf([&] { cpu.run(time); }));
+        add("fftwWaves(2), whole update", millisecondsOf([&] { cpuTwo.run(time); }));
         const double before = processorMilliseconds();
         const std::vector<demos::PassTime> passes = gpu.run(time);
         const double used = processorMilliseconds() - before;

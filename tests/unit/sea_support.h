@@ -49,19 +49,21 @@ struct Maps {
 /// The FFTW backend on one sea.
 class Waves {
   public:
-    explicit Waves(const Sea& sea) : sea_(sea), state_(fftwWaves()->create(sea)) {}
+    explicit Waves(const Sea& sea, uint32_t threads = 1)
+        : sea_(sea), backend_(*fftwWaves(threads)), state_(backend_.create(sea)) {}
     Waves(const Waves&) = delete;
     Waves& operator=(const Waves&) = delete;
-    ~Waves() { fftwWaves()->destroy(state_); }
+    ~Waves() { backend_.destroy(state_); }
 
     Maps at(uint32_t cascade, double time) {
         Maps maps(description(sea_).samples);
-        fftwWaves()->evaluate(state_, cascade, time, maps.out());
+        backend_.evaluate(state_, cascade, time, maps.out());
         return maps;
     }
 
   private:
     const Sea& sea_;
+    const WavesBackend& backend_;
     void* state_;
 };
 

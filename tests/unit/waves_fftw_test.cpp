@@ -1,6 +1,7 @@
 #include "seaglass/waves_fftw.h"
 
 #include "tests/unit/sea_support.h"
+#include "tests/unit/wave_truth.h"
 #include "water/phase.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <random>
 
@@ -207,6 +209,63 @@ TEST(WavesFftw, SameBitsWhateverWasAskedBefore) {
         for (const uint32_t c : {2u, 0u, 1u}) used.at(c, time);
     }
     for (uint32_t c = 0; c < cascadeCount(*sea); ++c) EXPECT_EQ(fresh.at(c, 42.125), used.at(c, 42.125)) << c;
+}
+
+TEST(WavesFftw, SameBitsOnTwoThreads) {
+    for (const uint32_t samples : {16u, 64u, 256u}) {
+        SeaDesc desc;
+        desc.samples = samples;
+        const auto sea = makeSea(desc);
+        Waves one(*sea), two(*sea, 2);
+        for (uint32_t c = 0; c < cascadeCount(*sea); ++c) EXPECT_EQ(one.at(c, 7.5), two.at(c, 7.5)) << c;
+    }
+}
+
+TEST(WavesFftw, AgreeWithDoublesWhateverTheSize) {
+    double worst = 0;
+    for (uint32_t samples = 16; samples <= 1024; samples *= 2) {
+        SeaDesc desc;
+        desc.samples = samples;
+        const auto sea = makeSea(desc);
+        Waves waves(*sea);
+        constexpr double time = 100.125;
+        // Doubles are slow: of the large ones the fullest cascade.
+        const uint32_t count = cascadeCount(*sea);
+        for (uint32_t c = samples > 256 ? count - 1 : 0; c < count; ++c) {
+            const Maps maps = waves.at(c, time);
+            const auto error =
+                tests::waveError(tests::waveTruth(*sea, c, time), maps.displacement, maps.derivatives);
+            for (size_t f = 0; f < error.relative.size(); ++f) {
+                EXPECT_LT(error.relative[f], 5e-7) << samples << " samples, cascade " << c << ", field " << f;
+                worst = std::max(worst, error.relative[f]);
+            }
+        }
+    }
+    std::printf("largest relative L2 error %.2e\n", worst);
+}
+
+TEST(WavesFftw, AMonthLaterFramesStillFollowEvenly) {
+    const auto sea = makeSea(SeaDesc{});
+    Waves waves(*sea);
+    const double height = significantWaveHeight(*sea);
+    std::vector<Maps> frames;
+    for (int i = 0; i < 4; ++i) {
+        const double time = 30 * 86400.0 + i / 60.0;
+        frames.push_back(waves.at(0, time));
+        const Maps& now = frames.back();
+        EXPECT_LT(tests::waveError(tests::waveTruth(*sea, 0, time), now.displacement, now.derivatives).worst,
+                  1e-3 * height);
+        if (i < 2) continue;
+        const Maps &before = frames[static_cast<size_t>(i) - 1],
+                   &earlier = frames[static_cast<size_t>(i) - 2];
+        double moved = 0, jumped = 0;
+        for (size_t t = 0; t < now.texels(); ++t) {
+            moved = std::max(moved, std::abs(now.height(t) - before.height(t)));
+            jumped = std::max(jumped, std::abs(now.height(t) - 2 * before.height(t) + earlier.height(t)));
+        }
+        EXPECT_GT(moved, 1e-3 * height);
+        EXPECT_LT(jumped, 0.2 * moved);
+    }
 }
 
 TEST(WavesFftw, SameBitsWhereverTheMapsLie) {
