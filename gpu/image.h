@@ -65,6 +65,9 @@ constexpr Use discardedAfterSampling = {sampledByShaders.stage, VK_ACCESS_2_NONE
 constexpr Use storageWritten = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                                 VK_IMAGE_LAYOUT_GENERAL};
 
+constexpr Use copyWritten = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                             VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+
 /// Read and written by a kernel that changes it in place.
 constexpr Use storageChanged = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                                 VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,

@@ -9,9 +9,35 @@
 layout(set = 0, binding = 1, std430) readonly buffer Columns {
     vec2 columns[];
 };
+#ifdef COPIED
+// To be copied to the images, cascade after cascade.
+layout(set = 0, binding = 2, std430) writeonly buffer DisplacementMap {
+    vec4 displacementMap[];
+};
+layout(set = 0, binding = 3, std430) writeonly buffer DerivativeMap {
+    vec4 derivativeMap[];
+};
+layout(set = 0, binding = 4, std430) writeonly buffer MomentMap {
+    vec4 momentMap[];
+};
+#else
 layout(set = 0, binding = 2, rgba32f) uniform writeonly image2DArray displacementMap;
 layout(set = 0, binding = 3, rgba32f) uniform writeonly image2DArray derivativeMap;
 layout(set = 0, binding = 4, rgba32f) uniform writeonly image2DArray momentMap;
+#endif
+
+void storeTexel(uvec3 texel, vec4 displacement, vec4 derivatives, vec4 moments) {
+#ifdef COPIED
+    uint at = (texel.z * samples + texel.y) * samples + texel.x;
+    displacementMap[at] = displacement;
+    derivativeMap[at] = derivatives;
+    momentMap[at] = moments;
+#else
+    imageStore(displacementMap, ivec3(texel), displacement);
+    imageStore(derivativeMap, ivec3(texel), derivatives);
+    imageStore(momentMap, ivec3(texel), moments);
+#endif
+}
 
 vec2 conjugate(vec2 z) {
     return vec2(z.x, -z.y);
@@ -66,13 +92,12 @@ void main() {
     float unpack = 1.0 / s;   // exact
 #define STORE(r)                                                                                                       \
     {                                                                                                                  \
-        ivec3 texel = ivec3(place + team * uint(r), row, gl_WorkGroupID.y);                                               \
         vec2 slope = vec2(height[r].y * unpack, slopeV[r].x);                                                          \
         vec2 stretch = vec2(shiftU[r].y * unpack, slopeV[r].y);                                                        \
         float divergence = stretch.x + stretch.y;                                                                      \
-        imageStore(displacementMap, texel, vec4(shiftU[r].x, height[r].x, shiftV[r].x, shiftV[r].y * unpack));         \
-        imageStore(derivativeMap, texel, vec4(slope, stretch));                                                        \
-        imageStore(momentMap, texel, vec4(slope * slope, slope.x * slope.y, divergence * divergence));                 \
+        storeTexel(uvec3(place + team * uint(r), row, gl_WorkGroupID.y),                                               \
+                   vec4(shiftU[r].x, height[r].x, shiftV[r].x, shiftV[r].y * unpack), vec4(slope, stretch),            \
+                   vec4(slope * slope, slope.x * slope.y, divergence * divergence));                                   \
     }
     EACH(STORE)
 }

@@ -286,8 +286,7 @@ Status addWaves(Context& context, const BodyDesc& desc, Estimate& out) {
     SeaError error;
     const std::unique_ptr<Sea, SeaDeleter> sea(createSea(desc.waves, &error));
     if (!sea) return context.device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
-    if (cascadeCount(*sea) > 0)
-        out.bytes += Waves::bytes(*sea, chosenBackend(context.device, desc), context.frameCount);
+    if (cascadeCount(*sea) > 0) out.bytes += Waves::bytes(context, *sea, chosenBackend(context.device, desc));
     return Status::ok;
 }
 

@@ -107,16 +107,15 @@ void FoamMap::recordUpload(const gpu::Device& device, VkCommandBuffer commands) 
     if (uploaded_) return;
     uploaded_ = true;
     constexpr gpu::Use nothing{};
-    constexpr gpu::Use written = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
-    const VkImageMemoryBarrier2 before = gpu::imageBarrier(image_.handle(), nothing, written);
+    const VkImageMemoryBarrier2 before = gpu::imageBarrier(image_.handle(), nothing, gpu::copyWritten);
     gpu::recordBarriers(device, commands, &before, 1);
     VkBufferImageCopy region{};
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     region.imageExtent = {size, size, 1};
     device.vk().CmdCopyBufferToImage(commands, staging_.handle(), image_.handle(),
                                      VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    const VkImageMemoryBarrier2 after = gpu::imageBarrier(image_.handle(), written, gpu::sampledByShaders);
+    const VkImageMemoryBarrier2 after =
+        gpu::imageBarrier(image_.handle(), gpu::copyWritten, gpu::sampledByShaders);
     gpu::recordBarriers(device, commands, &after, 1);
 }
 

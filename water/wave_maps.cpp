@@ -49,6 +49,23 @@ void WaveMaps::recordBegin(const gpu::Device& device, VkCommandBuffer commands,
     gpu::recordBarriers(device, commands, barriers.data(), waveMapCount);
 }
 
+VkDeviceSize WaveMaps::mip0Bytes(uint32_t samplesAcross, uint32_t cascadeCount) {
+    gpu::ImageDesc desc = mapDesc(samplesAcross, cascadeCount);
+    desc.mipLevels = 1;
+    return gpu::imageBytes(desc) * waveMapCount;
+}
+
+void WaveMaps::recordCopy(const gpu::Device& device, VkCommandBuffer commands, VkBuffer source) const {
+    for (uint32_t map = 0; map < waveMapCount; ++map) {
+        VkBufferImageCopy region{};
+        region.bufferOffset = mip0Bytes(samples, cascades) / waveMapCount * map;
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, cascades};
+        region.imageExtent = {samples, samples, 1};
+        device.vk().CmdCopyBufferToImage(commands, source, images[map].handle(),
+                                         VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    }
+}
+
 void WaveMaps::recordMips(const gpu::Device& device, VkCommandBuffer commands,
                           const gpu::Use& written) const {
     const gpu::PassScope pass(device, commands, "waves_mips");

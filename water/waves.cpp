@@ -2,13 +2,15 @@
 
 namespace seaglass {
 
-VkDeviceSize Waves::bytes(const Sea& sea, const WavesBackend* backend, uint32_t framesInFlight) {
+VkDeviceSize Waves::bytes(const Context& context, const Sea& sea, const WavesBackend* backend) {
     return WaveMaps::bytes(cascade(sea, 0).samples, cascadeCount(sea)) +
-           (backend ? UploadedWaves::bytes(sea, framesInFlight) : ComputedWaves::bytes(sea));
+           (backend ? UploadedWaves::bytes(sea, context.frameCount)
+                    : ComputedWaves::bytes(context.device, sea));
 }
 
 Status Waves::create(Context& context, const Sea& sea, const WavesBackend* backend) {
-    const VkImageUsageFlags filledBy = backend ? UploadedWaves::mapUsage : ComputedWaves::mapUsage;
+    const VkImageUsageFlags filledBy =
+        backend ? UploadedWaves::mapUsage : ComputedWaves::mapUsage(context.device);
     if (const Status s = maps_.create(context.device, cascade(sea, 0).samples, cascadeCount(sea), filledBy);
         s != Status::ok)
         return s;

@@ -18,7 +18,7 @@ class Waves {
     Status record(Context& context, VkCommandBuffer commands, double time);
 
     /// Of a sea that is not flat, whatever fills the maps included.
-    static VkDeviceSize bytes(const Sea& sea, const WavesBackend* backend, uint32_t framesInFlight);
+    static VkDeviceSize bytes(const Context& context, const Sea& sea, const WavesBackend* backend);
     const WaveMaps& maps() const { return maps_; }
 
   private:

@@ -7,6 +7,7 @@
 
 #include "spirv/waves_columns.comp.h"
 #include "spirv/waves_rows.comp.h"
+#include "spirv/waves_rows_copied.comp.h"
 #include "water/phase.h"
 #include "water/sea.h"
 #include "water/wave_fields.h"
@@ -108,7 +109,19 @@ constexpr gpu::BufferUse shaderRead = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
 constexpr gpu::BufferUse shaderWritten = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                                           VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
-constexpr gpu::BufferUse copyWritten = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+constexpr gpu::BufferUse copyRead = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
+constexpr gpu::BufferUse modesCopied = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+
+bool copiesMaps(const gpu::Device& device) {
+    return device.type() == VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
+
+/// What the rows' kernel stores a map to: the image, or its part of the buffer that is copied.
+gpu::Resource mapResource(const WaveMaps& maps, uint32_t map, const gpu::Buffer& copied) {
+    if (!copied.handle()) return gpu::storageImage(maps.images[map].firstMipView());
+    const VkDeviceSize bytes = copied.size() / waveMapCount;
+    return gpu::storageBuffer(copied.handle(), bytes * map, bytes);
+}
 
 } // namespace
 
@@ -118,20 +131,27 @@ Status WaveKernels::get(const gpu::Device& device, uint32_t samples, const Pair*
     if (!fresh) return Status::ok;
     constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     constexpr VkDescriptorType buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    constexpr VkDescriptorType image = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
     const uint32_t constants[] = {samples};
     Pair& pair = entry->second;
     Status s = pair.columns.create(device, waves_columns_comp, std::array{uniform, buffer, buffer, buffer},
                                    "waves columns pipeline", constants);
+    const bool copies = copiesMaps(device);
+    const VkDescriptorType map = copies ? buffer : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    const std::span<const uint32_t> stores(waves_rows_comp), isCopied(waves_rows_copied_comp);
     if (s == Status::ok)
-        s = pair.rows.create(device, waves_rows_comp, std::array{uniform, buffer, image, image, image},
+        s = pair.rows.create(device, copies ? isCopied : stores, std::array{uniform, buffer, map, map, map},
                              "waves rows pipeline", constants);
     if (s != Status::ok) kernels_.erase(entry);
     return s;
 }
 
-VkDeviceSize ComputedWaves::bytes(const Sea& sea) {
-    return 2 * modeBytes(sea) + columnBytes(sea);
+VkImageUsageFlags ComputedWaves::mapUsage(const gpu::Device& device) {
+    return copiesMaps(device) ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_IMAGE_USAGE_STORAGE_BIT;
+}
+
+VkDeviceSize ComputedWaves::bytes(const gpu::Device& device, const Sea& sea) {
+    return 2 * modeBytes(sea) + columnBytes(sea) +
+           (copiesMaps(device) ? WaveMaps::mip0Bytes(sea.desc.samples, sea.count) : 0);
 }
 
 Status ComputedWaves::create(Context& context, const Sea& sea) {
@@ -151,54 +171,71 @@ Status ComputedWaves::create(Context& context, const Sea& sea) {
         s != Status::ok)
         return s;
     writeModes(sea, static_cast<std::byte*>(staging_.mapped()));
+    if (copiesMaps(context.device))
+        if (const Status s = copied_.create(
+                context.device, WaveMaps::mip0Bytes(sea.desc.samples, sea.count),
+                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "wave map buffer");
+            s != Status::ok)
+            return s;
     return columns_.create(context.device, columnBytes(sea), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                            "wave columns");
+}
+
+Status ComputedWaves::describe(Context& context, const WaveMaps& maps, const WaveKernels::Pair& kernels,
+                               double time, Sets& out) const {
+    const WavesUniforms uniforms = uniformsOf(*sea_, packing_, time);
+    gpu::Slice slice;
+    if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
+    std::memcpy(slice.data, &uniforms, sizeof uniforms);
+    const gpu::Resource uniform = gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms);
+    const gpu::Resource columns = gpu::storageBuffer(columns_.handle());
+    const VkDeviceSize split = amplitudeBytes(*sea_);
+    const std::array ofColumns{uniform, gpu::storageBuffer(modes_.handle(), 0, split),
+                               gpu::storageBuffer(modes_.handle(), split, modes_.size() - split), columns};
+    const std::array ofRows{uniform, columns, mapResource(maps, 0, copied_), mapResource(maps, 1, copied_),
+                            mapResource(maps, 2, copied_)};
+    if (const Status s = context.frame().allocateSet(kernels.columns.layout().set(), ofColumns, out.columns);
+        s != Status::ok)
+        return s;
+    return context.frame().allocateSet(kernels.rows.layout().set(), ofRows, out.rows);
+}
+
+void ComputedWaves::recordUpload(Context& context, VkCommandBuffer commands) {
+    if (uploaded_) return;
+    uploaded_ = true;
+    const VkBufferCopy region{0, 0, modes_.size()};
+    context.device.vk().CmdCopyBuffer(commands, staging_.handle(), modes_.handle(), 1, &region);
+    gpu::recordBarrier(context.device, commands, modesCopied, shaderRead);
+    context.frame().retire(std::move(staging_));
 }
 
 Status ComputedWaves::record(Context& context, VkCommandBuffer commands, const WaveMaps& maps, double time) {
     const gpu::Device& device = context.device;
     const WaveKernels::Pair* kernels = nullptr;
+    Sets sets;
     if (const Status s = kernels_->get(device, maps.samples, kernels); s != Status::ok) return s;
-    const WavesUniforms uniforms = uniformsOf(*sea_, packing_, time);
-    gpu::Slice slice;
-    if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
-    std::memcpy(slice.data, &uniforms, sizeof uniforms);
+    if (const Status s = describe(context, maps, *kernels, time, sets); s != Status::ok) return s;
 
-    const gpu::Resource uniform = gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms);
-    const VkDeviceSize split = amplitudeBytes(*sea_);
-    const std::array columnResources{uniform, gpu::storageBuffer(modes_.handle(), 0, split),
-                                     gpu::storageBuffer(modes_.handle(), split, modes_.size() - split),
-                                     gpu::storageBuffer(columns_.handle())};
-    const std::array rowResources{
-        uniform, gpu::storageBuffer(columns_.handle()), gpu::storageImage(maps.images[0].firstMipView()),
-        gpu::storageImage(maps.images[1].firstMipView()), gpu::storageImage(maps.images[2].firstMipView())};
-    VkDescriptorSet columnSet = VK_NULL_HANDLE, rowSet = VK_NULL_HANDLE;
-    if (const Status s =
-            context.frame().allocateSet(kernels->columns.layout().set(), columnResources, columnSet);
-        s != Status::ok)
-        return s;
-    if (const Status s = context.frame().allocateSet(kernels->rows.layout().set(), rowResources, rowSet);
-        s != Status::ok)
-        return s;
-
-    if (!uploaded_) {
-        const VkBufferCopy region{0, 0, modes_.size()};
-        device.vk().CmdCopyBuffer(commands, staging_.handle(), modes_.handle(), 1, &region);
-        gpu::recordBarrier(device, commands, copyWritten, shaderRead);
-        context.frame().retire(std::move(staging_));
-        uploaded_ = true;
-    }
+    recordUpload(context, commands);
     const uint32_t lines = groupPoints / maps.samples;
     const auto groups = [lines](uint32_t all) { return (all + lines - 1) / lines; };
+    const bool copies = copiesMaps(device);
+    const gpu::Use& filled = copies ? gpu::copyWritten : gpu::storageWritten;
     {
         const gpu::PassScope pass(device, commands, "waves");
-        gpu::recordBarrier(device, commands, {shaderRead.stage, VK_ACCESS_2_NONE}, shaderWritten);
-        kernels->columns.dispatch(commands, columnSet, groups(uniforms.allColumns), 1);
-        maps.recordBegin(device, commands, gpu::storageWritten);
+        const gpu::BufferUse lastRead = {shaderRead.stage | copyRead.stage, VK_ACCESS_2_NONE};
+        gpu::recordBarrier(device, commands, lastRead, shaderWritten);
+        kernels->columns.dispatch(commands, sets.columns, groups(allColumns(*sea_)), 1);
+        maps.recordBegin(device, commands, filled);
         gpu::recordBarrier(device, commands, shaderWritten, shaderRead);
-        kernels->rows.dispatch(commands, rowSet, groups(maps.samples), maps.cascades);
+        kernels->rows.dispatch(commands, sets.rows, groups(maps.samples), maps.cascades);
     }
-    maps.recordMips(device, commands, gpu::storageWritten);
+    if (copies) {
+        const gpu::PassScope pass(device, commands, "waves_copy");
+        gpu::recordBarrier(device, commands, shaderWritten, copyRead);
+        maps.recordCopy(device, commands, copied_.handle());
+    }
+    maps.recordMips(device, commands, filled);
     return Status::ok;
 }
 

@@ -1,5 +1,6 @@
-// Waves by compute shaders: spectrum and columns in one dispatch, rows and maps in another. Everything stays
-// within what Vulkan guarantees of any device: 64 invocations a group, 9 KiB they share.
+// Waves by compute shaders: spectrum and columns in one dispatch, rows and maps in another. Where the device
+// is a CPU, whose stores to images cost several times those to buffers, maps are copied from a buffer.
+// Everything stays within what Vulkan guarantees of any device: 64 invocations a group, 9 KiB they share.
 #pragma once
 
 #include <array>
@@ -31,20 +32,29 @@ class WaveKernels {
 
 class ComputedWaves {
   public:
-    static constexpr VkImageUsageFlags mapUsage = VK_IMAGE_USAGE_STORAGE_BIT;
+    static VkImageUsageFlags mapUsage(const gpu::Device& device);
 
     /// `sea` is not flat and outlives the waves.
     Status create(Context& context, const Sea& sea);
     Status record(Context& context, VkCommandBuffer commands, const WaveMaps& maps, double time);
 
-    static VkDeviceSize bytes(const Sea& sea);
+    static VkDeviceSize bytes(const gpu::Device& device, const Sea& sea);
 
   private:
+    struct Sets {
+        VkDescriptorSet columns = VK_NULL_HANDLE;
+        VkDescriptorSet rows = VK_NULL_HANDLE;
+    };
+    Status describe(Context& context, const WaveMaps& maps, const WaveKernels::Pair& kernels, double time,
+                    Sets& out) const;
+    void recordUpload(Context& context, VkCommandBuffer commands);
+
     const Sea* sea_ = nullptr;
     std::shared_ptr<WaveKernels> kernels_;
     gpu::Buffer modes_;   ///< amplitudes, then frequencies
     gpu::Buffer staging_; ///< of the modes, until they are recorded
     gpu::Buffer columns_; ///< transforms along the columns
+    gpu::Buffer copied_;  ///< mip 0 of the maps, where they are copied
     std::array<float, maxCascades> packing_{};
     bool uploaded_ = false;
 };

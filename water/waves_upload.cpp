@@ -4,28 +4,8 @@ namespace seaglass {
 
 namespace {
 
-constexpr gpu::Use copyWritten = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
-constexpr VkDeviceSize texelBytes = 4 * sizeof(float);
-
-VkDeviceSize layerBytes(uint32_t samples) {
-    return texelBytes * samples * samples;
-}
-
 VkDeviceSize stagingBytes(const Sea& sea) {
-    return layerBytes(cascade(sea, 0).samples) * cascadeCount(sea) * waveMapCount;
-}
-
-void copyToMip0(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& staging,
-                const WaveMaps& maps) {
-    for (uint32_t map = 0; map < waveMapCount; ++map) {
-        VkBufferImageCopy region{};
-        region.bufferOffset = layerBytes(maps.samples) * maps.cascades * map;
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, maps.cascades};
-        region.imageExtent = {maps.samples, maps.samples, 1};
-        device.vk().CmdCopyBufferToImage(commands, staging.handle(), maps.images[map].handle(),
-                                         VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    }
+    return WaveMaps::mip0Bytes(cascade(sea, 0).samples, cascadeCount(sea));
 }
 
 } // namespace
@@ -49,7 +29,7 @@ Status UploadedWaves::create(Context& context, const Sea& sea, const WavesBacken
 
 Status UploadedWaves::record(Context& context, VkCommandBuffer commands, const WaveMaps& maps, double time) {
     const gpu::Buffer& staging = staging_[context.slot];
-    const size_t layer = static_cast<size_t>(layerBytes(maps.samples)) / sizeof(float);
+    const size_t layer = size_t{4} * maps.samples * maps.samples;
     for (uint32_t i = 0; i < maps.cascades; ++i) {
         const auto mapped = [&](uint32_t map) {
             return static_cast<float*>(staging.mapped()) + layer * (map * maps.cascades + i);
@@ -58,10 +38,10 @@ Status UploadedWaves::record(Context& context, VkCommandBuffer commands, const W
     }
     {
         const gpu::PassScope pass(context.device, commands, "waves_upload");
-        maps.recordBegin(context.device, commands, copyWritten);
-        copyToMip0(context.device, commands, staging, maps);
+        maps.recordBegin(context.device, commands, gpu::copyWritten);
+        maps.recordCopy(context.device, commands, staging.handle());
     }
-    maps.recordMips(context.device, commands, copyWritten);
+    maps.recordMips(context.device, commands, gpu::copyWritten);
     return Status::ok;
 }
 

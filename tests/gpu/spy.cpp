@@ -71,6 +71,13 @@ VkResult VKAPI_CALL spiedShaderModule(VkDevice device, const VkShaderModuleCreat
     return vkCreateShaderModule(device, info, allocator, module);
 }
 
+VkPhysicalDeviceType pretendedType = VK_PHYSICAL_DEVICE_TYPE_MAX_ENUM;
+
+void VKAPI_CALL pretendedProperties(VkPhysicalDevice device, VkPhysicalDeviceProperties* properties) {
+    vkGetPhysicalDeviceProperties(device, properties);
+    if (pretendedType != VK_PHYSICAL_DEVICE_TYPE_MAX_ENUM) properties->deviceType = pretendedType;
+}
+
 PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char* name) {
     if (!std::strcmp(name, "vkCmdPipelineBarrier2"))
         return reinterpret_cast<PFN_vkVoidFunction>(&spiedBarrier);
@@ -96,9 +103,15 @@ PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char
 
 } // namespace
 
+void pretendDeviceType(VkPhysicalDeviceType type) {
+    pretendedType = type;
+}
+
 PFN_vkVoidFunction VKAPI_CALL spiedGetInstanceProcAddr(VkInstance instance, const char* name) {
     if (!std::strcmp(name, "vkGetDeviceProcAddr"))
         return reinterpret_cast<PFN_vkVoidFunction>(&spiedGetDeviceProcAddr);
+    if (!std::strcmp(name, "vkGetPhysicalDeviceProperties"))
+        return reinterpret_cast<PFN_vkVoidFunction>(&pretendedProperties);
     return vkGetInstanceProcAddr(instance, name);
 }
 

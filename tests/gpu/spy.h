@@ -23,6 +23,9 @@ size_t countSpied(const std::string& name);
 /// Device memory asked for.
 VkDeviceSize bytesSpied();
 
+/// What contexts are told that the device is; VK_PHYSICAL_DEVICE_TYPE_MAX_ENUM, as at first, for the truth.
+void pretendDeviceType(VkPhysicalDeviceType type);
+
 /// To be handed to a context as its loader.
 PFN_vkVoidFunction VKAPI_CALL spiedGetInstanceProcAddr(VkInstance instance, const char* name);
 
