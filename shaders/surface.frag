@@ -232,48 +232,42 @@ vec3 refracted(vec3 normal, vec3 toEye) {
 #ifdef FOAM
 const float foamTile = 24.0;   // [m], as in water/surface.h
 
-// Whitecaps form on waves of metres; folds of shorter ones are ripples' business.
-const float breakingFootprint = 1.0;   // [m]
-
-// Share of the pixel where the Jacobian lies below the threshold, what the pixel does not resolve taken as Gaussian.
+// Share of the surface that is white: what each cascade's breakers left (water/foam_history.h).
 float foamCover() {
-    vec4 derivatives = vec4(0.0);
-    float shear = 0.0;
-    float variance = 0.004;
-    for (int i = 0; i < cascades; ++i) {
-        vec3 at = vec3(cascade[i].xy + calmPosition * cascade[i].z, i);
-        float breaking = log2(breakingFootprint * cascade[i].w);
-        if (breaking > maxMip - 2.0) continue;   // a tile of ripples alone
-        float mip = max(textureQueryLod(waveDerivatives, at.xy).y, max(breaking, 0.0));
-        vec4 d = textureLod(waveDerivatives, at, mip);
-        derivatives += d;
-        shear += textureLod(waveDisplacement, at, mip).w;
-        float stretch = d.z + d.w;
-        variance += max(textureLod(waveMoments, at, mip).w - stretch * stretch, 0.0) * step(breaking + 0.5, mip);
+    float clear = 1.0;
+    for (int i = 0; i < foamCascades; ++i) {
+        vec2 steps = texture(foamHistory, vec3(cascade[i].xy + calmPosition * cascade[i].z, i)).rg;
+        clear *= 1.0 - mix(steps.x, steps.y, foam.x);
     }
-    float x = (foam.x - jacobianOf(derivatives, shear)) / sqrt(variance);
-    return 1.0 / (1.0 + exp(-1.702 * clamp(x, -20.0, 20.0)));   // logistic fit of the normal distribution
+    return 1.0 - clear;
 }
 
-// One octave of the pattern, and its mean where the pixel is too wide to show it.
-float patternOctave(float tile, float pixelWidth) {
+// How much of an octave of the pattern a pixel still shows; the rest is its mean.
+float octaveShown(float tile, float pixelWidth) {
     const float patternSamples = 256.0;
-    float texels = pixelWidth * patternSamples / tile;
-    float pattern = texture(foamPattern, (foam.zw + calmPosition) / tile).r;
-    return mix(pattern, 0.5, clamp(0.5 * log2(max(texels, 1.0)), 0.0, 1.0));
+    return 1.0 - clamp(0.5 * log2(max(pixelWidth * patternSamples / tile, 1.0)), 0.0, 1.0);
 }
 
-// Cover breaks up into rafts and lace where they can be seen, and is a mean where they cannot.
+// Cover breaks up into rafts and lace where they can be seen, and is a mean where they cannot: white is a share `cover`
+// of the surface either way.
 float foamMask(float cover) {
+    const vec3 weights = vec3(0.35, 0.4, 0.25);
+    const vec3 tiles = foamTile / vec3(1.0, 5.0, 17.0);
     vec2 stepSize = max(abs(dFdx(calmPosition)), abs(dFdy(calmPosition)));
     float pixelWidth = max(stepSize.x, stepSize.y);
-    float coarse = patternOctave(foamTile, pixelWidth);
-    float middle = patternOctave(foamTile / 4.0, pixelWidth);
-    float fine = patternOctave(foamTile / 16.0, pixelWidth);
-    float rafts = smoothstep(-0.05, 0.20, cover - (0.45 * coarse + 0.35 * middle + 0.2 * fine));
-    // Bubbles burst from the middle of a raft's cells: it thins into lace before it goes.
-    rafts *= smoothstep(-0.55, 0.25, cover - 0.5 * (middle + fine));
-    return mix(rafts, cover, clamp(log2(max(pixelWidth, 1e-6) / 0.3) / 4.0, 0.0, 1.0));
+    float pattern = 0.0;
+    float variance = 1e-5;
+    for (int i = 0; i < 3; ++i) {
+        float weight = weights[i] * octaveShown(tiles[i], pixelWidth);
+        pattern += weight * (texture(foamPattern, (foam.zw + calmPosition) / tiles[i]).r - 0.5);
+        variance += weight * weight / 12.0;   // of an even distribution
+    }
+    // The octaves' sum is nearly normal; as its own distribution function it is even again, so that a share `cover` of
+    // it lies below `cover`.
+    float even = 1.0 / (1.0 + exp(-1.702 * pattern * inversesqrt(variance)));
+    float edge = min(0.12, 0.5 * min(cover, 1.0 - cover)) + 1e-4;
+    float rafts = smoothstep(-edge, edge, cover - even);
+    return mix(cover, rafts, clamp(variance / 0.008, 0.0, 1.0));
 }
 
 vec3 withFoam(vec3 water, float mask, vec3 normal) {

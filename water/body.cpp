@@ -27,13 +27,6 @@ const char* badField(const MeshDesc& desc) {
     return nullptr;
 }
 
-const char* badField(const FoamDesc& desc) {
-    if (!(desc.threshold >= -1 && desc.threshold <= 1))
-        return "FoamDesc.threshold is out of range, expected -1 to 1";
-    if (!(desc.albedo >= 0 && desc.albedo <= 1)) return "FoamDesc.albedo is out of range, expected 0 to 1";
-    return nullptr;
-}
-
 const char* badField(const RefractionDesc& desc) {
     if (!coefficientsInRange(desc.absorption))
         return "RefractionDesc.absorption is out of range, expected 0 to 100";
@@ -127,10 +120,12 @@ SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, con
         u.reflectionLook = {reflection.clearDistance, reflection.scatter, reflection.skyFadeDistance, 0};
     }
     if (body.waves) setWaves(u, *body.sea, body.waves->maps(), geometry.eye);
-    if (body.foam)
+    if (body.foam) {
         u.foam =
-            glm::vec4(body.foam->threshold, body.foam->albedo, inTile(geometry.eye.x, foamTile) * foamTile,
+            glm::vec4(body.foam->past(), body.foam->albedo(), inTile(geometry.eye.x, foamTile) * foamTile,
                       inTile(geometry.eye.z, foamTile) * foamTile);
+        u.foamCascades = static_cast<int32_t>(body.foam->cascades());
+    }
     if (body.refraction) {
         u.absorption = color(body.refraction->absorption);
         u.backscatter = color(body.refraction->backscatter);
@@ -176,10 +171,8 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
     mesh = desc.mesh;
     if (desc.waves)
         if (const Status s = createWaves(desc); s != Status::ok) return s;
-    if (desc.foam && waves) {
-        foam = *desc.foam;
-        if (const Status s = foamMap.emplace().create(owner); s != Status::ok) return s;
-    }
+    if (desc.foam && waves)
+        if (const Status s = createFoam(*desc.foam); s != Status::ok) return s;
     if (desc.refraction) refraction = *desc.refraction;
     if (desc.reflection && desc.reflection->technique != ReflectionTechnique::sky) {
         ReflectorDesc reflectorDesc;
@@ -202,12 +195,20 @@ Status Body::createWaves(const BodyDesc& desc) {
     return waves.emplace().create(*context, *sea, chosenBackend(context->device, desc));
 }
 
+Status Body::createFoam(const FoamDesc& desc) {
+    if (breakingOf(*sea, desc).count == 0) return Status::ok;
+    if (const Status s = foamPattern.emplace().create(*context); s != Status::ok) return s;
+    return foam.emplace().create(*context, *sea, desc, *waves);
+}
+
 Status Body::simulate(VkCommandBuffer commands, double time) {
     if (!std::isfinite(time))
         return context->device.fail(Status::invalidArgument, "simulate: time is not finite");
-    if (foamMap) foamMap->recordUpload(context->device, commands);
+    if (foamPattern) foamPattern->recordUpload(context->device, commands);
     if (!waves) return Status::ok;
     simulated = true;
+    if (foam)
+        if (const Status s = foam->record(*context, commands, *waves, time); s != Status::ok) return s;
     return waves->record(*context, commands, time);
 }
 
@@ -264,7 +265,8 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     inputs.view = &view;
     if (waves)
         for (uint32_t i = 0; i < waveMapCount; ++i) inputs.waveMaps[i] = waves->maps().images[i].view();
-    if (foamMap) inputs.foamPattern = foamMap->view();
+    if (foamPattern) inputs.foamPattern = foamPattern->view();
+    if (foam) inputs.foamHistory = foam->view();
     setViewport(device, commands, view, geometry);
     return recordSurface(*context, commands, *pipeline, wanted, inputs);
 }
@@ -286,7 +288,11 @@ Status addWaves(Context& context, const BodyDesc& desc, Estimate& out) {
     SeaError error;
     const std::unique_ptr<Sea, SeaDeleter> sea(createSea(desc.waves, &error));
     if (!sea) return context.device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
-    if (cascadeCount(*sea) > 0) out.bytes += Waves::bytes(context, *sea, chosenBackend(context.device, desc));
+    if (cascadeCount(*sea) == 0) return Status::ok;
+    const WavesBackend* backend = chosenBackend(context.device, desc);
+    out.bytes += Waves::bytes(context, *sea, backend);
+    if (desc.foam && breakingOf(*sea, *desc.foam).count > 0)
+        out.bytes += FoamPattern::bytes() + Foam::bytes(*sea, *desc.foam, backend, context.frameCount);
     return Status::ok;
 }
 
@@ -302,7 +308,6 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
             if (const Status s = estimate(context, desc->reflection, extent, &sum); s != Status::ok) return s;
         if (desc->waves)
             if (const Status s = addWaves(*context, *desc, sum); s != Status::ok) return s;
-        if (desc->foam && sum.bytes > 0) sum.bytes += FoamMap::bytes();
         *out = sum;
         return Status::ok;
     });

@@ -11,6 +11,7 @@
 #include "reflection/reflector.h"
 #include "seaglass/water.h"
 #include "water/foam.h"
+#include "water/foam_pattern.h"
 #include "water/mesh.h"
 #include "water/surface.h"
 #include "water/waves.h"
@@ -33,9 +34,9 @@ struct Body {
     MeshDesc mesh;
     std::unique_ptr<Sea, SeaDeleter> sea; ///< null when flat
     std::optional<Waves> waves;
-    bool simulated = false; ///< the maps hold something
-    std::optional<FoamDesc> foam;
-    std::optional<FoamMap> foamMap;
+    bool simulated = false;   ///< the maps hold something
+    std::optional<Foam> foam; ///< only where waves break
+    std::optional<FoamPattern> foamPattern;
     std::optional<RefractionDesc> refraction;
     std::unique_ptr<Reflector> reflector; ///< null without a screen-space technique
     float reflectionDistortion = 0;
@@ -49,6 +50,7 @@ struct Body {
 
   private:
     Status createWaves(const BodyDesc& desc);
+    Status createFoam(const FoamDesc& desc);
     SurfaceFeatures features(const ReflectionImages& images) const;
     double largestDisplacement() const;
 };

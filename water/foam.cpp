@@ -1,122 +1,41 @@
 #include "water/foam.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <numeric>
-
 namespace seaglass {
 
-namespace {
-
-constexpr uint32_t size = foamPatternSamples;
-constexpr VkFormat format = VK_FORMAT_R8_UNORM;
-
-// Integer hash with good avalanche (Wellons, "lowbias32").
-uint32_t hash(uint32_t x) {
-    x ^= x >> 16;
-    x *= 0x7feb352dU;
-    x ^= x >> 15;
-    x *= 0x846ca68bU;
-    return x ^ (x >> 16);
+VkDeviceSize Foam::bytes(const Sea& sea, const FoamDesc& foam, const WavesBackend* backend,
+                         uint32_t framesInFlight) {
+    const uint32_t samples = cascade(sea, 0).samples, cascades = breakingOf(sea, foam).count;
+    return FoamImage::bytes(samples, cascades) +
+           (backend ? UploadedFoam::bytes(samples, cascades, framesInFlight) : 0);
 }
 
-float unit(uint32_t x, uint32_t y, uint32_t salt) {
-    return static_cast<float>(hash(x + hash(y + hash(salt))) >> 8) * 0x1p-24f;
-}
-
-/// Distance to the nearest and second nearest of one jittered point a cell (Worley 1996), `cells` cells to
-/// the tile.
-struct Cells {
-    float nearest;
-    float second;
-};
-
-Cells worley(float x, float y, uint32_t cells, uint32_t salt) {
-    const float fx = x * static_cast<float>(cells);
-    const float fy = y * static_cast<float>(cells);
-    const int ix = static_cast<int>(fx);
-    const int iy = static_cast<int>(fy);
-    Cells result{9, 9};
-    for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-            const uint32_t cx = static_cast<uint32_t>(ix + dx + static_cast<int>(cells)) % cells;
-            const uint32_t cy = static_cast<uint32_t>(iy + dy + static_cast<int>(cells)) % cells;
-            const float px = static_cast<float>(ix + dx) + unit(cx, cy, salt) - fx;
-            const float py = static_cast<float>(iy + dy) + unit(cx, cy, salt + 1) - fy;
-            const float d = std::sqrt(px * px + py * py);
-            if (d < result.nearest)
-                result = {d, result.nearest};
-            else
-                result.second = std::min(result.second, d);
-        }
-    return result;
-}
-
-/// Small where foam goes last: on the walls between bubbles, in rafts.
-float rawPattern(float x, float y) {
-    float value = 0;
-    float weight = 1;
-    for (const uint32_t cells : {5u, 11u, 23u, 47u}) {
-        const Cells c = worley(x, y, cells, cells * 7919u);
-        const float wall = c.second - c.nearest;
-        value += weight * (cells < 12 ? c.nearest : wall);
-        weight *= 0.72f;
-    }
-    return value;
-}
-
-} // namespace
-
-std::vector<uint8_t> foamPattern() {
-    std::vector<float> raw(size_t{size} * size);
-    for (uint32_t y = 0; y < size; ++y)
-        for (uint32_t x = 0; x < size; ++x)
-            raw[size_t{y} * size + x] =
-                rawPattern(static_cast<float>(x) / size, static_cast<float>(y) / size);
-    std::vector<uint32_t> order(raw.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return raw[a] < raw[b]; });
-    std::vector<uint8_t> pattern(raw.size());
-    for (size_t rank = 0; rank < order.size(); ++rank)
-        pattern[order[rank]] = static_cast<uint8_t>(rank * 256 / order.size());
-    return pattern;
-}
-
-VkDeviceSize FoamMap::bytes() {
-    constexpr VkDeviceSize pattern = VkDeviceSize{size} * size;
-    return 2 * pattern; // the image and its staging
-}
-
-Status FoamMap::create(Context& context) {
-    gpu::ImageDesc desc;
-    desc.format = format;
-    desc.extent = {size, size};
-    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    if (const Status s = image_.create(context.device, desc, "foam pattern"); s != Status::ok) return s;
-    const std::vector<uint8_t> pattern = foamPattern();
-    if (const Status s = staging_.createMapped(context.device, pattern.size(),
-                                               VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "foam staging buffer");
+Status Foam::create(Context& context, const Sea& sea, const FoamDesc& foam, const Waves& waves) {
+    loopPeriod_ = description(sea).loopPeriod;
+    albedo_ = foam.albedo;
+    const VkImageUsageFlags filledBy = waves.uploaded() ? UploadedFoam::imageUsage : ComputedFoam::imageUsage;
+    if (const Status s =
+            image_.create(context.device, cascade(sea, 0).samples, breakingOf(sea, foam).count, filledBy);
         s != Status::ok)
         return s;
-    std::memcpy(staging_.mapped(), pattern.data(), pattern.size());
+    if (waves.uploaded()) return source_.emplace<UploadedFoam>().create(context, sea, foam);
+    return source_.emplace<ComputedFoam>().create(context, sea, foam);
+}
+
+Status Foam::record(Context& context, VkCommandBuffer commands, Waves& waves, double time) {
+    const FoamTime now = foamTimeOf(time, loopPeriod_);
+    past_ = now.past;
+    if (step_ == now.step) return Status::ok;
+    step_.reset();
+    if (const Status s = recordSteps(context, commands, waves, now.step); s != Status::ok) return s;
+    step_ = now.step;
     return Status::ok;
 }
 
-void FoamMap::recordUpload(const gpu::Device& device, VkCommandBuffer commands) {
-    if (uploaded_) return;
-    uploaded_ = true;
-    constexpr gpu::Use nothing{};
-    const VkImageMemoryBarrier2 before = gpu::imageBarrier(image_.handle(), nothing, gpu::copyWritten);
-    gpu::recordBarriers(device, commands, &before, 1);
-    VkBufferImageCopy region{};
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.imageExtent = {size, size, 1};
-    device.vk().CmdCopyBufferToImage(commands, staging_.handle(), image_.handle(),
-                                     VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    const VkImageMemoryBarrier2 after =
-        gpu::imageBarrier(image_.handle(), gpu::copyWritten, gpu::sampledByShaders);
-    gpu::recordBarriers(device, commands, &after, 1);
+Status Foam::recordSteps(Context& context, VkCommandBuffer commands, Waves& waves, int64_t step) {
+    if (auto* computed = std::get_if<ComputedFoam>(&source_))
+        return computed->record(context, commands, *waves.computed(), waves.maps(), image_, step);
+    std::get<UploadedFoam>(source_).record(context, commands, *waves.uploaded(), image_, step);
+    return Status::ok;
 }
 
 } // namespace seaglass

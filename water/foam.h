@@ -1,32 +1,41 @@
-// The pattern that foam breaks up into: a tile of bubble rafts and lace, made once from a fixed seed.
+// A body's foam: the history's image, and who steps it.
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include <optional>
+#include <variant>
 
-#include "gpu/context.h"
-#include "gpu/image.h"
+#include "water/foam_gpu.h"
+#include "water/foam_image.h"
+#include "water/foam_upload.h"
+#include "water/waves.h"
 
 namespace seaglass {
 
-constexpr uint32_t foamPatternSamples = 256;
-
-/// foamPatternSamples^2 bytes, evenly distributed over 0..255 so that `pattern < cover` covers a share
-/// `cover`; tiles without a seam.
-std::vector<uint8_t> foamPattern();
-
-class FoamMap {
+class Foam {
   public:
-    Status create(Context& context);
-    static VkDeviceSize bytes();
-    /// Uploads on its first call, does nothing after.
-    void recordUpload(const gpu::Device& device, VkCommandBuffer commands);
-    VkImageView view() const { return image_.view(); }
+    /// `sea` breaks, and outlives the foam; `waves` are its.
+    Status create(Context& context, const Sea& sea, const FoamDesc& foam, const Waves& waves);
+    /// Brings the history to `time` where it has passed a step. May leave the wave maps at another time.
+    Status record(Context& context, VkCommandBuffer commands, Waves& waves, double time);
+
+    static VkDeviceSize bytes(const Sea& sea, const FoamDesc& foam, const WavesBackend* backend,
+                              uint32_t framesInFlight);
+    VkImageView view() const { return image_.image.view(); }
+    VkImage image() const { return image_.image.handle(); }
+    uint32_t cascades() const { return image_.image.desc().layers; }
+    float albedo() const { return albedo_; }
+    /// Share of the way from the image's first step to its second at the time recorded last.
+    float past() const { return past_; }
 
   private:
-    gpu::OwnedImage image_;
-    gpu::Buffer staging_;
-    bool uploaded_ = false;
+    Status recordSteps(Context& context, VkCommandBuffer commands, Waves& waves, int64_t step);
+
+    double loopPeriod_ = 1;
+    float albedo_ = 0;
+    float past_ = 0;
+    FoamImage image_;
+    std::variant<ComputedFoam, UploadedFoam> source_;
+    std::optional<int64_t> step_; ///< that the image holds
 };
 
 } // namespace seaglass

@@ -49,7 +49,8 @@ std::vector<Item> byFeature(const SurfaceFeatures& f, std::initializer_list<Item
     std::vector<Item> list(always);
     if (f.waves)
         for (const Item& item : waves()) list.push_back(item);
-    if (f.foam) list.push_back(foam());
+    if (f.foam)
+        for (const Item& item : foam()) list.push_back(item);
     if (f.reflection)
         for (const Item& item : reflection()) list.push_back(item);
     if (f.refraction)
@@ -64,7 +65,9 @@ std::vector<VkDescriptorType> bindings(const SurfaceFeatures& f) {
         [] {
             return std::array{image, image, image};
         },
-        [] { return image; },
+        [] {
+            return std::array{image, image};
+        },
         [] {
             return std::array{image, image};
         },
@@ -87,7 +90,10 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
             return std::array{gpu::sampledImage(s, in.waveMaps[0]), gpu::sampledImage(s, in.waveMaps[1]),
                               gpu::sampledImage(s, in.waveMaps[2])};
         },
-        [&] { return gpu::sampledImage(samplers.trilinearRepeat(), in.foamPattern); },
+        [&] {
+            const VkSampler s = samplers.trilinearRepeat();
+            return std::array{gpu::sampledImage(s, in.foamPattern), gpu::sampledImage(s, in.foamHistory)};
+        },
         [&] {
             return std::array{gpu::sampledImage(samplers.trilinearClamp(), in.reflection.color),
                               gpu::sampledImage(samplers.nearestClamp(), in.reflection.info)};

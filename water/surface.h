@@ -36,7 +36,8 @@ struct SurfaceUniforms {
     glm::vec4 absorption{0};
     glm::vec4 backscatter{0};
     glm::ivec4 region{0};
-    glm::vec4 foam{0};            ///< threshold, albedo, the eye's (u, v) in the pattern's longest tile [m]
+    glm::vec4 foam{0}; ///< share of the way from the history's first step to its second, albedo, the
+                       ///< eye's (u, v) in the pattern's longest tile [m]
     float unresolvedVariance = 0; ///< slope variance that no cascade holds, in each direction
     float refractionDistortion = 0;
     float reflectionDistortion = 0;
@@ -47,7 +48,8 @@ struct SurfaceUniforms {
     int32_t cascades = 0;
     float maxMip = 0;
     float reflectionScale = 1; ///< pixels of the region to one of the reflection, each way
-    float padding[2] = {};
+    int32_t foamCascades = 0;  ///< that break: the first so many
+    float padding = 0;
     glm::vec4 reflectionLook{
         0}; ///< clear distance [m], scatter, distance at which the sky has taken over [m]
 };
@@ -88,6 +90,7 @@ struct SurfaceInputs {
     const LightingDesc* lighting = nullptr;
     VkImageView waveMaps[3] = {};
     VkImageView foamPattern = VK_NULL_HANDLE;
+    VkImageView foamHistory = VK_NULL_HANDLE;
     ReflectionImages reflection;
     const ViewDesc* view = nullptr;
 };

@@ -20,6 +20,9 @@ class Waves {
     /// Of a sea that is not flat, whatever fills the maps included.
     static VkDeviceSize bytes(const Context& context, const Sea& sea, const WavesBackend* backend);
     const WaveMaps& maps() const { return maps_; }
+    /// Who fills the maps: one of the two, the other is null.
+    ComputedWaves* computed() { return std::get_if<ComputedWaves>(&source_); }
+    const UploadedWaves* uploaded() const { return std::get_if<UploadedWaves>(&source_); }
 
   private:
     WaveMaps maps_;

@@ -23,6 +23,9 @@ class UploadedWaves {
     /// Evaluates the sea at `time` on the calling thread and records its upload.
     Status record(Context& context, VkCommandBuffer commands, const WaveMaps& maps, double time);
 
+    const WavesBackend& backend() const { return *backend_; }
+    void* state() const { return state_.get(); }
+
     static VkDeviceSize bytes(const Sea& sea, uint32_t framesInFlight);
 
   private:

@@ -83,8 +83,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
         body.wavesBackend = wavesBackend_;
     }
     if (desc.foam) {
-        foam.threshold = static_cast<float>(desc.foam->threshold);
-        foam.albedo = static_cast<float>(desc.foam->albedo);
+        foam = foamOf(*desc.foam);
         body.foam = &foam;
     }
     if (desc.refraction) {

@@ -126,4 +126,8 @@ bool seaOf(const WavesDesc& waves, SceneSea& out, Error& error) {
     return true;
 }
 
+seaglass::FoamDesc foamOf(const FoamDesc& foam) {
+    return {static_cast<float>(foam.bias), static_cast<float>(foam.decayS), static_cast<float>(foam.albedo)};
+}
+
 } // namespace demos

@@ -27,4 +27,6 @@ struct SceneSea {
 /// False with `error` set when there is no such model, or no table in the file that is named.
 bool seaOf(const WavesDesc& waves, SceneSea& sea, Error& error);
 
+seaglass::FoamDesc foamOf(const FoamDesc& foam);
+
 } // namespace demos

@@ -5,7 +5,7 @@
 #include <vector>
 
 // Not public: the pattern is the library's own, and there is to be but one.
-#include "water/foam.h"
+#include "water/foam_pattern.h"
 #include "water/surface.h"
 
 namespace demos::reference {
@@ -27,22 +27,27 @@ float patternAt(const glm::dvec2& calm, double tile) {
                     glm::mix(at(x0, y0 + 1), at(x0 + 1, y0 + 1), fx), fy);
 }
 
-/// One octave of the pattern, and its mean where the pixel is too wide to show it.
-float patternOctave(const glm::dvec2& calm, double tile, float pixelWidth) {
+/// How much of an octave of the pattern a pixel still shows; the rest is its mean.
+float octaveShown(double tile, float pixelWidth) {
     const float texels = pixelWidth * static_cast<float>(seaglass::foamPatternSamples / tile);
-    const float blur = std::clamp(0.5f * std::log2(std::max(texels, 1.0f)), 0.0f, 1.0f);
-    return glm::mix(patternAt(calm, tile), 0.5f, blur);
+    return 1 - std::clamp(0.5f * std::log2(std::max(texels, 1.0f)), 0.0f, 1.0f);
 }
 
 } // namespace
 
 float foamMask(const glm::dvec2& calm, float pixelWidth, float cover) {
-    constexpr double tile = seaglass::foamTile;
-    const float pattern = 0.45f * patternOctave(calm, tile, pixelWidth) +
-                          0.3f * patternOctave(calm, tile / 4, pixelWidth) +
-                          0.25f * patternOctave(calm, tile / 16, pixelWidth);
-    const float rafts = glm::smoothstep(-0.06f, 0.10f, cover - pattern);
-    return glm::mix(rafts, cover, std::clamp(std::log2(std::max(pixelWidth, 1e-6f) / 0.3f) / 4, 0.0f, 1.0f));
+    constexpr float weights[] = {0.35f, 0.4f, 0.25f};
+    constexpr double tiles[] = {seaglass::foamTile, seaglass::foamTile / 5, seaglass::foamTile / 17};
+    float pattern = 0, variance = 1e-5f;
+    for (size_t i = 0; i < 3; ++i) {
+        const float weight = weights[i] * octaveShown(tiles[i], pixelWidth);
+        if (weight > 0) pattern += weight * (patternAt(calm, tiles[i]) - 0.5f);
+        variance += weight * weight / 12;
+    }
+    const float even = 1 / (1 + std::exp(-1.702f * pattern / std::sqrt(variance)));
+    const float edge = std::min(0.12f, 0.5f * std::min(cover, 1 - cover)) + 1e-4f;
+    const float rafts = glm::smoothstep(-edge, edge, cover - even);
+    return glm::mix(cover, rafts, std::clamp(variance / 0.008f, 0.0f, 1.0f));
 }
 
 } // namespace demos::reference

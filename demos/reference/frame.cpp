@@ -1,5 +1,7 @@
 #include "reference/frame.h"
 
+#include "host/waves.h"
+
 namespace demos::reference {
 
 namespace {
@@ -34,7 +36,9 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
         out.geometry.add(out.mesh);
     }
     if (world.water) {
-        if (!out.surface.create(world.sea.get(), desc.timeS, error)) return false;
+        const auto& foam = world.water->foam;
+        const seaglass::FoamDesc foamDesc = foam ? foamOf(*foam) : seaglass::FoamDesc{};
+        if (!out.surface.create(world.sea.get(), foam ? &foamDesc : nullptr, desc.timeS, error)) return false;
         SurfaceMeshDesc mesh;
         mesh.levelM = world.water->levelM;
         mesh.height = desc.height;

@@ -185,8 +185,7 @@ WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int
         const auto samples = static_cast<float>(frame.desc.samples);
         const float footprint = footprintOn(ray, hit) / std::sqrt(samples);
         const glm::dvec2 calm = frame.calmAt(hit);
-        const float cover = frame.surface.foamCover(calm, static_cast<double>(footprint),
-                                                    static_cast<float>(world.water->foam->threshold));
+        const float cover = frame.surface.foamCover(calm, static_cast<double>(footprint));
         const glm::vec3 normal = normalOf(facet.slopes.mean);
         const float sun = lit ? std::max(glm::dot(normal, world.light.toSun()), 0.0f) : 0.0f;
         const glm::vec3 light = world.light.sunIrradiance() * sun + world.light.filtered.irradianceUp;

@@ -6,6 +6,9 @@
 
 #include "host/waves.h"
 
+// Not public: there is to be one history of foam.
+#include "water/foam_history.h"
+
 namespace demos::reference {
 namespace {
 
@@ -72,7 +75,8 @@ std::vector<double> azimuthSteps(const Azimuths& seen, double fine) {
 
 } // namespace
 
-bool WaterSurface::create(const seaglass::Sea* sea, double timeS, Error& error) {
+bool WaterSurface::create(const seaglass::Sea* sea, const seaglass::FoamDesc* foam, double timeS,
+                          Error& error) {
     cascades_.clear();
     unresolvedVariance_ = 0;
     const uint32_t count = sea ? seaglass::cascadeCount(*sea) : 0;
@@ -101,7 +105,22 @@ bool WaterSurface::create(const seaglass::Sea* sea, double timeS, Error& error) 
                          {&to.displacement[0][0].x, &to.derivatives[0][0].x, &to.moments[0][0].x});
         for (auto* map : {&to.displacement, &to.derivatives, &to.moments}) addLevels(*map, from.samples);
     }
+    if (foam) addFoam(*sea, *foam, backend, state.get(), timeS);
     return true;
+}
+
+void WaterSurface::addFoam(const seaglass::Sea& sea, const seaglass::FoamDesc& foam,
+                           const seaglass::WavesBackend& backend, void* state, double timeS) {
+    seaglass::FoamHistory history(sea, foam);
+    if (history.breaking().count == 0) return;
+    const seaglass::FoamTime now = seaglass::foamTimeOf(timeS, seaglass::description(sea).loopPeriod);
+    history.advance(backend, state, now.step);
+    for (uint32_t i = 0; i < history.breaking().count; ++i) {
+        Level& level = cascades_[i].foam.emplace_back();
+        for (size_t texel = 0; texel < history.at(i).size(); ++texel)
+            level.emplace_back(glm::mix(history.at(i)[texel], history.after(i)[texel], now.past));
+        addLevels(cascades_[i].foam, cascades_[i].samples);
+    }
 }
 
 glm::vec4 WaterSurface::bilinear(const Cascade& cascade, const std::vector<Level>& map, size_t mip,
@@ -177,24 +196,12 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
     return s;
 }
 
-float WaterSurface::foamCover(const glm::dvec2& calm, double footprint, float threshold) const {
-    constexpr double breakingFootprint = 1; // [m]
-    glm::vec4 derivatives(0);
-    float shear = 0, variance = 0.004f;
-    for (const Cascade& cascade : cascades_) {
-        const double breaking = std::log2(breakingFootprint / cascade.texel());
-        const auto maxMip = static_cast<double>(cascade.derivatives.size() - 1);
-        if (breaking > maxMip - 2) continue; // a tile of ripples alone
-        const double mip = std::max(mipOf(footprint, cascade.texel()), std::max(breaking, 0.0));
-        const glm::vec4 d = trilinear(cascade, cascade.derivatives, mip, calm);
-        derivatives += d;
-        shear += trilinear(cascade, cascade.displacement, mip, calm).w;
-        const float stretch = d.z + d.w;
-        if (mip >= breaking + 0.5)
-            variance += std::max(trilinear(cascade, cascade.moments, mip, calm).w - stretch * stretch, 0.0f);
-    }
-    const float x = (threshold - jacobianOf(derivatives, shear)) / std::sqrt(variance);
-    return 1 / (1 + std::exp(-1.702f * std::clamp(x, -20.0f, 20.0f)));
+float WaterSurface::foamCover(const glm::dvec2& calm, double footprint) const {
+    float clear = 1;
+    for (const Cascade& cascade : cascades_)
+        if (!cascade.foam.empty())
+            clear *= 1 - trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), calm).x;
+    return 1 - clear;
 }
 
 SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc) {

@@ -7,7 +7,7 @@
 
 #include "host/camera.h"
 #include "reference/geometry.h"
-#include "seaglass/sea.h"
+#include "seaglass/foam.h"
 
 namespace demos::reference {
 
@@ -20,8 +20,8 @@ using SeaPointer = std::unique_ptr<seaglass::Sea, SeaDeleter>;
 /// value is a mean; 0 gives the maps' own samples. Reading is for any number of threads.
 class WaterSurface {
   public:
-    /// Evaluates the waves. Flat without a sea, or when the sea is calm.
-    bool create(const seaglass::Sea* sea, double timeS, Error& error);
+    /// Evaluates the waves, and their foam if there is any. Flat without a sea, or when the sea is calm.
+    bool create(const seaglass::Sea* sea, const seaglass::FoamDesc* foam, double timeS, Error& error);
     bool flat() const { return cascades_.empty(); }
 
     /// Dx, h, Dz.
@@ -35,8 +35,8 @@ class WaterSurface {
     /// Slope variance of waves too short for any map, in each direction.
     float unresolvedVariance() const { return unresolvedVariance_; }
 
-    /// Share of the footprint that breaks: shaders/surface.frag's foamCover().
-    float foamCover(const glm::dvec2& calm, double footprint, float threshold) const;
+    /// Share of the footprint that is white: shaders/surface.frag's foamCover().
+    float foamCover(const glm::dvec2& calm, double footprint) const;
 
   private:
     using Level = std::vector<glm::vec4>;
@@ -44,8 +44,11 @@ class WaterSurface {
         double patch = 0;
         uint32_t samples = 0;
         std::vector<Level> displacement, derivatives, moments; ///< by mip
+        std::vector<Level> foam;                               ///< in x; none where the cascade never breaks
         double texel() const { return patch / samples; }
     };
+    void addFoam(const seaglass::Sea& sea, const seaglass::FoamDesc& foam,
+                 const seaglass::WavesBackend& backend, void* state, double timeS);
     static glm::vec4 bilinear(const Cascade& cascade, const std::vector<Level>& map, size_t mip,
                               const glm::dvec2& calm);
     static glm::vec4 trilinear(const Cascade& cascade, const std::vector<Level>& map, double mip,

@@ -105,7 +105,8 @@ constexpr std::array swellFields = {
 };
 
 constexpr std::array foamFields = {
-    Field{"threshold", at<&FoamDesc::threshold>, -1, 1, "", "Jacobian below which the surface breaks"},
+    Field{"bias", at<&FoamDesc::bias>, -1, 1, "", "added to the Jacobian below which waves break"},
+    Field{"decay_s", at<&FoamDesc::decayS>, 0.1, 20, "s", "in which foam fades to 1/e"},
     Field{"albedo", at<&FoamDesc::albedo>, 0, 1, "", "of full foam"},
 };
 

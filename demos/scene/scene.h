@@ -78,7 +78,8 @@ struct WavesDesc {
 };
 
 struct FoamDesc {
-    double threshold = 0.55;
+    double bias = 0;
+    double decayS = 3.85;
     double albedo = 0.6;
 };
 

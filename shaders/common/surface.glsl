@@ -13,7 +13,7 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     vec4 absorption;
     vec4 backscatter;
     ivec4 region;      // origin in the scene images, size
-    vec4 foam;         // threshold, albedo, the eye's (u, v) in the pattern's tile
+    vec4 foam;         // share of the way between the history's steps, albedo, the eye's (u, v) in the pattern's tile
     float unresolvedVariance;
     float refractionDistortion;
     float reflectionDistortion;
@@ -24,6 +24,7 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     int cascades;
     float maxMip;
     float reflectionScale;   // pixels of the region to one of the reflection
+    int foamCascades;
     vec3 reflectionLook;     // clear distance, scatter, distance of the sky: reflection_blur.glsl
 };
 
@@ -51,7 +52,8 @@ layout(set = 0, binding = 5) uniform sampler2DArray waveMoments;
 
 #ifdef FOAM
 layout(set = 0, binding = AFTER_WAVES) uniform sampler2D foamPattern;
-#define AFTER_FOAM (AFTER_WAVES + 1)
+layout(set = 0, binding = AFTER_WAVES + 1) uniform sampler2DArray foamHistory;
+#define AFTER_FOAM (AFTER_WAVES + 2)
 #else
 #define AFTER_FOAM AFTER_WAVES
 #endif

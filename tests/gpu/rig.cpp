@@ -15,6 +15,8 @@ uint32_t channelsOf(VkFormat format) {
     case VK_FORMAT_D32_SFLOAT:
     case VK_FORMAT_R16_SFLOAT:
         return 1;
+    case VK_FORMAT_R16G16_SFLOAT:
+        return 2;
     default:
         return 4;
     }
@@ -117,7 +119,8 @@ seaglass::Image asSeaglass(const demos::Image& image) {
 }
 
 std::vector<float> download(VkImage image, VkFormat format, VkExtent2D extent, uint32_t mip, uint32_t layer) {
-    const bool half = format == VK_FORMAT_R16G16B16A16_SFLOAT || format == VK_FORMAT_R16_SFLOAT;
+    const bool half = format == VK_FORMAT_R16G16B16A16_SFLOAT || format == VK_FORMAT_R16G16_SFLOAT ||
+                      format == VK_FORMAT_R16_SFLOAT;
     const size_t count = size_t{extent.width} * extent.height * channelsOf(format);
     demos::Buffer buffer;
     demos::Error error;

@@ -471,7 +471,7 @@ TEST_F(Water, FoamGathersWhereTheSeaIsRough) {
         desc.windSpeed = wind;
         desc.fetch = 300e3f;
         desc.samples = 128;
-        const FoamDesc foam = {0.8f, 0.6f};
+        const FoamDesc foam;
         BodyDesc body;
         body.waves = &desc;
         body.wavesBackend = fftwWaves();
@@ -496,13 +496,128 @@ TEST_F(Water, FoamGathersWhereTheSeaIsRough) {
     EXPECT_LT(calm, fresh);
     EXPECT_LT(fresh, gale);
     EXPECT_LT(gale, 0.5);
+    EXPECT_GT(fresh, 0);
+}
+
+class WaterFoam : public Water {
+  protected:
+    Body* foamyBody(WavesOn on = WavesOn::cpu) {
+        SeaDesc sea = breeze();
+        sea.windSpeed = 15;
+        sea.fetch = 300e3f;
+        const FoamDesc foam;
+        BodyDesc desc;
+        desc.waves = &sea;
+        desc.wavesOn = on;
+        desc.wavesBackend = fftwWaves();
+        desc.foam = &foam;
+        return makeBody(desc);
+    }
+    static Camera above() {
+        Camera camera = seaCamera();
+        camera.eye.y = 40;
+        camera.target.y = 10;
+        return camera;
+    }
+};
+
+TEST_F(WaterFoam, IsTheSamePictureWhateverWasDrawnBefore) {
+    Camera camera = above();
+    camera.width = 96;
+    camera.height = 54;
+    for (const WavesOn on : {WavesOn::cpu, WavesOn::gpu}) {
+        Body* steady = foamyBody(on);
+        for (double time = 45; time < 60.6; time += 0.9) picture({steady}, camera, time);
+        const WaterPicture after = picture({steady}, camera, 60.61, SurfaceOutput::foam);
+        EXPECT_EQ(picture({foamyBody(on)}, camera, 60.61, SurfaceOutput::foam).color, after.color);
+        Body* jumped = foamyBody(on);
+        picture({jumped}, camera, 1e6);
+        EXPECT_EQ(picture({jumped}, camera, 60.61, SurfaceOutput::foam).color, after.color);
+        EXPECT_NE(picture({jumped}, camera, 61.61, SurfaceOutput::foam).color, after.color);
+    }
+}
+
+TEST_F(WaterFoam, IsTheSameOnTheGpuAsOnTheCpu) {
+    const auto texels = [&](WavesOn on) {
+        Body* body = foamyBody(on);
+        for (const double time : {59.0, 59.3, 59.8}) picture({body}, above(), time);
+        std::vector<float> all;
+        for (uint32_t c = 0; c < body->foam->cascades(); ++c)
+            for (const uint32_t mip : {0u, 1u}) {
+                const uint32_t size = 64u >> mip;
+                const std::vector<float> layer =
+                    download(body->foam->image(), VK_FORMAT_R16G16_SFLOAT, {size, size}, mip, c);
+                all.insert(all.end(), layer.begin(), layer.end());
+            }
+        return all;
+    };
+    const std::vector<float> cpu = texels(WavesOn::cpu), gpu = texels(WavesOn::gpu);
+    ASSERT_EQ(cpu.size(), gpu.size());
+    double worst = 0, sum = 0;
+    for (size_t i = 0; i < cpu.size(); ++i) {
+        worst = std::max(worst, std::abs(double{cpu[i]} - double{gpu[i]}));
+        sum += double{cpu[i]};
+    }
+    EXPECT_GT(sum / static_cast<double>(cpu.size()), 0.005);
+    EXPECT_LT(worst, 0.02); // half floats, rounded at each step
+}
+
+// Between steps it glides: no picture differs from the one before by more than its share of a step.
+TEST_F(WaterFoam, GlidesFromStepToStep) {
+    Body* body = foamyBody();
+    Camera camera = above();
+    camera.width = 96;
+    camera.height = 54;
+    std::vector<double> changes;
+    std::vector<float> last;
+    for (int frame = 0; frame < 24; ++frame) {
+        const WaterPicture p = picture({body}, camera, 60 + frame / 60.0, SurfaceOutput::foam);
+        double change = 0;
+        for (size_t i = 0; !last.empty() && i < p.color.size(); i += 4)
+            change += std::abs(double{p.color[i]} - double{last[i]});
+        if (!last.empty()) changes.push_back(change);
+        last = p.color;
+    }
+    const double largest = *std::ranges::max_element(changes);
+    std::ranges::sort(changes);
+    EXPECT_GT(changes[changes.size() / 2], 0);
+    EXPECT_LT(largest, 3 * changes[changes.size() / 2]);
+}
+
+TEST_F(WaterFoam, UploadsAtItsOwnRate) {
+    Body* body = foamyBody();
+    picture({body}, above(), 60);
+    const auto uploads = [&](double time) {
+        spiedCalls().clear();
+        picture({body}, above(), time);
+        return countSpied("CmdCopyBufferToImage");
+    };
+    const size_t without = uploads(60.01);
+    EXPECT_EQ(uploads(60.1), without);
+    EXPECT_EQ(uploads(60.13), without + 1);
+    EXPECT_EQ(uploads(60.14), without);
+}
+
+TEST_F(WaterFoam, DispatchesAtItsOwnRate) {
+    Body* body = foamyBody(WavesOn::gpu);
+    picture({body}, above(), 60);
+    const auto dispatches = [&](double time) {
+        spiedCalls().clear();
+        picture({body}, above(), time);
+        return countSpied("CmdDispatch");
+    };
+    const size_t wavesAlone = dispatches(60.01);
+    EXPECT_EQ(dispatches(60.1), wavesAlone);
+    EXPECT_EQ(dispatches(60.13), wavesAlone + 3); // the waves once more, and a step
+    EXPECT_EQ(dispatches(60.4), wavesAlone + 6);
+    EXPECT_LE(dispatches(1e6), wavesAlone + 3 * static_cast<size_t>(fadingOf({}).steps + 1));
 }
 
 TEST_F(Water, AFeatureThatIsOffIsNotThere) {
     Body* flat = flatBody();
     EXPECT_FALSE(flat->sea);
     EXPECT_FALSE(flat->waves.has_value());
-    EXPECT_FALSE(flat->foamMap.has_value());
+    EXPECT_FALSE(flat->foamPattern.has_value());
     EXPECT_FALSE(flat->reflector);
 
     SeaDesc calm = breeze();
@@ -513,6 +628,15 @@ TEST_F(Water, AFeatureThatIsOffIsNotThere) {
     Body* still = makeBody(desc);
     EXPECT_FALSE(still->waves.has_value());
     EXPECT_EQ(sea(still), nullptr);
+
+    const FoamDesc foam;
+    desc.foam = &foam;
+    Body* stillFoam = makeBody(desc);
+    calm.windSpeed = 1;
+    for (Body* unbroken : {stillFoam, makeBody(desc)}) {
+        EXPECT_FALSE(unbroken->foam.has_value());
+        EXPECT_FALSE(unbroken->foamPattern.has_value());
+    }
 
     ReflectionDesc sky;
     sky.technique = ReflectionTechnique::sky;

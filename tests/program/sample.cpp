@@ -29,7 +29,7 @@ samples = 128
 cascades = 1
 
 [water.foam]
-threshold = 0.5
+bias = 0.2
 
 [water.refraction]
 distortion = 1

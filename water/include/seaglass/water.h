@@ -6,16 +6,11 @@
 #ifndef SEAGLASS_WATER_H
 #define SEAGLASS_WATER_H
 
+#include "seaglass/foam.h"
 #include "seaglass/reflection.h"
 #include "seaglass/sea.h"
 
 namespace seaglass {
-
-/// Foam on breaking crests, from the Jacobian of the horizontal displacement.
-struct FoamDesc {
-    float threshold = 0.55f; ///< Jacobian below which the surface counts as breaking, -1..1
-    float albedo = 0.6f;     ///< diffuse albedo of full foam, 0..1 (Koepke 1984: fresh foam about 0.5)
-};
 
 /// Light that enters the water. Coefficients are per metre, red, green, blue.
 struct RefractionDesc {
@@ -80,7 +75,9 @@ Status createTarget(Context* context, const TargetDesc* desc, Target** out);
 void destroyTarget(Target* target);
 
 /// Sets the bodies' surfaces to `time` and records the upload or dispatches. Outside any render pass, once a
-/// frame. Work on the CPU happens here when the backend is a CPU one.
+/// frame. Work on the CPU happens here when the backend is a CPU one. Foam takes the sea at up to 8 more
+/// times a second; on the first frame, backwards and after a gap, at 8 times a second of three decay times
+/// before.
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time);
 
 /// What to draw for a body whose reflection is `planar`; as planarView() for reflectors.

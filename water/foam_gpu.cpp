@@ -1,0 +1,92 @@
+#include "water/foam_gpu.h"
+
+#include <array>
+#include <cstring>
+
+#include "spirv/foam.comp.h"
+
+namespace seaglass {
+
+namespace {
+
+constexpr uint32_t groupEdge = 8;
+
+/// As shaders/foam.comp lays it out.
+struct FoamUniforms {
+    struct Band {
+        float threshold = 0;
+        float perJacobian = 0;
+        float padding[2] = {};
+    } bands[maxCascades];
+    float fade = 0;
+    float floor = 0;
+    uint32_t anew = 0;
+    uint32_t padding = 0;
+};
+
+} // namespace
+
+Status FoamKernel::create(Context& context) {
+    constexpr VkDescriptorType image = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    constexpr VkDescriptorType map = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    constexpr std::array bindings{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, map, map, image};
+    return kernel.create(context.device, foam_comp, bindings, "foam pipeline");
+}
+
+Status ComputedFoam::create(Context& context, const Sea& sea, const FoamDesc& foam) {
+    breaking_ = breakingOf(sea, foam);
+    fading_ = fadingOf(foam);
+    return context.share(kernel_);
+}
+
+Status ComputedFoam::record(Context& context, VkCommandBuffer commands, ComputedWaves& waves,
+                            const WaveMaps& maps, const FoamImage& foam, int64_t step) {
+    const FoamSteps steps = stepsUntil(newest_, step, fading_);
+    newest_.reset(); // until all of it is recorded
+    const gpu::PassScope pass(context.device, commands, "foam");
+    const VkImage image = foam.image.handle();
+    const VkImageMemoryBarrier2 before = gpu::imageBarrier(
+        image, steps.anew ? gpu::discardedAfterSampling : gpu::sampledByShaders, gpu::storageChanged, 0, 1);
+    gpu::recordBarriers(context.device, commands, &before, 1);
+    for (int64_t next = steps.first; next <= steps.last; ++next) {
+        if (const Status s = waves.record(context, commands, maps, foamStepTime(next)); s != Status::ok)
+            return s;
+        if (const Status s = recordStep(context, commands, maps, foam, steps.anew && next == steps.first);
+            s != Status::ok)
+            return s;
+    }
+    foam.recordMips(context.device, commands, gpu::storageWritten);
+    newest_ = steps.last;
+    return Status::ok;
+}
+
+Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, const WaveMaps& maps,
+                                const FoamImage& foam, bool anew) {
+    FoamUniforms uniforms;
+    for (uint32_t c = 0; c < breaking_.count; ++c)
+        uniforms.bands[c] = {breaking_.threshold[c], 1 / breaking_.softness[c], {}};
+    uniforms.fade = fading_.fade;
+    uniforms.floor = fading_.floor;
+    uniforms.anew = anew;
+    gpu::Slice slice;
+    if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
+    std::memcpy(slice.data, &uniforms, sizeof uniforms);
+
+    const std::array resources{gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
+                               gpu::sampledImage(context.samplers.nearestClamp(), maps.images[0].view()),
+                               gpu::sampledImage(context.samplers.nearestClamp(), maps.images[1].view()),
+                               gpu::storageImage(foam.image.firstMipView())};
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(kernel_->kernel.layout().set(), resources, set);
+        s != Status::ok)
+        return s;
+
+    const VkImageMemoryBarrier2 barrier =
+        gpu::imageBarrier(foam.image.handle(), gpu::storageWritten, gpu::storageChanged, 0, 1);
+    if (!anew) gpu::recordBarriers(context.device, commands, &barrier, 1);
+    const uint32_t groups = maps.samples / groupEdge;
+    kernel_->kernel.dispatch(commands, set, groups, groups * breaking_.count);
+    return Status::ok;
+}
+
+} // namespace seaglass

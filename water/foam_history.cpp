@@ -1,0 +1,78 @@
+#include "water/foam_history.h"
+
+#include "water/sea.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace seaglass {
+
+FoamFading fadingOf(const FoamDesc& foam) {
+    const double steps = foamStepsPerSecond * static_cast<double>(foam.decayTime);
+    const double end = std::exp(-foamLifetime);
+    FoamFading fading;
+    fading.fade = static_cast<float>(std::exp(-1 / steps));
+    fading.floor = static_cast<float>(end / (1 - end));
+    // Half floats may round each step up: by 7 % of what it takes off at the slowest fading.
+    fading.steps = static_cast<int64_t>(std::ceil(1.1 * foamLifetime * steps)) + 1;
+    return fading;
+}
+
+FoamSteps stepsUntil(std::optional<int64_t> newest, int64_t step, const FoamFading& fading) {
+    const int64_t last = step + 1;
+    const bool near = newest && last >= *newest && last - *newest <= fading.steps;
+    if (near) return {false, *newest + 1, last};
+    return {true, last - fading.steps, last};
+}
+
+FoamTime foamTimeOf(double time, double loopPeriod) {
+    // Later than this a double no longer tells steps apart.
+    const double kept = std::abs(time) < 0x1p48 ? time : std::fmod(time, loopPeriod);
+    const double steps = kept * foamStepsPerSecond;
+    const double whole = std::floor(steps);
+    return {static_cast<int64_t>(whole), static_cast<float>(steps - whole)};
+}
+
+FoamHistory::FoamHistory(const Sea& sea, const FoamDesc& foam)
+    : sea_(sea), breaking_(breakingOf(sea, foam)), fading_(fadingOf(foam)), bands_(breaking_.count) {
+    if (breaking_.count == 0) return;
+    const size_t texels = size_t{sea.desc.samples} * sea.desc.samples;
+    for (Band& band : bands_) {
+        band.now.assign(texels, 0.0f);
+        band.next.assign(texels, 0.0f);
+    }
+    for (auto& map : maps_) map.assign(4 * texels, 0.0f);
+}
+
+void FoamHistory::advance(const WavesBackend& backend, void* state, int64_t step) {
+    const FoamSteps steps = stepsUntil(newest_, step, fading_);
+    if (steps.anew) clear();
+    for (int64_t next = steps.first; next <= steps.last; ++next) stepTo(backend, state, next);
+}
+
+void FoamHistory::clear() {
+    for (Band& band : bands_) {
+        std::ranges::fill(band.now, 0.0f);
+        std::ranges::fill(band.next, 0.0f);
+    }
+}
+
+void FoamHistory::stepTo(const WavesBackend& backend, void* state, int64_t step) {
+    const double time = foamStepTime(step);
+    for (uint32_t c = 0; c < breaking_.count; ++c) {
+        backend.evaluate(state, c, time, {maps_[0].data(), maps_[1].data(), maps_[2].data()});
+        Band& band = bands_[c];
+        std::swap(band.now, band.next);
+        const float threshold = breaking_.threshold[c], perJacobian = 1 / breaking_.softness[c];
+        for (size_t i = 0; i < band.now.size(); ++i) {
+            const float shear = maps_[0][4 * i + 3];
+            const float jacobian = (1 + maps_[1][4 * i + 2]) * (1 + maps_[1][4 * i + 3]) - shear * shear;
+            const float breaks = std::min((threshold - jacobian) * perJacobian, 1.0f);
+            const float faded = (band.now[i] + fading_.floor) * fading_.fade - fading_.floor;
+            band.next[i] = std::max(std::max(faded, breaks), 0.0f);
+        }
+    }
+    newest_ = step;
+}
+
+} // namespace seaglass

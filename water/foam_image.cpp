@@ -1,0 +1,42 @@
+#include "water/foam_image.h"
+
+#include <bit>
+
+#include "gpu/mip_chain.h"
+
+namespace seaglass {
+
+namespace {
+
+gpu::ImageDesc imageDesc(uint32_t samples, uint32_t cascades) {
+    gpu::ImageDesc desc;
+    desc.format = VK_FORMAT_R16G16_SFLOAT;
+    desc.extent = {samples, samples};
+    desc.usage =
+        VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    desc.mipLevels = static_cast<uint32_t>(std::bit_width(samples));
+    desc.layers = cascades;
+    desc.arrayView = true;
+    return desc;
+}
+
+} // namespace
+
+VkDeviceSize FoamImage::bytes(uint32_t samples, uint32_t cascades) {
+    return gpu::imageBytes(imageDesc(samples, cascades));
+}
+
+Status FoamImage::create(const gpu::Device& device, uint32_t samples, uint32_t cascades,
+                         VkImageUsageFlags filledBy) {
+    gpu::ImageDesc desc = imageDesc(samples, cascades);
+    desc.usage |= filledBy;
+    return image.create(device, desc, "foam history");
+}
+
+void FoamImage::recordMips(const gpu::Device& device, VkCommandBuffer commands,
+                           const gpu::Use& written) const {
+    const gpu::OwnedImage* const images[] = {&image};
+    gpu::recordMipChain(device, commands, images, written);
+}
+
+} // namespace seaglass

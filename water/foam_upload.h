@@ -1,0 +1,32 @@
+// Foam kept on the CPU beside waves that are computed there, uploaded at each of its steps.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "water/foam_history.h"
+#include "water/foam_image.h"
+#include "water/waves_upload.h"
+
+namespace seaglass {
+
+class UploadedFoam {
+  public:
+    static constexpr VkImageUsageFlags imageUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+
+    /// `sea` breaks, and outlives the foam.
+    Status create(Context& context, const Sea& sea, const FoamDesc& foam);
+    /// Sets the image to `step` and the one after it.
+    void record(Context& context, VkCommandBuffer commands, const UploadedWaves& waves, const FoamImage& foam,
+                int64_t step);
+
+    static VkDeviceSize bytes(uint32_t samples, uint32_t cascades, uint32_t framesInFlight);
+
+  private:
+    void write(void* staging) const;
+
+    std::optional<FoamHistory> history_;
+    std::array<gpu::Buffer, 4> staging_; ///< one a frame slot
+};
+
+} // namespace seaglass
