@@ -1,5 +1,5 @@
 // seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass reference ..., seaglass measure ...,
-// seaglass compare A B ..., seaglass devices: see --help.
+// seaglass compare A B ..., seaglass sea ..., seaglass devices: see --help.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -11,6 +11,7 @@
 #include "program/options.h"
 #include "program/reference.h"
 #include "program/render.h"
+#include "program/sea.h"
 
 namespace demos {
 
@@ -40,6 +41,8 @@ ExitCode runCommand(const Options& options, Error& error) {
         return comparePictures(options.compare, error);
     case Options::Command::measure:
         return measureTechniques(options.measure, error);
+    case Options::Command::sea:
+        return describeTheSea(options.sea, error);
     case Options::Command::devices:
         return listAll(error);
     case Options::Command::printed:

@@ -263,6 +263,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
     CLI::App& comparison = *app.add_subcommand("compare", "Compare two pictures");
     CLI::App& measurement =
         *app.add_subcommand("measure", "Measure cost and error of the techniques side by side");
+    CLI::App& sea = *app.add_subcommand("sea", "Print what a sea is, beside the published tables");
     CLI::App& devices = *app.add_subcommand("devices", "List the Vulkan devices");
     devices.allow_extras();
     Raw raw;
@@ -272,6 +273,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
     describeCompare(comparison, rawCompare);
     RawMeasure rawMeasure;
     describeMeasure(measurement, rawMeasure);
+    RawSea rawSea;
+    describeSea(sea, rawSea);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
@@ -287,7 +290,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
         !checkExtras(reference, reference.remaining(), error) ||
         !checkExtras(comparison, comparison.remaining(), error) ||
         !checkExtras(measurement, measurement.remaining(), error) ||
-        !checkExtras(devices, devices.remaining(), error)) {
+        !checkExtras(sea, sea.remaining(), error) || !checkExtras(devices, devices.remaining(), error)) {
         return std::nullopt;
     }
     Options options;
@@ -314,8 +317,15 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
         options.measure = std::move(*checked);
         return options;
     }
+    if (sea.parsed()) {
+        std::optional<SeaOptions> checked = checkSea(rawSea, error);
+        if (!checked) return std::nullopt;
+        options.command = Options::Command::sea;
+        options.sea = std::move(*checked);
+        return options;
+    }
     if (!render.parsed()) {
-        error.text = "no command, expected seaglass render, reference, compare, measure or devices "
+        error.text = "no command, expected seaglass render, reference, compare, measure, sea or devices "
                      "(see seaglass --help)";
         return std::nullopt;
     }

@@ -9,6 +9,7 @@
 #include "host/host.h"
 #include "program/compare_options.h"
 #include "program/measure_options.h"
+#include "program/sea_options.h"
 #include "program/values.h"
 #include "scene/scene.h"
 
@@ -43,12 +44,13 @@ struct ReferenceOptions {
 };
 
 struct Options {
-    enum class Command { render, reference, compare, measure, devices, printed };
+    enum class Command { render, reference, compare, measure, sea, devices, printed };
     Command command = Command::printed; ///< printed: help or version, and all is done
     RenderOptions render;
     ReferenceOptions reference;
     CompareOptions compare;
     MeasureOptions measure;
+    SeaOptions sea;
 };
 
 /// Null with `error` set when the line makes no sense. Prints help and version when asked to.
