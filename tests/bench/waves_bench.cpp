@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -160,6 +161,30 @@ class DeviceWaves {
     uint32_t slot_ = 0;
 };
 
+/// Height queries of a grid, or of the modes themselves: nanoseconds a point.
+class Queries {
+  public:
+    /// Points all over a square of `extent` metres, in no order that memory would like.
+    Queries(double extent, size_t count) : points_(2 * count), samples_(count) {
+        for (size_t i = 0; i < points_.size(); ++i)
+            points_[i] = extent * std::fmod(0.6180339887498949 * static_cast<double>(i * i % 1000003), 1);
+    }
+    double onGrid(const HeightGrid& grid) {
+        return nanoseconds([&] { sampleHeights(grid, points_.data(), samples_.size(), samples_.data()); });
+    }
+    double ofModes(const Sea& sea, double time) {
+        return nanoseconds(
+            [&] { sampleHeights(sea, time, points_.data(), samples_.size(), samples_.data()); });
+    }
+
+  private:
+    double nanoseconds(const std::function<void()>& work) const {
+        return 1e6 * millisecondsOf(work) / static_cast<double>(samples_.size());
+    }
+    std::vector<double> points_;
+    std::vector<HeightSample> samples_;
+};
+
 /// Times of one thing, round by round.
 struct Row {
     std::string name;
@@ -190,7 +215,11 @@ int main(int count, char** arguments) {
     const BareFftw bare(desc.samples, pairs * desc.cascades);
     CpuWaves cpu(*sea, 1), cpuTwo(*sea, 2);
     DeviceWaves gpu(desc);
-    std::vector<Row> rows;
+    const std::unique_ptr<HeightGrid, void (*)(HeightGrid*)> grid(createHeightGrid(*sea, 0),
+                                                                  destroyHeightGrid);
+    require(grid != nullptr, "out of memory");
+    Queries hulls(100, 4096), anywhere(1e5, 4096), few(100, 4);
+    std::vector<Row> rows, queries;
     constexpr uint32_t warmUps = 3;
     for (uint32_t round = 0; round < warmUps + rounds; ++round) {
         const double time = round / 60.0;
@@ -207,6 +236,11 @@ int main(int count, char** arguments) {
         const double used = processorMilliseconds() - before;
         for (const demos::PassTime& pass : passes) add("compute shaders: " + pass.name, pass.ms);
         add("compute shaders: all processors", used);
+        add("setTime() of a height grid", millisecondsOf([&] { setTime(*grid, time); }));
+        if (round < warmUps) continue;
+        timesOf(queries, "grid, 4096 points within 100 m").push_back(hulls.onGrid(*grid));
+        timesOf(queries, "grid, 4096 points within 100 km").push_back(anywhere.onGrid(*grid));
+        timesOf(queries, "modes, 4 points").push_back(few.ofModes(*sea, time));
     }
     std::printf("%s, %u cascades of %u^2, %u rounds\n", tests::device().info().name.c_str(), desc.cascades,
                 desc.samples, rounds);
@@ -215,4 +249,7 @@ int main(int count, char** arguments) {
     for (const Row& row : rows)
         std::printf("%-34s %8.3f ms %8.2f   %8.3f ms %8.2f\n", row.name.c_str(), median(row.ms),
                     median(row.ms) / median(one), least(row.ms), least(row.ms) / least(one));
+    std::printf("a height query, ns, one thread\n");
+    for (const Row& row : queries)
+        std::printf("%-34s %11.0f median %11.0f least\n", row.name.c_str(), median(row.ms), least(row.ms));
 }

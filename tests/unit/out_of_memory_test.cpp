@@ -44,6 +44,22 @@ TEST(OutOfMemory, BackendReturnsNull) {
     }
 }
 
+TEST(OutOfMemory, HeightGridReturnsNull) {
+    const auto sea = tests::makeSea(tests::oneCascade());
+    bool made = false;
+    for (int allocations = 0; !made; ++allocations) {
+        ASSERT_LT(allocations, 100);
+        HeightGrid* grid = nullptr;
+        {
+            const Starved starved(allocations);
+            grid = createHeightGrid(*sea, 1);
+        }
+        made = grid != nullptr;
+        EXPECT_TRUE(made || allocations < 20);
+        destroyHeightGrid(grid);
+    }
+}
+
 TEST(OutOfMemory, HeightsAreCalmAndMarked) {
     const auto sea = tests::makeSea(tests::oneCascade());
     const double point[] = {1, 2};

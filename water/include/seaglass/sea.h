@@ -155,6 +155,20 @@ struct HeightSample {
 /// a call. A point that is not finite, and every point when out of memory, gets a calm sample marked folded.
 void sampleHeights(const Sea& sea, double time, const double* points, size_t count, HeightSample* out);
 
+/// A sea at one time, laid out for many queries: every cascade on its grid, 48 bytes a sample (9.4 MB for
+/// three cascades of 256 across), made by a transform of its own, on the CPU with no library. Between samples
+/// it is linear, as the drawn surface is: off the sum of modes by 0.8 % of Hs in the mean and less than 5 %.
+struct HeightGrid;
+
+/// Null when out of memory. The sea must outlive it. A time that is not finite counts as 0. Any thread.
+HeightGrid* createHeightGrid(const Sea& sea, double time);
+/// Another time for the same grid, nothing allocated; not while it is sampled.
+void setTime(HeightGrid& grid, double time);
+void destroyHeightGrid(HeightGrid* grid);
+
+/// As sampleHeights() for a sea, at the grid's time. Any thread, several at once.
+void sampleHeights(const HeightGrid& grid, const double* points, size_t count, HeightSample* out);
+
 } // namespace seaglass
 
 #endif
