@@ -1,5 +1,7 @@
 #include "reflection/scatter.h"
 
+#include <algorithm>
+
 #include "reflection/mirror.h"
 #include "reflection/reflection_images.h"
 #include "reflection/tiles.h"
@@ -53,7 +55,7 @@ Status recordScatter(const ReflectPass& pass, const ScatterKernel& scatter, cons
     recordClear(device, pass.commands, keys, tiles);
 
     const gpu::PassScope scope(device, pass.commands, "sspr_scatter");
-    const VkExtent2D grid = scaledDown(pass.extent(), keyScale(pass.desc));
+    const VkExtent2D grid = scaledDown(pass.extent(), std::max(keyScale(pass.desc), 2u));
     const uint32_t tileRows =
         (scaledDown(pass.extent(), pass.desc.downscale).height + tileEdge - 1) / tileEdge;
     scatter.kernel.dispatch(pass.commands, set, (grid.width + groupWidth - 1) / groupWidth, tileRows);

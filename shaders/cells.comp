@@ -17,6 +17,8 @@ layout(set = 0, binding = 3, std430) buffer Tiles {
     uint tiles[];
 };
 
+#include "depth_quads.glsl"
+
 // Whether lookups that waves bend may reach what stands before the plane here.
 bool planeBehind(ivec2 first) {
     ivec2 last = min(first + (1 << cellShift), region.zw);
@@ -26,6 +28,7 @@ bool planeBehind(ivec2 first) {
 }
 
 void main() {
+    loadMirror();
     int index = int(gl_GlobalInvocationID.x);
     if (index >= cellCount()) return;
     int across = squaresAcross(cellShift);
@@ -33,13 +36,18 @@ void main() {
     ivec2 last = min(first + (1 << cellShift), region.zw);
     bool planeSeen = false;
     uint nearest = noKey;
-    for (int y = first.y; y < last.y; ++y)
-        for (int x = first.x; x < last.x; ++x) {
-            float depth = texelFetch(sceneDepth, region.xy + ivec2(x, y), 0).r;
-            bool far = isFar(depth);
-            bool onPlane = onOrBelowPlane(vec3(vec2(x, y) + 0.5, far ? infinityDepth : depth));
-            planeSeen = planeSeen || onPlane;
-            nearest = far || onPlane ? nearest : max(nearest, keyFromDepth(depth));
+    vec2 perTexel = perDepthTexel();
+    for (int y = first.y; y < last.y; y += 2)
+        for (int x = first.x; x < last.x; x += 2) {
+            vec4 depths = depthsAround(ivec2(x, y) + 1, perTexel).wzxy;
+            for (int i = 0; i < 4; ++i) {
+                ivec2 pixel = ivec2(x, y) + ivec2(i & 1, i >> 1);
+                if (any(greaterThanEqual(pixel, last))) continue;
+                bool far = isFar(depths[i]);
+                bool onPlane = onOrBelowPlane(vec3(vec2(pixel) + 0.5, far ? infinityDepth : depths[i]));
+                planeSeen = planeSeen || onPlane;
+                nearest = far || onPlane ? nearest : max(nearest, keyFromDepth(depths[i]));
+            }
         }
     cells[index] = nearest;
     ivec2 block = first >> blockShift;

@@ -66,6 +66,7 @@ float noiseAt(vec2 pixel) {
 }
 
 void main() {
+    loadMirror();
     ivec2 pixel = pixelToMarch();
     if (pixel == noPixel) return;
     vec2 q = middleOf(pixel);

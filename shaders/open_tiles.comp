@@ -35,6 +35,7 @@ bool holdsUnknown(ivec2 tile) {
 #endif
 
 void main() {
+    loadMirror();
     int count = tilesAcross() * tilesDown();
     int index = int(gl_GlobalInvocationID.x);
     if (index == 0) header.resolveGroups.z = 1u;

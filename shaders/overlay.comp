@@ -115,6 +115,7 @@ vec3 knownColor(ivec2 pixel, vec4 seen) {
 }
 
 void main() {
+    loadMirror();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, region.zw))) return;
     vec4 seen = seenAt(pixel);

@@ -33,6 +33,7 @@ float infoOfDrawn(vec2 q, float depth) {
 }
 
 void main() {
+    loadMirror();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize()))) return;
     float info = infoOfDrawn(middleOf(pixel), texelFetch(mirroredDepth, pixel, 0).r);

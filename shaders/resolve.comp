@@ -22,6 +22,7 @@ layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reflectionColor;
 layout(set = 0, binding = 6, r16f) uniform writeonly image2D reflectionInfo;
 
 #include "miss.glsl"
+#include "depth_quads.glsl"
 #include "tile_list.glsl"
 
 const int refinements = 3;
@@ -68,23 +69,28 @@ float farthest(vec2 apart) {
     return max(abs(apart.x), abs(apart.y));
 }
 
-// Depth is affine on the screen over any plane. Its steps from the pixels before, and to those after.
-struct Steps {
+// A pixel's depth and, since depth is affine on the screen over any plane, its steps from the pixels before and to those
+// after; none over the border.
+struct Surface {
+    float depth;
     vec2 before;
     vec2 after;
 };
 
-Steps depthSteps(ivec2 pixel, float depth) {
-    ivec2 low = max(pixel - 1, ivec2(0));
-    ivec2 high = min(pixel + 1, region.zw - 1);
-    return Steps(depth - vec2(depthAt(ivec2(low.x, pixel.y)), depthAt(ivec2(pixel.x, low.y))),
-                 vec2(depthAt(ivec2(high.x, pixel.y)), depthAt(ivec2(pixel.x, high.y))) - depth);
+Surface surfaceAt(ivec2 pixel) {
+    vec2 perTexel = perDepthTexel();
+    vec4 before = depthsAround(pixel, perTexel);
+    vec4 after = depthsAround(pixel + 1, perTexel);
+    bvec2 first = equal(pixel, ivec2(0));
+    bvec2 last = equal(pixel, region.zw - 1);
+    return Surface(after.w, mix(after.w - before.xz, vec2(0.0), first), mix(after.zx - after.w, vec2(0.0), last));
 }
 
 // Where the ray meets the plane through a pixel's depth; valid within that pixel. Where the steps to both sides differ, as
 // on what is thin, it has the benefit of the doubt on which side it meets.
-Hit metWithin(float accepted, ScreenRay ray, vec2 middle, float depth, Steps steps) {
-    vec2 gradient = vec2(edgeAwareStep(steps.before.x, steps.after.x), edgeAwareStep(steps.before.y, steps.after.y));
+Hit metWithin(float accepted, ScreenRay ray, vec2 middle, Surface seen) {
+    float depth = seen.depth;
+    vec2 gradient = vec2(edgeAwareStep(seen.before.x, seen.after.x), edgeAwareStep(seen.before.y, seen.after.y));
     // z - depth w - gradient . (xy - middle w) = 0 on the plane.
     vec4 surface = vec4(-gradient, 1.0, dot(gradient, middle) - (depth - infinityDepth));
     float perMet = dot(surface, ray.along);
@@ -96,7 +102,7 @@ Hit metWithin(float accepted, ScreenRay ray, vec2 middle, float depth, Steps ste
     vec2 away = abs(source - middle) - loose;
     float off = max(away.x, away.y);
     vec2 across = ray.along.xy - middle * ray.along.w;
-    vec2 most = max(-steps.before * across, -steps.after * across) + depthStep * abs(across);
+    vec2 most = max(-seen.before * across, -seen.after * across) + depthStep * abs(across);
     bool front = ray.along.z - (depth - infinityDepth) * ray.along.w + most.x + most.y > 0.0;
     return Hit(met > 0.0 && met <= 1.0 && p.w > 0.0 && off <= accepted, front, source, off, met);
 }
@@ -119,15 +125,15 @@ Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
     for (int i = 0; i < refinements && !hit.valid; ++i) {
         if (!insideRegion(hit.source)) return noHit;
         ivec2 pixel = ivec2(hit.source);
-        float depth = depthAt(pixel);
+        Surface seen = surfaceAt(pixel);
         vec2 middle = vec2(pixel) + 0.5;
-        if (!solid(pixel, depth)) {
+        if (!solid(pixel, seen.depth)) {
             if (movedOver) return noHit;
             movedOver = true;
             hit.source = besides(middle, hit.source);
             continue;
         }
-        hit = metWithin(accepted, ray, middle, depth, depthSteps(pixel, depth));
+        hit = metWithin(accepted, ray, middle, seen);
     }
     return hit.valid ? hit : noHit;
 }
@@ -186,9 +192,9 @@ Hit metAtKey(ScreenRay ray, LineKey from) {
     if (from.key == noKey) return noHit;
     vec4 p = sceneFromPixel * vec4((vec2(from.cell) + 0.5) * float(1 << keyShift), depthFromKey(from.key), 1.0);
     ivec2 pixel = clamp(ivec2(p.xy / p.w), ivec2(0), region.zw - 1);
-    float depth = depthAt(pixel);
-    Hit hit = metWithin(betweenPixels, ray, vec2(pixel) + 0.5, depth, depthSteps(pixel, depth));
-    hit.valid = hit.valid && hit.front && solid(pixel, depth) && insideRegion(hit.source);
+    Surface seen = surfaceAt(pixel);
+    Hit hit = metWithin(betweenPixels, ray, vec2(pixel) + 0.5, seen);
+    hit.valid = hit.valid && hit.front && solid(pixel, seen.depth) && insideRegion(hit.source);
     return hit;
 }
 
@@ -232,6 +238,7 @@ float distanceToHit(vec2 q, float mirroredDepth) {
 }
 
 void main() {
+    loadMirror();
     ivec2 pixel = pixelToResolve();
     if (pixel == noPixel) return;
     lastCell = keyGrid() - 1;

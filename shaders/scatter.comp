@@ -7,7 +7,7 @@
 #include "mirror.glsl"
 #include "tiles.glsl"
 
-// An invocation takes a column of keys of one tile.
+// An invocation takes a column of one tile, two pixels wide or a key.
 layout(local_size_x = 64, local_size_y = 1) in;
 
 layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
@@ -19,106 +19,118 @@ layout(set = 0, binding = 3, std430) buffer Tiles {
     uint tiles[];
 };
 
-// What stays the same for all keys of an invocation. CPU devices load uniforms anew in each turn of a loop.
-struct Grid {
-    vec2 size;          // of the region [pixel]
-    int keyShift;
-    int keysAcross;
-    int tileShift;      // from the region's pixels
-    int tilesAcross;
-    float depthSign;
-    float far;          // signed
-    float infinity;
-    uint flipped;       // by keyFromDepth()
-};
+#include "depth_quads.glsl"
 
-Grid gridOfKeys() {
-    return Grid(vec2(region.zw), keyShift, keyGrid().x, tileShift + pixelShift, tilesAcross(), depthSign,
-                depthSign * farDepth, infinityDepth, keyFromDepth(0.0));
-}
-
+// Of keyGrid() and tilesAcross().
+int keysAcross;
+int tilesInRow;
 int keyTile = -1;
 
-void scatter(Grid grid, vec4 target, bool far) {
+void scatter(vec4 target, bool far) {
     vec3 point = target.xyz / target.w;
-    bool inside = all(greaterThanEqual(point.xy, vec2(0.0))) && all(lessThan(point.xy, grid.size));
-    if (far || !(target.w > 0.0) || !(point.z > 0.0 && point.z <= 1.0) || !inside) return;
+    if (far || !(target.w > 0.0) || !(point.z > 0.0 && point.z <= 1.0) || !insideRegion(point.xy)) return;
     ivec2 pixel = ivec2(point.xy);
-    ivec2 cell = pixel >> grid.keyShift;
-    atomicMax(keys[cell.y * grid.keysAcross + cell.x], floatBitsToUint(point.z) ^ grid.flipped);
-    ivec2 inTile = pixel >> grid.tileShift;
-    int tile = inTile.y * grid.tilesAcross + inTile.x;
+    ivec2 cell = pixel >> keyShift;
+    atomicMax(keys[cell.y * keysAcross + cell.x], keyFromDepth(point.z));
+    ivec2 inTile = pixel >> tileShift + pixelShift;
+    int tile = inTile.y * tilesInRow + inTile.x;
     if (tile != keyTile) atomicOr(tiles[tile], tileHasKeys);
     keyTile = tile;
 }
 
-bool isFar(Grid grid, float depth) {
-    return grid.depthSign * depth <= grid.far;
+#ifdef COARSE
+vec4 nearerOf(vec4 a, vec4 b) {
+    return depthSign * b.z > depthSign * a.z ? b : a;
 }
 
-#ifdef COARSE
+vec4 fartherOf(vec4 a, vec4 b) {
+    return depthSign * b.z < depthSign * a.z ? b : a;
+}
+
 // Of a cell's pixels the nearest stands for all, since any fixed one would lose what is thin; the farthest tells whether
 // the plane is seen, which goes on behind a far plane.
-bool scatterCells(Grid grid, ivec2 first, int rows) {
+bool scatterCells(ivec2 first, int rows) {
     vec4 above = aboveRow();
-    mat4 mirror = screenMirror;
-    ivec2 origin = region.xy;
     ivec2 last = region.zw - 1;
-    int edge = 1 << grid.keyShift;
+    vec2 perTexel = perDepthTexel();
+    int quads = (1 << keyShift) >> 1;
     bool planeSeen = false;
     for (int row = 0; row < rows && first.y <= last.y; ++row) {
         vec4 nearest, farthest;
-        for (int i = 0; i < edge * edge; ++i) {
-            ivec2 pixel = min(first + ivec2(i & (edge - 1), i >> grid.keyShift), last);
-            float depth = texelFetch(sceneDepth, origin + pixel, 0).r;
-            vec4 here = vec4(vec2(pixel) + 0.5, depth, 1.0);
-            float ahead = grid.depthSign * depth;
-            if (i == 0 || ahead > grid.depthSign * nearest.z) nearest = here;
-            if (i == 0 || ahead < grid.depthSign * farthest.z) farthest = here;
+        for (int i = 0; i < quads * quads; ++i) {
+            // Past the border, the pixels before it again.
+            ivec2 corner = min(first + 2 * ivec2(i & (quads - 1), i >> (keyShift - 1)), last);
+            vec4 depths = depthsAround(corner + 1, perTexel);
+            vec4 own = vec4(vec2(corner) + 0.5, depths.w, 1.0);
+            bvec2 goesOn = lessThan(corner, last);
+            vec4 right = goesOn.x ? vec4(own.xy + vec2(1.0, 0.0), depths.z, 1.0) : own;
+            vec4 below = goesOn.y ? vec4(own.xy + vec2(0.0, 1.0), depths.x, 1.0) : own;
+            vec4 across = all(goesOn) ? vec4(own.xy + 1.0, depths.y, 1.0) : own;
+            vec4 near = nearerOf(nearerOf(own, right), nearerOf(below, across));
+            vec4 far = fartherOf(fartherOf(own, right), fartherOf(below, across));
+            nearest = i == 0 ? near : nearerOf(nearest, near);
+            farthest = i == 0 ? far : fartherOf(farthest, far);
         }
-        bool far = isFar(grid, nearest.z);
-        if (isFar(grid, farthest.z)) farthest.z = grid.infinity;
-        if (far || dot(above, nearest) > 0.0) scatter(grid, mirror * nearest, far);
+        bool far = isFar(nearest.z);
+        if (isFar(farthest.z)) farthest.z = infinityDepth;
+        if (far || dot(above, nearest) > 0.0) scatter(screenMirror * nearest, far);
         planeSeen = planeSeen || dot(above, farthest) <= 0.0;
-        first.y += edge;
+        first.y += 1 << keyShift;
     }
     return planeSeen;
 }
 #else
+float abovePerDepth;
+vec4 targetPerDepth;
+
 // All that a pixel needs is affine in (x, y, depth): only the depth's share is left for the loop.
-bool scatterPixels(Grid grid, ivec2 first, int rows) {
+bool scatterPixel(vec4 target, float above, float depth) {
+    bool far = isFar(depth);
+    bool seesPlane = above + abovePerDepth * (far ? infinityDepth : depth) <= 0.0;
+    if (!seesPlane) scatter(target + targetPerDepth * depth, far);
+    return seesPlane;
+}
+
+bool scatterPixels(ivec2 first, int rows) {
     vec4 corner = vec4(vec2(first) + 0.5, 0.0, 1.0);
     vec4 target = screenMirror * corner;
-    vec4 targetPerRow = screenMirror[1];
-    vec4 targetPerDepth = screenMirror[2];
-    vec4 perPixel = aboveRow();
-    float above = dot(perPixel, corner);
-    ivec2 pixel = region.xy + first;
+    vec4 perColumn = screenMirror[0];
+    vec4 perRow = screenMirror[1];
+    targetPerDepth = screenMirror[2];
+    vec4 row = aboveRow();
+    abovePerDepth = row.z;
+    float above = dot(row, corner);
+    ivec2 last = region.zw - 1;
+    bool goesOn = first.x < last.x;
+    vec2 perTexel = perDepthTexel();
     bool planeSeen = false;
-    rows = min(rows, region.w - first.y);
-    for (int row = 0; row < rows; ++row) {
-        float depth = texelFetch(sceneDepth, pixel, 0).r;
-        bool far = isFar(grid, depth);
-        if (above + perPixel.z * (far ? grid.infinity : depth) <= 0.0)
-            planeSeen = true;
-        else
-            scatter(grid, target + targetPerDepth * depth, far);
-        target += targetPerRow;
-        above += perPixel.y;
-        ++pixel.y;
+    for (int i = 0; i < rows && first.y <= last.y; i += 2) {
+        vec4 depths = depthsAround(first + 1, perTexel);
+        planeSeen = scatterPixel(target, above, depths.w) || planeSeen;
+        if (goesOn) planeSeen = scatterPixel(target + perColumn, above + row.x, depths.z) || planeSeen;
+        if (first.y < last.y) {
+            planeSeen = scatterPixel(target + perRow, above + row.y, depths.x) || planeSeen;
+            if (goesOn) planeSeen = scatterPixel(target + perRow + perColumn, above + row.y + row.x, depths.y) || planeSeen;
+        }
+        target += 2.0 * perRow;
+        above += 2.0 * row.y;
+        first.y += 2;
     }
     return planeSeen;
 }
 #endif
 
 void main() {
+    loadMirror();
+    keysAcross = keyGrid().x;
+    tilesInRow = tilesAcross();
     int rows = (tileEdge << pixelShift) >> keyShift;
-    ivec2 first = (ivec2(gl_GlobalInvocationID.xy) * ivec2(1, rows)) << keyShift;
+    ivec2 first = ivec2(gl_GlobalInvocationID.x << max(keyShift, 1), int(gl_GlobalInvocationID.y) * rows << keyShift);
     if (first.x >= region.z) return;
 #ifdef COARSE
-    bool planeSeen = scatterCells(gridOfKeys(), first, rows);
+    bool planeSeen = scatterCells(first, rows);
 #else
-    bool planeSeen = scatterPixels(gridOfKeys(), first, rows);
+    bool planeSeen = scatterPixels(first, rows);
 #endif
     if (planeSeen) atomicOr(tiles[tileAt(first >> (tileShift + pixelShift))], tileSeesPlane);
 }

@@ -13,6 +13,7 @@ layout(set = 0, binding = 2, r32f) uniform writeonly image2D chosen;
 #endif
 
 void main() {
+    loadMirror();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, region.zw))) return;
     imageStore(chosen, region.xy + pixel, texelFetch(samples, region.xy + pixel, 0));

@@ -68,6 +68,7 @@ int unstretched(Line line, int index, float height) {
 }
 
 void main() {
+    loadMirror();
     ivec2 size = imageSize();
     if (int(gl_GlobalInvocationID.x) >= (along == 0 ? size.y : size.x)) return;
     Line line = lineOf(gl_GlobalInvocationID.xy);

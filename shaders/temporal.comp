@@ -183,6 +183,7 @@ Pixel recalled(Pixel found, Around around, SightLine sight) {
 }
 
 void main() {
+    loadMirror();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize()))) return;
     Pixel result = Pixel(texelFetch(foundColor, pixel, 0), texelFetch(foundInfo, pixel, 0).r);

@@ -22,6 +22,7 @@ bool keysNear(ivec2 tile) {
 }
 
 void main() {
+    loadMirror();
     int count = tilesAcross() * tilesDown();
     int index = int(gl_GlobalInvocationID.x);
     if (index == 0) header.resolveGroups.z = header.emptyGroups.z = 1u;
@@ -35,8 +36,9 @@ void main() {
         tiles[count + int(n)] = packedTile(tile);
     } else {
         uint n = atomicAdd(header.emptyGroups.w, 1u);
-        atomicMax(header.emptyGroups.x, min(n + 1u, groupsPerRow));
-        atomicMax(header.emptyGroups.y, n / groupsPerRow + 1u);
+        uint group = n / emptyTilesPerGroup;
+        atomicMax(header.emptyGroups.x, min(group + 1u, groupsPerRow));
+        atomicMax(header.emptyGroups.y, group / groupsPerRow + 1u);
         tiles[2 * count - 1 - int(n)] = packedTile(tile);
     }
 }

@@ -1,27 +1,71 @@
 // The screen mirror of reflection/mirror.h. A "screen point" is (x, y, depth, 1) in pixels of the view's region.
 
+// Loaded once, by loadMirror(): CPU devices load uniforms anew at each use and in each turn of a loop.
+mat4 screenMirror;   // to where the plane shows a screen point of the scene, w <= 0 behind the camera
+mat4 sceneFromPixel; // its inverse: itself, unless the scene's pixels show some other point than their middles
+mat4 relativeFromPixel;
+vec4 heightRow;
+vec4 weightRow;
+vec4 depthRow;   // of sceneFromPixel: w times depth less infinityDepth, made before the digits they share are rounded
+vec4 plane;   // relative to the eye, facing it
+ivec4 region; // origin in the scene images, size
+ivec4 shown;  // pixels of the region that may show the mirror: low, and one past high
+float farDepth;
+float depthSign;
+float edgeFadePixels;
+float infinityDepth;
+bool bent;        // looked up away from where the plane is seen
+// Powers of two, since integers divide slowly.
+int pixelShift;   // pixels of the region to one of the reflection, each way
+int keyShift;     // and to one key
+float contactPerMetre;   // see onOrBelowPlane()
+float depthStep;         // scene depths closer than this may be held as one
+bool followed;           // rays are followed afterwards where nothing is proven
+
 layout(set = 0, binding = 0, std140) uniform Mirror {
-    mat4 screenMirror;   // to where the plane shows a screen point of the scene, w <= 0 behind the camera
-    mat4 sceneFromPixel; // its inverse: itself, unless the scene's pixels show some other point than their middles
+    mat4 screenMirror;
+    mat4 sceneFromPixel;
     mat4 relativeFromPixel;
     vec4 heightRow;
     vec4 weightRow;
-    vec4 depthRow;   // of sceneFromPixel: w times depth less infinityDepth, made before the digits they share are rounded
-    vec4 plane;   // relative to the eye, facing it
-    ivec4 region; // origin in the scene images, size
-    ivec4 shown;  // pixels of the region that may show the mirror: low, and one past high
+    vec4 depthRow;
+    vec4 plane;
+    ivec4 region;
+    ivec4 shown;
     float farDepth;
     float depthSign;
     float edgeFadePixels;
     float infinityDepth;
-    bool bent;        // looked up away from where the plane is seen
-    // Powers of two, since integers divide slowly.
-    int pixelShift;   // pixels of the region to one of the reflection, each way
-    int keyShift;     // and to one key
-    float contactPerMetre;   // see onOrBelowPlane()
-    float depthStep;         // scene depths closer than this may be held as one
-    bool followed;           // rays are followed afterwards where nothing is proven
-};
+    bool bent;
+    int pixelShift;
+    int keyShift;
+    float contactPerMetre;
+    float depthStep;
+    bool followed;
+} stored;
+
+// Before anything else.
+void loadMirror() {
+    screenMirror = stored.screenMirror;
+    sceneFromPixel = stored.sceneFromPixel;
+    relativeFromPixel = stored.relativeFromPixel;
+    heightRow = stored.heightRow;
+    weightRow = stored.weightRow;
+    depthRow = stored.depthRow;
+    plane = stored.plane;
+    region = stored.region;
+    shown = stored.shown;
+    farDepth = stored.farDepth;
+    depthSign = stored.depthSign;
+    edgeFadePixels = stored.edgeFadePixels;
+    infinityDepth = stored.infinityDepth;
+    bent = stored.bent;
+    pixelShift = stored.pixelShift;
+    keyShift = stored.keyShift;
+    contactPerMetre = stored.contactPerMetre;
+    depthStep = stored.depthStep;
+    followed = stored.followed;
+}
 
 // The reflection's pixels, and its keys'.
 ivec2 imageSize() {

@@ -5,12 +5,30 @@ float depthAt(ivec2 pixel) {
     return texelFetch(sceneDepth, region.xy + pixel, 0).r;
 }
 
+// Where a mirrored ray ends at infinity. Affine in the mirror's pixel.
+struct FarEnd {
+    vec4 point;    // on the scene's screen [pixel], times w
+    float ahead;   // of the plane's horizon, where it is negative
+};
+
+FarEnd farEndOf(vec2 q) {
+    vec4 end = vec4(q, infinityDepth, 1.0);
+    return FarEnd(sceneFromPixel * end, dot(heightRow, end));
+}
+
+FarEnd farEndPerRow(float pixels) {
+    return FarEnd(pixels * sceneFromPixel[1], pixels * heightRow.y);
+}
+
 // The mirrored ray's far end tells whether the sky it would reach is on the screen.
+float infoOfFarEnd(FarEnd end) {
+    vec2 pixel = end.point.xy / end.point.w;
+    bool onScreen = end.ahead < 0.0 && end.point.w > 0.0 && insideRegion(pixel);
+    return onScreen && isFar(depthAt(onScreen ? ivec2(pixel) : ivec2(0))) ? infoSky : infoUnknown;
+}
+
 float infoOfMiss(vec2 q) {
-    vec4 end = sceneFromPixel * vec4(q, infinityDepth, 1.0);
-    vec2 pixel = end.xy / end.w;
-    if (!(end.w > 0.0) || !insideRegion(pixel)) return infoUnknown;
-    return isFar(depthAt(ivec2(pixel))) ? infoSky : infoUnknown;
+    return infoOfFarEnd(farEndOf(q));
 }
 
 bool planeAhead(vec2 q) {

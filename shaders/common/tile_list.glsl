@@ -15,9 +15,3 @@ ivec2 pixelToResolve() {
     if (n >= header.resolveGroups.w) return noPixel;
     return pixelOfTile(uint(tilesAcross() * tilesDown()) + n);
 }
-
-ivec2 pixelWithoutKeys() {
-    uint n = gl_WorkGroupID.y * groupsPerRow + gl_WorkGroupID.x;
-    if (n >= header.emptyGroups.w) return noPixel;
-    return pixelOfTile(uint(2 * tilesAcross() * tilesDown()) - 1u - n);
-}

@@ -7,6 +7,7 @@ const uint tileHasKeys = 2u;
 
 // A list of tiles is dispatched indirectly, a group a tile, in rows that every device takes.
 const uint groupsPerRow = 32768u;
+const uint emptyTilesPerGroup = 8u;
 
 // Two lists grow from both ends of one array behind the tiles' flags: tiles to resolve, and tiles that no key is near.
 struct TileHeader {

@@ -1,11 +1,13 @@
 // What a reflection costs on this device, as multiples of the floor: a compute copy of the frame's colour and
 // depth; and how much of the traced truth it finds. Floor and reflection alternate, so that both see the same
-// machine; medians over the rounds.
+// machine; medians over the rounds. The first multiple is of time, the second of what this process had of the
+// processors: on CPU devices it is the steadier one while other programs run, elsewhere it says nothing.
 //
-//   seaglass_bench_reflection [WIDTHxHEIGHT [ROUNDS [POSE]]]
+//   seaglass_bench_reflection [WIDTHxHEIGHT [ROUNDS [POSE [SETTING]]]]   settings whose names begin so
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <string_view>
 
@@ -60,6 +62,15 @@ std::vector<Setting> settings() {
         {"ssr", ssr},   {"ssr, strides", strides},     {"hybrid", hybrid}};
 }
 
+struct Samples {
+    std::vector<double> ms;
+    std::vector<double> processorMs;
+};
+
+double processorMs() {
+    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     return values.empty() ? 0 : values[values.size() / 2];
@@ -81,7 +92,8 @@ void run(Record&& record) {
 
 class Bench {
   public:
-    Bench(uint32_t width, uint32_t height, uint32_t rounds) : rounds_(rounds) {
+    Bench(uint32_t width, uint32_t height, uint32_t rounds, std::vector<Setting> settings)
+        : rounds_(rounds), settings_(std::move(settings)) {
         demos::Error error;
         DeviceDesc desc = tests::deviceDesc(&message_);
         desc.pass = {[](void* user, VkCommandBuffer commands, const char* pass, bool begins) {
@@ -107,33 +119,36 @@ class Bench {
         std::printf("%s: %.1f %% of the screen is mirror\n", pose.name,
                     100.0 * static_cast<double>(mirrored) / static_cast<double>(traced.truth.size()));
 
-        const std::vector<Setting> all = settings();
+        const std::vector<Setting>& all = settings_;
         std::vector<Reflector*> reflectors;
         for (const Setting& setting : all) {
             const ReflectorDesc desc{{0, 1, 0, 0}, setting.desc};
             require(createReflector(context_, &desc, &reflectors.emplace_back()) == Status::ok, message_);
         }
         std::vector<std::map<std::string, std::vector<double>>> passes(all.size());
-        std::vector<std::vector<double>> sums(all.size());
-        std::vector<double> floorMs;
+        std::vector<Samples> sums(all.size());
+        Samples floors;
         constexpr uint32_t warmUps = 2;
         for (uint32_t round = 0; round < warmUps + rounds_; ++round) {
-            const double floor = floorOnce();
-            if (round >= warmUps) floorMs.push_back(floor);
+            const bool counts = round >= warmUps;
+            floorOnce(counts ? &floors : nullptr);
             for (size_t i = 0; i < all.size(); ++i) {
+                const double before = processorMs();
                 double sum = 0;
                 for (const demos::PassTime& pass : reflectOnce(reflectors[i], view)) {
-                    if (round >= warmUps) passes[i][pass.name].push_back(pass.ms);
+                    if (counts) passes[i][pass.name].push_back(pass.ms);
                     sum += pass.ms;
                 }
-                if (round >= warmUps) sums[i].push_back(sum);
+                if (!counts) continue;
+                sums[i].ms.push_back(sum);
+                sums[i].processorMs.push_back(processorMs() - before);
             }
         }
-        const double floor = median(floorMs);
+        const double floor = median(floors.ms);
         std::printf("  floor %.2f ms\n", floor);
         for (size_t i = 0; i < all.size(); ++i) {
-            std::printf("  %-20s %7.2f ms %6.2f x floor:", all[i].name, median(sums[i]),
-                        median(sums[i]) / floor);
+            std::printf("  %-20s %7.2f ms %6.2f %6.2f x floor:", all[i].name, median(sums[i].ms),
+                        median(sums[i].ms) / floor, median(sums[i].processorMs) / median(floors.processorMs));
             for (const auto& [name, ms] : passes[i])
                 std::printf("  %s %.2f", name.c_str(), median(ms) / floor);
             std::printf("\n");
@@ -155,7 +170,8 @@ class Bench {
         return {tests::download(images.colorImage, VK_FORMAT_R16G16B16A16_SFLOAT, images.extent),
                 tests::download(images.infoImage, VK_FORMAT_R16_SFLOAT, images.extent)};
     }
-    double floorOnce() {
+    void floorOnce(Samples* samples) {
+        const double before = processorMs();
         run([&](VkCommandBuffer commands) {
             timer_.listen(commands);
             floor_.record(commands); // once unseen, to wake the device
@@ -164,7 +180,10 @@ class Bench {
             timer_.mark(commands, "floor", false);
             timer_.stop();
         });
-        return timer_.collect().front().ms;
+        const double ms = timer_.collect().front().ms;
+        if (!samples) return;
+        samples->ms.push_back(ms);
+        samples->processorMs.push_back((processorMs() - before) / 2);
     }
     std::vector<demos::PassTime> reflectOnce(Reflector* reflector, const ViewDesc& view) {
         require(beginFrame(context_, slot_ ^= 1) == Status::ok, message_);
@@ -177,6 +196,7 @@ class Bench {
     }
 
     uint32_t rounds_;
+    std::vector<Setting> settings_;
     uint32_t slot_ = 0;
     std::string message_;
     demos::PassTimer timer_;
@@ -194,7 +214,11 @@ int main(int count, char** arguments) {
     }
     if (count > 2) rounds = static_cast<uint32_t>(std::max(std::atoi(arguments[2]), 1));
     std::printf("%s, %u x %u, medians of %u\n", tests::device().info().name.c_str(), width, height, rounds);
-    Bench bench(width, height, rounds);
+    std::vector<Setting> chosen = settings();
+    if (count > 4)
+        std::erase_if(chosen,
+                      [&](const Setting& s) { return !std::string_view(s.name).starts_with(arguments[4]); });
+    Bench bench(width, height, rounds, std::move(chosen));
     for (const tests::Pose& pose : posesOf(width, height))
         if (count <= 3 || pose.name == std::string_view(arguments[3])) bench.measure(pose);
 }

@@ -19,17 +19,16 @@ class Regions : public ReflectionTest, public testing::WithParamInterface<Reflec
     }
 };
 
-/// What a larger target may hold beside the region, from frames before: nothing that is a number.
-TracedView amidGarbage(const TracedView& traced, uint32_t left, uint32_t top) {
+/// A larger target that holds `garbage` beside the region.
+TracedView amidst(float garbage, const TracedView& traced, uint32_t left, uint32_t top) {
     TracedView larger = framed(traced, left, top);
     for (uint32_t y = 0; y < larger.height; ++y)
         for (uint32_t x = 0; x < larger.width; ++x) {
             const bool inside = x >= left && y >= top && x < left + traced.width && y < top + traced.height;
             if (inside) continue;
             const size_t i = size_t{y} * larger.width + x;
-            larger.depth[i] = std::numeric_limits<float>::quiet_NaN();
-            std::fill_n(larger.color.begin() + static_cast<ptrdiff_t>(i * 4), 4,
-                        std::numeric_limits<float>::quiet_NaN());
+            larger.depth[i] = garbage;
+            std::fill_n(larger.color.begin() + static_cast<ptrdiff_t>(i * 4), 4, garbage);
         }
     return larger;
 }
@@ -39,20 +38,25 @@ TEST_P(Regions, AreTheSamePictureToTheBit) {
         for (const bool odd : {false, true}) {
             Camera camera = testCamera();
             if (odd) {
+                camera.rollDegrees = 50; // so that what lies over a border would be mirrored into the picture
                 camera.width = 237;
                 camera.height = 131;
             }
             ReflectorDesc wanted = desc();
             wanted.reflection.downscale = reduced ? 2 : 1;
             wanted.reflection.coarseKeys = reduced;
-            const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+            std::vector<Box> boxes = harbourOfBoxes();
+            boxes.push_back({{-90, -1, -30}, {90, 4, -28}}); // seen and mirrored at the borders too
+            const TracedView traced = Tracer(camera, boxes).run();
             const Reflected tight = reflectScene(camera, traced, wanted);
             for (const uint32_t corner : {0u, 13u}) {
                 ViewDesc view = viewDesc(camera);
                 view.viewport.x = static_cast<float>(corner);
                 view.viewport.y = static_cast<float>(corner);
-                for (const TracedView& around :
-                     {framed(traced, corner, corner), amidGarbage(traced, corner, corner)}) {
+                // From frames before: what is no number, what stands before the eye, what stands in the
+                // scene.
+                for (const float garbage : {std::numeric_limits<float>::quiet_NaN(), 0.7f, 0.007f}) {
+                    const TracedView around = amidst(garbage, traced, corner, corner);
                     const Reflected part = reflectView(around, view, wanted);
                     EXPECT_EQ(part.info, tight.info) << corner;
                     EXPECT_EQ(part.color, tight.color) << corner;
