@@ -21,6 +21,7 @@ const uint outputHeight = 3;
 const uint outputNormal = 4;
 const uint outputFoam = 5;
 const uint outputReflectionSource = 6;
+const uint outputSlopes = 7;
 
 struct SurfacePoint {
     vec2 slope;        // mean over the pixel
@@ -35,7 +36,7 @@ float jacobianOf(vec4 derivatives, float shear) {
 #endif
 
 SurfacePoint surfacePoint() {
-    SurfacePoint s = SurfacePoint(vec2(0.0), vec3(unresolvedVariance, unresolvedVariance, 0.0), 0.0);
+    SurfacePoint s = SurfacePoint(vec2(0.0), roughness.xyz, 0.0);
 #ifdef WAVES
     vec4 derivatives = vec4(0.0);
     float shear = 0.0;
@@ -99,10 +100,10 @@ vec3 keptAbove(vec3 direction) {
 // that wave's facets lean towards the ray by 1.25 deviations in the mean, and mirror a higher part of the sky in turn.
 vec3 mirroredBySea(vec3 direction, float spread) {
     vec3 first = mirroredRadiance(keptAbove(direction), spread);
-    if (wholeDeviation <= 0.0) return first;
-    float clear = direction.y > 0.0 ? 1.0 / (1.0 + smithLambda(direction.y, wholeDeviation)) : 0.0;
+    if (roughness.w <= 0.0) return first;
+    float clear = direction.y > 0.0 ? 1.0 / (1.0 + smithLambda(direction.y, roughness.w)) : 0.0;
     vec2 along = direction.xz / max(length(direction.xz), 1e-6);
-    vec3 facet = normalOf(along * (1.25 * wholeDeviation));
+    vec3 facet = normalOf(along * (1.25 * roughness.w));
     vec3 second = keptAbove(reflect(direction, facet));
     return first * clear + skyAt(second, spread) * (fresnelWater(dot(-direction, facet)) * (1.0 - clear));
 }
@@ -153,7 +154,7 @@ vec3 sunGlint(SurfacePoint s, vec3 toEye) {
     vec3 normal = normalOf(s.slope);
     float cosEye = max(dot(toEye, normal), 1e-3);
     float deviation = sqrt(0.5 * (s.covariance.x + s.covariance.y));
-    float masking = 1.0 + smithLambda(cosEye, deviation) + smithLambda(max(toSun.y, 1e-3), wholeDeviation);
+    float masking = 1.0 + smithLambda(cosEye, deviation) + smithLambda(max(toSun.y, 1e-3), roughness.w);
     float up2 = halfway.y * halfway.y;
     return sunIrradiance.rgb * (fresnel * density / (4.0 * up2 * up2 * cosEye * masking));
 }
@@ -279,6 +280,7 @@ vec3 withFoam(vec3 water, float mask, vec3 normal) {
 vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
     if (surfaceOutput == outputHeight) return vec4(position.y + plane.w, 0.0, 0.0, 1.0);
     if (surfaceOutput == outputNormal) return vec4(normal, 1.0);
+    if (surfaceOutput == outputSlopes) return vec4(s.slope, s.covariance.xy);
 #ifdef FOAM
     if (surfaceOutput == outputFoam) return vec4(foamMask(foamCover()), 0.0, 0.0, 1.0);
 #endif

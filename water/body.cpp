@@ -87,9 +87,9 @@ double inTile(double position, double tile) {
 void setWaves(SurfaceUniforms& u, const Sea& sea, const WaveMaps& maps, const glm::dvec3& eye) {
     u.cascades = static_cast<int32_t>(maps.cascades);
     u.maxMip = static_cast<float>(maps.mipLevels - 1);
-    const double unresolved = unresolvedSlopeVariance(sea);
-    u.unresolvedVariance = static_cast<float>(unresolved / 2);
-    u.wholeDeviation = static_cast<float>(std::sqrt((resolvedSlopeVariance(sea) + unresolved) / 2));
+    const SlopeCovariance rough = roughness(sea);
+    const double whole = std::sqrt((resolvedSlopeVariance(sea) + unresolvedSlopeVariance(sea)) / 2);
+    u.roughness = glm::vec4(rough.uu, rough.vv, rough.uv, whole);
     for (uint32_t i = 0; i < maps.cascades; ++i) {
         const double patch = cascade(sea, i).patch;
         // Maps hold samples at i * patch / samples, textures at half a texel more.

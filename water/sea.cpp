@@ -2,6 +2,7 @@
 
 #include "water/cascades.h"
 #include "water/sea_desc.h"
+#include "water/slope_variance.h"
 
 #include <cmath>
 #include <cstdio>
@@ -27,10 +28,12 @@ std::unique_ptr<Sea> makeSea(const SeaDesc& desc) {
     sea->peak = dominantSystem(sea->systems).spectrum.peak;
     sea->count = desc.cascades;
     layCascades(desc, sea->systems, sea->cascades.data());
-    for (uint32_t c = 0; c < sea->count; ++c) {
+    for (uint32_t c = 0; c < sea->count; ++c)
         sea->modes[c] = drawModes(desc, sea->systems, c, sea->cascades[c]);
-        sea->variance += sea->cascades[c].variance;
-    }
+    limitSlopes(*sea);
+    for (uint32_t c = 0; c < sea->count; ++c) sea->variance += sea->cascades[c].variance;
+    sea->slopes = slopesOf(*sea);
+    sea->roughness = roughnessOf(*sea, sea->slopes);
     return sea;
 }
 

@@ -20,8 +20,10 @@ struct Sea {
     uint32_t count = 0; ///< of cascades; 0 when flat
     std::array<Cascade, maxCascades> cascades;
     std::array<Modes, maxCascades> modes;
-    double peak = 0;     ///< [rad/s]
-    double variance = 0; ///< of height [m^2]
+    double peak = 0;        ///< [rad/s]
+    double variance = 0;    ///< of height [m^2]
+    SlopeCovariance slopes; ///< of the modes
+    SlopeCovariance roughness;
 };
 
 } // namespace seaglass

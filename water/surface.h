@@ -36,20 +36,20 @@ struct SurfaceUniforms {
     glm::vec4 absorption{0};
     glm::vec4 backscatter{0};
     glm::ivec4 region{0};
-    glm::vec4 foam{0}; ///< share of the way from the history's first step to its second, albedo, the
-                       ///< eye's (u, v) in the pattern's longest tile [m]
-    float unresolvedVariance = 0; ///< slope variance that no cascade holds, in each direction
+    glm::vec4 foam{0};      ///< share of the way from the history's first step to its second, albedo, the
+                            ///< eye's (u, v) in the pattern's longest tile [m]
+    glm::vec4 roughness{0}; ///< slope covariance that no cascade holds: uu, vv, uv; the deviation of all
+                            ///< slopes of the sea, mean of both directions
     float refractionDistortion = 0;
     float reflectionDistortion = 0;
     float farDepth = 0;
     float depthSign = 1;
     float skyMips = 1;
-    float wholeDeviation = 0; ///< of all slopes of the sea, in each direction
     int32_t cascades = 0;
     float maxMip = 0;
     float reflectionScale = 1; ///< pixels of the region to one of the reflection, each way
     int32_t foamCascades = 0;  ///< that break: the first so many
-    float padding = 0;
+    float padding[3] = {};
     glm::vec4 reflectionLook{
         0}; ///< clear distance [m], scatter, distance at which the sky has taken over [m]
 };

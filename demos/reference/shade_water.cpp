@@ -42,12 +42,19 @@ Facet meanFacet(const Frame& frame, const Ray& ray, const Hit& hit) {
     return f;
 }
 
+/// Two independent unit normals as slopes of this covariance: Cholesky's factor.
+glm::vec2 correlated(const glm::vec3& covariance, const glm::vec2& normals) {
+    const float u = std::sqrt(std::max(covariance.x, 1e-12f));
+    const float mixed = covariance.z / u;
+    return {u * normals.x,
+            mixed * normals.x + std::sqrt(std::max(covariance.y - mixed * mixed, 0.0f)) * normals.y};
+}
+
 Facet randomFacet(const Frame& frame, const Ray& ray, const Hit& hit, float leastCosine, Random& random) {
     Facet f;
     f.up = hit.facing();
     f.slopes = frame.surface.slopes(frame.calmAt(hit), 0);
-    const glm::vec2 slope =
-        f.slopes.mean + std::sqrt(frame.surface.unresolvedVariance()) * random.nextNormal();
+    const glm::vec2 slope = f.slopes.mean + correlated(frame.surface.roughness(), random.nextNormal());
     f.meshCosine = std::max(-glm::dot(ray.direction, f.up) / std::max(std::abs(f.up.y), 0.05f), leastCosine);
     const float seen = -glm::dot(ray.direction, glm::vec3(-slope.x, 1, -slope.y));
     // A trace is kept of facets seen from behind, so that no pixel's sum is empty.
@@ -139,8 +146,9 @@ glm::vec3 sampledGlint(const Frame& frame, const Facet& facet, const glm::vec3& 
     const glm::vec3 halfway = glm::normalize(toEye + toSun);
     if (toSun.y <= 0 || halfway.y <= 0) return glm::vec3(0);
     const glm::vec2 slope = -glm::vec2(halfway.x, halfway.z) / halfway.y;
-    const float variance = std::max(frame.surface.unresolvedVariance(), 5.4e-6f);
-    const float density = slopeDensity(slope - facet.slopes.mean, {variance, variance, 0});
+    const glm::vec3& rough = frame.surface.roughness();
+    const glm::vec3 covariance(std::max(rough.x, 5.4e-6f), std::max(rough.y, 5.4e-6f), rough.z);
+    const float density = slopeDensity(slope - facet.slopes.mean, covariance);
     const float up2 = halfway.y * halfway.y;
     return frame.world->light.sunIrradiance() *
            (fresnelWater(glm::dot(toEye, halfway)) * density / (4 * up2 * up2 * facet.meshCosine));

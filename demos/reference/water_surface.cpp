@@ -78,7 +78,7 @@ std::vector<double> azimuthSteps(const Azimuths& seen, double fine) {
 bool WaterSurface::create(const seaglass::Sea* sea, const seaglass::FoamDesc* foam, double timeS,
                           Error& error) {
     cascades_.clear();
-    unresolvedVariance_ = 0;
+    roughness_ = glm::vec3(0);
     const uint32_t count = sea ? seaglass::cascadeCount(*sea) : 0;
     if (count == 0) return true;
     if (!wavesBackend()) {
@@ -91,7 +91,8 @@ bool WaterSurface::create(const seaglass::Sea* sea, const seaglass::FoamDesc* fo
         error.text = "water.waves: out of memory";
         return false;
     }
-    unresolvedVariance_ = static_cast<float>(seaglass::unresolvedSlopeVariance(*sea) / 2);
+    const seaglass::SlopeCovariance rough = seaglass::roughness(*sea);
+    roughness_ = glm::vec3(rough.uu, rough.vv, rough.uv);
     for (uint32_t i = 0; i < count; ++i) {
         const seaglass::Cascade& from = seaglass::cascade(*sea, i);
         Cascade& to = cascades_.emplace_back();
@@ -192,7 +193,7 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
     const glm::vec2 bent(derivatives.x * diagonal.y - derivatives.y * shear,
                          derivatives.y * diagonal.x - derivatives.x * shear);
     s.mean = bent / std::max(jacobianOf(derivatives, shear), 0.15f);
-    s.covariance = variance + glm::vec3(unresolvedVariance_, unresolvedVariance_, 0);
+    s.covariance = variance + roughness_;
     return s;
 }
 

@@ -32,8 +32,8 @@ class WaterSurface {
         glm::vec3 covariance{0}; ///< uu, vv, uv of what the footprint hides, unresolved waves included
     };
     Slopes slopes(const glm::dvec2& calm, double footprint) const;
-    /// Slope variance of waves too short for any map, in each direction.
-    float unresolvedVariance() const { return unresolvedVariance_; }
+    /// Covariance uu, vv, uv of slopes of waves too short for any map.
+    const glm::vec3& roughness() const { return roughness_; }
 
     /// Share of the footprint that is white: shaders/surface.frag's foamCover().
     float foamCover(const glm::dvec2& calm, double footprint) const;
@@ -55,7 +55,7 @@ class WaterSurface {
                                const glm::dvec2& calm);
 
     std::vector<Cascade> cascades_;
-    float unresolvedVariance_ = 0;
+    glm::vec3 roughness_{0};
 };
 
 struct SurfaceMeshDesc {

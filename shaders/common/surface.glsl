@@ -14,13 +14,12 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     vec4 backscatter;
     ivec4 region;      // origin in the scene images, size
     vec4 foam;         // share of the way between the history's steps, albedo, the eye's (u, v) in the pattern's tile
-    float unresolvedVariance;
+    vec4 roughness;    // slope covariance that no cascade holds, uu, vv, uv; deviation of all slopes
     float refractionDistortion;
     float reflectionDistortion;
     float farDepth;
     float depthSign;
     float skyMips;
-    float wholeDeviation;
     int cascades;
     float maxMip;
     float reflectionScale;   // pixels of the region to one of the reflection

@@ -499,6 +499,49 @@ TEST_F(Water, FoamGathersWhereTheSeaIsRough) {
     EXPECT_GT(fresh, 0);
 }
 
+// What distance takes from the normals goes into the roughness: seen from above, over pixels of centimetres
+// or of hectometres, all slopes together are Cox and Munk's.
+TEST_F(Water, SlopeVarianceIsTheSameAtAnyDistance) {
+    SeaDesc desc = breeze();
+    desc.windSpeed = 10;
+    desc.fetch = 300e3f;
+    desc.samples = 128;
+    Body* body = wavyBody(desc);
+    const double expected = coxMunkSlopeVariance(10);
+    double resolvedNear = 0;
+    for (const double height : {10.0, 100.0, 1e3, 1e4, 1e5}) {
+        double slopes = 0, within = 0;
+        size_t count = 0;
+        // Near by, many places make the mean.
+        const int places = height < 500 ? 24 : 4;
+        for (int place = 0; place < places; ++place) {
+            Camera camera = seaCamera();
+            camera.width = camera.height = 64;
+            camera.eye = {place * 137.0, height, place * 71.0};
+            camera.target = {place * 137.0 + 0.001 * height, 0, place * 71.0};
+            const WaterPicture p = picture({body}, camera, 50 + place * 7, SurfaceOutput::slopes);
+            for (size_t i = 0; i < p.color.size(); i += 4) {
+                if (!p.covered(i / 4)) continue;
+                slopes +=
+                    double{p.color[i]} * double{p.color[i]} + double{p.color[i + 1]} * double{p.color[i + 1]};
+                within += double{p.color[i + 2]} + double{p.color[i + 3]};
+                ++count;
+            }
+        }
+        ASSERT_GT(count, 1000u);
+        slopes /= static_cast<double>(count);
+        within /= static_cast<double>(count);
+        std::printf("from %6.0f m: in normals %.4f, in roughness %.4f, together %.4f of %.4f\n", height,
+                    slopes, within, slopes + within, expected);
+        EXPECT_NEAR((slopes + within) / expected, 1, 0.1) << height;
+        if (resolvedNear == 0) resolvedNear = slopes;
+        if (height == 1e5) {
+            EXPECT_LT(slopes, 0.1 * resolvedNear);
+        }
+    }
+    EXPECT_GT(resolvedNear, 0.2 * expected);
+}
+
 class WaterFoam : public Water {
   protected:
     Body* foamyBody(WavesOn on = WavesOn::cpu) {

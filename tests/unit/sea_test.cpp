@@ -74,6 +74,8 @@ TEST(Sea, HasTheHeightOfItsSpectrum) {
             bandSlopeVariance = tests::slopeVariance(spectrum, kMax);
         }
         EXPECT_NEAR(height / bandHeight, 1, 0.02) << c.wind << " m/s over " << c.fetch << " m";
+        // In less wind the spectrum's short waves are lowered: slope_variance_test.cpp.
+        if (c.wind < 6) continue;
         EXPECT_NEAR(slopes / bandSlopeVariance, 1, 0.03) << c.wind << " m/s over " << c.fetch << " m";
     }
 }
@@ -252,24 +254,14 @@ TEST(Sea, RunsSmoothlyAfterAMonth) {
         EXPECT_NEAR(stepAt(30 * 86400.0 + i / 60.0) / usual, 1, 0.3) << "frame " << i;
 }
 
-TEST(Sea, KnowsTheSlopesThatItsCascadesLeaveOut) {
+TEST(Sea, SpectrumHasThePublishedSlopes) {
     SeaDesc desc;
     desc.capFetch = false;
-    const auto sea = makeSea(desc);
     const Spectrum spectrum = makeSpectrum(desc);
-    // Cascades that resolved 1 m, 10 cm and 2 cm waves would hold so much, by the spectrum.
+    // Cascades that resolved 1 m, 10 cm and 2 cm waves would hold so much.
     EXPECT_NEAR(tests::slopeVariance(spectrum, 6.28), 0.018, 1e-3);
     EXPECT_NEAR(tests::slopeVariance(spectrum, 62.8), 0.028, 1e-3);
     EXPECT_NEAR(tests::slopeVariance(spectrum, 314), 0.034, 1e-3);
-    constexpr double shortest = 365; // [rad/m], 17 mm
-    const double resolved = tests::slopeVariance(spectrum, cascade(*sea, desc.cascades - 1).kMax);
-    const double total = tests::slopeVariance(spectrum, shortest);
-    EXPECT_NEAR(unresolvedSlopeVariance(*sea), total - resolved, 1e-3 * total);
-
-    desc.amplitude = 0.5f;
-    EXPECT_NEAR(unresolvedSlopeVariance(*makeSea(desc)), (total - resolved) / 4, 1e-3 * total);
-    desc.windSpeed = 0;
-    EXPECT_EQ(unresolvedSlopeVariance(*makeSea(desc)), 0);
 }
 
 TEST(Sea, TheMapsHaveTheResolvedSlopeVariance) {

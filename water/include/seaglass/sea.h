@@ -116,10 +116,23 @@ double peakFrequency(const Sea& sea);
 /// S(omega) of all systems together as asked for, resolved or not [m^2 s]; 0 when flat.
 double frequencySpectrum(const Sea& sea, double omega);
 double significantWaveHeight(const Sea& sea); ///< 4 sqrt(m0) of the modes held [m]
-/// Slope variance (both axes together) of the waves that the cascades hold.
-double resolvedSlopeVariance(const Sea& sea);
-/// Slope variance (both axes together) of the waves shorter than the shortest mode: a surface's roughness.
-double unresolvedSlopeVariance(const Sea& sea);
+
+/// Of the surface's slopes dh/du and dh/dv.
+struct SlopeCovariance {
+    double uu = 0, vv = 0, uv = 0;
+};
+
+/// Of the waves that the cascades hold.
+SlopeCovariance resolvedSlopes(const Sea& sea);
+/// Of all that is shorter: the surface's roughness. With the resolved slopes it makes Cox and Munk's variance
+/// for the wind, times amplitude^2.
+SlopeCovariance roughness(const Sea& sea);
+double resolvedSlopeVariance(const Sea& sea);   ///< both axes together
+double unresolvedSlopeVariance(const Sea& sea); ///< of the roughness, both axes together
+
+/// Slope variance of a clean sea, both axes together, 0.003 + 5.12e-3 U at 12.5 m (Cox and Munk 1954); U10
+/// [m/s]. Less below 1 m/s, where water turns to glass, and no more past 30 m/s.
+double coxMunkSlopeVariance(double windSpeed);
 
 /// The surface on one cascade's grid at one time: three maps of samples*samples texels, four floats each,
 /// rows along v. Texel (i, j) is at u = i patch/samples, v = j patch/samples, and at [(j*samples + i)*4]; the

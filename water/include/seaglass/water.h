@@ -101,6 +101,9 @@ enum class SurfaceOutput : uint32_t {
     /// region, -1 where it is not; its distance from the surface [m]; its ReflectionClass. Wants a float
     /// attachment: halves do not hold a pixel's place.
     reflectionSource,
+    /// Mean slope of the surface over the pixel along +u and +v, then the variance of slope about it,
+    /// likewise: what the waves' maps no longer show there, and roughness.
+    slopes,
 };
 
 /// Draws the bodies into the pass that the host has begun: a colour attachment and a depth attachment with
