@@ -105,6 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Types, GpuWavesOnEachDevice,
                          });
 
 TEST_P(GpuWavesOnEachDevice, AreTheCpusOnAllMaps) {
+    double most = 0; // of Hs
     for (const uint32_t samples : {16u, 128u, 256u, 512u}) {
         SeaDesc desc = seaOf(samples);
         desc.windDirection = 0.7f;
@@ -121,11 +122,15 @@ TEST_P(GpuWavesOnEachDevice, AreTheCpusOnAllMaps) {
                 for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
                 return most;
             };
-            EXPECT_LT(worst(found.displacement, expected.displacement), tolerance) << samples << ", " << c;
-            EXPECT_LT(worst(found.derivatives, expected.derivatives), tolerance) << samples << ", " << c;
-            EXPECT_LT(worst(found.moments, expected.moments), tolerance) << samples << ", " << c;
+            for (const float off :
+                 {worst(found.displacement, expected.displacement),
+                  worst(found.derivatives, expected.derivatives), worst(found.moments, expected.moments)}) {
+                EXPECT_LT(off, tolerance) << samples << ", " << c;
+                most = std::max(most, 1e-5 * static_cast<double>(off) / tolerance);
+            }
         }
     }
+    std::printf("largest difference %.1e Hs\n", most);
 }
 
 TEST_F(GpuWaves, StayExactAfterAMonth) {
@@ -137,8 +142,10 @@ TEST_F(GpuWaves, StayExactAfterAMonth) {
         const double time = 30 * day + i / 60.0;
         simulateAt(body, time);
         const Maps now = mapsOf(*body, 0);
-        EXPECT_LT(waveError(waveTruth(*sea(body), 0, time), now.displacement, now.derivatives).worst,
-                  1e-3 * height);
+        const double worst =
+            waveError(waveTruth(*sea(body), 0, time), now.displacement, now.derivatives).worst;
+        EXPECT_LT(worst, 1e-3 * height);
+        std::printf("%.3f s: off by %.1e Hs\n", time, worst / height);
         // Frames follow each other evenly: the height changes, and its change hardly does.
         if (i >= 2) {
             double moved = 0, jumped = 0;
