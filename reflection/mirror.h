@@ -7,10 +7,10 @@
 // 100 km from the origin.
 #pragma once
 
+#include <glm/mat3x4.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
-#include "reflection/bounds.h"
 #include "reflection/view.h"
 #include "seaglass/reflection.h"
 
@@ -21,13 +21,20 @@ const char* readPlane(const double (&plane)[4], glm::dvec4& out);
 
 /// The plane as seen from `eye`: relative to it, and facing it (a positive distance at the eye).
 glm::dvec4 planeFacingEye(const glm::dvec4& worldPlane, const glm::dvec3& eye);
+/// As a view sees it: where lines of sight are parallel, the side that they come from.
+glm::dvec4 planeFacing(const glm::dvec4& worldPlane, const ViewGeometry& view);
 
 /// I - 2 n pi^T for a plane with a unit normal.
 glm::dmat4 householder(const glm::dvec4& plane);
 
+/// The depth of the farthest mirror image that the view may show. With an infinite far plane, and by
+/// perspective, that of the far plane is taken.
+double farthestImage(const ViewGeometry& view, const glm::dvec4& plane);
+
 struct ScreenMirror {
     glm::dmat4 pixelFromPixel{1}; ///< H, from a scene's pixel to one of the reflection
     glm::dmat4 sceneFromPixel{1}; ///< and back: the same matrix where the scene's pixels show their middles
+    glm::dmat4 relativeFromPixel{1}; ///< from one of the reflection to the mirror image there
     glm::dvec4 heightRow{0}; ///< of a scene's pixel p = (x, y, depth, 1): height is heightRow.p / weightRow.p
     glm::dvec4 weightRow{0};
 };
@@ -40,6 +47,7 @@ struct MirrorUniforms {
     glm::mat4 screenMirror{1};
     glm::mat4 sceneFromPixel{1};
     glm::mat4 relativeFromPixel{1};
+    glm::mat3x4 skyFromPixel{1};
     glm::vec4 heightRow{0};
     glm::vec4 weightRow{0};
     glm::vec4 depthRow{0};
@@ -58,12 +66,13 @@ struct MirrorUniforms {
     uint32_t followed = 0; ///< whether rays are followed afterwards where nothing is proven
     uint32_t padding[2] = {};
 };
-static_assert(sizeof(MirrorUniforms) == 336);
+static_assert(sizeof(MirrorUniforms) == 384);
 
 /// Pixels of the view to one SSPR key, each way.
 uint32_t keyScale(const ReflectionDesc& desc);
 
+/// `shown`: the pixels that may show the mirror.
 MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane,
-                              const ReflectionDesc& desc, const Bounds& bounds = {});
+                              const ReflectionDesc& desc, const glm::ivec4& shown);
 
 } // namespace seaglass

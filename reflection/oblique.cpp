@@ -18,10 +18,10 @@ void setDepthRow(glm::dmat4& m, const glm::dvec4& row) {
 
 } // namespace
 
-ObliqueProjection obliqueProjection(const glm::dmat4& projection, bool reversedDepth,
-                                    const glm::dvec4& plane) {
+ObliqueProjection obliqueProjection(const glm::dmat4& projection, bool reversedDepth, const glm::dvec4& plane,
+                                    double farthest) {
     const glm::dvec4 inClip = plane * glm::inverse(projection);
-    const glm::dvec4 corner(glm::sign(inClip.x), glm::sign(inClip.y), reversedDepth ? 0.0 : 1.0, 1.0);
+    const glm::dvec4 corner(glm::sign(inClip.x), glm::sign(inClip.y), farthest, 1.0);
     const double greatest = glm::dot(inClip, corner);
     const double growth = reversedDepth ? -inClip.z : inClip.z;
     ObliqueProjection out{projection, false};

@@ -21,8 +21,14 @@ struct ObliqueProjection {
 
 /// `plane` in view space, positive where things are kept; any scale. The projection stays as it was where the
 /// plane cannot serve as a near plane: the eye lies so close to it that depth would keep less than a 64th of
-/// its resolution, or nothing before the far plane lies on its kept side.
-ObliqueProjection obliqueProjection(const glm::dmat4& projection, bool reversedDepth,
-                                    const glm::dvec4& plane);
+/// its resolution, or nothing before the far plane lies on its kept side. `farthest` is the depth, as the
+/// projection has it, of what is to be drawn still: the far plane's or beyond.
+ObliqueProjection obliqueProjection(const glm::dmat4& projection, bool reversedDepth, const glm::dvec4& plane,
+                                    double farthest);
+/// As far as the far plane.
+inline ObliqueProjection obliqueProjection(const glm::dmat4& projection, bool reversedDepth,
+                                           const glm::dvec4& plane) {
+    return obliqueProjection(projection, reversedDepth, plane, reversedDepth ? 0 : 1);
+}
 
 } // namespace seaglass

@@ -74,13 +74,14 @@ MirroredCamera mirroredCamera(const ViewDesc& view, const ViewGeometry& geometry
     const glm::dmat4 hostView = toMatrix(view.view);
     const glm::dmat4 hostProjection = toMatrix(view.projection);
     const glm::dmat4 rotation = turned(hostView);
-    const glm::dvec4 plane = planeFacingEye(worldPlane, geometry.eye);
+    const glm::dvec4 plane = planeFacing(worldPlane, geometry);
     // A world point p is drawn at v = V R p. Its height is plane.p = -(plane V^-1).v, since plane R = -plane.
     const glm::dvec4 keptSide = -(plane * glm::inverse(rotation));
 
     MirroredCamera camera;
     camera.view = hostView * householder(worldPlane);
-    const ObliqueProjection clipped = obliqueProjection(hostProjection, geometry.reversedDepth, keptSide);
+    const ObliqueProjection clipped =
+        obliqueProjection(hostProjection, geometry.reversedDepth, keptSide, farthestImage(geometry, plane));
     camera.projection = clipped.projection;
     camera.obliqueClip = clipped.oblique;
 

@@ -1,9 +1,8 @@
 #include "reflection/reflector.h"
 
-#include <cstring>
-
 #include "gpu/guard.h"
 #include "reflection/mirror.h"
+#include "reflection/scene_formats.h"
 
 namespace seaglass {
 
@@ -61,7 +60,7 @@ Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const
     return images.create(device, scaled, desc.blurLevels, drawn && desc.temporal == 0);
 }
 
-Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
+Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent, const SceneSamples& samples) {
     Estimate estimate;
     if (desc.technique == ReflectionTechnique::sky) return estimate;
     const VkExtent2D scaled = scaledDown(extent, desc.downscale);
@@ -85,6 +84,10 @@ Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent) {
         estimate.bytesPerView += PlanarScratch::bytes(scaled);
         estimate.dispatchesPerView = planarDispatches;
         break;
+    }
+    if (desc.technique != ReflectionTechnique::planar) {
+        estimate.bytesPerSharedView = SingleSampledScene::bytes(extent, samples);
+        estimate.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
     }
     estimate.dispatchesPerView += blurMipLevels(scaled, desc.blurLevels) - 1;
     if (desc.edgeStretch > 0) estimate.dispatchesPerView += stretchDispatches;
@@ -159,18 +162,15 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
     return Status::ok;
 }
 
-Status Reflector::takeSamples(const ReflectPass& pass, ReflectedView& view, ViewDesc& scene) {
-    if (!isMultisampled(scene)) {
-        if (view.scene.depth.handle()) context->frame().retire(std::exchange(view.scene, {}));
-        return Status::ok;
+Status Reflector::takeSamples(const ReflectPass& pass, SceneOfCall& scene) {
+    if (isMultisampled(scene.given)) {
+        if (const Status s = context->share(singleSamples); s != Status::ok) return s;
+        if (!std::exchange(scene.taken, true)) return recordSingleSample(pass, *singleSamples, scene.read);
+    } else if (singleSamples) {
+        SingleSampledScene& held = singleSamples->views[scene.given.viewIndex];
+        if (held.depth.handle()) context->frame().retire(std::exchange(held, {}));
     }
-    if (const Status s = singleSample.create(*context, scene); s != Status::ok) return s;
-    if (!view.scene.fits(scene)) {
-        SingleSampledScene fresh;
-        if (const Status s = fresh.create(context->device, scene); s != Status::ok) return s;
-        context->frame().retire(std::exchange(view.scene, std::move(fresh)));
-    }
-    return recordSingleSample(pass, singleSample, view.scene, scene);
+    return Status::ok;
 }
 
 Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view,
@@ -192,23 +192,24 @@ Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view,
     return Status::ok;
 }
 
-Status Reflector::uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, gpu::Slice& out) {
-    MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc, bounds);
+Status Reflector::uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
+                               gpu::Slice& out) {
+    MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc, shown);
     // A surface with normals of its own stands where the flat plane is not seen.
     if (view.surfaceNormals) uniforms.bent = 1;
-    if (const Status s = context->frame().allocate(sizeof uniforms, out); s != Status::ok) return s;
-    std::memcpy(out.data, &uniforms, sizeof uniforms);
-    return Status::ok;
+    return context->frame().upload(uniforms, out);
 }
 
-Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
+Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
+    const ViewDesc& view = scene.given;
     if (desc.technique == ReflectionTechnique::sky) return Status::ok;
     const bool drawn = desc.technique == ReflectionTechnique::planar;
     ViewGeometry geometry;
     if (const char* bad = drawn ? readCamera(view, geometry) : readView(view, geometry))
         return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
     ReflectedView& reflected = views[view.viewIndex];
-    if (isEmpty(pixelsThatMayShow(bounds, geometry))) {
+    const glm::ivec4 shown = pixelsThatMayShow(bounds, geometry);
+    if (isEmpty(shown)) {
         reflected.temporal.last = {};
         return Status::ok;
     }
@@ -219,11 +220,10 @@ Status Reflector::record(VkCommandBuffer commands, const ViewDesc& view) {
     if (const Status s = prepare(reflected, extent); s != Status::ok) return s;
 
     gpu::Slice slice;
-    if (const Status s = uploadMirror(view, geometry, slice); s != Status::ok) return s;
-    ViewDesc scene = view;
-    const ReflectPass pass{*context, commands, scene, geometry, desc, slice};
+    if (const Status s = uploadMirror(view, geometry, shown, slice); s != Status::ok) return s;
+    const ReflectPass pass{*context, commands, scene.read, geometry, desc, slice};
     if (!drawn)
-        if (const Status s = takeSamples(pass, reflected, scene); s != Status::ok) return s;
+        if (const Status s = takeSamples(pass, scene); s != Status::ok) return s;
     const OwnedReflection& found = reflected.found(desc);
     if (const Status s = recordTechnique(pass, reflected, found); s != Status::ok) return s;
     if (stretch)
@@ -252,10 +252,12 @@ Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
     if (!overlay)
         if (const Status s = context->share(overlay); s != Status::ok) return s;
     gpu::Slice slice;
-    if (const Status s = uploadMirror(view, geometry, slice); s != Status::ok) return s;
-    ViewDesc scene = view;
-    const ReflectPass pass{*context, commands, scene, geometry, desc, slice};
-    if (const Status s = takeSamples(pass, views[view.viewIndex], scene); s != Status::ok) return s;
+    if (const Status s = uploadMirror(view, geometry, pixelsThatMayShow(bounds, geometry), slice);
+        s != Status::ok)
+        return s;
+    SceneOfCall scene(view);
+    const ReflectPass pass{*context, commands, scene.read, geometry, desc, slice};
+    if (const Status s = takeSamples(pass, scene); s != Status::ok) return s;
     return recordOverlay(pass, *overlay, images(view.viewIndex), overlayDesc);
 }
 
@@ -277,13 +279,17 @@ Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** 
     });
 }
 
-Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out) {
+Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out,
+                SceneSamples samples) {
     if (!context || !desc || !out) return Status::invalidArgument;
     *out = {};
     if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
     if (extent.width == 0 || extent.height == 0)
         return context->device.fail(Status::invalidArgument, "estimate: the extent is empty");
-    *out = estimateOf(*desc, extent);
+    if (!hasSamplePlace(samples.depth) || !hasSamplePlace(samples.color))
+        return context->device.fail(Status::invalidArgument,
+                                    "estimate: SceneSamples holds a count that is none of 1, 2, 4, 8 and 16");
+    *out = estimateOf(*desc, extent, samples);
     return Status::ok;
 }
 
@@ -305,9 +311,9 @@ Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t 
         if (count > maxReflectors)
             return reflectors[0]->context->device.fail(
                 Status::invalidArgument, "reflect: count is %u, expected %u at most", count, maxReflectors);
-        for (uint32_t i = 0; i < count; ++i) {
-            if (const Status s = reflectors[i]->record(commands, *view); s != Status::ok) return s;
-        }
+        SceneOfCall scene(*view);
+        for (uint32_t i = 0; i < count; ++i)
+            if (const Status s = reflectors[i]->record(commands, scene); s != Status::ok) return s;
         return Status::ok;
     });
 }

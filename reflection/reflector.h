@@ -28,7 +28,6 @@ struct ReflectedView {
     HybridScratch hybrid;
     PlanarScratch planar;
     TemporalScratch temporal;   ///< empty without temporal reuse
-    SingleSampledScene scene;   ///< empty where the host's own is
     bool reflected = false;     ///< the images hold what reflect() has left
     bool bent = false;          ///< by the view's own normals
     VkExtent2D region = {0, 0}; ///< the view's, in pixels
@@ -41,7 +40,7 @@ struct ReflectedView {
 };
 
 /// Of a reflector with a usable description.
-Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent);
+Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent, const SceneSamples& samples);
 
 /// Null when the description is usable, else what is wrong with it.
 const char* badField(const ReflectionDesc& desc);
@@ -51,29 +50,30 @@ struct Reflector {
     glm::dvec4 plane{0}; ///< world, unit normal
     Bounds bounds;
     ReflectionDesc desc;
-    SsprKernels sspr;                         ///< empty with techniques that do not scatter
-    SsrKernels ssr;                           ///< empty with every other technique
-    HybridKernels hybrid;                     ///< empty with every other technique
-    std::shared_ptr<PlanarKernel> planar;     ///< null with every other technique
-    std::shared_ptr<StretchKernel> stretch;   ///< null without edge stretch
-    std::shared_ptr<BlurKernel> blur;         ///< null without blur
-    std::shared_ptr<TemporalKernel> temporal; ///< null without temporal reuse
-    SingleSampleKernels singleSample;
-    std::shared_ptr<OverlayKernel> overlay; ///< null until it is first asked for
+    SsprKernels sspr;                             ///< empty with techniques that do not scatter
+    SsrKernels ssr;                               ///< empty with every other technique
+    HybridKernels hybrid;                         ///< empty with every other technique
+    std::shared_ptr<PlanarKernel> planar;         ///< null with every other technique
+    std::shared_ptr<StretchKernel> stretch;       ///< null without edge stretch
+    std::shared_ptr<BlurKernel> blur;             ///< null without blur
+    std::shared_ptr<TemporalKernel> temporal;     ///< null without temporal reuse
+    std::shared_ptr<SingleSamples> singleSamples; ///< null until a view has many
+    std::shared_ptr<OverlayKernel> overlay;       ///< null until it is first asked for
     std::array<ReflectedView, maxViews> views;
 
     Status create(Context& owner, const ReflectorDesc& description);
     Status handOut(const ViewDesc& view, PlanarView& out);
-    Status record(VkCommandBuffer commands, const ViewDesc& view);
+    Status record(VkCommandBuffer commands, SceneOfCall& scene);
     Status drawOverlay(VkCommandBuffer commands, const ViewDesc& view, const OverlayDesc& overlayDesc);
     ReflectionImages images(uint32_t viewIndex) const;
 
   private:
     /// Makes what a view of this size needs, where it is not there yet.
     Status prepare(ReflectedView& view, VkExtent2D extent);
-    Status uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, gpu::Slice& out);
-    /// Makes the view's scene single-sampled where it is not: `scene` is then the view to read it from.
-    Status takeSamples(const ReflectPass& pass, ReflectedView& view, ViewDesc& scene);
+    Status uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
+                        gpu::Slice& out);
+    /// Makes the call's scene single-sampled where it is not.
+    Status takeSamples(const ReflectPass& pass, SceneOfCall& scene);
     Status recordTechnique(const ReflectPass& pass, ReflectedView& view, const OwnedReflection& images);
 };
 

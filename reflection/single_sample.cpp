@@ -1,5 +1,7 @@
 #include "reflection/single_sample.h"
 
+#include <utility>
+
 #include "reflection/mirror.h"
 #include "spirv/single_sample_color.comp.h"
 #include "spirv/single_sample_depth.comp.h"
@@ -24,12 +26,33 @@ bool isAsLarge(const gpu::OwnedImage& owned, const Image& image) {
     return owned.handle() && extent.width == image.extent.width && extent.height == image.extent.height;
 }
 
-Status createImage(const gpu::Device& device, const Image& like, VkFormat format, gpu::OwnedImage& out) {
+gpu::ImageDesc imageDesc(VkExtent2D extent, VkFormat format) {
     gpu::ImageDesc desc;
     desc.format = format;
-    desc.extent = like.extent;
+    desc.extent = extent;
     desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT;
-    return out.create(device, desc, "single-sampled scene");
+    return desc;
+}
+
+gpu::ImageDesc depthDesc(VkExtent2D extent) {
+    return imageDesc(extent, VK_FORMAT_R32_SFLOAT);
+}
+
+gpu::ImageDesc colorDesc(VkExtent2D extent) {
+    return imageDesc(extent, VK_FORMAT_R16G16B16A16_SFLOAT);
+}
+
+Status prepare(Context& context, SingleSamples& samples, const ViewDesc& view) {
+    if (!samples.depth)
+        if (const Status s = context.share(samples.depth); s != Status::ok) return s;
+    if (!samples.color && hasManySamples(view.sceneColor))
+        if (const Status s = context.share(samples.color); s != Status::ok) return s;
+    SingleSampledScene& scene = samples.views[view.viewIndex];
+    if (scene.fits(view)) return Status::ok;
+    SingleSampledScene fresh;
+    if (const Status s = fresh.create(context.device, view); s != Status::ok) return s;
+    context.frame().retire(std::exchange(scene, std::move(fresh)));
+    return Status::ok;
 }
 
 Status recordImage(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::OwnedImage& to,
@@ -67,33 +90,39 @@ Status ColorSampleKernel::create(Context& context) {
     return createKernel(context, single_sample_color_comp, kernel);
 }
 
-Status SingleSampleKernels::create(Context& context, const ViewDesc& view) {
-    if (!depth)
-        if (const Status s = context.share(depth); s != Status::ok) return s;
-    if (color || !hasManySamples(view.sceneColor)) return Status::ok;
-    return context.share(color);
-}
-
 bool SingleSampledScene::fits(const ViewDesc& view) const {
     return isAsLarge(depth, view.sceneDepth) &&
            (!hasManySamples(view.sceneColor) || isAsLarge(color, view.sceneColor));
 }
 
 Status SingleSampledScene::create(const gpu::Device& device, const ViewDesc& view) {
-    if (const Status s = createImage(device, view.sceneDepth, VK_FORMAT_R32_SFLOAT, depth); s != Status::ok)
+    constexpr const char* what = "single-sampled scene";
+    if (const Status s = depth.create(device, depthDesc(view.sceneDepth.extent), what); s != Status::ok)
         return s;
     if (!hasManySamples(view.sceneColor)) return Status::ok;
-    return createImage(device, view.sceneColor, VK_FORMAT_R16G16B16A16_SFLOAT, color);
+    return color.create(device, colorDesc(view.sceneColor.extent), what);
 }
 
-Status recordSingleSample(const ReflectPass& pass, const SingleSampleKernels& kernels,
-                          const SingleSampledScene& scene, ViewDesc& view) {
+VkDeviceSize SingleSampledScene::bytes(VkExtent2D extent, const SceneSamples& samples) {
+    if (samples.depth == VK_SAMPLE_COUNT_1_BIT) return 0;
+    const bool both = samples.color != VK_SAMPLE_COUNT_1_BIT;
+    return gpu::imageBytes(depthDesc(extent)) + (both ? gpu::imageBytes(colorDesc(extent)) : 0);
+}
+
+uint32_t SingleSampledScene::dispatches(const SceneSamples& samples) {
+    if (samples.depth == VK_SAMPLE_COUNT_1_BIT) return 0;
+    return samples.color == VK_SAMPLE_COUNT_1_BIT ? 1 : 2;
+}
+
+Status recordSingleSample(const ReflectPass& pass, SingleSamples& samples, ViewDesc& view) {
+    if (const Status s = prepare(pass.context, samples, view); s != Status::ok) return s;
+    const SingleSampledScene& scene = samples.views[view.viewIndex];
     const gpu::PassScope scope(pass.context.device, pass.commands, "scene_single_sample");
-    if (const Status s = recordImage(pass, kernels.depth->kernel, scene.depth, view.sceneDepth);
+    if (const Status s = recordImage(pass, samples.depth->kernel, scene.depth, view.sceneDepth);
         s != Status::ok)
         return s;
     if (!hasManySamples(view.sceneColor)) return Status::ok;
-    return recordImage(pass, kernels.color->kernel, scene.color, view.sceneColor);
+    return recordImage(pass, samples.color->kernel, scene.color, view.sceneColor);
 }
 
 } // namespace seaglass

@@ -5,10 +5,12 @@
 // multisampled image, again and again.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "gpu/image.h"
 #include "gpu/kernel.h"
+#include "reflection/limits.h"
 #include "reflection/reflect_pass.h"
 
 namespace seaglass {
@@ -23,19 +25,30 @@ struct ColorSampleKernel {
     Status create(Context& context);
 };
 
-/// Null until a view hands in images that need them.
-struct SingleSampleKernels {
-    std::shared_ptr<DepthSampleKernel> depth;
-    std::shared_ptr<ColorSampleKernel> color;
-    Status create(Context& context, const ViewDesc& view);
-};
-
 /// Of one view, as large as the host's own images; empty where those hold one sample.
 struct SingleSampledScene {
     gpu::OwnedImage depth; ///< R32F
     gpu::OwnedImage color; ///< RGBA16F
     bool fits(const ViewDesc& view) const;
     Status create(const gpu::Device& device, const ViewDesc& view);
+    static VkDeviceSize bytes(VkExtent2D extent, const SceneSamples& samples);
+    static uint32_t dispatches(const SceneSamples& samples);
+};
+
+/// What all reflectors of a context share: a scene is picked out once, however many mirrors show it.
+struct SingleSamples {
+    std::shared_ptr<DepthSampleKernel> depth; ///< null until a view hands in images that need them
+    std::shared_ptr<ColorSampleKernel> color;
+    std::array<SingleSampledScene, maxViews> views;
+    Status create(Context&) { return Status::ok; }
+};
+
+/// The scene of one call, which its reflectors read one after the other.
+struct SceneOfCall {
+    explicit SceneOfCall(const ViewDesc& view) : given(view), read(view) {}
+    const ViewDesc& given;
+    ViewDesc read; ///< with single-sampled images once those are taken
+    bool taken = false;
 };
 
 /// What single-sampled hosts never pay for.
@@ -43,9 +56,8 @@ inline bool isMultisampled(const ViewDesc& view) {
     return view.sceneDepth.samples != VK_SAMPLE_COUNT_1_BIT;
 }
 
-/// Fills the region of `scene` and leaves it to be sampled; `view` is given back with those images for its
-/// own.
-Status recordSingleSample(const ReflectPass& pass, const SingleSampleKernels& kernels,
-                          const SingleSampledScene& scene, ViewDesc& view);
+/// Fills the region of the view's scene and leaves it to be sampled; `view` is given back with those images
+/// for its own.
+Status recordSingleSample(const ReflectPass& pass, SingleSamples& samples, ViewDesc& view);
 
 } // namespace seaglass

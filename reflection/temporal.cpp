@@ -26,24 +26,22 @@ glm::dmat4 movedBy(const glm::dvec3& offset) {
     return glm::translate(glm::dmat4(1), offset);
 }
 
-LastFrame frameOf(const ReflectPass& pass) {
+LastFrame frameOf(const ReflectPass& pass, const glm::dvec4& worldPlane) {
     const ViewGeometry& view = pass.geometry;
     LastFrame frame;
     frame.count = 1;
     frame.bent = pass.view.surfaceNormals != nullptr;
     frame.eye = view.eye;
+    frame.facing = glm::dvec3(planeFacing(worldPlane, view));
     frame.pixelFromRelative = movedBy({-view.jitter, 0}) * view.pixelFromRelative;
     frame.reversedDepth = view.reversedDepth;
     return frame;
 }
 
 /// Whether the one can be looked up in the other.
-bool follows(const LastFrame& frame, const LastFrame& last, const glm::dvec4& worldPlane) {
-    const auto height = [&](const glm::dvec3& eye) {
-        return glm::dot(glm::dvec3(worldPlane), eye) + worldPlane.w;
-    };
+bool follows(const LastFrame& frame, const LastFrame& last) {
     return last.count > 0 && frame.bent == last.bent && frame.reversedDepth == last.reversedDepth &&
-           height(frame.eye) * height(last.eye) > 0;
+           frame.facing == last.facing;
 }
 
 TemporalUniforms uniformsOf(const ReflectPass& pass, const LastFrame& last) {
@@ -91,8 +89,8 @@ VkDeviceSize TemporalScratch::bytes(VkExtent2D extent, const ReflectionDesc& des
 Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, const glm::dvec4& worldPlane,
                       TemporalScratch& scratch, OwnedReflection& images) {
     Context& context = pass.context;
-    LastFrame frame = frameOf(pass);
-    const bool known = !pass.view.cut && follows(frame, scratch.last, worldPlane);
+    LastFrame frame = frameOf(pass, worldPlane);
+    const bool known = !pass.view.cut && follows(frame, scratch.last);
     const TemporalUniforms uniforms = known ? uniformsOf(pass, scratch.last) : TemporalUniforms{};
     if (known) frame.count += std::min(scratch.last.count, 1000u);
     // Until all is recorded there is none.

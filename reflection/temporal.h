@@ -19,6 +19,7 @@ struct LastFrame {
     uint32_t count = 0; ///< frames in a row that it is made of; 0: there is none
     bool bent = false;  ///< by the view's own normals
     glm::dvec3 eye{0};
+    glm::dvec3 facing{0};            ///< the plane's normal, on the side that was seen
     glm::dmat4 pixelFromRelative{1}; ///< without the jitter
     bool reversedDepth = false;
 };

@@ -162,9 +162,8 @@ const char* readCamera(const ViewDesc& view, ViewGeometry& out) {
     out.clipFromRelative = projection * rotation;
     out.reversedDepth = depthIsReversed(projection);
     out.farDepth = out.reversedDepth ? 0.0 : 1.0;
-    // Under an orthographic projection nothing lies at infinity; the far plane stands for it.
-    const bool perspective = projection[2][3] != 0;
-    out.infinityDepth = perspective ? projection[2][2] / projection[2][3] : out.farDepth;
+    out.parallel = projection[0][3] == 0 && projection[1][3] == 0 && projection[2][3] == 0;
+    out.infinityDepth = out.parallel ? out.farDepth : projection[2][2] / projection[2][3];
 
     const VkViewport& v = view.viewport;
     const double top = std::min(v.y, v.y + v.height);
@@ -174,6 +173,8 @@ const char* readCamera(const ViewDesc& view, ViewGeometry& out) {
     out.pixelFromRelative = pixelFromClip(v, out.regionOrigin) * out.clipFromRelative;
     out.relativeFromPixel = glm::inverse(out.pixelFromRelative);
     if (!allFinite(out.relativeFromPixel)) return "ViewDesc.view times ViewDesc.projection is singular";
+    const double ahead = out.reversedDepth ? -1 : 1;
+    out.sight = ahead * glm::normalize(glm::dvec3(out.relativeFromPixel[2]));
     return nullptr;
 }
 

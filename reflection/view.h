@@ -20,9 +20,11 @@ struct ViewGeometry {
         1}; ///< homogeneous (x, y, depth, w), pixels counted from the region's corner
     glm::dmat4 relativeFromPixel{1};
     glm::dvec3 forward{0}; ///< unit, world
+    glm::dvec3 sight{0};   ///< unit, world: the lines of sight's, where those are parallel
     bool reversedDepth = false;
     double farDepth = 1;      ///< depth value of the far plane, infinite or not
     double infinityDepth = 1; ///< depth value of points at infinity, a little past a finite far plane
+    bool parallel = false;    ///< lines of sight: nothing lies at infinity, and the far plane stands for it
     /// From a point's pixel to that of the scene which shows it: a multisampled pixel is sampled off its
     /// middle.
     glm::dvec2 sceneShift{0};

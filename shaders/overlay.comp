@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
 #include "reflection_info.glsl"
+#include "sight_line.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -74,8 +75,8 @@ vec3 depthColor(vec4 seen) {
 }
 
 float metresToPlane(vec2 pixel) {
-    vec3 through = unprojected(vec3(pixel, 0.5));
-    return length(through) * plane.w / max(-dot(plane.xyz, through), 1e-6);
+    SightLine sight = sightLine(relativeFromPixel, pixel);
+    return dot(sight.onPlane, sight.direction);
 }
 
 float heightOf(vec4 seen) {

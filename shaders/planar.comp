@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
 #include "reflection_info.glsl"
+#include "sight_line.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -24,8 +25,7 @@ float drawnHeight(vec3 screenPoint) {
 }
 
 float infoOfDrawn(vec2 q, float depth) {
-    // Any depth of the host's own projection serves to find the ray through this pixel.
-    float towardsPlane = -dot(plane.xyz, normalize(unprojected(vec3(q, 0.5))));
+    float towardsPlane = sightLine(relativeFromPixel, q).towardsPlane;
     if (!(towardsPlane > 0.0)) return infoUnknown;
     if (isFar(depth)) return infoSky;
     float height = drawnHeight(vec3(q, depth));

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
 #include "reflection_info.glsl"
+#include "sight_line.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -37,22 +38,14 @@ float infoAt(Line line, int index) {
     return imageLoad(reflectionInfo, line.border + line.inward * index).r;
 }
 
-// Cosine to the plane's normal of the ray through a pixel.
-float towardsPlane(vec3 direction) {
-    return -dot(plane.xyz, direction);
-}
-
-vec3 rayThrough(vec2 q) {
-    return normalize(unprojected(vec3(q, 0.5)));
-}
-
 // Whether the picture would have to go on beyond this border to show what is mirrored `distance` metres from the mirror.
-bool beyondBorder(vec2 q, vec3 direction, float distance, bool atEnd) {
-    float reach = plane.w / towardsPlane(direction) + distance;
+bool beyondBorder(vec2 q, SightLine sight, float distance, bool atEnd) {
+    vec3 direction = sight.direction;
+    float reach = dot(direction, sight.onPlane) + distance;
     vec4 near = relativeFromPixel * vec4(q, 0.0, 1.0);
     vec4 perDepth = relativeFromPixel[2];
     float depth = (reach * near.w - dot(direction, near.xyz)) / (dot(direction, perDepth.xyz) - reach * perDepth.w);
-    vec4 source = screenMirror * vec4(q, depth, 1.0);
+    vec4 source = sceneFromPixel * vec4(q, depth, 1.0);
     float at = source[along] / source.w;
     return source.w > 0.0 && (atEnd ? at >= float(region.zw[along]) : at < 0.0);
 }
@@ -79,11 +72,11 @@ void main() {
         float nearest = infoAt(line, known);
         ivec2 texel = line.border + line.inward * index;
         vec2 q = middleOf(texel);
-        vec3 direction = rayThrough(q);
-        float rise = towardsPlane(direction);
+        SightLine sight = sightLine(relativeFromPixel, q);
+        float rise = sight.towardsPlane;
         if (!infoIsHit(nearest) || !(rise > 0.0)) continue;
         // What is open for another reason stays so.
-        if (known > index && !beyondBorder(q, direction, nearest, gl_GlobalInvocationID.y == 1u)) continue;
+        if (known > index && !beyondBorder(q, sight, nearest, gl_GlobalInvocationID.y == 1u)) continue;
         int from = max(unstretched(line, index, nearest * rise), known);
         float info = infoAt(line, from);
         if (infoIsHit(info)) {

@@ -230,6 +230,9 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     if (const char* bad = readView(view, geometry))
         return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (geometry.parallel)
+        return device.fail(Status::unsupported,
+                           "draw: ViewDesc.projection is orthographic, water is seen from an eye");
     if (refraction && view.sceneDepth.samples != VK_SAMPLE_COUNT_1_BIT)
         return device.fail(Status::unsupported,
                            "draw: ViewDesc.sceneDepth.samples is not 1: refraction reads resolved images");
@@ -356,8 +359,9 @@ Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view,
 
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view) {
     if (!commands || (count && !bodies) || !view) return Status::invalidArgument;
+    SceneOfCall scene(*view);
     return forEach(bodies, count, [&](Body& body) {
-        return body.reflector ? body.reflector->record(commands, *view) : Status::ok;
+        return body.reflector ? body.reflector->record(commands, scene) : Status::ok;
     });
 }
 

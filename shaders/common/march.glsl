@@ -220,11 +220,13 @@ int settled(Track track, inout Crossing crossing) {
 
 // Whether the far plane shows where the ray was left and where it would end.
 bool reachesSky(Track track, vec4 perMetre) {
-    if (!(perMetre.w > 0.0)) return false;
-    vec2 end = perMetre.xy / perMetre.w;
-    vec2 last = trackPoint(track, 1.0).xy;
-    if (!insideRegion(end) || !insideRegion(last)) return false;
-    return isFar(depthAt(end)) && isFar(depthAt(last));
+    vec3 last = trackPoint(track, 1.0);
+    // Where lines of sight are parallel, it ends at the far plane.
+    bool parallel = perMetre.w == 0.0;
+    if (parallel ? last.z > track.scene.far + 1e-5 : perMetre.w < 0.0) return false;
+    vec2 end = parallel ? last.xy : perMetre.xy / perMetre.w;
+    if (!insideRegion(end) || !insideRegion(last.xy)) return false;
+    return isFar(depthAt(end)) && isFar(depthAt(last.xy));
 }
 
 // How far a ray has been followed.

@@ -2,8 +2,9 @@
 
 // Loaded once, by loadMirror(): CPU devices load uniforms anew at each use and in each turn of a loop.
 mat4 screenMirror;   // to where the plane shows a screen point of the scene, w <= 0 behind the camera
-mat4 sceneFromPixel; // its inverse: itself, unless the scene's pixels show some other point than their middles
-mat4 relativeFromPixel;
+mat4 sceneFromPixel; // its inverse
+mat4 relativeFromPixel;  // of a reflection's pixel and depth
+mat3x4 skyFromPixel;     // to where the far end of the mirrored ray shows, w <= 0 nowhere
 vec4 heightRow;
 vec4 weightRow;
 vec4 depthRow;   // of sceneFromPixel: w times depth less infinityDepth, made before the digits they share are rounded
@@ -26,6 +27,7 @@ layout(set = 0, binding = 0, std140) uniform Mirror {
     mat4 screenMirror;
     mat4 sceneFromPixel;
     mat4 relativeFromPixel;
+    mat3x4 skyFromPixel;
     vec4 heightRow;
     vec4 weightRow;
     vec4 depthRow;
@@ -49,6 +51,7 @@ void loadMirror() {
     screenMirror = stored.screenMirror;
     sceneFromPixel = stored.sceneFromPixel;
     relativeFromPixel = stored.relativeFromPixel;
+    skyFromPixel = stored.skyFromPixel;
     heightRow = stored.heightRow;
     weightRow = stored.weightRow;
     depthRow = stored.depthRow;

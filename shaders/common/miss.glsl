@@ -5,19 +5,18 @@ float depthAt(ivec2 pixel) {
     return texelFetch(sceneDepth, region.xy + pixel, 0).r;
 }
 
-// Where a mirrored ray ends at infinity. Affine in the mirror's pixel.
+// Where the far end of a mirrored ray shows. Affine in the mirror's pixel.
 struct FarEnd {
     vec4 point;    // on the scene's screen [pixel], times w
     float ahead;   // of the plane's horizon, where it is negative
 };
 
 FarEnd farEndOf(vec2 q) {
-    vec4 end = vec4(q, infinityDepth, 1.0);
-    return FarEnd(sceneFromPixel * end, dot(heightRow, end));
+    return FarEnd(skyFromPixel * vec3(q, 1.0), dot(heightRow, vec4(q, infinityDepth, 1.0)));
 }
 
 FarEnd farEndPerRow(float pixels) {
-    return FarEnd(pixels * sceneFromPixel[1], pixels * heightRow.y);
+    return FarEnd(pixels * skyFromPixel[1], pixels * heightRow.y);
 }
 
 // The mirrored ray's far end tells whether the sky it would reach is on the screen.

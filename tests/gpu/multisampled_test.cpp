@@ -136,6 +136,46 @@ TEST_P(Multisampled, OnlyTheyMakePipelinesAndImages) {
     frame([](VkCommandBuffer) {});
 }
 
+TEST_P(Multisampled, ReflectorsOfOneCallShareTheScene) {
+    const Camera camera = testCamera();
+    const MultisampledScene scene = drawMultisampled(camera, harbourOfBoxes(), GetParam());
+    ViewDesc view = viewDesc(camera);
+    view.sceneDepth = multisampled(scene.depth, GetParam());
+    view.sceneColor = multisampled(scene.color, GetParam());
+    std::vector<ReflectorDesc> descs(3, with(ReflectionTechnique::sspr));
+    descs[1].plane[3] = -0.3;
+    descs[2].reflection.technique = ReflectionTechnique::ssr;
+    std::vector<Reflected> alone;
+    for (const ReflectorDesc& desc : descs) alone.push_back(reflectImages(view, desc));
+
+    uint32_t dispatches = 0;
+    VkDeviceSize bytes = 0;
+    Estimate estimated;
+    for (const ReflectorDesc& desc : descs) {
+        ASSERT_EQ(estimate(context(), &desc.reflection, {camera.width, camera.height}, &estimated,
+                           {GetParam(), GetParam()}),
+                  Status::ok);
+        dispatches += estimated.dispatchesPerView;
+        bytes += estimated.bytesPerView;
+    }
+    EXPECT_EQ(estimated.dispatchesPerSharedView, 2u);
+    EXPECT_EQ(estimated.bytesPerSharedView, VkDeviceSize{camera.width} * camera.height * 12);
+    spiedCalls().clear();
+    const std::vector<Reflected> together = reflectTogether(view, descs);
+    EXPECT_EQ(countSpied("CmdDispatch") + countSpied("CmdDispatchIndirect"),
+              dispatches + estimated.dispatchesPerSharedView);
+    EXPECT_EQ(countSpied("CreateImage"), 2 * descs.size() + 2);
+    EXPECT_GE(bytesSpied(), bytes + estimated.bytesPerSharedView);
+    for (size_t i = 0; i < descs.size(); ++i) {
+        EXPECT_EQ(together[i].info, alone[i].info) << i;
+        EXPECT_EQ(together[i].color, alone[i].color) << i;
+    }
+    EXPECT_EQ(estimate(context(), &descs[0].reflection, {camera.width, camera.height}, &estimated,
+                       {VK_SAMPLE_COUNT_64_BIT, VK_SAMPLE_COUNT_1_BIT}),
+              Status::invalidArgument);
+    EXPECT_NE(message().find("SceneSamples"), std::string::npos) << message();
+}
+
 } // namespace
 
 INSTANTIATE_TEST_SUITE_P(, Multisampled,

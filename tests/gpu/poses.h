@@ -36,6 +36,31 @@ inline std::vector<Pose> poses() {
     return {{"level", level}, {"roll35", roll35}, {"roll90", roll90}, {"steep", steep}, {"grazing", grazing}};
 }
 
+/// By parallel lines of sight.
+inline std::vector<Pose> parallelPoses() {
+    Camera low;
+    low.eye = {-1, 3, 12};
+    low.target = {-1, 0.6, 0};
+    low.parallelHeight = 8;
+    low.near = 0.5;
+    low.far = 140;
+    low.width = 480;
+    low.height = 272;
+    Camera roll35 = low;
+    roll35.rollDegrees = 35;
+    Camera roll90 = low;
+    roll90.rollDegrees = 90;
+    Camera steep = low;
+    steep.eye = {-2, 20, 8};
+    steep.target = {-2, 0, -5.8};
+    steep.parallelHeight = 16;
+    // The far plane just under the water: mirror images lie far beyond it.
+    steep.far = 30;
+    Camera aside = low;
+    aside.offCentre = {0.3, -0.4};
+    return {{"low", low}, {"roll35", roll35}, {"roll90", roll90}, {"steep", steep}, {"aside", aside}};
+}
+
 /// Eyes and lenses at the limits: close to the plane, in it, below it and far above; one pixel wide; nearly
 /// all of a half space.
 inline std::vector<Camera> extremeCameras() {

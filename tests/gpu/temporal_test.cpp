@@ -399,6 +399,9 @@ TEST_P(Temporal, ABrokenPixelIsGoneInTheNextFrame) {
         EXPECT_EQ(isFinite(during), !first);
         const Reflected after = next(reflector, traced, viewOf(camera));
         EXPECT_TRUE(isFinite(after));
+        // What is not finite is no history at all.
+        for (size_t i = 0; i < clean.color.size(); ++i)
+            EXPECT_TRUE(std::isfinite(during.color[i]) || after.color[i] == clean.color[i]) << i;
         size_t off = 0;
         for (size_t i = 0; i < clean.color.size(); ++i) off += after.color[i] > 1.0f;
         EXPECT_EQ(off, 0u);

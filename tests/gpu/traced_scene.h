@@ -86,10 +86,24 @@ class Tracer {
     }
 
   private:
-    glm::dvec3 rayThrough(const glm::dvec2& pixel) const {
+    static bool inDepth(double depth) { return depth >= 0 && depth <= 1; }
+
+    struct Line {
+        glm::dvec3 from, direction;
+    };
+
+    glm::dvec3 unprojected(const glm::dvec2& ndc, double depth) const {
+        const glm::dvec4 p = inverse_ * glm::dvec4(ndc, depth, 1);
+        return glm::dvec3(p) / p.w;
+    }
+
+    /// From the eye, or from the near plane where lines of sight are parallel.
+    Line lineThrough(const glm::dvec2& pixel) const {
         const glm::dvec2 ndc = pixel / glm::dvec2(camera_.width, camera_.height) * 2.0 - 1.0;
-        const glm::dvec4 p = inverse_ * glm::dvec4(ndc, 0.5, 1);
-        return glm::normalize(glm::dvec3(p) / p.w - camera_.eye);
+        if (camera_.parallelHeight == 0)
+            return {camera_.eye, glm::normalize(unprojected(ndc, 0.5) - camera_.eye)};
+        const glm::dvec3 near = unprojected(ndc, camera_.reversed ? 1 : 0);
+        return {near, glm::normalize(unprojected(ndc, 0.5) - near)};
     }
 
     glm::dvec4 project(const glm::dvec3& world) const {
@@ -101,17 +115,20 @@ class Tracer {
     void pixel(uint32_t x, uint32_t y, TracedView& out) const {
         const size_t i = size_t{y} * out.width + x;
         const glm::dvec2 centre(x + 0.5, y + 0.5);
-        const glm::dvec3 ray = rayThrough(centre);
-        const double hit = nearestHit(boxes_, camera_.eye, ray);
+        const auto& [from, ray] = lineThrough(centre);
+        double hit = nearestHit(boxes_, from, ray);
         const double farDepth = camera_.reversed ? 0 : 1;
-        out.depth[i] = static_cast<float>(std::isinf(hit) ? farDepth : project(camera_.eye + ray * hit).z);
+        if (!std::isinf(hit) && !inDepth(project(from + ray * hit).z))
+            hit = std::numeric_limits<double>::infinity();
+        out.depth[i] = static_cast<float>(std::isinf(hit) ? farDepth : project(from + ray * hit).z);
         const float values[4] = {static_cast<float>(centre.x / out.width),
                                  static_cast<float>(centre.y / out.height), 1, 1};
         std::copy(values, values + 4, out.color.begin() + static_cast<ptrdiff_t>(i * 4));
         out.truth[i] = Truth::none;
-        const double toPlane = -camera_.eye.y / ray.y;
-        if (ray.y >= 0 || toPlane >= hit) return;
-        const glm::dvec3 on = camera_.eye + ray * toPlane;
+        const double toPlane = -from.y / ray.y;
+        if (ray.y >= 0 || toPlane <= 0 || toPlane >= hit) return;
+        const glm::dvec3 on = from + ray * toPlane;
+        if (!inDepth(project(on).z)) return;
         const glm::dvec3 up = glm::reflect(ray, normal_);
         if (up.y <= 0) return;
         const double mirrored = nearestHit(boxes_, on, up);
@@ -120,11 +137,11 @@ class Tracer {
         const glm::dvec3 point = on + up * mirrored;
         const glm::dvec4 seen = project(point);
         out.source[i] = glm::dvec2(seen);
-        const bool onScreen =
-            seen.w > 0 && seen.x >= 0 && seen.y >= 0 && seen.x < out.width && seen.y < out.height;
-        const glm::dvec3 towards = glm::normalize(point - camera_.eye);
-        const double visible = nearestHit(boxes_, camera_.eye, towards);
-        const bool same = std::abs(visible - glm::length(point - camera_.eye)) < 1e-6 * visible;
+        const bool onScreen = seen.w > 0 && seen.x >= 0 && seen.y >= 0 && seen.x < out.width &&
+                              seen.y < out.height && inDepth(seen.z);
+        const Line line = lineThrough(glm::dvec2(seen));
+        const double visible = nearestHit(boxes_, line.from, line.direction);
+        const bool same = std::abs(visible - glm::length(point - line.from)) < 1e-6 * visible;
         out.truth[i] = onScreen && same ? Truth::recoverable : Truth::lost;
     }
 

@@ -822,6 +822,27 @@ TEST_F(Water, RefractionOfAMultisampledSceneIsRefused) {
     destroyTarget(target);
 }
 
+TEST_F(Water, ParallelLinesOfSightAreRefused) {
+    const demos::Image color = uploadFloats(4, 4, 4, std::vector<float>(64));
+    const demos::Image depth = uploadFloats(4, 4, 1, std::vector<float>(16));
+    Camera camera = seaCamera();
+    camera.width = camera.height = 4;
+    camera.parallelHeight = 10;
+    camera.far = 100;
+    ViewDesc view = viewDesc(camera);
+    view.sceneColor = asSeaglass(color);
+    view.sceneDepth = asSeaglass(depth);
+    Target* target = nullptr;
+    const TargetDesc targetDesc = {VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_D32_SFLOAT};
+    ASSERT_EQ(createTarget(context(), &targetDesc, &target), Status::ok);
+    Body* body = makeBody({});
+    frame([&](VkCommandBuffer commands) {
+        EXPECT_EQ(draw(commands, target, &body, 1, &view, &lighting), Status::unsupported);
+        EXPECT_NE(message().find("ViewDesc.projection is orthographic"), std::string::npos);
+    });
+    destroyTarget(target);
+}
+
 TEST_F(Water, BodiesMayGoWhileTheGpuUsesThem) {
     const SeaDesc waves = breeze();
     for (int i = 0; i < 4; ++i) {

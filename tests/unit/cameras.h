@@ -24,7 +24,9 @@ struct Camera {
     double rollDegrees = 0;
     double fovDegrees = 50;
     double near = 0.1;
-    double far = 0; ///< 0: infinite
+    double far = 0;            ///< 0: infinite
+    double parallelHeight = 0; ///< of what is seen, by parallel lines of sight [m]; 0: from the eye
+    glm::dvec2 offCentre{0};   ///< by which what is seen lies beside the axis, of its half width and height
     bool reversed = true;
     glm::dvec2 jitter{0}; ///< by which all of the picture is moved [pixel]
     uint32_t width = 256, height = 144;
@@ -37,15 +39,28 @@ inline glm::dmat4 viewMatrix(const Camera& camera) {
     return roll * glm::lookAt(camera.eye, camera.target, helper);
 }
 
+inline glm::dmat4 parallelProjection(const Camera& camera) {
+    const glm::dvec2 shift = 2.0 * camera.jitter / glm::dvec2(camera.width, camera.height) - camera.offCentre;
+    const double depth = camera.far - camera.near;
+    glm::dmat4 p(1);
+    p[0][0] = 2 / camera.parallelHeight * camera.height / camera.width;
+    p[1][1] = -2 / camera.parallelHeight;
+    p[2][2] = (camera.reversed ? 1 : -1) / depth;
+    p[3] = {shift, camera.reversed ? camera.far / depth : -camera.near / depth, 1};
+    return p;
+}
+
 /// Vulkan clip space, y down.
 inline glm::dmat4 projectionMatrix(const Camera& camera) {
+    if (camera.parallelHeight > 0) return parallelProjection(camera);
     const double f = 1 / std::tan(radians(camera.fovDegrees) / 2);
     glm::dmat4 p(0);
     p[0][0] = f * camera.height / camera.width;
     p[1][1] = -f;
     p[2][3] = -1;
-    p[2][0] = -2 * camera.jitter.x / camera.width;
-    p[2][1] = -2 * camera.jitter.y / camera.height;
+    const glm::dvec2 shift = 2.0 * camera.jitter / glm::dvec2(camera.width, camera.height) - camera.offCentre;
+    p[2][0] = -shift.x;
+    p[2][1] = -shift.y;
     const double n = camera.near;
     if (camera.far == 0) {
         p[2][2] = camera.reversed ? 0 : -1;

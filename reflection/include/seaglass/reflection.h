@@ -83,8 +83,16 @@ struct ReflectorDesc {
 /// Of one call of reflect().
 constexpr uint32_t maxReflectors = 16;
 
-/// What a reflector of this description costs for views of `extent` pixels. Nothing is created.
-Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out);
+/// Samples a pixel of a view's scene; see ViewDesc::sceneDepth.
+struct SceneSamples {
+    VkSampleCountFlagBits depth = VK_SAMPLE_COUNT_1_BIT;
+    VkSampleCountFlagBits color = VK_SAMPLE_COUNT_1_BIT;
+};
+
+/// What a reflector of this description costs for views of `extent` pixels, in images of that size. Nothing
+/// is created.
+Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out,
+                SceneSamples samples = {});
 
 struct Reflector;
 
