@@ -8,13 +8,28 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+// Loaded once, as mirror.glsl's are.
+mat4 lastFromRelative;   // to the last frame's pixels, from where this frame's eye is
+mat4 relativeFromLast;   // and back
+vec2 jitter;             // this frame's [pixel]
+float share;             // of the last frame, 0 where there is none
+float kept;              // of the confidence, where only the last frame knows
+
 layout(set = 0, binding = 1, std140) uniform Temporal {
-    mat4 lastFromRelative;   // to the last frame's pixels, from where this frame's eye is
-    mat4 relativeFromLast;   // and back
-    vec2 jitter;             // this frame's [pixel]
-    float share;             // of the last frame, 0 where there is none
-    float kept;              // of the confidence, where only the last frame knows
-};
+    mat4 lastFromRelative;
+    mat4 relativeFromLast;
+    vec2 jitter;
+    float share;
+    float kept;
+} storedTemporal;
+
+void loadTemporal() {
+    lastFromRelative = storedTemporal.lastFromRelative;
+    relativeFromLast = storedTemporal.relativeFromLast;
+    jitter = storedTemporal.jitter;
+    share = storedTemporal.share;
+    kept = storedTemporal.kept;
+}
 layout(set = 0, binding = 2) uniform sampler2D foundColor;
 layout(set = 0, binding = 3) uniform sampler2D foundInfo;
 layout(set = 0, binding = 4) uniform sampler2D lastColor;
@@ -46,16 +61,17 @@ struct Around {
 Around foundAround(ivec2 pixel) {
     ivec2 last = imageSize() - 1;
     Around around = Around(vec4(65504.0), vec4(0.0), vec2(farAway, 0.0), false);
-    for (int i = 0; i < 9; ++i) {
-        ivec2 at = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), last);
-        float info = texelFetch(foundInfo, at, 0).r;
-        vec4 color = texelFetch(foundColor, at, 0);
-        around.sky = around.sky || infoIsSky(info);
-        if (infoIsHit(info)) around.distances = vec2(min(around.distances.x, info), max(around.distances.y, info));
-        if (info == infoUnknown || !isFinite(color)) continue;
-        around.least = min(around.least, color);
-        around.most = max(around.most, color);
-    }
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
+            float info = texelFetch(foundInfo, at, 0).r;
+            vec4 color = texelFetch(foundColor, at, 0);
+            around.sky = around.sky || infoIsSky(info);
+            if (infoIsHit(info)) around.distances = vec2(min(around.distances.x, info), max(around.distances.y, info));
+            if (info == infoUnknown || !isFinite(color)) continue;
+            around.least = min(around.least, color);
+            around.most = max(around.most, color);
+        }
     return around;
 }
 
@@ -184,6 +200,7 @@ Pixel recalled(Pixel found, Around around, SightLine sight) {
 
 void main() {
     loadMirror();
+    loadTemporal();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize()))) return;
     Pixel result = Pixel(texelFetch(foundColor, pixel, 0), texelFetch(foundInfo, pixel, 0).r);

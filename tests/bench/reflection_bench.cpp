@@ -51,15 +51,22 @@ std::vector<Setting> settings() {
     ReflectionDesc half = flat;
     half.downscale = 2;
     const ReflectionDesc bent;
+    ReflectionDesc temporal = flat;
+    temporal.temporal = 0.9f;
     ReflectionDesc ssr = flat;
     ssr.technique = ReflectionTechnique::ssr;
     ReflectionDesc strides = ssr;
     strides.marchCells = false;
     ReflectionDesc hybrid = flat;
     hybrid.technique = ReflectionTechnique::hybrid;
-    return {
-        {"sspr", flat}, {"sspr, coarse keys", coarse}, {"sspr, half", half}, {"sspr, bent, blurred", bent},
-        {"ssr", ssr},   {"ssr, strides", strides},     {"hybrid", hybrid}};
+    return {{"sspr", flat},
+            {"sspr, coarse keys", coarse},
+            {"sspr, half", half},
+            {"sspr, bent, blurred", bent},
+            {"sspr, temporal", temporal},
+            {"ssr", ssr},
+            {"ssr, strides", strides},
+            {"hybrid", hybrid}};
 }
 
 struct Samples {
@@ -132,6 +139,9 @@ class Bench {
         for (uint32_t round = 0; round < warmUps + rounds_; ++round) {
             const bool counts = round >= warmUps;
             floorOnce(counts ? &floors : nullptr);
+            // As antialiasing moves a projection; only temporal reuse looks at it.
+            view.jitter[0] = round % 2 ? 0.25 : -0.25;
+            view.jitter[1] = -view.jitter[0];
             for (size_t i = 0; i < all.size(); ++i) {
                 const double before = processorMs();
                 double sum = 0;
