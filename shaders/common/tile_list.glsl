@@ -4,14 +4,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 const ivec2 noPixel = ivec2(-1);
 
-ivec2 pixelOfTile(uint entry) {
-    ivec2 pixel = unpackedTile(tiles[entry]) * tileEdge + ivec2(gl_LocalInvocationID.xy);
-    return all(lessThan(pixel, imageSize())) ? pixel : noPixel;
-}
-
 // noPixel beyond the image and beyond the list's end.
 ivec2 pixelToResolve() {
     uint n = gl_WorkGroupID.y * groupsPerRow + gl_WorkGroupID.x;
     if (n >= header.resolveGroups.w) return noPixel;
-    return pixelOfTile(uint(tilesAcross() * tilesDown()) + n);
+    uint entry = uint(tilesAcross() * tilesDown()) + n;
+    ivec2 pixel = unpackedTile(tiles[entry]) * tileEdge + ivec2(gl_LocalInvocationID.xy);
+    return all(lessThan(pixel, imageSize())) ? pixel : noPixel;
 }

@@ -15,7 +15,6 @@ struct TileHeader {
     uvec4 emptyGroups;
 };
 
-
 int tilesAcross() {
     return (imageSize().x + tileEdge - 1) >> tileShift;
 }

@@ -17,12 +17,6 @@ constexpr uint32_t capabilityShader = 1, capabilityStorageImageExtendedFormats =
 
 class Atomics : public ReflectionTest {};
 
-ReflectorDesc with(ReflectionTechnique technique) {
-    ReflectorDesc desc;
-    desc.reflection.technique = technique;
-    return desc;
-}
-
 /// What a module asks of a device, and which operations it is made of.
 struct Module {
     std::set<uint32_t> capabilities;

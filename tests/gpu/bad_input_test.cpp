@@ -94,11 +94,6 @@ TEST_P(BadInput, ButAPlaneOfAnyScaleIsThePlane) {
     }
 }
 
-std::string nameOf(const testing::TestParamInfo<ReflectionTechnique>& info) {
-    if (info.param == ReflectionTechnique::sspr) return "Sspr";
-    return info.param == ReflectionTechnique::ssr ? "Ssr" : "Hybrid";
-}
-
 INSTANTIATE_TEST_SUITE_P(, BadInput,
                          testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::ssr,
                                          ReflectionTechnique::hybrid),

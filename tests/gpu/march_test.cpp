@@ -14,12 +14,6 @@ namespace {
 using namespace seaglass;
 using namespace tests;
 
-ReflectorDesc with(ReflectionTechnique technique) {
-    ReflectorDesc desc;
-    desc.reflection.technique = technique;
-    return desc;
-}
-
 size_t differingClasses(const Reflected& a, const Reflected& b) {
     size_t differing = 0;
     for (size_t i = 0; i < a.info.size(); ++i)

@@ -16,12 +16,6 @@ Image multisampled(const demos::Image& image, VkSampleCountFlagBits samples) {
     return handed;
 }
 
-ReflectorDesc with(ReflectionTechnique technique) {
-    ReflectorDesc desc;
-    desc.reflection.technique = technique;
-    return desc;
-}
-
 /// Whether all around a pixel is of one class, and at one distance if it is something.
 bool isAwayFromEdges(const Reflected& reflected, size_t width, size_t x, size_t y) {
     float least = reflected.info[y * width + x], most = least;

@@ -10,12 +10,6 @@ namespace {
 using namespace seaglass;
 using namespace tests;
 
-ReflectorDesc with(ReflectionTechnique technique) {
-    ReflectorDesc desc;
-    desc.reflection.technique = technique;
-    return desc;
-}
-
 class Parallel : public ReflectionTest, public testing::WithParamInterface<ReflectionTechnique> {};
 
 TEST_P(Parallel, ViewsAgreeWithTheTracedTruth) {
@@ -186,9 +180,6 @@ TEST_P(Parallel, OffCentreEyesAgreeWithTheTracedTruth) {
 INSTANTIATE_TEST_SUITE_P(, Parallel,
                          testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::ssr,
                                          ReflectionTechnique::hybrid),
-                         [](const testing::TestParamInfo<ReflectionTechnique>& info) -> std::string {
-                             if (info.param == ReflectionTechnique::sspr) return "Sspr";
-                             return info.param == ReflectionTechnique::ssr ? "Ssr" : "Hybrid";
-                         });
+                         nameOf);
 
 } // namespace

@@ -7,6 +7,17 @@ namespace tests {
 
 using seaglass::Status;
 
+seaglass::ReflectorDesc with(seaglass::ReflectionTechnique technique) {
+    seaglass::ReflectorDesc desc;
+    desc.reflection.technique = technique;
+    return desc;
+}
+
+std::string nameOf(const testing::TestParamInfo<seaglass::ReflectionTechnique>& info) {
+    if (info.param == seaglass::ReflectionTechnique::sspr) return "Sspr";
+    return info.param == seaglass::ReflectionTechnique::ssr ? "Ssr" : "Hybrid";
+}
+
 TracedView framed(const TracedView& traced, uint32_t left, uint32_t top) {
     TracedView larger;
     larger.width = traced.width + 64;

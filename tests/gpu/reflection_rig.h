@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "tests/gpu/reflection_score.h"
 #include "tests/gpu/rig.h"
@@ -14,6 +15,10 @@ TracedView framed(const TracedView& traced, uint32_t left, uint32_t top);
 struct SceneOnDevice {
     demos::Image depth, color;
 };
+
+seaglass::ReflectorDesc with(seaglass::ReflectionTechnique technique);
+/// Of a test that is repeated for the techniques that read the screen.
+std::string nameOf(const testing::TestParamInfo<seaglass::ReflectionTechnique>& info);
 
 class ReflectionTest : public GpuTest {
   protected:

@@ -107,11 +107,6 @@ TEST_P(Regions, JitteredProjectionsKeepTheirPlaces) {
     }
 }
 
-std::string nameOf(const testing::TestParamInfo<ReflectionTechnique>& info) {
-    if (info.param == ReflectionTechnique::sspr) return "Sspr";
-    return info.param == ReflectionTechnique::ssr ? "Ssr" : "Hybrid";
-}
-
 INSTANTIATE_TEST_SUITE_P(, Regions,
                          testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::ssr,
                                          ReflectionTechnique::hybrid),

@@ -47,17 +47,6 @@ TEST_P(SameBits, EachTime) {
                 static_cast<unsigned long long>(hash));
 }
 
-std::string nameOf(const testing::TestParamInfo<ReflectionTechnique>& info) {
-    switch (info.param) {
-    case ReflectionTechnique::sspr:
-        return "Sspr";
-    case ReflectionTechnique::ssr:
-        return "Ssr";
-    default:
-        return "Hybrid";
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(, SameBits,
                          testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::ssr,
                                          ReflectionTechnique::hybrid),

@@ -14,8 +14,7 @@ using namespace seaglass;
 using namespace tests;
 
 ReflectorDesc with(ReflectionTechnique technique, float temporal) {
-    ReflectorDesc desc;
-    desc.reflection.technique = technique;
+    ReflectorDesc desc = tests::with(technique);
     desc.reflection.temporal = temporal;
     return desc;
 }
@@ -499,9 +498,6 @@ TEST_P(Temporal, BadInputIsNamed) {
 INSTANTIATE_TEST_SUITE_P(, Temporal,
                          testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::ssr,
                                          ReflectionTechnique::hybrid),
-                         [](const testing::TestParamInfo<ReflectionTechnique>& info) -> std::string {
-                             if (info.param == ReflectionTechnique::sspr) return "Sspr";
-                             return info.param == ReflectionTechnique::ssr ? "Ssr" : "Hybrid";
-                         });
+                         nameOf);
 
 } // namespace
