@@ -54,7 +54,7 @@ struct SurfaceUniforms {
         0}; ///< clear distance [m], scatter, distance at which the sky has taken over [m]
 };
 
-/// Edge of the tile that foam patterns repeat in [m]; shaders/surface.frag samples divisions of it.
+/// Edge of the tile that foam patterns repeat in [m]; shaders/common/foam_cover.glsl samples divisions of it.
 constexpr double foamTile = 24.0;
 
 class SurfacePipelines {

@@ -90,7 +90,7 @@ glm::vec3 mirrored(const Frame& frame, const Ray& ray, const Hit& hit, const Fac
     return kept * radianceAlong(frame, bentRay(frame, ray, hit, facet.up, direction), bounces - 1, random);
 }
 
-/// waterGlow() of shaders/surface.frag: Morel and Prieur 1977.
+/// waterGlow() of shaders/common/water_light.glsl: Morel and Prieur 1977.
 glm::vec3 waterGlow(const Frame& frame, const glm::vec3& absorption, const glm::vec3& backscatter,
                     float path) {
     const Light& light = frame.world->light;
@@ -119,7 +119,7 @@ glm::vec3 refracted(const Frame& frame, const Ray& ray, const Hit& hit, const Fa
     return shadeHit(frame, below, bed, random) * through + waterGlow(frame, absorption, backscatter, path);
 }
 
-/// sunGlint() of shaders/surface.frag: Bruneton, Neyret and Holzschuch 2010, eq. 14.
+/// sunGlint() of shaders/common/sun_glint.glsl: Bruneton, Neyret and Holzschuch 2010, eq. 14.
 glm::vec3 meanGlint(const Frame& frame, const Facet& facet, const glm::vec3& toEye) {
     constexpr float discVariance = 5.4e-6f;
     const Light& light = frame.world->light;

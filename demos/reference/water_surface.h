@@ -35,7 +35,7 @@ class WaterSurface {
     /// Covariance uu, vv, uv of slopes of waves too short for any map.
     const glm::vec3& roughness() const { return roughness_; }
 
-    /// Share of the footprint that is white: shaders/surface.frag's foamCover().
+    /// Share of the footprint that is white: shaders/common/foam_cover.glsl's foamCover().
     float foamCover(const glm::dvec2& calm, double footprint) const;
 
   private:
