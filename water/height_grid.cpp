@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <memory>
@@ -23,18 +24,16 @@ namespace {
 using Complex = std::complex<float>;
 constexpr size_t lanes = 4;
 
-// A sample of a cascade's grid. The search for a point reads the first 16 bytes of its 48 alone, so they lie
-// apart.
-struct Moves {
-    float u, v;               ///< horizontal displacement [m]
+// What a sample of a cascade's grid is, in the order in which a search and its end want it.
+struct Sample {
+    float moveU, moveV;       ///< horizontal displacement [m]
     float stretchU, stretchV; ///< dDx/du, dDz/dv
-};
-struct Shape {
-    float height, shear; ///< [m], dDx/dv
+    float height, shear;      ///< [m], dDx/dv
     float slopeU, slopeV;
     float drift, rise, driftV; ///< velocity [m/s]: u, up, v
     float unused;
 };
+constexpr size_t sampleFloats = sizeof(Sample) / sizeof(float);
 
 Float4 load(const float* at) {
     Float4 value;
@@ -42,16 +41,20 @@ Float4 load(const float* at) {
     return value;
 }
 
-// Sample (i, j), at u = i patch/samples and v = j patch/samples, is number i * samples + j.
+// Sample (i, j), at u = i patch/samples and v = j patch/samples, is number i * (samples + 1) + j; the last
+// row and column are the first ones again, so that no cell has to wrap.
 struct Tile {
     double patch = 0;    ///< [m]
     double perPatch = 0; ///< [1/m]
     float texelsPerMetre = 0;
-    std::vector<Moves> moves;
-    std::vector<Shape> shapes;
+    float metresPerTexel = 0;
+    std::vector<Sample> samples;
 };
 
 using Int4 = int __attribute__((vector_size(16)));
+using Long2 = int64_t __attribute__((vector_size(16)));
+using Double2 = double __attribute__((vector_size(16)));
+using Float2 = float __attribute__((vector_size(8)));
 
 Float4 all(float value) {
     return Float4{value, value, value, value};
@@ -62,33 +65,43 @@ struct Four {
     Float4 u, v;
 };
 
-// The four samples around each of four points, and where it lies between them.
+// The cell around each of four points: its first sample, and where the point lies in it.
 struct Cells {
-    std::array<Int4, 4> at; ///< here, next along v, next along u, next along both
+    Int4 at;
     Four share;
 };
 
-Cells cellsAt(const Four& place, int samples) {
-    const auto floorOf = [](const Float4& x) {
-        const Int4 whole = __builtin_convertvector(x, Int4);
-        return whole + (__builtin_convertvector(whole, Float4) > x); // true is -1
-    };
-    const Int4 i = floorOf(place.u), j = floorOf(place.v),
-               mask = Int4{} + (samples - 1); // wraps negative ones too
-    const Int4 row = (i & mask) * samples, next = ((i + 1) & mask) * samples;
-    const Int4 left = j & mask, right = (j + 1) & mask;
-    return {{row + left, row + right, next + left, next + right},
+struct Lattice {
+    int mask;  ///< samples - 1: wraps negative numbers too
+    int shift; ///< log2(samples)
+
+    explicit Lattice(uint32_t samples)
+        : mask(static_cast<int>(samples) - 1), shift(std::countr_zero(samples)) {}
+    size_t pitch() const { return static_cast<size_t>(mask) + 2; }
+    Int4 number(const Int4& i, const Int4& j) const {
+        const Int4 row = i & mask;
+        return (row << shift) + row + (j & mask);
+    }
+};
+
+Int4 floorOf(const Float4& x) {
+    const Int4 whole = __builtin_convertvector(x, Int4);
+    return whole + (__builtin_convertvector(whole, Float4) > x); // true is -1
+}
+
+Cells cellsAt(const Four& place, const Lattice& lattice) {
+    const Int4 i = floorOf(place.u), j = floorOf(place.v);
+    return {lattice.number(i, j),
             {place.u - __builtin_convertvector(i, Float4), place.v - __builtin_convertvector(j, Float4)}};
 }
 
-// What `at` gives for each sample, between those around point `l`.
-template<typename At>
-Float4 mix(const Cells& cells, size_t l, At&& at) {
-    const auto sample = [&](size_t corner) { return at(static_cast<size_t>(cells.at[corner][l])); };
-    const Float4 alongU = all(cells.share.u[l]), alongV = all(cells.share.v[l]);
-    const Float4 here = sample(0), next = sample(2);
-    const Float4 low = here + alongV * (sample(1) - here);
-    return low + alongU * (next + alongV * (sample(3) - next) - low);
+// Between the four samples of a cell, of which `first` points at some four floats of the first.
+Float4 mix(const float* first, size_t pitch, const Float4& shareU, const Float4& shareV) {
+    const float* const second = first + sampleFloats * pitch;
+    const Float4 here = load(first), next = load(second);
+    const Float4 low = here + shareV * (load(first + sampleFloats) - here);
+    const Float4 high = next + shareV * (load(second + sampleFloats) - next);
+    return low + shareU * (high - low);
 }
 
 // Four times four values to four of each.
@@ -106,10 +119,11 @@ void transpose(std::array<Float4, 4>& rows) {
 struct Search {
     std::array<Four, maxCascades> sample{};
     Four offset{};
-    Int4 steep{}; ///< on the way, or out of reach: to be sought with care
+    Int4 steep{};   ///< on the way, or out of reach: to be sought with care
+    Int4 nowhere{}; ///< not finite
 };
 
-// All that is known at four resting points, as Moves and Shape.
+// All that is known at four resting points, as in Sample.
 struct Found {
     std::array<Float4, 4> moves, shape, velocity;
 
@@ -134,6 +148,7 @@ float lengthOf(const Four& a, size_t l) {
 
 struct HeightGrid {
     const Sea& sea;
+    Lattice lattice;
     InverseFourier fourier;
     std::vector<Tile> tiles;
     std::vector<Complex4> columns, rows, scratch;
@@ -148,9 +163,12 @@ struct HeightGrid {
     void advance(const Modes& modes, uint32_t now);
     void transform(uint32_t cascade, size_t pair);
     void store(Tile& tile, size_t pair) const;
+    void repeatFirst(Tile& tile) const;
 
     void place(Search& search, size_t l, double u, double v) const;
-    Cells cells(size_t tile, const Search& search) const;
+    using AllCells = std::array<Cells, maxCascades>;
+    void enter(const Search& search, AllCells& cells) const;
+    void guess(Search& search) const;
     void nearer(Search& search) const;
     Found foundAt(const Search& search) const;
     void finish(const Search& search, HeightSample* out) const;
@@ -161,8 +179,7 @@ namespace {
 
 constexpr size_t pairs = 6;    ///< complex fields
 constexpr size_t block = 16;   ///< points that are sought together
-constexpr int rounds = 2;      ///< of the search that all points take part in
-constexpr int moreRounds = 25; ///< for those that have not arrived by then
+constexpr int moreRounds = 25; ///< for points that have not arrived where all others have
 constexpr float leastStretch = 0.2f;
 
 size_t groupsOf(size_t lines) {
@@ -191,15 +208,16 @@ Complex spectrumOf(size_t pair, Complex h, Complex r, float ku, float kv, float 
 
 } // namespace
 
-HeightGrid::HeightGrid(const Sea& from) : sea(from), fourier(from.desc.samples), tiles(from.count) {
-    const size_t samples = from.desc.samples;
+HeightGrid::HeightGrid(const Sea& from)
+    : sea(from), lattice(from.desc.samples), fourier(from.desc.samples), tiles(from.count) {
+    const size_t samples = from.desc.samples, kept = lattice.pitch() * lattice.pitch();
     size_t widest = 0;
     for (uint32_t c = 0; c < from.count; ++c) {
         tiles[c].patch = from.cascades[c].patch;
         tiles[c].perPatch = 1 / tiles[c].patch;
         tiles[c].texelsPerMetre = static_cast<float>(static_cast<double>(samples) / tiles[c].patch);
-        tiles[c].moves.resize(samples * samples);
-        tiles[c].shapes.resize(samples * samples);
+        tiles[c].metresPerTexel = 1 / tiles[c].texelsPerMetre;
+        tiles[c].samples.resize(kept);
         widest = std::max(widest, groupsOf(2 * static_cast<size_t>(from.modes[c].reach) + 1));
     }
     if (from.count > 0) near = 0.25f / tiles.back().texelsPerMetre;
@@ -260,31 +278,37 @@ void HeightGrid::transform(uint32_t cascade, size_t pair) {
 }
 
 void HeightGrid::store(Tile& tile, size_t pair) const {
-    for (size_t i = 0; i < tile.moves.size(); ++i) {
+    const size_t samples = sea.desc.samples;
+    for (size_t i = 0; i < samples * samples; ++i) {
         const Complex4& from = rows[i / lanes];
         const float re = from.re[i % lanes], im = from.im[i % lanes];
-        Moves& moves = tile.moves[i];
-        Shape& shape = tile.shapes[i];
+        Sample& sample = tile.samples[i + i / samples];
         switch (pair) {
         case 0:
-            moves.u = re, moves.v = im;
+            sample.moveU = re, sample.moveV = im;
             break;
         case 1:
-            moves.stretchU = re, moves.stretchV = im;
+            sample.stretchU = re, sample.stretchV = im;
             break;
         case 2:
-            shape.height = re, shape.shear = im;
+            sample.height = re, sample.shear = im;
             break;
         case 3:
-            shape.slopeU = re, shape.slopeV = im;
+            sample.slopeU = re, sample.slopeV = im;
             break;
         case 4:
-            shape.drift = re, shape.rise = im;
+            sample.drift = re, sample.rise = im;
             break;
         default:
-            shape.driftV = re;
+            sample.driftV = re;
         }
     }
+}
+
+void HeightGrid::repeatFirst(Tile& tile) const {
+    const size_t samples = sea.desc.samples, pitch = lattice.pitch();
+    for (size_t i = 0; i < samples; ++i) tile.samples[i * pitch + samples] = tile.samples[i * pitch];
+    std::copy_n(tile.samples.begin(), pitch, tile.samples.end() - static_cast<ptrdiff_t>(pitch));
 }
 
 void HeightGrid::fill(double time) {
@@ -295,60 +319,115 @@ void HeightGrid::fill(double time) {
             transform(c, pair);
             store(tiles[c], pair);
         }
+        repeatFirst(tiles[c]);
     }
 }
 
 void HeightGrid::place(Search& search, size_t l, double u, double v) const {
-    constexpr double farthest = 1e12; // [m]: whole tiles still fit an integer
+    constexpr double farthest = 1e12; // [m]: whole tiles are then exact
     const bool far = !(std::abs(u) < farthest && std::abs(v) < farthest);
     search.steep[l] = far ? -1 : 0;
-    if (!(std::isfinite(u) && std::isfinite(v))) return;
-    const auto inTile = [&](double x, const Tile& tile) {
-        if (far) return static_cast<float>(std::fmod(x, tile.patch)) * tile.texelsPerMetre;
-        const double tilesAway = x * tile.perPatch;
-        return static_cast<float>(tilesAway - static_cast<double>(static_cast<int64_t>(tilesAway))) *
-               static_cast<float>(sea.desc.samples);
-    };
+    search.nowhere[l] = std::isfinite(u) && std::isfinite(v) ? 0 : -1;
+    if (search.nowhere[l]) return;
+    const auto samples = static_cast<float>(sea.desc.samples);
     for (size_t c = 0; c < tiles.size(); ++c) {
-        search.sample[c].u[l] = inTile(u, tiles[c]);
-        search.sample[c].v[l] = inTile(v, tiles[c]);
+        const double patch = tiles[c].patch;
+        const Double2 near = far ? Double2{std::fmod(u, patch), std::fmod(v, patch)} : Double2{u, v};
+        const Double2 away = near * tiles[c].perPatch;
+        constexpr double noFraction = 0x1.8p52; // what is added to this has none
+        const Double2 inTile = away - ((away + noFraction) - noFraction);
+        const Float2 sample = __builtin_convertvector(inTile, Float2) * samples;
+        search.sample[c].u[l] = sample[0];
+        search.sample[c].v[l] = sample[1];
     }
 }
 
-Cells HeightGrid::cells(size_t tile, const Search& search) const {
-    const float scale = tiles[tile].texelsPerMetre;
-    const Four& sample = search.sample[tile];
-    return cellsAt({sample.u + search.offset.u * scale, sample.v + search.offset.v * scale},
-                   static_cast<int>(sea.desc.samples));
+void HeightGrid::enter(const Search& search, AllCells& cells) const {
+    for (size_t c = 0; c < tiles.size(); ++c) {
+        const float scale = tiles[c].texelsPerMetre;
+        const Four& sample = search.sample[c];
+        cells[c] = cellsAt({sample.u + search.offset.u * scale, sample.v + search.offset.v * scale}, lattice);
+    }
 }
 
-// Newton's step without the shear; where it would fly off it is left to seekWithCare().
+namespace {
+
+// Where four points move, all tiles together.
+struct Moved {
+    Four by, stretch;
+
+    // Newton's step without the shear, nowhere steeper than leastStretch.
+    Four step(const Four& offset) const {
+        const Float4 least = all(leastStretch), alongU = 1 + stretch.u, alongV = 1 + stretch.v;
+        return {-(offset.u + by.u) / (alongU < least ? least : alongU),
+                -(offset.v + by.v) / (alongV < least ? least : alongV)};
+    }
+};
+
+} // namespace
+
+// A first step, from the nearest samples and how they change from there; without the smallest tile, whose
+// waves move water least.
+void HeightGrid::guess(Search& search) const {
+    Moved moved{};
+    const size_t count = std::max<size_t>(tiles.size(), 2) - 1;
+    for (size_t c = 0; c < count; ++c) {
+        const Tile& tile = tiles[c];
+        const Four& sample = search.sample[c];
+        const Int4 i = floorOf(sample.u + 0.5f), j = floorOf(sample.v + 0.5f);
+        const Int4 at = lattice.number(i, j);
+        std::array<Float4, 4> moves;
+        for (size_t l = 0; l < 4; ++l) moves[l] = load(&tile.samples[static_cast<size_t>(at[l])].moveU);
+        transpose(moves);
+        const Float4 pastU = (sample.u - __builtin_convertvector(i, Float4)) * tile.metresPerTexel;
+        const Float4 pastV = (sample.v - __builtin_convertvector(j, Float4)) * tile.metresPerTexel;
+        moved.by.u += moves[0] + moves[2] * pastU;
+        moved.by.v += moves[1] + moves[3] * pastV;
+        moved.stretch.u += moves[2];
+        moved.stretch.v += moves[3];
+    }
+    search.offset = moved.step(search.offset);
+}
+
+// Where Newton's step would fly off it is left to seekWithCare(). Point after point, so that sums stay in
+// registers; so in foundAt().
 void HeightGrid::nearer(Search& search) const {
-    std::array<Float4, 4> moves{};
-    for (size_t c = 0; c < tiles.size(); ++c) {
-        const Cells around = cells(c, search);
-        const Moves* all = tiles[c].moves.data();
-        for (size_t l = 0; l < 4; ++l)
-            moves[l] += mix(around, l, [all](size_t i) { return load(&all[i].u); });
+    AllCells cells;
+    enter(search, cells);
+    const size_t count = tiles.size(), pitch = lattice.pitch();
+    std::array<Float4, 4> moves;
+    for (size_t l = 0; l < 4; ++l) {
+        Float4 sum{};
+        for (size_t c = 0; c < count; ++c) {
+            const Sample& first = tiles[c].samples[static_cast<size_t>(cells[c].at[l])];
+            sum += mix(&first.moveU, pitch, all(cells[c].share.u[l]), all(cells[c].share.v[l]));
+        }
+        moves[l] = sum;
     }
     transpose(moves);
-    const Float4 alongU = 1 + moves[2], alongV = 1 + moves[3], least = all(leastStretch);
-    search.steep |= (alongU < least) | (alongV < least);
-    search.offset.u -= (search.offset.u + moves[0]) / (alongU < least ? least : alongU);
-    search.offset.v -= (search.offset.v + moves[1]) / (alongV < least ? least : alongV);
+    const Moved moved{{moves[0], moves[1]}, {moves[2], moves[3]}};
+    search.steep |= (1 + moves[2] < leastStretch) | (1 + moves[3] < leastStretch);
+    const Four step = moved.step(search.offset);
+    search.offset = {search.offset.u + step.u, search.offset.v + step.v};
 }
 
 Found HeightGrid::foundAt(const Search& search) const {
-    Found found{};
-    for (size_t c = 0; c < tiles.size(); ++c) {
-        const Cells around = cells(c, search);
-        const Moves* moves = tiles[c].moves.data();
-        const Shape* shapes = tiles[c].shapes.data();
-        for (size_t l = 0; l < 4; ++l) {
-            found.moves[l] += mix(around, l, [moves](size_t i) { return load(&moves[i].u); });
-            found.shape[l] += mix(around, l, [shapes](size_t i) { return load(&shapes[i].height); });
-            found.velocity[l] += mix(around, l, [shapes](size_t i) { return load(&shapes[i].drift); });
+    AllCells cells;
+    enter(search, cells);
+    const size_t count = tiles.size(), pitch = lattice.pitch();
+    Found found;
+    for (size_t l = 0; l < 4; ++l) {
+        Float4 moves{}, shape{}, velocity{};
+        for (size_t c = 0; c < count; ++c) {
+            const Sample& first = tiles[c].samples[static_cast<size_t>(cells[c].at[l])];
+            const Float4 shareU = all(cells[c].share.u[l]), shareV = all(cells[c].share.v[l]);
+            moves += mix(&first.moveU, pitch, shareU, shareV);
+            shape += mix(&first.height, pitch, shareU, shareV);
+            velocity += mix(&first.drift, pitch, shareU, shareV);
         }
+        found.moves[l] = moves;
+        found.shape[l] = shape;
+        found.velocity[l] = velocity;
     }
     transpose(found.moves);
     transpose(found.shape);
@@ -359,6 +438,7 @@ Found HeightGrid::foundAt(const Search& search) const {
 namespace {
 
 // With a last step of the search, along which the surface is taken for flat.
+// `folded` is 1 or 0.
 void writeSamples(const Found& found, const Four& last, const Int4& folded, HeightSample* out) {
     const auto [height, shear, slopeU, slopeV] = found.shape;
     const Float4 jacobian = found.jacobian(), level = height + slopeU * last.u + slopeV * last.v;
@@ -367,16 +447,21 @@ void writeSamples(const Found& found, const Four& last, const Int4& folded, Heig
     const Float4 u = side * (slopeV * shear - slopeU * (1 + found.stretchV()));
     const Float4 v = side * (slopeU * shear - slopeV * (1 + found.stretchU()));
     const Float4 squared = u * u + up * up + v * v;
+    const Int4 upright = squared > 0;
+    Float4 scale = all(0);
+    for (size_t l = 0; l < 4; ++l)
+        if (upright[l]) scale[l] = 1 / std::sqrt(squared[l]);
+    std::array<Float4, 4> above{level, u * scale, upright ? up * scale : all(1), v * scale};
+    transpose(above);
+    std::array<Float4, 4> moving = found.velocity;
+    moving[3] = reinterpret_cast<Float4>(folded);
+    transpose(moving);
+    static_assert(offsetof(HeightSample, velocity) == sizeof(Float4));
+    static_assert(sizeof(HeightSample) == 2 * sizeof(Float4));
     for (size_t l = 0; l < 4; ++l) {
-        HeightSample& sample = out[l];
-        sample.height = level[l];
-        const bool upright = squared[l] > 0;
-        const float scale = upright ? 1 / std::sqrt(squared[l]) : 0;
-        sample.normal[0] = u[l] * scale;
-        sample.normal[1] = upright ? up[l] * scale : 1;
-        sample.normal[2] = v[l] * scale;
-        for (size_t axis = 0; axis < 3; ++axis) sample.velocity[axis] = found.velocity[axis][l];
-        sample.folded = folded[l] ? 1 : 0;
+        auto* const to = reinterpret_cast<std::byte*>(&out[l]);
+        __builtin_memcpy(to, &above[l], sizeof(Float4));
+        __builtin_memcpy(to + sizeof(Float4), &moving[l], sizeof(Float4));
     }
 }
 
@@ -407,7 +492,7 @@ HeightSample HeightGrid::seekWithCare(const Search& search, size_t l) const {
         alone.offset = {alone.offset.u + move.u, alone.offset.v + move.v};
     }
     std::array<HeightSample, 4> same;
-    writeSamples(found, last, Int4{} + (smooth && settled ? 0 : -1), same.data());
+    writeSamples(found, last, Int4{} + (smooth && settled ? 0 : 1), same.data());
     return same[0];
 }
 
@@ -415,24 +500,28 @@ void HeightGrid::finish(const Search& search, HeightSample* out) const {
     const Found found = foundAt(search);
     const Four last = found.step(search.offset);
     const Float4 squared = last.u * last.u + last.v * last.v;
-    const Int4 arrived = ~search.steep & (found.jacobian() > leastStretch) & (squared <= near * near);
+    const Int4 lost = search.steep | ~(found.jacobian() > leastStretch) | ~(squared <= near * near);
     writeSamples(found, last, Int4{}, out);
-    for (size_t l = 0; l < 4; ++l)
-        if (!arrived[l]) out[l] = seekWithCare(search, l);
+    const auto pairsLost = reinterpret_cast<Long2>(lost);
+    if ((pairsLost[0] | pairsLost[1]) == 0) return;
+    for (size_t l = 0; l < 4; ++l) {
+        if (!lost[l]) continue;
+        out[l] = search.nowhere[l] ? HeightSample{.folded = 1} : seekWithCare(search, l);
+    }
 }
 
 void HeightGrid::sampleBlock(const double* points, size_t count, HeightSample* out) const {
     std::array<Search, block / 4> searches;
-    std::array<HeightSample, block> samples;
     for (size_t i = 0; i < count; ++i) place(searches[i / 4], i % 4, points[2 * i], points[2 * i + 1]);
     const size_t fours = groupsOf(count);
-    for (int round = 0; round < rounds; ++round)
-        for (size_t i = 0; i < fours; ++i) nearer(searches[i]);
-    for (size_t i = 0; i < fours; ++i) finish(searches[i], &samples[4 * i]);
-    for (size_t i = 0; i < count; ++i) {
-        const bool finite = std::isfinite(points[2 * i]) && std::isfinite(points[2 * i + 1]);
-        out[i] = finite ? samples[i] : HeightSample{.folded = 1};
-    }
+    for (size_t i = 0; i < fours; ++i) guess(searches[i]);
+    for (size_t i = 0; i < fours; ++i) nearer(searches[i]);
+    const size_t whole = count / 4;
+    for (size_t i = 0; i < whole; ++i) finish(searches[i], out + 4 * i);
+    if (whole == fours) return;
+    std::array<HeightSample, 4> last;
+    finish(searches[whole], last.data());
+    std::copy_n(last.begin(), count % 4, out + 4 * whole);
 }
 
 HeightGrid* createHeightGrid(const Sea& sea, double time) {
