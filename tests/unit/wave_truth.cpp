@@ -41,27 +41,33 @@ WaveTruth waveTruth(const Sea& sea, uint32_t cascade, double time) {
         return static_cast<size_t>((n + samples) % samples) * static_cast<size_t>(samples) +
                static_cast<size_t>((m + samples) % samples);
     };
-    std::array<std::vector<Complex>, waveFields> spectra;
-    for (auto& spectrum : spectra) spectrum.assign(texels, 0);
+    struct Mode {
+        int32_t m, n;
+        Complex h;
+        std::array<Complex, waveFields> factor;
+    };
+    std::vector<Mode> held;
     for (int32_t n = 0; n <= modes.reach; ++n)
         for (int32_t m = -modes.reach; m <= modes.reach; ++m) {
             const size_t at = modes.at(m, n);
             if (modes.frequency[at] == 0) continue;
-            const Complex h = heightNow(sea, modes, at, time);
-            const auto factor = factors(m * dk, n * dk, static_cast<double>(sea.desc.choppiness));
-            for (size_t f = 0; f < waveFields; ++f) {
-                spectra[f][texel(m, n)] = factor[f] * h;
-                spectra[f][texel(-m, -n)] = std::conj(factor[f] * h);
-            }
+            held.push_back({m, n, heightNow(sea, modes, at, time),
+                            factors(m * dk, n * dk, static_cast<double>(sea.desc.choppiness))});
         }
+    std::vector<Complex> field(texels); // one for all: pages are slow to come by
+    auto* memory = reinterpret_cast<fftw_complex*>(field.data());
+    const std::unique_ptr<fftw_plan_s, void (*)(fftw_plan)> plan(
+        fftw_plan_dft_2d(samples, samples, memory, memory, FFTW_BACKWARD, FFTW_ESTIMATE), fftw_destroy_plan);
     WaveTruth truth;
     for (size_t f = 0; f < waveFields; ++f) {
-        auto* memory = reinterpret_cast<fftw_complex*>(spectra[f].data());
-        const std::unique_ptr<fftw_plan_s, void (*)(fftw_plan)> plan(
-            fftw_plan_dft_2d(samples, samples, memory, memory, FFTW_BACKWARD, FFTW_ESTIMATE),
-            fftw_destroy_plan);
+        std::ranges::fill(field, 0);
+        for (const Mode& mode : held) {
+            field[texel(mode.m, mode.n)] = mode.factor[f] * mode.h;
+            field[texel(-mode.m, -mode.n)] = std::conj(mode.factor[f] * mode.h);
+        }
         fftw_execute(plan.get());
-        for (const Complex& value : spectra[f]) truth[f].push_back(value.real());
+        truth[f].reserve(texels);
+        for (const Complex& value : field) truth[f].push_back(value.real());
     }
     return truth;
 }
