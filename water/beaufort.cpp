@@ -16,15 +16,15 @@ struct Force {
     float oldPeriod; ///< [s]
 };
 
-// Up to 5 the sea is fully developed. Up to 3 it is then still lower than the table's, which counts what
-// earlier winds left: that is a swell here, of a steepness of 1/90 to 1/60. Gales do not blow for long enough
-// over water enough.
+// Up to 5 the sea is fully developed. It is then still lower than the table's, which counts what earlier
+// winds left: that is a swell here, of a steepness of 1/90 to 1/60. Gales do not blow for long enough over
+// water enough.
 constexpr std::array<Force, 13> scale = {{{0, 10e3f, 0, 12},
                                           {0.8f, 10e3f, 0.099f, 2},
                                           {2.4f, 20e3f, 0.157f, 3},
                                           {4.3f, 50e3f, 0.448f, 4},
-                                          {6.7f, 60e3f, 0, 12},
-                                          {9.3f, 100e3f, 0, 12},
+                                          {6.7f, 60e3f, 0.24f, 3.8f},
+                                          {9.3f, 100e3f, 0.71f, 6.4f},
                                           {12.3f, 132e3f, 0, 12},
                                           {15.5f, 153e3f, 0, 12},
                                           {18.9f, 198e3f, 0, 12},

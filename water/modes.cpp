@@ -37,6 +37,7 @@ std::complex<double> normals(uint64_t seed, uint32_t cascade, int32_t m, int32_t
 struct Amplitudes {
     std::complex<float> forward;  ///< h0(k)
     std::complex<float> backward; ///< h0(-k)
+    double expected;              ///< variance of the height, of all seeds in the mean [m^2]
 };
 
 class Sheet {
@@ -51,7 +52,8 @@ class Sheet {
     // At k = (m, n) dk and at -k.
     Amplitudes at(int32_t m, int32_t n) const {
         const Densities found = isCoarse(m, n) ? overCell(m, n) : densitiesAt(m, n);
-        return {draw(m, n, found.forward), draw(-m, -n, found.backward)};
+        return {draw(m, n, found.forward), draw(-m, -n, found.backward),
+                4 * scale_ * scale_ * (found.forward + found.backward)};
     }
 
   private:
@@ -146,6 +148,7 @@ Modes drawModes(const SeaDesc& desc, const WaveSystems& systems, uint32_t index,
             modes.backwardIm[at] = backward.imag();
             modes.frequency[at] = frequencyIndex(angularFrequency(k, systems.depth), desc.loopPeriod);
             modes.inverseK[at] = static_cast<float>(1 / k);
+            modes.expected += drawn.expected;
             variance +=
                 2 * (std::norm(std::complex<double>(forward)) + std::norm(std::complex<double>(backward)));
         }

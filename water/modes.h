@@ -25,6 +25,7 @@ struct Modes {
     std::vector<float> backwardRe, backwardIm; ///< conj(h0(-k)) [m]
     std::vector<uint32_t> frequency;           ///< index n of the quantised frequency, see phase.h
     std::vector<float> inverseK;               ///< 1/|k| [m]
+    double expected = 0;                       ///< variance of the height, of all seeds in the mean [m^2]
 
     size_t at(int32_t m, int32_t n) const {
         return static_cast<size_t>(n) * pitch + static_cast<size_t>(m + reach);

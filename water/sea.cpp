@@ -80,5 +80,13 @@ double frequencySpectrum(const Sea& sea, double omega) {
 double significantWaveHeight(const Sea& sea) {
     return 4 * std::sqrt(sea.variance);
 }
+double resolvedShare(const Sea& sea) {
+    const auto amplitude = static_cast<double>(sea.desc.amplitude);
+    const double asked = amplitude * amplitude * variance(sea.systems);
+    if (!(asked > 0)) return 1;
+    double held = 0;
+    for (uint32_t c = 0; c < sea.count; ++c) held += sea.modes[c].expected;
+    return held / asked;
+}
 
 } // namespace seaglass

@@ -88,6 +88,29 @@ double tableEnergy(std::span<const SpectrumSample> table, double omega) {
     return std::lerp(static_cast<double>(low.density), static_cast<double>(high.density), t) / tau;
 }
 
+// By the midpoint rule over equal ratios; below are e^-150 of the peak, above 1e-8 of the whole.
+double windSeaVariance(const Spectrum& spectrum) {
+    constexpr double low = 0.3, high = 100, ratio = 0.005;
+    const double first = spectrum.peak * low;
+    const auto steps = static_cast<int>(std::log(high / low) / ratio);
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double omega = first * std::exp((i + 0.5) * ratio);
+        sum += windSeaEnergy(spectrum, omega) * omega * ratio;
+    }
+    return sum;
+}
+
+double tableVariance(std::span<const SpectrumSample> table) {
+    double sum = 0;
+    for (size_t i = 1; i < table.size(); ++i) {
+        const SpectrumSample &low = table[i - 1], &high = table[i];
+        sum += 0.5 * (static_cast<double>(low.density) + static_cast<double>(high.density)) *
+               (static_cast<double>(high.frequency) - static_cast<double>(low.frequency));
+    }
+    return sum;
+}
+
 } // namespace
 
 Spectrum makeSpectrum(const SeaDesc& desc) {
@@ -125,6 +148,18 @@ double energy(const Spectrum& spectrum, double omega) {
         break;
     }
     return windSeaEnergy(spectrum, omega);
+}
+
+double variance(const Spectrum& spectrum) {
+    switch (spectrum.form) {
+    case Spectrum::Form::swell:
+        return spectrum.variance;
+    case Spectrum::Form::table:
+        return tableVariance(spectrum.table);
+    case Spectrum::Form::windSea:
+        break;
+    }
+    return windSeaVariance(spectrum);
 }
 
 double kitaigorodskii(double omega, double depth) {

@@ -43,6 +43,9 @@ Spectrum makeSpectrum(const SwellDesc& desc);
 /// S(omega) [m^2 s]; 0 for omega <= 0.
 double energy(const Spectrum& spectrum, double omega);
 
+/// The integral of S [m^2].
+double variance(const Spectrum& spectrum);
+
 /// What a bottom at `depth` > 0 leaves of a wind sea's energy, 0..1 (Kitaigorodskii et al. 1975, exact form).
 double kitaigorodskii(double omega, double depth);
 

@@ -30,6 +30,12 @@ double energy(const WaveSystems& systems, double omega) {
     return sum;
 }
 
+double variance(const WaveSystems& systems) {
+    double sum = 0;
+    for (uint32_t s = 0; s < systems.count; ++s) sum += variance(systems.system[s].spectrum);
+    return sum;
+}
+
 double waveNumberSpectrum(const WaveSystems& systems, double k) {
     return energy(systems, angularFrequency(k, systems.depth)) * groupSpeed(k, systems.depth);
 }

@@ -26,6 +26,9 @@ WaveSystems makeSystems(const SeaDesc& desc);
 /// S(omega) of all systems [m^2 s].
 double energy(const WaveSystems& systems, double omega);
 
+/// The integral of S of all systems [m^2].
+double variance(const WaveSystems& systems);
+
 /// Height variance per wave number of all systems and directions [m^3], k > 0.
 double waveNumberSpectrum(const WaveSystems& systems, double k);
 

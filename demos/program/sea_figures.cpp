@@ -44,10 +44,9 @@ constexpr double longest = 1e-3, shortest = 1e4; // [rad/s]: no wave of wind lie
 void describeAsked(const seaglass::Sea& sea, SeaFigures& out) {
     if (seaglass::cascadeCount(sea) == 0) return;
     const double m0 = moment(sea, longest, shortest, 0), m2 = moment(sea, longest, shortest, 2);
-    const double kMax = seaglass::cascade(sea, seaglass::cascadeCount(sea) - 1).kMax;
-    const double resolved = frequencyOf(kMax, static_cast<double>(seaglass::description(sea).depth));
     out.hsSpectrumM = 4 * std::sqrt(m0);
-    if (resolved > longest) out.hsResolvedM = 4 * std::sqrt(moment(sea, longest, resolved, 0));
+    out.resolvedShare = seaglass::resolvedShare(sea);
+    out.hsResolvedM = out.hsSpectrumM * std::sqrt(out.resolvedShare);
     out.tpS = tau / seaglass::peakFrequency(sea);
     if (m2 > 0) out.tzS = tau * std::sqrt(m0 / m2);
     out.slopesRoughness = seaglass::unresolvedSlopeVariance(sea);

@@ -16,12 +16,13 @@ struct SpectrumBin {
 };
 
 struct SeaFigures {
-    double hsSpectrumM = 0;  ///< of the whole spectrum
-    double hsResolvedM = 0;  ///< of the part that the cascades carry
-    double hsSimulatedM = 0; ///< of the surface, mean of the seeds
-    double tpS = 0;          ///< period of the spectrum's peak; 0 when flat, as those below
-    double tzS = 0;          ///< mean zero-crossing period of the whole spectrum
-    double tzSimulatedS = 0; ///< the same of the surface
+    double hsSpectrumM = 0;   ///< of the whole spectrum
+    double resolvedShare = 1; ///< of the spectrum's variance, that the cascades carry
+    double hsResolvedM = 0;   ///< of that part
+    double hsSimulatedM = 0;  ///< of the surface, mean of the seeds
+    double tpS = 0;           ///< period of the spectrum's peak; 0 when flat, as those below
+    double tzS = 0;           ///< mean zero-crossing period of the whole spectrum
+    double tzSimulatedS = 0;  ///< the same of the surface
     double slopesResolved = 0;
     double slopesRoughness = 0;
     double whitecaps = 0;                    ///< share of the surface that foam covers

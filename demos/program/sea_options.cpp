@@ -118,6 +118,8 @@ bool checkSamples(const RawSea& raw, WavesDesc& waves, Error& error) {
     if (!takeCount("--samples", raw.samples, 1024, waves.samples, error) ||
         !takeCount("--cascades", raw.cascades, 4, waves.cascades, error))
         return false;
+    if (!take({"--patch", raw.patch, waves.largestPatchM, 1, 1e5, "an edge, 1 to 1e5 m"}, error))
+        return false;
     if (waves.samples < 16 || !std::has_single_bit(waves.samples))
         return fail("--samples is '" + raw.samples + "', expected a power of two, 16 to 1024", error);
     uint32_t seed = 1;
@@ -152,6 +154,8 @@ void describeSea(CLI::App& command, RawSea& raw) {
         ->type_name("XI");
     command.add_option("--samples", raw.samples, "Across each cascade, 256 if not given")->type_name("N");
     command.add_option("--cascades", raw.cascades, "1 to 4, 4 if not given")->type_name("N");
+    command.add_option("--patch", raw.patch, "Edge of the largest cascade, chosen if not given")
+        ->type_name("M");
     command.add_option("--seed", raw.seed, "The first of the 16, 1 if not given")->type_name("N");
     command.add_flag("--json", raw.json, "Print JSON instead of a table");
     command

@@ -22,7 +22,7 @@ struct SeaOptions {
 /// What the line says, before any of it is checked.
 struct RawSea {
     std::string wind, fetch, depth, spectrum, table, spreading, shape, swell, beaufort, samples, cascades,
-        seed, plot;
+        patch, seed, plot;
     bool uncapped = false, json = false;
 };
 

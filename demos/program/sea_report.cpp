@@ -108,6 +108,7 @@ std::string seaJson(const WavesDesc& waves, const seaglass::SeaDesc& desc, const
     json["depth_m"] = orNull(static_cast<double>(desc.depth));
     json["hs_spectrum_m"] = figures.hsSpectrumM;
     json["hs_resolved_m"] = figures.hsResolvedM;
+    json["resolved_share"] = figures.resolvedShare;
     json["hs_simulated_m"] = figures.hsSimulatedM;
     json["hs_published_m"] = orNull(published.hsM);
     json["tp_s"] = unlessFlat(figures.tpS);

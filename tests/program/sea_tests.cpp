@@ -49,6 +49,25 @@ TEST_F(SeaCommand, PrintsThePublishedHeights) {
         figures({"--wind", "15", "--fetch", "300e3", "--uncapped", "--spectrum", "tma", "--depth", "10"});
     EXPECT_EQ(tma["depth_m"], 10);
     EXPECT_NEAR(tma["hs_simulated_m"].get<double>() / 2.97, 1, 0.03);
+    EXPECT_NEAR(tma["hs_published_m"].get<double>(), 2.97, 0.01);
+    const json jonswap = figures({"--wind", "15", "--fetch", "300e3", "--uncapped"});
+    EXPECT_NEAR(jonswap["hs_published_m"].get<double>(), 5.647, 0.01);
+    EXPECT_TRUE(figures({"--wind", "15", "--spectrum", "phillips"})["hs_published_m"].is_null());
+}
+
+TEST_F(SeaCommand, WarnsOfWavesThatItsCascadesCannotHold) {
+    const std::vector<std::string> line = {"--wind", "15", "--samples", "64", "--json"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.end(), line.begin(), line.end());
+        return sea(more);
+    };
+    const Outcome lost = with({"--patch", "60"});
+    EXPECT_EQ(lost.code, 0);
+    EXPECT_NE(lost.err.find("warning: the cascades hold"), std::string::npos) << lost.err;
+    const json figures = json::parse(lost.out);
+    EXPECT_LT(figures["resolved_share"].get<double>(), 0.5);
+    EXPECT_NEAR(figures["hs_simulated_m"].get<double>() / figures["hs_resolved_m"].get<double>(), 1, 0.1);
+    EXPECT_EQ(with({"--patch", "1500"}).err, "");
 }
 
 TEST_F(SeaCommand, AddsUp) {
@@ -102,6 +121,8 @@ TEST_F(SeaCommand, ReadsATable) {
     tests::writeAll(folder_.path() / "buoy.csv", "# Hz, m^2/Hz\n0.05,0\n0.1, 4\n0.2,1\n0.4,0\n");
     const json found = figures({"--wind", "10", "--spectrum", "table", "--table", "buoy.csv"});
     EXPECT_NEAR(found["hs_simulated_m"].get<double>() / (4 * std::sqrt(0.45)), 1, 0.02);
+    EXPECT_NEAR(found["hs_published_m"].get<double>(), 4 * std::sqrt(0.45), 1e-6);
+    EXPECT_NEAR(found["tp_s"].get<double>(), 10, 1e-4);
     tests::writeAll(folder_.path() / "buoy.csv", "0.05,0\n0.1;4\n");
     const Outcome refused = sea({"--wind", "10", "--spectrum", "table", "--table", "buoy.csv"});
     tests::expectRefused(refused, {"buoy.csv:2: '0.1;4'", "expected two numbers"});
@@ -130,6 +151,7 @@ TEST_F(SeaCommand, BadLinesAreRefused) {
     expectRefused({"--wind", "5", "--swell", "2"}, {"--swell is '2'", "0 to 1"});
     expectRefused({"--wind", "5", "--samples", "100"}, {"--samples is '100'", "power of two"});
     expectRefused({"--wind", "5", "--cascades", "5"}, {"--cascades is '5'", "1 to 4"});
+    expectRefused({"--wind", "5", "--patch", "0"}, {"--patch is '0'", "1 to 1e5 m"});
     expectRefused({"--wind", "5", "-o", "sea.png"}, {"sea.png", "expected .svg"});
     expectRefused({"--wind", "5", "--tabl", "x"}, {"--tabl", "nearest is --table"});
     expectRefused({"--wind", "5", "--spectrum", "table"}, {"--spectrum is table", "--table FILE.csv"});

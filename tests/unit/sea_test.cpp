@@ -226,7 +226,7 @@ TEST(Sea, BeaufortsForcesHaveTheirHeights) {
         EXPECT_EQ(desc.windSpeed, winds[force]);
         EXPECT_EQ(desc.windDirection, 2);
         desc.samples = 128;
-        EXPECT_NEAR(simulatedHeight(desc) / probable[force], 1, 0.08) << force;
+        EXPECT_NEAR(simulatedHeight(desc) / probable[force], 1, 0.03) << force;
     }
     EXPECT_EQ(beaufortSea(99).windSpeed, beaufortSea(12).windSpeed);
 }
@@ -305,6 +305,31 @@ TEST(Sea, CascadesHaveTheVarianceOfTheirBand) {
             moment(spectrum, angularFrequency(bands[c].kMin), angularFrequency(bands[c].kMax));
         EXPECT_NEAR(variance[c] / expected, 1, 0.03) << c;
     }
+}
+
+TEST(Sea, SaysHowMuchOfItsSpectrumItHolds) {
+    SeaDesc desc;
+    EXPECT_NEAR(resolvedShare(*makeSea(desc)), 1, 0.02);
+    SeaDesc sheltered = desc;
+    sheltered.amplitude = 0.3f;
+    sheltered.swells[0] = {.height = 1.5f, .peakPeriod = 11, .direction = 2};
+    EXPECT_NEAR(resolvedShare(*makeSea(sheltered)), 1, 0.08)
+        << "of a narrow swell the lattice holds few waves";
+    desc.samples = 64;
+    for (const float patch : {600.0f, 150.0f, 60.0f, 20.0f}) {
+        desc.largestPatch = patch;
+        double variance = 0;
+        constexpr uint64_t seeds = 64;
+        for (desc.seed = 1; desc.seed <= seeds; ++desc.seed)
+            for (uint32_t c = 0; c < desc.cascades; ++c)
+                variance += cascade(*makeSea(desc), c).variance / seeds;
+        const auto sea = makeSea(desc);
+        const double asked = moment(makeSpectrum(desc), 0, infinity);
+        EXPECT_NEAR(variance / asked / resolvedShare(*sea), 1, 0.15) << patch; // few waves
+    }
+    EXPECT_LT(resolvedShare(*makeSea(desc)), 0.25);
+    desc.windSpeed = 0;
+    EXPECT_EQ(resolvedShare(*makeSea(desc)), 1) << "flat";
 }
 
 TEST(Sea, IsHigherInMoreWind) {

@@ -75,6 +75,24 @@ TEST(Spectrum, JonswapHasItsHeightsAndPeriods) {
     }
 }
 
+TEST(Spectrum, VarianceIsItsIntegral) {
+    SeaDesc shallow = jonswap(15, 300e3f);
+    shallow.spectrum = SpectrumModel::tma;
+    for (const float depth : {3.0f, 20.0f, 200.0f}) {
+        shallow.depth = depth;
+        const Spectrum spectrum = makeSpectrum(shallow);
+        EXPECT_NEAR(variance(spectrum) / moment(spectrum, 0, infinity), 1, 1e-3) << depth;
+    }
+    const Spectrum old = makeSpectrum(SwellDesc{.height = 2});
+    EXPECT_NEAR(variance(old) / moment(old, 0, infinity), 1, 1e-3);
+    const SpectrumSample rows[] = {{0.05f, 0}, {0.1f, 4}, {0.2f, 1}, {0.4f, 0}};
+    SeaDesc desc;
+    desc.spectrum = SpectrumModel::table;
+    desc.spectrumTable = rows;
+    desc.spectrumTableCount = 4;
+    EXPECT_NEAR(variance(makeSpectrum(desc)), 0.45, 1e-6);
+}
+
 TEST(Spectrum, PeakEnhancementMultipliesTheEnergy) {
     SeaDesc desc = jonswap(10, 100e3f);
     desc.peakEnhancement = 1;

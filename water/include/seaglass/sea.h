@@ -75,16 +75,17 @@ struct SeaDesc {
     uint32_t samples = 256;  ///< across each cascade, power of two, 16..1024; from 256 up, fewer samples are
                              ///< the same sea without its shortest waves
     uint32_t cascades = 3;   ///< 1..maxCascades
-    /// Edge of the largest cascade [m], 1..1e5. 0 chooses: 16 of the longest system's peak wavelengths in
-    /// 60..2000 m, but 6 at least, and no more than lets the samples carry the greatest peak.
+    /// Edge of the largest cascade [m], 1..1e5, taken as given: resolvedShare() says what it loses. 0
+    /// chooses: 16 of the longest system's peak wavelengths in 60..2000 m, but 6 at least, and no more than
+    /// lets the samples carry the greatest peak.
     float largestPatch = 0.0f;
     double loopPeriod = 4096.0; ///< time after which the sea repeats exactly [s], 16..1e6
     uint64_t seed = 1;
 };
 
-/// The open sea at a force of Beaufort's scale: mean wind, a plausible fetch, and up to force 3 the waves
-/// that earlier winds left, so that the significant wave height is the scale's probable one (5: 7 % below). 0
-/// is flat; past 12 is 12.
+/// The open sea at a force of Beaufort's scale: mean wind, a plausible fetch, and up to force 5 the waves
+/// that earlier winds left, so that the significant wave height is the scale's probable one. 0 is flat; past
+/// 12 is 12.
 SeaDesc beaufortSea(uint32_t force, float windDirection = 0.0f);
 
 /// One band of wave vectors on its own tile. Each wave vector of the sea lives in exactly one cascade.
@@ -116,6 +117,12 @@ double peakFrequency(const Sea& sea);
 /// S(omega) of all systems together as asked for, resolved or not [m^2 s]; 0 when flat.
 double frequencySpectrum(const Sea& sea, double omega);
 double significantWaveHeight(const Sea& sea); ///< 4 sqrt(m0) of the modes held [m]
+/// How much of the height's variance that the spectra ask for the cascades hold, of all seeds in the mean:
+/// about 1, and less where waves are too long for `largestPatch` or too short for the samples. Below
+/// leastResolvedShare the sea is not the one that was asked for: its height is off by 5 % or more. 1 when
+/// flat.
+double resolvedShare(const Sea& sea);
+constexpr double leastResolvedShare = 0.9;
 
 /// Of the surface's slopes dh/du and dh/dv.
 struct SlopeCovariance {
