@@ -1,4 +1,5 @@
-// Lists of the tiles in which rays are followed.
+// Lists of the tiles in which a reflection is looked up: where rays are followed, or something else is done
+// with it.
 #pragma once
 
 #include "reflection/reflection_images.h"
@@ -12,6 +13,12 @@ struct SeenTilesKernel {
     Status create(Context& context);
 };
 
+/// The same, to be taken column by column.
+struct SeenColumnsKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+
 /// Those in which a reflection still holds pixels that nothing is known of.
 struct OpenTilesKernel {
     gpu::Kernel kernel;
@@ -20,6 +27,10 @@ struct OpenTilesKernel {
 
 /// Fills the resolve list of `tiles` by its own flags.
 Status recordSeenTiles(const ReflectPass& pass, const SeenTilesKernel& kernel, const gpu::Buffer& tiles);
+
+/// Fills the list of columns by the flags in `tiles`, whose own lists are done with and lost. The list is
+/// left visible to compute shaders and indirect dispatches.
+Status recordSeenColumns(const ReflectPass& pass, const SeenColumnsKernel& kernel, const gpu::Buffer& tiles);
 
 /// Fills the resolve list of `open` from SSPR's flags in `sorted` and the info it left to be sampled. Both
 /// leave the list visible to compute shaders and indirect dispatches.

@@ -60,6 +60,11 @@ Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const
     return images.create(device, scaled, desc.blurLevels, drawn && desc.temporal == 0);
 }
 
+const gpu::Buffer& ReflectedView::tiles(ReflectionTechnique technique) const {
+    if (technique == ReflectionTechnique::planar) return temporal.tiles;
+    return scatters(technique) ? sspr.tiles : ssr.tiles;
+}
+
 Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent, const SceneSamples& samples) {
     Estimate estimate;
     if (desc.technique == ReflectionTechnique::sky) return estimate;
@@ -192,6 +197,14 @@ Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view,
     return Status::ok;
 }
 
+Status Reflector::recordReuse(const ReflectPass& pass, ReflectedView& view) {
+    const gpu::Buffer& tiles = view.tiles(desc.technique);
+    // What the host draws may be looked up anywhere.
+    if (desc.technique == ReflectionTechnique::planar)
+        recordAllSeen(pass.context.device, pass.commands, tiles);
+    return recordTemporal(pass, *temporal, plane, tiles, view.temporal, view.images);
+}
+
 Status Reflector::uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
                                gpu::Slice& out) {
     MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc, shown);
@@ -229,9 +242,7 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     if (stretch)
         if (const Status s = recordStretch(pass, *stretch, found); s != Status::ok) return s;
     if (temporal)
-        if (const Status s = recordTemporal(pass, *temporal, plane, reflected.temporal, reflected.images);
-            s != Status::ok)
-            return s;
+        if (const Status s = recordReuse(pass, reflected); s != Status::ok) return s;
     if (const Status s = recordBlur(*context, commands, blur.get(), reflected.images.color); s != Status::ok)
         return s;
     reflected.reflected = true;

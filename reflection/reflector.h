@@ -37,6 +37,8 @@ struct ReflectedView {
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
     /// What techniques write.
     OwnedReflection& found(const ReflectionDesc& desc) { return desc.temporal > 0 ? temporal.found : images; }
+    /// Whose flags say where the technique's images are looked up.
+    const gpu::Buffer& tiles(ReflectionTechnique technique) const;
 };
 
 /// Of a reflector with a usable description.
@@ -75,6 +77,8 @@ struct Reflector {
     /// Makes the call's scene single-sampled where it is not.
     Status takeSamples(const ReflectPass& pass, SceneOfCall& scene);
     Status recordTechnique(const ReflectPass& pass, ReflectedView& view, const OwnedReflection& images);
+    /// Of what the technique found and the view's last frame.
+    Status recordReuse(const ReflectPass& pass, ReflectedView& view);
 };
 
 } // namespace seaglass

@@ -64,7 +64,7 @@ Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, cons
     const gpu::PassScope scope(device, commands, "sspr_resolve");
     resolve.kernel.dispatchIndirect(commands, resolveSet, tiles.handle(),
                                     offsetof(TileHeader, resolveGroups));
-    resolve.miss.dispatchIndirect(commands, missSet, tiles.handle(), offsetof(TileHeader, emptyGroups));
+    resolve.miss.dispatchIndirect(commands, missSet, tiles.handle(), offsetof(TileHeader, columnGroups));
     images.recordInfoSampled(device, commands);
     return Status::ok;
 }

@@ -1,6 +1,7 @@
 #include "reflection/temporal.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -57,14 +58,6 @@ TemporalUniforms uniformsOf(const ReflectPass& pass, const LastFrame& last) {
     return out;
 }
 
-void recordBarriers(const ReflectPass& pass, const OwnedReflection& found, const OwnedReflection& images) {
-    const VkImageMemoryBarrier2 before[] = {
-        gpu::imageBarrier(found.color.handle(), gpu::storageWritten, gpu::sampledByShaders),
-        gpu::imageBarrier(images.color.handle(), gpu::discardedAfterSampling, gpu::storageWritten, 0, 1),
-        gpu::imageBarrier(images.info.handle(), gpu::discardedAfterSampling, gpu::storageWritten)};
-    gpu::recordBarriers(pass.context.device, pass.commands, before, 3);
-}
-
 } // namespace
 
 Status TemporalKernel::create(Context& context) {
@@ -72,22 +65,30 @@ Status TemporalKernel::create(Context& context) {
         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
+        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+    if (const Status s = columns.create(context); s != Status::ok) return s;
     return kernel.create(context.device, temporal_comp, bindings, "temporal pipeline");
 }
 
 Status TemporalScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc,
                                bool drawnInto) {
     if (const Status s = found.create(device, extent, 0, drawnInto); s != Status::ok) return s;
+    if (drawnInto)
+        if (const Status s = tiles.create(device, tileBufferBytes(extent), tileBufferUsage, "temporal tiles");
+            s != Status::ok)
+            return s;
     return other.create(device, extent, desc.blurLevels, false);
 }
 
 VkDeviceSize TemporalScratch::bytes(VkExtent2D extent, const ReflectionDesc& desc) {
-    return OwnedReflection::bytes(extent, 0) + OwnedReflection::bytes(extent, desc.blurLevels);
+    const bool drawnInto = desc.technique == ReflectionTechnique::planar;
+    return OwnedReflection::bytes(extent, 0) + OwnedReflection::bytes(extent, desc.blurLevels) +
+           (drawnInto ? tileBufferBytes(extent) : 0);
 }
 
 Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, const glm::dvec4& worldPlane,
-                      TemporalScratch& scratch, OwnedReflection& images) {
+                      const gpu::Buffer& tiles, TemporalScratch& scratch, OwnedReflection& images) {
     Context& context = pass.context;
     LastFrame frame = frameOf(pass, worldPlane);
     const bool known = !pass.view.cut && follows(frame, scratch.last);
@@ -112,14 +113,19 @@ Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, c
         gpu::sampledImage(nearest, last.info.view()),
         gpu::storageImage(images.color.firstMipView()),
         gpu::storageImage(images.info.view()),
+        gpu::storageBuffer(tiles.handle()),
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(temporal.kernel.layout().set(), resources, set);
         s != Status::ok)
         return s;
+    images.recordCleared(context.device, pass.commands);
     const gpu::PassScope scope(context.device, pass.commands, "reflection_temporal");
-    recordBarriers(pass, found, images);
-    temporal.kernel.dispatchOver(pass.commands, set, images.color.desc().extent);
+    if (const Status s = recordSeenColumns(pass, temporal.columns, tiles); s != Status::ok) return s;
+    const VkImageMemoryBarrier2 read =
+        gpu::imageBarrier(found.color.handle(), gpu::storageWritten, gpu::sampledByShaders);
+    gpu::recordBarriers(context.device, pass.commands, &read, 1);
+    temporal.kernel.dispatchIndirect(pass.commands, set, tiles.handle(), offsetof(TileHeader, columnGroups));
     images.recordInfoSampled(context.device, pass.commands);
     scratch.last = frame;
     return Status::ok;

@@ -4,12 +4,14 @@
 #pragma once
 
 #include "gpu/kernel.h"
+#include "reflection/open_tiles.h"
 #include "reflection/reflect_pass.h"
 #include "reflection/reflection_images.h"
 
 namespace seaglass {
 
 struct TemporalKernel {
+    SeenColumnsKernel columns;
     gpu::Kernel kernel;
     Status create(Context& context);
 };
@@ -28,16 +30,19 @@ struct LastFrame {
 struct TemporalScratch {
     OwnedReflection found; ///< in this frame alone: what techniques write
     OwnedReflection other; ///< the last frame's images, which take turns with the view's own
+    /// Where the host draws what is mirrored; techniques over the picture know where it is looked up.
+    gpu::Buffer tiles;
     LastFrame last;
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc, bool drawnInto);
     static VkDeviceSize bytes(VkExtent2D extent, const ReflectionDesc& desc);
 };
 
-constexpr uint32_t temporalDispatches = 1;
+constexpr uint32_t temporalDispatches = 2;
 
 /// From scratch.found, as techniques leave it, to `images`, left alike, whose own history becomes
-/// scratch.other.
+/// scratch.other. Only in the tiles that are looked up, by the flags in `tiles`, whose lists are lost;
+/// elsewhere nothing is known.
 Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, const glm::dvec4& worldPlane,
-                      TemporalScratch& scratch, OwnedReflection& images);
+                      const gpu::Buffer& tiles, TemporalScratch& scratch, OwnedReflection& images);
 
 } // namespace seaglass

@@ -14,6 +14,21 @@ uint32_t tileCount(VkExtent2D extent) {
     return ((extent.width + tileEdge - 1) / tileEdge) * ((extent.height + tileEdge - 1) / tileEdge);
 }
 
+constexpr uint32_t tileSeesPlane = 1; // of shaders/common/tiles.glsl
+
+void recordFilled(const gpu::Device& device, VkCommandBuffer commands,
+                  std::initializer_list<VkBuffer> buffers, VkDeviceSize bytes, uint32_t value) {
+    constexpr gpu::BufferUse written = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    gpu::recordBarrier(
+        device, commands,
+        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_NONE},
+        written);
+    for (const VkBuffer buffer : buffers) device.vk().CmdFillBuffer(commands, buffer, 0, bytes, value);
+    gpu::recordBarrier(device, commands, written,
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
+}
+
 } // namespace
 
 VkDeviceSize tileBufferBytes(VkExtent2D extent) {
@@ -22,15 +37,11 @@ VkDeviceSize tileBufferBytes(VkExtent2D extent) {
 
 void recordBuffersCleared(const gpu::Device& device, VkCommandBuffer commands,
                           std::initializer_list<VkBuffer> buffers, VkDeviceSize bytes) {
-    constexpr gpu::BufferUse written = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
-    gpu::recordBarrier(
-        device, commands,
-        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_NONE},
-        written);
-    for (const VkBuffer buffer : buffers) device.vk().CmdFillBuffer(commands, buffer, 0, bytes, 0);
-    gpu::recordBarrier(device, commands, written,
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
+    recordFilled(device, commands, buffers, bytes, 0);
+}
+
+void recordAllSeen(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& tiles) {
+    recordFilled(device, commands, {tiles.handle()}, VK_WHOLE_SIZE, tileSeesPlane);
 }
 
 Status TilesKernel::create(Context& context) {

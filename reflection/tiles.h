@@ -18,8 +18,8 @@ constexpr uint32_t tileEdge = 8;
 struct TileHeader {
     VkDispatchIndirectCommand resolveGroups;
     uint32_t resolveCount;
-    VkDispatchIndirectCommand emptyGroups;
-    uint32_t emptyCount;
+    VkDispatchIndirectCommand columnGroups;
+    uint32_t columnCount; ///< in tiles
 };
 static_assert(sizeof(TileHeader) == 32);
 
@@ -33,6 +33,9 @@ constexpr VkBufferUsageFlags tileBufferUsage =
 /// them to compute shaders.
 void recordBuffersCleared(const gpu::Device& device, VkCommandBuffer commands,
                           std::initializer_list<VkBuffer> buffers, VkDeviceSize bytes = VK_WHOLE_SIZE);
+
+/// Flags the plane as seen in every tile; leaves lists that say nothing.
+void recordAllSeen(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& tiles);
 
 struct TilesKernel {
     gpu::Kernel kernel;

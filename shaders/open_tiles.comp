@@ -1,4 +1,5 @@
-// Lists the tiles that are looked up; with HOLES, only those in which a reflection holds pixels that nothing is known of.
+// Lists the tiles that are looked up; with HOLES, only those in which a reflection holds pixels that nothing is known of;
+// with COLUMNS, to be taken column by column.
 // The order of the list is any; what is computed of a tile does not depend on it.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -16,6 +17,7 @@ layout(set = 0, binding = 2, std430) buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
+#include "list_tile.glsl"
 
 #ifdef HOLES
 layout(set = 0, binding = 3) uniform sampler2D reflectionInfo;
@@ -38,13 +40,14 @@ void main() {
     loadMirror();
     int count = tilesAcross() * tilesDown();
     int index = int(gl_GlobalInvocationID.x);
-    if (index == 0) header.resolveGroups.z = 1u;
+    if (index == 0) beginLists();
     if (index >= count) return;
     ivec2 tile = ivec2(index % tilesAcross(), index / tilesAcross());
     if (!lookedUp(tile, sorted[index])) return;
     if (!holdsUnknown(tile)) return;
-    uint n = atomicAdd(header.resolveGroups.w, 1u);
-    atomicMax(header.resolveGroups.x, min(n + 1u, groupsPerRow));
-    atomicMax(header.resolveGroups.y, n / groupsPerRow + 1u);
-    tiles[count + int(n)] = packedTile(tile);
+#ifdef COLUMNS
+    listTileOfColumns(tile);
+#else
+    listTile(tile);
+#endif
 }

@@ -1,12 +1,12 @@
 // Temporal reuse: reflection/temporal.h. What a mirror shows lies behind it like a thing in the world, where the ray through
-// a pixel is as long below the plane as the way to what it hits. That point is looked up in the frame before.
+// a pixel is as long below the plane as the way to what it hits. That point is looked up in the frame before. An invocation
+// takes a column of a tile, so that each row of what is found around its pixels is read once for three of them.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
 #include "reflection_info.glsl"
 #include "sight_line.glsl"
-
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "tiles.glsl"
 
 // Loaded once, as mirror.glsl's are.
 mat4 lastFromRelative;   // to the last frame's pixels, from where this frame's eye is
@@ -14,6 +14,9 @@ mat4 relativeFromLast;   // and back
 vec2 jitter;             // this frame's [pixel]
 float share;             // of the last frame, 0 where there is none
 float kept;              // of the confidence, where only the last frame knows
+// Of both frames' images.
+ivec2 lastPixel;
+vec2 perPixel;
 
 layout(set = 0, binding = 1, std140) uniform Temporal {
     mat4 lastFromRelative;
@@ -29,28 +32,42 @@ void loadTemporal() {
     jitter = storedTemporal.jitter;
     share = storedTemporal.share;
     kept = storedTemporal.kept;
+    lastPixel = imageSize() - 1;
+    perPixel = 1.0 / vec2(imageSize());
 }
+
 layout(set = 0, binding = 2) uniform sampler2D foundColor;
 layout(set = 0, binding = 3) uniform sampler2D foundInfo;
 layout(set = 0, binding = 4) uniform sampler2D lastColor;
 layout(set = 0, binding = 5) uniform sampler2D lastInfo;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D reflectionColor;
 layout(set = 0, binding = 7, r16f) uniform writeonly image2D reflectionInfo;
+layout(set = 0, binding = 8, std430) readonly buffer Tiles {
+    TileHeader header;
+    uint tiles[];
+};
+#include "tile_columns.glsl"
 
 const float leastWeight = 0.25;      // of what fits, among the texels between which a point falls
 const float surely = 0.9;             // the same, to stand alone: what is known must not grow from frame to frame
 const float leastConfidence = 1.0 / 32.0;
 const float stillTexel = 1.0 / 128.0;
 const float farAway = 1e5;
+const float mostFinite = 65504.0;     // of halves
 // How far two distances of one thing may be apart.
 const float unlike = 0.1;
 const float unlikeMetres = 0.05;
 
 bool isFinite(vec4 value) {
-    return !any(isnan(value)) && !any(isinf(value));
+    return all(lessThanEqual(abs(value), vec4(mostFinite)));
 }
 
-// What this frame found of a pixel and of the eight around it.
+struct Pixel {
+    vec4 color;
+    float info;
+};
+
+// What this frame found of some pixels.
 struct Around {
     vec4 least;
     vec4 most;
@@ -58,21 +75,33 @@ struct Around {
     bool sky;
 };
 
-Around foundAround(ivec2 pixel) {
-    ivec2 last = imageSize() - 1;
-    Around around = Around(vec4(65504.0), vec4(0.0), vec2(farAway, 0.0), false);
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
-            float info = texelFetch(foundInfo, at, 0).r;
-            vec4 color = texelFetch(foundColor, at, 0);
-            around.sky = around.sky || infoIsSky(info);
-            if (infoIsHit(info)) around.distances = vec2(min(around.distances.x, info), max(around.distances.y, info));
-            if (info == infoUnknown || !isFinite(color)) continue;
-            around.least = min(around.least, color);
-            around.most = max(around.most, color);
-        }
-    return around;
+Around joined(Around a, Around b) {
+    return Around(min(a.least, b.least), max(a.most, b.most),
+                  vec2(min(a.distances.x, b.distances.x), max(a.distances.y, b.distances.y)), a.sky || b.sky);
+}
+
+// A pixel, and what was found of it and of those to its left and right.
+struct Row {
+    Pixel middle;
+    Around around;
+};
+
+// `infos`: of the three, from left to right. Only hits have a colour, so that of the sky is known.
+Row rowAt(ivec2 pixel, vec3 infos) {
+    bvec3 hits = greaterThan(infos, vec3(0.0));
+    bool sky = any(lessThan(infos, vec3(0.0)));
+    vec3 least = mix(vec3(farAway), infos, hits);
+    vec3 most = mix(vec3(0.0), infos, hits);
+    vec2 distances = vec2(min(least.x, min(least.y, least.z)), max(most.x, max(most.y, most.z)));
+    Row row = Row(Pixel(vec4(0.0), infos.y), Around(vec4(sky ? 0.0 : mostFinite), vec4(0.0), distances, sky));
+    for (int i = 0; i < 3; ++i) {
+        vec4 color = texelFetch(foundColor, clamp(pixel + ivec2(i - 1, 0), ivec2(0), lastPixel), 0);
+        if (i == 1) row.middle.color = color;
+        bool counts = hits[i] && isFinite(color);
+        row.around.least = min(row.around.least, counts ? color : vec4(mostFinite));
+        row.around.most = max(row.around.most, counts ? color : vec4(0.0));
+    }
+    return row;
 }
 
 vec2 lastTexel(vec3 image) {
@@ -90,74 +119,90 @@ struct Remembered {
     bool hit;
 };
 
-// Of four texels in a row for a place `at` between the middle two. What is looked up again and again must stay sharp
-// (Catmull and Rom 1974).
-vec4 cubicWeights(float at) {
-    vec2 outer = at * vec2(-0.5 + at * (1.0 - 0.5 * at), at * (0.5 * at - 0.5));
-    float nearer = 1.0 + at * at * (1.5 * at - 2.5);
-    return vec4(outer.x, nearer, 1.0 - nearer - outer.x - outer.y, outer.y);
+// Of three texels in a row for a place `at` from the middle of the second. What is looked up again and again must stay
+// sharp: a parabola through all three.
+float parabola(int texel, float at) {
+    return texel == 0 ? 1.0 - at * at : 0.5 * at * (at + float(texel));
 }
 
-// Between those texels whose hits are as far as `distances`, or that are sky where that is asked for: cubic where all fit,
-// else linear. A texel met in its middle is taken as it is: what stands still is not softened.
+// Between those texels whose hits are as far as `distances`, or that are sky where that is asked for: linear, or by parabolas
+// where all nine are such hits. A texel met in its middle is taken as it is: what stands still is not softened.
 Remembered rememberedAt(vec2 texel, vec2 distances, bool sky) {
-    vec2 corner = floor(texel - 0.5);
-    vec2 between = texel - 0.5 - corner;
-    corner += vec2(greaterThan(between, vec2(1.0 - stillTexel)));
-    between = mix(between, vec2(0.0), lessThan(min(between, 1.0 - between), vec2(stillTexel)));
-    bool still = between == vec2(0.0);
-    vec4 cubicX = cubicWeights(between.x);
-    vec4 cubicY = cubicWeights(between.y);
+    vec2 nearest = floor(texel);
+    vec2 at = texel - nearest - 0.5;
+    at = mix(at, vec2(0.0), lessThan(abs(at), vec2(stillTexel)));
+    bool still = at == vec2(0.0);
     vec4 linear = vec4(0.0);
-    vec4 cubic = vec4(0.0);
+    vec4 sharp = vec4(0.0);
     float weight = 0.0;
     float hits = 0.0;
-    bool all16 = true;
-    for (int i = still ? 5 : 0; i < (still ? 6 : 16); ++i) {
-        ivec2 off = ivec2(i & 3, i >> 2);
-        ivec2 at = ivec2(corner) + off - 1;
-        bool inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, imageSize()));
-        at = inside ? at : ivec2(0);
-        float info = texelFetch(lastInfo, at, 0).r;
-        vec4 color = texelFetch(lastColor, at, 0);
-        bool isHit = infoIsHit(info);
-        bool fits = isHit ? info >= distances.x && info <= distances.y : sky && infoIsSky(info);
-        fits = fits && inside && isFinite(color);
-        all16 = all16 && fits;
-        if (!fits) continue;
-        vec2 apart = max(1.0 - abs(vec2(off - 1) - between), 0.0);
-        float share = apart.x * apart.y;
+    bool allHit = true;
+    for (int i = still ? 4 : 0; i < (still ? 5 : 9); ++i) {
+        int row = i / 3 - 1;
+        ivec2 off = ivec2(i - 3 * row - 4, row);
+        vec2 place = nearest + vec2(off);
+        bool inside = all(greaterThanEqual(place, vec2(0.0))) && all(lessThanEqual(place, vec2(lastPixel)));
+        ivec2 from = clamp(ivec2(place), ivec2(0), lastPixel);
+        float info = texelFetch(lastInfo, from, 0).r;
+        vec4 color = texelFetch(lastColor, from, 0);
+        bool hit = infoIsHit(info);
+        bool fits = inside && isFinite(color) && (hit ? info >= distances.x && info <= distances.y : sky && infoIsSky(info));
+        allHit = allHit && hit && fits;
+        color = fits ? color : vec4(0.0);
+        vec2 apart = max(1.0 - abs(vec2(off) - at), 0.0);
+        float share = fits ? apart.x * apart.y : 0.0;
+        sharp += parabola(off.x, at.x) * parabola(off.y, at.y) * color;
         linear += share * color;
-        cubic += cubicX[off.x] * cubicY[off.y] * color;
         weight += share;
-        hits += isHit ? share : 0.0;
+        hits += hit ? share : 0.0;
     }
-    return Remembered(all16 ? cubic : linear / max(weight, leastWeight), weight, hits > 0.5 * weight);
+    return Remembered(allHit ? sharp : linear / max(weight, leastWeight), weight, hits > 0.5 * weight);
 }
 
 vec2 likeDistances(vec2 distances) {
     return vec2(distances.x * (1.0 - unlike) - unlikeMetres, distances.y * (1.0 + unlike) + unlikeMetres);
 }
 
-// Of what lies `distances` behind the mirror along a line of sight, first the least: the border of what is in front moves
-// with that.
-Remembered rememberedOf(SightLine sight, vec2 distances, bool sky) {
-    vec3 image = sight.onPlane + sight.direction * distances.x;
-    vec2 texel = lastTexel(image);
-    SightLine then = lastSightLine(texel);
-    float distanceThen = dot(image - then.onPlane, then.direction);
-    // As much longer or shorter as the least; at contact the rounding of both is more than they are.
-    vec2 expected = distances * ((max(distanceThen, 0.0) + unlikeMetres) / (distances.x + unlikeMetres));
-    return rememberedAt(texel, likeDistances(expected), sky);
-}
-
-struct Pixel {
-    vec4 color;
-    float info;
+// Where the last frame showed some point of a line of sight.
+struct Place {
+    vec2 texel;
+    float distance;       // behind the mirror, of this frame's line of sight
+    float distanceThen;   // and of the last one's
+    bool found;
 };
 
+// Of the point `distance` behind the mirror; where that is `sought`, of one that the last frame knew of, found by fixed-point
+// iteration from there on.
+Place lastPlace(SightLine sight, float distance, bool sought) {
+    Place place = Place(vec2(0.0), distance, 0.0, true);
+    for (int left = sought ? 3 : 0; place.found; --left) {
+        vec3 image = sight.onPlane + sight.direction * place.distance;
+        place.texel = lastTexel(image);
+        SightLine then = lastSightLine(place.texel);
+        place.distanceThen = dot(image - then.onPlane, then.direction);
+        if (left == 0) break;
+        ivec2 at = ivec2(floor(place.texel));
+        bool inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThanEqual(at, lastPixel));
+        float info = inside ? texelFetch(lastInfo, at, 0).r : infoUnknown;
+        place.found = infoIsHit(info);
+        place.distance = max(dot(then.onPlane + then.direction * info - sight.onPlane, sight.direction), 0.0);
+    }
+    return place;
+}
+
+// Of what is as far behind the mirror as `distances`, the first of which is the place's.
+Remembered rememberedOf(Place place, vec2 distances, bool sky) {
+    // As much longer or shorter as the least; at contact the rounding of both is more than they are.
+    vec2 expected = distances * ((max(place.distanceThen, 0.0) + unlikeMetres) / (distances.x + unlikeMetres));
+    return rememberedAt(place.texel, likeDistances(expected), sky);
+}
+
+// Rounded to the digits of a half (Dekker 1971): on CPU devices packing and unpacking is dear.
 vec4 asHalves(vec4 value) {
-    return vec4(unpackHalf2x16(packHalf2x16(value.xy)), unpackHalf2x16(packHalf2x16(value.zw)));
+    precise vec4 scaled = 8193.0 * value;
+    precise vec4 rest = value - scaled;
+    precise vec4 rounded = scaled + rest;
+    return rounded;
 }
 
 // Halves would keep a small difference for ever, of which a share is lost in rounding.
@@ -166,8 +211,7 @@ vec4 mixed(vec4 found, vec4 was) {
     return mix(sum, found, equal(sum, asHalves(was)));
 }
 
-Pixel blended(Pixel found, Around around, SightLine sight) {
-    Remembered last = rememberedOf(sight, around.distances, around.sky);
+Pixel blended(Pixel found, Around around, Remembered last) {
     if (last.weight < leastWeight) return found;
     vec4 was = around.most.a > 0.0 ? clamp(last.color, around.least, around.most) : last.color;
     found.color = isFinite(found.color) ? mixed(found.color, was) : was;
@@ -179,39 +223,53 @@ Pixel blended(Pixel found, Around around, SightLine sight) {
     return found;
 }
 
-// Where this frame knows nothing: what the last one knew of some point of the line of sight, found by fixed-point iteration
-// on its distance.
-Pixel recalled(Pixel found, Around around, SightLine sight) {
-    float distance = around.distances.x;
-    for (int i = 0; i < 3; ++i) {
-        vec2 texel = lastTexel(sight.onPlane + sight.direction * distance);
-        ivec2 at = ivec2(floor(texel));
-        bool inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, imageSize()));
-        float info = inside ? texelFetch(lastInfo, at, 0).r : infoUnknown;
-        SightLine then = lastSightLine(texel);
-        vec3 image = then.onPlane + then.direction * info;
-        if (infoIsHit(info)) distance = max(dot(image - sight.onPlane, sight.direction), 0.0);
-    }
-    Remembered last = rememberedOf(sight, vec2(distance), false);
+// Where this frame knows nothing: what the last one knew of some point of the line of sight, `distance` behind the mirror.
+Pixel recalled(Pixel found, Around around, Remembered last, float distance) {
     vec4 color = kept * (around.most.a > 0.0 ? min(last.color, around.most) : last.color);
     if (last.weight < surely || color.a < leastConfidence) return found;
     return Pixel(color, infoOfHit(distance));
 }
 
+Pixel settled(ivec2 pixel, Pixel found, Around around) {
+    bool known = found.info != infoUnknown;
+    // Sky among sky is the same in all frames.
+    if (share == 0.0 || known && around.distances.y == 0.0) return found;
+    SightLine sight = sightLine(relativeFromPixel, middleOf(pixel) + jitter);
+    if (!(sight.towardsPlane > 0.0)) return found;
+    // The least distance tells, since the border of what is in front moves with that.
+    Place place = lastPlace(sight, around.distances.x, !known);
+    if (!place.found) return found;
+    vec2 distances = known ? around.distances : vec2(place.distance);
+    Remembered last = rememberedOf(place, distances, known && around.sky);
+    return known ? blended(found, around, last) : recalled(found, around, last, place.distance);
+}
+
 void main() {
     loadMirror();
     loadTemporal();
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, imageSize()))) return;
-    Pixel result = Pixel(texelFetch(foundColor, pixel, 0), texelFetch(foundInfo, pixel, 0).r);
-    SightLine sight = sightLine(relativeFromPixel, middleOf(pixel) + jitter);
-    // Loops of one round, since CPU devices leave those out that nobody enters.
-    for (bool looks = share > 0.0 && sight.towardsPlane > 0.0; looks; looks = false) {
-        Around around = foundAround(pixel);
-        bool known = result.info != infoUnknown;
-        for (bool blends = known && around.distances.y > 0.0; blends; blends = false) result = blended(result, around, sight);
-        for (bool recalls = !known; recalls; recalls = false) result = recalled(result, around, sight);
+    Column column = columnToVisit();
+    if (column.rows == 0) return;
+    Row above, here;
+    for (int y = -1; y <= column.rows; y += 2) {
+        // Of two rows, the first above the corner.
+        vec2 corner = vec2(column.top + ivec2(0, y + 1));
+        vec4 left = textureGather(foundInfo, corner * perPixel);
+        vec4 right = textureGather(foundInfo, (corner + vec2(1.0, 0.0)) * perPixel);
+        ivec2 pixel = column.top + ivec2(0, y);
+        Row below = rowAt(pixel, vec3(left.w, left.z, right.z));
+        Row last = rowAt(pixel + ivec2(0, 1), vec3(left.x, left.y, right.y));
+        for (int i = 0; i < 2; ++i) {
+            int row = y - 1 + i;
+            if (row >= 0 && row < column.rows) {
+                Around around = joined(joined(above.around, here.around), below.around);
+                ivec2 at = column.top + ivec2(0, row);
+                Pixel result = settled(at, here.middle, around);
+                imageStore(reflectionColor, at, result.color);
+                imageStore(reflectionInfo, at, vec4(result.info, 0.0, 0.0, 0.0));
+            }
+            above = here;
+            here = below;
+            below = last;
+        }
     }
-    imageStore(reflectionColor, pixel, result.color);
-    imageStore(reflectionInfo, pixel, vec4(result.info, 0.0, 0.0, 0.0));
 }

@@ -11,6 +11,7 @@ layout(set = 0, binding = 1, std430) buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
+#include "list_tile.glsl"
 
 bool keysNear(ivec2 tile) {
     ivec2 low = max(tile - 1, ivec2(0));
@@ -25,20 +26,12 @@ void main() {
     loadMirror();
     int count = tilesAcross() * tilesDown();
     int index = int(gl_GlobalInvocationID.x);
-    if (index == 0) header.resolveGroups.z = header.emptyGroups.z = 1u;
+    if (index == 0) beginLists();
     if (index >= count) return;
     ivec2 tile = ivec2(index % tilesAcross(), index / tilesAcross());
     if (!lookedUp(tile, tiles[index])) return;
-    if (keysNear(tile)) {
-        uint n = atomicAdd(header.resolveGroups.w, 1u);
-        atomicMax(header.resolveGroups.x, min(n + 1u, groupsPerRow));
-        atomicMax(header.resolveGroups.y, n / groupsPerRow + 1u);
-        tiles[count + int(n)] = packedTile(tile);
-    } else {
-        uint n = atomicAdd(header.emptyGroups.w, 1u);
-        uint group = n / emptyTilesPerGroup;
-        atomicMax(header.emptyGroups.x, min(group + 1u, groupsPerRow));
-        atomicMax(header.emptyGroups.y, group / groupsPerRow + 1u);
-        tiles[2 * count - 1 - int(n)] = packedTile(tile);
-    }
+    if (keysNear(tile))
+        listTile(tile);
+    else
+        listTileOfColumns(tile);
 }

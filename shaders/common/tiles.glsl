@@ -5,14 +5,15 @@ const int tileEdge = 1 << tileShift;
 const uint tileSeesPlane = 1u;
 const uint tileHasKeys = 2u;
 
-// A list of tiles is dispatched indirectly, a group a tile, in rows that every device takes.
+// Lists of tiles are dispatched indirectly, a group a tile or eight tiles with an invocation a column, in rows of groups
+// that every device takes.
 const uint groupsPerRow = 32768u;
-const uint emptyTilesPerGroup = 8u;
+const uint tilesPerColumnGroup = 8u;
 
-// Two lists grow from both ends of one array behind the tiles' flags: tiles to resolve, and tiles that no key is near.
+// Two lists grow from both ends of one array behind the tiles' flags.
 struct TileHeader {
-    uvec4 resolveGroups;   // VkDispatchIndirectCommand, and how many there are
-    uvec4 emptyGroups;
+    uvec4 resolveGroups;   // a group a tile: VkDispatchIndirectCommand, and how many tiles there are
+    uvec4 columnGroups;    // tilesPerColumnGroup a group
 };
 
 int tilesAcross() {

@@ -399,17 +399,24 @@ TEST_F(Planar, TheEstimateIsWhatIsAllocatedAndDispatched) {
     Camera camera = testCamera();
     camera.width = 640;
     camera.height = 360;
-    Estimate estimated;
-    const ReflectionDesc desc = planarDesc().reflection;
-    ASSERT_EQ(estimate(context(), &desc, {camera.width, camera.height}, &estimated), Status::ok) << message();
-    reflector();
-    spiedCalls().clear();
+    ReflectorDesc desc = planarDesc();
     ViewDesc view = viewDesc(camera);
-    handOut(view);
-    EXPECT_GE(bytesSpied(), estimated.bytesPerView);
-    EXPECT_LE(bytesSpied(), estimated.bytesPerView + (4u << 10) * countSpied("AllocateMemory"));
-    reflectBoxes(view);
-    EXPECT_EQ(countSpied("CmdDispatch") + countSpied("CmdDispatchIndirect"), estimated.dispatchesPerView);
+    reflectBoxes(view); // makes uniform blocks
+    for (const float temporal : {0.0f, 0.9f}) {
+        desc.reflection.temporal = temporal;
+        Estimate estimated;
+        ASSERT_EQ(estimate(context(), &desc.reflection, {camera.width, camera.height}, &estimated),
+                  Status::ok)
+            << message();
+        destroyReflector(reflector());
+        use(desc);
+        spiedCalls().clear();
+        handOut(view);
+        EXPECT_GE(bytesSpied(), estimated.bytesPerView);
+        EXPECT_LE(bytesSpied(), estimated.bytesPerView + (4u << 10) * countSpied("AllocateMemory"));
+        reflectBoxes(view);
+        EXPECT_EQ(countSpied("CmdDispatch") + countSpied("CmdDispatchIndirect"), estimated.dispatchesPerView);
+    }
 }
 
 TEST_F(Planar, OtherTechniquesHoldNoneOfIt) {
