@@ -26,6 +26,7 @@
     X(CmdCopyBufferToImage)                                                                                  \
     X(CmdDispatch)                                                                                           \
     X(CmdDispatchIndirect)                                                                                   \
+    X(CmdDraw)                                                                                               \
     X(CmdDrawIndexed)                                                                                        \
     X(CmdFillBuffer)                                                                                         \
     X(CmdPipelineBarrier2)                                                                                   \

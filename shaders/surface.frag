@@ -18,11 +18,21 @@ const uint outputFoam = 5;
 const uint outputReflectionSource = 6;
 const uint outputSlopes = 7;
 
+layout(constant_id = 1) const uint sidesSeen = 0;   // water/surface.h: SidesSeen
+const uint seenAbove = 0;
+const uint seenBelow = 1;
+
 #include "surface_point.glsl"
+#include "visible_slopes.glsl"
 #include "surface_mirror.glsl"
 #include "sun_glint.glsl"
 #include "water_light.glsl"
 #include "refraction.glsl"
+#ifdef REFRACTION
+#include "underwater_light.glsl"
+#include "near_plane.glsl"
+#include "surface_below.glsl"
+#endif
 #ifdef FOAM
 #include "foam_cover.glsl"
 #endif
@@ -61,10 +71,20 @@ void main() {
         outColor = debugOutput(s, normal, toEye);
         return;
     }
+    float foamShare = 0.0;
+#ifdef FOAM
+    foamShare = foamMask(foamCover());
+#endif
+#ifdef REFRACTION
+    if (sidesSeen == seenBelow || (sidesSeen != seenAbove && seenFromBelow())) {
+        outColor = vec4(shadedBelow(s, foamShare), 1.0);
+        return;
+    }
+#endif
     Reflection mirror = reflected(s, toEye);
     vec3 radiance = mirror.radiance + (1.0 - mirror.fresnel) * refracted(normal, toEye) + sunGlint(s, toEye);
 #ifdef FOAM
-    radiance = withFoam(radiance, foamMask(foamCover()), normal);
+    radiance = withFoam(radiance, foamShare, normal);
 #endif
     outColor = vec4(radiance, 1.0);
 }

@@ -37,6 +37,12 @@ const char* badField(const RefractionDesc& desc) {
     return nullptr;
 }
 
+const char* badField(const UnderwaterDesc& desc) {
+    if (!(desc.meniscus >= 0 && desc.meniscus <= 0.1f))
+        return "UnderwaterDesc.meniscus is out of range, expected 0 to 0.1";
+    return nullptr;
+}
+
 const char* badField(const BodyDesc& desc) {
     glm::dvec4 plane;
     if (const char* bad = readPlane(desc.plane, plane)) return bad;
@@ -51,6 +57,9 @@ const char* badField(const BodyDesc& desc) {
         if (const char* bad = badField(*desc.refraction)) return bad;
     if (desc.reflection)
         if (const char* bad = badField(*desc.reflection)) return bad;
+    if (desc.underwater && !desc.refraction) return "BodyDesc.underwater needs BodyDesc.refraction";
+    if (desc.underwater)
+        if (const char* bad = badField(*desc.underwater)) return bad;
     return badField(desc.mesh);
 }
 
@@ -131,7 +140,21 @@ SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, con
         u.backscatter = color(body.refraction->backscatter);
         u.refractionDistortion = body.refraction->distortion;
     }
+    u.within.x = body.mesh.cellSize;
+    if (body.underwater) u.within.y = body.underwater->meniscus / 2;
     return u;
+}
+
+/// The farthest point of the near plane from the eye [m].
+double nearPlaneReach(const ViewGeometry& geometry) {
+    const double depth = geometry.reversedDepth ? 1 : 0;
+    double reach = 0;
+    for (int i = 0; i < 4; ++i) {
+        const glm::dvec2 corner(i & 1 ? geometry.regionSize.x : 0, i & 2 ? geometry.regionSize.y : 0);
+        const glm::dvec4 p = geometry.relativeFromPixel * glm::dvec4(corner, depth, 1);
+        reach = std::max(reach, glm::length(glm::dvec3(p)) / std::abs(p.w));
+    }
+    return reach;
 }
 
 template<typename T>
@@ -174,6 +197,7 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
     if (desc.foam && waves)
         if (const Status s = createFoam(*desc.foam); s != Status::ok) return s;
     if (desc.refraction) refraction = *desc.refraction;
+    if (desc.underwater) underwater = *desc.underwater;
     if (desc.reflection && desc.reflection->technique != ReflectionTechnique::sky) {
         ReflectorDesc reflectorDesc;
         std::memcpy(reflectorDesc.plane, desc.plane, sizeof desc.plane);
@@ -223,14 +247,11 @@ double Body::largestDisplacement() const {
     return height * std::max(1.0, double{description(*sea).choppiness});
 }
 
-Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view,
-                  const LightingDesc& lighting, SurfaceOutput output) {
+Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out) const {
     const gpu::Device& device = context->device;
-    ViewGeometry geometry;
-    if (const char* bad = readView(view, geometry))
-        return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (const char* bad = readView(view, out)) return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
-    if (geometry.parallel)
+    if (out.parallel)
         return device.fail(Status::unsupported,
                            "draw: ViewDesc.projection is orthographic, water is seen from an eye");
     if (refraction && view.sceneDepth.samples != VK_SAMPLE_COUNT_1_BIT)
@@ -239,12 +260,49 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     if (waves && !simulated)
         return device.fail(Status::invalidArgument,
                            "draw: the body has waves but simulate() was never called");
+    return Status::ok;
+}
+
+SidesSeen Body::sidesSeen(const ViewGeometry& geometry) const {
+    if (!underwater) return SidesSeen::above;
+    const double eyeHeight = glm::dot(glm::dvec3(plane), geometry.eye) + plane.w;
+    const double reach = largestDisplacement() + nearPlaneReach(geometry);
+    if (eyeHeight > reach) return SidesSeen::above;
+    return eyeHeight < -reach ? SidesSeen::below : SidesSeen::either;
+}
+
+Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                            const LightingDesc& lighting, UnderwaterPass pass) {
+    ViewGeometry geometry;
+    if (const Status s = readForDraw(view, lighting, geometry); s != Status::ok) return s;
+    const SidesSeen sides = sidesSeen(geometry);
+    const bool straddles = sides == SidesSeen::either;
+    const bool wanted =
+        pass == UnderwaterPass::water ? sides != SidesSeen::above : straddles && underwater->meniscus > 0;
+    if (!wanted) return Status::ok;
+    const SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
+    UnderwaterInputs inputs;
+    inputs.view = &view;
+    if (const Status s = upload(*context, &uniforms, 1, inputs.uniforms); s != Status::ok) return s;
+    if (waves) inputs.waveDisplacement = waves->maps().images[0].view();
+    setViewport(context->device, commands, view, geometry);
+    return recordUnderwater(*context, commands, target.underwater, {pass, straddles, straddles && waves},
+                            inputs);
+}
+
+Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                  const LightingDesc& lighting, SurfaceOutput output) {
+    const gpu::Device& device = context->device;
+    ViewGeometry geometry;
+    if (const Status s = readForDraw(view, lighting, geometry); s != Status::ok) return s;
 
     SurfaceInputs inputs;
     if (reflector) inputs.reflection = reflector->images(view.viewIndex);
     const SurfaceFeatures wanted = features(inputs.reflection);
     const SurfacePipelines::Pipeline* pipeline = nullptr;
-    if (const Status s = target.pipelines.get(wanted, output, pipeline); s != Status::ok) return s;
+    if (const Status s = target.pipelines.get({wanted, output, sidesSeen(geometry)}, pipeline);
+        s != Status::ok)
+        return s;
 
     SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
     if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
@@ -368,8 +426,17 @@ Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, co
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output) {
     if (!commands || !target || (count && !bodies) || !view || !lighting) return Status::invalidArgument;
-    return forEach(bodies, count,
-                   [&](Body& body) { return body.draw(commands, *target, *view, *lighting, output); });
+    const auto underwater = [&](UnderwaterPass pass) {
+        if (output != SurfaceOutput::shaded) return Status::ok;
+        return forEach(bodies, count, [&](Body& body) {
+            return body.underwater ? body.drawUnderwater(commands, *target, *view, *lighting, pass)
+                                   : Status::ok;
+        });
+    };
+    if (const Status s = underwater(UnderwaterPass::water); s != Status::ok) return s;
+    const Status surfaces = forEach(
+        bodies, count, [&](Body& body) { return body.draw(commands, *target, *view, *lighting, output); });
+    return surfaces == Status::ok ? underwater(UnderwaterPass::waterline) : surfaces;
 }
 
 ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex) {

@@ -9,11 +9,13 @@
 
 #include "gpu/context.h"
 #include "reflection/reflector.h"
+#include "reflection/view.h"
 #include "seaglass/water.h"
 #include "water/foam.h"
 #include "water/foam_pattern.h"
 #include "water/mesh.h"
 #include "water/surface.h"
+#include "water/underwater.h"
 #include "water/waves.h"
 
 namespace seaglass {
@@ -38,6 +40,7 @@ struct Body {
     std::optional<Foam> foam; ///< only where waves break
     std::optional<FoamPattern> foamPattern;
     std::optional<RefractionDesc> refraction;
+    std::optional<UnderwaterDesc> underwater;
     std::unique_ptr<Reflector> reflector; ///< null without a screen-space technique
     float reflectionDistortion = 0;
     std::shared_ptr<PatchIndices> indices;
@@ -47,8 +50,13 @@ struct Body {
     Status simulate(VkCommandBuffer commands, double time);
     Status draw(VkCommandBuffer commands, Target& target, const ViewDesc& view, const LightingDesc& lighting,
                 SurfaceOutput output);
+    /// Of an eye in the water: before the surfaces of all bodies, or after. Records nothing for other eyes.
+    Status drawUnderwater(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                          const LightingDesc& lighting, UnderwaterPass pass);
 
   private:
+    Status readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out) const;
+    SidesSeen sidesSeen(const ViewGeometry& geometry) const;
     Status createWaves(const BodyDesc& desc);
     Status createFoam(const FoamDesc& desc);
     SurfaceFeatures features(const ReflectionImages& images) const;

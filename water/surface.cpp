@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "gpu/kernel.h"
 #include "spirv/surface.frag.h"
 #include "spirv/surface.vert.h"
 #include "spirv/surface_l.frag.h"
@@ -106,60 +105,6 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
         });
 }
 
-/// The fixed state of a surface: indexed triangles seen from both sides, depth tested and written, no
-/// blending.
-struct PipelineState {
-    explicit PipelineState(const TargetDesc& desc) {
-        assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-        viewport.viewportCount = 1;
-        viewport.scissorCount = 1;
-        rasterization.polygonMode = VK_POLYGON_MODE_FILL;
-        rasterization.cullMode = VK_CULL_MODE_NONE;
-        rasterization.lineWidth = 1;
-        multisample.rasterizationSamples = desc.samples;
-        depth.depthTestEnable = VK_TRUE;
-        depth.depthWriteEnable = VK_TRUE;
-        depth.depthCompareOp =
-            desc.reversedDepth ? VK_COMPARE_OP_GREATER_OR_EQUAL : VK_COMPARE_OP_LESS_OR_EQUAL;
-        attachment.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
-                                    VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-        blend.attachmentCount = 1;
-        blend.pAttachments = &attachment;
-        dynamic.dynamicStateCount = 2;
-        dynamic.pDynamicStates = dynamicStates;
-        rendering.colorAttachmentCount = 1;
-        rendering.pColorAttachmentFormats = &colorFormat;
-        colorFormat = desc.colorFormat;
-        rendering.depthAttachmentFormat = desc.depthFormat;
-    }
-    PipelineState(const PipelineState&) = delete;
-    PipelineState& operator=(const PipelineState&) = delete;
-
-    const VkDynamicState dynamicStates[2] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
-    VkFormat colorFormat = VK_FORMAT_UNDEFINED;
-    VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-    VkPipelineInputAssemblyStateCreateInfo assembly{
-        VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
-    VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
-    VkPipelineRasterizationStateCreateInfo rasterization{
-        VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
-    VkPipelineMultisampleStateCreateInfo multisample{
-        VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
-    VkPipelineColorBlendAttachmentState attachment{};
-    VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
-    VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
-    VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
-};
-
-VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, const gpu::ShaderModule& module) {
-    VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
-    info.stage = which;
-    info.module = module.handle();
-    info.pName = "main";
-    return info;
-}
-
 } // namespace
 
 SurfacePipelines::~SurfacePipelines() {
@@ -172,10 +117,10 @@ void SurfacePipelines::init(const gpu::Device& device, const TargetDesc& desc) {
     desc_ = desc;
 }
 
-Status SurfacePipelines::get(SurfaceFeatures features, SurfaceOutput output, const Pipeline*& out) {
-    const auto [entry, fresh] = pipelines_.try_emplace({features, output});
+Status SurfacePipelines::get(const SurfaceVariant& variant, const Pipeline*& out) {
+    const auto [entry, fresh] = pipelines_.try_emplace(variant);
     if (fresh)
-        if (const Status s = build(features, output, entry->second); s != Status::ok) {
+        if (const Status s = build(variant, entry->second); s != Status::ok) {
             pipelines_.erase(entry);
             return s;
         }
@@ -183,45 +128,16 @@ Status SurfacePipelines::get(SurfaceFeatures features, SurfaceOutput output, con
     return Status::ok;
 }
 
-Status SurfacePipelines::build(SurfaceFeatures features, SurfaceOutput output, Pipeline& out) const {
+Status SurfacePipelines::build(const SurfaceVariant& variant, Pipeline& out) const {
     constexpr VkShaderStageFlags stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-    const std::vector<VkDescriptorType> types = bindings(features);
+    const std::vector<VkDescriptorType> types = bindings(variant.features);
     if (const Status s = out.layout.create(*device_, types, stages, 0, "surface layout"); s != Status::ok)
         return s;
-    gpu::ShaderModule vertex(*device_);
-    gpu::ShaderModule fragment(*device_);
-    if (const Status s = vertex.create(vertexShader(features), "surface vertex shader"); s != Status::ok)
-        return s;
-    if (const Status s = fragment.create(fragmentShader(features), "surface fragment shader");
-        s != Status::ok)
-        return s;
-
-    const auto outputValue = static_cast<uint32_t>(output);
-    const VkSpecializationMapEntry entry{0, 0, sizeof outputValue};
-    const VkSpecializationInfo specialization{1, &entry, sizeof outputValue, &outputValue};
-    VkPipelineShaderStageCreateInfo stageInfos[] = {stage(VK_SHADER_STAGE_VERTEX_BIT, vertex),
-                                                    stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
-    stageInfos[1].pSpecializationInfo = &specialization;
-
-    const PipelineState state(desc_);
-    VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
-    info.pNext = desc_.renderPass ? nullptr : &state.rendering;
-    info.stageCount = 2;
-    info.pStages = stageInfos;
-    info.pVertexInputState = &state.input;
-    info.pInputAssemblyState = &state.assembly;
-    info.pViewportState = &state.viewport;
-    info.pRasterizationState = &state.rasterization;
-    info.pMultisampleState = &state.multisample;
-    info.pDepthStencilState = &state.depth;
-    info.pColorBlendState = &state.blend;
-    info.pDynamicState = &state.dynamic;
-    info.layout = out.layout.pipeline();
-    info.renderPass = desc_.renderPass;
-    info.subpass = desc_.subpass;
-    return device_->check(device_->vk().CreateGraphicsPipelines(device_->handle(), device_->pipelineCache(),
-                                                                1, &info, device_->allocator(), &out.handle),
-                          "surface pipeline");
+    const uint32_t constants[] = {static_cast<uint32_t>(variant.output),
+                                  static_cast<uint32_t>(variant.sides)};
+    return createDrawPipeline(*device_, desc_,
+                              {vertexShader(variant.features), fragmentShader(variant.features), constants},
+                              Drawing::solid, "surface pipeline", out);
 }
 
 Status recordSurface(Context& context, VkCommandBuffer commands, const SurfacePipelines::Pipeline& pipeline,

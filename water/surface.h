@@ -7,9 +7,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
-#include "gpu/binding.h"
 #include "gpu/context.h"
 #include "seaglass/water.h"
+#include "water/draw_pipeline.h"
 
 namespace seaglass {
 
@@ -23,7 +23,18 @@ struct SurfaceFeatures {
     auto operator<=>(const SurfaceFeatures&) const = default;
 };
 
-/// The std140 block of shaders/common/surface.glsl. Positions are relative to the eye.
+/// Which sides of it a view may see.
+enum class SidesSeen : uint32_t { above = 0, below, either };
+
+/// A pipeline for each.
+struct SurfaceVariant {
+    SurfaceFeatures features;
+    SurfaceOutput output = SurfaceOutput::shaded;
+    SidesSeen sides = SidesSeen::above;
+    auto operator<=>(const SurfaceVariant&) const = default;
+};
+
+/// The std140 block of shaders/common/surface_uniforms.glsl. Positions are relative to the eye.
 struct SurfaceUniforms {
     glm::mat4 clipFromRelative{1};
     glm::mat4 pixelFromRelative{1};
@@ -51,7 +62,8 @@ struct SurfaceUniforms {
     int32_t foamCascades = 0;  ///< that break: the first so many
     float padding[3] = {};
     glm::vec4 reflectionLook{
-        0}; ///< clear distance [m], scatter, distance at which the sky has taken over [m]
+        0};              ///< clear distance [m], scatter, distance at which the sky has taken over [m]
+    glm::vec4 within{0}; ///< edge of the finest cells [m], half the meniscus [m]
 };
 
 /// Edge of the tile that foam patterns repeat in [m]; shaders/common/foam_cover.glsl samples divisions of it.
@@ -66,19 +78,16 @@ class SurfacePipelines {
 
     void init(const gpu::Device& device, const TargetDesc& desc);
 
-    struct Pipeline {
-        gpu::Layout layout;
-        VkPipeline handle = VK_NULL_HANDLE;
-    };
+    using Pipeline = DrawPipeline;
     /// Builds on first use.
-    Status get(SurfaceFeatures features, SurfaceOutput output, const Pipeline*& out);
+    Status get(const SurfaceVariant& variant, const Pipeline*& out);
 
   private:
-    Status build(SurfaceFeatures features, SurfaceOutput output, Pipeline& out) const;
+    Status build(const SurfaceVariant& variant, Pipeline& out) const;
 
     const gpu::Device* device_ = nullptr;
     TargetDesc desc_;
-    std::map<std::pair<SurfaceFeatures, SurfaceOutput>, Pipeline> pipelines_;
+    std::map<SurfaceVariant, Pipeline> pipelines_;
 };
 
 /// What one draw binds. Views that the features do not call for stay null.

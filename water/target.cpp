@@ -25,6 +25,7 @@ Status createTarget(Context* context, const TargetDesc* desc, Target** out) {
         auto target = std::make_unique<Target>();
         target->context = context;
         target->pipelines.init(context->device, *desc);
+        target->underwater.init(context->device, *desc);
         *out = target.release();
         return Status::ok;
     });

@@ -4,12 +4,14 @@
 #include "gpu/context.h"
 #include "seaglass/water.h"
 #include "water/surface.h"
+#include "water/underwater.h"
 
 namespace seaglass {
 
 struct Target {
     Context* context = nullptr;
     SurfacePipelines pipelines;
+    UnderwaterPipelines underwater;
 };
 
 } // namespace seaglass

@@ -73,6 +73,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     seaglass::FoamDesc foam;
     seaglass::RefractionDesc refraction;
     seaglass::ReflectionDesc reflection;
+    seaglass::UnderwaterDesc underwater;
     seaglass::BodyDesc body;
     body.plane[3] = -desc.levelM;
     body.mesh.cellSize = static_cast<float>(desc.cellM);
@@ -93,6 +94,10 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     if (desc.reflection) {
         if (!reflectionOf(*desc.reflection, "water", reflection, error)) return false;
         body.reflection = &reflection;
+    }
+    if (desc.underwater) {
+        underwater.meniscus = static_cast<float>(desc.underwater->meniscusM);
+        body.underwater = &underwater;
     }
     seaglass::Body* made = nullptr;
     if (!context_.ok(seaglass::createBody(context_.get(), &body, &made), error)) return false;

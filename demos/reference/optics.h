@@ -22,6 +22,13 @@ inline float fresnelWater(float cosIncidence) {
     return 0.5f * a * a * (1 + b * b);
 }
 
+/// From water into air, where beyond the critical angle all of it stays.
+inline float fresnelFromWater(float cosIncidence) {
+    const float c = std::clamp(cosIncidence, 0.0f, 1.0f);
+    const float sine2 = waterIndex * waterIndex * (1 - c * c);
+    return sine2 >= 1 ? 1.0f : fresnelWater(std::sqrt(1 - sine2));
+}
+
 /// Smith's masking function for Gaussian slopes (rational fit: Walter et al. 2007).
 inline float smithLambda(float c, float deviation) {
     const float tangent = std::sqrt(std::max(1 - c * c, 0.0f)) / std::max(c, 1e-4f);

@@ -18,6 +18,7 @@ struct Ray {
     glm::vec3 origin{0};
     glm::vec3 direction{0, 0, -1}; ///< unit
     float nearest = 0;             ///< hits before this distance do not count
+    bool inWater = false;          ///< it begins there; kept of water that may be seen from within
     Footprint footprint;
 };
 

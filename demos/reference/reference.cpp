@@ -7,6 +7,7 @@
 
 #include "reference/shade_floor.h"
 #include "reference/shade_water.h"
+#include "reference/water_light.h"
 
 namespace demos::reference {
 namespace {
@@ -30,12 +31,14 @@ glm::vec3 colorOf(const Frame& frame, uint32_t x, uint32_t y) {
     for (uint32_t i = 0; i < samples; ++i) {
         Random random(y * frame.desc.width + x, i, frame.desc.seed);
         Random* const chance = samples > 1 ? &random : nullptr;
-        const Ray ray = frame.rayThrough(corner + (chance ? random.inPixel() : glm::vec2(0.5f)));
+        Ray ray = frame.rayThrough(corner + (chance ? random.inPixel() : glm::vec2(0.5f)));
+        ray.inWater = isInWater(frame, ray.direction * ray.nearest);
         Hit hit;
         if (!frame.geometry.trace(ray, Kind::everything, hit)) {
-            sum += background(frame, ray.direction);
+            sum += ray.inWater ? endlessWater(frame, ray) : background(frame, ray.direction);
         } else if (hit.kind == Kind::opaque) {
-            sum += shadeHit(frame, ray, hit, chance);
+            const glm::vec3 seen = shadeHit(frame, ray, hit, chance);
+            sum += ray.inWater ? opaqueInWater(frame, ray, hit, seen) : seen;
         } else if (frame.world->floor) {
             sum += shadeFloor(frame, ray, hit, chance);
         } else {

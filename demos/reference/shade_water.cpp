@@ -3,78 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/facet.h"
 #include "reference/foam_pattern.h"
 #include "reference/optics.h"
 #include "reference/shade_opaque.h"
+#include "reference/shade_water_below.h"
+#include "reference/water_light.h"
 
 namespace demos::reference {
 namespace {
 
 constexpr float endless = 1e6f; ///< a path that meets no bed [m]
 
-/// Width of the pixel on the calm surface around a hit [m].
-float footprintOn(const Ray& ray, const Hit& hit) {
-    const Spread spread = spreadOn(ray.footprint, hit.position, hit.facing());
-    const float right = glm::length(glm::vec2(spread.right.x, spread.right.z));
-    const float below = glm::length(glm::vec2(spread.below.x, spread.below.z));
-    return std::max(right, below);
-}
-
-float travelledUntil(const Ray& ray, const Hit& hit) {
-    return glm::length(ray.origin - ray.footprint.apex) + hit.distance;
-}
-
-/// One facet of the surface as a ray meets it.
-struct Facet {
-    WaterSurface::Slopes slopes;
-    glm::vec3 normal{0, 1, 0};
-    glm::vec3 up{0, 1, 0}; ///< of the mesh, towards the ray
-    float meshCosine = 1;  ///< what the eye sees of a horizontal square metre of the mesh
-    float weight = 1;
-};
-
-Facet meanFacet(const Frame& frame, const Ray& ray, const Hit& hit) {
-    Facet f;
-    f.up = hit.facing();
-    f.slopes = frame.surface.slopes(frame.calmAt(hit), static_cast<double>(footprintOn(ray, hit)));
-    f.normal = normalOf(f.slopes.mean);
-    if (glm::dot(f.normal, ray.direction) > -1e-3f) f.normal = f.up;
-    return f;
-}
-
-/// Two independent unit normals as slopes of this covariance: Cholesky's factor.
-glm::vec2 correlated(const glm::vec3& covariance, const glm::vec2& normals) {
-    const float u = std::sqrt(std::max(covariance.x, 1e-12f));
-    const float mixed = covariance.z / u;
-    return {u * normals.x,
-            mixed * normals.x + std::sqrt(std::max(covariance.y - mixed * mixed, 0.0f)) * normals.y};
-}
-
-Facet randomFacet(const Frame& frame, const Ray& ray, const Hit& hit, float leastCosine, Random& random) {
-    Facet f;
-    f.up = hit.facing();
-    f.slopes = frame.surface.slopes(frame.calmAt(hit), 0);
-    const glm::vec2 slope = f.slopes.mean + correlated(frame.surface.roughness(), random.nextNormal());
-    f.meshCosine = std::max(-glm::dot(ray.direction, f.up) / std::max(std::abs(f.up.y), 0.05f), leastCosine);
-    const float seen = -glm::dot(ray.direction, glm::vec3(-slope.x, 1, -slope.y));
-    // A trace is kept of facets seen from behind, so that no pixel's sum is empty.
-    f.weight = std::clamp(seen / f.meshCosine, 1e-4f, 20.0f);
-    f.normal = seen > 0 ? normalOf(slope) : f.up;
-    return f;
-}
-
 /// Turns a ray that would go below the horizon up again, once no more bounces are followed.
 glm::vec3 keptAbove(const glm::vec3& d) {
     return glm::normalize(glm::vec3(d.x, std::max(std::abs(d.y), 1e-3f), d.z));
-}
-
-Ray bentRay(const Frame& frame, const Ray& ray, const Hit& hit, const glm::vec3& side,
-            const glm::vec3& direction) {
-    Ray bent;
-    bent.origin = hit.position + side * clearanceAt(hit.position);
-    bent.direction = direction;
-    bent.footprint = footprintAfter(bent.origin, direction, travelledUntil(ray, hit), frame.pixelAngle);
-    return bent;
 }
 
 glm::vec3 mirrored(const Frame& frame, const Ray& ray, const Hit& hit, const Facet& facet, int bounces,
@@ -90,33 +33,18 @@ glm::vec3 mirrored(const Frame& frame, const Ray& ray, const Hit& hit, const Fac
     return kept * radianceAlong(frame, bentRay(frame, ray, hit, facet.up, direction), bounces - 1, random);
 }
 
-/// waterGlow() of shaders/common/water_light.glsl: Morel and Prieur 1977.
-glm::vec3 waterGlow(const Frame& frame, const glm::vec3& absorption, const glm::vec3& backscatter,
-                    float path) {
-    const Light& light = frame.world->light;
-    const glm::vec3 a = glm::max(absorption, glm::vec3(1e-5f));
-    const glm::vec3 reflectance = 0.33f * backscatter / (a + backscatter);
-    const float sunUp = std::max(light.toSun().y, 0.0f);
-    const float sunEnters = sunUp * (1 - fresnelWater(sunUp));
-    constexpr float skyEnters = 0.934f; // 1 - 0.066, diffuse Fresnel reflectance of water
-    const glm::vec3 down = light.sunIrradiance() * sunEnters + light.filtered.irradianceUp * skyEnters;
-    constexpr float leaves = 0.98f / (waterIndex * waterIndex);
-    return down / pi * reflectance * leaves * (1.0f - glm::exp(-2.0f * (a + backscatter) * path));
-}
-
 glm::vec3 refracted(const Frame& frame, const Ray& ray, const Hit& hit, const Facet& facet, Random* random) {
     const auto& desc = frame.world->water->refraction;
-    if (!desc) return waterGlow(frame, glm::vec3(0), glm::vec3(0), endless);
-    const glm::vec3 absorption(toGlm(desc->absorptionPerM)), backscatter(toGlm(desc->backscatterPerM));
+    const WaterLight light = waterLightOf(frame);
+    if (!desc) return light.glow(endless);
     const glm::vec3 direction = glm::normalize(glm::refract(ray.direction, facet.normal, 1 / waterIndex));
     const Ray below = bentRay(frame, ray, hit, -facet.up, direction);
     Hit bed;
-    if (!frame.geometry.trace(below, Kind::opaque, bed))
-        return waterGlow(frame, absorption, backscatter, endless);
+    if (!frame.geometry.trace(below, Kind::opaque, bed)) return light.glow(endless);
     const float path = glm::length(bed.position - hit.position);
     const float depth = std::max(-frame.heightOf(bed.position), 0.0f);
-    const glm::vec3 through = glm::exp(-(absorption + backscatter) * (path + depth));
-    return shadeHit(frame, below, bed, random) * through + waterGlow(frame, absorption, backscatter, path);
+    const glm::vec3 through = glm::exp(-light.extinction() * (path + depth));
+    return shadeHit(frame, below, bed, random) * through + light.glow(path);
 }
 
 /// sunGlint() of shaders/common/sun_glint.glsl: Bruneton, Neyret and Holzschuch 2010, eq. 14.
@@ -170,6 +98,7 @@ MirroredRay mirrorOfMean(const Frame& frame, const Ray& ray, const Hit& hit) {
 
 WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int bounces, Random* random) {
     const World& world = *frame.world;
+    if (world.water->underwater && !hit.frontFacing) return shadeWaterBelow(frame, ray, hit, bounces, random);
     const glm::vec3 toEye = -ray.direction;
     const float leastCosine = bounces == mostBounces ? 0.01f : 0.1f;
     const Facet facet =
@@ -207,11 +136,15 @@ glm::vec3 radianceAlong(const Frame& frame, const Ray& ray, int bounces, Random*
     const Light& light = frame.world->light;
     Hit hit;
     if (!frame.geometry.trace(ray, Kind::everything, hit)) {
+        if (ray.inWater) return endlessWater(frame, ray);
         const glm::vec3 sky = light.sky(ray.direction);
         return frame.surface.flat() ? sky + light.sunDisc(ray.direction, 0.1f * static_cast<float>(sunRadius))
                                     : sky;
     }
-    if (hit.kind == Kind::opaque) return shadeHit(frame, ray, hit, random);
+    if (hit.kind == Kind::opaque) {
+        const glm::vec3 radiance = shadeHit(frame, ray, hit, random);
+        return ray.inWater ? opaqueInWater(frame, ray, hit, radiance) : radiance;
+    }
     // Weights are 1 on the mean. What one sample of a bounce may count is bounded, or it would be seen as a
     // spark.
     const WaterRadiance water = shadeWater(frame, ray, hit, bounces, random);

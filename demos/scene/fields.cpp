@@ -116,6 +116,10 @@ constexpr std::array refractionFields = {
     Field{"distortion", at<&RefractionDesc::distortion>, 0, 1, "", "0 straight, 1 as Snell says"},
 };
 
+constexpr std::array underwaterFields = {
+    Field{"meniscus_m", at<&UnderwaterDesc::meniscusM>, 0, 0.1, "m", "width of the waterline, 0 none"},
+};
+
 constexpr std::array reflectionFields = {
     Field{"technique", at<&ReflectionDesc::technique>, 0, 0, "", "where reflections come from", false,
           Rule::none, techniques},
@@ -191,11 +195,13 @@ constexpr Section refraction = {
 constexpr Section reflection = {
     "reflection", reflectionFields, {}, "what the surface mirrors; without it the sky alone"};
 
+constexpr Section underwater = {
+    "underwater", underwaterFields, {}, "the view from within; without it the water is seen from above"};
+
 constexpr std::array waterChildren = {
-    Child{&waves, open<&WaterDesc::waves>},
-    Child{&foam, open<&WaterDesc::foam>},
-    Child{&refraction, open<&WaterDesc::refraction>},
-    Child{&reflection, open<&WaterDesc::reflection>},
+    Child{&waves, open<&WaterDesc::waves>},           Child{&foam, open<&WaterDesc::foam>},
+    Child{&refraction, open<&WaterDesc::refraction>}, Child{&reflection, open<&WaterDesc::reflection>},
+    Child{&underwater, open<&WaterDesc::underwater>},
 };
 
 constexpr Section water = {"water", waterFields, waterChildren, "the water; without it there is none"};

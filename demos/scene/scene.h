@@ -89,6 +89,10 @@ struct RefractionDesc {
     double distortion = 1;
 };
 
+struct UnderwaterDesc {
+    double meniscusM = 0.003;
+};
+
 struct ReflectionDesc {
     std::string technique = "sspr"; ///< sky | sspr | ssr | hybrid | planar
     uint32_t downscale = 1;         ///< pixels of the picture to one of the reflection, each way
@@ -117,6 +121,7 @@ struct WaterDesc {
     std::optional<FoamDesc> foam;
     std::optional<RefractionDesc> refraction;
     std::optional<ReflectionDesc> reflection;
+    std::optional<UnderwaterDesc> underwater;
 };
 
 /// A polished floor, or a mirror: a rectangle of a plane, seen from its front alone.

@@ -12,6 +12,13 @@ float fresnelWater(float cosIncidence) {
     return 0.5 * a * a * (1.0 + b * b);
 }
 
+// From water into air, where beyond the critical angle no ray leaves and all of it stays.
+float fresnelFromWater(float cosIncidence) {
+    float c = clamp(cosIncidence, 0.0, 1.0);
+    float sine2 = waterIndex * waterIndex * (1.0 - c * c);   // of the ray in air
+    return sine2 >= 1.0 ? 1.0 : fresnelWater(sqrt(1.0 - sine2));
+}
+
 // Smith's masking function for Gaussian slopes of deviation `deviation` towards a direction with cosine `c` (rational fit:
 // Walter et al. 2007).
 float smithLambda(float c, float deviation) {

@@ -1,31 +1,6 @@
-// What the surface's shaders are given: water/surface.h. Positions are metres relative to the eye, +Y up; (u, v) are
-// the calm plane's axes, world x and z.
+// What the surface's shaders are given.
 
-layout(set = 0, binding = 0, std140) uniform Surface {
-    mat4 clipFromRelative;
-    mat4 pixelFromRelative;
-    mat4 relativeFromPixel;
-    vec4 cascade[4];   // eye's (u, v) in the tile, in tiles; 1 / patch; 1 / texel
-    vec4 plane;        // up, and the eye's height
-    vec4 toSun;
-    vec4 sunIrradiance;
-    vec4 skyIrradiance;
-    vec4 absorption;
-    vec4 backscatter;
-    ivec4 region;      // origin in the scene images, size
-    vec4 foam;         // share of the way between the history's steps, albedo, the eye's (u, v) in the pattern's tile
-    vec4 roughness;    // slope covariance that no cascade holds, uu, vv, uv; deviation of all slopes
-    float refractionDistortion;
-    float reflectionDistortion;
-    float farDepth;
-    float depthSign;
-    float skyMips;
-    int cascades;
-    float maxMip;
-    float reflectionScale;   // pixels of the region to one of the reflection
-    int foamCascades;
-    vec3 reflectionLook;     // clear distance, scatter, distance of the sky: reflection_blur.glsl
-};
+#include "surface_uniforms.glsl"
 
 struct MeshPatch {
     vec2 corner;
@@ -69,9 +44,3 @@ layout(set = 0, binding = AFTER_FOAM + 1) uniform sampler2D reflectionInfo;
 layout(set = 0, binding = AFTER_REFLECTION) uniform sampler2D sceneColor;
 layout(set = 0, binding = AFTER_REFLECTION + 1) uniform sampler2D sceneDepth;
 #endif
-
-// (x, y, depth) of a point in the region's pixels; w <= 0 behind the camera.
-vec4 pixelOf(vec3 position) {
-    vec4 p = pixelFromRelative * vec4(position, 1.0);
-    return vec4(p.xyz / p.w, p.w);
-}

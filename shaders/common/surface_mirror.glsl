@@ -44,30 +44,16 @@ vec3 mirroredBySea(vec3 direction, float spread) {
     return first * clear + skyAt(second, spread) * (fresnelWater(dot(-direction, facet)) * (1.0 - clear));
 }
 
-// Midpoint rule over the visible slopes: within 2.5 deviations, and less than what turns a facet edge on. Three points
-// give a variance of 0.92 seen from above and a mean tilt of 1.15 deviations at grazing, where 1.25 is exact.
 Reflection reflected(SurfacePoint s, vec3 toEye) {
-    float horizontal = max(length(toEye.xz), 1e-6);
-    vec2 towards = toEye.xz / horizontal;
-    float alongVariance =
-        dot(towards * towards, s.covariance.xy) + 2.0 * towards.x * towards.y * s.covariance.z;
-    float deviation = sqrt(max(alongVariance, 1e-10));
-    float edgeOn = toEye.y / horizontal - dot(s.slope, towards);
-    float low = -2.5 * deviation;
-    float high = clamp(edgeOn, -2.0 * deviation, 2.5 * deviation);
-    int points = deviation > 2e-3 ? 3 : 1;
-    float width = (high - low) / float(points);
-    // Of a uniform segment, and from this pixel to the next; mirroring doubles angles.
-    float spread = 2.0 * (width * 0.288675 + 0.5 * s.slopeStep);
+    VisibleSlopes v = visibleSlopes(s, toEye, 3);
+    // From this pixel to the next too; mirroring doubles angles.
+    float spread = 2.0 * (v.spread + 0.5 * s.slopeStep);
     Reflection sum = Reflection(vec3(0.0), 0.0);
     float weights = 0.0;
-    for (int i = 0; i < points; ++i) {
-        float offset = points == 1 ? 0.0 : low + (float(i) + 0.5) * width;
-        vec2 slope = s.slope + towards * offset;
-        float relative = offset / deviation;
-        // A trace is kept of facets seen from behind, so that the sum is never empty.
-        float weight = exp(-0.5 * relative * relative) * max(edgeOn - offset, 1e-4);
-        vec3 normal = normalOf(slope);
+    for (int i = 0; i < v.points; ++i) {
+        float offset = offsetOf(v, i);
+        float weight = weightOf(v, offset);
+        vec3 normal = normalOf(s.slope + v.towards * offset);
         float fresnel = fresnelWater(dot(toEye, normal));
         sum.radiance += weight * fresnel * mirroredBySea(reflect(-toEye, normal), spread);
         sum.fresnel += weight * fresnel;

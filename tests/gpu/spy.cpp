@@ -91,6 +91,7 @@ PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char
     SPY(CmdCopyBufferToImage)
     SPY(CmdDispatch)
     SPY(CmdDispatchIndirect)
+    SPY(CmdDraw)
     SPY(CmdDrawIndexed)
     SPY(CmdFillBuffer)
     SPY(CreateBuffer)

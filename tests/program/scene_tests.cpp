@@ -125,7 +125,10 @@ TEST_F(SceneFile, AbsentTablesAreAbsentFeatures) {
     ASSERT_TRUE(flat) << error_.text;
     ASSERT_TRUE(flat->water);
     EXPECT_FALSE(flat->water->waves || flat->water->foam || flat->water->refraction ||
-                 flat->water->reflection);
+                 flat->water->reflection || flat->water->underwater);
+    const std::optional<Scene> within = loadText(least + "[water.underwater]\nmeniscus_m = 0.01\n");
+    ASSERT_TRUE(within && within->water && within->water->underwater) << error_.text;
+    EXPECT_EQ(within->water->underwater->meniscusM, 0.01);
     const std::optional<Scene> plain = loadText(least + "[water.waves]\n");
     ASSERT_TRUE(plain) << error_.text;
     ASSERT_TRUE(plain->water && plain->water->waves);

@@ -21,6 +21,15 @@ struct RefractionDesc {
     float distortion = 1.0f; ///< 0 looks straight through; 1 bends as Snell says
 };
 
+/// The body seen from within. Where the near plane of a view lies under the surface, wholly or partly, draw()
+/// also draws the surface from below and the water before the opaque scene: what it absorbs and scatters of
+/// RefractionDesc's coefficients, over the path from the near plane.
+struct UnderwaterDesc {
+    /// Of the dark line where the near plane leaves the water, as wide as water climbs a lens (capillary
+    /// length 2.7 mm) [m], 0..0.1; 0 draws none.
+    float meniscus = 0.003f;
+};
+
 /// How finely the surface is meshed.
 struct MeshDesc {
     float cellSize = 0.25f;       ///< edge of the finest cells around the eye [m], 0.01..100
@@ -45,6 +54,7 @@ struct BodyDesc {
     const FoamDesc* foam = nullptr;             ///< needs `waves`
     const RefractionDesc* refraction = nullptr; ///< null: opaque, and sceneColor is not read
     const ReflectionDesc* reflection = nullptr; ///< null: the sky cube alone
+    const UnderwaterDesc* underwater = nullptr; ///< needs `refraction`; null: seen from above alone
     MeshDesc mesh;
 };
 
@@ -112,6 +122,13 @@ enum class SurfaceOutput : uint32_t {
 /// copy). Leaves pipeline, descriptor sets, push constants and index buffer bound to its own; the viewport
 /// and scissor are set from the view. A body with refraction is `unsupported` where the view's scene is
 /// multisampled.
+///
+/// An eye in a body with `underwater` is served by the same call: first the colour of each pixel whose line
+/// of sight begins in the water is replaced by sceneColor as it looks through it (no depth is read or
+/// written but sceneDepth), then surfaces are drawn as ever, then the waterline. So all bodies of a view
+/// belong in one call, or the one that the eye is in comes first; and a host's own transparent things under
+/// water come after it, and fade by themselves. Nothing of it is recorded for a view that is clear of the
+/// water.
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 

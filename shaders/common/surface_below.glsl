@@ -1,0 +1,141 @@
+// The surface from within the water: through it the sky and what stands above, in Snell's window; around that, by total
+// internal reflection, the water below. Needs surface_mirror.glsl, refraction.glsl and underwater_light.glsl.
+
+const float endlessPath = 1e6;   // [m]
+
+bool seenFromBelow() {
+    vec3 across = cross(dFdx(position), dFdy(position));   // of the drawn triangle, up or down
+    return across.y * dot(across, position) > 0.0;
+}
+
+vec3 keptBelow(vec3 direction) {
+    return normalize(vec3(direction.x, min(-abs(direction.y), -1e-3), direction.z));
+}
+
+// Whether what the scene shows stands above the water and before `at`.
+bool hides(Behind b, vec3 at) {
+    return !b.nothing && b.seen.y + plane.w > 0.0 && dot(b.seen, b.seen) < dot(at, at);
+}
+
+// What stands above the water where the ray `along`, in air, meets it in the picture: a walk over the pixels that it is
+// seen at, in equal steps, then by halves. Radiance times confidence, and confidence.
+vec4 sceneAbove(vec3 along) {
+    const int steps = 16;
+    const int halvings = 4;
+    vec4 start = pixelFromRelative * vec4(position, 1.0);
+    vec4 perMetre = pixelFromRelative * vec4(along, 0.0);
+    if (perMetre.w <= 0.0) return vec4(0.0);   // towards the eye's back
+    float reached = 0.0;
+    for (int i = 1; i < steps; ++i) {
+        float share = float(i) / float(steps);
+        float near = reached;
+        float far = share * start.w / ((1.0 - share) * perMetre.w);
+        reached = far;
+        vec4 p = start + far * perMetre;
+        if (any(lessThan(p.xy, vec2(0.0))) || any(greaterThanEqual(p.xy, vec2(region.zw) * p.w))) break;
+        Behind found = behindAt(p.xy / p.w);
+        if (!hides(found, position + far * along)) continue;
+        for (int j = 0; j < halvings; ++j) {
+            float middle = 0.5 * (near + far);
+            vec4 q = start + middle * perMetre;
+            Behind b = behindAt(q.xy / q.w);
+            if (hides(b, position + middle * along)) {
+                far = middle;
+                found = b;
+                p = q;
+            } else {
+                near = middle;
+            }
+        }
+        // What the ray passes behind is not what it meets.
+        if (length(found.seen - position - far * along) > 0.1 * far + 0.25) continue;
+        vec2 pixel = p.xy / p.w;
+        vec2 border = min(pixel, vec2(region.zw) - pixel) / (0.06 * float(region.w));
+        float confidence = clamp(min(border.x, border.y), 0.0, 1.0);
+        return vec4(found.radiance * confidence, confidence);
+    }
+    return vec4(0.0);
+}
+
+// The sun through the surface, spread by the slopes within the pixel and by its own disc (Walter et al. 2007, eq. 16
+// and 21, with n^2 for what refraction gathers).
+vec3 sunThrough(SurfacePoint s, vec3 toEye) {
+    vec3 halfway = -(toSun.xyz + waterIndex * toEye);
+    if (toSun.y <= 0.0 || halfway.y <= 0.0) return vec3(0.0);
+    float gap = length(halfway);   // what moves the sun by an angle tilts the facet by that over the gap
+    halfway /= gap;
+    float cosSun = dot(toSun.xyz, halfway);
+    float cosEye = -dot(toEye, halfway);
+    if (cosSun <= 0.0 || cosEye <= 0.0) return vec3(0.0);
+    float discVariance = 5.4e-6 / (gap * gap);
+    vec2 slope = -halfway.xz / halfway.y;
+    float density = slopeDensity(slope - s.slope, s.covariance + vec3(discVariance, discVariance, 0.0));
+    float up2 = halfway.y * halfway.y;
+    vec3 normal = normalOf(s.slope);
+    float seen = max(-dot(toEye, normal), 1e-2);
+    return sunIrradiance.rgb * (cosSun * cosEye * waterIndex * waterIndex * (1.0 - fresnelWater(cosSun)) * density /
+                                (up2 * up2 * seen * gap * gap));
+}
+
+// Refraction gathers what comes from the sky into the window: radiance grows by n^2.
+vec3 throughWindow(SurfacePoint s, vec3 view, out float reflectance) {
+    const float gathered = waterIndex * waterIndex;
+    VisibleSlopes v = visibleSlopes(s, view, 7);
+    vec3 sum = vec3(0.0);
+    float reflects = 0.0;
+    float weights = 0.0;
+    for (int i = 0; i < v.points; ++i) {
+        float offset = offsetOf(v, i);
+        float weight = weightOf(v, offset);
+        vec3 normal = normalOf(s.slope + v.towards * offset);
+        float cosine = max(dot(view, normal), 1e-4);
+        float fresnel = fresnelFromWater(cosine);
+        if (fresnel < 1.0) {
+            vec3 outward = refract(view, -normal, waterIndex);
+            float bends = waterIndex * cosine / max(dot(outward, normal), 0.1) - 1.0;   // of the ray, to the facet's tilt
+            float spread = min(bends * (v.spread + 0.5 * s.slopeStep), 0.5);
+            sum += weight * (1.0 - fresnel) * skyAt(keptAbove(outward), spread);
+        }
+        reflects += weight * fresnel;
+        weights += weight;
+    }
+    reflectance = reflects / weights;
+    sum /= weights;
+    vec3 mean = normalOf(s.slope);
+    vec3 along = refract(view, -mean, waterIndex);
+    if (dot(along, along) > 0.0) {
+        vec4 scene = sceneAbove(keptAbove(along));
+        sum = sum * (1.0 - scene.a) + scene.rgb * (1.0 - reflectance);
+    }
+    return sum * gathered;
+}
+
+// What the surface mirrors of the water below it.
+vec3 mirroredBelow(SurfacePoint s, vec3 view) {
+    vec3 direction = keptBelow(reflect(view, normalOf(s.slope)));
+    float depth = max(-(position.y + plane.w), 0.0);
+    vec3 radiance = scatteredIn(depth, direction.y, endlessPath);
+#ifdef REFLECTION
+    BentPoint hit = bentPoint(position, direction);
+    if (hit.distance < farAway) {
+        vec4 screen = reflectionAlong(position, direction, s.slopeStep);
+        vec3 lit = litBelow(screen.rgb, depth - direction.y * hit.distance);
+        radiance = radiance * (1.0 - screen.a) + lit * exp(-extinction() * hit.distance) +
+                   screen.a * scatteredIn(depth, direction.y, hit.distance);
+    }
+#endif
+    return radiance;
+}
+
+vec3 shadedBelow(SurfacePoint s, float foamShare) {
+    vec3 view = normalize(position);
+    float reflectance;
+    vec3 radiance = throughWindow(s, view, reflectance);
+    radiance += reflectance * mirroredBelow(s, view) + sunThrough(s, -view);
+#ifdef FOAM
+    // Foam passes on, spread evenly, what it does not send back.
+    radiance = mix(radiance, lightEntering() * (1.0 - foam.y) / pi, foamShare);
+#endif
+    return throughWater(radiance, max(-plane.w, 0.0), view.y,
+                        max(length(position) - length(onNearPlane()), 0.0));
+}

@@ -1,0 +1,40 @@
+// The water before the opaque scene, where the line of sight begins in it.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "surface_uniforms.glsl"
+#include "optics.glsl"
+#include "water_light.glsl"
+#include "underwater_light.glsl"
+
+layout(set = 0, binding = 1) uniform sampler2D sceneColor;
+layout(set = 0, binding = 2) uniform sampler2D sceneDepth;
+#ifdef WAVES
+layout(set = 0, binding = 3) uniform sampler2DArray waveDisplacement;
+#endif
+
+layout(constant_id = 0) const bool straddles = false;   // the view's near plane may be above the water too
+
+layout(location = 0) out vec4 outColor;
+
+#include "near_plane.glsl"
+#include "waterline.glsl"
+
+void main() {
+    vec3 start = onNearPlane();
+    if (straddles && heightAboveSurface(start) > 0.0) discard;
+    vec3 view = normalize(start);
+    float depth = max(-plane.w, 0.0);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float seen = texelFetch(sceneDepth, pixel, 0).r;
+    // To the surface, which is drawn over it, or without an end.
+    if (depthSign * (seen - farDepth) <= 0.0) {
+        float path = view.y > 0.0 ? depth / view.y : 1e6;
+        outColor = vec4(scatteredIn(depth, view.y, min(path, 1e6)), 1.0);
+        return;
+    }
+    vec4 q = relativeFromPixel * vec4(gl_FragCoord.xy - vec2(region.xy), seen, 1.0);
+    vec3 at = q.xyz / q.w;
+    float path = max(length(at) - length(start), 0.0);
+    vec3 lit = litBelow(texelFetch(sceneColor, pixel, 0).rgb, -(at.y + plane.w));
+    outColor = vec4(throughWater(lit, depth, view.y, path), 1.0);
+}

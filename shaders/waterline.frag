@@ -1,0 +1,27 @@
+// The line that the water draws where it climbs the eye's lens.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "surface_uniforms.glsl"
+#include "optics.glsl"
+#include "water_light.glsl"
+
+#ifdef WAVES
+layout(set = 0, binding = 1) uniform sampler2DArray waveDisplacement;
+#endif
+
+layout(location = 0) out vec4 outColor;
+
+#include "near_plane.glsl"
+#include "waterline.glsl"
+
+void main() {
+    vec3 start = onNearPlane();
+    float height = heightAboveSurface(start);
+    // Along the near plane, which may lie flat: pixels to the line, times metres a pixel.
+    float perPixel = max(length(vec2(dFdx(height), dFdy(height))), 1e-9);
+    float distance = abs(height) / perPixel * length(dFdy(start));
+    // A wedge of water bends what lies behind it out of sight: dark at its edge below, thinning upwards.
+    float share = 1.0 - smoothstep(0.0, within.y, distance);
+    if (share <= 0.0) discard;
+    outColor = vec4(deepWater(), 0.75 * share);
+}

@@ -1,0 +1,254 @@
+// Water seen by an eye in it: Snell's window, the light that water takes and gives, and where the near plane
+// leaves it.
+#include <cmath>
+#include <numbers>
+
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/spy.h"
+#include "tests/gpu/water_rig.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+constexpr double index = 1.333;
+constexpr double pi = std::numbers::pi;
+
+/// Reflectance of the surface from below by the two polarisations; 1 beyond the critical angle.
+double fresnelFromBelow(double cosine) {
+    const double sine = index * std::sqrt(1 - cosine * cosine);
+    if (sine >= 1) return 1;
+    const double above = std::sqrt(1 - sine * sine);
+    const double s = (index * cosine - above) / (index * cosine + above);
+    const double p = (cosine - index * above) / (cosine + index * above);
+    return (s * s + p * p) / 2;
+}
+
+class Underwater : public WaterTest {
+  protected:
+    Underwater() {
+        desc_.refraction = &refraction_;
+        desc_.underwater = &underwater_;
+    }
+    Camera upwards() const {
+        Camera camera;
+        camera.eye = {3, -4, 7};
+        camera.target = {3, 0, 7};
+        camera.fovDegrees = 130;
+        camera.width = camera.height = 256;
+        return camera;
+    }
+    /// Level, the eye `height` over the calm surface.
+    static Camera level(double height) {
+        Camera camera;
+        camera.eye = {3, height, 7};
+        camera.target = {3, height, -10};
+        return camera;
+    }
+    SeaDesc ripples() const {
+        SeaDesc sea;
+        sea.windSpeed = 4;
+        sea.fetch = 2e3f;
+        sea.samples = 128;
+        sea.cascades = 3;
+        return sea;
+    }
+
+    RefractionDesc refraction_{{0, 0, 0}, {0, 0, 0}, 1};
+    UnderwaterDesc underwater_;
+    BodyDesc desc_;
+};
+
+TEST_F(Underwater, SnellsWindowIsAsWideAsTheorySays) {
+    const Camera camera = upwards();
+    const WaterPicture p = picture({makeBody(desc_)}, camera);
+    double widest = 0, narrowest = pi;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            const double cosine = rayThrough(camera, x, y).y;
+            const double fresnel = fresnelFromBelow(cosine);
+            const float* seen = &p.color[(size_t{y} * p.width + x) * 4];
+            // Water that scatters nothing shows nothing outside of the window.
+            (seen[0] > 1e-3f ? widest : narrowest) = seen[0] > 1e-3f ? std::max(widest, std::acos(cosine))
+                                                                     : std::min(narrowest, std::acos(cosine));
+            if (std::abs(std::acos(cosine) - std::asin(1 / index)) < 0.02) continue; // steep there
+            for (size_t channel = 0; channel < 3; ++channel) {
+                const double sky = static_cast<double>(channel + 1);
+                EXPECT_NEAR(seen[channel], index * index * (1 - fresnel) * sky, 3e-3 * sky) << x << ' ' << y;
+            }
+        }
+    const double critical = std::asin(1 / index) * 180 / pi;
+    std::printf("window %.2f to %.2f degrees, theory %.2f\n", narrowest * 180 / pi, widest * 180 / pi,
+                critical);
+    EXPECT_NEAR(widest * 180 / pi, critical, 0.4);
+    EXPECT_NEAR(narrowest * 180 / pi, critical, 0.4);
+}
+
+TEST_F(Underwater, AllLightThatEntersComesThroughTheWindow) {
+    const Camera camera = upwards();
+    const WaterPicture p = picture({makeBody(desc_)}, camera);
+    const double perPixel = 2 * std::tan(radians(camera.fovDegrees) / 2) / camera.height;
+    double irradiance = 0;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            const double cosine = rayThrough(camera, x, y).y;
+            const double solidAngle = perPixel * perPixel * cosine * cosine * cosine;
+            irradiance += double{p.color[(size_t{y} * p.width + x) * 4]} * cosine * solidAngle;
+        }
+    // Of an even sky of radiance 1 all enters but the diffuse reflectance, 0.066.
+    EXPECT_NEAR(irradiance, pi * (1 - 0.066), 0.01 * pi);
+}
+
+/// What `path` metres from `depth` on scatter into a ray, by Simpson's rule over its sources.
+double scatteredIn(double absorption, double backscatter, double down, double depth, double rise,
+                   double path) {
+    const double k = absorption + backscatter;
+    const double deep = down / pi * 0.33 * backscatter / k;
+    const int steps = 2000;
+    double sum = 0;
+    for (int i = 0; i <= steps; ++i) {
+        const double s = path * i / steps;
+        const double weight = i == 0 || i == steps ? 1 : i % 2 ? 4 : 2;
+        sum += weight * 2 * k * deep * std::exp(-k * (depth - rise * s)) * std::exp(-k * s);
+    }
+    return sum * path / steps / 3;
+}
+
+TEST_F(Underwater, WhatIsSeenThroughWaterKeepsBeersAndLambertsLaw) {
+    refraction_ = {{0.4f, 0.15f, 0.05f}, {0.01f, 0.02f, 0.03f}, 1};
+    lighting.toSun[0] = 0.6;
+    lighting.toSun[1] = 0.8;
+    lighting.toSun[2] = 0;
+    for (float& channel : lighting.sunIrradiance) channel = 5;
+    for (float& channel : lighting.skyIrradiance) channel = 2;
+    Camera camera = level(-1.5);
+    camera.target = {3, -4, -3};
+    const double bed = -6, radiance = 4;
+    SceneBehind behind;
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    for (uint32_t y = 0; y < camera.height; ++y)
+        for (uint32_t x = 0; x < camera.width; ++x) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            const double along = (bed - camera.eye.y) / ray.y * glm::dot(ray, forward);
+            behind.depth.push_back(static_cast<float>(ray.y < 0 ? camera.near / along : 0));
+            behind.color.insert(behind.color.end(), {4, 4, 4, 1});
+        }
+    const WaterPicture p = picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, behind);
+    const double sine = 0.6 / index, inside = std::sqrt(1 - sine * sine);
+    const double s = (0.8 - index * inside) / (0.8 + index * inside);
+    const double t = (index * 0.8 - inside) / (index * 0.8 + inside);
+    const double down = 5 * 0.8 * (1 - (s * s + t * t) / 2) + 2 * 0.934;
+    size_t checked = 0;
+    for (uint32_t y = 5; y < p.height; y += 9)
+        for (uint32_t x = 3; x < p.width; x += 17) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            if (ray.y > -0.05) continue;
+            const double nearPlane = camera.near / glm::dot(ray, forward);
+            const double path = (bed - camera.eye.y) / ray.y - nearPlane;
+            for (size_t channel = 0; channel < 3; ++channel) {
+                const double a = double{refraction_.absorption[channel]},
+                             b = double{refraction_.backscatter[channel]};
+                const double expected = radiance * std::exp(-(a + b) * (path - bed)) +
+                                        scatteredIn(a, b, down, -camera.eye.y, ray.y, path);
+                EXPECT_NEAR(p.color[(size_t{y} * p.width + x) * 4 + channel], expected, 2e-3 * expected);
+                ++checked;
+            }
+        }
+    EXPECT_GT(checked, 100u);
+}
+
+TEST_F(Underwater, TheWaterlineIsWhereTheNearPlaneLeavesTheSurface) {
+    const SeaDesc sea = ripples();
+    desc_.waves = &sea;
+    desc_.wavesBackend = fftwWaves();
+    desc_.mesh.cellSize = 0.02f;
+    underwater_.meniscus = 0;
+    Body* body = makeBody(desc_);
+    for (const double roll : {0.0, 35.0, 180.0}) {
+        // Looking up, so that no ray from above meets the water.
+        Camera camera = level(-0.25);
+        camera.target = {3, 12, -10};
+        camera.near = 0.4;
+        camera.fovDegrees = 36;
+        camera.rollDegrees = roll;
+        const WaterPicture p = picture({body}, camera, 3);
+        const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+        std::vector<double> points, above;
+        std::vector<size_t> pixels;
+        for (uint32_t y = 0; y < p.height; y += 3)
+            for (uint32_t x = 0; x < p.width; x += 7) {
+                const glm::dvec3 ray = rayThrough(camera, x, y);
+                const glm::dvec3 start = camera.eye + ray * (camera.near / glm::dot(ray, forward));
+                points.insert(points.end(), {start.x, start.z});
+                above.push_back(start.y);
+                pixels.push_back(size_t{y} * p.width + x);
+            }
+        std::vector<HeightSample> heights(pixels.size());
+        sampleHeights(*seaglass::sea(body), 3, points.data(), heights.size(), heights.data());
+        size_t wet = 0, dry = 0, wrong = 0;
+        for (size_t i = 0; i < pixels.size(); ++i) {
+            const double height = above[i] - double{heights[i].height};
+            if (std::abs(height) < 0.004) continue; // what the maps' interpolation leaves open
+            const bool replaced = p.covered(pixels[i]);
+            (height < 0 ? wet : dry) += 1;
+            wrong += replaced != (height < 0);
+        }
+        EXPECT_GT(wet, 200u);
+        EXPECT_GT(dry, 200u);
+        EXPECT_EQ(wrong, 0u) << "of " << wet + dry << ", roll " << roll;
+    }
+}
+
+TEST_F(Underwater, CostsNothingWhereItIsNotAskedForOrNotSeen) {
+    const SeaDesc sea = ripples();
+    desc_.waves = &sea;
+    desc_.wavesBackend = fftwWaves();
+    Body* asked = makeBody(desc_);
+    desc_.underwater = nullptr;
+    Body* unasked = makeBody(desc_);
+    const auto draws = [&](Body* body, double height) {
+        spiedCalls().clear();
+        picture({body}, level(height));
+        EXPECT_EQ(countSpied("CreateImage"), 0u);
+        EXPECT_EQ(countSpied("CmdDispatch"), 0u);
+        return countSpied("CmdDraw");
+    };
+    for (const double height : {5.0, 0.0, -5.0}) picture({asked}, level(height)); // what contexts make once
+    picture({unasked}, level(5));
+    EXPECT_EQ(draws(asked, 5), 0u);
+    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u);
+    EXPECT_EQ(draws(asked, 0), 2u) << "water, and waterline";
+    EXPECT_EQ(draws(asked, -5), 1u);
+    for (const double height : {5.0, 0.0, -5.0}) {
+        EXPECT_EQ(draws(unasked, height), 0u);
+        EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u) << "the surface's own serves, " << height;
+    }
+    underwater_.meniscus = 0;
+    desc_.underwater = &underwater_;
+    EXPECT_EQ(draws(makeBody(desc_), 0), 1u);
+
+    desc_.underwater = nullptr;
+    Estimate without, with;
+    ASSERT_EQ(estimate(context(), &desc_, {320, 180}, &without), Status::ok);
+    desc_.underwater = &underwater_;
+    ASSERT_EQ(estimate(context(), &desc_, {320, 180}, &with), Status::ok);
+    EXPECT_EQ(with.bytes, without.bytes);
+}
+
+TEST_F(Underwater, BadFieldsAreNamed) {
+    const auto expectRefused = [&](const char* field) {
+        Body* body = nullptr;
+        EXPECT_EQ(createBody(context(), &desc_, &body), Status::invalidArgument) << field;
+        EXPECT_NE(message().find(field), std::string::npos) << message();
+    };
+    for (const float width : {-0.001f, 0.2f, NAN}) {
+        underwater_.meniscus = width;
+        expectRefused("UnderwaterDesc.meniscus");
+    }
+    underwater_.meniscus = 0;
+    desc_.refraction = nullptr;
+    expectRefused("BodyDesc.underwater needs BodyDesc.refraction");
+}
+
+} // namespace

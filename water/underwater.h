@@ -1,0 +1,52 @@
+// An eye in the water: the water before the opaque scene, drawn before any surface, and the line where the
+// near plane leaves it, drawn after.
+#pragma once
+
+#include <map>
+
+#include "gpu/context.h"
+#include "gpu/frame.h"
+#include "water/draw_pipeline.h"
+#include "water/surface.h"
+
+namespace seaglass {
+
+enum class UnderwaterPass : uint32_t { water, waterline };
+
+struct UnderwaterVariant {
+    UnderwaterPass pass = UnderwaterPass::water;
+    bool straddles = false; ///< the near plane may be above the water too
+    bool waves = false;     ///< asked for only where it straddles
+    auto operator<=>(const UnderwaterVariant&) const = default;
+};
+
+class UnderwaterPipelines {
+  public:
+    UnderwaterPipelines() = default;
+    ~UnderwaterPipelines();
+    UnderwaterPipelines(const UnderwaterPipelines&) = delete;
+    UnderwaterPipelines& operator=(const UnderwaterPipelines&) = delete;
+
+    void init(const gpu::Device& device, const TargetDesc& desc);
+    /// Builds on first use.
+    Status get(const UnderwaterVariant& variant, const DrawPipeline*& out);
+
+  private:
+    Status build(const UnderwaterVariant& variant, DrawPipeline& out) const;
+
+    const gpu::Device* device_ = nullptr;
+    TargetDesc desc_;
+    std::map<UnderwaterVariant, DrawPipeline> pipelines_;
+};
+
+struct UnderwaterInputs {
+    gpu::Slice uniforms; ///< SurfaceUniforms
+    const ViewDesc* view = nullptr;
+    VkImageView waveDisplacement = VK_NULL_HANDLE; ///< with waves
+};
+
+/// Viewport and scissor are set.
+Status recordUnderwater(Context& context, VkCommandBuffer commands, UnderwaterPipelines& pipelines,
+                        const UnderwaterVariant& variant, const UnderwaterInputs& inputs);
+
+} // namespace seaglass
