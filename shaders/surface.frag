@@ -6,6 +6,9 @@
 
 layout(location = 0) in vec2 calmPosition;
 layout(location = 1) in vec3 position;
+#ifdef OUTLINE
+layout(location = 2) flat in uvec2 edgeRange;
+#endif
 layout(location = 0) out vec4 outColor;
 
 layout(constant_id = 0) const uint surfaceOutput = 0;
@@ -64,6 +67,9 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
 void main() {
     // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.
     if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) discard;
+#ifdef OUTLINE
+    if (!isWithin(calmPosition, edgeRange)) discard;
+#endif
     SurfacePoint s = surfacePoint();
     vec3 toEye = -normalize(position);
     vec3 normal = normalOf(s.slope);

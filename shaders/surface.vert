@@ -1,11 +1,14 @@
 // Places the vertices of a patch: glides them onto the next coarser lattice near the end of their level's range
-// (Strugar 2009), then lets the waves displace them.
+// (Strugar 2009), then lets the waves displace them. Of a mesh of the host's own (HOST_MESH) they stand where it says.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "surface.glsl"
 
 layout(location = 0) out vec2 calmPosition;   // (u, v) before displacement, relative to the eye
 layout(location = 1) out vec3 position;
+#ifdef OUTLINE
+layout(location = 2) flat out uvec2 edgeRange;
+#endif
 
 const int patchCells = 16;
 // A patch may reach past its level's range by its parent's diagonal, 22.6 cells of the coarser level; gliding must end
@@ -25,6 +28,12 @@ vec3 waveDisplacementAt(vec2 calm, float cell) {
 }
 #endif
 
+#ifdef HOST_MESH
+void main() {
+    HostVertex vertex = hostVertices[gl_VertexIndex];
+    vec2 calm = extent.xy + vertex.calm;
+    float cell = vertex.cell;
+#else
 void main() {
     MeshPatch patch_ = patches[gl_InstanceIndex];
     ivec2 grid = ivec2(gl_VertexIndex % (patchCells + 1), gl_VertexIndex / (patchCells + 1));
@@ -32,10 +41,23 @@ void main() {
     float share = length(vec3(calm, plane.w)) / patch_.range;
     float glide = clamp((share - glideBegins) / (glideEnds - glideBegins), 0.0, 1.0);
     calm -= vec2(grid & 1) * patch_.cell * glide;
+    float cell = patch_.cell * (1.0 + glide);
+#endif
+#ifdef OUTLINE
+    calm = clamp(calm, outlineBox.xy, outlineBox.zw);
+    edgeRange = patch_.edgeRange;
+#endif
 
     vec3 relative = vec3(calm.x, -plane.w, calm.y);
 #ifdef WAVES
-    relative += waveDisplacementAt(calm, patch_.cell * (1.0 + glide));
+    vec3 displacement = waveDisplacementAt(calm, cell);
+#ifdef OUTLINE
+    displacement.xz *= looseness(calm, patch_.edgeRange);
+#endif
+#ifdef HOST_MESH
+    displacement.xz *= min(vertex.fromEdge * extent.z, 1.0);
+#endif
+    relative += displacement;
 #endif
     calmPosition = calm;
     position = relative;

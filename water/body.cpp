@@ -1,7 +1,10 @@
 #include "water/body.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -47,6 +50,7 @@ const char* badField(const BodyDesc& desc) {
     glm::dvec4 plane;
     if (const char* bad = readPlane(desc.plane, plane)) return bad;
     if (glm::length(glm::dvec3(plane) - glm::dvec3(0, 1, 0)) > 1e-9) return "BodyDesc.plane does not face +Y";
+    if (const char* bad = badField(desc.extent)) return bad;
     if (desc.foam && !desc.waves) return "BodyDesc.foam needs BodyDesc.waves";
     if (desc.wavesOn > WavesOn::cpu) return "BodyDesc.wavesOn is no WavesOn";
     if (desc.waves && desc.wavesOn == WavesOn::cpu && !desc.wavesBackend)
@@ -129,6 +133,12 @@ SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, con
         u.reflectionLook = {reflection.clearDistance, reflection.scatter, reflection.skyFadeDistance, 0};
     }
     if (body.waves) setWaves(u, *body.sea, body.waves->maps(), geometry.eye);
+    if (body.hostMesh) {
+        const glm::dvec2 origin = body.hostMesh->origin - glm::dvec2(geometry.eye.x, geometry.eye.z);
+        u.extent = glm::vec4(glm::vec2(origin), 0, 0);
+    }
+    if (body.outline && body.sea)
+        u.extent.z = static_cast<float>(1 / pinnedWithin(largestDisplacement(*body.sea)));
     if (body.foam) {
         u.foam =
             glm::vec4(body.foam->past(), body.foam->albedo(), inTile(geometry.eye.x, foamTile) * foamTile,
@@ -157,11 +167,28 @@ double nearPlaneReach(const ViewGeometry& geometry) {
     return reach;
 }
 
-template<typename T>
-Status upload(Context& context, const T* data, size_t count, gpu::Slice& slice) {
-    if (const Status s = context.frame().allocate(sizeof(T) * count, slice); s != Status::ok) return s;
-    std::memcpy(slice.data, data, sizeof(T) * count);
+/// Blocks that follow on each other in one buffer.
+template<typename... Blocks>
+Status upload(Context& context, gpu::Resource& out, const Blocks&... blocks) {
+    gpu::Slice slice;
+    const size_t bytes = (std::as_bytes(std::span(blocks)).size() + ...);
+    if (const Status s = context.frame().allocate(bytes, slice); s != Status::ok) return s;
+    auto* data = static_cast<std::byte*>(slice.data);
+    ((data = std::ranges::copy(std::as_bytes(std::span(blocks)), data).out), ...);
+    out = gpu::storageBuffer(slice.buffer, slice.offset, bytes);
     return Status::ok;
+}
+
+MeshView meshViewOf(const ViewGeometry& geometry, double eyeHeight, double displacement) {
+    MeshView view;
+    view.eye = {geometry.eye.x, geometry.eye.z};
+    view.eyeHeight = eyeHeight;
+    view.displacement = displacement;
+    // Patches are tested around the eye's foot on the calm plane.
+    glm::dmat4 relativeFromFoot(1);
+    relativeFromFoot[3].y = -eyeHeight;
+    view.frustum = frustumPlanes(geometry.clipFromRelative * relativeFromFoot, geometry.reversedDepth);
+    return view;
 }
 
 void setViewport(const gpu::Device& device, VkCommandBuffer commands, const ViewDesc& view,
@@ -198,16 +225,30 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
         if (const Status s = createFoam(*desc.foam); s != Status::ok) return s;
     if (desc.refraction) refraction = *desc.refraction;
     if (desc.underwater) underwater = *desc.underwater;
-    if (desc.reflection && desc.reflection->technique != ReflectionTechnique::sky) {
-        ReflectorDesc reflectorDesc;
-        std::memcpy(reflectorDesc.plane, desc.plane, sizeof desc.plane);
-        reflectorDesc.reflection = *desc.reflection;
-        if (!waves) reflectorDesc.reflection.distortion = 0; // nothing bends it
-        reflector = std::make_unique<Reflector>();
-        if (const Status s = reflector->create(owner, reflectorDesc); s != Status::ok) return s;
-        reflectionDistortion = desc.reflection->distortion;
+    if (desc.extent.shape != ExtentShape::unbounded) outline = outlineOf(desc.extent);
+    if (desc.extent.shape == ExtentShape::mesh)
+        if (const Status s = hostMesh.emplace().create(owner.device, desc.extent, *outline); s != Status::ok)
+            return s;
+    if (desc.reflection && desc.reflection->technique != ReflectionTechnique::sky)
+        if (const Status s = createReflector(desc); s != Status::ok) return s;
+    return hostMesh ? Status::ok : owner.share(indices);
+}
+
+Status Body::createReflector(const BodyDesc& desc) {
+    ReflectorDesc reflectorDesc;
+    std::memcpy(reflectorDesc.plane, desc.plane, sizeof desc.plane);
+    reflectorDesc.reflection = *desc.reflection;
+    if (!waves) reflectorDesc.reflection.distortion = 0; // nothing bends it
+    if (outline) {
+        const double level = -plane.w, d = displacement();
+        const double low[] = {outline->low.x, level - d, outline->low.y};
+        const double high[] = {outline->high.x, level + d, outline->high.y};
+        std::memcpy(reflectorDesc.boundsLow, low, sizeof low);
+        std::memcpy(reflectorDesc.boundsHigh, high, sizeof high);
     }
-    return owner.share(indices);
+    reflector = std::make_unique<Reflector>();
+    reflectionDistortion = desc.reflection->distortion;
+    return reflector->create(*context, reflectorDesc);
 }
 
 Status Body::createWaves(const BodyDesc& desc) {
@@ -237,14 +278,47 @@ Status Body::simulate(VkCommandBuffer commands, double time) {
 }
 
 SurfaceFeatures Body::features(const ReflectionImages& images) const {
-    return {waves.has_value(), foam.has_value(), refraction.has_value(), images.color != VK_NULL_HANDLE};
+    const SurfaceShape shape = hostMesh  ? SurfaceShape::hostMesh
+                               : outline ? SurfaceShape::outlined
+                                         : SurfaceShape::plane;
+    return {waves.has_value(), foam.has_value(), refraction.has_value(), images.color != VK_NULL_HANDLE,
+            shape};
 }
 
-double Body::largestDisplacement() const {
-    // Heights pass 5 standard deviations once in a million; choppiness moves points sideways about as far.
-    if (!sea) return 0;
-    const double height = 1.25 * significantWaveHeight(*sea);
-    return height * std::max(1.0, double{description(*sea).choppiness});
+Status Body::place(const MeshView& view, SurfaceInputs& inputs) {
+    inputs.instanceCount = 0;
+    if (hostMesh) return placeHostMesh(view, inputs);
+    inputs.indices = indices->buffer.handle();
+    inputs.indexCount = patchCells * patchCells * 6;
+    return outline ? placeOutlined(view, inputs) : placePatches(view, inputs);
+}
+
+Status Body::placePatches(const MeshView& view, SurfaceInputs& inputs) {
+    selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, patches);
+    inputs.instanceCount = static_cast<uint32_t>(patches.size());
+    if (patches.empty()) return Status::ok;
+    return upload(*context, inputs.patches, patches);
+}
+
+Status Body::placeOutlined(const MeshView& view, SurfaceInputs& inputs) {
+    selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, *outline, pinnedWithin(displacement()),
+                  outlined);
+    inputs.instanceCount = static_cast<uint32_t>(outlined.patches.size());
+    if (outlined.patches.empty()) return Status::ok;
+    if (const Status s = upload(*context, inputs.patches, outlined.patches); s != Status::ok) return s;
+    const std::array box = {
+        glm::vec4(glm::vec2(outline->low - view.eye), glm::vec2(outline->high - view.eye))};
+    return upload(*context, inputs.extent, box, outlined.edges);
+}
+
+Status Body::placeHostMesh(const MeshView& view, SurfaceInputs& inputs) {
+    if (!inSight(view, outline->low - view.eye, outline->high - view.eye)) return Status::ok;
+    inputs.patches = gpu::storageBuffer(hostMesh->vertices.handle());
+    inputs.indices = hostMesh->indices.handle();
+    inputs.indexType = VK_INDEX_TYPE_UINT32;
+    inputs.indexCount = hostMesh->indexCount;
+    inputs.instanceCount = 1;
+    return Status::ok;
 }
 
 Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out) const {
@@ -265,8 +339,9 @@ Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, Vie
 
 SidesSeen Body::sidesSeen(const ViewGeometry& geometry) const {
     if (!underwater) return SidesSeen::above;
+    if (outline && !outline->contains({geometry.eye.x, geometry.eye.z})) return SidesSeen::above;
     const double eyeHeight = glm::dot(glm::dvec3(plane), geometry.eye) + plane.w;
-    const double reach = largestDisplacement() + nearPlaneReach(geometry);
+    const double reach = displacement() + nearPlaneReach(geometry);
     if (eyeHeight > reach) return SidesSeen::above;
     return eyeHeight < -reach ? SidesSeen::below : SidesSeen::either;
 }
@@ -283,7 +358,7 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
     const SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
     UnderwaterInputs inputs;
     inputs.view = &view;
-    if (const Status s = upload(*context, &uniforms, 1, inputs.uniforms); s != Status::ok) return s;
+    if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
     if (waves) inputs.waveDisplacement = waves->maps().images[0].view();
     setViewport(context->device, commands, view, geometry);
     return recordUnderwater(*context, commands, target.underwater, {pass, straddles, straddles && waves},
@@ -296,32 +371,20 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     ViewGeometry geometry;
     if (const Status s = readForDraw(view, lighting, geometry); s != Status::ok) return s;
 
+    SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
     SurfaceInputs inputs;
+    const MeshView meshView = meshViewOf(geometry, uniforms.plane.w, displacement());
+    if (const Status s = place(meshView, inputs); s != Status::ok) return s;
+    if (inputs.instanceCount == 0) return Status::ok;
+
     if (reflector) inputs.reflection = reflector->images(view.viewIndex);
+    if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
     const SurfaceFeatures wanted = features(inputs.reflection);
     const SurfacePipelines::Pipeline* pipeline = nullptr;
     if (const Status s = target.pipelines.get({wanted, output, sidesSeen(geometry)}, pipeline);
         s != Status::ok)
         return s;
-
-    SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
-    if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
-    MeshView meshView;
-    meshView.eye = {geometry.eye.x, geometry.eye.z};
-    meshView.eyeHeight = uniforms.plane.w;
-    meshView.displacement = largestDisplacement();
-    // Patches are tested around the eye's foot on the calm plane.
-    glm::dmat4 relativeFromFoot(1);
-    relativeFromFoot[3].y = -meshView.eyeHeight;
-    meshView.frustum = frustumPlanes(geometry.clipFromRelative * relativeFromFoot, geometry.reversedDepth);
-    selectPatches(meshView, double{mesh.cellSize}, mesh.cellsPerLevel, patches);
-    if (patches.empty()) return Status::ok;
-
-    if (const Status s = upload(*context, &uniforms, 1, inputs.uniforms); s != Status::ok) return s;
-    if (const Status s = upload(*context, patches.data(), patches.size(), inputs.patches); s != Status::ok)
-        return s;
-    inputs.patchCount = static_cast<uint32_t>(patches.size());
-    inputs.indices = indices->buffer.handle();
+    if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
     inputs.lighting = &lighting;
     inputs.view = &view;
     if (waves)
@@ -369,6 +432,7 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
             if (const Status s = estimate(context, desc->reflection, extent, &sum); s != Status::ok) return s;
         if (desc->waves)
             if (const Status s = addWaves(*context, *desc, sum); s != Status::ok) return s;
+        sum.bytes += HostMesh::bytes(desc->extent);
         *out = sum;
         return Status::ok;
     });

@@ -11,8 +11,10 @@
 #include "reflection/reflector.h"
 #include "reflection/view.h"
 #include "seaglass/water.h"
+#include "water/extent.h"
 #include "water/foam.h"
 #include "water/foam_pattern.h"
+#include "water/host_mesh.h"
 #include "water/mesh.h"
 #include "water/surface.h"
 #include "water/underwater.h"
@@ -34,6 +36,8 @@ struct Body {
     Context* context = nullptr;
     glm::dvec4 plane{0};
     MeshDesc mesh;
+    std::optional<Outline> outline;       ///< none where the body is unbounded
+    std::optional<HostMesh> hostMesh;     ///< the extent is a mesh
     std::unique_ptr<Sea, SeaDeleter> sea; ///< null when flat
     std::optional<Waves> waves;
     bool simulated = false;   ///< the maps hold something
@@ -45,6 +49,7 @@ struct Body {
     float reflectionDistortion = 0;
     std::shared_ptr<PatchIndices> indices;
     std::vector<MeshPatch> patches; ///< scratch, kept for its capacity
+    OutlinedPatches outlined;       ///< likewise
 
     Status create(Context& owner, const BodyDesc& desc);
     Status simulate(VkCommandBuffer commands, double time);
@@ -59,8 +64,15 @@ struct Body {
     SidesSeen sidesSeen(const ViewGeometry& geometry) const;
     Status createWaves(const BodyDesc& desc);
     Status createFoam(const FoamDesc& desc);
+    Status createReflector(const BodyDesc& desc);
     SurfaceFeatures features(const ReflectionImages& images) const;
-    double largestDisplacement() const;
+    /// The most that waves move a point in any axis [m].
+    double displacement() const { return sea ? largestDisplacement(*sea) : 0; }
+    /// What is to be drawn: no instance when the view sees nothing of the body.
+    Status place(const MeshView& view, SurfaceInputs& inputs);
+    Status placePatches(const MeshView& view, SurfaceInputs& inputs);
+    Status placeOutlined(const MeshView& view, SurfaceInputs& inputs);
+    Status placeHostMesh(const MeshView& view, SurfaceInputs& inputs);
 };
 
 } // namespace seaglass

@@ -16,64 +16,146 @@ double horizonDistance(double eyeHeight) {
     return std::max(100e3, 4000.0 * std::abs(eyeHeight));
 }
 
+/// Where patches of each level may lie, and which of them a view asks for. Corners are relative to the eye.
+struct Lattice {
+    const MeshView& view;
+    double finestCell;
+    double rangeInCells;
+
+    double cell(int level) const { return std::ldexp(finestCell, level); }
+    double edge(int level) const { return cell(level) * patchCells; }
+    double range(int level) const { return cell(level) * rangeInCells; }
+
+    double distanceTo(int level, const glm::dvec2& corner) const {
+        const glm::dvec2 nearest = glm::clamp(glm::dvec2(0), corner, corner + edge(level));
+        return glm::length(glm::dvec3(nearest, view.eyeHeight));
+    }
+
+    bool isDivided(int level, const glm::dvec2& corner) const {
+        return level > 0 && distanceTo(level, corner) < range(level - 1);
+    }
+
+    /// The coarsest level whose range is at least `reach`.
+    int coarsest(double reach) const {
+        int level = 0;
+        while (range(level) < reach) ++level;
+        return level;
+    }
+
+    /// All patches of a level that touch a box around the eye.
+    template<typename Visit>
+    void forEach(int level, const glm::dvec2& low, const glm::dvec2& high, Visit&& visit) const {
+        const glm::dvec2 first = glm::floor((view.eye + low) / edge(level)),
+                         last = glm::floor((view.eye + high) / edge(level));
+        for (double j = first.y; j <= last.y; ++j)
+            for (double i = first.x; i <= last.x; ++i) visit(glm::dvec2(i, j) * edge(level) - view.eye);
+    }
+
+    template<typename Visit>
+    void forEachChild(int level, const glm::dvec2& corner, Visit&& visit) const {
+        for (int child = 0; child < 4; ++child)
+            visit(corner + glm::dvec2(child & 1, child >> 1) * edge(level - 1));
+    }
+
+    MeshPatch patch(int level, const glm::dvec2& corner) const {
+        return {{static_cast<float>(corner.x), static_cast<float>(corner.y)},
+                static_cast<float>(cell(level)),
+                static_cast<float>(range(level))};
+    }
+};
+
 class Selection {
   public:
-    Selection(const MeshView& view, double finestCell, double rangeInCells, std::vector<MeshPatch>& out)
-        : view_(view), finestCell_(finestCell), rangeInCells_(rangeInCells), out_(out) {}
+    Selection(const Lattice& lattice, std::vector<MeshPatch>& out) : lattice_(lattice), out_(out) {}
 
     void run() {
-        int coarsest = 0;
-        while (range(coarsest) < horizonDistance(view_.eyeHeight)) ++coarsest;
-        const double edge = cell(coarsest) * patchCells;
-        const double reach = range(coarsest);
-        const auto first = [&](double eye) { return std::floor((eye - reach) / edge); };
-        const auto last = [&](double eye) { return std::floor((eye + reach) / edge); };
-        for (double j = first(view_.eye.y); j <= last(view_.eye.y); ++j)
-            for (double i = first(view_.eye.x); i <= last(view_.eye.x); ++i)
-                visit(coarsest, glm::dvec2(i, j) * edge - view_.eye, reach);
+        const int coarsest = lattice_.coarsest(horizonDistance(lattice_.view.eyeHeight));
+        const double reach = lattice_.range(coarsest);
+        lattice_.forEach(coarsest, glm::dvec2(-reach), glm::dvec2(reach), [&](const glm::dvec2& corner) {
+            if (lattice_.distanceTo(coarsest, corner) <= reach) visit(coarsest, corner);
+        });
         std::stable_sort(out_.begin(), out_.end(),
                          [](const MeshPatch& a, const MeshPatch& b) { return a.cell < b.cell; });
     }
 
   private:
-    double cell(int level) const { return std::ldexp(finestCell_, level); }
-    double range(int level) const { return cell(level) * rangeInCells_; }
-
-    double distanceTo(const glm::dvec2& corner, double edge) const {
-        const glm::dvec2 nearest = glm::clamp(glm::dvec2(0), corner, corner + edge);
-        return glm::length(glm::dvec3(nearest, view_.eyeHeight));
-    }
-
-    bool inSight(const glm::dvec2& corner, double edge) const {
-        const double d = view_.displacement;
-        const glm::dvec3 low(corner.x - d, -d, corner.y - d);
-        const glm::dvec3 high(corner.x + edge + d, d, corner.y + edge + d);
-        return std::all_of(view_.frustum.begin(), view_.frustum.end(), [&](const glm::dvec4& plane) {
-            const glm::dvec3 normal(plane);
-            const glm::dvec3 farthest = glm::mix(low, high, glm::greaterThan(normal, glm::dvec3(0)));
-            return glm::dot(normal, farthest) + plane.w >= 0;
-        });
-    }
-
-    void visit(int level, const glm::dvec2& corner, double reach) {
-        const double edge = cell(level) * patchCells;
-        if (distanceTo(corner, edge) > reach || !inSight(corner, edge)) return;
-        if (level > 0 && distanceTo(corner, edge) < range(level - 1)) {
-            // All four, those beyond the finer range too: there they have glided onto this level's lattice.
-            for (int child = 0; child < 4; ++child)
-                visit(level - 1, corner + glm::dvec2(child & 1, child >> 1) * (edge / 2),
-                      std::numeric_limits<double>::infinity());
+    void visit(int level, const glm::dvec2& corner) {
+        const double d = lattice_.view.displacement;
+        if (!inSight(lattice_.view, corner - d, corner + lattice_.edge(level) + d)) return;
+        if (!lattice_.isDivided(level, corner)) {
+            out_.push_back(lattice_.patch(level, corner));
             return;
         }
-        out_.push_back({{static_cast<float>(corner.x), static_cast<float>(corner.y)},
-                        static_cast<float>(cell(level)),
-                        static_cast<float>(range(level))});
+        // All four, those beyond the finer range too: there they have glided onto this level's lattice.
+        lattice_.forEachChild(level, corner, [&](const glm::dvec2& child) { visit(level - 1, child); });
     }
 
-    const MeshView& view_;
-    double finestCell_;
-    double rangeInCells_;
+    const Lattice& lattice_;
     std::vector<MeshPatch>& out_;
+};
+
+/// Of what an outline encloses. Each patch that is visited inherits the edges that come near its parent.
+class OutlinedSelection {
+  public:
+    OutlinedSelection(const Lattice& lattice, const Outline& outline, double pinned, OutlinedPatches& out)
+        : lattice_(lattice), outline_(outline), pinned_(pinned), out_(out),
+          low_(outline.low - lattice.view.eye), high_(outline.high - lattice.view.eye) {}
+
+    void run() {
+        const glm::dvec2 farthest = glm::max(glm::abs(low_), glm::abs(high_));
+        const int coarsest = lattice_.coarsest(glm::length(glm::dvec3(farthest, lattice_.view.eyeHeight)));
+        std::vector<OutlineEdge> edges;
+        for (const auto& [from, to] : outline_.edges)
+            edges.push_back({from - lattice_.view.eye, to - lattice_.view.eye});
+        lattice_.forEach(coarsest, low_, high_,
+                         [&](const glm::dvec2& corner) { visit(coarsest, corner, edges); });
+        std::stable_sort(
+            out_.patches.begin(), out_.patches.end(),
+            [](const OutlinedPatch& a, const OutlinedPatch& b) { return a.patch.cell < b.patch.cell; });
+    }
+
+  private:
+    void visit(int level, const glm::dvec2& corner, const std::vector<OutlineEdge>& candidates) {
+        const glm::dvec2 end = corner + lattice_.edge(level);
+        const glm::dvec2 low = glm::max(corner, low_), high = glm::min(end, high_);
+        if (low.x > high.x || low.y > high.y || !inSight(lattice_.view, low, high)) return;
+        // A little more than what is pinned, so that a patch without edges agrees with its neighbours in
+        // floats.
+        const double margin = pinned_ * 1.01 + lattice_.cell(level) * 1e-3;
+        std::vector<OutlineEdge> near;
+        bool crossed = false;
+        for (const OutlineEdge& edge : candidates) {
+            if (!meets(edge, corner - margin, end + margin)) continue;
+            near.push_back(edge);
+            crossed = crossed || meets(edge, corner, end);
+        }
+        if (!crossed && !outline_.contains((corner + end) / 2.0 + lattice_.view.eye)) return;
+        if (lattice_.isDivided(level, corner)) {
+            lattice_.forEachChild(level, corner,
+                                  [&](const glm::dvec2& child) { visit(level - 1, child, near); });
+            return;
+        }
+        const auto first = static_cast<uint32_t>(out_.edges.size());
+        if (!near.empty()) list(corner, end, margin);
+        out_.patches.push_back(
+            {lattice_.patch(level, corner), first, static_cast<uint32_t>(out_.edges.size()) - first});
+    }
+
+    /// Edges near a patch, and those that a ray from within it towards -u may cross.
+    void list(const glm::dvec2& corner, const glm::dvec2& end, double margin) {
+        for (const auto& [from, to] : outline_.edges) {
+            const glm::dvec2 a = from - lattice_.view.eye, b = to - lattice_.view.eye;
+            if (std::max(a.y, b.y) >= corner.y - margin && std::min(a.y, b.y) <= end.y + margin &&
+                std::min(a.x, b.x) <= end.x + margin)
+                out_.edges.emplace_back(glm::vec2(a), glm::vec2(b));
+        }
+    }
+
+    const Lattice& lattice_;
+    const Outline& outline_;
+    double pinned_;
+    OutlinedPatches& out_;
+    glm::dvec2 low_, high_; ///< of the outline, relative to the eye
 };
 
 } // namespace
@@ -85,10 +167,29 @@ std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDep
             reversedDepth ? rows[3] - rows[2] : rows[2]};
 }
 
+bool inSight(const MeshView& view, const glm::dvec2& lowest, const glm::dvec2& highest) {
+    const double d = view.displacement;
+    const glm::dvec3 low(lowest.x, -d, lowest.y), high(highest.x, d, highest.y);
+    return std::all_of(view.frustum.begin(), view.frustum.end(), [&](const glm::dvec4& plane) {
+        const glm::dvec3 normal(plane);
+        const glm::dvec3 farthest = glm::mix(low, high, glm::greaterThan(normal, glm::dvec3(0)));
+        return glm::dot(normal, farthest) + plane.w >= 0;
+    });
+}
+
 void selectPatches(const MeshView& view, double finestCell, double rangeInCells,
                    std::vector<MeshPatch>& out) {
     out.clear();
-    Selection(view, finestCell, rangeInCells, out).run();
+    const Lattice lattice{view, finestCell, rangeInCells};
+    Selection(lattice, out).run();
+}
+
+void selectPatches(const MeshView& view, double finestCell, double rangeInCells, const Outline& outline,
+                   double pinned, OutlinedPatches& out) {
+    out.patches.clear();
+    out.edges.clear();
+    const Lattice lattice{view, finestCell, rangeInCells};
+    OutlinedSelection(lattice, outline, pinned, out).run();
 }
 
 std::vector<uint16_t> patchIndices() {

@@ -11,6 +11,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "water/extent.h"
+
 namespace seaglass {
 
 constexpr uint32_t patchCells = 16; ///< across a patch; the shader's patchCells
@@ -20,6 +22,19 @@ struct MeshPatch {
     float corner[2]; ///< lowest (u, v), relative to the eye [m]
     float cell;      ///< edge of a cell [m]
     float range;     ///< distance within which this level is used [m]
+};
+
+/// One patch of a body with an outline.
+struct OutlinedPatch {
+    MeshPatch patch;
+    uint32_t firstEdge; ///< of those that decide what of the patch lies within
+    uint32_t edgeCount; ///< 0: all of it
+};
+
+/// What is to be drawn of a body with an outline.
+struct OutlinedPatches {
+    std::vector<OutlinedPatch> patches;
+    std::vector<glm::vec4> edges; ///< (u, v) of both ends, relative to the eye [m]
 };
 
 struct MeshView {
@@ -33,8 +48,17 @@ struct MeshView {
 /// Inward planes (left, right, bottom, top, near) of a clip matrix over its input space.
 std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDepth);
 
+/// Whether a view may see something of what lies between two corners (u, v), relative to the eye.
+bool inSight(const MeshView& view, const glm::dvec2& lowest, const glm::dvec2& highest);
+
 /// Patches from fine to coarse out to the horizon, those out of sight left out.
 void selectPatches(const MeshView& view, double finestCell, double rangeInCells, std::vector<MeshPatch>& out);
+
+/// Patches that touch what an outline encloses, likewise. Each that comes within `pinned` metres of an edge
+/// has a list of edges: a point of the patch lies within where an odd number of them crosses the ray from it
+/// towards -u, and no other edge is nearer than `pinned`.
+void selectPatches(const MeshView& view, double finestCell, double rangeInCells, const Outline& outline,
+                   double pinned, OutlinedPatches& out);
 
 /// Two triangles a cell over (patchCells + 1)^2 vertices, row by row.
 std::vector<uint16_t> patchIndices();

@@ -6,48 +6,80 @@
 
 #include "spirv/surface.frag.h"
 #include "spirv/surface.vert.h"
+#include "spirv/surface_host_mesh.vert.h"
 #include "spirv/surface_l.frag.h"
+#include "spirv/surface_lo.frag.h"
 #include "spirv/surface_lr.frag.h"
+#include "spirv/surface_lro.frag.h"
+#include "spirv/surface_o.frag.h"
+#include "spirv/surface_outline.vert.h"
 #include "spirv/surface_r.frag.h"
+#include "spirv/surface_ro.frag.h"
 #include "spirv/surface_w.frag.h"
 #include "spirv/surface_waves.vert.h"
+#include "spirv/surface_waves_host_mesh.vert.h"
+#include "spirv/surface_waves_outline.vert.h"
 #include "spirv/surface_wf.frag.h"
 #include "spirv/surface_wfl.frag.h"
+#include "spirv/surface_wflo.frag.h"
 #include "spirv/surface_wflr.frag.h"
+#include "spirv/surface_wflro.frag.h"
+#include "spirv/surface_wfo.frag.h"
 #include "spirv/surface_wfr.frag.h"
+#include "spirv/surface_wfro.frag.h"
 #include "spirv/surface_wl.frag.h"
+#include "spirv/surface_wlo.frag.h"
 #include "spirv/surface_wlr.frag.h"
+#include "spirv/surface_wlro.frag.h"
+#include "spirv/surface_wo.frag.h"
 #include "spirv/surface_wr.frag.h"
-#include "water/mesh.h"
+#include "spirv/surface_wro.frag.h"
 
 namespace seaglass {
 
 namespace {
 
 std::span<const uint32_t> vertexShader(const SurfaceFeatures& f) {
+    switch (f.shape) {
+    case SurfaceShape::plane:
+        break;
+    case SurfaceShape::outlined:
+        if (f.waves) return surface_waves_outline_vert;
+        return surface_outline_vert;
+    case SurfaceShape::hostMesh:
+        if (f.waves) return surface_waves_host_mesh_vert;
+        return surface_host_mesh_vert;
+    }
     if (f.waves) return surface_waves_vert;
     return surface_vert;
 }
 
-// Letters in the names: w waves, f foam, l reflection, r refraction.
+// Letters in the names: w waves, f foam, l reflection, r refraction, o an outline.
 std::span<const uint32_t> fragmentShader(const SurfaceFeatures& f) {
-    const int base = (f.reflection ? 1 : 0) + (f.refraction ? 2 : 0);
-    const std::span<const uint32_t> calm[] = {surface_frag, surface_l_frag, surface_r_frag, surface_lr_frag};
-    const std::span<const uint32_t> waves[] = {surface_w_frag, surface_wl_frag, surface_wr_frag,
-                                               surface_wlr_frag};
-    const std::span<const uint32_t> foam[] = {surface_wf_frag, surface_wfl_frag, surface_wfr_frag,
-                                              surface_wflr_frag};
+    const bool outlined = f.shape == SurfaceShape::outlined;
+    const int base = (f.reflection ? 1 : 0) + (f.refraction ? 2 : 0) + (outlined ? 4 : 0);
+    const std::span<const uint32_t> calm[] = {surface_frag,    surface_l_frag,  surface_r_frag,
+                                              surface_lr_frag, surface_o_frag,  surface_lo_frag,
+                                              surface_ro_frag, surface_lro_frag};
+    const std::span<const uint32_t> waves[] = {surface_w_frag,   surface_wl_frag,  surface_wr_frag,
+                                               surface_wlr_frag, surface_wo_frag,  surface_wlo_frag,
+                                               surface_wro_frag, surface_wlro_frag};
+    const std::span<const uint32_t> foam[] = {surface_wf_frag,   surface_wfl_frag,  surface_wfr_frag,
+                                              surface_wflr_frag, surface_wfo_frag,  surface_wflo_frag,
+                                              surface_wfro_frag, surface_wflro_frag};
     if (!f.waves) return calm[base];
     return f.foam ? foam[base] : waves[base];
 }
 
 /// In the order of shaders/common/surface.glsl, which numbers bindings likewise.
-template<typename Item, typename Waves, typename Foam, typename Reflection, typename Refraction>
+template<typename Item, typename Waves, typename Extent, typename Foam, typename Reflection,
+         typename Refraction>
 std::vector<Item> byFeature(const SurfaceFeatures& f, std::initializer_list<Item> always, Waves&& waves,
-                            Foam&& foam, Reflection&& reflection, Refraction&& refraction) {
+                            Extent&& extent, Foam&& foam, Reflection&& reflection, Refraction&& refraction) {
     std::vector<Item> list(always);
     if (f.waves)
         for (const Item& item : waves()) list.push_back(item);
+    if (f.shape == SurfaceShape::outlined) list.push_back(extent());
     if (f.foam)
         for (const Item& item : foam()) list.push_back(item);
     if (f.reflection)
@@ -64,6 +96,7 @@ std::vector<VkDescriptorType> bindings(const SurfaceFeatures& f) {
         [] {
             return std::array{image, image, image};
         },
+        [] { return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER; },
         [] {
             return std::array{image, image};
         },
@@ -81,14 +114,14 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
     const LightingDesc& light = *in.lighting;
     return byFeature<gpu::Resource>(
         f,
-        {gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms)),
-         gpu::storageBuffer(in.patches.buffer, in.patches.offset, sizeof(MeshPatch) * in.patchCount),
+        {gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms)), in.patches,
          gpu::sampledImage(samplers.trilinearClamp(), light.skyCube, light.skyCubeLayout)},
         [&] {
             const VkSampler s = samplers.trilinearRepeat();
             return std::array{gpu::sampledImage(s, in.waveMaps[0]), gpu::sampledImage(s, in.waveMaps[1]),
                               gpu::sampledImage(s, in.waveMaps[2])};
         },
+        [&] { return in.extent; },
         [&] {
             const VkSampler s = samplers.trilinearRepeat();
             return std::array{gpu::sampledImage(s, in.foamPattern), gpu::sampledImage(s, in.foamHistory)};
@@ -151,8 +184,8 @@ Status recordSurface(Context& context, VkCommandBuffer commands, const SurfacePi
     vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.handle);
     vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.layout.pipeline(), 0, 1,
                              &set, 0, nullptr);
-    vk.CmdBindIndexBuffer(commands, inputs.indices, 0, VK_INDEX_TYPE_UINT16);
-    vk.CmdDrawIndexed(commands, patchCells * patchCells * 6, inputs.patchCount, 0, 0, 0);
+    vk.CmdBindIndexBuffer(commands, inputs.indices, 0, inputs.indexType);
+    vk.CmdDrawIndexed(commands, inputs.indexCount, inputs.instanceCount, 0, 0, 0);
     return Status::ok;
 }
 

@@ -13,6 +13,13 @@
 
 namespace seaglass {
 
+/// How the vertices of a surface are placed.
+enum class SurfaceShape : uint32_t {
+    plane,    ///< patches out to the horizon
+    outlined, ///< patches, of which pixels within an outline are kept
+    hostMesh, ///< the host's own
+};
+
 /// What a body's surface has. Each combination is a shader of its own, which declares nothing that it does
 /// not use.
 struct SurfaceFeatures {
@@ -20,6 +27,7 @@ struct SurfaceFeatures {
     bool foam = false; ///< only with waves
     bool refraction = false;
     bool reflection = false; ///< a screen-space reflection image
+    SurfaceShape shape = SurfaceShape::plane;
     auto operator<=>(const SurfaceFeatures&) const = default;
 };
 
@@ -64,6 +72,8 @@ struct SurfaceUniforms {
     glm::vec4 reflectionLook{
         0};              ///< clear distance [m], scatter, distance at which the sky has taken over [m]
     glm::vec4 within{0}; ///< edge of the finest cells [m], half the meniscus [m]
+    glm::vec4 extent{0}; ///< (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges
+                         ///< hold the waves [1/m]
 };
 
 /// Edge of the tile that foam patterns repeat in [m]; shaders/common/foam_cover.glsl samples divisions of it.
@@ -93,9 +103,12 @@ class SurfacePipelines {
 /// What one draw binds. Views that the features do not call for stay null.
 struct SurfaceInputs {
     gpu::Slice uniforms;
-    gpu::Slice patches; ///< MeshPatch, one an instance
-    uint32_t patchCount = 0;
+    gpu::Resource patches; ///< one an instance; of a mesh of the host's own, its vertices
+    gpu::Resource extent;  ///< the block of shaders/common/extent.glsl
     VkBuffer indices = VK_NULL_HANDLE;
+    VkIndexType indexType = VK_INDEX_TYPE_UINT16;
+    uint32_t indexCount = 0;
+    uint32_t instanceCount = 1;
     const LightingDesc* lighting = nullptr;
     VkImageView waveMaps[3] = {};
     VkImageView foamPattern = VK_NULL_HANDLE;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "host/extent.h"
 #include "host/rendering.h"
 #include "host/seaglass_view.h"
 #include "host/waves.h"
@@ -69,6 +70,7 @@ bool WaterPass::create(const Device& device, const HostDesc& hostDesc, PassTimer
 }
 
 bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) {
+    SceneExtent extent;
     SceneSea sea;
     seaglass::FoamDesc foam;
     seaglass::RefractionDesc refraction;
@@ -78,6 +80,10 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     body.plane[3] = -desc.levelM;
     body.mesh.cellSize = static_cast<float>(desc.cellM);
     body.mesh.cellsPerLevel = desc.cellsPerLevel;
+    if (desc.extent) {
+        if (!extentOf(*desc.extent, extent, error)) return false;
+        body.extent = extent.desc;
+    }
     if (desc.waves) {
         if (!seaOf(*desc.waves, sea, error) || !wavesOnOf(*desc.waves, body.wavesOn, error)) return false;
         body.waves = &sea.desc;

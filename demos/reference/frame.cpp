@@ -42,7 +42,15 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
         SurfaceMeshDesc mesh;
         mesh.levelM = world.water->levelM;
         mesh.height = desc.height;
+        if (world.outline) {
+            mesh.outline = &*world.outline;
+            if (world.sea) mesh.pinned = seaglass::pinnedWithin(seaglass::largestDisplacement(*world.sea));
+        }
         out.mesh = meshOf(out.surface, out.camera, mesh);
+        if (world.outline)
+            out.mesh.covers = [&out](uint32_t triangle, const glm::vec3& weights) {
+                return out.world->outline->contains(out.calmAt(triangle, weights));
+            };
         out.geometry.add(out.mesh);
         out.mesh.positions = {};
     }
@@ -74,11 +82,15 @@ glm::dvec3 Frame::seenAt(const glm::vec3& position) const {
 }
 
 glm::dvec2 Frame::calmAt(const Hit& waterHit) const {
-    const glm::uvec3 corners = mesh.triangles[waterHit.triangle];
+    return calmAt(waterHit.triangle, waterHit.weights);
+}
+
+glm::dvec2 Frame::calmAt(uint32_t triangle, const glm::vec3& weights) const {
+    const glm::uvec3 corners = mesh.triangles[triangle];
     glm::dvec2 calm(camera.eye.x, camera.eye.z);
     for (int i = 0; i < 3; ++i)
-        calm += static_cast<double>(waterHit.weights[i]) *
-                glm::dvec2(mesh.calm[corners[static_cast<glm::length_t>(i)]]);
+        calm +=
+            static_cast<double>(weights[i]) * glm::dvec2(mesh.calm[corners[static_cast<glm::length_t>(i)]]);
     return calm;
 }
 

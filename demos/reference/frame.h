@@ -31,11 +31,12 @@ struct Frame {
     glm::dvec3 seenAt(const glm::vec3& position) const;
     /// Where the water of a hit rests, in the world.
     glm::dvec2 calmAt(const Hit& waterHit) const;
+    glm::dvec2 calmAt(uint32_t triangle, const glm::vec3& weights) const;
     /// Height of a point relative to the eye above the calm water [m].
     float heightOf(const glm::vec3& position) const;
 };
 
-/// `out` keeps a pointer to the world.
+/// `out` keeps a pointer to the world, and its geometry one to `out`.
 bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& error);
 
 } // namespace demos::reference

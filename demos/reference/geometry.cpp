@@ -93,6 +93,15 @@ void filterBack(const RTCFilterFunctionNArguments* args) {
     if (glm::dot(n, d) >= 0) args->valid[0] = 0;
 }
 
+/// Takes hits beside what the surface covers back.
+void filterBeside(const RTCFilterFunctionNArguments* args) {
+    if (args->valid[0] != -1) return;
+    using Covers = std::function<bool(uint32_t, const glm::vec3&)>;
+    const float u = RTCHitN_u(args->hit, args->N, 0), v = RTCHitN_v(args->hit, args->N, 0);
+    const auto& covers = *static_cast<const Covers*>(args->geometryUserPtr);
+    if (!covers(RTCHitN_primID(args->hit, args->N, 0), {1 - u - v, u, v})) args->valid[0] = 0;
+}
+
 template<class T>
 T* newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, size_t count) {
     return static_cast<T*>(rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), count));
@@ -164,6 +173,12 @@ void Geometry::add(const SurfaceMesh& surface) {
     std::copy(surface.triangles.begin(), surface.triangles.end(), triangles);
     rtcSetGeometryMask(geometry, Kind::surface);
     if (surface.oneSided) rtcSetGeometryIntersectFilterFunction(geometry, filterBack);
+    if (surface.covers) {
+        surfaceCovers_ = surface.covers;
+        rtcSetGeometryUserData(geometry, &surfaceCovers_);
+        rtcSetGeometryIntersectFilterFunction(geometry, filterBeside);
+        rtcSetGeometryOccludedFilterFunction(geometry, filterBeside);
+    }
     rtcCommitGeometry(geometry);
     surfaceGeometry_ = rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);

@@ -2,6 +2,7 @@
 // relative to the eye.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -57,6 +58,8 @@ struct SurfaceMesh {
     std::vector<glm::vec2> calm; ///< of water: (u, v) before displacement
     std::vector<glm::uvec3> triangles;
     bool oneSided = false; ///< rays pass through its back
+    /// Whether a point of a triangle, given by its corners' weights, is there at all; null: all are.
+    std::function<bool(uint32_t triangle, const glm::vec3& weights)> covers;
 };
 
 /// Immutable once built; tracing may go on in several threads at once.
@@ -83,6 +86,7 @@ class Geometry {
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
     std::vector<std::unique_ptr<OpaquePart>> parts_; ///< by Embree's geometry
+    std::function<bool(uint32_t, const glm::vec3&)> surfaceCovers_;
     unsigned surfaceGeometry_ = RTC_INVALID_GEOMETRY_ID;
     const glm::vec3* surfacePositions_ = nullptr;
     const glm::uvec3* surfaceTriangles_ = nullptr;

@@ -73,6 +73,12 @@ std::vector<double> azimuthSteps(const Azimuths& seen, double fine) {
     return angles;
 }
 
+/// From the eye's foot to a corner of what an outline encloses [m].
+double farthestOf(const seaglass::Outline& outline, const Camera& camera) {
+    const glm::dvec2 foot(camera.eye.x, camera.eye.z);
+    return 1.1 * glm::length(glm::max(glm::abs(outline.low - foot), glm::abs(outline.high - foot)));
+}
+
 } // namespace
 
 bool WaterSurface::create(const seaglass::Sea* sea, const seaglass::FoamDesc* foam, double timeS,
@@ -208,7 +214,8 @@ float WaterSurface::foamCover(const glm::dvec2& calm, double footprint) const {
 SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc) {
     const double eyeHeight = camera.eye.y - desc.levelM, height = std::max(std::abs(eyeHeight), 0.05);
     // A flat sea comes within h/d radians of the horizon: as far as the renderer's own mesh.
-    const double horizon = std::max(100e3, 4000 * height);
+    double horizon = std::max(100e3, 4000 * height);
+    if (desc.outline) horizon = std::min(horizon, farthestOf(*desc.outline, camera));
     constexpr double finestCell = 0.005; // [m]
     const auto cellAt = [&](double r, double fine) {
         return std::max(fine * std::hypot(r, height), finestCell);
@@ -226,7 +233,12 @@ SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const Surf
     SurfaceMesh mesh;
     const auto add = [&](const glm::dvec2& fromFoot, double cell) {
         const glm::dvec2 calm = fromFoot + glm::dvec2(camera.eye.x, camera.eye.z);
-        const glm::vec3 moved = surface.displacement(calm, cell);
+        glm::vec3 moved = surface.displacement(calm, cell);
+        if (desc.outline && desc.pinned > 0) {
+            const auto loose =
+                static_cast<float>(std::min(desc.outline->distanceTo(calm) / desc.pinned, 1.0));
+            moved *= glm::vec3(loose, 1, loose);
+        }
         mesh.calm.emplace_back(fromFoot);
         mesh.positions.emplace_back(static_cast<float>(fromFoot.x + moved.x),
                                     static_cast<float>(moved.y - eyeHeight),

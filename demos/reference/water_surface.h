@@ -9,6 +9,9 @@
 #include "reference/geometry.h"
 #include "seaglass/foam.h"
 
+// Not public: there is to be one notion of what an outline encloses.
+#include "water/extent.h"
+
 namespace demos::reference {
 
 struct SeaDeleter {
@@ -61,9 +64,11 @@ class WaterSurface {
 struct SurfaceMeshDesc {
     double levelM = 0;
     double aspect = 1;
-    uint32_t height = 1;       ///< pixels
-    double pixelsACell = 1.5;  ///< edge of a cell as it is seen across the line of sight
-    double mostVertices = 3e6; ///< about; beyond, all cells grow alike
+    uint32_t height = 1;                        ///< pixels
+    double pixelsACell = 1.5;                   ///< edge of a cell as it is seen across the line of sight
+    double mostVertices = 3e6;                  ///< about; beyond, all cells grow alike
+    const seaglass::Outline* outline = nullptr; ///< at which waves do not move points to the side
+    double pinned = 0;                          ///< how near to it they begin to do so less [m]
 };
 
 /// Rings around the eye's foot, close where it looks and wide elsewhere: one grid bent round, so that no

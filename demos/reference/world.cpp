@@ -1,5 +1,6 @@
 #include "reference/world.h"
 
+#include "host/extent.h"
 #include "host/floor_texture.h"
 #include "host/placement.h"
 #include "host/waves.h"
@@ -31,9 +32,26 @@ bool setFloor(const std::optional<FloorDesc>& desc, World& out, Error& error) {
     return texture.has_value();
 }
 
+namespace {
+
+bool setOutline(const ExtentDesc& desc, World& out, Error& error) {
+    SceneExtent extent;
+    if (!extentOf(desc, extent, error)) return false;
+    if (const char* const bad = seaglass::badField(extent.desc)) {
+        error.text = std::string("water: ") + bad;
+        return false;
+    }
+    out.outline = seaglass::outlineOf(extent.desc);
+    return true;
+}
+
+} // namespace
+
 bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error) {
     out.water = desc;
     out.sea.reset();
+    out.outline.reset();
+    if (desc && desc->extent && !setOutline(*desc->extent, out, error)) return false;
     if (!desc || !desc->waves) return true;
     SceneSea sea;
     if (!seaOf(*desc->waves, sea, error)) return false;

@@ -8,6 +8,9 @@
 #include "reference/light.h"
 #include "reference/water_surface.h"
 
+// Not public: there is to be one notion of what an outline encloses.
+#include "water/extent.h"
+
 namespace demos::reference {
 
 struct Floor {
@@ -21,7 +24,8 @@ struct World {
     std::vector<Instance> instances;
     Light light;
     std::optional<WaterDesc> water;
-    SeaPointer sea; ///< null when flat
+    SeaPointer sea;                           ///< null when flat
+    std::optional<seaglass::Outline> outline; ///< of the water; none where it is unbounded
     std::optional<Floor> floor;
 };
 

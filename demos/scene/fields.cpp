@@ -146,6 +146,18 @@ constexpr std::array reflectionFields = {
           "ssr: share of a stride, noise for bands"},
 };
 
+constexpr std::array<std::string_view, 3> extentShapes = {"rectangle", "polygon", "mesh"};
+
+constexpr std::array extentFields = {
+    Field{"shape", at<&ExtentDesc::shape>, 0, 0, "", "what says where the water ends", false, Rule::none,
+          extentShapes},
+    Field{"center_m", at<&ExtentDesc::centerM>, -far, far, "m", "x and z of its middle, or its origin"},
+    Field{"yaw_deg", at<&ExtentDesc::yawDeg>, -turn, turn, "degrees", "turn about +Y"},
+    Field{"size_m", at<&ExtentDesc::sizeM>, 0.01, 1e6, "m", "of a rectangle, along its x and z"},
+    Field{"points_m", at<&ExtentDesc::pointsM>, -far, far, "m", "x and z of a polygon's corners"},
+    Field{"file", at<&ExtentDesc::file>, 0, 0, "", "glTF file"},
+};
+
 constexpr std::array waterFields = {
     Field{"level_m", at<&WaterDesc::levelM>, -1e5, 1e5, "m", "height of the calm surface"},
     Field{"cell_m", at<&WaterDesc::cellM>, 0.01, 100, "m", "edge of the finest cells"},
@@ -197,10 +209,14 @@ constexpr Section reflection = {
 
 constexpr Section underwater = {
     "underwater", underwaterFields, {}, "the view from within; without it the water is seen from above"};
+constexpr Section extent = {"extent", extentFields, {}, "what the water covers; without it, all"};
 
 constexpr std::array waterChildren = {
-    Child{&waves, open<&WaterDesc::waves>},           Child{&foam, open<&WaterDesc::foam>},
-    Child{&refraction, open<&WaterDesc::refraction>}, Child{&reflection, open<&WaterDesc::reflection>},
+    Child{&extent, open<&WaterDesc::extent>},
+    Child{&waves, open<&WaterDesc::waves>},
+    Child{&foam, open<&WaterDesc::foam>},
+    Child{&refraction, open<&WaterDesc::refraction>},
+    Child{&reflection, open<&WaterDesc::reflection>},
     Child{&underwater, open<&WaterDesc::underwater>},
 };
 
@@ -249,6 +265,10 @@ struct Expectation {
     const Field& field;
 
     std::string operator()(const double*) const { return range(field); }
+    std::string operator()(const Vec2*) const { return "two numbers, each " + range(field); }
+    std::string operator()(const std::vector<Vec2>*) const {
+        return "pairs of numbers, [[x, z], ...], each " + range(field);
+    }
     std::string operator()(const Vec3*) const { return "three numbers, each " + range(field); }
     std::string operator()(const uint32_t*) const {
         if (field.rule == Rule::powerOfTwo) return "a power of two, " + range(field);

@@ -14,8 +14,8 @@
 namespace demos {
 
 /// Where a field's value lives. The type says what a file may hold there.
-using Target =
-    std::variant<double*, Vec3*, uint32_t*, uint64_t*, bool*, std::string*, std::filesystem::path*>;
+using Target = std::variant<double*, Vec2*, Vec3*, std::vector<Vec2>*, uint32_t*, uint64_t*, bool*,
+                            std::string*, std::filesystem::path*>;
 
 /// What a field may hold beyond its type.
 enum class Rule {

@@ -195,7 +195,18 @@ class Reader {
         return inRange(field, out);
     }
 
-    static bool convert(const toml::node& node, const Field& field, Vec3& out) {
+    static bool convert(const toml::node& node, const Field& field, std::vector<Vec2>& out) {
+        const toml::array* pairs = node.as_array();
+        if (!pairs) return false;
+        out.resize(pairs->size());
+        for (size_t i = 0; i < out.size(); ++i) {
+            if (!convert((*pairs)[i], field, out[i])) return false;
+        }
+        return true;
+    }
+
+    template<size_t count>
+    static bool convert(const toml::node& node, const Field& field, std::array<double, count>& out) {
         const toml::array* numbers = node.as_array();
         if (!numbers || numbers->size() != out.size()) return false;
         for (size_t i = 0; i < out.size(); ++i) {
@@ -401,6 +412,18 @@ bool checkWaves(const Scene& scene, const toml::table& root, Reader& reader) {
                        "water.waves.spectrum is 'table', expected water.waves.spectrum_table too");
 }
 
+bool checkExtent(const Scene& scene, const toml::table& root, Reader& reader) {
+    if (!scene.water || !scene.water->extent) return true;
+    const ExtentDesc& extent = *scene.water->extent;
+    const char* missing = nullptr;
+    if (extent.shape == "rectangle" && extent.sizeM[0] == 0) missing = "size_m";
+    if (extent.shape == "polygon" && extent.pointsM.empty()) missing = "points_m";
+    if (extent.shape == "mesh" && extent.file.empty()) missing = "file";
+    if (!missing) return true;
+    return reader.fail(place(*root["water"]["extent"].node(), reader.file()),
+                       "water.extent is a " + extent.shape + ", expected water.extent." + missing + " too");
+}
+
 bool checkFloor(const Scene& scene, const toml::table& root, Reader& reader) {
     if (!scene.floor) return true;
     if (scene.water) {
@@ -420,6 +443,9 @@ void rememberPlaces(Scene& scene, const toml::table& root, const std::string& fi
         scene.meshes[i].where =
             place(*root["mesh"][i]["file"].node(), file) + ": mesh." + std::to_string(i) + ".file";
     }
+    if (scene.water && scene.water->extent && !scene.water->extent->file.empty())
+        scene.water->extent->where =
+            place(*root["water"]["extent"]["file"].node(), file) + ": water.extent.file";
     if (scene.floor && !scene.floor->texture.empty())
         scene.floor->where = place(*root["floor"]["texture"].node(), file) + ": floor.texture";
 }
@@ -471,7 +497,8 @@ std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::stri
     Reader reader(file, error);
     if (!reader.read(root, sceneSection(), &scene, "", "")) return std::nullopt;
     if (!checkCameras(scene, root, reader) || !checkWater(scene, root, reader) ||
-        !checkWaves(scene, root, reader) || !checkFloor(scene, root, reader))
+        !checkExtent(scene, root, reader) || !checkWaves(scene, root, reader) ||
+        !checkFloor(scene, root, reader))
         return std::nullopt;
     rememberPlaces(scene, root, file.string());
     return scene;

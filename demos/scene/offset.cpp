@@ -11,6 +11,10 @@ void applyOffset(Scene& scene, CameraDesc& camera) {
     };
     for (MeshDesc& mesh : scene.meshes) move(mesh.positionM);
     if (scene.water) scene.water->levelM += offset[1];
+    if (scene.water && scene.water->extent) {
+        scene.water->extent->centerM[0] += offset[0];
+        scene.water->extent->centerM[1] += offset[2];
+    }
     if (scene.floor) move(scene.floor->pointM);
     move(camera.positionM);
     move(camera.targetM);

@@ -12,6 +12,7 @@
 
 namespace demos {
 
+using Vec2 = std::array<double, 2>; ///< x and z
 using Vec3 = std::array<double, 3>;
 
 /// A place in a file and what is wrong there: "harbour.toml:12: water.waves.wind_m_s is -3, expected 0 to
@@ -113,10 +114,22 @@ struct ReflectionDesc {
     double marchJitter = 0;
 };
 
+/// What water covers: seaglass::ExtentDesc. It is moved by `centerM` and turned about it.
+struct ExtentDesc {
+    std::string shape = "rectangle"; ///< rectangle | polygon | mesh
+    Vec2 centerM = {0, 0};
+    double yawDeg = 0;          ///< about +Y, as a mesh's
+    Vec2 sizeM = {0, 0};        ///< of a rectangle
+    std::vector<Vec2> pointsM;  ///< of a polygon
+    std::filesystem::path file; ///< of a mesh: glTF, whose heights do not count; absolute
+    std::string where = {};     ///< of `file` in the scene, for errors
+};
+
 struct WaterDesc {
     double levelM = 0;
     double cellM = 0.25;
     uint32_t cellsPerLevel = 128;
+    std::optional<ExtentDesc> extent; ///< none: to the horizon
     std::optional<WavesDesc> waves;
     std::optional<FoamDesc> foam;
     std::optional<RefractionDesc> refraction;

@@ -6,10 +6,24 @@ struct MeshPatch {
     vec2 corner;
     float cell;
     float range;
+#ifdef OUTLINE
+    uvec2 edgeRange;   // the first of its edges, their number
+#endif
+};
+
+// Of a mesh of the host's own.
+struct HostVertex {
+    vec2 calm;       // from its origin
+    float cell;      // mean edge of the triangles around
+    float fromEdge;  // distance from the mesh's border
 };
 
 layout(set = 0, binding = 1, std430) readonly buffer Patches {
+#ifdef HOST_MESH
+    HostVertex hostVertices[];
+#else
     MeshPatch patches[];
+#endif
 };
 
 layout(set = 0, binding = 2) uniform samplerCube skyCube;
@@ -24,12 +38,20 @@ layout(set = 0, binding = 5) uniform sampler2DArray waveMoments;
 #define AFTER_WAVES 3
 #endif
 
-#ifdef FOAM
-layout(set = 0, binding = AFTER_WAVES) uniform sampler2D foamPattern;
-layout(set = 0, binding = AFTER_WAVES + 1) uniform sampler2DArray foamHistory;
-#define AFTER_FOAM (AFTER_WAVES + 2)
+#ifdef OUTLINE
+#define EXTENT_BINDING AFTER_WAVES
+#define AFTER_EXTENT (AFTER_WAVES + 1)
+#include "extent.glsl"
 #else
-#define AFTER_FOAM AFTER_WAVES
+#define AFTER_EXTENT AFTER_WAVES
+#endif
+
+#ifdef FOAM
+layout(set = 0, binding = AFTER_EXTENT) uniform sampler2D foamPattern;
+layout(set = 0, binding = AFTER_EXTENT + 1) uniform sampler2DArray foamHistory;
+#define AFTER_FOAM (AFTER_EXTENT + 2)
+#else
+#define AFTER_FOAM AFTER_EXTENT
 #endif
 
 #ifdef REFLECTION

@@ -26,6 +26,7 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     int foamCascades;
     vec3 reflectionLook;     // clear distance, scatter, distance of the sky: reflection_blur.glsl
     vec4 within;             // edge of the finest cells, half the meniscus: metres
+    vec4 extent;       // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves
 };
 
 // (x, y, depth) of a point in the region's pixels; w <= 0 behind the camera.

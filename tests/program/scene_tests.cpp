@@ -258,6 +258,32 @@ TEST_F(SceneFile, AnOffsetMovesEverythingThatHasAPlace) {
               "three numbers, each -1e+06 to 1e+06 m");
 }
 
+TEST_F(SceneFile, WaterMayEnd) {
+    const std::optional<Scene> endless = load();
+    ASSERT_TRUE(endless) << error_.text;
+    EXPECT_FALSE(endless->water->extent);
+    std::optional<Scene> pool = load({"water.extent.size_m=[25, 10]", "water.extent.yaw_deg=30"});
+    ASSERT_TRUE(pool && pool->water->extent) << error_.text;
+    EXPECT_EQ(pool->water->extent->sizeM, (demos::Vec2{25, 10}));
+    demos::CameraDesc camera;
+    camera.offsetM = {100, 20, 3};
+    demos::applyOffset(*pool, camera);
+    EXPECT_EQ(pool->water->extent->centerM, (demos::Vec2{100, 3}));
+    const std::optional<Scene> lake =
+        load({"water.extent.shape=polygon", "water.extent.points_m=[[0, 0], [5, 1], [2, 6]]"});
+    ASSERT_TRUE(lake && lake->water->extent) << error_.text;
+    EXPECT_EQ(lake->water->extent->pointsM, (std::vector<demos::Vec2>{{0, 0}, {5, 1}, {2, 6}}));
+
+    EXPECT_NE(problemOf("water.extent.yaw_deg=30").find("rectangle, expected water.extent.size_m too"),
+              std::string::npos);
+    EXPECT_NE(problemOf("water.extent.shape=mesh").find("expected water.extent.file too"), std::string::npos);
+    EXPECT_EQ(problemOf("water.extent.points_m=[[0, 1], [2]]"),
+              "--set water.extent.points_m=[[0, 1], [2]]: water.extent.points_m is [ [ 0, 1 ], [ 2 ] ], "
+              "expected pairs of numbers, [[x, z], ...], each -1e+06 to 1e+06 m");
+    EXPECT_NE(problemOf("water.extent.size_m=[25]").find("expected two numbers, each 0.01 to 1e+06 m"),
+              std::string::npos);
+}
+
 TEST_F(SceneFile, FoamNeedsWaves) {
     std::string text = tests::sampleScene();
     const size_t from = text.find("[water.waves]"), to = text.find("[water.foam]");
@@ -404,7 +430,7 @@ TEST_F(SceneFile, EveryFieldIsInTheTableOnce) {
 
 /// The sample, with one of everything that can be repeated.
 std::string fullSample() {
-    return tests::sampleScene() + "[[water.waves.swells]]\n";
+    return tests::sampleScene() + "[[water.waves.swells]]\n[water.extent]\nsize_m = [25, 10]\n";
 }
 
 TEST_F(SceneFile, EveryFieldRefusesADate) {

@@ -40,6 +40,39 @@ struct Scene {
     }
 };
 
+TEST(Surface, EndsWhereItsExtentSays) {
+    for (const bool wavy : {false, true}) {
+        WaterDesc water = breezy(1);
+        if (!wavy) water.waves.reset();
+        ExtentDesc extent;
+        extent.shape = "polygon";
+        extent.centerM = {345678.9, 345678.9};
+        extent.yawDeg = 10;
+        extent.pointsM = {{-6, 3}, {5, 2}, {7, -9}, {0, -4}, {-8, -12}};
+        water.extent = extent;
+        const Scene scene(water, 90);
+        const reference::Frame& frame = scene.frame;
+        size_t hits = 0, misses = 0;
+        for (uint32_t y = 0; y < frame.desc.height; ++y)
+            for (uint32_t x = 0; x < frame.desc.width; ++x) {
+                const reference::Ray ray = frame.rayThrough({static_cast<float>(x), static_cast<float>(y)});
+                reference::Hit hit;
+                if (!frame.geometry.trace(ray, reference::Kind::everything, hit)) {
+                    ++misses;
+                    continue;
+                }
+                ++hits;
+                EXPECT_TRUE(scene.world.outline->contains(frame.calmAt(hit)));
+                // Waves do not carry it over the edge.
+                const glm::dvec2 at(frame.camera.eye.x + static_cast<double>(hit.position.x),
+                                    frame.camera.eye.z + static_cast<double>(hit.position.z));
+                EXPECT_TRUE(scene.world.outline->contains(at) || scene.world.outline->distanceTo(at) < 1e-3);
+            }
+        EXPECT_GT(hits, 300u);
+        EXPECT_GT(misses, 300u);
+    }
+}
+
 TEST(Surface, LiesWhereHeightsAreSampled) {
     const Scene scene(breezy(1), 180);
     const reference::Frame& frame = scene.frame;

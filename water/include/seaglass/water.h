@@ -36,6 +36,36 @@ struct MeshDesc {
     uint32_t cellsPerLevel = 128; ///< cells until a twice coarser level takes over, 128..1024
 };
 
+/// What a body covers of its plane.
+enum class ExtentShape : uint32_t {
+    unbounded = 0, ///< all of it, to the horizon; costs nothing
+    rectangle,     ///< a pool or a canal
+    polygon,       ///< a lake by its shore line
+    mesh,          ///< triangles of the host's own, drawn as they are
+};
+
+/// Points are (x, z) in the world [m]. At the outline waves move water up and down but not to the side, so
+/// that no gap opens before a wall, and they come to move it as they do at sea within 2.5 significant wave
+/// heights (times the choppiness, if that is more than 1). Height queries know of no outline.
+struct ExtentDesc {
+    ExtentShape shape = ExtentShape::unbounded;
+
+    // Of `rectangle`.
+    double center[2] = {0, 0};
+    double size[2] = {0, 0}; ///< along its own x and z [m], each 0.01..1e6
+    double yaw = 0;          ///< of its own x, from +X towards +Z [rad]
+
+    /// Of `polygon`: its corners, 3..1024, either way round; no edge may cross or touch another. Cut by
+    /// pixels: lay it under the bank. Of `mesh`: its vertices, 3..2^24.
+    const double* points = nullptr; ///< x and z of each in turn
+    uint32_t pointCount = 0;
+
+    /// Of `mesh`: three to a triangle, either way round. Waves shorter than its edges do not show in its
+    /// shape, only in its light.
+    const uint32_t* indices = nullptr;
+    uint32_t indexCount = 0;
+};
+
 /// Where a body's waves are computed; the sea is the same.
 enum class WavesOn : uint32_t {
     automatic = 0, ///< the GPU; or, on a device that is a CPU itself, `wavesBackend` if there is one
@@ -47,6 +77,7 @@ enum class WavesOn : uint32_t {
 /// included.
 struct BodyDesc {
     double plane[4] = {0, 1, 0, 0}; ///< the calm surface, n.p + d = 0; at present n must be +Y
+    ExtentDesc extent;
     const SeaDesc* waves = nullptr; ///< null: flat as glass
     WavesOn wavesOn = WavesOn::automatic;
     /// A backend of the CPU, e.g. fftwWaves() of seaglass/waves_fftw.h. Null: there is none but the GPU.

@@ -1,0 +1,43 @@
+// What a body covers of its plane: its outline, whichever shape described it.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "seaglass/water.h"
+
+namespace seaglass {
+
+struct OutlineEdge {
+    glm::dvec2 from{0}, to{0}; ///< (u, v) in the world [m]
+};
+
+/// Edges in any order that together close, so that a point is within when a ray from it meets an odd number.
+struct Outline {
+    std::vector<OutlineEdge> edges;
+    glm::dvec2 low{0}, high{0};
+
+    bool contains(const glm::dvec2& point) const;
+    double distanceTo(const glm::dvec2& point) const;
+};
+
+/// Whether a segment comes into a box.
+bool meets(const OutlineEdge& edge, const glm::dvec2& low, const glm::dvec2& high);
+
+/// Null when it is usable, else what is wrong with it.
+const char* badField(const ExtentDesc& desc);
+
+/// Of a usable description; no edges where it is unbounded.
+Outline outlineOf(const ExtentDesc& desc);
+
+/// The most that the waves of a sea move a point in any axis [m].
+double largestDisplacement(const Sea& sea);
+
+/// How near to the outline waves begin to move points less to the side, and on it not at all, so that water
+/// stays within its walls and leaves no gap before them [m].
+inline double pinnedWithin(double largestDisplacement) {
+    return 2 * largestDisplacement;
+}
+
+} // namespace seaglass
