@@ -14,3 +14,17 @@ function(seaglass_target target)
     target_link_options(${target} PRIVATE -fsanitize=${SEAGLASS_SANITIZE})
   endif()
 endfunction()
+
+# A library of ours, with its public headers in include/ beside it: static, or shared where BUILD_SHARED_LIBS says so.
+function(seaglass_library target)
+  string(REPLACE seaglass_ "" part ${target})
+  add_library(seaglass::${part} ALIAS ${target})
+  target_include_directories(${target}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${PROJECT_SOURCE_DIR})
+  # Public headers carry no macros, so a shared library shows all it has; until 1.0 any minor version may break.
+  # They find each other where they are installed.
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${part} WINDOWS_EXPORT_ALL_SYMBOLS ON INSTALL_RPATH "$ORIGIN"
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  seaglass_target(${target})
+endfunction()

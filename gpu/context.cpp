@@ -24,7 +24,16 @@ const char* toString(Status status) {
     return "unknown status";
 }
 
+uint32_t version() {
+    return SEAGLASS_VERSION;
+}
+
 namespace {
+
+/// Until 1.0 any minor version may change a struct (SemVer).
+bool sameInterface(uint32_t headers) {
+    return headers >> 12u == version() >> 12u;
+}
 
 const char* badField(const DeviceDesc& desc) {
     if (!desc.instance) return "DeviceDesc.instance is null";
@@ -41,6 +50,8 @@ const char* badField(const DeviceDesc& desc) {
 Status createContext(const DeviceDesc* desc, Context** out) {
     if (!desc || !out) return Status::invalidArgument;
     *out = nullptr;
+    // Nothing behind the version may be read where it is another: the struct itself may differ.
+    if (!sameInterface(desc->headerVersion)) return Status::unsupported;
     if (const char* bad = badField(*desc)) {
         if (desc->message.function) desc->message.function(desc->message.user, bad);
         return Status::invalidArgument;

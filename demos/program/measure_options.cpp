@@ -7,7 +7,7 @@ namespace demos {
 namespace {
 
 constexpr Size quickSize = {320, 180};
-constexpr uint32_t quickRounds = 5;
+constexpr uint32_t quickRounds = 5, mostRounds = 1000;
 
 constexpr const char* footer =
     R"(For each scene, camera and technique: what the reflection costs, in milliseconds and as a multiple of
@@ -60,7 +60,10 @@ void describeMeasure(CLI::App& command, RawMeasure& raw) {
     addCollected("--set", raw.overrides, "Override a value of the scenes: water.waves.wind_m_s=12",
                  "PATH=VALUE");
     command.add_flag("--flat", raw.flat, "Still the water: no waves, no foam, where mirrors are exact");
-    command.add_flag("--quick", raw.quick, "Each scene's first camera alone, medians of 5 instead of 20");
+    command
+        .add_option("--rounds", raw.rounds, "Costs are medians of so many, 20 if not given, 5 with --quick")
+        ->type_name("N");
+    command.add_flag("--quick", raw.quick, "Each scene's first camera alone");
     command.add_option("--device", raw.device, "Part of a device's name; the best device if not given")
         ->type_name("NAME");
     command.allow_extras();
@@ -87,6 +90,11 @@ std::optional<MeasureOptions> checkMeasure(const RawMeasure& raw, Error& error) 
         const std::optional<Size> size = parseSize("--size", raw.size, error);
         if (!size) return std::nullopt;
         options.size = *size;
+    }
+    if (!raw.rounds.empty()) {
+        const std::optional<uint32_t> rounds = parseCount("--rounds", raw.rounds, mostRounds, error);
+        if (!rounds) return std::nullopt;
+        options.rounds = *rounds;
     }
     options.device = raw.device;
     return options;

@@ -30,7 +30,7 @@ struct MeasureOptions {
 /// What the line says, before any of it is checked.
 struct RawMeasure {
     std::vector<std::string> scenes, techniques, cameras, overrides;
-    std::string folder, size, device;
+    std::string folder, size, rounds, device;
     bool quick = false, flat = false;
 };
 

@@ -8,6 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <seaglass/version.h>
+
 #include "scene/nearest.h"
 
 namespace demos {
@@ -106,9 +108,15 @@ void describeReference(CLI::App& reference, Raw& raw) {
         ->type_name("FILE");
 }
 
+std::string versionText() {
+    const uint32_t v = seaglass::version();
+    return std::to_string(v >> 22u) + "." + std::to_string(v >> 12u & 0x3ffu) + "." +
+           std::to_string(v & 0xfffu);
+}
+
 void describe(CLI::App& app, CLI::App& render, Raw& raw) {
     app.set_help_flag("-h,--help", "Print this help");
-    app.set_version_flag("--version", std::string("seaglass ") + SEAGLASS_VERSION);
+    app.set_version_flag("--version", "seaglass " + versionText());
     app.footer(footer);
     describePicture(render, raw);
     render

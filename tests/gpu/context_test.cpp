@@ -41,6 +41,22 @@ TEST_F(GpuTest, RefusesIncompleteDeviceDescriptions) {
     EXPECT_NE(refused([](DeviceDesc& d) { d.framesInFlight = 5; }).find("framesInFlight"), std::string::npos);
 }
 
+TEST_F(GpuTest, RefusesHeadersOfAnotherVersionBeforeReadingOn) {
+    EXPECT_EQ(version(), uint32_t{SEAGLASS_VERSION});
+    std::string text;
+    DeviceDesc desc = deviceDesc(&text);
+    Context* made = nullptr;
+    desc.headerVersion = SEAGLASS_VERSION ^ 1u; // a patch changes no struct
+    ASSERT_EQ(createContext(&desc, &made), Status::ok) << text;
+    destroyContext(made);
+    for (const uint32_t bit : {12u, 22u}) {
+        desc.headerVersion = SEAGLASS_VERSION ^ 1u << bit;
+        EXPECT_EQ(createContext(&desc, &made), Status::unsupported);
+        EXPECT_EQ(made, nullptr);
+    }
+    EXPECT_EQ(text, "");
+}
+
 TEST_F(GpuTest, RefusesASlotThatDoesNotExist) {
     EXPECT_EQ(beginFrame(context(), 2), Status::invalidArgument);
     EXPECT_NE(message().find("slot"), std::string::npos);

@@ -195,6 +195,7 @@ TEST_F(Measure, BadLinesAreRefused) {
     expectRefused({"nope.toml", "-o", "new"}, {"nope.toml", "no such file"});
     expectRefused({"scene.toml", "-o", "new", "--size", "big"}, {"--size is 'big'", "WIDTHxHEIGHT"});
     expectRefused({"scene.toml", "-o", "new", "--sise", "3x3"}, {"--sise", "nearest is --size"});
+    expectRefused({"scene.toml", "-o", "new", "--rounds", "0"}, {"--rounds is '0'", "1 to 1000"});
     expectRefused({"scene.toml", "-o", "sky.hdr"}, {"-o sky.hdr", "is a file, expected a folder"});
     expectRefused({"scene.toml", "-o", "new", "--device", "no such device"}, {"no such device"});
     expectRefused({"scene.toml", "-o", "new", "--technique", "sspt"},
@@ -228,9 +229,11 @@ TEST_F(Measure, AFolderThatCannotBeWrittenIsRefused) {
 }
 
 TEST_F(Measure, MeasuresWhatItIsAskedFor) {
-    const Outcome outcome = measure({"scene.toml", "-o", "some", "--quick", "--size", "48x27", "--technique",
-                                     "sspr", "--technique", "sky", "--camera", "low", "--set", "time_s=3"});
+    const Outcome outcome =
+        measure({"scene.toml", "-o", "some", "--quick", "--size", "48x27", "--technique", "sspr",
+                 "--technique", "sky", "--camera", "low", "--set", "time_s=3", "--rounds", "2"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(measured("some")["runs"], 2);
     const json entries = measured("some")["entries"];
     ASSERT_GE(entries.size(), 3u);
     EXPECT_EQ(entries[0]["technique"], "sky");

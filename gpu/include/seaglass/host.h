@@ -8,6 +8,8 @@
 #ifndef SEAGLASS_HOST_H
 #define SEAGLASS_HOST_H
 
+#include "seaglass/version.h"
+
 #include <cstdint>
 #include <vulkan/vulkan_core.h>
 
@@ -42,6 +44,9 @@ struct PassCallback {
 
 /// The host's device. It must outlive the context.
 struct DeviceDesc {
+    /// Of the headers that the host is compiled with; leave it. Another major or minor version is
+    /// `unsupported`.
+    uint32_t headerVersion = SEAGLASS_VERSION;
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE; ///< created with what requirements() asks for
@@ -73,6 +78,7 @@ Status checkSupport(VkInstance instance, VkPhysicalDevice physicalDevice,
 /// a device, each used by one thread at a time.
 struct Context;
 
+/// `unsupported` without a message: the headers are of another version than the library.
 Status createContext(const DeviceDesc* desc, Context** out);
 /// The device must have finished all work that was recorded through the context. Null is ignored. Destroy
 /// bodies, reflectors and targets first.

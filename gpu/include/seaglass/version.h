@@ -1,0 +1,22 @@
+// Which Seaglass this is. The build takes the version from here.
+#ifndef SEAGLASS_VERSION_H
+#define SEAGLASS_VERSION_H
+
+#include <cstdint>
+
+#define SEAGLASS_VERSION_MAJOR 0
+#define SEAGLASS_VERSION_MINOR 1
+#define SEAGLASS_VERSION_PATCH 0
+/// Of the headers: major << 22 | minor << 12 | patch, as Vulkan packs its own.
+#define SEAGLASS_VERSION                                                                                     \
+    ((SEAGLASS_VERSION_MAJOR << 22u) | (SEAGLASS_VERSION_MINOR << 12u) | SEAGLASS_VERSION_PATCH)
+
+namespace seaglass {
+
+/// SEAGLASS_VERSION of the library that is linked. createContext() refuses headers of another major or minor
+/// version: structs may differ. Any thread.
+uint32_t version();
+
+} // namespace seaglass
+
+#endif
