@@ -49,7 +49,8 @@ Status ComputedFoam::record(Context& context, VkCommandBuffer commands, Computed
         image, steps.anew ? gpu::discardedAfterSampling : gpu::sampledByShaders, gpu::storageChanged, 0, 1);
     gpu::recordBarriers(context.device, commands, &before, 1);
     for (int64_t next = steps.first; next <= steps.last; ++next) {
-        if (const Status s = waves.record(context, commands, maps, foamStepTime(next)); s != Status::ok)
+        if (const Status s = waves.recordFirst(context, commands, maps, breaking_.count, foamStepTime(next));
+            s != Status::ok)
             return s;
         if (const Status s = recordStep(context, commands, maps, foam, steps.anew && next == steps.first);
             s != Status::ok)

@@ -14,7 +14,7 @@
 
 namespace seaglass {
 
-constexpr double foamStepsPerSecond = 8; ///< a power of two: times of steps are exact
+constexpr double foamStepsPerSecond = 4; ///< a power of two: times of steps are exact
 constexpr double foamLifetime = 3;       ///< in decay times
 
 struct FoamFading {

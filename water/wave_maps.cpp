@@ -55,15 +55,28 @@ VkDeviceSize WaveMaps::mip0Bytes(uint32_t samplesAcross, uint32_t cascadeCount) 
     return gpu::imageBytes(desc) * waveMapCount;
 }
 
-void WaveMaps::recordCopy(const gpu::Device& device, VkCommandBuffer commands, VkBuffer source) const {
+void WaveMaps::recordCopy(const gpu::Device& device, VkCommandBuffer commands, VkBuffer source,
+                          uint32_t count) const {
     for (uint32_t map = 0; map < waveMapCount; ++map) {
         VkBufferImageCopy region{};
         region.bufferOffset = mip0Bytes(samples, cascades) / waveMapCount * map;
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, cascades};
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, count};
         region.imageExtent = {samples, samples, 1};
         device.vk().CmdCopyBufferToImage(commands, source, images[map].handle(),
                                          VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
     }
+}
+
+void WaveMaps::recordNoMips(const gpu::Device& device, VkCommandBuffer commands,
+                            const gpu::Use& written) const {
+    std::array<VkImageMemoryBarrier2, 2 * waveMapCount> barriers;
+    for (uint32_t i = 0; i < waveMapCount; ++i) {
+        const VkImage image = images[i].handle();
+        barriers[2 * i] = gpu::imageBarrier(image, written, gpu::sampledByShaders, 0, 1);
+        barriers[2 * i + 1] =
+            gpu::imageBarrier(image, gpu::discardedAfterSampling, gpu::sampledByShaders, 1, mipLevels - 1);
+    }
+    gpu::recordBarriers(device, commands, barriers.data(), 2 * waveMapCount);
 }
 
 void WaveMaps::recordMips(const gpu::Device& device, VkCommandBuffer commands,

@@ -25,11 +25,15 @@ struct WaveMaps {
     static VkDeviceSize bytes(uint32_t samplesAcross, uint32_t cascadeCount);
     /// Makes mip 0 ready to be `written`, its former content lost; readers of earlier frames are waited for.
     void recordBegin(const gpu::Device& device, VkCommandBuffer commands, const gpu::Use& written) const;
-    /// Fills mip 0, ready for copies, from a buffer that holds map after map, cascade after cascade.
-    void recordCopy(const gpu::Device& device, VkCommandBuffer commands, VkBuffer source) const;
+    /// Fills mip 0 of the first `count` cascades, ready for copies, from a buffer that holds map after map,
+    /// cascade after cascade.
+    void recordCopy(const gpu::Device& device, VkCommandBuffer commands, VkBuffer source,
+                    uint32_t count) const;
     static VkDeviceSize mip0Bytes(uint32_t samplesAcross, uint32_t cascadeCount);
     /// From mip 0 `written` to all mips readable by shaders.
     void recordMips(const gpu::Device& device, VkCommandBuffer commands, const gpu::Use& written) const;
+    /// From mip 0 `written` to mip 0 readable by shaders, with nothing in the others.
+    void recordNoMips(const gpu::Device& device, VkCommandBuffer commands, const gpu::Use& written) const;
 };
 
 } // namespace seaglass

@@ -36,14 +36,14 @@ uint32_t columnsOf(const Sea& sea, uint32_t band) {
     return static_cast<uint32_t>(sea.modes[band].reach) + 1;
 }
 
-uint32_t allColumns(const Sea& sea) {
+uint32_t allColumns(const Sea& sea, uint32_t cascades) {
     uint32_t sum = 0;
-    for (uint32_t c = 0; c < sea.count; ++c) sum += columnsOf(sea, c);
+    for (uint32_t c = 0; c < cascades; ++c) sum += columnsOf(sea, c);
     return sum;
 }
 
 size_t modeCount(const Sea& sea) {
-    return size_t{allColumns(sea)} * sea.desc.samples / 2;
+    return size_t{allColumns(sea, sea.count)} * sea.desc.samples / 2;
 }
 
 VkDeviceSize amplitudeBytes(const Sea& sea) {
@@ -56,7 +56,7 @@ VkDeviceSize modeBytes(const Sea& sea) {
 }
 
 VkDeviceSize columnBytes(const Sea& sea) {
-    return VkDeviceSize{allColumns(sea)} * waveColumnFields * sea.desc.samples * 2 * sizeof(float);
+    return VkDeviceSize{allColumns(sea, sea.count)} * waveColumnFields * sea.desc.samples * 2 * sizeof(float);
 }
 
 /// h0(k) and conj(h0(-k)) of any k with m >= 0; in the half plane that is not stored they change places.
@@ -91,11 +91,13 @@ void writeModes(const Sea& sea, std::byte* out) {
             }
 }
 
-WavesUniforms uniformsOf(const Sea& sea, const std::array<float, maxCascades>& packing, double time) {
+/// Of the first `cascades`.
+WavesUniforms uniformsOf(const Sea& sea, uint32_t cascades, const std::array<float, maxCascades>& packing,
+                         double time) {
     WavesUniforms u;
     u.now = loopPhase(time, sea.desc.loopPeriod);
     u.choppiness = sea.desc.choppiness;
-    for (uint32_t c = 0; c < sea.count; ++c) {
+    for (uint32_t c = 0; c < cascades; ++c) {
         u.bands[c].dk = static_cast<float>(2 * std::numbers::pi / sea.cascades[c].patch);
         u.bands[c].packing = packing[c];
         u.bands[c].firstColumn = u.allColumns;
@@ -114,6 +116,10 @@ constexpr gpu::BufferUse modesCopied = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_
 
 bool copiesMaps(const gpu::Device& device) {
     return device.type() == VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
+
+const gpu::Use& mapsFilled(const gpu::Device& device) {
+    return copiesMaps(device) ? gpu::copyWritten : gpu::storageWritten;
 }
 
 /// What the rows' kernel stores a map to: the image, or its part of the buffer that is copied.
@@ -182,8 +188,8 @@ Status ComputedWaves::create(Context& context, const Sea& sea) {
 }
 
 Status ComputedWaves::describe(Context& context, const WaveMaps& maps, const WaveKernels::Pair& kernels,
-                               double time, Sets& out) const {
-    const WavesUniforms uniforms = uniformsOf(*sea_, packing_, time);
+                               uint32_t cascades, double time, Sets& out) const {
+    const WavesUniforms uniforms = uniformsOf(*sea_, cascades, packing_, time);
     gpu::Slice slice;
     if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
     std::memcpy(slice.data, &uniforms, sizeof uniforms);
@@ -210,32 +216,43 @@ void ComputedWaves::recordUpload(Context& context, VkCommandBuffer commands) {
 }
 
 Status ComputedWaves::record(Context& context, VkCommandBuffer commands, const WaveMaps& maps, double time) {
+    if (const Status s = recordMaps(context, commands, maps, sea_->count, time); s != Status::ok) return s;
+    maps.recordMips(context.device, commands, mapsFilled(context.device));
+    return Status::ok;
+}
+
+Status ComputedWaves::recordFirst(Context& context, VkCommandBuffer commands, const WaveMaps& maps,
+                                  uint32_t cascades, double time) {
+    if (const Status s = recordMaps(context, commands, maps, cascades, time); s != Status::ok) return s;
+    maps.recordNoMips(context.device, commands, mapsFilled(context.device));
+    return Status::ok;
+}
+
+Status ComputedWaves::recordMaps(Context& context, VkCommandBuffer commands, const WaveMaps& maps,
+                                 uint32_t cascades, double time) {
     const gpu::Device& device = context.device;
     const WaveKernels::Pair* kernels = nullptr;
     Sets sets;
     if (const Status s = kernels_->get(device, maps.samples, kernels); s != Status::ok) return s;
-    if (const Status s = describe(context, maps, *kernels, time, sets); s != Status::ok) return s;
+    if (const Status s = describe(context, maps, *kernels, cascades, time, sets); s != Status::ok) return s;
 
     recordUpload(context, commands);
     const uint32_t lines = groupPoints / maps.samples;
     const auto groups = [lines](uint32_t all) { return (all + lines - 1) / lines; };
-    const bool copies = copiesMaps(device);
-    const gpu::Use& filled = copies ? gpu::copyWritten : gpu::storageWritten;
     {
         const gpu::PassScope pass(device, commands, "waves");
         const gpu::BufferUse lastRead = {shaderRead.stage | copyRead.stage, VK_ACCESS_2_NONE};
         gpu::recordBarrier(device, commands, lastRead, shaderWritten);
-        kernels->columns.dispatch(commands, sets.columns, groups(allColumns(*sea_)), 1);
-        maps.recordBegin(device, commands, filled);
+        kernels->columns.dispatch(commands, sets.columns, groups(allColumns(*sea_, cascades)), 1);
+        maps.recordBegin(device, commands, mapsFilled(device));
         gpu::recordBarrier(device, commands, shaderWritten, shaderRead);
-        kernels->rows.dispatch(commands, sets.rows, groups(maps.samples), maps.cascades);
+        kernels->rows.dispatch(commands, sets.rows, groups(maps.samples), cascades);
     }
-    if (copies) {
+    if (copiesMaps(device)) {
         const gpu::PassScope pass(device, commands, "waves_copy");
         gpu::recordBarrier(device, commands, shaderWritten, copyRead);
-        maps.recordCopy(device, commands, copied_.handle());
+        maps.recordCopy(device, commands, copied_.handle(), cascades);
     }
-    maps.recordMips(device, commands, filled);
     return Status::ok;
 }
 

@@ -37,6 +37,9 @@ class ComputedWaves {
     /// `sea` is not flat and outlives the waves.
     Status create(Context& context, const Sea& sea);
     Status record(Context& context, VkCommandBuffer commands, const WaveMaps& maps, double time);
+    /// Mip 0 of the first `cascades` alone.
+    Status recordFirst(Context& context, VkCommandBuffer commands, const WaveMaps& maps, uint32_t cascades,
+                       double time);
 
     static VkDeviceSize bytes(const gpu::Device& device, const Sea& sea);
 
@@ -45,8 +48,10 @@ class ComputedWaves {
         VkDescriptorSet columns = VK_NULL_HANDLE;
         VkDescriptorSet rows = VK_NULL_HANDLE;
     };
-    Status describe(Context& context, const WaveMaps& maps, const WaveKernels::Pair& kernels, double time,
-                    Sets& out) const;
+    Status recordMaps(Context& context, VkCommandBuffer commands, const WaveMaps& maps, uint32_t cascades,
+                      double time);
+    Status describe(Context& context, const WaveMaps& maps, const WaveKernels::Pair& kernels,
+                    uint32_t cascades, double time, Sets& out) const;
     void recordUpload(Context& context, VkCommandBuffer commands);
 
     const Sea* sea_ = nullptr;

@@ -39,7 +39,7 @@ Status UploadedWaves::record(Context& context, VkCommandBuffer commands, const W
     {
         const gpu::PassScope pass(context.device, commands, "waves_upload");
         maps.recordBegin(context.device, commands, gpu::copyWritten);
-        maps.recordCopy(context.device, commands, staging.handle());
+        maps.recordCopy(context.device, commands, staging.handle(), maps.cascades);
     }
     maps.recordMips(context.device, commands, gpu::copyWritten);
     return Status::ok;

@@ -19,7 +19,7 @@ double shortestBreaker(const Sea& sea) {
 // Below how many deviations of its Jacobian a cascade breaks. Foam is rarer in less wind though waves are
 // about as steep: fitted to the geometric mean of the two laws at 8 to 20 m/s (docs/physics.md).
 double deviationsToBreak(double wind) {
-    return 5.67 - 1.13 * std::log(wind);
+    return 5.53 - 1.09 * std::log(wind);
 }
 
 // Of the Jacobian of one cascade at full amplitude and choppiness 1: to first order 1 + div D, whose variance

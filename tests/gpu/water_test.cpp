@@ -636,9 +636,9 @@ TEST_F(WaterFoam, UploadsAtItsOwnRate) {
         return countSpied("CmdCopyBufferToImage");
     };
     const size_t without = uploads(60.01);
-    EXPECT_EQ(uploads(60.1), without);
-    EXPECT_EQ(uploads(60.13), without + 1);
-    EXPECT_EQ(uploads(60.14), without);
+    EXPECT_EQ(uploads(60.2), without);
+    EXPECT_EQ(uploads(60.26), without + 1);
+    EXPECT_EQ(uploads(60.27), without);
 }
 
 TEST_F(WaterFoam, DispatchesAtItsOwnRate) {
@@ -650,9 +650,9 @@ TEST_F(WaterFoam, DispatchesAtItsOwnRate) {
         return countSpied("CmdDispatch");
     };
     const size_t wavesAlone = dispatches(60.01);
-    EXPECT_EQ(dispatches(60.1), wavesAlone);
-    EXPECT_EQ(dispatches(60.13), wavesAlone + 3); // the waves once more, and a step
-    EXPECT_EQ(dispatches(60.4), wavesAlone + 6);
+    EXPECT_EQ(dispatches(60.2), wavesAlone);
+    EXPECT_EQ(dispatches(60.26), wavesAlone + 3); // the waves once more, and a step
+    EXPECT_EQ(dispatches(60.8), wavesAlone + 6);
     EXPECT_LE(dispatches(1e6), wavesAlone + 3 * static_cast<size_t>(fadingOf({}).steps + 1));
 }
 

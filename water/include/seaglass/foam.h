@@ -2,7 +2,7 @@
 //
 // A wave breaks where its surface is compressed: where the Jacobian of the horizontal displacement falls
 // below a threshold. What it leaves behind stays with the water and fades. Foam is stepped at fixed times, a
-// whole multiple of 1/8 s each, and dies after three decay times: it is a function of the sea and the time
+// whole multiple of 1/4 s each, and dies after three decay times: it is a function of the sea and the time
 // alone, whatever frames were drawn before.
 #ifndef SEAGLASS_FOAM_H
 #define SEAGLASS_FOAM_H
@@ -27,7 +27,7 @@ double whitecapsOfCallaghan(double windSpeed);
 
 /// Share of the sea, as seen from above, that the foam drawn at `time` covers: measured on the simulated
 /// surface, with the backend's maps. 0 for a flat sea. False when out of memory, or when `foam` is out of
-/// range. Costs some hundred evaluations of the sea: tenths of a second and more.
+/// range. Costs some fifty evaluations of the sea: tenths of a second.
 bool whitecapCover(const Sea& sea, const WavesBackend& backend, const FoamDesc& foam, double time,
                    double* cover);
 

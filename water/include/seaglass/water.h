@@ -116,8 +116,8 @@ Status createTarget(Context* context, const TargetDesc* desc, Target** out);
 void destroyTarget(Target* target);
 
 /// Sets the bodies' surfaces to `time` and records the upload or dispatches. Outside any render pass, once a
-/// frame. Work on the CPU happens here when the backend is a CPU one. Foam takes the sea at up to 8 more
-/// times a second; on the first frame, backwards and after a gap, at 8 times a second of three decay times
+/// frame. Work on the CPU happens here when the backend is a CPU one. Foam takes the sea at up to 4 more
+/// times a second; on the first frame, backwards and after a gap, at 4 times a second of three decay times
 /// before.
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time);
 
