@@ -45,7 +45,7 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
     if (surfaceOutput == outputNormal) return vec4(normal, 1.0);
     if (surfaceOutput == outputSlopes) return vec4(s.slope, s.covariance.xy);
 #ifdef FOAM
-    if (surfaceOutput == outputFoam) return vec4(foamMask(foamCover()), 0.0, 0.0, 1.0);
+    if (surfaceOutput == outputFoam) return vec4(foamHere().mask, 0.0, 0.0, 1.0);
 #endif
 #ifdef REFLECTION
     if (surfaceOutput == outputClass) return vec4(classColor(position, keptAbove(reflect(-toEye, normal))), 1.0);
@@ -79,7 +79,8 @@ void main() {
     }
     float foamShare = 0.0;
 #ifdef FOAM
-    foamShare = foamMask(foamCover());
+    Foam white = foamHere();
+    foamShare = white.mask;
 #endif
 #ifdef REFRACTION
     if (sidesSeen == seenBelow || (sidesSeen != seenAbove && seenFromBelow())) {
@@ -90,7 +91,7 @@ void main() {
     Reflection mirror = reflected(s, toEye);
     vec3 radiance = mirror.radiance + (1.0 - mirror.fresnel) * refracted(normal, toEye) + sunGlint(s, toEye);
 #ifdef FOAM
-    radiance = withFoam(radiance, foamShare, normal);
+    radiance = withFoam(radiance, white, s, toEye, mirror.radiance);
 #endif
     outColor = vec4(radiance, 1.0);
 }

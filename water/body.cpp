@@ -140,9 +140,12 @@ SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, con
     if (body.outline && body.sea)
         u.extent.z = static_cast<float>(1 / pinnedWithin(largestDisplacement(*body.sea)));
     if (body.foam) {
-        u.foam =
-            glm::vec4(body.foam->past(), body.foam->albedo(), inTile(geometry.eye.x, foamTile) * foamTile,
-                      inTile(geometry.eye.z, foamTile) * foamTile);
+        const FoamStreak streak = foamStreakOf(description(*body.sea));
+        double placeU = geometry.eye.x, placeV = geometry.eye.z;
+        streak.apply(placeU, placeV);
+        u.foam = glm::vec4(body.foam->past(), body.foam->albedo(), inTile(placeU, foamTile) * foamTile,
+                           inTile(placeV, foamTile) * foamTile);
+        u.foamStreak = {streak.u, streak.v};
         u.foamCascades = static_cast<int32_t>(body.foam->cascades());
     }
     if (body.refraction) {

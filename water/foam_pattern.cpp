@@ -1,6 +1,8 @@
 #include "water/foam_pattern.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -10,7 +12,16 @@ namespace seaglass {
 namespace {
 
 constexpr uint32_t size = foamPatternSamples;
-constexpr VkFormat format = VK_FORMAT_R8_UNORM;
+constexpr uint32_t mipLevels = std::bit_width(size);
+
+gpu::ImageDesc imageDesc() {
+    gpu::ImageDesc desc;
+    desc.format = VK_FORMAT_R8G8B8A8_UNORM;
+    desc.extent = {size, size};
+    desc.mipLevels = mipLevels;
+    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    return desc;
+}
 
 // Integer hash with good avalanche (Wellons, "lowbias32").
 uint32_t hash(uint32_t x) {
@@ -84,40 +95,103 @@ float rawPattern(float x, float y) {
     return value;
 }
 
-} // namespace
+float bendAt(float x, float y) {
+    return noise(x, y, 5, 201) + 0.6f * noise(x, y, 11, 202) + 0.35f * noise(x, y, 23, 203) +
+           0.2f * noise(x, y, 47, 204);
+}
 
-std::vector<uint8_t> foamPattern() {
-    std::vector<float> raw(size_t{size} * size);
+template<typename At>
+std::vector<float> mapOf(At&& at) {
+    std::vector<float> map(size_t{size} * size);
     for (uint32_t y = 0; y < size; ++y)
         for (uint32_t x = 0; x < size; ++x)
-            raw[size_t{y} * size + x] =
-                rawPattern(static_cast<float>(x) / size, static_cast<float>(y) / size);
-    std::vector<uint32_t> order(raw.size());
+            map[size_t{y} * size + x] = at(static_cast<float>(x) / size, static_cast<float>(y) / size);
+    return map;
+}
+
+/// Each value's place among all, 0..1.
+std::vector<float> evenly(const std::vector<float>& map) {
+    std::vector<uint32_t> order(map.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return raw[a] < raw[b]; });
-    std::vector<uint8_t> pattern(raw.size());
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return map[a] < map[b]; });
+    std::vector<float> even(map.size());
     for (size_t rank = 0; rank < order.size(); ++rank)
-        pattern[order[rank]] = static_cast<uint8_t>(rank * 256 / order.size());
-    return pattern;
+        even[order[rank]] = static_cast<float>(rank) / static_cast<float>(order.size());
+    return even;
+}
+
+uint8_t asByte(float share) {
+    return static_cast<uint8_t>(std::clamp(share * 256, 0.0f, 255.0f));
+}
+
+/// Of a difference over two texels.
+uint8_t slopeByte(float difference) {
+    return asByte(0.5f + 0.25f * difference / foamReliefStep);
+}
+
+/// Means of 2 x 2.
+std::vector<FoamTexel> halved(const std::vector<FoamTexel>& texels, uint32_t across) {
+    const uint32_t half = across / 2;
+    std::vector<FoamTexel> out(size_t{half} * half);
+    for (size_t y = 0; y < half; ++y)
+        for (size_t x = 0; x < half; ++x) {
+            const FoamTexel* const above = &texels[2 * y * across + 2 * x];
+            const auto mean = [&](uint8_t FoamTexel::*channel) {
+                const int sum = above[0].*channel + above[1].*channel + above[across].*channel +
+                                above[across + 1].*channel;
+                return static_cast<uint8_t>((sum + 2) / 4);
+            };
+            out[y * half + x] = {mean(&FoamTexel::pattern), mean(&FoamTexel::bend), mean(&FoamTexel::slopeU),
+                                 mean(&FoamTexel::slopeV)};
+        }
+    return out;
+}
+
+} // namespace
+
+std::vector<std::vector<FoamTexel>> foamPattern() {
+    const std::vector<float> pattern = evenly(mapOf(rawPattern)), bend = evenly(mapOf(bendAt));
+    std::vector<FoamTexel> texels(pattern.size());
+    for (uint32_t y = 0; y < size; ++y)
+        for (uint32_t x = 0; x < size; ++x) {
+            const auto at = [&](uint32_t i, uint32_t j) {
+                return pattern[size_t{j % size} * size + i % size];
+            };
+            FoamTexel& texel = texels[size_t{y} * size + x];
+            texel.pattern = asByte(at(x, y));
+            texel.bend = asByte(bend[size_t{y} * size + x]);
+            // Foam is thickest where it goes last, at the least of the pattern.
+            texel.slopeU = slopeByte(at(x + size - 1, y) - at(x + 1, y));
+            texel.slopeV = slopeByte(at(x, y + size - 1) - at(x, y + 1));
+        }
+    std::vector<std::vector<FoamTexel>> mips{std::move(texels)};
+    for (uint32_t across = size; across > 1; across /= 2) mips.push_back(halved(mips.back(), across));
+    return mips;
+}
+
+FoamStreak foamStreakOf(const SeaDesc& sea) {
+    // Streaks show from Beaufort 6 on and are the mark of 8.
+    const double stretch = 1 + std::clamp((static_cast<double>(sea.windSpeed) - 8) / 8, 0.0, 1.5);
+    const double length = std::sqrt(1 - 1 / stretch), direction = sea.windDirection;
+    return {length * std::cos(direction), length * std::sin(direction)};
 }
 
 VkDeviceSize FoamPattern::bytes() {
-    constexpr VkDeviceSize pattern = VkDeviceSize{size} * size;
-    return 2 * pattern; // the image and its staging
+    return 2 * gpu::imageBytes(imageDesc()); // the image and its staging
 }
 
 Status FoamPattern::create(Context& context) {
-    gpu::ImageDesc desc;
-    desc.format = format;
-    desc.extent = {size, size};
-    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    const gpu::ImageDesc desc = imageDesc();
     if (const Status s = image_.create(context.device, desc, "foam pattern"); s != Status::ok) return s;
-    const std::vector<uint8_t> pattern = foamPattern();
-    if (const Status s = staging_.createMapped(context.device, pattern.size(),
+    if (const Status s = staging_.createMapped(context.device, gpu::imageBytes(desc),
                                                VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "foam staging buffer");
         s != Status::ok)
         return s;
-    std::memcpy(staging_.mapped(), pattern.data(), pattern.size());
+    auto* out = static_cast<std::byte*>(staging_.mapped());
+    for (const std::vector<FoamTexel>& mip : foamPattern()) {
+        std::memcpy(out, mip.data(), mip.size() * sizeof(FoamTexel));
+        out += mip.size() * sizeof(FoamTexel);
+    }
     return Status::ok;
 }
 
@@ -127,11 +201,17 @@ void FoamPattern::recordUpload(const gpu::Device& device, VkCommandBuffer comman
     constexpr gpu::Use nothing{};
     const VkImageMemoryBarrier2 before = gpu::imageBarrier(image_.handle(), nothing, gpu::copyWritten);
     gpu::recordBarriers(device, commands, &before, 1);
-    VkBufferImageCopy region{};
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.imageExtent = {size, size, 1};
+    std::array<VkBufferImageCopy, mipLevels> regions{};
+    VkDeviceSize offset = 0;
+    for (uint32_t mip = 0; mip < mipLevels; ++mip) {
+        const uint32_t across = size >> mip;
+        regions[mip].bufferOffset = offset;
+        regions[mip].imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, 1};
+        regions[mip].imageExtent = {across, across, 1};
+        offset += sizeof(FoamTexel) * across * across;
+    }
     device.vk().CmdCopyBufferToImage(commands, staging_.handle(), image_.handle(),
-                                     VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+                                     VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, mipLevels, regions.data());
     const VkImageMemoryBarrier2 after =
         gpu::imageBarrier(image_.handle(), gpu::copyWritten, gpu::sampledByShaders);
     gpu::recordBarriers(device, commands, &after, 1);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include "gpu/context.h"
@@ -56,7 +57,7 @@ struct SurfaceUniforms {
     glm::vec4 backscatter{0};
     glm::ivec4 region{0};
     glm::vec4 foam{0};      ///< share of the way from the history's first step to its second, albedo, the
-                            ///< eye's (u, v) in the pattern's longest tile [m]
+                            ///< eye's place in the pattern's longest tile [m]
     glm::vec4 roughness{0}; ///< slope covariance that no cascade holds: uu, vv, uv; the deviation of all
                             ///< slopes of the sea, mean of both directions
     float refractionDistortion = 0;
@@ -68,7 +69,8 @@ struct SurfaceUniforms {
     float maxMip = 0;
     float reflectionScale = 1; ///< pixels of the region to one of the reflection, each way
     int32_t foamCascades = 0;  ///< that break: the first so many
-    float padding[3] = {};
+    glm::vec2 foamStreak{0};   ///< wind's direction, times sqrt(1 - 1/stretch) of the pattern
+    float padding = 0;
     glm::vec4 reflectionLook{
         0};              ///< clear distance [m], scatter, distance at which the sky has taken over [m]
     glm::vec4 within{0}; ///< edge of the finest cells [m], half the meniscus [m]

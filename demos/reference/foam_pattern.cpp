@@ -1,6 +1,7 @@
 #include "reference/foam_pattern.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -11,43 +12,60 @@
 namespace demos::reference {
 namespace {
 
-float patternAt(const glm::dvec2& calm, double tile) {
-    static const std::vector<uint8_t> pattern = seaglass::foamPattern();
-    constexpr auto size = int64_t(seaglass::foamPatternSamples);
-    const glm::dvec2 p = calm / tile;
-    const double x = (p.x - std::floor(p.x)) * size - 0.5, y = (p.y - std::floor(p.y)) * size - 0.5;
+using Mips = std::vector<std::vector<seaglass::FoamTexel>>;
+
+/// Pattern, bend and slopes, each -0.5..0.5.
+glm::vec4 bilinear(const Mips& mips, size_t mip, const glm::dvec2& place) {
+    const auto size = int64_t(seaglass::foamPatternSamples >> mip);
+    const double x = (place.x - std::floor(place.x)) * static_cast<double>(size) - 0.5;
+    const double y = (place.y - std::floor(place.y)) * static_cast<double>(size) - 0.5;
     const double x0 = std::floor(x), y0 = std::floor(y);
     const auto at = [&](double i, double j) {
         const auto column = static_cast<size_t>((static_cast<int64_t>(i) + size) % size);
         const auto row = static_cast<size_t>((static_cast<int64_t>(j) + size) % size);
-        return static_cast<float>(pattern[row * size + column]) / 255;
+        const seaglass::FoamTexel& t = mips[mip][row * static_cast<size_t>(size) + column];
+        return glm::vec4(t.pattern, t.bend, t.slopeU, t.slopeV) / 255.0f - 0.5f;
     };
     const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
     return glm::mix(glm::mix(at(x0, y0), at(x0 + 1, y0), fx),
                     glm::mix(at(x0, y0 + 1), at(x0 + 1, y0 + 1), fx), fy);
 }
 
-/// How much of an octave of the pattern a pixel still shows; the rest is its mean.
-float octaveShown(double tile, float pixelWidth) {
-    const float texels = pixelWidth * static_cast<float>(seaglass::foamPatternSamples / tile);
-    return 1 - std::clamp(0.5f * std::log2(std::max(texels, 1.0f)), 0.0f, 1.0f);
+glm::vec4 texelAt(const glm::dvec2& place, float texels) {
+    static const Mips mips = seaglass::foamPattern();
+    const float mip = std::min(std::log2(texels), static_cast<float>(mips.size() - 1));
+    const auto finer = static_cast<size_t>(mip);
+    const float share = mip - static_cast<float>(finer);
+    const glm::vec4 found = bilinear(mips, finer, place);
+    return share > 0 ? glm::mix(found, bilinear(mips, finer + 1, place), share) : found;
 }
 
 } // namespace
 
-float foamMask(const glm::dvec2& calm, float pixelWidth, float cover) {
-    constexpr float weights[] = {0.35f, 0.4f, 0.25f};
-    constexpr double tiles[] = {seaglass::foamTile, seaglass::foamTile / 5, seaglass::foamTile / 17};
+Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidth) {
+    constexpr std::array weights = {0.3f, 0.4f, 0.3f};
+    constexpr std::array tiles = {seaglass::foamTile, seaglass::foamTile / 5, seaglass::foamTile / 17};
+    const glm::dvec2 streak = surface.foamStreak(), place = calm - streak * glm::dot(streak, calm);
     float pattern = 0, variance = 1e-5f;
+    std::array<float, 3> bend;
+    Foam foam;
     for (size_t i = 0; i < 3; ++i) {
-        const float weight = weights[i] * octaveShown(tiles[i], pixelWidth);
-        if (weight > 0) pattern += weight * (patternAt(calm, tiles[i]) - 0.5f);
-        variance += weight * weight / 12;
+        const float texels =
+            std::max(pixelWidth * static_cast<float>(seaglass::foamPatternSamples / tiles[i]), 1.0f);
+        const glm::vec4 texel = texelAt(place / tiles[i], texels);
+        const float kept = weights[i] / (1 + (texels - 1) / 40);
+        pattern += weights[i] * texel.x;
+        variance += kept * kept / 12;
+        foam.slope += glm::vec2(texel.z, texel.w);
+        bend[i] = 2 * texel.y;
     }
+    const glm::dvec2 bent(bend[0] + 0.4f * bend[2], bend[1] - 0.4f * bend[2]);
+    const float cover = surface.foamCover(calm, bent, static_cast<double>(pixelWidth));
     const float even = 1 / (1 + std::exp(-1.702f * pattern / std::sqrt(variance)));
-    const float edge = std::min(0.12f, 0.5f * std::min(cover, 1 - cover)) + 1e-4f;
+    const float edge = std::min(0.08f, 0.5f * std::min(cover, 1 - cover)) + 1e-4f;
     const float rafts = glm::smoothstep(-edge, edge, cover - even);
-    return glm::mix(cover, rafts, std::clamp(variance / 0.008f, 0.0f, 1.0f));
+    foam.mask = glm::mix(cover, rafts, std::clamp(variance / 0.003f, 0.0f, 1.0f));
+    return foam;
 }
 
 } // namespace demos::reference

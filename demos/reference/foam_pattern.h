@@ -1,13 +1,19 @@
-// The pattern that foam breaks up into, as shaders/surface.frag draws it.
+// The pattern that foam breaks up into, as shaders/common/foam_cover.glsl draws it.
 #pragma once
 
 #define GLM_FORCE_DEPTH_ZERO_TO_ONE
 #include <glm/glm.hpp>
 
+#include "reference/water_surface.h"
+
 namespace demos::reference {
 
-/// Share of the surface that is white, for a share `cover` that breaks. `pixelWidth` is in metres of calm
-/// water.
-float foamMask(const glm::dvec2& calm, float pixelWidth, float cover);
+struct Foam {
+    float mask = 0;     ///< share of the surface that is white
+    glm::vec2 slope{0}; ///< of its own relief
+};
+
+/// `pixelWidth` is in metres of calm water.
+Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidth);
 
 } // namespace demos::reference

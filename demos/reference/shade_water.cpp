@@ -82,6 +82,20 @@ glm::vec3 sampledGlint(const Frame& frame, const Facet& facet, const glm::vec3& 
            (fresnelWater(glm::dot(toEye, halfway)) * density / (4 * up2 * up2 * facet.meshCosine));
 }
 
+/// withFoam() of shaders/common/foam_cover.glsl.
+glm::vec3 foamRadiance(const Frame& frame, const Facet& facet, const Foam& white, const glm::vec3& toEye,
+                       const glm::vec3& mirror, bool lit) {
+    constexpr float relief = 0.7f, filmVariance = 0.12f, filmShare = 0.4f;
+    Facet film = facet;
+    film.slopes.mean += relief * white.slope;
+    film.slopes.covariance += glm::vec3(filmVariance, filmVariance, 0);
+    const Light& light = frame.world->light;
+    const float sun = lit ? std::max(glm::dot(normalOf(film.slopes.mean), light.toSun()), 0.0f) : 0.0f;
+    const glm::vec3 falls = light.sunIrradiance() * sun + light.filtered.irradianceUp;
+    const glm::vec3 glint = lit ? meanGlint(frame, film, toEye) : glm::vec3(0);
+    return falls * (static_cast<float>(frame.world->water->foam->albedo) / pi) + filmShare * (mirror + glint);
+}
+
 } // namespace
 
 glm::vec3 shadeHit(const Frame& frame, const Ray& ray, const Hit& hit, Random* random) {
@@ -104,8 +118,8 @@ WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int
     const Facet facet =
         random ? randomFacet(frame, ray, hit, leastCosine, *random) : meanFacet(frame, ray, hit);
     const float fresnel = fresnelWater(glm::dot(toEye, facet.normal));
-    glm::vec3 radiance = fresnel * mirrored(frame, ray, hit, facet, bounces, random) +
-                         (1 - fresnel) * refracted(frame, ray, hit, facet, random);
+    const glm::vec3 mirror = fresnel * mirrored(frame, ray, hit, facet, bounces, random);
+    glm::vec3 radiance = mirror + (1 - fresnel) * refracted(frame, ray, hit, facet, random);
     radiance *= facet.weight;
 
     // What mirrors the sun on flat water is the mirrored ray itself.
@@ -122,12 +136,9 @@ WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int
         const auto samples = static_cast<float>(frame.desc.samples);
         const float footprint = footprintOn(ray, hit) / std::sqrt(samples);
         const glm::dvec2 calm = frame.calmAt(hit);
-        const float cover = frame.surface.foamCover(calm, static_cast<double>(footprint));
-        const glm::vec3 normal = normalOf(facet.slopes.mean);
-        const float sun = lit ? std::max(glm::dot(normal, world.light.toSun()), 0.0f) : 0.0f;
-        const glm::vec3 light = world.light.sunIrradiance() * sun + world.light.filtered.irradianceUp;
-        const glm::vec3 foam = light * (static_cast<float>(world.water->foam->albedo) / pi * facet.weight);
-        radiance = glm::mix(radiance, foam, foamMask(calm, footprint, cover));
+        const Foam white = foamAt(frame.surface, calm, footprint);
+        radiance = glm::mix(radiance, foamRadiance(frame, facet, white, toEye, mirror, lit) * facet.weight,
+                            white.mask);
     }
     return {radiance, facet.weight};
 }

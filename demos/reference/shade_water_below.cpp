@@ -83,11 +83,10 @@ WaterRadiance shadeWaterBelow(const Frame& frame, const Ray& ray, const Hit& hit
     }
     if (world.water->foam && !flat) {
         const float footprint = footprintOn(ray, hit) / std::sqrt(static_cast<float>(frame.desc.samples));
-        const glm::dvec2 calm = frame.calmAt(hit);
-        const float cover = frame.surface.foamCover(calm, static_cast<double>(footprint));
+        const Foam white = foamAt(frame.surface, frame.calmAt(hit), footprint);
         const glm::vec3 foam = waterLightOf(frame).entering *
                                ((1 - static_cast<float>(world.water->foam->albedo)) / pi * facet.weight);
-        radiance = glm::mix(radiance, foam, foamMask(calm, footprint, cover));
+        radiance = glm::mix(radiance, foam, white.mask);
     }
     const float path = std::max(hit.distance - ray.nearest, 0.0f);
     return {throughWater(frame, ray, path, radiance / facet.weight) * facet.weight, facet.weight};

@@ -6,8 +6,9 @@
 
 #include "host/waves.h"
 
-// Not public: there is to be one history of foam.
+// Not public: there is to be one history of foam, and one pattern.
 #include "water/foam_history.h"
+#include "water/foam_pattern.h"
 
 namespace demos::reference {
 namespace {
@@ -120,6 +121,8 @@ void WaterSurface::addFoam(const seaglass::Sea& sea, const seaglass::FoamDesc& f
                            const seaglass::WavesBackend& backend, void* state, double timeS) {
     seaglass::FoamHistory history(sea, foam);
     if (history.breaking().count == 0) return;
+    const seaglass::FoamStreak streak = seaglass::foamStreakOf(seaglass::description(sea));
+    foamStreak_ = {streak.u, streak.v};
     const seaglass::FoamTime now = seaglass::foamTimeOf(timeS, seaglass::description(sea).loopPeriod);
     history.advance(backend, state, now.step);
     for (uint32_t i = 0; i < history.breaking().count; ++i) {
@@ -203,11 +206,13 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
     return s;
 }
 
-float WaterSurface::foamCover(const glm::dvec2& calm, double footprint) const {
+float WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const {
     float clear = 1;
-    for (const Cascade& cascade : cascades_)
-        if (!cascade.foam.empty())
-            clear *= 1 - trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), calm).x;
+    for (const Cascade& cascade : cascades_) {
+        if (cascade.foam.empty()) continue;
+        const glm::dvec2 place = calm + bend * std::min(0.7 * cascade.texel(), 2.5);
+        clear *= 1 - trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), place).x;
+    }
     return 1 - clear;
 }
 

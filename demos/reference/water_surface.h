@@ -38,8 +38,10 @@ class WaterSurface {
     /// Covariance uu, vv, uv of slopes of waves too short for any map.
     const glm::vec3& roughness() const { return roughness_; }
 
-    /// Share of the footprint that is white: shaders/common/foam_cover.glsl's foamCover().
-    float foamCover(const glm::dvec2& calm, double footprint) const;
+    /// Share of the footprint that is white, and how the wind draws its pattern out: foamCover() and the
+    /// streak of shaders/common/foam_cover.glsl.
+    float foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const;
+    const glm::dvec2& foamStreak() const { return foamStreak_; }
 
   private:
     using Level = std::vector<glm::vec4>;
@@ -59,6 +61,7 @@ class WaterSurface {
 
     std::vector<Cascade> cascades_;
     glm::vec3 roughness_{0};
+    glm::dvec2 foamStreak_{0};
 };
 
 struct SurfaceMeshDesc {

@@ -2,45 +2,71 @@
 
 const float foamTile = 24.0;   // [m], as in water/surface.h
 
-// Share of the surface that is white: what each cascade's breakers left (water/foam_history.h).
-float foamCover() {
+struct Foam {
+    float mask;   // share that is white
+    vec2 slope;   // of its own relief
+};
+
+// Metres of calm water to the next pixel.
+float foamPixelWidth() {
+    vec2 stepSize = max(abs(dFdx(calmPosition)), abs(dFdy(calmPosition)));
+    return max(stepSize.x, stepSize.y);
+}
+
+// Share of the surface that is white: what each cascade's breakers left (water/foam_history.h). `bend`, -1..1, moves
+// the place looked up by as much as hides that the history has samples.
+float foamCover(vec2 bend, float pixelWidth) {
     float clear = 1.0;
     for (int i = 0; i < foamCascades; ++i) {
-        vec2 steps = texture(foamHistory, vec3(cascade[i].xy + calmPosition * cascade[i].z, i)).rg;
+        float texels = cascade[i].w;
+        vec2 place = calmPosition + bend * min(0.7 / texels, 2.5);
+        float mip = log2(max(pixelWidth * texels, 1.0));
+        vec2 steps = textureLod(foamHistory, vec3(cascade[i].xy + place * cascade[i].z, i), mip).rg;
         clear *= 1.0 - mix(steps.x, steps.y, foam.x);
     }
     return 1.0 - clear;
 }
 
-// How much of an octave of the pattern a pixel still shows; the rest is its mean.
-float octaveShown(float tile, float pixelWidth) {
-    const float patternSamples = 256.0;
-    return 1.0 - clamp(0.5 * log2(max(pixelWidth * patternSamples / tile, 1.0)), 0.0, 1.0);
-}
-
-// Cover breaks up into rafts and lace where they can be seen, and is a mean where they cannot: white is a share `cover`
-// of the surface either way.
-float foamMask(float cover) {
-    const vec3 weights = vec3(0.35, 0.4, 0.25);
+// Cover breaks up into rafts and lace where they can be seen, drawn out by the wind, and is a mean where they cannot:
+// white is a share `cover` of the surface either way.
+Foam foamHere() {
+    const vec3 weights = vec3(0.3, 0.4, 0.3);
     const vec3 tiles = foamTile / vec3(1.0, 5.0, 17.0);
-    vec2 stepSize = max(abs(dFdx(calmPosition)), abs(dFdy(calmPosition)));
-    float pixelWidth = max(stepSize.x, stepSize.y);
+    const float patternSamples = 256.0;
+    vec2 streak = vec2(foamStreakU, foamStreakV);
+    vec2 place = foam.zw + calmPosition - streak * dot(streak, calmPosition);
+    float pixelWidth = foamPixelWidth();
     float pattern = 0.0;
     float variance = 1e-5;
+    vec2 slope = vec2(0.0);
+    float bend[3];
     for (int i = 0; i < 3; ++i) {
-        float weight = weights[i] * octaveShown(tiles[i], pixelWidth);
-        pattern += weight * (texture(foamPattern, (foam.zw + calmPosition) / tiles[i]).r - 0.5);
-        variance += weight * weight / 12.0;   // of an even distribution
+        float texels = max(pixelWidth * patternSamples / tiles[i], 1.0);
+        vec4 texel = textureLod(foamPattern, place / tiles[i], log2(texels)) - 0.5;
+        // What the pattern's mips keep of its contrast.
+        float kept = weights[i] / (1.0 + (texels - 1.0) / 40.0);
+        pattern += weights[i] * texel.x;
+        variance += kept * kept / 12.0;   // of an even distribution
+        slope += texel.zw;
+        bend[i] = 2.0 * texel.y;
     }
+    float cover = foamCover(vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth);
     // The octaves' sum is nearly normal; as its own distribution function it is even again, so that a share `cover` of
     // it lies below `cover`.
     float even = 1.0 / (1.0 + exp(-1.702 * pattern * inversesqrt(variance)));
-    float edge = min(0.12, 0.5 * min(cover, 1.0 - cover)) + 1e-4;
+    float edge = min(0.08, 0.5 * min(cover, 1.0 - cover)) + 1e-4;
     float rafts = smoothstep(-edge, edge, cover - even);
-    return mix(cover, rafts, clamp(variance / 0.008, 0.0, 1.0));
+    return Foam(mix(cover, rafts, clamp(variance / 0.003, 0.0, 1.0)), slope);
 }
 
-vec3 withFoam(vec3 water, float mask, vec3 normal) {
-    vec3 light = sunIrradiance.rgb * max(dot(normal, toSun.xyz), 0.0) + skyIrradiance.rgb;
-    return mix(water, light * foam.y / pi, mask);
+// Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
+// water mirrors a share shines from it too.
+vec3 withFoam(vec3 water, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored) {
+    const float relief = 0.7;
+    const float filmVariance = 0.12;   // of the film's slopes
+    const float filmShare = 0.4;
+    SurfacePoint film = SurfacePoint(s.slope + relief * white.slope, s.covariance + vec3(filmVariance, filmVariance, 0.0), 0.0);
+    vec3 light = sunIrradiance.rgb * max(dot(normalOf(film.slope), toSun.xyz), 0.0) + skyIrradiance.rgb;
+    vec3 foamy = light * foam.y / pi + filmShare * (mirrored + sunGlint(film, toEye));
+    return mix(water, foamy, white.mask);
 }

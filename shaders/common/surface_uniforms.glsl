@@ -13,7 +13,7 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     vec4 absorption;
     vec4 backscatter;
     ivec4 region;      // origin in the scene images, size
-    vec4 foam;         // share of the way between the history's steps, albedo, the eye's (u, v) in the pattern's tile
+    vec4 foam;         // share of the way between the history's steps, albedo, the eye's place in the pattern's tile
     vec4 roughness;    // slope covariance that no cascade holds, uu, vv, uv; deviation of all slopes
     float refractionDistortion;
     float reflectionDistortion;
@@ -24,6 +24,8 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     float maxMip;
     float reflectionScale;   // pixels of the region to one of the reflection
     int foamCascades;
+    float foamStreakU;       // wind's direction, times sqrt(1 - 1/stretch) of the pattern
+    float foamStreakV;
     vec3 reflectionLook;     // clear distance, scatter, distance of the sky: reflection_blur.glsl
     vec4 within;             // edge of the finest cells, half the meniscus: metres
     vec4 extent;       // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves
