@@ -115,8 +115,9 @@ SightLine lastSightLine(vec2 texel) {
 
 struct Remembered {
     vec4 color;
-    float weight;   // of the texels that fit
+    float weight;     // of the texels that fit
     bool hit;
+    float distance;   // of those that are hits
 };
 
 // Of three texels in a row for a place `at` from the middle of the second. What is looked up again and again must stay
@@ -136,6 +137,7 @@ Remembered rememberedAt(vec2 texel, vec2 distances, bool sky) {
     vec4 sharp = vec4(0.0);
     float weight = 0.0;
     float hits = 0.0;
+    float distance = 0.0;
     bool allHit = true;
     for (int i = still ? 4 : 0; i < (still ? 5 : 9); ++i) {
         int row = i / 3 - 1;
@@ -155,8 +157,10 @@ Remembered rememberedAt(vec2 texel, vec2 distances, bool sky) {
         linear += share * color;
         weight += share;
         hits += hit ? share : 0.0;
+        distance += hit ? share * info : 0.0;
     }
-    return Remembered(allHit ? sharp : linear / max(weight, leastWeight), weight, hits > 0.5 * weight);
+    return Remembered(allHit ? sharp : linear / max(weight, leastWeight), weight, hits > 0.5 * weight,
+                      distance / max(hits, leastWeight));
 }
 
 vec2 likeDistances(vec2 distances) {
@@ -223,11 +227,12 @@ Pixel blended(Pixel found, Around around, Remembered last) {
     return found;
 }
 
-// Where this frame knows nothing: what the last one knew of some point of the line of sight, `distance` behind the mirror.
-Pixel recalled(Pixel found, Around around, Remembered last, float distance) {
+// Where this frame knows nothing: what the last one knew of some point of the line of sight. That was sought by the distance
+// of one texel; kept from frame to frame, it would lag behind the rest.
+Pixel recalled(Pixel found, Around around, Remembered last, Place place) {
     vec4 color = kept * (around.most.a > 0.0 ? min(last.color, around.most) : last.color);
     if (last.weight < surely || color.a < leastConfidence) return found;
-    return Pixel(color, infoOfHit(distance));
+    return Pixel(color, infoOfHit(place.distance + last.distance - place.distanceThen));
 }
 
 Pixel settled(ivec2 pixel, Pixel found, Around around) {
@@ -241,7 +246,7 @@ Pixel settled(ivec2 pixel, Pixel found, Around around) {
     if (!place.found) return found;
     vec2 distances = known ? around.distances : vec2(place.distance);
     Remembered last = rememberedOf(place, distances, known && around.sky);
-    return known ? blended(found, around, last) : recalled(found, around, last, place.distance);
+    return known ? blended(found, around, last) : recalled(found, around, last, place);
 }
 
 void main() {

@@ -381,6 +381,42 @@ TEST_P(Temporal, WhatIsHiddenIsKeptForAWhileWithLessAndLessConfidence) {
     }
 }
 
+TEST_P(Temporal, WhatIsHiddenIsKeptWhereItIsWhileTheCameraMoves) {
+    const Box board{{0.3, 2.3, 1}, {1.4, 3.6, 1.2}};
+    ReflectorDesc desc = with(GetParam(), 0.8f);
+    desc.reflection.edgeFade = 0;
+    Reflector* const reflector = make(desc);
+    desc.reflection.temporal = 0;
+    Reflector* const without = make(desc);
+    Camera camera = smallCamera();
+    next(reflector, painted(camera, harbourOfBoxes()), viewOf(camera));
+    for (int n = 1; n <= 4; ++n) {
+        camera.eye += glm::dvec3(0.1, 0.03, -0.15);
+        const TracedView hidden = painted(camera, harbourWith(board));
+        const Reflected whole = next(without, painted(camera, harbourOfBoxes()), viewOf(camera));
+        const Reflected fresh = next(without, hidden, viewOf(camera));
+        const Reflected reused = next(reflector, hidden, viewOf(camera));
+        size_t holes = 0, known = 0, inPlace = 0, ofItsColor = 0;
+        for (size_t i = 0; i < fresh.info.size(); ++i) {
+            if (fresh.info[i] != 0 || !(whole.info[i] > 0) || hidden.truth[i] == Truth::none) continue;
+            ++holes;
+            if (!(reused.info[i] > 0)) continue;
+            ++known;
+            inPlace += std::abs(reused.info[i] - whole.info[i]) < 0.01f * whole.info[i];
+            glm::dvec4 kept;
+            for (size_t c = 0; c < 4; ++c)
+                kept[static_cast<int>(c)] = std::pow(0.8, n) * double{whole.color[i * 4 + c]};
+            ofItsColor += differenceAt(reused, i, kept) < 0.05;
+        }
+        std::printf("%zu holes, %zu known, %zu in place, %zu of their colour\n", holes, known, inPlace,
+                    ofItsColor);
+        EXPECT_GT(holes, 100u) << n;
+        EXPECT_GE(known, holes / 5) << n; // others have been hidden for longer
+        EXPECT_GE(inPlace, known * 17 / 20) << n;
+        EXPECT_GE(ofItsColor, known * 7 / 10) << n;
+    }
+}
+
 TEST_P(Temporal, ABrokenPixelIsGoneInTheNextFrame) {
     const Camera camera = smallCamera();
     const TracedView traced = painted(camera, harbourOfBoxes());
