@@ -116,6 +116,11 @@ const char* badField(const ReflectionDesc& desc) {
     return badMarch(desc);
 }
 
+const char* badField(const SceneSamples& samples) {
+    if (hasSamplePlace(samples.depth) && hasSamplePlace(samples.color)) return nullptr;
+    return "estimate: SceneSamples holds a count that is none of 1, 2, 4, 8 and 16";
+}
+
 Status Reflector::create(Context& owner, const ReflectorDesc& description) {
     context = &owner;
     desc = description.reflection;
@@ -164,17 +169,6 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
     out = describe(camera, view, geometry, desc.downscale, reflected.planar, reflected.found(desc));
     reflected.planar.handedOut = true;
     reflected.reflected = false;
-    return Status::ok;
-}
-
-Status Reflector::takeSamples(const ReflectPass& pass, SceneOfCall& scene) {
-    if (isMultisampled(scene.given)) {
-        if (const Status s = context->share(singleSamples); s != Status::ok) return s;
-        if (!std::exchange(scene.taken, true)) return recordSingleSample(pass, *singleSamples, scene.read);
-    } else if (singleSamples) {
-        SingleSampledScene& held = singleSamples->views[scene.given.viewIndex];
-        if (held.depth.handle()) context->frame().retire(std::exchange(held, {}));
-    }
     return Status::ok;
 }
 
@@ -236,7 +230,7 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     if (const Status s = uploadMirror(view, geometry, shown, slice); s != Status::ok) return s;
     const ReflectPass pass{*context, commands, scene.read, geometry, desc, slice};
     if (!drawn)
-        if (const Status s = takeSamples(pass, scene); s != Status::ok) return s;
+        if (const Status s = takeSamples(pass, singleSamples, scene); s != Status::ok) return s;
     const OwnedReflection& found = reflected.found(desc);
     if (const Status s = recordTechnique(pass, reflected, found); s != Status::ok) return s;
     if (stretch)
@@ -268,7 +262,7 @@ Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
         return s;
     SceneOfCall scene(view);
     const ReflectPass pass{*context, commands, scene.read, geometry, desc, slice};
-    if (const Status s = takeSamples(pass, scene); s != Status::ok) return s;
+    if (const Status s = takeSamples(pass, singleSamples, scene); s != Status::ok) return s;
     return recordOverlay(pass, *overlay, images(view.viewIndex), overlayDesc);
 }
 
@@ -297,9 +291,7 @@ Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent,
     if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
     if (extent.width == 0 || extent.height == 0)
         return context->device.fail(Status::invalidArgument, "estimate: the extent is empty");
-    if (!hasSamplePlace(samples.depth) || !hasSamplePlace(samples.color))
-        return context->device.fail(Status::invalidArgument,
-                                    "estimate: SceneSamples holds a count that is none of 1, 2, 4, 8 and 16");
+    if (const char* bad = badField(samples)) return context->device.fail(Status::invalidArgument, "%s", bad);
     *out = estimateOf(*desc, extent, samples);
     return Status::ok;
 }

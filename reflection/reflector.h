@@ -46,6 +46,7 @@ Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent, const SceneSa
 
 /// Null when the description is usable, else what is wrong with it.
 const char* badField(const ReflectionDesc& desc);
+const char* badField(const SceneSamples& samples);
 
 struct Reflector {
     Context* context = nullptr;
@@ -74,8 +75,6 @@ struct Reflector {
     Status prepare(ReflectedView& view, VkExtent2D extent);
     Status uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
                         gpu::Slice& out);
-    /// Makes the call's scene single-sampled where it is not.
-    Status takeSamples(const ReflectPass& pass, SceneOfCall& scene);
     Status recordTechnique(const ReflectPass& pass, ReflectedView& view, const OwnedReflection& images);
     /// Of what the technique found and the view's last frame.
     Status recordReuse(const ReflectPass& pass, ReflectedView& view);

@@ -56,7 +56,7 @@ Status prepare(Context& context, SingleSamples& samples, const ViewDesc& view) {
 }
 
 Status recordImage(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::OwnedImage& to,
-                   Image& image) {
+                   const Image& image) {
     Context& context = pass.context;
     const gpu::Device& device = context.device;
     const gpu::Resource resources[] = {
@@ -74,9 +74,28 @@ Status recordImage(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu
     const VkImageMemoryBarrier2 after =
         gpu::imageBarrier(to.handle(), gpu::storageWritten, gpu::sampledByShaders);
     gpu::recordBarriers(device, pass.commands, &after, 1);
-    image.view = to.view();
+    return Status::ok;
+}
+
+void replace(Image& image, const gpu::OwnedImage& by) {
+    image.view = by.view();
     image.layout = gpu::sampledByShaders.layout;
     image.samples = VK_SAMPLE_COUNT_1_BIT;
+}
+
+/// Fills the images of the view and gives it them for its own.
+Status recordSingleSample(const ReflectPass& pass, SingleSamples& samples, ViewDesc& view) {
+    if (const Status s = prepare(pass.context, samples, view); s != Status::ok) return s;
+    const SingleSampledScene& scene = samples.views[view.viewIndex];
+    const gpu::PassScope scope(pass.context.device, pass.commands, "scene_single_sample");
+    if (const Status s = recordImage(pass, samples.depth->kernel, scene.depth, view.sceneDepth);
+        s != Status::ok)
+        return s;
+    if (hasManySamples(view.sceneColor))
+        if (const Status s = recordImage(pass, samples.color->kernel, scene.color, view.sceneColor);
+            s != Status::ok)
+            return s;
+    scene.standIn(view);
     return Status::ok;
 }
 
@@ -93,6 +112,11 @@ Status ColorSampleKernel::create(Context& context) {
 bool SingleSampledScene::fits(const ViewDesc& view) const {
     return isAsLarge(depth, view.sceneDepth) &&
            (!hasManySamples(view.sceneColor) || isAsLarge(color, view.sceneColor));
+}
+
+void SingleSampledScene::standIn(ViewDesc& view) const {
+    if (hasManySamples(view.sceneColor)) replace(view.sceneColor, color);
+    replace(view.sceneDepth, depth);
 }
 
 Status SingleSampledScene::create(const gpu::Device& device, const ViewDesc& view) {
@@ -114,15 +138,20 @@ uint32_t SingleSampledScene::dispatches(const SceneSamples& samples) {
     return samples.color == VK_SAMPLE_COUNT_1_BIT ? 1 : 2;
 }
 
-Status recordSingleSample(const ReflectPass& pass, SingleSamples& samples, ViewDesc& view) {
-    if (const Status s = prepare(pass.context, samples, view); s != Status::ok) return s;
-    const SingleSampledScene& scene = samples.views[view.viewIndex];
-    const gpu::PassScope scope(pass.context.device, pass.commands, "scene_single_sample");
-    if (const Status s = recordImage(pass, samples.depth->kernel, scene.depth, view.sceneDepth);
-        s != Status::ok)
-        return s;
-    if (!hasManySamples(view.sceneColor)) return Status::ok;
-    return recordImage(pass, samples.color->kernel, scene.color, view.sceneColor);
+Status takeSamples(const ReflectPass& pass, std::shared_ptr<SingleSamples>& samples, SceneOfCall& scene) {
+    if (!isMultisampled(scene.given)) {
+        dropSamples(pass.context, samples.get(), scene.given.viewIndex);
+        return Status::ok;
+    }
+    if (const Status s = pass.context.share(samples); s != Status::ok) return s;
+    if (std::exchange(scene.taken, true)) return Status::ok;
+    return recordSingleSample(pass, *samples, scene.read);
+}
+
+void dropSamples(Context& context, SingleSamples* samples, uint32_t viewIndex) {
+    if (!samples || viewIndex >= maxViews) return;
+    SingleSampledScene& held = samples->views[viewIndex];
+    if (held.depth.handle()) context.frame().retire(std::exchange(held, {}));
 }
 
 } // namespace seaglass

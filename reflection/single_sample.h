@@ -30,6 +30,8 @@ struct SingleSampledScene {
     gpu::OwnedImage depth; ///< R32F
     gpu::OwnedImage color; ///< RGBA16F
     bool fits(const ViewDesc& view) const;
+    /// Gives `view` these images for its own multisampled ones, to be sampled.
+    void standIn(ViewDesc& view) const;
     Status create(const gpu::Device& device, const ViewDesc& view);
     static VkDeviceSize bytes(VkExtent2D extent, const SceneSamples& samples);
     static uint32_t dispatches(const SceneSamples& samples);
@@ -56,8 +58,12 @@ inline bool isMultisampled(const ViewDesc& view) {
     return view.sceneDepth.samples != VK_SAMPLE_COUNT_1_BIT;
 }
 
-/// Fills the region of the view's scene and leaves it to be sampled; `view` is given back with those images
-/// for its own.
-Status recordSingleSample(const ReflectPass& pass, SingleSamples& samples, ViewDesc& view);
+/// For all who read the scene of a call: the first fills the region of its view's single-sampled images and
+/// leaves them to be sampled in `scene.read`. `samples` is what the reader holds of them, null until a view
+/// has many.
+Status takeSamples(const ReflectPass& pass, std::shared_ptr<SingleSamples>& samples, SceneOfCall& scene);
+
+/// Lets go of what a view held that has many samples no longer.
+void dropSamples(Context& context, SingleSamples* samples, uint32_t viewIndex);
 
 } // namespace seaglass

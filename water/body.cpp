@@ -116,13 +116,14 @@ SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, con
     SurfaceUniforms u;
     u.clipFromRelative = glm::mat4(geometry.clipFromRelative);
     u.pixelFromRelative = glm::mat4(geometry.pixelFromRelative);
-    u.relativeFromPixel = glm::mat4(geometry.relativeFromPixel);
+    u.relativeFromPixel = glm::mat4(relativeFromScenePixel(geometry));
     const double eyeHeight = glm::dot(glm::dvec3(body.plane), geometry.eye) + body.plane.w;
     u.plane = glm::vec4(glm::vec3(body.plane), eyeHeight);
     u.toSun = glm::vec4(lighting.toSun[0], lighting.toSun[1], lighting.toSun[2], 0);
     u.sunIrradiance = color(lighting.sunIrradiance);
     u.skyIrradiance = color(lighting.skyIrradiance);
     u.skyMips = static_cast<float>(lighting.skyCubeMipLevels);
+    u.sceneShift = glm::vec2(geometry.sceneShift);
     u.region = glm::ivec4(geometry.regionOrigin, geometry.regionSize);
     u.farDepth = static_cast<float>(geometry.farDepth);
     u.depthSign = geometry.reversedDepth ? 1.0f : -1.0f;
@@ -280,6 +281,27 @@ Status Body::simulate(VkCommandBuffer commands, double time) {
     return waves->record(*context, commands, time);
 }
 
+Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
+    ViewGeometry geometry;
+    if (const char* bad = readView(scene.given, geometry))
+        return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
+    const ReflectionDesc desc;
+    gpu::Slice mirror;
+    if (const Status s = context->frame().upload(
+            mirrorUniforms(geometry, plane, desc, {0, 0, geometry.regionSize}), mirror);
+        s != Status::ok)
+        return s;
+    return takeSamples({*context, commands, scene.read, geometry, desc, mirror}, singleSamples, scene);
+}
+
+Status Body::reflect(VkCommandBuffer commands, SceneOfCall& scene) {
+    if (!isMultisampled(scene.given))
+        dropSamples(*context, singleSamples.get(), scene.given.viewIndex);
+    else if (refraction)
+        if (const Status s = takeScene(commands, scene); s != Status::ok) return s;
+    return reflector ? reflector->record(commands, scene) : Status::ok;
+}
+
 SurfaceFeatures Body::features(const ReflectionImages& images) const {
     const SurfaceShape shape = hostMesh  ? SurfaceShape::hostMesh
                                : outline ? SurfaceShape::outlined
@@ -324,19 +346,24 @@ Status Body::placeHostMesh(const MeshView& view, SurfaceInputs& inputs) {
     return Status::ok;
 }
 
-Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out) const {
+Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
+                         ViewDesc& read) const {
     const gpu::Device& device = context->device;
     if (const char* bad = readView(view, out)) return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (out.parallel)
         return device.fail(Status::unsupported,
                            "draw: ViewDesc.projection is orthographic, water is seen from an eye");
-    if (refraction && view.sceneDepth.samples != VK_SAMPLE_COUNT_1_BIT)
-        return device.fail(Status::unsupported,
-                           "draw: ViewDesc.sceneDepth.samples is not 1: refraction reads resolved images");
     if (waves && !simulated)
         return device.fail(Status::invalidArgument,
                            "draw: the body has waves but simulate() was never called");
+    read = view;
+    if (!refraction || !isMultisampled(view)) return Status::ok;
+    if (!singleSamples || !singleSamples->views[view.viewIndex].fits(view))
+        return device.fail(Status::invalidArgument,
+                           "draw: ViewDesc.sceneDepth.samples is not 1, and reflect() was not called for "
+                           "this view before");
+    singleSamples->views[view.viewIndex].standIn(read);
     return Status::ok;
 }
 
@@ -352,7 +379,8 @@ SidesSeen Body::sidesSeen(const ViewGeometry& geometry) const {
 Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                             const LightingDesc& lighting, UnderwaterPass pass) {
     ViewGeometry geometry;
-    if (const Status s = readForDraw(view, lighting, geometry); s != Status::ok) return s;
+    ViewDesc read;
+    if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
     const SidesSeen sides = sidesSeen(geometry);
     const bool straddles = sides == SidesSeen::either;
     const bool wanted =
@@ -360,7 +388,7 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
     if (!wanted) return Status::ok;
     const SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
     UnderwaterInputs inputs;
-    inputs.view = &view;
+    inputs.view = &read;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
     if (waves) inputs.waveDisplacement = waves->maps().images[0].view();
     setViewport(context->device, commands, view, geometry);
@@ -372,7 +400,8 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
                   const LightingDesc& lighting, SurfaceOutput output) {
     const gpu::Device& device = context->device;
     ViewGeometry geometry;
-    if (const Status s = readForDraw(view, lighting, geometry); s != Status::ok) return s;
+    ViewDesc read;
+    if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
 
     SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
     SurfaceInputs inputs;
@@ -389,7 +418,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
         return s;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
     inputs.lighting = &lighting;
-    inputs.view = &view;
+    inputs.view = &read;
     if (waves)
         for (uint32_t i = 0; i < waveMapCount; ++i) inputs.waveMaps[i] = waves->maps().images[i].view();
     if (foamPattern) inputs.foamPattern = foamPattern->view();
@@ -425,14 +454,21 @@ Status addWaves(Context& context, const BodyDesc& desc, Estimate& out) {
 
 } // namespace
 
-Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out) {
+Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
+                SceneSamples samples) {
     if (!context || !desc || !out) return Status::invalidArgument;
     *out = {};
     if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    if (const char* bad = badField(samples)) return context->device.fail(Status::invalidArgument, "%s", bad);
     return gpu::guarded([&] {
         Estimate sum;
         if (desc->reflection)
-            if (const Status s = estimate(context, desc->reflection, extent, &sum); s != Status::ok) return s;
+            if (const Status s = estimate(context, desc->reflection, extent, &sum, samples); s != Status::ok)
+                return s;
+        if (desc->refraction) {
+            sum.bytesPerSharedView = SingleSampledScene::bytes(extent, samples);
+            sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
+        }
         if (desc->waves)
             if (const Status s = addWaves(*context, *desc, sum); s != Status::ok) return s;
         sum.bytes += HostMesh::bytes(desc->extent);
@@ -485,9 +521,7 @@ Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view,
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view) {
     if (!commands || (count && !bodies) || !view) return Status::invalidArgument;
     SceneOfCall scene(*view);
-    return forEach(bodies, count, [&](Body& body) {
-        return body.reflector ? body.reflector->record(commands, scene) : Status::ok;
-    });
+    return forEach(bodies, count, [&](Body& body) { return body.reflect(commands, scene); });
 }
 
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,

@@ -45,7 +45,8 @@ struct Body {
     std::optional<FoamPattern> foamPattern;
     std::optional<RefractionDesc> refraction;
     std::optional<UnderwaterDesc> underwater;
-    std::unique_ptr<Reflector> reflector; ///< null without a screen-space technique
+    std::unique_ptr<Reflector> reflector;         ///< null without a screen-space technique
+    std::shared_ptr<SingleSamples> singleSamples; ///< null until refraction sees through a view with many
     float reflectionDistortion = 0;
     std::shared_ptr<PatchIndices> indices;
     std::vector<MeshPatch> patches; ///< scratch, kept for its capacity
@@ -53,6 +54,7 @@ struct Body {
 
     Status create(Context& owner, const BodyDesc& desc);
     Status simulate(VkCommandBuffer commands, double time);
+    Status reflect(VkCommandBuffer commands, SceneOfCall& scene);
     Status draw(VkCommandBuffer commands, Target& target, const ViewDesc& view, const LightingDesc& lighting,
                 SurfaceOutput output);
     /// Of an eye in the water: before the surfaces of all bodies, or after. Records nothing for other eyes.
@@ -60,7 +62,11 @@ struct Body {
                           const LightingDesc& lighting, UnderwaterPass pass);
 
   private:
-    Status readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out) const;
+    /// `read`: the view with a scene that shaders sample.
+    Status readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
+                       ViewDesc& read) const;
+    /// Where refraction sees a multisampled scene, which draw() cannot make single-sampled inside a pass.
+    Status takeScene(VkCommandBuffer commands, SceneOfCall& scene);
     SidesSeen sidesSeen(const ViewGeometry& geometry) const;
     Status createWaves(const BodyDesc& desc);
     Status createFoam(const FoamDesc& desc);

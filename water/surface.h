@@ -47,7 +47,7 @@ struct SurfaceVariant {
 struct SurfaceUniforms {
     glm::mat4 clipFromRelative{1};
     glm::mat4 pixelFromRelative{1};
-    glm::mat4 relativeFromPixel{1};
+    glm::mat4 relativeFromPixel{1};      ///< of the scene's pixels
     glm::vec4 cascade[maxCascades] = {}; ///< eye's (u, v) in the tile, in tiles; 1 / patch; 1 / texel [1/m]
     glm::vec4 plane{0, 1, 0, 0};         ///< up, and the eye's height [m]
     glm::vec4 toSun{0};
@@ -72,8 +72,10 @@ struct SurfaceUniforms {
     glm::vec2 foamStreak{0};   ///< wind's direction, times sqrt(1 - 1/stretch) of the pattern
     float padding = 0;
     glm::vec4 reflectionLook{
-        0};              ///< clear distance [m], scatter, distance at which the sky has taken over [m]
-    glm::vec4 within{0}; ///< edge of the finest cells [m], half the meniscus [m]
+        0};                  ///< clear distance [m], scatter, distance at which the sky has taken over [m]
+    glm::vec4 within{0};     ///< edge of the finest cells [m], half the meniscus [m]
+    glm::vec2 sceneShift{0}; ///< ViewGeometry's [pixel]
+    float shiftPadding[2] = {};
     glm::vec4 extent{0}; ///< (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges
                          ///< hold the waves [1/m]
 };

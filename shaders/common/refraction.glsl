@@ -9,7 +9,7 @@ struct Behind {
 
 // What the host's opaque scene shows at a pixel of the region.
 Behind behindAt(vec2 pixel) {
-    ivec2 p = clamp(ivec2(pixel), ivec2(0), region.zw - 1);
+    ivec2 p = clamp(ivec2(pixel + sceneShift), ivec2(0), region.zw - 1);
     float depth = texelFetch(sceneDepth, region.xy + p, 0).r;
     Behind b = Behind(vec3(0.0), vec3(0.0), depthSign * (depth - farDepth) <= 0.0);
     if (b.nothing) return b;

@@ -4,7 +4,7 @@
 layout(set = 0, binding = 0, std140) uniform Surface {
     mat4 clipFromRelative;
     mat4 pixelFromRelative;
-    mat4 relativeFromPixel;
+    mat4 relativeFromPixel;   // of the scene's pixels
     vec4 cascade[4];   // eye's (u, v) in the tile, in tiles; 1 / patch; 1 / texel
     vec4 plane;        // up, and the eye's height
     vec4 toSun;
@@ -28,6 +28,7 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     float foamStreakV;
     vec3 reflectionLook;     // clear distance, scatter, distance of the sky: reflection_blur.glsl
     vec4 within;             // edge of the finest cells, half the meniscus: metres
+    vec2 sceneShift;         // to the scene's pixel that shows a point, whose sample may lie off its middle
     vec4 extent;       // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves
 };
 

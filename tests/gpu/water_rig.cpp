@@ -9,8 +9,10 @@ namespace {
 constexpr VkFormat colorFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 
-demos::Image attachment(VkFormat format, VkExtent2D extent, VkImageUsageFlags usage) {
+demos::Image attachment(VkFormat format, VkExtent2D extent, VkImageUsageFlags usage,
+                        VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT) {
     demos::ImageDesc desc;
+    desc.samples = samples;
     desc.format = format;
     desc.extent = extent;
     desc.usage = usage | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
@@ -45,6 +47,13 @@ VkRenderingAttachmentInfo cleared(const demos::Image& image, VkImageLayout layou
     return info;
 }
 
+/// Draws into `many` and leaves one sample of it, or the mean of all, in the attachment's own image.
+void resolve(VkRenderingAttachmentInfo& info, const demos::Image& many, VkResolveModeFlagBits mode) {
+    info.resolveImageView = std::exchange(info.imageView, many.view.get());
+    info.resolveImageLayout = info.imageLayout;
+    info.resolveMode = mode;
+}
+
 void toAttachment(VkCommandBuffer commands, const demos::Image& image, VkImageLayout layout, bool depth) {
     demos::imageBarrier(
         commands, image, VK_IMAGE_LAYOUT_UNDEFINED, layout, VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE,
@@ -66,9 +75,16 @@ void WaterTest::SetUp() {
     GpuTest::SetUp();
     skyCube_ = uniformCube();
     lighting.skyCube = skyCube_.view.get();
+    useSamples(VK_SAMPLE_COUNT_1_BIT);
+}
+
+void WaterTest::useSamples(VkSampleCountFlagBits samples) {
+    samples_ = samples;
+    seaglass::destroyTarget(target_);
     seaglass::TargetDesc desc;
     desc.colorFormat = colorFormat;
     desc.depthFormat = depthFormat;
+    desc.samples = samples;
     ASSERT_EQ(seaglass::createTarget(context(), &desc, &target_), seaglass::Status::ok) << message();
 }
 
@@ -98,10 +114,16 @@ WaterPicture WaterTest::picture(const std::vector<seaglass::Body*>& bodies, cons
                      behind.depth.empty() ? std::vector<float>(pixels, farDepth) : behind.depth);
     const demos::Image color = attachment(colorFormat, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
     const demos::Image depth = attachment(depthFormat, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+    demos::Image manyColors, manyDepths;
+    if (samples_ != VK_SAMPLE_COUNT_1_BIT) {
+        manyColors = attachment(colorFormat, extent, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, samples_);
+        manyDepths = attachment(depthFormat, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, samples_);
+    }
 
     seaglass::ViewDesc view = viewDesc(camera);
     view.sceneColor = asSeaglass(sceneColor);
     view.sceneDepth = asSeaglass(sceneDepth);
+    if (changeView) changeView(view);
     seaglass::ViewDesc reflected = view;
     if (misleadReflection) misleadReflection(reflected);
     const auto count = static_cast<uint32_t>(bodies.size());
@@ -114,10 +136,15 @@ WaterPicture WaterTest::picture(const std::vector<seaglass::Body*>& bodies, cons
         for (float& channel : untouched.color.float32) channel = WaterPicture::untouched;
         VkClearValue far{};
         far.depthStencil.depth = farDepth;
-        const VkRenderingAttachmentInfo colorInfo =
+        VkRenderingAttachmentInfo colorInfo =
             cleared(color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, untouched);
-        const VkRenderingAttachmentInfo depthInfo =
-            cleared(depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, far);
+        VkRenderingAttachmentInfo depthInfo = cleared(depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, far);
+        if (samples_ != VK_SAMPLE_COUNT_1_BIT) {
+            toAttachment(commands, manyColors, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, false);
+            toAttachment(commands, manyDepths, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, true);
+            resolve(colorInfo, manyColors, VK_RESOLVE_MODE_AVERAGE_BIT);
+            resolve(depthInfo, manyDepths, VK_RESOLVE_MODE_SAMPLE_ZERO_BIT);
+        }
         VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
         rendering.renderArea.extent = extent;
         rendering.layerCount = 1;

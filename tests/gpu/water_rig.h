@@ -30,12 +30,16 @@ class WaterTest : public GpuTest {
     void SetUp() override;
     void TearDown() override;
 
+    /// What is drawn into from here on, and resolved; 1 before.
+    void useSamples(VkSampleCountFlagBits samples);
     seaglass::Body* makeBody(const seaglass::BodyDesc& desc);
     /// A frame: simulate at `time`, reflect, draw.
     WaterPicture picture(const std::vector<seaglass::Body*>& bodies, const Camera& camera, double time = 0,
                          seaglass::SurfaceOutput output = seaglass::SurfaceOutput::shaded,
                          const SceneBehind& behind = {});
 
+    /// Changes the view that both are told; null leaves it.
+    std::function<void(seaglass::ViewDesc&)> changeView;
     /// Changes what reflect() is told of the view that draw() is told the truth of; null leaves it.
     std::function<void(seaglass::ViewDesc&)> misleadReflection;
     seaglass::LightingDesc lighting; ///< no sun; the sky cube's radiance is 1, 2, 3
@@ -43,6 +47,7 @@ class WaterTest : public GpuTest {
   private:
     demos::Image skyCube_;
     seaglass::Target* target_ = nullptr;
+    VkSampleCountFlagBits samples_ = VK_SAMPLE_COUNT_1_BIT;
     std::vector<seaglass::Body*> bodies_;
 };
 

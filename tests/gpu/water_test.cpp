@@ -843,29 +843,6 @@ TEST_F(Water, DrawingBeforeSimulatingIsAnError) {
     destroyTarget(target);
 }
 
-TEST_F(Water, RefractionOfAMultisampledSceneIsRefused) {
-    const demos::Image color = uploadFloats(4, 4, 4, std::vector<float>(64));
-    const demos::Image depth = uploadFloats(4, 4, 1, std::vector<float>(16));
-    Camera camera = seaCamera();
-    camera.width = camera.height = 4;
-    ViewDesc view = viewDesc(camera);
-    view.sceneColor = asSeaglass(color);
-    view.sceneDepth = asSeaglass(depth);
-    view.sceneDepth.samples = VK_SAMPLE_COUNT_4_BIT;
-    Target* target = nullptr;
-    const TargetDesc targetDesc = {VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_D32_SFLOAT};
-    ASSERT_EQ(createTarget(context(), &targetDesc, &target), Status::ok);
-    const RefractionDesc refraction;
-    BodyDesc desc;
-    desc.refraction = &refraction;
-    Body* body = makeBody(desc);
-    frame([&](VkCommandBuffer commands) {
-        EXPECT_EQ(draw(commands, target, &body, 1, &view, &lighting), Status::unsupported);
-        EXPECT_NE(message().find("sceneDepth.samples"), std::string::npos);
-    });
-    destroyTarget(target);
-}
-
 TEST_F(Water, ParallelLinesOfSightAreRefused) {
     const demos::Image color = uploadFloats(4, 4, 4, std::vector<float>(64));
     const demos::Image depth = uploadFloats(4, 4, 1, std::vector<float>(16));

@@ -113,9 +113,10 @@ struct ViewDesc {
     /// Opaque scene depth of the same pixels: D16, X8_D24, D32, each with stencil or without, or a copy of it
     /// as R16_UNORM or R32_SFLOAT. What the format cannot tell apart from the plane counts as lying on it.
     ///
-    /// Where it is multisampled, reflections take sample 0 of each pixel, with that sample's colour where the
-    /// colour is multisampled alike; else the host hands in resolved colour. A view then holds 4 bytes a
-    /// pixel of sceneDepth more, and 8 more for multisampled colour, once for all reflectors of a context.
+    /// Where it is multisampled, reflections and refraction take sample 0 of each pixel, with that sample's
+    /// colour where the colour is multisampled alike; else the host hands in resolved colour. A view then
+    /// holds 4 bytes a pixel of sceneDepth more, and 8 more for multisampled colour, once for all reflectors
+    /// and bodies of a context.
     Image sceneDepth;
     uint32_t viewIndex = 0; ///< 0..7: which view of this frame, so that each keeps its own images
     /// Optional: unit normals of the surface in the world (x, y, z of RGBA16F, RGBA32F or RGBA8_SNORM) at the
@@ -137,8 +138,8 @@ struct Estimate {
     uint64_t bytes = 0;             ///< device memory held once
     uint64_t bytesPerView = 0;      ///< device memory held for each view index that is used
     uint32_t dispatchesPerView = 0; ///< compute dispatches that reflect() records
-    /// The same of what multisampled scenes take: held by all reflectors of a context together, and recorded
-    /// once in a call of reflect(), however many it is for.
+    /// The same of what multisampled scenes take: held by all reflectors and bodies of a context together,
+    /// and recorded once in a call of reflect(), however many it is for.
     uint64_t bytesPerSharedView = 0;
     uint32_t dispatchesPerSharedView = 0;
 };

@@ -89,10 +89,11 @@ struct BodyDesc {
     MeshDesc mesh;
 };
 
-/// What a body of this description costs, for views of `extent` pixels; what all bodies of a context share is
-/// left out. Nothing is created on the device; waves are laid out on the CPU to count them, which takes some
-/// milliseconds.
-Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out);
+/// What a body of this description costs, for views of `extent` pixels and images of that size; what all
+/// bodies of a context share is left out. Nothing is created on the device; waves are laid out on the CPU to
+/// count them, which takes some milliseconds.
+Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
+                SceneSamples samples = {});
 
 struct Body;
 
@@ -124,7 +125,8 @@ Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, d
 /// What to draw for a body whose reflection is `planar`; as planarView() for reflectors.
 Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
 
-/// Records the reflections of `view`; as reflect() for reflectors. Outside any render pass.
+/// Records the reflections of `view`; as reflect() for reflectors. Outside any render pass. Of a view whose
+/// scene is multisampled it also takes the samples that refraction reads, of bodies without reflection too.
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view);
 
 /// As recordOverlay() for reflectors; of a body whose reflection is the sky alone there is nothing to see.
@@ -151,8 +153,8 @@ enum class SurfaceOutput : uint32_t {
 /// test and write, of the target's formats. Reads view.sceneColor and view.sceneDepth in fragment shaders, so
 /// they must not be the attachments written (a copy of the colour; depth may be a read-only attachment or a
 /// copy). Leaves pipeline, descriptor sets, push constants and index buffer bound to its own; the viewport
-/// and scissor are set from the view. A body with refraction is `unsupported` where the view's scene is
-/// multisampled.
+/// and scissor are set from the view. Where its scene is multisampled, a body with refraction wants reflect()
+/// before.
 ///
 /// An eye in a body with `underwater` is served by the same call: first the colour of each pixel whose line
 /// of sight begins in the water is replaced by sceneColor as it looks through it (no depth is read or
