@@ -46,6 +46,12 @@ const char* badField(const UnderwaterDesc& desc) {
     return nullptr;
 }
 
+const char* badField(const CausticsDesc& desc) {
+    if (!(desc.strength >= 0 && desc.strength <= 1))
+        return "CausticsDesc.strength is out of range, expected 0 to 1";
+    return nullptr;
+}
+
 const char* badField(const BodyDesc& desc) {
     glm::dvec4 plane;
     if (const char* bad = readPlane(desc.plane, plane)) return bad;
@@ -64,6 +70,10 @@ const char* badField(const BodyDesc& desc) {
     if (desc.underwater && !desc.refraction) return "BodyDesc.underwater needs BodyDesc.refraction";
     if (desc.underwater)
         if (const char* bad = badField(*desc.underwater)) return bad;
+    if (desc.caustics && (!desc.waves || !desc.refraction))
+        return "BodyDesc.caustics needs BodyDesc.waves and BodyDesc.refraction";
+    if (desc.caustics)
+        if (const char* bad = badField(*desc.caustics)) return bad;
     return badField(desc.mesh);
 }
 
@@ -156,6 +166,13 @@ SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, con
     }
     u.within.x = body.mesh.cellSize;
     if (body.underwater) u.within.y = body.underwater->meniscus / 2;
+    if (body.outline) {
+        const glm::dvec2 eye(geometry.eye.x, geometry.eye.z);
+        u.covered = glm::vec4(glm::vec2(body.outline->low - eye), glm::vec2(body.outline->high - eye));
+    }
+    if (body.caustics)
+        u.caustics =
+            glm::vec4(body.caustics->strength, body.causticBlur.log2Scale, body.causticBlur.exponent, 0);
     return u;
 }
 
@@ -229,6 +246,10 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
         if (const Status s = createFoam(*desc.foam); s != Status::ok) return s;
     if (desc.refraction) refraction = *desc.refraction;
     if (desc.underwater) underwater = *desc.underwater;
+    if (desc.caustics && waves) {
+        caustics = *desc.caustics;
+        causticBlur = causticBlurOf(*sea);
+    }
     if (desc.extent.shape != ExtentShape::unbounded) outline = outlineOf(desc.extent);
     if (desc.extent.shape == ExtentShape::mesh)
         if (const Status s = hostMesh.emplace().create(owner.device, desc.extent, *outline); s != Status::ok)
@@ -386,14 +407,35 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
     const bool wanted =
         pass == UnderwaterPass::water ? sides != SidesSeen::above : straddles && underwater->meniscus > 0;
     if (!wanted) return Status::ok;
+    return recordOverView(commands, target, read, lighting, geometry, {pass, straddles, straddles && waves});
+}
+
+Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                          const LightingDesc& lighting) {
+    if (!caustics) return Status::ok;
+    if (isMultisampled(view))
+        return context->device.fail(
+            Status::unsupported,
+            "drawCaustics: ViewDesc.sceneDepth.samples is not 1: nothing has taken one sample of each yet");
+    ViewGeometry geometry;
+    ViewDesc read;
+    if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
+    if (lighting.toSun[1] <= 0) return Status::ok;
+    return recordOverView(commands, target, read, lighting, geometry,
+                          {UnderwaterPass::caustics, false, true});
+}
+
+Status Body::recordOverView(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                            const LightingDesc& lighting, const ViewGeometry& geometry,
+                            const UnderwaterVariant& variant) {
     const SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
     UnderwaterInputs inputs;
-    inputs.view = &read;
+    inputs.view = &view;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
-    if (waves) inputs.waveDisplacement = waves->maps().images[0].view();
+    const size_t map = variant.pass == UnderwaterPass::caustics ? 1 : 0;
+    if (variant.waves) inputs.waveMap = waves->maps().images[map].view();
     setViewport(context->device, commands, view, geometry);
-    return recordUnderwater(*context, commands, target.underwater, {pass, straddles, straddles && waves},
-                            inputs);
+    return recordUnderwater(*context, commands, target.underwater, variant, inputs);
 }
 
 Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view,
@@ -538,6 +580,13 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
     const Status surfaces = forEach(
         bodies, count, [&](Body& body) { return body.draw(commands, *target, *view, *lighting, output); });
     return surfaces == Status::ok ? underwater(UnderwaterPass::waterline) : surfaces;
+}
+
+Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
+                    const ViewDesc* view, const LightingDesc* lighting) {
+    if (!commands || !target || (count && !bodies) || !view || !lighting) return Status::invalidArgument;
+    return forEach(bodies, count,
+                   [&](Body& body) { return body.drawCaustics(commands, *target, *view, *lighting); });
 }
 
 ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex) {

@@ -11,6 +11,7 @@
 #include "reflection/reflector.h"
 #include "reflection/view.h"
 #include "seaglass/water.h"
+#include "water/caustics.h"
 #include "water/extent.h"
 #include "water/foam.h"
 #include "water/foam_pattern.h"
@@ -45,6 +46,8 @@ struct Body {
     std::optional<FoamPattern> foamPattern;
     std::optional<RefractionDesc> refraction;
     std::optional<UnderwaterDesc> underwater;
+    std::optional<CausticsDesc> caustics; ///< only over waves
+    CausticBlur causticBlur;
     std::unique_ptr<Reflector> reflector;         ///< null without a screen-space technique
     std::shared_ptr<SingleSamples> singleSamples; ///< null until refraction sees through a view with many
     float reflectionDistortion = 0;
@@ -57,6 +60,8 @@ struct Body {
     Status reflect(VkCommandBuffer commands, SceneOfCall& scene);
     Status draw(VkCommandBuffer commands, Target& target, const ViewDesc& view, const LightingDesc& lighting,
                 SurfaceOutput output);
+    Status drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                        const LightingDesc& lighting);
     /// Of an eye in the water: before the surfaces of all bodies, or after. Records nothing for other eyes.
     Status drawUnderwater(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                           const LightingDesc& lighting, UnderwaterPass pass);
@@ -67,6 +72,9 @@ struct Body {
                        ViewDesc& read) const;
     /// Where refraction sees a multisampled scene, which draw() cannot make single-sampled inside a pass.
     Status takeScene(VkCommandBuffer commands, SceneOfCall& scene);
+    Status recordOverView(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                          const LightingDesc& lighting, const ViewGeometry& geometry,
+                          const UnderwaterVariant& variant);
     SidesSeen sidesSeen(const ViewGeometry& geometry) const;
     Status createWaves(const BodyDesc& desc);
     Status createFoam(const FoamDesc& desc);

@@ -23,11 +23,13 @@ struct PipelineState {
             desc.reversedDepth ? VK_COMPARE_OP_GREATER_OR_EQUAL : VK_COMPARE_OP_LESS_OR_EQUAL;
         attachment.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                                     VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-        if (drawing == Drawing::blended) {
+        if (drawing == Drawing::blended || drawing == Drawing::scaled) {
+            const bool scaled = drawing == Drawing::scaled;
             attachment.colorWriteMask &= ~VkColorComponentFlags(VK_COLOR_COMPONENT_A_BIT);
             attachment.blendEnable = VK_TRUE;
-            attachment.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
-            attachment.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+            attachment.srcColorBlendFactor = scaled ? VK_BLEND_FACTOR_DST_COLOR : VK_BLEND_FACTOR_SRC_ALPHA;
+            attachment.dstColorBlendFactor =
+                scaled ? VK_BLEND_FACTOR_ZERO : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
         }
         blend.attachmentCount = 1;
         blend.pAttachments = &attachment;

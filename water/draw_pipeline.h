@@ -13,6 +13,7 @@ enum class Drawing {
     solid,   ///< depth tested and written, no blending
     over,    ///< replaces the colour, whatever the depth
     blended, ///< the same by its alpha; the target's alpha stays
+    scaled,  ///< multiplies the colour; the target's alpha stays
 };
 
 struct DrawPipeline {

@@ -32,6 +32,13 @@ struct Modes {
     }
 };
 
+/// Of the height, of a mode and its conjugate [m^2].
+inline double varianceAt(const Modes& modes, size_t at) {
+    const auto square = [](float x) { return static_cast<double>(x) * static_cast<double>(x); };
+    return 2 * (square(modes.forwardRe[at]) + square(modes.forwardIm[at]) + square(modes.backwardRe[at]) +
+                square(modes.backwardIm[at]));
+}
+
 /// Draws the modes of cascade number `index`, and sets its variance. Each mode depends only on the sea's
 /// systems, the patch, the seed and (index, m, n): not on the number of samples. May throw bad_alloc.
 Modes drawModes(const SeaDesc& desc, const WaveSystems& systems, uint32_t index, Cascade& cascade);

@@ -58,16 +58,6 @@ double decayOf(const Sea& sea, double first) {
     return high;
 }
 
-double square(float x) {
-    return static_cast<double>(x) * static_cast<double>(x);
-}
-
-// Of the height, of a mode and its conjugate.
-double varianceAt(const Modes& modes, size_t at) {
-    return 2 * (square(modes.forwardRe[at]) + square(modes.forwardIm[at]) + square(modes.backwardRe[at]) +
-                square(modes.backwardIm[at]));
-}
-
 void lower(Modes& modes, Cascade& cascade, double first, double decay) {
     for (size_t at = 0; at < modes.inverseK.size(); ++at) {
         const double beyond = first * static_cast<double>(modes.inverseK[at]);

@@ -78,6 +78,8 @@ struct SurfaceUniforms {
     float shiftPadding[2] = {};
     glm::vec4 extent{0}; ///< (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges
                          ///< hold the waves [1/m]
+    glm::vec4 caustics{0};                       ///< strength; CausticBlur: log2Scale, exponent
+    glm::vec4 covered{-1e9f, -1e9f, 1e9f, 1e9f}; ///< (u, v) of the box around the body, low and high [m]
 };
 
 /// Edge of the tile that foam patterns repeat in [m]; shaders/common/foam_cover.glsl samples divisions of it.

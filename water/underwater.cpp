@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "spirv/caustics.frag.h"
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
 #include "spirv/underwater_waves.frag.h"
@@ -12,32 +13,46 @@ namespace seaglass {
 
 namespace {
 
-std::span<const uint32_t> fragmentShader(const UnderwaterVariant& v) {
-    if (v.pass == UnderwaterPass::waterline) {
-        if (v.waves) return waterline_waves_frag;
-        return waterline_frag;
+struct PassInfo {
+    const char* name;
+    std::span<const uint32_t> shader, wavesShader;
+    bool readsColor, readsDepth;
+    Drawing drawing;
+};
+
+PassInfo infoOf(UnderwaterPass pass) {
+    switch (pass) {
+    case UnderwaterPass::water:
+        return {"underwater", underwater_frag, underwater_waves_frag, true, true, Drawing::over};
+    case UnderwaterPass::waterline:
+        return {"waterline", waterline_frag, waterline_waves_frag, false, false, Drawing::blended};
+    case UnderwaterPass::caustics:
+        break;
     }
-    if (v.waves) return underwater_waves_frag;
-    return underwater_frag;
+    return {"caustics", {}, caustics_frag, false, true, Drawing::scaled};
 }
 
 /// In the order of the shaders' bindings.
 std::vector<gpu::Resource> resources(const Context& context, const UnderwaterVariant& v,
                                      const UnderwaterInputs& in) {
     const gpu::Samplers& samplers = context.samplers;
+    const PassInfo info = infoOf(v.pass);
     std::vector<gpu::Resource> list = {
         gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms))};
-    if (v.pass == UnderwaterPass::water)
-        for (const Image* image : {&in.view->sceneColor, &in.view->sceneDepth})
-            list.push_back(gpu::sampledImage(samplers.nearestClamp(), image->view, image->layout));
-    if (v.waves) list.push_back(gpu::sampledImage(samplers.trilinearRepeat(), in.waveDisplacement));
+    const auto add = [&](const Image& image) {
+        list.push_back(gpu::sampledImage(samplers.nearestClamp(), image.view, image.layout));
+    };
+    if (info.readsColor) add(in.view->sceneColor);
+    if (info.readsDepth) add(in.view->sceneDepth);
+    if (v.waves) list.push_back(gpu::sampledImage(samplers.trilinearRepeat(), in.waveMap));
     return list;
 }
 
 std::vector<VkDescriptorType> bindings(const UnderwaterVariant& v) {
+    const PassInfo info = infoOf(v.pass);
     std::vector<VkDescriptorType> types = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER};
-    const size_t images = (v.pass == UnderwaterPass::water ? 2 : 0) + (v.waves ? 1 : 0);
-    types.insert(types.end(), images, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+    const int images = int{info.readsColor} + int{info.readsDepth} + int{v.waves};
+    types.insert(types.end(), static_cast<size_t>(images), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
     return types;
 }
 
@@ -70,11 +85,12 @@ Status UnderwaterPipelines::build(const UnderwaterVariant& variant, DrawPipeline
             out.layout.create(*device_, types, VK_SHADER_STAGE_FRAGMENT_BIT, 0, "underwater layout");
         s != Status::ok)
         return s;
-    const bool water = variant.pass == UnderwaterPass::water;
+    const PassInfo info = infoOf(variant.pass);
     const uint32_t straddles[] = {variant.straddles};
-    const std::span<const uint32_t> constants(straddles, water ? 1 : 0);
-    return createDrawPipeline(*device_, desc_, {underwater_vert, fragmentShader(variant), constants},
-                              water ? Drawing::over : Drawing::blended, "underwater pipeline", out);
+    const std::span<const uint32_t> constants(straddles, variant.pass == UnderwaterPass::water ? 1 : 0);
+    return createDrawPipeline(*device_, desc_,
+                              {underwater_vert, variant.waves ? info.wavesShader : info.shader, constants},
+                              info.drawing, "underwater pipeline", out);
 }
 
 Status recordUnderwater(Context& context, VkCommandBuffer commands, UnderwaterPipelines& pipelines,
@@ -86,8 +102,7 @@ Status recordUnderwater(Context& context, VkCommandBuffer commands, UnderwaterPi
             context.frame().allocateSet(pipeline->layout.set(), resources(context, variant, inputs), set);
         s != Status::ok)
         return s;
-    const gpu::PassScope pass(context.device, commands,
-                              variant.pass == UnderwaterPass::water ? "underwater" : "waterline");
+    const gpu::PassScope pass(context.device, commands, infoOf(variant.pass).name);
     const gpu::DeviceTable& vk = context.device.vk();
     vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
     vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->layout.pipeline(), 0, 1,

@@ -1,5 +1,6 @@
-// An eye in the water: the water before the opaque scene, drawn before any surface, and the line where the
-// near plane leaves it, drawn after.
+// What is drawn over a whole view. For an eye in the water: the water before the opaque scene, drawn before
+// any surface, and the line where the near plane leaves it, drawn after. For any: caustics on what lies
+// below.
 #pragma once
 
 #include <map>
@@ -11,12 +12,12 @@
 
 namespace seaglass {
 
-enum class UnderwaterPass : uint32_t { water, waterline };
+enum class UnderwaterPass : uint32_t { water, waterline, caustics };
 
 struct UnderwaterVariant {
     UnderwaterPass pass = UnderwaterPass::water;
     bool straddles = false; ///< the near plane may be above the water too
-    bool waves = false;     ///< asked for only where it straddles
+    bool waves = false;     ///< asked for only where it straddles, and always of caustics
     auto operator<=>(const UnderwaterVariant&) const = default;
 };
 
@@ -42,7 +43,7 @@ class UnderwaterPipelines {
 struct UnderwaterInputs {
     gpu::Slice uniforms; ///< SurfaceUniforms
     const ViewDesc* view = nullptr;
-    VkImageView waveDisplacement = VK_NULL_HANDLE; ///< with waves
+    VkImageView waveMap = VK_NULL_HANDLE; ///< with waves: displacement, or derivatives for caustics
 };
 
 /// Viewport and scissor are set.

@@ -148,6 +148,8 @@ bool FrameRecorder::needed(Stage stage) const {
     switch (stage) {
     case Stage::simulate:
         return hasWater;
+    case Stage::caustics:
+        return hasWater && water->caustics();
     case Stage::copy:
         return hasWater || (floor && (overlay || floor->readsScene()));
     case Stage::mirrored:
@@ -205,8 +207,12 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
         bindFrameSet(commands, scene_->frame);
         opaque_.record(commands, layouts_, scene_->meshes, camera_, targets_);
         return true;
+    case Stage::caustics:
+        targets_.copyDepth(commands);
+        return water_.drawCaustics(commands, *water(), camera_, targets_, scene_->sky, error);
     case Stage::copy:
-        targets_.copyScene(commands);
+        if (!needed(Stage::caustics)) targets_.copyDepth(commands);
+        targets_.copyColor(commands);
         return true;
     case Stage::mirrored:
         return recordMirrored(commands, error);

@@ -29,7 +29,7 @@ struct LoadedScene {
     std::vector<Surface> surfaces; ///< of which a frame draws one
 };
 
-enum class Stage { simulate, shadow, opaque, copy, mirrored, reflect, water, mirror, overlay };
+enum class Stage { simulate, shadow, opaque, caustics, copy, mirrored, reflect, water, mirror, overlay };
 
 struct StageName {
     Stage stage;
@@ -38,11 +38,11 @@ struct StageName {
 };
 
 constexpr StageName stages[] = {
-    {Stage::simulate, "simulate", true},       {Stage::shadow, "host_shadow", false},
-    {Stage::opaque, "host_opaque", false},     {Stage::copy, "host_copy", false},
-    {Stage::mirrored, "host_mirrored", false}, {Stage::reflect, "reflect", true},
-    {Stage::water, "water_draw", false},       {Stage::mirror, "mirror_draw", false},
-    {Stage::overlay, "overlay", true},
+    {Stage::simulate, "simulate", true},   {Stage::shadow, "host_shadow", false},
+    {Stage::opaque, "host_opaque", false}, {Stage::caustics, "caustics", false},
+    {Stage::copy, "host_copy", false},     {Stage::mirrored, "host_mirrored", false},
+    {Stage::reflect, "reflect", true},     {Stage::water, "water_draw", false},
+    {Stage::mirror, "mirror_draw", false}, {Stage::overlay, "overlay", true},
 };
 
 class FrameRecorder {

@@ -68,11 +68,19 @@ Picture emptyPicture(VkExtent2D extent) {
 
 } // namespace
 
-void FrameTargets::toAttachments(VkCommandBuffer commands, VkImageLayout from) const {
+void FrameTargets::colorToAttachment(VkCommandBuffer commands, VkImageLayout from) const {
     imageBarrier(commands, color, from, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, transfer | colorOutput,
                  VK_ACCESS_2_TRANSFER_WRITE_BIT, colorOutput, colorAccess);
+}
+
+void FrameTargets::depthToAttachment(VkCommandBuffer commands, VkImageLayout from) const {
     imageBarrier(commands, depth, from, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, transfer | depthTests,
                  VK_ACCESS_2_TRANSFER_WRITE_BIT, depthTests, depthAccess);
+}
+
+void FrameTargets::toAttachments(VkCommandBuffer commands, VkImageLayout from) const {
+    colorToAttachment(commands, from);
+    depthToAttachment(commands, from);
 }
 
 void FrameTargets::betweenPasses(VkCommandBuffer commands) const {
@@ -84,12 +92,21 @@ void FrameTargets::betweenPasses(VkCommandBuffer commands) const {
                  VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, depthTests, depthAccess);
 }
 
-void FrameTargets::copyScene(VkCommandBuffer commands) const {
+void FrameTargets::copyColor(VkCommandBuffer commands) const {
     colorToSource(commands, color);
-    depthToSource(commands, depth);
     copyForReaders(commands, color, sceneColor);
+    colorToAttachment(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+}
+
+void FrameTargets::copyDepth(VkCommandBuffer commands) const {
+    depthToSource(commands, depth);
     copyForReaders(commands, depth, sceneDepth);
-    toAttachments(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    depthToAttachment(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+}
+
+void FrameTargets::copyScene(VkCommandBuffer commands) const {
+    copyColor(commands);
+    copyDepth(commands);
 }
 
 void FrameTargets::restoreScene(VkCommandBuffer commands) const {

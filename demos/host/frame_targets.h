@@ -18,11 +18,15 @@ struct FrameTargets {
     Buffer readback;
 
     /// Attachments from `from`, whatever was done with them before.
+    void colorToAttachment(VkCommandBuffer commands, VkImageLayout from) const;
+    void depthToAttachment(VkCommandBuffer commands, VkImageLayout from) const;
     void toAttachments(VkCommandBuffer commands, VkImageLayout from) const;
     /// Between two passes that draw into the same attachments.
     void betweenPasses(VkCommandBuffer commands) const;
     /// Copies colour and depth to sceneColor and sceneDepth, which compute and fragment shaders may then
     /// sample.
+    void copyColor(VkCommandBuffer commands) const;
+    void copyDepth(VkCommandBuffer commands) const;
     void copyScene(VkCommandBuffer commands) const;
     /// Copies sceneColor and sceneDepth back, as if nothing had been drawn since copyScene().
     void restoreScene(VkCommandBuffer commands) const;

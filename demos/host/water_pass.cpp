@@ -76,6 +76,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     seaglass::RefractionDesc refraction;
     seaglass::ReflectionDesc reflection;
     seaglass::UnderwaterDesc underwater;
+    seaglass::CausticsDesc caustics;
     seaglass::BodyDesc body;
     body.plane[3] = -desc.levelM;
     body.mesh.cellSize = static_cast<float>(desc.cellM);
@@ -105,9 +106,14 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
         underwater.meniscus = static_cast<float>(desc.underwater->meniscusM);
         body.underwater = &underwater;
     }
+    if (desc.caustics) {
+        caustics.strength = static_cast<float>(desc.caustics->strength);
+        body.caustics = &caustics;
+    }
     seaglass::Body* made = nullptr;
     if (!context_.ok(seaglass::createBody(context_.get(), &body, &made), error)) return false;
-    out = WaterBody(made, body.reflection && reflection.technique == seaglass::ReflectionTechnique::planar);
+    const bool planar = body.reflection && reflection.technique == seaglass::ReflectionTechnique::planar;
+    out = WaterBody(made, planar, body.caustics != nullptr);
     return true;
 }
 
@@ -146,6 +152,18 @@ bool WaterPass::overlay(VkCommandBuffer commands, const WaterBody& body, const C
     const seaglass::ViewDesc view = viewOf(camera, targets);
     const seaglass::OverlayDesc desc = overlayOf(aov, targets);
     return context_.ok(seaglass::recordOverlay(commands, body.get(), &view, &desc), error);
+}
+
+bool WaterPass::drawCaustics(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
+                             const FrameTargets& targets, const Sky& sky, Error& error) {
+    beginRendering(commands, targets.extent, &targets.color, VK_ATTACHMENT_LOAD_OP_LOAD, targets.depth,
+                   VK_ATTACHMENT_LOAD_OP_LOAD, 0);
+    seaglass::Body* const bodies[] = {body.get()};
+    const seaglass::ViewDesc view = viewOf(camera, targets);
+    const seaglass::LightingDesc lighting = lightingOf(sky);
+    const seaglass::Status status = seaglass::drawCaustics(commands, target_, bodies, 1, &view, &lighting);
+    vkCmdEndRendering(commands);
+    return context_.ok(status, error);
 }
 
 bool WaterPass::draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,

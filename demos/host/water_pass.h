@@ -13,12 +13,14 @@ namespace demos {
 class WaterBody {
   public:
     WaterBody() = default;
-    WaterBody(seaglass::Body* body, bool planar) : body_(body), planar_(planar) {}
+    WaterBody(seaglass::Body* body, bool planar, bool caustics)
+        : body_(body), planar_(planar), caustics_(caustics) {}
     WaterBody(WaterBody&& other) noexcept
-        : body_(std::exchange(other.body_, nullptr)), planar_(other.planar_) {}
+        : body_(std::exchange(other.body_, nullptr)), planar_(other.planar_), caustics_(other.caustics_) {}
     WaterBody& operator=(WaterBody&& other) noexcept {
         std::swap(body_, other.body_);
         std::swap(planar_, other.planar_);
+        std::swap(caustics_, other.caustics_);
         return *this;
     }
     ~WaterBody() {
@@ -28,10 +30,12 @@ class WaterBody {
     explicit operator bool() const { return body_ != nullptr; }
     /// Whether the scene has to be drawn for it a second time.
     bool planar() const { return planar_; }
+    bool caustics() const { return caustics_; }
 
   private:
     seaglass::Body* body_ = nullptr;
     bool planar_ = false;
+    bool caustics_ = false;
 };
 
 class WaterPass {
@@ -58,6 +62,9 @@ class WaterPass {
     /// Draws into targets.overlay how the library understands the frame, after reflect().
     bool overlay(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                  const FrameTargets& targets, Aov aov, Error& error);
+    /// Over targets.color, with the scene's depth copied before.
+    bool drawCaustics(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
+                      const FrameTargets& targets, const Sky& sky, Error& error);
     /// Draws into targets.color, or exact, over the opaque depth; for anything but colour, over black.
     bool draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
               const FrameTargets& targets, const Sky& sky, Aov aov, Error& error);

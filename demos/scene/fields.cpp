@@ -120,6 +120,10 @@ constexpr std::array underwaterFields = {
     Field{"meniscus_m", at<&UnderwaterDesc::meniscusM>, 0, 0.1, "m", "width of the waterline, 0 none"},
 };
 
+constexpr std::array causticsFields = {
+    Field{"strength", at<&CausticsDesc::strength>, 0, 1, "", "of their contrast, 1 as the waves say"},
+};
+
 constexpr std::array reflectionFields = {
     Field{"technique", at<&ReflectionDesc::technique>, 0, 0, "", "where reflections come from", false,
           Rule::none, techniques},
@@ -211,6 +215,9 @@ constexpr Section underwater = {
     "underwater", underwaterFields, {}, "the view from within; without it the water is seen from above"};
 constexpr Section extent = {"extent", extentFields, {}, "what the water covers; without it, all"};
 
+constexpr Section caustics = {
+    "caustics", causticsFields, {}, "sunlight that waves gather below; without it light is even"};
+
 constexpr std::array waterChildren = {
     Child{&extent, open<&WaterDesc::extent>},
     Child{&waves, open<&WaterDesc::waves>},
@@ -218,6 +225,7 @@ constexpr std::array waterChildren = {
     Child{&refraction, open<&WaterDesc::refraction>},
     Child{&reflection, open<&WaterDesc::reflection>},
     Child{&underwater, open<&WaterDesc::underwater>},
+    Child{&caustics, open<&WaterDesc::caustics>},
 };
 
 constexpr Section water = {"water", waterFields, waterChildren, "the water; without it there is none"};

@@ -94,6 +94,10 @@ struct UnderwaterDesc {
     double meniscusM = 0.003;
 };
 
+struct CausticsDesc {
+    double strength = 1;
+};
+
 struct ReflectionDesc {
     std::string technique = "sspr"; ///< sky | sspr | ssr | hybrid | planar
     uint32_t downscale = 1;         ///< pixels of the picture to one of the reflection, each way
@@ -135,6 +139,7 @@ struct WaterDesc {
     std::optional<RefractionDesc> refraction;
     std::optional<ReflectionDesc> reflection;
     std::optional<UnderwaterDesc> underwater;
+    std::optional<CausticsDesc> caustics;
 };
 
 /// A polished floor, or a mirror: a rectangle of a plane, seen from its front alone.

@@ -30,6 +30,8 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     vec4 within;             // edge of the finest cells, half the meniscus: metres
     vec2 sceneShift;         // to the scene's pixel that shows a point, whose sample may lie off its middle
     vec4 extent;       // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves
+    vec4 caustics;           // strength; water/caustics.h: log2Scale, exponent
+    vec4 covered;            // (u, v) of the box around the body, low and high
 };
 
 // (x, y, depth) of a point in the region's pixels; w <= 0 behind the camera.

@@ -152,9 +152,10 @@ WaterPicture WaterTest::picture(const std::vector<seaglass::Body*>& bodies, cons
         rendering.pColorAttachments = &colorInfo;
         rendering.pDepthAttachment = &depthInfo;
         vkCmdBeginRendering(commands, &rendering);
-        EXPECT_EQ(seaglass::draw(commands, target_, bodies.data(), count, &view, &lighting, output),
-                  Status::ok)
-            << message();
+        const Status drawn =
+            drawing ? drawing(commands, target_, view)
+                    : seaglass::draw(commands, target_, bodies.data(), count, &view, &lighting, output);
+        EXPECT_EQ(drawn, Status::ok) << message();
         vkCmdEndRendering(commands);
         toSampled(commands, color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
         toSampled(commands, depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);

@@ -125,10 +125,13 @@ TEST_F(SceneFile, AbsentTablesAreAbsentFeatures) {
     ASSERT_TRUE(flat) << error_.text;
     ASSERT_TRUE(flat->water);
     EXPECT_FALSE(flat->water->waves || flat->water->foam || flat->water->refraction ||
-                 flat->water->reflection || flat->water->underwater);
+                 flat->water->reflection || flat->water->underwater || flat->water->caustics);
     const std::optional<Scene> within = loadText(least + "[water.underwater]\nmeniscus_m = 0.01\n");
     ASSERT_TRUE(within && within->water && within->water->underwater) << error_.text;
     EXPECT_EQ(within->water->underwater->meniscusM, 0.01);
+    const std::optional<Scene> lit = loadText(least + "[water.caustics]\nstrength = 0.5\n");
+    ASSERT_TRUE(lit && lit->water && lit->water->caustics) << error_.text;
+    EXPECT_EQ(lit->water->caustics->strength, 0.5);
     const std::optional<Scene> plain = loadText(least + "[water.waves]\n");
     ASSERT_TRUE(plain) << error_.text;
     ASSERT_TRUE(plain->water && plain->water->waves);

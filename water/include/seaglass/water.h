@@ -2,7 +2,8 @@
 // buffer.
 //
 // A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> (host begins its pass) ->
-// draw. The library never submits, never waits and keeps no global state.
+// draw. With caustics, drawCaustics after the opaque scene. The library never submits, never waits and keeps
+// no global state.
 #ifndef SEAGLASS_WATER_H
 #define SEAGLASS_WATER_H
 
@@ -28,6 +29,13 @@ struct UnderwaterDesc {
     /// Of the dark line where the near plane leaves the water, as wide as water climbs a lens (capillary
     /// length 2.7 mm) [m], 0..0.1; 0 draws none.
     float meniscus = 0.003f;
+};
+
+/// Sunlight that the waves gather on what lies below them, and take from beside it: drawCaustics(). From the
+/// refracted sun and the curvature of the waves that a depth can bring to a focus; shorter ones, which have
+/// crossed by then, light it evenly. Fades as the water scatters the beam, b = bb / 0.0183 (Petzold 1972).
+struct CausticsDesc {
+    float strength = 1.0f; ///< of the contrast, 0..1: 1 as the waves say
 };
 
 /// How finely the surface is meshed.
@@ -86,6 +94,7 @@ struct BodyDesc {
     const RefractionDesc* refraction = nullptr; ///< null: opaque, and sceneColor is not read
     const ReflectionDesc* reflection = nullptr; ///< null: the sky cube alone
     const UnderwaterDesc* underwater = nullptr; ///< needs `refraction`; null: seen from above alone
+    const CausticsDesc* caustics = nullptr;     ///< needs `waves` and `refraction`; null: even light
     MeshDesc mesh;
 };
 
@@ -164,6 +173,16 @@ enum class SurfaceOutput : uint32_t {
 /// water.
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
+
+/// Multiplies the colour of what lies below the bodies with `caustics` by the sunlight that the waves gather
+/// there, 1 in the mean: in a pass of its own, or at the end of the host's, over its opaque scene, with a
+/// floating-point colour attachment and a depth attachment of the target's formats (depth is neither tested
+/// nor written). Before the colour is copied for reflect() and draw(), so that they show it too. Reads
+/// view.sceneDepth, which must not be the attachment written; view.sceneColor is not read. A multisampled
+/// depth is `unsupported`. Leaves bound what draw() does. Of bodies without, or flat, or under a sun that is
+/// down, nothing is recorded.
+Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
+                    const ViewDesc* view, const LightingDesc* lighting);
 
 /// The reflection images of a body, null handles where it has none.
 ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex);

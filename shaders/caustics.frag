@@ -1,0 +1,74 @@
+// What the waves make of the sunlight on the opaque scene below them, as a factor on its colour.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "surface_uniforms.glsl"
+#include "optics.glsl"
+
+layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
+layout(set = 0, binding = 2) uniform sampler2DArray waveDerivatives;
+
+layout(location = 0) out vec4 outColor;
+
+// How far the sun's ray through a surface of this slope strays sideways on each metre down.
+vec2 strays(vec2 slope) {
+    vec3 ray = refract(-toSun.xyz, normalize(vec3(-slope.x, 1.0, -slope.y)), 1.0 / waterIndex);
+    return ray.xz / max(-ray.y, 0.1);
+}
+
+// How much more a slope turns the ray than under a sun overhead, by a quarter: most along the sun's own direction.
+float turnsMore() {
+    vec2 towards = toSun.xz / max(length(toSun.xz), 1e-6);
+    return length(strays(0.05 * towards) - strays(-0.05 * towards)) / (0.1 * 0.25);
+}
+
+// Mean slope over `width` metres.
+vec2 slopeOver(vec2 calm, float width) {
+    vec2 sum = vec2(0.0);
+    for (int i = 0; i < cascades; ++i) {
+        float mip = max(log2(width * cascade[i].w), 0.0);
+        if (mip < maxMip) sum += textureLod(waveDerivatives, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xy;
+    }
+    return sum;
+}
+
+// Where on the surface the ray came through that lights `at`, `depth` below: by steps, each from the slope that the last
+// one found.
+vec2 enteredAt(vec2 at, float depth, float width) {
+    vec2 from = at - depth * strays(vec2(0.0));
+    for (int i = 0; i < 3; ++i) from = at - depth * strays(slopeOver(from, width));
+    return from;
+}
+
+// Light on an area comes from that of the surface which it is drawn from. The way back is one to one and the waves repeat,
+// so that it is 1 in the mean, to the last place but for what is cut at 0.
+float gathered(vec2 at, float depth, float width) {
+    float apart = 0.5 * width;
+    vec2 from = enteredAt(at, depth, width);
+    vec2 u = enteredAt(at + vec2(apart, 0.0), depth, width) - from;
+    vec2 v = enteredAt(at + vec2(0.0, apart), depth, width) - from;
+    return max((u.x * v.y - u.y * v.x) / (apart * apart), 0.0);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float seen = texelFetch(sceneDepth, pixel, 0).r;
+    vec4 q = relativeFromPixel * vec4(gl_FragCoord.xy - vec2(region.xy), seen, 1.0);
+    vec3 at = q.xyz / q.w;
+    vec3 across = cross(dFdx(at), dFdy(at));
+    float depth = -(at.y + plane.w);
+    bool beside = any(lessThan(at.xz, covered.xy)) || any(greaterThan(at.xz, covered.zw));
+    if (depthSign * (seen - farDepth) <= 0.0 || !(depth > 0.0) || beside) discard;
+
+    // Of what lights the point, the sun's share: as its side faces it, which depth tells between pixels.
+    vec3 normal = across * (dot(across, at) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);
+    vec3 sun = sunIrradiance.rgb * max(dot(normal, toSun.xyz), 0.0);
+    vec3 share = sun / max(sun + skyIrradiance.rgb, 1e-6);
+    const float backscattered = 0.0183;   // of all that is scattered
+    vec3 beam = exp(-backscatter.rgb / backscattered * depth);
+
+    // What is too narrow to be seen, what the sun's disc blurs, and what has crossed.
+    float pixelsPerRadian = length(vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y));
+    float disc = 0.0093 / waterIndex * depth;
+    float width = max(max(1.5 * length(at) / pixelsPerRadian, disc), exp2(caustics.y + caustics.z * log2(depth * turnsMore())));
+    outColor = vec4(1.0 + caustics.x * share * beam * (gathered(at.xz, depth, max(width, 1e-3)) - 1.0), 1.0);
+}

@@ -1,0 +1,199 @@
+// Sunlight that waves gather: that none of it is lost, where it falls, and how it fades.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/spy.h"
+#include "tests/gpu/water_rig.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+class Caustics : public WaterTest {
+  protected:
+    void SetUp() override {
+        WaterTest::SetUp();
+        sea_.windSpeed = 5;
+        sea_.fetch = 2e3f;
+        sea_.samples = 128;
+        sea_.cascades = 3;
+        sea_.largestPatch = 16;
+        desc_.waves = &sea_;
+        desc_.wavesBackend = fftwWaves();
+        desc_.refraction = &refraction_;
+        desc_.caustics = &caustics_;
+        lighting.toSun[0] = 0.48;
+        lighting.toSun[1] = 0.8;
+        lighting.toSun[2] = 0.36;
+        for (float& channel : lighting.sunIrradiance) channel = 5;
+        for (float& channel : lighting.skyIrradiance) channel = 0;
+    }
+
+    /// From straight above, 16 m of the bed from side to side.
+    static Camera above(double bed) {
+        Camera camera;
+        camera.eye = {3, 40 + bed, 7};
+        camera.target = {3, 0, 7};
+        camera.fovDegrees = 2 * std::atan(8.0 / 40) * 180 / std::numbers::pi;
+        camera.width = camera.height = 256;
+        return camera;
+    }
+
+    /// What the light on a level bed is multiplied by.
+    std::vector<double> factors(Body* body, double bed, double time = 2) {
+        const Camera camera = above(bed);
+        SceneBehind behind;
+        behind.depth.assign(size_t{camera.width} * camera.height, static_cast<float>(camera.near / 40));
+        behind.color.assign(behind.depth.size() * 4, 1);
+        drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
+            return drawCaustics(commands, target, &body, 1, &view, &lighting);
+        };
+        const WaterPicture p = picture({body}, camera, time, SurfaceOutput::shaded, behind);
+        drawing = nullptr;
+        std::vector<double> seen;
+        for (size_t i = 1; i < p.color.size(); i += 4)
+            seen.push_back(double{p.color[i]} / double{WaterPicture::untouched});
+        return seen;
+    }
+
+    SeaDesc sea_;
+    RefractionDesc refraction_{{0, 0, 0}, {0, 0, 0}, 1};
+    CausticsDesc caustics_;
+    BodyDesc desc_;
+};
+
+double meanOf(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double v : values) sum += v;
+    return sum / static_cast<double>(values.size());
+}
+
+double deviationOf(const std::vector<double>& values) {
+    const double mean = meanOf(values);
+    double sum = 0;
+    for (const double v : values) sum += (v - mean) * (v - mean);
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+TEST_F(Caustics, TakeAsMuchLightAsTheyGive) {
+    Body* body = makeBody(desc_);
+    for (const double depth : {0.3, 1.0, 3.0, 10.0}) {
+        const std::vector<double> light = factors(body, -depth);
+        std::printf("%4.1f m: mean %.4f, deviation %.3f\n", depth, meanOf(light), deviationOf(light));
+        EXPECT_NEAR(meanOf(light), 1, 0.03) << depth;
+        EXPECT_GT(deviationOf(light), 0.1) << depth;
+        EXPECT_GE(*std::ranges::min_element(light), 0) << depth;
+    }
+    EXPECT_NEAR(meanOf(factors(body, 0.5)), 1, 0) << "nothing stands above the water";
+}
+
+TEST_F(Caustics, FallWhereTheWavesSendTheLight) {
+    Body* body = makeBody(desc_);
+    const double depth = 1.5;
+    const std::vector<double> light = factors(body, -depth);
+    // Photons through the surface on a net, each refracted at the normal there.
+    constexpr int cells = 32, net = 600;
+    constexpr double side = 16, reach = 20;
+    const std::unique_ptr<HeightGrid, void (*)(HeightGrid*)> grid(createHeightGrid(*sea(body), 2),
+                                                                  destroyHeightGrid);
+    std::vector<double> points;
+    for (int j = 0; j < net; ++j)
+        for (int i = 0; i < net; ++i)
+            points.insert(points.end(),
+                          {3 + (i + 0.5) * reach / net - reach / 2, 7 + (j + 0.5) * reach / net - reach / 2});
+    std::vector<HeightSample> samples(points.size() / 2);
+    sampleHeights(*grid, points.data(), samples.size(), samples.data());
+    const glm::dvec3 down(-lighting.toSun[0], -lighting.toSun[1], -lighting.toSun[2]);
+    std::vector<double> fallen(cells * cells), drawn(cells * cells);
+    for (size_t i = 0; i < samples.size(); ++i) {
+        const glm::dvec3 normal(samples[i].normal[0], samples[i].normal[1], samples[i].normal[2]);
+        const double cosine = -glm::dot(down, normal), ratio = 1 / 1.333;
+        const glm::dvec3 ray =
+            down * ratio + normal * (ratio * cosine - std::sqrt(1 - ratio * ratio * (1 - cosine * cosine)));
+        const double t = (depth + double{samples[i].height}) / -ray.y;
+        const double x = (points[2 * i] + ray.x * t - 3) / side + 0.5,
+                     z = (points[2 * i + 1] + ray.z * t - 7) / side + 0.5;
+        if (x < 0 || z < 0 || x >= 1 || z >= 1) continue;
+        fallen[static_cast<size_t>(z * cells) * cells + static_cast<size_t>(x * cells)] += 1;
+    }
+    for (uint32_t y = 0; y < 256; ++y)
+        for (uint32_t x = 0; x < 256; ++x) {
+            const glm::dvec3 ray = rayThrough(above(-depth), x, y);
+            const double u = ray.x / -ray.y * 40 / side + 0.5, v = ray.z / -ray.y * 40 / side + 0.5;
+            const auto at = [](double c) {
+                return static_cast<size_t>(std::clamp(c * cells, 0.0, cells - 1.0));
+            };
+            drawn[at(v) * cells + at(u)] += light[size_t{y} * 256 + x];
+        }
+    const double meanFallen = meanOf(fallen), meanDrawn = meanOf(drawn);
+    double both = 0;
+    for (size_t i = 0; i < fallen.size(); ++i) both += (fallen[i] - meanFallen) * (drawn[i] - meanDrawn);
+    const double correlation =
+        both / static_cast<double>(fallen.size()) / (deviationOf(fallen) * deviationOf(drawn));
+    std::printf("correlation with photons %.3f\n", correlation);
+    EXPECT_GT(correlation, 0.8);
+    EXPECT_NEAR(deviationOf(drawn) / meanDrawn / (deviationOf(fallen) / meanFallen), 1, 0.4);
+}
+
+TEST_F(Caustics, FadeAsTheWaterScattersTheBeam) {
+    const double depth = 3;
+    const std::vector<double> clear = factors(makeBody(desc_), -depth);
+    for (float& channel : refraction_.backscatter) channel = 0.0061f;
+    const std::vector<double> murky = factors(makeBody(desc_), -depth);
+    refraction_.backscatter[1] = 0;
+    caustics_.strength = 0.25f;
+    const std::vector<double> weak = factors(makeBody(desc_), -depth);
+    for (size_t i = 0; i < clear.size(); i += 97) {
+        EXPECT_NEAR(murky[i] - 1, (clear[i] - 1) * std::exp(-0.0061 / 0.0183 * depth), 2e-3);
+        EXPECT_NEAR(weak[i] - 1, 0.25 * (clear[i] - 1), 2e-3);
+    }
+}
+
+TEST_F(Caustics, CostNothingWhereTheyAreNotAskedForOrNotSeen) {
+    Body* asked = makeBody(desc_);
+    desc_.caustics = nullptr;
+    Body* unasked = makeBody(desc_);
+    desc_.caustics = &caustics_;
+    sea_.windSpeed = 0;
+    Body* flat = makeBody(desc_);
+    const auto draws = [&](Body* body) {
+        spiedCalls().clear();
+        factors(body, -2);
+        return countSpied("CmdDraw") + countSpied("CmdDrawIndexed");
+    };
+    EXPECT_EQ(draws(unasked), 0u);
+    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u);
+    EXPECT_EQ(draws(flat), 0u);
+    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u);
+    EXPECT_EQ(draws(asked), 1u);
+    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 1u);
+    EXPECT_EQ(draws(asked), 1u);
+    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u);
+    EXPECT_EQ(countSpied("CmdDispatch"), 0u);
+    lighting.toSun[1] = -0.8;
+    EXPECT_EQ(draws(asked), 0u) << "the sun is down";
+}
+
+TEST_F(Caustics, BadFieldsAreNamed) {
+    const auto expectRefused = [&](const char* field) {
+        Body* body = nullptr;
+        EXPECT_EQ(createBody(context(), &desc_, &body), Status::invalidArgument) << field;
+        EXPECT_NE(message().find(field), std::string::npos) << message();
+    };
+    for (const float strength : {-0.1f, 1.1f, NAN}) {
+        caustics_.strength = strength;
+        expectRefused("CausticsDesc.strength");
+    }
+    caustics_.strength = 1;
+    desc_.refraction = nullptr;
+    expectRefused("BodyDesc.caustics needs");
+    desc_.refraction = &refraction_;
+    desc_.waves = nullptr;
+    expectRefused("BodyDesc.caustics needs");
+}
+
+} // namespace
