@@ -32,12 +32,18 @@ vec3 keptAbove(vec3 direction) {
     return normalize(vec3(direction.x, max(abs(direction.y), 1e-3), direction.z));
 }
 
+// Share of the rays of this rise that meet no other wave.
+float clearShare(float rise) {
+    return rise > 0.0 ? 1.0 / (1.0 + smithLambda(rise, roughness.w)) : 0.0;
+}
+
 // What a facet mirrors. Low rays meet another wave before they reach the sky (Smith's masking by all the sea's slopes);
 // that wave's facets lean towards the ray by 1.25 deviations in the mean, and mirror a higher part of the sky in turn.
 vec3 mirroredBySea(vec3 direction, float spread) {
     vec3 first = mirroredRadiance(keptAbove(direction), spread);
     if (roughness.w <= 0.0) return first;
-    float clear = direction.y > 0.0 ? 1.0 / (1.0 + smithLambda(direction.y, roughness.w)) : 0.0;
+    // It bends where few points of the slopes lie: two of their spread's ends are within 3 % of its mean.
+    float clear = 0.5 * (clearShare(direction.y - 1.2 * spread) + clearShare(direction.y + 1.2 * spread));
     vec2 along = direction.xz / max(length(direction.xz), 1e-6);
     vec3 facet = normalOf(along * (1.25 * roughness.w));
     vec3 second = keptAbove(reflect(direction, facet));

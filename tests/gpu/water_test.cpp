@@ -542,6 +542,57 @@ TEST_F(Water, SlopeVarianceIsTheSameAtAnyDistance) {
     EXPECT_GT(resolvedNear, 0.2 * expected);
 }
 
+// A sea seen from 1 km has the same radiance whether pixels show its waves, and the mean is taken of them, or
+// one pixel's roughness stands for all.
+TEST_F(Water, RadianceIsTheSameOfWavesAndOfTheirRoughness) {
+    SeaDesc desc = breeze();
+    desc.windSpeed = 10;
+    desc.fetch = 300e3f;
+    desc.samples = 128;
+    Body* body = wavyBody(desc);
+    struct Look {
+        double distance, fov;
+        uint32_t size;
+        int places;
+    };
+    // Near by the mesh is as fine as the slopes, so that what turns away is seen as little of as it should
+    // be.
+    constexpr Look close{80, 6, 48, 120}, far{1000, 6, 2, 16};
+    const auto meanOf = [&](double elevation, const Look& look) {
+        double sum = 0;
+        size_t count = 0;
+        for (int place = 0; place < look.places; ++place) {
+            Camera camera = seaCamera();
+            camera.fovDegrees = look.fov;
+            camera.width = camera.height = look.size;
+            camera.target = {std::fmod(place * 331.7, 1500), 0, std::fmod(place * 173.3, 1400)};
+            const double up = radians(elevation);
+            camera.eye = camera.target + look.distance * glm::dvec3(std::cos(up), std::sin(up), 0);
+            const WaterPicture p = picture({body}, camera, 50 + place % 4 * 7);
+            for (size_t i = 0; i < p.color.size(); i += 4) {
+                if (!p.covered(i / 4)) continue;
+                sum += double{p.color[i]};
+                ++count;
+            }
+        }
+        return sum / static_cast<double>(count);
+    };
+    for (const bool sun : {false, true})
+        for (const double elevation : {70.0, 40.0, 20.0, 12.0}) {
+            const double up = radians(elevation);
+            if (sun) {
+                lighting.toSun[0] = -std::cos(up);
+                lighting.toSun[1] = std::sin(up);
+                lighting.toSun[2] = 0;
+                for (float& channel : lighting.sunIrradiance) channel = 10;
+            }
+            const double waves = meanOf(elevation, close), roughness = meanOf(elevation, far);
+            std::printf("%s, %2.0f degrees up: waves %.4f, roughness %.4f: %+.1f %%\n", sun ? "sun" : "sky",
+                        elevation, waves, roughness, 100 * (roughness / waves - 1));
+            EXPECT_NEAR(roughness / waves, 1, 0.05);
+        }
+}
+
 class WaterFoam : public Water {
   protected:
     Body* foamyBody(WavesOn on = WavesOn::cpu) {
