@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes the skies of the demo scenes: harbour_sky.exr and ocean_sky.exr, and prints the suns that belong to them.
+"""Makes the skies of the demo scenes, NAME_sky.exr, and prints the suns that belong to them.
 
 Lat-long, linear, 2:1. Row 0 looks straight up (+Y), the last row straight down; column x looks along azimuth
 360 (x + 0.5) / width degrees, from +X towards +Z. The sun's disc is left out: the renderer adds it.
@@ -29,6 +29,7 @@ class SkyDesc:
     meanLuminance: float  # of the upper half: sets the scale of everything
     ground: tuple  # what lies below the haze of the horizon, as a share of the horizon's light
     clouds: CloudDesc = field(default_factory=CloudDesc)
+    rain: float = 0.0  # optical depth, straight up, of rain and spray below the clouds
 
 
 SKIES = {
@@ -47,6 +48,31 @@ SKIES = {
         meanLuminance=0.30,
         ground=(0.12, 0.15, 0.17),
         clouds=CloudDesc(seed=9, coverage=0.62, baseM=1000, thicknessM=1300, offsetM=(19400, 12800), cirrus=0.4),
+    ),
+    "lake": SkyDesc(
+        sunAzimuthDeg=42,
+        sunElevationDeg=8,
+        haze=1.8,
+        meanLuminance=0.30,
+        ground=(0.16, 0.19, 0.20),
+        clouds=CloudDesc(seed=12, coverage=0.50, baseM=2300, thicknessM=700, offsetM=(30200, 9100), cirrus=0.7),
+    ),
+    "pool": SkyDesc(
+        sunAzimuthDeg=38,
+        sunElevationDeg=46,
+        haze=1.4,
+        meanLuminance=0.55,
+        ground=(0.22, 0.24, 0.24),
+        clouds=CloudDesc(seed=21, coverage=0.52, offsetM=(5200, 17700), cirrus=0.25),
+    ),
+    "storm": SkyDesc(
+        sunAzimuthDeg=285,
+        sunElevationDeg=16,
+        haze=3.0,
+        meanLuminance=0.16,
+        ground=(0.20, 0.24, 0.26),
+        clouds=CloudDesc(seed=31, coverage=0.94, baseM=800, thicknessM=1500, offsetM=(21000, 4000), cirrus=1.0),
+        rain=0.16,
     ),
 }
 
@@ -91,7 +117,15 @@ def upperHalf(air, desc, d):
         layer[part] = np.concatenate(shaped(d[part], light, opacity[:, None], distance[:, None] * opacity[:, None]), -1)
     layer = soften(layer)
     distance = layer[..., 4] / np.maximum(layer[..., 3], 1e-4)
-    return clear, through(air, behind, clear, layer[..., :3], layer[..., 3], distance)
+    sky = through(air, behind, clear, layer[..., :3], layer[..., 3], distance)
+    return clear, rained(sky, desc.rain, d)
+
+
+def rained(sky, depth, d):
+    """Behind a grey veil as bright as the clouds are in the mean, thicker the lower one looks."""
+    veil = 1 - np.exp(-depth / np.maximum(d[..., 1], 0.01))[..., None]
+    grey = irradiance(sky, d) @ LUMINANCE / np.pi * np.array([0.62, 0.68, 0.72])
+    return sky * (1 - veil) + grey * veil
 
 
 def shaped(like, *values):
@@ -143,7 +177,8 @@ def makeSky(name, desc, folder):
     clear, upper = upperHalf(air, desc, d[:half])
     area = np.sqrt(1 - d[:half, :, 1] ** 2)
     scale = desc.meanLuminance / ((upper @ LUMINANCE * area).sum() / area.sum())
-    picture = np.concatenate([upper, lowerHalf(clear[-1], d[half:], desc.ground)]) * scale
+    horizon = upper[-1] if desc.rain > 0 else clear[-1]
+    picture = np.concatenate([upper, lowerHalf(horizon, d[half:], desc.ground)]) * scale
     assert np.isfinite(picture).all() and picture.min() >= 0
     path = folder / f"{name}_sky.exr"
     write(path, picture.astype(np.float32))

@@ -117,6 +117,16 @@ def painted(size=256):
     return color * (1 - 0.35 * np.exp(-((ridge * size / 2) ** 2)))[..., None]
 
 
+def mosaic(tones, grout, size=256, tiles=8, joint=1.6, seed=60):
+    """Square tiles, each of one of the tones and a little tilted in its own, on grout."""
+    which, edge = cells(size, tiles, tiles, 0)
+    rng = np.random.default_rng(seed)
+    tone = np.array([rgb(c) for c in tones])[rng.integers(len(tones), size=tiles * tiles)]
+    tone = tone * rng.uniform(0.88, 1.08, tiles * tiles)[:, None]
+    glaze = tone[which] * (1 + 0.05 * cloudy(size, 12, seed + 1, 3))[..., None]
+    return mix(rgb(grout), glaze, np.clip((edge - joint / 2) / 0.8, 0, 1))
+
+
 def veins(size, seed, cellsAcross=4, sharp=0.018):
     """Thin lines that wander, 0..1."""
     n = cloudy(size, cellsAcross, seed, 5, 0.62)

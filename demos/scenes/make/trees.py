@@ -118,3 +118,26 @@ def merged(s, center, share):
     np.add.at(total, index.ravel(), n)
     total /= np.linalg.norm(total, axis=1, keepdims=True)
     return shape.Surface(s.p[first], total, s.c[first], index.ravel()[s.t])
+
+
+def farConifer(seed, tall=14.0):
+    """A spruce of few triangles, for forests: ragged cones on each other."""
+    rng = np.random.default_rng(seed)
+    dark, light = rgb("#1d2f1c"), rgb("#3f5a30")
+    corners, colors = [], []
+    tiers, sides = 4, 6
+    for k in range(tiers):
+        s = k / tiers
+        low, high = tall * (0.08 + 0.80 * s), tall * min(1.0, 0.08 + 0.80 * s + 0.40)
+        reach = tall * 0.17 * (1 - s) ** 0.8 + 0.05 * tall
+        a = 2 * np.pi * (np.arange(sides) / sides + rng.uniform(0, 1))
+        r = reach * rng.uniform(0.75, 1.2, sides)
+        rim = np.stack([r * np.cos(a), low - 0.06 * tall * rng.uniform(0, 1, sides), r * np.sin(a)], -1)
+        top = np.array([0, high, 0])
+        for i in range(sides):
+            corners.append([top, rim[(i + 1) % sides], rim[i]])
+            tone = rng.uniform(0.75, 1.25)
+            outer = (dark + (light - dark) * (0.3 + 0.6 * s)) * tone
+            colors.append([(dark + outer) / 2, outer, outer])
+    leaves = shape.fromTriangles(np.array(corners), np.clip(np.array(colors), 0, 1), None, shape.FLAT)
+    return shape.Asset().add("leaves", merged(leaves, np.array([0, tall * 0.25, 0]), 0.6))
