@@ -74,6 +74,12 @@ void Kernel::dispatchOver(VkCommandBuffer commands, VkDescriptorSet set, VkExten
     dispatch(commands, set, (pixels.width + edge - 1) / edge, (pixels.height + edge - 1) / edge);
 }
 
+void Kernel::dispatchAlong(VkCommandBuffer commands, VkDescriptorSet set, uint32_t invocations,
+                           uint32_t rows) const {
+    constexpr uint32_t width = 64;
+    dispatch(commands, set, (invocations + width - 1) / width, rows);
+}
+
 void Kernel::dispatchIndirect(VkCommandBuffer commands, VkDescriptorSet set, VkBuffer groups,
                               VkDeviceSize offset) const {
     bind(commands, set);

@@ -24,6 +24,9 @@ class Kernel {
     void dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t groupsX, uint32_t groupsY) const;
     /// A group for each 8 x 8 pixels.
     void dispatchOver(VkCommandBuffer commands, VkDescriptorSet set, VkExtent2D pixels) const;
+    /// A group for each 64 invocations in a row.
+    void dispatchAlong(VkCommandBuffer commands, VkDescriptorSet set, uint32_t invocations,
+                       uint32_t rows = 1) const;
     /// As many groups as the VkDispatchIndirectCommand at `offset` says.
     void dispatchIndirect(VkCommandBuffer commands, VkDescriptorSet set, VkBuffer groups,
                           VkDeviceSize offset) const;

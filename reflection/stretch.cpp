@@ -13,8 +13,6 @@ namespace seaglass {
 
 namespace {
 
-constexpr uint32_t groupSize = 64;
-
 /// The std140 block of shaders/stretch.comp.
 struct StretchUniforms {
     float perMetre = 0;
@@ -67,7 +65,7 @@ Status recordStretch(const ReflectPass& pass, const StretchKernel& stretch, cons
         gpu::imageBarrier(images.info.handle(), gpu::sampledByShaders, gpu::storageChanged)};
     gpu::recordBarriers(context.device, pass.commands, before, 2);
     const uint32_t lines = uniforms.along == 0 ? extent.height : extent.width;
-    stretch.kernel.dispatch(pass.commands, set, (lines + groupSize - 1) / groupSize, 2);
+    stretch.kernel.dispatchAlong(pass.commands, set, lines, 2);
     images.recordInfoSampled(context.device, pass.commands);
     return Status::ok;
 }

@@ -8,8 +8,6 @@ namespace seaglass {
 
 namespace {
 
-constexpr uint32_t groupWidth = 64;
-
 uint32_t tileCount(VkExtent2D extent) {
     return ((extent.width + tileEdge - 1) / tileEdge) * ((extent.height + tileEdge - 1) / tileEdge);
 }
@@ -52,7 +50,7 @@ Status TilesKernel::create(Context& context) {
 
 void recordTileLists(const ReflectPass& pass, const gpu::Kernel& kernel, VkDescriptorSet set) {
     const uint32_t count = tileCount(scaledDown(pass.extent(), pass.desc.downscale));
-    kernel.dispatch(pass.commands, set, (count + groupWidth - 1) / groupWidth, 1);
+    kernel.dispatchAlong(pass.commands, set, count);
     gpu::recordBarrier(pass.context.device, pass.commands,
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,

@@ -1,0 +1,22 @@
+// Kernels that pass over the scene's depth once, and leave what they find of it in a buffer and in the flags
+// of the tiles.
+#pragma once
+
+#include <span>
+
+#include "gpu/buffer.h"
+#include "gpu/kernel.h"
+#include "reflection/reflect_pass.h"
+
+namespace seaglass {
+
+/// Bindings: mirror.glsl's block, the scene's depth, the buffer, the tiles.
+Status createDepthScan(Context& context, std::span<const uint32_t> spirv, const char* what, gpu::Kernel& out);
+
+Status allocateDepthScan(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::Buffer& found,
+                         const gpu::Buffer& tiles, VkDescriptorSet& out);
+
+/// After the dispatch: leaves what was found visible to compute shaders.
+void recordScanned(const ReflectPass& pass);
+
+} // namespace seaglass
