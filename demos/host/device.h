@@ -23,7 +23,7 @@ class Device {
     const VkPhysicalDeviceProperties& properties() const { return properties_; }
     const DeviceInfo& info() const { return info_; }
     bool anisotropy() const { return anisotropy_; }
-    /// Nanoseconds a timestamp tick, 0 where the queue has no timestamps.
+    /// Nanoseconds a timestamp tick, 0 where the queue has no timestamps or HostDesc wants none.
     double timestampNs() const { return timestampNs_; }
     uint32_t validationMessages() const { return validationMessages_; }
 
@@ -37,7 +37,7 @@ class Device {
 
     /// Records with `record`, submits and waits. False with `error` set when recording or the device fails.
     bool run(const std::function<bool(VkCommandBuffer, Error&)>& record, Error& error);
-    /// Milliseconds from submission to fence of the last run().
+    /// Milliseconds from submission to fence of the last run(), by the clock that HostDesc names.
     double lastRunMs() const { return lastRunMs_; }
 
   private:
@@ -57,6 +57,7 @@ class Device {
     VkDeviceSize maxAllocation_ = 0;
     DeviceInfo info_;
     bool anisotropy_ = false;
+    bool processorTimes_ = false;
     double timestampNs_ = 0;
     double lastRunMs_ = 0;
     std::atomic<uint32_t> validationMessages_ = 0;

@@ -38,6 +38,9 @@ struct HostDesc {
     uint32_t framesInFlight = 2;
     const seaglass::WavesBackend* wavesBackend =
         nullptr; ///< of the CPU; null: what the program was built with
+    /// Times are what this process had of the processors, whole submissions each: on a CPU device steadier
+    /// than the clock while other programs run, elsewhere they say nothing.
+    bool processorTimes = false;
 };
 
 /// What a frame is to deliver. The names are the program's --aov.

@@ -1,0 +1,91 @@
+// What a scene's water costs on this device, whole and with a part left out: multiples of the floor, a compute
+// copy of the frame's colour and depth. All take turns over the same picture of the scene, medians over the
+// rounds, of what this process had of the processors: for CPU devices alone.
+//
+//   seaglass_bench_water SCENE [WIDTHxHEIGHT [ROUNDS [CAMERA [PATH=VALUE...]]]]
+#include <cstdio>
+#include <cstdlib>
+
+#include "host/host.h"
+#include "scene/camera_choice.h"
+#include "scene/offset.h"
+
+namespace {
+
+using namespace demos;
+
+[[noreturn]] void stop(const std::string& why) {
+    std::fprintf(stderr, "%s\n", why.c_str());
+    std::exit(1);
+}
+
+struct Part {
+    const char* name;
+    void (*leaveOut)(WaterDesc&);
+};
+
+constexpr Part parts[] = {
+    {"whole", [](WaterDesc&) {}},
+    {"no foam", [](WaterDesc& water) { water.foam.reset(); }},
+    {"no refraction", [](WaterDesc& water) { water.refraction.reset(); }},
+    {"sky alone", [](WaterDesc& water) { water.reflection.reset(); }},
+    {"still", [](WaterDesc& water) { water.foam.reset(), water.waves.reset(); }},
+    {"still, sky alone, opaque", [](WaterDesc& water) {
+         for (const auto leaveOut : {parts[2].leaveOut, parts[3].leaveOut, parts[4].leaveOut}) leaveOut(water);
+     }},
+};
+
+/// The passes that stages are the sum of are not among the stages' names.
+bool isOfWater(const std::string& pass) {
+    return pass == "simulate" || pass == "host_mirrored" || pass == "reflect" || pass == "water_draw";
+}
+
+void print(const char* name, const SurfaceTimes& times, double floorMs) {
+    double sum = times.cpuSimulateMs;
+    std::string shares;
+    for (const PassTime& pass : times.passes) {
+        if (!isOfWater(pass.name)) continue;
+        sum += pass.ms;
+        char text[64];
+        std::snprintf(text, sizeof text, "  %s %.2f", pass.name.c_str(), pass.ms / floorMs);
+        shares += text;
+    }
+    std::printf("%-26s %6.2f x floor:%s\n", name, sum / floorMs, shares.c_str());
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count < 2) stop("expected SCENE [WIDTHxHEIGHT [ROUNDS [CAMERA [PATH=VALUE...]]]]");
+    FrameDesc frame;
+    if (count > 2 && std::sscanf(arguments[2], "%ux%u", &frame.width, &frame.height) != 2)
+        stop("expected WIDTHxHEIGHT");
+    const auto rounds = static_cast<uint32_t>(count > 3 ? std::atoi(arguments[3]) : 5);
+    Error error;
+    const std::vector<std::string> overrides(arguments + std::min(count, 5), arguments + count);
+    std::optional<Scene> scene = loadScene(arguments[1], overrides, error);
+    if (!scene) stop(error.text);
+    if (!scene->water) stop("the scene has no water");
+    std::optional<CameraDesc> camera = chooseCamera(*scene, count > 4 ? arguments[4] : "", error);
+    if (!camera) stop(error.text);
+    applyOffset(*scene, *camera);
+    frame.camera = *camera;
+    frame.timeS = scene->timeS;
+
+    HostDesc desc;
+    desc.processorTimes = true;
+    const std::unique_ptr<Host> host = Host::create(desc, error);
+    if (!host || !host->load(*scene, error)) stop(error.text);
+    for (const Part& part : parts) {
+        WaterDesc water = *scene->water;
+        part.leaveOut(water);
+        if (&part != parts && !host->addSurface(water, error)) stop(error.text);
+    }
+    const std::optional<ComparedTimes> times = host->measureSurfaces(frame, rounds, {}, error);
+    if (!times) stop(error.text);
+    std::printf("%s, %s, %ux%u, floor %.2f ms of processors\n", host->device().name.c_str(),
+                frame.camera.name.c_str(), frame.width, frame.height, times->floor.ms);
+    for (size_t i = 0; i < std::size(parts); ++i)
+        print(parts[i].name, times->surfaces[i], times->floor.ms);
+    return 0;
+}
