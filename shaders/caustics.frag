@@ -24,7 +24,7 @@ float turnsMore() {
 // Mean slope over `width` metres.
 vec2 slopeOver(vec2 calm, float width) {
     vec2 sum = vec2(0.0);
-    for (int i = 0; i < cascades; ++i) {
+    for (int i = 0; i < stored.cascades; ++i) {
         float mip = max(log2(width * cascade[i].w), 0.0);
         if (mip < maxMip) sum += textureLod(waveDerivatives, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xy;
     }
@@ -50,6 +50,7 @@ float gathered(vec2 at, float depth, float width) {
 }
 
 void main() {
+    loadSurface();
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float seen = texelFetch(sceneDepth, pixel, 0).r;
     vec4 q = relativeFromPixel * vec4(gl_FragCoord.xy - vec2(region.xy), seen, 1.0);

@@ -67,6 +67,7 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
 void main() {
     // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.
     if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) discard;
+    loadSurface();
 #ifdef OUTLINE
     if (!isWithin(calmPosition, edgeRange)) discard;
 #endif
@@ -89,7 +90,8 @@ void main() {
     }
 #endif
     Reflection mirror = reflected(s, toEye);
-    vec3 radiance = mirror.radiance + (1.0 - mirror.fresnel) * refracted(normal, toEye) + sunGlint(s, toEye);
+    float entering = 1.0 - mirror.fresnel + mirror.swallowed;
+    vec3 radiance = mirror.radiance + entering * refracted(normal, toEye) + sunGlint(s, toEye);
 #ifdef FOAM
     radiance = withFoam(radiance, white, s, toEye, mirror.radiance);
 #endif

@@ -30,11 +30,13 @@ vec3 waveDisplacementAt(vec2 calm, float cell) {
 
 #ifdef HOST_MESH
 void main() {
+    loadSurface();
     HostVertex vertex = hostVertices[gl_VertexIndex];
     vec2 calm = extent.xy + vertex.calm;
     float cell = vertex.cell;
 #else
 void main() {
+    loadSurface();
     MeshPatch patch_ = patches[gl_InstanceIndex];
     ivec2 grid = ivec2(gl_VertexIndex % (patchCells + 1), gl_VertexIndex / (patchCells + 1));
     vec2 calm = patch_.corner + vec2(grid) * patch_.cell;

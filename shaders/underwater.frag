@@ -20,6 +20,7 @@ layout(location = 0) out vec4 outColor;
 #include "waterline.glsl"
 
 void main() {
+    loadSurface();
     vec3 start = onNearPlane();
     if (straddles && heightAboveSurface(start) > 0.0) discard;
     vec3 view = normalize(start);

@@ -15,6 +15,7 @@ layout(location = 0) out vec4 outColor;
 #include "waterline.glsl"
 
 void main() {
+    loadSurface();
     vec3 start = onNearPlane();
     float height = heightAboveSurface(start);
     // Along the near plane, which may lie flat: pixels to the line, times metres a pixel.

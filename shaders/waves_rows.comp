@@ -94,10 +94,10 @@ void main() {
     {                                                                                                                  \
         vec2 slope = vec2(height[r].y * unpack, slopeV[r].x);                                                          \
         vec2 stretch = vec2(shiftU[r].y * unpack, slopeV[r].y);                                                        \
-        float divergence = stretch.x + stretch.y;                                                                      \
+        float shear = shiftV[r].y * unpack;                                                                            \
         storeTexel(uvec3(place + team * uint(r), row, gl_WorkGroupID.y),                                               \
-                   vec4(shiftU[r].x, height[r].x, shiftV[r].x, shiftV[r].y * unpack), vec4(slope, stretch),            \
-                   vec4(slope * slope, slope.x * slope.y, divergence * divergence));                                   \
+                   vec4(shiftU[r].x, height[r].x, shiftV[r].x, shear), vec4(slope, stretch),                           \
+                   vec4(slope * slope, slope.x * slope.y, shear));                                                     \
     }
     EACH(STORE)
 }

@@ -327,8 +327,13 @@ SurfaceFeatures Body::features(const ReflectionImages& images) const {
     const SurfaceShape shape = hostMesh  ? SurfaceShape::hostMesh
                                : outline ? SurfaceShape::outlined
                                          : SurfaceShape::plane;
-    return {waves.has_value(), foam.has_value(), refraction.has_value(), images.color != VK_NULL_HANDLE,
-            shape};
+    return {waves.has_value(),
+            foam.has_value(),
+            refraction.has_value(),
+            images.color != VK_NULL_HANDLE,
+            shape,
+            waves ? waves->maps().cascades : 0,
+            foam ? foam->cascades() : 0};
 }
 
 Status Body::place(const MeshView& view, SurfaceInputs& inputs) {

@@ -84,7 +84,7 @@ Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, c
                                               shaders.constants.size_bytes(), shaders.constants.data()};
     VkPipelineShaderStageCreateInfo stages[] = {stage(VK_SHADER_STAGE_VERTEX_BIT, vertex),
                                                 stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
-    stages[1].pSpecializationInfo = &specialization;
+    for (VkPipelineShaderStageCreateInfo& each : stages) each.pSpecializationInfo = &specialization;
 
     const PipelineState state(target, drawing);
     VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};

@@ -24,7 +24,7 @@ struct DrawPipeline {
 struct DrawShaders {
     std::span<const uint32_t> vertex;
     std::span<const uint32_t> fragment;
-    std::span<const uint32_t> constants; ///< of the fragment shader, number 0 first
+    std::span<const uint32_t> constants; ///< of both shaders, number 0 first
 };
 
 /// Triangles seen from both sides. `out.layout` is there already.

@@ -166,8 +166,8 @@ Status SurfacePipelines::build(const SurfaceVariant& variant, Pipeline& out) con
     const std::vector<VkDescriptorType> types = bindings(variant.features);
     if (const Status s = out.layout.create(*device_, types, stages, 0, "surface layout"); s != Status::ok)
         return s;
-    const uint32_t constants[] = {static_cast<uint32_t>(variant.output),
-                                  static_cast<uint32_t>(variant.sides)};
+    const uint32_t constants[] = {static_cast<uint32_t>(variant.output), static_cast<uint32_t>(variant.sides),
+                                  variant.features.cascades, variant.features.foamCascades};
     return createDrawPipeline(*device_, desc_,
                               {vertexShader(variant.features), fragmentShader(variant.features), constants},
                               Drawing::solid, "surface pipeline", out);

@@ -29,6 +29,8 @@ struct SurfaceFeatures {
     bool refraction = false;
     bool reflection = false; ///< a screen-space reflection image
     SurfaceShape shape = SurfaceShape::plane;
+    uint32_t cascades = 0;
+    uint32_t foamCascades = 0; ///< that break: the first so many
     auto operator<=>(const SurfaceFeatures&) const = default;
 };
 

@@ -278,11 +278,11 @@ class FftwWaves {
             const float* in = row + i * texel;
             const float slopeU = in[3] * unpack, slopeV = in[6];
             const float stretchU = in[1] * unpack, stretchV = in[7];
-            const float divergence = stretchU + stretchV;
+            const float shear = in[5] * unpack;
             displacement[4 * i] = in[0];
             displacement[4 * i + 1] = in[2];
             displacement[4 * i + 2] = in[4];
-            displacement[4 * i + 3] = in[5] * unpack;
+            displacement[4 * i + 3] = shear;
             derivatives[4 * i] = slopeU;
             derivatives[4 * i + 1] = slopeV;
             derivatives[4 * i + 2] = stretchU;
@@ -290,7 +290,7 @@ class FftwWaves {
             moments[4 * i] = slopeU * slopeU;
             moments[4 * i + 1] = slopeV * slopeV;
             moments[4 * i + 2] = slopeU * slopeV;
-            moments[4 * i + 3] = divergence * divergence;
+            moments[4 * i + 3] = shear;
         }
     }
 

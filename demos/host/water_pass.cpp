@@ -1,5 +1,6 @@
 #include "host/water_pass.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "host/extent.h"
@@ -12,10 +13,9 @@ namespace {
 
 seaglass::RefractionDesc refractionOf(const RefractionDesc& desc) {
     seaglass::RefractionDesc refraction;
-    for (size_t i = 0; i < 3; ++i) {
-        refraction.absorption[i] = static_cast<float>(desc.absorptionPerM[i]);
-        refraction.backscatter[i] = static_cast<float>(desc.backscatterPerM[i]);
-    }
+    const seaglass::WaterCoefficients water = coefficientsOf(desc);
+    std::ranges::copy(water.absorption, refraction.absorption);
+    std::ranges::copy(water.backscatter, refraction.backscatter);
     refraction.distortion = static_cast<float>(desc.distortion);
     return refraction;
 }

@@ -17,6 +17,14 @@ namespace {
 
 using seaglass::SpectrumModel;
 using seaglass::SpreadingModel;
+using seaglass::WaterType;
+
+constexpr std::array<std::pair<std::string_view, WaterType>, 4> waterTypes = {{
+    {"pool", WaterType::pool},
+    {"clear-ocean", WaterType::clearOcean},
+    {"coastal", WaterType::coastal},
+    {"turbid", WaterType::turbid},
+}};
 
 constexpr std::array<std::pair<std::string_view, SpectrumModel>, 5> spectra = {{
     {"jonswap", SpectrumModel::jonswap},
@@ -128,6 +136,17 @@ bool seaOf(const WavesDesc& waves, SceneSea& out, Error& error) {
 
 seaglass::FoamDesc foamOf(const FoamDesc& foam) {
     return {static_cast<float>(foam.bias), static_cast<float>(foam.decayS), static_cast<float>(foam.albedo)};
+}
+
+seaglass::WaterCoefficients coefficientsOf(const RefractionDesc& refraction) {
+    for (const auto& [name, type] : waterTypes)
+        if (name == refraction.type) return seaglass::waterCoefficients(type);
+    seaglass::WaterCoefficients given{};
+    for (size_t i = 0; i < 3; ++i) {
+        given.absorption[i] = static_cast<float>(refraction.absorptionPerM[i]);
+        given.backscatter[i] = static_cast<float>(refraction.backscatterPerM[i]);
+    }
+    return given;
 }
 
 } // namespace demos

@@ -5,6 +5,7 @@
 
 #include "scene/scene.h"
 #include "seaglass/water.h"
+#include "seaglass/water_type.h"
 
 namespace demos {
 
@@ -28,5 +29,7 @@ struct SceneSea {
 bool seaOf(const WavesDesc& waves, SceneSea& sea, Error& error);
 
 seaglass::FoamDesc foamOf(const FoamDesc& foam);
+/// Of the type that is named, else as they are given.
+seaglass::WaterCoefficients coefficientsOf(const RefractionDesc& refraction);
 
 } // namespace demos

@@ -40,8 +40,9 @@ class View {
   public:
     View(Host& host, const Subject& subject, const CameraDesc& camera, const RunDesc& desc,
          const ProgressFunction& progress)
-        : host_(host), subject_(subject), progress_(progress),
-          rounds_(desc.rounds), frame_{desc.width, desc.height, camera, subject.scene.timeS, Aov::color, 0} {
+        : host_(host), subject_(subject), progress_(progress), rounds_(desc.rounds),
+          samples_(desc.samples), frame_{desc.width,          desc.height, camera,
+                                         subject.scene.timeS, Aov::color,  0} {
         result_.scene = subject.file;
         result_.camera = camera.name;
     }
@@ -70,6 +71,7 @@ class View {
         desc.height = frame_.height;
         desc.camera = frame_.camera;
         desc.timeS = frame_.timeS;
+        desc.samples = samples_;
         reference::Frame frame;
         if (!reference::prepareFrame(world, desc, frame, error)) return RunResult::failed;
         truth_ = renderReference(frame, true, telling("tracing"));
@@ -153,7 +155,7 @@ class View {
     Host& host_;
     const Subject& subject_;
     const ProgressFunction& progress_;
-    uint32_t rounds_;
+    uint32_t rounds_, samples_;
     FrameDesc frame_;
     reference::Pictures truth_;
     Shots shots_; ///< of the water that was compared last

@@ -11,6 +11,7 @@ namespace demos::measure {
 struct RunDesc {
     uint32_t width = 1280, height = 720;
     uint32_t rounds = 20; ///< medians of so many
+    uint32_t samples = 1; ///< of the reference's colour, a pixel
 };
 
 enum class RunResult { ok, failed, stopped };
@@ -20,8 +21,8 @@ using ProgressFunction = std::function<bool(const std::string&, uint32_t, uint32
 /// Takes each view as it is finished. False with the error set fails the run.
 using FinishedFunction = std::function<bool(ViewResult&&, Error&)>;
 
-/// Measures one view after the other. The reference is of the same moment, one ray a pixel through its
-/// centre, as the host samples it.
+/// Measures one view after the other. The reference is of the same moment; what is mirrored where, its
+/// classes and radiances, are of one ray a pixel through its centre, as the host samples it.
 RunResult measureSubject(Host& host, const Subject& subject, const RunDesc& desc,
                          const ProgressFunction& progress, const FinishedFunction& finished, Error& error);
 

@@ -81,6 +81,7 @@ std::string tradeoffJson(const Tradeoff& tradeoff) {
     json["driver"] = tradeoff.driver;
     json["size"] = {tradeoff.width, tradeoff.height};
     json["runs"] = tradeoff.runs;
+    json["reference_samples"] = tradeoff.samples;
     json["flat"] = tradeoff.flat;
     json["floor_ms"] = orNull(tradeoff.floorMs());
     json["entries"] = Json::array();

@@ -63,6 +63,7 @@ struct Tradeoff {
     std::string device, driver;
     uint32_t width = 0, height = 0;
     uint32_t runs = 0;
+    uint32_t samples = 1;       ///< of the reference's colour, a pixel
     bool flat = false;          ///< the waters were stilled
     std::vector<Entry> entries; ///< by scene, camera and technique, in this order
     std::vector<Sheet> sheets;

@@ -82,6 +82,7 @@ measure::Tradeoff emptyTradeoff(const MeasureOptions& options, const DeviceInfo&
     tradeoff.width = options.size.width;
     tradeoff.height = options.size.height;
     tradeoff.runs = options.rounds;
+    tradeoff.samples = options.samples;
     tradeoff.flat = options.flat;
     return tradeoff;
 }
@@ -143,7 +144,8 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
     size_t views = 0;
     for (const measure::Subject& subject : *subjects) views += subject.cameras.size();
     for (const measure::Subject& subject : *subjects) {
-        const measure::RunDesc desc = {options.size.width, options.size.height, options.rounds};
+        const measure::RunDesc desc = {options.size.width, options.size.height, options.rounds,
+                                       options.samples};
         switch (measure::measureSubject(*host, subject, desc, say, write, error)) {
         case measure::RunResult::ok:
             break;

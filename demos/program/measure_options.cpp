@@ -8,6 +8,7 @@ namespace {
 
 constexpr Size quickSize = {320, 180};
 constexpr uint32_t quickRounds = 5, mostRounds = 1000;
+constexpr uint32_t mostSamples = 65536;
 
 constexpr const char* footer =
     R"(For each scene, camera and technique: what the reflection costs, in milliseconds and as a multiple of
@@ -46,6 +47,11 @@ void describeMeasure(CLI::App& command, RawMeasure& raw) {
         ->type_name("DIR");
     command.add_option("--size", raw.size, "Picture size, 1280x720 if not given, 320x180 with --quick")
         ->type_name("WxH");
+    command
+        .add_option(
+            "--spp", raw.samples,
+            "Samples a pixel of the reference's colour, 1 (its centre, as the picture is) if not given")
+        ->type_name("N");
     const auto addCollected = [&](const char* name, std::vector<std::string>& values, const char* about,
                                   const char* type) {
         command.add_option(name, values, about)
@@ -95,6 +101,11 @@ std::optional<MeasureOptions> checkMeasure(const RawMeasure& raw, Error& error) 
         const std::optional<uint32_t> rounds = parseCount("--rounds", raw.rounds, mostRounds, error);
         if (!rounds) return std::nullopt;
         options.rounds = *rounds;
+    }
+    if (!raw.samples.empty()) {
+        const std::optional<uint32_t> samples = parseCount("--spp", raw.samples, mostSamples, error);
+        if (!samples) return std::nullopt;
+        options.samples = *samples;
     }
     options.device = raw.device;
     return options;

@@ -19,6 +19,7 @@ struct MeasureOptions {
     std::filesystem::path folder;
     Size size;
     uint32_t rounds = 20;
+    uint32_t samples = 1;                ///< of the reference, a pixel
     std::vector<std::string> techniques; ///< empty takes all
     std::vector<std::string> cameras;    ///< of every scene; empty takes all
     std::vector<std::string> overrides;
@@ -30,7 +31,7 @@ struct MeasureOptions {
 /// What the line says, before any of it is checked.
 struct RawMeasure {
     std::vector<std::string> scenes, techniques, cameras, overrides;
-    std::string folder, size, rounds, device;
+    std::string folder, size, rounds, samples, device;
     bool quick = false, flat = false;
 };
 

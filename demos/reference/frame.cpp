@@ -53,6 +53,7 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
             };
         out.geometry.add(out.mesh);
         out.mesh.positions = {};
+        out.sky = skyBeams(world.light);
     }
     return out.geometry.build(error);
 }

@@ -1,6 +1,7 @@
 // One picture's worth of a world: what rays hit from this eye at this time.
 #pragma once
 
+#include "reference/light_below.h"
 #include "reference/random.h"
 #include "reference/world.h"
 
@@ -23,6 +24,7 @@ struct Frame {
     WaterSurface surface;
     SurfaceMesh mesh; ///< without its positions, which the geometry holds
     Geometry geometry;
+    SkyBeams sky; ///< under water; dark where there is none
 
     /// Through a point of the picture, in pixels from its left top corner.
     Ray rayThrough(const glm::vec2& pixel) const;

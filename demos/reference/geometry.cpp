@@ -232,7 +232,7 @@ bool Geometry::trace(const Ray& ray, Kind kinds, Hit& hit) const {
 }
 
 bool Geometry::occluded(const glm::vec3& from, const glm::vec3& direction, Kind kinds,
-                        const Footprint& footprint) const {
+                        const Footprint& footprint, float distance) const {
     Context context{{}, &footprint, true};
     rtcInitIntersectContext(&context.embree);
     RTCRay query{};
@@ -242,7 +242,7 @@ bool Geometry::occluded(const glm::vec3& from, const glm::vec3& direction, Kind 
     query.dir_x = direction.x;
     query.dir_y = direction.y;
     query.dir_z = direction.z;
-    query.tfar = INFINITY;
+    query.tfar = distance;
     query.mask = kinds;
     rtcOccluded1(scene_, &context.embree, &query);
     return query.tfar < 0;

@@ -2,6 +2,7 @@
 // relative to the eye.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <span>
@@ -79,8 +80,8 @@ class Geometry {
     /// The nearest hit, back faces and cut-outs left out as the host leaves them out.
     bool trace(const Ray& ray, Kind kinds, Hit& hit) const;
     /// Whether anything lies between; both faces of everything cast shadows, as in the host.
-    bool occluded(const glm::vec3& from, const glm::vec3& direction, Kind kinds,
-                  const Footprint& footprint) const;
+    bool occluded(const glm::vec3& from, const glm::vec3& direction, Kind kinds, const Footprint& footprint,
+                  float distance = INFINITY) const;
 
   private:
     RTCDevice device_ = nullptr;

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <thread>
 
+#include "reference/shade_bed.h"
 #include "reference/shade_floor.h"
 #include "reference/shade_water.h"
 #include "reference/water_light.h"
@@ -37,8 +38,7 @@ glm::vec3 colorOf(const Frame& frame, uint32_t x, uint32_t y) {
         if (!frame.geometry.trace(ray, Kind::everything, hit)) {
             sum += ray.inWater ? endlessWater(frame, ray) : background(frame, ray.direction);
         } else if (hit.kind == Kind::opaque) {
-            const glm::vec3 seen = shadeHit(frame, ray, hit, chance);
-            sum += ray.inWater ? opaqueInWater(frame, ray, hit, seen) : seen;
+            sum += ray.inWater ? bedInWater(frame, ray, hit, chance) : shadeHit(frame, ray, hit, chance);
         } else if (frame.world->floor) {
             sum += shadeFloor(frame, ray, hit, chance);
         } else {

@@ -18,16 +18,17 @@ glm::vec3 environmentBrdf(const glm::vec3& f0, float roughness, float nDotV) {
     return f0 * ab.x + ab.y;
 }
 
-glm::vec3 interpolatedNormal(const Hit& hit) {
+} // namespace
+
+glm::vec3 normalAt(const Hit& hit) {
     const Mesh& mesh = hit.part->model->mesh;
     glm::vec3 n(0);
     for (int i = 0; i < 3; ++i)
         n += hit.weights[i] *
              mesh.vertices[mesh.indices[size_t(hit.triangle) * 3 + static_cast<size_t>(i)]].normal;
-    return glm::normalize(hit.part->eyeFromMesh * n);
+    n = glm::normalize(hit.part->eyeFromMesh * n);
+    return hit.frontFacing ? n : -n;
 }
-
-} // namespace
 
 glm::vec3 shadeOpaque(const Geometry& geometry, const Light& light, const Ray& ray, const Hit& hit,
                       const glm::vec3& towardsSun) {
@@ -40,8 +41,7 @@ glm::vec3 shadeOpaque(const Geometry& geometry, const Light& light, const Ray& r
     const glm::vec3 f0 = glm::mix(glm::vec3(0.04f), base, metallic);
     const glm::vec3 diffuse = base * (1 - metallic);
 
-    glm::vec3 n = interpolatedNormal(hit);
-    if (!hit.frontFacing) n = -n;
+    const glm::vec3 n = normalAt(hit);
     const glm::vec3 v = -ray.direction;
     const glm::vec3 l = light.toSun();
     const float nDotL = glm::dot(n, l), nDotV = std::max(std::abs(glm::dot(n, v)), 1e-3f);

@@ -6,6 +6,9 @@
 
 namespace demos::reference {
 
+/// Unit, on the side that the ray met.
+glm::vec3 normalAt(const Hit& hit);
+
 /// Radiance towards where the ray came from. `towardsSun` is a direction to a point of the sun's disc: a ray
 /// is traced there in place of the host's shadow map.
 glm::vec3 shadeOpaque(const Geometry& geometry, const Light& light, const Ray& ray, const Hit& hit,

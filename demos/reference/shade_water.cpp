@@ -6,6 +6,7 @@
 #include "reference/facet.h"
 #include "reference/foam_pattern.h"
 #include "reference/optics.h"
+#include "reference/shade_bed.h"
 #include "reference/shade_opaque.h"
 #include "reference/shade_water_below.h"
 #include "reference/water_light.h"
@@ -42,9 +43,9 @@ glm::vec3 refracted(const Frame& frame, const Ray& ray, const Hit& hit, const Fa
     Hit bed;
     if (!frame.geometry.trace(below, Kind::opaque, bed)) return light.glow(endless);
     const float path = glm::length(bed.position - hit.position);
-    const float depth = std::max(-frame.heightOf(bed.position), 0.0f);
-    const glm::vec3 through = glm::exp(-light.extinction() * (path + depth));
-    return shadeHit(frame, below, bed, random) * through + light.glow(path);
+    // Leaving water, radiance is thinned as its cone widens: by n^2.
+    const glm::vec3 through = glm::exp(-light.extinction() * path) / (waterIndex * waterIndex);
+    return shadeBed(frame, below, bed, random) * through + light.glow(path);
 }
 
 /// sunGlint() of shaders/common/sun_glint.glsl: Bruneton, Neyret and Holzschuch 2010, eq. 14.
@@ -153,8 +154,7 @@ glm::vec3 radianceAlong(const Frame& frame, const Ray& ray, int bounces, Random*
                                     : sky;
     }
     if (hit.kind == Kind::opaque) {
-        const glm::vec3 radiance = shadeHit(frame, ray, hit, random);
-        return ray.inWater ? opaqueInWater(frame, ray, hit, radiance) : radiance;
+        return ray.inWater ? bedInWater(frame, ray, hit, random) : shadeHit(frame, ray, hit, random);
     }
     // Weights are 1 on the mean. What one sample of a bounce may count is bounded, or it would be seen as a
     // spark.

@@ -7,8 +7,8 @@
 // such a facet; the glint then comes from a point of the sun's disc and the density of the facets that mirror
 // it, which is what a great many random tilts would find.
 //
-// Light scattered by the water and the dimming of what lies below follow shaders/common/water_light.glsl:
-// both take the scene to be lit as if in air.
+// Light scattered by the water follows shaders/common/water_light.glsl; what lies below is lit by
+// shade_bed.h.
 #pragma once
 
 #include "reference/frame.h"

@@ -1,6 +1,9 @@
 #include "reference/water_light.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "host/waves.h"
 
 namespace demos::reference {
 
@@ -17,8 +20,11 @@ WaterLight waterLightOf(const Frame& frame) {
     const Light& light = frame.world->light;
     WaterLight water;
     if (const auto& desc = frame.world->water->refraction) {
-        water.absorption = glm::max(glm::vec3(toGlm(desc->absorptionPerM)), glm::vec3(1e-5f));
-        water.backscatter = glm::vec3(toGlm(desc->backscatterPerM));
+        const seaglass::WaterCoefficients given = coefficientsOf(*desc);
+        for (int c = 0; c < 3; ++c) {
+            water.absorption[c] = std::max(given.absorption[c], 1e-5f);
+            water.backscatter[c] = given.backscatter[c];
+        }
     }
     const float sunUp = std::max(light.toSun().y, 0.0f);
     const float sunEnters = sunUp * (1 - fresnelWater(sunUp));
@@ -60,12 +66,6 @@ glm::vec3 endlessWater(const Frame& frame, const Ray& ray) {
     const glm::vec3 start = ray.origin + ray.direction * ray.nearest;
     const float toSurface = depthAt(frame, start) / std::max(ray.direction.y, 1e-9f);
     return scatteredIn(frame, ray, ray.direction.y > 0 ? std::min(toSurface, endless) : endless);
-}
-
-glm::vec3 opaqueInWater(const Frame& frame, const Ray& ray, const Hit& hit, const glm::vec3& radiance) {
-    const glm::vec3 lit =
-        radiance * glm::exp(-waterLightOf(frame).extinction() * depthAt(frame, hit.position));
-    return throughWater(frame, ray, std::max(hit.distance - ray.nearest, 0.0f), lit);
 }
 
 } // namespace demos::reference

@@ -32,7 +32,5 @@ bool isInWater(const Frame& frame, const glm::vec3& position);
 glm::vec3 throughWater(const Frame& frame, const Ray& ray, float length, const glm::vec3& radiance);
 /// The same for what nothing but water is seen of.
 glm::vec3 endlessWater(const Frame& frame, const Ray& ray);
-/// The same of an opaque hit, lit as if in air: the way down dims it.
-glm::vec3 opaqueInWater(const Frame& frame, const Ray& ray, const Hit& hit, const glm::vec3& radiance);
 
 } // namespace demos::reference

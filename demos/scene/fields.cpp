@@ -48,6 +48,7 @@ constexpr std::array<std::string_view, 5> spectra = {"jonswap", "pierson-moskowi
                                                      "table"};
 constexpr std::array<std::string_view, 4> spreadings = {"hasselmann", "mitsuyasu", "donelan-banner", "cos2s"};
 constexpr std::array<std::string_view, 3> backends = {"automatic", "gpu", "fftw"};
+constexpr std::array<std::string_view, 4> waterTypes = {"pool", "clear-ocean", "coastal", "turbid"};
 constexpr std::array<std::string_view, 5> techniques = {"sky", "sspr", "ssr", "hybrid", "planar"};
 
 constexpr std::array skyFields = {
@@ -111,6 +112,8 @@ constexpr std::array foamFields = {
 };
 
 constexpr std::array refractionFields = {
+    Field{"type", at<&RefractionDesc::type>, 0, 0, "", "a real water's coefficients, whatever they are here",
+          false, Rule::none, waterTypes},
     Field{"absorption_per_m", at<&RefractionDesc::absorptionPerM>, 0, 100, "1/m", "red, green, blue"},
     Field{"backscatter_per_m", at<&RefractionDesc::backscatterPerM>, 0, 100, "1/m", "red, green, blue"},
     Field{"distortion", at<&RefractionDesc::distortion>, 0, 1, "", "0 straight, 1 as Snell says"},

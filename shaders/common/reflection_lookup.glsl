@@ -30,24 +30,33 @@ struct BentPoint {
     float distance;   // to the hit [m], farAway for the sky
 };
 
-// The pixel whose reflection the bent ray meets, by fixed-point iteration on the hit distance.
-BentPoint bentPoint(vec3 from, vec3 direction) {
+// How far away what a flat mirror shows here is [m].
+float hitHere() {
+    float info = infoAt(gl_FragCoord.xy - vec2(region.xy));
+    return infoIsHit(info) ? info : farAway;
+}
+
+// The pixel whose reflection the bent ray meets, by `rounds` of fixed-point iteration on the hit distance, from `t`.
+BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
-    float info = infoAt(here);
-    float t = infoIsHit(info) ? info : farAway;
+#ifdef WAVES
     vec2 pixel = mirroredPixel(from, direction, t);
-    for (int i = 0; i < 2; ++i) {
-        info = infoAt(pixel);
+    for (int i = 0; i < rounds; ++i) {
+        float info = infoAt(pixel);
         if (infoIsHit(info)) t = info;
         pixel = mirroredPixel(from, direction, t);
     }
     return BentPoint(mix(here, pixel, reflectionDistortion), t);
+#else
+    return BentPoint(here, t);
+#endif
 }
 
 // Radiance times confidence, and confidence. Rays within the pixel spread by `spread` radians [standard deviation]; the
-// farther they go, the more of the reflection they meet.
-vec4 reflectionAlong(vec3 from, vec3 direction, float spread) {
-    BentPoint point = bentPoint(from, direction);
+// farther they go, the more of the reflection they meet. `hit` is how far that is [m]: from a ray beside it, to the next.
+vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
+    BentPoint point = bentPoint(from, direction, hit, 1);
+    hit = point.distance;
     vec2 size = vec2(region.zw);
     vec2 border = min(point.pixel, size - point.pixel) + 0.5;
     float inside = clamp(min(border.x, border.y), 0.0, 1.0);
@@ -69,7 +78,7 @@ vec3 rayThrough(vec2 pixel) {
 // Where in the region the mirrored thing is taken from, its distance from the surface and its ReflectionClass. A texel
 // of the reflection says how far away its mirror image is; the lookup's own ray meets it there.
 vec4 reflectionSource(vec3 from, vec3 direction) {
-    vec2 pixel = bentPoint(from, direction).pixel;
+    vec2 pixel = bentPoint(from, direction, hitHere(), 2).pixel;
     float info = infoAt(pixel);
     if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
     vec3 throughTexel = rayThrough((floor(pixel / reflectionScale) + 0.5) * reflectionScale);
@@ -79,7 +88,7 @@ vec4 reflectionSource(vec3 from, vec3 direction) {
 }
 
 vec3 classColor(vec3 from, vec3 direction) {
-    float info = infoAt(bentPoint(from, direction).pixel);
+    float info = infoAt(bentPoint(from, direction, hitHere(), 2).pixel);
     if (infoIsHit(info)) return vec3(0.0, 1.0, 0.0);
     return infoIsSky(info) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
 }

@@ -2,7 +2,7 @@
 
 #ifdef REFRACTION
 struct Behind {
-    vec3 radiance;
+    ivec2 pixel;   // of the region
     vec3 seen;     // where, relative to the eye
     bool nothing;  // but the far plane
 };
@@ -11,46 +11,80 @@ struct Behind {
 Behind behindAt(vec2 pixel) {
     ivec2 p = clamp(ivec2(pixel + sceneShift), ivec2(0), region.zw - 1);
     float depth = texelFetch(sceneDepth, region.xy + p, 0).r;
-    Behind b = Behind(vec3(0.0), vec3(0.0), depthSign * (depth - farDepth) <= 0.0);
-    if (b.nothing) return b;
     vec4 q = relativeFromPixel * vec4(vec2(p) + 0.5, depth, 1.0);
-    b.seen = q.xyz / q.w;
-    b.radiance = texelFetch(sceneColor, region.xy + p, 0).rgb;
-    return b;
+    return Behind(p, q.xyz / q.w, depthSign * (depth - farDepth) <= 0.0);
 }
 
-// As much of a shift as the picture has room for: nearly all of a small one, and at most half the way to the border, so
-// that what lies there is stretched no more than twice.
-vec2 keptInside(vec2 from, vec2 shift) {
-    vec2 room = max(mix(from, vec2(region.zw) - from, step(0.0, shift)), vec2(1e-3));
-    vec2 share = 2.0 * shift / room;
-    return shift * inversesqrt(1.0 + max(share.x * share.x, share.y * share.y));
+vec3 radianceOf(Behind b) {
+    return texelFetch(sceneColor, region.xy + b.pixel, 0).rgb;
+}
+
+// What lies beyond the border is taken from as far inside of it: a bed goes on as it was, and a streak would show.
+vec2 foldedInside(vec2 pixel) {
+    vec2 size = vec2(region.zw);
+    return size - abs(size - abs(pixel));
+}
+
+// How far a ray from inside the picture goes until it leaves it [m]: where a + t b, homogeneous pixels, passes a border.
+float untilBorder(vec4 a, vec4 b) {
+    vec2 size = vec2(region.zw);
+    // Gaps to the borders, times w, and how fast they shrink.
+    vec4 gap = vec4(a.xy, size * a.w - a.xy);
+    vec4 loss = vec4(-b.xy, b.xy - size * b.w);
+    vec4 t = mix(vec4(1e6), gap / loss, greaterThan(loss, gap * 1e-6));
+    return max(min(min(t.x, t.y), min(t.z, t.w)), 0.0);
+}
+
+bool isBelowWater(Behind b) {
+    return !b.nothing && b.seen.y < min(position.y, -plane.w);
 }
 
 // What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
-// raised and little water lies before it. The bent ray's end is taken as deep as what was seen last, and looked up
-// where it projects; what stands out of the water there is passed over.
+// raised and little water lies before it. Sought is the depth under the surface at which the ray meets what the picture
+// shows where the ray projects: a root, by false position between a depth where the ray is above the scene and one where
+// it is under it. (A fixed point it is not: up a wall it would run away.) What stands out of the water is passed over.
+// Beyond the picture's border the bed is taken to lie as deep as there.
 vec3 refracted(vec3 normal, vec3 toEye) {
     const float shallowest = 0.1;
+    const int rounds = 5;
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
     Behind found = behindAt(here);
     if (found.nothing) return waterGlow(vec3(1e6));
     vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);
     float steepness = max(-bent.y, shallowest);
     float drop = max(position.y - found.seen.y, 0.0);
-    for (int i = 0; i < 2; ++i) {
-        vec4 target = pixelOf(position + bent * (drop / steepness));
-        Behind b = behindAt(here + keptInside(here, (target.xy - here) * refractionDistortion));
-        bool below = !b.nothing && target.w > 0.0 && b.seen.y < min(position.y, -plane.w);
-        if (!below) continue;
-        found = b;
-        drop = position.y - b.seen.y;
+    vec4 from = pixelFromRelative * vec4(position, 1.0);
+    vec4 perDepth = pixelFromRelative * vec4(bent / steepness, 0.0);
+    float leaves = untilBorder(from, perDepth);
+    vec2 above = vec2(0.0, drop);   // a depth, and how much deeper the scene is there
+    vec2 under = vec2(0.0);         // likewise, where it is not; none while its second is 0
+    float sought = min(drop, leaves);
+    float least = 1e9;
+    bool left = false;
+    for (int i = 0; i < rounds && least > 0.01 && !left; ++i) {
+        vec4 target = from + perDepth * sought;
+        Behind b = behindAt(mix(here, target.xy / target.w, refractionDistortion));
+        float deeper = b.nothing ? 1e3 : position.y - b.seen.y - sought;
+        if (isBelowWater(b) && abs(deeper) < least) {
+            least = abs(deeper);
+            found = b;
+            drop = sought;
+        }
+        if (deeper > 0.0) above = vec2(sought, deeper);
+        else under = vec2(sought, deeper);
+        left = deeper > 0.01 && sought >= leaves;
+        float share = clamp(above.y / max(above.y - under.y, 1e-6), 0.1, 0.9);
+        sought = under.y < 0.0 ? mix(above.x, under.x, share) : min(sought + deeper, leaves);
+    }
+    for (; left; left = false) {
+        drop = position.y - found.seen.y;
+        vec4 target = from + perDepth * drop;
+        Behind b = behindAt(foldedInside(mix(here, target.xy / target.w, refractionDistortion)));
+        if (isBelowWater(b)) found = b;
     }
     float path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
-    float depth = max(-(found.seen.y + plane.w), 0.0);
-    // The host lit what lies below as if in air: the way down dims it once more.
-    vec3 through = exp(-(absorption.rgb + backscatter.rgb) * (path + depth));
-    return found.radiance * through + waterGlow(vec3(path));
+    vec3 bed = litBelow(radianceOf(found), -(found.seen.y + plane.w)) / (waterIndex * waterIndex);
+    return bed * exp(-extinction() * path) + waterGlow(vec3(path));
 }
 #else
 vec3 refracted(vec3 normal, vec3 toEye) {

@@ -2,6 +2,10 @@
 
 #include "surface_uniforms.glsl"
 
+// As the uniforms have them, but constant, so that loops over them are none.
+layout(constant_id = 2) const int cascades = 0;
+layout(constant_id = 3) const int foamCascades = 0;
+
 struct MeshPatch {
     vec2 corner;
     float cell;

@@ -52,7 +52,7 @@ vec4 sceneAbove(vec3 along) {
         vec2 pixel = p.xy / p.w;
         vec2 border = min(pixel, vec2(region.zw) - pixel) / (0.06 * float(region.w));
         float confidence = clamp(min(border.x, border.y), 0.0, 1.0);
-        return vec4(found.radiance * confidence, confidence);
+        return vec4(radianceOf(found) * confidence, confidence);
     }
     return vec4(0.0);
 }
@@ -116,9 +116,10 @@ vec3 mirroredBelow(SurfacePoint s, vec3 view) {
     float depth = max(-(position.y + plane.w), 0.0);
     vec3 radiance = scatteredIn(depth, direction.y, endlessPath);
 #ifdef REFLECTION
-    BentPoint hit = bentPoint(position, direction);
+    BentPoint hit = bentPoint(position, direction, hitHere(), 2);
     if (hit.distance < farAway) {
-        vec4 screen = reflectionAlong(position, direction, s.slopeStep);
+        float along = hit.distance;
+        vec4 screen = reflectionAlong(position, direction, s.slopeStep, along);
         vec3 lit = litBelow(screen.rgb, depth - direction.y * hit.distance);
         radiance = radiance * (1.0 - screen.a) + lit * exp(-extinction() * hit.distance) +
                    screen.a * scatteredIn(depth, direction.y, hit.distance);

@@ -22,9 +22,10 @@ SurfacePoint surfacePoint() {
     for (int i = 0; i < cascades; ++i) {
         vec3 at = vec3(cascade[i].xy + calmPosition * cascade[i].z, i);
         vec4 d = texture(waveDerivatives, at);
+        vec4 moments = texture(waveMoments, at);
         derivatives += d;
-        shear += texture(waveDisplacement, at).w;
-        variance += texture(waveMoments, at).xyz - vec3(d.xy * d.xy, d.x * d.y);
+        shear += moments.w;
+        variance += moments.xyz - vec3(d.xy * d.xy, d.x * d.y);
     }
     variance.xy = max(variance.xy, 0.0);
     // Tangents (1 + dDx/du, dh/du, shear) and (shear, dh/dv, 1 + dDz/dv); their cross product is the normal.

@@ -1,38 +1,100 @@
 // One view of a body: water/surface.h. Positions are metres relative to the eye, +Y up; (u, v) are the calm plane's axes,
 // world x and z.
 
+// Loaded once, by loadSurface(): CPU devices load uniforms anew at each use.
+mat4 clipFromRelative;
+mat4 pixelFromRelative;
+mat4 relativeFromPixel;   // of the scene's pixels
+vec4 cascade[4];   // eye's (u, v) in the tile, in tiles; 1 / patch; 1 / texel
+vec4 plane;   // up, and the eye's height
+vec4 toSun;
+vec4 sunIrradiance;
+vec4 skyIrradiance;
+vec4 absorption;
+vec4 backscatter;
+ivec4 region;   // origin in the scene images, size
+vec4 foam;   // share of the way between the history's steps, albedo, the eye's place in the pattern's tile
+vec4 roughness;   // slope covariance that no cascade holds, uu, vv, uv; deviation of all slopes
+float refractionDistortion;
+float reflectionDistortion;
+float farDepth;
+float depthSign;
+float skyMips;
+float maxMip;
+float reflectionScale;   // pixels of the region to one of the reflection
+float foamStreakU;   // wind's direction, times sqrt(1 - 1/stretch) of the pattern
+float foamStreakV;
+vec3 reflectionLook;   // clear distance, scatter, distance of the sky: reflection_blur.glsl
+vec4 within;   // edge of the finest cells, half the meniscus: metres
+vec2 sceneShift;   // to the scene's pixel that shows a point, whose sample may lie off its middle
+vec4 extent;   // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves
+vec4 caustics;   // strength; water/caustics.h: log2Scale, exponent
+vec4 covered;   // (u, v) of the box around the body, low and high
+
 layout(set = 0, binding = 0, std140) uniform Surface {
     mat4 clipFromRelative;
     mat4 pixelFromRelative;
-    mat4 relativeFromPixel;   // of the scene's pixels
-    vec4 cascade[4];   // eye's (u, v) in the tile, in tiles; 1 / patch; 1 / texel
-    vec4 plane;        // up, and the eye's height
+    mat4 relativeFromPixel;
+    vec4 cascade[4];
+    vec4 plane;
     vec4 toSun;
     vec4 sunIrradiance;
     vec4 skyIrradiance;
     vec4 absorption;
     vec4 backscatter;
-    ivec4 region;      // origin in the scene images, size
-    vec4 foam;         // share of the way between the history's steps, albedo, the eye's place in the pattern's tile
-    vec4 roughness;    // slope covariance that no cascade holds, uu, vv, uv; deviation of all slopes
+    ivec4 region;
+    vec4 foam;
+    vec4 roughness;
     float refractionDistortion;
     float reflectionDistortion;
     float farDepth;
     float depthSign;
     float skyMips;
-    int cascades;
+    int cascades;   // of the sea
     float maxMip;
-    float reflectionScale;   // pixels of the region to one of the reflection
-    int foamCascades;
-    float foamStreakU;       // wind's direction, times sqrt(1 - 1/stretch) of the pattern
+    float reflectionScale;
+    int foamCascades;   // of those, the first that break
+    float foamStreakU;
     float foamStreakV;
-    vec3 reflectionLook;     // clear distance, scatter, distance of the sky: reflection_blur.glsl
-    vec4 within;             // edge of the finest cells, half the meniscus: metres
-    vec2 sceneShift;         // to the scene's pixel that shows a point, whose sample may lie off its middle
-    vec4 extent;       // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves
-    vec4 caustics;           // strength; water/caustics.h: log2Scale, exponent
-    vec4 covered;            // (u, v) of the box around the body, low and high
-};
+    vec3 reflectionLook;
+    vec4 within;
+    vec2 sceneShift;
+    vec4 extent;
+    vec4 caustics;
+    vec4 covered;
+} stored;
+
+// Before anything else.
+void loadSurface() {
+    clipFromRelative = stored.clipFromRelative;
+    pixelFromRelative = stored.pixelFromRelative;
+    relativeFromPixel = stored.relativeFromPixel;
+    cascade = stored.cascade;
+    plane = stored.plane;
+    toSun = stored.toSun;
+    sunIrradiance = stored.sunIrradiance;
+    skyIrradiance = stored.skyIrradiance;
+    absorption = stored.absorption;
+    backscatter = stored.backscatter;
+    region = stored.region;
+    foam = stored.foam;
+    roughness = stored.roughness;
+    refractionDistortion = stored.refractionDistortion;
+    reflectionDistortion = stored.reflectionDistortion;
+    farDepth = stored.farDepth;
+    depthSign = stored.depthSign;
+    skyMips = stored.skyMips;
+    maxMip = stored.maxMip;
+    reflectionScale = stored.reflectionScale;
+    foamStreakU = stored.foamStreakU;
+    foamStreakV = stored.foamStreakV;
+    reflectionLook = stored.reflectionLook;
+    within = stored.within;
+    sceneShift = stored.sceneShift;
+    extent = stored.extent;
+    caustics = stored.caustics;
+    covered = stored.covered;
+}
 
 // (x, y, depth) of a point in the region's pixels; w <= 0 behind the camera.
 vec4 pixelOf(vec3 position) {

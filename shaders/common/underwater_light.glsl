@@ -1,9 +1,5 @@
 // Light on its way through the water to an eye in it. Needs surface_uniforms.glsl and water_light.glsl.
 
-vec3 extinction() {
-    return max(absorption.rgb, 1e-5) + backscatter.rgb;
-}
-
 // What `path` metres of water that begin at `depth` and rise by `rise` a metre scatter into the line of sight. Sources
 // fade with depth as light does on its way down: straight down from the surface this is deepWater() (1 - exp(-2 k path)),
 // which waterGlow() shows above it.
@@ -16,9 +12,4 @@ vec3 scatteredIn(float depth, float rise, float path) {
 
 vec3 throughWater(vec3 radiance, float depth, float rise, float path) {
     return radiance * exp(-extinction() * path) + scatteredIn(depth, rise, path);
-}
-
-// The host lit what lies at `depth` as if in air: the way down dims it.
-vec3 litBelow(vec3 radiance, float depth) {
-    return radiance * exp(-extinction() * max(depth, 0.0));
 }

@@ -1,24 +1,45 @@
-// Light scattered back by the water itself. The irradiance reflectance of deep water is 0.33 bb/a (Morel and Prieur 1977).
+// Light in the water. The irradiance reflectance of deep water is 0.33 bb/a (Morel and Prieur 1977).
+
+vec3 extinction() {
+    return max(absorption.rgb, 1e-5) + backscatter.rgb;
+}
+
+const float skyEnters = 0.934;   // 1 - 0.066, diffuse Fresnel reflectance of water
 
 // Irradiance just below the surface.
+vec3 sunEntering() {
+    float up = max(toSun.y, 0.0);
+    return sunIrradiance.rgb * (up * (1.0 - fresnelWater(up)));
+}
+
 vec3 lightEntering() {
-    float sunEnters = max(toSun.y, 0.0) * (1.0 - fresnelWater(max(toSun.y, 0.0)));
-    const float skyEnters = 0.934;   // 1 - 0.066, diffuse Fresnel reflectance of water
-    return sunIrradiance.rgb * sunEnters + skyIrradiance.rgb * skyEnters;
+    return sunEntering() + skyIrradiance.rgb * skyEnters;
 }
 
 // Radiance of endless water below, seen from just under its surface.
 vec3 deepWater() {
-    vec3 a = max(absorption.rgb, 1e-5);
-    vec3 reflectance = 0.33 * backscatter.rgb / (a + backscatter.rgb);
-    return lightEntering() / pi * reflectance;
+    return lightEntering() / pi * (0.33 * backscatter.rgb / extinction());
 }
 
 // What `path` metres of water send back, as seen above the surface: leaving water thins radiance by n^2 and what Fresnel
 // keeps.
 vec3 waterGlow(vec3 path) {
-    vec3 a = max(absorption.rgb, 1e-5);
     const float leaves = 0.98 / (waterIndex * waterIndex);
     // Light goes down about as far as it comes back.
-    return deepWater() * leaves * (1.0 - exp(-2.0 * (a + backscatter.rgb) * path));
+    return deepWater() * leaves * (1.0 - exp(-2.0 * extinction() * path));
+}
+
+// The host lit the bed as if in air: its radiance at `depth` metres under calm water. The sun comes down along the ray
+// that the surface bends, the sky's light within Snell's window, 1.2 m a metre of depth in the mean; what the bed sends
+// up too flatly the surface turns back to it, 3 m a metre each way. How bright a bed is in how much light says how white.
+vec3 litBelow(vec3 inAir, float depth) {
+    vec3 k = extinction() * max(depth, 0.0);
+    float up = max(toSun.y, 0.0);
+    vec3 light = sunIrradiance.rgb * up + skyIrradiance.rgb;
+    float sunSteepness = sqrt(1.0 - (1.0 - up * up) / (waterIndex * waterIndex));
+    vec3 arriving = sunEntering() * exp(-k / sunSteepness) + skyIrradiance.rgb * skyEnters * exp(-1.2 * k);
+    vec3 albedo = min(pi * inAir / max(light, 1e-9), 1.0);
+    const float turnedBack = 1.0 - skyEnters / (waterIndex * waterIndex);
+    vec3 lit = inAir * arriving / max(light, 1e-9) / (1.0 - turnedBack * albedo * exp(-6.0 * k));
+    return mix(lit, inAir, lessThan(light, vec3(1e-6)));   // in no light it shines itself
 }

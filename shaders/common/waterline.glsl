@@ -3,7 +3,7 @@
 #ifdef WAVES
 vec3 displacementOf(vec2 calm) {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < cascades; ++i) {
+    for (int i = 0; i < stored.cascades; ++i) {
         float mip = max(log2(within.x * cascade[i].w), 0.0);   // as the finest cells of the mesh have it
         if (mip < maxMip) sum += textureLod(waveDisplacement, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xyz;
     }

@@ -1,6 +1,6 @@
-// What a scene's water costs on this device, whole and with a part left out: multiples of the floor, a compute
-// copy of the frame's colour and depth. All take turns over the same picture of the scene, medians over the
-// rounds, of what this process had of the processors: for CPU devices alone.
+// What a scene's water costs on this device, whole and with a part left out: multiples of the floor, a
+// compute copy of the frame's colour and depth. All take turns over the same picture of the scene, medians
+// over the rounds, of what this process had of the processors: for CPU devices alone.
 //
 //   seaglass_bench_water SCENE [WIDTHxHEIGHT [ROUNDS [CAMERA [PATH=VALUE...]]]]
 #include <cstdio>
@@ -27,11 +27,13 @@ struct Part {
 constexpr Part parts[] = {
     {"whole", [](WaterDesc&) {}},
     {"no foam", [](WaterDesc& water) { water.foam.reset(); }},
-    {"no refraction", [](WaterDesc& water) { water.refraction.reset(); }},
+    {"no refraction", [](WaterDesc& water) { water.refraction.reset(), water.underwater.reset(); }},
     {"sky alone", [](WaterDesc& water) { water.reflection.reset(); }},
     {"still", [](WaterDesc& water) { water.foam.reset(), water.waves.reset(); }},
-    {"still, sky alone, opaque", [](WaterDesc& water) {
-         for (const auto leaveOut : {parts[2].leaveOut, parts[3].leaveOut, parts[4].leaveOut}) leaveOut(water);
+    {"still, sky alone, opaque",
+     [](WaterDesc& water) {
+         for (const auto leaveOut : {parts[2].leaveOut, parts[3].leaveOut, parts[4].leaveOut})
+             leaveOut(water);
      }},
 };
 
@@ -85,7 +87,6 @@ int main(int count, char** arguments) {
     if (!times) stop(error.text);
     std::printf("%s, %s, %ux%u, floor %.2f ms of processors\n", host->device().name.c_str(),
                 frame.camera.name.c_str(), frame.width, frame.height, times->floor.ms);
-    for (size_t i = 0; i < std::size(parts); ++i)
-        print(parts[i].name, times->surfaces[i], times->floor.ms);
+    for (size_t i = 0; i < std::size(parts); ++i) print(parts[i].name, times->surfaces[i], times->floor.ms);
     return 0;
 }

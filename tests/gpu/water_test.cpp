@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/spy.h"
@@ -202,9 +203,70 @@ TEST_F(Water, WhatLiesBelowIsDimmedByBeerAndLambert) {
             const double sine = std::cos(angle) / 1.333;
             const double path = -bed / std::sqrt(1 - sine * sine);
             for (size_t channel = 0; channel < 3; ++channel) {
-                const double through = std::exp(-double{refraction.absorption[channel]} * (path - bed));
-                const double expected = f * static_cast<double>(channel + 1) + (1 - f) * 4 * through;
+                const double through = std::exp(-double{refraction.absorption[channel]} * path);
+                // In no light the bed shines itself; leaving water thins radiance.
+                const double seen = 4 * through / (1.333 * 1.333);
+                const double expected = f * static_cast<double>(channel + 1) + (1 - f) * seen;
                 EXPECT_NEAR(p.color[(size_t{y} * p.width + x) * 4 + channel], expected, 5e-3 * expected);
+            }
+        }
+}
+
+/// Everything below the horizon is a plane at height `bed`, all above a wall as far as can be; of one colour,
+/// the sky cube's times `radiance`.
+SceneBehind evenWorld(const Camera& camera, double bed, float radiance) {
+    SceneBehind behind = planeBelow(camera, bed, 1);
+    const auto wall = static_cast<float>(camera.near / 1e6);
+    for (float& depth : behind.depth) depth = std::max(depth, wall);
+    for (size_t i = 0; i < behind.color.size(); ++i)
+        behind.color[i] = radiance * static_cast<float>(i % 4 + 1);
+    return behind;
+}
+
+// Water that absorbs nothing, over a bed as bright as the sky, cannot be told from the sky: what is not
+// mirrored shines through, at any angle, smooth or rough. Over a black bed it is darker, never brighter.
+TEST_F(Water, IsUnseenInAWhiteFurnace) {
+    const RefractionDesc clear = {{0, 0, 0}, {0, 0, 0}, 1};
+    const ReflectionDesc reflection;
+    lighting.skyIrradiance[0] = static_cast<float>(std::numbers::pi);
+    lighting.skyIrradiance[1] = 2 * lighting.skyIrradiance[0];
+    lighting.skyIrradiance[2] = 3 * lighting.skyIrradiance[0];
+    SeaDesc gale = breeze();
+    gale.windSpeed = 17;
+    const SeaDesc calm = breeze();
+    const SeaDesc* const seas[] = {nullptr, &calm, &gale};
+    for (const SeaDesc* sea : seas)
+        for (const ReflectionDesc* mirror : {static_cast<const ReflectionDesc*>(nullptr), &reflection}) {
+            BodyDesc desc;
+            desc.waves = sea;
+            desc.wavesBackend = fftwWaves();
+            desc.refraction = &clear;
+            desc.reflection = mirror;
+            Body* body = makeBody(desc);
+            for (const double down : {0.3, 8.0, 300.0}) { // over 10 m: nearly level, and steep
+                Camera camera = seaCamera();
+                camera.eye = {3, 9, 7};
+                camera.target = camera.eye + glm::dvec3(0, -down, -10);
+                camera.width = 160;
+                camera.height = 90;
+                const auto drawn = [&](float bed) {
+                    return picture({body}, camera, 5, SurfaceOutput::shaded, evenWorld(camera, -40, bed));
+                };
+                const WaterPicture white = drawn(1), black = drawn(0);
+                double least = 2, most = 0, mirrored = 0;
+                size_t seen = 0;
+                for (size_t i = 0; i < white.color.size(); ++i) {
+                    if (i % 4 == 3 || !white.covered(i / 4)) continue;
+                    const double share = double{white.color[i]} / static_cast<double>(i % 4 + 1);
+                    least = std::min(least, share);
+                    most = std::max(most, share);
+                    mirrored = std::max(mirrored, double{black.color[i]} / static_cast<double>(i % 4 + 1));
+                    ++seen;
+                }
+                EXPECT_GT(seen, 3 * 4000u);
+                EXPECT_GT(least, 0.99) << down;
+                EXPECT_LT(most, 1.01) << down;
+                EXPECT_LT(mirrored, 1.001) << down;
             }
         }
 }

@@ -241,6 +241,23 @@ TEST_F(Measure, MeasuresWhatItIsAskedFor) {
     for (const json& entry : entries) EXPECT_EQ(entry["camera"], "low");
 }
 
+// Samples make the reference's picture, not what is asked of a technique.
+TEST_F(Measure, ComparesWithAsManySamplesAsItIsAskedFor) {
+    const auto measureWith = [&](const char* samples, const char* folder) {
+        const Outcome outcome = measure({"scene.toml", "-o", folder, "--quick", "--size", "48x27",
+                                         "--technique", "planar", "--spp", samples});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return measured(folder);
+    };
+    const json one = measureWith("1", "one"), four = measureWith("4", "four");
+    EXPECT_EQ(four["reference_samples"], 4);
+    const json &before = one["entries"][0]["error"], &after = four["entries"][0]["error"];
+    EXPECT_NE(before["flip"], after["flip"]);
+    for (const char* const key : {"psnr_db", "coverage", "position_px_p50"})
+        EXPECT_EQ(before[key], after[key]);
+    expectRefused({"scene.toml", "-o", "new", "--spp", "0"}, {"--spp is '0'"});
+}
+
 TEST_F(Measure, TakesAllScenesThatMirrorIfNoneIsNamed) {
     for (const char* const name : {"one", "two"}) {
         const fs::path folder = path("demos/scenes") / name;

@@ -145,7 +145,7 @@ TEST(Analytic, ReflectionRefractionAndBeerLambert) {
                     const auto i = static_cast<size_t>(c);
                     const double attenuation = optics.absorptionPerM[i] + optics.backscatterPerM[i];
                     const double seen =
-                        bedRadiance[c] * std::exp(-attenuation * (bedDepth / down + bedDepth));
+                        bedRadiance[c] * std::exp(-attenuation * bedDepth / down) / (index * index);
                     expected[c] = (1 - reflectance) * seen +
                                   (std::isfinite(up.distance) ? reflectance * boxRadiance[c] : 0);
                 }

@@ -147,7 +147,7 @@ double coxMunkSlopeVariance(double windSpeed);
 struct CascadeMaps {
     float* displacement = nullptr; ///< Dx, h, Dz, dDx/dv (= dDz/du)            [m, m, m, 1]
     float* derivatives = nullptr;  ///< dh/du, dh/dv, dDx/du, dDz/dv            [1]
-    float* moments = nullptr;      ///< (dh/du)^2, (dh/dv)^2, dh/du*dh/dv, (dDx/du + dDz/dv)^2
+    float* moments = nullptr;      ///< (dh/du)^2, (dh/dv)^2, dh/du*dh/dv, dDx/dv: what shading needs beside
 };
 
 /// How a sea is evaluated on its grids. Obtained from a backend's header; never filled in by the host.

@@ -1,0 +1,16 @@
+// Opaque things under water, as they look from within it. The sun comes down the ray that calm water bends,
+// the sky in beams likewise; waves, which gather and spread that light, are left out, and what lies below
+// hides the sun but not the sky, as in the host. The surface turns back what is sent up flatly: that light is
+// taken to come from a level bed of the same albedo.
+#pragma once
+
+#include "reference/frame.h"
+
+namespace demos::reference {
+
+/// Where it is.
+glm::vec3 shadeBed(const Frame& frame, const Ray& ray, const Hit& hit, Random* random);
+/// Through the water that a ray which begins in it passes.
+glm::vec3 bedInWater(const Frame& frame, const Ray& ray, const Hit& hit, Random* random);
+
+} // namespace demos::reference

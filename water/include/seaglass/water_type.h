@@ -1,0 +1,43 @@
+// What real waters absorb and scatter back, by name. No Vulkan.
+#ifndef SEAGLASS_WATER_TYPE_H
+#define SEAGLASS_WATER_TYPE_H
+
+#include <cstdint>
+
+namespace seaglass {
+
+enum class WaterType : uint32_t {
+    pool = 0,   ///< pure fresh water
+    clearOcean, ///< far from land; 0.1 mg of chlorophyll in a cubic metre
+    coastal,    ///< Jerlov's coastal type 1
+    turbid,     ///< Jerlov's coastal type 5: harbours, estuaries
+};
+
+/// Per metre, at 650, 550 and 450 nm: red, green, blue.
+struct WaterCoefficients {
+    float absorption[3];
+    float backscatter[3];
+};
+
+/// Pure water absorbs as Pope and Fry (1997) measured and sends back half of what it scatters, salt water as
+/// Morel (1974, in Mobley 1994) has it and fresh water 1/1.3 of that. Particles of the clear ocean add to it
+/// by the chlorophyll law of Morel and Maritorena (2001). Near the coast Jerlov (1976, table XXVII) gives the
+/// attenuation of daylight, of which 1 / 1.25 is absorption and backscatter (Gordon 1989, in diffuse light);
+/// the latter by the same law, for 2 and 10 mg of chlorophyll. An unknown type is clearOcean.
+constexpr WaterCoefficients waterCoefficients(WaterType type) {
+    switch (type) {
+    case WaterType::pool:
+        return {{0.340f, 0.0565f, 0.0092f}, {0.0004f, 0.0007f, 0.0017f}};
+    case WaterType::coastal:
+        return {{0.355f, 0.0906f, 0.193f}, {0.0049f, 0.0054f, 0.0067f}};
+    case WaterType::turbid:
+        return {{0.421f, 0.228f, 0.435f}, {0.0114f, 0.0119f, 0.0132f}};
+    case WaterType::clearOcean:
+        break;
+    }
+    return {{0.340f, 0.0565f, 0.0092f}, {0.0011f, 0.0016f, 0.0028f}};
+}
+
+} // namespace seaglass
+
+#endif
