@@ -207,7 +207,7 @@ TEST_F(WaterSamples, AMultisampledTargetShowsTheSamePicture) {
     }
     std::printf("%zu compared, %zu apart\n", compared, apart);
     EXPECT_GT(compared, 15000u);
-    EXPECT_LE(apart, compared / 30); // where triangles meet
+    EXPECT_LE(apart, compared / 25); // where triangles meet, and where the bent ray passes an edge
 }
 
 } // namespace
