@@ -459,7 +459,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     if (reflector) inputs.reflection = reflector->images(view.viewIndex);
     if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
     const SurfaceFeatures wanted = features(inputs.reflection);
-    const SurfacePipelines::Pipeline* pipeline = nullptr;
+    const DrawPipeline* pipeline = nullptr;
     if (const Status s = target.pipelines.get({wanted, output, sidesSeen(geometry)}, pipeline);
         s != Status::ok)
         return s;

@@ -1,6 +1,7 @@
 // Graphics pipelines that draw into a host's pass.
 #pragma once
 
+#include <map>
 #include <span>
 
 #include "gpu/binding.h"
@@ -30,5 +31,39 @@ struct DrawShaders {
 /// Triangles seen from both sides. `out.layout` is there already.
 Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, const DrawShaders& shaders,
                           Drawing drawing, const char* what, DrawPipeline& out);
+
+/// Those of one target, each made when it is first asked for, by the buildPipeline() of its variants.
+template<typename Variant>
+class DrawPipelines {
+  public:
+    DrawPipelines() = default;
+    ~DrawPipelines() {
+        for (auto& [variant, pipeline] : pipelines_)
+            device_->vk().DestroyPipeline(device_->handle(), pipeline.handle, device_->allocator());
+    }
+    DrawPipelines(const DrawPipelines&) = delete;
+    DrawPipelines& operator=(const DrawPipelines&) = delete;
+
+    void init(const gpu::Device& device, const TargetDesc& target) {
+        device_ = &device;
+        target_ = target;
+    }
+
+    Status get(const Variant& variant, const DrawPipeline*& out) {
+        const auto [entry, fresh] = pipelines_.try_emplace(variant);
+        if (fresh)
+            if (const Status s = buildPipeline(*device_, target_, variant, entry->second); s != Status::ok) {
+                pipelines_.erase(entry);
+                return s;
+            }
+        out = &entry->second;
+        return Status::ok;
+    }
+
+  private:
+    const gpu::Device* device_ = nullptr;
+    TargetDesc target_;
+    std::map<Variant, DrawPipeline> pipelines_;
+};
 
 } // namespace seaglass

@@ -140,40 +140,20 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
 
 } // namespace
 
-SurfacePipelines::~SurfacePipelines() {
-    for (auto& [key, pipeline] : pipelines_)
-        device_->vk().DestroyPipeline(device_->handle(), pipeline.handle, device_->allocator());
-}
-
-void SurfacePipelines::init(const gpu::Device& device, const TargetDesc& desc) {
-    device_ = &device;
-    desc_ = desc;
-}
-
-Status SurfacePipelines::get(const SurfaceVariant& variant, const Pipeline*& out) {
-    const auto [entry, fresh] = pipelines_.try_emplace(variant);
-    if (fresh)
-        if (const Status s = build(variant, entry->second); s != Status::ok) {
-            pipelines_.erase(entry);
-            return s;
-        }
-    out = &entry->second;
-    return Status::ok;
-}
-
-Status SurfacePipelines::build(const SurfaceVariant& variant, Pipeline& out) const {
+Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SurfaceVariant& variant,
+                     DrawPipeline& out) {
     constexpr VkShaderStageFlags stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
     const std::vector<VkDescriptorType> types = bindings(variant.features);
-    if (const Status s = out.layout.create(*device_, types, stages, 0, "surface layout"); s != Status::ok)
+    if (const Status s = out.layout.create(device, types, stages, 0, "surface layout"); s != Status::ok)
         return s;
     const uint32_t constants[] = {static_cast<uint32_t>(variant.output), static_cast<uint32_t>(variant.sides),
                                   variant.features.cascades, variant.features.foamCascades};
-    return createDrawPipeline(*device_, desc_,
+    return createDrawPipeline(device, target,
                               {vertexShader(variant.features), fragmentShader(variant.features), constants},
                               Drawing::solid, "surface pipeline", out);
 }
 
-Status recordSurface(Context& context, VkCommandBuffer commands, const SurfacePipelines::Pipeline& pipeline,
+Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,
                      SurfaceFeatures features, const SurfaceInputs& inputs) {
     const std::vector<gpu::Resource> list = resources(context, features, inputs);
     VkDescriptorSet set = VK_NULL_HANDLE;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -87,26 +86,9 @@ struct SurfaceUniforms {
 /// Edge of the tile that foam patterns repeat in [m]; shaders/common/foam_cover.glsl samples divisions of it.
 constexpr double foamTile = 24.0;
 
-class SurfacePipelines {
-  public:
-    SurfacePipelines() = default;
-    ~SurfacePipelines();
-    SurfacePipelines(const SurfacePipelines&) = delete;
-    SurfacePipelines& operator=(const SurfacePipelines&) = delete;
-
-    void init(const gpu::Device& device, const TargetDesc& desc);
-
-    using Pipeline = DrawPipeline;
-    /// Builds on first use.
-    Status get(const SurfaceVariant& variant, const Pipeline*& out);
-
-  private:
-    Status build(const SurfaceVariant& variant, Pipeline& out) const;
-
-    const gpu::Device* device_ = nullptr;
-    TargetDesc desc_;
-    std::map<SurfaceVariant, Pipeline> pipelines_;
-};
+using SurfacePipelines = DrawPipelines<SurfaceVariant>;
+Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SurfaceVariant& variant,
+                     DrawPipeline& out);
 
 /// What one draw binds. Views that the features do not call for stay null.
 struct SurfaceInputs {
@@ -125,7 +107,7 @@ struct SurfaceInputs {
     const ViewDesc* view = nullptr;
 };
 
-Status recordSurface(Context& context, VkCommandBuffer commands, const SurfacePipelines::Pipeline& pipeline,
+Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,
                      SurfaceFeatures features, const SurfaceInputs& inputs);
 
 } // namespace seaglass

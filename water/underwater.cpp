@@ -58,37 +58,17 @@ std::vector<VkDescriptorType> bindings(const UnderwaterVariant& v) {
 
 } // namespace
 
-UnderwaterPipelines::~UnderwaterPipelines() {
-    for (auto& [key, pipeline] : pipelines_)
-        device_->vk().DestroyPipeline(device_->handle(), pipeline.handle, device_->allocator());
-}
-
-void UnderwaterPipelines::init(const gpu::Device& device, const TargetDesc& desc) {
-    device_ = &device;
-    desc_ = desc;
-}
-
-Status UnderwaterPipelines::get(const UnderwaterVariant& variant, const DrawPipeline*& out) {
-    const auto [entry, fresh] = pipelines_.try_emplace(variant);
-    if (fresh)
-        if (const Status s = build(variant, entry->second); s != Status::ok) {
-            pipelines_.erase(entry);
-            return s;
-        }
-    out = &entry->second;
-    return Status::ok;
-}
-
-Status UnderwaterPipelines::build(const UnderwaterVariant& variant, DrawPipeline& out) const {
+Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
+                     DrawPipeline& out) {
     const std::vector<VkDescriptorType> types = bindings(variant);
     if (const Status s =
-            out.layout.create(*device_, types, VK_SHADER_STAGE_FRAGMENT_BIT, 0, "underwater layout");
+            out.layout.create(device, types, VK_SHADER_STAGE_FRAGMENT_BIT, 0, "underwater layout");
         s != Status::ok)
         return s;
     const PassInfo info = infoOf(variant.pass);
     const uint32_t straddles[] = {variant.straddles};
     const std::span<const uint32_t> constants(straddles, variant.pass == UnderwaterPass::water ? 1 : 0);
-    return createDrawPipeline(*device_, desc_,
+    return createDrawPipeline(device, target,
                               {underwater_vert, variant.waves ? info.wavesShader : info.shader, constants},
                               info.drawing, "underwater pipeline", out);
 }

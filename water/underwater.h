@@ -3,8 +3,6 @@
 // below.
 #pragma once
 
-#include <map>
-
 #include "gpu/context.h"
 #include "gpu/frame.h"
 #include "water/draw_pipeline.h"
@@ -21,24 +19,9 @@ struct UnderwaterVariant {
     auto operator<=>(const UnderwaterVariant&) const = default;
 };
 
-class UnderwaterPipelines {
-  public:
-    UnderwaterPipelines() = default;
-    ~UnderwaterPipelines();
-    UnderwaterPipelines(const UnderwaterPipelines&) = delete;
-    UnderwaterPipelines& operator=(const UnderwaterPipelines&) = delete;
-
-    void init(const gpu::Device& device, const TargetDesc& desc);
-    /// Builds on first use.
-    Status get(const UnderwaterVariant& variant, const DrawPipeline*& out);
-
-  private:
-    Status build(const UnderwaterVariant& variant, DrawPipeline& out) const;
-
-    const gpu::Device* device_ = nullptr;
-    TargetDesc desc_;
-    std::map<UnderwaterVariant, DrawPipeline> pipelines_;
-};
+using UnderwaterPipelines = DrawPipelines<UnderwaterVariant>;
+Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
+                     DrawPipeline& out);
 
 struct UnderwaterInputs {
     gpu::Slice uniforms; ///< SurfaceUniforms
