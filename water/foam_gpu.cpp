@@ -1,15 +1,12 @@
 #include "water/foam_gpu.h"
 
 #include <array>
-#include <cstring>
 
 #include "spirv/foam.comp.h"
 
 namespace seaglass {
 
 namespace {
-
-constexpr uint32_t groupEdge = 8;
 
 /// As shaders/foam.comp lays it out.
 struct FoamUniforms {
@@ -70,8 +67,7 @@ Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, cons
     uniforms.floor = fading_.floor;
     uniforms.anew = anew;
     gpu::Slice slice;
-    if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
-    std::memcpy(slice.data, &uniforms, sizeof uniforms);
+    if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
 
     const std::array resources{gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
                                gpu::sampledImage(context.samplers.nearestClamp(), maps.images[0].view()),
@@ -85,8 +81,7 @@ Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, cons
     const VkImageMemoryBarrier2 barrier =
         gpu::imageBarrier(foam.image.handle(), gpu::storageWritten, gpu::storageChanged, 0, 1);
     if (!anew) gpu::recordBarriers(context.device, commands, &barrier, 1);
-    const uint32_t groups = maps.samples / groupEdge;
-    kernel_->kernel.dispatch(commands, set, groups, groups * breaking_.count);
+    kernel_->kernel.dispatchOver(commands, set, {maps.samples, maps.samples * breaking_.count});
     return Status::ok;
 }
 

@@ -135,6 +135,16 @@ class Glb:
         return len(self.json["accessors"]) - 1
 
 
+def build(glb, parts, path):
+    """Adds the parts, functions of a scene, says how large each is, and writes the file."""
+    for part in parts:
+        before = glb.size()
+        part()
+        print(f"{part.__name__:10} {(glb.size() - before) / 1000:7.0f} kB")
+    glb.write(path)
+    print(f"{path.name}: {path.stat().st_size} bytes")
+
+
 def brief(values, digits):
     """Rounded, whole numbers without a point: there are hundreds of nodes."""
     rounded = [round(float(v), digits) for v in values]

@@ -91,13 +91,8 @@ class Bridge:
 
 def main():
     made = Bridge()
-    for build in (made.bridge, made.skerry, made.stakes, made.reeds, made.boat):
-        before = made.glb.size()
-        build()
-        print(f"{build.__name__:10} {(made.glb.size() - before) / 1000:7.0f} kB")
-    path = pathlib.Path(__file__).parent / "bridge.glb"
-    made.glb.write(path)
-    print(f"{path.name}: {path.stat().st_size} bytes")
+    parts = (made.bridge, made.skerry, made.stakes, made.reeds, made.boat)
+    glb.build(made.glb, parts, pathlib.Path(__file__).parent / "bridge.glb")
 
 
 if __name__ == "__main__":

@@ -438,7 +438,7 @@ class Harbour:
 
 def main():
     harbour = Harbour()
-    for build in (
+    parts = (
         harbour.ground,
         harbour.boulders,
         harbour.forest,
@@ -448,13 +448,8 @@ def main():
         harbour.lighthouse,
         harbour.fleet,
         harbour.moorings,
-    ):
-        before = harbour.glb.size()
-        build()
-        print(f"{build.__name__:10} {(harbour.glb.size() - before) / 1000:7.0f} kB")
-    path = pathlib.Path(__file__).parent / "harbour.glb"
-    harbour.glb.write(path)
-    print(f"{path.name}: {path.stat().st_size} bytes")
+    )
+    glb.build(harbour.glb, parts, pathlib.Path(__file__).parent / "harbour.glb")
 
 
 if __name__ == "__main__":

@@ -292,13 +292,8 @@ class Pool:
 
 def main():
     pool = Pool()
-    for build in (pool.basin, pool.deck, pool.garden, pool.house, pool.things):
-        before = pool.glb.size()
-        build()
-        print(f"{build.__name__:10} {(pool.glb.size() - before) / 1000:7.0f} kB")
-    path = pathlib.Path(__file__).parent / "pool.glb"
-    pool.glb.write(path)
-    print(f"{path.name}: {path.stat().st_size} bytes")
+    parts = (pool.basin, pool.deck, pool.garden, pool.house, pool.things)
+    glb.build(pool.glb, parts, pathlib.Path(__file__).parent / "pool.glb")
 
 
 if __name__ == "__main__":

@@ -118,13 +118,8 @@ class Underwater:
 
 def main():
     made = Underwater()
-    for build in (made.sand, made.reef, made.plants, made.wreck, made.above, made.fish):
-        before = made.glb.size()
-        build()
-        print(f"{build.__name__:10} {(made.glb.size() - before) / 1000:7.0f} kB")
-    path = pathlib.Path(__file__).parent / "underwater.glb"
-    made.glb.write(path)
-    print(f"{path.name}: {path.stat().st_size} bytes")
+    parts = (made.sand, made.reef, made.plants, made.wreck, made.above, made.fish)
+    glb.build(made.glb, parts, pathlib.Path(__file__).parent / "underwater.glb")
 
 
 if __name__ == "__main__":

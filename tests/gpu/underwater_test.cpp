@@ -124,17 +124,11 @@ TEST_F(Underwater, WhatIsSeenThroughWaterKeepsBeersAndLambertsLaw) {
     for (float& channel : lighting.skyIrradiance) channel = 2;
     Camera camera = level(-1.5);
     camera.target = {3, -4, -3};
-    const double bed = -6, radiance = 4;
-    SceneBehind behind;
+    const double bed = -6;
+    constexpr float radiance = 4;
     const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-    for (uint32_t y = 0; y < camera.height; ++y)
-        for (uint32_t x = 0; x < camera.width; ++x) {
-            const glm::dvec3 ray = rayThrough(camera, x, y);
-            const double along = (bed - camera.eye.y) / ray.y * glm::dot(ray, forward);
-            behind.depth.push_back(static_cast<float>(ray.y < 0 ? camera.near / along : 0));
-            behind.color.insert(behind.color.end(), {4, 4, 4, 1});
-        }
-    const WaterPicture p = picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, behind);
+    const WaterPicture p =
+        picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, planeBelow(camera, bed, radiance));
     const double sine = 0.6 / index, inside = std::sqrt(1 - sine * sine);
     const double s = (0.8 - index * inside) / (0.8 + index * inside);
     const double t = (index * 0.8 - inside) / (index * 0.8 + inside);

@@ -186,6 +186,19 @@ glm::dvec3 rayThrough(const Camera& camera, uint32_t x, uint32_t y) {
     return glm::normalize(unproject(camera, x + 0.5, y + 0.5, 0.5) - camera.eye);
 }
 
+SceneBehind planeBelow(const Camera& camera, double bed, float radiance) {
+    SceneBehind behind;
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    for (uint32_t y = 0; y < camera.height; ++y)
+        for (uint32_t x = 0; x < camera.width; ++x) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            const double along = (bed - camera.eye.y) / ray.y * glm::dot(ray, forward);
+            behind.depth.push_back(static_cast<float>(ray.y < 0 ? camera.near / along : 0));
+            behind.color.insert(behind.color.end(), {radiance, radiance, radiance, 1});
+        }
+    return behind;
+}
+
 double angleBelowHorizon(const Camera& camera, uint32_t x, uint32_t y) {
     return -std::asin(rayThrough(camera, x, y).y);
 }

@@ -58,6 +58,8 @@ glm::dvec3 worldAt(const Camera& camera, const WaterPicture& picture, uint32_t x
 
 /// The direction of a pixel's ray, unit.
 glm::dvec3 rayThrough(const Camera& camera, uint32_t x, uint32_t y);
+/// A plane at height `bed`, of one radiance.
+SceneBehind planeBelow(const Camera& camera, double bed, float radiance);
 
 /// The angle of a pixel's ray below the horizon [rad].
 double angleBelowHorizon(const Camera& camera, uint32_t x, uint32_t y);

@@ -43,20 +43,6 @@ double fresnel(double cosine) {
     return (s * s + p * p) / 2;
 }
 
-/// A plane at height `bed`, of one radiance.
-SceneBehind planeBelow(const Camera& camera, double bed, float radiance) {
-    SceneBehind behind;
-    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-    for (uint32_t y = 0; y < camera.height; ++y)
-        for (uint32_t x = 0; x < camera.width; ++x) {
-            const glm::dvec3 ray = rayThrough(camera, x, y);
-            const double along = (bed - camera.eye.y) / ray.y * glm::dot(ray, forward);
-            behind.depth.push_back(static_cast<float>(ray.y < 0 ? camera.near / along : 0));
-            behind.color.insert(behind.color.end(), {radiance, radiance, radiance, 1});
-        }
-    return behind;
-}
-
 class Water : public WaterTest {
   protected:
     Body* wavyBody(const SeaDesc& sea) {

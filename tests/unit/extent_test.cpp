@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/unit/mesh_support.h"
 #include "water/extent.h"
 #include "water/host_mesh.h"
 #include "water/mesh.h"
@@ -14,6 +15,7 @@
 namespace {
 
 using namespace seaglass;
+using tests::allAround;
 
 constexpr double cell = 0.25;
 constexpr double range = 128;
@@ -93,15 +95,6 @@ TEST(Extent, WindingDoesNotMatter) {
     const Outline a = outlineOf(polygon(lake)), b = outlineOf(polygon(turned));
     for (double x = -80; x < 80; x += 3.7)
         for (double z = -60; z < 60; z += 3.1) EXPECT_EQ(a.contains({x, z}), b.contains({x, z}));
-}
-
-/// A view that sees everything.
-MeshView allAround(const glm::dvec2& eye, double height) {
-    MeshView view;
-    view.eye = eye;
-    view.eyeHeight = height;
-    view.frustum.fill(glm::dvec4(0, 0, 0, 1));
-    return view;
 }
 
 /// As shaders/common/extent.glsl does it.

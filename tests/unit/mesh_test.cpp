@@ -8,23 +8,16 @@
 #include <glm/geometric.hpp>
 
 #include "tests/unit/cameras.h"
+#include "tests/unit/mesh_support.h"
 #include "water/mesh.h"
 
 namespace {
 
 using namespace seaglass;
+using tests::allAround;
 
 constexpr double cell = 0.25;
 constexpr double range = 128;
-
-/// A view that sees everything.
-MeshView allAround(const glm::dvec2& eye, double height) {
-    MeshView view;
-    view.eye = eye;
-    view.eyeHeight = height;
-    view.frustum.fill(glm::dvec4(0, 0, 0, 1));
-    return view;
-}
 
 std::vector<MeshPatch> patchesFor(const MeshView& view) {
     std::vector<MeshPatch> patches;
