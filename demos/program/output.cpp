@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <system_error>
 
 #include <unistd.h>
@@ -90,20 +89,6 @@ fs::path numbered(const fs::path& file, uint32_t frame) {
         return file.parent_path() / (name.substr(0, start) + pad(frame, width) + name.substr(end + 1));
     }
     return file.parent_path() / (file.stem().string() + "_" + pad(frame, 4) + file.extension().string());
-}
-
-bool writeText(const fs::path& file, const std::string& text, Error& error) {
-    const fs::path partial = file.string() + ".partial" + std::to_string(getpid());
-    std::ofstream stream(partial, std::ios::binary);
-    stream << text;
-    stream.close();
-    std::error_code code;
-    if (stream) fs::rename(partial, file, code);
-    if (stream && !code) return true;
-    error.text =
-        file.string() + ": cannot be written" + (code ? ": " + code.message() : ", is the disk full?");
-    fs::remove(partial, code);
-    return false;
 }
 
 } // namespace demos

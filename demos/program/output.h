@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/text_file.h"
 
 namespace demos {
 
@@ -23,8 +24,5 @@ bool checkApart(const std::string& option, const std::filesystem::path& output,
 
 /// The file of one frame of a sequence: in place of %d or %04d, or else _0000 before the extension.
 std::filesystem::path numbered(const std::filesystem::path& file, uint32_t frame);
-
-/// Writes text whole or not at all.
-bool writeText(const std::filesystem::path& file, const std::string& text, Error& error);
 
 } // namespace demos

@@ -35,10 +35,29 @@ void* addressOf(std::vector<T>& values) {
     return &values.emplace_back();
 }
 
-template<auto member>
-void* open(void* owner) {
-    return addressOf(static_cast<typename MemberOf<decltype(member)>::owner*>(owner)->*member);
+template<class T>
+std::vector<void*> allOf(T& value) {
+    return {&value};
 }
+template<class T>
+std::vector<void*> allOf(std::optional<T>& value) {
+    return value ? std::vector<void*>{&*value} : std::vector<void*>{};
+}
+template<class T>
+std::vector<void*> allOf(std::vector<T>& values) {
+    std::vector<void*> all;
+    for (T& value : values) all.push_back(&value);
+    return all;
+}
+
+template<auto member>
+auto& of(void* owner) {
+    return static_cast<typename MemberOf<decltype(member)>::owner*>(owner)->*member;
+}
+
+template<auto member>
+constexpr Access open = {[](void* owner) { return addressOf(of<member>(owner)); },
+                         [](void* owner) { return allOf(of<member>(owner)); }};
 
 constexpr double far = 1e6; // metres: beyond it a float no longer resolves a wave
 constexpr double turn = 360;

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -41,11 +42,16 @@ struct Field {
 
 struct Section;
 
+/// How a table within a table is reached. What comes back is what its fields live in.
+struct Access {
+    void* (*open)(void* owner);               ///< makes the child, or another element of it
+    std::vector<void*> (*there)(void* owner); ///< what there is: of an array all, of an optional one or none
+};
+
 /// A table within a table, or an array of tables ([[camera]]).
 struct Child {
     const Section* section;
-    void* (*open)(
-        void* owner); ///< makes the child, or another element of it, and gives what its fields live in
+    Access access;
     bool repeated = false;
     bool required = false;
 };

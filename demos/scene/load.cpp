@@ -153,7 +153,7 @@ class Reader {
         if (!child.repeated) {
             const toml::table* table = node->as_table();
             if (!table) return wrong(*node, childPath, "a table: " + heading(child, childPath));
-            return read(*table, *child.section, child.open(owner), childPath, childSchemaPath);
+            return read(*table, *child.section, child.access.open(owner), childPath, childSchemaPath);
         }
         const toml::array* tables = node->as_array();
         if (!tables) return wrong(*node, childPath, "an array of tables: " + heading(child, childPath));
@@ -165,7 +165,8 @@ class Reader {
             const std::string elementPath = join(childPath, std::to_string(i));
             if (!element.is_table())
                 return wrong(element, elementPath, "a table: " + heading(child, childPath));
-            if (!read(*element.as_table(), *child.section, child.open(owner), elementPath, childSchemaPath))
+            if (!read(*element.as_table(), *child.section, child.access.open(owner), elementPath,
+                      childSchemaPath))
                 return false;
         }
         return true;

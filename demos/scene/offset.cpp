@@ -20,4 +20,14 @@ void applyOffset(Scene& scene, CameraDesc& camera) {
     move(camera.targetM);
 }
 
+void moveCameras(Scene& scene, const Vec3& offset) {
+    for (CameraDesc& camera : scene.cameras) {
+        for (size_t i = 0; i < 3; ++i) {
+            camera.positionM[i] += offset[i];
+            camera.targetM[i] += offset[i];
+            camera.offsetM[i] -= offset[i];
+        }
+    }
+}
+
 } // namespace demos

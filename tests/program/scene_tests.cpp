@@ -412,7 +412,7 @@ std::vector<Place> everyField() {
             for (const demos::Child& child : section.children) {
                 const std::string childPath =
                     path + std::string(child.section->key) + (child.repeated ? ".0." : ".");
-                visit(*child.section, child.open(owner), childPath);
+                visit(*child.section, child.access.open(owner), childPath);
             }
         };
     visit(demos::sceneSection(), &types, "");

@@ -1,0 +1,26 @@
+#include "scene/text_file.h"
+
+#include <fstream>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace demos {
+
+namespace fs = std::filesystem;
+
+bool writeText(const fs::path& file, const std::string& text, Error& error) {
+    const fs::path partial = file.string() + ".partial" + std::to_string(getpid());
+    std::ofstream stream(partial, std::ios::binary);
+    stream << text;
+    stream.close();
+    std::error_code code;
+    if (stream) fs::rename(partial, file, code);
+    if (stream && !code) return true;
+    error.text =
+        file.string() + ": cannot be written" + (code ? ": " + code.message() : ", is the disk full?");
+    fs::remove(partial, code);
+    return false;
+}
+
+} // namespace demos
