@@ -76,7 +76,8 @@ bool layerInstalled(const char* wanted) {
 }
 
 /// Makes an instance of Vulkan 1.3; counts validation messages in `messages` where that is not null.
-VkInstance makeInstance(std::atomic<uint32_t>* messages, Error& error) {
+VkInstance makeInstance(std::atomic<uint32_t>* messages, const std::vector<std::string>& windowExtensions,
+                        Error& error) {
     if (volkInitialize() != VK_SUCCESS) {
         error.text = "no Vulkan loader: libvulkan.so.1 was not found";
         return VK_NULL_HANDLE;
@@ -102,17 +103,19 @@ VkInstance makeInstance(std::atomic<uint32_t>* messages, Error& error) {
     features.pNext = &messenger; // hears what happens in vkCreateInstance and vkDestroyInstance
 
     const char* const layers[] = {validationLayer};
-    const char* const extensions[] = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
-                                      VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+    std::vector<const char*> extensions;
+    for (const std::string& name : windowExtensions) extensions.push_back(name.c_str());
     VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
     info.pApplicationInfo = &application;
     if (messages) {
         info.pNext = &features;
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = layers;
-        info.enabledExtensionCount = 2;
-        info.ppEnabledExtensionNames = extensions;
+        extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+        extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
     }
+    info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
     VkInstance instance = VK_NULL_HANDLE;
     const VkResult result = vkCreateInstance(&info, nullptr, &instance);
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER) {
@@ -244,7 +247,7 @@ bool succeeded(VkResult result, const char* what, Error& error) {
 }
 
 std::vector<DeviceInfo> listDevices(Error& error) {
-    const VkInstance instance = makeInstance(nullptr, error);
+    const VkInstance instance = makeInstance(nullptr, {}, error);
     if (!instance) return {};
     std::vector<DeviceInfo> infos;
     for (const VkPhysicalDevice physical : physicalDevices(instance))
@@ -257,8 +260,8 @@ std::vector<DeviceInfo> listDevices(Error& error) {
 std::unique_ptr<Device> Device::create(const HostDesc& desc, Error& error) {
     std::unique_ptr<Device> device(new Device);
     device->processorTimes_ = desc.processorTimes;
-    if (!device->createInstance(desc.validation, error) || !device->choosePhysical(desc.device, error) ||
-        !device->createDevice(error))
+    if (!device->createInstance(desc, error) || !device->choosePhysical(desc.device, error) ||
+        !device->createDevice(!desc.windowExtensions.empty(), error))
         return nullptr;
     return device;
 }
@@ -272,10 +275,10 @@ Device::~Device() {
     if (instance_) vkDestroyInstance(instance_, nullptr);
 }
 
-bool Device::createInstance(bool validation, Error& error) {
-    instance_ = makeInstance(validation ? &validationMessages_ : nullptr, error);
+bool Device::createInstance(const HostDesc& desc, Error& error) {
+    instance_ = makeInstance(desc.validation ? &validationMessages_ : nullptr, desc.windowExtensions, error);
     if (!instance_) return false;
-    if (!validation) return true;
+    if (!desc.validation) return true;
     const VkDebugUtilsMessengerCreateInfoEXT info = messengerInfo(&validationMessages_);
     return succeeded(vkCreateDebugUtilsMessengerEXT(instance_, &info, nullptr, &messenger_),
                      "vkCreateDebugUtilsMessengerEXT", error);
@@ -311,7 +314,7 @@ bool Device::choosePhysical(const std::string& wanted, Error& error) {
     return false;
 }
 
-bool Device::createDevice(Error& error) {
+bool Device::createDevice(bool presents, Error& error) {
     seaglass::Requirements needs;
     seaglass::requirements(&needs);
     needs.features13.pNext = nullptr;
@@ -336,8 +339,15 @@ bool Device::createDevice(Error& error) {
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
-    if (!succeeded(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice", error))
+    const char* const swapchain = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    info.enabledExtensionCount = presents ? 1 : 0;
+    info.ppEnabledExtensionNames = &swapchain;
+    const VkResult created = vkCreateDevice(physical_, &info, nullptr, &device_);
+    if (created == VK_ERROR_EXTENSION_NOT_PRESENT) {
+        error.text = info_.name + " cannot draw into windows: it lacks " + swapchain;
         return false;
+    }
+    if (!succeeded(created, "vkCreateDevice", error)) return false;
     vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
 
     VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};

@@ -20,6 +20,8 @@ class Device {
     VkInstance instance() const { return instance_; }
     VkPhysicalDevice physical() const { return physical_; }
     VkDevice handle() const { return device_; }
+    VkQueue queue() const { return queue_; }
+    uint32_t queueFamily() const { return queueFamily_; }
     const VkPhysicalDeviceProperties& properties() const { return properties_; }
     const DeviceInfo& info() const { return info_; }
     bool anisotropy() const { return anisotropy_; }
@@ -42,9 +44,9 @@ class Device {
 
   private:
     Device() = default;
-    bool createInstance(bool validation, Error& error);
+    bool createInstance(const HostDesc& desc, Error& error);
     bool choosePhysical(const std::string& wanted, Error& error);
-    bool createDevice(Error& error);
+    bool createDevice(bool presents, Error& error);
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;

@@ -71,6 +71,12 @@ bool FrameRecorder::addSurface(const SurfaceDesc& desc, LoadedScene& scene, Erro
     return std::visit([&](const auto& surface) { return createSurface(surface, scene, error); }, desc);
 }
 
+bool FrameRecorder::hasSurface(uint32_t index, const LoadedScene& scene, Error& error) {
+    if (index < scene.surfaces.size()) return true;
+    error.text = "the scene has no surface " + std::to_string(index);
+    return false;
+}
+
 bool FrameRecorder::estimateReflection(const SurfaceDesc& desc, VkExtent2D extent, uint64_t& bytes,
                                        Error& error) {
     if (const auto* const floor = std::get_if<FloorDesc>(&desc))
@@ -100,10 +106,7 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
         error.text = "the time of a frame must be finite";
         return false;
     }
-    if (frame.surface > 0 && frame.surface >= scene.surfaces.size()) {
-        error.text = "the scene has no surface " + std::to_string(frame.surface);
-        return false;
-    }
+    if (frame.surface > 0 && !hasSurface(frame.surface, scene, error)) return false;
     static const Surface none;
     surface_ = scene.surfaces.empty() ? &none : &scene.surfaces[frame.surface];
     cpuSimulateMs_ = 0;

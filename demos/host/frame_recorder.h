@@ -50,6 +50,8 @@ class FrameRecorder {
     bool create(Device& device, const HostDesc& desc, Error& error);
     bool load(const Scene& scene, LoadedScene& out, Error& error);
     bool addSurface(const SurfaceDesc& desc, LoadedScene& scene, Error& error);
+    /// False with `error` set where the scene has no such surface.
+    static bool hasSurface(uint32_t index, const LoadedScene& scene, Error& error);
     /// What the library says that a surface's reflection holds for one view of this size.
     bool estimateReflection(const SurfaceDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error);
 

@@ -141,15 +141,7 @@ void FrameTargets::copyBack(VkCommandBuffer commands, const Image& source) const
     copy.imageExtent = {extent.width, extent.height, 1};
     vkCmdCopyImageToBuffer(commands, source.image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                            readback.buffer.get(), 1, &copy);
-    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-    barrier.srcStageMask = transfer;
-    barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-    barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    dependency.memoryBarrierCount = 1;
-    dependency.pMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(commands, &dependency);
+    transferToHost(commands);
 }
 
 bool createFrameTargets(const Device& device, VkExtent2D extent, FrameTargets& out, Error& error) {
@@ -167,7 +159,7 @@ bool createFrameTargets(const Device& device, VkExtent2D extent, FrameTargets& o
     color.format = FrameTargets::colorFormat;
     color.extent = extent;
     constexpr VkImageUsageFlags copied = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    color.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | copied;
+    color.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | copied;
     ImageDesc depth = color;
     depth.format = FrameTargets::depthFormat;
     depth.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | copied;
@@ -197,8 +189,8 @@ bool createOverlayTarget(const Device& device, FrameTargets& targets, Error& err
     ImageDesc desc;
     desc.format = FrameTargets::colorFormat;
     desc.extent = targets.extent;
-    desc.usage =
-        VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    desc.usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                 VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     return createImage(device, desc, targets.overlay, error);
 }
 

@@ -6,6 +6,17 @@
 
 namespace demos {
 
+namespace {
+
+/// Where an output is drawn.
+const Image& pictureOf(const FrameTargets& targets, Aov aov) {
+    if (aov == Aov::depth) return targets.depth;
+    if (needsExact(aov)) return targets.exact;
+    return isOverlay(aov) ? targets.overlay : targets.color;
+}
+
+} // namespace
+
 std::unique_ptr<Host> Host::create(const HostDesc& desc, Error& error) {
     if (desc.framesInFlight < 1 || desc.framesInFlight > 4) {
         error.text = "framesInFlight is " + std::to_string(desc.framesInFlight) + ", expected 1 to 4";
@@ -39,6 +50,16 @@ bool Host::addSurface(const SurfaceDesc& surface, Error& error) {
     return impl_->ready(error) && impl_->recorder.addSurface(surface, *impl_->scene, error);
 }
 
+bool Host::replaceSurface(uint32_t index, const SurfaceDesc& surface, Error& error) {
+    if (!impl_->ready(error) || !impl_->recorder.hasSurface(index, *impl_->scene, error) ||
+        !addSurface(surface, error))
+        return false;
+    std::vector<Surface>& surfaces = impl_->scene->surfaces;
+    std::swap(surfaces[index], surfaces.back());
+    surfaces.pop_back();
+    return true;
+}
+
 std::optional<uint64_t> Host::reflectionBytes(const SurfaceDesc& surface, uint32_t width, uint32_t height,
                                               Error& error) {
     uint64_t bytes = 0;
@@ -48,23 +69,13 @@ std::optional<uint64_t> Host::reflectionBytes(const SurfaceDesc& surface, uint32
 
 std::optional<Picture> Host::render(const FrameDesc& frame, Error& error) {
     Impl& impl = *impl_;
-    if (!impl.ready(error) || !impl.recorder.begin(*impl.scene, frame, error)) return std::nullopt;
     const FrameTargets& targets = impl.recorder.targets();
-    const bool depth = frame.aov == Aov::depth, exact = needsExact(frame.aov);
-    const Image& source = depth                  ? targets.depth
-                          : exact                ? targets.exact
-                          : isOverlay(frame.aov) ? targets.overlay
-                                                 : targets.color;
-    const bool drawn = impl.device->run(
-        [&](VkCommandBuffer commands, Error& problem) {
-            if (!impl.recordFrame(commands, problem)) return false;
-            targets.copyBack(commands, source);
-            return true;
-        },
+    const bool drawn = impl.draw(
+        frame, [&](VkCommandBuffer commands, const Image& picture) { targets.copyBack(commands, picture); },
         error);
     if (!drawn) return std::nullopt;
-    if (depth) return readDepth(targets, impl.recorder.camera().near);
-    return exact ? readExact(targets) : readColor(targets);
+    if (frame.aov == Aov::depth) return readDepth(targets, impl.recorder.camera().near);
+    return needsExact(frame.aov) ? readExact(targets) : readColor(targets);
 }
 
 bool Host::Impl::ready(Error& error) const {
@@ -76,6 +87,17 @@ bool Host::Impl::recordFrame(VkCommandBuffer commands, Error& error) {
     for (const StageName& stage : stages)
         if (recorder.needed(stage.stage) && !recorder.record(commands, stage.stage, error)) return false;
     return true;
+}
+
+bool Host::Impl::draw(const FrameDesc& frame, const AfterFrame& then, Error& error) {
+    if (!ready(error) || !recorder.begin(*scene, frame, error)) return false;
+    return device->run(
+        [&](VkCommandBuffer commands, Error& problem) {
+            if (!recordFrame(commands, problem)) return false;
+            then(commands, pictureOf(recorder.targets(), frame.aov));
+            return true;
+        },
+        error);
 }
 
 } // namespace demos

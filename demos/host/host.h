@@ -41,6 +41,8 @@ struct HostDesc {
     /// Times are what this process had of the processors, whole submissions each: on a CPU device steadier
     /// than the clock while other programs run, elsewhere they say nothing.
     bool processorTimes = false;
+    /// What the surface of a window needs of the instance; the device then has VK_KHR_swapchain. Empty: none.
+    std::vector<std::string> windowExtensions = {};
 };
 
 /// What a frame is to deliver. The names are the program's --aov.
@@ -137,6 +139,8 @@ class Host {
     bool load(const Scene& scene, Error& error);
     /// Another surface for the scene that is loaded: FrameDesc::surface counts them in this order.
     bool addSurface(const SurfaceDesc& surface, Error& error);
+    /// Another surface in the place of one, which stays on an error.
+    bool replaceSurface(uint32_t index, const SurfaceDesc& surface, Error& error);
     /// Bytes on the device that a surface's reflection takes for one view of this size, as the library
     /// estimates them.
     std::optional<uint64_t> reflectionBytes(const SurfaceDesc& surface, uint32_t width, uint32_t height,
@@ -152,8 +156,11 @@ class Host {
     /// Validation messages seen so far.
     uint32_t validationMessages() const;
 
-  private:
     struct Impl;
+    /// For who draws frames without bringing them to the CPU, with host/host_impl.h.
+    Impl& inside() { return *impl_; }
+
+  private:
     explicit Host(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

@@ -9,8 +9,13 @@ struct Host::Impl {
     /// The first compiles pipelines on some drivers, the second settles memory.
     static constexpr uint32_t warmUps = 2;
 
+    /// Records what becomes of the picture, which attachments wrote.
+    using AfterFrame = std::function<void(VkCommandBuffer, const Image& picture)>;
+
     bool ready(Error& error) const;
     bool recordFrame(VkCommandBuffer commands, Error& error);
+    /// Draws one frame, then what `then` records, and waits for both.
+    bool draw(const FrameDesc& frame, const AfterFrame& then, Error& error);
 
     // In this order, so that what is made from another goes before it.
     std::unique_ptr<Device> device;

@@ -17,6 +17,22 @@ bool createSetLayout(const Device& device, std::span<const VkDescriptorType> typ
     return true;
 }
 
+bool createPipelineLayout(const Device& device, std::span<const VkDescriptorSetLayout> sets,
+                          uint32_t constantBytes, UniquePipelineLayout& out, Error& error) {
+    const VkPushConstantRange range = {drawStages, 0, constantBytes};
+    VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+    info.setLayoutCount = static_cast<uint32_t>(sets.size());
+    info.pSetLayouts = sets.data();
+    info.pushConstantRangeCount = 1;
+    info.pPushConstantRanges = &range;
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    if (!succeeded(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout), "vkCreatePipelineLayout",
+                   error))
+        return false;
+    out = UniquePipelineLayout(device.handle(), layout);
+    return true;
+}
+
 bool createLayouts(const Device& device, Layouts& out, Error& error) {
     constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     constexpr VkDescriptorType texture = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
@@ -26,18 +42,7 @@ bool createLayouts(const Device& device, Layouts& out, Error& error) {
         !createSetLayout(device, material, out.material, error))
         return false;
     const VkDescriptorSetLayout sets[] = {out.frame.get(), out.material.get()};
-    const VkPushConstantRange range = {drawStages, 0, sizeof(DrawConstants)};
-    VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-    info.setLayoutCount = 2;
-    info.pSetLayouts = sets;
-    info.pushConstantRangeCount = 1;
-    info.pPushConstantRanges = &range;
-    VkPipelineLayout layout = VK_NULL_HANDLE;
-    if (!succeeded(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout), "vkCreatePipelineLayout",
-                   error))
-        return false;
-    out.pipeline = UniquePipelineLayout(device.handle(), layout);
-    return true;
+    return createPipelineLayout(device, sets, sizeof(DrawConstants), out.pipeline, error);
 }
 
 bool allocateSet(const Device& device, VkDescriptorSetLayout layout,

@@ -43,6 +43,10 @@ struct Layouts {
 bool createSetLayout(const Device& device, std::span<const VkDescriptorType> types,
                      UniqueDescriptorSetLayout& out, Error& error);
 
+/// For drawing, with push constants of `constantBytes`.
+bool createPipelineLayout(const Device& device, std::span<const VkDescriptorSetLayout> sets,
+                          uint32_t constantBytes, UniquePipelineLayout& out, Error& error);
+
 bool createLayouts(const Device& device, Layouts& out, Error& error);
 
 constexpr VkShaderStageFlags drawStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;

@@ -73,19 +73,8 @@ bool MirrorPass::createPipelines(Error& error) {
 bool MirrorPass::createLayout(Error& error) {
     if (!createSetLayout(*device_, bindings, setLayout_, error)) return false;
     const VkDescriptorSetLayout sets[] = {layouts_->frame.get(), setLayout_.get()};
-    VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-    info.setLayoutCount = 2;
-    info.pSetLayouts = sets;
     // As the host's other pipelines, so that set 0 stays bound from one to the next.
-    const VkPushConstantRange range = {drawStages, 0, sizeof(DrawConstants)};
-    info.pushConstantRangeCount = 1;
-    info.pPushConstantRanges = &range;
-    VkPipelineLayout layout = VK_NULL_HANDLE;
-    if (!succeeded(vkCreatePipelineLayout(device_->handle(), &info, nullptr, &layout),
-                   "vkCreatePipelineLayout", error))
-        return false;
-    layout_ = UniquePipelineLayout(device_->handle(), layout);
-    return true;
+    return createPipelineLayout(*device_, sets, sizeof(DrawConstants), layout_, error);
 }
 
 bool MirrorPass::createReflector(MirrorSurface& out, Error& error) {

@@ -50,6 +50,7 @@ bool createPipeline(const Device& device, VkPipelineLayout layout, const Pipelin
     stages[1].pSpecializationInfo = &constants;
 
     VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    if (desc.vertices) input = *desc.vertices;
     if (desc.meshVertices) {
         input.vertexBindingDescriptionCount = 1;
         input.pVertexBindingDescriptions = &meshBinding;
@@ -76,6 +77,10 @@ bool createPipeline(const Device& device, VkPipelineLayout layout, const Pipelin
     depth.depthCompareOp = desc.depthCompare;
     VkPipelineColorBlendAttachmentState attachment{};
     attachment.colorWriteMask = 0xf;
+    attachment.blendEnable = desc.blends;
+    attachment.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+    attachment.dstColorBlendFactor = attachment.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    attachment.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
     VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
     blend.attachmentCount = desc.colorFormat == VK_FORMAT_UNDEFINED ? 0 : 1;
     blend.pAttachments = &attachment;

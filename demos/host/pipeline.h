@@ -11,6 +11,8 @@ struct PipelineDesc {
     std::span<const uint32_t> vertex;
     std::span<const uint32_t> fragment; ///< empty: depth alone
     bool meshVertices = true;           ///< fed with MeshVertex, or by vertex index alone
+    const VkPipelineVertexInputStateCreateInfo* vertices = nullptr; ///< other ones, without meshVertices
+    bool blends = false; ///< over what is there, by the fragment's alpha
     VkFormat colorFormat = VK_FORMAT_UNDEFINED;
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
     VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;

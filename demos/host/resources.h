@@ -58,6 +58,9 @@ void imageBarrier(VkCommandBuffer commands, const Image& image, VkImageLayout fr
                   VkPipelineStageFlags2 fromStage, VkAccessFlags2 fromAccess, VkPipelineStageFlags2 toStage,
                   VkAccessFlags2 toAccess);
 
+/// What was copied is for the CPU to read.
+void transferToHost(VkCommandBuffer commands);
+
 struct SamplerDesc {
     VkSamplerAddressMode u = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     VkSamplerAddressMode v = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;

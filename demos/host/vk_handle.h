@@ -50,5 +50,6 @@ using UniquePipelineLayout = Unique<VkPipelineLayout, &vkDestroyPipelineLayout>;
 using UniqueQueryPool = Unique<VkQueryPool, &vkDestroyQueryPool>;
 using UniqueSampler = Unique<VkSampler, &vkDestroySampler>;
 using UniqueShaderModule = Unique<VkShaderModule, &vkDestroyShaderModule>;
+using UniqueSwapchain = Unique<VkSwapchainKHR, &vkDestroySwapchainKHR>;
 
 } // namespace demos

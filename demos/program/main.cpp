@@ -1,5 +1,5 @@
-// seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass reference ..., seaglass measure ...,
-// seaglass compare A B ..., seaglass sea ..., seaglass devices: see --help.
+// seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass view SCENE.toml ..., seaglass reference ...,
+// seaglass measure ..., seaglass compare A B ..., seaglass sea ..., seaglass devices: see --help.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -12,6 +12,7 @@
 #include "program/reference.h"
 #include "program/render.h"
 #include "program/sea.h"
+#include "program/view.h"
 
 namespace demos {
 
@@ -35,6 +36,8 @@ ExitCode runCommand(const Options& options, Error& error) {
     switch (options.command) {
     case Options::Command::render:
         return renderScene(options.render, error);
+    case Options::Command::view:
+        return viewScene(options.view, error);
     case Options::Command::reference:
         return renderReference(options.reference, error);
     case Options::Command::compare:

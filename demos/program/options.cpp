@@ -10,6 +10,9 @@
 
 #include <seaglass/version.h>
 
+#include "program/aov_names.h"
+#include "program/device_options.h"
+#include "program/scene_options.h"
 #include "scene/nearest.h"
 
 namespace demos {
@@ -18,23 +21,6 @@ namespace {
 
 constexpr uint32_t mostFrames = 100000;
 constexpr uint32_t mostSamples = 65536;
-
-constexpr std::array<std::pair<std::string_view, Aov>, 14> aovs = {{
-    {"color", Aov::color},
-    {"reflection", Aov::reflection},
-    {"class", Aov::reflectionClass},
-    {"height", Aov::height},
-    {"normal", Aov::normal},
-    {"foam", Aov::foam},
-    {"depth", Aov::depth},
-    {"reflection_source", Aov::reflectionSource},
-    {"scene", Aov::scene},
-    {"overlay_depth", Aov::overlayDepth},
-    {"overlay_plane", Aov::overlayPlane},
-    {"overlay_classes", Aov::overlayClasses},
-    {"overlay_confidence", Aov::overlayConfidence},
-    {"overlay_distance", Aov::overlayDistance},
-}};
 
 constexpr std::array<std::pair<std::string_view, Mistake>, 2> mistakes = {{
     {"flipped_y", Mistake::flippedY},
@@ -46,50 +32,28 @@ constexpr const char* footer = R"(Examples:
   seaglass render demos/scenes/ocean.toml -o sea.exr --set water.waves.wind_m_s=16 --camera low
   seaglass render demos/scenes/ocean.toml -o frames/%04d.png --frames 240 --fps 24
   seaglass render demos/scenes/ocean.toml -o mine.png --sky my_sky.exr --mesh my_boat.glb
+  seaglass view demos/scenes/harbour.toml
   seaglass reference demos/scenes/harbour.toml -o truth.exr --spp 64 --truth classes.exr
 
 Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)";
 
 /// What the line says, before any of it is checked.
-struct Raw {
-    std::string scene, size, supersample, time, camera, frames, fps, aov, mistake, sky, mesh, stats, device,
-        spp, seed, truth, mirrored;
-    std::vector<std::string> outputs, overrides;
-    bool validation = false, noValidation = false;
+struct Raw : RawScene, RawDevice {
+    std::string supersample, frames, fps, aov, mistake, stats, spp, seed, truth, mirrored;
+    std::vector<std::string> outputs;
 };
-
-std::vector<std::string_view> aovNames() {
-    std::vector<std::string_view> names;
-    for (const auto& [name, aov] : aovs) names.push_back(name);
-    return names;
-}
 
 /// What render and reference have in common.
 void describePicture(CLI::App& command, Raw& raw) {
     command.footer(footer);
     // Scripts append to a command line: the last of an option counts, but for those that collect.
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    // Required ones are checked by hand, for errors that say what is expected.
-    command.add_option("SCENE", raw.scene, "Scene file (TOML)");
+    describeScene(command, raw);
     command
         .add_option("-o,--output", raw.outputs,
                     "PNG (tone-mapped) or EXR (linear); may be given more than once")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false)
-        ->type_name("FILE");
-    command.add_option("--size", raw.size, "Picture size, 1280x720 if not given")->type_name("WxH");
-    command.add_option("--time", raw.time, "Time of the waves, the scene's if not given")
-        ->type_name("SECONDS");
-    command.add_option("--camera", raw.camera, "One of the scene's cameras, its first if not given")
-        ->type_name("NAME");
-    command
-        .add_option("--set", raw.overrides,
-                    "Override a scene value: water.waves.wind_m_s=12, camera.low.roll_deg=5, mesh.0.scale=2")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->allow_extra_args(false)
-        ->type_name("PATH=VALUE");
-    command.add_option("--sky", raw.sky, "Lat-long HDR or EXR instead of the scene's sky")->type_name("FILE");
-    command.add_option("--mesh", raw.mesh, "glTF at the origin instead of the scene's meshes")
         ->type_name("FILE");
     command.allow_extras();
 }
@@ -142,10 +106,7 @@ void describe(CLI::App& app, CLI::App& render, Raw& raw) {
         ->type_name("NAME");
     render.add_option("--stats", raw.stats, "Measure the frame's passes, print them and write them as JSON")
         ->type_name("FILE");
-    render.add_option("--device", raw.device, "Part of a device's name; the best device if not given")
-        ->type_name("NAME");
-    render.add_flag("--validation", raw.validation, "Vulkan validation; any message makes the exit code 1");
-    render.add_flag("--no-validation", raw.noValidation, "No Vulkan validation");
+    describeDevice(render, raw);
     app.allow_extras();
 }
 
@@ -174,15 +135,9 @@ bool checkExtras(const CLI::App& app, const std::vector<std::string>& extras, Er
 }
 
 bool check(const Raw& raw, RenderOptions& out, Error& error) {
-    if (raw.scene.empty()) return fail("no scene, expected seaglass render SCENE.toml -o OUT.png", error);
-    out.scene = raw.scene;
+    if (!checkScene(raw, "seaglass render SCENE.toml -o OUT.png", out, error)) return false;
     if (raw.outputs.empty()) return fail("no output, expected -o OUT.png or -o OUT.exr", error);
     out.outputs.assign(raw.outputs.begin(), raw.outputs.end());
-    if (!raw.size.empty()) {
-        const std::optional<Size> size = parseSize("--size", raw.size, error);
-        if (!size) return false;
-        out.size = *size;
-    }
     if (!raw.supersample.empty()) {
         const std::optional<uint32_t> factor = parseCount("--supersample", raw.supersample, 4, error);
         if (!factor) return false;
@@ -192,10 +147,6 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
                         error);
         }
         out.supersample = *factor;
-    }
-    if (!raw.time.empty()) {
-        out.timeS = parseNumber("--time", raw.time, -1e6, 1e6, "a number of seconds, -1e6 to 1e6", error);
-        if (!out.timeS) return false;
     }
     if (!raw.frames.empty()) {
         const std::optional<uint32_t> frames = parseCount("--frames", raw.frames, mostFrames, error);
@@ -210,16 +161,9 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
         out.fps = *fps;
     }
     if (!raw.aov.empty()) {
-        const auto found =
-            std::find_if(aovs.begin(), aovs.end(), [&raw](const auto& a) { return a.first == raw.aov; });
-        if (found == aovs.end()) {
-            return fail("--aov is '" + raw.aov +
-                            "', expected color, reflection, class, height, normal, foam, depth, "
-                            "reflection_source or overlay_depth, _plane, _classes, _confidence, _distance;" +
-                            " the nearest is " + std::string(nearest(raw.aov, aovNames())),
-                        error);
-        }
-        out.aov = found->second;
+        const std::optional<Aov> found = parseAov("--aov", raw.aov, error);
+        if (!found) return false;
+        out.aov = *found;
         if (out.supersample > 1 && out.aov != Aov::color)
             return fail("--supersample is given with --aov " + raw.aov +
                             ", expected color, which can be averaged",
@@ -232,16 +176,8 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
             return fail("--mistake is '" + raw.mistake + "', expected flipped_y or forward_depth", error);
         out.mistake = found->second;
     }
-    out.camera = raw.camera;
-    out.overrides = raw.overrides;
-    out.sky = raw.sky;
-    out.mesh = raw.mesh;
     out.stats = raw.stats;
-    out.device = raw.device;
-    if (raw.validation && raw.noValidation)
-        return fail("--validation and --no-validation exclude each other", error);
-    out.validation = raw.validation || (SEAGLASS_VALIDATION && !raw.noValidation);
-    return true;
+    return checkDevice(raw, out, error);
 }
 
 bool check(const Raw& raw, ReferenceOptions& out, Error& error) {
@@ -267,6 +203,7 @@ bool check(const Raw& raw, ReferenceOptions& out, Error& error) {
 std::optional<Options> parseOptions(int argc, const char* const* argv, Error& error) {
     CLI::App app("Water for Vulkan: renders scene files to pictures, and compares pictures.", "seaglass");
     CLI::App& render = *app.add_subcommand("render", "Render a scene file");
+    CLI::App& view = *app.add_subcommand("view", "Show a scene file in a window");
     CLI::App& reference = *app.add_subcommand("reference", "Ray-trace a scene file on the CPU");
     CLI::App& comparison = *app.add_subcommand("compare", "Compare two pictures");
     CLI::App& measurement =
@@ -277,6 +214,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
     Raw raw;
     describe(app, render, raw);
     describeReference(reference, raw);
+    RawView rawView;
+    describeView(view, rawView);
     RawCompare rawCompare;
     describeCompare(comparison, rawCompare);
     RawMeasure rawMeasure;
@@ -295,6 +234,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
         return std::nullopt;
     }
     if (!checkExtras(app, app.remaining(), error) || !checkExtras(render, render.remaining(), error) ||
+        !checkExtras(view, view.remaining(), error) ||
         !checkExtras(reference, reference.remaining(), error) ||
         !checkExtras(comparison, comparison.remaining(), error) ||
         !checkExtras(measurement, measurement.remaining(), error) ||
@@ -304,6 +244,13 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
     Options options;
     if (devices.parsed()) {
         options.command = Options::Command::devices;
+        return options;
+    }
+    if (view.parsed()) {
+        std::optional<ViewOptions> checked = checkView(rawView, error);
+        if (!checked) return std::nullopt;
+        options.command = Options::Command::view;
+        options.view = std::move(*checked);
         return options;
     }
     if (reference.parsed()) {
@@ -333,8 +280,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, Error& er
         return options;
     }
     if (!render.parsed()) {
-        error.text = "no command, expected seaglass render, reference, compare, measure, sea or devices "
-                     "(see seaglass --help)";
+        error.text = "no command, expected seaglass render, view, reference, compare, measure, sea or "
+                     "devices (see seaglass --help)";
         return std::nullopt;
     }
     options.command = Options::Command::render;

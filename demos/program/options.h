@@ -6,34 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "host/host.h"
 #include "program/compare_options.h"
 #include "program/measure_options.h"
+#include "program/render_options.h"
 #include "program/sea_options.h"
-#include "program/values.h"
-#include "scene/scene.h"
+#include "program/view_options.h"
 
 namespace demos {
-
-struct RenderOptions {
-    std::filesystem::path scene;
-    std::vector<std::filesystem::path> outputs; ///< at least one; every one gets each frame
-    Size size;
-    uint32_t supersample = 1; ///< render so many times larger each way, then average
-    std::optional<double> timeS;
-    std::string camera; ///< empty takes the scene's first
-    uint32_t frames = 1;
-    bool numbered = false; ///< --frames was given
-    double fps = 30;
-    std::vector<std::string> overrides;
-    Aov aov = Aov::color;
-    Mistake mistake = Mistake::none;
-    std::filesystem::path sky;  ///< instead of the scene's; empty keeps it
-    std::filesystem::path mesh; ///< instead of the scene's; empty keeps them
-    std::filesystem::path stats;
-    std::string device;
-    bool validation = false;
-};
 
 struct ReferenceOptions {
     RenderOptions picture; ///< of which what a device, a sequence or a measurement needs stays unset
@@ -44,9 +23,10 @@ struct ReferenceOptions {
 };
 
 struct Options {
-    enum class Command { render, reference, compare, measure, sea, devices, printed };
+    enum class Command { render, view, reference, compare, measure, sea, devices, printed };
     Command command = Command::printed; ///< printed: help or version, and all is done
     RenderOptions render;
+    ViewOptions view;
     ReferenceOptions reference;
     CompareOptions compare;
     MeasureOptions measure;

@@ -14,6 +14,7 @@
 #include "program/scene_input.h"
 #include "program/stats.h"
 #include "program/supersample.h"
+#include "program/validation.h"
 #include "program/visualise.h"
 #include "scene/offset.h"
 
@@ -164,12 +165,7 @@ ExitCode renderScene(const RenderOptions& options, Error& error) {
     if (!run.all(progress, error)) return runFailed;
     progress.clear();
     run.summarise();
-    if (const uint32_t messages = host->validationMessages()) {
-        error.text =
-            "validation: " + std::to_string(messages) + " messages, expected none (they are printed above)";
-        return runFailed;
-    }
-    return ok;
+    return judgeValidation(*host, error);
 }
 
 } // namespace demos

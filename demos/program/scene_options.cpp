@@ -1,0 +1,48 @@
+#include "program/scene_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace demos {
+
+void describeScene(CLI::App& command, RawScene& raw) {
+    // Required ones are checked by hand, for errors that say what is expected.
+    command.add_option("SCENE", raw.scene, "Scene file (TOML)");
+    command.add_option("--size", raw.size, "Picture size, 1280x720 if not given")->type_name("WxH");
+    command.add_option("--time", raw.time, "Time of the waves, the scene's if not given")
+        ->type_name("SECONDS");
+    command.add_option("--camera", raw.camera, "One of the scene's cameras, its first if not given")
+        ->type_name("NAME");
+    command
+        .add_option("--set", raw.overrides,
+                    "Override a scene value: water.waves.wind_m_s=12, camera.low.roll_deg=5, mesh.0.scale=2")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false)
+        ->type_name("PATH=VALUE");
+    command.add_option("--sky", raw.sky, "Lat-long HDR or EXR instead of the scene's sky")->type_name("FILE");
+    command.add_option("--mesh", raw.mesh, "glTF at the origin instead of the scene's meshes")
+        ->type_name("FILE");
+}
+
+bool checkScene(const RawScene& raw, const char* expected, RenderOptions& out, Error& error) {
+    if (raw.scene.empty()) {
+        error.text = std::string("no scene, expected ") + expected;
+        return false;
+    }
+    out.scene = raw.scene;
+    if (!raw.size.empty()) {
+        const std::optional<Size> size = parseSize("--size", raw.size, error);
+        if (!size) return false;
+        out.size = *size;
+    }
+    if (!raw.time.empty()) {
+        out.timeS = parseNumber("--time", raw.time, -1e6, 1e6, "a number of seconds, -1e6 to 1e6", error);
+        if (!out.timeS) return false;
+    }
+    out.camera = raw.camera;
+    out.overrides = raw.overrides;
+    out.sky = raw.sky;
+    out.mesh = raw.mesh;
+    return true;
+}
+
+} // namespace demos

@@ -1,0 +1,25 @@
+// What the command line says of a scene, for every command that draws one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "program/render_options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace demos {
+
+/// What the line says, before any of it is checked.
+struct RawScene {
+    std::string scene, size, time, camera, sky, mesh;
+    std::vector<std::string> overrides;
+};
+
+void describeScene(CLI::App& command, RawScene& raw);
+/// `expected` is how the command is called.
+bool checkScene(const RawScene& raw, const char* expected, RenderOptions& out, Error& error);
+
+} // namespace demos

@@ -1,0 +1,91 @@
+#include "program/view.h"
+
+#include "host/image_file.h"
+#include "program/device_limit.h"
+#include "program/memory.h"
+#include "program/no_device.h"
+#include "program/output.h"
+#include "program/scene_input.h"
+#include "program/validation.h"
+#include "scene/offset.h"
+#include "view/viewer.h"
+
+namespace demos {
+
+namespace {
+
+/// The first state that is shown; null with `error` set.
+std::optional<ViewState> startOf(const ViewOptions& options, Error& error) {
+    std::optional<Scene> scene = readScene(options.picture, error);
+    if (!scene) return std::nullopt;
+    std::optional<CameraDesc> camera = chooseCamera(*scene, options.picture.camera, error);
+    if (!camera || !fitsMemory(options.picture.size, frameBytesAPixel, error)) return std::nullopt;
+    if (!options.screenshot.empty() &&
+        !checkApart("--screenshot", options.screenshot, sceneFiles(*scene), error))
+        return std::nullopt;
+    moveCameras(*scene, camera->offsetM);
+    applyOffset(*scene, *camera);
+    ViewState state;
+    state.timeS = options.picture.timeS.value_or(scene->timeS);
+    state.scene = std::move(*scene);
+    state.camera = std::move(*camera);
+    state.paused = options.paused;
+    state.aov = options.picture.aov;
+    state.panel = options.panel;
+    return state;
+}
+
+std::unique_ptr<Host> openHost(const ViewOptions& options, const Scene& scene, Error& error) {
+    HostDesc desc{options.picture.device, options.picture.validation};
+    desc.windowExtensions = Window::vulkanExtensions(error);
+    if (desc.windowExtensions.empty()) return nullptr;
+    std::unique_ptr<Host> host = Host::create(desc, error);
+    if (!host) {
+        explainNoDevice(error);
+        return nullptr;
+    }
+    if (!fitsDevice(options.picture.size, 1, host->device(), error)) return nullptr;
+    if (!host->load(scene, error)) {
+        addPlace(scene, error);
+        return nullptr;
+    }
+    return host;
+}
+
+bool keep(Viewer& viewer, const std::filesystem::path& file, Error& error) {
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> rgb;
+    return viewer.read(width, height, rgb, error) && writePng(file, width, height, rgb, error);
+}
+
+bool show(const ViewOptions& options, Window& window, Viewer& viewer, Error& error) {
+    uint32_t shown = 0;
+    for (; (options.endless || shown < options.frames) && !window.shouldClose(); ++shown)
+        if (!viewer.step(error)) return false;
+    if (options.screenshot.empty()) return true;
+    if (shown == options.frames) return keep(viewer, options.screenshot, error);
+    error.text = "the window was closed after " + std::to_string(shown) + " frames, expected " +
+                 std::to_string(options.frames) + " for --screenshot";
+    return false;
+}
+
+} // namespace
+
+ExitCode viewScene(const ViewOptions& options, Error& error) {
+    const std::optional<ViewState> state = startOf(options, error);
+    if (!state) return badInput;
+    const std::unique_ptr<Window> window =
+        Window::open("seaglass: " + state->scene.file.filename().string(), options.picture.size.width,
+                     options.picture.size.height, error);
+    if (!window) return badInput;
+    const std::unique_ptr<Host> host = openHost(options, state->scene, error);
+    if (!host) return badInput;
+    {
+        const std::unique_ptr<Viewer> viewer = Viewer::create(*window, *host, *state, {options.stepS}, error);
+        if (!viewer) return badInput;
+        if (!show(options, *window, *viewer, error)) return runFailed;
+    }
+    return judgeValidation(*host, error);
+}
+
+} // namespace demos

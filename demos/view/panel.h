@@ -1,0 +1,32 @@
+// What the viewer's panel shows, and what it lets change.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "view/view_state.h"
+
+namespace demos {
+
+/// What the panel shows beside the state.
+struct PanelInfo {
+    std::string device;
+    uint32_t width = 0, height = 0;
+    std::optional<double> frameMs;   ///< of the last frame; none where time is not the clock's
+    std::optional<FrameTimes> costs; ///< as last measured
+    std::string message;             ///< what came of the last wish, or what is wrong
+};
+
+/// What the state alone does not do.
+struct PanelWishes {
+    bool surface = false; ///< the scene's water or floor has changed
+    bool light = false;   ///< its sun or sky has
+    bool measure = false;
+    bool savePicture = false;
+    bool saveScene = false;
+};
+
+/// Lays the panel out. Changes the state as it is used; wishes for what that needs once a change is complete.
+PanelWishes layOutPanel(ViewState& state, const PanelInfo& info);
+
+} // namespace demos

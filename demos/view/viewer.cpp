@@ -1,0 +1,202 @@
+#include "view/viewer.h"
+
+#include "host/host_impl.h"
+#include "host/image_file.h"
+#include "scene/save.h"
+#include "view/clock.h"
+#include "view/display.h"
+#include "view/panel.h"
+#include "view/saved_view.h"
+#include "view/swapchain.h"
+#include "view/ui.h"
+
+namespace demos {
+
+namespace {
+
+constexpr uint32_t measuredRuns = 5;
+
+} // namespace
+
+class Viewer::Impl {
+  public:
+    Impl(Window& window, Host& host, const ViewState& state, const ViewerDesc& desc)
+        : window_(window), host_(host), state_(state), loaded_(state.scene), clock_(desc.stepS) {
+        info_.device = host.device().name;
+    }
+
+    bool create(Error& error) {
+        return swapchain_.create(device(), window_.handle(), error) && display_.create(device(), error) &&
+               ui_.create(device(), window_.handle(), Display::format, error);
+    }
+
+    bool step(Error& error) {
+        window_.listen();
+        const double seconds = clock_.passed();
+        hear(seconds);
+        if (window_.width() == 0 || window_.height() == 0) return true; // minimised
+        bool stale = false;
+        if (!fit(error) || !layOut(seconds, error) || !swapchain_.acquire(stale, error)) return false;
+        if (!stale && (!draw(error) || !finish(error) || !swapchain_.present(stale, error))) return false;
+        fitted_ = !stale;
+        return true;
+    }
+
+    const ViewState& state() const { return state_; }
+    Display& display() { return display_; }
+
+  private:
+    Device& device() { return *host_.inside().device; }
+
+    void hear(double seconds) {
+        const bool typing = ui_.keysTaken();
+        const WindowWishes wishes = window_.takeWishes();
+        if (wishes.pause && !typing) state_.paused = !state_.paused;
+        if (wishes.hidePanel && !typing) state_.panel = !state_.panel;
+        advance(state_, window_.flyInput(typing, ui_.mouseTaken()), seconds);
+    }
+
+    /// Images as large as the window.
+    bool fit(Error& error) {
+        const VkExtent2D now = {window_.width(), window_.height()}, had = swapchain_.extent();
+        if (fitted_ && now.width == had.width && now.height == had.height) return true;
+        fitted_ = true;
+        follows_ = false;
+        return swapchain_.resize(now, error) && display_.resize(swapchain_.extent(), error);
+    }
+
+    bool layOut(double seconds, Error& error) {
+        info_.width = swapchain_.extent().width;
+        info_.height = swapchain_.extent().height;
+        if (!clock_.fixed()) info_.frameMs = 1000 * seconds;
+        ui_.begin(swapchain_.extent(), seconds);
+        PanelWishes wishes;
+        if (state_.panel) wishes = layOutPanel(state_, info_);
+        if (!ui_.end(error)) return false;
+        fulfil(wishes);
+        return true;
+    }
+
+    /// What cannot be done is said in the panel, and leaves the scene as it was.
+    void fulfil(const PanelWishes& wishes) {
+        Error problem;
+        bool done = true;
+        if (wishes.light || wishes.surface) done = reload(wishes, problem);
+        if (wishes.measure) done = done && measure(problem);
+        if (wishes.saveScene) done = done && saveTheScene(problem);
+        savesPicture_ = wishes.savePicture;
+        if (!done) info_.message = problem.text;
+    }
+
+    bool reload(const PanelWishes& wishes, Error& problem) {
+        follows_ = false;
+        const bool loaded = wishes.light ? host_.load(state_.scene, problem)
+                                         : host_.replaceSurface(0, *surfaceOf(state_.scene), problem);
+        if (loaded) {
+            loaded_ = state_.scene;
+            info_.message.clear();
+        } else {
+            state_.scene = loaded_;
+        }
+        return loaded;
+    }
+
+    bool measure(Error& problem) {
+        info_.costs = host_.measure(frame(), measuredRuns, problem);
+        return info_.costs.has_value();
+    }
+
+    std::filesystem::path nameFor(const char* extension) const {
+        return freeName(std::filesystem::current_path(), state_.scene.file.stem().string(), extension);
+    }
+
+    bool saveTheScene(Error& problem) {
+        const std::filesystem::path file = nameFor(".toml");
+        if (!saveScene(savedScene(state_), file, problem)) return false;
+        info_.message = "saved " + file.filename().string();
+        return true;
+    }
+
+    void savePicture() {
+        const std::filesystem::path file = nameFor(".png");
+        std::vector<uint8_t> rgb;
+        Error problem;
+        const VkExtent2D extent = display_.image().extent;
+        const bool saved =
+            display_.read(rgb, problem) && writePng(file, extent.width, extent.height, rgb, problem);
+        info_.message = saved ? "saved " + file.filename().string() : problem.text;
+    }
+
+    FrameDesc frame() const {
+        const VkExtent2D extent = swapchain_.extent();
+        FrameDesc frame{extent.width, extent.height, state_.camera, state_.timeS, state_.aov};
+        frame.follows = follows_;
+        return frame;
+    }
+
+    bool draw(Error& error) {
+        const Look look = lookOf(state_.aov, state_.scene.exposureEv, state_.whiteHeightM);
+        const bool drawn = host_.inside().draw(
+            frame(),
+            [&](VkCommandBuffer commands, const Image& picture) {
+                display_.show(commands, picture, look, {{0, 0}, swapchain_.extent()});
+            },
+            error);
+        follows_ = drawn;
+        return drawn;
+    }
+
+    /// The panel, which a saved picture is without, and the way to the window.
+    bool finish(Error& error) {
+        const bool finished = device().run(
+            [&](VkCommandBuffer commands, Error&) {
+                if (!savesPicture_) ui_.record(commands, display_.image());
+                display_.finish(commands);
+                swapchain_.record(commands, display_.image());
+                return true;
+            },
+            error);
+        if (finished && savesPicture_) savePicture();
+        return finished;
+    }
+
+    Window& window_;
+    Host& host_;
+    ViewState state_;
+    Scene loaded_; ///< what the host draws
+    Clock clock_;
+    PanelInfo info_;
+    Swapchain swapchain_;
+    Display display_;
+    Ui ui_;
+    bool fitted_ = false;
+    bool follows_ = false; ///< a frame of this size and scene before the next
+    bool savesPicture_ = false;
+};
+
+std::unique_ptr<Viewer> Viewer::create(Window& window, Host& host, const ViewState& state,
+                                       const ViewerDesc& desc, Error& error) {
+    auto impl = std::make_unique<Impl>(window, host, state, desc);
+    if (!impl->create(error)) return nullptr;
+    return std::unique_ptr<Viewer>(new Viewer(std::move(impl)));
+}
+
+Viewer::Viewer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Viewer::~Viewer() = default;
+
+bool Viewer::step(Error& error) {
+    return impl_->step(error);
+}
+
+const ViewState& Viewer::state() const {
+    return impl_->state();
+}
+
+bool Viewer::read(uint32_t& width, uint32_t& height, std::vector<uint8_t>& rgb, Error& error) {
+    const VkExtent2D extent = impl_->display().image().extent;
+    width = extent.width;
+    height = extent.height;
+    return impl_->display().read(rgb, error);
+}
+
+} // namespace demos

@@ -1,0 +1,48 @@
+#include "demos/view/saved_view.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/program/run.h"
+
+namespace {
+
+using demos::ViewState;
+
+TEST(ViewState, TimePassesUnlessItIsPaused) {
+    ViewState state;
+    state.timeS = 5;
+    state.timeScale = 2;
+    demos::advance(state, {}, 0.25);
+    EXPECT_EQ(state.timeS, 5.5);
+    state.paused = true;
+    demos::advance(state, {.forward = 1}, 0.25);
+    EXPECT_EQ(state.timeS, 5.5);
+    EXPECT_EQ(state.camera.positionM[2], -demos::flySpeedMps * 0.25) << "the camera still flies";
+}
+
+TEST(SavedView, IsTheScenesFirstCameraAndTime) {
+    ViewState state;
+    state.scene.cameras.resize(2);
+    state.scene.cameras[0].name = "level";
+    state.scene.cameras[1].name = "view";
+    state.camera.name = "level";
+    state.camera.positionM = {1, 2, 3};
+    state.timeS = 7.5;
+    const demos::Scene saved = demos::savedScene(state);
+    EXPECT_EQ(saved.timeS, 7.5);
+    ASSERT_EQ(saved.cameras.size(), 2u) << "the older view is gone";
+    EXPECT_EQ(saved.cameras[0].name, "view");
+    EXPECT_EQ(saved.cameras[0].positionM, (demos::Vec3{1, 2, 3}));
+    EXPECT_EQ(saved.cameras[1].name, "level");
+}
+
+TEST(SavedView, TakesNobodysName) {
+    const tests::TemporaryFolder folder;
+    EXPECT_EQ(demos::freeName(folder.path(), "lake", ".png"), folder.path() / "lake_0001.png");
+    tests::writeAll(folder.path() / "lake_0001.png", "");
+    tests::writeAll(folder.path() / "lake_0002.png", "");
+    EXPECT_EQ(demos::freeName(folder.path(), "lake", ".png"), folder.path() / "lake_0003.png");
+    EXPECT_EQ(demos::freeName(folder.path(), "lake", ".toml"), folder.path() / "lake_0001.toml");
+}
+
+} // namespace

@@ -1,0 +1,228 @@
+// The viewer in a real window: keys, mouse and sizes come from the display's server, as from a desktop.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <thread>
+
+#include "demos/view/viewer.h"
+#include "tests/program/sample.h"
+#include "tests/view/xvfb.h"
+
+// Last: X11 defines words that others use.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <X11/Xutil.h>
+
+// As glfw3native.h has them, which asks for headers of the display's extensions besides.
+extern "C" Display* glfwGetX11Display();
+extern "C" Window glfwGetX11Window(GLFWwindow*);
+
+namespace {
+
+using demos::Error;
+
+constexpr double step = 0.125;
+
+class InWindow : public testing::Test {
+  protected:
+    ~InWindow() override {
+        viewer_.reset();
+        host_.reset();
+        window_.reset();
+    }
+
+    void open() {
+        setenv("DISPLAY", xvfb_.display().c_str(), 1);
+        tests::writeSample(folder_.path());
+        const std::optional<demos::Scene> scene = demos::loadScene(folder_.path() / "scene.toml", {}, error_);
+        ASSERT_TRUE(scene) << error_.text;
+        window_ = demos::Window::open("test", 96, 64, error_);
+        ASSERT_TRUE(window_) << error_.text;
+        demos::HostDesc desc{"", true};
+        desc.windowExtensions = demos::Window::vulkanExtensions(error_);
+        host_ = demos::Host::create(desc, error_);
+        ASSERT_TRUE(host_ && host_->load(*scene, error_)) << error_.text;
+        demos::ViewState state;
+        state.scene = *scene;
+        state.camera = scene->cameras.front();
+        state.timeS = scene->timeS;
+        state.panel = false;
+        viewer_ = demos::Viewer::create(*window_, *host_, state, {step}, error_);
+        ASSERT_TRUE(viewer_) << error_.text;
+        stepOn(1);
+    }
+
+    void stepOn(int frames) {
+        for (int i = 0; i < frames; ++i) ASSERT_TRUE(viewer_->step(error_)) << error_.text;
+    }
+
+    Display* display() const { return glfwGetX11Display(); }
+    ::Window xWindow() const { return glfwGetX11Window(window_->handle()); }
+
+    /// Waits until what was sent has come.
+    void expectSoon(const std::function<bool()>& come) {
+        for (int i = 0; i < 1000 && !come(); ++i) {
+            XSync(display(), False);
+            window_->listen();
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        EXPECT_TRUE(come());
+    }
+
+    void key(KeySym symbol, bool press) {
+        XEvent event{};
+        event.xkey.type = press ? KeyPress : KeyRelease;
+        event.xkey.display = display();
+        event.xkey.window = xWindow();
+        event.xkey.root = DefaultRootWindow(display());
+        event.xkey.time = ++time_;
+        event.xkey.keycode = XKeysymToKeycode(display(), symbol);
+        event.xkey.same_screen = True;
+        XSendEvent(display(), xWindow(), False, press ? KeyPressMask : KeyReleaseMask, &event);
+    }
+    void hold(KeySym symbol, int glfwKey) {
+        key(symbol, true);
+        expectSoon([&] { return glfwGetKey(window_->handle(), glfwKey) == GLFW_PRESS; });
+    }
+    void release(KeySym symbol, int glfwKey) {
+        key(symbol, false);
+        expectSoon([&] { return glfwGetKey(window_->handle(), glfwKey) == GLFW_RELEASE; });
+    }
+
+    demos::Picture rendered() {
+        const demos::ViewState& state = viewer_->state();
+        const std::optional<demos::Picture> picture = host_->render(
+            {window_->width(), window_->height(), state.camera, state.timeS, state.aov}, error_);
+        EXPECT_TRUE(picture) << error_.text;
+        return picture.value_or(demos::Picture{});
+    }
+
+    tests::TemporaryFolder folder_;
+    tests::Xvfb xvfb_;
+    Error error_;
+    std::unique_ptr<demos::Window> window_;
+    std::unique_ptr<demos::Host> host_;
+    std::unique_ptr<demos::Viewer> viewer_;
+    Time time_ = 0;
+};
+
+TEST_F(InWindow, KeysMoveTheCameraAsComputed) {
+    REQUIRE_DISPLAY(xvfb_);
+    ASSERT_NO_FATAL_FAILURE(open());
+    demos::CameraDesc expected = viewer_->state().camera;
+    EXPECT_EQ(expected.positionM, (demos::Vec3{0, 2, 4}));
+
+    hold(XK_w, GLFW_KEY_W);
+    stepOn(3);
+    for (int i = 0; i < 3; ++i) demos::fly(expected, {.forward = 1}, step);
+    EXPECT_EQ(viewer_->state().camera.positionM, expected.positionM);
+    EXPECT_LT(expected.positionM[2], 3);
+
+    hold(XK_d, GLFW_KEY_D);
+    hold(XK_Shift_L, GLFW_KEY_LEFT_SHIFT);
+    stepOn(1);
+    demos::fly(expected, {.right = 1, .forward = 1, .fast = true}, step);
+    EXPECT_EQ(viewer_->state().camera.positionM, expected.positionM);
+
+    release(XK_w, GLFW_KEY_W);
+    release(XK_d, GLFW_KEY_D);
+    release(XK_Shift_L, GLFW_KEY_LEFT_SHIFT);
+    stepOn(2);
+    EXPECT_EQ(viewer_->state().camera.positionM, expected.positionM);
+    EXPECT_EQ(viewer_->state().camera.targetM, expected.targetM);
+    EXPECT_EQ(host_->validationMessages(), 0u);
+}
+
+TEST_F(InWindow, TheMouseLooksAroundWhileTheRightButtonIsHeld) {
+    REQUIRE_DISPLAY(xvfb_);
+    ASSERT_NO_FATAL_FAILURE(open());
+    const demos::CameraDesc before = viewer_->state().camera;
+    double x = 0, y = 0, fromX = 0, fromY = 0;
+    const auto pointer = [&] { glfwGetCursorPos(window_->handle(), &x, &y); };
+    XWarpPointer(display(), None, xWindow(), 0, 0, 0, 0, 40, 30);
+    expectSoon([&] {
+        pointer();
+        return x == 40 && y == 30;
+    });
+    stepOn(1);
+    EXPECT_EQ(viewer_->state().camera.targetM, before.targetM) << "no button is held";
+    XEvent event{};
+    event.xbutton.type = ButtonPress;
+    event.xbutton.display = display();
+    event.xbutton.window = xWindow();
+    event.xbutton.button = Button3;
+    XSendEvent(display(), xWindow(), False, ButtonPressMask, &event);
+    expectSoon([&] { return glfwGetMouseButton(window_->handle(), GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS; });
+    stepOn(1);
+    EXPECT_EQ(viewer_->state().camera.targetM, before.targetM);
+
+    glfwGetCursorPos(window_->handle(), &fromX, &fromY);
+    XWarpPointer(display(), None, None, 0, 0, 0, 0, 20, -5);
+    expectSoon([&] {
+        pointer();
+        return x != fromX;
+    });
+    stepOn(1);
+    demos::CameraDesc expected = before;
+    demos::fly(expected, {.turnRightPx = x - fromX, .turnDownPx = y - fromY}, step);
+    EXPECT_EQ(viewer_->state().camera.targetM, expected.targetM);
+    EXPECT_EQ(x - fromX, 20);
+    EXPECT_EQ(y - fromY, -5);
+}
+
+TEST_F(InWindow, SpacePausesTheWaves) {
+    REQUIRE_DISPLAY(xvfb_);
+    ASSERT_NO_FATAL_FAILURE(open());
+    stepOn(2);
+    EXPECT_EQ(viewer_->state().timeS, 1.5 + 2 * step);
+    key(XK_space, true);
+    key(XK_space, false);
+    const auto paused = [&] {
+        stepOn(1);
+        return viewer_->state().paused;
+    };
+    expectSoon(paused);
+    const double stopped = viewer_->state().timeS;
+    stepOn(3);
+    EXPECT_EQ(viewer_->state().timeS, stopped);
+}
+
+TEST_F(InWindow, ShowsThePictureAtAnySize) {
+    REQUIRE_DISPLAY(xvfb_);
+    ASSERT_NO_FATAL_FAILURE(open());
+    for (const unsigned width : {96u, 130u, 61u}) {
+        XResizeWindow(display(), xWindow(), width, 70);
+        expectSoon([&] { return window_->width() == width && window_->height() == 70; });
+        stepOn(2);
+        uint32_t shownWidth = 0, shownHeight = 0;
+        std::vector<uint8_t> shown;
+        ASSERT_TRUE(viewer_->read(shownWidth, shownHeight, shown, error_)) << error_.text;
+        ASSERT_EQ(shownWidth, width);
+        ASSERT_EQ(shownHeight, 70u);
+
+        const auto onDisplay = [&] {
+            XImage* const image = XGetImage(display(), xWindow(), 0, 0, width, 70, AllPlanes, ZPixmap);
+            std::vector<uint8_t> rgb;
+            for (int y = 0; y < 70; ++y) {
+                for (int x = 0; x < static_cast<int>(width); ++x) {
+                    const unsigned long pixel = XGetPixel(image, x, y);
+                    for (const int shift : {16, 8, 0}) rgb.push_back(static_cast<uint8_t>(pixel >> shift));
+                }
+            }
+            XDestroyImage(image);
+            return rgb;
+        };
+        expectSoon([&] { return onDisplay() == shown; });
+
+        const std::vector<uint8_t> expected = demos::toneMap(rendered(), viewer_->state().scene.exposureEv);
+        ASSERT_EQ(shown.size(), expected.size());
+        int most = 0;
+        for (size_t i = 0; i < shown.size(); ++i) most = std::max(most, std::abs(shown[i] - expected[i]));
+        EXPECT_LE(most, 1) << "at " << width << " columns";
+    }
+    EXPECT_EQ(host_->validationMessages(), 0u);
+}
+
+} // namespace
