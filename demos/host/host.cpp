@@ -60,6 +60,12 @@ bool Host::replaceSurface(uint32_t index, const SurfaceDesc& surface, Error& err
     return true;
 }
 
+void Host::keepSurfaces(uint32_t count) {
+    if (!impl_->scene) return;
+    std::vector<Surface>& surfaces = impl_->scene->surfaces;
+    while (surfaces.size() > count) surfaces.pop_back();
+}
+
 std::optional<uint64_t> Host::reflectionBytes(const SurfaceDesc& surface, uint32_t width, uint32_t height,
                                               Error& error) {
     uint64_t bytes = 0;

@@ -141,6 +141,8 @@ class Host {
     bool addSurface(const SurfaceDesc& surface, Error& error);
     /// Another surface in the place of one, which stays on an error.
     bool replaceSurface(uint32_t index, const SurfaceDesc& surface, Error& error);
+    /// Drops the surfaces beyond so many.
+    void keepSurfaces(uint32_t count);
     /// Bytes on the device that a surface's reflection takes for one view of this size, as the library
     /// estimates them.
     std::optional<uint64_t> reflectionBytes(const SurfaceDesc& surface, uint32_t width, uint32_t height,

@@ -14,6 +14,19 @@ namespace demos {
 
 namespace {
 
+/// The scene's own mirror, but by another technique.
+std::optional<Split> splitOf(const Scene& scene, const std::string& technique, Error& error) {
+    if (!scene.water && !scene.floor) {
+        error.text = "--split is '" + technique + "', expected a scene with water or a floor to mirror it";
+        return std::nullopt;
+    }
+    const std::optional<ReflectionDesc>& own =
+        scene.water ? scene.water->reflection : scene.floor->reflection;
+    Split split{own.value_or(ReflectionDesc{})};
+    split.reflection.technique = technique;
+    return split;
+}
+
 /// The first state that is shown; null with `error` set.
 std::optional<ViewState> startOf(const ViewOptions& options, Error& error) {
     std::optional<Scene> scene = readScene(options.picture, error);
@@ -26,6 +39,10 @@ std::optional<ViewState> startOf(const ViewOptions& options, Error& error) {
     moveCameras(*scene, camera->offsetM);
     applyOffset(*scene, *camera);
     ViewState state;
+    if (!options.split.empty()) {
+        state.split = splitOf(*scene, options.split, error);
+        if (!state.split) return std::nullopt;
+    }
     state.timeS = options.picture.timeS.value_or(scene->timeS);
     state.scene = std::move(*scene);
     state.camera = std::move(*camera);

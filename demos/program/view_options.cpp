@@ -1,9 +1,13 @@
 #include "program/view_options.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 #include "program/aov_names.h"
 #include "program/output.h"
+#include "scene/fields.h"
+#include "scene/nearest.h"
 #include "view/view_state.h"
 
 namespace demos {
@@ -17,14 +21,26 @@ constexpr const char* footer = R"(In the window:
   right button    hold it and move the mouse to look around
   space           pause or go on
   tab             hide or show the panel
+  F2, F3          save the picture, the scene
   escape          close
 
 Examples:
   seaglass view demos/scenes/harbour.toml
   seaglass view demos/scenes/ocean.toml --set water.waves.beaufort=8 --camera high
+  seaglass view demos/scenes/harbour.toml --split planar
   seaglass view demos/scenes/harbour.toml --no-ui --frames 10 --dt 0.1 --screenshot window.png
 
 Exit codes: 0 all is well, 1 the run failed, 2 bad input, or no display to open a window on.)";
+
+bool checkSplit(const std::string& technique, Error& error) {
+    const std::span<const std::string_view> known = choicesOf("water.reflection.technique");
+    if (technique.empty() || std::ranges::find(known, technique) != known.end()) return true;
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    error.text = "--split is '" + technique +
+                 "', expected sky, sspr, ssr, hybrid or planar; the nearest is " +
+                 std::string(nearest(technique, names));
+    return false;
+}
 
 } // namespace
 
@@ -41,6 +57,10 @@ void describeView(CLI::App& command, RawView& raw) {
         .add_option("--screenshot", raw.screenshot,
                     "With --frames: PNG of what the window shows at the last of them")
         ->type_name("FILE");
+    command
+        .add_option("--split", raw.split,
+                    "Mirror the right half by another technique: sky sspr ssr hybrid planar")
+        ->type_name("NAME");
     command.add_flag("--paused", raw.paused, "Begin with the waves standing still");
     command.add_flag("--no-ui", raw.noPanel, "Begin without the panel");
     describeDevice(command, raw);
@@ -79,6 +99,8 @@ std::optional<ViewOptions> checkView(const RawView& raw, Error& error) {
         options.screenshot = raw.screenshot;
         if (!checkOutput("--screenshot", options.screenshot, {".png"}, error)) return std::nullopt;
     }
+    if (!checkSplit(raw.split, error)) return std::nullopt;
+    options.split = raw.split;
     options.paused = raw.paused;
     options.panel = !raw.noPanel;
     return options;

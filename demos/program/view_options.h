@@ -18,11 +18,12 @@ struct ViewOptions {
     std::filesystem::path screenshot; ///< of the last frame; empty takes none
     bool paused = false;
     bool panel = true;
+    std::string split; ///< technique of the right half; empty: one picture
 };
 
 /// What the line says, before any of it is checked.
 struct RawView : RawScene, RawDevice {
-    std::string aov, frames, step, screenshot;
+    std::string aov, frames, step, screenshot, split;
     bool paused = false, noPanel = false;
 };
 

@@ -137,6 +137,25 @@ bool layOutSun(Scene& scene) {
     return changed;
 }
 
+bool layOutSplit(std::optional<Split>& split, const std::optional<ReflectionDesc>& own) {
+    bool on = split.has_value();
+    bool changed = ImGui::Checkbox("split the picture", &on);
+    if (changed) split = on ? std::optional(Split{own.value_or(ReflectionDesc{})}) : std::nullopt;
+    if (!split) return changed;
+    slider("at", split->at, 0, 1, "%.2f");
+    ImGui::PushID("right half");
+    changed |= layOutReflection(split->reflection);
+    ImGui::PopID();
+    return changed;
+}
+
+/// The line between the halves.
+void drawSplit(const Split& split, uint32_t width, uint32_t height) {
+    const auto x = static_cast<float>(leftColumns(split, width));
+    ImGui::GetBackgroundDrawList()->AddLine({x, 0}, {x, static_cast<float>(height)},
+                                            IM_COL32(255, 255, 255, 160));
+}
+
 struct NamedOutput {
     Aov aov;
     const char* name;
@@ -201,6 +220,16 @@ void layOutCosts(const FrameTimes& costs) {
     ImGui::EndTable();
 }
 
+void layOutButtons(const PanelInfo& info, PanelWishes& wishes) {
+    wishes.measure = ImGui::Button("measure");
+    ImGui::SameLine();
+    wishes.savePicture = ImGui::Button("save picture");
+    ImGui::SameLine();
+    wishes.saveScene = ImGui::Button("save scene");
+    if (!info.message.empty()) ImGui::TextWrapped("%s", info.message.c_str());
+    if (info.costs) layOutCosts(*info.costs);
+}
+
 } // namespace
 
 PanelWishes layOutPanel(ViewState& state, const PanelInfo& info) {
@@ -218,22 +247,20 @@ PanelWishes layOutPanel(ViewState& state, const PanelInfo& info) {
     layOutTime(state);
     layOutCamera(state);
     layOutPicture(state);
-    const auto open = [](const char* title) {
-        return ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
+    layOutButtons(info, wishes);
+    const auto open = [](const char* title, bool atFirst = true) {
+        return ImGui::CollapsingHeader(title, atFirst ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     };
     if (state.scene.water && state.scene.water->waves && open("Sea"))
         wishes.surface |= layOutSea(*state.scene.water->waves);
     if (std::optional<ReflectionDesc>* const reflection = reflectionOf(state.scene);
         reflection && open("Reflection"))
         wishes.surface |= layOutMirror(*reflection);
-    if (open("Sun")) wishes.light |= layOutSun(state.scene);
-    wishes.measure = ImGui::Button("measure");
-    ImGui::SameLine();
-    wishes.savePicture = ImGui::Button("save picture");
-    ImGui::SameLine();
-    wishes.saveScene = ImGui::Button("save scene");
-    if (!info.message.empty()) ImGui::TextWrapped("%s", info.message.c_str());
-    if (info.costs) layOutCosts(*info.costs);
+    if (std::optional<ReflectionDesc>* const reflection = reflectionOf(state.scene);
+        reflection && open("Right half", state.split.has_value()))
+        wishes.split = layOutSplit(state.split, *reflection);
+    if (state.split) drawSplit(*state.split, info.width, info.height);
+    if (open("Sun", false)) wishes.light |= layOutSun(state.scene);
     ImGui::PopItemWidth();
     ImGui::End();
     return wishes;

@@ -21,6 +21,7 @@ struct PanelInfo {
 struct PanelWishes {
     bool surface = false; ///< the scene's water or floor has changed
     bool light = false;   ///< its sun or sky has
+    bool split = false;   ///< the right half has
     bool measure = false;
     bool savePicture = false;
     bool saveScene = false;

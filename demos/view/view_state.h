@@ -3,6 +3,7 @@
 
 #include "host/host.h"
 #include "view/fly_camera.h"
+#include "view/split.h"
 
 namespace demos {
 
@@ -15,6 +16,7 @@ struct ViewState {
     Aov aov = Aov::color;
     double whiteHeightM = 1; ///< shown as white where heights are
     bool panel = true;
+    std::optional<Split> split;
 };
 
 /// What passes from one frame to the next.

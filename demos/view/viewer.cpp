@@ -27,7 +27,7 @@ class Viewer::Impl {
 
     bool create(Error& error) {
         return swapchain_.create(device(), window_.handle(), error) && display_.create(device(), error) &&
-               ui_.create(device(), window_.handle(), Display::format, error);
+               ui_.create(device(), window_.handle(), Display::format, error) && fitSplit(error);
     }
 
     bool step(Error& error) {
@@ -50,9 +50,9 @@ class Viewer::Impl {
 
     void hear(double seconds) {
         const bool typing = ui_.keysTaken();
-        const WindowWishes wishes = window_.takeWishes();
-        if (wishes.pause && !typing) state_.paused = !state_.paused;
-        if (wishes.hidePanel && !typing) state_.panel = !state_.panel;
+        heard_ = window_.takeWishes();
+        if (heard_.pause && !typing) state_.paused = !state_.paused;
+        if (heard_.hidePanel && !typing) state_.panel = !state_.panel;
         advance(state_, window_.flyInput(typing, ui_.mouseTaken()), seconds);
     }
 
@@ -73,6 +73,8 @@ class Viewer::Impl {
         PanelWishes wishes;
         if (state_.panel) wishes = layOutPanel(state_, info_);
         if (!ui_.end(error)) return false;
+        wishes.savePicture |= heard_.savePicture;
+        wishes.saveScene |= heard_.saveScene;
         fulfil(wishes);
         return true;
     }
@@ -81,7 +83,7 @@ class Viewer::Impl {
     void fulfil(const PanelWishes& wishes) {
         Error problem;
         bool done = true;
-        if (wishes.light || wishes.surface) done = reload(wishes, problem);
+        if (wishes.light || wishes.surface || wishes.split) done = reload(wishes, problem);
         if (wishes.measure) done = done && measure(problem);
         if (wishes.saveScene) done = done && saveTheScene(problem);
         savesPicture_ = wishes.savePicture;
@@ -90,19 +92,32 @@ class Viewer::Impl {
 
     bool reload(const PanelWishes& wishes, Error& problem) {
         follows_ = false;
-        const bool loaded = wishes.light ? host_.load(state_.scene, problem)
-                                         : host_.replaceSurface(0, *surfaceOf(state_.scene), problem);
+        bool loaded = true;
+        if (wishes.light)
+            loaded = host_.load(state_.scene, problem);
+        else if (wishes.surface)
+            loaded = host_.replaceSurface(0, *surfaceOf(state_.scene), problem);
         if (loaded) {
             loaded_ = state_.scene;
             info_.message.clear();
         } else {
             state_.scene = loaded_;
         }
-        return loaded;
+        return loaded && fitSplit(problem);
+    }
+
+    /// The surface of the right half, if there is one.
+    bool fitSplit(Error& problem) {
+        host_.keepSurfaces(1);
+        if (!state_.split) return true;
+        const std::optional<SurfaceDesc> other = otherSurface(state_.scene, *state_.split);
+        if (other && host_.addSurface(*other, problem)) return true;
+        state_.split.reset();
+        return false;
     }
 
     bool measure(Error& problem) {
-        info_.costs = host_.measure(frame(), measuredRuns, problem);
+        info_.costs = host_.measure(frame(0), measuredRuns, problem);
         return info_.costs.has_value();
     }
 
@@ -127,23 +142,33 @@ class Viewer::Impl {
         info_.message = saved ? "saved " + file.filename().string() : problem.text;
     }
 
-    FrameDesc frame() const {
+    FrameDesc frame(uint32_t surface) const {
         const VkExtent2D extent = swapchain_.extent();
-        FrameDesc frame{extent.width, extent.height, state_.camera, state_.timeS, state_.aov};
+        FrameDesc frame{extent.width, extent.height, state_.camera, state_.timeS, state_.aov, surface};
         frame.follows = follows_;
         return frame;
     }
 
     bool draw(Error& error) {
-        const Look look = lookOf(state_.aov, state_.scene.exposureEv, state_.whiteHeightM);
-        const bool drawn = host_.inside().draw(
-            frame(),
-            [&](VkCommandBuffer commands, const Image& picture) {
-                display_.show(commands, picture, look, {{0, 0}, swapchain_.extent()});
-            },
-            error);
+        const VkExtent2D extent = swapchain_.extent();
+        const uint32_t left = state_.split ? leftColumns(*state_.split, extent.width) : extent.width;
+        const bool drawn =
+            drawPart(0, {{0, 0}, {left, extent.height}}, error) &&
+            drawPart(1, {{static_cast<int32_t>(left), 0}, {extent.width - left, extent.height}}, error);
         follows_ = drawn;
         return drawn;
+    }
+
+    /// The scene with one of its surfaces, in a part of the picture that may be empty.
+    bool drawPart(uint32_t surface, const VkRect2D& part, Error& error) {
+        if (part.extent.width == 0) return true;
+        const Look look = lookOf(state_.aov, state_.scene.exposureEv, state_.whiteHeightM);
+        return host_.inside().draw(
+            frame(surface),
+            [&](VkCommandBuffer commands, const Image& picture) {
+                display_.show(commands, picture, look, part);
+            },
+            error);
     }
 
     /// The panel, which a saved picture is without, and the way to the window.
@@ -165,6 +190,7 @@ class Viewer::Impl {
     ViewState state_;
     Scene loaded_; ///< what the host draws
     Clock clock_;
+    WindowWishes heard_; ///< since the last frame
     PanelInfo info_;
     Swapchain swapchain_;
     Display display_;

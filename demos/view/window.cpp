@@ -58,6 +58,8 @@ void Window::onKey(GLFWwindow* handle, int key, int, int action, int) {
     WindowWishes& wishes = static_cast<Window*>(glfwGetWindowUserPointer(handle))->wishes_;
     if (key == GLFW_KEY_SPACE) wishes.pause = !wishes.pause;
     if (key == GLFW_KEY_TAB) wishes.hidePanel = !wishes.hidePanel;
+    if (key == GLFW_KEY_F2) wishes.savePicture = true;
+    if (key == GLFW_KEY_F3) wishes.saveScene = true;
     if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(handle, GLFW_TRUE);
 }
 

@@ -14,8 +14,10 @@ namespace demos {
 
 /// What was asked for by a key since it was last taken.
 struct WindowWishes {
-    bool pause = false;     ///< or go on: space
-    bool hidePanel = false; ///< or show it: tab
+    bool pause = false;       ///< or go on: space
+    bool hidePanel = false;   ///< or show it: tab
+    bool savePicture = false; ///< F2
+    bool saveScene = false;   ///< F3
 };
 
 class Window {

@@ -42,15 +42,18 @@ class ViewOnDisplay : public View {
         return run("view", arguments, xvfb_.display());
     }
 
-    /// The greatest difference of any channel of any pixel, in 255ths.
-    double difference(const std::string& a, const std::string& b) const {
+    /// The greatest difference of any channel of any pixel of some columns, in 255ths.
+    double difference(const std::string& a, const std::string& b, size_t first = 0, size_t end = 160) const {
         demos::Error error;
-        const std::optional<demos::Picture> first = demos::readPicture(out(a), error);
-        const std::optional<demos::Picture> second = demos::readPicture(out(b), error);
-        if (!first || !second || first->width != second->width || first->height != second->height) return 255;
+        const std::optional<demos::Picture> one = demos::readPicture(out(a), error);
+        const std::optional<demos::Picture> other = demos::readPicture(out(b), error);
+        if (!one || !other || one->width != other->width || one->height != other->height) return 255;
         float most = 0;
-        for (size_t i = 0; i < first->rgba.size(); ++i)
-            most = std::max(most, std::abs(first->rgba[i] - second->rgba[i]));
+        for (size_t i = 0; i < one->rgba.size(); ++i) {
+            const size_t column = i / 4 % one->width;
+            if (column >= first && column < end)
+                most = std::max(most, std::abs(one->rgba[i] - other->rgba[i]));
+        }
         return 255 * static_cast<double>(most);
     }
 
@@ -78,6 +81,23 @@ TEST_F(ViewOnDisplay, ShowsOutputsAsRenderDoes) {
         ASSERT_EQ(run("render", {"--size", "160x90", "-o", "out/a.png", "--aov", aov}).code, 0);
         EXPECT_LE(difference("view.png", "a.png"), 1.01) << aov;
     }
+}
+
+TEST_F(ViewOnDisplay, SplitMirrorsTheHalvesByTheirOwnTechniques) {
+    REQUIRE_DISPLAY(xvfb_);
+    const Outcome viewed = view(
+        {"--frames", "1", "--dt", "0", "--aov", "class", "--screenshot", "out/view.png", "--split", "sky"});
+    ASSERT_EQ(viewed.code, 0) << viewed.err;
+    const Names asViewed = {"--size", "160x90", "--aov", "class", "-o"};
+    Names left = asViewed, right = asViewed;
+    left.push_back("out/left.png");
+    right.insert(right.end(), {"out/right.png", "--set", "water.reflection.technique=sky"});
+    ASSERT_EQ(run("render", left).code, 0);
+    ASSERT_EQ(run("render", right).code, 0);
+    EXPECT_LE(difference("view.png", "left.png", 0, 80), 1.01);
+    EXPECT_LE(difference("view.png", "right.png", 80, 160), 1.01);
+    EXPECT_GT(difference("left.png", "right.png", 0, 80), 100) << "the techniques differ on both sides";
+    EXPECT_GT(difference("left.png", "right.png", 80, 160), 100);
 }
 
 TEST_F(ViewOnDisplay, PausedItStandsStill) {
@@ -114,6 +134,7 @@ TEST_F(View, RefusesBadInput) {
     tests::expectRefused(run("view", {"--frames", "1", "--screenshot", "a.exr"}), {"--screenshot", ".png"});
     tests::expectRefused(run("view", {"--aov", "depth"}), {"--aov", "'depth'", "seaglass render"});
     tests::expectRefused(run("view", {"--aov", "clas"}), {"--aov", "'clas'", "class"});
+    tests::expectRefused(run("view", {"--split", "plane"}), {"--split", "'plane'", "planar"});
     tests::expectRefused(run("view", {"--sise", "1x1"}), {"--sise", "--size"});
 }
 

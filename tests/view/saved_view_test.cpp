@@ -36,6 +36,25 @@ TEST(SavedView, IsTheScenesFirstCameraAndTime) {
     EXPECT_EQ(saved.cameras[1].name, "level");
 }
 
+TEST(Split, TheRightHalfIsTheSameSurfaceMirroredOtherwise) {
+    demos::Scene scene;
+    demos::Split split;
+    split.reflection.technique = "planar";
+    EXPECT_FALSE(demos::otherSurface(scene, split));
+    scene.water.emplace().levelM = 3;
+    const std::optional<demos::SurfaceDesc> other = demos::otherSurface(scene, split);
+    ASSERT_TRUE(other && std::holds_alternative<demos::WaterDesc>(*other));
+    EXPECT_EQ(std::get<demos::WaterDesc>(*other).levelM, 3);
+    EXPECT_EQ(std::get<demos::WaterDesc>(*other).reflection->technique, "planar");
+    EXPECT_FALSE(scene.water->reflection) << "the left half keeps its own";
+}
+
+TEST(Split, LiesWithinThePicture) {
+    EXPECT_EQ(demos::leftColumns({{}, 0.5}, 161), 81u);
+    EXPECT_EQ(demos::leftColumns({{}, 0}, 160), 0u);
+    EXPECT_EQ(demos::leftColumns({{}, 1.5}, 160), 160u);
+}
+
 TEST(SavedView, TakesNobodysName) {
     const tests::TemporaryFolder folder;
     EXPECT_EQ(demos::freeName(folder.path(), "lake", ".png"), folder.path() / "lake_0001.png");

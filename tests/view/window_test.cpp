@@ -25,6 +25,14 @@ using demos::Error;
 
 constexpr double step = 0.125;
 
+/// The greatest of any channel of any pixel.
+int difference(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
+    if (a.size() != b.size()) return 255;
+    int most = 0;
+    for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+    return most;
+}
+
 class InWindow : public testing::Test {
   protected:
     ~InWindow() override {
@@ -189,6 +197,58 @@ TEST_F(InWindow, SpacePausesTheWaves) {
     EXPECT_EQ(viewer_->state().timeS, stopped);
 }
 
+TEST_F(InWindow, TheSavedSceneDrawsWhatIsSeen) {
+    REQUIRE_DISPLAY(xvfb_);
+    ASSERT_NO_FATAL_FAILURE(open());
+    std::filesystem::current_path(folder_.path());
+    hold(XK_s, GLFW_KEY_S);
+    stepOn(3);
+    release(XK_s, GLFW_KEY_S);
+    key(XK_F3, true);
+    key(XK_F3, false);
+    const std::filesystem::path file = folder_.path() / "scene_0001.toml";
+    expectSoon([&] {
+        if (!std::filesystem::exists(file)) stepOn(1);
+        return std::filesystem::exists(file);
+    });
+    const std::optional<demos::Scene> saved = demos::loadScene(file, {}, error_);
+    ASSERT_TRUE(saved) << error_.text;
+    EXPECT_EQ(saved->cameras.front().name, "view");
+    EXPECT_EQ(saved->cameras.front().positionM, viewer_->state().camera.positionM);
+    EXPECT_NE(saved->cameras.front().positionM, saved->cameras[1].positionM) << "it had flown";
+    ASSERT_TRUE(host_->load(*saved, error_)) << error_.text;
+    const std::optional<demos::Picture> drawn =
+        host_->render({96, 64, saved->cameras.front(), saved->timeS}, error_);
+    ASSERT_TRUE(drawn) << error_.text;
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> shown;
+    ASSERT_TRUE(viewer_->read(width, height, shown, error_)) << error_.text;
+    EXPECT_LE(difference(shown, demos::toneMap(*drawn, saved->exposureEv)), 1);
+}
+
+TEST_F(InWindow, ThePanelLiesOverThePictureAndTabHidesIt) {
+    REQUIRE_DISPLAY(xvfb_);
+    ASSERT_NO_FATAL_FAILURE(open());
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> bare, covered;
+    key(XK_space, true);
+    key(XK_space, false);
+    expectSoon([&] {
+        stepOn(1);
+        return viewer_->state().paused;
+    });
+    ASSERT_TRUE(viewer_->read(width, height, bare, error_)) << error_.text;
+    key(XK_Tab, true);
+    key(XK_Tab, false);
+    expectSoon([&] {
+        stepOn(2); // it lays itself out in the first
+        return viewer_->state().panel;
+    });
+    ASSERT_TRUE(viewer_->read(width, height, covered, error_)) << error_.text;
+    EXPECT_GT(difference(bare, covered), 50);
+    EXPECT_EQ(host_->validationMessages(), 0u);
+}
+
 TEST_F(InWindow, ShowsThePictureAtAnySize) {
     REQUIRE_DISPLAY(xvfb_);
     ASSERT_NO_FATAL_FAILURE(open());
@@ -217,10 +277,7 @@ TEST_F(InWindow, ShowsThePictureAtAnySize) {
         expectSoon([&] { return onDisplay() == shown; });
 
         const std::vector<uint8_t> expected = demos::toneMap(rendered(), viewer_->state().scene.exposureEv);
-        ASSERT_EQ(shown.size(), expected.size());
-        int most = 0;
-        for (size_t i = 0; i < shown.size(); ++i) most = std::max(most, std::abs(shown[i] - expected[i]));
-        EXPECT_LE(most, 1) << "at " << width << " columns";
+        EXPECT_LE(difference(shown, expected), 1) << "at " << width << " columns";
     }
     EXPECT_EQ(host_->validationMessages(), 0u);
 }
