@@ -2,7 +2,7 @@
 # embeds it, so that a program carries its shaders. `shaders/scatter.comp` becomes
 #     #include "spirv/scatter.comp.h"     ->     const uint32_t scatter_comp[] = {...};
 # With DEFINES, one file gives several variants; NAME then replaces the file's name.
-find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang REQUIRED)
 
 function(seaglass_shaders target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "NAME" "DEFINES")

@@ -34,7 +34,7 @@ FoamTime foamTimeOf(double time, double loopPeriod) {
 }
 
 FoamHistory::FoamHistory(const Sea& sea, const FoamDesc& foam)
-    : sea_(sea), breaking_(breakingOf(sea, foam)), fading_(fadingOf(foam)), bands_(breaking_.count) {
+    : breaking_(breakingOf(sea, foam)), fading_(fadingOf(foam)), bands_(breaking_.count) {
     if (breaking_.count == 0) return;
     const size_t texels = size_t{sea.desc.samples} * sea.desc.samples;
     for (Band& band : bands_) {

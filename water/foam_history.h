@@ -70,7 +70,6 @@ class FoamHistory {
     void clear();
     void stepTo(const WavesBackend& backend, void* state, int64_t step);
 
-    const Sea& sea_;
     Breaking breaking_;
     FoamFading fading_;
     std::vector<Band> bands_;

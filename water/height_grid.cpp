@@ -106,12 +106,12 @@ Float4 mix(const float* first, size_t pitch, const Float4& shareU, const Float4&
 
 // Four times four values to four of each.
 void transpose(std::array<Float4, 4>& rows) {
-    const Float4 a = __builtin_shuffle(rows[0], rows[1], Int4{0, 4, 1, 5});
-    const Float4 b = __builtin_shuffle(rows[2], rows[3], Int4{0, 4, 1, 5});
-    const Float4 c = __builtin_shuffle(rows[0], rows[1], Int4{2, 6, 3, 7});
-    const Float4 d = __builtin_shuffle(rows[2], rows[3], Int4{2, 6, 3, 7});
-    rows = {__builtin_shuffle(a, b, Int4{0, 1, 4, 5}), __builtin_shuffle(a, b, Int4{2, 3, 6, 7}),
-            __builtin_shuffle(c, d, Int4{0, 1, 4, 5}), __builtin_shuffle(c, d, Int4{2, 3, 6, 7})};
+    const Float4 a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5);
+    const Float4 b = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5);
+    const Float4 c = __builtin_shufflevector(rows[0], rows[1], 2, 6, 3, 7);
+    const Float4 d = __builtin_shufflevector(rows[2], rows[3], 2, 6, 3, 7);
+    rows = {__builtin_shufflevector(a, b, 0, 1, 4, 5), __builtin_shufflevector(a, b, 2, 3, 6, 7),
+            __builtin_shufflevector(c, d, 0, 1, 4, 5), __builtin_shufflevector(c, d, 2, 3, 6, 7)};
 }
 
 // Four points: where they lie on each tile, in samples, and how far from them the water rests that is seen

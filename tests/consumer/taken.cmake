@@ -1,25 +1,15 @@
-# Takes Seaglass into the project beside this file and runs what it builds. way: find_package, pkg_config, deb,
+# Takes Seaglass into the project beside this file and runs what it builds. way: find_package, pkg_config, deb, vcpkg,
 # add_subdirectory or fetch_content.
 cmake_minimum_required(VERSION 3.25)
 
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
-  if(NOT code EQUAL 0)
-    message(FATAL_ERROR "${ARGN}\nended with ${code}:\n${said}")
-  endif()
-  set(said "${said}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
 file(REMOVE_RECURSE ${work})
 file(MAKE_DIRECTORY ${work})
 set(prefix ${work}/prefix)
-set(libraries gpu reflection sea water)
 set(programs reflection_alone sea_alone water_alone)
-if(fftw)
-  list(APPEND libraries waves_fftw)
-  if(NOT way MATCHES "add|fetch")
-    list(APPEND programs fftw_waves)
-  endif()
+if(fftw AND NOT way MATCHES "add|fetch|vcpkg")
+  list(APPEND programs fftw_waves)
 endif()
 
 # Shared libraries are another build, which compiles soonest with Debug; static ones are those of the tests.
@@ -35,6 +25,9 @@ if(way STREQUAL "deb")
   file(GLOB package ${work}/*.deb)
   run(dpkg-deb -x ${package} ${prefix})
   set(prefix ${prefix}/usr)
+elseif(way STREQUAL "vcpkg")
+  set(fftw OFF)
+  include(${CMAKE_CURRENT_LIST_DIR}/vcpkg.cmake)
 elseif(NOT way MATCHES "add|fetch")
   run(${CMAKE_COMMAND} --install ${installed_from} --prefix ${prefix})
 endif()

@@ -25,15 +25,15 @@ SeaDesc roughSea() {
 class Foam {
   public:
     explicit Foam(const Sea& sea, const FoamDesc& desc = {})
-        : sea_(sea), state_(fftwWaves()->create(sea)), history(sea, desc) {}
+        : sea_(sea), state_(tests::builtBackend().create(sea)), history(sea, desc) {}
     Foam(const Foam&) = delete;
     Foam& operator=(const Foam&) = delete;
-    ~Foam() { fftwWaves()->destroy(state_); }
+    ~Foam() { tests::builtBackend().destroy(state_); }
 
     /// Foam at `time` as it is drawn, cascade after cascade.
     std::vector<float> at(double time) {
         const FoamTime now = foamTimeOf(time, description(sea_).loopPeriod);
-        history.advance(*fftwWaves(), state_, now.step);
+        history.advance(tests::builtBackend(), state_, now.step);
         std::vector<float> drawn;
         for (uint32_t c = 0; c < history.breaking().count; ++c)
             for (size_t i = 0; i < history.at(c).size(); ++i)

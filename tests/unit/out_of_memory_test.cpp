@@ -28,22 +28,6 @@ TEST(OutOfMemory, CreateSeaSaysSo) {
     }
 }
 
-TEST(OutOfMemory, BackendReturnsNull) {
-    const auto sea = tests::makeSea(tests::oneCascade());
-    bool made = false;
-    for (int allocations = 0; !made; ++allocations) {
-        ASSERT_LT(allocations, 100);
-        void* state = nullptr;
-        {
-            const Starved starved(allocations);
-            state = fftwWaves()->create(*sea);
-        }
-        made = state != nullptr;
-        if (made) fftwWaves()->destroy(state);
-        EXPECT_TRUE(made || allocations < 10);
-    }
-}
-
 TEST(OutOfMemory, HeightGridReturnsNull) {
     const auto sea = tests::makeSea(tests::oneCascade());
     bool made = false;

@@ -1,7 +1,6 @@
 // What the tests of the sea share.
 #pragma once
 
-#include "seaglass/waves_fftw.h"
 #include "water/sea.h"
 #include "water/spectrum.h"
 
@@ -46,11 +45,14 @@ struct Maps {
     bool operator==(const Maps&) const = default;
 };
 
-/// The FFTW backend on one sea.
+/// The backend that this build has: FFTW's, or one made of wave_truth.h, in doubles and slow.
+const WavesBackend& builtBackend();
+
+/// A backend on one sea.
 class Waves {
   public:
-    explicit Waves(const Sea& sea, uint32_t threads = 1)
-        : sea_(sea), backend_(*fftwWaves(threads)), state_(backend_.create(sea)) {}
+    explicit Waves(const Sea& sea, const WavesBackend& backend = builtBackend())
+        : sea_(sea), backend_(backend), state_(backend_.create(sea)) {}
     Waves(const Waves&) = delete;
     Waves& operator=(const Waves&) = delete;
     ~Waves() { backend_.destroy(state_); }

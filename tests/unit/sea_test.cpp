@@ -374,9 +374,6 @@ TEST(Sea, IsFlatWithoutWind) {
         EXPECT_EQ(sample.velocity[1], 0);
         EXPECT_EQ(sample.folded, 0u);
     }
-    void* waves = fftwWaves()->create(*sea);
-    EXPECT_NE(waves, nullptr);
-    fftwWaves()->destroy(waves);
 }
 
 bool allFinite(const std::vector<float>& values) {

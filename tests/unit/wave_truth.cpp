@@ -1,12 +1,10 @@
 #include "tests/unit/wave_truth.h"
 
-#include <fftw3.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <memory>
 #include <numbers>
+#include <utility>
 
 namespace seaglass::tests {
 namespace {
@@ -28,6 +26,46 @@ std::array<Complex, waveFields> factors(double ku, double kv, double choppiness)
     const double d = choppiness / std::hypot(ku, kv);
     const Complex i(0, 1);
     return {i * ku * d, 1, i * kv * d, -ku * kv * d, i * ku, i * kv, -ku * ku * d, -kv * kv * d};
+}
+
+// Unnormalised, e^{+2 pi i jk/n}, in place, by halves; `turns` holds e^{2 pi i k/n}, n a power of two.
+void inverseFourier(Complex* line, const std::vector<Complex>& turns) {
+    const size_t points = turns.size();
+    for (size_t at = 1, reversed = 0; at < points; ++at) {
+        size_t bit = points / 2;
+        for (; reversed & bit; bit /= 2) reversed ^= bit;
+        reversed ^= bit;
+        if (at < reversed) std::swap(line[at], line[reversed]);
+    }
+    for (size_t half = 1; half < points; half *= 2)
+        for (size_t first = 0; first < points; first += 2 * half)
+            for (size_t k = 0; k < half; ++k) {
+                Complex &low = line[first + k], &high = line[first + k + half];
+                const Complex turned = high * turns[k * (points / 2 / half)];
+                high = low - turned;
+                low += turned;
+            }
+}
+
+void transpose(std::vector<Complex>& field, size_t samples) {
+    for (size_t row = 0; row < samples; ++row)
+        for (size_t column = 0; column < row; ++column)
+            std::swap(field[row * samples + column], field[column * samples + row]);
+}
+
+void inverseFourier2d(std::vector<Complex>& field, const std::vector<Complex>& turns) {
+    const size_t samples = turns.size();
+    for (int direction = 0; direction < 2; ++direction) {
+        for (size_t row = 0; row < samples; ++row) inverseFourier(&field[row * samples], turns);
+        transpose(field, samples);
+    }
+}
+
+std::vector<Complex> turnsOf(size_t points) {
+    std::vector<Complex> turns;
+    for (size_t k = 0; k < points; ++k)
+        turns.push_back(std::polar(1.0, tau * static_cast<double>(k) / static_cast<double>(points)));
+    return turns;
 }
 
 } // namespace
@@ -55,9 +93,7 @@ WaveTruth waveTruth(const Sea& sea, uint32_t cascade, double time) {
                             factors(m * dk, n * dk, static_cast<double>(sea.desc.choppiness))});
         }
     std::vector<Complex> field(texels); // one for all: pages are slow to come by
-    auto* memory = reinterpret_cast<fftw_complex*>(field.data());
-    const std::unique_ptr<fftw_plan_s, void (*)(fftw_plan)> plan(
-        fftw_plan_dft_2d(samples, samples, memory, memory, FFTW_BACKWARD, FFTW_ESTIMATE), fftw_destroy_plan);
+    const std::vector<Complex> turns = turnsOf(sea.desc.samples);
     WaveTruth truth;
     for (size_t f = 0; f < waveFields; ++f) {
         std::ranges::fill(field, 0);
@@ -65,7 +101,7 @@ WaveTruth waveTruth(const Sea& sea, uint32_t cascade, double time) {
             field[texel(mode.m, mode.n)] = mode.factor[f] * mode.h;
             field[texel(-mode.m, -mode.n)] = std::conj(mode.factor[f] * mode.h);
         }
-        fftw_execute(plan.get());
+        inverseFourier2d(field, turns);
         truth[f].reserve(texels);
         for (const Complex& value : field) truth[f].push_back(value.real());
     }

@@ -1,5 +1,5 @@
 // The maps of a cascade in double: each mode's height from the definition, its phase by fmod in long double,
-// and FFTW's double transforms of one field at a time. Shares no code with what it checks.
+// and double transforms of one field at a time. Shares no code with what it checks, and asks for no library.
 #pragma once
 
 #include "water/sea.h"

@@ -1,6 +1,7 @@
 #include "seaglass/waves_fftw.h"
 
 #include "tests/unit/sea_support.h"
+#include "tests/unit/starved.h"
 #include "tests/unit/wave_truth.h"
 #include "water/phase.h"
 
@@ -213,7 +214,7 @@ TEST(WavesFftw, SameBitsOnTwoThreads) {
         SeaDesc desc;
         desc.samples = samples;
         const auto sea = makeSea(desc);
-        Waves one(*sea), two(*sea, 2);
+        Waves one(*sea), two(*sea, *fftwWaves(2));
         for (uint32_t c = 0; c < cascadeCount(*sea); ++c) EXPECT_EQ(one.at(c, 7.5), two.at(c, 7.5)) << c;
     }
 }
@@ -277,6 +278,31 @@ TEST(WavesFftw, SameBitsWhereverTheMapsLie) {
     EXPECT_TRUE(std::equal(expected.displacement.begin(), expected.displacement.end(), start));
     EXPECT_TRUE(std::equal(expected.derivatives.begin(), expected.derivatives.end(), start + floats + 1));
     EXPECT_TRUE(std::equal(expected.moments.begin(), expected.moments.end(), start + 2 * floats + 2));
+}
+
+TEST(WavesFftw, ReturnsNullWhenOutOfMemory) {
+    const auto sea = makeSea(tests::oneCascade());
+    bool made = false;
+    for (int allocations = 0; !made; ++allocations) {
+        ASSERT_LT(allocations, 100);
+        void* state = nullptr;
+        {
+            const tests::Starved starved(allocations);
+            state = fftwWaves()->create(*sea);
+        }
+        made = state != nullptr;
+        if (made) fftwWaves()->destroy(state);
+        EXPECT_TRUE(made || allocations < 10);
+    }
+}
+
+TEST(WavesFftw, HasAStateForAFlatSea) {
+    SeaDesc desc;
+    desc.windSpeed = 0;
+    const auto sea = makeSea(desc);
+    void* state = fftwWaves()->create(*sea);
+    EXPECT_NE(state, nullptr);
+    fftwWaves()->destroy(state);
 }
 
 TEST(WavesFftw, StaysExactForYears) {

@@ -26,7 +26,7 @@ SeaDesc windSea(SpectrumModel spectrum, float wind, uint64_t seed) {
 double coverOf(const SeaDesc& desc, const FoamDesc& foam = {}, double time = 100.3) {
     const auto sea = makeSea(desc);
     double cover = -1;
-    EXPECT_TRUE(whitecapCover(*sea, *fftwWaves(), foam, time, &cover));
+    EXPECT_TRUE(whitecapCover(*sea, tests::builtBackend(), foam, time, &cover));
     return cover;
 }
 
@@ -93,7 +93,7 @@ TEST(Whitecaps, BadFieldsAreNamed) {
         const char* bad = badField(foam);
         double cover = -1;
         const auto sea = makeSea(tests::oneCascade());
-        EXPECT_FALSE(whitecapCover(*sea, *fftwWaves(), foam, 0, &cover)) << field;
+        EXPECT_FALSE(whitecapCover(*sea, tests::builtBackend(), foam, 0, &cover)) << field;
         return bad && std::string(bad).find(field) != std::string::npos;
     };
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
