@@ -43,6 +43,15 @@ class Viewer::Impl {
     }
 
     const ViewState& state() const { return state_; }
+
+    bool change(const ViewState& state, const PanelWishes& wishes, Error& error) {
+        state_ = state;
+        savesPicture_ = wishes.savePicture;
+        const bool reloads = wishes.light || wishes.surface || wishes.split;
+        return (!reloads || reload(wishes, error)) && (!wishes.measure || measure(error)) &&
+               (!wishes.saveScene || saveTheScene(error));
+    }
+
     Display& display() { return display_; }
 
   private:
@@ -75,19 +84,10 @@ class Viewer::Impl {
         if (!ui_.end(error)) return false;
         wishes.savePicture |= heard_.savePicture;
         wishes.saveScene |= heard_.saveScene;
-        fulfil(wishes);
-        return true;
-    }
-
-    /// What cannot be done is said in the panel, and leaves the scene as it was.
-    void fulfil(const PanelWishes& wishes) {
+        // What cannot be done is said in the panel.
         Error problem;
-        bool done = true;
-        if (wishes.light || wishes.surface || wishes.split) done = reload(wishes, problem);
-        if (wishes.measure) done = done && measure(problem);
-        if (wishes.saveScene) done = done && saveTheScene(problem);
-        savesPicture_ = wishes.savePicture;
-        if (!done) info_.message = problem.text;
+        if (!change(ViewState(state_), wishes, problem)) info_.message = problem.text;
+        return true;
     }
 
     bool reload(const PanelWishes& wishes, Error& problem) {
@@ -212,6 +212,10 @@ Viewer::~Viewer() = default;
 
 bool Viewer::step(Error& error) {
     return impl_->step(error);
+}
+
+bool Viewer::change(const ViewState& state, const PanelWishes& wishes, Error& error) {
+    return impl_->change(state, wishes, error);
 }
 
 const ViewState& Viewer::state() const {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "view/view_state.h"
+#include "view/panel.h"
 #include "view/window.h"
 
 namespace demos {
@@ -25,6 +25,9 @@ class Viewer {
     /// Hears what happened in the window, draws one frame and shows it.
     bool step(Error& error);
     const ViewState& state() const;
+    /// As if the panel had changed the state and wished for so much: false with `error` set where that cannot
+    /// be done, and the scene then stays what it was.
+    bool change(const ViewState& state, const PanelWishes& wishes, Error& error);
     /// What the window shows: RGB bytes, rows from the top, in `width` columns.
     bool read(uint32_t& width, uint32_t& height, std::vector<uint8_t>& rgb, Error& error);
 

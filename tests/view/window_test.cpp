@@ -249,6 +249,49 @@ TEST_F(InWindow, ThePanelLiesOverThePictureAndTabHidesIt) {
     EXPECT_EQ(host_->validationMessages(), 0u);
 }
 
+TEST_F(InWindow, ChangesShowAndWhatCannotBeLeavesTheScene) {
+    REQUIRE_DISPLAY(xvfb_);
+    ASSERT_NO_FATAL_FAILURE(open());
+    const auto shown = [&] {
+        uint32_t width = 0, height = 0;
+        std::vector<uint8_t> rgb;
+        EXPECT_TRUE(viewer_->read(width, height, rgb, error_)) << error_.text;
+        return rgb;
+    };
+    demos::ViewState state = viewer_->state();
+    state.paused = true;
+    state.scene.water->waves->beaufort = 7;
+    state.scene.water->reflection->technique = "planar";
+    ASSERT_TRUE(viewer_->change(state, {.surface = true}, error_)) << error_.text;
+    stepOn(1);
+    const std::vector<uint8_t> stormy = shown();
+    state.scene.sun.elevationDeg = 60;
+    ASSERT_TRUE(viewer_->change(state, {.light = true}, error_)) << error_.text;
+    stepOn(1);
+    const std::vector<uint8_t> sunny = shown();
+    EXPECT_GT(difference(stormy, sunny), 10);
+    state.split = demos::Split{};
+    state.split->reflection.technique = "sky";
+    ASSERT_TRUE(viewer_->change(state, {.split = true, .measure = true}, error_)) << error_.text;
+    stepOn(1);
+    state.split.reset();
+    ASSERT_TRUE(viewer_->change(state, {.split = true}, error_)) << error_.text;
+    stepOn(1);
+    EXPECT_EQ(shown(), sunny) << "as before the split";
+
+    demos::ViewState wrong = state;
+    wrong.scene.water->waves->samples = 48;
+    EXPECT_FALSE(viewer_->change(wrong, {.surface = true}, error_));
+    EXPECT_NE(error_.text.find("samples"), std::string::npos) << error_.text;
+    EXPECT_EQ(viewer_->state().scene.water->waves->samples, 128u);
+    stepOn(1);
+    EXPECT_EQ(shown(), sunny);
+
+    ASSERT_TRUE(host_->load(state.scene, error_)) << error_.text;
+    EXPECT_LE(difference(sunny, demos::toneMap(rendered(), state.scene.exposureEv)), 1) << "as loaded anew";
+    EXPECT_EQ(host_->validationMessages(), 0u);
+}
+
 TEST_F(InWindow, ShowsThePictureAtAnySize) {
     REQUIRE_DISPLAY(xvfb_);
     ASSERT_NO_FATAL_FAILURE(open());
