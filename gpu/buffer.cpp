@@ -7,16 +7,15 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
     release();
     device_ = std::exchange(other.device_, nullptr);
     buffer_ = std::exchange(other.buffer_, VK_NULL_HANDLE);
-    memory_ = std::exchange(other.memory_, VK_NULL_HANDLE);
+    memory_ = std::exchange(other.memory_, {});
     size_ = std::exchange(other.size_, 0);
-    mapped_ = std::exchange(other.mapped_, nullptr);
     return *this;
 }
 
 void Buffer::release() {
     if (!device_) return;
     device_->vk().DestroyBuffer(device_->handle(), buffer_, device_->allocator());
-    device_->vk().FreeMemory(device_->handle(), memory_, device_->allocator());
+    device_->free(memory_);
     device_ = nullptr;
 }
 
@@ -25,7 +24,6 @@ Status Buffer::allocate(const Device& device, VkDeviceSize size, VkBufferUsageFl
     release();
     device_ = &device;
     buffer_ = VK_NULL_HANDLE;
-    memory_ = VK_NULL_HANDLE;
     size_ = size;
     VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
     info.size = size;
@@ -37,8 +35,8 @@ Status Buffer::allocate(const Device& device, VkDeviceSize size, VkBufferUsageFl
         return s;
     VkMemoryRequirements needs{};
     vk.GetBufferMemoryRequirements(device.handle(), buffer_, &needs);
-    if (const Status s = device.allocate(needs, memory, what, memory_); s != Status::ok) return s;
-    return device.check(vk.BindBufferMemory(device.handle(), buffer_, memory_, 0), what);
+    if (const Status s = device.allocate(needs, memory, false, what, memory_); s != Status::ok) return s;
+    return device.check(vk.BindBufferMemory(device.handle(), buffer_, memory_.memory, memory_.offset), what);
 }
 
 Status Buffer::create(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage, const char* what) {
@@ -49,8 +47,7 @@ Status Buffer::createMapped(const Device& device, VkDeviceSize size, VkBufferUsa
                             const char* what) {
     const VkMemoryPropertyFlags memory =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    if (const Status s = allocate(device, size, usage, memory, what); s != Status::ok) return s;
-    return device.check(device.vk().MapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_), what);
+    return allocate(device, size, usage, memory, what);
 }
 
 void recordBarrier(const Device& device, VkCommandBuffer commands, const BufferUse& before,

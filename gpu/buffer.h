@@ -22,7 +22,7 @@ class Buffer {
 
     VkBuffer handle() const { return buffer_; }
     VkDeviceSize size() const { return size_; }
-    void* mapped() const { return mapped_; }
+    void* mapped() const { return memory_.mapped; }
 
   private:
     Status allocate(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage,
@@ -31,9 +31,8 @@ class Buffer {
 
     const Device* device_ = nullptr;
     VkBuffer buffer_ = VK_NULL_HANDLE;
-    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    MemoryPiece memory_;
     VkDeviceSize size_ = 0;
-    void* mapped_ = nullptr;
 };
 
 struct BufferUse {

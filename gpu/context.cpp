@@ -42,17 +42,21 @@ const char* badField(const DeviceDesc& desc) {
     if (!desc.getInstanceProcAddr) return "DeviceDesc.getInstanceProcAddr is null";
     if (desc.framesInFlight < 1 || desc.framesInFlight > 4)
         return "DeviceDesc.framesInFlight is out of range, expected 1 to 4";
+    if (!desc.memory.allocate != !desc.memory.free)
+        return "DeviceDesc.memory has one of allocate and free, expected both or none";
     return nullptr;
 }
 
 } // namespace
 
 Status createContext(const DeviceDesc* desc, Context** out) {
-    if (!desc || !out) return Status::invalidArgument;
-    *out = nullptr;
+    if (out) *out = nullptr;
+    if (!desc) return Status::invalidArgument;
     // Nothing behind the version may be read where it is another: the struct itself may differ.
     if (!sameInterface(desc->headerVersion)) return Status::unsupported;
-    if (const char* bad = badField(*desc)) {
+    const char* bad = badField(*desc);
+    if (!out) bad = "createContext: out is null";
+    if (bad) {
         if (desc->message.function) desc->message.function(desc->message.user, bad);
         return Status::invalidArgument;
     }
@@ -72,6 +76,12 @@ Status createContext(const DeviceDesc* desc, Context** out) {
 
 void destroyContext(Context* context) {
     if (!context) return;
+    if (context->inUse > 0) {
+        context->device.ruleBroken(
+            "destroyContext: bodies, reflectors or targets of the context exist, which are "
+            "destroyed before it; nothing was done");
+        return;
+    }
     // Retired objects may share pipelines, which need the device: let go of them first.
     for (gpu::Frame& frame : context->frames) frame.releaseRetired();
     delete context;

@@ -17,6 +17,7 @@ struct Context {
     std::array<gpu::Frame, 4> frames;
     uint32_t frameCount = 0;
     uint32_t slot = 0;
+    uint32_t inUse = 0; ///< bodies, reflectors and targets that the host holds
 
     gpu::Frame& frame() { return frames[slot]; }
 

@@ -2,12 +2,15 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 
 namespace seaglass::gpu {
 
 Status Device::init(const DeviceDesc& desc) {
     device_ = desc.device;
+    physical_ = desc.physicalDevice;
     pipelineCache_ = desc.pipelineCache;
+    memoryCallbacks_ = desc.memory;
     message_ = desc.message;
     pass_ = desc.pass;
     if (desc.allocator) {
@@ -32,13 +35,53 @@ uint32_t Device::memoryType(uint32_t allowedBits, VkMemoryPropertyFlags wanted) 
     return ~0u;
 }
 
-Status Device::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, const char* what,
-                        VkDeviceMemory& out) const {
+VkFormatFeatureFlags Device::optimalFeatures(VkFormat format) const {
+    VkFormatProperties properties{};
+    instanceTable_.GetPhysicalDeviceFormatProperties(physical_, format, &properties);
+    return properties.optimalTilingFeatures;
+}
+
+Status Device::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, bool image,
+                        const char* what, MemoryPiece& out) const {
+    return memoryCallbacks_.allocate ? allocateHosts(needs, wanted, image, what, out)
+                                     : allocateOwn(needs, wanted, what, out);
+}
+
+Status Device::allocateOwn(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, const char* what,
+                           MemoryPiece& out) const {
     VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
     info.allocationSize = needs.size;
     info.memoryTypeIndex = memoryType(needs.memoryTypeBits, wanted);
     if (info.memoryTypeIndex == ~0u) return fail(Status::unsupported, "%s: no fitting memory type", what);
-    return check(table_.AllocateMemory(device_, &info, allocator(), &out), what);
+    if (const Status s = check(table_.AllocateMemory(device_, &info, allocator(), &out.memory), what);
+        s != Status::ok)
+        return s;
+    if (!(wanted & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT)) return Status::ok;
+    return check(table_.MapMemory(device_, out.memory, 0, VK_WHOLE_SIZE, 0, &out.mapped), what);
+}
+
+Status Device::allocateHosts(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, bool image,
+                             const char* what, MemoryPiece& out) const {
+    MemoryPiece piece;
+    const VkResult result = memoryCallbacks_.allocate(memoryCallbacks_.user, &needs, wanted, image, &piece);
+    if (const Status s = check(result, what); s != Status::ok) return s;
+    out = piece;
+    if (!piece.memory || piece.offset % needs.alignment != 0)
+        return fail(Status::invalidArgument,
+                    "%s: MemoryCallbacks.allocate gave no memory, or an offset that is not aligned", what);
+    if ((wanted & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) && !piece.mapped)
+        return fail(Status::invalidArgument,
+                    "%s: MemoryCallbacks.allocate was asked for host-visible memory and gave none mapped",
+                    what);
+    return Status::ok;
+}
+
+void Device::free(MemoryPiece& piece) const {
+    if (!memoryCallbacks_.allocate)
+        table_.FreeMemory(device_, piece.memory, allocator());
+    else if (piece.memory)
+        memoryCallbacks_.free(memoryCallbacks_.user, &piece);
+    piece = {};
 }
 
 Status Device::fail(Status status, const char* format, ...) const {
@@ -50,6 +93,14 @@ Status Device::fail(Status status, const char* format, ...) const {
     va_end(arguments);
     message_.function(message_.user, text);
     return status;
+}
+
+void Device::ruleBroken(const char* rule) const {
+    if (message_.function) message_.function(message_.user, rule);
+#ifdef SEAGLASS_ASSERTS
+    std::fprintf(stderr, "%s\n", rule);
+    std::abort();
+#endif
 }
 
 Status Device::check(VkResult result, const char* what) const {

@@ -18,13 +18,19 @@ class Device {
     const VkPhysicalDeviceLimits& limits() const { return limits_; }
     VkPhysicalDeviceType type() const { return type_; }
 
-    /// Memory with all `wanted` properties for one buffer or image.
-    Status allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, const char* what,
-                    VkDeviceMemory& out) const;
+    VkFormatFeatureFlags optimalFeatures(VkFormat format) const;
+
+    /// Memory with all `wanted` properties for one buffer or image, mapped if it is host-visible.
+    Status allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, bool image,
+                    const char* what, MemoryPiece& out) const;
+    void free(MemoryPiece& piece) const;
 
     /// Sends one line to the host and gives `status` back, so that a failing call reads `return
     /// device.fail(...)`.
     [[gnu::format(printf, 3, 4)]] Status fail(Status status, const char* format, ...) const;
+    /// Of calls that have no status to return: says which rule of docs/contract.md was broken. Debug builds
+    /// end there.
+    void ruleBroken(const char* rule) const;
     /// VK_SUCCESS is ok; anything else is reported as the failure of `what`.
     Status check(VkResult result, const char* what) const;
 
@@ -35,7 +41,13 @@ class Device {
     /// A memory type out of `allowedBits` with all `wanted` properties, or ~0u.
     uint32_t memoryType(uint32_t allowedBits, VkMemoryPropertyFlags wanted) const;
 
+    Status allocateOwn(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, const char* what,
+                       MemoryPiece& out) const;
+    Status allocateHosts(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, bool image,
+                         const char* what, MemoryPiece& out) const;
+
     VkDevice device_ = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_ = VK_NULL_HANDLE;
     InstanceTable instanceTable_;
     DeviceTable table_;
     VkAllocationCallbacks allocator_{};
@@ -44,6 +56,7 @@ class Device {
     VkPhysicalDeviceLimits limits_{};
     VkPhysicalDeviceType type_ = VK_PHYSICAL_DEVICE_TYPE_OTHER;
     VkPhysicalDeviceMemoryProperties memory_{};
+    MemoryCallbacks memoryCallbacks_;
     MessageCallback message_;
     PassCallback pass_;
 };

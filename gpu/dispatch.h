@@ -30,6 +30,7 @@
     X(CmdDrawIndexed)                                                                                        \
     X(CmdFillBuffer)                                                                                         \
     X(CmdPipelineBarrier2)                                                                                   \
+    X(CmdPushConstants)                                                                                      \
     X(CmdSetScissor)                                                                                         \
     X(CmdSetViewport)                                                                                        \
     X(CreateBuffer)                                                                                          \

@@ -38,7 +38,7 @@ OwnedImage& OwnedImage::operator=(OwnedImage&& other) noexcept {
     image_ = std::exchange(other.image_, VK_NULL_HANDLE);
     view_ = std::exchange(other.view_, VK_NULL_HANDLE);
     mipViews_ = std::exchange(other.mipViews_, {});
-    memory_ = std::exchange(other.memory_, VK_NULL_HANDLE);
+    memory_ = std::exchange(other.memory_, {});
     desc_ = std::exchange(other.desc_, ImageDesc{});
     return *this;
 }
@@ -50,12 +50,11 @@ void OwnedImage::release() {
         vk.DestroyImageView(device_->handle(), view, device_->allocator());
     vk.DestroyImageView(device_->handle(), view_, device_->allocator());
     vk.DestroyImage(device_->handle(), image_, device_->allocator());
-    vk.FreeMemory(device_->handle(), memory_, device_->allocator());
+    device_->free(memory_);
     device_ = nullptr;
     image_ = VK_NULL_HANDLE;
     view_ = VK_NULL_HANDLE;
     mipViews_.clear();
-    memory_ = VK_NULL_HANDLE;
 }
 
 Status OwnedImage::create(const Device& device, const ImageDesc& desc, const char* what) {
@@ -78,10 +77,11 @@ Status OwnedImage::create(const Device& device, const ImageDesc& desc, const cha
         return s;
     VkMemoryRequirements needs{};
     vk.GetImageMemoryRequirements(device.handle(), image_, &needs);
-    if (const Status s = device.allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, what, memory_);
+    if (const Status s = device.allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, true, what, memory_);
         s != Status::ok)
         return s;
-    if (const Status s = device.check(vk.BindImageMemory(device.handle(), image_, memory_, 0), what);
+    if (const Status s =
+            device.check(vk.BindImageMemory(device.handle(), image_, memory_.memory, memory_.offset), what);
         s != Status::ok)
         return s;
     VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};

@@ -45,7 +45,7 @@ class OwnedImage {
     VkImage image_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
     std::vector<VkImageView> mipViews_;
-    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    MemoryPiece memory_;
     ImageDesc desc_;
 };
 

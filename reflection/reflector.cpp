@@ -274,19 +274,26 @@ ReflectionImages Reflector::images(uint32_t viewIndex) const {
 }
 
 Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** out) {
-    if (!context || !desc || !out) return Status::invalidArgument;
-    *out = nullptr;
+    if (out) *out = nullptr;
+    if (const Status s = gpu::refuseNull(context, "createReflector",
+                                         {{"context", !context}, {"desc", !desc}, {"out", !out}});
+        s != Status::ok)
+        return s;
     return gpu::guarded([&] {
         auto reflector = std::make_unique<Reflector>();
         if (const Status s = reflector->create(*context, *desc); s != Status::ok) return s;
         *out = reflector.release();
+        ++context->inUse;
         return Status::ok;
     });
 }
 
 Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out,
                 SceneSamples samples) {
-    if (!context || !desc || !out) return Status::invalidArgument;
+    if (const Status s =
+            gpu::refuseNull(context, "estimate", {{"context", !context}, {"desc", !desc}, {"out", !out}});
+        s != Status::ok)
+        return s;
     *out = {};
     if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
     if (extent.width == 0 || extent.height == 0)
@@ -298,19 +305,27 @@ Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent,
 
 void destroyReflector(Reflector* reflector) {
     if (!reflector) return;
+    --reflector->context->inUse;
     reflector->context->frame().retire(std::unique_ptr<Reflector>(reflector));
 }
 
 Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out) {
-    if (!reflector || !view || !out) return Status::invalidArgument;
+    if (const Status s = gpu::refuseNull(gpu::contextOf(&reflector, 1), "planarView",
+                                         {{"reflector", !reflector}, {"view", !view}, {"out", !out}});
+        s != Status::ok)
+        return s;
     return gpu::guarded([&] { return reflector->handOut(*view, *out); });
 }
 
 Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t count, const ViewDesc* view) {
-    if (!commands || (count && !reflectors) || !view) return Status::invalidArgument;
+    if (const Status s =
+            gpu::refuseNull(gpu::contextOf(reflectors, count), "reflect",
+                            {{"commands", !commands}, {"reflectors", count && !reflectors}, {"view", !view}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseNulls("reflect", "reflectors", reflectors, count); s != Status::ok)
+        return s;
     return gpu::guarded([&] {
-        for (uint32_t i = 0; i < count; ++i)
-            if (!reflectors[i]) return Status::invalidArgument;
         if (count > maxReflectors)
             return reflectors[0]->context->device.fail(
                 Status::invalidArgument, "reflect: count is %u, expected %u at most", count, maxReflectors);
@@ -327,7 +342,11 @@ ReflectionImages reflectionImages(const Reflector* reflector, uint32_t viewIndex
 
 Status recordOverlay(VkCommandBuffer commands, Reflector* reflector, const ViewDesc* view,
                      const OverlayDesc* desc) {
-    if (!commands || !reflector || !view || !desc) return Status::invalidArgument;
+    if (const Status s = gpu::refuseNull(
+            gpu::contextOf(&reflector, 1), "recordOverlay",
+            {{"commands", !commands}, {"reflector", !reflector}, {"view", !view}, {"desc", !desc}});
+        s != Status::ok)
+        return s;
     return gpu::guarded([&] { return reflector->drawOverlay(commands, *view, *desc); });
 }
 

@@ -2,6 +2,7 @@
 // (Strugar 2009), then lets the waves displace them. Of a mesh of the host's own (HOST_MESH) they stand where it says.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "one_view.glsl"
 #include "surface.glsl"
 
 layout(location = 0) out vec2 calmPosition;   // (u, v) before displacement, relative to the eye
@@ -30,12 +31,24 @@ vec3 waveDisplacementAt(vec2 calm, float cell) {
 
 #ifdef HOST_MESH
 void main() {
+#ifdef MULTIVIEW
+    if (isOtherView()) {
+        gl_Position = outOfSight;
+        return;
+    }
+#endif
     loadSurface();
     HostVertex vertex = hostVertices[gl_VertexIndex];
     vec2 calm = extent.xy + vertex.calm;
     float cell = vertex.cell;
 #else
 void main() {
+#ifdef MULTIVIEW
+    if (isOtherView()) {
+        gl_Position = outOfSight;
+        return;
+    }
+#endif
     loadSurface();
     MeshPatch patch_ = patches[gl_InstanceIndex];
     ivec2 grid = ivec2(gl_VertexIndex % (patchCells + 1), gl_VertexIndex / (patchCells + 1));

@@ -303,9 +303,11 @@ Status Body::simulate(VkCommandBuffer commands, double time) {
 }
 
 Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
+    if (scene.taken) return context->share(singleSamples);
     ViewGeometry geometry;
     if (const char* bad = readView(scene.given, geometry))
         return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
+    if (!mayShow(geometry)) return Status::ok;
     const ReflectionDesc desc;
     gpu::Slice mirror;
     if (const Status s = context->frame().upload(
@@ -313,6 +315,15 @@ Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
         s != Status::ok)
         return s;
     return takeSamples({*context, commands, scene.read, geometry, desc, mirror}, singleSamples, scene);
+}
+
+bool Body::mayShow(const ViewGeometry& geometry) {
+    if (sidesSeen(geometry) != SidesSeen::above) return true;
+    const double eyeHeight = glm::dot(glm::dvec3(plane), geometry.eye) + plane.w;
+    const MeshView view = meshViewOf(geometry, eyeHeight, displacement());
+    if (outline) return inSight(view, outline->low - view.eye, outline->high - view.eye);
+    selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, patches);
+    return !patches.empty();
 }
 
 Status Body::reflect(VkCommandBuffer commands, SceneOfCall& scene) {
@@ -373,7 +384,7 @@ Status Body::placeHostMesh(const MeshView& view, SurfaceInputs& inputs) {
 }
 
 Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
-                         ViewDesc& read) const {
+                         ViewDesc& read) {
     const gpu::Device& device = context->device;
     if (const char* bad = readView(view, out)) return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
@@ -385,6 +396,7 @@ Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, Vie
                            "draw: the body has waves but simulate() was never called");
     read = view;
     if (!refraction || !isMultisampled(view)) return Status::ok;
+    if (!mayShow(out)) return Status::ok; // nothing was taken, and nothing will be drawn
     if (!singleSamples || !singleSamples->views[view.viewIndex].fits(view))
         return device.fail(Status::invalidArgument,
                            "draw: ViewDesc.sceneDepth.samples is not 1, and reflect() was not called for "
@@ -418,6 +430,10 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
 Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                           const LightingDesc& lighting) {
     if (!caustics) return Status::ok;
+    if (!holdsFloats(target.desc.colorFormat))
+        return context->device.fail(
+            Status::invalidArgument,
+            "drawCaustics: TargetDesc.colorFormat holds no floats, and light that is gathered exceeds 1");
     if (isMultisampled(view))
         return context->device.fail(
             Status::unsupported,
@@ -449,6 +465,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     ViewGeometry geometry;
     ViewDesc read;
     if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
+    if (outline && !mayShow(geometry)) return Status::ok;
 
     SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
     SurfaceInputs inputs;
@@ -475,12 +492,16 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
 }
 
 Status createBody(Context* context, const BodyDesc* desc, Body** out) {
-    if (!context || !desc || !out) return Status::invalidArgument;
-    *out = nullptr;
+    if (out) *out = nullptr;
+    if (const Status s =
+            gpu::refuseNull(context, "createBody", {{"context", !context}, {"desc", !desc}, {"out", !out}});
+        s != Status::ok)
+        return s;
     return gpu::guarded([&] {
         auto body = std::make_unique<Body>();
         if (const Status s = body->create(*context, *desc); s != Status::ok) return s;
         *out = body.release();
+        ++context->inUse;
         return Status::ok;
     });
 }
@@ -503,7 +524,10 @@ Status addWaves(Context& context, const BodyDesc& desc, Estimate& out) {
 
 Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
                 SceneSamples samples) {
-    if (!context || !desc || !out) return Status::invalidArgument;
+    if (const Status s =
+            gpu::refuseNull(context, "estimate", {{"context", !context}, {"desc", !desc}, {"out", !out}});
+        s != Status::ok)
+        return s;
     *out = {};
     if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
     if (const char* bad = badField(samples)) return context->device.fail(Status::invalidArgument, "%s", bad);
@@ -526,6 +550,7 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
 
 void destroyBody(Body* body) {
     if (!body) return;
+    --body->context->inUse;
     body->context->frame().retire(std::unique_ptr<Body>(body));
 }
 
@@ -534,23 +559,58 @@ namespace {
 template<typename Each>
 Status forEach(Body* const* bodies, uint32_t count, Each&& each) {
     return gpu::guarded([&] {
-        for (uint32_t i = 0; i < count; ++i) {
-            if (!bodies[i]) return Status::invalidArgument;
+        for (uint32_t i = 0; i < count; ++i)
             if (const Status s = each(*bodies[i]); s != Status::ok) return s;
-        }
         return Status::ok;
     });
+}
+
+/// What calls that record for bodies are handed. `context`: where there may be one and no body.
+Status refuseNulls(const char* call, const Context* context, VkCommandBuffer commands, Body* const* bodies,
+                   uint32_t count, std::initializer_list<gpu::Argument> more) {
+    if (!context) context = gpu::contextOf(bodies, count);
+    if (const Status s =
+            gpu::refuseNull(context, call, {{"commands", !commands}, {"bodies", count && !bodies}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseNull(context, call, more); s != Status::ok) return s;
+    return gpu::refuseNulls(call, "bodies", bodies, count);
+}
+
+/// What calls that draw are handed.
+Status refuseDraw(const char* call, VkCommandBuffer commands, const Target* target, Body* const* bodies,
+                  uint32_t count, const ViewDesc* view, const LightingDesc* lighting) {
+    if (const Status s = refuseNulls(call, target ? target->context : nullptr, commands, bodies, count,
+                                     {{"target", !target}, {"view", !view}, {"lighting", !lighting}});
+        s != Status::ok)
+        return s;
+    const gpu::Device& device = target->context->device;
+    for (uint32_t i = 0; i < count; ++i)
+        if (bodies[i]->context != target->context)
+            return device.fail(Status::invalidArgument,
+                               "%s: bodies[%u] and the target are of different contexts", call, i);
+    const uint32_t mask = target->desc.viewMask;
+    if (mask && !(view->viewIndex < maxViews && (mask >> view->viewIndex & 1u)))
+        return device.fail(Status::invalidArgument,
+                           "%s: ViewDesc.viewIndex is %u, which is none of "
+                           "TargetDesc.viewMask",
+                           call, view->viewIndex);
+    return Status::ok;
 }
 
 } // namespace
 
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time) {
-    if (!commands || (count && !bodies)) return Status::invalidArgument;
+    if (const Status s = refuseNulls("simulate", nullptr, commands, bodies, count, {}); s != Status::ok)
+        return s;
     return forEach(bodies, count, [&](Body& body) { return body.simulate(commands, time); });
 }
 
 Status planarView(Body* body, const ViewDesc* view, PlanarView* out) {
-    if (!body || !view || !out) return Status::invalidArgument;
+    if (const Status s = gpu::refuseNull(gpu::contextOf(&body, 1), "planarView",
+                                         {{"body", !body}, {"view", !view}, {"out", !out}});
+        s != Status::ok)
+        return s;
     if (!body->reflector)
         return body->context->device.fail(Status::invalidArgument,
                                           "planarView: the body's reflection is the sky alone");
@@ -558,7 +618,11 @@ Status planarView(Body* body, const ViewDesc* view, PlanarView* out) {
 }
 
 Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view, const OverlayDesc* desc) {
-    if (!commands || !body || !view || !desc) return Status::invalidArgument;
+    if (const Status s =
+            gpu::refuseNull(gpu::contextOf(&body, 1), "recordOverlay",
+                            {{"commands", !commands}, {"body", !body}, {"view", !view}, {"desc", !desc}});
+        s != Status::ok)
+        return s;
     if (!body->reflector)
         return body->context->device.fail(Status::invalidArgument,
                                           "recordOverlay: the body's reflection is the sky alone");
@@ -566,14 +630,17 @@ Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view,
 }
 
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view) {
-    if (!commands || (count && !bodies) || !view) return Status::invalidArgument;
+    if (const Status s = refuseNulls("reflect", nullptr, commands, bodies, count, {{"view", !view}});
+        s != Status::ok)
+        return s;
     SceneOfCall scene(*view);
     return forEach(bodies, count, [&](Body& body) { return body.reflect(commands, scene); });
 }
 
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output) {
-    if (!commands || !target || (count && !bodies) || !view || !lighting) return Status::invalidArgument;
+    if (const Status s = refuseDraw("draw", commands, target, bodies, count, view, lighting); s != Status::ok)
+        return s;
     const auto underwater = [&](UnderwaterPass pass) {
         if (output != SurfaceOutput::shaded) return Status::ok;
         return forEach(bodies, count, [&](Body& body) {
@@ -589,7 +656,9 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
 
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
                     const ViewDesc* view, const LightingDesc* lighting) {
-    if (!commands || !target || (count && !bodies) || !view || !lighting) return Status::invalidArgument;
+    if (const Status s = refuseDraw("drawCaustics", commands, target, bodies, count, view, lighting);
+        s != Status::ok)
+        return s;
     return forEach(bodies, count,
                    [&](Body& body) { return body.drawCaustics(commands, *target, *view, *lighting); });
 }

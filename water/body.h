@@ -68,14 +68,15 @@ struct Body {
 
   private:
     /// `read`: the view with a scene that shaders sample.
-    Status readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
-                       ViewDesc& read) const;
+    Status readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out, ViewDesc& read);
     /// Where refraction sees a multisampled scene, which draw() cannot make single-sampled inside a pass.
     Status takeScene(VkCommandBuffer commands, SceneOfCall& scene);
     Status recordOverView(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                           const LightingDesc& lighting, const ViewGeometry& geometry,
                           const UnderwaterVariant& variant);
     SidesSeen sidesSeen(const ViewGeometry& geometry) const;
+    /// False: the view sees nothing of the body.
+    bool mayShow(const ViewGeometry& geometry);
     Status createWaves(const BodyDesc& desc);
     Status createFoam(const FoamDesc& desc);
     Status createReflector(const BodyDesc& desc);

@@ -39,6 +39,8 @@ struct PipelineState {
         rendering.pColorAttachmentFormats = &colorFormat;
         colorFormat = desc.colorFormat;
         rendering.depthAttachmentFormat = desc.depthFormat;
+        rendering.stencilAttachmentFormat = desc.stencilFormat;
+        rendering.viewMask = desc.viewMask;
     }
     PipelineState(const PipelineState&) = delete;
     PipelineState& operator=(const PipelineState&) = delete;
@@ -69,6 +71,24 @@ VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, const gpu::Sh
 }
 
 } // namespace
+
+Status createDrawLayout(const gpu::Device& device, const TargetDesc& target,
+                        std::span<const VkDescriptorType> bindings, VkShaderStageFlags stages,
+                        const char* what, DrawPipeline& out) {
+    // Without a view to name, none is pushed.
+    out.pushedTo = target.viewMask ? stages : 0;
+    return out.layout.create(device, bindings, stages, target.viewMask ? sizeof(uint32_t) : 0, what);
+}
+
+void bindDraw(const gpu::Device& device, VkCommandBuffer commands, const DrawPipeline& pipeline,
+              VkDescriptorSet set, uint32_t viewIndex) {
+    const gpu::DeviceTable& vk = device.vk();
+    const VkPipelineLayout layout = pipeline.layout.pipeline();
+    vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.handle);
+    vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &set, 0, nullptr);
+    if (pipeline.pushedTo)
+        vk.CmdPushConstants(commands, layout, pipeline.pushedTo, 0, sizeof viewIndex, &viewIndex);
+}
 
 Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, const DrawShaders& shaders,
                           Drawing drawing, const char* what, DrawPipeline& out) {

@@ -20,6 +20,7 @@ enum class Drawing {
 struct DrawPipeline {
     gpu::Layout layout;
     VkPipeline handle = VK_NULL_HANDLE;
+    VkShaderStageFlags pushedTo = 0; ///< of a multiview pass: who is told which view is drawn
 };
 
 struct DrawShaders {
@@ -27,6 +28,14 @@ struct DrawShaders {
     std::span<const uint32_t> fragment;
     std::span<const uint32_t> constants; ///< of both shaders, number 0 first
 };
+
+/// Of the descriptors that shaders read, and of the view that is drawn where a pass has several.
+Status createDrawLayout(const gpu::Device& device, const TargetDesc& target,
+                        std::span<const VkDescriptorType> bindings, VkShaderStageFlags stages,
+                        const char* what, DrawPipeline& out);
+
+void bindDraw(const gpu::Device& device, VkCommandBuffer commands, const DrawPipeline& pipeline,
+              VkDescriptorSet set, uint32_t viewIndex);
 
 /// Triangles seen from both sides. `out.layout` is there already.
 Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, const DrawShaders& shaders,

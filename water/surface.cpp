@@ -7,18 +7,24 @@
 #include "spirv/surface.frag.h"
 #include "spirv/surface.vert.h"
 #include "spirv/surface_host_mesh.vert.h"
+#include "spirv/surface_host_mesh_views.vert.h"
 #include "spirv/surface_l.frag.h"
 #include "spirv/surface_lo.frag.h"
 #include "spirv/surface_lr.frag.h"
 #include "spirv/surface_lro.frag.h"
 #include "spirv/surface_o.frag.h"
 #include "spirv/surface_outline.vert.h"
+#include "spirv/surface_outline_views.vert.h"
 #include "spirv/surface_r.frag.h"
 #include "spirv/surface_ro.frag.h"
+#include "spirv/surface_views.vert.h"
 #include "spirv/surface_w.frag.h"
 #include "spirv/surface_waves.vert.h"
 #include "spirv/surface_waves_host_mesh.vert.h"
+#include "spirv/surface_waves_host_mesh_views.vert.h"
 #include "spirv/surface_waves_outline.vert.h"
+#include "spirv/surface_waves_outline_views.vert.h"
+#include "spirv/surface_waves_views.vert.h"
 #include "spirv/surface_wf.frag.h"
 #include "spirv/surface_wfl.frag.h"
 #include "spirv/surface_wflo.frag.h"
@@ -39,19 +45,17 @@ namespace seaglass {
 
 namespace {
 
-std::span<const uint32_t> vertexShader(const SurfaceFeatures& f) {
-    switch (f.shape) {
-    case SurfaceShape::plane:
-        break;
-    case SurfaceShape::outlined:
-        if (f.waves) return surface_waves_outline_vert;
-        return surface_outline_vert;
-    case SurfaceShape::hostMesh:
-        if (f.waves) return surface_waves_host_mesh_vert;
-        return surface_host_mesh_vert;
-    }
-    if (f.waves) return surface_waves_vert;
-    return surface_vert;
+std::span<const uint32_t> vertexShader(const SurfaceFeatures& f, bool multiview) {
+    using Shader = std::span<const uint32_t>;
+    // By shape, then waves.
+    const Shader one[][2] = {{surface_vert, surface_waves_vert},
+                             {surface_outline_vert, surface_waves_outline_vert},
+                             {surface_host_mesh_vert, surface_waves_host_mesh_vert}};
+    const Shader several[][2] = {{surface_views_vert, surface_waves_views_vert},
+                                 {surface_outline_views_vert, surface_waves_outline_views_vert},
+                                 {surface_host_mesh_views_vert, surface_waves_host_mesh_views_vert}};
+    const auto shape = static_cast<size_t>(f.shape);
+    return multiview ? several[shape][f.waves] : one[shape][f.waves];
 }
 
 // Letters in the names: w waves, f foam, l reflection, r refraction, o an outline.
@@ -144,13 +148,15 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                      DrawPipeline& out) {
     constexpr VkShaderStageFlags stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
     const std::vector<VkDescriptorType> types = bindings(variant.features);
-    if (const Status s = out.layout.create(device, types, stages, 0, "surface layout"); s != Status::ok)
+    if (const Status s = createDrawLayout(device, target, types, stages, "surface layout", out);
+        s != Status::ok)
         return s;
     const uint32_t constants[] = {static_cast<uint32_t>(variant.output), static_cast<uint32_t>(variant.sides),
                                   variant.features.cascades, variant.features.foamCascades};
-    return createDrawPipeline(device, target,
-                              {vertexShader(variant.features), fragmentShader(variant.features), constants},
-                              Drawing::solid, "surface pipeline", out);
+    return createDrawPipeline(
+        device, target,
+        {vertexShader(variant.features, target.viewMask != 0), fragmentShader(variant.features), constants},
+        Drawing::solid, "surface pipeline", out);
 }
 
 Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,
@@ -161,9 +167,7 @@ Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipel
         return s;
     const gpu::PassScope pass(context.device, commands, "surface");
     const gpu::DeviceTable& vk = context.device.vk();
-    vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.handle);
-    vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.layout.pipeline(), 0, 1,
-                             &set, 0, nullptr);
+    bindDraw(context.device, commands, pipeline, set, inputs.view->viewIndex);
     vk.CmdBindIndexBuffer(commands, inputs.indices, 0, inputs.indexType);
     vk.CmdDrawIndexed(commands, inputs.indexCount, inputs.instanceCount, 0, 0, 0);
     return Status::ok;

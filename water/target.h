@@ -10,8 +10,12 @@ namespace seaglass {
 
 struct Target {
     Context* context = nullptr;
+    TargetDesc desc;
     SurfacePipelines pipelines;
     UnderwaterPipelines underwater;
 };
+
+/// Colours of more than 1.
+bool holdsFloats(VkFormat format);
 
 } // namespace seaglass

@@ -5,6 +5,7 @@
 #include "spirv/caustics.frag.h"
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
+#include "spirv/underwater_views.vert.h"
 #include "spirv/underwater_waves.frag.h"
 #include "spirv/waterline.frag.h"
 #include "spirv/waterline_waves.frag.h"
@@ -61,15 +62,18 @@ std::vector<VkDescriptorType> bindings(const UnderwaterVariant& v) {
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
                      DrawPipeline& out) {
     const std::vector<VkDescriptorType> types = bindings(variant);
-    if (const Status s =
-            out.layout.create(device, types, VK_SHADER_STAGE_FRAGMENT_BIT, 0, "underwater layout");
+    const VkShaderStageFlags stages =
+        VK_SHADER_STAGE_FRAGMENT_BIT | (target.viewMask ? VK_SHADER_STAGE_VERTEX_BIT : 0);
+    if (const Status s = createDrawLayout(device, target, types, stages, "underwater layout", out);
         s != Status::ok)
         return s;
     const PassInfo info = infoOf(variant.pass);
     const uint32_t straddles[] = {variant.straddles};
     const std::span<const uint32_t> constants(straddles, variant.pass == UnderwaterPass::water ? 1 : 0);
+    const std::span<const uint32_t> vertex =
+        target.viewMask ? std::span<const uint32_t>(underwater_views_vert) : underwater_vert;
     return createDrawPipeline(device, target,
-                              {underwater_vert, variant.waves ? info.wavesShader : info.shader, constants},
+                              {vertex, variant.waves ? info.wavesShader : info.shader, constants},
                               info.drawing, "underwater pipeline", out);
 }
 
@@ -83,11 +87,8 @@ Status recordUnderwater(Context& context, VkCommandBuffer commands, UnderwaterPi
         s != Status::ok)
         return s;
     const gpu::PassScope pass(context.device, commands, infoOf(variant.pass).name);
-    const gpu::DeviceTable& vk = context.device.vk();
-    vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
-    vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->layout.pipeline(), 0, 1,
-                             &set, 0, nullptr);
-    vk.CmdDraw(commands, 3, 1, 0, 0);
+    bindDraw(context.device, commands, *pipeline, set, inputs.view->viewIndex);
+    context.device.vk().CmdDraw(commands, 3, 1, 0, 0);
     return Status::ok;
 }
 

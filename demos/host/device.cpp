@@ -159,14 +159,14 @@ int rank(VkPhysicalDeviceType type) {
     }
 }
 
-uint32_t graphicsFamily(VkPhysicalDevice physical, uint32_t& timestampBits) {
+uint32_t graphicsFamily(VkPhysicalDevice physical, uint32_t& timestampBits, uint32_t passedOver = 0) {
     uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
     const VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
     for (uint32_t i = 0; i < count; ++i) {
-        if ((families[i].queueFlags & needed) != needed) continue;
+        if ((families[i].queueFlags & needed) != needed || passedOver-- > 0) continue;
         timestampBits = families[i].timestampValidBits;
         return i;
     }
@@ -257,11 +257,11 @@ std::vector<DeviceInfo> listDevices(Error& error) {
     return infos;
 }
 
-std::unique_ptr<Device> Device::create(const HostDesc& desc, Error& error) {
+std::unique_ptr<Device> Device::create(const HostDesc& desc, Error& error, const DeviceShape& shape) {
     std::unique_ptr<Device> device(new Device);
     device->processorTimes_ = desc.processorTimes;
     if (!device->createInstance(desc, error) || !device->choosePhysical(desc.device, error) ||
-        !device->createDevice(!desc.windowExtensions.empty(), error))
+        !device->createDevice(!desc.windowExtensions.empty(), shape, error))
         return nullptr;
     return device;
 }
@@ -314,19 +314,29 @@ bool Device::choosePhysical(const std::string& wanted, Error& error) {
     return false;
 }
 
-bool Device::createDevice(bool presents, Error& error) {
+bool Device::createDevice(bool presents, const DeviceShape& shape, Error& error) {
     seaglass::Requirements needs;
     seaglass::requirements(&needs);
-    needs.features13.pNext = nullptr;
-    needs.features13.dynamicRendering = VK_TRUE;
-    needs.features13.synchronization2 = VK_TRUE;
-    VkPhysicalDeviceFeatures available{};
-    vkGetPhysicalDeviceFeatures(physical_, &available);
-    anisotropy_ = available.samplerAnisotropy;
-    needs.features.samplerAnisotropy = available.samplerAnisotropy;
+    VkPhysicalDeviceVulkan11Features features11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES};
+    if (shape.multiview) {
+        features11.multiview = VK_TRUE;
+        needs.features13.pNext = &features11;
+    }
+    if (!shape.onlyRequired) {
+        needs.features13.dynamicRendering = VK_TRUE;
+        needs.features13.synchronization2 = VK_TRUE;
+        VkPhysicalDeviceFeatures available{};
+        vkGetPhysicalDeviceFeatures(physical_, &available);
+        anisotropy_ = available.samplerAnisotropy;
+        needs.features.samplerAnisotropy = available.samplerAnisotropy;
+    }
 
     uint32_t timestampBits = 0;
-    queueFamily_ = graphicsFamily(physical_, timestampBits);
+    queueFamily_ = graphicsFamily(physical_, timestampBits, shape.familiesPassedOver);
+    if (queueFamily_ == UINT32_MAX) {
+        error.text = "the device has no further queue family that draws and computes";
+        return false;
+    }
     const bool timestamps = timestampBits > 0 && !processorTimes_;
     timestampNs_ = timestamps ? static_cast<double>(properties_.limits.timestampPeriod) : 0;
     const float priority = 1;

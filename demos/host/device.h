@@ -10,9 +10,16 @@
 
 namespace demos {
 
+/// What a device is made with, of what hosts differ in.
+struct DeviceShape {
+    bool onlyRequired = false; ///< the features that Seaglass asks for, and none of the host's own
+    bool multiview = false;
+    uint32_t familiesPassedOver = 0; ///< of the queue families that draw and compute
+};
+
 class Device {
   public:
-    static std::unique_ptr<Device> create(const HostDesc& desc, Error& error);
+    static std::unique_ptr<Device> create(const HostDesc& desc, Error& error, const DeviceShape& shape = {});
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -46,7 +53,7 @@ class Device {
     Device() = default;
     bool createInstance(const HostDesc& desc, Error& error);
     bool choosePhysical(const std::string& wanted, Error& error);
-    bool createDevice(bool presents, Error& error);
+    bool createDevice(bool presents, const DeviceShape& shape, Error& error);
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;

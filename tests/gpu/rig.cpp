@@ -89,7 +89,9 @@ void GpuTest::SetUp() {
 }
 
 void GpuTest::TearDown() {
+    message_.clear();
     seaglass::destroyContext(context_);
+    EXPECT_EQ(message_, "");
     if (!messagesExpected_) {
         EXPECT_EQ(device().validationMessages(), messagesBefore_);
     }

@@ -71,6 +71,33 @@ VkResult VKAPI_CALL spiedShaderModule(VkDevice device, const VkShaderModuleCreat
     return vkCreateShaderModule(device, info, allocator, module);
 }
 
+VkResult VKAPI_CALL spiedGraphics(VkDevice device, VkPipelineCache cache, uint32_t count,
+                                  const VkGraphicsPipelineCreateInfo* infos,
+                                  const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    SpiedCall call{"CreateGraphicsPipelines"};
+    call.cache = cache;
+    spiedCalls().push_back(call);
+    return vkCreateGraphicsPipelines(device, cache, count, infos, allocator, pipelines);
+}
+
+VkResult VKAPI_CALL spiedCompute(VkDevice device, VkPipelineCache cache, uint32_t count,
+                                 const VkComputePipelineCreateInfo* infos,
+                                 const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    SpiedCall call{"CreateComputePipelines"};
+    call.cache = cache;
+    spiedCalls().push_back(call);
+    return vkCreateComputePipelines(device, cache, count, infos, allocator, pipelines);
+}
+
+VkResult VKAPI_CALL spiedSetLayout(VkDevice device, const VkDescriptorSetLayoutCreateInfo* info,
+                                   const VkAllocationCallbacks* allocator, VkDescriptorSetLayout* layout) {
+    SpiedCall call{"CreateDescriptorSetLayout"};
+    for (uint32_t i = 0; i < info->bindingCount; ++i)
+        call.sampled += info->pBindings[i].descriptorType == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    spiedCalls().push_back(call);
+    return vkCreateDescriptorSetLayout(device, info, allocator, layout);
+}
+
 VkPhysicalDeviceType pretendedType = VK_PHYSICAL_DEVICE_TYPE_MAX_ENUM;
 
 void VKAPI_CALL pretendedProperties(VkPhysicalDevice device, VkPhysicalDeviceProperties* properties) {
@@ -84,6 +111,12 @@ PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char
     if (!std::strcmp(name, "vkCreateShaderModule"))
         return reinterpret_cast<PFN_vkVoidFunction>(&spiedShaderModule);
     if (!std::strcmp(name, "vkAllocateMemory")) return reinterpret_cast<PFN_vkVoidFunction>(&spiedAllocate);
+    if (!std::strcmp(name, "vkCreateGraphicsPipelines"))
+        return reinterpret_cast<PFN_vkVoidFunction>(&spiedGraphics);
+    if (!std::strcmp(name, "vkCreateComputePipelines"))
+        return reinterpret_cast<PFN_vkVoidFunction>(&spiedCompute);
+    if (!std::strcmp(name, "vkCreateDescriptorSetLayout"))
+        return reinterpret_cast<PFN_vkVoidFunction>(&spiedSetLayout);
 #define SPY(function)                                                                                        \
     if (!std::strcmp(name, "vk" #function)) return spyOn<&vk##function>(#function, vk##function);
     SPY(CmdBlitImage)
@@ -95,8 +128,6 @@ PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char
     SPY(CmdDrawIndexed)
     SPY(CmdFillBuffer)
     SPY(CreateBuffer)
-    SPY(CreateComputePipelines)
-    SPY(CreateGraphicsPipelines)
     SPY(CreateImage)
 #undef SPY
     return vkGetDeviceProcAddr(device, name);

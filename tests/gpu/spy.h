@@ -13,8 +13,10 @@ struct SpiedCall {
     std::string name;          ///< without "vk"
     VkAccessFlags2 source = 0; ///< of a barrier: all its source accesses together
     VkAccessFlags2 target = 0;
-    VkDeviceSize bytes = 0;      ///< of an allocation
-    std::vector<uint32_t> spirv; ///< of a shader module
+    VkDeviceSize bytes = 0;                 ///< of an allocation
+    std::vector<uint32_t> spirv;            ///< of a shader module
+    VkPipelineCache cache = VK_NULL_HANDLE; ///< of pipelines
+    uint32_t sampled = 0;                   ///< images that shaders of a descriptor set layout sample
 };
 
 /// The calls since clear(). One list for the program: tests run one at a time.

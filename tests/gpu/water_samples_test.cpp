@@ -134,6 +134,32 @@ TEST_F(WaterSamples, OnlyViewsThatHaveManyMakeImages) {
     EXPECT_NE(message().find("SceneSamples"), std::string::npos) << message();
 }
 
+TEST_F(WaterSamples, ViewsThatDoNotSeeTheWaterTakeNone) {
+    Camera camera = aboveTheBed();
+    const MultisampledScene scene = drawMultisampled(camera, harbourOnABed(), many);
+    seeThrough(scene, false);
+    BodyDesc desc = clearBody();
+    Body* endless = makeBody(desc);
+    desc.extent.shape = ExtentShape::rectangle;
+    desc.extent.center[0] = camera.target.x;
+    desc.extent.size[0] = desc.extent.size[1] = 4;
+    Body* pool = makeBody(desc);
+    const auto dispatches = [&](Body* body) {
+        spiedCalls().clear();
+        picture({body}, camera);
+        return countSpied("CmdDispatch");
+    };
+    EXPECT_EQ(dispatches(endless), 2u);
+    EXPECT_EQ(dispatches(pool), 2u);
+    camera.target = camera.eye + glm::dvec3(0, 1, -1); // the sky
+    EXPECT_EQ(dispatches(endless), 0u);
+    EXPECT_EQ(dispatches(pool), 0u);
+    camera.target = camera.eye + glm::dvec3(0, -0.3, 1); // the sea behind
+    EXPECT_EQ(dispatches(endless), 2u);
+    EXPECT_EQ(dispatches(pool), 0u);
+    EXPECT_EQ(countSpied("CmdDrawIndexed"), 0u);
+}
+
 TEST_F(WaterSamples, TheEstimateOfABodyHasThoseOfItsReflection) {
     const ReflectionDesc reflection;
     BodyDesc desc;

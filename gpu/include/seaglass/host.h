@@ -1,10 +1,8 @@
-// What a host renderer hands to Seaglass: its device, its images, its camera. Shared by the reflection and
-// the water library. Plain data, no owned memory: every struct is copied before the call that takes it
-// returns.
+// What a host renderer hands to Seaglass: its device, its images, its camera. Plain data, no owned memory:
+// every struct is copied before the call that takes it returns.
 //
 // World: right-handed, metres. Matrices are column-major and multiply column vectors; they are double because
-// a float matrix cannot hold a camera 100 km from the origin (it steps by 8 mm there). Colours are linear,
-// HDR, in the host's own radiometric scale; nothing in Seaglass depends on that scale.
+// a float matrix 100 km from the origin steps by 8 mm. Colours are linear, HDR, in the host's own scale.
 #ifndef SEAGLASS_HOST_H
 #define SEAGLASS_HOST_H
 
@@ -35,28 +33,44 @@ struct MessageCallback {
     void* user = nullptr;
 };
 
-/// Called while recording, before and after the commands of each GPU pass: a place for the host's timestamps
-/// or debug labels. `pass` is a literal such as "sspr_scatter".
+/// Called before and after the commands of each GPU pass are recorded: for timestamps or debug labels. `pass`
+/// is a literal such as "sspr_scatter".
 struct PassCallback {
     void (*function)(void* user, VkCommandBuffer commands, const char* pass, bool begins) = nullptr;
     void* user = nullptr;
 };
 
+/// A piece of the host's device memory, for one buffer or image.
+struct MemoryPiece {
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    VkDeviceSize offset = 0;
+    void* mapped = nullptr; ///< of host-visible memory: where the piece begins, while it is held
+    void* own = nullptr;    ///< the host's
+};
+
+/// Device memory from the host, such as VMA's: called on the thread that calls Seaglass. Null:
+/// vkAllocateMemory, once for each buffer and image.
+struct MemoryCallbacks {
+    /// As `needs` says, of a type with all of `wanted`; `image`: of optimal tiling (bufferImageGranularity).
+    VkResult (*allocate)(void* user, const VkMemoryRequirements* needs, VkMemoryPropertyFlags wanted,
+                         bool image, MemoryPiece* out) = nullptr;
+    void (*free)(void* user, const MemoryPiece* piece) = nullptr;
+    void* user = nullptr;
+};
+
 /// The host's device. It must outlive the context.
 struct DeviceDesc {
-    /// Of the headers that the host is compiled with; leave it. Another major or minor version is
-    /// `unsupported`.
-    uint32_t headerVersion = SEAGLASS_VERSION;
+    uint32_t headerVersion = SEAGLASS_VERSION; ///< of the headers that the host is compiled with; leave it
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE; ///< created with what requirements() asks for
-    PFN_vkGetInstanceProcAddr getInstanceProcAddr =
-        nullptr;                                      ///< the loader's; Seaglass links no Vulkan symbol
+    VkDevice device = VK_NULL_HANDLE;                        ///< created with what requirements() asks for
+    PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr; ///< the loader's; no Vulkan symbol is linked
     uint32_t framesInFlight = 2;                      ///< 1 to 4: frame slots that may be pending at once
-    VkPipelineCache pipelineCache = VK_NULL_HANDLE;   ///< optional
-    const VkAllocationCallbacks* allocator = nullptr; ///< optional; copied
-    MessageCallback message;                          ///< optional
-    PassCallback pass;                                ///< optional
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE;   ///< this and the rest are optional
+    const VkAllocationCallbacks* allocator = nullptr; ///< copied
+    MemoryCallbacks memory;
+    MessageCallback message;
+    PassCallback pass;
 };
 
 /// What the device must have been created with: chain `features13` behind `features` for vkCreateDevice.
@@ -80,13 +94,12 @@ struct Context;
 
 /// `unsupported` without a message: the headers are of another version than the library.
 Status createContext(const DeviceDesc* desc, Context** out);
-/// The device must have finished all work that was recorded through the context. Null is ignored. Destroy
-/// bodies, reflectors and targets first.
+/// The device must have finished all work that was recorded through the context. Null is ignored. While
+/// bodies, reflectors or targets exist it says so and does nothing.
 void destroyContext(Context* context);
 
-/// Starts a frame in slot 0 .. framesInFlight-1. The host promises that the GPU has finished what was
-/// recorded the last time this slot was used; memory of that time, and objects destroyed then, are taken back
-/// now.
+/// Starts a frame in slot 0 .. framesInFlight-1. The GPU has finished what was recorded when the slot was
+/// last used; memory of that time, and objects destroyed then, are taken back now.
 Status beginFrame(Context* context, uint32_t slot);
 
 /// One of the host's images, as a sampled view: made of an image with VK_IMAGE_USAGE_SAMPLED_BIT, type 2D,
@@ -146,11 +159,10 @@ struct Estimate {
 
 /// Where light comes from.
 struct LightingDesc {
-    double toSun[3] = {0, 1, 0};        ///< unit, world, from the surface towards the sun
-    float sunIrradiance[3] = {0, 0, 0}; ///< on a plane facing the sun
-    float skyIrradiance[3] = {0, 0, 0}; ///< on the water's plane, from the whole sky without the sun
-    VkImageView skyCube =
-        VK_NULL_HANDLE; ///< radiance, cube view with its whole mip chain, +Y up, the sun left out
+    double toSun[3] = {0, 1, 0};          ///< unit, world, from the surface towards the sun
+    float sunIrradiance[3] = {0, 0, 0};   ///< on a plane facing the sun
+    float skyIrradiance[3] = {0, 0, 0};   ///< on the water's plane, from the whole sky without the sun
+    VkImageView skyCube = VK_NULL_HANDLE; ///< radiance without the sun: a cube and all its mips, +Y up
     VkImageLayout skyCubeLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     uint32_t skyCubeMipLevels = 1;
 };

@@ -118,6 +118,9 @@ struct TargetDesc {
     bool reversedDepth = true;                ///< nearer is greater: how the host's depth test runs
     VkRenderPass renderPass = VK_NULL_HANDLE; ///< null: dynamic rendering
     uint32_t subpass = 0;
+    VkFormat stencilFormat = VK_FORMAT_UNDEFINED; ///< of dynamic rendering with a stencil attachment: its own
+    /// Of a multiview pass, 0 of any other: each draw() draws the one view that is ViewDesc::viewIndex.
+    uint32_t viewMask = 0;
 };
 
 struct Target;

@@ -1,0 +1,14 @@
+// A multiview pass runs each draw for all of its views; one of them is meant, and in the others nothing shows.
+#ifdef MULTIVIEW
+#extension GL_EXT_multiview : require
+layout(push_constant) uniform Pushed {
+    int drawnView;
+};
+
+bool isOtherView() {
+    return gl_ViewIndex != drawnView;
+}
+
+// Beyond the far plane, whichever that is.
+const vec4 outOfSight = vec4(0.0, 0.0, 2.0, 1.0);
+#endif

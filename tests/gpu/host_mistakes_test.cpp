@@ -1,0 +1,302 @@
+// What hosts get wrong: named by the library where it can know, and by the validation layers where only they
+// can.
+#include <cstdlib>
+
+#include "gpu/context.h"
+#include "gpu/kernel.h"
+#include "spirv/beyond_the_end.comp.h"
+#include "tests/gpu/host_shape.h"
+#include "tests/gpu/rig.h"
+#include "tests/gpu/spy.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+class Mistakes : public GpuTest {
+  protected:
+    void SetUp() override {
+        GpuTest::SetUp();
+        const BodyDesc bodyDesc;
+        ASSERT_EQ(createBody(context(), &bodyDesc, &body), Status::ok) << message();
+        ASSERT_EQ(createTarget(context(), &targetDesc, &target), Status::ok) << message();
+        const ReflectorDesc reflectorDesc;
+        ASSERT_EQ(createReflector(context(), &reflectorDesc, &reflector), Status::ok) << message();
+        color_ = uploadFloats(4, 4, 4, std::vector<float>(64));
+        depth_ = uploadFloats(4, 4, 1, std::vector<float>(16));
+        std::vector<float> faces(24, 1.0f);
+        cube_.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+        cube_.cube = true;
+        const std::span<const std::byte> level = std::as_bytes(std::span(faces));
+        demos::Error error;
+        ASSERT_TRUE(demos::createSampledImage(device(), cube_, {&level, 1}, sky_, error)) << error.text;
+        lighting.skyCube = sky_.view.get();
+        Camera camera = shoreCamera();
+        camera.width = camera.height = 4;
+        view = viewDesc(camera);
+        view.sceneColor = asSeaglass(color_);
+        view.sceneDepth = asSeaglass(depth_);
+    }
+    void TearDown() override {
+        destroyReflector(reflector);
+        destroyTarget(target);
+        destroyBody(body);
+        GpuTest::TearDown();
+    }
+    void expectMessage(const std::string& text) {
+        EXPECT_NE(message().find(text), std::string::npos) << message();
+    }
+    /// Begins a frame, and records what is never submitted.
+    void recordOnly(const std::function<void(VkCommandBuffer)>& record) {
+        ASSERT_EQ(beginFrame(context(), 0), Status::ok);
+        demos::Error error;
+        EXPECT_FALSE(device().run(
+            [&](VkCommandBuffer commands, demos::Error&) {
+                record(commands);
+                return false;
+            },
+            error));
+    }
+
+    TargetDesc targetDesc = {VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_D32_SFLOAT};
+    Body* body = nullptr;
+    Target* target = nullptr;
+    Reflector* reflector = nullptr;
+    ViewDesc view;
+    LightingDesc lighting;
+
+  private:
+    demos::ImageDesc cube_;
+    demos::Image color_, depth_, sky_;
+};
+
+TEST_F(Mistakes, NullsAreNamed) {
+    const auto expectRefused = [&](Status status, const char* text) {
+        EXPECT_EQ(status, Status::invalidArgument) << text;
+        expectMessage(text);
+    };
+    Body* noBody = nullptr;
+    Target* noTarget = nullptr;
+    Reflector* noReflector = nullptr;
+    const BodyDesc bodyDesc;
+    const ReflectionDesc reflectionDesc;
+    const ReflectorDesc reflectorDesc;
+    Estimate costs;
+    PlanarView mirrored;
+    const OverlayDesc overlay;
+    expectRefused(createBody(context(), nullptr, &noBody), "createBody: desc is null");
+    expectRefused(createBody(context(), &bodyDesc, nullptr), "createBody: out is null");
+    expectRefused(createTarget(context(), nullptr, &noTarget), "createTarget: desc is null");
+    expectRefused(createReflector(context(), &reflectorDesc, nullptr), "createReflector: out is null");
+    expectRefused(estimate(context(), &bodyDesc, {4, 4}, nullptr), "estimate: out is null");
+    expectRefused(estimate(context(), static_cast<ReflectionDesc*>(nullptr), {4, 4}, &costs),
+                  "estimate: desc is null");
+    expectRefused(planarView(reflector, nullptr, &mirrored), "planarView: view is null");
+    expectRefused(planarView(body, &view, nullptr), "planarView: out is null");
+    Body* const bodies[] = {body, nullptr};
+    Reflector* const reflectors[] = {nullptr, reflector};
+    recordOnly([&](VkCommandBuffer commands) {
+        expectRefused(simulate(nullptr, &body, 1, 0), "simulate: commands is null");
+        expectRefused(simulate(commands, bodies, 2, 0), "simulate: bodies[1] is null");
+        expectRefused(reflect(commands, bodies, 2, &view), "reflect: bodies[1] is null");
+        expectRefused(reflect(commands, &body, 1, nullptr), "reflect: view is null");
+        expectRefused(reflect(commands, reflectors, 2, &view), "reflect: reflectors[0] is null");
+        expectRefused(recordOverlay(commands, reflector, &view, nullptr), "recordOverlay: desc is null");
+        expectRefused(recordOverlay(nullptr, body, &view, &overlay), "recordOverlay: commands is null");
+        expectRefused(draw(commands, target, nullptr, 1, &view, &lighting), "draw: bodies is null");
+        expectRefused(draw(commands, nullptr, &body, 1, &view, &lighting), "draw: target is null");
+        expectRefused(draw(commands, target, &body, 1, &view, nullptr), "draw: lighting is null");
+        expectRefused(drawCaustics(commands, target, bodies, 2, &view, &lighting), "drawCaustics: bodies[1]");
+        // With nobody to tell.
+        EXPECT_EQ(simulate(commands, &noBody, 1, 0), Status::invalidArgument);
+        EXPECT_EQ(reflect(commands, &noReflector, 1, &view), Status::invalidArgument);
+    });
+    EXPECT_EQ(createBody(nullptr, &bodyDesc, &noBody), Status::invalidArgument);
+    EXPECT_EQ(estimate(nullptr, &reflectionDesc, {4, 4}, &costs), Status::invalidArgument);
+}
+
+TEST_F(Mistakes, TargetsThatTheDeviceCannotDrawAreRefused) {
+    const auto expectRefused = [&](Status status, const char* field, auto&& spoil) {
+        TargetDesc desc = targetDesc;
+        spoil(desc);
+        Target* made = nullptr;
+        EXPECT_EQ(createTarget(context(), &desc, &made), status) << field;
+        EXPECT_EQ(made, nullptr);
+        expectMessage(field);
+    };
+    expectRefused(Status::unsupported, "TargetDesc.colorFormat",
+                  [](TargetDesc& d) { d.colorFormat = VK_FORMAT_D32_SFLOAT; });
+    expectRefused(Status::unsupported, "TargetDesc.depthFormat",
+                  [](TargetDesc& d) { d.depthFormat = VK_FORMAT_R8G8B8A8_UNORM; });
+    expectRefused(Status::unsupported, "TargetDesc.stencilFormat",
+                  [](TargetDesc& d) { d.stencilFormat = VK_FORMAT_R8_UNORM; });
+    expectRefused(Status::unsupported, "TargetDesc.samples",
+                  [](TargetDesc& d) { d.samples = VK_SAMPLE_COUNT_64_BIT; });
+    expectRefused(Status::invalidArgument, "TargetDesc.viewMask", [](TargetDesc& d) { d.viewMask = 0x100; });
+}
+
+TEST_F(Mistakes, ViewsThatAMultiviewPassLacksAreRefused) {
+    targetDesc.viewMask = 5;
+    Target* several = nullptr;
+    ASSERT_EQ(createTarget(context(), &targetDesc, &several), Status::ok) << message();
+    view.viewIndex = 1;
+    recordOnly([&](VkCommandBuffer commands) {
+        EXPECT_EQ(draw(commands, several, &body, 1, &view, &lighting), Status::invalidArgument);
+    });
+    expectMessage("ViewDesc.viewIndex is 1");
+    destroyTarget(several);
+}
+
+TEST_F(Mistakes, ObjectsOfAnotherContextAreRefused) {
+    std::string text;
+    const DeviceDesc desc = deviceDesc(&text);
+    Context* other = nullptr;
+    ASSERT_EQ(createContext(&desc, &other), Status::ok) << text;
+    Target* foreign = nullptr;
+    ASSERT_EQ(createTarget(other, &targetDesc, &foreign), Status::ok) << text;
+    recordOnly([&](VkCommandBuffer commands) {
+        EXPECT_EQ(draw(commands, foreign, &body, 1, &view, &lighting), Status::invalidArgument);
+    });
+    EXPECT_NE(text.find("different contexts"), std::string::npos) << text;
+    destroyTarget(foreign);
+    destroyContext(other);
+}
+
+TEST_F(Mistakes, CausticsWantATargetThatHoldsMoreThanOne) {
+    SeaDesc sea;
+    sea.samples = 64;
+    const RefractionDesc refraction;
+    const CausticsDesc caustics;
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.refraction = &refraction;
+    desc.caustics = &caustics;
+    Body* lit = nullptr;
+    ASSERT_EQ(createBody(context(), &desc, &lit), Status::ok) << message();
+    targetDesc.colorFormat = VK_FORMAT_R8G8B8A8_UNORM;
+    Target* narrow = nullptr;
+    ASSERT_EQ(createTarget(context(), &targetDesc, &narrow), Status::ok) << message();
+    recordOnly([&](VkCommandBuffer commands) {
+        EXPECT_EQ(drawCaustics(commands, narrow, &lit, 1, &view, &lighting), Status::invalidArgument);
+        expectMessage("TargetDesc.colorFormat holds no floats");
+        EXPECT_EQ(drawCaustics(commands, narrow, &body, 1, &view, &lighting), Status::ok) << "it has none";
+    });
+    destroyTarget(narrow);
+    destroyBody(lit);
+}
+
+TEST_F(Mistakes, AContextInUseIsKept) {
+    std::string text;
+    const DeviceDesc desc = deviceDesc(&text);
+    Context* kept = nullptr;
+    ASSERT_EQ(createContext(&desc, &kept), Status::ok) << text;
+    Target* in = nullptr;
+    ASSERT_EQ(createTarget(kept, &targetDesc, &in), Status::ok) << text;
+#ifdef SEAGLASS_ASSERTS
+    testing::GTEST_FLAG(death_test_style) = "threadsafe";
+    EXPECT_DEATH(destroyContext(kept), "destroyed before it");
+#else
+    destroyContext(kept);
+    EXPECT_NE(text.find("destroyContext"), std::string::npos) << text;
+#endif
+    destroyTarget(in);
+    text.clear();
+    destroyContext(kept);
+    EXPECT_EQ(text, "");
+}
+
+/// A device that is told less than it has.
+struct Pretended {
+    static inline uint32_t version = 0;
+    static inline bool synchronization2 = true, extendedFormats = true;
+    static void VKAPI_CALL properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* out) {
+        vkGetPhysicalDeviceProperties(physical, out);
+        out->apiVersion = version;
+    }
+    static void VKAPI_CALL features(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* out) {
+        vkGetPhysicalDeviceFeatures2(physical, out);
+        out->features.shaderStorageImageExtendedFormats = extendedFormats;
+        static_cast<VkPhysicalDeviceVulkan13Features*>(out->pNext)->synchronization2 = synchronization2;
+    }
+    static PFN_vkVoidFunction VKAPI_CALL loader(VkInstance instance, const char* name) {
+        if (!std::strcmp(name, "vkGetPhysicalDeviceProperties"))
+            return reinterpret_cast<PFN_vkVoidFunction>(&properties);
+        if (!std::strcmp(name, "vkGetPhysicalDeviceFeatures2"))
+            return reinterpret_cast<PFN_vkVoidFunction>(&features);
+        return vkGetInstanceProcAddr(instance, name);
+    }
+};
+
+TEST_F(Mistakes, DevicesThatLackSomethingAreRefusedByItsName) {
+    const auto expectRefused = [&](const char* lacking) {
+        std::string text;
+        DeviceDesc desc = deviceDesc(&text);
+        desc.getInstanceProcAddr = &Pretended::loader;
+        EXPECT_EQ(checkSupport(desc.instance, desc.physicalDevice, desc.getInstanceProcAddr, desc.message),
+                  Status::unsupported);
+        EXPECT_NE(text.find(lacking), std::string::npos) << text;
+        text.clear();
+        Context* made = nullptr;
+        EXPECT_EQ(createContext(&desc, &made), Status::unsupported);
+        EXPECT_EQ(made, nullptr);
+        EXPECT_NE(text.find(lacking), std::string::npos) << text;
+    };
+    Pretended::version = VK_API_VERSION_1_2;
+    expectRefused("has Vulkan 1.2, expected 1.3");
+    Pretended::version = VK_API_VERSION_1_3;
+    Pretended::synchronization2 = false;
+    expectRefused("synchronization2");
+    Pretended::synchronization2 = true;
+    Pretended::extendedFormats = false;
+    expectRefused("shaderStorageImageExtendedFormats");
+    Pretended::extendedFormats = true;
+}
+
+TEST_F(Mistakes, DrawingOutsideAPassIsHeardByValidation) {
+    expectValidationMessages();
+    const uint32_t before = device().validationMessages();
+    recordOnly([&](VkCommandBuffer commands) {
+        EXPECT_EQ(draw(commands, target, &body, 1, &view, &lighting), Status::ok)
+            << "a command buffer does not tell";
+    });
+    EXPECT_GT(device().validationMessages(), before);
+}
+
+TEST_F(Mistakes, ImagesThatCannotBeSampledAreHeardByValidation) {
+    expectValidationMessages();
+    demos::ImageDesc desc;
+    desc.format = VK_FORMAT_R32_SFLOAT;
+    desc.extent = {4, 4};
+    desc.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    demos::Image unsampled;
+    demos::Error error;
+    ASSERT_TRUE(demos::createImage(device(), desc, unsampled, error)) << error.text;
+    view.sceneDepth = asSeaglass(unsampled);
+    const uint32_t before = device().validationMessages();
+    recordOnly([&](VkCommandBuffer commands) {
+        EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << "a view does not tell";
+    });
+    EXPECT_GT(device().validationMessages(), before);
+}
+
+TEST_F(Mistakes, GpuAssistedValidationHearsAWriteBeyondTheEnd) {
+    const char* enabled = std::getenv("VK_LAYER_ENABLES");
+    if (!enabled || !std::strstr(enabled, "GPU_ASSISTED")) GTEST_SKIP() << "it is not switched on";
+    expectValidationMessages();
+    gpu::Buffer words;
+    ASSERT_EQ(words.create(context()->device, 64, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "words"), Status::ok);
+    gpu::Kernel kernel;
+    constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+    ASSERT_EQ(kernel.create(context()->device, beyond_the_end_comp, bindings, "beyond the end"), Status::ok);
+    const uint32_t before = device().validationMessages();
+    frame([&](VkCommandBuffer commands) {
+        const gpu::Resource resources[] = {gpu::storageBuffer(words.handle())};
+        VkDescriptorSet set = VK_NULL_HANDLE;
+        ASSERT_EQ(context()->frame().allocateSet(kernel.layout().set(), resources, set), Status::ok);
+        kernel.dispatch(commands, set, 1, 1);
+    });
+    EXPECT_GT(device().validationMessages(), before);
+}
+
+} // namespace
