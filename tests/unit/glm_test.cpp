@@ -1,0 +1,40 @@
+// seaglass/glm.h: what goes in comes out where the plain arrays say it is.
+#include <seaglass/glm.h>
+#include <seaglass/reflection.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+namespace {
+
+TEST(Glm, MatricesAreColumnMajor) {
+    seaglass::ViewDesc view;
+    seaglass::assign(view.view, glm::translate(glm::mat4(1), glm::vec3(3, 4, 5)));
+    EXPECT_EQ(view.view[0], 1);
+    EXPECT_EQ(view.view[3], 0);
+    EXPECT_EQ(view.view[12], 3);
+    EXPECT_EQ(view.view[13], 4);
+    EXPECT_EQ(view.view[14], 5);
+}
+
+TEST(Glm, DoublesKeepTheirBits) {
+    const glm::dmat4 far = glm::translate(glm::dmat4(1), glm::dvec3(100000.1, -0.3, 1.0 / 3));
+    seaglass::PlanarView planar;
+    seaglass::assign(planar.view, far);
+    EXPECT_EQ(seaglass::toMat4<double>(planar.view), far);
+    EXPECT_EQ(seaglass::toMat4<float>(planar.view), glm::mat4(far));
+}
+
+TEST(Glm, VectorsOfEitherPrecision) {
+    seaglass::LightingDesc light;
+    seaglass::assign(light.toSun, glm::vec3(0.25f, 0.5f, 0.75f));
+    seaglass::assign(light.sunIrradiance, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(light.toSun[1], 0.5);
+    EXPECT_EQ(light.sunIrradiance[2], 3.0f);
+    seaglass::ReflectorDesc floor;
+    seaglass::assign(floor.plane, glm::vec4(0, 0, 1, -2));
+    EXPECT_EQ(floor.plane[2], 1);
+    EXPECT_EQ(floor.plane[3], -2);
+}
+
+} // namespace
