@@ -5,6 +5,7 @@
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
 #include "reflection/limits.h"
@@ -144,6 +145,9 @@ const char* readCamera(const ViewDesc& view, ViewGeometry& out) {
     if (!allFinite(viewMatrix)) return "ViewDesc.view is not finite";
     if (!allFinite(projection)) return "ViewDesc.projection is not finite";
     if (isSingular(glm::dmat3(viewMatrix))) return "ViewDesc.view is singular";
+    // To within what an inverse in float leaves there.
+    if (glm::distance(glm::row(viewMatrix, 3), glm::dvec4(0, 0, 0, 1)) > 1e-4)
+        return "ViewDesc.view has a last row other than 0, 0, 0, 1, expected it column-major";
     if (isSingular(projection)) return "ViewDesc.projection is singular";
     if (const char* bad = badViewport(view.viewport)) return bad;
     if (view.viewIndex >= maxViews) return "ViewDesc.viewIndex is out of range, expected 0 to 7";

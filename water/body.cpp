@@ -465,6 +465,11 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     ViewGeometry geometry;
     ViewDesc read;
     if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
+    if (geometry.reversedDepth != target.desc.reversedDepth)
+        return device.fail(
+            Status::invalidArgument,
+            "draw: ViewDesc.projection makes what is nearer %s, expected TargetDesc.reversedDepth to be %s",
+            geometry.reversedDepth ? "greater" : "less", geometry.reversedDepth ? "true" : "false");
     if (outline && !mayShow(geometry)) return Status::ok;
 
     SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);

@@ -45,6 +45,9 @@ TEST_P(BadInput, InAViewIsRefusedBeforeAnythingIsRecorded) {
     const auto zero = [](double(&matrix)[16]) { std::fill(std::begin(matrix), std::end(matrix), 0.0); };
     expectRefused("ViewDesc.view is singular", [&](ViewDesc& v) { zero(v.view); });
     expectRefused("ViewDesc.view is not finite", [](ViewDesc& v) { v.view[12] = NAN; });
+    expectRefused("ViewDesc.view has a last row", [](ViewDesc& v) {
+        for (int row = 0; row < 3; ++row) std::swap(v.view[12 + row], v.view[4 * row + 3]);
+    });
     expectRefused("ViewDesc.projection is singular", [&](ViewDesc& v) { zero(v.projection); });
     expectRefused("ViewDesc.projection is singular", [](ViewDesc& v) { v.projection[5] = 0; });
     expectRefused("ViewDesc.projection is not finite", [](ViewDesc& v) { v.projection[10] = INFINITY; });

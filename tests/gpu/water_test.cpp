@@ -942,25 +942,40 @@ TEST_F(Water, DrawingBeforeSimulatingIsAnError) {
     destroyTarget(target);
 }
 
-TEST_F(Water, ParallelLinesOfSightAreRefused) {
-    const demos::Image color = uploadFloats(4, 4, 4, std::vector<float>(64));
-    const demos::Image depth = uploadFloats(4, 4, 1, std::vector<float>(16));
+/// A camera that cannot be drawn for, by a body without anything.
+class WaterRefuses : public Water {
+  protected:
+    void expectRefused(Camera camera, Status status, const char* words) {
+        const demos::Image color = uploadFloats(4, 4, 4, std::vector<float>(64));
+        const demos::Image depth = uploadFloats(4, 4, 1, std::vector<float>(16));
+        camera.width = camera.height = 4;
+        ViewDesc view = viewDesc(camera);
+        view.sceneColor = asSeaglass(color);
+        view.sceneDepth = asSeaglass(depth);
+        Target* target = nullptr;
+        const TargetDesc targetDesc = {VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_D32_SFLOAT};
+        ASSERT_EQ(createTarget(context(), &targetDesc, &target), Status::ok);
+        Body* body = makeBody({});
+        frame([&](VkCommandBuffer commands) {
+            EXPECT_EQ(draw(commands, target, &body, 1, &view, &lighting), status);
+            EXPECT_NE(message().find(words), std::string::npos) << message();
+        });
+        destroyTarget(target);
+    }
+};
+
+TEST_F(WaterRefuses, ParallelLinesOfSight) {
     Camera camera = seaCamera();
-    camera.width = camera.height = 4;
     camera.parallelHeight = 10;
     camera.far = 100;
-    ViewDesc view = viewDesc(camera);
-    view.sceneColor = asSeaglass(color);
-    view.sceneDepth = asSeaglass(depth);
-    Target* target = nullptr;
-    const TargetDesc targetDesc = {VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_D32_SFLOAT};
-    ASSERT_EQ(createTarget(context(), &targetDesc, &target), Status::ok);
-    Body* body = makeBody({});
-    frame([&](VkCommandBuffer commands) {
-        EXPECT_EQ(draw(commands, target, &body, 1, &view, &lighting), Status::unsupported);
-        EXPECT_NE(message().find("ViewDesc.projection is orthographic"), std::string::npos);
-    });
-    destroyTarget(target);
+    expectRefused(camera, Status::unsupported, "ViewDesc.projection is orthographic");
+}
+
+TEST_F(WaterRefuses, DepthThatRunsAgainstTheTarget) {
+    Camera camera = seaCamera();
+    camera.reversed = false;
+    camera.far = 100;
+    expectRefused(camera, Status::invalidArgument, "expected TargetDesc.reversedDepth to be false");
 }
 
 TEST_F(Water, BodiesMayGoWhileTheGpuUsesThem) {

@@ -29,21 +29,22 @@ const char* toString(Status status);
 
 /// Receives one line per error. May be called from any thread that calls Seaglass.
 struct MessageCallback {
-    void (*function)(void* user, const char* text) = nullptr;
-    void* user = nullptr;
+    void (*function)(void* user, const char* text) = nullptr; ///< null: nobody is told
+    void* user = nullptr;                                     ///< handed back to it
 };
 
 /// Called before and after the commands of each GPU pass are recorded: for timestamps or debug labels. `pass`
 /// is a literal such as "sspr_scatter".
 struct PassCallback {
+    /// Null: nobody is told.
     void (*function)(void* user, VkCommandBuffer commands, const char* pass, bool begins) = nullptr;
-    void* user = nullptr;
+    void* user = nullptr; ///< handed back to it
 };
 
 /// A piece of the host's device memory, for one buffer or image.
 struct MemoryPiece {
-    VkDeviceMemory memory = VK_NULL_HANDLE;
-    VkDeviceSize offset = 0;
+    VkDeviceMemory memory = VK_NULL_HANDLE; ///< of which it is a piece
+    VkDeviceSize offset = 0;                ///< [byte]
     void* mapped = nullptr; ///< of host-visible memory: where the piece begins, while it is held
     void* own = nullptr;    ///< the host's
 };
@@ -54,30 +55,30 @@ struct MemoryCallbacks {
     /// As `needs` says, of a type with all of `wanted`; `image`: of optimal tiling (bufferImageGranularity).
     VkResult (*allocate)(void* user, const VkMemoryRequirements* needs, VkMemoryPropertyFlags wanted,
                          bool image, MemoryPiece* out) = nullptr;
-    void (*free)(void* user, const MemoryPiece* piece) = nullptr;
-    void* user = nullptr;
+    void (*free)(void* user, const MemoryPiece* piece) = nullptr; ///< what allocate() gave
+    void* user = nullptr;                                         ///< handed back to both
 };
 
 /// The host's device. It must outlive the context.
 struct DeviceDesc {
     uint32_t headerVersion = SEAGLASS_VERSION; ///< of the headers that the host is compiled with; leave it
-    VkInstance instance = VK_NULL_HANDLE;
-    VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
+    VkInstance instance = VK_NULL_HANDLE;      ///< that `physicalDevice` is of
+    VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;        ///< that `device` was created on
     VkDevice device = VK_NULL_HANDLE;                        ///< created with what requirements() asks for
     PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr; ///< the loader's; no Vulkan symbol is linked
     uint32_t framesInFlight = 2;                      ///< 1 to 4: frame slots that may be pending at once
     VkPipelineCache pipelineCache = VK_NULL_HANDLE;   ///< this and the rest are optional
     const VkAllocationCallbacks* allocator = nullptr; ///< copied
-    MemoryCallbacks memory;
-    MessageCallback message;
-    PassCallback pass;
+    MemoryCallbacks memory;                           ///< null: vkAllocateMemory
+    MessageCallback message;                          ///< hears what is wrong
+    PassCallback pass;                                ///< around each pass
 };
 
 /// What the device must have been created with: chain `features13` behind `features` for vkCreateDevice.
 struct Requirements {
-    uint32_t apiVersion = 0;
-    VkPhysicalDeviceFeatures features{};
-    VkPhysicalDeviceVulkan13Features features13{};
+    uint32_t apiVersion = 0;                       ///< of instance and device, at least
+    VkPhysicalDeviceFeatures features{};           ///< of Vulkan 1.0
+    VkPhysicalDeviceVulkan13Features features13{}; ///< of Vulkan 1.3
 };
 
 /// Says what Seaglass needs switched on, before the device exists. Any thread.
@@ -106,9 +107,9 @@ Status beginFrame(Context* context, uint32_t slot);
 /// its swizzle the identity. Of an image that holds stencil too, the view selects VK_IMAGE_ASPECT_DEPTH_BIT
 /// alone.
 struct Image {
-    VkImageView view = VK_NULL_HANDLE;
+    VkImageView view = VK_NULL_HANDLE;     ///< of mip 0 and layer 0
     VkFormat format = VK_FORMAT_UNDEFINED; ///< the view's; an sRGB view decodes what a UNORM view would not
-    VkExtent2D extent = {0, 0};
+    VkExtent2D extent = {0, 0};            ///< [pixel]
     /// Its layout when sampled: GENERAL or one that is read-only. Seaglass never changes it.
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
     /// Of scene colour and depth: 1 to 16 a pixel, at Vulkan's standard locations. Of anything else 1.
@@ -163,8 +164,8 @@ struct LightingDesc {
     float sunIrradiance[3] = {0, 0, 0};   ///< on a plane facing the sun
     float skyIrradiance[3] = {0, 0, 0};   ///< on the water's plane, from the whole sky without the sun
     VkImageView skyCube = VK_NULL_HANDLE; ///< radiance without the sun: a cube and all its mips, +Y up
-    VkImageLayout skyCubeLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    uint32_t skyCubeMipLevels = 1;
+    VkImageLayout skyCubeLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; ///< when sampled
+    uint32_t skyCubeMipLevels = 1;                                          ///< of skyCube, at least 1
 };
 
 } // namespace seaglass

@@ -13,6 +13,7 @@
 
 namespace seaglass {
 
+/// How what a plane mirrors is found; where it is not, the sky stands in.
 enum class ReflectionTechnique : uint32_t {
     sky = 0,    ///< the environment cube alone; costs nothing
     sspr = 1,   ///< scene pixels scattered to where the plane mirrors them
@@ -21,8 +22,9 @@ enum class ReflectionTechnique : uint32_t {
     planar = 4, ///< the host draws its scene once more, as planarView() says
 };
 
+/// How a plane mirrors.
 struct ReflectionDesc {
-    ReflectionTechnique technique = ReflectionTechnique::sspr;
+    ReflectionTechnique technique = ReflectionTechnique::sspr; ///< how what is mirrored is found
     /// Pixels of the view to one of the reflection, each way: 1, 2, 4 or 8.
     uint32_t downscale = 1;
     /// SSPR scatters one key for each 2 x 2 pixels: a quarter of their memory, and fewer atomics. Looking
@@ -70,14 +72,15 @@ struct ReflectionDesc {
     float marchJitter = 0;
 };
 
+/// One plane that mirrors.
 struct ReflectorDesc {
     double plane[4] = {0, 1, 0, 0}; ///< n.p + d = 0 in the world; any scale but zero
-    ReflectionDesc reflection;
+    ReflectionDesc reflection;      ///< how it does
     /// A box around all of the surface that mirrors, waves included [m, world]; all infinite: anywhere in the
     /// plane. Views that do not see it cost nothing, and others only where it may show, if
     /// ReflectionDesc::distortion is 0.
     double boundsLow[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    double boundsHigh[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    double boundsHigh[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}; ///< see boundsLow
 };
 
 /// Of one call of reflect().
@@ -85,8 +88,8 @@ constexpr uint32_t maxReflectors = 16;
 
 /// Samples a pixel of a view's scene; see ViewDesc::sceneDepth.
 struct SceneSamples {
-    VkSampleCountFlagBits depth = VK_SAMPLE_COUNT_1_BIT;
-    VkSampleCountFlagBits color = VK_SAMPLE_COUNT_1_BIT;
+    VkSampleCountFlagBits depth = VK_SAMPLE_COUNT_1_BIT; ///< of ViewDesc::sceneDepth
+    VkSampleCountFlagBits color = VK_SAMPLE_COUNT_1_BIT; ///< of ViewDesc::sceneColor
 };
 
 /// What a reflector of this description costs for views of `extent` pixels, in images of that size. Nothing
@@ -106,18 +109,19 @@ void destroyReflector(Reflector* reflector);
 /// VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, visible to fragment and compute shaders, and valid until this
 /// view is reflected again.
 struct ReflectionImages {
-    VkImage colorImage = VK_NULL_HANDLE;
-    VkImageView color = VK_NULL_HANDLE; ///< RGBA16F: radiance times confidence, confidence 0..1; with mips
-    VkImage infoImage = VK_NULL_HANDLE;
+    VkImage colorImage = VK_NULL_HANDLE; ///< of `color`
+    VkImageView color = VK_NULL_HANDLE;  ///< RGBA16F: radiance times confidence, confidence 0..1; with mips
+    VkImage infoImage = VK_NULL_HANDLE;  ///< of `info`
     /// R16F: positive, the distance from the mirror to what it shows [m]; 0, nothing is known; negative, it
     /// shows the sky. See ReflectionClass.
     VkImageView info = VK_NULL_HANDLE;
-    VkExtent2D extent = {0, 0};
+    VkExtent2D extent = {0, 0}; ///< of both images [pixel]
     /// True: the surface's normals have bent `color` and `info` already (ViewDesc::surfaceNormals), and a
     /// lookup takes its own pixel. False: they show a flat mirror, and lookups bend.
     bool bent = false;
 };
 
+/// What is known of a pixel of the mirror.
 enum class ReflectionClass : uint32_t {
     unknown = 0, ///< the plane is not seen here, or nothing on the screen tells what it mirrors
     sky = 1,     ///< proven to mirror the far plane: use the sky
@@ -147,15 +151,15 @@ struct PlanarView {
     /// False where the eye is so close to the plane that it cannot be a near plane, or sees nothing of it:
     /// the projection is then the host's own.
     bool obliqueClip = false;
-    bool windingFlipped = true; ///< always: front faces are wound the other way round
-    VkViewport viewport = {};   ///< within the images below
-    VkExtent2D extent = {0, 0};
-    VkImage colorImage = VK_NULL_HANDLE;
-    VkImageView color = VK_NULL_HANDLE; ///< mip 0 alone; linear radiance as in ViewDesc::sceneColor
-    VkFormat colorFormat = VK_FORMAT_UNDEFINED;
-    VkImage depthImage = VK_NULL_HANDLE;
-    VkImageView depth = VK_NULL_HANDLE;
-    VkFormat depthFormat = VK_FORMAT_UNDEFINED;
+    bool windingFlipped = true;                 ///< always: front faces are wound the other way round
+    VkViewport viewport = {};                   ///< within the images below
+    VkExtent2D extent = {0, 0};                 ///< of both images [pixel]
+    VkImage colorImage = VK_NULL_HANDLE;        ///< of `color`
+    VkImageView color = VK_NULL_HANDLE;         ///< mip 0 alone; linear radiance as in ViewDesc::sceneColor
+    VkFormat colorFormat = VK_FORMAT_UNDEFINED; ///< RGBA16F
+    VkImage depthImage = VK_NULL_HANDLE;        ///< of `depth`
+    VkImageView depth = VK_NULL_HANDLE;         ///< to be attached, and cleared to clearDepth
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED; ///< D32
     float clearDepth = 0; ///< of the far plane: where nothing was drawn the sky is mirrored
 };
 
@@ -181,8 +185,7 @@ enum class OverlayKind : uint32_t {
     /// Distance ahead of the eye, as depth and matrices tell it. Light blue: the far plane. Magenta: no
     /// depth.
     depth = 0,
-    /// Blue, in bands of distance: the plane is seen there. Green to white: what stands above it, with a
-    /// black
+    /// Blue, in bands of distance: the plane is seen there. Green to white: what stands above it, a black
     /// contour line every `contourSpacing`, white from the tenth on. Light blue: the far plane.
     plane = 1,
     classes = 2,    ///< of what is mirrored. Green: hit, blue: sky, red: unknown, near black: no plane seen
@@ -193,7 +196,7 @@ enum class OverlayKind : uint32_t {
 
 /// Debugging: what the library makes of its inputs.
 struct OverlayDesc {
-    OverlayKind kind = OverlayKind::depth;
+    OverlayKind kind = OverlayKind::depth; ///< what is drawn
     /// An RGBA16F storage image in VK_IMAGE_LAYOUT_GENERAL, at least as large as the viewport, and drawn into
     /// there: colours of 0..1, alpha 1. The host has made it ready for writing in compute shaders
     /// (VK_ACCESS_2_SHADER_STORAGE_WRITE), and waits for that afterwards.

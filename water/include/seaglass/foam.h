@@ -11,6 +11,7 @@
 
 namespace seaglass {
 
+/// How much breaks, and how long it shows.
 struct FoamDesc {
     /// Added to the Jacobian below which waves break, -1..1: 0 covers what the whitecap laws say for the
     /// wind, more is foamier.

@@ -13,9 +13,9 @@
 
 namespace seaglass {
 
-constexpr uint32_t maxCascades = 4;
-constexpr uint32_t maxSwells = 4;
-constexpr uint32_t maxSpectrumSamples = 4096;
+constexpr uint32_t maxCascades = 4;           ///< of a sea
+constexpr uint32_t maxSwells = 4;             ///< of a SeaDesc
+constexpr uint32_t maxSpectrumSamples = 4096; ///< of a SeaDesc
 
 /// How the wind sea's energy lies over frequency.
 enum class SpectrumModel : uint32_t {
@@ -52,7 +52,7 @@ struct SwellDesc {
 
 /// A wind sea and up to maxSwells swells; their energies add. Copied by createSea, pointees included.
 struct SeaDesc {
-    SpectrumModel spectrum = SpectrumModel::jonswap;
+    SpectrumModel spectrum = SpectrumModel::jonswap; ///< of the wind sea
     float windSpeed = 10.0f;      ///< U10, at 10 m [m/s], 0..100; 0 is no wind sea, by branch
     float windDirection = 0.0f;   ///< where it blows towards, from +u to +v [rad]
     float fetch = 300e3f;         ///< [m], 1..1e6
@@ -61,13 +61,13 @@ struct SeaDesc {
     /// Of the water [m], 0..infinity: shallow water shortens and slows waves. Only `tma` lowers them as well;
     /// the other models are taken as the sea that is there. 0 is flat, by branch.
     float depth = std::numeric_limits<float>::infinity();
-    SpreadingModel spreading = SpreadingModel::hasselmann;
-    float spreadingShape = 5; ///< s of `cosine2s`, 0..1000
-    float swell = 0.0f;       ///< elongation of the directional spreading, 0..1 (Horvath 2015)
+    SpreadingModel spreading = SpreadingModel::hasselmann; ///< of the wind sea
+    float spreadingShape = 5;                              ///< s of `cosine2s`, 0..1000
+    float swell = 0.0f; ///< elongation of the directional spreading, 0..1 (Horvath 2015)
     /// Of `table`: at rising frequencies, linear between and nothing outside; 2..maxSpectrumSamples.
     const SpectrumSample* spectrumTable = nullptr;
-    uint32_t spectrumTableCount = 0;
-    SwellDesc swells[maxSwells] = {};
+    uint32_t spectrumTableCount = 0;  ///< of spectrumTable
+    SwellDesc swells[maxSwells] = {}; ///< those of height 0 are none
     /// Scale of all heights, 0..1: 1 is the spectrum's own sea, less is water that something shelters; 0 is
     /// flat.
     float amplitude = 1.0f;
@@ -80,7 +80,7 @@ struct SeaDesc {
     /// lets the samples carry the greatest peak.
     float largestPatch = 0.0f;
     double loopPeriod = 4096.0; ///< time after which the sea repeats exactly [s], 16..1e6
-    uint64_t seed = 1;
+    uint64_t seed = 1;          ///< of the waves' phases and amplitudes
 };
 
 /// The open sea at a force of Beaufort's scale: mean wind, a plausible fetch, and up to force 5 the waves
@@ -93,23 +93,23 @@ struct Cascade {
     double patch = 0;     ///< tile edge [m]
     uint32_t samples = 0; ///< across the tile
     double kMin = 0;      ///< wave numbers kMin <= k < kMax [rad/m]; at least 4 samples a wave
-    double kMax = 0;
-    double variance = 0; ///< of height, from the modes it holds [m^2]
+    double kMax = 0;      ///< see kMin
+    double variance = 0;  ///< of height, from the modes it holds [m^2]
 };
 
 struct Sea;
 
 /// Errors as a line of text, cut to fit; empty when all is well.
 struct SeaError {
-    char text[200] = {};
+    char text[200] = {}; ///< ends with a zero
 };
 
 /// Checks the description and draws the modes. Null on a bad field or when out of memory, which `error`
 /// names.
 Sea* createSea(const SeaDesc* desc, SeaError* error);
-void destroySea(Sea* sea);
+void destroySea(Sea* sea); ///< null is ignored
 
-const SeaDesc& description(const Sea& sea);
+const SeaDesc& description(const Sea& sea);             ///< as it was given
 uint32_t cascadeCount(const Sea& sea);                  ///< 0 when the sea is flat
 const Cascade& cascade(const Sea& sea, uint32_t index); ///< index < cascadeCount
 /// Of the system with the greatest peak [rad/s]; 0 when flat.
@@ -122,11 +122,13 @@ double significantWaveHeight(const Sea& sea); ///< 4 sqrt(m0) of the modes held 
 /// leastResolvedShare the sea is not the one that was asked for: its height is off by 5 % or more. 1 when
 /// flat.
 double resolvedShare(const Sea& sea);
-constexpr double leastResolvedShare = 0.9;
+constexpr double leastResolvedShare = 0.9; ///< see resolvedShare()
 
-/// Of the surface's slopes dh/du and dh/dv.
+/// Variances and covariance of the surface's slopes.
 struct SlopeCovariance {
-    double uu = 0, vv = 0, uv = 0;
+    double uu = 0; ///< of dh/du
+    double vv = 0; ///< of dh/dv
+    double uv = 0; ///< of both
 };
 
 /// Of the waves that the cascades hold.
@@ -152,16 +154,17 @@ struct CascadeMaps {
 
 /// How a sea is evaluated on its grids. Obtained from a backend's header; never filled in by the host.
 struct WavesBackend {
-    const char* name = nullptr;
+    const char* name = nullptr; ///< for people
     /// Makes whatever the backend keeps for one sea (plans, scratch), which must outlive it. Null when out of
     /// memory. Any thread.
     void* (*create)(const Sea& sea) = nullptr;
-    void (*destroy)(void* state) = nullptr;
+    void (*destroy)(void* state) = nullptr; ///< of what create() made
     /// Fills all maps of one cascade, index < cascadeCount. Calls with the same state must not overlap. A
     /// time that is not finite counts as 0.
     void (*evaluate)(void* state, uint32_t cascade, double time, const CascadeMaps& out) = nullptr;
 };
 
+/// The surface at one point.
 struct HeightSample {
     float height = 0;              ///< above the calm plane [m]
     float normal[3] = {0, 1, 0};   ///< unit: u, up, v
@@ -184,7 +187,7 @@ struct HeightGrid;
 HeightGrid* createHeightGrid(const Sea& sea, double time);
 /// Another time for the same grid, nothing allocated; not while it is sampled.
 void setTime(HeightGrid& grid, double time);
-void destroyHeightGrid(HeightGrid* grid);
+void destroyHeightGrid(HeightGrid* grid); ///< null is ignored
 
 /// As sampleHeights() for a sea, at the grid's time. Any thread, several at once.
 void sampleHeights(const HeightGrid& grid, const double* points, size_t count, HeightSample* out);

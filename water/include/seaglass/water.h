@@ -56,22 +56,22 @@ enum class ExtentShape : uint32_t {
 /// that no gap opens before a wall, and they come to move it as they do at sea within 2.5 significant wave
 /// heights (times the choppiness, if that is more than 1). Height queries know of no outline.
 struct ExtentDesc {
-    ExtentShape shape = ExtentShape::unbounded;
+    ExtentShape shape = ExtentShape::unbounded; ///< says which fields below are read
 
     // Of `rectangle`.
-    double center[2] = {0, 0};
-    double size[2] = {0, 0}; ///< along its own x and z [m], each 0.01..1e6
-    double yaw = 0;          ///< of its own x, from +X towards +Z [rad]
+    double center[2] = {0, 0}; ///< its middle
+    double size[2] = {0, 0};   ///< along its own x and z [m], each 0.01..1e6
+    double yaw = 0;            ///< of its own x, from +X towards +Z [rad]
 
     /// Of `polygon`: its corners, 3..1024, either way round; no edge may cross or touch another. Cut by
     /// pixels: lay it under the bank. Of `mesh`: its vertices, 3..2^24.
     const double* points = nullptr; ///< x and z of each in turn
-    uint32_t pointCount = 0;
+    uint32_t pointCount = 0;        ///< pairs in `points`
 
     /// Of `mesh`: three to a triangle, either way round. Waves shorter than its edges do not show in its
     /// shape, only in its light.
     const uint32_t* indices = nullptr;
-    uint32_t indexCount = 0;
+    uint32_t indexCount = 0; ///< a multiple of 3
 };
 
 /// Where a body's waves are computed; the sea is the same.
@@ -84,10 +84,10 @@ enum class WavesOn : uint32_t {
 /// One water body. A null feature costs nothing: no memory, no pipeline, no dispatch. Copied, pointees
 /// included.
 struct BodyDesc {
-    double plane[4] = {0, 1, 0, 0}; ///< the calm surface, n.p + d = 0; at present n must be +Y
-    ExtentDesc extent;
-    const SeaDesc* waves = nullptr; ///< null: flat as glass
-    WavesOn wavesOn = WavesOn::automatic;
+    double plane[4] = {0, 1, 0, 0};       ///< the calm surface, n.p + d = 0; at present n must be +Y
+    ExtentDesc extent;                    ///< to the horizon unless it says otherwise
+    const SeaDesc* waves = nullptr;       ///< null: flat as glass
+    WavesOn wavesOn = WavesOn::automatic; ///< the GPU, or `wavesBackend`
     /// A backend of the CPU, e.g. fftwWaves() of seaglass/waves_fftw.h. Null: there is none but the GPU.
     const WavesBackend* wavesBackend = nullptr;
     const FoamDesc* foam = nullptr;             ///< needs `waves`
@@ -95,7 +95,7 @@ struct BodyDesc {
     const ReflectionDesc* reflection = nullptr; ///< null: the sky cube alone
     const UnderwaterDesc* underwater = nullptr; ///< needs `refraction`; null: seen from above alone
     const CausticsDesc* caustics = nullptr;     ///< needs `waves` and `refraction`; null: even light
-    MeshDesc mesh;
+    MeshDesc mesh;                              ///< how finely it is drawn
 };
 
 /// What a body of this description costs, for views of `extent` pixels and images of that size; what all
@@ -104,28 +104,33 @@ struct BodyDesc {
 Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
                 SceneSamples samples = {});
 
+/// One body of water on a device, made from a BodyDesc.
 struct Body;
 
+/// All or nothing: on failure `*out` is null.
 Status createBody(Context* context, const BodyDesc* desc, Body** out);
 /// May be called while the GPU still uses it. Null is ignored.
 void destroyBody(Body* body);
 
 /// The attachments that water is drawn into. Pipelines are made for one of these.
 struct TargetDesc {
-    VkFormat colorFormat = VK_FORMAT_UNDEFINED;
-    VkFormat depthFormat = VK_FORMAT_UNDEFINED;
-    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-    bool reversedDepth = true;                ///< nearer is greater: how the host's depth test runs
-    VkRenderPass renderPass = VK_NULL_HANDLE; ///< null: dynamic rendering
-    uint32_t subpass = 0;
+    VkFormat colorFormat = VK_FORMAT_UNDEFINED;            ///< any that can be drawn to
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED;            ///< with stencil or without
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT; ///< of both
+    bool reversedDepth = true;                    ///< nearer is greater: how the host's depth test runs
+    VkRenderPass renderPass = VK_NULL_HANDLE;     ///< null: dynamic rendering
+    uint32_t subpass = 0;                         ///< of renderPass
     VkFormat stencilFormat = VK_FORMAT_UNDEFINED; ///< of dynamic rendering with a stencil attachment: its own
     /// Of a multiview pass, 0 of any other: each draw() draws the one view that is ViewDesc::viewIndex.
     uint32_t viewMask = 0;
 };
 
+/// Holds the pipelines of one TargetDesc.
 struct Target;
 
+/// Makes no pipeline yet.
 Status createTarget(Context* context, const TargetDesc* desc, Target** out);
+/// May be called while the GPU still uses it. Null is ignored.
 void destroyTarget(Target* target);
 
 /// Sets the bodies' surfaces to `time` and records the upload or dispatches. Outside any render pass, once a

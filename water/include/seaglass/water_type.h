@@ -6,6 +6,7 @@
 
 namespace seaglass {
 
+/// The waters that waterCoefficients() knows.
 enum class WaterType : uint32_t {
     pool = 0,   ///< pure fresh water
     clearOcean, ///< far from land; 0.1 mg of chlorophyll in a cubic metre
@@ -15,8 +16,8 @@ enum class WaterType : uint32_t {
 
 /// Per metre, at 650, 550 and 450 nm: red, green, blue.
 struct WaterCoefficients {
-    float absorption[3];
-    float backscatter[3];
+    float absorption[3];  ///< RefractionDesc::absorption
+    float backscatter[3]; ///< RefractionDesc::backscatter
 };
 
 /// Pure water absorbs as Pope and Fry (1997) measured and sends back half of what it scatters, salt water as
