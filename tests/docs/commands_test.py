@@ -1,0 +1,115 @@
+"""commands_test.py PROGRAM (quick | long): runs every command of the documents' sh blocks, as it stands but for smaller
+pictures and fewer rounds. What is neither run nor excused below is an error."""
+import os
+import pathlib
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+
+from blocks import SOURCE, all_blocks
+
+# Of an option given twice the last counts.
+SMALLER = {
+    "render": ["--size", "64x36"],
+    "reference": ["--size", "64x36", "--spp", "1"],
+    "compare": [],
+    "measure": ["--size", "32x18", "--rounds", "1", "--spp", "1"],
+    "sea": [],
+    "devices": [],
+}
+# Pictures of different renderers differ.
+EXPECTED = {"compare": {0, 1}}
+
+# Commands that are not run, and why. Each is still held to what `holds` says of it.
+EXCUSED = {
+    "scripts/demo": "builds, and renders at full size for minutes",
+    "scripts/test": "runs this test",
+    "seaglass=build/release/bin/seaglass": "names the program, which the test is told",
+}
+
+
+def commands_of(block):
+    """Its lines without comments, continued ones joined: (line, words)."""
+    joined, begun = "", block.line
+    for number, line in enumerate(block.text.splitlines(), block.line):
+        if not joined:
+            begun = number
+        joined += line
+        if joined.endswith("\\"):
+            joined = joined[:-1]
+            continue
+        words = shlex.split(joined, comments=True)
+        joined = ""
+        if words:
+            yield begun, words
+
+
+def is_long(words):
+    """Every scene there is. Such a command needs no other's files."""
+    return words[1] == "measure" and words[2].startswith("-")
+
+
+def shrunk(words):
+    words = words + SMALLER[words[1]]
+    if words[1] == "measure" and "--camera" not in words:
+        words = words + ["--quick"] + SMALLER["measure"]  # the first camera of each scene
+    if "--frames" in words:
+        words = words + ["--frames", "2"]
+    return words
+
+
+def excused(words):
+    return " ".join(words) in EXCUSED
+
+
+def holds(words):
+    """Of what is not run: scripts are there and may be run."""
+    script = SOURCE / words[0]
+    return not words[0].startswith("scripts/") or os.access(script, os.X_OK)
+
+
+def run(program, words, folder):
+    if words[1] not in SMALLER:
+        return f"there is no seaglass {words[1]} that the test knows how to run"
+    command = [program, *shrunk(words)[1:]]
+    # lavapipe is everywhere, and the same everywhere.
+    if words[1] in ("render", "measure"):
+        command += ["--device", "llvmpipe"]
+    started = time.monotonic()
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    print(f"  {time.monotonic() - started:6.1f} s  {' '.join(words)}", flush=True)
+    if done.returncode not in EXPECTED.get(words[1], {0}):
+        return f"ended with {done.returncode}: {done.stderr.strip()}\n    run as {' '.join(command)}"
+    return None
+
+
+def main():
+    program, which = sys.argv[1:]
+    problems, ran = [], 0
+    for block in all_blocks("sh"):
+        with tempfile.TemporaryDirectory() as folder:
+            # The commands are those of somebody at the top of the tree; what they write stays out of it.
+            for name in ("demos", "textures", "scripts"):
+                (pathlib.Path(folder) / name).symlink_to(SOURCE / name)
+            print(block, flush=True)
+            for line, words in commands_of(block):
+                ours = words[0] in ("seaglass", "$seaglass")
+                if ours and is_long(words) != (which == "long"):
+                    continue
+                if ours:
+                    problem = run(program, words, folder)
+                    ran += 1
+                elif excused(words):
+                    problem = None if holds(words) else "is not there, or cannot be run"
+                else:
+                    problem = "is neither run nor excused"
+                if problem:
+                    problems.append(f"{block.document}:{line}: {' '.join(words)}\n    {problem}")
+    print("\n".join(problems))
+    # That nothing passes because nothing was found.
+    return 1 if problems or ran == 0 else 0
+
+
+sys.exit(main())

@@ -1,0 +1,82 @@
+"""prose_test.py PROGRAM: blocks are of kinds that are tested, links lead somewhere, and options that the prose names exist."""
+import re
+import subprocess
+import sys
+
+from blocks import DOCUMENTS, SOURCE, all_blocks, lines_of_prose
+
+# What tests each language. A block without one is a formula or a drawing: there is nothing to run.
+TESTED = {
+    "sh": "commands_test.py",
+    "cpp": "code_test.py",
+    "cmake": "code_test.py",
+    "diff": "diff_test.py",
+    "": None,
+}
+# Blocks without a language, by their first line: that none is forgotten which could be tested.
+UNTESTED = {
+    "H = S VP R (S VP)⁻¹": "a formula",
+    "depth ──► scatter ──► keys ─────────────┐": "a drawing",
+    "atomicMax(keys[mirrored pixel], bits of the mirrored depth)": "pseudo code",
+    "log2( (c t + scatter max(t - clearDistance, 0)) / (s + t) * pixels a radian / downscale / 1.29 )": "a formula",
+    "1 + H A S I": "a formula",
+}
+# Options in the prose that are not the program's.
+OTHERS = {"--preset", "--build", "--install", "--prefix", "--config", "--cflags", "--libs", "--parallel", "--target",
+          "--gtest_filter", "--no-install", "--check", "--bless", "--label-exclude"}
+
+
+def wrong_blocks():
+    for block in all_blocks():
+        if block.language not in TESTED:
+            yield f"{block}: a block of '{block.language}', expected one of {sorted(filter(None, TESTED))} or none"
+        elif block.language == "" and block.text.split("\n")[0] not in UNTESTED:
+            yield f"{block}: a block without a language that UNTESTED does not list"
+
+
+def wrong_links():
+    for document in DOCUMENTS:
+        for number, line in lines_of_prose(document):
+            for target in re.findall(r"\]\(([^)\s]+)\)", line):
+                path = target.split("#")[0]
+                if re.match(r"\w+:", target) or not path:
+                    continue
+                if not (document.parent / path).exists():
+                    yield f"{document.relative_to(SOURCE)}:{number}: {target} leads nowhere"
+
+
+def known_options(program):
+    """Of each sub-command, and of all together under ''."""
+    def read(*command):
+        text = subprocess.run([program, *command, "--help"], capture_output=True, text=True, check=True).stdout
+        return set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text)), text
+    everything, text = read()
+    commands = re.findall(r"^  ([a-z]+) {2,}", text, re.M)
+    assert "render" in commands, text
+    options = {name: read(name)[0] for name in commands}
+    options[""] = everything.union(*options.values())
+    return options
+
+
+def wrong_options(program):
+    options = known_options(program)
+    for document in DOCUMENTS:
+        for number, line in lines_of_prose(document):
+            for code in re.findall(r"`([^`]+)`", line):
+                command = re.match(r"seaglass ([a-z]+)", code)
+                name = command.group(1) if command else ""
+                if name not in options:
+                    yield f"{document.relative_to(SOURCE)}:{number}: there is no seaglass {name}"
+                    continue
+                for option in re.findall(r"(?<![\w-])--[a-z_][a-z_-]*", code):
+                    if option not in options[name] and (command or option not in OTHERS):
+                        yield f"{document.relative_to(SOURCE)}:{number}: {option} is no option of seaglass {name}"
+
+
+def main():
+    problems = [*wrong_blocks(), *wrong_links(), *wrong_options(sys.argv[1])]
+    print("\n".join(problems))
+    return 1 if problems else 0
+
+
+sys.exit(main())
