@@ -21,6 +21,11 @@ extern seaglass::Target* target;
 extern seaglass::ViewDesc view;
 extern seaglass::LightingDesc lighting;
 extern uint32_t slot;
+extern seaglass::DeviceDesc device;
+extern seaglass::TargetDesc attachments;
+extern seaglass::BodyDesc desc;
+extern seaglass::Body* body;
+extern seaglass::Status status;
 extern double timeInSeconds;
 void host();
 void host() {

@@ -1,5 +1,6 @@
 """commands_test.py PROGRAM (quick | long): runs every command of the documents' sh blocks, as it stands but for smaller
-pictures and fewer rounds. What is neither run nor excused below is an error."""
+pictures and fewer rounds. Those that measure take minutes even so: `quick` has only their options, scenes, cameras and
+techniques read, and `long` runs them. Windows are opened by tests/view; here too commands are only read. What is neither run nor excused below is an error."""
 import os
 import pathlib
 import shlex
@@ -46,11 +47,6 @@ def commands_of(block):
             yield begun, words
 
 
-def is_long(words):
-    """Every scene there is. Such a command needs no other's files."""
-    return words[1] == "measure" and words[2].startswith("-")
-
-
 def shrunk(words):
     words = words + SMALLER[words[1]]
     if words[1] == "measure" and "--camera" not in words:
@@ -68,6 +64,15 @@ def holds(words):
     """Of what is not run: scripts are there and may be run."""
     script = SOURCE / words[0]
     return not words[0].startswith("scripts/") or os.access(script, os.X_OK)
+
+
+def read_only(program, words, folder):
+    """Scenes, cameras and options are looked at before there is no such device, or no display."""
+    missing = {"measure": "no usable Vulkan device is named", "view": "seaglass render"}[words[1]]
+    command = [program, *words[1:], "--device", "of no such name"]
+    environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=environment)
+    return None if missing in done.stderr else f"is refused: {done.stderr.strip()}"
 
 
 def run(program, words, folder):
@@ -96,10 +101,12 @@ def main():
             print(block, flush=True)
             for line, words in commands_of(block):
                 ours = words[0] in ("seaglass", "$seaglass")
-                if ours and is_long(words) != (which == "long"):
+                measures = ours and words[1] == "measure"
+                if which == "long" and not measures:
                     continue
                 if ours:
-                    problem = run(program, words, folder)
+                    read = words[1] == "view" or (measures and which == "quick")
+                    problem = (read_only if read else run)(program, words, folder)
                     ran += 1
                 elif excused(words):
                     problem = None if holds(words) else "is not there, or cannot be run"

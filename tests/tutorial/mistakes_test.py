@@ -19,8 +19,8 @@ class Mistake:
 
 # Boxes of the picture, (left, top, right, bottom) of 480x270.
 NEAR = (120, 200, 360, 265)      # water over the bed, before the eye
-MIRROR = (95, 152, 112, 190)     # where the lighthouse is mirrored
-TOWER = (95, 60, 112, 110)       # the lighthouse itself
+MIRROR = (120, 170, 150, 230)    # where the lighthouse is mirrored
+HORIZON = (0, 129, 24, 135)      # the open sea beyond the point
 
 
 def mean(picture, box):
@@ -66,6 +66,10 @@ MISTAKES = [
     Mistake("not_sampled", ("water.cpp", "VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;",
                             "VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;"), says="VUID"),
     Mistake("features_off", ("engine.cpp", "    deviceInfo.pNext = &needs.features13;\n", ""), says="VUID"),
+    # What is no mistake.
+    Mistake("scaled_plane", ("water.cpp", "    body.waves = &breeze;\n",
+                             "    body.waves = &breeze;\n    body.plane[1] = 2;\n"),
+            shows=lambda right, wrong: right == wrong),
     # What shows alone.
     Mistake("y_not_flipped", ("water.cpp", "    seaglass::assign(view.projection, camera_.projection);\n",
                               "    glm::mat4 told = camera_.projection;\n    told[1][1] *= -1;\n"
@@ -80,14 +84,14 @@ MISTAKES = [
     Mistake("no_reflect", ("water.cpp", "    check(seaglass::reflect(commands, &water_, 1, &view));\n", ""),
             shows=lambda right, wrong: share_changed(right, wrong, MIRROR) > 0.5),
     Mistake("no_refraction", ("water.cpp", "    body.refraction = &refraction;\n", ""),
-            shows=lambda right, wrong: share_changed(right, wrong, NEAR) > 0.5),
+            shows=lambda right, wrong: brightness(wrong, NEAR) < brightness(right, NEAR) * 0.8),
     Mistake("sky_not_far", ("engine.cpp", "clears[1].depthStencil.depth = 1;", "clears[1].depthStencil.depth = 0.999f;"),
-            shows=lambda right, wrong: share_changed(right, wrong) > 0.05),
-    Mistake("near_far_plane", ("scene.cpp", "0.1f, 500.0f)", "0.1f, 60.0f)"),
-            shows=lambda right, wrong: share_changed(right, wrong) > 0.01),
+            shows=lambda right, wrong: share_changed(right, wrong, HORIZON) > 0.5),
+    Mistake("near_far_plane", ("scene.cpp", "0.1f, 500.0f)", "0.1f, 40.0f)"),
+            shows=lambda right, wrong: share_changed(right, wrong, HORIZON) > 0.5),
     Mistake("eye_in_water", ("scene.cpp", "glm::vec3(-1, 2.2f, 6)", "glm::vec3(-1, -0.8f, 6)"),
             shows=lambda right, wrong: share_changed(right, wrong) > 0.5),
-    Mistake("centimetres", ("water.cpp", "    breeze.windSpeed = 3;\n    breeze.fetch = 300;\n",
+    Mistake("wrong_wind", ("water.cpp", "    breeze.windSpeed = 3;\n    breeze.fetch = 300;\n",
                             "    breeze.windSpeed = 12;\n    breeze.fetch = 100e3f;\n"),
             shows=lambda right, wrong: share_changed(right, wrong) > 0.2),
 ]
