@@ -68,7 +68,7 @@ def holds(words):
 
 def read_only(program, words, folder):
     """Scenes, cameras and options are looked at before there is no such device, or no display."""
-    missing = {"measure": "no usable Vulkan device is named", "view": "seaglass render"}[words[1]]
+    missing = {"measure": "no usable Vulkan device is named", "view": "seaglass render draws"}[words[1]]
     command = [program, *words[1:], "--device", "of no such name"]
     environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=environment)

@@ -113,17 +113,19 @@ def write_png(path, picture):
                      + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
 
+def draw(program, ppm):
+    """What the program says under validation, and its picture if it left one."""
+    ppm.unlink(missing_ok=True)
+    environment = dict(os.environ, VK_INSTANCE_LAYERS="VK_LAYER_KHRONOS_validation")
+    done = subprocess.run([program, ppm, str(WIDTH), str(HEIGHT)], capture_output=True, text=True, env=environment)
+    return done.stdout + done.stderr, read_ppm(ppm) if ppm.exists() else None
+
+
 def build_and_draw(folder):
-    """What the program says, and its picture if it left one."""
     done = subprocess.run(["cmake", "--build", folder / "build"], capture_output=True, text=True)
     if done.returncode != 0:
         raise SystemExit(done.stdout + done.stderr)
-    ppm = folder / "picture.ppm"
-    ppm.unlink(missing_ok=True)
-    environment = dict(os.environ, VK_INSTANCE_LAYERS="VK_LAYER_KHRONOS_validation")
-    done = subprocess.run([folder / "build/tutorial", ppm, str(WIDTH), str(HEIGHT)], capture_output=True, text=True,
-                          env=environment)
-    return done.stdout + done.stderr, read_ppm(ppm) if ppm.exists() else None
+    return draw(folder / "build/tutorial", folder / "picture.ppm")
 
 
 def make(mistake, folder, sources):
@@ -159,6 +161,10 @@ def main():
     if said or right is None:
         raise SystemExit(f"without any mistake: {said}")
     write_png(out / "right.png", right)
+    said, before = draw(after.parent / "before/build/tutorial", out / "before.ppm")
+    if said or before is None:
+        raise SystemExit(f"before it has water: {said}")
+    write_png(out / "before.png", before)
     problems = []
     for mistake in MISTAKES:
         problem = make(mistake, folder, sources)
