@@ -30,7 +30,7 @@ constexpr std::array<std::pair<std::string_view, Mistake>, 2> mistakes = {{
 constexpr const char* footer = R"(Examples:
   seaglass render demos/scenes/harbour.toml -o harbour.png
   seaglass render demos/scenes/ocean.toml -o sea.exr --set water.waves.wind_m_s=16 --camera low
-  seaglass render demos/scenes/ocean.toml -o frames/%04d.png --frames 240 --fps 24
+  seaglass render demos/scenes/ocean.toml -o frame%04d.png --frames 240 --fps 24
   seaglass render demos/scenes/ocean.toml -o mine.png --sky my_sky.exr --mesh my_boat.glb
   seaglass view demos/scenes/harbour.toml
   seaglass reference demos/scenes/harbour.toml -o truth.exr --spp 64 --truth classes.exr
