@@ -36,7 +36,6 @@ struct MessageCallback {
 /// Called before and after the commands of each GPU pass are recorded: for timestamps or debug labels. `pass`
 /// is a literal such as "sspr_scatter".
 struct PassCallback {
-    /// Null: nobody is told.
     void (*function)(void* user, VkCommandBuffer commands, const char* pass, bool begins) = nullptr;
     void* user = nullptr; ///< handed back to it
 };

@@ -83,8 +83,7 @@ struct ReflectorDesc {
     double boundsHigh[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}; ///< see boundsLow
 };
 
-/// Of one call of reflect().
-constexpr uint32_t maxReflectors = 16;
+constexpr uint32_t maxReflectors = 16; ///< of one call of reflect()
 
 /// Samples a pixel of a view's scene; see ViewDesc::sceneDepth.
 struct SceneSamples {

@@ -104,8 +104,7 @@ struct SeaError {
     char text[200] = {}; ///< ends with a zero
 };
 
-/// Checks the description and draws the modes. Null on a bad field or when out of memory, which `error`
-/// names.
+/// Draws the modes. Null on a bad field or when out of memory, which `error` names.
 Sea* createSea(const SeaDesc* desc, SeaError* error);
 void destroySea(Sea* sea); ///< null is ignored
 
@@ -169,8 +168,7 @@ struct HeightSample {
     float height = 0;              ///< above the calm plane [m]
     float normal[3] = {0, 1, 0};   ///< unit: u, up, v
     float velocity[3] = {0, 0, 0}; ///< of the water at the surface: u, up, v [m/s]
-    uint32_t folded = 0; ///< 1 where the surface overturns at or near the point, or the search did not
-                         ///< settle: height may be one of several
+    uint32_t folded = 0;           ///< 1 where the surface overturns near by: height may be one of several
 };
 
 /// Heights at `count` points (u, v in metres, interleaved) at any time, future included. No GPU. Any thread,

@@ -2,8 +2,7 @@
 // buffer.
 //
 // A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> (host begins its pass) ->
-// draw. With caustics, drawCaustics after the opaque scene. The library never submits, never waits and keeps
-// no global state.
+// draw. With caustics, drawCaustics after the opaque scene.
 #ifndef SEAGLASS_WATER_H
 #define SEAGLASS_WATER_H
 
@@ -104,11 +103,9 @@ struct BodyDesc {
 Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
                 SceneSamples samples = {});
 
-/// One body of water on a device, made from a BodyDesc.
 struct Body;
 
-/// All or nothing: on failure `*out` is null.
-Status createBody(Context* context, const BodyDesc* desc, Body** out);
+Status createBody(Context* context, const BodyDesc* desc, Body** out); ///< on failure `*out` is null
 /// May be called while the GPU still uses it. Null is ignored.
 void destroyBody(Body* body);
 
@@ -125,13 +122,10 @@ struct TargetDesc {
     uint32_t viewMask = 0;
 };
 
-/// Holds the pipelines of one TargetDesc.
 struct Target;
 
-/// Makes no pipeline yet.
-Status createTarget(Context* context, const TargetDesc* desc, Target** out);
-/// May be called while the GPU still uses it. Null is ignored.
-void destroyTarget(Target* target);
+Status createTarget(Context* context, const TargetDesc* desc, Target** out); ///< makes no pipeline yet
+void destroyTarget(Target* target);                                          ///< as destroyBody()
 
 /// Sets the bodies' surfaces to `time` and records the upload or dispatches. Outside any render pass, once a
 /// frame. Work on the CPU happens here when the backend is a CPU one. Foam takes the sea at up to 4 more
