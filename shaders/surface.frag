@@ -25,6 +25,12 @@ layout(constant_id = 1) const uint sidesSeen = 0;   // water/surface.h: SidesSee
 const uint seenAbove = 0;
 const uint seenBelow = 1;
 
+// Metres of calm water to the next pixel.
+float calmPixelWidth() {
+    vec2 stepSize = max(abs(dFdx(calmPosition)), abs(dFdy(calmPosition)));
+    return max(stepSize.x, stepSize.y);
+}
+
 #include "surface_point.glsl"
 #include "visible_slopes.glsl"
 #include "surface_mirror.glsl"
@@ -71,6 +77,9 @@ void main() {
 #ifdef OUTLINE
     if (!isWithin(calmPosition, edgeRange)) discard;
 #endif
+#ifdef SHORE
+    shoreHere = shoreWave(calmPosition, calmPixelWidth());
+#endif
     SurfacePoint s = surfacePoint();
     vec3 toEye = -normalize(position);
     vec3 normal = normalOf(s.slope);
@@ -94,6 +103,11 @@ void main() {
     vec3 radiance = mirror.radiance + entering * refracted(normal, toEye) + sunGlint(s, toEye);
 #ifdef FOAM
     radiance = withFoam(radiance, white, s, toEye, mirror.radiance);
+#endif
+#if defined(SHORE) && defined(REFRACTION)
+    // Wet sand dries, and water thins out into it.
+    vec3 dry = texelFetch(sceneColor, ivec2(gl_FragCoord.xy + sceneShift), 0).rgb;
+    radiance = mix(dry, radiance, presence());
 #endif
     outColor = vec4(radiance, 1.0);
 }

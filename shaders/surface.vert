@@ -16,14 +16,17 @@ const int patchCells = 16;
 // before the range does and begin after the coarser neighbour's patches can touch it.
 const float glideBegins = 0.7;
 const float glideEnds = 0.95;
+const float filmLift = 0.012;   // of a film over the sand, so that none of its grains hides it [m]
 
 #ifdef WAVES
-vec3 waveDisplacementAt(vec2 calm, float cell) {
+// `kept` is a share of each cascade.
+vec3 waveDisplacementAt(vec2 calm, float cell, vec4 kept) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < cascades; ++i) {
         float mip = max(log2(cell * cascade[i].w), 0.0);
         // The last mip is the tile's mean, which is zero.
-        if (mip < maxMip) sum += textureLod(waveDisplacement, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xyz;
+        if (mip < maxMip)
+            sum += kept[i] * textureLod(waveDisplacement, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xyz;
     }
     return sum;
 }
@@ -65,7 +68,14 @@ void main() {
 
     vec3 relative = vec3(calm.x, -plane.w, calm.y);
 #ifdef WAVES
-    vec3 displacement = waveDisplacementAt(calm, cell);
+#ifdef SHORE
+    ShoreWave shore = shoreWave(calm, cell);
+    vec3 displacement = waveDisplacementAt(calm, cell, shore.kept);
+    displacement += vec3(shore.move.x, shore.height, shore.move.y);
+    displacement.y = withFilm(shore, displacement.y, filmLift + 0.01 * cell);
+#else
+    vec3 displacement = waveDisplacementAt(calm, cell, vec4(1.0));
+#endif
 #ifdef OUTLINE
     displacement.xz *= looseness(calm, patch_.edgeRange);
 #endif

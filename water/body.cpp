@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <span>
 
 #include <glm/geometric.hpp>
 
 #include "gpu/guard.h"
 #include "reflection/mirror.h"
+#include "water/sea.h"
 #include "water/target.h"
 
 namespace seaglass {
@@ -122,6 +124,16 @@ void setWaves(SurfaceUniforms& u, const Sea& sea, const WaveMaps& maps, const gl
     }
 }
 
+void setShore(SurfaceUniforms& u, const Shore& shore, const ShoreSignal& signal, const glm::dvec3& eye) {
+    const double spacing = shore.spacing();
+    const glm::dvec2 samples(shore.samples()[0], shore.samples()[1]);
+    const glm::dvec2 fromFirst =
+        (glm::dvec2(eye.x, eye.z) - glm::dvec2(shore.origin()[0], shore.origin()[1])) / spacing;
+    u.shorePlace = glm::vec4((fromFirst + 0.5) / samples, 1.0 / (samples * spacing));
+    u.shoreSignal = {signal.rowsPerSecond, signal.offset, signal.count, spacing};
+    u.shoreForm = {shore.peak() / (2 * std::numbers::pi), shore.carried(), 0, 0};
+}
+
 SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, const LightingDesc& lighting) {
     SurfaceUniforms u;
     u.clipFromRelative = glm::mat4(geometry.clipFromRelative);
@@ -144,6 +156,7 @@ SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, con
         u.reflectionLook = {reflection.clearDistance, reflection.scatter, reflection.skyFadeDistance, 0};
     }
     if (body.waves) setWaves(u, *body.sea, body.waves->maps(), geometry.eye);
+    if (body.shore) setShore(u, *body.sea->shore, body.shore->signal(), geometry.eye);
     if (body.hostMesh) {
         const glm::dvec2 origin = body.hostMesh->origin - glm::dvec2(geometry.eye.x, geometry.eye.z);
         u.extent = glm::vec4(glm::vec2(origin), 0, 0);
@@ -282,10 +295,13 @@ Status Body::createWaves(const BodyDesc& desc) {
     if (!made) return context->device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
     if (cascadeCount(*made) == 0) return Status::ok; // Wind 0 is a flat body, by branch.
     sea = std::move(made);
+    if (sea->shore)
+        if (const Status s = shore.emplace().create(*context, *sea->shore); s != Status::ok) return s;
     return waves.emplace().create(*context, *sea, chosenBackend(context->device, desc));
 }
 
 Status Body::createFoam(const FoamDesc& desc) {
+    foamDecay = double{desc.decayTime};
     if (breakingOf(*sea, desc).count == 0) return Status::ok;
     if (const Status s = foamPattern.emplace().create(*context); s != Status::ok) return s;
     return foam.emplace().create(*context, *sea, desc, *waves);
@@ -297,6 +313,7 @@ Status Body::simulate(VkCommandBuffer commands, double time) {
     if (foamPattern) foamPattern->recordUpload(context->device, commands);
     if (!waves) return Status::ok;
     simulated = true;
+    if (shore) shore->record(context->device, commands, *sea->shore, time, foamDecay);
     if (foam)
         if (const Status s = foam->record(*context, commands, *waves, time); s != Status::ok) return s;
     return waves->record(*context, commands, time);
@@ -342,6 +359,7 @@ SurfaceFeatures Body::features(const ReflectionImages& images) const {
             foam.has_value(),
             refraction.has_value(),
             images.color != VK_NULL_HANDLE,
+            shore.has_value(),
             shape,
             waves ? waves->maps().cascades : 0,
             foam ? foam->cascades() : 0};
@@ -492,6 +510,11 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
         for (uint32_t i = 0; i < waveMapCount; ++i) inputs.waveMaps[i] = waves->maps().images[i].view();
     if (foamPattern) inputs.foamPattern = foamPattern->view();
     if (foam) inputs.foamHistory = foam->view();
+    if (shore) {
+        inputs.shoreMap = shore->view();
+        if (const Status s = upload(*context, inputs.shoreRows, shore->signal().rows); s != Status::ok)
+            return s;
+    }
     setViewport(device, commands, view, geometry);
     return recordSurface(*context, commands, *pipeline, wanted, inputs);
 }
@@ -520,6 +543,7 @@ Status addWaves(Context& context, const BodyDesc& desc, Estimate& out) {
     if (cascadeCount(*sea) == 0) return Status::ok;
     const WavesBackend* backend = chosenBackend(context.device, desc);
     out.bytes += Waves::bytes(context, *sea, backend);
+    if (sea->shore) out.bytes += ShoreMap::bytes(*sea->shore);
     if (desc.foam && breakingOf(*sea, *desc.foam).count > 0)
         out.bytes += FoamPattern::bytes() + Foam::bytes(*sea, *desc.foam, backend, context.frameCount);
     return Status::ok;

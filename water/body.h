@@ -17,6 +17,7 @@
 #include "water/foam_pattern.h"
 #include "water/host_mesh.h"
 #include "water/mesh.h"
+#include "water/shore_map.h"
 #include "water/surface.h"
 #include "water/underwater.h"
 #include "water/waves.h"
@@ -44,6 +45,8 @@ struct Body {
     bool simulated = false;   ///< the maps hold something
     std::optional<Foam> foam; ///< only where waves break
     std::optional<FoamPattern> foamPattern;
+    std::optional<ShoreMap> shore; ///< only of a sea that has one
+    double foamDecay = double{FoamDesc{}.decayTime};
     std::optional<RefractionDesc> refraction;
     std::optional<UnderwaterDesc> underwater;
     std::optional<CausticsDesc> caustics; ///< only over waves

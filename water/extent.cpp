@@ -9,6 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "water/sea.h"
+
 namespace seaglass {
 
 namespace {
@@ -206,7 +208,8 @@ Outline outlineOf(const ExtentDesc& desc) {
 double largestDisplacement(const Sea& sea) {
     // Heights pass 5 standard deviations once in a million; choppiness moves points sideways about as far.
     const double height = 1.25 * significantWaveHeight(sea);
-    return height * std::max(1.0, double{description(sea).choppiness});
+    const double trains = sea.shore ? sea.shore->reach() : 0;
+    return height * std::max(1.0, double{description(sea).choppiness}) + trains;
 }
 
 } // namespace seaglass

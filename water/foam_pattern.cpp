@@ -1,7 +1,6 @@
 #include "water/foam_pattern.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -19,7 +18,6 @@ gpu::ImageDesc imageDesc() {
     desc.format = VK_FORMAT_R8G8B8A8_UNORM;
     desc.extent = {size, size};
     desc.mipLevels = mipLevels;
-    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     return desc;
 }
 
@@ -177,44 +175,17 @@ FoamStreak foamStreakOf(const SeaDesc& sea) {
 }
 
 VkDeviceSize FoamPattern::bytes() {
-    return 2 * gpu::imageBytes(imageDesc()); // the image and its staging
+    return FixedImage::bytes(imageDesc());
 }
 
 Status FoamPattern::create(Context& context) {
-    const gpu::ImageDesc desc = imageDesc();
-    if (const Status s = image_.create(context.device, desc, "foam pattern"); s != Status::ok) return s;
-    if (const Status s = staging_.createMapped(context.device, gpu::imageBytes(desc),
-                                               VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "foam staging buffer");
-        s != Status::ok)
-        return s;
-    auto* out = static_cast<std::byte*>(staging_.mapped());
+    if (const Status s = image_.create(context, imageDesc(), "foam pattern"); s != Status::ok) return s;
+    std::byte* out = image_.texels();
     for (const std::vector<FoamTexel>& mip : foamPattern()) {
         std::memcpy(out, mip.data(), mip.size() * sizeof(FoamTexel));
         out += mip.size() * sizeof(FoamTexel);
     }
     return Status::ok;
-}
-
-void FoamPattern::recordUpload(const gpu::Device& device, VkCommandBuffer commands) {
-    if (uploaded_) return;
-    uploaded_ = true;
-    constexpr gpu::Use nothing{};
-    const VkImageMemoryBarrier2 before = gpu::imageBarrier(image_.handle(), nothing, gpu::copyWritten);
-    gpu::recordBarriers(device, commands, &before, 1);
-    std::array<VkBufferImageCopy, mipLevels> regions{};
-    VkDeviceSize offset = 0;
-    for (uint32_t mip = 0; mip < mipLevels; ++mip) {
-        const uint32_t across = size >> mip;
-        regions[mip].bufferOffset = offset;
-        regions[mip].imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, 1};
-        regions[mip].imageExtent = {across, across, 1};
-        offset += sizeof(FoamTexel) * across * across;
-    }
-    device.vk().CmdCopyBufferToImage(commands, staging_.handle(), image_.handle(),
-                                     VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, mipLevels, regions.data());
-    const VkImageMemoryBarrier2 after =
-        gpu::imageBarrier(image_.handle(), gpu::copyWritten, gpu::sampledByShaders);
-    gpu::recordBarriers(device, commands, &after, 1);
 }
 
 } // namespace seaglass

@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "gpu/context.h"
-#include "gpu/image.h"
 #include "seaglass/sea.h"
+#include "water/fixed_image.h"
 
 namespace seaglass {
 
@@ -41,13 +40,13 @@ class FoamPattern {
     Status create(Context& context);
     static VkDeviceSize bytes();
     /// Uploads on its first call, does nothing after.
-    void recordUpload(const gpu::Device& device, VkCommandBuffer commands);
+    void recordUpload(const gpu::Device& device, VkCommandBuffer commands) {
+        image_.recordUpload(device, commands);
+    }
     VkImageView view() const { return image_.view(); }
 
   private:
-    gpu::OwnedImage image_;
-    gpu::Buffer staging_;
-    bool uploaded_ = false;
+    FixedImage image_;
 };
 
 } // namespace seaglass

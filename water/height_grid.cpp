@@ -148,6 +148,7 @@ float lengthOf(const Four& a, size_t l) {
 
 struct HeightGrid {
     const Sea& sea;
+    double time = 0; ///< [s]
     Lattice lattice;
     InverseFourier fourier;
     std::vector<Tile> tiles;
@@ -156,7 +157,7 @@ struct HeightGrid {
     float near = 0;                      ///< from where one linear step does [m]
 
     explicit HeightGrid(const Sea& from);
-    void fill(double time);
+    void fill(double at);
     void sampleBlock(const double* points, size_t count, HeightSample* out) const;
 
   private:
@@ -311,8 +312,9 @@ void HeightGrid::repeatFirst(Tile& tile) const {
     std::copy_n(tile.samples.begin(), pitch, tile.samples.end() - static_cast<ptrdiff_t>(pitch));
 }
 
-void HeightGrid::fill(double time) {
-    const uint32_t now = loopPhase(time, sea.desc.loopPeriod);
+void HeightGrid::fill(double at) {
+    time = at;
+    const uint32_t now = loopPhase(at, sea.desc.loopPeriod);
     for (uint32_t c = 0; c < sea.count; ++c) {
         advance(sea.modes[c], now);
         for (size_t pair = 0; pair < pairs; ++pair) {
@@ -547,6 +549,7 @@ void sampleHeights(const HeightGrid& grid, const double* points, size_t count, H
         std::fill_n(out, count, HeightSample{});
         return;
     }
+    if (grid.sea.shore) return sampleHeights(grid.sea, grid.time, points, count, out);
     for (size_t first = 0; first < count; first += block)
         grid.sampleBlock(points + 2 * first, std::min(block, count - first), out + first);
 }

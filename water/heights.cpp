@@ -125,6 +125,12 @@ struct Shift {
     Vec2 d;
     double duDu = 0, duDv = 0, dvDv = 0;
 
+    void add(const Shift& other, double share) {
+        d = {d.u + share * other.d.u, d.v + share * other.d.v};
+        duDu += share * other.duDu;
+        duDv += share * other.duDv;
+        dvDv += share * other.dvDv;
+    }
     double jacobian() const { return (1 + duDu) * (1 + dvDv) - duDv * duDv; }
 };
 
@@ -166,6 +172,13 @@ struct Surface {
     Vec2 slope;
     Vec2 drift;
     double rise = 0;
+
+    void add(const Surface& other, double share) {
+        height += share * other.height;
+        slope = {slope.u + share * other.slope.u, slope.v + share * other.slope.v};
+        drift = {drift.u + share * other.drift.u, drift.v + share * other.drift.v};
+        rise += share * other.rise;
+    }
 };
 
 void addSurface(const Instant& instant, Vec2 x, double choppiness, Surface& surface) {
@@ -210,14 +223,25 @@ class Heights {
         cascades_.reserve(sea.count);
         for (uint32_t c = 0; c < sea.count; ++c)
             cascades_.emplace_back(sea.modes[c], sea.cascades[c], sea.desc.loopPeriod, time);
+        if (!sea.shore) return;
+        shore_ = &*sea.shore;
+        constexpr double noFoam = 1; // its decay [s]
+        signal_ = shore_->signalAt(std::isfinite(time) ? time : 0, noFoam);
     }
 
     HeightSample at(Vec2 point) const {
         if (!(std::isfinite(point.u) && std::isfinite(point.v))) return {.folded = 1};
         const Found found = invert(point);
         Surface surface;
-        for (const Instant& cascade : cascades_)
-            addSurface(cascade, onTile(point, found.offset, cascade.patch), choppiness_, surface);
+        const ShoreWave shore = shoreAt(point, found.offset);
+        for (size_t c = 0; c < cascades_.size(); ++c) {
+            Surface one;
+            addSurface(cascades_[c], onTile(point, found.offset, cascades_[c].patch), choppiness_, one);
+            surface.add(one, shore_ ? shore.kept[c] : 1);
+        }
+        surface.add(
+            {shore.height, {shore.slope[0], shore.slope[1]}, {shore.drift[0], shore.drift[1]}, shore.rise},
+            1);
 
         HeightSample sample;
         sample.height = static_cast<float>(surface.height);
@@ -242,11 +266,20 @@ class Heights {
         return {std::fmod(point.u, patch) + offset.u, std::fmod(point.v, patch) + offset.v};
     }
 
+    // What the bed leaves of a cascade changes so slowly that its own slope is left out.
     Shift shiftAt(Vec2 point, Vec2 offset) const {
-        Shift shift;
-        for (const Instant& cascade : cascades_)
-            addShift(cascade, onTile(point, offset, cascade.patch), choppiness_, shift);
+        const ShoreWave shore = shoreAt(point, offset);
+        Shift shift{{shore.move[0], shore.move[1]}, shore.stretch[0], shore.stretch[2], shore.stretch[1]};
+        for (size_t c = 0; c < cascades_.size(); ++c) {
+            Shift one;
+            addShift(cascades_[c], onTile(point, offset, cascades_[c].patch), choppiness_, one);
+            shift.add(one, shore_ ? shore.kept[c] : 1);
+        }
         return shift;
+    }
+
+    ShoreWave shoreAt(Vec2 point, Vec2 offset) const {
+        return shore_ ? shore_->waveAt(signal_, point.u + offset.u, point.v + offset.v, 0) : ShoreWave{};
     }
 
     // Seeks offset + d(point + offset) = 0. Where the surface nearly folds Newton's step would fly off: it is
@@ -292,6 +325,8 @@ class Heights {
     double choppiness_;
     double tolerance_;
     std::vector<Instant> cascades_;
+    const Shore* shore_ = nullptr;
+    ShoreSignal signal_;
 };
 
 } // namespace

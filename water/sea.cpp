@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <memory>
 #include <new>
+#include <span>
 
 namespace seaglass {
 namespace {
@@ -22,6 +23,7 @@ std::unique_ptr<Sea> makeSea(const SeaDesc& desc) {
         sea->desc.spectrumTable = nullptr;
         sea->desc.spectrumTableCount = 0;
     }
+    sea->desc.shore = nullptr;
     sea->systems = makeSystems(sea->desc);
     if (sea->systems.count == 0) return sea;
 
@@ -34,6 +36,9 @@ std::unique_ptr<Sea> makeSea(const SeaDesc& desc) {
     for (uint32_t c = 0; c < sea->count; ++c) sea->variance += sea->cascades[c].variance;
     sea->slopes = slopesOf(*sea);
     sea->roughness = roughnessOf(*sea, sea->slopes);
+    if (desc.shore)
+        sea->shore.emplace(*desc.shore, sea->desc, dominantSystem(sea->systems),
+                           std::span(sea->cascades).first(sea->count));
     return sea;
 }
 

@@ -3,8 +3,10 @@
 
 #include "seaglass/sea.h"
 #include "water/modes.h"
+#include "water/shore.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace seaglass {
@@ -14,7 +16,7 @@ struct Sea {
     Sea(const Sea&) = delete;
     Sea& operator=(const Sea&) = delete;
 
-    SeaDesc desc; ///< its table is the one below
+    SeaDesc desc; ///< its table is the one below, and it has no shore
     std::vector<SpectrumSample> table;
     WaveSystems systems;
     uint32_t count = 0; ///< of cascades; 0 when flat
@@ -24,6 +26,7 @@ struct Sea {
     double variance = 0;    ///< of height [m^2]
     SlopeCovariance slopes; ///< of the modes
     SlopeCovariance roughness;
+    std::optional<Shore> shore; ///< of a sea that is not flat
 };
 
 } // namespace seaglass

@@ -91,6 +91,29 @@ bool validateSwells(const SeaDesc& desc, SeaError& error) {
     return true;
 }
 
+bool validateShore(const SeaDesc& desc, SeaError& error) {
+    if (!desc.shore) return true;
+    const ShoreDesc& shore = *desc.shore;
+    if (!shore.bed) return fail(error, "ShoreDesc.bed is null; expected heights");
+    const Range ranges[] = {
+        {"samples[0]", static_cast<double>(shore.samples[0]), 2, 1024, ""},
+        {"samples[1]", static_cast<double>(shore.samples[1]), 2, 1024, ""},
+        {"spacing", shore.spacing, 0.05f, 100, " m"},
+        {"origin[0]", shore.origin[0], -1e6, 1e6, " m"},
+        {"origin[1]", shore.origin[1], -1e6, 1e6, " m"},
+    };
+    for (const Range& range : ranges)
+        if (!inRange("ShoreDesc", range, error)) return false;
+    const size_t count = size_t{shore.samples[0]} * shore.samples[1];
+    for (size_t i = 0; i < count; ++i) {
+        char field[32];
+        std::snprintf(field, sizeof field, "bed[%zu]", i);
+        if (!(std::fabs(shore.bed[i]) <= 1e4f))
+            return inRange("ShoreDesc", {field, shore.bed[i], -1e4, 1e4, " m"}, error);
+    }
+    return true;
+}
+
 } // namespace
 
 bool validate(const SeaDesc& desc, SeaError& error) {
@@ -117,7 +140,7 @@ bool validate(const SeaDesc& desc, SeaError& error) {
     if (!chosen && !(desc.largestPatch >= 1 && desc.largestPatch <= 1e5f))
         return fail(error, "SeaDesc.largestPatch is %.9g; expected 1 to 100000 m, or 0",
                     static_cast<double>(desc.largestPatch));
-    return validateTable(desc, error) && validateSwells(desc, error);
+    return validateTable(desc, error) && validateSwells(desc, error) && validateShore(desc, error);
 }
 
 } // namespace seaglass

@@ -24,6 +24,12 @@
 #include "spirv/surface_waves_host_mesh_views.vert.h"
 #include "spirv/surface_waves_outline.vert.h"
 #include "spirv/surface_waves_outline_views.vert.h"
+#include "spirv/surface_waves_shore.vert.h"
+#include "spirv/surface_waves_shore_host_mesh.vert.h"
+#include "spirv/surface_waves_shore_host_mesh_views.vert.h"
+#include "spirv/surface_waves_shore_outline.vert.h"
+#include "spirv/surface_waves_shore_outline_views.vert.h"
+#include "spirv/surface_waves_shore_views.vert.h"
 #include "spirv/surface_waves_views.vert.h"
 #include "spirv/surface_wf.frag.h"
 #include "spirv/surface_wfl.frag.h"
@@ -33,6 +39,14 @@
 #include "spirv/surface_wfo.frag.h"
 #include "spirv/surface_wfr.frag.h"
 #include "spirv/surface_wfro.frag.h"
+#include "spirv/surface_wfs.frag.h"
+#include "spirv/surface_wfsl.frag.h"
+#include "spirv/surface_wfslo.frag.h"
+#include "spirv/surface_wfslr.frag.h"
+#include "spirv/surface_wfslro.frag.h"
+#include "spirv/surface_wfso.frag.h"
+#include "spirv/surface_wfsr.frag.h"
+#include "spirv/surface_wfsro.frag.h"
 #include "spirv/surface_wl.frag.h"
 #include "spirv/surface_wlo.frag.h"
 #include "spirv/surface_wlr.frag.h"
@@ -40,6 +54,14 @@
 #include "spirv/surface_wo.frag.h"
 #include "spirv/surface_wr.frag.h"
 #include "spirv/surface_wro.frag.h"
+#include "spirv/surface_ws.frag.h"
+#include "spirv/surface_wsl.frag.h"
+#include "spirv/surface_wslo.frag.h"
+#include "spirv/surface_wslr.frag.h"
+#include "spirv/surface_wslro.frag.h"
+#include "spirv/surface_wso.frag.h"
+#include "spirv/surface_wsr.frag.h"
+#include "spirv/surface_wsro.frag.h"
 
 namespace seaglass {
 
@@ -47,18 +69,22 @@ namespace {
 
 std::span<const uint32_t> vertexShader(const SurfaceFeatures& f, bool multiview) {
     using Shader = std::span<const uint32_t>;
-    // By shape, then waves.
-    const Shader one[][2] = {{surface_vert, surface_waves_vert},
-                             {surface_outline_vert, surface_waves_outline_vert},
-                             {surface_host_mesh_vert, surface_waves_host_mesh_vert}};
-    const Shader several[][2] = {{surface_views_vert, surface_waves_views_vert},
-                                 {surface_outline_views_vert, surface_waves_outline_views_vert},
-                                 {surface_host_mesh_views_vert, surface_waves_host_mesh_views_vert}};
+    // By shape, then waves, then a shore.
+    const Shader one[][3] = {
+        {surface_vert, surface_waves_vert, surface_waves_shore_vert},
+        {surface_outline_vert, surface_waves_outline_vert, surface_waves_shore_outline_vert},
+        {surface_host_mesh_vert, surface_waves_host_mesh_vert, surface_waves_shore_host_mesh_vert}};
+    const Shader several[][3] = {
+        {surface_views_vert, surface_waves_views_vert, surface_waves_shore_views_vert},
+        {surface_outline_views_vert, surface_waves_outline_views_vert, surface_waves_shore_outline_views_vert},
+        {surface_host_mesh_views_vert, surface_waves_host_mesh_views_vert,
+         surface_waves_shore_host_mesh_views_vert}};
     const auto shape = static_cast<size_t>(f.shape);
-    return multiview ? several[shape][f.waves] : one[shape][f.waves];
+    const size_t waves = f.shore ? 2 : f.waves ? 1 : 0;
+    return multiview ? several[shape][waves] : one[shape][waves];
 }
 
-// Letters in the names: w waves, f foam, l reflection, r refraction, o an outline.
+// Letters in the names: w waves, f foam, s a shore, l reflection, r refraction, o an outline.
 std::span<const uint32_t> fragmentShader(const SurfaceFeatures& f) {
     const bool outlined = f.shape == SurfaceShape::outlined;
     const int base = (f.reflection ? 1 : 0) + (f.refraction ? 2 : 0) + (outlined ? 4 : 0);
@@ -71,18 +97,28 @@ std::span<const uint32_t> fragmentShader(const SurfaceFeatures& f) {
     const std::span<const uint32_t> foam[] = {surface_wf_frag,   surface_wfl_frag,  surface_wfr_frag,
                                               surface_wflr_frag, surface_wfo_frag,  surface_wflo_frag,
                                               surface_wfro_frag, surface_wflro_frag};
+    const std::span<const uint32_t> shore[] = {surface_ws_frag,   surface_wsl_frag,  surface_wsr_frag,
+                                               surface_wslr_frag, surface_wso_frag,  surface_wslo_frag,
+                                               surface_wsro_frag, surface_wslro_frag};
+    const std::span<const uint32_t> shoreFoam[] = {surface_wfs_frag,   surface_wfsl_frag,  surface_wfsr_frag,
+                                                   surface_wfslr_frag, surface_wfso_frag,  surface_wfslo_frag,
+                                                   surface_wfsro_frag, surface_wfslro_frag};
     if (!f.waves) return calm[base];
+    if (f.shore) return f.foam ? shoreFoam[base] : shore[base];
     return f.foam ? foam[base] : waves[base];
 }
 
 /// In the order of shaders/common/surface.glsl, which numbers bindings likewise.
-template<typename Item, typename Waves, typename Extent, typename Foam, typename Reflection,
+template<typename Item, typename Waves, typename Shore, typename Extent, typename Foam, typename Reflection,
          typename Refraction>
 std::vector<Item> byFeature(const SurfaceFeatures& f, std::initializer_list<Item> always, Waves&& waves,
-                            Extent&& extent, Foam&& foam, Reflection&& reflection, Refraction&& refraction) {
+                            Shore&& shore, Extent&& extent, Foam&& foam, Reflection&& reflection,
+                            Refraction&& refraction) {
     std::vector<Item> list(always);
     if (f.waves)
         for (const Item& item : waves()) list.push_back(item);
+    if (f.shore)
+        for (const Item& item : shore()) list.push_back(item);
     if (f.shape == SurfaceShape::outlined) list.push_back(extent());
     if (f.foam)
         for (const Item& item : foam()) list.push_back(item);
@@ -99,6 +135,9 @@ std::vector<VkDescriptorType> bindings(const SurfaceFeatures& f) {
         f, {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, image},
         [] {
             return std::array{image, image, image};
+        },
+        [] {
+            return std::array{image, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
         },
         [] { return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER; },
         [] {
@@ -124,6 +163,9 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
             const VkSampler s = samplers.trilinearRepeat();
             return std::array{gpu::sampledImage(s, in.waveMaps[0]), gpu::sampledImage(s, in.waveMaps[1]),
                               gpu::sampledImage(s, in.waveMaps[2])};
+        },
+        [&] {
+            return std::array{gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap), in.shoreRows};
         },
         [&] { return in.extent; },
         [&] {

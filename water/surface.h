@@ -27,6 +27,7 @@ struct SurfaceFeatures {
     bool foam = false; ///< only with waves
     bool refraction = false;
     bool reflection = false; ///< a screen-space reflection image
+    bool shore = false;      ///< only with waves
     SurfaceShape shape = SurfaceShape::plane;
     uint32_t cascades = 0;
     uint32_t foamCascades = 0; ///< that break: the first so many
@@ -81,6 +82,9 @@ struct SurfaceUniforms {
                          ///< hold the waves [1/m]
     glm::vec4 caustics{0};                       ///< strength; CausticBlur: log2Scale, exponent
     glm::vec4 covered{-1e9f, -1e9f, 1e9f, 1e9f}; ///< (u, v) of the box around the body, low and high [m]
+    glm::vec4 shorePlace{0};                     ///< of the eye on the shore's map, and of a metre
+    glm::vec4 shoreSignal{0}; ///< rows a second, the first one's, their number; the map's spacing [m]
+    glm::vec4 shoreForm{0};   ///< 1 / period; how far foam is carried for each metre of swash
 };
 
 /// Edge of the tile that foam patterns repeat in [m]; shaders/common/foam_cover.glsl samples divisions of it.
@@ -101,6 +105,8 @@ struct SurfaceInputs {
     uint32_t instanceCount = 1;
     const LightingDesc* lighting = nullptr;
     VkImageView waveMaps[3] = {};
+    VkImageView shoreMap = VK_NULL_HANDLE;
+    gpu::Resource shoreRows;
     VkImageView foamPattern = VK_NULL_HANDLE;
     VkImageView foamHistory = VK_NULL_HANDLE;
     ReflectionImages reflection;

@@ -55,7 +55,15 @@ Breaking breakingOf(const Sea& sea, const FoamDesc& foam) {
     Breaking breaking;
     constexpr double leastWind = 2; // [m/s]; either law leaves less than 5e-5 here
     const auto wind = static_cast<double>(sea.desc.windSpeed);
-    if (sea.count == 0 || wind < leastWind) return breaking;
+    if (sea.count == 0) return breaking;
+    if (wind < leastWind) {
+        if (!sea.shore) return breaking;
+        // On the shore alone: a history is kept, in which nothing happens.
+        breaking.threshold[0] = -1e6f;
+        breaking.softness[0] = 1;
+        breaking.count = 1;
+        return breaking;
+    }
     const double shortest = shortestBreaker(sea);
     const double deviations = deviationsToBreak(wind);
     for (uint32_t c = 0; c < sea.count && sea.cascades[c].kMin < shortest; ++c) {

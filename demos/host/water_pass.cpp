@@ -6,6 +6,7 @@
 #include "host/extent.h"
 #include "host/rendering.h"
 #include "host/seaglass_view.h"
+#include "host/shore.h"
 #include "host/waves.h"
 
 namespace demos {
@@ -72,6 +73,7 @@ bool WaterPass::create(const Device& device, const HostDesc& hostDesc, PassTimer
 bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) {
     SceneExtent extent;
     SceneSea sea;
+    SceneShore shore;
     seaglass::FoamDesc foam;
     seaglass::RefractionDesc refraction;
     seaglass::ReflectionDesc reflection;
@@ -87,6 +89,8 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     }
     if (desc.waves) {
         if (!seaOf(*desc.waves, sea, error) || !wavesOnOf(*desc.waves, body.wavesOn, error)) return false;
+        if (desc.shore && !shoreOf(*desc.shore, desc.levelM, shore, error)) return false;
+        if (desc.shore) sea.desc.shore = &shore.desc;
         body.waves = &sea.desc;
         body.wavesBackend = wavesBackend_;
     }

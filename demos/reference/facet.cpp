@@ -47,7 +47,7 @@ Facet randomFacet(const Frame& frame, const Ray& ray, const Hit& hit, float leas
     Facet f;
     f.up = hit.facing();
     f.slopes = frame.surface.slopes(frame.calmAt(hit), 0);
-    const glm::vec2 slope = f.slopes.mean + correlated(frame.surface.roughness(), random.nextNormal());
+    const glm::vec2 slope = f.slopes.mean + correlated(f.slopes.covariance, random.nextNormal());
     f.meshCosine = std::max(-glm::dot(ray.direction, f.up) / std::max(std::abs(f.up.y), 0.05f), leastCosine);
     const float seen = -sideOf(hit) * glm::dot(ray.direction, glm::vec3(-slope.x, 1, -slope.y));
     // A trace is kept of facets seen from behind, so that no pixel's sum is empty.

@@ -45,7 +45,8 @@ glm::vec4 texelAt(const glm::dvec2& place, float texels) {
 Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidth) {
     constexpr std::array weights = {0.3f, 0.4f, 0.3f};
     constexpr std::array tiles = {seaglass::foamTile, seaglass::foamTile / 5, seaglass::foamTile / 17};
-    const glm::dvec2 streak = surface.foamStreak(), place = calm - streak * glm::dot(streak, calm);
+    const glm::dvec2 carried = calm - surface.edge(calm, static_cast<double>(pixelWidth)).advected;
+    const glm::dvec2 streak = surface.foamStreak(), place = carried - streak * glm::dot(streak, carried);
     float pattern = 0, variance = 1e-5f;
     std::array<float, 3> bend;
     Foam foam;

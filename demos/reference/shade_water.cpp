@@ -75,7 +75,7 @@ glm::vec3 sampledGlint(const Frame& frame, const Facet& facet, const glm::vec3& 
     const glm::vec3 halfway = glm::normalize(toEye + toSun);
     if (toSun.y <= 0 || halfway.y <= 0) return glm::vec3(0);
     const glm::vec2 slope = -glm::vec2(halfway.x, halfway.z) / halfway.y;
-    const glm::vec3& rough = frame.surface.roughness();
+    const glm::vec3& rough = facet.slopes.covariance;
     const glm::vec3 covariance(std::max(rough.x, 5.4e-6f), std::max(rough.y, 5.4e-6f), rough.z);
     const float density = slopeDensity(slope - facet.slopes.mean, covariance);
     const float up2 = halfway.y * halfway.y;
@@ -95,6 +95,14 @@ glm::vec3 foamRadiance(const Frame& frame, const Facet& facet, const Foam& white
     const glm::vec3 falls = light.sunIrradiance() * sun + light.filtered.irradianceUp;
     const glm::vec3 glint = lit ? meanGlint(frame, film, toEye) : glm::vec3(0);
     return falls * (static_cast<float>(frame.world->water->foam->albedo) / pi) + filmShare * (mirror + glint);
+}
+
+/// What is seen where the surface is not.
+glm::vec3 dryUnder(const Frame& frame, const Ray& ray, const Hit& hit, Random* random) {
+    Ray on = ray;
+    on.nearest = hit.distance + clearanceAt(hit.position);
+    Hit sand;
+    return frame.geometry.trace(on, Kind::opaque, sand) ? shadeHit(frame, on, sand, random) : glm::vec3(0);
 }
 
 } // namespace
@@ -141,6 +149,10 @@ WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int
         radiance = glm::mix(radiance, foamRadiance(frame, facet, white, toEye, mirror, lit) * facet.weight,
                             white.mask);
     }
+    const auto presence = static_cast<float>(
+        frame.surface.edge(frame.calmAt(hit), static_cast<double>(footprintOn(ray, hit))).presence);
+    if (presence < 1 && world.water->refraction)
+        radiance = glm::mix(dryUnder(frame, ray, hit, random) * facet.weight, radiance, presence);
     return {radiance, facet.weight};
 }
 

@@ -9,6 +9,7 @@
 // Not public: there is to be one history of foam, and one pattern.
 #include "water/foam_history.h"
 #include "water/foam_pattern.h"
+#include "water/sea.h"
 
 namespace demos::reference {
 namespace {
@@ -85,6 +86,7 @@ double farthestOf(const seaglass::Outline& outline, const Camera& camera) {
 bool WaterSurface::create(const seaglass::Sea* sea, const seaglass::FoamDesc* foam, double timeS,
                           Error& error) {
     cascades_.clear();
+    shore_ = nullptr;
     roughness_ = glm::vec3(0);
     const uint32_t count = sea ? seaglass::cascadeCount(*sea) : 0;
     if (count == 0) return true;
@@ -112,6 +114,10 @@ bool WaterSurface::create(const seaglass::Sea* sea, const seaglass::FoamDesc* fo
         backend.evaluate(state.get(), i, timeS,
                          {&to.displacement[0][0].x, &to.derivatives[0][0].x, &to.moments[0][0].x});
         for (auto* map : {&to.displacement, &to.derivatives, &to.moments}) addLevels(*map, from.samples);
+    }
+    if (sea->shore) {
+        shore_ = &*sea->shore;
+        shoreSignal_ = shore_->signalAt(timeS, double{(foam ? *foam : seaglass::FoamDesc{}).decayTime});
     }
     if (foam) addFoam(*sea, *foam, backend, state.get(), timeS);
     return true;
@@ -171,14 +177,45 @@ double mipOf(double footprint, double texel) {
 } // namespace
 
 glm::vec3 WaterSurface::displacement(const glm::dvec2& calm, double footprint) const {
+    return displacement(calm, footprint, shoreAt(calm, footprint));
+}
+
+glm::vec3 WaterSurface::displacement(const glm::dvec2& calm, double footprint,
+                                     const seaglass::ShoreWave& shore) const {
     glm::vec3 sum(0);
-    for (const Cascade& cascade : cascades_) {
+    for (size_t i = 0; i < cascades_.size(); ++i) {
+        const Cascade& cascade = cascades_[i];
         const double mip = mipOf(footprint, cascade.texel());
         // The last mip is the tile's mean, which is zero.
         if (mip < static_cast<double>(cascade.displacement.size() - 1))
-            sum += glm::vec3(trilinear(cascade, cascade.displacement, mip, calm));
+            sum += kept(shore, i) * glm::vec3(trilinear(cascade, cascade.displacement, mip, calm));
     }
+    if (!shore_) return sum;
+    sum += glm::vec3(shore.move[0], shore.height, shore.move[1]);
+    const double lift = seaglass::filmLift + 0.01 * footprint;
+    sum.y = static_cast<float>(shore.withFilm(static_cast<double>(sum.y), lift));
     return sum;
+}
+
+WaterSurface::Edge WaterSurface::edge(const glm::dvec2& calm, double footprint) const {
+    return edge(shoreAt(calm, footprint));
+}
+
+WaterSurface::Edge WaterSurface::edge(const seaglass::ShoreWave& shore) const {
+    Edge edge;
+    if (!shore_) return edge;
+    const double thick = shore.height - shore.bed();
+    const double wetness =
+        std::clamp((shore.wetTo + shore.depth) / std::max(0.8 * shore.swash, 1e-3), 0.0, 1.0);
+    edge.presence = std::max(glm::smoothstep(0.0, 0.025, thick), wetness);
+    edge.onSand = 1 - glm::smoothstep(0.0, 0.04, thick);
+    const auto bell = [](double x) { return std::exp(-x * x); };
+    const double line = bell((thick - 0.03) / 0.03) + 0.4 * bell(thick / 0.12);
+    const double left = (thick > 0 ? line : 0.4 * wetness) * glm::smoothstep(0.0, 0.02, shore.swash);
+    edge.foam = 1 - (1 - 0.9 * shore.foam) * (1 - std::min(left, 0.9));
+    edge.advected = {shore.advected[0], shore.advected[1]};
+    edge.bedSlope = {shore.bedSlope[0], shore.bedSlope[1]};
+    return edge;
 }
 
 WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footprint) const {
@@ -186,15 +223,20 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
     glm::vec4 derivatives(0);
     float shear = 0;
     glm::vec3 variance(0);
-    for (const Cascade& cascade : cascades_) {
+    const seaglass::ShoreWave shore = shoreAt(calm, footprint);
+    for (size_t i = 0; i < cascades_.size(); ++i) {
+        const Cascade& cascade = cascades_[i];
         const double mip = mipOf(footprint, cascade.texel());
-        const glm::vec4 d = trilinear(cascade, cascade.derivatives, mip, calm);
+        const float share = kept(shore, i);
+        const glm::vec4 d = share * trilinear(cascade, cascade.derivatives, mip, calm);
         derivatives += d;
-        shear += trilinear(cascade, cascade.displacement, mip, calm).w;
+        shear += share * trilinear(cascade, cascade.displacement, mip, calm).w;
         if (footprint > 0)
-            variance += glm::vec3(trilinear(cascade, cascade.moments, mip, calm)) -
+            variance += share * share * glm::vec3(trilinear(cascade, cascade.moments, mip, calm)) -
                         glm::vec3(d.x * d.x, d.y * d.y, d.x * d.y);
     }
+    derivatives += glm::vec4(shore.slope[0], shore.slope[1], shore.stretch[0], shore.stretch[1]);
+    shear += static_cast<float>(shore.stretch[2]);
     variance.x = std::max(variance.x, 0.0f);
     variance.y = std::max(variance.y, 0.0f);
     // The tangents' cross product, as in shaders/surface.frag.
@@ -203,15 +245,24 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
                          derivatives.y * diagonal.x - derivatives.x * shear);
     s.mean = bent / std::max(jacobianOf(derivatives, shear), 0.15f);
     s.covariance = variance + roughness_;
+    if (!shore_) return s;
+    const float ripples = kept(shore, cascades_.size() - 1);
+    s.covariance = variance + ripples * ripples * roughness_;
+    const Edge sand = edge(shore);
+    s.mean = glm::mix(s.mean, glm::vec2(sand.bedSlope), static_cast<float>(sand.onSand));
     return s;
 }
 
 float WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const {
-    float clear = 1;
-    for (const Cascade& cascade : cascades_) {
+    const seaglass::ShoreWave shore = shoreAt(calm, footprint);
+    float clear = 1 - static_cast<float>(edge(shore).foam);
+    for (size_t i = 0; i < cascades_.size(); ++i) {
+        const Cascade& cascade = cascades_[i];
         if (cascade.foam.empty()) continue;
         const glm::dvec2 place = calm + bend * std::min(0.7 * cascade.texel(), 2.5);
-        clear *= 1 - trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), place).x;
+        const float share = kept(shore, i);
+        clear *=
+            1 - share * share * trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), place).x;
     }
     return 1 - clear;
 }

@@ -9,8 +9,9 @@
 #include "reference/geometry.h"
 #include "seaglass/foam.h"
 
-// Not public: there is to be one notion of what an outline encloses.
+// Not public: there is to be one notion of what an outline encloses, and of what a bed makes of a sea.
 #include "water/extent.h"
+#include "water/shore.h"
 
 namespace demos::reference {
 
@@ -43,6 +44,16 @@ class WaterSurface {
     float foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const;
     const glm::dvec2& foamStreak() const { return foamStreak_; }
 
+    /// The water's edge on a shore: as shaders/common/surface_point.glsl and foam_cover.glsl have it.
+    struct Edge {
+        double presence = 1;    ///< share of the surface that is to be seen
+        double onSand = 0;      ///< 1 where it is but a film
+        double foam = 0;        ///< cover, breakers' included
+        glm::dvec2 advected{0}; ///< what the swash has carried foam by [m]
+        glm::dvec2 bedSlope{0};
+    };
+    Edge edge(const glm::dvec2& calm, double footprint) const;
+
   private:
     using Level = std::vector<glm::vec4>;
     struct Cascade {
@@ -59,7 +70,18 @@ class WaterSurface {
     static glm::vec4 trilinear(const Cascade& cascade, const std::vector<Level>& map, double mip,
                                const glm::dvec2& calm);
 
+    seaglass::ShoreWave shoreAt(const glm::dvec2& calm, double footprint) const {
+        return shore_ ? shore_->waveAt(shoreSignal_, calm.x, calm.y, footprint) : seaglass::ShoreWave{};
+    }
+    float kept(const seaglass::ShoreWave& shore, size_t cascade) const {
+        return shore_ ? static_cast<float>(shore.kept[cascade]) : 1.0f;
+    }
+    glm::vec3 displacement(const glm::dvec2& calm, double footprint, const seaglass::ShoreWave& shore) const;
+    Edge edge(const seaglass::ShoreWave& shore) const;
+
     std::vector<Cascade> cascades_;
+    const seaglass::Shore* shore_ = nullptr;
+    seaglass::ShoreSignal shoreSignal_;
     glm::vec3 roughness_{0};
     glm::dvec2 foamStreak_{0};
 };

@@ -3,6 +3,7 @@
 #include "host/extent.h"
 #include "host/floor_texture.h"
 #include "host/placement.h"
+#include "host/shore.h"
 #include "host/waves.h"
 
 namespace demos::reference {
@@ -55,6 +56,9 @@ bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error) {
     if (!desc || !desc->waves) return true;
     SceneSea sea;
     if (!seaOf(*desc->waves, sea, error)) return false;
+    SceneShore shore;
+    if (desc->shore && !shoreOf(*desc->shore, desc->levelM, shore, error)) return false;
+    if (desc->shore) sea.desc.shore = &shore.desc;
     seaglass::SeaError problem;
     out.sea.reset(seaglass::createSea(&sea.desc, &problem));
     if (!out.sea) error.text = std::string("water: BodyDesc.waves: ") + problem.text;

@@ -124,6 +124,12 @@ constexpr std::array swellFields = {
     Field{"spreading", at<&SwellDesc::spreading>, 0, 1000, "", "s of cos^2s: greater is straighter"},
 };
 
+constexpr std::array shoreFields = {
+    Field{"file", at<&ShoreDesc::file>, 0, 0, "", "glTF file", required},
+    Field{"position_m", at<&ShoreDesc::positionM>, -far, far, "m", "of the mesh's origin"},
+    Field{"spacing_m", at<&ShoreDesc::spacingM>, 0.05, 100, "m", "between the bed's samples"},
+};
+
 constexpr std::array foamFields = {
     Field{"bias", at<&FoamDesc::bias>, -1, 1, "", "added to the Jacobian below which waves break"},
     Field{"decay_s", at<&FoamDesc::decayS>, 0.1, 20, "s", "in which foam fades to 1/e"},
@@ -227,6 +233,7 @@ constexpr Section swells = {"swells", swellFields, {}, "waves from afar, four sy
 constexpr std::array wavesChildren = {Child{&swells, open<&WavesDesc::swells>, true}};
 constexpr Section waves = {"waves", wavesFields, wavesChildren,
                            "the sea's waves; without it the water is flat"};
+constexpr Section shore = {"shore", shoreFields, {}, "the bed that waves run up; without it they feel none"};
 constexpr Section foam = {"foam", foamFields, {}, "foam on breaking waves"};
 constexpr Section refraction = {
     "refraction", refractionFields, {}, "light that enters; without it the water is opaque"};
@@ -241,13 +248,10 @@ constexpr Section caustics = {
     "caustics", causticsFields, {}, "sunlight that waves gather below; without it light is even"};
 
 constexpr std::array waterChildren = {
-    Child{&extent, open<&WaterDesc::extent>},
-    Child{&waves, open<&WaterDesc::waves>},
-    Child{&foam, open<&WaterDesc::foam>},
-    Child{&refraction, open<&WaterDesc::refraction>},
-    Child{&reflection, open<&WaterDesc::reflection>},
-    Child{&underwater, open<&WaterDesc::underwater>},
-    Child{&caustics, open<&WaterDesc::caustics>},
+    Child{&extent, open<&WaterDesc::extent>},         Child{&waves, open<&WaterDesc::waves>},
+    Child{&shore, open<&WaterDesc::shore>},           Child{&foam, open<&WaterDesc::foam>},
+    Child{&refraction, open<&WaterDesc::refraction>}, Child{&reflection, open<&WaterDesc::reflection>},
+    Child{&underwater, open<&WaterDesc::underwater>}, Child{&caustics, open<&WaterDesc::caustics>},
 };
 
 constexpr Section water = {"water", waterFields, waterChildren, "the water; without it there is none"};

@@ -392,7 +392,11 @@ bool checkCameras(const Scene& scene, const toml::table& root, Reader& reader) {
 }
 
 bool checkWater(const Scene& scene, const toml::table& root, Reader& reader) {
-    if (!scene.water || !scene.water->foam || scene.water->waves) return true;
+    if (!scene.water || scene.water->waves) return true;
+    if (scene.water->shore)
+        return reader.fail(place(*root["water"]["shore"].node(), reader.file()),
+                           "water.shore is set, expected [water.waves] too: it is they who run up a shore");
+    if (!scene.water->foam) return true;
     return reader.fail(place(*root["water"]["foam"].node(), reader.file()),
                        "water.foam is set, expected [water.waves] too: foam comes from waves");
 }
@@ -447,6 +451,9 @@ void rememberPlaces(Scene& scene, const toml::table& root, const std::string& fi
     if (scene.water && scene.water->extent && !scene.water->extent->file.empty())
         scene.water->extent->where =
             place(*root["water"]["extent"]["file"].node(), file) + ": water.extent.file";
+    if (scene.water && scene.water->shore)
+        scene.water->shore->where =
+            place(*root["water"]["shore"]["file"].node(), file) + ": water.shore.file";
     if (scene.floor && !scene.floor->texture.empty())
         scene.floor->where = place(*root["floor"]["texture"].node(), file) + ": floor.texture";
 }

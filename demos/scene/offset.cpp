@@ -15,6 +15,7 @@ void applyOffset(Scene& scene, CameraDesc& camera) {
         scene.water->extent->centerM[0] += offset[0];
         scene.water->extent->centerM[1] += offset[2];
     }
+    if (scene.water && scene.water->shore) move(scene.water->shore->positionM);
     if (scene.floor) move(scene.floor->pointM);
     move(camera.positionM);
     move(camera.targetM);

@@ -130,12 +130,21 @@ struct ExtentDesc {
     std::string where = {};     ///< of `file` in the scene, for errors
 };
 
+/// What waves run up: seaglass::ShoreDesc, as the highest of a mesh at each sample.
+struct ShoreDesc {
+    std::filesystem::path file; ///< glTF, absolute
+    Vec3 positionM = {0, 0, 0};
+    double spacingM = 1;
+    std::string where = {}; ///< of `file` in the scene, for errors
+};
+
 struct WaterDesc {
     double levelM = 0;
     double cellM = 0.25;
     uint32_t cellsPerLevel = 128;
     std::optional<ExtentDesc> extent; ///< none: to the horizon
     std::optional<WavesDesc> waves;
+    std::optional<ShoreDesc> shore; ///< none: no bed is felt
     std::optional<FoamDesc> foam;
     std::optional<RefractionDesc> refraction;
     std::optional<ReflectionDesc> reflection;

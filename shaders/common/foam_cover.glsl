@@ -7,11 +7,18 @@ struct Foam {
     vec2 slope;   // of its own relief
 };
 
-// Metres of calm water to the next pixel.
-float foamPixelWidth() {
-    vec2 stepSize = max(abs(dFdx(calmPosition)), abs(dFdy(calmPosition)));
-    return max(stepSize.x, stepSize.y);
+#ifdef SHORE
+// What breakers leave, the line at the water's edge, and what stays on the sand as it runs down.
+float shoreFoam() {
+    float thick = thickness();
+    vec2 x = vec2((thick - 0.03) / 0.03, thick / 0.12);
+    vec2 bells = exp(-x * x);
+    float line = bells.x + 0.4 * bells.y;
+    float left = thick > 0.0 ? line : 0.4 * wetness();
+    left *= smoothstep(0.0, 0.02, shoreHere.swash);
+    return 1.0 - (1.0 - 0.9 * shoreHere.foam) * (1.0 - min(left, 0.9));
 }
+#endif
 
 // Share of the surface that is white: what each cascade's breakers left (water/foam_history.h). `bend`, -1..1, moves
 // the place looked up by as much as hides that the history has samples.
@@ -22,8 +29,15 @@ float foamCover(vec2 bend, float pixelWidth) {
         vec2 place = calmPosition + bend * min(0.7 / texels, 2.5);
         float mip = log2(max(pixelWidth * texels, 1.0));
         vec2 steps = textureLod(foamHistory, vec3(cascade[i].xy + place * cascade[i].z, i), mip).rg;
-        clear *= 1.0 - mix(steps.x, steps.y, foam.x);
+        float left = mix(steps.x, steps.y, foam.x);
+#ifdef SHORE
+        left *= shoreHere.kept[i] * shoreHere.kept[i];
+#endif
+        clear *= 1.0 - left;
     }
+#ifdef SHORE
+    clear *= 1.0 - shoreFoam();
+#endif
     return 1.0 - clear;
 }
 
@@ -34,8 +48,12 @@ Foam foamHere() {
     const vec3 tiles = foamTile / vec3(1.0, 5.0, 17.0);
     const float patternSamples = 256.0;
     vec2 streak = vec2(foamStreakU, foamStreakV);
-    vec2 place = foam.zw + calmPosition - streak * dot(streak, calmPosition);
-    float pixelWidth = foamPixelWidth();
+    vec2 calm = calmPosition;
+#ifdef SHORE
+    calm -= shoreHere.advected;
+#endif
+    vec2 place = foam.zw + calm - streak * dot(streak, calm);
+    float pixelWidth = calmPixelWidth();
     float pattern = 0.0;
     float variance = 1e-5;
     vec2 slope = vec2(0.0);

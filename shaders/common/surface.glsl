@@ -42,12 +42,20 @@ layout(set = 0, binding = 5) uniform sampler2DArray waveMoments;
 #define AFTER_WAVES 3
 #endif
 
+#ifdef SHORE
+#define SHORE_BINDING AFTER_WAVES
+#define AFTER_SHORE (AFTER_WAVES + 2)
+#include "shore.glsl"
+#else
+#define AFTER_SHORE AFTER_WAVES
+#endif
+
 #ifdef OUTLINE
-#define EXTENT_BINDING AFTER_WAVES
-#define AFTER_EXTENT (AFTER_WAVES + 1)
+#define EXTENT_BINDING AFTER_SHORE
+#define AFTER_EXTENT (AFTER_SHORE + 1)
 #include "extent.glsl"
 #else
-#define AFTER_EXTENT AFTER_WAVES
+#define AFTER_EXTENT AFTER_SHORE
 #endif
 
 #ifdef FOAM

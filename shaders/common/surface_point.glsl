@@ -13,6 +13,30 @@ float jacobianOf(vec4 derivatives, float shear) {
 }
 #endif
 
+#ifdef SHORE
+ShoreWave shoreHere;
+
+// How high the water that the bed guides stands over it; less than nothing behind the water's edge [m].
+float thickness() {
+    return shoreHere.height + shoreHere.depth - dot(shoreHere.bedSlope, shoreHere.move);
+}
+
+// How far wet sand has been left behind by the water's edge, 1: it has just been there, 0: it is dry.
+float wetness() {
+    return clamp((shoreHere.wetTo + shoreHere.depth) / max(0.8 * shoreHere.swash, 1e-3), 0.0, 1.0);
+}
+
+// Share of the surface that is to be seen: nothing of it where it lies dry.
+float presence() {
+    return max(smoothstep(0.0, 0.025, thickness()), wetness());
+}
+
+// 1 where the surface is but a film.
+float onSand() {
+    return 1.0 - smoothstep(0.0, 0.04, thickness());
+}
+#endif
+
 SurfacePoint surfacePoint() {
     SurfacePoint s = SurfacePoint(vec2(0.0), roughness.xyz, 0.0);
 #ifdef WAVES
@@ -23,17 +47,32 @@ SurfacePoint surfacePoint() {
         vec3 at = vec3(cascade[i].xy + calmPosition * cascade[i].z, i);
         vec4 d = texture(waveDerivatives, at);
         vec4 moments = texture(waveMoments, at);
+#ifdef SHORE
+        float kept = shoreHere.kept[i];
+        d *= kept;
+        moments *= vec4(vec3(kept * kept), kept);
+#endif
         derivatives += d;
         shear += moments.w;
         variance += moments.xyz - vec3(d.xy * d.xy, d.x * d.y);
     }
     variance.xy = max(variance.xy, 0.0);
+#ifdef SHORE
+    derivatives += vec4(shoreHere.slope, shoreHere.stretch.xy);
+    shear += shoreHere.stretch.z;
+    float ripples = shoreHere.kept[cascades - 1];
+    s.covariance *= ripples * ripples;
+    variance += shoreHere.covariance;
+#endif
     // Tangents (1 + dDx/du, dh/du, shear) and (shear, dh/dv, 1 + dDz/dv); their cross product is the normal.
     vec2 diagonal = 1.0 + derivatives.zw;
     vec2 bent = vec2(derivatives.x * diagonal.y - derivatives.y * shear, derivatives.y * diagonal.x - derivatives.x * shear);
     // Where the surface folds the Jacobian passes zero and the slope is vertical.
     s.slope = bent / max(jacobianOf(derivatives, shear), 0.15);
     s.covariance += variance;
+#ifdef SHORE
+    s.slope = mix(s.slope, shoreHere.bedSlope, onSand());
+#endif
     vec2 change = max(abs(dFdx(s.slope)), abs(dFdy(s.slope)));
     s.slopeStep = max(change.x, change.y);
 #endif

@@ -30,6 +30,9 @@ vec2 sceneShift;   // to the scene's pixel that shows a point, whose sample may 
 vec4 extent;   // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves
 vec4 caustics;   // strength; water/caustics.h: log2Scale, exponent
 vec4 covered;   // (u, v) of the box around the body, low and high
+vec4 shorePlace;    // of the eye on the shore's map, and of a metre
+vec4 shoreSignal;   // rows a second, the first one's, their number; the map's spacing
+vec4 shoreForm;     // 1 / period; how far foam is carried for each metre of swash
 
 layout(set = 0, binding = 0, std140) uniform Surface {
     mat4 clipFromRelative;
@@ -62,6 +65,9 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     vec4 extent;
     vec4 caustics;
     vec4 covered;
+    vec4 shorePlace;
+    vec4 shoreSignal;
+    vec4 shoreForm;
 } stored;
 
 // Before anything else.
@@ -94,6 +100,9 @@ void loadSurface() {
     extent = stored.extent;
     caustics = stored.caustics;
     covered = stored.covered;
+    shorePlace = stored.shorePlace;
+    shoreSignal = stored.shoreSignal;
+    shoreForm = stored.shoreForm;
 }
 
 // (x, y, depth) of a point in the region's pixels; w <= 0 behind the camera.

@@ -50,6 +50,14 @@ struct SwellDesc {
     float spreading = 50;    ///< s of cos^2s(theta/2), 0..1000
 };
 
+/// A bed that waves slow down, turn and break over, and run up: docs/surface.md. As its edge beyond.
+struct ShoreDesc {
+    const float* bed = nullptr;   ///< heights above the calm plane [m], -1e4..1e4; rows along u, v rising
+    uint32_t samples[2] = {0, 0}; ///< along u and v, 2..1024
+    float spacing = 1;            ///< of samples [m], 0.05..100
+    double origin[2] = {0, 0};    ///< (u, v) of the first [m], -1e6..1e6
+};
+
 /// A wind sea and up to maxSwells swells; their energies add. Copied by createSea, pointees included.
 struct SeaDesc {
     SpectrumModel spectrum = SpectrumModel::jonswap; ///< of the wind sea
@@ -79,6 +87,7 @@ struct SeaDesc {
     /// chooses: 16 of the longest system's peak wavelengths in 60..2000 m, but 6 at least, and no more than
     /// lets the samples carry the greatest peak.
     float largestPatch = 0.0f;
+    const ShoreDesc* shore = nullptr; ///< null: no bed is felt but `depth`, and none costs anything
     double loopPeriod = 4096.0; ///< time after which the sea repeats exactly [s], 16..1e6
     uint64_t seed = 1;          ///< of the waves' phases and amplitudes
 };

@@ -1,0 +1,24 @@
+// A shore as shaders see it: its places as an image, and its trains' rows.
+#pragma once
+
+#include "water/fixed_image.h"
+#include "water/shore.h"
+
+namespace seaglass {
+
+class ShoreMap {
+  public:
+    Status create(Context& context, const Shore& shore);
+    static VkDeviceSize bytes(const Shore& shore);
+    /// The map on its first call, and the trains at `time`.
+    void record(const gpu::Device& device, VkCommandBuffer commands, const Shore& shore, double time,
+                double decayTime);
+    VkImageView view() const { return image_.view(); }
+    const ShoreSignal& signal() const { return signal_; }
+
+  private:
+    FixedImage image_;
+    ShoreSignal signal_;
+};
+
+} // namespace seaglass
