@@ -76,7 +76,8 @@ std::span<const uint32_t> vertexShader(const SurfaceFeatures& f, bool multiview)
         {surface_host_mesh_vert, surface_waves_host_mesh_vert, surface_waves_shore_host_mesh_vert}};
     const Shader several[][3] = {
         {surface_views_vert, surface_waves_views_vert, surface_waves_shore_views_vert},
-        {surface_outline_views_vert, surface_waves_outline_views_vert, surface_waves_shore_outline_views_vert},
+        {surface_outline_views_vert, surface_waves_outline_views_vert,
+         surface_waves_shore_outline_views_vert},
         {surface_host_mesh_views_vert, surface_waves_host_mesh_views_vert,
          surface_waves_shore_host_mesh_views_vert}};
     const auto shape = static_cast<size_t>(f.shape);
