@@ -1,5 +1,4 @@
-// The sea itself: spectrum, waves and heights, with no Vulkan, so that a server can link it alone
-// (seaglass::sea).
+// The sea itself: spectrum, waves and heights, with no Vulkan: a server can link seaglass::sea alone.
 //
 // A sea is a fixed function of (desc, time): the same bits for the same seed and time, whatever was asked
 // before. Local frame: u and v are horizontal metres (u = world x, v = world z for a body whose plane faces
@@ -76,25 +75,20 @@ struct SeaDesc {
     const SpectrumSample* spectrumTable = nullptr;
     uint32_t spectrumTableCount = 0;  ///< of spectrumTable
     SwellDesc swells[maxSwells] = {}; ///< those of height 0 are none
-    /// Scale of all heights, 0..1: 1 is the spectrum's own sea, less is water that something shelters; 0 is
-    /// flat.
-    float amplitude = 1.0f;
+    float amplitude = 1.0f;  ///< scale of all heights, 0..1: less is water that something shelters, 0 flat
     float choppiness = 1.0f; ///< scale of the horizontal displacement, 0..10; 1 is the linear theory's
-    uint32_t samples = 256;  ///< across each cascade, power of two, 16..1024; from 256 up, fewer samples are
-                             ///< the same sea without its shortest waves
+    uint32_t samples = 256;  ///< across each cascade, power of two, 16..1024; 256 and more share waves
     uint32_t cascades = 3;   ///< 1..maxCascades
-    /// Edge of the largest cascade [m], 1..1e5, taken as given: resolvedShare() says what it loses. 0
-    /// chooses: 16 of the longest system's peak wavelengths in 60..2000 m, but 6 at least, and no more than
-    /// lets the samples carry the greatest peak.
+    /// Edge of the largest cascade [m], 1..1e5; resolvedShare() says what it loses. 0 chooses: 16 of the
+    /// longest peak's wavelengths in 60..2000 m, but 6 at least, and no more than the samples can carry.
     float largestPatch = 0.0f;
     const ShoreDesc* shore = nullptr; ///< null: no bed is felt but `depth`, and none costs anything
-    double loopPeriod = 4096.0; ///< time after which the sea repeats exactly [s], 16..1e6
-    uint64_t seed = 1;          ///< of the waves' phases and amplitudes
+    double loopPeriod = 4096.0;       ///< time after which the sea repeats exactly [s], 16..1e6
+    uint64_t seed = 1;                ///< of the waves' phases and amplitudes
 };
 
-/// The open sea at a force of Beaufort's scale: mean wind, a plausible fetch, and up to force 5 the waves
-/// that earlier winds left, so that the significant wave height is the scale's probable one. 0 is flat; past
-/// 12 is 12.
+/// The open sea at a force of Beaufort's scale, at most 12: mean wind, a plausible fetch, and up to force 5
+/// older waves, so that the significant wave height is the scale's probable one. 0 is flat.
 SeaDesc beaufortSea(uint32_t force, float windDirection = 0.0f);
 
 /// One band of wave vectors on its own tile. Each wave vector of the sea lives in exactly one cascade.
@@ -126,9 +120,8 @@ double peakFrequency(const Sea& sea);
 double frequencySpectrum(const Sea& sea, double omega);
 double significantWaveHeight(const Sea& sea); ///< 4 sqrt(m0) of the modes held [m]
 /// How much of the height's variance that the spectra ask for the cascades hold, of all seeds in the mean:
-/// about 1, and less where waves are too long for `largestPatch` or too short for the samples. Below
-/// leastResolvedShare the sea is not the one that was asked for: its height is off by 5 % or more. 1 when
-/// flat.
+/// about 1, and less where waves are too long for `largestPatch` or too short for the samples; 1 when flat.
+/// Below leastResolvedShare the sea is not the one asked for: its height is off by 5 % or more.
 double resolvedShare(const Sea& sea);
 constexpr double leastResolvedShare = 0.9; ///< see resolvedShare()
 
@@ -141,8 +134,7 @@ struct SlopeCovariance {
 
 /// Of the waves that the cascades hold.
 SlopeCovariance resolvedSlopes(const Sea& sea);
-/// Of all that is shorter: the surface's roughness. With the resolved slopes it makes Cox and Munk's variance
-/// for the wind, times amplitude^2.
+/// Of all that is shorter. With the resolved slopes it makes Cox and Munk's variance, times amplitude^2.
 SlopeCovariance roughness(const Sea& sea);
 double resolvedSlopeVariance(const Sea& sea);   ///< both axes together
 double unresolvedSlopeVariance(const Sea& sea); ///< of the roughness, both axes together
@@ -163,12 +155,10 @@ struct CascadeMaps {
 /// How a sea is evaluated on its grids. Obtained from a backend's header; never filled in by the host.
 struct WavesBackend {
     const char* name = nullptr; ///< for people
-    /// Makes whatever the backend keeps for one sea (plans, scratch), which must outlive it. Null when out of
-    /// memory. Any thread.
+    /// Makes what the backend keeps for a sea, which must outlive it. Null: out of memory. Any thread.
     void* (*create)(const Sea& sea) = nullptr;
     void (*destroy)(void* state) = nullptr; ///< of what create() made
-    /// Fills all maps of one cascade, index < cascadeCount. Calls with the same state must not overlap. A
-    /// time that is not finite counts as 0.
+    /// Fills all maps of one cascade. Calls with one state must not overlap. Not finite times count as 0.
     void (*evaluate)(void* state, uint32_t cascade, double time, const CascadeMaps& out) = nullptr;
 };
 
