@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface_uniforms.glsl"
 #include "optics.glsl"
+#include "dry_rooms.glsl"
 
 layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
 layout(set = 0, binding = 2) uniform sampler2DArray waveDerivatives;
@@ -58,7 +59,7 @@ void main() {
     vec3 across = cross(dFdx(at), dFdy(at));
     float depth = -(at.y + plane.w);
     bool beside = any(lessThan(at.xz, covered.xy)) || any(greaterThan(at.xz, covered.zw));
-    if (depthSign * (seen - farDepth) <= 0.0 || !(depth > 0.0) || beside) discard;
+    if (depthSign * (seen - farDepth) <= 0.0 || !(depth > 0.0) || beside || isDry(at)) discard;
 
     // Of what lights the point, the sun's share: as its side faces it, which depth tells between pixels.
     vec3 normal = across * (dot(across, at) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);

@@ -31,11 +31,19 @@ float calmPixelWidth() {
     return max(stepSize.x, stepSize.y);
 }
 
+layout(constant_id = 4) const bool lightsCrests = false;
+layout(constant_id = 5) const bool hasDryRooms = false;
+
 #include "surface_point.glsl"
 #include "visible_slopes.glsl"
+#include "dry_rooms.glsl"
 #include "surface_mirror.glsl"
 #include "sun_glint.glsl"
 #include "water_light.glsl"
+#if defined(REFRACTION) && defined(WAVES)
+#include "wave_displacement.glsl"
+#include "crest_light.glsl"
+#endif
 #include "refraction.glsl"
 #ifdef REFRACTION
 #include "underwater_light.glsl"
@@ -77,6 +85,7 @@ void main() {
 #ifdef OUTLINE
     if (!isWithin(calmPosition, edgeRange)) discard;
 #endif
+    if (hasDryRooms && isDry(position)) discard;
 #ifdef SHORE
     shoreHere = shoreWave(calmPosition, calmPixelWidth());
 #endif
@@ -100,7 +109,12 @@ void main() {
 #endif
     Reflection mirror = reflected(s, toEye);
     float entering = 1.0 - mirror.fresnel + mirror.swallowed;
-    vec3 radiance = mirror.radiance + entering * refracted(normal, toEye) + sunGlint(s, toEye);
+    float path;
+    vec3 through = refracted(normal, toEye, path);
+#if defined(REFRACTION) && defined(WAVES)
+    through = throughCrest(through, s, toEye, path);
+#endif
+    vec3 radiance = mirror.radiance + entering * through + sunGlint(s, toEye);
 #ifdef FOAM
     radiance = withFoam(radiance, white, s, toEye, mirror.radiance);
 #endif

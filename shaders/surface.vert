@@ -10,6 +10,9 @@ layout(location = 1) out vec3 position;
 #ifdef OUTLINE
 layout(location = 2) flat out uvec2 edgeRange;
 #endif
+#ifdef MOTION
+layout(location = 3) out vec4 lastPixel;   // homogeneous
+#endif
 
 const int patchCells = 16;
 // A patch may reach past its level's range by its parent's diagonal, 22.6 cells of the coarser level; gliding must end
@@ -18,19 +21,7 @@ const float glideBegins = 0.7;
 const float glideEnds = 0.95;
 const float filmLift = 0.012;   // of a film over the sand, so that none of its grains hides it [m]
 
-#ifdef WAVES
-// `kept` is a share of each cascade.
-vec3 waveDisplacementAt(vec2 calm, float cell, vec4 kept) {
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < cascades; ++i) {
-        float mip = max(log2(cell * cascade[i].w), 0.0);
-        // The last mip is the tile's mean, which is zero.
-        if (mip < maxMip)
-            sum += kept[i] * textureLod(waveDisplacement, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xyz;
-    }
-    return sum;
-}
-#endif
+#include "wave_displacement.glsl"
 
 #ifdef HOST_MESH
 void main() {
@@ -67,22 +58,33 @@ void main() {
 #endif
 
     vec3 relative = vec3(calm.x, -plane.w, calm.y);
+#ifdef MOTION
+    vec3 last = relative;
+#endif
 #ifdef WAVES
+    float loose = 1.0;
+#ifdef OUTLINE
+    loose = looseness(calm, patch_.edgeRange);
+#endif
+#ifdef HOST_MESH
+    loose = min(vertex.fromEdge * extent.z, 1.0);
+#endif
+    vec3 held = vec3(loose, 1.0, loose);
 #ifdef SHORE
     ShoreWave shore = shoreWave(calm, cell);
-    vec3 displacement = waveDisplacementAt(calm, cell, shore.kept);
+    vec3 displacement = waveDisplacementAt(waveDisplacement, calm, cell, shore.kept);
     displacement += vec3(shore.move.x, shore.height, shore.move.y);
     displacement.y = withFilm(shore, displacement.y, filmLift + 0.01 * cell);
 #else
-    vec3 displacement = waveDisplacementAt(calm, cell, vec4(1.0));
+    vec3 displacement = waveDisplacementAt(waveDisplacement, calm, cell, vec4(1.0));
 #endif
-#ifdef OUTLINE
-    displacement.xz *= looseness(calm, patch_.edgeRange);
+    relative += held * displacement;
+#ifdef MOTION
+    last += held * waveDisplacementAt(lastDisplacement, calm, cell, vec4(1.0));
 #endif
-#ifdef HOST_MESH
-    displacement.xz *= min(vertex.fromEdge * extent.z, 1.0);
 #endif
-    relative += displacement;
+#ifdef MOTION
+    lastPixel = lastPixelFromRelative * vec4(last, 1.0);
 #endif
     calmPosition = calm;
     position = relative;

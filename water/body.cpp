@@ -6,6 +6,7 @@
 #include <cstring>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -39,6 +40,8 @@ const char* badField(const RefractionDesc& desc) {
         return "RefractionDesc.backscatter is out of range, expected 0 to 100";
     if (!(desc.distortion >= 0 && desc.distortion <= 1))
         return "RefractionDesc.distortion is out of range, expected 0 to 1";
+    if (!(desc.scattering >= 0 && desc.scattering <= 100))
+        return "RefractionDesc.scattering is out of range, expected 0 to 100";
     return nullptr;
 }
 
@@ -134,6 +137,14 @@ void setShore(SurfaceUniforms& u, const Shore& shore, const ShoreSignal& signal,
     u.shoreForm = {shore.peak() / (2 * std::numbers::pi), shore.carried(), 0, 0};
 }
 
+void setDryRooms(SurfaceUniforms& u, const std::vector<DryPlanes>& rooms, const glm::dvec3& eye) {
+    u.dryRooms = static_cast<uint32_t>(rooms.size());
+    glm::vec4* out = u.dryPlanes;
+    for (const DryPlanes& room : rooms)
+        for (const glm::dvec4& plane : room)
+            *out++ = glm::vec4(glm::vec3(plane), plane.w + glm::dot(glm::dvec3(plane), eye));
+}
+
 SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, const LightingDesc& lighting) {
     SurfaceUniforms u;
     u.clipFromRelative = glm::mat4(geometry.clipFromRelative);
@@ -173,16 +184,18 @@ SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, con
         u.foamCascades = static_cast<int32_t>(body.foam->cascades());
     }
     if (body.refraction) {
-        u.absorption = color(body.refraction->absorption);
+        u.absorption = glm::vec4(glm::vec3(color(body.refraction->absorption)), body.refraction->scattering);
         u.backscatter = color(body.refraction->backscatter);
         u.refractionDistortion = body.refraction->distortion;
     }
     u.within.x = body.mesh.cellSize;
+    if (body.sea) u.within.z = static_cast<float>(significantWaveHeight(*body.sea) / 4);
     if (body.underwater) u.within.y = body.underwater->meniscus / 2;
     if (body.outline) {
         const glm::dvec2 eye(geometry.eye.x, geometry.eye.z);
         u.covered = glm::vec4(glm::vec2(body.outline->low - eye), glm::vec2(body.outline->high - eye));
     }
+    setDryRooms(u, body.dryRooms, geometry.eye);
     if (body.caustics)
         u.caustics =
             glm::vec4(body.caustics->strength, body.causticBlur.log2Scale, body.causticBlur.exponent, 0);
@@ -297,7 +310,11 @@ Status Body::createWaves(const BodyDesc& desc) {
     sea = std::move(made);
     if (sea->shore)
         if (const Status s = shore.emplace().create(*context, *sea->shore); s != Status::ok) return s;
-    return waves.emplace().create(*context, *sea, chosenBackend(context->device, desc));
+    if (const Status s = waves.emplace().create(*context, *sea, chosenBackend(context->device, desc));
+        s != Status::ok)
+        return s;
+    keepsMotion = desc.motion;
+    return keepsMotion ? waves->keepLast(context->device) : Status::ok;
 }
 
 Status Body::createFoam(const FoamDesc& desc) {
@@ -312,6 +329,7 @@ Status Body::simulate(VkCommandBuffer commands, double time) {
         return context->device.fail(Status::invalidArgument, "simulate: time is not finite");
     if (foamPattern) foamPattern->recordUpload(context->device, commands);
     if (!waves) return Status::ok;
+    if (simulated) waves->turnOver();
     simulated = true;
     if (shore) shore->record(context->device, commands, *sea->shore, time, foamDecay);
     if (foam)
@@ -362,7 +380,30 @@ SurfaceFeatures Body::features(const ReflectionImages& images) const {
             shore.has_value(),
             shape,
             waves ? waves->maps().cascades : 0,
-            foam ? foam->cascades() : 0};
+            foam ? foam->cascades() : 0,
+            waves && refraction && refraction->scattering > 0,
+            !dryRooms.empty()};
+}
+
+SurfaceFeatures Body::motionFeatures() const {
+    SurfaceFeatures wanted;
+    wanted.waves = waves.has_value();
+    wanted.shape = features({}).shape;
+    wanted.cascades = waves ? waves->maps().cascades : 0;
+    wanted.dryRooms = !dryRooms.empty();
+    wanted.motion = true;
+    return wanted;
+}
+
+glm::mat4 Body::lastPixelFromRelative(const ViewDesc& view, const ViewGeometry& geometry) {
+    const LastView now{geometry.pixelFromRelative, geometry.eye, geometry.jitter};
+    const auto [entry, fresh] = lastViews.try_emplace(view.viewIndex, now);
+    const LastView last = std::exchange(entry->second, now);
+    if (fresh || view.cut) return glm::mat4(now.pixelFromRelative);
+    glm::dmat4 moved(1), steadied(1);
+    moved[3] = glm::dvec4(geometry.eye - last.eye, 1);
+    steadied[3] = glm::dvec4(now.jitter - last.jitter, 0, 1);
+    return glm::mat4(steadied * last.pixelFromRelative * moved);
 }
 
 Status Body::place(const MeshView& view, SurfaceInputs& inputs) {
@@ -426,6 +467,7 @@ Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, Vie
 SidesSeen Body::sidesSeen(const ViewGeometry& geometry) const {
     if (!underwater) return SidesSeen::above;
     if (outline && !outline->contains({geometry.eye.x, geometry.eye.z})) return SidesSeen::above;
+    if (isDry(dryRooms, geometry.eye)) return SidesSeen::above;
     const double eyeHeight = glm::dot(glm::dvec3(plane), geometry.eye) + plane.w;
     const double reach = displacement() + nearPlaneReach(geometry);
     if (eyeHeight > reach) return SidesSeen::above;
@@ -488,19 +530,26 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
             Status::invalidArgument,
             "draw: ViewDesc.projection makes what is nearer %s, expected TargetDesc.reversedDepth to be %s",
             geometry.reversedDepth ? "greater" : "less", geometry.reversedDepth ? "true" : "false");
+    const bool motion = output == SurfaceOutput::motion;
+    if (motion && waves && !keepsMotion)
+        return device.fail(Status::invalidArgument, "draw: SurfaceOutput::motion needs BodyDesc.motion");
+    const glm::mat4 lastPixel = motion ? lastPixelFromRelative(view, geometry) : glm::mat4(1);
     if (outline && !mayShow(geometry)) return Status::ok;
 
     SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
+    if (motion) uniforms.relativeFromPixel = lastPixel;
     SurfaceInputs inputs;
-    const MeshView meshView = meshViewOf(geometry, uniforms.plane.w, displacement());
+    MeshView meshView = meshViewOf(geometry, uniforms.plane.w, displacement());
+    meshView.farthestFirst = !target.desc.depthWrite;
     if (const Status s = place(meshView, inputs); s != Status::ok) return s;
     if (inputs.instanceCount == 0) return Status::ok;
 
-    if (reflector) inputs.reflection = reflector->images(view.viewIndex);
+    if (reflector && !motion) inputs.reflection = reflector->images(view.viewIndex);
     if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
-    const SurfaceFeatures wanted = features(inputs.reflection);
+    const SurfaceFeatures wanted = motion ? motionFeatures() : features(inputs.reflection);
     const DrawPipeline* pipeline = nullptr;
-    if (const Status s = target.pipelines.get({wanted, output, sidesSeen(geometry)}, pipeline);
+    if (const Status s =
+            target.pipelines.get({wanted, output, motion ? SidesSeen::above : sidesSeen(geometry)}, pipeline);
         s != Status::ok)
         return s;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
@@ -508,6 +557,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     inputs.view = &read;
     if (waves)
         for (uint32_t i = 0; i < waveMapCount; ++i) inputs.waveMaps[i] = waves->maps().images[i].view();
+    if (motion && waves) inputs.lastDisplacement = waves->lastDisplacement();
     if (foamPattern) inputs.foamPattern = foamPattern->view();
     if (foam) inputs.foamHistory = foam->view();
     if (shore) {
@@ -542,7 +592,7 @@ Status addWaves(Context& context, const BodyDesc& desc, Estimate& out) {
     if (!sea) return context.device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
     if (cascadeCount(*sea) == 0) return Status::ok;
     const WavesBackend* backend = chosenBackend(context.device, desc);
-    out.bytes += Waves::bytes(context, *sea, backend);
+    out.bytes += Waves::bytes(context, *sea, backend) + (desc.motion ? Waves::lastBytes(*sea) : 0);
     if (sea->shore) out.bytes += ShoreMap::bytes(*sea->shore);
     if (desc.foam && breakingOf(*sea, *desc.foam).count > 0)
         out.bytes += FoamPattern::bytes() + Foam::bytes(*sea, *desc.foam, backend, context.frameCount);
@@ -581,6 +631,14 @@ void destroyBody(Body* body) {
     if (!body) return;
     --body->context->inUse;
     body->context->frame().retire(std::unique_ptr<Body>(body));
+}
+
+Status setDryRooms(Body* body, const DryRoom* rooms, uint32_t count) {
+    if (!body) return Status::invalidArgument;
+    return gpu::guarded([&] {
+        const char* bad = readDryRooms(rooms, count, body->dryRooms);
+        return bad ? body->context->device.fail(Status::invalidArgument, "%s", bad) : Status::ok;
+    });
 }
 
 namespace {

@@ -1,10 +1,14 @@
 // What is behind seaglass::Body: the parts that its description asked for, and nothing else.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "gpu/context.h"
@@ -12,6 +16,7 @@
 #include "reflection/view.h"
 #include "seaglass/water.h"
 #include "water/caustics.h"
+#include "water/dry_rooms.h"
 #include "water/extent.h"
 #include "water/foam.h"
 #include "water/foam_pattern.h"
@@ -34,6 +39,13 @@ struct PatchIndices {
     Status create(Context& context);
 };
 
+/// Where the last frame's camera showed things.
+struct LastView {
+    glm::dmat4 pixelFromRelative{1};
+    glm::dvec3 eye{0};
+    glm::dvec2 jitter{0}; ///< [pixel]
+};
+
 struct Body {
     Context* context = nullptr;
     glm::dvec4 plane{0};
@@ -54,6 +66,9 @@ struct Body {
     std::unique_ptr<Reflector> reflector;         ///< null without a screen-space technique
     std::shared_ptr<SingleSamples> singleSamples; ///< null until refraction sees through a view with many
     float reflectionDistortion = 0;
+    std::vector<DryPlanes> dryRooms;
+    bool keepsMotion = false;
+    std::map<uint32_t, LastView> lastViews; ///< by index, of those that motion was drawn of
     std::shared_ptr<PatchIndices> indices;
     std::vector<MeshPatch> patches; ///< scratch, kept for its capacity
     OutlinedPatches outlined;       ///< likewise
@@ -84,6 +99,9 @@ struct Body {
     Status createFoam(const FoamDesc& desc);
     Status createReflector(const BodyDesc& desc);
     SurfaceFeatures features(const ReflectionImages& images) const;
+    SurfaceFeatures motionFeatures() const;
+    /// The last frame's pixels of points relative to this frame's eye; this frame is the next one's last.
+    glm::mat4 lastPixelFromRelative(const ViewDesc& view, const ViewGeometry& geometry);
     /// The most that waves move a point in any axis [m].
     double displacement() const { return sea ? largestDisplacement(*sea) : 0; }
     /// What is to be drawn: no instance when the view sees nothing of the body.

@@ -18,7 +18,7 @@ struct PipelineState {
         rasterization.lineWidth = 1;
         multisample.rasterizationSamples = desc.samples;
         depth.depthTestEnable = drawing == Drawing::solid;
-        depth.depthWriteEnable = drawing == Drawing::solid;
+        depth.depthWriteEnable = drawing == Drawing::solid && desc.depthWrite;
         depth.depthCompareOp =
             desc.reversedDepth ? VK_COMPARE_OP_GREATER_OR_EQUAL : VK_COMPARE_OP_LESS_OR_EQUAL;
         attachment.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
@@ -97,7 +97,7 @@ Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, c
     if (const Status s = vertex.create(shaders.vertex, what); s != Status::ok) return s;
     if (const Status s = fragment.create(shaders.fragment, what); s != Status::ok) return s;
 
-    std::array<VkSpecializationMapEntry, 4> entries{};
+    std::array<VkSpecializationMapEntry, 8> entries{};
     for (uint32_t i = 0; i < shaders.constants.size(); ++i)
         entries[i] = {i, static_cast<uint32_t>(i * sizeof(uint32_t)), sizeof(uint32_t)};
     const VkSpecializationInfo specialization{static_cast<uint32_t>(shaders.constants.size()), entries.data(),

@@ -64,6 +64,15 @@ struct Lattice {
     }
 };
 
+float distanceTo(const MeshPatch& patch) {
+    const float half = 0.5f * patch.cell * patchCells;
+    return std::hypot(patch.corner[0] + half, patch.corner[1] + half);
+}
+
+bool drawnBefore(const MeshView& view, const MeshPatch& a, const MeshPatch& b) {
+    return view.farthestFirst ? distanceTo(a) > distanceTo(b) : a.cell < b.cell;
+}
+
 class Selection {
   public:
     Selection(const Lattice& lattice, std::vector<MeshPatch>& out) : lattice_(lattice), out_(out) {}
@@ -74,8 +83,9 @@ class Selection {
         lattice_.forEach(coarsest, glm::dvec2(-reach), glm::dvec2(reach), [&](const glm::dvec2& corner) {
             if (lattice_.distanceTo(coarsest, corner) <= reach) visit(coarsest, corner);
         });
-        std::stable_sort(out_.begin(), out_.end(),
-                         [](const MeshPatch& a, const MeshPatch& b) { return a.cell < b.cell; });
+        std::stable_sort(out_.begin(), out_.end(), [&](const MeshPatch& a, const MeshPatch& b) {
+            return drawnBefore(lattice_.view, a, b);
+        });
     }
 
   private:
@@ -109,9 +119,10 @@ class OutlinedSelection {
             edges.push_back({from - lattice_.view.eye, to - lattice_.view.eye});
         lattice_.forEach(coarsest, low_, high_,
                          [&](const glm::dvec2& corner) { visit(coarsest, corner, edges); });
-        std::stable_sort(
-            out_.patches.begin(), out_.patches.end(),
-            [](const OutlinedPatch& a, const OutlinedPatch& b) { return a.patch.cell < b.patch.cell; });
+        std::stable_sort(out_.patches.begin(), out_.patches.end(),
+                         [&](const OutlinedPatch& a, const OutlinedPatch& b) {
+                             return drawnBefore(lattice_.view, a.patch, b.patch);
+                         });
     }
 
   private:

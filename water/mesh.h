@@ -43,6 +43,7 @@ struct MeshView {
     std::array<glm::dvec4, 5>
         frustum{};           ///< planes facing inwards over (u, height, v) relative to the eye's foot
     double displacement = 0; ///< the most that waves move a vertex in any axis [m]
+    bool farthestFirst = false;
 };
 
 /// Inward planes (left, right, bottom, top, near) of a clip matrix over its input space.
@@ -51,7 +52,7 @@ std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDep
 /// Whether a view may see something of what lies between two corners (u, v), relative to the eye.
 bool inSight(const MeshView& view, const glm::dvec2& lowest, const glm::dvec2& highest);
 
-/// Patches from fine to coarse out to the horizon, those out of sight left out.
+/// Patches from fine to coarse, or from far to near, out to the horizon; those out of sight left out.
 void selectPatches(const MeshView& view, double finestCell, double rangeInCells, std::vector<MeshPatch>& out);
 
 /// Patches that touch what an outline encloses, likewise. Each that comes within `pinned` metres of an edge

@@ -4,6 +4,21 @@
 #include <span>
 #include <vector>
 
+#include "spirv/motion.frag.h"
+#include "spirv/motion.vert.h"
+#include "spirv/motion_host_mesh.vert.h"
+#include "spirv/motion_host_mesh_views.vert.h"
+#include "spirv/motion_outline.frag.h"
+#include "spirv/motion_outline.vert.h"
+#include "spirv/motion_outline_views.vert.h"
+#include "spirv/motion_views.vert.h"
+#include "spirv/motion_waves.vert.h"
+#include "spirv/motion_waves_host_mesh.vert.h"
+#include "spirv/motion_waves_host_mesh_views.vert.h"
+#include "spirv/motion_waves_outline.frag.h"
+#include "spirv/motion_waves_outline.vert.h"
+#include "spirv/motion_waves_outline_views.vert.h"
+#include "spirv/motion_waves_views.vert.h"
 #include "spirv/surface.frag.h"
 #include "spirv/surface.vert.h"
 #include "spirv/surface_host_mesh.vert.h"
@@ -67,7 +82,27 @@ namespace seaglass {
 
 namespace {
 
+std::span<const uint32_t> motionVertexShader(const SurfaceFeatures& f, bool multiview) {
+    using Shader = std::span<const uint32_t>;
+    // By shape, then waves.
+    const Shader one[][2] = {{motion_vert, motion_waves_vert},
+                             {motion_outline_vert, motion_waves_outline_vert},
+                             {motion_host_mesh_vert, motion_waves_host_mesh_vert}};
+    const Shader several[][2] = {{motion_views_vert, motion_waves_views_vert},
+                                 {motion_outline_views_vert, motion_waves_outline_views_vert},
+                                 {motion_host_mesh_views_vert, motion_waves_host_mesh_views_vert}};
+    const auto shape = static_cast<size_t>(f.shape);
+    return multiview ? several[shape][f.waves] : one[shape][f.waves];
+}
+
+std::span<const uint32_t> motionFragmentShader(const SurfaceFeatures& f) {
+    if (f.shape != SurfaceShape::outlined) return motion_frag;
+    if (f.waves) return motion_waves_outline_frag;
+    return motion_outline_frag;
+}
+
 std::span<const uint32_t> vertexShader(const SurfaceFeatures& f, bool multiview) {
+    if (f.motion) return motionVertexShader(f, multiview);
     using Shader = std::span<const uint32_t>;
     // By shape, then waves, then a shore.
     const Shader one[][3] = {
@@ -87,6 +122,7 @@ std::span<const uint32_t> vertexShader(const SurfaceFeatures& f, bool multiview)
 
 // Letters in the names: w waves, f foam, s a shore, l reflection, r refraction, o an outline.
 std::span<const uint32_t> fragmentShader(const SurfaceFeatures& f) {
+    if (f.motion) return motionFragmentShader(f);
     const bool outlined = f.shape == SurfaceShape::outlined;
     const int base = (f.reflection ? 1 : 0) + (f.refraction ? 2 : 0) + (outlined ? 4 : 0);
     const std::span<const uint32_t> calm[] = {surface_frag,    surface_l_frag,  surface_r_frag,
@@ -110,17 +146,18 @@ std::span<const uint32_t> fragmentShader(const SurfaceFeatures& f) {
 }
 
 /// In the order of shaders/common/surface.glsl, which numbers bindings likewise.
-template<typename Item, typename Waves, typename Shore, typename Extent, typename Foam, typename Reflection,
-         typename Refraction>
+template<typename Item, typename Waves, typename Shore, typename Extent, typename Motion, typename Foam,
+         typename Reflection, typename Refraction>
 std::vector<Item> byFeature(const SurfaceFeatures& f, std::initializer_list<Item> always, Waves&& waves,
-                            Shore&& shore, Extent&& extent, Foam&& foam, Reflection&& reflection,
-                            Refraction&& refraction) {
+                            Shore&& shore, Extent&& extent, Motion&& motion, Foam&& foam,
+                            Reflection&& reflection, Refraction&& refraction) {
     std::vector<Item> list(always);
     if (f.waves)
         for (const Item& item : waves()) list.push_back(item);
     if (f.shore)
         for (const Item& item : shore()) list.push_back(item);
     if (f.shape == SurfaceShape::outlined) list.push_back(extent());
+    if (f.motion && f.waves) list.push_back(motion());
     if (f.foam)
         for (const Item& item : foam()) list.push_back(item);
     if (f.reflection)
@@ -140,7 +177,7 @@ std::vector<VkDescriptorType> bindings(const SurfaceFeatures& f) {
         [] {
             return std::array{image, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
         },
-        [] { return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER; },
+        [] { return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER; }, [] { return image; },
         [] {
             return std::array{image, image};
         },
@@ -169,6 +206,7 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
             return std::array{gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap), in.shoreRows};
         },
         [&] { return in.extent; },
+        [&] { return gpu::sampledImage(samplers.trilinearRepeat(), in.lastDisplacement); },
         [&] {
             const VkSampler s = samplers.trilinearRepeat();
             return std::array{gpu::sampledImage(s, in.foamPattern), gpu::sampledImage(s, in.foamHistory)};
@@ -194,8 +232,12 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
     if (const Status s = createDrawLayout(device, target, types, stages, "surface layout", out);
         s != Status::ok)
         return s;
-    const uint32_t constants[] = {static_cast<uint32_t>(variant.output), static_cast<uint32_t>(variant.sides),
-                                  variant.features.cascades, variant.features.foamCascades};
+    const uint32_t constants[] = {static_cast<uint32_t>(variant.output),
+                                  static_cast<uint32_t>(variant.sides),
+                                  variant.features.cascades,
+                                  variant.features.foamCascades,
+                                  variant.features.crestLight,
+                                  variant.features.dryRooms};
     return createDrawPipeline(
         device, target,
         {vertexShader(variant.features, target.viewMask != 0), fragmentShader(variant.features), constants},

@@ -10,6 +10,7 @@
 #include "gpu/context.h"
 #include "seaglass/water.h"
 #include "water/draw_pipeline.h"
+#include "water/dry_rooms.h"
 
 namespace seaglass {
 
@@ -31,6 +32,9 @@ struct SurfaceFeatures {
     SurfaceShape shape = SurfaceShape::plane;
     uint32_t cascades = 0;
     uint32_t foamCascades = 0; ///< that break: the first so many
+    bool crestLight = false;   ///< only with waves and refraction
+    bool dryRooms = false;
+    bool motion = false; ///< beside it waves, shape and dryRooms alone
     auto operator<=>(const SurfaceFeatures&) const = default;
 };
 
@@ -49,13 +53,14 @@ struct SurfaceVariant {
 struct SurfaceUniforms {
     glm::mat4 clipFromRelative{1};
     glm::mat4 pixelFromRelative{1};
-    glm::mat4 relativeFromPixel{1};      ///< of the scene's pixels
+    glm::mat4 relativeFromPixel{1};      ///< of the scene's pixels; for motion, the last frame's pixels of
+                                         ///< points relative to this frame's eye
     glm::vec4 cascade[maxCascades] = {}; ///< eye's (u, v) in the tile, in tiles; 1 / patch; 1 / texel [1/m]
     glm::vec4 plane{0, 1, 0, 0};         ///< up, and the eye's height [m]
     glm::vec4 toSun{0};
     glm::vec4 sunIrradiance{0};
     glm::vec4 skyIrradiance{0};
-    glm::vec4 absorption{0};
+    glm::vec4 absorption{0}; ///< and scattering by particles [1/m]
     glm::vec4 backscatter{0};
     glm::ivec4 region{0};
     glm::vec4 foam{0};      ///< share of the way from the history's first step to its second, albedo, the
@@ -75,7 +80,7 @@ struct SurfaceUniforms {
     float padding = 0;
     glm::vec4 reflectionLook{
         0};                  ///< clear distance [m], scatter, distance at which the sky has taken over [m]
-    glm::vec4 within{0};     ///< edge of the finest cells [m], half the meniscus [m]
+    glm::vec4 within{0};     ///< edge of the finest cells, half the meniscus, deviation of heights [m]
     glm::vec2 sceneShift{0}; ///< ViewGeometry's [pixel]
     float shiftPadding[2] = {};
     glm::vec4 extent{0}; ///< (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges
@@ -85,6 +90,9 @@ struct SurfaceUniforms {
     glm::vec4 shorePlace{0};                     ///< of the eye on the shore's map, and of a metre
     glm::vec4 shoreSignal{0}; ///< rows a second, the first one's, their number; the map's spacing [m]
     glm::vec4 shoreForm{0};   ///< 1 / period; how far foam is carried for each metre of swash
+    uint32_t dryRooms = 0;
+    float dryPadding[3] = {};
+    glm::vec4 dryPlanes[maxDryRooms * dryRoomPlanes] = {}; ///< of each room: outside is positive [m]
 };
 
 /// Edge of the tile that foam patterns repeat in [m]; shaders/common/foam_cover.glsl samples divisions of it.
@@ -107,6 +115,7 @@ struct SurfaceInputs {
     VkImageView waveMaps[3] = {};
     VkImageView shoreMap = VK_NULL_HANDLE;
     gpu::Resource shoreRows;
+    VkImageView lastDisplacement = VK_NULL_HANDLE;
     VkImageView foamPattern = VK_NULL_HANDLE;
     VkImageView foamHistory = VK_NULL_HANDLE;
     ReflectionImages reflection;

@@ -1,5 +1,7 @@
 #include "water/waves.h"
 
+#include <utility>
+
 namespace seaglass {
 
 VkDeviceSize Waves::bytes(const Context& context, const Sea& sea, const WavesBackend* backend) {
@@ -16,6 +18,24 @@ Status Waves::create(Context& context, const Sea& sea, const WavesBackend* backe
         return s;
     if (backend) return source_.emplace<UploadedWaves>().create(context, sea, *backend);
     return source_.emplace<ComputedWaves>().create(context, sea);
+}
+
+Status Waves::keepLast(const gpu::Device& device) {
+    return last_.create(device, maps_.images[0].desc(), "last wave displacement map");
+}
+
+VkDeviceSize Waves::lastBytes(const Sea& sea) {
+    return WaveMaps::bytes(cascade(sea, 0).samples, cascadeCount(sea)) / waveMapCount;
+}
+
+void Waves::turnOver() {
+    if (!last_.handle()) return;
+    std::swap(maps_.images[0], last_);
+    turned_ = true;
+}
+
+VkImageView Waves::lastDisplacement() const {
+    return turned_ ? last_.view() : maps_.images[0].view();
 }
 
 Status Waves::record(Context& context, VkCommandBuffer commands, double time) {

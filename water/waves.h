@@ -20,12 +20,20 @@ class Waves {
     /// Of a sea that is not flat, whatever fills the maps included.
     static VkDeviceSize bytes(const Context& context, const Sea& sea, const WavesBackend* backend);
     const WaveMaps& maps() const { return maps_; }
+    /// Keeps the displacement of the time before.
+    Status keepLast(const gpu::Device& device);
+    static VkDeviceSize lastBytes(const Sea& sea);
+    /// Before each time but the first: what maps() has is the last displacement from here on.
+    void turnOver();
+    VkImageView lastDisplacement() const;
     /// Who fills the maps: one of the two, the other is null.
     ComputedWaves* computed() { return std::get_if<ComputedWaves>(&source_); }
     const UploadedWaves* uploaded() const { return std::get_if<UploadedWaves>(&source_); }
 
   private:
     WaveMaps maps_;
+    gpu::OwnedImage last_; ///< takes turns with the maps' own
+    bool turned_ = false;  ///< it holds something
     std::variant<ComputedWaves, UploadedWaves> source_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "host/dry_rooms.h"
 #include "host/extent.h"
 #include "host/rendering.h"
 #include "host/seaglass_view.h"
@@ -18,6 +19,7 @@ seaglass::RefractionDesc refractionOf(const RefractionDesc& desc) {
     std::ranges::copy(water.absorption, refraction.absorption);
     std::ranges::copy(water.backscatter, refraction.backscatter);
     refraction.distortion = static_cast<float>(desc.distortion);
+    refraction.scattering = static_cast<float>(desc.scatteringPerM);
     return refraction;
 }
 
@@ -114,8 +116,16 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
         caustics.strength = static_cast<float>(desc.caustics->strength);
         body.caustics = &caustics;
     }
+    std::vector<seaglass::DryRoom> rooms;
+    if (!dryRoomsOf(desc.dryRooms, rooms, error)) return false;
     seaglass::Body* made = nullptr;
     if (!context_.ok(seaglass::createBody(context_.get(), &body, &made), error)) return false;
+    const seaglass::Status dried =
+        seaglass::setDryRooms(made, rooms.data(), static_cast<uint32_t>(rooms.size()));
+    if (!context_.ok(dried, error)) {
+        seaglass::destroyBody(made);
+        return false;
+    }
     const bool planar = body.reflection && reflection.technique == seaglass::ReflectionTechnique::planar;
     out = WaterBody(made, planar, body.caustics != nullptr);
     return true;

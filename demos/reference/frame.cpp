@@ -47,12 +47,12 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
             if (world.sea) mesh.pinned = seaglass::pinnedWithin(seaglass::largestDisplacement(*world.sea));
         }
         out.mesh = meshOf(out.surface, out.camera, mesh);
-        if (world.outline)
+        if (world.outline || !world.dryRooms.empty())
             out.mesh.covers = [&out](uint32_t triangle, const glm::vec3& weights) {
-                return out.world->outline->contains(out.calmAt(triangle, weights));
+                return out.covers(triangle, weights);
             };
         out.geometry.add(out.mesh);
-        out.mesh.positions = {};
+        if (world.dryRooms.empty()) out.mesh.positions = {};
         out.sky = skyBeams(world.light);
     }
     return out.geometry.build(error);
@@ -80,6 +80,16 @@ glm::dvec3 Frame::seenAt(const glm::vec3& position) const {
     const double right = glm::dot(p, camera.right) / (along * camera.tanHalfFovX);
     const double up = glm::dot(p, camera.up) / (along * camera.tanHalfFovY);
     return {(right + 1) / 2 * desc.width, (1 - up) / 2 * desc.height, along};
+}
+
+bool Frame::covers(uint32_t triangle, const glm::vec3& weights) const {
+    if (world->outline && !world->outline->contains(calmAt(triangle, weights))) return false;
+    if (world->dryRooms.empty()) return true;
+    const glm::uvec3 corners = mesh.triangles[triangle];
+    glm::dvec3 at = camera.eye;
+    for (glm::length_t i = 0; i < 3; ++i)
+        at += static_cast<double>(weights[i]) * glm::dvec3(mesh.positions[corners[i]]);
+    return !seaglass::isDry(world->dryRooms, at);
 }
 
 glm::dvec2 Frame::calmAt(const Hit& waterHit) const {

@@ -22,7 +22,7 @@ struct Frame {
     Camera camera;
     float pixelAngle = 0; ///< [rad]
     WaterSurface surface;
-    SurfaceMesh mesh; ///< without its positions, which the geometry holds
+    SurfaceMesh mesh; ///< without its positions, which the geometry holds, but among dry rooms
     Geometry geometry;
     SkyBeams sky; ///< under water; dark where there is none
 
@@ -31,6 +31,8 @@ struct Frame {
     /// Where in the picture a point relative to the eye is seen; z is its distance along the view axis, not
     /// positive behind the eye.
     glm::dvec3 seenAt(const glm::vec3& position) const;
+    /// Whether there is water at a point of a triangle of its surface.
+    bool covers(uint32_t triangle, const glm::vec3& weights) const;
     /// Where the water of a hit rests, in the world.
     glm::dvec2 calmAt(const Hit& waterHit) const;
     glm::dvec2 calmAt(uint32_t triangle, const glm::vec3& weights) const;

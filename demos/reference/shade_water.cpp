@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/crest_light.h"
 #include "reference/facet.h"
 #include "reference/foam_pattern.h"
 #include "reference/optics.h"
@@ -41,11 +42,16 @@ glm::vec3 refracted(const Frame& frame, const Ray& ray, const Hit& hit, const Fa
     const glm::vec3 direction = glm::normalize(glm::refract(ray.direction, facet.normal, 1 / waterIndex));
     const Ray below = bentRay(frame, ray, hit, -facet.up, direction);
     Hit bed;
-    if (!frame.geometry.trace(below, Kind::opaque, bed)) return light.glow(endless);
-    const float path = glm::length(bed.position - hit.position);
-    // Leaving water, radiance is thinned as its cone widens: by n^2.
-    const glm::vec3 through = glm::exp(-light.extinction() * path) / (waterIndex * waterIndex);
-    return shadeBed(frame, below, bed, random) * through + light.glow(path);
+    float path = endless;
+    glm::vec3 radiance(0);
+    if (frame.geometry.trace(below, Kind::opaque, bed)) {
+        path = glm::length(bed.position - hit.position);
+        // Leaving water, radiance is thinned as its cone widens: by n^2.
+        const glm::vec3 through = glm::exp(-light.extinction() * path) / (waterIndex * waterIndex);
+        radiance = shadeBed(frame, below, bed, random) * through;
+    }
+    radiance += light.glow(path);
+    return random ? throughCrest(frame, below, path, radiance, *random) : radiance;
 }
 
 /// sunGlint() of shaders/common/sun_glint.glsl: Bruneton, Neyret and Holzschuch 2010, eq. 14.

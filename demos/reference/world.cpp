@@ -1,5 +1,6 @@
 #include "reference/world.h"
 
+#include "host/dry_rooms.h"
 #include "host/extent.h"
 #include "host/floor_texture.h"
 #include "host/placement.h"
@@ -46,12 +47,23 @@ bool setOutline(const ExtentDesc& desc, World& out, Error& error) {
     return true;
 }
 
+bool setDryRooms(const std::vector<DryRoomDesc>& rooms, World& out, Error& error) {
+    std::vector<seaglass::DryRoom> read;
+    if (!dryRoomsOf(rooms, read, error)) return false;
+    const char* const bad =
+        seaglass::readDryRooms(read.data(), static_cast<uint32_t>(read.size()), out.dryRooms);
+    if (bad) error.text = std::string("water: ") + bad;
+    return !bad;
+}
+
 } // namespace
 
 bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error) {
     out.water = desc;
     out.sea.reset();
     out.outline.reset();
+    out.dryRooms.clear();
+    if (desc && !setDryRooms(desc->dryRooms, out, error)) return false;
     if (desc && desc->extent && !setOutline(*desc->extent, out, error)) return false;
     if (!desc || !desc->waves) return true;
     SceneSea sea;

@@ -9,6 +9,7 @@
 #include "reference/water_surface.h"
 
 // Not public: there is to be one notion of what an outline encloses.
+#include "water/dry_rooms.h"
 #include "water/extent.h"
 
 namespace demos::reference {
@@ -26,6 +27,7 @@ struct World {
     std::optional<WaterDesc> water;
     SeaPointer sea;                           ///< null when flat
     std::optional<seaglass::Outline> outline; ///< of the water; none where it is unbounded
+    std::vector<seaglass::DryPlanes> dryRooms;
     std::optional<Floor> floor;
 };
 

@@ -142,6 +142,8 @@ constexpr std::array refractionFields = {
     Field{"absorption_per_m", at<&RefractionDesc::absorptionPerM>, 0, 100, "1/m", "red, green, blue"},
     Field{"backscatter_per_m", at<&RefractionDesc::backscatterPerM>, 0, 100, "1/m", "red, green, blue"},
     Field{"distortion", at<&RefractionDesc::distortion>, 0, 1, "", "0 straight, 1 as Snell says"},
+    Field{"scattering_per_m", at<&RefractionDesc::scatteringPerM>, 0, 100, "1/m",
+          "by particles: light through crests, 0 none"},
 };
 
 constexpr std::array underwaterFields = {
@@ -188,6 +190,15 @@ constexpr std::array extentFields = {
     Field{"size_m", at<&ExtentDesc::sizeM>, 0.01, 1e6, "m", "of a rectangle, along its x and z"},
     Field{"points_m", at<&ExtentDesc::pointsM>, -far, far, "m", "x and z of a polygon's corners"},
     Field{"file", at<&ExtentDesc::file>, 0, 0, "", "glTF file"},
+};
+
+constexpr std::array dryRoomFields = {
+    Field{"position_m", at<&DryRoomDesc::positionM>, -far, far, "m", "of its origin"},
+    Field{"yaw_deg", at<&DryRoomDesc::yawDeg>, -turn, turn, "degrees", "turn about +Y"},
+    Field{"points_m", at<&DryRoomDesc::pointsM>, -1e3, 1e3, "m", "x and z of its outline's corners",
+          required},
+    Field{"flare_deg", at<&DryRoomDesc::flareDeg>, -80, 80, "degrees", "by which its walls lean outwards"},
+    Field{"bottom_m", at<&DryRoomDesc::bottomM>, -1e3, 1e3, "m", "height of its bottom"},
 };
 
 constexpr std::array waterFields = {
@@ -247,11 +258,19 @@ constexpr Section extent = {"extent", extentFields, {}, "what the water covers; 
 constexpr Section caustics = {
     "caustics", causticsFields, {}, "sunlight that waves gather below; without it light is even"};
 
+constexpr Section dryRooms = {
+    "dry_rooms", dryRoomFields, {}, "hollows without water, such as a boat's inside, eight at most"};
+
 constexpr std::array waterChildren = {
-    Child{&extent, open<&WaterDesc::extent>},         Child{&waves, open<&WaterDesc::waves>},
-    Child{&shore, open<&WaterDesc::shore>},           Child{&foam, open<&WaterDesc::foam>},
-    Child{&refraction, open<&WaterDesc::refraction>}, Child{&reflection, open<&WaterDesc::reflection>},
-    Child{&underwater, open<&WaterDesc::underwater>}, Child{&caustics, open<&WaterDesc::caustics>},
+    Child{&extent, open<&WaterDesc::extent>},
+    Child{&waves, open<&WaterDesc::waves>},
+    Child{&shore, open<&WaterDesc::shore>},
+    Child{&foam, open<&WaterDesc::foam>},
+    Child{&refraction, open<&WaterDesc::refraction>},
+    Child{&reflection, open<&WaterDesc::reflection>},
+    Child{&underwater, open<&WaterDesc::underwater>},
+    Child{&caustics, open<&WaterDesc::caustics>},
+    Child{&dryRooms, open<&WaterDesc::dryRooms>, true},
 };
 
 constexpr Section water = {"water", waterFields, waterChildren, "the water; without it there is none"};

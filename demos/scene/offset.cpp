@@ -16,6 +16,8 @@ void applyOffset(Scene& scene, CameraDesc& camera) {
         scene.water->extent->centerM[1] += offset[2];
     }
     if (scene.water && scene.water->shore) move(scene.water->shore->positionM);
+    if (scene.water)
+        for (DryRoomDesc& room : scene.water->dryRooms) move(room.positionM);
     if (scene.floor) move(scene.floor->pointM);
     move(camera.positionM);
     move(camera.targetM);

@@ -89,6 +89,7 @@ struct RefractionDesc {
     Vec3 absorptionPerM = {0.340, 0.0565, 0.0092};
     Vec3 backscatterPerM = {0.0011, 0.0016, 0.0028};
     double distortion = 1;
+    double scatteringPerM = 0;
 };
 
 struct UnderwaterDesc {
@@ -138,6 +139,15 @@ struct ShoreDesc {
     std::string where = {}; ///< of `file` in the scene, for errors
 };
 
+/// A hollow that the water stays out of, as a boat's inside: walls along a convex outline, down to a bottom.
+struct DryRoomDesc {
+    Vec3 positionM = {0, 0, 0};
+    double yawDeg = 0;         ///< about +Y, as a mesh's
+    std::vector<Vec2> pointsM; ///< of the outline, from its position and at its height
+    double flareDeg = 0;       ///< by which walls lean outwards
+    double bottomM = -1;       ///< likewise
+};
+
 struct WaterDesc {
     double levelM = 0;
     double cellM = 0.25;
@@ -150,6 +160,7 @@ struct WaterDesc {
     std::optional<ReflectionDesc> reflection;
     std::optional<UnderwaterDesc> underwater;
     std::optional<CausticsDesc> caustics;
+    std::vector<DryRoomDesc> dryRooms;
 };
 
 /// A polished floor, or a mirror: a rectangle of a plane, seen from its front alone.

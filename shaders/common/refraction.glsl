@@ -43,13 +43,14 @@ bool isBelowWater(Behind b) {
 // raised and little water lies before it. Sought is the depth under the surface at which the ray meets what the picture
 // shows where the ray projects: a root, by false position between a depth where the ray is above the scene and one where
 // it is under it. (A fixed point it is not: up a wall it would run away.) What stands out of the water is passed over.
-// Beyond the picture's border the bed is taken to lie as deep as there.
-vec3 refracted(vec3 normal, vec3 toEye) {
+// Beyond the picture's border the bed is taken to lie as deep as there. `path` is how much water lies before it [m].
+vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     const float shallowest = 0.1;
     const int rounds = 5;
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
     Behind found = behindAt(here);
-    if (found.nothing) return waterGlow(vec3(1e6));
+    path = 1e6;
+    if (found.nothing) return waterGlow(vec3(path));
     vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);
     float steepness = max(-bent.y, shallowest);
     float drop = max(position.y - found.seen.y, 0.0);
@@ -82,12 +83,13 @@ vec3 refracted(vec3 normal, vec3 toEye) {
         Behind b = behindAt(foldedInside(mix(here, target.xy / target.w, refractionDistortion)));
         if (isBelowWater(b)) found = b;
     }
-    float path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
+    path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
     vec3 bed = litBelow(radianceOf(found), -(found.seen.y + plane.w)) / (waterIndex * waterIndex);
     return bed * exp(-extinction() * path) + waterGlow(vec3(path));
 }
 #else
-vec3 refracted(vec3 normal, vec3 toEye) {
-    return waterGlow(vec3(1e6));
+vec3 refracted(vec3 normal, vec3 toEye, out float path) {
+    path = 1e6;
+    return waterGlow(vec3(path));
 }
 #endif

@@ -58,6 +58,14 @@ layout(set = 0, binding = 5) uniform sampler2DArray waveMoments;
 #define AFTER_EXTENT AFTER_SHORE
 #endif
 
+#ifdef MOTION
+// A motion draw looks at no scene; in its place is where the last frame showed a point.
+#define lastPixelFromRelative relativeFromPixel
+#ifdef WAVES
+layout(set = 0, binding = AFTER_EXTENT) uniform sampler2DArray lastDisplacement;
+#endif
+#endif
+
 #ifdef FOAM
 layout(set = 0, binding = AFTER_EXTENT) uniform sampler2D foamPattern;
 layout(set = 0, binding = AFTER_EXTENT + 1) uniform sampler2DArray foamHistory;

@@ -37,6 +37,15 @@ float onSand() {
 }
 #endif
 
+// What a shore leaves of each cascade's amplitude here.
+vec4 keptHere() {
+#ifdef SHORE
+    return shoreHere.kept;
+#else
+    return vec4(1.0);
+#endif
+}
+
 SurfacePoint surfacePoint() {
     SurfacePoint s = SurfacePoint(vec2(0.0), roughness.xyz, 0.0);
 #ifdef WAVES

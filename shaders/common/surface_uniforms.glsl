@@ -10,7 +10,7 @@ vec4 plane;   // up, and the eye's height
 vec4 toSun;
 vec4 sunIrradiance;
 vec4 skyIrradiance;
-vec4 absorption;
+vec4 absorption;   // and scattering by particles
 vec4 backscatter;
 ivec4 region;   // origin in the scene images, size
 vec4 foam;   // share of the way between the history's steps, albedo, the eye's place in the pattern's tile
@@ -25,7 +25,7 @@ float reflectionScale;   // pixels of the region to one of the reflection
 float foamStreakU;   // wind's direction, times sqrt(1 - 1/stretch) of the pattern
 float foamStreakV;
 vec3 reflectionLook;   // clear distance, scatter, distance of the sky: reflection_blur.glsl
-vec4 within;   // edge of the finest cells, half the meniscus: metres
+vec4 within;   // edge of the finest cells, half the meniscus, deviation of the waves' height: metres
 vec2 sceneShift;   // to the scene's pixel that shows a point, whose sample may lie off its middle
 vec4 extent;   // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves
 vec4 caustics;   // strength; water/caustics.h: log2Scale, exponent
@@ -33,6 +33,8 @@ vec4 covered;   // (u, v) of the box around the body, low and high
 vec4 shorePlace;    // of the eye on the shore's map, and of a metre
 vec4 shoreSignal;   // rows a second, the first one's, their number; the map's spacing
 vec4 shoreForm;     // 1 / period; how far foam is carried for each metre of swash
+
+const uint dryRoomPlanes = 8;
 
 layout(set = 0, binding = 0, std140) uniform Surface {
     mat4 clipFromRelative;
@@ -68,6 +70,8 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     vec4 shorePlace;
     vec4 shoreSignal;
     vec4 shoreForm;
+    uint dryRooms;
+    vec4 dryPlanes[8 * dryRoomPlanes];
 } stored;
 
 // Before anything else.

@@ -76,6 +76,11 @@ VkResult VKAPI_CALL spiedGraphics(VkDevice device, VkPipelineCache cache, uint32
                                   const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
     SpiedCall call{"CreateGraphicsPipelines"};
     call.cache = cache;
+    const VkSpecializationInfo* const constants = infos->pStages[infos->stageCount - 1].pSpecializationInfo;
+    if (constants) {
+        const auto* const words = static_cast<const uint32_t*>(constants->pData);
+        call.constants.assign(words, words + constants->dataSize / sizeof(uint32_t));
+    }
     spiedCalls().push_back(call);
     return vkCreateGraphicsPipelines(device, cache, count, infos, allocator, pipelines);
 }

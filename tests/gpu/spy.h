@@ -17,6 +17,7 @@ struct SpiedCall {
     std::vector<uint32_t> spirv;            ///< of a shader module
     VkPipelineCache cache = VK_NULL_HANDLE; ///< of pipelines
     uint32_t sampled = 0;                   ///< images that shaders of a descriptor set layout sample
+    std::vector<uint32_t> constants;        ///< of a graphics pipeline's last stage, words from number 0 on
 };
 
 /// The calls since clear(). One list for the program: tests run one at a time.

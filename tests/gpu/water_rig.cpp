@@ -80,11 +80,21 @@ void WaterTest::SetUp() {
 
 void WaterTest::useSamples(VkSampleCountFlagBits samples) {
     samples_ = samples;
+    makeTarget();
+}
+
+void WaterTest::leaveDepth() {
+    depthWrite_ = false;
+    makeTarget();
+}
+
+void WaterTest::makeTarget() {
     seaglass::destroyTarget(target_);
     seaglass::TargetDesc desc;
     desc.colorFormat = colorFormat;
     desc.depthFormat = depthFormat;
-    desc.samples = samples;
+    desc.samples = samples_;
+    desc.depthWrite = depthWrite_;
     ASSERT_EQ(seaglass::createTarget(context(), &desc, &target_), seaglass::Status::ok) << message();
 }
 

@@ -32,6 +32,8 @@ class WaterTest : public GpuTest {
 
     /// What is drawn into from here on, and resolved; 1 before.
     void useSamples(VkSampleCountFlagBits samples);
+    /// From here on, water leaves the depth alone.
+    void leaveDepth();
     seaglass::Body* makeBody(const seaglass::BodyDesc& desc);
     /// A frame: simulate at `time`, reflect, draw.
     WaterPicture picture(const std::vector<seaglass::Body*>& bodies, const Camera& camera, double time = 0,
@@ -48,7 +50,10 @@ class WaterTest : public GpuTest {
 
   private:
     demos::Image skyCube_;
+    void makeTarget();
+
     seaglass::Target* target_ = nullptr;
+    bool depthWrite_ = true;
     VkSampleCountFlagBits samples_ = VK_SAMPLE_COUNT_1_BIT;
     std::vector<seaglass::Body*> bodies_;
 };

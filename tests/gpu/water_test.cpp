@@ -212,7 +212,7 @@ SceneBehind evenWorld(const Camera& camera, double bed, float radiance) {
 // Water that absorbs nothing, over a bed as bright as the sky, cannot be told from the sky: what is not
 // mirrored shines through, at any angle, smooth or rough. Over a black bed it is darker, never brighter.
 TEST_F(Water, IsUnseenInAWhiteFurnace) {
-    const RefractionDesc clear = {{0, 0, 0}, {0, 0, 0}, 1};
+    RefractionDesc clear = {{0, 0, 0}, {0, 0, 0}, 1};
     const ReflectionDesc reflection;
     lighting.skyIrradiance[0] = static_cast<float>(std::numbers::pi);
     lighting.skyIrradiance[1] = 2 * lighting.skyIrradiance[0];
@@ -226,6 +226,7 @@ TEST_F(Water, IsUnseenInAWhiteFurnace) {
             BodyDesc desc;
             desc.waves = sea;
             desc.wavesBackend = fftwWaves();
+            clear.scattering = mirror ? 0.0f : 0.5f;
             desc.refraction = &clear;
             desc.reflection = mirror;
             Body* body = makeBody(desc);

@@ -138,10 +138,10 @@ struct ViewDesc {
     /// shades.
     const Image* surfaceNormals = nullptr;
     /// By how much `projection` moves the picture in this frame, right and down [pixel], -16..16. Read by
-    /// ReflectionDesc::temporal alone, which averages over it.
+    /// ReflectionDesc::temporal, which averages over it, and SurfaceOutput::motion, which leaves it out.
     double jitter[2] = {0, 0};
     /// The view's last frame tells nothing of this one: the camera jumped, or the scene did. Read by
-    /// ReflectionDesc::temporal alone, which then begins anew.
+    /// ReflectionDesc::temporal and SurfaceOutput::motion, which then begin anew.
     bool cut = false;
 };
 

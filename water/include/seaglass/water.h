@@ -16,9 +16,9 @@ namespace seaglass {
 struct RefractionDesc {
     /// Clear ocean water (Pope and Fry 1997 at 650, 550, 450 nm). 0..100.
     float absorption[3] = {0.340f, 0.0565f, 0.0092f};
-    /// Backscattering of clear sea water. 0..100.
-    float backscatter[3] = {0.0011f, 0.0016f, 0.0028f};
-    float distortion = 1.0f; ///< 0 looks straight through; 1 bends as Snell says
+    float backscatter[3] = {0.0011f, 0.0016f, 0.0028f}; ///< of clear sea water, 0..100
+    float distortion = 1.0f;                            ///< 0 looks straight through; 1 bends as Snell says
+    float scattering = 0; ///< by particles [1/m], 0..100: light through crests. Ocean 0.035, coast 0.25
 };
 
 /// The body seen from within. Where the near plane of a view lies under the surface, wholly or partly, draw()
@@ -94,7 +94,8 @@ struct BodyDesc {
     const ReflectionDesc* reflection = nullptr; ///< null: the sky cube alone
     const UnderwaterDesc* underwater = nullptr; ///< needs `refraction`; null: seen from above alone
     const CausticsDesc* caustics = nullptr;     ///< needs `waves` and `refraction`; null: even light
-    MeshDesc mesh;                              ///< how finely it is drawn
+    bool motion = false; ///< with `waves`, keeps those of the last simulate() for SurfaceOutput::motion
+    MeshDesc mesh;       ///< how finely it is drawn
 };
 
 /// What a body of this description costs, for views of `extent` pixels and images of that size; what all
@@ -105,16 +106,24 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
 
 struct Body;
 
+/// A convex hollow that water stays out of, such as a boat's inside: n.p + d <= 0 for all planes but zeros.
+struct DryRoom {
+    double planes[8][4] = {}; ///< in the world, of any scale
+};
+
 Status createBody(Context* context, const BodyDesc* desc, Body** out); ///< on failure `*out` is null
 /// May be called while the GPU still uses it. Null is ignored.
 void destroyBody(Body* body);
+/// From here on, 8 at most: no surface in them, no caustics and, for an eye in one, no fog.
+Status setDryRooms(Body* body, const DryRoom* rooms, uint32_t count);
 
 /// The attachments that water is drawn into. Pipelines are made for one of these.
 struct TargetDesc {
     VkFormat colorFormat = VK_FORMAT_UNDEFINED;            ///< any that can be drawn to
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;            ///< with stencil or without
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT; ///< of both
-    bool reversedDepth = true;                    ///< nearer is greater: how the host's depth test runs
+    bool reversedDepth = true; ///< nearer is greater: how the host's depth test runs
+    bool depthWrite = true;    ///< false leaves depth alone: water goes far to near, by patches of its mesh
     VkRenderPass renderPass = VK_NULL_HANDLE;     ///< null: dynamic rendering
     uint32_t subpass = 0;                         ///< of renderPass
     VkFormat stencilFormat = VK_FORMAT_UNDEFINED; ///< of dynamic rendering with a stencil attachment: its own
@@ -158,6 +167,9 @@ enum class SurfaceOutput : uint32_t {
     /// Mean slope of the surface over the pixel along +u and +v, then the variance of slope about it,
     /// likewise: what the waves' maps no longer show there, and roughness.
     slopes,
+    /// Pixels right and down from where the last such draw of this view index, and simulate(), had the same
+    /// water; 0 at first and after ViewDesc::cut. Once a frame; wants BodyDesc::motion where there are waves.
+    motion,
 };
 
 /// Draws the bodies into the pass that the host has begun: a colour attachment and a depth attachment with
@@ -177,12 +189,10 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
 /// Multiplies the colour of what lies below the bodies with `caustics` by the sunlight that the waves gather
-/// there, 1 in the mean: in a pass of its own, or at the end of the host's, over its opaque scene, with a
-/// floating-point colour attachment and a depth attachment of the target's formats (depth is neither tested
-/// nor written). Before the colour is copied for reflect() and draw(), so that they show it too. Reads
-/// view.sceneDepth, which must not be the attachment written; view.sceneColor is not read. A multisampled
-/// depth is `unsupported`. Leaves bound what draw() does. Of bodies without, or flat, or under a sun that is
-/// down, nothing is recorded.
+/// there, 1 in the mean: in a pass over the opaque scene, with a floating-point colour attachment and a depth
+/// attachment of the target's formats (neither tested nor written), before the colour is copied for reflect()
+/// and draw(). Reads view.sceneDepth, which must not be the attachment written; of many samples it is
+/// `unsupported`. Leaves bound what draw() does. Records nothing of other bodies or without a sun.
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
                     const ViewDesc* view, const LightingDesc* lighting);
 

@@ -1,0 +1,14 @@
+// The dry rooms of a scene as Seaglass is told of them.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+#include "seaglass/water.h"
+
+namespace demos {
+
+/// False with `error` set where an outline is not convex, or has too many corners for a room.
+bool dryRoomsOf(const std::vector<DryRoomDesc>& rooms, std::vector<seaglass::DryRoom>& out, Error& error);
+
+} // namespace demos

@@ -1,0 +1,109 @@
+// Light that enters a wave's back, is scattered forwards in it and leaves by its front: quasi-single scattering (Gordon
+// 1973: what goes straight on is not lost) along the line of sight as far as the wave stands above the sea's mean level. Below a level surface light comes down steeper than 41
+// degrees and is seen from as steep, so that it turns by 83 at least: what turns by less is of crests alone, and what turns
+// by more is waterGlow()'s. Needs SurfacePoint's inputs, wave_displacement.glsl and water_light.glsl.
+
+// Henyey and Greenstein's, whose backward share is Petzold's 0.0183 with this g (Mobley 1994, 3.8), above its value where
+// light turns by more than a level sea can hide.
+float scattersForwards(float cosine) {
+    const float g = 0.9185;
+    const float levelSeas = 0.00607;
+    float d = 1.0 + g * g - 2.0 * g * cosine;
+    return max((1.0 - g * g) / (4.0 * pi) / (d * sqrt(d)) - levelSeas, 0.0);
+}
+
+// The same over the 49 degrees around a facet's inward normal that light fills behind it, less what Fresnel turns back; the
+// line of sight has the cosine `c` to that normal. A fit, within a fifth from 55 to 115 degrees.
+float scattersFromFacet(float c) {
+    return min(0.0049 * exp(5.0 * c) * clamp(2.5 * (c + 0.66), 0.0, 1.0), 0.9);
+}
+
+// Facets that a ray of this steepness (rise over run, from their mean plane) meets lean towards it, of slopes with this
+// deviation (Gaussian, within 3 %): mean slope towards it, and what a level square metre of them catches.
+float leansTo(float steepness, float deviation) {
+    return deviation * deviation / sqrt(steepness * steepness + 0.64 * deviation * deviation);
+}
+float catches(float steepness, float deviation) {
+    return 0.5 * (steepness + sqrt(steepness * steepness + 0.64 * deviation * deviation));
+}
+
+// The wave's far side towards a horizontal direction, as a plane `above` a point.
+struct CrestSide {
+    vec2 towards;
+    float rises;   // a metre
+    float above;   // [m]
+};
+
+CrestSide crestSide(vec2 calm, vec2 towards, float height, float above, float width) {
+    float apart = max(above, width);
+    float there = waveDisplacementAt(waveDisplacement, calm + towards * apart, width, keptHere()).y;
+    return CrestSide(towards, clamp((there - height) / apart, -1.0, 1.0), above);
+}
+
+vec3 normalOf(CrestSide side, float lean) {
+    return normalOf((side.rises - lean) * side.towards);
+}
+
+// How much faster a ray rises than that side: metres of height a metre.
+float risesFaster(CrestSide side, vec3 from) {
+    return max(from.y - side.rises * length(from.xz), 0.1);
+}
+
+vec2 horizontal(vec3 direction) {
+    return direction.xz / max(length(direction.xz), 1e-6);
+}
+
+// The sun's beam through that side: irradiance of what faces it, times the share that turns to the eye.
+vec3 sunScattered(CrestSide side, vec3 along) {
+    float level = length(toSun.xz);
+    float steepness = toSun.y / max(level, 1e-3) - side.rises;
+    vec3 facet = normalOf(side, leansTo(steepness, roughness.w));
+    float cosSun = dot(facet, toSun.xyz);
+    if (toSun.y <= 0.0 || cosSun <= 0.0) return vec3(0.0);
+    vec3 from = -refract(-toSun.xyz, facet, 1.0 / waterIndex);
+    float beam = max(level, 1e-3) * catches(steepness, roughness.w) * (1.0 - fresnelWater(cosSun)) / risesFaster(side, from);
+    vec3 left = exp(-extinction() * (side.above / risesFaster(side, from)));
+    return sunIrradiance.rgb * (beam * scattersForwards(dot(from, along)) / (waterIndex * waterIndex)) * left;
+}
+
+// Along which the eye looks into the water, through the facets that it sees.
+vec3 intoWater(SurfacePoint s, vec3 toEye) {
+    vec2 towards = horizontal(toEye);
+    float variance = dot(towards * towards, s.covariance.xy) + 2.0 * towards.x * towards.y * s.covariance.z;
+    float steepness = toEye.y / max(length(toEye.xz), 1e-3) - dot(s.slope, towards);
+    return refract(-toEye, normalOf(s.slope - towards * leansTo(steepness, sqrt(variance + 1e-8))), 1.0 / waterIndex);
+}
+
+// `behind` as the water before it leaves it, `path` metres of it. Where all around is of one radiance it stays so.
+vec3 throughCrest(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
+    const int points = 3;
+    float scattering = absorption.w;
+    float bottom = position.y + plane.w + within.z;
+    for (bool crest = lightsCrests && bottom > 0.0; crest; crest = false) {
+        vec3 along = intoWater(s, toEye);
+        vec2 ahead = horizontal(along);
+        vec3 lowSky = normalize(vec3(ahead.x, 0.6, ahead.y));
+        float stretch = min(path, bottom / max(-along.y, 0.3)) / float(points);
+        float width = 0.5 * stretch;
+        float straight = 1.0;   // share that has not turned to the sky
+        vec3 fromSun = vec3(0.0);
+        vec3 skyShare = vec3(0.0);
+        for (int i = 0; i < points; ++i) {
+            float t = (float(i) + 0.5) * stretch;
+            vec2 calm = calmPosition + along.xz * t;
+            float height = waveDisplacementAt(waveDisplacement, calm, width, keptHere()).y;
+            float above = max(height - (position.y + plane.w + along.y * t), 0.0);
+            vec3 reaches = straight * exp(-extinction() * t);
+            CrestSide lit = crestSide(calm, horizontal(toSun.xyz), height, above, width);
+            fromSun += scattering * stretch * reaches * sunScattered(lit, along);
+            CrestSide far = crestSide(calm, ahead, height, above, width);
+            // Facets of a rough side spread its light: e^(5 c) over the deviation of their tilt.
+            float share = scattersFromFacet(dot(normalOf(far, 0.0), along)) * exp(12.5 * roughness.w * roughness.w);
+            float turned = 1.0 - exp(-scattering * stretch * share);
+            skyShare += turned * reaches * exp(-extinction() * (above / risesFaster(far, lowSky)));
+            straight *= 1.0 - turned;
+        }
+        behind += skyShare * (skyAt(lowSky, 0.5) - behind) + fromSun;
+    }
+    return behind;
+}

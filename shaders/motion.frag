@@ -1,0 +1,28 @@
+// How far the water at a pixel has come in the picture since the last frame.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "surface.glsl"
+
+layout(location = 0) in vec2 calmPosition;
+layout(location = 1) in vec3 position;
+#ifdef OUTLINE
+layout(location = 2) flat in uvec2 edgeRange;
+#endif
+layout(location = 3) in vec4 lastPixel;
+layout(location = 0) out vec4 outColor;
+
+layout(constant_id = 5) const bool hasDryRooms = false;
+
+#include "dry_rooms.glsl"
+
+void main() {
+    if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) discard;   // as in surface.frag
+    loadSurface();
+#ifdef OUTLINE
+    if (!isWithin(calmPosition, edgeRange)) discard;
+#endif
+    if (hasDryRooms && isDry(position)) discard;
+    vec2 here = gl_FragCoord.xy - vec2(region.xy);
+    vec2 moved = lastPixel.w > 0.0 ? here - lastPixel.xy / lastPixel.w : vec2(0.0);   // it was behind the eye
+    outColor = vec4(moved, 0.0, 1.0);
+}

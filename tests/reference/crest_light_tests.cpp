@@ -1,0 +1,73 @@
+// Light through crests: the renderer's few looks at the displaced sea gain what rays through it do.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "host/host.h"
+#include "reference/reference.h"
+
+namespace {
+
+using namespace demos;
+
+constexpr uint32_t width = 120, height = 68;
+
+Picture rendered(const Scene& scene, const CameraDesc& camera) {
+    Error error;
+    HostDesc desc;
+    desc.validation = true;
+    const std::unique_ptr<Host> host = Host::create(desc, error);
+    EXPECT_TRUE(host && host->load(scene, error)) << error.text;
+    const std::optional<Picture> picture =
+        host->render({width, height, camera, scene.timeS, Aov::color}, error);
+    EXPECT_TRUE(picture) << error.text;
+    EXPECT_EQ(host->validationMessages(), 0u);
+    return *picture;
+}
+
+Picture traced(const Scene& scene, const CameraDesc& camera) {
+    Error error;
+    reference::World world;
+    reference::Frame frame;
+    reference::FrameDesc desc;
+    desc.width = width;
+    desc.height = height;
+    desc.camera = camera;
+    desc.timeS = scene.timeS;
+    desc.samples = 8;
+    EXPECT_TRUE(reference::loadWorld(scene, world, error)) << error.text;
+    EXPECT_TRUE(reference::prepareFrame(world, desc, frame, error)) << error.text;
+    return reference::renderReference(frame, false).color;
+}
+
+using Draw = Picture (*)(const Scene&, const CameraDesc&);
+
+/// What scattering adds to the picture's lower half, where the water is, in the mean.
+glm::dvec3 gain(Scene scene, const CameraDesc& camera, Draw draw) {
+    scene.water->refraction->scatteringPerM = 20;
+    const Picture with = draw(scene, camera);
+    scene.water->refraction->scatteringPerM = 0;
+    const Picture without = draw(scene, camera);
+    glm::dvec3 sum(0);
+    for (size_t i = with.rgba.size() / 2; i < with.rgba.size(); ++i)
+        if (i % 4 < 3)
+            sum[static_cast<glm::length_t>(i % 4)] += double{with.rgba[i]} - double{without.rgba[i]};
+    return sum / static_cast<double>(with.rgba.size() / 8);
+}
+
+TEST(CrestLightHost, GainsWhatRaysThroughTheSeaDo) {
+    Error error;
+    const auto scene =
+        loadScene(std::string(SEAGLASS_SCENES) + "/ocean.toml", {"water.refraction.type=coastal"}, error);
+    ASSERT_TRUE(scene) << error.text;
+    const CameraDesc camera = *std::ranges::find(scene->cameras, "low", &CameraDesc::name);
+    const glm::dvec3 drawn = gain(*scene, camera, rendered), truth = gain(*scene, camera, traced);
+    std::printf("gain drawn %.4f %.4f %.4f, by rays %.4f %.4f %.4f\n", drawn.r, drawn.g, drawn.b, truth.r,
+                truth.g, truth.b);
+    for (glm::length_t c = 0; c < 3; ++c) {
+        EXPECT_GT(truth[c], 0.001);
+        EXPECT_NEAR(drawn[c] / truth[c], 1, 0.4);
+    }
+}
+
+} // namespace

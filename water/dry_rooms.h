@@ -1,0 +1,25 @@
+// Convex hollows that a body's water stays out of: the insides of boats.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "seaglass/water.h"
+
+namespace seaglass {
+
+constexpr uint32_t maxDryRooms = 8;
+constexpr uint32_t dryRoomPlanes = 8;
+
+/// Unit normals outwards, in the world [m].
+using DryPlanes = std::array<glm::dvec4, dryRoomPlanes>;
+
+/// Null when the rooms are usable, else what is wrong with one. Fills `out`.
+const char* readDryRooms(const DryRoom* rooms, uint32_t count, std::vector<DryPlanes>& out);
+
+bool isDry(const std::vector<DryPlanes>& rooms, const glm::dvec3& position);
+
+} // namespace seaglass
