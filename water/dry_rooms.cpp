@@ -1,6 +1,8 @@
 #include "water/dry_rooms.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 

@@ -40,6 +40,13 @@ glm::vec4 texelAt(const glm::dvec2& place, float texels) {
     return share > 0 ? glm::mix(found, bilinear(mips, finer + 1, place), share) : found;
 }
 
+/// Share of the places where the octaves' sum is below `x` deviations.
+float shareBelow(float x) {
+    const float t = std::max(1 - std::abs(x) / 2.97f, 0.0f);
+    const float tail = t * t * t * (0.577f + t * (0.236f - t * 0.313f));
+    return x < 0 ? tail : 1 - tail;
+}
+
 } // namespace
 
 Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidth) {
@@ -54,7 +61,7 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
         const float texels =
             std::max(pixelWidth * static_cast<float>(seaglass::foamPatternSamples / tiles[i]), 1.0f);
         const glm::vec4 texel = texelAt(place / tiles[i], texels);
-        const float kept = weights[i] / (1 + (texels - 1) / 40);
+        const float kept = weights[i] / (1 + (texels - 1) / 30);
         pattern += weights[i] * texel.x;
         variance += kept * kept / 12;
         foam.slope += glm::vec2(texel.z, texel.w);
@@ -62,10 +69,12 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
     }
     const glm::dvec2 bent(bend[0] + 0.4f * bend[2], bend[1] - 0.4f * bend[2]);
     const float cover = surface.foamCover(calm, bent, static_cast<double>(pixelWidth));
-    const float even = 1 / (1 + std::exp(-1.702f * pattern / std::sqrt(variance)));
-    const float edge = std::min(0.08f, 0.5f * std::min(cover, 1 - cover)) + 1e-4f;
+    const float even = std::clamp(shareBelow(pattern / std::sqrt(variance)), 2e-4f, 1 - 2e-4f);
+    const float edge = std::min(0.2f, 0.8f * std::min(cover, 1 - cover)) + 1e-4f;
     const float rafts = glm::smoothstep(-edge, edge, cover - even);
-    foam.mask = glm::mix(cover, rafts, std::clamp(variance / 0.003f, 0.0f, 1.0f));
+    const float seen = std::clamp(variance / 0.003f, 0.0f, 1.0f);
+    foam.mask = glm::mix(cover, rafts, seen);
+    foam.height = seen * std::clamp(1 - 2 * even / std::max(cover, 1e-3f), -1.0f, 1.0f);
     return foam;
 }
 

@@ -11,6 +11,7 @@ namespace demos::reference {
 struct Foam {
     float mask = 0;     ///< share of the surface that is white
     glm::vec2 slope{0}; ///< of its own relief
+    float height = 0;   ///< of the white's own, -1..1
 };
 
 /// `pixelWidth` is in metres of calm water.

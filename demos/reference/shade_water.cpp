@@ -97,8 +97,10 @@ glm::vec3 foamRadiance(const Frame& frame, const Facet& facet, const Foam& white
     film.slopes.mean += relief * white.slope;
     film.slopes.covariance += glm::vec3(filmVariance, filmVariance, 0);
     const Light& light = frame.world->light;
-    const float sun = lit ? std::max(glm::dot(normalOf(film.slopes.mean), light.toSun()), 0.0f) : 0.0f;
-    const glm::vec3 falls = light.sunIrradiance() * sun + light.filtered.irradianceUp;
+    const glm::vec3 facing = normalOf(film.slopes.mean);
+    const float sun = lit ? std::max(glm::dot(facing, light.toSun()), 0.0f) : 0.0f;
+    const float open = (0.5f + 0.5f * facing.y) * (1 + 0.4f * white.height);
+    const glm::vec3 falls = light.sunIrradiance() * sun + light.filtered.irradianceUp * open;
     const glm::vec3 glint = lit ? meanGlint(frame, film, toEye) : glm::vec3(0);
     return falls * (static_cast<float>(frame.world->water->foam->albedo) / pi) + filmShare * (mirror + glint);
 }

@@ -3,8 +3,9 @@
 const float foamTile = 24.0;   // [m], as in water/surface.h
 
 struct Foam {
-    float mask;   // share that is white
-    vec2 slope;   // of its own relief
+    float mask;    // share that is white
+    vec2 slope;    // of its own relief
+    float height;  // of the white's own, -1..1 and 0 in the mean: more light reaches what stands out
 };
 
 #ifdef SHORE
@@ -19,6 +20,14 @@ float shoreFoam() {
     return 1.0 - (1.0 - 0.9 * shoreHere.foam) * (1.0 - min(left, 0.9));
 }
 #endif
+
+// Share of the places where the octaves' sum is below `x` deviations. Evenly distributed octaves with these weights reach
+// no farther than 2.97, which decides how much of a thin cover is drawn; within 3 % of what folding them gives.
+float shareBelow(float x) {
+    float t = max(1.0 - abs(x) / 2.97, 0.0);
+    float tail = t * t * t * (0.577 + t * (0.236 - t * 0.313));
+    return x < 0.0 ? tail : 1.0 - tail;
+}
 
 // Share of the surface that is white: what each cascade's breakers left (water/foam_history.h). `bend`, -1..1, moves
 // the place looked up by as much as hides that the history has samples.
@@ -61,20 +70,21 @@ Foam foamHere() {
     for (int i = 0; i < 3; ++i) {
         float texels = max(pixelWidth * patternSamples / tiles[i], 1.0);
         vec4 texel = textureLod(foamPattern, place / tiles[i], log2(texels)) - 0.5;
-        // What the pattern's mips keep of its contrast.
-        float kept = weights[i] / (1.0 + (texels - 1.0) / 40.0);
+        // What the pattern's mips, and looks between their texels, keep of its contrast.
+        float kept = weights[i] / (1.0 + (texels - 1.0) / 30.0);
         pattern += weights[i] * texel.x;
         variance += kept * kept / 12.0;   // of an even distribution
         slope += texel.zw;
         bend[i] = 2.0 * texel.y;
     }
     float cover = foamCover(vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth);
-    // The octaves' sum is nearly normal; as its own distribution function it is even again, so that a share `cover` of
-    // it lies below `cover`.
-    float even = 1.0 / (1.0 + exp(-1.702 * pattern * inversesqrt(variance)));
-    float edge = min(0.08, 0.5 * min(cover, 1.0 - cover)) + 1e-4;
+    // As its own distribution function the octaves' sum is even again, so that a share `cover` of it lies below `cover`.
+    // Its ends are kept off 0 and 1, where even no foam at all would show.
+    float even = clamp(shareBelow(pattern * inversesqrt(variance)), 2e-4, 1.0 - 2e-4);
+    float edge = min(0.2, 0.8 * min(cover, 1.0 - cover)) + 1e-4;
     float rafts = smoothstep(-edge, edge, cover - even);
-    return Foam(mix(cover, rafts, clamp(variance / 0.003, 0.0, 1.0)), slope);
+    float seen = clamp(variance / 0.003, 0.0, 1.0);
+    return Foam(mix(cover, rafts, seen), slope, seen * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0));
 }
 
 // Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
@@ -84,7 +94,10 @@ vec3 withFoam(vec3 water, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored)
     const float filmVariance = 0.12;   // of the film's slopes
     const float filmShare = 0.4;
     SurfacePoint film = SurfacePoint(s.slope + relief * white.slope, s.covariance + vec3(filmVariance, filmVariance, 0.0), 0.0);
-    vec3 light = sunIrradiance.rgb * max(dot(normalOf(film.slope), toSun.xyz), 0.0) + skyIrradiance.rgb;
+    vec3 facing = normalOf(film.slope);
+    // What leans sees less of the sky, and what lies low less than what stands out.
+    float open = (0.5 + 0.5 * facing.y) * (1.0 + 0.4 * white.height);
+    vec3 light = sunIrradiance.rgb * max(dot(facing, toSun.xyz), 0.0) + skyIrradiance.rgb * open;
     vec3 foamy = light * foam.y / pi + filmShare * (mirrored + sunGlint(film, toEye));
     return mix(water, foamy, white.mask);
 }
