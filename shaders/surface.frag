@@ -37,11 +37,14 @@ layout(constant_id = 5) const bool hasDryRooms = false;
 #include "surface_point.glsl"
 #include "visible_slopes.glsl"
 #include "dry_rooms.glsl"
+#ifdef WAVES
+#include "wave_displacement.glsl"
+#endif
+#include "waves_ahead.glsl"
 #include "surface_mirror.glsl"
 #include "sun_glint.glsl"
 #include "water_light.glsl"
 #if defined(REFRACTION) && defined(WAVES)
-#include "wave_displacement.glsl"
 #include "crest_light.glsl"
 #endif
 #include "refraction.glsl"

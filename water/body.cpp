@@ -79,6 +79,8 @@ const char* badField(const BodyDesc& desc) {
         return "BodyDesc.caustics needs BodyDesc.waves and BodyDesc.refraction";
     if (desc.caustics)
         if (const char* bad = badField(*desc.caustics)) return bad;
+    if (desc.waveShadowSteps == 1 || desc.waveShadowSteps > 32)
+        return "BodyDesc.waveShadowSteps is out of range, expected 0 or 2 to 32";
     return badField(desc.mesh);
 }
 
@@ -266,6 +268,7 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
     if (const char* bad = readPlane(desc.plane, plane))
         return owner.device.fail(Status::invalidArgument, "%s", bad);
     mesh = desc.mesh;
+    waveShadowSteps = desc.waveShadowSteps;
     if (desc.waves)
         if (const Status s = createWaves(desc); s != Status::ok) return s;
     if (desc.foam && waves)
@@ -382,7 +385,8 @@ SurfaceFeatures Body::features(const ReflectionImages& images) const {
             waves ? waves->maps().cascades : 0,
             foam ? foam->cascades() : 0,
             waves && refraction && refraction->scattering > 0,
-            !dryRooms.empty()};
+            !dryRooms.empty(),
+            waves ? waveShadowSteps : 0};
 }
 
 SurfaceFeatures Body::motionFeatures() const {

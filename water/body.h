@@ -50,6 +50,7 @@ struct Body {
     Context* context = nullptr;
     glm::dvec4 plane{0};
     MeshDesc mesh;
+    uint32_t waveShadowSteps = 0;
     std::optional<Outline> outline;       ///< none where the body is unbounded
     std::optional<HostMesh> hostMesh;     ///< the extent is a mesh
     std::unique_ptr<Sea, SeaDeleter> sea; ///< null when flat

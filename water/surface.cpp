@@ -237,7 +237,8 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.cascades,
                                   variant.features.foamCascades,
                                   variant.features.crestLight,
-                                  variant.features.dryRooms};
+                                  variant.features.dryRooms,
+                                  variant.features.waveShadowSteps};
     return createDrawPipeline(
         device, target,
         {vertexShader(variant.features, target.viewMask != 0), fragmentShader(variant.features), constants},

@@ -34,7 +34,8 @@ struct SurfaceFeatures {
     uint32_t foamCascades = 0; ///< that break: the first so many
     bool crestLight = false;   ///< only with waves and refraction
     bool dryRooms = false;
-    bool motion = false; ///< beside it waves, shape and dryRooms alone
+    uint32_t waveShadowSteps = 0; ///< only with waves
+    bool motion = false;          ///< beside it waves, shape and dryRooms alone
     auto operator<=>(const SurfaceFeatures&) const = default;
 };
 

@@ -206,6 +206,8 @@ constexpr std::array waterFields = {
     Field{"cell_m", at<&WaterDesc::cellM>, 0.01, 100, "m", "edge of the finest cells"},
     Field{"cells_per_level", at<&WaterDesc::cellsPerLevel>, 128, 1024, "",
           "until twice coarser ones take over"},
+    Field{"wave_shadow_steps", at<&WaterDesc::waveShadowSteps>, 0, 32, "",
+          "looks for the waves that hide low sky and sun, not 1; 0: a mean"},
 };
 
 constexpr std::array floorFields = {

@@ -152,6 +152,7 @@ struct WaterDesc {
     double levelM = 0;
     double cellM = 0.25;
     uint32_t cellsPerLevel = 128;
+    uint32_t waveShadowSteps = 0;
     std::optional<ExtentDesc> extent; ///< none: to the horizon
     std::optional<WavesDesc> waves;
     std::optional<ShoreDesc> shore; ///< none: no bed is felt

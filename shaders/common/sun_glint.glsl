@@ -10,7 +10,14 @@ vec3 sunGlint(SurfacePoint s, vec3 toEye) {
     vec3 normal = normalOf(s.slope);
     float cosEye = max(dot(toEye, normal), 1e-3);
     float deviation = sqrt(0.5 * (s.covariance.x + s.covariance.y));
-    float masking = 1.0 + smithLambda(cosEye, deviation) + smithLambda(max(toSun.y, 1e-3), roughness.w);
     float up2 = halfway.y * halfway.y;
-    return sunIrradiance.rgb * (fresnel * density / (4.0 * up2 * up2 * cosEye * masking));
+    float masking = 1.0 + smithLambda(cosEye, deviation);
+    float glint = fresnel * density / (4.0 * up2 * up2 * cosEye * masking);
+#ifdef WAVES
+    for (bool shines = glint > 1e-5; shines; shines = false) {
+        vec2 along = toSun.xz / max(length(toSun.xz), 1e-6);
+        return sunIrradiance.rgb * (glint * clearShare(max(toSun.y, 1e-3), wavesAhead(s, along)));
+    }
+#endif
+    return sunIrradiance.rgb * glint;
 }

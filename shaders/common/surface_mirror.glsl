@@ -7,11 +7,13 @@
 #include "reflection_lookup.glsl"
 #endif
 
+// `spread` is the standard deviation of the mirrored direction [rad]. A texel of a cube's mip, read linearly, spreads by
+// 0.65 of its width where each mip is a smooth half of the last (by 0.5 after a box), and is 2 / edge wide amid a face.
 vec3 skyAt(vec3 direction, float spread) {
-    // A cube texel spans about pi/2 / edge; `spread` is the standard deviation of the mirrored direction, two of which
-    // a texel of the mip should span. No mirrored ray comes from below the horizon, so neither may the blur.
-    float texel = 0.5 * pi / exp2(skyMips - 1.0);
-    float mip = clamp(log2(max(2.0 * spread / texel, 1.0)), 0.0, max(skyMips - 2.0, 0.0));
+    vec3 size = abs(direction);
+    float texel = 2.0 * max(max(size.x, size.y), size.z) / exp2(skyMips - 1.0);
+    float mip = clamp(log2(max(spread / (0.65 * texel), 1.0)), 0.0, max(skyMips - 2.0, 0.0));
+    // No mirrored ray comes from below the horizon, so neither may the blur.
     return textureLod(skyCube, vec3(direction.x, max(direction.y, spread), direction.z), mip).rgb;
 }
 
@@ -19,22 +21,20 @@ vec3 keptAbove(vec3 direction) {
     return normalize(vec3(direction.x, max(abs(direction.y), 1e-3), direction.z));
 }
 
-// `hit` is how far away the last ray beside this one met something [m].
-vec3 mirroredRadiance(vec3 direction, float spread, inout float hit) {
-    vec4 found = vec4(0.0);
-#ifdef REFLECTION
-    found = reflectionAlong(position, direction, spread, hit);
-#endif
-    vec3 radiance = found.rgb;
-    for (bool open = found.a < 0.999; open; open = false) radiance += (1.0 - found.a) * skyAt(direction, spread);
-    return radiance;
-}
-
 struct Reflection {
     vec3 radiance;    // times Fresnel
     float fresnel;
     float swallowed;  // of that, what another wave lets in
 };
+
+// Of the scene, times confidence, and confidence. `hit` is how far away the last ray beside this one met something [m].
+vec4 mirroredScene(vec3 direction, float spread, inout float hit) {
+#ifdef REFLECTION
+    return reflectionAlong(position, direction, spread, hit);
+#else
+    return vec4(0.0);
+#endif
+}
 
 float firstHit() {
 #ifdef REFLECTION
@@ -45,9 +45,28 @@ float firstHit() {
 }
 
 #ifdef WAVES
-// Share of the rays of this rise that meet no other wave.
-float clearShare(float rise) {
-    return rise > 0.0 ? 1.0 / (1.0 + smithLambda(rise, roughness.w)) : 0.0;
+// Mirrored rays about a direction, as two of half the spread: a cube's mips are as wide across as along, and low rays meet
+// another wave where higher ones pass.
+struct RayFan {
+    vec3 low, high;
+    vec2 clear;     // share of each that meets no other wave
+    float spread;   // of each [rad, standard deviation]
+};
+
+// `axis` is the unit vector along which rays spread most.
+RayFan rayFan(vec3 direction, vec3 axis, float along, float across, WavesAhead ahead) {
+    RayFan fan;
+    fan.spread = max(across, 0.5 * along);
+    vec3 aside = sqrt(max(along * along - fan.spread * fan.spread, 0.0)) * axis;
+    fan.low = direction - aside;
+    fan.high = direction + aside;
+    fan.clear = vec2(clearShare(fan.low.y, ahead), clearShare(fan.high.y, ahead));
+    return fan;
+}
+
+vec3 clearSky(RayFan fan) {
+    vec3 low = fan.clear.x * skyAt(fan.low, fan.spread);
+    return 0.5 * (low + fan.clear.y * skyAt(fan.high, fan.spread));
 }
 
 // Low rays meet another wave before they reach the sky (Smith's masking by all the sea's slopes); that wave's facets
@@ -56,19 +75,27 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     VisibleSlopes v = visibleSlopes(s, toEye, 3);
     // From this pixel to the next too; mirroring doubles angles.
     float spread = 2.0 * (v.spread + 0.5 * s.slopeStep);
+    float spreadAcross = 2.0 * (deviationAcross(s, v.towards) + 0.5 * s.slopeStep);
+    vec3 side = vec3(-v.towards.y, 0.0, v.towards.x);
     Reflection sum = Reflection(vec3(0.0), 0.0, 0.0);
     vec4 again = vec4(0.0);   // mean direction after the second wave, times weight
     float weights = 0.0;
     float hit = firstHit();
+    WavesAhead ahead = wavesAhead(s, -v.towards);
     for (int i = 0; i < v.points; ++i) {
         float offset = offsetOf(v, i);
         float weight = weightOf(v, offset);
         vec3 normal = normalOf(s.slope + v.towards * offset);
         vec3 direction = reflect(-toEye, normal);
-        float mirrored = weight * fresnelWater(dot(toEye, normal));
-        // It bends where few points of the slopes lie: two of their spread's ends are within 3 % of its mean.
-        float clear = 0.5 * (clearShare(direction.y - 1.2 * spread) + clearShare(direction.y + 1.2 * spread));
-        sum.radiance += mirrored * clear * mirroredRadiance(keptAbove(direction), spread, hit);
+        float cosine = dot(toEye, normal);
+        float mirrored = weight * fresnelWater(cosine);
+        // A facet tilted aside turns a ray that grazes it by far less than one tilted to the eye: by cosine.
+        RayFan fan = rayFan(direction, cross(side, direction), spread, spreadAcross * cosine, ahead);
+        float clear = 0.5 * (fan.clear.x + fan.clear.y);
+        vec4 found = mirroredScene(keptAbove(direction), spread, hit);
+        sum.radiance += mirrored * clear * found.rgb;
+        for (bool open = found.a < 0.999; open; open = false)
+            sum.radiance += mirrored * (1.0 - found.a) * clearSky(fan);
         sum.fresnel += mirrored;
         weights += weight;
 
@@ -90,7 +117,10 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
 Reflection reflected(SurfacePoint s, vec3 toEye) {
     float hit = firstHit();
     float fresnel = fresnelWater(toEye.y);
-    vec3 mirrored = mirroredRadiance(keptAbove(vec3(-toEye.x, toEye.y, -toEye.z)), 0.0, hit);
+    vec3 direction = keptAbove(vec3(-toEye.x, toEye.y, -toEye.z));
+    vec4 found = mirroredScene(direction, 0.0, hit);
+    vec3 mirrored = found.rgb;
+    for (bool open = found.a < 0.999; open; open = false) mirrored += (1.0 - found.a) * skyAt(direction, 0.0);
     return Reflection(fresnel * mirrored, fresnel, 0.0);
 }
 #endif

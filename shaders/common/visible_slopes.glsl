@@ -37,3 +37,9 @@ float weightOf(VisibleSlopes v, float offset) {
     // A trace is kept of facets seen from behind, so that the sum is never empty.
     return exp(-0.5 * relative * relative) * max(v.edgeOn - offset, 1e-4);
 }
+
+float deviationAcross(SurfacePoint s, vec2 towards) {
+    float variance =
+        dot(towards.yx * towards.yx, s.covariance.xy) - 2.0 * towards.x * towards.y * s.covariance.z;
+    return sqrt(max(variance, 1e-10));
+}

@@ -905,6 +905,8 @@ TEST_F(Water, BadDescriptionsAreNamedAndLeaveNothing) {
     EXPECT_TRUE(names(refused([](BodyDesc& d) { d.wavesOn = static_cast<WavesOn>(7); }), "wavesOn"));
     EXPECT_TRUE(names(refused([](BodyDesc& d) { d.mesh.cellSize = NAN; }), "cellSize"));
     EXPECT_TRUE(names(refused([](BodyDesc& d) { d.mesh.cellsPerLevel = 3; }), "cellsPerLevel"));
+    EXPECT_TRUE(names(refused([](BodyDesc& d) { d.waveShadowSteps = 1; }), "waveShadowSteps"));
+    EXPECT_TRUE(names(refused([](BodyDesc& d) { d.waveShadowSteps = 33; }), "waveShadowSteps"));
     EXPECT_TRUE(names(refused([&](BodyDesc& d) {
                           waves.samples = 100;
                           d.waves = &waves;

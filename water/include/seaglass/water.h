@@ -96,6 +96,7 @@ struct BodyDesc {
     const CausticsDesc* caustics = nullptr;     ///< needs `waves` and `refraction`; null: even light
     bool motion = false; ///< with `waves`, keeps those of the last simulate() for SurfaceOutput::motion
     MeshDesc mesh;       ///< how finely it is drawn
+    uint32_t waveShadowSteps = 0; ///< looks for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
 };
 
 /// What a body of this description costs, for views of `extent` pixels and images of that size; what all

@@ -1,0 +1,132 @@
+// The open sea, drawn by the host, mirrors sky and sun where traced waves do.
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "host/host.h"
+#include "host/image_file.h"
+#include "reference/reference.h"
+
+namespace {
+
+using namespace demos;
+
+constexpr uint32_t width = 160, height = 90;
+
+Scene sea() {
+    Error error;
+    const auto scene = loadScene(std::string(SEAGLASS_SCENES) + "/ocean.toml", {}, error);
+    EXPECT_TRUE(scene) << error.text;
+    return *scene;
+}
+
+/// 3 x 3 samples a pixel, as the reference averages what a pixel sees.
+Picture render(Host& host, const Scene& scene) {
+    Error error;
+    constexpr uint32_t factor = 3;
+    EXPECT_TRUE(host.load(scene, error)) << error.text;
+    const std::optional<Picture> large =
+        host.render({width * factor, height * factor, scene.cameras.front(), scene.timeS, Aov::color}, error);
+    EXPECT_TRUE(large) << error.text;
+    Picture mean = {width, height, std::vector<float>(size_t(width) * height * 4)};
+    for (size_t y = 0; y < height * factor; ++y)
+        for (size_t x = 0; x < width * factor; ++x)
+            for (size_t c = 0; c < 4; ++c)
+                mean.rgba[((y / factor) * width + x / factor) * 4 + c] +=
+                    large->rgba[(y * width * factor + x) * 4 + c] / (factor * factor);
+    return mean;
+}
+
+Picture trace(const Scene& scene) {
+    Error error;
+    reference::World world;
+    reference::Frame frame;
+    reference::FrameDesc desc;
+    desc.width = width;
+    desc.height = height;
+    desc.camera = scene.cameras.front();
+    desc.timeS = scene.timeS;
+    desc.samples = 32;
+    EXPECT_TRUE(reference::loadWorld(scene, world, error)) << error.text;
+    EXPECT_TRUE(reference::prepareFrame(world, desc, frame, error)) << error.text;
+    return reference::renderReference(frame, false).color;
+}
+
+/// White from 5 degrees left of the sun's azimuth to 5 right, black elsewhere, as lat-long.
+std::filesystem::path stripOfSky(double azimuthDeg) {
+    Picture sky = {1024, 512, std::vector<float>(size_t(1024) * 512 * 4, 0)};
+    for (uint32_t y = 0; y < sky.height / 2; ++y)
+        for (uint32_t x = 0; x < sky.width; ++x) {
+            const double away = std::remainder(360 * (x + 0.5) / sky.width - azimuthDeg, 360);
+            for (size_t c = 0; c < 3; ++c)
+                sky.rgba[(size_t(y) * sky.width + x) * 4 + c] = std::abs(away) < 5 ? 1.0f : 0.0f;
+        }
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "strip_of_sky.exr";
+    Error error;
+    EXPECT_TRUE(writeExr(file, sky, error)) << error.text;
+    return file;
+}
+
+/// Light below the horizon in columns from one share of the width to another.
+double lightIn(const Picture& picture, double from, double to) {
+    double sum = 0;
+    for (uint32_t y = height / 2; y < height; ++y)
+        for (auto x = static_cast<uint32_t>(from * width); x < to * width; ++x)
+            sum += static_cast<double>(picture.rgba[(size_t(y) * width + x) * 4]);
+    return sum;
+}
+
+/// Facets that lean aside turn a grazing ray little: a strip of sky is mirrored as a path below it, not as a
+/// glow all over the sea.
+TEST(SeaOfTheHost, MirrorsAStripOfSkyAsAPath) {
+    Scene scene = sea();
+    scene.sky.file = stripOfSky(scene.sun.azimuthDeg);
+    scene.sun.irradiance = {0, 0, 0};
+    scene.water->foam.reset();
+    Error error;
+    HostDesc desc;
+    desc.validation = true;
+    const std::unique_ptr<Host> host = Host::create(desc, error);
+    ASSERT_TRUE(host) << error.text;
+    const Picture traced = trace(scene), rendered = render(*host, scene);
+    std::filesystem::remove(scene.sky.file);
+    const double tracedPath = lightIn(traced, 0.65, 1), renderedPath = lightIn(rendered, 0.65, 1);
+    const double tracedAside = lightIn(traced, 0, 0.5), renderedAside = lightIn(rendered, 0, 0.5);
+    std::printf("path: %.2f traced, %.2f drawn; aside: %.3f traced, %.3f drawn\n", tracedPath, renderedPath,
+                tracedAside, renderedAside);
+    EXPECT_GT(tracedPath, 1);
+    EXPECT_NEAR(renderedPath / tracedPath, 1, 0.15);
+    EXPECT_LT(renderedAside / renderedPath, 2 * tracedAside / tracedPath + 0.005);
+    EXPECT_EQ(host->validationMessages(), 0u);
+}
+
+/// Mean difference of what a screen shows, below the horizon: 0..255.
+double difference(const Picture& a, const Picture& b, double exposureEv) {
+    const std::vector<uint8_t> first = toneMap(a, exposureEv), second = toneMap(b, exposureEv);
+    const size_t begin = first.size() / 2;
+    double sum = 0;
+    for (size_t i = begin; i < first.size(); ++i) sum += std::abs(double(first[i]) - double(second[i]));
+    return sum / static_cast<double>(first.size() - begin);
+}
+
+/// A low sun leaves the lee of its waves dark.
+TEST(SeaOfTheHost, SeesWhichWavesHideTheSun) {
+    Scene scene = sea();
+    Error error;
+    HostDesc desc;
+    desc.validation = true;
+    const std::unique_ptr<Host> host = Host::create(desc, error);
+    ASSERT_TRUE(host) << error.text;
+    const Picture traced = trace(scene), mean = render(*host, scene);
+    scene.water->waveShadowSteps = 8;
+    const Picture looked = render(*host, scene);
+    const double without = difference(mean, traced, scene.exposureEv);
+    const double with = difference(looked, traced, scene.exposureEv);
+    std::printf("off by %.2f of 255 without looking, %.2f with\n", without, with);
+    EXPECT_LT(with, 0.9 * without);
+    EXPECT_EQ(host->validationMessages(), 0u);
+}
+
+} // namespace
