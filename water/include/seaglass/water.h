@@ -21,18 +21,16 @@ struct RefractionDesc {
     float scattering = 0; ///< by particles [1/m], 0..100: light through crests. Ocean 0.035, coast 0.25
 };
 
-/// The body seen from within. Where the near plane of a view lies under the surface, wholly or partly, draw()
-/// also draws the surface from below and the water before the opaque scene: what it absorbs and scatters of
-/// RefractionDesc's coefficients, over the path from the near plane.
+/// The body seen from within: where the near plane of a view lies under the surface, draw() also draws the
+/// surface from below, and the water before the opaque scene by RefractionDesc's coefficients.
 struct UnderwaterDesc {
     /// Of the dark line where the near plane leaves the water, as wide as water climbs a lens (capillary
     /// length 2.7 mm) [m], 0..0.1; 0 draws none.
     float meniscus = 0.003f;
 };
 
-/// Sunlight that the waves gather on what lies below them, and take from beside it: drawCaustics(). From the
-/// refracted sun and the curvature of the waves that a depth can bring to a focus; shorter ones, which have
-/// crossed by then, light it evenly. Fades as the water scatters the beam, b = bb / 0.0183 (Petzold 1972).
+/// Sunlight that the waves gather on what lies below them: drawCaustics(). By the curvature of the waves that
+/// a depth can bring to a focus; fades as the water scatters the beam, b = bb / 0.0183 (Petzold 1972).
 struct CausticsDesc {
     float strength = 1.0f; ///< of the contrast, 0..1: 1 as the waves say
 };
@@ -51,9 +49,8 @@ enum class ExtentShape : uint32_t {
     mesh,          ///< triangles of the host's own, drawn as they are
 };
 
-/// Points are (x, z) in the world [m]. At the outline waves move water up and down but not to the side, so
-/// that no gap opens before a wall, and they come to move it as they do at sea within 2.5 significant wave
-/// heights (times the choppiness, if that is more than 1). Height queries know of no outline.
+/// Points are (x, z) in the world [m]. At the outline waves move water up and down but not to the side, which
+/// comes back within 2.5 significant wave heights (times a choppiness over 1). Height queries know of none.
 struct ExtentDesc {
     ExtentShape shape = ExtentShape::unbounded; ///< says which fields below are read
 
@@ -80,15 +77,13 @@ enum class WavesOn : uint32_t {
     cpu,           ///< `wavesBackend`, in simulate(), and uploaded
 };
 
-/// One water body. A null feature costs nothing: no memory, no pipeline, no dispatch. Copied, pointees
-/// included.
+/// One water body. A null feature costs no memory, pipeline or dispatch. Copied, pointees included.
 struct BodyDesc {
-    double plane[4] = {0, 1, 0, 0};       ///< the calm surface, n.p + d = 0; at present n must be +Y
-    ExtentDesc extent;                    ///< to the horizon unless it says otherwise
-    const SeaDesc* waves = nullptr;       ///< null: flat as glass
-    WavesOn wavesOn = WavesOn::automatic; ///< the GPU, or `wavesBackend`
-    /// A backend of the CPU, e.g. fftwWaves() of seaglass/waves_fftw.h. Null: there is none but the GPU.
-    const WavesBackend* wavesBackend = nullptr;
+    double plane[4] = {0, 1, 0, 0};             ///< the calm surface, n.p + d = 0; at present n must be +Y
+    ExtentDesc extent;                          ///< to the horizon unless it says otherwise
+    const SeaDesc* waves = nullptr;             ///< null: flat as glass
+    WavesOn wavesOn = WavesOn::automatic;       ///< the GPU, or `wavesBackend`
+    const WavesBackend* wavesBackend = nullptr; ///< of the CPU, e.g. fftwWaves(); null: the GPU alone
     const FoamDesc* foam = nullptr;             ///< needs `waves`
     const RefractionDesc* refraction = nullptr; ///< null: opaque, and sceneColor is not read
     const ReflectionDesc* reflection = nullptr; ///< null: the sky cube alone
@@ -99,9 +94,8 @@ struct BodyDesc {
     uint32_t waveShadowSteps = 0; ///< looks for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
 };
 
-/// What a body of this description costs, for views of `extent` pixels and images of that size; what all
-/// bodies of a context share is left out. Nothing is created on the device; waves are laid out on the CPU to
-/// count them, which takes some milliseconds.
+/// What a body of this description costs, for views and images of `extent` pixels, without what all bodies of
+/// a context share. Creates nothing on the device; lays waves out on the CPU, for some milliseconds.
 Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
                 SceneSamples samples = {});
 
@@ -128,8 +122,7 @@ struct TargetDesc {
     VkRenderPass renderPass = VK_NULL_HANDLE;     ///< null: dynamic rendering
     uint32_t subpass = 0;                         ///< of renderPass
     VkFormat stencilFormat = VK_FORMAT_UNDEFINED; ///< of dynamic rendering with a stencil attachment: its own
-    /// Of a multiview pass, 0 of any other: each draw() draws the one view that is ViewDesc::viewIndex.
-    uint32_t viewMask = 0;
+    uint32_t viewMask = 0; ///< of a multiview pass: each draw() draws its one view ViewDesc::viewIndex
 };
 
 struct Target;
@@ -137,10 +130,9 @@ struct Target;
 Status createTarget(Context* context, const TargetDesc* desc, Target** out); ///< makes no pipeline yet
 void destroyTarget(Target* target);                                          ///< as destroyBody()
 
-/// Sets the bodies' surfaces to `time` and records the upload or dispatches. Outside any render pass, once a
-/// frame. Work on the CPU happens here when the backend is a CPU one. Foam takes the sea at up to 4 more
-/// times a second; on the first frame, backwards and after a gap, at 4 times a second of three decay times
-/// before.
+/// Sets the bodies' surfaces to `time` and records the upload or dispatches; a CPU backend works here.
+/// Outside any render pass, once a frame. Foam takes the sea at up to 4 more times a second; on the first
+/// frame, backwards and after a gap, at 4 times a second of three decay times before.
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time);
 
 /// What to draw for a body whose reflection is `planar`; as planarView() for reflectors.
@@ -180,12 +172,10 @@ enum class SurfaceOutput : uint32_t {
 /// and scissor are set from the view. Where its scene is multisampled, a body with refraction wants reflect()
 /// before.
 ///
-/// An eye in a body with `underwater` is served by the same call: first the colour of each pixel whose line
-/// of sight begins in the water is replaced by sceneColor as it looks through it (no depth is read or
-/// written but sceneDepth), then surfaces are drawn as ever, then the waterline. So all bodies of a view
-/// belong in one call, or the one that the eye is in comes first; and a host's own transparent things under
-/// water come after it, and fade by themselves. Nothing of it is recorded for a view that is clear of the
-/// water.
+/// For an eye in a body with `underwater` each pixel whose line of sight begins in the water first becomes
+/// sceneColor as it looks through it, then surfaces are drawn as ever, then the waterline. So all bodies of a
+/// view belong in one call, or the one that the eye is in comes first; a host's own transparent things under
+/// water come after it, and fade by themselves.
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
