@@ -4,9 +4,8 @@
 layout(constant_id = 6) const int waveShadowSteps = 0;
 
 struct WavesAhead {
-    float lower;      // share of the sea's heights below this one
-    float horizon;    // tangent of the highest wave ahead
-    float found;      // how far to go by it, 0..1
+    float horizon;   // tangent of the highest wave ahead
+    float found;     // how far to go by it, 0..1: not where a pixel holds whole waves
 };
 
 #ifdef WAVES
@@ -30,26 +29,18 @@ float horizonTowards(vec2 slope, vec2 along, float height) {
 }
 
 WavesAhead wavesAhead(SurfacePoint s, vec2 along) {
-    float height = position.y + plane.w;
-    // The normal distribution function, within 2e-4.
-    float x = height / within.z;
-    WavesAhead ahead = WavesAhead(1.0 / (1.0 + exp(-x * (1.5976 + 0.070565 * x * x))), 0.0, 0.0);
-    if (waveShadowSteps > 0) {
-        ahead.horizon = horizonTowards(s.slope, along, height);
-        float unseen = 0.5 * (s.covariance.x + s.covariance.y) / (roughness.w * roughness.w);
-        ahead.found = clamp(3.0 - 3.0 * unseen, 0.0, 1.0);
-    }
-    return ahead;
+    if (waveShadowSteps == 0) return WavesAhead(0.0, 0.0);
+    float unseen = 0.5 * (s.covariance.x + s.covariance.y) / (roughness.w * roughness.w);
+    return WavesAhead(horizonTowards(s.slope, along, position.y + plane.w), clamp(3.0 - 3.0 * unseen, 0.0, 1.0));
 }
 
-// Share of the rays of this rise that meet no other wave: Smith's masking by all the sea's slopes, which hides what lies
-// in a trough before what stands on a crest (Bourlier, Berginc and Saillard 2002).
+// Share of the rays of this rise that meet no other wave.
 float clearShare(float rise, WavesAhead ahead) {
     if (rise <= 0.0) return 0.0;
-    float masked = pow(ahead.lower, smithLambda(rise, roughness.w));
+    float masked = 1.0 / (1.0 + smithLambda(rise, roughness.w));
     if (waveShadowSteps == 0) return masked;
     const float soft = 0.015;
-    float seen = smoothstep(ahead.horizon - soft, ahead.horizon + soft, rise * inversesqrt(max(1.0 - rise * rise, 1e-4)));
-    return mix(masked, seen, ahead.found);
+    float tangent = rise * inversesqrt(max(1.0 - rise * rise, 1e-4));
+    return mix(masked, smoothstep(ahead.horizon - soft, ahead.horizon + soft, tangent), ahead.found);
 }
 #endif

@@ -146,10 +146,11 @@ class Arena {
 
 TEST_F(HostMemory, CallbacksServeAllDeviceMemoryAndGetItBack) {
     Arena arena;
+    const Picture& plain = plainPicture();
     {
         ShapedHost host(device(), {}, true, [&](DeviceDesc& desc) { desc.memory = arena.callbacks(); });
         spiedCalls().clear();
-        EXPECT_EQ(host.picture(shoreCamera()), plainPicture());
+        EXPECT_EQ(host.picture(shoreCamera()), plain);
         EXPECT_EQ(countSpied("AllocateMemory"), 0u);
         EXPECT_GT(arena.held, 8u);
         Camera small = shoreCamera();
@@ -211,10 +212,11 @@ TEST_F(HostMemory, PipelinesComeFromTheHostsCache) {
     const VkPipelineCacheCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
     VkPipelineCache cache = VK_NULL_HANDLE;
     ASSERT_EQ(vkCreatePipelineCache(device().handle(), &info, nullptr, &cache), VK_SUCCESS);
+    const Picture& plain = plainPicture();
     for (int run = 0; run < 2; ++run) {
         spiedCalls().clear();
         ShapedHost host(device(), {}, true, [&](DeviceDesc& desc) { desc.pipelineCache = cache; });
-        EXPECT_EQ(host.picture(shoreCamera()), plainPicture()) << run;
+        EXPECT_EQ(host.picture(shoreCamera()), plain) << run;
         size_t made = 0;
         for (const SpiedCall& call : spiedCalls())
             if (call.name == "CreateGraphicsPipelines" || call.name == "CreateComputePipelines") {
