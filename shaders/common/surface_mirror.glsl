@@ -60,8 +60,9 @@ RayFan rayFan(vec3 direction, vec3 axis, float along, float across, WavesAhead a
     vec3 aside = sqrt(max(along * along - fan.spread * fan.spread, 0.0)) * axis;
     fan.low = direction - aside;
     fan.high = direction + aside;
-    // It bends where few points of the slopes lie: two of their spread's ends are within 3 % of its mean.
-    fan.clear = vec2(clearShare(direction.y - 1.2 * along, ahead), clearShare(direction.y + 1.2 * along, ahead));
+    // It bends where few points of the slopes lie: far off two of their spread's ends are within 3 % of its mean.
+    vec2 rises = mix(direction.y + 1.2 * along * vec2(-1.0, 1.0), vec2(fan.low.y, fan.high.y), ahead.found);
+    fan.clear = vec2(clearShare(rises.x, ahead), clearShare(rises.y, ahead));
     return fan;
 }
 

@@ -434,7 +434,8 @@ TEST_F(SceneFile, EveryFieldIsInTheTableOnce) {
 /// The sample, with one of everything that can be repeated, and what else wants more than one field.
 std::string fullSample() {
     return tests::sampleScene() + "[[water.waves.swells]]\n[water.extent]\nsize_m = [25, 10]\n" +
-           "[water.shore]\nfile = 'tetra.gltf'\n" + "[[water.dry_rooms]]\npoints_m = [[0, 0], [1, 0], [0, 1]]\n";
+           "[water.shore]\nfile = 'tetra.gltf'\n" +
+           "[[water.dry_rooms]]\npoints_m = [[0, 0], [1, 0], [0, 1]]\n";
 }
 
 TEST_F(SceneFile, EveryFieldRefusesADate) {
