@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface_uniforms.glsl"
 #include "optics.glsl"
+#include "slopes.glsl"
 #include "dry_rooms.glsl"
 
 layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
@@ -12,13 +13,13 @@ layout(location = 0) out vec4 outColor;
 
 // How far the sun's ray through a surface of this slope strays sideways on each metre down.
 vec2 strays(vec2 slope) {
-    vec3 ray = refract(-toSun.xyz, normalize(vec3(-slope.x, 1.0, -slope.y)), 1.0 / waterIndex);
+    vec3 ray = refract(-toSun.xyz, normalOf(slope), 1.0 / waterIndex);
     return ray.xz / max(-ray.y, 0.1);
 }
 
 // How much more a slope turns the ray than under a sun overhead, by a quarter: most along the sun's own direction.
 float turnsMore() {
-    vec2 towards = toSun.xz / max(length(toSun.xz), 1e-6);
+    vec2 towards = horizontal(toSun.xyz);
     return length(strays(0.05 * towards) - strays(-0.05 * towards)) / (0.1 * 0.25);
 }
 

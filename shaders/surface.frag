@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "surface.glsl"
 #include "optics.glsl"
+#include "slopes.glsl"
 
 layout(location = 0) in vec2 calmPosition;
 layout(location = 1) in vec3 position;

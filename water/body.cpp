@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -12,77 +11,14 @@
 
 #include "gpu/guard.h"
 #include "reflection/mirror.h"
+#include "water/body_desc.h"
 #include "water/sea.h"
+#include "water/surface_uniforms.h"
 #include "water/target.h"
 
 namespace seaglass {
 
 namespace {
-
-bool coefficientsInRange(const float (&values)[3]) {
-    for (const float value : values)
-        if (!(value >= 0 && value <= 100)) return false;
-    return true;
-}
-
-const char* badField(const MeshDesc& desc) {
-    if (!(desc.cellSize >= 0.01f && desc.cellSize <= 100))
-        return "MeshDesc.cellSize is out of range, expected 0.01 to 100";
-    if (desc.cellsPerLevel < 128 || desc.cellsPerLevel > 1024)
-        return "MeshDesc.cellsPerLevel is out of range, expected 128 to 1024";
-    return nullptr;
-}
-
-const char* badField(const RefractionDesc& desc) {
-    if (!coefficientsInRange(desc.absorption))
-        return "RefractionDesc.absorption is out of range, expected 0 to 100";
-    if (!coefficientsInRange(desc.backscatter))
-        return "RefractionDesc.backscatter is out of range, expected 0 to 100";
-    if (!(desc.distortion >= 0 && desc.distortion <= 1))
-        return "RefractionDesc.distortion is out of range, expected 0 to 1";
-    if (!(desc.scattering >= 0 && desc.scattering <= 100))
-        return "RefractionDesc.scattering is out of range, expected 0 to 100";
-    return nullptr;
-}
-
-const char* badField(const UnderwaterDesc& desc) {
-    if (!(desc.meniscus >= 0 && desc.meniscus <= 0.1f))
-        return "UnderwaterDesc.meniscus is out of range, expected 0 to 0.1";
-    return nullptr;
-}
-
-const char* badField(const CausticsDesc& desc) {
-    if (!(desc.strength >= 0 && desc.strength <= 1))
-        return "CausticsDesc.strength is out of range, expected 0 to 1";
-    return nullptr;
-}
-
-const char* badField(const BodyDesc& desc) {
-    glm::dvec4 plane;
-    if (const char* bad = readPlane(desc.plane, plane)) return bad;
-    if (glm::length(glm::dvec3(plane) - glm::dvec3(0, 1, 0)) > 1e-9) return "BodyDesc.plane does not face +Y";
-    if (const char* bad = badField(desc.extent)) return bad;
-    if (desc.foam && !desc.waves) return "BodyDesc.foam needs BodyDesc.waves";
-    if (desc.wavesOn > WavesOn::cpu) return "BodyDesc.wavesOn is no WavesOn";
-    if (desc.waves && desc.wavesOn == WavesOn::cpu && !desc.wavesBackend)
-        return "BodyDesc.wavesOn is cpu, which needs BodyDesc.wavesBackend";
-    if (desc.foam)
-        if (const char* bad = badField(*desc.foam)) return bad;
-    if (desc.refraction)
-        if (const char* bad = badField(*desc.refraction)) return bad;
-    if (desc.reflection)
-        if (const char* bad = badField(*desc.reflection)) return bad;
-    if (desc.underwater && !desc.refraction) return "BodyDesc.underwater needs BodyDesc.refraction";
-    if (desc.underwater)
-        if (const char* bad = badField(*desc.underwater)) return bad;
-    if (desc.caustics && (!desc.waves || !desc.refraction))
-        return "BodyDesc.caustics needs BodyDesc.waves and BodyDesc.refraction";
-    if (desc.caustics)
-        if (const char* bad = badField(*desc.caustics)) return bad;
-    if (desc.waveShadowSteps == 1 || desc.waveShadowSteps > 32)
-        return "BodyDesc.waveShadowSteps is out of range, expected 0 or 2 to 32";
-    return badField(desc.mesh);
-}
 
 /// Null: compute shaders.
 const WavesBackend* chosenBackend(const gpu::Device& device, const BodyDesc& desc) {
@@ -101,107 +37,6 @@ const char* badField(const LightingDesc& lighting) {
         if (!(lighting.sunIrradiance[i] >= 0) || !(lighting.skyIrradiance[i] >= 0))
             return "LightingDesc irradiance is negative or NaN";
     return nullptr;
-}
-
-glm::vec4 color(const float (&values)[3]) {
-    return {values[0], values[1], values[2], 0};
-}
-
-/// Where `position` lies in its tile, in tiles, 0..1: taken in double, since a float far from the origin
-/// cannot say.
-double inTile(double position, double tile) {
-    const double tiles = position / tile;
-    return tiles - std::floor(tiles);
-}
-
-void setWaves(SurfaceUniforms& u, const Sea& sea, const WaveMaps& maps, const glm::dvec3& eye) {
-    u.cascades = static_cast<int32_t>(maps.cascades);
-    u.maxMip = static_cast<float>(maps.mipLevels - 1);
-    const SlopeCovariance rough = roughness(sea);
-    const double whole = std::sqrt((resolvedSlopeVariance(sea) + unresolvedSlopeVariance(sea)) / 2);
-    u.roughness = glm::vec4(rough.uu, rough.vv, rough.uv, whole);
-    for (uint32_t i = 0; i < maps.cascades; ++i) {
-        const double patch = cascade(sea, i).patch;
-        // Maps hold samples at i * patch / samples, textures at half a texel more.
-        const double half = 0.5 / maps.samples;
-        u.cascade[i] = glm::vec4(inTile(eye.x, patch) + half, inTile(eye.z, patch) + half, 1 / patch,
-                                 maps.samples / patch);
-    }
-}
-
-void setShore(SurfaceUniforms& u, const Shore& shore, const ShoreSignal& signal, const glm::dvec3& eye) {
-    const double spacing = shore.spacing();
-    const glm::dvec2 samples(shore.samples()[0], shore.samples()[1]);
-    const glm::dvec2 fromFirst =
-        (glm::dvec2(eye.x, eye.z) - glm::dvec2(shore.origin()[0], shore.origin()[1])) / spacing;
-    u.shorePlace = glm::vec4((fromFirst + 0.5) / samples, 1.0 / (samples * spacing));
-    u.shoreSignal = {signal.rowsPerSecond, signal.offset, signal.count, spacing};
-    u.shoreForm = {shore.peak() / (2 * std::numbers::pi), shore.carried(), 0, 0};
-}
-
-void setDryRooms(SurfaceUniforms& u, const std::vector<DryPlanes>& rooms, const glm::dvec3& eye) {
-    u.dryRooms = static_cast<uint32_t>(rooms.size());
-    glm::vec4* out = u.dryPlanes;
-    for (const DryPlanes& room : rooms)
-        for (const glm::dvec4& plane : room)
-            *out++ = glm::vec4(glm::vec3(plane), plane.w + glm::dot(glm::dvec3(plane), eye));
-}
-
-SurfaceUniforms makeUniforms(const Body& body, const ViewGeometry& geometry, const LightingDesc& lighting) {
-    SurfaceUniforms u;
-    u.clipFromRelative = glm::mat4(geometry.clipFromRelative);
-    u.pixelFromRelative = glm::mat4(geometry.pixelFromRelative);
-    u.relativeFromPixel = glm::mat4(relativeFromScenePixel(geometry));
-    const double eyeHeight = glm::dot(glm::dvec3(body.plane), geometry.eye) + body.plane.w;
-    u.plane = glm::vec4(glm::vec3(body.plane), eyeHeight);
-    u.toSun = glm::vec4(lighting.toSun[0], lighting.toSun[1], lighting.toSun[2], 0);
-    u.sunIrradiance = color(lighting.sunIrradiance);
-    u.skyIrradiance = color(lighting.skyIrradiance);
-    u.skyMips = static_cast<float>(lighting.skyCubeMipLevels);
-    u.sceneShift = glm::vec2(geometry.sceneShift);
-    u.region = glm::ivec4(geometry.regionOrigin, geometry.regionSize);
-    u.farDepth = static_cast<float>(geometry.farDepth);
-    u.depthSign = geometry.reversedDepth ? 1.0f : -1.0f;
-    u.reflectionDistortion = body.reflectionDistortion;
-    if (body.reflector) {
-        const ReflectionDesc& reflection = body.reflector->desc;
-        u.reflectionScale = static_cast<float>(reflection.downscale);
-        u.reflectionLook = {reflection.clearDistance, reflection.scatter, reflection.skyFadeDistance, 0};
-    }
-    if (body.waves) setWaves(u, *body.sea, body.waves->maps(), geometry.eye);
-    if (body.shore) setShore(u, *body.sea->shore, body.shore->signal(), geometry.eye);
-    if (body.hostMesh) {
-        const glm::dvec2 origin = body.hostMesh->origin - glm::dvec2(geometry.eye.x, geometry.eye.z);
-        u.extent = glm::vec4(glm::vec2(origin), 0, 0);
-    }
-    if (body.outline && body.sea)
-        u.extent.z = static_cast<float>(1 / pinnedWithin(largestDisplacement(*body.sea)));
-    if (body.foam) {
-        const FoamStreak streak = foamStreakOf(description(*body.sea));
-        double placeU = geometry.eye.x, placeV = geometry.eye.z;
-        streak.apply(placeU, placeV);
-        u.foam = glm::vec4(body.foam->past(), body.foam->albedo(), inTile(placeU, foamTile) * foamTile,
-                           inTile(placeV, foamTile) * foamTile);
-        u.foamStreak = {streak.u, streak.v};
-        u.foamCascades = static_cast<int32_t>(body.foam->cascades());
-    }
-    if (body.refraction) {
-        u.absorption = glm::vec4(glm::vec3(color(body.refraction->absorption)), body.refraction->scattering);
-        u.backscatter = color(body.refraction->backscatter);
-        u.refractionDistortion = body.refraction->distortion;
-    }
-    u.within.x = body.mesh.cellSize;
-    if (body.sea) u.within.z = static_cast<float>(significantWaveHeight(*body.sea) / 4);
-    if (body.underwater) u.within.y = body.underwater->meniscus / 2;
-    if (body.outline) {
-        const glm::dvec2 eye(geometry.eye.x, geometry.eye.z);
-        u.covered = glm::vec4(glm::vec2(body.outline->low - eye), glm::vec2(body.outline->high - eye));
-    }
-    setDryRooms(u, body.dryRooms, geometry.eye);
-    if (body.caustics)
-        u.caustics =
-            glm::vec4(body.caustics->strength, body.causticBlur.log2Scale, body.causticBlur.exponent, 0);
-    return u;
 }
 
 /// The farthest point of the near plane from the eye [m].
@@ -357,9 +192,8 @@ Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
 
 bool Body::mayShow(const ViewGeometry& geometry) {
     if (sidesSeen(geometry) != SidesSeen::above) return true;
-    const double eyeHeight = glm::dot(glm::dvec3(plane), geometry.eye) + plane.w;
-    const MeshView view = meshViewOf(geometry, eyeHeight, displacement());
-    if (outline) return inSight(view, outline->low - view.eye, outline->high - view.eye);
+    const MeshView view = meshViewOf(geometry, heightOf(geometry.eye), displacement());
+    if (outline) return inSight(view, outline->boxFrom(view.eye));
     selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, patches);
     return !patches.empty();
 }
@@ -431,13 +265,12 @@ Status Body::placeOutlined(const MeshView& view, SurfaceInputs& inputs) {
     inputs.instanceCount = static_cast<uint32_t>(outlined.patches.size());
     if (outlined.patches.empty()) return Status::ok;
     if (const Status s = upload(*context, inputs.patches, outlined.patches); s != Status::ok) return s;
-    const std::array box = {
-        glm::vec4(glm::vec2(outline->low - view.eye), glm::vec2(outline->high - view.eye))};
+    const std::array box = {outline->boxFrom(view.eye).packed()};
     return upload(*context, inputs.extent, box, outlined.edges);
 }
 
 Status Body::placeHostMesh(const MeshView& view, SurfaceInputs& inputs) {
-    if (!inSight(view, outline->low - view.eye, outline->high - view.eye)) return Status::ok;
+    if (!inSight(view, outline->boxFrom(view.eye))) return Status::ok;
     inputs.patches = gpu::storageBuffer(hostMesh->vertices.handle());
     inputs.indices = hostMesh->indices.handle();
     inputs.indexType = VK_INDEX_TYPE_UINT32;
@@ -472,7 +305,7 @@ SidesSeen Body::sidesSeen(const ViewGeometry& geometry) const {
     if (!underwater) return SidesSeen::above;
     if (outline && !outline->contains({geometry.eye.x, geometry.eye.z})) return SidesSeen::above;
     if (isDry(dryRooms, geometry.eye)) return SidesSeen::above;
-    const double eyeHeight = glm::dot(glm::dvec3(plane), geometry.eye) + plane.w;
+    const double eyeHeight = heightOf(geometry.eye);
     const double reach = displacement() + nearPlaneReach(geometry);
     if (eyeHeight > reach) return SidesSeen::above;
     return eyeHeight < -reach ? SidesSeen::below : SidesSeen::either;
@@ -513,7 +346,7 @@ Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDe
 Status Body::recordOverView(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                             const LightingDesc& lighting, const ViewGeometry& geometry,
                             const UnderwaterVariant& variant) {
-    const SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
+    const SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
     UnderwaterInputs inputs;
     inputs.view = &view;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
@@ -540,10 +373,10 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     const glm::mat4 lastPixel = motion ? lastPixelFromRelative(view, geometry) : glm::mat4(1);
     if (outline && !mayShow(geometry)) return Status::ok;
 
-    SurfaceUniforms uniforms = makeUniforms(*this, geometry, lighting);
+    SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
     if (motion) uniforms.relativeFromPixel = lastPixel;
     SurfaceInputs inputs;
-    MeshView meshView = meshViewOf(geometry, uniforms.plane.w, displacement());
+    MeshView meshView = meshViewOf(geometry, heightOf(geometry.eye), displacement());
     meshView.farthestFirst = !target.desc.depthWrite;
     if (const Status s = place(meshView, inputs); s != Status::ok) return s;
     if (inputs.instanceCount == 0) return Status::ok;

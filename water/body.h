@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -84,6 +85,8 @@ struct Body {
     /// Of an eye in the water: before the surfaces of all bodies, or after. Records nothing for other eyes.
     Status drawUnderwater(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                           const LightingDesc& lighting, UnderwaterPass pass);
+    /// Of a point above the calm surface [m].
+    double heightOf(const glm::dvec3& point) const { return glm::dot(glm::dvec3(plane), point) + plane.w; }
 
   private:
     /// `read`: the view with a scene that shaders sample.

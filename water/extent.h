@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include "seaglass/water.h"
 
@@ -13,6 +14,12 @@ struct OutlineEdge {
     glm::dvec2 from{0}, to{0}; ///< (u, v) in the world [m]
 };
 
+struct OutlineBox {
+    glm::dvec2 low{0}, high{0};
+    /// As shaders have it.
+    glm::vec4 packed() const { return {low, high}; }
+};
+
 /// Edges in any order that together close, so that a point is within when a ray from it meets an odd number.
 struct Outline {
     std::vector<OutlineEdge> edges;
@@ -20,6 +27,8 @@ struct Outline {
 
     bool contains(const glm::dvec2& point) const;
     double distanceTo(const glm::dvec2& point) const;
+    /// The box around it, relative to an eye [m].
+    OutlineBox boxFrom(const glm::dvec2& eye) const { return {low - eye, high - eye}; }
 };
 
 /// Whether a segment comes into a box.

@@ -91,7 +91,7 @@ class Selection {
   private:
     void visit(int level, const glm::dvec2& corner) {
         const double d = lattice_.view.displacement;
-        if (!inSight(lattice_.view, corner - d, corner + lattice_.edge(level) + d)) return;
+        if (!inSight(lattice_.view, {corner - d, corner + lattice_.edge(level) + d})) return;
         if (!lattice_.isDivided(level, corner)) {
             out_.push_back(lattice_.patch(level, corner));
             return;
@@ -109,15 +109,15 @@ class OutlinedSelection {
   public:
     OutlinedSelection(const Lattice& lattice, const Outline& outline, double pinned, OutlinedPatches& out)
         : lattice_(lattice), outline_(outline), pinned_(pinned), out_(out),
-          low_(outline.low - lattice.view.eye), high_(outline.high - lattice.view.eye) {}
+          box_(outline.boxFrom(lattice.view.eye)) {}
 
     void run() {
-        const glm::dvec2 farthest = glm::max(glm::abs(low_), glm::abs(high_));
+        const glm::dvec2 farthest = glm::max(glm::abs(box_.low), glm::abs(box_.high));
         const int coarsest = lattice_.coarsest(glm::length(glm::dvec3(farthest, lattice_.view.eyeHeight)));
         std::vector<OutlineEdge> edges;
         for (const auto& [from, to] : outline_.edges)
             edges.push_back({from - lattice_.view.eye, to - lattice_.view.eye});
-        lattice_.forEach(coarsest, low_, high_,
+        lattice_.forEach(coarsest, box_.low, box_.high,
                          [&](const glm::dvec2& corner) { visit(coarsest, corner, edges); });
         std::stable_sort(out_.patches.begin(), out_.patches.end(),
                          [&](const OutlinedPatch& a, const OutlinedPatch& b) {
@@ -128,8 +128,8 @@ class OutlinedSelection {
   private:
     void visit(int level, const glm::dvec2& corner, const std::vector<OutlineEdge>& candidates) {
         const glm::dvec2 end = corner + lattice_.edge(level);
-        const glm::dvec2 low = glm::max(corner, low_), high = glm::min(end, high_);
-        if (low.x > high.x || low.y > high.y || !inSight(lattice_.view, low, high)) return;
+        const OutlineBox box{glm::max(corner, box_.low), glm::min(end, box_.high)};
+        if (box.low.x > box.high.x || box.low.y > box.high.y || !inSight(lattice_.view, box)) return;
         // A little more than what is pinned, so that a patch without edges agrees with its neighbours in
         // floats.
         const double margin = pinned_ * 1.01 + lattice_.cell(level) * 1e-3;
@@ -166,7 +166,7 @@ class OutlinedSelection {
     const Outline& outline_;
     double pinned_;
     OutlinedPatches& out_;
-    glm::dvec2 low_, high_; ///< of the outline, relative to the eye
+    OutlineBox box_; ///< of the outline, relative to the eye
 };
 
 } // namespace
@@ -178,9 +178,9 @@ std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDep
             reversedDepth ? rows[3] - rows[2] : rows[2]};
 }
 
-bool inSight(const MeshView& view, const glm::dvec2& lowest, const glm::dvec2& highest) {
+bool inSight(const MeshView& view, const OutlineBox& box) {
     const double d = view.displacement;
-    const glm::dvec3 low(lowest.x, -d, lowest.y), high(highest.x, d, highest.y);
+    const glm::dvec3 low(box.low.x, -d, box.low.y), high(box.high.x, d, box.high.y);
     return std::all_of(view.frustum.begin(), view.frustum.end(), [&](const glm::dvec4& plane) {
         const glm::dvec3 normal(plane);
         const glm::dvec3 farthest = glm::mix(low, high, glm::greaterThan(normal, glm::dvec3(0)));

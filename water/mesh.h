@@ -49,8 +49,8 @@ struct MeshView {
 /// Inward planes (left, right, bottom, top, near) of a clip matrix over its input space.
 std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDepth);
 
-/// Whether a view may see something of what lies between two corners (u, v), relative to the eye.
-bool inSight(const MeshView& view, const glm::dvec2& lowest, const glm::dvec2& highest);
+/// Whether a view may see something of what lies in a box relative to its eye.
+bool inSight(const MeshView& view, const OutlineBox& box);
 
 /// Patches from fine to coarse, or from far to near, out to the horizon; those out of sight left out.
 void selectPatches(const MeshView& view, double finestCell, double rangeInCells, std::vector<MeshPatch>& out);

@@ -77,6 +77,7 @@
 #include "spirv/surface_wso.frag.h"
 #include "spirv/surface_wsr.frag.h"
 #include "spirv/surface_wsro.frag.h"
+#include "water/surface_uniforms.h"
 
 namespace seaglass {
 

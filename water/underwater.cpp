@@ -9,6 +9,7 @@
 #include "spirv/underwater_waves.frag.h"
 #include "spirv/waterline.frag.h"
 #include "spirv/waterline_waves.frag.h"
+#include "water/surface_uniforms.h"
 
 namespace seaglass {
 

@@ -6,7 +6,6 @@
 #include "gpu/context.h"
 #include "gpu/frame.h"
 #include "water/draw_pipeline.h"
-#include "water/surface.h"
 
 namespace seaglass {
 

@@ -121,6 +121,9 @@ struct SurfaceTimes {
 struct ComparedTimes {
     /// A compute copy of RGBA16F colour and R32F depth of the frame's size, between the same frames.
     PassTime floor;
+    /// A triangle over the whole picture, whose pixels are read from a copy of it: what drawing can cost at
+    /// least. By submit and fence.
+    PassTime fullScreen;
     std::vector<SurfaceTimes> surfaces; ///< none when it was stopped
 };
 

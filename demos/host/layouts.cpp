@@ -23,7 +23,7 @@ bool createPipelineLayout(const Device& device, std::span<const VkDescriptorSetL
     VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
     info.setLayoutCount = static_cast<uint32_t>(sets.size());
     info.pSetLayouts = sets.data();
-    info.pushConstantRangeCount = 1;
+    info.pushConstantRangeCount = constantBytes ? 1 : 0;
     info.pPushConstantRanges = &range;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     if (!succeeded(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout), "vkCreatePipelineLayout",

@@ -43,7 +43,7 @@ struct Layouts {
 bool createSetLayout(const Device& device, std::span<const VkDescriptorType> types,
                      UniqueDescriptorSetLayout& out, Error& error);
 
-/// For drawing, with push constants of `constantBytes`.
+/// For drawing, with push constants of `constantBytes`; 0: none.
 bool createPipelineLayout(const Device& device, std::span<const VkDescriptorSetLayout> sets,
                           uint32_t constantBytes, UniquePipelineLayout& out, Error& error);
 

@@ -1,5 +1,6 @@
 // Times of one view with each of its surfaces in turn, round after round, so that all see the same machine.
 #include "host/floor_pass.h"
+#include "host/full_screen_pass.h"
 #include "host/host_impl.h"
 #include "host/stage_times.h"
 
@@ -22,7 +23,7 @@ struct SurfaceSamples {
 
 struct Samples {
     StageTimes scene;
-    std::vector<double> floorMs;
+    std::vector<double> floorMs, fullScreenMs;
     std::vector<SurfaceSamples> surfaces;
 };
 
@@ -61,8 +62,9 @@ SurfaceTimes timesOf(const SurfaceSamples& samples, const std::vector<PassTime>&
 class RoundTimer {
   public:
     RoundTimer(Device& device, FrameRecorder& recorder, const LoadedScene& scene, const FrameDesc& frame,
-               const FloorPass& floor)
-        : device_(device), recorder_(recorder), scene_(scene), frame_(frame), floor_(floor) {
+               const FloorPass& floor, const FullScreenPass& fullScreen)
+        : device_(device), recorder_(recorder), scene_(scene), frame_(frame), floor_(floor),
+          fullScreen_(fullScreen) {
         frame_.follows = true;
     }
 
@@ -78,6 +80,7 @@ class RoundTimer {
         copyMs_ = device_.lastRunMs();
         if (!timeFloor(device_, recorder_.timer(), floor_, floorMs, error)) return false;
         samples.floorMs.push_back(floorMs);
+        if (!timeFullScreen(samples, error)) return false;
         // Another one begins each time: none is always behind the same one.
         const auto count = static_cast<uint32_t>(samples.surfaces.size());
         for (uint32_t i = 0; i < count; ++i) {
@@ -88,6 +91,17 @@ class RoundTimer {
     }
 
   private:
+    bool timeFullScreen(Samples& samples, Error& error) {
+        const bool ran = device_.run(
+            [&](VkCommandBuffer commands, Error&) {
+                fullScreen_.record(device_, commands, recorder_.targets());
+                return true;
+            },
+            error);
+        samples.fullScreenMs.push_back(device_.lastRunMs());
+        return ran;
+    }
+
     bool timeSurface(uint32_t surface, double floorMs, SurfaceSamples& samples, Error& error) {
         frame_.surface = surface;
         const auto restore = [&](VkCommandBuffer commands, Error&) {
@@ -110,6 +124,7 @@ class RoundTimer {
     const LoadedScene& scene_;
     FrameDesc frame_;
     const FloorPass& floor_;
+    const FullScreenPass& fullScreen_;
     double copyMs_ = 0;
 };
 
@@ -125,7 +140,9 @@ std::optional<ComparedTimes> Host::measureSurfaces(const FrameDesc& frame, uint3
     }
     FloorPass floor;
     if (!floor.create(*impl.device, {frame.width, frame.height}, error)) return std::nullopt;
-    RoundTimer timer(*impl.device, impl.recorder, *impl.scene, frame, floor);
+    FullScreenPass fullScreen;
+    if (!fullScreen.create(*impl.device, error)) return std::nullopt;
+    RoundTimer timer(*impl.device, impl.recorder, *impl.scene, frame, floor, fullScreen);
     Samples samples, ignored;
     samples.surfaces.resize(impl.scene->surfaces.size());
     ignored.surfaces.resize(impl.scene->surfaces.size());
@@ -135,6 +152,7 @@ std::optional<ComparedTimes> Host::measureSurfaces(const FrameDesc& frame, uint3
     }
     ComparedTimes found;
     found.floor = summary("floor", samples.floorMs);
+    found.fullScreen = summary("full_screen", samples.fullScreenMs);
     const std::vector<PassTime> scenePasses = samples.scene.passes.medians();
     for (const SurfaceSamples& surface : samples.surfaces)
         found.surfaces.push_back(timesOf(surface, scenePasses));

@@ -7,7 +7,6 @@
 
 // Not public: the pattern is the library's own, and there is to be but one.
 #include "water/foam_pattern.h"
-#include "water/surface.h"
 
 namespace demos::reference {
 namespace {

@@ -49,10 +49,6 @@ float risesFaster(CrestSide side, vec3 from) {
     return max(from.y - side.rises * length(from.xz), 0.1);
 }
 
-vec2 horizontal(vec3 direction) {
-    return direction.xz / max(length(direction.xz), 1e-6);
-}
-
 // The sun's beam through that side: irradiance of what faces it, times the share that turns to the eye.
 vec3 sunScattered(CrestSide side, vec3 along) {
     float level = length(toSun.xz);
@@ -69,9 +65,9 @@ vec3 sunScattered(CrestSide side, vec3 along) {
 // Along which the eye looks into the water, through the facets that it sees.
 vec3 intoWater(SurfacePoint s, vec3 toEye) {
     vec2 towards = horizontal(toEye);
-    float variance = dot(towards * towards, s.covariance.xy) + 2.0 * towards.x * towards.y * s.covariance.z;
+    float deviation = sqrt(varianceAlong(towards, s.covariance) + 1e-8);
     float steepness = toEye.y / max(length(toEye.xz), 1e-3) - dot(s.slope, towards);
-    return refract(-toEye, normalOf(s.slope - towards * leansTo(steepness, sqrt(variance + 1e-8))), 1.0 / waterIndex);
+    return refract(-toEye, normalOf(s.slope - towards * leansTo(steepness, deviation)), 1.0 / waterIndex);
 }
 
 // `behind` as the water before it leaves it, `path` metres of it. Where all around is of one radiance it stays so.

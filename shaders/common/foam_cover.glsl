@@ -1,6 +1,6 @@
 // Foam on the surface: its cover from the waves' history, broken up by a pattern, and its light.
 
-const float foamTile = 24.0;   // [m], as in water/surface.h
+const float foamTile = 24.0;   // [m], as in water/foam_pattern.h
 
 struct Foam {
     float mask;    // share that is white

@@ -15,8 +15,7 @@ vec3 sunGlint(SurfacePoint s, vec3 toEye) {
     float glint = fresnel * density / (4.0 * up2 * up2 * cosEye * masking);
 #ifdef WAVES
     for (bool shines = glint > 1e-5; shines; shines = false) {
-        vec2 along = toSun.xz / max(length(toSun.xz), 1e-6);
-        return sunIrradiance.rgb * (glint * clearShare(max(toSun.y, 1e-3), wavesAhead(s, along)));
+        return sunIrradiance.rgb * (glint * clearShare(max(toSun.y, 1e-3), wavesAhead(s, horizontal(toSun.xyz))));
     }
 #endif
     return sunIrradiance.rgb * glint;

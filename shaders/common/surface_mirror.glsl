@@ -101,8 +101,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
         sum.fresnel += mirrored;
         weights += weight;
 
-        vec2 along = direction.xz / max(length(direction.xz), 1e-6);
-        vec3 facet = normalOf(along * (1.25 * roughness.w));
+        vec3 facet = normalOf(horizontal(direction) * (1.25 * roughness.w));
         float meets = mirrored * (1.0 - clear);
         float keeps = meets * fresnelWater(dot(-direction, facet));
         again += keeps * vec4(keptAbove(reflect(direction, facet)), 1.0);

@@ -87,7 +87,3 @@ SurfacePoint surfacePoint() {
 #endif
     return s;
 }
-
-vec3 normalOf(vec2 slope) {
-    return normalize(vec3(-slope.x, 1.0, -slope.y));
-}

@@ -1,4 +1,4 @@
-// One view of a body: water/surface.h. Positions are metres relative to the eye, +Y up; (u, v) are the calm plane's axes,
+// One view of a body: water/surface_uniforms.h. Positions are metres relative to the eye, +Y up; (u, v) are the calm plane's axes,
 // world x and z.
 
 // Loaded once, by loadSurface(): CPU devices load uniforms anew at each use.

@@ -1,6 +1,6 @@
 // The slopes within a pixel that a line of sight can see, as a few points of the midpoint rule: within 2.5 deviations, and
 // less than what turns a facet edge on. Three points give a variance of 0.92 seen from above and a mean tilt of 1.15
-// deviations at grazing, where 1.25 is exact. Needs SurfacePoint.
+// deviations at grazing, where 1.25 is exact. Needs SurfacePoint and slopes.glsl.
 
 struct VisibleSlopes {
     vec2 towards;      // unit, to which slopes are offset
@@ -14,12 +14,9 @@ struct VisibleSlopes {
 // `side` runs along the line of sight, to where it is above the surface; `most` points are taken where it is rough.
 VisibleSlopes visibleSlopes(SurfacePoint s, vec3 side, int most) {
     VisibleSlopes v;
-    float horizontal = max(length(side.xz), 1e-6);
-    v.towards = side.xz / horizontal;
-    float alongVariance =
-        dot(v.towards * v.towards, s.covariance.xy) + 2.0 * v.towards.x * v.towards.y * s.covariance.z;
-    v.deviation = sqrt(max(alongVariance, 1e-10));
-    v.edgeOn = side.y / horizontal - dot(s.slope, v.towards);
+    v.towards = horizontal(side);
+    v.deviation = sqrt(max(varianceAlong(v.towards, s.covariance), 1e-10));
+    v.edgeOn = side.y / max(length(side.xz), 1e-6) - dot(s.slope, v.towards);
     v.low = -2.5 * v.deviation;
     float high = clamp(v.edgeOn, -2.0 * v.deviation, 2.5 * v.deviation);
     v.points = v.deviation > 2e-3 ? most : 1;
@@ -39,7 +36,5 @@ float weightOf(VisibleSlopes v, float offset) {
 }
 
 float deviationAcross(SurfacePoint s, vec2 towards) {
-    float variance =
-        dot(towards.yx * towards.yx, s.covariance.xy) - 2.0 * towards.x * towards.y * s.covariance.z;
-    return sqrt(max(variance, 1e-10));
+    return sqrt(max(varianceAlong(vec2(-towards.y, towards.x), s.covariance), 1e-10));
 }

@@ -1,5 +1,6 @@
-// What a scene's water costs on this device, whole and with a part left out: multiples of the floor, a
-// compute copy of the frame's colour and depth. All take turns over the same picture of the scene, medians
+// What a scene's water costs on this device, whole and with a part left out: multiples of a trivial pass (a
+// full-screen triangle that copies the frame's colour) and of the floor (a compute copy of the frame's colour
+// and depth). All take turns over the same picture of the scene, medians
 // over the rounds, of what this process had of the processors: for CPU devices alone.
 //
 //   seaglass_bench_water SCENE [WIDTHxHEIGHT [ROUNDS [CAMERA [PATH=VALUE...]]]]
@@ -42,17 +43,18 @@ bool isOfWater(const std::string& pass) {
     return pass == "simulate" || pass == "host_mirrored" || pass == "reflect" || pass == "water_draw";
 }
 
-void print(const char* name, const SurfaceTimes& times, double floorMs) {
+void print(const char* name, const SurfaceTimes& times, const ComparedTimes& all) {
     double sum = times.cpuSimulateMs;
     std::string shares;
     for (const PassTime& pass : times.passes) {
         if (!isOfWater(pass.name)) continue;
         sum += pass.ms;
         char text[64];
-        std::snprintf(text, sizeof text, "  %s %.2f", pass.name.c_str(), pass.ms / floorMs);
+        std::snprintf(text, sizeof text, "  %s %.2f", pass.name.c_str(), pass.ms / all.floor.ms);
         shares += text;
     }
-    std::printf("%-26s %6.2f x floor:%s\n", name, sum / floorMs, shares.c_str());
+    std::printf("%-26s %6.2f x trivial, %6.2f x floor:%s\n", name, sum / all.fullScreen.ms,
+                sum / all.floor.ms, shares.c_str());
 }
 
 } // namespace
@@ -85,8 +87,9 @@ int main(int count, char** arguments) {
     }
     const std::optional<ComparedTimes> times = host->measureSurfaces(frame, rounds, {}, error);
     if (!times) stop(error.text);
-    std::printf("%s, %s, %ux%u, floor %.2f ms of processors\n", host->device().name.c_str(),
-                frame.camera.name.c_str(), frame.width, frame.height, times->floor.ms);
-    for (size_t i = 0; i < std::size(parts); ++i) print(parts[i].name, times->surfaces[i], times->floor.ms);
+    std::printf("%s, %s, %ux%u, floor %.2f ms of processors, trivial pass %.2f\n",
+                host->device().name.c_str(), frame.camera.name.c_str(), frame.width, frame.height,
+                times->floor.ms, times->fullScreen.ms);
+    for (size_t i = 0; i < std::size(parts); ++i) print(parts[i].name, times->surfaces[i], *times);
     return 0;
 }

@@ -1,0 +1,82 @@
+#include "water/body_desc.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "reflection/mirror.h"
+#include "reflection/reflector.h"
+#include "water/extent.h"
+#include "water/whitecaps.h"
+
+namespace seaglass {
+
+namespace {
+
+bool coefficientsInRange(const float (&values)[3]) {
+    for (const float value : values)
+        if (!(value >= 0 && value <= 100)) return false;
+    return true;
+}
+
+const char* badField(const MeshDesc& desc) {
+    if (!(desc.cellSize >= 0.01f && desc.cellSize <= 100))
+        return "MeshDesc.cellSize is out of range, expected 0.01 to 100";
+    if (desc.cellsPerLevel < 128 || desc.cellsPerLevel > 1024)
+        return "MeshDesc.cellsPerLevel is out of range, expected 128 to 1024";
+    return nullptr;
+}
+
+const char* badField(const RefractionDesc& desc) {
+    if (!coefficientsInRange(desc.absorption))
+        return "RefractionDesc.absorption is out of range, expected 0 to 100";
+    if (!coefficientsInRange(desc.backscatter))
+        return "RefractionDesc.backscatter is out of range, expected 0 to 100";
+    if (!(desc.distortion >= 0 && desc.distortion <= 1))
+        return "RefractionDesc.distortion is out of range, expected 0 to 1";
+    if (!(desc.scattering >= 0 && desc.scattering <= 100))
+        return "RefractionDesc.scattering is out of range, expected 0 to 100";
+    return nullptr;
+}
+
+const char* badField(const UnderwaterDesc& desc) {
+    if (!(desc.meniscus >= 0 && desc.meniscus <= 0.1f))
+        return "UnderwaterDesc.meniscus is out of range, expected 0 to 0.1";
+    return nullptr;
+}
+
+const char* badField(const CausticsDesc& desc) {
+    if (!(desc.strength >= 0 && desc.strength <= 1))
+        return "CausticsDesc.strength is out of range, expected 0 to 1";
+    return nullptr;
+}
+
+} // namespace
+
+const char* badField(const BodyDesc& desc) {
+    glm::dvec4 plane;
+    if (const char* bad = readPlane(desc.plane, plane)) return bad;
+    if (glm::length(glm::dvec3(plane) - glm::dvec3(0, 1, 0)) > 1e-9) return "BodyDesc.plane does not face +Y";
+    if (const char* bad = badField(desc.extent)) return bad;
+    if (desc.foam && !desc.waves) return "BodyDesc.foam needs BodyDesc.waves";
+    if (desc.wavesOn > WavesOn::cpu) return "BodyDesc.wavesOn is no WavesOn";
+    if (desc.waves && desc.wavesOn == WavesOn::cpu && !desc.wavesBackend)
+        return "BodyDesc.wavesOn is cpu, which needs BodyDesc.wavesBackend";
+    if (desc.foam)
+        if (const char* bad = badField(*desc.foam)) return bad;
+    if (desc.refraction)
+        if (const char* bad = badField(*desc.refraction)) return bad;
+    if (desc.reflection)
+        if (const char* bad = badField(*desc.reflection)) return bad;
+    if (desc.underwater && !desc.refraction) return "BodyDesc.underwater needs BodyDesc.refraction";
+    if (desc.underwater)
+        if (const char* bad = badField(*desc.underwater)) return bad;
+    if (desc.caustics && (!desc.waves || !desc.refraction))
+        return "BodyDesc.caustics needs BodyDesc.waves and BodyDesc.refraction";
+    if (desc.caustics)
+        if (const char* bad = badField(*desc.caustics)) return bad;
+    if (desc.waveShadowSteps == 1 || desc.waveShadowSteps > 32)
+        return "BodyDesc.waveShadowSteps is out of range, expected 0 or 2 to 32";
+    return badField(desc.mesh);
+}
+
+} // namespace seaglass

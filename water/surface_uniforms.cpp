@@ -1,0 +1,117 @@
+#include "water/surface_uniforms.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "water/body.h"
+#include "water/sea.h"
+
+namespace seaglass {
+
+namespace {
+
+glm::vec4 color(const float (&values)[3]) {
+    return {values[0], values[1], values[2], 0};
+}
+
+/// Where `position` lies in its tile, in tiles, 0..1: taken in double, since a float far from the origin
+/// cannot say.
+double inTile(double position, double tile) {
+    const double tiles = position / tile;
+    return tiles - std::floor(tiles);
+}
+
+void setWaves(SurfaceUniforms& u, const Sea& sea, const WaveMaps& maps, const glm::dvec3& eye) {
+    u.cascades = static_cast<int32_t>(maps.cascades);
+    u.maxMip = static_cast<float>(maps.mipLevels - 1);
+    const SlopeCovariance rough = roughness(sea);
+    const double whole = std::sqrt((resolvedSlopeVariance(sea) + unresolvedSlopeVariance(sea)) / 2);
+    u.roughness = glm::vec4(rough.uu, rough.vv, rough.uv, whole);
+    for (uint32_t i = 0; i < maps.cascades; ++i) {
+        const double patch = cascade(sea, i).patch;
+        // Maps hold samples at i * patch / samples, textures at half a texel more.
+        const double half = 0.5 / maps.samples;
+        u.cascade[i] = glm::vec4(inTile(eye.x, patch) + half, inTile(eye.z, patch) + half, 1 / patch,
+                                 maps.samples / patch);
+    }
+}
+
+void setShore(SurfaceUniforms& u, const Shore& shore, const ShoreSignal& signal, const glm::dvec3& eye) {
+    const double spacing = shore.spacing();
+    const glm::dvec2 samples(shore.samples()[0], shore.samples()[1]);
+    const glm::dvec2 fromFirst =
+        (glm::dvec2(eye.x, eye.z) - glm::dvec2(shore.origin()[0], shore.origin()[1])) / spacing;
+    u.shorePlace = glm::vec4((fromFirst + 0.5) / samples, 1.0 / (samples * spacing));
+    u.shoreSignal = {signal.rowsPerSecond, signal.offset, signal.count, spacing};
+    u.shoreForm = {shore.peak() / (2 * std::numbers::pi), shore.carried(), 0, 0};
+}
+
+void setFoam(SurfaceUniforms& u, const Foam& foam, const Sea& sea, const glm::dvec3& eye) {
+    const FoamStreak streak = foamStreakOf(description(sea));
+    double placeU = eye.x, placeV = eye.z;
+    streak.apply(placeU, placeV);
+    u.foam = glm::vec4(foam.past(), foam.albedo(), inTile(placeU, foamTile) * foamTile,
+                       inTile(placeV, foamTile) * foamTile);
+    u.foamStreak = {streak.u, streak.v};
+    u.foamCascades = static_cast<int32_t>(foam.cascades());
+}
+
+void setDryRooms(SurfaceUniforms& u, const std::vector<DryPlanes>& rooms, const glm::dvec3& eye) {
+    u.dryRooms = static_cast<uint32_t>(rooms.size());
+    glm::vec4* out = u.dryPlanes;
+    for (const DryPlanes& room : rooms)
+        for (const glm::dvec4& plane : room)
+            *out++ = glm::vec4(glm::vec3(plane), plane.w + glm::dot(glm::dvec3(plane), eye));
+}
+
+} // namespace
+
+SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
+                                const LightingDesc& lighting) {
+    SurfaceUniforms u;
+    u.clipFromRelative = glm::mat4(geometry.clipFromRelative);
+    u.pixelFromRelative = glm::mat4(geometry.pixelFromRelative);
+    u.relativeFromPixel = glm::mat4(relativeFromScenePixel(geometry));
+    u.plane = glm::vec4(glm::vec3(body.plane), body.heightOf(geometry.eye));
+    u.toSun = glm::vec4(lighting.toSun[0], lighting.toSun[1], lighting.toSun[2], 0);
+    u.sunIrradiance = color(lighting.sunIrradiance);
+    u.skyIrradiance = color(lighting.skyIrradiance);
+    u.skyMips = static_cast<float>(lighting.skyCubeMipLevels);
+    u.sceneShift = glm::vec2(geometry.sceneShift);
+    u.region = glm::ivec4(geometry.regionOrigin, geometry.regionSize);
+    u.farDepth = static_cast<float>(geometry.farDepth);
+    u.depthSign = geometry.reversedDepth ? 1.0f : -1.0f;
+    u.reflectionDistortion = body.reflectionDistortion;
+    if (body.reflector) {
+        const ReflectionDesc& reflection = body.reflector->desc;
+        u.reflectionScale = static_cast<float>(reflection.downscale);
+        u.reflectionLook = {reflection.clearDistance, reflection.scatter, reflection.skyFadeDistance, 0};
+    }
+    if (body.waves) setWaves(u, *body.sea, body.waves->maps(), geometry.eye);
+    if (body.shore) setShore(u, *body.sea->shore, body.shore->signal(), geometry.eye);
+    if (body.hostMesh) {
+        const glm::dvec2 origin = body.hostMesh->origin - glm::dvec2(geometry.eye.x, geometry.eye.z);
+        u.extent = glm::vec4(glm::vec2(origin), 0, 0);
+    }
+    if (body.outline && body.sea)
+        u.extent.z = static_cast<float>(1 / pinnedWithin(largestDisplacement(*body.sea)));
+    if (body.foam) setFoam(u, *body.foam, *body.sea, geometry.eye);
+    if (body.refraction) {
+        u.absorption = glm::vec4(glm::vec3(color(body.refraction->absorption)), body.refraction->scattering);
+        u.backscatter = color(body.refraction->backscatter);
+        u.refractionDistortion = body.refraction->distortion;
+    }
+    u.within.x = body.mesh.cellSize;
+    if (body.sea) u.within.z = static_cast<float>(significantWaveHeight(*body.sea) / 4);
+    if (body.underwater) u.within.y = body.underwater->meniscus / 2;
+    if (body.outline) u.covered = body.outline->boxFrom({geometry.eye.x, geometry.eye.z}).packed();
+    setDryRooms(u, body.dryRooms, geometry.eye);
+    if (body.caustics)
+        u.caustics =
+            glm::vec4(body.caustics->strength, body.causticBlur.log2Scale, body.causticBlur.exponent, 0);
+    return u;
+}
+
+} // namespace seaglass
