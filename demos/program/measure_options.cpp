@@ -8,7 +8,6 @@ namespace {
 
 constexpr Size quickSize = {320, 180};
 constexpr uint32_t quickRounds = 5, mostRounds = 1000;
-constexpr uint32_t mostSamples = 65536;
 
 constexpr const char* footer =
     R"(For each scene, camera and technique: what the reflection costs, in milliseconds and as a multiple of

@@ -20,7 +20,6 @@ namespace demos {
 namespace {
 
 constexpr uint32_t mostFrames = 100000;
-constexpr uint32_t mostSamples = 65536;
 
 constexpr std::array<std::pair<std::string_view, Mistake>, 2> mistakes = {{
     {"flipped_y", Mistake::flippedY},

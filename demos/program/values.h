@@ -11,6 +11,7 @@
 namespace demos {
 
 constexpr uint32_t longestSide = 16384; ///< of a picture, in pixels
+constexpr uint32_t mostSamples = 65536; ///< of each of its pixels
 
 struct Size {
     uint32_t width = 1280, height = 720;

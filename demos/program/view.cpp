@@ -39,6 +39,7 @@ std::optional<ViewState> startOf(const ViewOptions& options, Error& error) {
     moveCameras(*scene, camera->offsetM);
     applyOffset(*scene, *camera);
     ViewState state;
+    if (options.splitReference) state.split = Split{{}, 0.5, true};
     if (!options.split.empty()) {
         state.split = splitOf(*scene, options.split, error);
         if (!state.split) return std::nullopt;
@@ -98,7 +99,8 @@ ExitCode viewScene(const ViewOptions& options, Error& error) {
     const std::unique_ptr<Host> host = openHost(options, state->scene, error);
     if (!host) return badInput;
     {
-        const std::unique_ptr<Viewer> viewer = Viewer::create(*window, *host, *state, {options.stepS}, error);
+        const std::unique_ptr<Viewer> viewer =
+            Viewer::create(*window, *host, *state, {options.stepS, options.referenceSamples}, error);
         if (!viewer) return badInput;
         if (!show(options, *window, *viewer, error)) return runFailed;
     }

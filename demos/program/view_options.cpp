@@ -15,6 +15,7 @@ namespace demos {
 namespace {
 
 constexpr uint32_t mostFrames = 100000;
+constexpr const char* referenceName = "reference";
 
 constexpr const char* footer = R"(In the window:
   W A S D, Q E    fly forwards, left, back, right, down and up; with shift faster
@@ -28,18 +29,36 @@ Examples:
   seaglass view demos/scenes/harbour.toml
   seaglass view demos/scenes/ocean.toml --set water.waves.beaufort=8 --camera high
   seaglass view demos/scenes/harbour.toml --split planar
+  seaglass view demos/scenes/harbour.toml --split reference --paused
   seaglass view demos/scenes/harbour.toml --no-ui --frames 10 --dt 0.1 --screenshot window.png
 
 Exit codes: 0 all is well, 1 the run failed, 2 bad input, or no display to open a window on.)";
 
-bool checkSplit(const std::string& technique, Error& error) {
+bool checkSplit(const std::string& half, Error& error) {
     const std::span<const std::string_view> known = choicesOf("water.reflection.technique");
-    if (technique.empty() || std::ranges::find(known, technique) != known.end()) return true;
-    const std::vector<std::string_view> names(known.begin(), known.end());
-    error.text = "--split is '" + technique +
-                 "', expected sky, sspr, ssr, hybrid or planar; the nearest is " +
-                 std::string(nearest(technique, names));
+    std::vector<std::string_view> names(known.begin(), known.end());
+    names.push_back(referenceName);
+    if (half.empty() || std::ranges::find(names, half) != names.end()) return true;
+    error.text = "--split is '" + half +
+                 "', expected sky, sspr, ssr, hybrid, planar or reference; the nearest is " +
+                 std::string(nearest(half, names));
     return false;
+}
+
+bool checkReference(const RawView& raw, ViewOptions& options, Error& error) {
+    options.splitReference = raw.split == referenceName;
+    if (options.splitReference && options.picture.aov != Aov::color) {
+        error.text = "--split is 'reference', which shows color alone, expected no --aov beside it";
+        return false;
+    }
+    if (raw.spp.empty()) return true;
+    if (!options.splitReference) {
+        error.text = "--spp is given without --split reference, expected both";
+        return false;
+    }
+    const std::optional<uint32_t> samples = parseCount("--spp", raw.spp, mostSamples, error);
+    options.referenceSamples = samples.value_or(0);
+    return samples.has_value();
 }
 
 } // namespace
@@ -58,9 +77,16 @@ void describeView(CLI::App& command, RawView& raw) {
                     "With --frames: PNG of what the window shows at the last of them")
         ->type_name("FILE");
     command
-        .add_option("--split", raw.split,
-                    "Mirror the right half by another technique: sky sspr ssr hybrid planar")
+        .add_option(
+            "--split", raw.split,
+            "Mirror the right half by another technique: sky sspr ssr hybrid planar; or trace its rays: "
+            "reference")
         ->type_name("NAME");
+    command
+        .add_option(
+            "--spp", raw.spp,
+            "With --split reference: samples a pixel, 64 if not given; with --dt each frame waits for them")
+        ->type_name("N");
     command.add_flag("--paused", raw.paused, "Begin with the waves standing still");
     command.add_flag("--no-ui", raw.noPanel, "Begin without the panel");
     describeDevice(command, raw);
@@ -99,8 +125,8 @@ std::optional<ViewOptions> checkView(const RawView& raw, Error& error) {
         options.screenshot = raw.screenshot;
         if (!checkOutput("--screenshot", options.screenshot, {".png"}, error)) return std::nullopt;
     }
-    if (!checkSplit(raw.split, error)) return std::nullopt;
-    options.split = raw.split;
+    if (!checkSplit(raw.split, error) || !checkReference(raw, options, error)) return std::nullopt;
+    if (!options.splitReference) options.split = raw.split;
     options.paused = raw.paused;
     options.panel = !raw.noPanel;
     return options;

@@ -18,12 +18,14 @@ struct ViewOptions {
     std::filesystem::path screenshot; ///< of the last frame; empty takes none
     bool paused = false;
     bool panel = true;
-    std::string split; ///< technique of the right half; empty: one picture
+    std::string split;              ///< technique of the right half; empty: one picture, or
+    bool splitReference = false;    ///< it is ray traced
+    uint32_t referenceSamples = 64; ///< of each of its pixels
 };
 
 /// What the line says, before any of it is checked.
 struct RawView : RawScene, RawDevice {
-    std::string aov, frames, step, screenshot, split;
+    std::string aov, frames, step, screenshot, split, spp;
     bool paused = false, noPanel = false;
 };
 

@@ -187,6 +187,8 @@ struct CameraDesc {
     double verticalFovDeg = 45;
     double nearM = 0.1;
     Vec3 offsetM = {0, 0, 0}; ///< added to every place in the scene, this camera's own included
+
+    bool operator==(const CameraDesc&) const = default;
 };
 
 struct Scene {

@@ -75,6 +75,11 @@ void Display::show(VkCommandBuffer commands, const Image& picture, const Look& l
                  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, colorOutput,
                  VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
                  VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
+    showTexture(commands, picture, look, part);
+}
+
+void Display::showTexture(VkCommandBuffer commands, const Image& picture, const Look& look,
+                          const VkRect2D& part) {
     imageBarrier(commands, image_, now_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, transfer | colorOutput,
                  VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, colorOutput, colorAccess);
     now_ = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;

@@ -33,6 +33,8 @@ class Display {
 
     /// Draws over a part of it what attachments wrote into a picture of the same size.
     void show(VkCommandBuffer commands, const Image& picture, const Look& look, const VkRect2D& part);
+    /// The same of a picture that shaders read already.
+    void showTexture(VkCommandBuffer commands, const Image& picture, const Look& look, const VkRect2D& part);
     /// Leaves it as what copies read.
     void finish(VkCommandBuffer commands);
     const Image& image() const { return image_; }

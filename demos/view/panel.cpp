@@ -143,6 +143,8 @@ bool layOutSplit(std::optional<Split>& split, const std::optional<ReflectionDesc
     if (changed) split = on ? std::optional(Split{own.value_or(ReflectionDesc{})}) : std::nullopt;
     if (!split) return changed;
     slider("at", split->at, 0, 1, "%.2f");
+    changed |= ImGui::Checkbox("ray-traced reference", &split->reference);
+    if (split->reference) return changed;
     ImGui::PushID("right half");
     changed |= layOutReflection(split->reflection);
     ImGui::PopID();
@@ -244,6 +246,7 @@ PanelWishes layOutPanel(ViewState& state, const PanelInfo& info) {
         ImGui::SameLine();
         ImGui::Text("%.1f ms a frame", *info.frameMs);
     }
+    if (!info.reference.empty()) ImGui::TextWrapped("%s", info.reference.c_str());
     layOutTime(state);
     layOutCamera(state);
     layOutPicture(state);

@@ -14,6 +14,7 @@ struct PanelInfo {
     uint32_t width = 0, height = 0;
     std::optional<double> frameMs;   ///< of the last frame; none where time is not the clock's
     std::optional<FrameTimes> costs; ///< as last measured
+    std::string reference;           ///< how far it is; empty where none is wanted
     std::string message;             ///< what came of the last wish, or what is wrong
 };
 

@@ -1,4 +1,4 @@
-// The picture in two halves, which differ in how the scene is mirrored.
+// The picture in two halves, which differ in how the scene is mirrored, or drawn at all.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@ namespace demos {
 struct Split {
     ReflectionDesc reflection; ///< of the right half; the left one's is the scene's own
     double at = 0.5;           ///< of the width
+    bool reference = false;    ///< the right half is ray traced instead
 };
 
 /// The surface of the right half; none where the scene has nothing that mirrors.

@@ -8,6 +8,7 @@
 #include "view/panel.h"
 #include "view/saved_view.h"
 #include "view/swapchain.h"
+#include "view/tracer.h"
 #include "view/ui.h"
 
 namespace demos {
@@ -21,13 +22,14 @@ constexpr uint32_t measuredRuns = 5;
 class Viewer::Impl {
   public:
     Impl(Window& window, Host& host, const ViewState& state, const ViewerDesc& desc)
-        : window_(window), host_(host), state_(state), loaded_(state.scene), clock_(desc.stepS) {
+        : window_(window), host_(host), state_(state), loaded_(state.scene), clock_(desc.stepS),
+          referenceSamples_(desc.referenceSamples) {
         info_.device = host.device().name;
     }
 
     bool create(Error& error) {
         return swapchain_.create(device(), window_.handle(), error) && display_.create(device(), error) &&
-               ui_.create(device(), window_.handle(), Display::format, error) && fitSplit(error);
+               ui_.create(device(), window_.handle(), Display::format, error) && fitSplit(false, error);
     }
 
     bool step(Error& error) {
@@ -43,6 +45,7 @@ class Viewer::Impl {
     }
 
     const ViewState& state() const { return state_; }
+    const PanelInfo& info() const { return info_; }
 
     bool change(const ViewState& state, const PanelWishes& wishes, Error& error) {
         state_ = state;
@@ -103,13 +106,20 @@ class Viewer::Impl {
         } else {
             state_.scene = loaded_;
         }
-        return loaded && fitSplit(problem);
+        return loaded && fitSplit(!wishes.light, problem);
     }
 
-    /// The surface of the right half, if there is one.
-    bool fitSplit(Error& problem) {
+    /// The surface of the right half, or what traces it, if there is one.
+    bool fitSplit(bool surfaceAlone, Error& problem) {
         host_.keepSurfaces(1);
+        forgetReference();
+        if (!state_.split || !state_.split->reference) tracer_.reset();
         if (!state_.split) return true;
+        if (state_.split->reference) {
+            if (!tracer_) tracer_.emplace(referenceSamples_);
+            tracer_->setScene(state_.scene, surfaceAlone);
+            return true;
+        }
         const std::optional<SurfaceDesc> other = otherSurface(state_.scene, *state_.split);
         if (other && host_.addSurface(*other, problem)) return true;
         state_.split.reset();
@@ -149,12 +159,64 @@ class Viewer::Impl {
         return frame;
     }
 
+    void forgetReference() {
+        traced_ = {};
+        tracedSamples_.reset();
+        info_.reference.clear();
+    }
+
+    /// Brings here what the ray tracer has of what is seen in this frame.
+    bool followReference(Error& error) {
+        if (!tracer_) return true;
+        const VkExtent2D extent = swapchain_.extent();
+        const TracedView now{extent.width, extent.height, state_.camera, state_.timeS};
+        const bool moved = now != traces_;
+        if (moved) forgetReference();
+        traces_ = now;
+        // What moves on is not worth beginning with.
+        const bool wanted = state_.aov == Aov::color && (!moved || clock_.fixed());
+        tracer_->look(wanted ? std::optional(now) : std::nullopt);
+        if (clock_.fixed()) tracer_->wait();
+        std::optional<TracedPicture> come;
+        Error problem;
+        if (!tracer_->take(come, problem)) {
+            info_.message = problem.text;
+            if (clock_.fixed()) error = problem;
+        }
+        if (come && !bring(*come, error)) return false;
+        info_.reference = saidOfReference(wanted);
+        return error.text.empty();
+    }
+
+    bool bring(const TracedPicture& come, Error& error) {
+        ImageDesc desc;
+        desc.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+        desc.extent = {come.picture.width, come.picture.height};
+        const std::span<const std::byte> texels = std::as_bytes(std::span(come.picture.rgba));
+        if (!createSampledImage(device(), desc, {&texels, 1}, traced_, error)) return false;
+        tracedSamples_ = come.samples;
+        return true;
+    }
+
+    std::string saidOfReference(bool wanted) const {
+        if (state_.aov != Aov::color) return "reference: of color alone";
+        if (!wanted) return "reference: waits until nothing moves (space pauses)";
+        if (!tracedSamples_) return "reference: begun";
+        if (*tracedSamples_ == 0) return "reference: coarse";
+        return "reference: " + std::to_string(*tracedSamples_) + " of " + std::to_string(referenceSamples_) +
+               " samples";
+    }
+
     bool draw(Error& error) {
+        if (!followReference(error)) return false;
         const VkExtent2D extent = swapchain_.extent();
         const uint32_t left = state_.split ? leftColumns(*state_.split, extent.width) : extent.width;
+        const VkRect2D rest = {{static_cast<int32_t>(left), 0}, {extent.width - left, extent.height}};
+        const bool traced = tracedSamples_ && state_.aov == Aov::color;
+        // Until there is a reference the scene goes on as it is on the left.
         const bool drawn =
             drawPart(0, {{0, 0}, {left, extent.height}}, error) &&
-            drawPart(1, {{static_cast<int32_t>(left), 0}, {extent.width - left, extent.height}}, error);
+            (traced ? drawReference(rest, error) : drawPart(tracer_ ? 0 : 1, rest, error));
         follows_ = drawn;
         return drawn;
     }
@@ -167,6 +229,16 @@ class Viewer::Impl {
             frame(surface),
             [&](VkCommandBuffer commands, const Image& picture) {
                 display_.show(commands, picture, look, part);
+            },
+            error);
+    }
+
+    bool drawReference(const VkRect2D& part, Error& error) {
+        const Look look = lookOf(Aov::color, state_.scene.exposureEv, 0);
+        return device().run(
+            [&](VkCommandBuffer commands, Error&) {
+                display_.showTexture(commands, traced_, look, part);
+                return true;
             },
             error);
     }
@@ -195,6 +267,11 @@ class Viewer::Impl {
     Swapchain swapchain_;
     Display display_;
     Ui ui_;
+    const uint32_t referenceSamples_;
+    std::optional<Tracer> tracer_; ///< while the right half is the reference
+    TracedView traces_;            ///< what was seen in the last frame
+    Image traced_;
+    std::optional<uint32_t> tracedSamples_; ///< of each pixel of `traced_`, if there is one
     bool fitted_ = false;
     bool follows_ = false; ///< a frame of this size and scene before the next
     bool savesPicture_ = false;
@@ -220,6 +297,10 @@ bool Viewer::change(const ViewState& state, const PanelWishes& wishes, Error& er
 
 const ViewState& Viewer::state() const {
     return impl_->state();
+}
+
+const PanelInfo& Viewer::info() const {
+    return impl_->info();
 }
 
 bool Viewer::read(uint32_t& width, uint32_t& height, std::vector<uint8_t>& rgb, Error& error) {

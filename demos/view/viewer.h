@@ -12,6 +12,9 @@ namespace demos {
 struct ViewerDesc {
     /// By which time passes from each frame to the next, whatever the clock says; none: by the clock.
     std::optional<double> stepS;
+    /// Of each pixel of the reference, which the right half of a split picture may be. By fixed steps each
+    /// frame waits for all of them.
+    uint32_t referenceSamples = 64;
 };
 
 class Viewer {
@@ -25,6 +28,8 @@ class Viewer {
     /// Hears what happened in the window, draws one frame and shows it.
     bool step(Error& error);
     const ViewState& state() const;
+    /// What the panel shows beside it.
+    const PanelInfo& info() const;
     /// As if the panel had changed the state and wished for so much: false with `error` set where that cannot
     /// be done, and the scene then stays what it was.
     bool change(const ViewState& state, const PanelWishes& wishes, Error& error);

@@ -100,6 +100,22 @@ TEST_F(ViewOnDisplay, SplitMirrorsTheHalvesByTheirOwnTechniques) {
     EXPECT_GT(difference("left.png", "right.png", 80, 160), 100);
 }
 
+TEST_F(ViewOnDisplay, SplitAgainstTheReferenceShowsItsSamples) {
+    REQUIRE_DISPLAY(xvfb_);
+    const Outcome viewed = view({"--frames", "2", "--dt", "0.25", "--screenshot", "out/view.png", "--split",
+                                 "reference", "--spp", "3"});
+    ASSERT_EQ(viewed.code, 0) << viewed.err;
+    const Names still = {"--size", "160x90", "--time", "1.75", "-o"};
+    Names left = still, right = still;
+    left.push_back("out/left.png");
+    right.insert(right.end(), {"out/right.png", "--spp", "3"});
+    ASSERT_EQ(run("render", left).code, 0);
+    ASSERT_EQ(run("reference", right).code, 0);
+    EXPECT_LE(difference("view.png", "left.png", 0, 80), 1.01);
+    EXPECT_LE(difference("view.png", "right.png", 80, 160), 1.01);
+    EXPECT_GT(difference("left.png", "right.png", 80, 160), 10) << "they differ";
+}
+
 TEST_F(ViewOnDisplay, PausedItStandsStill) {
     REQUIRE_DISPLAY(xvfb_);
     const Names still = {"--dt", "0.25", "--paused", "--frames"};
@@ -135,6 +151,10 @@ TEST_F(View, RefusesBadInput) {
     tests::expectRefused(run("view", {"--aov", "depth"}), {"--aov", "'depth'", "seaglass render"});
     tests::expectRefused(run("view", {"--aov", "clas"}), {"--aov", "'clas'", "class"});
     tests::expectRefused(run("view", {"--split", "plane"}), {"--split", "'plane'", "planar"});
+    tests::expectRefused(run("view", {"--split", "referense"}), {"--split", "nearest is reference"});
+    tests::expectRefused(run("view", {"--split", "reference", "--aov", "class"}), {"reference", "--aov"});
+    tests::expectRefused(run("view", {"--spp", "4"}), {"--spp", "--split reference"});
+    tests::expectRefused(run("view", {"--split", "reference", "--spp", "0"}), {"--spp", "'0'"});
     tests::expectRefused(run("view", {"--sise", "1x1"}), {"--sise", "--size"});
 }
 

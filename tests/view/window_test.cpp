@@ -41,7 +41,7 @@ class InWindow : public testing::Test {
         window_.reset();
     }
 
-    void open() {
+    void open(const demos::ViewerDesc& viewing = {step}) {
         setenv("DISPLAY", xvfb_.display().c_str(), 1);
         tests::writeSample(folder_.path());
         const std::optional<demos::Scene> scene = demos::loadScene(folder_.path() / "scene.toml", {}, error_);
@@ -57,7 +57,7 @@ class InWindow : public testing::Test {
         state.camera = scene->cameras.front();
         state.timeS = scene->timeS;
         state.panel = false;
-        viewer_ = demos::Viewer::create(*window_, *host_, state, {step}, error_);
+        viewer_ = demos::Viewer::create(*window_, *host_, state, viewing, error_);
         ASSERT_TRUE(viewer_) << error_.text;
         stepOn(1);
     }
@@ -289,6 +289,50 @@ TEST_F(InWindow, ChangesShowAndWhatCannotBeLeavesTheScene) {
 
     ASSERT_TRUE(host_->load(state.scene, error_)) << error_.text;
     EXPECT_LE(difference(sunny, demos::toneMap(rendered(), state.scene.exposureEv)), 1) << "as loaded anew";
+    EXPECT_EQ(host_->validationMessages(), 0u);
+}
+
+TEST_F(InWindow, TheReferenceComesWhenNothingMovesAndGoesWhenSomethingDoes) {
+    REQUIRE_DISPLAY(xvfb_);
+    ASSERT_NO_FATAL_FAILURE(open({std::nullopt, 2}));
+    const auto shown = [&] {
+        uint32_t width = 0, height = 0;
+        std::vector<uint8_t> rgb;
+        EXPECT_TRUE(viewer_->read(width, height, rgb, error_)) << error_.text;
+        return rgb;
+    };
+    const auto traced = [&] {
+        stepOn(1);
+        return viewer_->info().reference == "reference: 2 of 2 samples";
+    };
+    demos::ViewState state = viewer_->state();
+    state.paused = true;
+    ASSERT_TRUE(viewer_->change(state, {}, error_)) << error_.text;
+    stepOn(1);
+    const std::vector<uint8_t> drawn = shown();
+    state.split = demos::Split{{}, 0, true};
+    ASSERT_TRUE(viewer_->change(state, {.split = true}, error_)) << error_.text;
+    expectSoon(traced);
+    const std::vector<uint8_t> first = shown();
+    EXPECT_GT(difference(drawn, first), 10);
+
+    state.camera.positionM[1] += 0.5;
+    ASSERT_TRUE(viewer_->change(state, {}, error_)) << error_.text;
+    stepOn(1);
+    EXPECT_EQ(viewer_->info().reference, "reference: waits until nothing moves (space pauses)");
+    EXPECT_LE(difference(shown(), demos::toneMap(rendered(), state.scene.exposureEv)), 1);
+    expectSoon(traced);
+    EXPECT_GT(difference(shown(), first), 10);
+    state.camera.positionM[1] -= 0.5;
+    ASSERT_TRUE(viewer_->change(state, {}, error_)) << error_.text;
+    expectSoon(traced);
+    EXPECT_EQ(shown(), first) << "the same samples";
+
+    state.scene.water->waves->beaufort = 7;
+    ASSERT_TRUE(viewer_->change(state, {.surface = true}, error_)) << error_.text;
+    EXPECT_EQ(viewer_->info().reference, "");
+    expectSoon(traced);
+    EXPECT_GT(difference(shown(), first), 10);
     EXPECT_EQ(host_->validationMessages(), 0u);
 }
 

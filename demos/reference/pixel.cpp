@@ -1,0 +1,50 @@
+#include "reference/pixel.h"
+
+#include "reference/shade_bed.h"
+#include "reference/shade_floor.h"
+#include "reference/shade_water.h"
+#include "reference/water_light.h"
+
+namespace demos::reference {
+
+namespace {
+
+glm::vec3 background(const Frame& frame, const glm::vec3& direction) {
+    const Light& light = frame.world->light;
+    const auto soft = static_cast<float>(softEdgeOfSun(static_cast<double>(frame.pixelAngle)));
+    const glm::vec3 sun =
+        light.sunDisc(direction, frame.desc.samples > 1 ? 0.1f * static_cast<float>(sunRadius) : soft);
+    return glm::min(light.sky(direction) + sun, glm::vec3(60000));
+}
+
+} // namespace
+
+void PixelSum::add(const Frame& frame, uint32_t x, uint32_t y, uint32_t sample) {
+    const glm::vec2 corner(static_cast<float>(x), static_cast<float>(y));
+    Random random(y * frame.desc.width + x, sample, frame.desc.seed);
+    Random* const chance = frame.desc.samples > 1 ? &random : nullptr;
+    Ray ray = frame.rayThrough(corner + (chance ? random.inPixel() : glm::vec2(0.5f)));
+    ray.inWater = isInWater(frame, ray.direction * ray.nearest);
+    ++count_;
+    Hit hit;
+    if (!frame.geometry.trace(ray, Kind::everything, hit)) {
+        sum_ += ray.inWater ? endlessWater(frame, ray) : background(frame, ray.direction);
+    } else if (hit.kind == Kind::opaque) {
+        sum_ += ray.inWater ? bedInWater(frame, ray, hit, chance) : shadeHit(frame, ray, hit, chance);
+    } else if (frame.world->floor) {
+        sum_ += shadeFloor(frame, ray, hit, chance);
+    } else {
+        const WaterRadiance water = shadeWater(frame, ray, hit, mostBounces, chance);
+        waterSum_ += water.radiance;
+        waterWeight_ += water.weight;
+        ++waterCount_;
+    }
+}
+
+glm::vec3 PixelSum::mean() const {
+    glm::vec3 sum = sum_;
+    if (waterCount_ > 0) sum += waterSum_ * (static_cast<float>(waterCount_) / waterWeight_);
+    return sum / static_cast<float>(count_);
+}
+
+} // namespace demos::reference
