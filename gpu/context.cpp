@@ -42,8 +42,8 @@ const char* badField(const DeviceDesc& desc) {
     if (!desc.getInstanceProcAddr) return "DeviceDesc.getInstanceProcAddr is null";
     if (desc.framesInFlight < 1 || desc.framesInFlight > 4)
         return "DeviceDesc.framesInFlight is out of range, expected 1 to 4";
-    if (!desc.memory.allocate != !desc.memory.free)
-        return "DeviceDesc.memory has one of allocate and free, expected both or none";
+    if (!desc.memory.allocate != !desc.memory.release)
+        return "DeviceDesc.memory has one of allocate and release, expected both or none";
     return nullptr;
 }
 

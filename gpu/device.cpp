@@ -80,7 +80,7 @@ void Device::free(MemoryPiece& piece) const {
     if (!memoryCallbacks_.allocate)
         table_.FreeMemory(device_, piece.memory, allocator());
     else if (piece.memory)
-        memoryCallbacks_.free(memoryCallbacks_.user, &piece);
+        memoryCallbacks_.release(memoryCallbacks_.user, &piece);
     piece = {};
 }
 

@@ -194,7 +194,7 @@ TEST_F(HostMemory, CallbacksThatGiveNothingAreNamed) {
     std::string text;
     DeviceDesc desc = deviceDesc(&text);
     Context* context = nullptr;
-    desc.memory.free = [](void*, const MemoryPiece*) {};
+    desc.memory.release = [](void*, const MemoryPiece*) {};
     EXPECT_EQ(createContext(&desc, &context), Status::invalidArgument);
     EXPECT_NE(text.find("DeviceDesc.memory"), std::string::npos) << text;
     desc.memory.allocate = [](void*, const VkMemoryRequirements*, VkMemoryPropertyFlags, bool, MemoryPiece*) {

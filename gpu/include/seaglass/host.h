@@ -54,8 +54,8 @@ struct MemoryCallbacks {
     /// As `needs` says, of a type with all of `wanted`; `image`: of optimal tiling (bufferImageGranularity).
     VkResult (*allocate)(void* user, const VkMemoryRequirements* needs, VkMemoryPropertyFlags wanted,
                          bool image, MemoryPiece* out) = nullptr;
-    void (*free)(void* user, const MemoryPiece* piece) = nullptr; ///< what allocate() gave
-    void* user = nullptr;                                         ///< handed back to both
+    void (*release)(void* user, const MemoryPiece* piece) = nullptr; ///< what allocate() gave
+    void* user = nullptr;                                            ///< handed back to both
 };
 
 /// The host's device. It must outlive the context.
