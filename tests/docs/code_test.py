@@ -1,5 +1,4 @@
-"""code_test.py CXX FLAG...: every cpp block of the documents compiles, as C++17 and without warnings, and README's cmake
-block is what makes it a project (tests/docs/project). A block is a whole file, or what stands in a function that has the
+"""code_test.py CXX FLAG...: every cpp block of the documents compiles, as C++17 and without warnings. A block is a whole file, or what stands in a function that has the
 host's own things, as wrapped here."""
 import subprocess
 import sys
