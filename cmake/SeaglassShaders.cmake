@@ -3,6 +3,21 @@
 #     #include "spirv/scatter.comp.h"     ->     const uint32_t scatter_comp[] = {...};
 # With DEFINES, one file gives several variants; NAME then replaces the file's name.
 find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang REQUIRED)
+# SPIR-V 1.6 states group sizes by id, which needs the feature maintenance4; 1.5 serves and asks for nothing.
+set(SEAGLASS_GLSLANG_FLAGS --quiet -V --target-env vulkan1.2)
+
+# For SEAGLASS_SHADER_RELOAD: the header that is included tells the library by what name it may be given other words than
+# those of `words`; the global property SEAGLASS_SHADERS holds how each is compiled.
+function(seaglass_name_shader header words name symbol source defines)
+  file(CONFIGURE OUTPUT ${header} CONTENT [[
+#include "@words@"
+#include "gpu/shader_reload.h"
+namespace { const seaglass::gpu::ShaderName @symbol@_name(@symbol@, "@name@"); }
+]] @ONLY)
+  cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/shaders)
+  list(JOIN defines " " defines)
+  set_property(GLOBAL APPEND_STRING PROPERTY SEAGLASS_SHADERS "${name} ${source} ${defines}\n")
+endfunction()
 
 function(seaglass_shaders target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "NAME" "DEFINES")
@@ -17,10 +32,14 @@ function(seaglass_shaders target)
     endif()
     string(REPLACE "." "_" symbol ${name})
     set(header ${out_dir}/${name}.h)
+    if(SEAGLASS_SHADER_RELOAD AND target MATCHES "^seaglass_")
+      set(words ${out_dir}/words_${name}.h)
+      seaglass_name_shader(${header} ${words} ${name} ${symbol} ${source} "${arg_DEFINES}")
+      set(header ${words})
+    endif()
     add_custom_command(
       OUTPUT ${header}
-      # SPIR-V 1.6 states group sizes by id, which needs the feature maintenance4; 1.5 serves and asks for nothing.
-      COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 -I${PROJECT_SOURCE_DIR}/shaders/common
+      COMMAND ${GLSLANG_VALIDATOR} ${SEAGLASS_GLSLANG_FLAGS} -I${PROJECT_SOURCE_DIR}/shaders/common
               ${arg_DEFINES} --depfile ${header}.d --vn ${symbol} -o ${header} ${source}
       DEPENDS ${source}
       DEPFILE ${header}.d

@@ -3,9 +3,19 @@
 #include <utility>
 #include <vector>
 
+#ifdef SEAGLASS_SHADER_RELOAD
+#include "gpu/shader_reload.h"
+#endif
+
 namespace seaglass::gpu {
 
 Status ShaderModule::create(std::span<const uint32_t> spirv, const char* what) {
+#ifdef SEAGLASS_SHADER_RELOAD
+    std::vector<uint32_t> reloaded;
+    if (!reloadShader(spirv, reloaded))
+        return device_.fail(Status::invalidArgument, "%s: its changed shader does not compile", what);
+    if (!reloaded.empty()) spirv = reloaded;
+#endif
     VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     info.codeSize = spirv.size_bytes();
     info.pCode = spirv.data();

@@ -23,8 +23,10 @@ std::unique_ptr<Host> Host::create(const HostDesc& desc, Error& error) {
         return nullptr;
     }
     auto impl = std::make_unique<Impl>();
+    impl->desc = desc;
+    impl->recorder = std::make_unique<FrameRecorder>();
     impl->device = Device::create(desc, error);
-    if (!impl->device || !impl->recorder.create(*impl->device, desc, error)) return nullptr;
+    if (!impl->device || !impl->recorder->create(*impl->device, desc, error)) return nullptr;
     return std::unique_ptr<Host>(new Host(std::move(impl)));
 }
 
@@ -41,17 +43,17 @@ uint32_t Host::validationMessages() const {
 
 bool Host::load(const Scene& scene, Error& error) {
     auto loaded = std::make_unique<LoadedScene>();
-    if (!impl_->recorder.load(scene, *loaded, error)) return false;
+    if (!impl_->recorder->load(scene, *loaded, error)) return false;
     impl_->scene = std::move(loaded);
     return true;
 }
 
 bool Host::addSurface(const SurfaceDesc& surface, Error& error) {
-    return impl_->ready(error) && impl_->recorder.addSurface(surface, *impl_->scene, error);
+    return impl_->ready(error) && impl_->recorder->addSurface(surface, *impl_->scene, error);
 }
 
 bool Host::replaceSurface(uint32_t index, const SurfaceDesc& surface, Error& error) {
-    if (!impl_->ready(error) || !impl_->recorder.hasSurface(index, *impl_->scene, error) ||
+    if (!impl_->ready(error) || !impl_->recorder->hasSurface(index, *impl_->scene, error) ||
         !addSurface(surface, error))
         return false;
     std::vector<Surface>& surfaces = impl_->scene->surfaces;
@@ -69,18 +71,18 @@ void Host::keepSurfaces(uint32_t count) {
 std::optional<uint64_t> Host::reflectionBytes(const SurfaceDesc& surface, uint32_t width, uint32_t height,
                                               Error& error) {
     uint64_t bytes = 0;
-    if (!impl_->recorder.estimateReflection(surface, {width, height}, bytes, error)) return std::nullopt;
+    if (!impl_->recorder->estimateReflection(surface, {width, height}, bytes, error)) return std::nullopt;
     return bytes;
 }
 
 std::optional<Picture> Host::render(const FrameDesc& frame, Error& error) {
     Impl& impl = *impl_;
-    const FrameTargets& targets = impl.recorder.targets();
+    const FrameTargets& targets = impl.recorder->targets();
     const bool drawn = impl.draw(
         frame, [&](VkCommandBuffer commands, const Image& picture) { targets.copyBack(commands, picture); },
         error);
     if (!drawn) return std::nullopt;
-    if (frame.aov == Aov::depth) return readDepth(targets, impl.recorder.camera().near);
+    if (frame.aov == Aov::depth) return readDepth(targets, impl.recorder->camera().near);
     return needsExact(frame.aov) ? readExact(targets) : readColor(targets);
 }
 
@@ -91,16 +93,16 @@ bool Host::Impl::ready(Error& error) const {
 
 bool Host::Impl::recordFrame(VkCommandBuffer commands, Error& error) {
     for (const StageName& stage : stages)
-        if (recorder.needed(stage.stage) && !recorder.record(commands, stage.stage, error)) return false;
+        if (recorder->needed(stage.stage) && !recorder->record(commands, stage.stage, error)) return false;
     return true;
 }
 
 bool Host::Impl::draw(const FrameDesc& frame, const AfterFrame& then, Error& error) {
-    if (!ready(error) || !recorder.begin(*scene, frame, error)) return false;
+    if (!ready(error) || !recorder->begin(*scene, frame, error)) return false;
     return device->run(
         [&](VkCommandBuffer commands, Error& problem) {
             if (!recordFrame(commands, problem)) return false;
-            then(commands, pictureOf(recorder.targets(), frame.aov));
+            then(commands, pictureOf(recorder->targets(), frame.aov));
             return true;
         },
         error);

@@ -17,9 +17,10 @@ struct Host::Impl {
     /// Draws one frame, then what `then` records, and waits for both.
     bool draw(const FrameDesc& frame, const AfterFrame& then, Error& error);
 
+    HostDesc desc;
     // In this order, so that what is made from another goes before it.
     std::unique_ptr<Device> device;
-    FrameRecorder recorder;
+    std::unique_ptr<FrameRecorder> recorder;
     std::unique_ptr<LoadedScene> scene;
 };
 

@@ -18,17 +18,17 @@ std::optional<FrameTimes> Host::measure(const FrameDesc& measured, uint32_t runs
     for (uint32_t i = 0; i < Impl::warmUps + runs; ++i) {
         const bool warm = i >= Impl::warmUps;
         // Whole frames and stages alternate, so that both see the same machine.
-        if (!impl.recorder.begin(*impl.scene, frame, error) ||
+        if (!impl.recorder->begin(*impl.scene, frame, error) ||
             !impl.device->run(
                 [&](VkCommandBuffer commands, Error& problem) { return impl.recordFrame(commands, problem); },
                 error))
             return std::nullopt;
         if (warm) {
             whole.push_back(impl.device->lastRunMs());
-            simulate.push_back(impl.recorder.cpuSimulateMs());
+            simulate.push_back(impl.recorder->cpuSimulateMs());
         }
-        if (!impl.recorder.begin(*impl.scene, frame, error) ||
-            !timeStages(*impl.device, impl.recorder, stages, warm ? times : ignored, error))
+        if (!impl.recorder->begin(*impl.scene, frame, error) ||
+            !timeStages(*impl.device, *impl.recorder, stages, warm ? times : ignored, error))
             return std::nullopt;
     }
     FrameTimes found;

@@ -142,7 +142,7 @@ std::optional<ComparedTimes> Host::measureSurfaces(const FrameDesc& frame, uint3
     if (!floor.create(*impl.device, {frame.width, frame.height}, error)) return std::nullopt;
     FullScreenPass fullScreen;
     if (!fullScreen.create(*impl.device, error)) return std::nullopt;
-    RoundTimer timer(*impl.device, impl.recorder, *impl.scene, frame, floor, fullScreen);
+    RoundTimer timer(*impl.device, *impl.recorder, *impl.scene, frame, floor, fullScreen);
     Samples samples, ignored;
     samples.surfaces.resize(impl.scene->surfaces.size());
     ignored.surfaces.resize(impl.scene->surfaces.size());

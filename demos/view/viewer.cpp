@@ -10,6 +10,9 @@
 #include "view/swapchain.h"
 #include "view/tracer.h"
 #include "view/ui.h"
+#ifdef SEAGLASS_SHADER_RELOAD
+#include "view/shader_reload.h"
+#endif
 
 namespace demos {
 
@@ -23,6 +26,9 @@ class Viewer::Impl {
   public:
     Impl(Window& window, Host& host, const ViewState& state, const ViewerDesc& desc)
         : window_(window), host_(host), state_(state), loaded_(state.scene), clock_(desc.stepS),
+#ifdef SEAGLASS_SHADER_RELOAD
+          shaders_(desc.shaders),
+#endif
           referenceSamples_(desc.referenceSamples) {
         info_.device = host.device().name;
     }
@@ -38,14 +44,22 @@ class Viewer::Impl {
         hear(seconds);
         if (window_.width() == 0 || window_.height() == 0) return true; // minimised
         bool stale = false;
-        if (!fit(error) || !layOut(seconds, error) || !swapchain_.acquire(stale, error)) return false;
+        if (!fit(error)) return false;
+#ifdef SEAGLASS_SHADER_RELOAD
+        reloadShaders();
+#endif
+        if (!layOut(seconds, error) || !swapchain_.acquire(stale, error)) return false;
         if (!stale && (!draw(error) || !finish(error) || !swapchain_.present(stale, error))) return false;
         fitted_ = !stale;
         return true;
     }
 
-    const ViewState& state() const { return state_; }
-    const PanelInfo& info() const { return info_; }
+    const ViewState& state() const {
+        return state_;
+    }
+    const PanelInfo& info() const {
+        return info_;
+    }
 
     bool change(const ViewState& state, const PanelWishes& wishes, Error& error) {
         state_ = state;
@@ -55,10 +69,14 @@ class Viewer::Impl {
                (!wishes.saveScene || saveTheScene(error));
     }
 
-    Display& display() { return display_; }
+    Display& display() {
+        return display_;
+    }
 
   private:
-    Device& device() { return *host_.inside().device; }
+    Device& device() {
+        return *host_.inside().device;
+    }
 
     void hear(double seconds) {
         const bool typing = ui_.keysTaken();
@@ -125,6 +143,18 @@ class Viewer::Impl {
         state_.split.reset();
         return false;
     }
+
+#ifdef SEAGLASS_SHADER_RELOAD
+    void reloadShaders() {
+        Error problem{shaders_.takeProblem()};
+        if (shaders_.changed() && shaders_.renew(host_, loaded_, frame(0), problem)) {
+            follows_ = false;
+            info_.message = "shaders reloaded";
+            if (state_.split && !tracer_) fitSplit(false, problem);
+        }
+        if (!problem.text.empty()) info_.message = problem.text;
+    }
+#endif
 
     bool measure(Error& problem) {
         info_.costs = host_.measure(frame(0), measuredRuns, problem);
@@ -214,9 +244,8 @@ class Viewer::Impl {
         const VkRect2D rest = {{static_cast<int32_t>(left), 0}, {extent.width - left, extent.height}};
         const bool traced = tracedSamples_ && state_.aov == Aov::color;
         // Until there is a reference the scene goes on as it is on the left.
-        const bool drawn =
-            drawPart(0, {{0, 0}, {left, extent.height}}, error) &&
-            (traced ? drawReference(rest, error) : drawPart(tracer_ ? 0 : 1, rest, error));
+        const bool drawn = drawPart(0, {{0, 0}, {left, extent.height}}, error) &&
+                           (traced ? drawReference(rest, error) : drawPart(tracer_ ? 0 : 1, rest, error));
         follows_ = drawn;
         return drawn;
     }
@@ -267,6 +296,9 @@ class Viewer::Impl {
     Swapchain swapchain_;
     Display display_;
     Ui ui_;
+#ifdef SEAGLASS_SHADER_RELOAD
+    ShaderReload shaders_;
+#endif
     const uint32_t referenceSamples_;
     std::optional<Tracer> tracer_; ///< while the right half is the reference
     TracedView traces_;            ///< what was seen in the last frame

@@ -1,6 +1,7 @@
 // seaglass view: a scene in a window, frame after frame, by the host that renders it to files.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -15,6 +16,10 @@ struct ViewerDesc {
     /// Of each pixel of the reference, which the right half of a split picture may be. By fixed steps each
     /// frame waits for all of them.
     uint32_t referenceSamples = 64;
+#ifdef SEAGLASS_SHADER_RELOAD
+    /// The library's shaders, as they were built in: when they change, what is drawn does.
+    std::filesystem::path shaders = SEAGLASS_SHADER_FOLDER;
+#endif
 };
 
 class Viewer {

@@ -1,14 +1,5 @@
 // The viewer in a real window: keys, mouse and sizes come from the display's server, as from a desktop.
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <cstdlib>
-#include <functional>
-#include <thread>
-
-#include "demos/view/viewer.h"
-#include "tests/program/sample.h"
-#include "tests/view/xvfb.h"
+#include "tests/view/in_window.h"
 
 // Last: X11 defines words that others use.
 #define GLFW_INCLUDE_NONE
@@ -21,62 +12,21 @@ extern "C" Window glfwGetX11Window(GLFWwindow*);
 
 namespace {
 
-using demos::Error;
+using tests::difference;
+using tests::stepS;
 
-constexpr double step = 0.125;
-
-/// The greatest of any channel of any pixel.
-int difference(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
-    if (a.size() != b.size()) return 255;
-    int most = 0;
-    for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-    return most;
-}
-
-class InWindow : public testing::Test {
+class InWindow : public tests::InWindow {
   protected:
-    ~InWindow() override {
-        viewer_.reset();
-        host_.reset();
-        window_.reset();
-    }
-
-    void open(const demos::ViewerDesc& viewing = {step}) {
-        setenv("DISPLAY", xvfb_.display().c_str(), 1);
-        tests::writeSample(folder_.path());
-        const std::optional<demos::Scene> scene = demos::loadScene(folder_.path() / "scene.toml", {}, error_);
-        ASSERT_TRUE(scene) << error_.text;
-        window_ = demos::Window::open("test", 96, 64, error_);
-        ASSERT_TRUE(window_) << error_.text;
-        demos::HostDesc desc{"", true};
-        desc.windowExtensions = demos::Window::vulkanExtensions(error_);
-        host_ = demos::Host::create(desc, error_);
-        ASSERT_TRUE(host_ && host_->load(*scene, error_)) << error_.text;
-        demos::ViewState state;
-        state.scene = *scene;
-        state.camera = scene->cameras.front();
-        state.timeS = scene->timeS;
-        state.panel = false;
-        viewer_ = demos::Viewer::create(*window_, *host_, state, viewing, error_);
-        ASSERT_TRUE(viewer_) << error_.text;
-        stepOn(1);
-    }
-
-    void stepOn(int frames) {
-        for (int i = 0; i < frames; ++i) ASSERT_TRUE(viewer_->step(error_)) << error_.text;
-    }
-
     Display* display() const { return glfwGetX11Display(); }
     ::Window xWindow() const { return glfwGetX11Window(window_->handle()); }
 
     /// Waits until what was sent has come.
     void expectSoon(const std::function<bool()>& come) {
-        for (int i = 0; i < 1000 && !come(); ++i) {
+        tests::InWindow::expectSoon([&] {
             XSync(display(), False);
             window_->listen();
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        }
-        EXPECT_TRUE(come());
+            return come();
+        });
     }
 
     void key(KeySym symbol, bool press) {
@@ -107,12 +57,6 @@ class InWindow : public testing::Test {
         return picture.value_or(demos::Picture{});
     }
 
-    tests::TemporaryFolder folder_;
-    tests::Xvfb xvfb_;
-    Error error_;
-    std::unique_ptr<demos::Window> window_;
-    std::unique_ptr<demos::Host> host_;
-    std::unique_ptr<demos::Viewer> viewer_;
     Time time_ = 0;
 };
 
@@ -124,14 +68,14 @@ TEST_F(InWindow, KeysMoveTheCameraAsComputed) {
 
     hold(XK_w, GLFW_KEY_W);
     stepOn(3);
-    for (int i = 0; i < 3; ++i) demos::fly(expected, {.forward = 1}, step);
+    for (int i = 0; i < 3; ++i) demos::fly(expected, {.forward = 1}, stepS);
     EXPECT_EQ(viewer_->state().camera.positionM, expected.positionM);
     EXPECT_LT(expected.positionM[2], 3);
 
     hold(XK_d, GLFW_KEY_D);
     hold(XK_Shift_L, GLFW_KEY_LEFT_SHIFT);
     stepOn(1);
-    demos::fly(expected, {.right = 1, .forward = 1, .fast = true}, step);
+    demos::fly(expected, {.right = 1, .forward = 1, .fast = true}, stepS);
     EXPECT_EQ(viewer_->state().camera.positionM, expected.positionM);
 
     release(XK_w, GLFW_KEY_W);
@@ -174,7 +118,7 @@ TEST_F(InWindow, TheMouseLooksAroundWhileTheRightButtonIsHeld) {
     });
     stepOn(1);
     demos::CameraDesc expected = before;
-    demos::fly(expected, {.turnRightPx = x - fromX, .turnDownPx = y - fromY}, step);
+    demos::fly(expected, {.turnRightPx = x - fromX, .turnDownPx = y - fromY}, stepS);
     EXPECT_EQ(viewer_->state().camera.targetM, expected.targetM);
     EXPECT_EQ(x - fromX, 20);
     EXPECT_EQ(y - fromY, -5);
@@ -184,7 +128,7 @@ TEST_F(InWindow, SpacePausesTheWaves) {
     REQUIRE_DISPLAY(xvfb_);
     ASSERT_NO_FATAL_FAILURE(open());
     stepOn(2);
-    EXPECT_EQ(viewer_->state().timeS, 1.5 + 2 * step);
+    EXPECT_EQ(viewer_->state().timeS, 1.5 + 2 * stepS);
     key(XK_space, true);
     key(XK_space, false);
     const auto paused = [&] {
@@ -252,12 +196,6 @@ TEST_F(InWindow, ThePanelLiesOverThePictureAndTabHidesIt) {
 TEST_F(InWindow, ChangesShowAndWhatCannotBeLeavesTheScene) {
     REQUIRE_DISPLAY(xvfb_);
     ASSERT_NO_FATAL_FAILURE(open());
-    const auto shown = [&] {
-        uint32_t width = 0, height = 0;
-        std::vector<uint8_t> rgb;
-        EXPECT_TRUE(viewer_->read(width, height, rgb, error_)) << error_.text;
-        return rgb;
-    };
     demos::ViewState state = viewer_->state();
     state.paused = true;
     state.scene.water->waves->beaufort = 7;
@@ -295,12 +233,6 @@ TEST_F(InWindow, ChangesShowAndWhatCannotBeLeavesTheScene) {
 TEST_F(InWindow, TheReferenceComesWhenNothingMovesAndGoesWhenSomethingDoes) {
     REQUIRE_DISPLAY(xvfb_);
     ASSERT_NO_FATAL_FAILURE(open({std::nullopt, 2}));
-    const auto shown = [&] {
-        uint32_t width = 0, height = 0;
-        std::vector<uint8_t> rgb;
-        EXPECT_TRUE(viewer_->read(width, height, rgb, error_)) << error_.text;
-        return rgb;
-    };
     const auto traced = [&] {
         stepOn(1);
         return viewer_->info().reference == "reference: 2 of 2 samples";
