@@ -58,6 +58,32 @@ layout(constant_id = 5) const bool hasDryRooms = false;
 #include "foam_cover.glsl"
 #endif
 
+bool isSeenFromWater() {
+#ifdef REFRACTION
+    return sidesSeen == seenBelow || (sidesSeen != seenAbove && seenFromBelow());
+#else
+    return false;
+#endif
+}
+
+// Of the facet in the middle of the pixel.
+vec3 mirroredDirection(vec3 normal, vec3 toEye) {
+    vec3 direction = reflect(-toEye, normal);
+#ifdef REFRACTION
+    if (isSeenFromWater()) return keptBelow(direction);
+#endif
+    return keptAbove(direction);
+}
+
+// Before Fresnel.
+vec3 mirroredRadiance(SurfacePoint s, vec3 toEye) {
+#ifdef REFRACTION
+    if (isSeenFromWater()) return mirroredBelow(s, -toEye);
+#endif
+    Reflection r = reflected(s, toEye);
+    return r.radiance / max(r.fresnel, 1e-4);
+}
+
 vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
     if (surfaceOutput == outputHeight) return vec4(position.y + plane.w, 0.0, 0.0, 1.0);
     if (surfaceOutput == outputNormal) return vec4(normal, 1.0);
@@ -66,19 +92,16 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
     if (surfaceOutput == outputFoam) return vec4(foamHere().mask, 0.0, 0.0, 1.0);
 #endif
 #ifdef REFLECTION
-    if (surfaceOutput == outputClass) return vec4(classColor(position, keptAbove(reflect(-toEye, normal))), 1.0);
+    if (surfaceOutput == outputClass) return vec4(classColor(position, mirroredDirection(normal, toEye)), 1.0);
 #endif
     if (surfaceOutput == outputReflectionSource) {
 #ifdef REFLECTION
-        return reflectionSource(position, keptAbove(reflect(-toEye, normal)));
+        return reflectionSource(position, mirroredDirection(normal, toEye));
 #else
         return vec4(-1.0, -1.0, 0.0, 1.0);   // the sky
 #endif
     }
-    if (surfaceOutput == outputReflection) {
-        Reflection r = reflected(s, toEye);
-        return vec4(r.radiance / max(r.fresnel, 1e-4), 1.0);
-    }
+    if (surfaceOutput == outputReflection) return vec4(mirroredRadiance(s, toEye), 1.0);
     return vec4(0.0, 0.0, 0.0, 1.0);
 }
 
@@ -106,7 +129,7 @@ void main() {
     foamShare = white.mask;
 #endif
 #ifdef REFRACTION
-    if (sidesSeen == seenBelow || (sidesSeen != seenAbove && seenFromBelow())) {
+    if (isSeenFromWater()) {
         outColor = vec4(shadedBelow(s, foamShare), 1.0);
         return;
     }

@@ -50,7 +50,6 @@ class View {
     RunResult measure(const reference::World& world, Error& error) {
         if (const RunResult traced = trace(world, error); traced != RunResult::ok) return traced;
         if (const RunResult timed = time(error); timed != RunResult::ok) return timed;
-        if (!draw(0, Aov::scene, shots_.scene, error)) return RunResult::failed;
         for (uint32_t i = 0; i < subject_.variants.size(); ++i)
             if (!compare(i, error)) return RunResult::failed;
         return RunResult::ok;
@@ -125,21 +124,11 @@ class View {
         return true;
     }
 
-    bool draw(uint32_t surface, Aov aov, Picture& out, Error& error) {
+    bool compare(uint32_t surface, Error& error) {
         FrameDesc frame = frame_;
         frame.surface = surface;
-        frame.aov = aov;
         frame.follows = true;
-        std::optional<Picture> picture = host_.render(frame, error);
-        if (picture) out = std::move(*picture);
-        return picture.has_value();
-    }
-
-    bool compare(uint32_t surface, Error& error) {
-        if (!settle(surface, error) || !draw(surface, Aov::color, shots_.color, error) ||
-            !draw(surface, Aov::reflection, shots_.reflection, error) ||
-            !draw(surface, Aov::reflectionSource, shots_.sources, error))
-            return false;
+        if (!settle(surface, error) || !takeShots(host_, frame, shots_, error)) return false;
         const double exposureEv = subject_.scene.exposureEv;
         const std::optional<PictureError> found = errorOf(truth_, shots_, exposureEv, error);
         if (!found) {

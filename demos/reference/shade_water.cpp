@@ -124,7 +124,9 @@ glm::vec3 shadeHit(const Frame& frame, const Ray& ray, const Hit& hit, Random* r
 MirroredRay mirrorOfMean(const Frame& frame, const Ray& ray, const Hit& hit) {
     const Facet facet = meanFacet(frame, ray, hit);
     const glm::vec3 direction = glm::normalize(glm::reflect(ray.direction, facet.normal));
-    return {facet.normal, bentRay(frame, ray, hit, facet.up, direction)};
+    MirroredRay mean = {facet.normal, bentRay(frame, ray, hit, facet.up, direction)};
+    mean.ray.inWater = frame.world->water->underwater && !hit.frontFacing;
+    return mean;
 }
 
 WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int bounces, Random* random) {

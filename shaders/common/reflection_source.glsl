@@ -2,9 +2,9 @@
 
 // The point that a lookup along one ray shows of a texel whose centre lies on another: as far away as the mirror image
 // in that texel, mirrored in the plane. Positions are in metres from the eye; `info` holds a hit; the plane is that of
-// the points p with dot(normal, p) + height = 0, so that `height` is the eye's above it.
+// the points p with dot(normal, p) + height = 0, so that `height` is the eye's above it, negative for an eye below.
 vec3 mirroredPoint(vec3 throughPixel, vec3 throughTexel, float info, vec3 normal, float height) {
-    float toMirror = height / max(-dot(throughTexel, normal), 1e-6);
+    float toMirror = abs(height) / max(abs(dot(throughTexel, normal)), 1e-6);
     vec3 image = throughPixel * (toMirror + info);
     return image - 2.0 * (dot(image, normal) + height) * normal;
 }

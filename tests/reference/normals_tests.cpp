@@ -3,8 +3,8 @@
 
 #include "host/waves.h"
 #include "measure/picture_error.h"
-#include "reference/reference.h"
 #include "seaglass/sea.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -34,15 +34,8 @@ std::optional<measure::PictureError> errorWith(const seaglass::WavesBackend* wav
     const std::unique_ptr<Host> host = Host::create(desc, error);
     if (!host || !host->load(scene, error)) return std::nullopt;
     measure::Shots shots;
-    const auto draw = [&](Aov aov, Picture& out) {
-        const FrameDesc frame{width, height, scene.cameras.front(), scene.timeS, aov, 0};
-        std::optional<Picture> drawn = host->render(frame, error);
-        if (drawn) out = std::move(*drawn);
-        return drawn.has_value();
-    };
-    if (!draw(Aov::color, shots.color) || !draw(Aov::reflection, shots.reflection) ||
-        !draw(Aov::reflectionSource, shots.sources) || !draw(Aov::scene, shots.scene))
-        return std::nullopt;
+    const FrameDesc frame{width, height, scene.cameras.front(), scene.timeS, Aov::color, 0};
+    if (!takeShots(*host, frame, shots, error)) return std::nullopt;
     return errorOf(truth, shots, scene.exposureEv, error);
 }
 
@@ -52,17 +45,8 @@ TEST(Normals, FlippedOnesAreMeasured) {
         loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml",
                   {"water.waves.samples=64", "water.waves.amplitude=0.5"}, error);
     ASSERT_TRUE(scene) << error.text;
-    reference::World world;
-    reference::Frame frame;
-    reference::FrameDesc desc;
-    desc.width = width;
-    desc.height = height;
-    desc.camera = scene->cameras.front();
-    desc.timeS = scene->timeS;
-    ASSERT_TRUE(reference::loadWorld(*scene, world, error) &&
-                reference::prepareFrame(world, desc, frame, error))
-        << error.text;
-    const reference::Pictures truth = reference::renderReference(frame, true);
+    const reference::Pictures truth =
+        tests::traced(*scene, {width, height, scene->cameras.front(), scene->timeS}, true);
     const auto sound = errorWith(nullptr, *scene, truth, error);
     const auto flipped = errorWith(flippedWaves(), *scene, truth, error);
     ASSERT_TRUE(sound && flipped) << error.text;

@@ -5,8 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "host/host.h"
+#include "measure/picture_error.h"
 #include "metrics/compare.h"
-#include "reference/reference.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -40,18 +41,7 @@ class UnderwaterHost : public testing::Test {
         return *picture;
     }
     Picture trace(const CameraDesc& camera, uint32_t samples) {
-        Error error;
-        reference::World world;
-        reference::Frame frame;
-        reference::FrameDesc desc;
-        desc.width = width;
-        desc.height = height;
-        desc.camera = camera;
-        desc.timeS = scene_.timeS;
-        desc.samples = samples;
-        EXPECT_TRUE(reference::loadWorld(scene_, world, error)) << error.text;
-        EXPECT_TRUE(reference::prepareFrame(world, desc, frame, error)) << error.text;
-        return reference::renderReference(frame, false).color;
+        return tests::traced(scene_, {width, height, camera, scene_.timeS, samples}).color;
     }
 
     static constexpr uint32_t width = 160, height = 90;
@@ -97,6 +87,31 @@ TEST_F(UnderwaterHost, CrossingTheSurfaceByMillimetresNeverJumps) {
     }
     std::printf("FLIP of a millimetre: %.4f to %.4f\n", *std::ranges::min_element(changes),
                 *std::ranges::max_element(changes));
+}
+
+/// What it mirrors of the water below lies where rays find it: beyond the window, all of the picture's
+/// surface.
+TEST_F(UnderwaterHost, MirrorsTheBedWhereItIsTraced) {
+    scene_.water->waves.reset();
+    scene_.water->foam.reset();
+    const CameraDesc camera = cameraOf(scene_, "below");
+    for (const std::string technique : {"sspr", "ssr", "hybrid", "planar"}) {
+        Error error;
+        scene_.water->reflection->technique = technique;
+        ASSERT_TRUE(host_->load(scene_, error)) << error.text;
+        measure::Shots shots;
+        ASSERT_TRUE(takeShots(*host_, {width, height, camera, scene_.timeS, Aov::color, 0}, shots, error))
+            << error.text;
+        const reference::Pictures truth = tests::traced(scene_, {width, height, camera, scene_.timeS}, true);
+        const auto off = errorOf(truth, shots, scene_.exposureEv, error);
+        ASSERT_TRUE(off && off->coverage && off->positionPxP50 && off->psnrDb) << error.text;
+        std::printf("%s: found %.1f %%, off %.2f px (p95 %.2f), %.1f dB\n", technique.c_str(),
+                    100 * *off->coverage, *off->positionPxP50, *off->positionPxP95, *off->psnrDb);
+        EXPECT_GT(*off->coverage, 0.8) << technique;
+        EXPECT_LT(*off->positionPxP50, 0.25) << technique;
+        EXPECT_GT(*off->psnrDb, 15) << technique;
+    }
+    EXPECT_EQ(host_->validationMessages(), 0u);
 }
 
 } // namespace
