@@ -2,6 +2,7 @@
 
 #include "water/dispersion.h"
 #include "water/phase.h"
+#include "water/scramble.h"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +13,6 @@
 
 namespace seaglass {
 namespace {
-
-// SplitMix64's finaliser (Steele, Lea and Flood 2014).
-uint64_t scramble(uint64_t x) {
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
 
 // In (0, 1], for the logarithm's sake.
 double uniform(uint64_t bits) {

@@ -7,6 +7,8 @@
 
 #include "water/dispersion.h"
 #include "water/phase.h"
+#include "water/scramble.h"
+#include "water/smoothstep.h"
 #include "water/wave_systems.h"
 
 namespace seaglass {
@@ -20,11 +22,6 @@ constexpr double leastDepth = 0.08;
 constexpr double fan = 0.28;
 /// omega^2 d / g at which trains begin to stand for the sea's long waves, and at which they have taken over.
 constexpr double feelsBed = 1.6, guided = 0.6;
-
-double smooth(double from, double to, double x) {
-    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 /// The lesser, with a rounded corner.
 double limited(double value, double most) {
@@ -87,11 +84,9 @@ void sweep(std::vector<float>& time, std::span<const double> speeds, size_t nu, 
     }
 }
 
-uint32_t hash(uint64_t x) { // splitmix64
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<uint32_t>((x ^ (x >> 31)) >> 32);
+/// 0 <= x < 1.
+double uniform(uint64_t salt) {
+    return static_cast<double>(scramble(salt) >> 32) * 0x1p-32;
 }
 
 } // namespace
@@ -127,7 +122,7 @@ Shore::Shore(const ShoreDesc& desc, const SeaDesc& sea, const WaveSystem& system
     const double choppiness = double{sea.choppiness};
     for (ShorePlace& place : places_) {
         const double depth = double{place.depth}, most = breakingHeight / 4 * std::max(depth, 0.0);
-        const double taken = arrive ? 1 - smooth(guided, feelsBed, peak_ * peak_ * depth / gravity) : 0;
+        const double taken = arrive ? 1 - smoothstep(guided, feelsBed, peak_ * peak_ * depth / gravity) : 0;
         const auto [k, growth] = shoaling.at(depth);
         const double grown = deviation * growth * std::sqrt(taken), height = limited(grown, most);
         place.height = static_cast<float>(height);
@@ -136,7 +131,7 @@ Shore::Shore(const ShoreDesc& desc, const SeaDesc& sea, const WaveSystem& system
         // Orbits are ellipses; crests must not fold.
         const double orbit = height / std::tanh(std::max(k * depth, 0.05));
         place.sideways = static_cast<float>(choppiness * limited(orbit, 0.28 / k) *
-                                            smooth(0, 1, depth / (2 * runUp_ + 1e-9)));
+                                            smoothstep(0, 1, depth / (2 * runUp_ + 1e-9)));
         const double shallows = std::max(depth, 0.0) / std::max(runUp_, 1e-9);
         place.swash = arrive ? static_cast<float>(0.35 * runUp_ * std::exp(-shallows * shallows)) : 0.0f;
         for (size_t c = 0; c < cascades.size(); ++c) {
@@ -212,13 +207,13 @@ void Shore::drawTrains(const SeaDesc& sea, const WaveSystem& system) {
         double sum = 0;
         for (uint32_t m = 0; m < count; ++m) {
             const uint64_t salt = sea.seed * 64 + train * count + m;
-            const double jitter = hash(salt) * 0x1p-32;
+            const double jitter = uniform(salt);
             const double frequency = peak_ * std::lerp(lowest, highest, (m + jitter) / count);
             // As the loop has them.
             const double step = 2 * pi / sea.loopPeriod;
             const double held = step * frequencyIndex(frequency, sea.loopPeriod);
             const double power = energy(system.spectrum, frequency);
-            trains_[train].push_back({held, std::sqrt(power), 2 * pi * hash(salt + 0x5eed0000u) * 0x1p-32});
+            trains_[train].push_back({held, std::sqrt(power), 2 * pi * uniform(salt + 0x5eed0000u)});
             sum += power;
         }
         // Together the trains have unit variance.
@@ -227,46 +222,54 @@ void Shore::drawTrains(const SeaDesc& sea, const WaveSystem& system) {
     }
 }
 
-ShorePlace Shore::at(double u, double v) const {
+Shore::Cell Shore::cellAt(double u, double v) const {
     const double x = std::clamp((u - origin_[0]) / spacing_, 0.0, samples_[0] - 1.0);
     const double y = std::clamp((v - origin_[1]) / spacing_, 0.0, samples_[1] - 1.0);
     const auto i = std::min(static_cast<size_t>(x), size_t{samples_[0]} - 2);
     const auto j = std::min(static_cast<size_t>(y), size_t{samples_[1]} - 2);
     const auto fx = static_cast<float>(x - static_cast<double>(i)),
                fy = static_cast<float>(y - static_cast<double>(j));
-    const ShorePlace* const p = &places_[j * samples_[0] + i];
-    const ShorePlace* const q = p + samples_[0];
-    const auto mix = [&](auto&& member) {
-        return std::lerp(std::lerp(member(p[0]), member(p[1]), fx), std::lerp(member(q[0]), member(q[1]), fx),
-                         fy);
-    };
+    const ShorePlace* const first = &places_[j * samples_[0] + i];
+    return {first, first + samples_[0], fx, fy};
+}
+
+float Shore::Cell::depth() const {
+    return mix([](const ShorePlace& s) { return s.depth; });
+}
+
+float Shore::Cell::arrival(size_t train) const {
+    return mix([train](const ShorePlace& s) { return s.arrival[train]; });
+}
+
+ShorePlace Shore::at(double u, double v) const {
+    const Cell cell = cellAt(u, v);
     ShorePlace out;
-    out.depth = mix([](const ShorePlace& s) { return s.depth; });
-    for (size_t t = 0; t < shoreTrains; ++t)
-        out.arrival[t] = mix([t](const ShorePlace& s) { return s.arrival[t]; });
-    out.height = mix([](const ShorePlace& s) { return s.height; });
-    out.breaking = mix([](const ShorePlace& s) { return s.breaking; });
-    out.sideways = mix([](const ShorePlace& s) { return s.sideways; });
-    out.swash = mix([](const ShorePlace& s) { return s.swash; });
+    out.depth = cell.depth();
+    for (size_t t = 0; t < shoreTrains; ++t) out.arrival[t] = cell.arrival(t);
+    out.height = cell.mix([](const ShorePlace& s) { return s.height; });
+    out.breaking = cell.mix([](const ShorePlace& s) { return s.breaking; });
+    out.sideways = cell.mix([](const ShorePlace& s) { return s.sideways; });
+    out.swash = cell.mix([](const ShorePlace& s) { return s.swash; });
     for (size_t c = 0; c < maxCascades; ++c)
-        out.kept[c] = mix([c](const ShorePlace& s) { return s.kept[c]; });
+        out.kept[c] = cell.mix([c](const ShorePlace& s) { return s.kept[c]; });
     return out;
 }
 
 // As shoreWave() of shaders/common/shore.glsl.
 ShoreWave Shore::waveAt(const ShoreSignal& signal, double u, double v, double width) const {
-    const ShorePlace here = at(u, v), alongU = at(u + spacing_, v), alongV = at(u, v + spacing_);
+    const ShorePlace here = at(u, v);
+    const Cell alongU = cellAt(u + spacing_, v), alongV = cellAt(u, v + spacing_);
     ShoreWave wave;
     wave.depth = double{here.depth};
-    wave.bedSlope[0] = double{here.depth - alongU.depth} / spacing_;
-    wave.bedSlope[1] = double{here.depth - alongV.depth} / spacing_;
+    wave.bedSlope[0] = double{here.depth - alongU.depth()} / spacing_;
+    wave.bedSlope[1] = double{here.depth - alongV.depth()} / spacing_;
     for (size_t c = 0; c < maxCascades; ++c) wave.kept[c] = double{here.kept[c]};
     if (here.height == 0 && here.swash == 0) return wave;
     const double lean = 0.6 * double{here.breaking};
     double swash = 0, wet = 0, white = 0, swashRate = 0, swashSlope[2] = {};
     for (size_t t = 0; t < shoreTrains; ++t) {
-        const double slowness[2] = {double{alongU.arrival[t] - here.arrival[t]} / spacing_,
-                                    double{alongV.arrival[t] - here.arrival[t]} / spacing_};
+        const double slowness[2] = {double{alongU.arrival(t) - here.arrival[t]} / spacing_,
+                                    double{alongV.arrival(t) - here.arrival[t]} / spacing_};
         const double length = std::max(std::hypot(slowness[0], slowness[1]), 1e-4);
         const double row = std::clamp(double{here.arrival[t] * signal.rowsPerSecond + signal.offset}, 0.0,
                                       signal.count - 1.001);
@@ -278,7 +281,7 @@ ShoreWave Shore::waveAt(const ShoreSignal& signal, double u, double v, double wi
         const auto rate = [&](float ShoreRow::*m) {
             return double{a.*m - b.*m} * double{signal.rowsPerSecond};
         };
-        const double seen = 1 - smooth(0.15, 0.4, width * length * peak_ / (2 * pi));
+        const double seen = 1 - smoothstep(0.15, 0.4, width * length * peak_ / (2 * pi));
         const double height = double{here.height} * seen, sideways = double{here.sideways} * seen / length;
         const double heightRate = rate(&ShoreRow::height);
         const double g = value(&ShoreRow::sideways) + lean * value(&ShoreRow::height);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -101,6 +102,20 @@ class Shore {
     struct Wave {
         double frequency, amplitude, phase;
     };
+    /// Four places, and where between them.
+    struct Cell {
+        const ShorePlace *first, *second; ///< two along u each
+        float u, v;                       ///< 0..1
+
+        float depth() const;
+        float arrival(size_t train) const;
+        template<class Member>
+        float mix(Member&& member) const {
+            return std::lerp(std::lerp(member(first[0]), member(first[1]), u),
+                             std::lerp(member(second[0]), member(second[1]), u), v);
+        }
+    };
+    Cell cellAt(double u, double v) const;
 
     void findSlope(double height);
     bool findArrivals(double direction, uint32_t train, std::span<const double> speeds);

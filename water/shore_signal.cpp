@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "water/smoothstep.h"
+
 namespace seaglass {
 namespace {
 
@@ -16,11 +18,6 @@ constexpr double rushesUp = 0.07, runsDown = 0.28;
 /// Sand dries, and the water's edge leaves it, in so long [s].
 constexpr double dries = 9;
 constexpr double dry = -0.5;
-
-float smooth(double from, double to, double x) {
-    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return static_cast<float>(t * t * (3 - 2 * t));
-}
 
 } // namespace
 
@@ -53,7 +50,7 @@ ShoreSignal Shore::signalAt(double time, double decayTime) const {
             }
             edge += (height - edge) * (height > edge ? up : down);
             wet = std::max(edge, dry + (wet - dry) * stays);
-            foam = std::max(double{smooth(0.45, 0.95, height)}, foam * fades);
+            foam = std::max(smoothstep(0.45, 0.95, height), foam * fades);
             if (back >= static_cast<int>(signal.count)) continue;
             rows[back] = {static_cast<float>(height), static_cast<float>(sideways), static_cast<float>(edge),
                           static_cast<float>(wet),    static_cast<float>(foam),     {}};

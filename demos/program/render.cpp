@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "host/image_file.h"
+#include "host/supersample.h"
 #include "metrics/finite.h"
 #include "program/device_limit.h"
 #include "program/memory.h"
@@ -13,7 +14,6 @@
 #include "program/progress.h"
 #include "program/scene_input.h"
 #include "program/stats.h"
-#include "program/supersample.h"
 #include "program/validation.h"
 #include "program/visualise.h"
 #include "scene/offset.h"

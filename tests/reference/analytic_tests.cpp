@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/reference/box_world.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -51,14 +52,6 @@ WaterDesc clearWater() {
     return water;
 }
 
-reference::Pictures draw(const reference::World& world, const reference::FrameDesc& desc,
-                         bool truth = false) {
-    reference::Frame frame;
-    Error error;
-    EXPECT_TRUE(reference::prepareFrame(world, desc, frame, error)) << error.text;
-    return reference::renderReference(frame, truth);
-}
-
 TEST(Analytic, FresnelUnderAnEvenSky) {
     const glm::dvec3 sky(0.5, 0.7, 0.9);
     reference::World world;
@@ -67,7 +60,7 @@ TEST(Analytic, FresnelUnderAnEvenSky) {
     ASSERT_TRUE(reference::setWater(clearWater(), world, error));
     const reference::FrameDesc desc = tests::smallFrame();
     const Eye eye(desc);
-    const Picture picture = draw(world, desc).color;
+    const Picture picture = tests::traced(world, desc).color;
     const RefractionDesc optics;
     int checked = 0;
     for (uint32_t y = 0; y < desc.height; ++y)
@@ -123,7 +116,7 @@ TEST(Analytic, ReflectionRefractionAndBeerLambert) {
     ASSERT_TRUE(reference::setWater(clearWater(), world, error));
     const reference::FrameDesc desc = tests::smallFrame();
     const Eye eye(desc);
-    const Picture picture = draw(world, desc).color;
+    const Picture picture = tests::traced(world, desc).color;
     const RefractionDesc optics;
     int mirrored = 0, through = 0;
     for (uint32_t y = 0; y < desc.height; ++y)
@@ -202,7 +195,7 @@ TEST(Analytic, ClassesOfTruth) {
     reference::FrameDesc desc = wideFrame();
     desc.camera.verticalFovDeg = 38; // the tower's top is out of the picture
     const Eye eye(desc);
-    const Picture truth = draw(world, desc, true).truth;
+    const Picture truth = tests::traced(world, desc, true).truth;
     int counted[8] = {}, unsure = 0;
     for (uint32_t y = 0; y < desc.height; ++y)
         for (uint32_t x = 0; x < desc.width; ++x) {
@@ -266,7 +259,7 @@ TEST(Analytic, WhatNoPixelShowsIsUnsampled) {
     reference::FrameDesc desc = wideFrame();
     desc.camera.positionM = {0, 2, 0};
     desc.camera.targetM = {0, 2, -10};
-    const Picture truth = draw(world, desc, true).truth;
+    const Picture truth = tests::traced(world, desc, true).truth;
     int counted[8] = {};
     for (size_t i = 0; i < truth.rgba.size(); i += 4) ++counted[static_cast<int>(truth.rgba[i])];
     const int unsampled = counted[static_cast<int>(reference::TruthClass::unsampled)];

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host/host.h"
-#include "reference/reference.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -26,18 +26,7 @@ Picture rendered(const Scene& scene, const CameraDesc& camera) {
 }
 
 Picture traced(const Scene& scene, const CameraDesc& camera) {
-    Error error;
-    reference::World world;
-    reference::Frame frame;
-    reference::FrameDesc desc;
-    desc.width = width;
-    desc.height = height;
-    desc.camera = camera;
-    desc.timeS = scene.timeS;
-    desc.samples = 8;
-    EXPECT_TRUE(reference::loadWorld(scene, world, error)) << error.text;
-    EXPECT_TRUE(reference::prepareFrame(world, desc, frame, error)) << error.text;
-    return reference::renderReference(frame, false).color;
+    return tests::traced(scene, {width, height, camera, scene.timeS, 8}).color;
 }
 
 using Draw = Picture (*)(const Scene&, const CameraDesc&);

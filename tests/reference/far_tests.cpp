@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/reference.h"
+#include "host/host.h"
 #include "scene/offset.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -36,17 +37,8 @@ std::optional<Picture> rendered(const View& view, Error& error) {
     return host->render({width, height, view.camera, view.scene.timeS, Aov::color}, error);
 }
 
-std::optional<Picture> traced(const View& view, Error& error) {
-    reference::World world;
-    reference::Frame frame;
-    reference::FrameDesc desc;
-    desc.width = width;
-    desc.height = height;
-    desc.camera = view.camera;
-    if (!reference::loadWorld(view.scene, world, error) ||
-        !reference::prepareFrame(world, desc, frame, error))
-        return std::nullopt;
-    return reference::renderReference(frame, false).color;
+Picture traced(const View& view) {
+    return tests::traced(view.scene, {width, height, view.camera}).color;
 }
 
 /// Share of pixels where any byte is off by more than one. A few stand on an edge.
@@ -76,9 +68,7 @@ TEST(Far, TheReferencesPictureIsTheOneAtTheOrigin) {
     Error error;
     const std::optional<View> here = calmHarbour({0, 0, 0}, error), there = calmHarbour(far, error);
     ASSERT_TRUE(here && there) << error.text;
-    const std::optional<Picture> a = traced(*here, error), b = traced(*there, error);
-    ASSERT_TRUE(a && b) << error.text;
-    EXPECT_LT(differing(*a, *b), 2e-4);
+    EXPECT_LT(differing(traced(*here), traced(*there)), 2e-4);
 }
 
 } // namespace

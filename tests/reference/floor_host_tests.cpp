@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "host/pass_samples.h"
-#include "reference/reference.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -24,16 +24,8 @@ std::optional<Both> drawBoth(const Scene& scene, const CameraDesc& camera, Aov a
     if (!host || !host->load(scene, error)) return std::nullopt;
     std::optional<Picture> rendered = host->render({width, height, camera, 0, aov}, error);
     EXPECT_EQ(host->validationMessages(), 0u);
-    reference::World world;
-    reference::Frame frame;
-    reference::FrameDesc traced;
-    traced.width = width;
-    traced.height = height;
-    traced.camera = camera;
-    if (!rendered || !reference::loadWorld(scene, world, error) ||
-        !reference::prepareFrame(world, traced, frame, error))
-        return std::nullopt;
-    return Both{std::move(*rendered), reference::renderReference(frame, true)};
+    if (!rendered) return std::nullopt;
+    return Both{std::move(*rendered), tests::traced(scene, {width, height, camera}, true)};
 }
 
 /// Share of the pixels of these classes that are off by more than a tenth.

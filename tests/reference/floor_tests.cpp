@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/reference/box_world.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -18,14 +19,6 @@ FloorDesc wideFloor() {
     floor.color = {0.5, 0.4, 0.3};
     floor.reflectance = 0.1;
     return floor;
-}
-
-reference::Pictures draw(const reference::World& world, const reference::FrameDesc& desc,
-                         bool truth = false) {
-    reference::Frame frame;
-    Error error;
-    EXPECT_TRUE(reference::prepareFrame(world, desc, frame, error)) << error.text;
-    return reference::renderReference(frame, truth);
 }
 
 /// A pixel's ray from (0, 2, 6), by the camera's own angles.
@@ -52,7 +45,7 @@ TEST(Floor, MirrorsSkyAndThingsBySchlick) {
     reference::World world;
     ASSERT_TRUE(makeWorld(floor, true, world));
     const reference::FrameDesc desc = tests::smallFrame();
-    const reference::Pictures pictures = draw(world, desc, true);
+    const reference::Pictures pictures = tests::traced(world, desc, true);
     int skies = 0, boxes = 0;
     for (uint32_t y = 0; y < desc.height; ++y)
         for (uint32_t x = 0; x < desc.width; ++x) {
@@ -90,7 +83,7 @@ TEST(Floor, IsThereFromItsFrontAlone) {
     floor.normal = {0, -3, 0};
     reference::World world;
     ASSERT_TRUE(makeWorld(floor, false, world));
-    const reference::Pictures pictures = draw(world, tests::smallFrame(), true);
+    const reference::Pictures pictures = tests::traced(world, tests::smallFrame(), true);
     for (size_t i = 0; i < pictures.truth.rgba.size(); i += 4) {
         EXPECT_EQ(pictures.truth.rgba[i], 0.0f);
         EXPECT_NEAR(static_cast<double>(pictures.color.rgba[i]), sky[0], 1e-3);
@@ -108,7 +101,7 @@ TEST(Floor, AWallShowsWhatStandsBeforeIt) {
     reference::FrameDesc desc = tests::smallFrame();
     desc.width *= 2;
     desc.height *= 2;
-    const Picture picture = draw(world, desc).color;
+    const Picture picture = tests::traced(world, desc).color;
     int boxes = 0;
     for (uint32_t y = 0; y < desc.height; ++y)
         for (uint32_t x = 0; x < desc.width; ++x) {
@@ -137,7 +130,7 @@ double returned(double roughness) {
     desc.camera.targetM = {0, 0, -0.01};
     desc.camera.verticalFovDeg = 10;
     desc.samples = 32;
-    const Picture picture = draw(world, desc).color;
+    const Picture picture = tests::traced(world, desc).color;
     double sum = 0;
     for (size_t i = 0; i < picture.rgba.size(); i += 4) sum += static_cast<double>(picture.rgba[i]);
     return sum / (static_cast<double>(picture.rgba.size()) / 4) / sky[0];
@@ -171,9 +164,9 @@ TEST(Floor, TheSamePictureComesFromAnyNumberOfThreads) {
     reference::FrameDesc desc = tests::smallFrame();
     desc.samples = 4;
     desc.threads = 1;
-    const Picture one = draw(world, desc).color;
+    const Picture one = tests::traced(world, desc).color;
     desc.threads = 3;
-    EXPECT_EQ(draw(world, desc).color.rgba, one.rgba);
+    EXPECT_EQ(tests::traced(world, desc).color.rgba, one.rgba);
 }
 
 } // namespace

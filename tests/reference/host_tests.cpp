@@ -1,7 +1,7 @@
 // What is not water must look in the reference as the host renders it.
 #include <gtest/gtest.h>
 
-#include "reference/reference.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -21,15 +21,7 @@ TEST(Host, OpaqueThingsLookAlike) {
         host->render({width, height, scene->cameras.front(), scene->timeS, Aov::color}, error);
     ASSERT_TRUE(rendered) << error.text;
 
-    reference::World world;
-    reference::Frame frame;
-    reference::FrameDesc desc;
-    desc.width = width;
-    desc.height = height;
-    desc.camera = scene->cameras.front();
-    ASSERT_TRUE(reference::loadWorld(*scene, world, error)) << error.text;
-    ASSERT_TRUE(reference::prepareFrame(world, desc, frame, error)) << error.text;
-    const Picture traced = reference::renderReference(frame, false).color;
+    const Picture traced = tests::traced(*scene, {width, height, scene->cameras.front()}).color;
 
     size_t differ = 0, far = 0;
     double sumRendered = 0, sumTraced = 0;

@@ -4,8 +4,9 @@
 
 #include <cmath>
 
+#include "host/supersample.h"
 #include "metrics/psnr.h"
-#include "reference/reference.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -22,16 +23,6 @@ struct Mirrored {
     std::vector<bool> solid; ///< whether all samples mirror something other than the sky
 };
 
-Picture averaged(const Picture& fine) {
-    Picture out{width, height, std::vector<float>(size_t{width} * height * 4)};
-    for (size_t y = 0; y < fine.height; ++y)
-        for (size_t x = 0; x < fine.width; ++x)
-            for (size_t c = 0; c < 4; ++c)
-                out.rgba[(y / samples * width + x / samples) * 4 + c] +=
-                    fine.rgba[(y * fine.width + x) * 4 + c] / float(samples * samples);
-    return out;
-}
-
 std::vector<bool> solidPixels(const Picture& truth) {
     std::vector<bool> solid(size_t{width} * height, true);
     for (size_t i = 0; i < truth.rgba.size() / 4; ++i) {
@@ -47,17 +38,10 @@ bool mirror(const Scene& scene, const CameraDesc& camera, Mirrored& out, Error& 
     if (!host || !host->load(scene, error)) return false;
     const FrameDesc frameDesc{width * samples, height * samples, camera, scene.timeS, Aov::reflection, 0};
     const std::optional<Picture> drawn = host->render(frameDesc, error);
-    reference::World world;
-    reference::Frame frame;
-    reference::FrameDesc desc;
-    desc.width = frameDesc.width;
-    desc.height = frameDesc.height;
-    desc.camera = camera;
-    if (!drawn || !reference::loadWorld(scene, world, error) ||
-        !reference::prepareFrame(world, desc, frame, error))
-        return false;
-    const reference::Pictures traced = reference::renderReference(frame, true);
-    out = {averaged(*drawn), averaged(traced.mirrored), solidPixels(traced.truth)};
+    if (!drawn) return false;
+    const reference::Pictures traced =
+        tests::traced(scene, {frameDesc.width, frameDesc.height, camera}, true);
+    out = {averaged(*drawn, samples), averaged(traced.mirrored, samples), solidPixels(traced.truth)};
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/reference/box_world.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -20,10 +21,7 @@ WaterDesc waves() {
 }
 
 Picture draw(const reference::World& world, const reference::FrameDesc& desc) {
-    reference::Frame frame;
-    Error error;
-    EXPECT_TRUE(reference::prepareFrame(world, desc, frame, error)) << error.text;
-    return reference::renderReference(frame, false).color;
+    return tests::traced(world, desc).color;
 }
 
 reference::FrameDesc tiny(uint32_t samples) {

@@ -7,7 +7,8 @@
 
 #include "host/host.h"
 #include "host/image_file.h"
-#include "reference/reference.h"
+#include "host/supersample.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -30,28 +31,11 @@ Picture render(Host& host, const Scene& scene) {
     const std::optional<Picture> large =
         host.render({width * factor, height * factor, scene.cameras.front(), scene.timeS, Aov::color}, error);
     EXPECT_TRUE(large) << error.text;
-    Picture mean = {width, height, std::vector<float>(size_t(width) * height * 4)};
-    for (size_t y = 0; y < height * factor; ++y)
-        for (size_t x = 0; x < width * factor; ++x)
-            for (size_t c = 0; c < 4; ++c)
-                mean.rgba[((y / factor) * width + x / factor) * 4 + c] +=
-                    large->rgba[(y * width * factor + x) * 4 + c] / (factor * factor);
-    return mean;
+    return averaged(*large, factor);
 }
 
 Picture trace(const Scene& scene) {
-    Error error;
-    reference::World world;
-    reference::Frame frame;
-    reference::FrameDesc desc;
-    desc.width = width;
-    desc.height = height;
-    desc.camera = scene.cameras.front();
-    desc.timeS = scene.timeS;
-    desc.samples = 32;
-    EXPECT_TRUE(reference::loadWorld(scene, world, error)) << error.text;
-    EXPECT_TRUE(reference::prepareFrame(world, desc, frame, error)) << error.text;
-    return reference::renderReference(frame, false).color;
+    return tests::traced(scene, {width, height, scene.cameras.front(), scene.timeS, 32}).color;
 }
 
 /// White from 5 degrees left of the sun's azimuth to 5 right, black elsewhere, as lat-long.

@@ -1,4 +1,4 @@
-#include "program/supersample.h"
+#include "host/supersample.h"
 
 namespace demos {
 
