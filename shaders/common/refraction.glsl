@@ -19,12 +19,6 @@ vec3 radianceOf(Behind b) {
     return texelFetch(sceneColor, region.xy + b.pixel, 0).rgb;
 }
 
-// What lies beyond the border is taken from as far inside of it: a bed goes on as it was, and a streak would show.
-vec2 foldedInside(vec2 pixel) {
-    vec2 size = vec2(region.zw);
-    return size - abs(size - abs(pixel));
-}
-
 // How far a ray from inside the picture goes until it leaves it [m]: where a + t b, homogeneous pixels, passes a border.
 float untilBorder(vec4 a, vec4 b) {
     vec2 size = vec2(region.zw);
@@ -37,6 +31,16 @@ float untilBorder(vec4 a, vec4 b) {
 
 bool isBelowWater(Behind b) {
     return !b.nothing && b.seen.y < min(position.y, -plane.w);
+}
+
+// What lies beyond the border is taken from as far inside of it, on the bed: it goes on as it was, and a streak would
+// show. What stands up from the bed there is not the bed.
+Behind foldedInside(Behind inside, vec3 beyond, vec2 here) {
+    vec4 p = pixelFromRelative * vec4(2.0 * inside.seen - beyond, 1.0);
+    if (p.w <= 0.0) return inside;
+    Behind b = behindAt(mix(here, p.xy / p.w, refractionDistortion));
+    bool level = abs(b.seen.y - inside.seen.y) < 0.15 * (position.y - inside.seen.y);
+    return isBelowWater(b) && level ? b : inside;
 }
 
 // What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
@@ -79,9 +83,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     }
     for (; left; left = false) {
         drop = position.y - found.seen.y;
-        vec4 target = from + perDepth * drop;
-        Behind b = behindAt(foldedInside(mix(here, target.xy / target.w, refractionDistortion)));
-        if (isBelowWater(b)) found = b;
+        found = foldedInside(found, position + bent / steepness * drop, here);
     }
     path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
     vec3 bed = litBelow(radianceOf(found), -(found.seen.y + plane.w)) / (waterIndex * waterIndex);

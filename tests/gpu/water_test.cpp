@@ -198,6 +198,48 @@ TEST_F(Water, WhatLiesBelowIsDimmedByBeerAndLambert) {
         }
 }
 
+/// A black wall that stands on the bed and out of the water.
+SceneBehind wallBefore(const Camera& camera, SceneBehind behind, double bed, double z) {
+    for (uint32_t y = 0; y < camera.height; ++y)
+        for (uint32_t x = 0; x < camera.width; ++x) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            const double distance = (z - camera.eye.z) / ray.z;
+            const double height = camera.eye.y + distance * ray.y;
+            if (height < bed || height > 1) continue;
+            const size_t i = size_t{y} * camera.width + x;
+            const double along = glm::dot(ray, glm::normalize(camera.target - camera.eye));
+            behind.depth[i] = static_cast<float>(camera.near / (distance * along));
+            std::fill_n(&behind.color[i * 4], 3, 0.0f);
+        }
+    return behind;
+}
+
+// At the lower border the ray bends out of the picture: what lies there is made up, of the bed and nothing
+// else.
+TEST_F(Water, ShowsNothingTwiceWhereTheRayLeavesThePicture) {
+    const RefractionDesc refraction = {{0, 0, 0}, {0, 0, 0}, 1};
+    BodyDesc desc;
+    desc.refraction = &refraction;
+    Body* body = makeBody(desc);
+    Camera camera = seaCamera();
+    camera.eye = {0, 2.2, 6};
+    camera.target = {0, 1.6, -14};
+    const SceneBehind bed = planeBelow(camera, -3, 4);
+    const WaterPicture open = picture({body}, camera, 0, SurfaceOutput::shaded, bed);
+    for (const double z : {-8.0, -5.0}) {
+        const WaterPicture walled =
+            picture({body}, camera, 0, SurfaceOutput::shaded, wallBefore(camera, bed, -3, z));
+        double most = 0, changed = 0;
+        for (size_t i = 0; i < open.color.size(); ++i) {
+            const double difference = std::abs(double{walled.color[i]} - double{open.color[i]});
+            changed = std::max(changed, difference);
+            if (i >= open.color.size() - size_t{5} * camera.width * 4) most = std::max(most, difference);
+        }
+        EXPECT_GT(changed, 1) << "the wall is seen where it stands";
+        EXPECT_LT(most, 1e-3) << z;
+    }
+}
+
 /// Everything below the horizon is a plane at height `bed`, all above a wall as far as can be; of one colour,
 /// the sky cube's times `radiance`.
 SceneBehind evenWorld(const Camera& camera, double bed, float radiance) {
