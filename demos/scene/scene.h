@@ -86,8 +86,8 @@ struct FoamDesc {
 
 struct RefractionDesc {
     std::string type; ///< pool | clear-ocean | coastal | turbid, or empty: the coefficients that follow
-    Vec3 absorptionPerM = {0.340, 0.0565, 0.0092};
-    Vec3 backscatterPerM = {0.0011, 0.0016, 0.0028};
+    Vec3 absorptionPerM = {0.345, 0.0622, 0.0253};
+    Vec3 backscatterPerM = {0.0011, 0.0016, 0.0030};
     double distortion = 1;
     double scatteringPerM = 0;
 };

@@ -14,9 +14,9 @@ namespace seaglass {
 
 /// Light that enters the water. Coefficients are per metre, red, green, blue.
 struct RefractionDesc {
-    /// Clear ocean water (Pope and Fry 1997 at 650, 550, 450 nm). 0..100.
-    float absorption[3] = {0.340f, 0.0565f, 0.0092f};
-    float backscatter[3] = {0.0011f, 0.0016f, 0.0028f}; ///< of clear sea water, 0..100
+    /// WaterType::clearOcean, at 650, 550, 450 nm. 0..100.
+    float absorption[3] = {0.345f, 0.0622f, 0.0253f};
+    float backscatter[3] = {0.0011f, 0.0016f, 0.0030f}; ///< likewise
     float distortion = 1.0f;                            ///< 0 looks straight through; 1 bends as Snell says
     float scattering = 0; ///< by particles [1/m], 0..100: light through crests. Ocean 0.035, coast 0.25
 };

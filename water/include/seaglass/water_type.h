@@ -21,10 +21,10 @@ struct WaterCoefficients {
 };
 
 /// Pure water absorbs as Pope and Fry (1997) measured and sends back half of what it scatters, salt water as
-/// Morel (1974, in Mobley 1994) has it and fresh water 1/1.3 of that. Particles of the clear ocean add to it
-/// by the chlorophyll law of Morel and Maritorena (2001). Near the coast Jerlov (1976, table XXVII) gives the
-/// attenuation of daylight, of which 1 / 1.25 is absorption and backscatter (Gordon 1989, in diffuse light);
-/// the latter by the same law, for 2 and 10 mg of chlorophyll. An unknown type is clearOcean.
+/// Morel (1974, in Mobley 1994) has it and fresh water 1/1.3 of that. The clear ocean's chlorophyll absorbs
+/// by Morel (1991) and sends back by Morel and Maritorena (2001). Near the coast Jerlov (1976, table XXVII)
+/// has the attenuation of daylight, of which 1 / 1.25 is absorption and backscatter (Gordon 1989, in diffuse
+/// light); the latter by the same law, for 2 and 10 mg of chlorophyll. An unknown type is clearOcean.
 constexpr WaterCoefficients waterCoefficients(WaterType type) {
     switch (type) {
     case WaterType::pool:
@@ -36,7 +36,7 @@ constexpr WaterCoefficients waterCoefficients(WaterType type) {
     case WaterType::clearOcean:
         break;
     }
-    return {{0.340f, 0.0565f, 0.0092f}, {0.0011f, 0.0016f, 0.0028f}};
+    return {{0.345f, 0.0622f, 0.0253f}, {0.0011f, 0.0016f, 0.0030f}};
 }
 
 } // namespace seaglass
