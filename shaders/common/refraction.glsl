@@ -47,20 +47,28 @@ Behind foldedInside(Behind inside, vec3 beyond, vec2 here) {
 // raised and little water lies before it. Sought is the depth under the surface at which the ray meets what the picture
 // shows where the ray projects: a root, by false position between a depth where the ray is above the scene and one where
 // it is under it. (A fixed point it is not: up a wall it would run away.) What stands out of the water is passed over.
-// Beyond the picture's border the bed is taken to lie as deep as there. `path` is how much water lies before it [m].
+// Beyond the picture's border the bed is taken to lie as deep as there. Where the line of sight itself passes over the bed's
+// end, far off, it begins with what lies below at as much depth as can be seen through. `path` is how much water lies
+// before it [m].
 vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     const float shallowest = 0.1;
     const int rounds = 5;
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
     Behind found = behindAt(here);
     path = 1e6;
-    if (found.nothing) return waterGlow(vec3(path));
     vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);
     float steepness = max(-bent.y, shallowest);
-    float drop = max(position.y - found.seen.y, 0.0);
     vec4 from = pixelFromRelative * vec4(position, 1.0);
     vec4 perDepth = pixelFromRelative * vec4(bent / steepness, 0.0);
     float leaves = untilBorder(from, perDepth);
+    bool passedOver = found.nothing;
+    for (bool blind = passedOver; blind; blind = false) {
+        vec3 k = extinction();
+        vec4 target = from + perDepth * min(2.0 / min(min(k.r, k.g), k.b), leaves);
+        found = behindAt(mix(here, target.xy / target.w, refractionDistortion));
+    }
+    if (found.nothing) return waterGlow(vec3(path));
+    float drop = max(position.y - found.seen.y, 0.0);
     vec2 above = vec2(0.0, drop);   // a depth, and how much deeper the scene is there
     vec2 under = vec2(0.0);         // likewise, where it is not; none while its second is 0
     float sought = min(drop, leaves);
@@ -69,7 +77,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     for (int i = 0; i < rounds && least > 0.01 && !left; ++i) {
         vec4 target = from + perDepth * sought;
         Behind b = behindAt(mix(here, target.xy / target.w, refractionDistortion));
-        float deeper = b.nothing ? 1e3 : position.y - b.seen.y - sought;
+        float deeper = b.nothing ? max(sought, 1.0) : position.y - b.seen.y - sought;
         if (isBelowWater(b) && abs(deeper) < least) {
             least = abs(deeper);
             found = b;
@@ -81,6 +89,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
         float share = clamp(above.y / max(above.y - under.y, 1e-6), 0.1, 0.9);
         sought = under.y < 0.0 ? mix(above.x, under.x, share) : min(sought + deeper, leaves);
     }
+    if (passedOver && !left && least > 0.1 * drop) return waterGlow(vec3(path));
     for (; left; left = false) {
         drop = position.y - found.seen.y;
         found = foldedInside(found, position + bent / steepness * drop, here);

@@ -226,7 +226,7 @@ TEST_F(Water, ShowsNothingTwiceWhereTheRayLeavesThePicture) {
     camera.target = {0, 1.6, -14};
     const SceneBehind bed = planeBelow(camera, -3, 4);
     const WaterPicture open = picture({body}, camera, 0, SurfaceOutput::shaded, bed);
-    for (const double z : {-8.0, -5.0}) {
+    for (const double z : {-8.5, -5.0}) {
         const WaterPicture walled =
             picture({body}, camera, 0, SurfaceOutput::shaded, wallBefore(camera, bed, -3, z));
         double most = 0, changed = 0;
@@ -238,6 +238,44 @@ TEST_F(Water, ShowsNothingTwiceWhereTheRayLeavesThePicture) {
         EXPECT_GT(changed, 1) << "the wall is seen where it stands";
         EXPECT_LT(most, 1e-3) << z;
     }
+}
+
+// A bed that ends 40 m away: sight over flat water passes over its end from 29 m on, the bent ray does not.
+TEST_F(Water, TheBedIsSeenAsFarAsTheBentRayMeetsIt) {
+    const RefractionDesc refraction = {{0.5f, 0.2f, 0.1f}, {0, 0, 0}, 1};
+    BodyDesc desc;
+    desc.refraction = &refraction;
+    Body* body = makeBody(desc);
+    const Camera camera = seaCamera();
+    const double bed = -1.5, end = 40;
+    SceneBehind behind = planeBelow(camera, bed, 4);
+    const auto distanceAt = [&](uint32_t x, uint32_t y, double height) {
+        return (camera.eye.y - height) / std::tan(angleBelowHorizon(camera, x, y));
+    };
+    for (uint32_t y = 0; y < camera.height; ++y)
+        for (uint32_t x = 0; x < camera.width; ++x)
+            if (const double far = distanceAt(x, y, bed); far < 0 || far > end)
+                behind.depth[size_t{y} * camera.width + x] = 0;
+    const WaterPicture p = picture({body}, camera, 0, SurfaceOutput::shaded, behind);
+    uint32_t passedOver = 0;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 3; x < p.width; x += 17) {
+            const double angle = angleBelowHorizon(camera, x, y);
+            if (angle < 0.01 || angle > 0.25) continue;
+            const double sine = std::cos(angle) / 1.333, cosine = std::sqrt(1 - sine * sine);
+            const double met = distanceAt(x, y, 0) - bed * sine / cosine;
+            if (std::abs(met - end) < 2) continue;
+            passedOver += met < end && distanceAt(x, y, bed) > end;
+            const double f = fresnel(std::sin(angle));
+            for (size_t channel = 0; channel < 3; ++channel) {
+                const double through = std::exp(double{refraction.absorption[channel]} * bed / cosine);
+                const double seen = met < end ? 4 * through / (1.333 * 1.333) : 0;
+                const double expected = f * static_cast<double>(channel + 1) + (1 - f) * seen;
+                EXPECT_NEAR(p.color[(size_t{y} * p.width + x) * 4 + channel], expected, 5e-3 * expected)
+                    << x << ' ' << y;
+            }
+        }
+    EXPECT_GT(passedOver, 50u);
 }
 
 /// Everything below the horizon is a plane at height `bed`, all above a wall as far as can be; of one colour,
