@@ -47,9 +47,11 @@ void main() {
     MeshPatch patch_ = patches[gl_InstanceIndex];
     ivec2 grid = ivec2(gl_VertexIndex % (patchCells + 1), gl_VertexIndex / (patchCells + 1));
     vec2 calm = patch_.corner + vec2(grid) * patch_.cell;
-    float share = length(vec3(calm, plane.w)) / patch_.range;
+    float share = length(vec3(calm, plane.w)) / abs(patch_.range);
     float glide = clamp((share - glideBegins) / (glideEnds - glideBegins), 0.0, 1.0);
     calm -= vec2(grid & 1) * patch_.cell * glide;
+    // Drawn out at its end, so that no corners of patches show against the sky.
+    if (patch_.range < 0.0) calm *= 1.0 + 10.0 * smoothstep(0.9, 1.0, share);
     float cell = patch_.cell * (1.0 + glide);
 #endif
 #ifdef OUTLINE

@@ -83,6 +83,8 @@ class Selection {
         lattice_.forEach(coarsest, glm::dvec2(-reach), glm::dvec2(reach), [&](const glm::dvec2& corner) {
             if (lattice_.distanceTo(coarsest, corner) <= reach) visit(coarsest, corner);
         });
+        for (MeshPatch& patch : out_)
+            if (patch.range > 0.99 * reach) patch.range = -patch.range;
         std::stable_sort(out_.begin(), out_.end(), [&](const MeshPatch& a, const MeshPatch& b) {
             return drawnBefore(lattice_.view, a, b);
         });

@@ -21,7 +21,7 @@ constexpr uint32_t patchCells = 16; ///< across a patch; the shader's patchCells
 struct MeshPatch {
     float corner[2]; ///< lowest (u, v), relative to the eye [m]
     float cell;      ///< edge of a cell [m]
-    float range;     ///< distance within which this level is used [m]
+    float range;     ///< distance within which this level is used [m]; negative: the sea ends with it
 };
 
 /// One patch of a body with an outline.

@@ -77,6 +77,27 @@ TEST_F(Water, FlatWaterCoversAllBelowTheHorizon) {
         }
 }
 
+// The mesh ends with square patches, at 100 km: seen through a lens of half a degree.
+TEST_F(Water, TheHorizonIsStraight) {
+    Body* body = flatBody();
+    for (const double yaw : {0.0, 0.5, 1.2, 2.9, 4.4}) {
+        Camera camera = seaCamera();
+        camera.eye.y = 15;
+        camera.target = camera.eye + glm::dvec3(std::sin(yaw), 0, -std::cos(yaw));
+        camera.fovDegrees = 0.5;
+        const WaterPicture p = picture({body}, camera, 0, SurfaceOutput::height);
+        uint32_t first = p.height, last = 0;
+        for (uint32_t x = 0; x < p.width; ++x) {
+            uint32_t y = 0;
+            while (y < p.height && !p.covered(size_t{y} * p.width + x)) ++y;
+            first = std::min(first, y);
+            last = std::max(last, y);
+        }
+        EXPECT_LE(last - first, 1u) << yaw;
+        EXPECT_NEAR(first, 0.5 * p.height, 1) << yaw;
+    }
+}
+
 TEST_F(Water, WavesLeaveNoHoles) {
     Body* body = wavyBody(breeze());
     for (const double height : {1.5, 6.0, 60.0, 700.0}) {

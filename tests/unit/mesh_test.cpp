@@ -44,6 +44,15 @@ TEST(Mesh, CoversThePlaneExactlyOnce) {
     }
 }
 
+TEST(Mesh, SaysWhichPatchesTheSeaEndsWith) {
+    for (const double height : {2.0, 1e5}) {
+        const std::vector<MeshPatch> patches = patchesFor(allAround({3.1, -7.7}, height));
+        const auto wider = [](const MeshPatch& a, const MeshPatch& b) { return a.cell < b.cell; };
+        const float coarsest = std::max_element(patches.begin(), patches.end(), wider)->cell;
+        for (const MeshPatch& p : patches) EXPECT_EQ(p.range < 0, p.cell == coarsest);
+    }
+}
+
 TEST(Mesh, VerticesStayWhereTheyAreWhenTheEyeMoves) {
     // Relative corners plus the eye are multiples of the patch's edge.
     const glm::dvec2 eye(1234.567, -98.76);
@@ -56,7 +65,7 @@ TEST(Mesh, VerticesStayWhereTheyAreWhenTheEyeMoves) {
 }
 
 double glide(const MeshPatch& p, double distance) {
-    return std::clamp((distance / double{p.range} - 0.7) / (0.95 - 0.7), 0.0, 1.0);
+    return std::clamp((distance / std::abs(double{p.range}) - 0.7) / (0.95 - 0.7), 0.0, 1.0);
 }
 
 TEST(Mesh, LevelsMeetWithoutCracks) {
