@@ -51,8 +51,8 @@ def sheet(xs, zs):
 
 
 def bed():
-    xs = land.spaced((-WIDE, -64, 5), (-64, 64, 1), (64, WIDE, 5))
-    return sheet(xs, land.spaced((FAR_Z, -70, 10), (-70, -32, 2), (-32, 22, 1), (22, NEAR_Z, 2.5)))
+    xs = land.spaced((-WIDE, -64, 5), (-64, 64, 1.25), (64, WIDE, 5))
+    return sheet(xs, land.spaced((FAR_Z, -70, 14), (-70, -32, 2.5), (-32, 22, 1), (22, NEAR_Z, 2.5)))
 
 
 def outskirts():
