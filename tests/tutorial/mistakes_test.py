@@ -41,11 +41,13 @@ def share_changed(right, wrong, box=(0, 0, WIDTH, HEIGHT), by=8):
 
 
 TOLD_LIGHT = "    light.skyCube = sky_.view;\n"
-COPIES = "{{&swapchain_[image], &colorCopy_}, {&depth_, &depthCopy_}}"
+DEPTH_COPY = ("    seaglass::recordSceneCopy(commands,\n"
+              "                              {depth_.image, depthCopy_.image,\n"
+              "                               VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, depthCopy_.aspect, extent_});\n")
 
 MISTAKES = [
     # What the library says itself.
-    Mistake("row_major", ("water.cpp", "assign(view.view, camera_.view)", "assign(view.view, glm::transpose(camera_.view))"),
+    Mistake("row_major", ("water.cpp", "viewDesc(camera_.view,", "viewDesc(glm::transpose(camera_.view),"),
             says="ViewDesc.view has a last row other than 0, 0, 0, 1, expected it column-major"),
     Mistake("depth_direction", ("water.cpp", "    target.reversedDepth = false;\n", ""),
             says="expected TargetDesc.reversedDepth to be false"),
@@ -59,10 +61,10 @@ MISTAKES = [
                                   "view.sceneDepth = {depthCopy_.view, depthFormat, extent_, "
                                   "VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};"),
             says="ViewDesc.sceneDepth.layout is none to sample from"),
-    Mistake("long_sun", ("water.cpp", "assign(light.toSun, toSun)", "assign(light.toSun, 2.0f * toSun)"),
+    Mistake("long_sun", ("water.cpp", "lightingDesc(toSun,", "lightingDesc(2.0f * toSun,"),
             says="LightingDesc.toSun is not a unit vector"),
     # What Vulkan's validation says.
-    Mistake("depth_not_copied", ("water.cpp", COPIES, "{{&swapchain_[image], &colorCopy_}}"), says="current layout is VK_IMAGE_LAYOUT_UNDEFINED"),
+    Mistake("depth_not_copied", ("water.cpp", DEPTH_COPY, ""), says="current layout is VK_IMAGE_LAYOUT_UNDEFINED"),
     Mistake("not_sampled", ("water.cpp", "VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;",
                             "VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;"), says="VUID"),
     Mistake("features_off", ("engine.cpp", "    deviceInfo.pNext = &needs.features13;\n", ""), says="VUID"),
@@ -71,15 +73,15 @@ MISTAKES = [
                              "    body.waves = &breeze;\n    body.plane[1] = 2;\n"),
             shows=lambda right, wrong: right == wrong),
     # What shows alone.
-    Mistake("y_not_flipped", ("water.cpp", "    seaglass::assign(view.projection, camera_.projection);\n",
+    Mistake("y_not_flipped", ("water.cpp", "    seaglass::ViewDesc view = seaglass::viewDesc(camera_.view, camera_.projection, extent_);\n",
                               "    glm::mat4 told = camera_.projection;\n    told[1][1] *= -1;\n"
-                              "    seaglass::assign(view.projection, told);\n"),
+                              "    seaglass::ViewDesc view = seaglass::viewDesc(camera_.view, told, extent_);\n"),
             shows=lambda right, wrong: share_changed(right, wrong) > 0.3),
     Mistake("srgb_twice", ("water.cpp", "colorCopy_ = createImage(swapchainFormat,",
                            "colorCopy_ = createImage(VK_FORMAT_B8G8R8A8_UNORM,"),
             ("water.cpp", "{colorCopy_.view, swapchainFormat,", "{colorCopy_.view, VK_FORMAT_B8G8R8A8_UNORM,"),
             shows=lambda right, wrong: brightness(wrong, NEAR) > brightness(right, NEAR) * 1.2),
-    Mistake("black_sky", ("water.cpp", "color{{haze.r, haze.g, haze.b, 1}}", "color{{0, 0, 0, 1}}"),
+    Mistake("black_sky", ("water.cpp", "haze.r, haze.g, haze.b);", "0, 0, 0);"),
             shows=lambda right, wrong: brightness(wrong, NEAR) < brightness(right, NEAR) * 0.8),
     Mistake("no_reflect", ("water.cpp", "    check(seaglass::reflect(commands, &water_, 1, &view));\n", ""),
             shows=lambda right, wrong: share_changed(right, wrong, MIRROR) > 0.5),

@@ -25,6 +25,30 @@ TEST(Glm, DoublesKeepTheirBits) {
     EXPECT_EQ(seaglass::toMat4<float>(planar.view), glm::mat4(far));
 }
 
+TEST(Glm, AViewOfACameraOverTheWholeAttachment) {
+    const glm::mat4 camera = glm::translate(glm::mat4(1), glm::vec3(1, 2, 3)), lens(2);
+    const seaglass::ViewDesc view = seaglass::viewDesc(camera, lens, {640, 360});
+    EXPECT_EQ(seaglass::toMat4<float>(view.view), camera);
+    EXPECT_EQ(seaglass::toMat4<float>(view.projection), lens);
+    EXPECT_EQ(view.viewport.x, 0);
+    EXPECT_EQ(view.viewport.y, 0);
+    EXPECT_EQ(view.viewport.width, 640);
+    EXPECT_EQ(view.viewport.height, 360);
+    EXPECT_EQ(view.viewport.minDepth, 0);
+    EXPECT_EQ(view.viewport.maxDepth, 1);
+    EXPECT_EQ(view.viewIndex, 0u);
+}
+
+TEST(Glm, LightOfThreeVectors) {
+    const seaglass::LightingDesc light =
+        seaglass::lightingDesc(glm::vec3(0, 1, 0), glm::vec3(1, 2, 3), glm::vec3(4, 5, 6));
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(light.toSun[i], i == 1 ? 1 : 0);
+        EXPECT_EQ(light.sunIrradiance[i], static_cast<float>(1 + i));
+        EXPECT_EQ(light.skyIrradiance[i], static_cast<float>(4 + i));
+    }
+}
+
 TEST(Glm, VectorsOfEitherPrecision) {
     seaglass::LightingDesc light;
     seaglass::assign(light.toSun, glm::vec3(0.25f, 0.5f, 0.75f));

@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "seaglass/host.h"
+
 namespace seaglass {
 
 /// ViewDesc::view and projection: column-major, as GLM's own.
@@ -26,6 +28,28 @@ void assign(N (&out)[3], const glm::vec<3, T, Q>& vector) {
 template<typename T, glm::qualifier Q>
 void assign(double (&out)[4], const glm::vec<4, T, Q>& vector) {
     for (glm::length_t i = 0; i < 4; ++i) out[i] = static_cast<double>(vector[i]);
+}
+
+/// A camera over the whole of an attachment, y as the projection has it. The scene's images are to follow.
+template<typename T, glm::qualifier Q>
+ViewDesc viewDesc(const glm::mat<4, 4, T, Q>& view, const glm::mat<4, 4, T, Q>& projection,
+                  VkExtent2D extent) {
+    ViewDesc out;
+    assign(out.view, view);
+    assign(out.projection, projection);
+    out.viewport = {0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height), 0, 1};
+    return out;
+}
+
+/// Light as LightingDesc has it: `toSun` unit. The sky's cube is to follow.
+template<typename T, glm::qualifier Q>
+LightingDesc lightingDesc(const glm::vec<3, T, Q>& toSun, const glm::vec<3, T, Q>& sunIrradiance,
+                          const glm::vec<3, T, Q>& skyIrradiance) {
+    LightingDesc out;
+    assign(out.toSun, toSun);
+    assign(out.sunIrradiance, sunIrradiance);
+    assign(out.skyIrradiance, skyIrradiance);
+    return out;
 }
 
 /// The matrices of PlanarView, as `T`: float or double.
