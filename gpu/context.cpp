@@ -77,7 +77,7 @@ Status createContext(const DeviceDesc* desc, Context** out) {
 void destroyContext(Context* context) {
     if (!context) return;
     if (context->inUse > 0) {
-        context->device.ruleBroken(
+        (void)context->device.misused(
             "destroyContext: bodies, reflectors or targets of the context exist, which are "
             "destroyed before it; nothing was done");
         return;
@@ -90,9 +90,10 @@ void destroyContext(Context* context) {
 Status beginFrame(Context* context, uint32_t slot) {
     if (!context) return Status::invalidArgument;
     if (slot >= context->frameCount)
-        return context->device.fail(Status::invalidArgument, "beginFrame: slot is %u, expected 0 to %u", slot,
-                                    context->frameCount - 1);
+        return context->device.misused("beginFrame: slot is %u, expected 0 to %u", slot,
+                                       context->frameCount - 1);
     context->slot = slot;
+    ++context->frameNumber;
     return context->frame().begin();
 }
 

@@ -11,13 +11,22 @@
 
 namespace seaglass {
 
+struct Context;
+
+/// What a host holds of a context: a body, a reflector or a target.
+struct Held {
+    Context* context = nullptr;
+    bool destroyed = false; ///< by the host; it is kept until its frame slot begins again
+};
+
 struct Context {
     gpu::Device device;
     gpu::Samplers samplers;
     std::array<gpu::Frame, 4> frames;
     uint32_t frameCount = 0;
     uint32_t slot = 0;
-    uint32_t inUse = 0; ///< bodies, reflectors and targets that the host holds
+    uint64_t frameNumber = 0; ///< of the frame that was begun last, from 1; 0: none was
+    uint32_t inUse = 0;       ///< bodies, reflectors and targets that the host holds
 
     gpu::Frame& frame() { return frames[slot]; }
 
@@ -40,5 +49,19 @@ struct Context {
     static constexpr char tag = 0;
     std::unordered_map<const void*, std::weak_ptr<void>> shared_;
 };
+
+/// What destroyBody() and its like do.
+template<typename T>
+void destroyHeld(T* held, const char* call) {
+    if (!held) return;
+    Context& context = *held->context;
+    if (held->destroyed) {
+        (void)context.device.misused("%s: it was destroyed before", call);
+        return;
+    }
+    held->destroyed = true;
+    --context.inUse;
+    context.frame().retire(std::unique_ptr<T>(held));
+}
 
 } // namespace seaglass

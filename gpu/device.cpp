@@ -85,22 +85,33 @@ void Device::free(MemoryPiece& piece) const {
 }
 
 Status Device::fail(Status status, const char* format, ...) const {
-    if (!message_.function) return status;
-    char text[512];
     va_list arguments;
     va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
+    say(format, arguments);
     va_end(arguments);
-    message_.function(message_.user, text);
     return status;
 }
 
-void Device::ruleBroken(const char* rule) const {
-    if (message_.function) message_.function(message_.user, rule);
+Status Device::misused(const char* format, ...) const {
+    va_list arguments;
+    va_start(arguments, format);
+    say(format, arguments);
+    va_end(arguments);
 #ifdef SEAGLASS_ASSERTS
-    std::fprintf(stderr, "%s\n", rule);
+    va_start(arguments, format);
+    std::vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    std::fputc('\n', stderr);
     std::abort();
 #endif
+    return Status::invalidArgument;
+}
+
+void Device::say(const char* format, va_list arguments) const {
+    if (!message_.function) return;
+    char text[512];
+    std::vsnprintf(text, sizeof text, format, arguments);
+    message_.function(message_.user, text);
 }
 
 Status Device::check(VkResult result, const char* what) const {

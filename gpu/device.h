@@ -1,6 +1,8 @@
 // The host's device as Seaglass uses it: entry points, memory types, limits and where errors go.
 #pragma once
 
+#include <cstdarg>
+
 #include "gpu/dispatch.h"
 #include "seaglass/host.h"
 
@@ -28,9 +30,9 @@ class Device {
     /// Sends one line to the host and gives `status` back, so that a failing call reads `return
     /// device.fail(...)`.
     [[gnu::format(printf, 3, 4)]] Status fail(Status status, const char* format, ...) const;
-    /// Of calls that have no status to return: says which rule of docs/contract.md was broken. Debug builds
-    /// end there.
-    void ruleBroken(const char* rule) const;
+    /// As fail() with invalidArgument, of a call that breaks a rule of docs/contract.md in when or of what it
+    /// is made. Debug builds end there.
+    [[gnu::format(printf, 2, 3)]] Status misused(const char* format, ...) const;
     /// VK_SUCCESS is ok; anything else is reported as the failure of `what`.
     Status check(VkResult result, const char* what) const;
 
@@ -38,6 +40,7 @@ class Device {
     void passEnds(VkCommandBuffer commands, const char* pass) const;
 
   private:
+    [[gnu::format(printf, 2, 0)]] void say(const char* format, va_list arguments) const;
     /// A memory type out of `allowedBits` with all `wanted` properties, or ~0u.
     uint32_t memoryType(uint32_t allowedBits, VkMemoryPropertyFlags wanted) const;
 

@@ -42,16 +42,32 @@ const Context* contextOf(Object* const* objects, uint32_t count) {
     return nullptr;
 }
 
-/// The same of an array's objects.
+/// Names an object that the host has destroyed, for as long as it is kept.
+inline Status refuseDestroyed(const char* call, const char* name, const Held& held) {
+    return held.destroyed ? held.context->device.misused("%s: %s was destroyed before", call, name)
+                          : Status::ok;
+}
+
+/// The same of an array's objects, nulls too.
 template<typename Object>
-Status refuseNulls(const char* call, const char* name, Object* const* objects, uint32_t count) {
+Status refuseUnusable(const char* call, const char* name, Object* const* objects, uint32_t count) {
     const Context* context = contextOf(objects, count);
-    for (uint32_t i = 0; i < count; ++i)
+    for (uint32_t i = 0; i < count; ++i) {
         if (!objects[i])
             return context
                        ? context->device.fail(Status::invalidArgument, "%s: %s[%u] is null", call, name, i)
                        : Status::invalidArgument;
+        if (objects[i]->destroyed)
+            return context->device.misused("%s: %s[%u] was destroyed before", call, name, i);
+    }
     return Status::ok;
+}
+
+/// Of calls that record: memory and descriptors come from a frame's slot.
+inline Status refuseOutsideFrame(const Context* context, const char* call) {
+    return context && context->frameNumber == 0
+               ? context->device.misused("%s: beginFrame() was never called", call)
+               : Status::ok;
 }
 
 } // namespace seaglass::gpu

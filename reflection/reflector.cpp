@@ -222,8 +222,7 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     }
     const VkExtent2D extent = extentOf(geometry);
     if (drawn && !(reflected.planar.handedOut && reflected.isOf(extent)))
-        return context->device.fail(Status::invalidArgument,
-                                    "reflect: planarView() was not called for this view before");
+        return context->device.misused("reflect: planarView() was not called for this view before");
     if (const Status s = prepare(reflected, extent); s != Status::ok) return s;
 
     gpu::Slice slice;
@@ -304,15 +303,15 @@ Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent,
 }
 
 void destroyReflector(Reflector* reflector) {
-    if (!reflector) return;
-    --reflector->context->inUse;
-    reflector->context->frame().retire(std::unique_ptr<Reflector>(reflector));
+    destroyHeld(reflector, "destroyReflector");
 }
 
 Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out) {
     if (const Status s = gpu::refuseNull(gpu::contextOf(&reflector, 1), "planarView",
                                          {{"reflector", !reflector}, {"view", !view}, {"out", !out}});
         s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseDestroyed("planarView", "reflector", *reflector); s != Status::ok)
         return s;
     return gpu::guarded([&] { return reflector->handOut(*view, *out); });
 }
@@ -323,7 +322,10 @@ Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t 
                             {{"commands", !commands}, {"reflectors", count && !reflectors}, {"view", !view}});
         s != Status::ok)
         return s;
-    if (const Status s = gpu::refuseNulls("reflect", "reflectors", reflectors, count); s != Status::ok)
+    if (const Status s = gpu::refuseUnusable("reflect", "reflectors", reflectors, count); s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(reflectors, count), "reflect");
+        s != Status::ok)
         return s;
     return gpu::guarded([&] {
         if (count > maxReflectors)
@@ -346,6 +348,10 @@ Status recordOverlay(VkCommandBuffer commands, Reflector* reflector, const ViewD
             gpu::contextOf(&reflector, 1), "recordOverlay",
             {{"commands", !commands}, {"reflector", !reflector}, {"view", !view}, {"desc", !desc}});
         s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseDestroyed("recordOverlay", "reflector", *reflector); s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseOutsideFrame(reflector->context, "recordOverlay"); s != Status::ok)
         return s;
     return gpu::guarded([&] { return reflector->drawOverlay(commands, *view, *desc); });
 }

@@ -48,8 +48,7 @@ Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent, const SceneSa
 const char* badField(const ReflectionDesc& desc);
 const char* badField(const SceneSamples& samples);
 
-struct Reflector {
-    Context* context = nullptr;
+struct Reflector : Held {
     glm::dvec4 plane{0}; ///< world, unit normal
     Bounds bounds;
     ReflectionDesc desc;

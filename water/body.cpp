@@ -165,8 +165,13 @@ Status Body::createFoam(const FoamDesc& desc) {
 Status Body::simulate(VkCommandBuffer commands, double time) {
     if (!std::isfinite(time))
         return context->device.fail(Status::invalidArgument, "simulate: time is not finite");
-    if (foamPattern) foamPattern->recordUpload(context->device, commands);
     if (!waves) return Status::ok;
+    if (recorded.simulated == context->frameNumber)
+        return context->device.misused("simulate: it was called for the body in this frame before");
+    if (recorded.drawn == context->frameNumber)
+        return context->device.misused("simulate: the body was drawn in this frame before");
+    recorded.simulated = context->frameNumber;
+    if (foamPattern) foamPattern->recordUpload(context->device, commands);
     if (simulated) waves->turnOver();
     simulated = true;
     if (shore) shore->record(context->device, commands, *sea->shore, time, foamDecay);
@@ -203,7 +208,14 @@ Status Body::reflect(VkCommandBuffer commands, SceneOfCall& scene) {
         dropSamples(*context, singleSamples.get(), scene.given.viewIndex);
     else if (refraction)
         if (const Status s = takeScene(commands, scene); s != Status::ok) return s;
-    return reflector ? reflector->record(commands, scene) : Status::ok;
+    if (!reflector) return Status::ok;
+    const uint32_t view = scene.given.viewIndex;
+    const uint64_t now = context->frameNumber;
+    if (view < maxViews && recorded.mirroring[view] == now && recorded.reflected[view] != now)
+        return context->device.misused("reflect: the body was drawn in this view and frame before");
+    if (const Status s = reflector->record(commands, scene); s != Status::ok) return s;
+    recorded.reflected[view] = now;
+    return Status::ok;
 }
 
 SurfaceFeatures Body::features(const ReflectionImages& images) const {
@@ -288,15 +300,14 @@ Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, Vie
         return device.fail(Status::unsupported,
                            "draw: ViewDesc.projection is orthographic, water is seen from an eye");
     if (waves && !simulated)
-        return device.fail(Status::invalidArgument,
-                           "draw: the body has waves but simulate() was never called");
+        return device.misused("draw: the body has waves but simulate() was never called");
+    recorded.drawn = context->frameNumber;
     read = view;
     if (!refraction || !isMultisampled(view)) return Status::ok;
     if (!mayShow(out)) return Status::ok; // nothing was taken, and nothing will be drawn
     if (!singleSamples || !singleSamples->views[view.viewIndex].fits(view))
-        return device.fail(Status::invalidArgument,
-                           "draw: ViewDesc.sceneDepth.samples is not 1, and reflect() was not called for "
-                           "this view before");
+        return device.misused(
+            "draw: ViewDesc.sceneDepth.samples is not 1, and reflect() was not called for this view before");
     singleSamples->views[view.viewIndex].standIn(read);
     return Status::ok;
 }
@@ -381,7 +392,10 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     if (const Status s = place(meshView, inputs); s != Status::ok) return s;
     if (inputs.instanceCount == 0) return Status::ok;
 
-    if (reflector && !motion) inputs.reflection = reflector->images(view.viewIndex);
+    if (reflector && !motion) {
+        inputs.reflection = reflector->images(view.viewIndex);
+        recorded.mirroring[view.viewIndex] = context->frameNumber;
+    }
     if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
     const SurfaceFeatures wanted = motion ? motionFeatures() : features(inputs.reflection);
     const DrawPipeline* pipeline = nullptr;
@@ -465,9 +479,7 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
 }
 
 void destroyBody(Body* body) {
-    if (!body) return;
-    --body->context->inUse;
-    body->context->frame().retire(std::unique_ptr<Body>(body));
+    destroyHeld(body, "destroyBody");
 }
 
 Status setDryRooms(Body* body, const DryRoom* rooms, uint32_t count) {
@@ -490,24 +502,25 @@ Status forEach(Body* const* bodies, uint32_t count, Each&& each) {
 }
 
 /// What calls that record for bodies are handed. `context`: where there may be one and no body.
-Status refuseNulls(const char* call, const Context* context, VkCommandBuffer commands, Body* const* bodies,
-                   uint32_t count, std::initializer_list<gpu::Argument> more) {
+Status refuseUnusable(const char* call, const Context* context, VkCommandBuffer commands, Body* const* bodies,
+                      uint32_t count, std::initializer_list<gpu::Argument> more) {
     if (!context) context = gpu::contextOf(bodies, count);
     if (const Status s =
             gpu::refuseNull(context, call, {{"commands", !commands}, {"bodies", count && !bodies}});
         s != Status::ok)
         return s;
     if (const Status s = gpu::refuseNull(context, call, more); s != Status::ok) return s;
-    return gpu::refuseNulls(call, "bodies", bodies, count);
+    return gpu::refuseUnusable(call, "bodies", bodies, count);
 }
 
 /// What calls that draw are handed.
 Status refuseDraw(const char* call, VkCommandBuffer commands, const Target* target, Body* const* bodies,
                   uint32_t count, const ViewDesc* view, const LightingDesc* lighting) {
-    if (const Status s = refuseNulls(call, target ? target->context : nullptr, commands, bodies, count,
-                                     {{"target", !target}, {"view", !view}, {"lighting", !lighting}});
+    if (const Status s = refuseUnusable(call, target ? target->context : nullptr, commands, bodies, count,
+                                        {{"target", !target}, {"view", !view}, {"lighting", !lighting}});
         s != Status::ok)
         return s;
+    if (const Status s = gpu::refuseDestroyed(call, "target", *target); s != Status::ok) return s;
     const gpu::Device& device = target->context->device;
     for (uint32_t i = 0; i < count; ++i)
         if (bodies[i]->context != target->context)
@@ -519,13 +532,15 @@ Status refuseDraw(const char* call, VkCommandBuffer commands, const Target* targ
                            "%s: ViewDesc.viewIndex is %u, which is none of "
                            "TargetDesc.viewMask",
                            call, view->viewIndex);
-    return Status::ok;
+    return gpu::refuseOutsideFrame(target->context, call);
 }
 
 } // namespace
 
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time) {
-    if (const Status s = refuseNulls("simulate", nullptr, commands, bodies, count, {}); s != Status::ok)
+    if (const Status s = refuseUnusable("simulate", nullptr, commands, bodies, count, {}); s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(bodies, count), "simulate"); s != Status::ok)
         return s;
     return forEach(bodies, count, [&](Body& body) { return body.simulate(commands, time); });
 }
@@ -535,6 +550,7 @@ Status planarView(Body* body, const ViewDesc* view, PlanarView* out) {
                                          {{"body", !body}, {"view", !view}, {"out", !out}});
         s != Status::ok)
         return s;
+    if (const Status s = gpu::refuseDestroyed("planarView", "body", *body); s != Status::ok) return s;
     if (!body->reflector)
         return body->context->device.fail(Status::invalidArgument,
                                           "planarView: the body's reflection is the sky alone");
@@ -547,6 +563,7 @@ Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view,
                             {{"commands", !commands}, {"body", !body}, {"view", !view}, {"desc", !desc}});
         s != Status::ok)
         return s;
+    if (const Status s = gpu::refuseDestroyed("recordOverlay", "body", *body); s != Status::ok) return s;
     if (!body->reflector)
         return body->context->device.fail(Status::invalidArgument,
                                           "recordOverlay: the body's reflection is the sky alone");
@@ -554,8 +571,10 @@ Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view,
 }
 
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view) {
-    if (const Status s = refuseNulls("reflect", nullptr, commands, bodies, count, {{"view", !view}});
+    if (const Status s = refuseUnusable("reflect", nullptr, commands, bodies, count, {{"view", !view}});
         s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(bodies, count), "reflect"); s != Status::ok)
         return s;
     SceneOfCall scene(*view);
     return forEach(bodies, count, [&](Body& body) { return body.reflect(commands, scene); });

@@ -47,8 +47,14 @@ struct LastView {
     glm::dvec2 jitter{0}; ///< [pixel]
 };
 
-struct Body {
-    Context* context = nullptr;
+/// In what frames a body was last recorded, so that what comes too late or twice is named.
+struct RecordedIn {
+    uint64_t simulated = 0, drawn = 0;
+    std::array<uint64_t, maxViews> reflected{},
+        mirroring{}; ///< by view; `mirroring`: drawn with what was reflected
+};
+
+struct Body : Held {
     glm::dvec4 plane{0};
     MeshDesc mesh;
     uint32_t waveShadowSteps = 0;
@@ -72,6 +78,7 @@ struct Body {
     bool keepsMotion = false;
     std::map<uint32_t, LastView> lastViews; ///< by index, of those that motion was drawn of
     std::shared_ptr<PatchIndices> indices;
+    RecordedIn recorded;
     std::vector<MeshPatch> patches; ///< scratch, kept for its capacity
     OutlinedPatches outlined;       ///< likewise
 

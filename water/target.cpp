@@ -64,9 +64,7 @@ Status createTarget(Context* context, const TargetDesc* desc, Target** out) {
 }
 
 void destroyTarget(Target* target) {
-    if (!target) return;
-    --target->context->inUse;
-    target->context->frame().retire(std::unique_ptr<Target>(target));
+    destroyHeld(target, "destroyTarget");
 }
 
 } // namespace seaglass

@@ -8,8 +8,7 @@
 
 namespace seaglass {
 
-struct Target {
-    Context* context = nullptr;
+struct Target : Held {
     TargetDesc desc;
     SurfacePipelines pipelines;
     UnderwaterPipelines underwater;

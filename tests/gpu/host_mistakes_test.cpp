@@ -206,6 +206,89 @@ TEST_F(Mistakes, AContextInUseIsKept) {
     EXPECT_EQ(text, "");
 }
 
+TEST_F(Mistakes, WhatWasDestroyedIsNamedWhileItIsKept) {
+    Body* gone = nullptr;
+    const BodyDesc bodyDesc;
+    ASSERT_EQ(createBody(context(), &bodyDesc, &gone), Status::ok) << message();
+    Target* lost = nullptr;
+    ASSERT_EQ(createTarget(context(), &targetDesc, &lost), Status::ok) << message();
+    Reflector* broken = nullptr;
+    const ReflectorDesc reflectorDesc;
+    ASSERT_EQ(createReflector(context(), &reflectorDesc, &broken), Status::ok) << message();
+    recordOnly([&](VkCommandBuffer commands) {
+        destroyBody(gone);
+        destroyTarget(lost);
+        destroyReflector(broken);
+        Body* const bodies[] = {body, gone};
+        PlanarView mirrored;
+        const OverlayDesc overlay;
+        EXPECT_MISUSE(simulate(commands, bodies, 2, 0), "simulate: bodies.1. was destroyed", message());
+        EXPECT_MISUSE(reflect(commands, &gone, 1, &view), "reflect: bodies.0. was destroyed", message());
+        EXPECT_MISUSE(draw(commands, target, &gone, 1, &view, &lighting), "draw: bodies.0. was", message());
+        EXPECT_MISUSE(draw(commands, lost, &body, 1, &view, &lighting), "draw: target was destr", message());
+        EXPECT_MISUSE(reflect(commands, &broken, 1, &view), "reflect: reflectors.0. was", message());
+        EXPECT_MISUSE(planarView(gone, &view, &mirrored), "planarView: body was destroyed", message());
+        EXPECT_MISUSE(planarView(broken, &view, &mirrored), "planarView: reflector was", message());
+        EXPECT_MISUSE(recordOverlay(commands, gone, &view, &overlay), "recordOverlay: body was", message());
+        EXPECT_MISUSE(recordOverlay(commands, broken, &view, &overlay), "recordOverlay: refl", message());
+#ifdef SEAGLASS_ASSERTS
+        EXPECT_DEATH(destroyBody(gone), "destroyBody: it was destroyed before");
+#else
+        destroyBody(gone);
+        expectMessage("destroyBody: it was destroyed before");
+#endif
+    });
+}
+
+TEST_F(Mistakes, NothingIsRecordedBeforeAFrameIsBegun) {
+    std::string text;
+    const DeviceDesc desc = deviceDesc(&text);
+    Context* idle = nullptr;
+    ASSERT_EQ(createContext(&desc, &idle), Status::ok) << text;
+    Body* early = nullptr;
+    const BodyDesc bodyDesc;
+    ASSERT_EQ(createBody(idle, &bodyDesc, &early), Status::ok) << text;
+    recordOnly([&](VkCommandBuffer commands) {
+        EXPECT_MISUSE(simulate(commands, &early, 1, 0), "was never called", text);
+        EXPECT_MISUSE(reflect(commands, &early, 1, &view), "was never called", text);
+        EXPECT_EQ(beginFrame(idle, 0), Status::ok);
+        EXPECT_EQ(simulate(commands, &early, 1, 0), Status::ok) << text;
+    });
+    destroyBody(early);
+    destroyContext(idle);
+}
+
+TEST_F(Mistakes, CallsTwiceOrTooLateInAFrameAreNamed) {
+    expectValidationMessages(); // of draws outside a pass, which are never submitted
+    SeaDesc sea;
+    sea.samples = 64;
+    const ReflectionDesc reflection;
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.reflection = &reflection;
+    Body* waves = nullptr;
+    ASSERT_EQ(createBody(context(), &desc, &waves), Status::ok) << message();
+    recordOnly([&](VkCommandBuffer commands) {
+        EXPECT_MISUSE(draw(commands, target, &waves, 1, &view, &lighting), "was never called", message());
+        EXPECT_EQ(simulate(commands, &waves, 1, 0), Status::ok) << message();
+        EXPECT_MISUSE(simulate(commands, &waves, 1, 1), "simulate: it was called for the body in this frame",
+                      message());
+        EXPECT_EQ(reflect(commands, &waves, 1, &view), Status::ok) << message();
+        EXPECT_EQ(draw(commands, target, &waves, 1, &view, &lighting), Status::ok) << message();
+        EXPECT_EQ(reflect(commands, &waves, 1, &view), Status::ok) << "of another camera with this index";
+    });
+    recordOnly([&](VkCommandBuffer commands) {
+        EXPECT_EQ(draw(commands, target, &waves, 1, &view, &lighting), Status::ok) << "waves stand still";
+        EXPECT_MISUSE(simulate(commands, &waves, 1, 1), "simulate: the body was drawn in this frame",
+                      message());
+        EXPECT_MISUSE(reflect(commands, &waves, 1, &view), "reflect: the body was drawn in this view",
+                      message());
+        view.viewIndex = 1;
+        EXPECT_EQ(reflect(commands, &waves, 1, &view), Status::ok) << message();
+    });
+    destroyBody(waves);
+}
+
 /// A device that is told less than it has.
 struct Pretended {
     static inline uint32_t version = 0;

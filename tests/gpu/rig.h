@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,22 @@ class GpuTest : public testing::Test {
 };
 
 seaglass::DeviceDesc deviceDesc(std::string* message);
+
+/// A call that breaks a rule of docs/contract.md is refused with words that `heard`, a string, then holds;
+/// where asserts are on, it ends the program with them.
+#ifdef SEAGLASS_ASSERTS
+#define EXPECT_MISUSE(call, words, heard)                                                                    \
+    do {                                                                                                     \
+        testing::GTEST_FLAG(death_test_style) = "fast";                                                      \
+        EXPECT_DEATH((void)(call), words);                                                                   \
+    } while (false)
+#else
+#define EXPECT_MISUSE(call, words, heard)                                                                    \
+    do {                                                                                                     \
+        EXPECT_EQ(call, seaglass::Status::invalidArgument);                                                  \
+        EXPECT_TRUE(std::regex_search((heard), std::regex(words))) << (heard);                               \
+    } while (false)
+#endif
 
 /// Sampled in SHADER_READ_ONLY_OPTIMAL; rows from the top, `channels` floats a pixel. R32_SFLOAT or
 /// RGBA32_SFLOAT.

@@ -53,8 +53,8 @@ inline void recordSceneCopy(VkCommandBuffer commands, const SceneCopy& copy) {
     constexpr VkAccessFlags2 used =
         written | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
 
-    VkImageMemoryBarrier2 from = imageBarrier(copy.from, copy.aspect, 1, copy.layout,
-                                              VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    VkImageMemoryBarrier2 from =
+        imageBarrier(copy.from, copy.aspect, 1, copy.layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     from.srcStageMask = attached;
     from.srcAccessMask = written;
     from.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
