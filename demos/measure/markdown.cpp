@@ -23,13 +23,14 @@ std::string line(const Entry& entry) {
            cell(" %.1f |", error.wrongShare, 100) + cell(" %.2f |", error.psnrDb) +
            cell(" %.2f |", error.psnrExactDb) + cell(" %.1f |", error.coverage, 100) +
            cell(" %.2f |", error.positionPxP50) + cell(" %.2f |", error.positionPxP95) +
-           cell(" %.2f |", error.falseSkyHits, 100) + cell(" %.2f |", error.skyOnGeometry, 100) + "\n";
+           cell(" %.2f |", error.falseSkyHits, 100) + cell(" %.2f |", error.falseSkyHitsInside, 100) +
+           cell(" %.2f |", error.skyOnGeometry, 100) + "\n";
 }
 
 constexpr const char* head = "| camera | technique | quality | ms | \u00b1 | x floor | MB | FLIP | wrong, % "
                              "| PSNR, dB | exactly placed | found, % | "
-                             "off, px: median | p95 | sky as solid, % | solid as sky, % |\n"
-                             "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+                             "off, px: median | p95 | sky as solid, % | inside it | solid as sky, % |\n"
+                             "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 } // namespace
 

@@ -61,9 +61,10 @@ std::optional<double> drawingMs(const Entry& entry) {
 
 std::string table(const Tradeoff& tradeoff, const Sheet& sheet) {
     std::string html = "<div class=\"scroll\"><table>\n<tr>";
-    for (const char* const name : {"technique", "ms", "&plusmn;", "&times; floor", "floor, ms",
-                                   "surface drawn, ms", "MB", "FLIP", "wrong", "PSNR, dB", "exactly placed",
-                                   "found", "off, px: median", "p95", "sky as solid", "solid as sky"})
+    for (const char* const name :
+         {"technique", "ms", "&plusmn;", "&times; floor", "floor, ms", "surface drawn, ms", "MB", "FLIP",
+          "wrong", "PSNR, dB", "exactly placed", "found", "off, px: median", "p95", "sky as solid",
+          "inside it", "solid as sky"})
         html += std::string("<th>") + name + "</th>";
     html += "</tr>\n";
     for (const Entry& entry : tradeoff.of(sheet)) {
@@ -78,7 +79,8 @@ std::string table(const Tradeoff& tradeoff, const Sheet& sheet) {
               print("%.1f", megabytes), print("%.4f", error.flip), print("%.4f", error.wrongShare),
               print("%.2f", error.psnrDb), print("%.2f", error.psnrExactDb), print("%.4f", error.coverage),
               print("%.2f", error.positionPxP50), print("%.2f", error.positionPxP95),
-              print("%.4f", error.falseSkyHits), print("%.4f", error.skyOnGeometry)})
+              print("%.4f", error.falseSkyHits), print("%.4f", error.falseSkyHitsInside),
+              print("%.4f", error.skyOnGeometry)})
             html += "<td>" + cell + "</td>";
         html += "</tr>\n";
     }

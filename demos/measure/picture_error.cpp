@@ -62,6 +62,19 @@ bool isSolid(TruthClass kind) {
            kind == TruthClass::backFacing || kind == TruthClass::unsampled;
 }
 
+TruthClass kindAt(const Picture& classes, size_t pixel) {
+    return static_cast<TruthClass>(std::lround(classes.rgba[4 * pixel]));
+}
+
+/// Whether all pixels around, too, mirror the sky.
+bool isInsideSky(const Picture& classes, size_t pixel) {
+    const size_t x = pixel % classes.width, y = pixel / classes.width;
+    for (size_t v = y - std::min<size_t>(y, 1); v <= std::min<size_t>(y + 1, classes.height - 1); ++v)
+        for (size_t u = x - std::min<size_t>(x, 1); u <= std::min<size_t>(x + 1, classes.width - 1); ++u)
+            if (kindAt(classes, v * classes.width + u) != TruthClass::sky) return false;
+    return true;
+}
+
 class Share {
   public:
     void count(bool is) {
@@ -125,6 +138,7 @@ class Counts {
         squaresSurface_.add(off.squares);
         wrong_.count(off.most > wrongBy);
     }
+    void insideSky(Claim claim) { falseHitsInside_.count(claim == Claim::hit); }
     void claim(TruthClass kind, Claim claim) {
         if (kind == TruthClass::recoverable) covered_.count(claim == Claim::hit);
         if (kind == TruthClass::sky) falseHits_.count(claim == Claim::hit);
@@ -150,6 +164,7 @@ class Counts {
         error.psnrPictureDb = squaresPicture_.psnr();
         error.coverage = covered_.value();
         error.falseSkyHits = falseHits_.value();
+        error.falseSkyHitsInside = falseHitsInside_.value();
         error.skyOnGeometry = calledSky_.value();
         error.wrongShare = wrong_.value();
         if (positions_.empty()) return error;
@@ -162,7 +177,7 @@ class Counts {
   private:
     Mean flip_, flipPicture_;
     Mean squares_, squaresFound_, squaresExact_, squaresSurface_, squaresPicture_;
-    Share covered_, falseHits_, calledSky_, wrong_;
+    Share covered_, falseHits_, falseHitsInside_, calledSky_, wrong_;
     std::vector<double> positions_;
 };
 
@@ -188,11 +203,12 @@ std::optional<PictureError> errorOf(const reference::Pictures& truth, const Shot
         const auto flipped = static_cast<double>(flips[i]);
         const Off off = offAt(i, reference, test);
         counts.picture(flipped, off);
-        const auto kind = static_cast<TruthClass>(std::lround(classes.rgba[4 * i]));
+        const TruthClass kind = kindAt(classes, i);
         if (kind == TruthClass::none) continue;
         const Claim claim = claimAt(shots.sources, i);
         counts.surface(flipped, off);
         counts.claim(kind, claim);
+        if (isInsideSky(classes, i)) counts.insideSky(claim);
         if (kind != TruthClass::recoverable) continue;
         const Off mirrorOff = offAt(i, mirrored, reflection);
         counts.recoverable(mirrorOff, offAt(i, mirrored, scene, seenAt(classes, i)));

@@ -41,6 +41,7 @@ Json errorJson(const PictureError& error) {
     json["position_px_p50"] = orNull(error.positionPxP50);
     json["position_px_p95"] = orNull(error.positionPxP95);
     json["wrong_share"] = orNull(error.wrongShare);
+    json["false_sky_hits_inside"] = orNull(error.falseSkyHitsInside);
     json["position_px_max"] = orNull(error.positionPxMax);
     json["psnr_valid_db"] = orNull(error.psnrValidDb);
     json["psnr_exact_db"] = orNull(error.psnrExactDb);

@@ -28,8 +28,11 @@ struct PictureError {
     std::optional<double> psnrDb, psnrValidDb;
     /// What `psnrDb` would be were each such pixel looked up in the very pixel that shows what it mirrors.
     std::optional<double> psnrExactDb;
-    std::optional<double> coverage;      ///< hits, of what is mirrored and seen elsewhere in the picture
-    std::optional<double> falseSkyHits;  ///< hits, of what mirrors the sky
+    std::optional<double> coverage;     ///< hits, of what is mirrored and seen elsewhere in the picture
+    std::optional<double> falseSkyHits; ///< hits, of what mirrors the sky
+    /// The same where all pixels around mirror the sky too: not at edges, which one sample a pixel cannot
+    /// place.
+    std::optional<double> falseSkyHitsInside;
     std::optional<double> skyOnGeometry; ///< called sky, of what mirrors something solid
     /// How far from the mirrored point, in pixels, the picture was looked up, where it was rightly so.
     std::optional<double> positionPxP50, positionPxP95, positionPxMax;

@@ -21,6 +21,7 @@ picture is from the ray-traced one. Writes tradeoff.json, .csv and .md, and inde
   coverage         how much of it was found
   position_px_*    how far from the mirrored point the picture was looked up for it, in pixels
   false_sky_hits   of what mirrors the sky: how much was taken for something solid
+  false_sky_hits_inside  the same where all pixels around mirror the sky too: not at edges
   sky_on_geometry  of what mirrors something solid: how much was taken for the sky
 
 What cannot be measured is null, such as shares of nothing. Validation, which would be timed as well, is off.

@@ -415,6 +415,7 @@ TEST(PictureErrors, CountWhatEachClassOfTruthAllows) {
     const PictureError error = row.error();
     EXPECT_EQ(error.coverage, 0.5);
     EXPECT_EQ(error.falseSkyHits, 0.5);
+    EXPECT_FALSE(error.falseSkyHitsInside) << "none is among others";
     EXPECT_DOUBLE_EQ(error.skyOnGeometry.value(), 2.0 / 3);
     EXPECT_EQ(error.wrongShare, 0.2);
     EXPECT_LT(error.psnrPictureDb.value(), error.psnrSurfaceDb.value());
@@ -426,6 +427,14 @@ TEST(PictureErrors, CountWhatEachClassOfTruthAllows) {
                  dry.positionPxP50)
         << "shares of nothing";
     EXPECT_EQ(dry.flipPicture, 0);
+}
+
+TEST(PictureErrors, KnowEdgesOfTheSkyFromWhatHangsInIt) {
+    const std::vector<TruthClass> kinds = {recoverable, sky, sky, sky, sky, sky};
+    const PictureError atEdge = Row(kinds, "hhssss").error(), hanging = Row(kinds, "hsshss").error();
+    EXPECT_EQ(atEdge.falseSkyHits, hanging.falseSkyHits);
+    EXPECT_EQ(atEdge.falseSkyHitsInside, 0);
+    EXPECT_EQ(hanging.falseSkyHitsInside, 0.25);
 }
 
 TEST(PictureErrors, OfTheReflectionAreWhereItCouldBeFound) {
