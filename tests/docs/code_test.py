@@ -1,5 +1,5 @@
-"""code_test.py CXX FLAG...: every cpp block of the documents compiles, as C++17 and without warnings. A block is a whole file, or what stands in a function that has the
-host's own things, as wrapped here."""
+"""code_test.py CXX FLAG...: every cpp block of the documents compiles, as C++17 and without warnings. A block is a whole
+file, or what stands in a function that has the host's own things, as wrapped here."""
 import subprocess
 import sys
 import tempfile
