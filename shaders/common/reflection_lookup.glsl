@@ -52,6 +52,24 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
 #endif
 }
 
+vec3 rayThrough(vec2 pixel) {
+    vec4 p = relativeFromPixel * vec4(pixel, 0.5, 1.0);
+    return normalize(p.xyz / p.w);
+}
+
+#ifdef SHORE
+// What runs up the sand stands above the plane that the image mirrors about, which there lies in the sand: the image shows
+// sand, which no ray from above it meets. Share of what else there is.
+float shareAboveSand(vec3 from, BentPoint point) {
+    vec3 ray = rayThrough(point.pixel);
+    vec3 met = mirroredPoint(ray, ray, point.distance, plane.xyz, plane.w);
+    vec2 along = met.xz - from.xz;
+    float sand = -plane.w - shoreHere.depth + dot(shoreHere.bedSlope, along);
+    float deep = smoothstep(0.1, 0.4, thickness());
+    return max(smoothstep(0.05, 0.25, met.y - sand), deep);
+}
+#endif
+
 // Radiance times confidence, and confidence. Rays within the pixel spread by `spread` radians [standard deviation]; the
 // farther they go, the more of the reflection they meet. `hit` is how far that is [m]: from a ray beside it, to the next.
 vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
@@ -61,6 +79,9 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
     vec2 border = min(point.pixel, size - point.pixel) + 0.5;
     float inside = clamp(min(border.x, border.y), 0.0, 1.0);
     if (inside <= 0.0) return vec4(0.0);
+#ifdef SHORE
+    inside *= shareAboveSand(from, point);
+#endif
     float pixelsPerRadian = length(vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y));
     // A quarter: mips blur alike in all directions, but at grazing angles slopes turn the mirrored ray mostly up and down,
     // and a mast must stay a line.
@@ -68,11 +89,6 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
     float mip = bundleMip(width, length(from), point.distance, pixelsPerRadian / reflectionScale);
     return reflectionTexel(point.pixel / reflectionScale, mip, reflectionScale) *
            (inside * shareOfScene(point.distance, reflectionLook));
-}
-
-vec3 rayThrough(vec2 pixel) {
-    vec4 p = relativeFromPixel * vec4(pixel, 0.5, 1.0);
-    return normalize(p.xyz / p.w);
 }
 
 // Where in the region the mirrored thing is taken from, its distance from the surface and its ReflectionClass. A texel

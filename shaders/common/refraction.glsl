@@ -89,14 +89,15 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
         float share = clamp(above.y / max(above.y - under.y, 1e-6), 0.1, 0.9);
         sought = under.y < 0.0 ? mix(above.x, under.x, share) : min(sought + deeper, leaves);
     }
-    if (passedOver && !left && least > 0.1 * drop) return waterGlow(vec3(path));
+    // What hides the place that the ray meets is as good as it, unless it lies far higher.
+    float known = passedOver && !left ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;
     for (; left; left = false) {
         drop = position.y - found.seen.y;
         found = foldedInside(found, position + bent / steepness * drop, here);
     }
     path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
     vec3 bed = litBelow(radianceOf(found), -(found.seen.y + plane.w)) / (waterIndex * waterIndex);
-    return bed * exp(-extinction() * path) + waterGlow(vec3(path));
+    return mix(waterGlow(vec3(1e6)), bed * exp(-extinction() * path) + waterGlow(vec3(path)), known);
 }
 #else
 vec3 refracted(vec3 normal, vec3 toEye, out float path) {

@@ -113,6 +113,44 @@ TEST_F(ShoreOnGpu, FoamIsWhereTheWaterThinsAndNotWhereItIsDeep) {
     EXPECT_NEAR(foamAt(camera(3), -16, -2), surf, 0.03);
 }
 
+// The mirror's plane lies in the sand there.
+TEST_F(ShoreOnGpu, WaterOnTheSandMirrorsTheSkyAndNotTheSand) {
+    Body* const ofSkyAlone = makeBody(desc_);
+    const ReflectionDesc reflection;
+    desc_.reflection = &reflection;
+    Body* const body = makeBody(desc_);
+    const Camera seenBy = camera();
+    SceneBehind black = planeBelow(seenBy, 0, 0);
+    for (uint32_t y = 0; y < seenBy.height; ++y)
+        for (uint32_t x = 0; x < seenBy.width; ++x) {
+            const glm::dvec3 ray = rayThrough(seenBy, x, y);
+            const double distance = (slope * seenBy.eye.z - seenBy.eye.y) / (ray.y - slope * ray.z);
+            const double along = distance * glm::dot(ray, glm::normalize(seenBy.target - seenBy.eye));
+            black.depth[size_t{y} * seenBy.width + x] =
+                distance > 0 ? static_cast<float>(seenBy.near / along) : 0;
+        }
+    double sum = 0, ofSky = 0, count = 0;
+    for (const double time : {30.0, 33.0, 36.0}) {
+        const auto mirrored = [&](Body* of) {
+            return picture({of}, seenBy, time, SurfaceOutput::reflection, black);
+        };
+        const WaterPicture p = mirrored(body), sky = mirrored(ofSkyAlone);
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                const size_t i = size_t{y} * p.width + x;
+                if (!p.covered(i)) continue;
+                const glm::dvec3 world = worldAt(seenBy, p, x, y);
+                if (world.y < 0.05 || world.y > slope * world.z + 0.1) continue;
+                sum += double{p.color[4 * i]};
+                ofSky += double{sky.color[4 * i]};
+                ++count;
+            }
+    }
+    std::printf("of the sky's light %.3f\n", sum / ofSky);
+    EXPECT_GT(count, 500);
+    EXPECT_GT(sum, 0.8 * ofSky); // 0.3 with the sand
+}
+
 TEST_F(ShoreOnGpu, ASeaWithoutABedHasNothingOfIt) {
     desc_.foam = &foam_;
     const auto costs = [&](const ShoreDesc* shore, size_t& images, Estimate& estimated) {
