@@ -14,7 +14,7 @@ layout(location = 2) flat out uvec2 edgeRange;
 layout(location = 3) out vec4 lastPixel;   // homogeneous
 #endif
 
-const int patchCells = 16;
+const int patchCells = 16;   // that vertices are numbered by; fewer may be drawn
 // A patch may reach past its level's range by its parent's diagonal, 22.6 cells of the coarser level; gliding must end
 // before the range does and begin after the coarser neighbour's patches can touch it.
 const float glideBegins = 0.7;

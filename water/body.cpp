@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 
 #include "gpu/guard.h"
 #include "reflection/mirror.h"
@@ -63,16 +64,9 @@ Status upload(Context& context, gpu::Resource& out, const Blocks&... blocks) {
     return Status::ok;
 }
 
-MeshView meshViewOf(const ViewGeometry& geometry, double eyeHeight, double displacement) {
-    MeshView view;
-    view.eye = {geometry.eye.x, geometry.eye.z};
-    view.eyeHeight = eyeHeight;
-    view.displacement = displacement;
-    // Patches are tested around the eye's foot on the calm plane.
-    glm::dmat4 relativeFromFoot(1);
-    relativeFromFoot[3].y = -eyeHeight;
-    view.frustum = frustumPlanes(geometry.clipFromRelative * relativeFromFoot, geometry.reversedDepth);
-    return view;
+/// From one pixel to the next above it, amid the picture [rad].
+double pixelAngle(const ViewGeometry& geometry) {
+    return 1 / glm::length(glm::dvec3(glm::row(geometry.pixelFromRelative, 1)));
 }
 
 void setViewport(const gpu::Device& device, VkCommandBuffer commands, const ViewDesc& view,
@@ -146,6 +140,7 @@ Status Body::createWaves(const BodyDesc& desc) {
     if (!made) return context->device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
     if (cascadeCount(*made) == 0) return Status::ok; // Wind 0 is a flat body, by branch.
     sea = std::move(made);
+    detail = WaveDetail(*sea);
     if (sea->shore)
         if (const Status s = shore.emplace().create(*context, *sea->shore); s != Status::ok) return s;
     if (const Status s = waves.emplace().create(*context, *sea, chosenBackend(context->device, desc));
@@ -197,7 +192,7 @@ Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
 
 bool Body::mayShow(const ViewGeometry& geometry) {
     if (sidesSeen(geometry) != SidesSeen::above) return true;
-    const MeshView view = meshViewOf(geometry, heightOf(geometry.eye), displacement());
+    const MeshView view = meshView(geometry);
     if (outline) return inSight(view, outline->boxFrom(view.eye));
     selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, patches);
     return !patches.empty();
@@ -260,20 +255,39 @@ Status Body::place(const MeshView& view, SurfaceInputs& inputs) {
     inputs.instanceCount = 0;
     if (hostMesh) return placeHostMesh(view, inputs);
     inputs.indices = indices->buffer.handle();
-    inputs.indexCount = patchCells * patchCells * 6;
     return outline ? placeOutlined(view, inputs) : placePatches(view, inputs);
 }
 
+MeshView Body::meshView(const ViewGeometry& geometry) const {
+    MeshView view;
+    view.eye = {geometry.eye.x, geometry.eye.z};
+    view.eyeHeight = heightOf(geometry.eye);
+    view.displacement = displacement();
+    view.waves = &detail;
+    view.pixel = pixelAngle(geometry);
+    // Patches are tested around the eye's foot on the calm plane.
+    glm::dmat4 relativeFromFoot(1);
+    relativeFromFoot[3].y = -view.eyeHeight;
+    view.frustum = frustumPlanes(geometry.clipFromRelative * relativeFromFoot, geometry.reversedDepth);
+    return view;
+}
+
+void Body::placeCells(uint32_t across, SurfaceInputs& inputs) const {
+    inputs.firstIndex = firstPatchIndex(across);
+    inputs.indexCount = across * across * 6;
+}
+
 Status Body::placePatches(const MeshView& view, SurfaceInputs& inputs) {
-    selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, patches);
+    placeCells(selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, patches), inputs);
     inputs.instanceCount = static_cast<uint32_t>(patches.size());
     if (patches.empty()) return Status::ok;
     return upload(*context, inputs.patches, patches);
 }
 
 Status Body::placeOutlined(const MeshView& view, SurfaceInputs& inputs) {
-    selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, *outline, pinnedWithin(displacement()),
-                  outlined);
+    placeCells(selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, *outline,
+                             pinnedWithin(displacement()), outlined),
+               inputs);
     inputs.instanceCount = static_cast<uint32_t>(outlined.patches.size());
     if (outlined.patches.empty()) return Status::ok;
     if (const Status s = upload(*context, inputs.patches, outlined.patches); s != Status::ok) return s;
@@ -387,9 +401,9 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
     if (motion) uniforms.relativeFromPixel = lastPixel;
     SurfaceInputs inputs;
-    MeshView meshView = meshViewOf(geometry, heightOf(geometry.eye), displacement());
-    meshView.farthestFirst = !target.desc.depthWrite;
-    if (const Status s = place(meshView, inputs); s != Status::ok) return s;
+    MeshView asMeshed = meshView(geometry);
+    asMeshed.farthestFirst = !target.desc.depthWrite;
+    if (const Status s = place(asMeshed, inputs); s != Status::ok) return s;
     if (inputs.instanceCount == 0) return Status::ok;
 
     if (reflector && !motion) {

@@ -62,6 +62,7 @@ struct Body : Held {
     std::optional<HostMesh> hostMesh;     ///< the extent is a mesh
     std::unique_ptr<Sea, SeaDeleter> sea; ///< null when flat
     std::optional<Waves> waves;
+    WaveDetail detail;
     bool simulated = false;   ///< the maps hold something
     std::optional<Foam> foam; ///< only where waves break
     std::optional<FoamPattern> foamPattern;
@@ -115,6 +116,8 @@ struct Body : Held {
     glm::mat4 lastPixelFromRelative(const ViewDesc& view, const ViewGeometry& geometry);
     /// The most that waves move a point in any axis [m].
     double displacement() const { return sea ? largestDisplacement(*sea) : 0; }
+    MeshView meshView(const ViewGeometry& geometry) const;
+    void placeCells(uint32_t across, SurfaceInputs& inputs) const;
     /// What is to be drawn: no instance when the view sees nothing of the body.
     Status place(const MeshView& view, SurfaceInputs& inputs);
     Status placePatches(const MeshView& view, SurfaceInputs& inputs);

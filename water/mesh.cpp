@@ -35,6 +35,18 @@ struct Lattice {
         return level > 0 && distanceTo(level, corner) < range(level - 1);
     }
 
+    /// Cells across a patch, so that what they leave out of the waves is not seen. By an outline that holds
+    /// the waves: so that what they have there is not.
+    uint32_t cellsFor(int level, const glm::dvec2& corner, bool held = false) const {
+        if (!view.waves) return patchCells;
+        const double nearest = std::max(distanceTo(level, corner) - 2 * view.displacement, 0.0);
+        const double unseen = view.pixel * nearest / 3;
+        if (held && view.displacement > unseen) return patchCells;
+        uint32_t cells = fewestCells;
+        while (cells < patchCells && view.waves->lostBetween(edge(level) / cells) > unseen) cells *= 2;
+        return cells;
+    }
+
     /// The coarsest level whose range is at least `reach`.
     int coarsest(double reach) const {
         int level = 0;
@@ -69,6 +81,10 @@ float distanceTo(const MeshPatch& patch) {
     return std::hypot(patch.corner[0] + half, patch.corner[1] + half);
 }
 
+void widenCells(MeshPatch& patch, uint32_t cells) {
+    patch.cell *= static_cast<float>(patchCells / cells);
+}
+
 bool drawnBefore(const MeshView& view, const MeshPatch& a, const MeshPatch& b) {
     return view.farthestFirst ? distanceTo(a) > distanceTo(b) : a.cell < b.cell;
 }
@@ -77,7 +93,7 @@ class Selection {
   public:
     Selection(const Lattice& lattice, std::vector<MeshPatch>& out) : lattice_(lattice), out_(out) {}
 
-    void run() {
+    uint32_t run() {
         const int coarsest = lattice_.coarsest(horizonDistance(lattice_.view.eyeHeight));
         const double reach = lattice_.range(coarsest);
         lattice_.forEach(coarsest, glm::dvec2(-reach), glm::dvec2(reach), [&](const glm::dvec2& corner) {
@@ -88,6 +104,8 @@ class Selection {
         std::stable_sort(out_.begin(), out_.end(), [&](const MeshPatch& a, const MeshPatch& b) {
             return drawnBefore(lattice_.view, a, b);
         });
+        for (MeshPatch& patch : out_) widenCells(patch, cells_);
+        return cells_;
     }
 
   private:
@@ -95,6 +113,7 @@ class Selection {
         const double d = lattice_.view.displacement;
         if (!inSight(lattice_.view, {corner - d, corner + lattice_.edge(level) + d})) return;
         if (!lattice_.isDivided(level, corner)) {
+            cells_ = std::max(cells_, lattice_.cellsFor(level, corner));
             out_.push_back(lattice_.patch(level, corner));
             return;
         }
@@ -104,6 +123,7 @@ class Selection {
 
     const Lattice& lattice_;
     std::vector<MeshPatch>& out_;
+    uint32_t cells_ = fewestCells; ///< that the patches need so far
 };
 
 /// Of what an outline encloses. Each patch that is visited inherits the edges that come near its parent.
@@ -113,7 +133,7 @@ class OutlinedSelection {
         : lattice_(lattice), outline_(outline), pinned_(pinned), out_(out),
           box_(outline.boxFrom(lattice.view.eye)) {}
 
-    void run() {
+    uint32_t run() {
         const glm::dvec2 farthest = glm::max(glm::abs(box_.low), glm::abs(box_.high));
         const int coarsest = lattice_.coarsest(glm::length(glm::dvec3(farthest, lattice_.view.eyeHeight)));
         std::vector<OutlineEdge> edges;
@@ -125,6 +145,8 @@ class OutlinedSelection {
                          [&](const OutlinedPatch& a, const OutlinedPatch& b) {
                              return drawnBefore(lattice_.view, a.patch, b.patch);
                          });
+        for (OutlinedPatch& outlined : out_.patches) widenCells(outlined.patch, cells_);
+        return cells_;
     }
 
   private:
@@ -148,6 +170,7 @@ class OutlinedSelection {
                                   [&](const glm::dvec2& child) { visit(level - 1, child, near); });
             return;
         }
+        cells_ = std::max(cells_, lattice_.cellsFor(level, corner, !near.empty()));
         const auto first = static_cast<uint32_t>(out_.edges.size());
         if (!near.empty()) list(corner, end, margin);
         out_.patches.push_back(
@@ -168,7 +191,8 @@ class OutlinedSelection {
     const Outline& outline_;
     double pinned_;
     OutlinedPatches& out_;
-    OutlineBox box_; ///< of the outline, relative to the eye
+    OutlineBox box_;               ///< of the outline, relative to the eye
+    uint32_t cells_ = fewestCells; ///< that the patches need so far
 };
 
 } // namespace
@@ -190,31 +214,32 @@ bool inSight(const MeshView& view, const OutlineBox& box) {
     });
 }
 
-void selectPatches(const MeshView& view, double finestCell, double rangeInCells,
-                   std::vector<MeshPatch>& out) {
+uint32_t selectPatches(const MeshView& view, double finestCell, double rangeInCells,
+                       std::vector<MeshPatch>& out) {
     out.clear();
     const Lattice lattice{view, finestCell, rangeInCells};
-    Selection(lattice, out).run();
+    return Selection(lattice, out).run();
 }
 
-void selectPatches(const MeshView& view, double finestCell, double rangeInCells, const Outline& outline,
-                   double pinned, OutlinedPatches& out) {
+uint32_t selectPatches(const MeshView& view, double finestCell, double rangeInCells, const Outline& outline,
+                       double pinned, OutlinedPatches& out) {
     out.patches.clear();
     out.edges.clear();
     const Lattice lattice{view, finestCell, rangeInCells};
-    OutlinedSelection(lattice, outline, pinned, out).run();
+    return OutlinedSelection(lattice, outline, pinned, out).run();
 }
 
 std::vector<uint16_t> patchIndices() {
     constexpr uint32_t row = patchCells + 1;
     std::vector<uint16_t> indices;
-    indices.reserve(patchCells * patchCells * 6);
-    for (uint32_t j = 0; j < patchCells; ++j)
-        for (uint32_t i = 0; i < patchCells; ++i) {
-            const uint32_t a = j * row + i;
-            for (const uint32_t vertex : {a, a + row, a + 1, a + 1, a + row, a + row + 1})
-                indices.push_back(static_cast<uint16_t>(vertex));
-        }
+    indices.reserve(firstPatchIndex(2 * patchCells));
+    for (uint32_t cells = fewestCells; cells <= patchCells; cells *= 2)
+        for (uint32_t j = 0; j < cells; ++j)
+            for (uint32_t i = 0; i < cells; ++i) {
+                const uint32_t a = j * row + i;
+                for (const uint32_t vertex : {a, a + row, a + 1, a + 1, a + row, a + row + 1})
+                    indices.push_back(static_cast<uint16_t>(vertex));
+            }
     return indices;
 }
 

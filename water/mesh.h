@@ -12,10 +12,12 @@
 #include <glm/vec3.hpp>
 
 #include "water/extent.h"
+#include "water/wave_detail.h"
 
 namespace seaglass {
 
-constexpr uint32_t patchCells = 16; ///< across a patch; the shader's patchCells
+constexpr uint32_t patchCells = 16; ///< across a patch, at the most; the shader's patchCells
+constexpr uint32_t fewestCells = 2; ///< of which every other vertex still glides
 
 /// One patch as the vertex shader reads it.
 struct MeshPatch {
@@ -44,6 +46,8 @@ struct MeshView {
         frustum{};           ///< planes facing inwards over (u, height, v) relative to the eye's foot
     double displacement = 0; ///< the most that waves move a vertex in any axis [m]
     bool farthestFirst = false;
+    const WaveDetail* waves = nullptr; ///< null: patches have all their cells
+    double pixel = 0;                  ///< from one pixel to the next [rad]
 };
 
 /// Inward planes (left, right, bottom, top, near) of a clip matrix over its input space.
@@ -52,16 +56,23 @@ std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDep
 /// Whether a view may see something of what lies in a box relative to its eye.
 bool inSight(const MeshView& view, const OutlineBox& box);
 
-/// Patches from fine to coarse, or from far to near, out to the horizon; those out of sight left out.
-void selectPatches(const MeshView& view, double finestCell, double rangeInCells, std::vector<MeshPatch>& out);
+/// Patches from fine to coarse, or from far to near, out to the horizon; those out of sight left out. Returns
+/// how many cells are across each: no more than it takes to leave out of the waves a third of a pixel.
+uint32_t selectPatches(const MeshView& view, double finestCell, double rangeInCells,
+                       std::vector<MeshPatch>& out);
 
 /// Patches that touch what an outline encloses, likewise. Each that comes within `pinned` metres of an edge
 /// has a list of edges: a point of the patch lies within where an odd number of them crosses the ray from it
 /// towards -u, and no other edge is nearer than `pinned`.
-void selectPatches(const MeshView& view, double finestCell, double rangeInCells, const Outline& outline,
-                   double pinned, OutlinedPatches& out);
+uint32_t selectPatches(const MeshView& view, double finestCell, double rangeInCells, const Outline& outline,
+                       double pinned, OutlinedPatches& out);
 
-/// Two triangles a cell over (patchCells + 1)^2 vertices, row by row.
+/// Two triangles a cell over the first of (patchCells + 1)^2 vertices, row by row: for patches of fewestCells
+/// cells across, then twice as many, up to patchCells.
 std::vector<uint16_t> patchIndices();
+/// The first of those for so many cells.
+constexpr uint32_t firstPatchIndex(uint32_t cells) {
+    return 2 * (cells * cells - fewestCells * fewestCells);
+}
 
 } // namespace seaglass

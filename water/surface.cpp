@@ -256,7 +256,7 @@ Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipel
     const gpu::DeviceTable& vk = context.device.vk();
     bindDraw(context.device, commands, pipeline, set, inputs.view->viewIndex);
     vk.CmdBindIndexBuffer(commands, inputs.indices, 0, inputs.indexType);
-    vk.CmdDrawIndexed(commands, inputs.indexCount, inputs.instanceCount, 0, 0, 0);
+    vk.CmdDrawIndexed(commands, inputs.indexCount, inputs.instanceCount, inputs.firstIndex, 0, 0);
     return Status::ok;
 }
 

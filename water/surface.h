@@ -56,6 +56,7 @@ struct SurfaceInputs {
     gpu::Resource extent;  ///< the block of shaders/common/extent.glsl
     VkBuffer indices = VK_NULL_HANDLE;
     VkIndexType indexType = VK_INDEX_TYPE_UINT16;
+    uint32_t firstIndex = 0;
     uint32_t indexCount = 0;
     uint32_t instanceCount = 1;
     const LightingDesc* lighting = nullptr;

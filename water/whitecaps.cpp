@@ -38,6 +38,24 @@ double jacobianDeviation(const Sea& sea, uint32_t cascade) {
     return std::sqrt(variance) / static_cast<double>(sea.desc.amplitude);
 }
 
+Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
+    Breaking breaking;
+    constexpr double leastWind = 2; // [m/s]; either law leaves less than 5e-5 here
+    constexpr double never = 7;     // deviations: no sample of a loop's whole time
+    const auto wind = static_cast<double>(sea.desc.windSpeed);
+    if (wind < leastWind) return breaking;
+    const double drawn = double{sea.desc.amplitude} * double{sea.desc.choppiness};
+    const double shortest = shortestBreaker(sea);
+    const double deviations = deviationsToBreak(wind);
+    for (uint32_t c = 0; c < sea.count && sea.cascades[c].kMin < shortest; ++c) {
+        const double deviation = jacobianDeviation(sea, c);
+        breaking.threshold[c] = foam.bias + static_cast<float>(1 - deviations * deviation);
+        breaking.softness[c] = static_cast<float>(0.1 * deviation);
+        if (1 - never * drawn * deviation < double{breaking.threshold[c]}) breaking.count = c + 1;
+    }
+    return breaking;
+}
+
 bool inRange(float value, float low, float high) {
     return value >= low && value <= high;
 }
@@ -53,24 +71,13 @@ const char* badField(const FoamDesc& desc) {
 
 Breaking breakingOf(const Sea& sea, const FoamDesc& foam) {
     Breaking breaking;
-    constexpr double leastWind = 2; // [m/s]; either law leaves less than 5e-5 here
-    const auto wind = static_cast<double>(sea.desc.windSpeed);
     if (sea.count == 0) return breaking;
-    if (wind < leastWind) {
-        if (!sea.shore) return breaking;
-        // On the shore alone: a history is kept, in which nothing happens.
+    breaking = breakingInTheOpen(sea, foam);
+    if (breaking.count == 0 && sea.shore) {
+        // A history is kept, in which nothing happens.
         breaking.threshold[0] = -1e6f;
         breaking.softness[0] = 1;
         breaking.count = 1;
-        return breaking;
-    }
-    const double shortest = shortestBreaker(sea);
-    const double deviations = deviationsToBreak(wind);
-    for (uint32_t c = 0; c < sea.count && sea.cascades[c].kMin < shortest; ++c) {
-        const double deviation = jacobianDeviation(sea, c);
-        breaking.threshold[c] = foam.bias + static_cast<float>(1 - deviations * deviation);
-        breaking.softness[c] = static_cast<float>(0.1 * deviation);
-        breaking.count = c + 1;
     }
     return breaking;
 }

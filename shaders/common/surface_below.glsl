@@ -80,12 +80,13 @@ vec3 sunThrough(SurfacePoint s, vec3 toEye) {
 // Refraction gathers what comes from the sky into the window: radiance grows by n^2.
 vec3 throughWindow(SurfacePoint s, vec3 view, out float reflectance) {
     const float gathered = waterIndex * waterIndex;
-    VisibleSlopes v = visibleSlopes(s, view, 7);
+    VisibleSlopes v = visibleSlopes(s, view);
+    SlopeSteps steps = slopeSteps(v, 7);
     vec3 sum = vec3(0.0);
     float reflects = 0.0;
     float weights = 0.0;
-    for (int i = 0; i < v.points; ++i) {
-        float offset = offsetOf(v, i);
+    for (int i = 0; i < steps.points; ++i) {
+        float offset = offsetOf(steps, i);
         float weight = weightOf(v, offset);
         vec3 normal = normalOf(s.slope + v.towards * offset);
         float cosine = max(dot(view, normal), 1e-4);
@@ -93,7 +94,7 @@ vec3 throughWindow(SurfacePoint s, vec3 view, out float reflectance) {
         if (fresnel < 1.0) {
             vec3 outward = refract(view, -normal, waterIndex);
             float bends = waterIndex * cosine / max(dot(outward, normal), 0.1) - 1.0;   // of the ray, to the facet's tilt
-            float spread = min(bends * (v.spread + 0.5 * s.slopeStep), 0.5);
+            float spread = min(bends * (steps.spread + 0.5 * s.slopeStep), 0.5);
             sum += weight * (1.0 - fresnel) * skyAt(keptAbove(outward), spread);
         }
         reflects += weight * fresnel;

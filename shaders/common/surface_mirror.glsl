@@ -45,73 +45,47 @@ float firstHit() {
 }
 
 #ifdef WAVES
-// Mirrored rays about a direction, as two of half the spread: a cube's mips are as wide across as along, and low rays meet
-// another wave where higher ones pass.
-struct RayFan {
-    vec3 low, high;
-    vec2 clear;     // share of each that meets no other wave
-    float spread;   // of each [rad, standard deviation]
-};
-
-// `axis` is the unit vector along which rays spread most.
-RayFan rayFan(vec3 direction, vec3 axis, float along, float across, WavesAhead ahead) {
-    RayFan fan;
-    fan.spread = max(across, 0.5 * along);
-    vec3 aside = sqrt(max(along * along - fan.spread * fan.spread, 0.0)) * axis;
-    fan.low = direction - aside;
-    fan.high = direction + aside;
-    // It bends where few points of the slopes lie: far off two of their spread's ends are within 3 % of its mean.
-    vec2 rises = mix(direction.y + 1.2 * along * vec2(-1.0, 1.0), vec2(fan.low.y, fan.high.y), ahead.found);
-    fan.clear = vec2(clearShare(rises.x, ahead), clearShare(rises.y, ahead));
-    return fan;
-}
-
-vec3 clearSky(RayFan fan) {
-    vec3 low = fan.clear.x * skyAt(fan.low, fan.spread);
-    return 0.5 * (low + fan.clear.y * skyAt(fan.high, fan.spread));
-}
-
-// Low rays meet another wave before they reach the sky (Smith's masking by all the sea's slopes); that wave's facets
-// lean towards the ray by 1.25 deviations in the mean, and mirror a higher part of the sky in turn.
+// The slopes that the eye sees are four: two in each half, for which the scene and the sky are looked up as one. Low rays
+// meet another wave before they reach the sky (Smith's masking by all the sea's slopes); that wave's facets lean towards
+// the ray by 1.25 deviations in the mean, and mirror a higher part of the sky in turn.
 Reflection reflected(SurfacePoint s, vec3 toEye) {
-    VisibleSlopes v = visibleSlopes(s, toEye, 3);
-    // From this pixel to the next too; mirroring doubles angles.
-    float spread = 2.0 * (v.spread + 0.5 * s.slopeStep);
-    float spreadAcross = 2.0 * (deviationAcross(s, v.towards) + 0.5 * s.slopeStep);
-    vec3 side = vec3(-v.towards.y, 0.0, v.towards.x);
+    const vec2 offsets = vec2(0.7875, 2.2);   // from the mean, in deviations: nearly Gauss and Hermite's
+    const vec2 shares = vec2(0.455, 0.045);
+    VisibleSlopes v = visibleSlopes(s, toEye);
+    SlopeSpread seen = slopeSpread(v);
+    // Of each half, and from this pixel to the next; mirroring doubles angles.
+    float spread = seen.deviation + s.slopeStep;
+    // A facet tilted aside turns a ray that grazes it by far less than one tilted to the eye: by cosine.
+    float cosine = dot(toEye, normalOf(s.slope + v.towards * seen.mean));
+    float spreadOfSky = max((2.0 * deviationAcross(s, v.towards) + s.slopeStep) * cosine, 0.5 * spread);
     Reflection sum = Reflection(vec3(0.0), 0.0, 0.0);
-    vec4 again = vec4(0.0);   // mean direction after the second wave, times weight
-    float weights = 0.0;
+    vec4 met = vec4(0.0);   // rays that meet another wave, times their weight, and that
     float hit = firstHit();
     WavesAhead ahead = wavesAhead(s, -v.towards);
-    for (int i = 0; i < v.points; ++i) {
-        float offset = offsetOf(v, i);
-        float weight = weightOf(v, offset);
-        vec3 normal = normalOf(s.slope + v.towards * offset);
-        vec3 direction = reflect(-toEye, normal);
-        float cosine = dot(toEye, normal);
-        float mirrored = weight * fresnelWater(cosine);
-        // A facet tilted aside turns a ray that grazes it by far less than one tilted to the eye: by cosine.
-        RayFan fan = rayFan(direction, cross(side, direction), spread, spreadAcross * cosine, ahead);
-        float clear = 0.5 * (fan.clear.x + fan.clear.y);
-        vec4 found = mirroredScene(keptAbove(direction), spread, hit);
-        sum.radiance += mirrored * clear * found.rgb;
-        for (bool open = found.a < 0.999; open; open = false)
-            sum.radiance += mirrored * (1.0 - found.a) * clearSky(fan);
-        sum.fresnel += mirrored;
-        weights += weight;
-
-        vec3 facet = normalOf(horizontal(direction) * (1.25 * roughness.w));
-        float meets = mirrored * (1.0 - clear);
-        float keeps = meets * fresnelWater(dot(-direction, facet));
-        again += keeps * vec4(keptAbove(reflect(direction, facet)), 1.0);
-        sum.swallowed += meets - keeps;
+    for (int side = -1; side <= 1; side += 2) {
+        vec4 all = vec4(0.0);
+        vec4 clear = vec4(0.0);   // rays that meet none
+        for (int i = 0; i < 2; ++i) {
+            vec3 normal = normalOf(s.slope + v.towards * (seen.mean + float(side) * offsets[i] * seen.deviation));
+            vec3 direction = reflect(-toEye, normal);
+            vec4 mirrored = shares[i] * fresnelWater(dot(toEye, normal)) * vec4(direction, 1.0);
+            all += mirrored;
+            clear += clearShare(direction.y, ahead) * mirrored;
+        }
+        vec4 found = mirroredScene(keptAbove(all.xyz), spread, hit);
+        sum.radiance += clear.w * found.rgb;
+        for (bool open = found.a < 0.999 && clear.w > 1e-6; open; open = false)
+            sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, spreadOfSky);
+        sum.fresnel += all.w;
+        met += all - clear;
     }
-    for (bool twice = again.w > 1e-3 * sum.fresnel; twice; twice = false)
-        sum.radiance += again.w * skyAt(normalize(again.xyz), spread);
-    sum.radiance /= weights;
-    sum.fresnel /= weights;
-    sum.swallowed /= weights;
+    for (bool again = met.w > 1e-3 * sum.fresnel; again; again = false) {
+        vec3 direction = normalize(met.xyz);
+        vec3 facet = normalOf(horizontal(direction) * (1.25 * roughness.w));
+        float keeps = met.w * fresnelWater(dot(-direction, facet));
+        sum.radiance += keeps * skyAt(keptAbove(reflect(direction, facet)), spread);
+        sum.swallowed = met.w - keeps;
+    }
     return sum;
 }
 #else

@@ -869,7 +869,8 @@ TEST_F(WaterFoam, GlidesFromStepToStep) {
     const double largest = *std::ranges::max_element(changes);
     std::ranges::sort(changes);
     EXPECT_GT(changes[changes.size() / 2], 0);
-    EXPECT_LT(largest, 3 * changes[changes.size() / 2]);
+    // All of a step at once would be fifteen times a frame's share.
+    EXPECT_LT(largest, 4 * changes[changes.size() / 2]);
 }
 
 TEST_F(WaterFoam, UploadsAtItsOwnRate) {

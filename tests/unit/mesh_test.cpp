@@ -1,6 +1,7 @@
 // The surface's mesh: it must cover the sea to the horizon once, and fit together where levels meet.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -120,10 +121,79 @@ TEST(Mesh, LeavesOutWhatIsBehindTheEye) {
 
 TEST(Mesh, IndicesUseEveryVertexAndNoOther) {
     const std::vector<uint16_t> indices = patchIndices();
-    const std::set<uint16_t> used(indices.begin(), indices.end());
-    EXPECT_EQ(indices.size(), patchCells * patchCells * 6);
-    EXPECT_EQ(used.size(), (patchCells + 1) * (patchCells + 1));
-    EXPECT_EQ(*used.rbegin(), (patchCells + 1) * (patchCells + 1) - 1);
+    for (uint32_t cells = fewestCells; cells <= patchCells; cells *= 2) {
+        ASSERT_GE(indices.size(), firstPatchIndex(2 * cells));
+        const std::set<uint16_t> used(indices.begin() + firstPatchIndex(cells),
+                                      indices.begin() + firstPatchIndex(2 * cells));
+        EXPECT_EQ(firstPatchIndex(2 * cells) - firstPatchIndex(cells), cells * cells * 6);
+        EXPECT_EQ(used.size(), (cells + 1) * (cells + 1));
+        EXPECT_EQ(*used.rbegin(), cells * (patchCells + 1) + cells);
+    }
+    EXPECT_EQ(indices.size(), firstPatchIndex(2 * patchCells));
+}
+
+/// A sea 3 m high.
+const Sea& swell() {
+    static const std::unique_ptr<Sea, void (*)(Sea*)> sea(
+        [] {
+            SeaDesc desc;
+            desc.windSpeed = 12;
+            return createSea(&desc, nullptr);
+        }(),
+        destroySea);
+    return *sea;
+}
+
+TEST(Mesh, ShowsTheWavesToAThirdOfAPixel) {
+    const WaveDetail waves(swell());
+    for (const double height : {2.0, 50.0, 1000.0, 30e3}) {
+        MeshView view = allAround({3.1, -7.7}, height);
+        std::vector<MeshPatch> patches;
+        view.waves = &waves;
+        view.pixel = 1e-3;
+        const uint32_t cells = selectPatches(view, cell, range, patches);
+        const auto lost = [&](double asWide) {
+            double most = 0; // pixels
+            for (const MeshPatch& p : patches) {
+                const double edge = double{p.cell} * cells;
+                const glm::dvec2 corner(p.corner[0], p.corner[1]);
+                const glm::dvec2 nearest = glm::clamp(glm::dvec2(0), corner, corner + edge);
+                const double away = glm::length(glm::dvec3(nearest, height));
+                most = std::max(most, waves.lostBetween(double{p.cell} * asWide) / (away * view.pixel));
+            }
+            return most;
+        };
+        EXPECT_TRUE(cells == patchCells || lost(1) <= 0.334) << "from " << height << " m";
+        EXPECT_TRUE(cells == fewestCells || lost(2) > 0.333) << "from " << height << " m";
+    }
+}
+
+TEST(Mesh, OfStillWaterHasTheFewestCellsOverTheSamePatches) {
+    const WaveDetail still;
+    MeshView view = allAround({3.1, -7.7}, 2);
+    const std::vector<MeshPatch> whole = patchesFor(view);
+    view.waves = &still;
+    view.pixel = 1e-3;
+    std::vector<MeshPatch> patches;
+    ASSERT_EQ(selectPatches(view, cell, range, patches), fewestCells);
+    ASSERT_EQ(patches.size(), whole.size());
+    for (size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_EQ(patches[i].corner[0], whole[i].corner[0]);
+        EXPECT_EQ(patches[i].range, whole[i].range);
+        EXPECT_EQ(patches[i].cell * fewestCells, whole[i].cell * patchCells);
+    }
+}
+
+TEST(WaveDetail, IsLostAsCellsWiden) {
+    const WaveDetail waves(swell());
+    const double deviation = significantWaveHeight(swell()) / 4;
+    double last = 0;
+    for (double width = 0.01; width < 1000; width *= 2) {
+        EXPECT_GE(waves.lostBetween(width), last);
+        last = waves.lostBetween(width);
+    }
+    EXPECT_NEAR(last, deviation, 0.01 * deviation);
+    EXPECT_LT(waves.lostBetween(0.01), 0.01 * deviation);
 }
 
 } // namespace

@@ -80,6 +80,15 @@ TEST(Whitecaps, NothingBreaksInACalmOrALightBreeze) {
     EXPECT_EQ(coverOf(desc), 0);
 }
 
+TEST(Whitecaps, WavesThatAreTooLowForItKeepNoHistory) {
+    SeaDesc desc = windSea(SpectrumModel::jonswap, 6, 1);
+    EXPECT_GT(breakingOf(*makeSea(desc), {}).count, 0u);
+    desc.amplitude = 0.3f;
+    const auto low = makeSea(desc);
+    EXPECT_EQ(breakingOf(*low, {}).count, 0u);
+    EXPECT_GT(breakingOf(*low, {.bias = 0.3f}).count, 0u);
+}
+
 TEST(Whitecaps, RipplesAloneDoNotFoam) {
     SeaDesc desc;
     desc.cascades = 4;

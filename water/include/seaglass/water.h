@@ -37,7 +37,7 @@ struct CausticsDesc {
 
 /// How finely the surface is meshed.
 struct MeshDesc {
-    float cellSize = 0.25f;       ///< edge of the finest cells around the eye [m], 0.01..100
+    float cellSize = 0.25f;       ///< edge of the finest cells that waves get [m], 0.01..100
     uint32_t cellsPerLevel = 128; ///< cells until a twice coarser level takes over, 128..1024
 };
 
