@@ -1,6 +1,7 @@
 #include "host/shadow.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "host/pipeline.h"
@@ -11,8 +12,8 @@
 namespace demos {
 namespace {
 
-/// How far beyond the nearest opaque thing each cascade reaches [m]: about three times the one before.
-constexpr double reachM[shadowCascades] = {14, 42, 120, 340};
+/// How far beyond the nearest opaque thing the first cascade reaches [m]; each of the others by a factor more.
+constexpr double firstReachM = 14, leastFactor = 2.9;
 constexpr VkExtent2D mapExtent = {2 * ShadowPass::cascadeSize, 2 * ShadowPass::cascadeSize};
 
 struct Range {
@@ -43,15 +44,23 @@ LightAxes lightAxes(const glm::dvec3& toSun, const Camera& camera) {
     return axes;
 }
 
-double nearestDistance(const std::vector<Box>& boxes, const Camera& camera) {
-    double nearest = std::numeric_limits<double>::infinity();
+/// From the eye to what is opaque [m].
+struct Distances {
+    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+};
+
+Distances distancesTo(const std::vector<Box>& boxes, const Camera& camera) {
+    Distances found;
     for (const Box& box : boxes) {
         glm::dvec3 centre(0);
-        for (const glm::dvec3& corner : box.corners) centre += corner / 8.0;
+        for (const glm::dvec3& corner : box.corners) {
+            centre += corner / 8.0;
+            found.farthest = std::max(found.farthest, glm::length(corner - camera.eye));
+        }
         const double radius = glm::length(box.corners[0] - centre);
-        nearest = std::min(nearest, std::max(0.0, glm::length(centre - camera.eye) - radius));
+        found.nearest = std::min(found.nearest, std::max(0.0, glm::length(centre - camera.eye) - radius));
     }
-    return nearest;
+    return found;
 }
 
 /// What the camera sees between two distances, in the sun's axes.
@@ -102,14 +111,18 @@ ShadowFits fitShadows(const std::vector<Box>& boxes, const Camera& camera, const
     ShadowFits fits;
     if (boxes.empty() || toSun.y <= 0) return fits;
     const LightAxes axes = lightAxes(toSun, camera);
-    const double nearest = nearestDistance(boxes, camera);
+    const Distances distances = distancesTo(boxes, camera);
     Range bounds;
     for (const Box& box : boxes)
         for (const glm::dvec3& corner : box.corners) bounds.add(axes.of(corner - camera.eye));
-    double from = nearest;
-    for (uint32_t i = 0; i < shadowCascades; ++i) {
-        fits[i] = fitCascade(bounds, seenBetween(from, nearest + reachM[i], camera, axes), axes);
-        from = nearest + reachM[i];
+    // Mountains are in shadow, too: the last cascade reaches the farthest thing.
+    const double factor =
+        std::max(leastFactor, std::pow((distances.farthest - distances.nearest) / firstReachM,
+                                       1.0 / (shadowCascades - 1)));
+    double from = distances.nearest, reach = firstReachM;
+    for (uint32_t i = 0; i < shadowCascades; ++i, reach *= factor) {
+        fits[i] = fitCascade(bounds, seenBetween(from, distances.nearest + reach, camera, axes), axes);
+        from = distances.nearest + reach;
     }
     return fits;
 }
