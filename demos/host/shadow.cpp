@@ -12,7 +12,8 @@
 namespace demos {
 namespace {
 
-/// How far beyond the nearest opaque thing the first cascade reaches [m]; each of the others by a factor more.
+/// How far beyond the nearest opaque thing the first cascade reaches [m]; each of the others by a factor
+/// more.
 constexpr double firstReachM = 14, leastFactor = 2.9;
 constexpr VkExtent2D mapExtent = {2 * ShadowPass::cascadeSize, 2 * ShadowPass::cascadeSize};
 

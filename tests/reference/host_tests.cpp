@@ -7,9 +7,13 @@ namespace {
 
 using namespace demos;
 
-TEST(Host, OpaqueThingsLookAlike) {
+/// The lake's mountains lie in shadow kilometres away.
+class HostScene : public testing::TestWithParam<const char*> {};
+
+TEST_P(HostScene, OpaqueThingsLookAsTraced) {
     Error error;
-    std::optional<Scene> scene = loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {}, error);
+    std::optional<Scene> scene =
+        loadScene(std::string(SEAGLASS_SCENES) + "/" + GetParam() + ".toml", {}, error);
     ASSERT_TRUE(scene) << error.text;
     scene->water.reset();
     constexpr uint32_t width = 320, height = 180;
@@ -46,5 +50,8 @@ TEST(Host, OpaqueThingsLookAlike) {
     EXPECT_LT(static_cast<double>(far) / pixels, 0.02);
     EXPECT_NEAR(sumTraced / sumRendered, 1, 0.01);
 }
+
+INSTANTIATE_TEST_SUITE_P(Opaque, HostScene, testing::Values("harbour", "lake"),
+                         [](const auto& test) { return std::string(test.param); });
 
 } // namespace
