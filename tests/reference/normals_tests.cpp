@@ -45,16 +45,17 @@ TEST(Normals, FlippedOnesAreMeasured) {
         loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml",
                   {"water.waves.samples=64", "water.waves.amplitude=0.5"}, error);
     ASSERT_TRUE(scene) << error.text;
+    // Of many samples: the picture spreads what each pixel mirrors, which one ray does not.
     const reference::Pictures truth =
-        tests::traced(*scene, {width, height, scene->cameras.front(), scene->timeS}, true);
+        tests::traced(*scene, {width, height, scene->cameras.front(), scene->timeS, 16}, true);
     const auto sound = errorWith(nullptr, *scene, truth, error);
     const auto flipped = errorWith(flippedWaves(), *scene, truth, error);
     ASSERT_TRUE(sound && flipped) << error.text;
-    std::printf("FLIP %.3f -> %.3f, position p50 %.2f -> %.2f px, reflection %.2f -> %.2f dB\n", *sound->flip,
-                *flipped->flip, *sound->positionPxP50, *flipped->positionPxP50, *sound->psnrDb,
-                *flipped->psnrDb);
+    std::printf("FLIP %.3f -> %.3f, position p50 %.2f -> %.2f px, surface %.2f -> %.2f dB\n", *sound->flip,
+                *flipped->flip, *sound->positionPxP50, *flipped->positionPxP50, *sound->psnrSurfaceDb,
+                *flipped->psnrSurfaceDb);
     EXPECT_GT(*flipped->positionPxP50, 2 * *sound->positionPxP50);
-    EXPECT_LT(*flipped->psnrDb, *sound->psnrDb - 0.5);
+    EXPECT_LT(*flipped->psnrSurfaceDb, *sound->psnrSurfaceDb - 0.5);
     EXPECT_GT(*flipped->flip, *sound->flip);
 }
 
