@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/reference/reference.h"
 #include "tests/program/sample.h"
+#include "tests/reference/traced_picture.h"
 
 namespace {
 
@@ -31,18 +31,7 @@ class Traced : public testing::Test {
     }
     /// What `seaglass reference` draws.
     Picture expected(const TracedView& of) {
-        reference::World world;
-        reference::Frame frame;
-        reference::FrameDesc desc;
-        desc.width = of.width;
-        desc.height = of.height;
-        desc.camera = of.camera;
-        desc.timeS = of.timeS;
-        desc.samples = samples;
-        EXPECT_TRUE(reference::loadWorld(scene, world, error) &&
-                    reference::prepareFrame(world, desc, frame, error))
-            << error.text;
-        return reference::renderReference(frame, false).color;
+        return tests::traced(scene, {of.width, of.height, of.camera, of.timeS, samples}).color;
     }
 
     tests::TemporaryFolder folder_;
