@@ -5,6 +5,7 @@
 #include "seaglass/sea.h"
 
 #include "water/fourier.h"
+#include "water/packed_samples.h"
 #include "water/phase.h"
 #include "water/sea.h"
 
@@ -24,34 +25,24 @@ namespace {
 using Complex = std::complex<float>;
 constexpr size_t lanes = 4;
 
-// What a sample of a cascade's grid is, in the order in which a search and its end want it.
-struct Sample {
-    float moveU, moveV;       ///< horizontal displacement [m]
-    float stretchU, stretchV; ///< dDx/du, dDz/dv
-    float height, shear;      ///< [m], dDx/dv
-    float slopeU, slopeV;
-    float drift, rise, driftV; ///< velocity [m/s]: u, up, v
-    float unused;
-};
-constexpr size_t sampleFloats = sizeof(Sample) / sizeof(float);
+// What a sample of a cascade's grid holds, in the order in which a search and its end want it: the first
+// field of each pair that is transformed together.
+constexpr size_t moveField = 0;            ///< horizontal displacement [m]: u, v
+constexpr size_t heightField = 4;          ///< [m]; behind it the shear, dDx/dv
+constexpr size_t velocityField = 8;        ///< [m/s]: u, up, v; behind it nothing
+constexpr size_t pairs = packedFields / 2; ///< complex fields
 
-Float4 load(const float* at) {
-    Float4 value;
-    __builtin_memcpy(&value, at, sizeof value);
-    return value;
-}
-
-// Sample (i, j), at u = i patch/samples and v = j patch/samples, is number i * (samples + 1) + j; the last
-// row and column are the first ones again, so that no cell has to wrap.
+// Sample (i, j), at u = i patch/samples and v = j patch/samples, is number i * samples + j; the last row is
+// the first one again, so that no cell has to wrap.
 struct Tile {
     double patch = 0;    ///< [m]
     double perPatch = 0; ///< [1/m]
     float texelsPerMetre = 0;
     float metresPerTexel = 0;
-    std::vector<Sample> samples;
+    std::array<Float4, packedFields / 4> scales; ///< of the samples' fields
+    std::vector<PackedSample> samples;
 };
 
-using Int4 = int __attribute__((vector_size(16)));
 using Long2 = int64_t __attribute__((vector_size(16)));
 using Double2 = double __attribute__((vector_size(16)));
 using Float2 = float __attribute__((vector_size(8)));
@@ -65,10 +56,10 @@ struct Four {
     Float4 u, v;
 };
 
-// The cell around each of four points: its first sample, and where the point lies in it.
+// The cell around each of four points: its first sample, and each corner's share in the point.
 struct Cells {
     Int4 at;
-    Four share;
+    CornerShares shares;
 };
 
 struct Lattice {
@@ -77,11 +68,8 @@ struct Lattice {
 
     explicit Lattice(uint32_t samples)
         : mask(static_cast<int>(samples) - 1), shift(std::countr_zero(samples)) {}
-    size_t pitch() const { return static_cast<size_t>(mask) + 2; }
-    Int4 number(const Int4& i, const Int4& j) const {
-        const Int4 row = i & mask;
-        return (row << shift) + row + (j & mask);
-    }
+    size_t pitch() const { return static_cast<size_t>(mask) + 1; }
+    Int4 number(const Int4& i, const Int4& j) const { return ((i & mask) << shift) + (j & mask); }
 };
 
 Int4 floorOf(const Float4& x) {
@@ -91,17 +79,8 @@ Int4 floorOf(const Float4& x) {
 
 Cells cellsAt(const Four& place, const Lattice& lattice) {
     const Int4 i = floorOf(place.u), j = floorOf(place.v);
-    return {lattice.number(i, j),
-            {place.u - __builtin_convertvector(i, Float4), place.v - __builtin_convertvector(j, Float4)}};
-}
-
-// Between the four samples of a cell, of which `first` points at some four floats of the first.
-Float4 mix(const float* first, size_t pitch, const Float4& shareU, const Float4& shareV) {
-    const float* const second = first + sampleFloats * pitch;
-    const Float4 here = load(first), next = load(second);
-    const Float4 low = here + shareV * (load(first + sampleFloats) - here);
-    const Float4 high = next + shareV * (load(second + sampleFloats) - next);
-    return low + shareU * (high - low);
+    return {lattice.number(i, j), cornerShares(place.u - __builtin_convertvector(i, Float4),
+                                               place.v - __builtin_convertvector(j, Float4))};
 }
 
 // Four times four values to four of each.
@@ -117,13 +96,13 @@ void transpose(std::array<Float4, 4>& rows) {
 // Four points: where they lie on each tile, in samples, and how far from them the water rests that is seen
 // there.
 struct Search {
-    std::array<Four, maxCascades> sample{};
-    Four offset{};
-    Int4 steep{};   ///< on the way, or out of reach: to be sought with care
-    Int4 nowhere{}; ///< not finite
+    std::array<Four, maxCascades> sample;
+    Four offset;
+    Int4 steep;   ///< on the way, or out of reach: to be sought with care
+    Int4 nowhere; ///< not finite
 };
 
-// All that is known at four resting points, as in Sample.
+// All that is known at four resting points, as in a sample.
 struct Found {
     std::array<Float4, 4> moves, shape, velocity;
 
@@ -163,12 +142,17 @@ struct HeightGrid {
   private:
     void advance(const Modes& modes, uint32_t now);
     void transform(uint32_t cascade, size_t pair);
+    float mostOf(Float4 Complex4::*part) const;
     void store(Tile& tile, size_t pair) const;
     void repeatFirst(Tile& tile) const;
 
-    void place(Search& search, size_t l, double u, double v) const;
+    void place(Search& search, const double* points) const;
     using AllCells = std::array<Cells, maxCascades>;
     void enter(const Search& search, AllCells& cells) const;
+    Corners cornersOf(size_t c, const Cells& cells, size_t l) const {
+        return {&tiles[c].samples[static_cast<size_t>(cells.at[l])], lattice.pitch(), cells.shares.here[l],
+                cells.shares.next[l]};
+    }
     void guess(Search& search) const;
     void nearer(Search& search) const;
     Found foundAt(const Search& search) const;
@@ -178,7 +162,6 @@ struct HeightGrid {
 
 namespace {
 
-constexpr size_t pairs = 6;    ///< complex fields
 constexpr size_t block = 16;   ///< points that are sought together
 constexpr int moreRounds = 25; ///< for points that have not arrived where all others have
 constexpr float leastStretch = 0.2f;
@@ -211,7 +194,7 @@ Complex spectrumOf(size_t pair, Complex h, Complex r, float ku, float kv, float 
 
 HeightGrid::HeightGrid(const Sea& from)
     : sea(from), lattice(from.desc.samples), fourier(from.desc.samples), tiles(from.count) {
-    const size_t samples = from.desc.samples, kept = lattice.pitch() * lattice.pitch();
+    const size_t samples = from.desc.samples, kept = samples * (samples + 1);
     size_t widest = 0;
     for (uint32_t c = 0; c < from.count; ++c) {
         tiles[c].patch = from.cascades[c].patch;
@@ -278,38 +261,40 @@ void HeightGrid::transform(uint32_t cascade, size_t pair) {
     fourier.transform(rows.data(), scratch.data(), acrossV);
 }
 
+float HeightGrid::mostOf(Float4 Complex4::*part) const {
+    Float4 most{};
+    for (const Complex4& four : rows) {
+        const Float4 magnitude = four.*part < 0 ? -(four.*part) : four.*part;
+        most = magnitude > most ? magnitude : most;
+    }
+    return std::max({most[0], most[1], most[2], most[3]});
+}
+
 void HeightGrid::store(Tile& tile, size_t pair) const {
-    const size_t samples = sea.desc.samples;
-    for (size_t i = 0; i < samples * samples; ++i) {
-        const Complex4& from = rows[i / lanes];
-        const float re = from.re[i % lanes], im = from.im[i % lanes];
-        Sample& sample = tile.samples[i + i / samples];
-        switch (pair) {
-        case 0:
-            sample.moveU = re, sample.moveV = im;
-            break;
-        case 1:
-            sample.stretchU = re, sample.stretchV = im;
-            break;
-        case 2:
-            sample.height = re, sample.shear = im;
-            break;
-        case 3:
-            sample.slopeU = re, sample.slopeV = im;
-            break;
-        case 4:
-            sample.drift = re, sample.rise = im;
-            break;
-        default:
-            sample.driftV = re;
+    const size_t samples = sea.desc.samples, across = groupsOf(samples);
+    for (const size_t half : {0u, 1u}) {
+        Float4 Complex4::*const part = half == 0 ? &Complex4::re : &Complex4::im;
+        const size_t field = 2 * pair + half;
+        const float scale = packedScale(mostOf(part));
+        tile.scales[field / 4][field % 4] = scale;
+        for (size_t u = 0; u < samples; ++u) {
+            const Complex4* const row = &rows[u * across];
+            const Int4 first = packed(row[0].*part, scale);
+            PackedSample* to = &tile.samples[u * samples];
+            Int4 four = first;
+            for (size_t group = 1; group <= across; ++group, to += lanes) {
+                const Int4 next = group < across ? packed(row[group].*part, scale) : first;
+                const Int4 pairs = paired(four, __builtin_shufflevector(four, next, 1, 2, 3, 4));
+                for (size_t l = 0; l < lanes; ++l) to[l].pairs[field] = pairs[l];
+                four = next;
+            }
         }
     }
 }
 
 void HeightGrid::repeatFirst(Tile& tile) const {
-    const size_t samples = sea.desc.samples, pitch = lattice.pitch();
-    for (size_t i = 0; i < samples; ++i) tile.samples[i * pitch + samples] = tile.samples[i * pitch];
-    std::copy_n(tile.samples.begin(), pitch, tile.samples.end() - static_cast<ptrdiff_t>(pitch));
+    std::copy_n(tile.samples.begin(), sea.desc.samples,
+                tile.samples.end() - static_cast<ptrdiff_t>(sea.desc.samples));
 }
 
 void HeightGrid::fill(double at) {
@@ -325,22 +310,58 @@ void HeightGrid::fill(double at) {
     }
 }
 
-void HeightGrid::place(Search& search, size_t l, double u, double v) const {
-    constexpr double farthest = 1e12; // [m]: whole tiles are then exact
-    const bool far = !(std::abs(u) < farthest && std::abs(v) < farthest);
-    search.steep[l] = far ? -1 : 0;
-    search.nowhere[l] = std::isfinite(u) && std::isfinite(v) ? 0 : -1;
-    if (search.nowhere[l]) return;
+namespace {
+
+using Points = std::array<Double2, 4>; // u, v
+
+// Both -1 where a point is neither so far that whole tiles are not exact, nor no number.
+Long2 isNear(const Double2& point) {
+    constexpr double farthest = 1e12; // [m]
+    return (point < farthest) & (point > -farthest);
+}
+
+bool isFinite(const Double2& point) {
+    return std::isfinite(point[0]) && std::isfinite(point[1]);
+}
+
+Double2 onFirstTile(const Double2& point, double patch) {
+    return isFinite(point) ? Double2{std::fmod(point[0], patch), std::fmod(point[1], patch)} : Double2{};
+}
+
+// Where two points lie on their tiles, as shares of them.
+Float4 sharesOfTile(const Double2& first, const Double2& second, double perPatch) {
+    const auto share = [perPatch](const Double2& point) {
+        const Double2 away = point * perPatch;
+        constexpr double noFraction = 0x1.8p52; // what is added to this has none
+        return __builtin_convertvector(away - ((away + noFraction) - noFraction), Float2);
+    };
+    return __builtin_shufflevector(share(first), share(second), 0, 1, 2, 3);
+}
+
+} // namespace
+
+void HeightGrid::place(Search& search, const double* points) const {
+    Points asked, near;
+    __builtin_memcpy(asked.data(), points, sizeof asked);
+    search.offset = Four{};
+    search.steep = search.nowhere = Int4{};
+    const Long2 inside = isNear(asked[0]) & isNear(asked[1]) & isNear(asked[2]) & isNear(asked[3]);
+    const bool anyFar = (inside[0] & inside[1]) == 0;
+    for (size_t l = 0; anyFar && l < 4; ++l) {
+        const Long2 both = isNear(asked[l]);
+        search.steep[l] = (both[0] & both[1]) == 0 ? -1 : 0;
+        search.nowhere[l] = isFinite(asked[l]) ? 0 : -1;
+    }
     const auto samples = static_cast<float>(sea.desc.samples);
     for (size_t c = 0; c < tiles.size(); ++c) {
-        const double patch = tiles[c].patch;
-        const Double2 near = far ? Double2{std::fmod(u, patch), std::fmod(v, patch)} : Double2{u, v};
-        const Double2 away = near * tiles[c].perPatch;
-        constexpr double noFraction = 0x1.8p52; // what is added to this has none
-        const Double2 inTile = away - ((away + noFraction) - noFraction);
-        const Float2 sample = __builtin_convertvector(inTile, Float2) * samples;
-        search.sample[c].u[l] = sample[0];
-        search.sample[c].v[l] = sample[1];
+        const Tile& tile = tiles[c];
+        for (size_t l = 0; anyFar && l < 4; ++l)
+            near[l] = search.steep[l] ? onFirstTile(asked[l], tile.patch) : asked[l];
+        const Points& at = anyFar ? near : asked;
+        const Float4 low = sharesOfTile(at[0], at[1], tile.perPatch);
+        const Float4 high = sharesOfTile(at[2], at[3], tile.perPatch);
+        search.sample[c] = {__builtin_shufflevector(low, high, 0, 2, 4, 6) * samples,
+                            __builtin_shufflevector(low, high, 1, 3, 5, 7) * samples};
     }
 }
 
@@ -379,7 +400,8 @@ void HeightGrid::guess(Search& search) const {
         const Int4 i = floorOf(sample.u + 0.5f), j = floorOf(sample.v + 0.5f);
         const Int4 at = lattice.number(i, j);
         std::array<Float4, 4> moves;
-        for (size_t l = 0; l < 4; ++l) moves[l] = load(&tile.samples[static_cast<size_t>(at[l])].moveU);
+        for (size_t l = 0; l < 4; ++l)
+            moves[l] = tile.scales[0] * fourOf(tile.samples[static_cast<size_t>(at[l])], moveField);
         transpose(moves);
         const Float4 pastU = (sample.u - __builtin_convertvector(i, Float4)) * tile.metresPerTexel;
         const Float4 pastV = (sample.v - __builtin_convertvector(j, Float4)) * tile.metresPerTexel;
@@ -396,14 +418,12 @@ void HeightGrid::guess(Search& search) const {
 void HeightGrid::nearer(Search& search) const {
     AllCells cells;
     enter(search, cells);
-    const size_t count = tiles.size(), pitch = lattice.pitch();
+    const size_t count = tiles.size();
     std::array<Float4, 4> moves;
     for (size_t l = 0; l < 4; ++l) {
         Float4 sum{};
-        for (size_t c = 0; c < count; ++c) {
-            const Sample& first = tiles[c].samples[static_cast<size_t>(cells[c].at[l])];
-            sum += mix(&first.moveU, pitch, all(cells[c].share.u[l]), all(cells[c].share.v[l]));
-        }
+        for (size_t c = 0; c < count; ++c)
+            sum += tiles[c].scales[0] * fourBetween(cornersOf(c, cells[c], l), moveField);
         moves[l] = sum;
     }
     transpose(moves);
@@ -416,16 +436,15 @@ void HeightGrid::nearer(Search& search) const {
 Found HeightGrid::foundAt(const Search& search) const {
     AllCells cells;
     enter(search, cells);
-    const size_t count = tiles.size(), pitch = lattice.pitch();
+    const size_t count = tiles.size();
     Found found;
     for (size_t l = 0; l < 4; ++l) {
         Float4 moves{}, shape{}, velocity{};
         for (size_t c = 0; c < count; ++c) {
-            const Sample& first = tiles[c].samples[static_cast<size_t>(cells[c].at[l])];
-            const Float4 shareU = all(cells[c].share.u[l]), shareV = all(cells[c].share.v[l]);
-            moves += mix(&first.moveU, pitch, shareU, shareV);
-            shape += mix(&first.height, pitch, shareU, shareV);
-            velocity += mix(&first.drift, pitch, shareU, shareV);
+            const Corners corners = cornersOf(c, cells[c], l);
+            moves += tiles[c].scales[0] * fourBetween(corners, moveField);
+            shape += tiles[c].scales[1] * fourBetween(corners, heightField);
+            velocity += tiles[c].scales[2] * fourBetween(corners, velocityField);
         }
         found.moves[l] = moves;
         found.shape[l] = shape;
@@ -450,9 +469,9 @@ void writeSamples(const Found& found, const Four& last, const Int4& folded, Heig
     const Float4 v = side * (slopeU * shear - slopeV * (1 + found.stretchU()));
     const Float4 squared = u * u + up * up + v * v;
     const Int4 upright = squared > 0;
-    Float4 scale = all(0);
-    for (size_t l = 0; l < 4; ++l)
-        if (upright[l]) scale[l] = 1 / std::sqrt(squared[l]);
+    Float4 length;
+    for (size_t l = 0; l < 4; ++l) length[l] = std::sqrt(squared[l]);
+    const Float4 scale = upright ? 1 / length : all(0);
     std::array<Float4, 4> above{level, u * scale, upright ? up * scale : all(1), v * scale};
     transpose(above);
     std::array<Float4, 4> moving = found.velocity;
@@ -472,7 +491,7 @@ void writeSamples(const Found& found, const Four& last, const Int4& folded, Heig
 // As heights.cpp's invert(). Folded where the surface overturned on the way, or the search did not settle.
 HeightSample HeightGrid::seekWithCare(const Search& search, size_t l) const {
     constexpr float leastJacobian = 0.05f;
-    Search alone; // four times the same
+    Search alone{}; // four times the same
     for (size_t c = 0; c < tiles.size(); ++c)
         alone.sample[c] = {all(search.sample[c].u[l]), all(search.sample[c].v[l])};
     Found found{};
@@ -514,11 +533,15 @@ void HeightGrid::finish(const Search& search, HeightSample* out) const {
 
 void HeightGrid::sampleBlock(const double* points, size_t count, HeightSample* out) const {
     std::array<Search, block / 4> searches;
-    for (size_t i = 0; i < count; ++i) place(searches[i / 4], i % 4, points[2 * i], points[2 * i + 1]);
-    const size_t fours = groupsOf(count);
+    const size_t whole = count / 4, fours = groupsOf(count);
+    for (size_t i = 0; i < whole; ++i) place(searches[i], points + 8 * i);
+    if (whole < fours) {
+        std::array<double, 8> last{};
+        std::copy_n(points + 8 * whole, 2 * (count % 4), last.begin());
+        place(searches[whole], last.data());
+    }
     for (size_t i = 0; i < fours; ++i) guess(searches[i]);
     for (size_t i = 0; i < fours; ++i) nearer(searches[i]);
-    const size_t whole = count / 4;
     for (size_t i = 0; i < whole; ++i) finish(searches[i], out + 4 * i);
     if (whole == fours) return;
     std::array<HeightSample, 4> last;

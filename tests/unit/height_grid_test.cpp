@@ -178,6 +178,28 @@ TEST(HeightGrid, SaysWhereTheSurfaceFolds) {
     for (const HeightSample& s : onGrid(*smooth, scattered(100))) EXPECT_EQ(s.folded, 0u);
 }
 
+TEST(HeightGrid, IsFiniteInEverySeaThatMayBeAskedFor) {
+    for (const float wind : {0.0f, 0.3f, 2.0f, 40.0f, 100.0f})
+        for (const float choppiness : {0.0f, 1.0f, 10.0f}) {
+            SeaDesc desc;
+            desc.windSpeed = wind;
+            desc.choppiness = choppiness;
+            desc.fetch = 1000e3f;
+            desc.samples = 64;
+            const auto sea = makeSea(desc);
+            const GridPtr grid(createHeightGrid(*sea, 77));
+            double highest = 0;
+            for (const HeightSample& s : onGrid(*grid, scattered(200))) {
+                EXPECT_TRUE(std::isfinite(s.height + s.normal[0] + s.normal[1] + s.normal[2] + s.velocity[0] +
+                                          s.velocity[1] + s.velocity[2]));
+                highest = std::max(highest, std::abs(static_cast<double>(s.height)));
+            }
+            const double hs = significantWaveHeight(*sea);
+            EXPECT_LE(highest, 1.5 * hs);
+            EXPECT_GE(highest, 0.3 * hs) << "wind " << wind << ", choppiness " << choppiness;
+        }
+}
+
 TEST(HeightGrid, SameBitsHoweverItCameToItsTime) {
     const auto sea = makeSea(tests::oneCascade());
     const GridPtr fresh(createHeightGrid(*sea, 42.125)), moved(createHeightGrid(*sea, -3));
@@ -197,6 +219,21 @@ TEST(HeightGrid, SameBitsHoweverItCameToItsTime) {
         for (auto& samples : several) threads.emplace_back([&] { samples = onGrid(*fresh, points); });
     }
     for (const auto& samples : several) EXPECT_TRUE(same(samples, expected));
+}
+
+TEST(HeightGrid, SameBitsBesidePointsThatAreFarOrNone) {
+    SeaDesc desc;
+    desc.samples = 64;
+    const auto sea = makeSea(desc);
+    const GridPtr grid(createHeightGrid(*sea, 3));
+    const auto points = scattered(40);
+    const auto expected = onGrid(*grid, points);
+    auto beside = points;
+    for (size_t i = 1; i < 40; i += 2)
+        beside[2 * i + i / 2 % 2] = i % 3 == 0 ? std::numeric_limits<double>::quiet_NaN() : 3e15;
+    const auto found = onGrid(*grid, beside);
+    for (size_t i = 0; i < 40; i += 2)
+        EXPECT_EQ(std::memcmp(&found[i], &expected[i], sizeof expected[i]), 0) << i;
 }
 
 TEST(HeightGrid, RepeatsWithItsTilesHoweverFar) {
