@@ -37,6 +37,13 @@ DeviceInfo Host::device() const {
     return impl_->device->info();
 }
 
+double Host::resolvedShare() const {
+    if (!impl_->scene || impl_->scene->surfaces.empty()) return 1;
+    const auto* const water = std::get_if<WaterBody>(&impl_->scene->surfaces.front());
+    const seaglass::Sea* const sea = water && *water ? seaglass::sea(water->get()) : nullptr;
+    return sea ? seaglass::resolvedShare(*sea) : 1;
+}
+
 uint32_t Host::validationMessages() const {
     return impl_->device->validationMessages();
 }

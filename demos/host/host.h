@@ -158,6 +158,8 @@ class Host {
     /// the same picture of the opaque scene, and gives medians. FrameDesc::surface does not matter.
     std::optional<ComparedTimes> measureSurfaces(const FrameDesc& frame, uint32_t rounds,
                                                  const RoundFunction& goOn, Error& error);
+    /// seaglass::resolvedShare() of the scene's own surface; 1 where nothing waves.
+    double resolvedShare() const;
     /// Validation messages seen so far.
     uint32_t validationMessages() const;
 

@@ -8,6 +8,7 @@
 #include "host/supersample.h"
 #include "metrics/finite.h"
 #include "program/device_limit.h"
+#include "program/lost_waves.h"
 #include "program/memory.h"
 #include "program/no_device.h"
 #include "program/output.h"
@@ -161,6 +162,9 @@ ExitCode renderScene(const RenderOptions& options, Error& error) {
         addPlace(*scene, error);
         return badInput;
     }
+    progress.clear();
+    warnOfLostWaves(host->resolvedShare(), leastResolvedInPictures, scene->file.filename().string() + ": ",
+                    "water.waves.largest_patch_m", "water.waves.samples and water.waves.cascades");
     Run run(options, *scene, *camera, *host);
     if (!run.all(progress, error)) return runFailed;
     progress.clear();

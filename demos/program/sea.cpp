@@ -4,6 +4,7 @@
 
 #include "host/waves.h"
 #include "program/gnuplot.h"
+#include "program/lost_waves.h"
 #include "program/output.h"
 #include "program/progress.h"
 #include "program/sea_report.h"
@@ -40,12 +41,8 @@ ExitCode describeTheSea(const SeaOptions& options, Error& error) {
         error.text = "-o " + options.plot.string() + ": a flat sea has no spectrum to plot, expected waves";
         return badInput;
     }
-    if (figures.resolvedShare < seaglass::leastResolvedShare)
-        std::fprintf(
-            stderr,
-            "warning: the cascades hold %.0f %% of the height's variance asked for, expected %.0f: %s\n",
-            100 * figures.resolvedShare, 100 * seaglass::leastResolvedShare,
-            "waves are too long for --patch, or too short for --samples and --cascades");
+    warnOfLostWaves(figures.resolvedShare, seaglass::leastResolvedShare, "", "--patch",
+                    "--samples and --cascades");
     const PublishedSea published = publishedFor(sea.desc, options.waves);
     const std::string text = options.json ? seaJson(options.waves, sea.desc, figures, published)
                                           : seaTable(options.waves, sea.desc, figures, published);

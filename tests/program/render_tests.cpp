@@ -76,6 +76,20 @@ TEST_F(Render, TheSameCommandGivesTheSameBytes) {
     EXPECT_TRUE(tests::readAll(out("a.exr")) == tests::readAll(out("b.exr")));
 }
 
+TEST_F(Render, WarnsOfWavesThatTheCascadesCannotHold) {
+    const Outcome lost = render({"-o", "out/a.png", "--set", "water.waves.largest_patch_m=10"});
+    EXPECT_EQ(lost.code, 0) << lost.err;
+    EXPECT_EQ(tests::countLines(lost.err), 1u) << lost.err;
+    EXPECT_TRUE(lost.err.starts_with("warning: scene.toml: the cascades hold ")) << lost.err;
+    EXPECT_NE(lost.err.find("too long for water.waves.largest_patch_m"), std::string::npos) << lost.err;
+    const Outcome few = render(
+        {"-o", "out/b.png", "--set", "water.waves.largest_patch_m=2000", "--set", "water.waves.samples=16"});
+    EXPECT_NE(few.err.find("too short for water.waves.samples"), std::string::npos) << few.err;
+    const Outcome flat = render(
+        {"-o", "out/c.png", "--set", "water.waves.largest_patch_m=10", "--set", "water.waves.amplitude=0"});
+    EXPECT_EQ(flat.err, "") << "nothing is asked for";
+}
+
 TEST_F(Render, TimeCameraAndOverridesShow) {
     const std::vector<Names> variants = {{},
                                          {"--time", "3"},

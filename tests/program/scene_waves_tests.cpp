@@ -1,0 +1,36 @@
+// The scenes that come with the program ask for seas that their cascades can hold.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "host/waves.h"
+#include "program/lost_waves.h"
+#include "scene/scene.h"
+
+namespace {
+
+TEST(DemoScenes, HoldTheWavesThatTheyAskFor) {
+    size_t count = 0;
+    for (const std::filesystem::directory_entry& entry :
+         std::filesystem::directory_iterator(SEAGLASS_SCENES)) {
+        if (entry.path().extension() != ".toml") continue;
+        demos::Error error;
+        const auto scene = demos::loadScene(entry.path(), {}, error);
+        ASSERT_TRUE(scene) << error.text;
+        if (!scene->water || !scene->water->waves) continue;
+        demos::SceneSea asked;
+        ASSERT_TRUE(demos::seaOf(*scene->water->waves, asked, error)) << error.text;
+        seaglass::SeaError problem;
+        const std::unique_ptr<seaglass::Sea, void (*)(seaglass::Sea*)> sea(
+            seaglass::createSea(&asked.desc, &problem), seaglass::destroySea);
+        ASSERT_TRUE(sea) << problem.text;
+        const double share = seaglass::resolvedShare(*sea);
+        std::printf("%s: %.2f\n", entry.path().filename().c_str(), share);
+        EXPECT_GE(share, demos::leastResolvedInPictures) << entry.path();
+        ++count;
+    }
+    EXPECT_GE(count, 5u);
+}
+
+} // namespace
