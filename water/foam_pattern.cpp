@@ -1,6 +1,7 @@
 #include "water/foam_pattern.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -127,21 +128,62 @@ uint8_t slopeByte(float difference) {
     return asByte(0.5f + 0.25f * difference / foamReliefStep);
 }
 
+/// A channel of a mip, in bytes' units, rows along u.
+using Channel = std::vector<float>;
+
 /// Means of 2 x 2.
-std::vector<FoamTexel> halved(const std::vector<FoamTexel>& texels, uint32_t across) {
+Channel halved(const Channel& texels, uint32_t across) {
     const uint32_t half = across / 2;
-    std::vector<FoamTexel> out(size_t{half} * half);
+    Channel out(size_t{half} * half);
     for (size_t y = 0; y < half; ++y)
         for (size_t x = 0; x < half; ++x) {
-            const FoamTexel* const above = &texels[2 * y * across + 2 * x];
-            const auto mean = [&](uint8_t FoamTexel::*channel) {
-                const int sum = above[0].*channel + above[1].*channel + above[across].*channel +
-                                above[across + 1].*channel;
-                return static_cast<uint8_t>((sum + 2) / 4);
-            };
-            out[y * half + x] = {mean(&FoamTexel::pattern), mean(&FoamTexel::bend), mean(&FoamTexel::slopeU),
-                                 mean(&FoamTexel::slopeV)};
+            const float* const above = &texels[2 * y * across + 2 * x];
+            out[y * half + x] = (above[0] + above[1] + above[across] + above[across + 1]) / 4;
         }
+    return out;
+}
+
+/// Deviation of what a linear filter finds anywhere on a tile of these.
+float deviationBetween(const Channel& texels, uint32_t across) {
+    constexpr double kernel[] = {1 / 6.0, 2 / 3.0, 1 / 6.0}; // how often two texels' weights meet
+    double variance = 0;
+    for (uint32_t y = 0; y < across; ++y)
+        for (uint32_t x = 0; x < across; ++x) {
+            double around = 0;
+            for (uint32_t j = 0; j < 3; ++j)
+                for (uint32_t i = 0; i < 3; ++i)
+                    around += kernel[j] * kernel[i] *
+                              double{texels[size_t{(y + across + j - 1) % across} * across +
+                                            (x + across + i - 1) % across]};
+            variance += around * double{texels[size_t{y} * across + x]};
+        }
+    return static_cast<float>(std::sqrt(variance / static_cast<double>(texels.size())));
+}
+
+/// What is left of the pattern's contrast where a texel is as wide as so many of the finest;
+/// shaders/common/foam_cover.glsl relies on it.
+float keptContrast(uint32_t texels) {
+    return 30 / (29.15f + static_cast<float>(texels));
+}
+
+/// The pattern as one that is even again, -0.5..0.5 times its contrast: means alone bunch in the middle and
+/// to one side, and would draw thin foam too often.
+Channel evenAgain(const Channel& means, uint32_t across) {
+    Channel even = evenly(means);
+    for (float& share : even) share += 0.5f / static_cast<float>(even.size()) - 0.5f;
+    const float wanted = keptContrast(size / across) / std::sqrt(12.0f),
+                found = deviationBetween(even, across);
+    for (float& share : even) share *= found > 0 ? wanted / found : 0;
+    return even;
+}
+
+uint8_t roundedByte(float value) {
+    return static_cast<uint8_t>(std::clamp(value + 0.5f, 0.0f, 255.0f));
+}
+
+Channel channelOf(const std::vector<FoamTexel>& texels, uint8_t FoamTexel::*channel) {
+    Channel out(texels.size());
+    for (size_t i = 0; i < texels.size(); ++i) out[i] = static_cast<float>(texels[i].*channel);
     return out;
 }
 
@@ -162,8 +204,19 @@ std::vector<std::vector<FoamTexel>> foamPattern() {
             texel.slopeU = slopeByte(at(x + size - 1, y) - at(x + 1, y));
             texel.slopeV = slopeByte(at(x, y + size - 1) - at(x, y + 1));
         }
+    constexpr uint8_t FoamTexel::*members[] = {&FoamTexel::pattern, &FoamTexel::bend, &FoamTexel::slopeU,
+                                               &FoamTexel::slopeV};
+    std::array<Channel, 4> means;
+    for (size_t c = 0; c < means.size(); ++c) means[c] = channelOf(texels, members[c]);
     std::vector<std::vector<FoamTexel>> mips{std::move(texels)};
-    for (uint32_t across = size; across > 1; across /= 2) mips.push_back(halved(mips.back(), across));
+    for (uint32_t across = size / 2; across > 0; across /= 2) {
+        for (Channel& channel : means) channel = halved(channel, 2 * across);
+        std::vector<FoamTexel>& mip = mips.emplace_back(size_t{across} * across);
+        for (size_t c = 0; c < means.size(); ++c)
+            for (size_t i = 0; i < mip.size(); ++i) mip[i].*members[c] = roundedByte(means[c][i]);
+        const Channel even = evenAgain(means[0], across);
+        for (size_t i = 0; i < mip.size(); ++i) mip[i].pattern = roundedByte(127.5f + 255 * even[i]);
+    }
     return mips;
 }
 

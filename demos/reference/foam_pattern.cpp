@@ -39,10 +39,13 @@ glm::vec4 texelAt(const glm::dvec2& place, float texels) {
     return share > 0 ? glm::mix(found, bilinear(mips, finer + 1, place), share) : found;
 }
 
-/// Share of the places where the octaves' sum is below `x` deviations.
-float shareBelow(float x) {
-    const float t = std::max(1 - std::abs(x) / 2.97f, 0.0f);
-    const float tail = t * t * t * (0.577f + t * (0.236f - t * 0.313f));
+/// Share of the places where a sum of three even distributions, of these widths and of mean 0, is below `x`.
+float shareBelow(float x, const glm::vec3& widths) {
+    const float t = std::max(0.5f * (widths.x + widths.y + widths.z) - std::abs(x), 0.0f);
+    const glm::vec3 one = glm::max(t - widths, 0.0f);
+    const glm::vec3 two = glm::max(t - widths - glm::vec3(widths.y, widths.z, widths.x), 0.0f);
+    const float tail = (t * t * t - glm::dot(one * one, one) + glm::dot(two * two, two)) /
+                       (6 * widths.x * widths.y * widths.z);
     return x < 0 ? tail : 1 - tail;
 }
 
@@ -54,21 +57,25 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
     const glm::dvec2 carried = calm - surface.edge(calm, static_cast<double>(pixelWidth)).advected;
     const glm::dvec2 streak = surface.foamStreak(), place = carried - streak * glm::dot(streak, carried);
     float pattern = 0, variance = 1e-5f;
+    glm::vec3 widths;
     std::array<float, 3> bend;
     Foam foam;
     for (size_t i = 0; i < 3; ++i) {
         const float texels =
             std::max(pixelWidth * static_cast<float>(seaglass::foamPatternSamples / tiles[i]), 1.0f);
         const glm::vec4 texel = texelAt(place / tiles[i], texels);
-        const float kept = weights[i] / (1 + (texels - 1) / 30);
-        pattern += weights[i] * texel.x;
+        const float last = std::clamp(8 - std::log2(texels), 0.0f, 1.0f);
+        const float kept = weights[i] * last * last * 30 / (29.15f + texels);
+        pattern += weights[i] * last * texel.x;
         variance += kept * kept / 12;
+        widths[static_cast<int>(i)] = kept;
         foam.slope += glm::vec2(texel.z, texel.w);
         bend[i] = 2 * texel.y;
     }
     const glm::dvec2 bent(bend[0] + 0.4f * bend[2], bend[1] - 0.4f * bend[2]);
     const float cover = surface.foamCover(calm, bent, static_cast<double>(pixelWidth));
-    const float even = std::clamp(shareBelow(pattern / std::sqrt(variance)), 2e-4f, 1 - 2e-4f);
+    widths = glm::max(widths, 0.15f * (widths.x + widths.y + widths.z) + 1e-3f);
+    const float even = std::clamp(shareBelow(pattern, widths), 2e-4f, 1 - 2e-4f);
     const float edge = std::min(0.2f, 0.8f * std::min(cover, 1 - cover)) + 1e-4f;
     const float rafts = glm::smoothstep(-edge, edge, cover - even);
     const float seen = std::clamp(variance / 0.003f, 0.0f, 1.0f);

@@ -21,11 +21,12 @@ float shoreFoam() {
 }
 #endif
 
-// Share of the places where the octaves' sum is below `x` deviations. Evenly distributed octaves with these weights reach
-// no farther than 2.97, which decides how much of a thin cover is drawn; within 3 % of what folding them gives.
-float shareBelow(float x) {
-    float t = max(1.0 - abs(x) / 2.97, 0.0);
-    float tail = t * t * t * (0.577 + t * (0.236 - t * 0.313));
+// Share of the places where a sum of three even distributions, of these widths and of mean 0, is below `x`.
+float shareBelow(float x, vec3 widths) {
+    float t = max(0.5 * (widths.x + widths.y + widths.z) - abs(x), 0.0);   // from its end
+    vec3 one = max(t - widths, 0.0);
+    vec3 two = max(t - widths - widths.yzx, 0.0);
+    float tail = (t * t * t - dot(one * one, one) + dot(two * two, two)) / (6.0 * widths.x * widths.y * widths.z);
     return x < 0.0 ? tail : 1.0 - tail;
 }
 
@@ -56,6 +57,7 @@ Foam foamHere() {
     const vec3 weights = vec3(0.3, 0.4, 0.3);
     const vec3 tiles = foamTile / vec3(1.0, 5.0, 17.0);
     const float patternSamples = 256.0;
+    const float patternMips = 8.0;   // beyond the finest
     vec2 streak = vec2(foamStreakU, foamStreakV);
     vec2 calm = calmPosition;
 #ifdef SHORE
@@ -65,22 +67,28 @@ Foam foamHere() {
     float pixelWidth = calmPixelWidth();
     float pattern = 0.0;
     float variance = 1e-5;
+    vec3 widths;
     vec2 slope = vec2(0.0);
     float bend[3];
     for (int i = 0; i < 3; ++i) {
         float texels = max(pixelWidth * patternSamples / tiles[i], 1.0);
-        vec4 texel = textureLod(foamPattern, place / tiles[i], log2(texels)) - 0.5;
-        // What the pattern's mips, and looks between their texels, keep of its contrast.
-        float kept = weights[i] / (1.0 + (texels - 1.0) / 30.0);
-        pattern += weights[i] * texel.x;
+        float mip = log2(texels);
+        vec4 texel = textureLod(foamPattern, place / tiles[i], mip) - 0.5;
+        // The last mip has no contrast, and a byte for it that is not quite the mean.
+        float last = clamp(patternMips - mip, 0.0, 1.0);
+        float kept = weights[i] * last * last * 30.0 / (29.15 + texels);   // keptContrast() of water/foam_pattern.cpp
+        pattern += weights[i] * last * texel.x;
         variance += kept * kept / 12.0;   // of an even distribution
+        widths[i] = kept;
         slope += texel.zw;
         bend[i] = 2.0 * texel.y;
     }
     float cover = foamCover(vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth);
+    // Mips that are looked at between their texels have longer ends than even distributions do.
+    widths = max(widths, 0.15 * (widths.x + widths.y + widths.z) + 1e-3);
     // As its own distribution function the octaves' sum is even again, so that a share `cover` of it lies below `cover`.
     // Its ends are kept off 0 and 1, where even no foam at all would show.
-    float even = clamp(shareBelow(pattern * inversesqrt(variance)), 2e-4, 1.0 - 2e-4);
+    float even = clamp(shareBelow(pattern, widths), 2e-4, 1.0 - 2e-4);
     float edge = min(0.2, 0.8 * min(cover, 1.0 - cover)) + 1e-4;
     float rafts = smoothstep(-edge, edge, cover - even);
     float seen = clamp(variance / 0.003, 0.0, 1.0);
