@@ -97,7 +97,7 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
     if (const char* bad = readPlane(desc.plane, plane))
         return owner.device.fail(Status::invalidArgument, "%s", bad);
     mesh = desc.mesh;
-    waveShadowSteps = desc.waveShadowSteps;
+    shading = desc.shading;
     if (desc.waves)
         if (const Status s = createWaves(desc); s != Status::ok) return s;
     if (desc.foam && waves)
@@ -227,7 +227,10 @@ SurfaceFeatures Body::features(const ReflectionImages& images) const {
             foam ? foam->cascades() : 0,
             waves && refraction && refraction->scattering > 0,
             !dryRooms.empty(),
-            waves ? waveShadowSteps : 0};
+            waves ? shading.mirrorLooks : 0,
+            refraction ? shading.refractionLooks : 0,
+            waves ? shading.slopeLooks : 0,
+            waves ? shading.waveShadowSteps : 0};
 }
 
 SurfaceFeatures Body::motionFeatures() const {

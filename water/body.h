@@ -57,7 +57,7 @@ struct RecordedIn {
 struct Body : Held {
     glm::dvec4 plane{0};
     MeshDesc mesh;
-    uint32_t waveShadowSteps = 0;
+    ShadingDesc shading;
     std::optional<Outline> outline;       ///< none where the body is unbounded
     std::optional<HostMesh> hostMesh;     ///< the extent is a mesh
     std::unique_ptr<Sea, SeaDeleter> sea; ///< null when flat

@@ -26,6 +26,21 @@ const char* badField(const MeshDesc& desc) {
     return nullptr;
 }
 
+bool isOneTwoOrFour(uint32_t value) {
+    return value == 1 || value == 2 || value == 4;
+}
+
+const char* badField(const ShadingDesc& desc) {
+    if (!isOneTwoOrFour(desc.mirrorLooks))
+        return "ShadingDesc.mirrorLooks is out of range, expected 1, 2 or 4";
+    if (desc.refractionLooks < 1 || desc.refractionLooks > 16)
+        return "ShadingDesc.refractionLooks is out of range, expected 1 to 16";
+    if (!isOneTwoOrFour(desc.slopeLooks)) return "ShadingDesc.slopeLooks is out of range, expected 1, 2 or 4";
+    if (desc.waveShadowSteps == 1 || desc.waveShadowSteps > 32)
+        return "ShadingDesc.waveShadowSteps is out of range, expected 0 or 2 to 32";
+    return nullptr;
+}
+
 const char* badField(const RefractionDesc& desc) {
     if (!coefficientsInRange(desc.absorption))
         return "RefractionDesc.absorption is out of range, expected 0 to 100";
@@ -74,8 +89,7 @@ const char* badField(const BodyDesc& desc) {
         return "BodyDesc.caustics needs BodyDesc.waves and BodyDesc.refraction";
     if (desc.caustics)
         if (const char* bad = badField(*desc.caustics)) return bad;
-    if (desc.waveShadowSteps == 1 || desc.waveShadowSteps > 32)
-        return "BodyDesc.waveShadowSteps is out of range, expected 0 or 2 to 32";
+    if (const char* bad = badField(desc.shading)) return bad;
     return badField(desc.mesh);
 }
 

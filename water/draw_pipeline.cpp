@@ -97,7 +97,7 @@ Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, c
     if (const Status s = vertex.create(shaders.vertex, what); s != Status::ok) return s;
     if (const Status s = fragment.create(shaders.fragment, what); s != Status::ok) return s;
 
-    std::array<VkSpecializationMapEntry, 8> entries{};
+    std::array<VkSpecializationMapEntry, 10> entries{};
     for (uint32_t i = 0; i < shaders.constants.size(); ++i)
         entries[i] = {i, static_cast<uint32_t>(i * sizeof(uint32_t)), sizeof(uint32_t)};
     const VkSpecializationInfo specialization{static_cast<uint32_t>(shaders.constants.size()), entries.data(),

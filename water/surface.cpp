@@ -239,7 +239,10 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.foamCascades,
                                   variant.features.crestLight,
                                   variant.features.dryRooms,
-                                  variant.features.waveShadowSteps};
+                                  variant.features.waveShadowSteps,
+                                  variant.features.mirrorLooks,
+                                  variant.features.refractionLooks,
+                                  variant.features.slopeLooks};
     return createDrawPipeline(
         device, target,
         {vertexShader(variant.features, target.viewMask != 0), fragmentShader(variant.features), constants},

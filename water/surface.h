@@ -29,7 +29,10 @@ struct SurfaceFeatures {
     uint32_t foamCascades = 0; ///< that break: the first so many
     bool crestLight = false;   ///< only with waves and refraction
     bool dryRooms = false;
-    uint32_t waveShadowSteps = 0; ///< only with waves
+    uint32_t mirrorLooks = 0;     ///< only with waves
+    uint32_t refractionLooks = 0; ///< only with refraction
+    uint32_t slopeLooks = 0;      ///< only with waves
+    uint32_t waveShadowSteps = 0; ///< likewise
     bool motion = false;          ///< beside it waves, shape and dryRooms alone
     auto operator<=>(const SurfaceFeatures&) const = default;
 };

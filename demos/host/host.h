@@ -116,6 +116,9 @@ struct SurfaceTimes {
     /// is drawn into are the library's.
     uint64_t hostBytes = 0;
     std::vector<PassTime> passes; ///< of the whole frame, the scene's own among them
+
+    /// All that a frame has for the surface: its waves, its reflection, its drawing.
+    double surfaceMs() const;
 };
 
 struct ComparedTimes {

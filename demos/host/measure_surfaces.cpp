@@ -130,6 +130,14 @@ class RoundTimer {
 
 } // namespace
 
+double SurfaceTimes::surfaceMs() const {
+    double sum = cpuSimulateMs;
+    for (const PassTime& pass : passes)
+        for (const StageName& stage : surfaceStages)
+            if (pass.name == stage.name) sum += pass.ms;
+    return sum;
+}
+
 std::optional<ComparedTimes> Host::measureSurfaces(const FrameDesc& frame, uint32_t rounds,
                                                    const RoundFunction& goOn, Error& error) {
     Impl& impl = *impl_;

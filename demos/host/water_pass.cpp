@@ -85,7 +85,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     body.plane[3] = -desc.levelM;
     body.mesh.cellSize = static_cast<float>(desc.cellM);
     body.mesh.cellsPerLevel = desc.cellsPerLevel;
-    body.waveShadowSteps = desc.waveShadowSteps;
+    body.shading = {desc.mirrorLooks, desc.refractionLooks, desc.slopeLooks, desc.waveShadowSteps};
     if (desc.extent) {
         if (!extentOf(*desc.extent, extent, error)) return false;
         body.extent = extent.desc;

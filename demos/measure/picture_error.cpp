@@ -24,14 +24,6 @@ bool isSound(const Picture& picture, const std::string& name, Error& error) {
     return false;
 }
 
-/// RGBA, display-encoded 0..1.
-std::vector<float> displayed(const Picture& picture, double exposureEv) {
-    const std::vector<uint8_t> rgb = toneMap(picture, exposureEv);
-    std::vector<float> rgba(picture.rgba.size(), 1.0f);
-    for (size_t i = 0; i < rgb.size(); ++i) rgba[i / 3 * 4 + i % 3] = static_cast<float>(rgb[i]) / 255;
-    return rgba;
-}
-
 struct Off {
     double squares = 0, most = 0; ///< over red, green and blue
 };
@@ -182,6 +174,13 @@ class Counts {
 };
 
 } // namespace
+
+std::vector<float> displayed(const Picture& picture, double exposureEv) {
+    const std::vector<uint8_t> rgb = toneMap(picture, exposureEv);
+    std::vector<float> rgba(picture.rgba.size(), 1.0f);
+    for (size_t i = 0; i < rgb.size(); ++i) rgba[i / 3 * 4 + i % 3] = static_cast<float>(rgb[i]) / 255;
+    return rgba;
+}
 
 std::optional<PictureError> errorOf(const reference::Pictures& truth, const Shots& shots, double exposureEv,
                                     Error& error) {

@@ -90,7 +90,7 @@ class View {
             entry.camera = result_.camera;
             entry.technique = technique.name;
             entry.quality = technique.quality;
-            entry.cost = costOf(times->surfaces[i], times->floor);
+            entry.cost = costOf(times->surfaces[i], *times);
             entry.cost.bytes =
                 host_.reflectionBytes(subject_.variants[i].surface, frame_.width, frame_.height, error);
             if (!entry.cost.bytes) return RunResult::failed;
@@ -98,14 +98,16 @@ class View {
         return RunResult::ok;
     }
 
-    static Cost costOf(const SurfaceTimes& times, const PassTime& floor) {
+    static Cost costOf(const SurfaceTimes& times, const ComparedTimes& all) {
         Cost cost;
         cost.reflection = times.reflection;
-        cost.floor = floor;
-        if (floor.ms > 0) {
+        cost.floor = all.floor;
+        if (all.floor.ms > 0) {
             cost.xFloor = times.ofFloor.ms;
             cost.xFloorSpread = times.ofFloor.spreadMs;
         }
+        cost.surfaceMs = times.surfaceMs();
+        if (all.fullScreen.ms > 0) cost.xTrivial = cost.surfaceMs / all.fullScreen.ms;
         cost.hostBytes = times.hostBytes;
         cost.passes = times.passes;
         return cost;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/quality.h"
 #include "scene/camera_choice.h"
 #include "scene/offset.h"
 
@@ -24,6 +25,7 @@ std::optional<Scene> sceneWith(const Technique& technique, const std::string& su
     // No override takes a part away.
     if (!technique.part && scene->water) scene->water->reflection.reset();
     if (!technique.part && scene->floor) scene->floor->reflection.reset();
+    if (technique.dial) setQuality(technique.quality, *scene->water);
     if (desc.flat && scene->water) still(*scene->water);
     return scene;
 }
@@ -49,16 +51,24 @@ CameraDesc moved(CameraDesc camera) {
     return camera;
 }
 
-Subject movedBy(const Vec3& offsetM, const std::vector<Scene>& scenes, const SubjectDesc& desc) {
+/// Those that the scene's surface can have.
+std::vector<const Technique*> techniquesFor(const Scene& scene, const std::vector<const Technique*>& asked) {
+    std::vector<const Technique*> fitting = asked;
+    if (!scene.water) std::erase_if(fitting, [](const Technique* technique) { return technique->dial; });
+    return fitting;
+}
+
+Subject movedBy(const Vec3& offsetM, const std::vector<Scene>& scenes,
+                const std::vector<const Technique*>& techniques, const std::string& file) {
     Subject subject;
-    subject.file = desc.file.string();
+    subject.file = file;
     subject.offsetM = offsetM;
     for (size_t i = 0; i < scenes.size(); ++i) {
         Scene scene = scenes[i];
         CameraDesc camera;
         camera.offsetM = offsetM;
         applyOffset(scene, camera);
-        subject.variants.push_back({desc.techniques[i], *surfaceOf(scene)});
+        subject.variants.push_back({techniques[i], *surfaceOf(scene)});
         if (i == 0) subject.scene = std::move(scene);
     }
     return subject;
@@ -76,8 +86,13 @@ std::optional<std::vector<Subject>> readSubjects(const SubjectDesc& desc, Error&
     }
     std::vector<CameraDesc> cameras;
     if (!chooseCameras(*plain, desc, cameras, error)) return std::nullopt;
+    const std::vector<const Technique*> techniques = techniquesFor(*plain, desc.techniques);
+    if (techniques.empty()) {
+        error.text = desc.file.string() + ": has a floor, expected [water] for the technique 'water'";
+        return std::nullopt;
+    }
     std::vector<Scene> scenes; // one for each technique
-    for (const Technique* const technique : desc.techniques) {
+    for (const Technique* const technique : techniques) {
         std::optional<Scene> scene = sceneWith(*technique, plain->water ? "water" : "floor", desc, error);
         if (!scene) return std::nullopt;
         scenes.push_back(std::move(*scene));
@@ -87,7 +102,8 @@ std::optional<std::vector<Subject>> readSubjects(const SubjectDesc& desc, Error&
         auto subject = std::find_if(subjects.begin(), subjects.end(),
                                     [&](const Subject& known) { return known.offsetM == camera.offsetM; });
         if (subject == subjects.end())
-            subject = subjects.insert(subject, movedBy(camera.offsetM, scenes, desc));
+            subject =
+                subjects.insert(subject, movedBy(camera.offsetM, scenes, techniques, desc.file.string()));
         subject->cameras.push_back(moved(camera));
     }
     return subjects;

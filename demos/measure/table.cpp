@@ -23,6 +23,8 @@ Json costJson(const Cost& cost) {
     json["x_floor_spread"] = orNull(cost.xFloorSpread);
     json["floor_ms"] = cost.floor.ms;
     json["floor_spread_ms"] = cost.floor.spreadMs;
+    json["surface_ms"] = cost.surfaceMs;
+    json["surface_x_trivial"] = orNull(cost.xTrivial);
     json["bytes"] = orNull(cost.bytes);
     json["host_bytes"] = cost.hostBytes;
     json["passes"] = Json::array();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/quality.h"
 #include "scene/fields.h"
 #include "scene/nearest.h"
 
@@ -45,6 +46,8 @@ std::vector<Technique> allTechniques() {
             if (quality.setting) added.settings.push_back(quality.setting);
         }
     }
+    for (const std::string_view quality : demos::qualities())
+        all.push_back({"water", std::string(quality), {}, true, true});
     return all;
 }
 

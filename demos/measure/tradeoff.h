@@ -15,8 +15,11 @@ struct Cost {
     PassTime floor;      ///< measured between the same frames
     std::optional<double> xFloor, xFloorSpread;
     std::optional<uint64_t> bytes; ///< of the reflection on the device, for one view
-    uint64_t hostBytes = 0;        ///< what the host holds for it beside, as SurfaceTimes says
-    std::vector<PassTime> passes;  ///< of the whole frame
+    double surfaceMs = 0;          ///< all that a frame has for the surface, its waves and its drawing too
+    /// The same in trivial passes, of a full screen that is copied, as they were in the same rounds.
+    std::optional<double> xTrivial;
+    uint64_t hostBytes = 0;       ///< what the host holds for it beside, as SurfaceTimes says
+    std::vector<PassTime> passes; ///< of the whole frame
 };
 
 /// Shares are 0..1. What has no pixel to be measured on is not there.

@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, Mistake>, 2> mistakes = {{
 constexpr const char* footer = R"(Examples:
   seaglass render demos/scenes/harbour.toml -o harbour.png
   seaglass render demos/scenes/ocean.toml -o sea.exr --set water.waves.wind_m_s=16 --camera low
-  seaglass render demos/scenes/ocean.toml -o frame%04d.png --frames 240 --fps 24
+  seaglass render demos/scenes/ocean.toml -o frame%04d.png --frames 240 --fps 24 --quality high
   seaglass render demos/scenes/ocean.toml -o mine.png --sky my_sky.exr --mesh my_boat.glb
   seaglass view demos/scenes/harbour.toml
   seaglass reference demos/scenes/harbour.toml -o truth.exr --spp 64 --truth classes.exr
@@ -82,6 +82,7 @@ void describe(CLI::App& app, CLI::App& render, Raw& raw) {
     app.set_version_flag("--version", "seaglass " + versionText());
     app.footer(footer);
     describePicture(render, raw);
+    describeQuality(render, raw);
     render
         .add_option("--supersample", raw.supersample,
                     "Render N times larger each way and average, 1 to 4, 1 if not given")

@@ -24,6 +24,7 @@ struct RenderOptions {
     std::vector<std::string> overrides;
     Aov aov = Aov::color;
     Mistake mistake = Mistake::none;
+    std::string quality;        ///< of the water; empty leaves it as the scene has it
     std::filesystem::path sky;  ///< instead of the scene's; empty keeps it
     std::filesystem::path mesh; ///< instead of the scene's; empty keeps them
     std::filesystem::path stats;

@@ -1,5 +1,6 @@
 #include "program/scene_input.h"
 
+#include "host/quality.h"
 #include "program/output.h"
 
 namespace demos {
@@ -17,6 +18,20 @@ bool isRegularFile(const std::string& option, const fs::path& file, const std::s
     return false;
 }
 
+/// What the quality sets, to go before the overrides that are given by hand.
+bool addQuality(const RenderOptions& options, std::vector<std::string>& overrides, Error& error) {
+    if (options.quality.empty()) return true;
+    const std::optional<Scene> plain = loadScene(options.scene, overrides, error);
+    if (!plain) return false;
+    if (!plain->water) {
+        error.text = "--quality " + options.quality + ": " + options.scene.string() + " has no [water]";
+        return false;
+    }
+    for (std::string& setting : qualityOverrides(options.quality, *plain->water))
+        overrides.push_back(std::move(setting));
+    return true;
+}
+
 } // namespace
 
 std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
@@ -31,6 +46,7 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
         overrides.push_back("mesh=[{}]");
         overrides.push_back("mesh.0.file=" + fs::absolute(options.mesh).string());
     }
+    if (!addQuality(options, overrides, error)) return std::nullopt;
     overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
     std::optional<Scene> scene = loadScene(options.scene, overrides, error);
     if (scene && sky) scene->sky.where = "--sky";

@@ -1,8 +1,32 @@
 #include "program/scene_options.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
+#include "host/quality.h"
+#include "scene/nearest.h"
+
 namespace demos {
+
+namespace {
+
+bool checkQuality(const std::string& quality, Error& error) {
+    const std::span<const std::string_view> known = qualities();
+    if (quality.empty() || std::ranges::find(known, quality) != known.end()) return true;
+    error.text = "--quality is '" + quality + "', expected low, medium, high or highest; the nearest is " +
+                 std::string(nearest(quality, {known.begin(), known.end()}));
+    return false;
+}
+
+} // namespace
+
+void describeQuality(CLI::App& command, RawScene& raw) {
+    command
+        .add_option("--quality", raw.quality,
+                    "low, medium, high or highest: sets what costs of the water; --set comes after it")
+        ->type_name("NAME");
+}
 
 void describeScene(CLI::App& command, RawScene& raw) {
     // Required ones are checked by hand, for errors that say what is expected.
@@ -38,6 +62,8 @@ bool checkScene(const RawScene& raw, const char* expected, RenderOptions& out, E
         out.timeS = parseNumber("--time", raw.time, -1e6, 1e6, "a number of seconds, -1e6 to 1e6", error);
         if (!out.timeS) return false;
     }
+    if (!checkQuality(raw.quality, error)) return false;
+    out.quality = raw.quality;
     out.camera = raw.camera;
     out.overrides = raw.overrides;
     out.sky = raw.sky;

@@ -14,11 +14,13 @@ namespace demos {
 
 /// What the line says, before any of it is checked.
 struct RawScene {
-    std::string scene, size, time, camera, sky, mesh;
+    std::string scene, size, time, camera, sky, mesh, quality;
     std::vector<std::string> overrides;
 };
 
 void describeScene(CLI::App& command, RawScene& raw);
+/// For those that draw it with the library.
+void describeQuality(CLI::App& command, RawScene& raw);
 /// `expected` is how the command is called.
 bool checkScene(const RawScene& raw, const char* expected, RenderOptions& out, Error& error);
 

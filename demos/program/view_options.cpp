@@ -67,6 +67,7 @@ void describeView(CLI::App& command, RawView& raw) {
     command.footer(footer);
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     describeScene(command, raw);
+    describeQuality(command, raw);
     command.add_option("--aov", raw.aov, "What to show, as render's; without depth and reflection_source")
         ->type_name("NAME");
     command.add_option("--frames", raw.frames, "Show so many, then close")->type_name("N");

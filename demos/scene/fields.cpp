@@ -206,6 +206,12 @@ constexpr std::array waterFields = {
     Field{"cell_m", at<&WaterDesc::cellM>, 0.01, 100, "m", "edge of the finest cells"},
     Field{"cells_per_level", at<&WaterDesc::cellsPerLevel>, 128, 1024, "",
           "until twice coarser ones take over"},
+    Field{"mirror_looks", at<&WaterDesc::mirrorLooks>, 1, 4, "", "at what a pixel's slopes mirror", false,
+          Rule::powerOfTwo},
+    Field{"refraction_looks", at<&WaterDesc::refractionLooks>, 1, 16, "",
+          "for where bent light comes from, 1: straight through"},
+    Field{"slope_looks", at<&WaterDesc::slopeLooks>, 1, 4, "", "at the waves along a pixel", false,
+          Rule::powerOfTwo},
     Field{"wave_shadow_steps", at<&WaterDesc::waveShadowSteps>, 0, 32, "",
           "looks for the waves that hide low sky and sun, not 1; 0: a mean"},
 };

@@ -152,6 +152,9 @@ struct WaterDesc {
     double levelM = 0;
     double cellM = 0.25;
     uint32_t cellsPerLevel = 128;
+    uint32_t mirrorLooks = 2;
+    uint32_t refractionLooks = 6;
+    uint32_t slopeLooks = 1;
     uint32_t waveShadowSteps = 0;
     std::optional<ExtentDesc> extent; ///< none: to the horizon
     std::optional<WavesDesc> waves;

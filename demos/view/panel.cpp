@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "host/quality.h"
 #include "scene/fields.h"
 
 namespace demos {
@@ -120,6 +121,36 @@ bool layOutMirror(std::optional<ReflectionDesc>& reflection) {
     const bool switched = ImGui::Checkbox("mirrors the scene", &mirrors);
     if (switched) reflection = mirrors ? std::optional(ReflectionDesc{}) : std::nullopt;
     return (reflection && layOutReflection(*reflection)) || switched;
+}
+
+/// The dial, then what it turned, which can be turned on.
+bool layOutQuality(WaterDesc& water) {
+    bool changed = false;
+    for (const std::string_view quality : qualities()) {
+        if (&quality != qualities().data()) ImGui::SameLine();
+        if (!ImGui::Button(std::string(quality).c_str())) continue;
+        setQuality(quality, water);
+        changed = true;
+    }
+    changed |= slider("refraction looks", water.refractionLooks, 1, 16);
+    const auto powersOfTwo = [&](const char* name, uint32_t& value) {
+        ImGui::Text("%s:", name);
+        for (const uint32_t looks : {1u, 2u, 4u}) {
+            ImGui::SameLine();
+            const std::string label = std::to_string(looks) + "##" + name;
+            if (!ImGui::RadioButton(label.c_str(), value == looks)) continue;
+            changed |= value != looks;
+            value = looks;
+        }
+    };
+    powersOfTwo("mirror looks", water.mirrorLooks);
+    powersOfTwo("slope looks", water.slopeLooks);
+    bool shadows = water.waveShadowSteps > 0;
+    if (ImGui::Checkbox("waves hide low sun and sky", &shadows)) {
+        water.waveShadowSteps = shadows ? 8 : 0;
+        changed = true;
+    }
+    return changed;
 }
 
 std::optional<ReflectionDesc>* reflectionOf(Scene& scene) {
@@ -254,6 +285,7 @@ PanelWishes layOutPanel(ViewState& state, const PanelInfo& info) {
     const auto open = [](const char* title, bool atFirst = true) {
         return ImGui::CollapsingHeader(title, atFirst ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     };
+    if (state.scene.water && open("Quality")) wishes.surface |= layOutQuality(*state.scene.water);
     if (state.scene.water && state.scene.water->waves && open("Sea"))
         wishes.surface |= layOutSea(*state.scene.water->waves);
     if (std::optional<ReflectionDesc>* const reflection = reflectionOf(state.scene);

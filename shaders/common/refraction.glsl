@@ -1,6 +1,8 @@
 // What shines through the surface from below it.
 
 #ifdef REFRACTION
+layout(constant_id = 8) const int refractionLooks = 6;   // 1: straight through
+
 struct Behind {
     ivec2 pixel;   // of the region
     vec3 seen;     // where, relative to the eye
@@ -33,14 +35,27 @@ bool isBelowWater(Behind b) {
     return !b.nothing && b.seen.y < min(position.y, -plane.w);
 }
 
-// What lies beyond the border is taken from as far inside of it, on the bed: it goes on as it was, and a streak would
-// show. What stands up from the bed there is not the bed.
-Behind foldedInside(Behind inside, vec3 beyond, vec2 here) {
+// What lies beyond the border nobody knows: a mean of the bed around the place that lies as far inside, over a wider part of
+// it the farther out. So the bed goes on without a seam, a streak or rocks where there are none. What stands up from the bed
+// is not the bed.
+vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here) {
+    const vec2 taps[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
+    vec3 nearby = radianceOf(inside);
     vec4 p = pixelFromRelative * vec4(2.0 * inside.seen - beyond, 1.0);
-    if (p.w <= 0.0) return inside;
-    Behind b = behindAt(mix(here, p.xy / p.w, refractionDistortion));
-    bool level = abs(b.seen.y - inside.seen.y) < 0.15 * (position.y - inside.seen.y);
-    return isBelowWater(b) && level ? b : inside;
+    if (p.w <= 0.0) return nearby;
+    vec2 middle = mix(here, p.xy / p.w, refractionDistortion);
+    vec4 edge = pixelFromRelative * vec4(inside.seen, 1.0);
+    float radius = length(middle - edge.xy / edge.w);
+    vec4 sum = vec4(nearby, 1.0) * 1e-3;
+    for (int i = 0; i < 4; ++i) {
+        vec2 pixel = middle + radius * taps[i];
+        Behind b = behindAt(pixel);
+        bool level = abs(b.seen.y - inside.seen.y) < 0.15 * (position.y - inside.seen.y);
+        vec3 step = behindAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
+        bool flatHere = abs(step.y) < 0.5 * length(step.xz);
+        if (isBelowWater(b) && level && flatHere) sum += vec4(radianceOf(b), 1.0);
+    }
+    return sum.rgb / sum.a;
 }
 
 // What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
@@ -52,7 +67,6 @@ Behind foldedInside(Behind inside, vec3 beyond, vec2 here) {
 // before it [m].
 vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     const float shallowest = 0.1;
-    const int rounds = 5;
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
     Behind found = behindAt(here);
     path = 1e6;
@@ -74,7 +88,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     float sought = min(drop, leaves);
     float least = 1e9;
     bool left = false;
-    for (int i = 0; i < rounds && least > 0.01 && !left; ++i) {
+    for (int i = 0; i < refractionLooks - 1 && least > 0.01 && !left; ++i) {
         vec4 target = from + perDepth * sought;
         Behind b = behindAt(mix(here, target.xy / target.w, refractionDistortion));
         float deeper = b.nothing ? max(sought, 1.0) : position.y - b.seen.y - sought;
@@ -91,12 +105,13 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     }
     // What hides the place that the ray meets is as good as it, unless it lies far higher.
     float known = passedOver && !left ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;
+    vec3 bed = radianceOf(found);
     for (; left; left = false) {
         drop = position.y - found.seen.y;
-        found = foldedInside(found, position + bent / steepness * drop, here);
+        bed = radianceBeyond(found, position + bent / steepness * drop, here);
     }
     path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
-    vec3 bed = litBelow(radianceOf(found), -(found.seen.y + plane.w)) / (waterIndex * waterIndex);
+    bed = litBelow(bed, -(found.seen.y + plane.w)) / (waterIndex * waterIndex);
     return mix(waterGlow(vec3(1e6)), bed * exp(-extinction() * path) + waterGlow(vec3(path)), known);
 }
 #else

@@ -45,34 +45,59 @@ float firstHit() {
 }
 
 #ifdef WAVES
-// The slopes that the eye sees are four: two in each half, for which the scene and the sky are looked up as one. Low rays
-// meet another wave before they reach the sky (Smith's masking by all the sea's slopes); that wave's facets lean towards
-// the ray by 1.25 deviations in the mean, and mirror a higher part of the sky in turn.
+layout(constant_id = 7) const int mirrorLooks = 2;   // 1, 2 or 4
+
+// The slopes that the eye sees, as offsets from their mean in deviations, of a Gaussian and of Rayleigh's distribution: four,
+// nearly Gauss and Hermite's, for the lopsided fitted to keep the mean, the deviation and, within half a percent, Fresnel's
+// mean; or the means of eight equal shares, which tell edges better apart. None of them is seen from behind.
+const int slopesSeen = mirrorLooks == 4 ? 8 : 4;
+const float fourLevel[4] = float[](-2.2, -0.7875, 0.7875, 2.2);
+const float fourEdgeOn[4] = float[](-2.85, -0.68, 0.78, 1.8);
+const float fourShares[4] = float[](0.045, 0.455, 0.455, 0.045);
+const float eightLevel[8] = float[](-1.694, -0.921, -0.505, -0.162, 0.162, 0.505, 0.921, 1.694);
+const float eightEdgeOn[8] = float[](-1.884, -0.916, -0.431, -0.053, 0.283, 0.609, 0.959, 1.433);
+
+float slopeSeen(int i, SlopeSpread seen) {
+    float offset = mirrorLooks == 4 ? mix(eightLevel[i], eightEdgeOn[i], seen.skew) : mix(fourLevel[i], fourEdgeOn[i], seen.skew);
+    return seen.mean + offset * seen.deviation;
+}
+
+float shareOfSlope(int i) {
+    return mirrorLooks == 4 ? 0.125 : fourShares[i];
+}
+
+// Deviation of the mirrored directions that one look stands for, in those of all slopes: mirroring doubles angles.
+float lookWidth() {
+    return mirrorLooks == 1 ? 1.7 : mirrorLooks == 2 ? 1.0 : 0.5;
+}
+
+// The scene and the sky are looked up in as many groups of neighbouring slopes as there are looks. Low rays meet another wave
+// before they reach the sky (Smith's masking by all the sea's slopes); that wave's facets lean towards the ray by 1.25
+// deviations in the mean, and mirror a higher part of the sky in turn, or of what the last look found.
 Reflection reflected(SurfacePoint s, vec3 toEye) {
-    const vec2 offsets = vec2(0.7875, 2.2);   // from the mean, in deviations: nearly Gauss and Hermite's
-    const vec2 shares = vec2(0.455, 0.045);
+    const int together = slopesSeen / mirrorLooks;
     VisibleSlopes v = visibleSlopes(s, toEye);
     SlopeSpread seen = slopeSpread(v);
-    // Of each half, and from this pixel to the next; mirroring doubles angles.
-    float spread = seen.deviation + s.slopeStep;
+    float spread = lookWidth() * seen.deviation + s.slopeStep;   // and from this pixel to the next
     // A facet tilted aside turns a ray that grazes it by far less than one tilted to the eye: by cosine.
     float cosine = dot(toEye, normalOf(s.slope + v.towards * seen.mean));
-    float spreadOfSky = max((2.0 * deviationAcross(s, v.towards) + s.slopeStep) * cosine, 0.5 * spread);
+    float spreadOfSky = max((2.0 * deviationAcross(s, v.towards) + s.slopeStep) * cosine, 0.5 * (seen.deviation + s.slopeStep));
     Reflection sum = Reflection(vec3(0.0), 0.0, 0.0);
     vec4 met = vec4(0.0);   // rays that meet another wave, times their weight, and that
+    vec4 found = vec4(0.0);
     float hit = firstHit();
     WavesAhead ahead = wavesAhead(s, -v.towards);
-    for (int side = -1; side <= 1; side += 2) {
+    for (int look = 0; look < mirrorLooks; ++look) {
         vec4 all = vec4(0.0);
         vec4 clear = vec4(0.0);   // rays that meet none
-        for (int i = 0; i < 2; ++i) {
-            vec3 normal = normalOf(s.slope + v.towards * (seen.mean + float(side) * offsets[i] * seen.deviation));
+        for (int i = look * together; i < (look + 1) * together; ++i) {
+            vec3 normal = normalOf(s.slope + v.towards * slopeSeen(i, seen));
             vec3 direction = reflect(-toEye, normal);
-            vec4 mirrored = shares[i] * fresnelWater(dot(toEye, normal)) * vec4(direction, 1.0);
+            vec4 mirrored = shareOfSlope(i) * fresnelWater(dot(toEye, normal)) * vec4(direction, 1.0);
             all += mirrored;
             clear += clearShare(direction.y, ahead) * mirrored;
         }
-        vec4 found = mirroredScene(keptAbove(all.xyz), spread, hit);
+        found = mirroredScene(keptAbove(all.xyz), spread, hit);
         sum.radiance += clear.w * found.rgb;
         for (bool open = found.a < 0.999 && clear.w > 1e-6; open; open = false)
             sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, spreadOfSky);
@@ -83,7 +108,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
         vec3 direction = normalize(met.xyz);
         vec3 facet = normalOf(horizontal(direction) * (1.25 * roughness.w));
         float keeps = met.w * fresnelWater(dot(-direction, facet));
-        sum.radiance += keeps * skyAt(keptAbove(reflect(direction, facet)), spread);
+        sum.radiance += keeps * (found.rgb + (1.0 - found.a) * skyAt(keptAbove(reflect(direction, facet)), spread));
         sum.swallowed = met.w - keeps;
     }
     return sum;

@@ -46,16 +46,59 @@ vec4 keptHere() {
 #endif
 }
 
+#ifdef WAVES
+layout(constant_id = 9) const int slopeLooks = 1;   // 1, 2 or 4
+
+// The longer half axis of a pixel on the calm plane, and the shorter one: of the ellipse that its two steps span [m].
+struct Footprint {
+    vec2 longer, shorter;
+};
+
+Footprint footprintOf(vec2 right, vec2 down) {
+    float uu = right.x * right.x + down.x * down.x;
+    float vv = right.y * right.y + down.y * down.y;
+    float uv = right.x * right.y + down.x * down.y;
+    float halfGap = 0.5 * (uu - vv);
+    float apart = sqrt(halfGap * halfGap + uv * uv);
+    float middle = 0.5 * (uu + vv);
+    vec2 along = halfGap > 0.0 ? vec2(halfGap + apart, uv) : vec2(uv, apart - halfGap);
+    along /= max(length(along), 1e-20);
+    return Footprint(along * sqrt(middle + apart), vec2(-along.y, along.x) * sqrt(max(middle - apart, 0.0)));
+}
+
+// Derivatives of the waves over the pixel, and their moments: at a grazing angle a pixel is long and narrow, and is taken in
+// as many parts as there are looks.
+void lookAtWaves(vec3 at, float texels, Footprint pixel, out vec4 derivatives, out vec4 moments) {
+    if (slopeLooks == 1) {
+        derivatives = texture(waveDerivatives, at);
+        moments = texture(waveMoments, at);
+        return;
+    }
+    derivatives = vec4(0.0);
+    moments = vec4(0.0);
+    vec2 part = pixel.longer * texels / float(slopeLooks);
+    vec2 across = pixel.shorter * texels;
+    for (int i = 0; i < slopeLooks; ++i) {
+        vec3 there = at + vec3(part * (float(i) + 0.5 - 0.5 * float(slopeLooks)), 0.0);
+        derivatives += textureGrad(waveDerivatives, there, part, across);
+        moments += textureGrad(waveMoments, there, part, across);
+    }
+    derivatives /= float(slopeLooks);
+    moments /= float(slopeLooks);
+}
+#endif
+
 SurfacePoint surfacePoint() {
     SurfacePoint s = SurfacePoint(vec2(0.0), roughness.xyz, 0.0);
 #ifdef WAVES
+    Footprint pixel = footprintOf(dFdx(calmPosition), dFdy(calmPosition));
     vec4 derivatives = vec4(0.0);
     float shear = 0.0;
     vec3 variance = vec3(0.0);
     for (int i = 0; i < cascades; ++i) {
         vec3 at = vec3(cascade[i].xy + calmPosition * cascade[i].z, i);
-        vec4 d = texture(waveDerivatives, at);
-        vec4 moments = texture(waveMoments, at);
+        vec4 d, moments;
+        lookAtWaves(at, cascade[i].z, pixel, d, moments);
 #ifdef SHORE
         float kept = shoreHere.kept[i];
         d *= kept;

@@ -6,32 +6,35 @@ layout(constant_id = 6) const int waveShadowSteps = 0;
 struct WavesAhead {
     float horizon;   // tangent of the highest wave ahead
     float found;     // how far to go by it, 0..1: not where a pixel holds whole waves
+    float unseen;    // deviation of the slopes of waves within the pixel
 };
 
 #ifdef WAVES
 // The highest wave from here, by the slope, to nearly a length of the longest waves (100 deviations of height), at distances
-// that grow evenly: what is nearer is finer.
-float horizonTowards(vec2 slope, vec2 along, float height) {
+// that grow evenly: what is nearer is finer. Heights are all of the maps: the mesh's differ by more than near waves rise.
+float horizonTowards(vec2 slope, vec2 along) {
     const float nearest = 0.005;
     float growth = pow(nearest, -1.0 / float(waveShadowSteps - 1));
     float away = nearest * 100.0 * within.z;
-    vec2 moved = position.xz - calmPosition;
+    vec3 here = waveDisplacementAt(waveDisplacement, calmPosition, 0.5 * (growth - 1.0) * away, keptHere());
+    vec2 moved = here.xz;
     float tangent = dot(slope, along);
     for (int i = 0; i < waveShadowSteps; ++i) {
         // What moved the last one stands for what moves this one.
-        vec2 calm = position.xz + along * away - moved;
+        vec2 calm = calmPosition + here.xz + along * away - moved;
         vec3 there = waveDisplacementAt(waveDisplacement, calm, 0.5 * (growth - 1.0) * away, keptHere());
         moved = there.xz;
-        tangent = max(tangent, (there.y - height) / away);
+        tangent = max(tangent, (there.y - here.y) / away);
         away *= growth;
     }
     return tangent;
 }
 
 WavesAhead wavesAhead(SurfacePoint s, vec2 along) {
-    if (waveShadowSteps == 0) return WavesAhead(0.0, 0.0);
-    float unseen = 0.5 * (s.covariance.x + s.covariance.y) / (roughness.w * roughness.w);
-    return WavesAhead(horizonTowards(s.slope, along, position.y + plane.w), clamp(3.0 - 3.0 * unseen, 0.0, 1.0));
+    if (waveShadowSteps == 0) return WavesAhead(0.0, 0.0, 0.0);
+    float unseen = 0.5 * (s.covariance.x + s.covariance.y);
+    return WavesAhead(horizonTowards(s.slope, along), clamp(3.0 - 3.0 * unseen / (roughness.w * roughness.w), 0.0, 1.0),
+                      sqrt(unseen));
 }
 
 // Share of the rays of this rise that meet no other wave.
@@ -41,6 +44,7 @@ float clearShare(float rise, WavesAhead ahead) {
     if (waveShadowSteps == 0) return masked;
     const float soft = 0.015;
     float tangent = rise * inversesqrt(max(1.0 - rise * rise, 1e-4));
-    return mix(masked, smoothstep(ahead.horizon - soft, ahead.horizon + soft, tangent), ahead.found);
+    float past = smoothstep(ahead.horizon - soft, ahead.horizon + soft, tangent) / (1.0 + smithLambda(rise, ahead.unseen));
+    return mix(masked, past, ahead.found);
 }
 #endif

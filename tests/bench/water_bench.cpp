@@ -1,13 +1,14 @@
-// What a scene's water costs on this device, whole and with a part left out: multiples of a trivial pass (a
-// full-screen triangle that copies the frame's colour) and of the floor (a compute copy of the frame's colour
-// and depth). All take turns over the same picture of the scene, medians
-// over the rounds, of what this process had of the processors: for CPU devices alone.
+// What a scene's water costs on this device, whole and by quality and with a part left out: multiples of a
+// trivial pass (a full-screen triangle that copies the frame's colour) and of the floor (a compute copy of
+// the frame's colour and depth). All take turns over the same picture of the scene, medians over the rounds,
+// of what this process had of the processors: for CPU devices alone.
 //
 //   seaglass_bench_water SCENE [WIDTHxHEIGHT [ROUNDS [CAMERA [PATH=VALUE...]]]]
 #include <cstdio>
 #include <cstdlib>
 
 #include "host/host.h"
+#include "host/quality.h"
 #include "scene/camera_choice.h"
 #include "scene/offset.h"
 
@@ -22,33 +23,31 @@ using namespace demos;
 
 struct Part {
     const char* name;
-    void (*leaveOut)(WaterDesc&);
+    void (*change)(WaterDesc&);
 };
 
 constexpr Part parts[] = {
     {"whole", [](WaterDesc&) {}},
+    {"low", [](WaterDesc& water) { setQuality("low", water); }},
+    {"medium", [](WaterDesc& water) { setQuality("medium", water); }},
+    {"high", [](WaterDesc& water) { setQuality("high", water); }},
+    {"highest", [](WaterDesc& water) { setQuality("highest", water); }},
     {"no foam", [](WaterDesc& water) { water.foam.reset(); }},
     {"no refraction", [](WaterDesc& water) { water.refraction.reset(), water.underwater.reset(); }},
     {"sky alone", [](WaterDesc& water) { water.reflection.reset(); }},
     {"still", [](WaterDesc& water) { water.foam.reset(), water.waves.reset(); }},
     {"still, sky alone, opaque",
      [](WaterDesc& water) {
-         for (const auto leaveOut : {parts[2].leaveOut, parts[3].leaveOut, parts[4].leaveOut})
-             leaveOut(water);
+         water.refraction.reset(), water.underwater.reset(), water.reflection.reset();
+         water.foam.reset(), water.waves.reset();
      }},
 };
 
-/// The passes that stages are the sum of are not among the stages' names.
-bool isOfWater(const std::string& pass) {
-    return pass == "simulate" || pass == "host_mirrored" || pass == "reflect" || pass == "water_draw";
-}
-
 void print(const char* name, const SurfaceTimes& times, const ComparedTimes& all) {
-    double sum = times.cpuSimulateMs;
+    const double sum = times.surfaceMs();
     std::string shares;
     for (const PassTime& pass : times.passes) {
-        if (!isOfWater(pass.name)) continue;
-        sum += pass.ms;
+        if (pass.name != "reflect" && pass.name != "water_draw") continue;
         char text[64];
         std::snprintf(text, sizeof text, "  %s %.2f", pass.name.c_str(), pass.ms / all.floor.ms);
         shares += text;
@@ -82,7 +81,7 @@ int main(int count, char** arguments) {
     if (!host || !host->load(*scene, error)) stop(error.text);
     for (const Part& part : parts) {
         WaterDesc water = *scene->water;
-        part.leaveOut(water);
+        part.change(water);
         if (&part != parts && !host->addSurface(water, error)) stop(error.text);
     }
     const std::optional<ComparedTimes> times = host->measureSurfaces(frame, rounds, {}, error);

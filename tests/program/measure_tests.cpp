@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/quality.h"
 #include "measure/pareto.h"
 #include "measure/picture_error.h"
 #include "measure/plot.h"
@@ -23,6 +24,7 @@ using tests::Outcome;
 
 /// Those a scene can name, and none.
 const size_t techniques = demos::measure::techniques().size();
+const size_t techniquesOfAFloor = techniques - demos::qualities().size();
 
 class Measure : public testing::Test {
   protected:
@@ -85,7 +87,8 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     for (const json& entry : found["entries"]) {
         EXPECT_EQ(entry["scene"], "calm.toml");
         EXPECT_EQ(entry["camera"], "level");
-        for (const char* const key : {"ms", "x_floor", "x_floor_spread", "spread_ms", "floor_ms"})
+        for (const char* const key :
+             {"ms", "x_floor", "x_floor_spread", "spread_ms", "floor_ms", "surface_ms", "surface_x_trivial"})
             expectNumber(entry["cost"], key);
         for (const json& pass : entry["cost"].at("passes")) expectNumber(pass, "ms");
         for (const char* const key :
@@ -152,7 +155,7 @@ TEST_F(Measure, TakesAFloorAsItTakesWater) {
     const Outcome outcome = measure({"floor.toml", "-o", "new", "--quick", "--size", "96x54"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const json found = measured("new");
-    ASSERT_EQ(found["entries"].size(), techniques);
+    ASSERT_EQ(found["entries"].size(), techniquesOfAFloor);
     std::map<std::string, json> entries;
     for (const json& entry : found["entries"]) {
         size_t draws = 0;
@@ -303,6 +306,23 @@ TEST_F(Measure, FlatWaterIsASceneWithoutWavesAndFoam) {
     for (const json& pass : flat["entries"][0]["cost"]["passes"]) EXPECT_NE(pass["name"], "waves_upload");
 }
 
+TEST_F(Measure, TheDialsStepsAreOfWaterAndCostMoreAndMore) {
+    const Outcome outcome =
+        measure({"scene.toml", "-o", "dial", "--quick", "--size", "96x54", "--technique", "water"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json entries = measured("dial")["entries"];
+    ASSERT_EQ(entries.size(), 4u);
+    const char* const steps[] = {"low", "medium", "high", "highest"};
+    for (size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(entries[i]["technique"], "water");
+        EXPECT_EQ(entries[i]["quality"], steps[i]);
+    }
+    EXPECT_LT(entries[0]["cost"]["bytes"], entries[1]["cost"]["bytes"]);
+    floor();
+    expectRefused({"floor.toml", "-o", "none", "--technique", "water"},
+                  {"floor.toml", "has a floor", "expected [water]"});
+}
+
 TEST_F(Measure, AnInterruptionLeavesWhatIsFinished) {
     calm();
     const Outcome outcome = measure({"calm.toml", "-o", "part", "--size", "64x36"}, path("part/index.html"));
@@ -340,7 +360,7 @@ TEST_F(Measure, TwoRunsFindTheSameErrors) {
         const json entries = measured(folder)["entries"];
         json found = json::array();
         for (const json& entry : entries) found.push_back(entry["error"]);
-        EXPECT_EQ(found.size(), 2 * techniques);
+        EXPECT_EQ(found.size(), techniques + techniquesOfAFloor);
         return found;
     };
     EXPECT_EQ(errors("one"), errors("two"));

@@ -110,6 +110,26 @@ TEST_F(Render, TimeCameraAndOverridesShow) {
         EXPECT_FALSE(pictures[i] == pictures[0]) << variants[i].back();
 }
 
+TEST_F(Render, QualitySetsWhatMayBeSetAfterIt) {
+    const auto pictureOf = [&](const Names& more) {
+        Names arguments = {"-o", "out/a.exr", "--size", "96x54"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = render(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return tests::readAll(out("a.exr"));
+    };
+    const std::string low = pictureOf({"--quality", "low"}), highest = pictureOf({"--quality", "highest"});
+    EXPECT_FALSE(low == highest);
+    const Names asLow = {"--set", "water.cells_per_level=128",   "--set", "water.mirror_looks=1",
+                         "--set", "water.refraction_looks=2",    "--set", "water.slope_looks=1",
+                         "--set", "water.wave_shadow_steps=0",   "--set", "water.reflection.technique=sspr",
+                         "--set", "water.reflection.downscale=2"};
+    EXPECT_TRUE(pictureOf(asLow) == low);
+    Names after = {"--quality", "highest"};
+    after.insert(after.end(), asLow.begin(), asLow.end());
+    EXPECT_TRUE(pictureOf(after) == low);
+}
+
 TEST_F(Render, SkyAndMeshOfOnesOwn) {
     tests::writeAll(folder_.path() / "mine.hdr", tests::sampleSky());
     tests::writeAll(folder_.path() / "mine one.gltf", tests::sampleMesh());

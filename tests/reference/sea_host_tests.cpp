@@ -113,4 +113,19 @@ TEST(SeaOfTheHost, SeesWhichWavesHideTheSun) {
     EXPECT_EQ(host->validationMessages(), 0u);
 }
 
+/// No wave of a mirror-calm lake rises before another: what looks for such must find none, however small the
+/// waves are beside the cells that they are drawn by.
+TEST(SeaOfTheHost, SeesNothingHiddenOnACalmLake) {
+    Error error;
+    std::optional<Scene> scene = loadScene(std::string(SEAGLASS_SCENES) + "/lake.toml", {}, error);
+    ASSERT_TRUE(scene) << error.text;
+    const std::unique_ptr<Host> host = Host::create({}, error);
+    ASSERT_TRUE(host) << error.text;
+    const Picture mean = render(*host, *scene);
+    scene->water->waveShadowSteps = 12;
+    const double off = difference(render(*host, *scene), mean, scene->exposureEv);
+    std::printf("off by %.3f of 255\n", off);
+    EXPECT_LT(off, 0.2);
+}
+
 } // namespace

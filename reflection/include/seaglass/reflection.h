@@ -25,33 +25,23 @@ enum class ReflectionTechnique : uint32_t {
 /// How a plane mirrors.
 struct ReflectionDesc {
     ReflectionTechnique technique = ReflectionTechnique::sspr; ///< how what is mirrored is found
-    /// Pixels of the view to one of the reflection, each way: 1, 2, 4 or 8.
-    uint32_t downscale = 1;
-    /// SSPR scatters one key for each 2 x 2 pixels: a quarter of their memory, and fewer atomics. Looking
-    /// steeply down it finds less.
+    uint32_t downscale = 1; ///< pixels of the view to one of the reflection, each way: 1, 2, 4 or 8
+    /// SSPR scatters one key for 2 x 2 pixels: a quarter of their memory. Looking steeply down it finds less.
     bool coarseKeys = false;
-    float edgeFade =
-        0.08f; ///< share of the picture's height over which borrowed pixels fade out at its border, 0..0.5
-    /// How far along the reflection of the normal's tilt is followed, 0 (flat mirror) .. 1 (as geometry
-    /// says).
-    float distortion = 1.0f;
-    /// Halvings of the reflection kept for rough surfaces to look up, 0..6; 0 costs nothing and leaves every
-    /// surface sharp.
-    uint32_t blurLevels = 4;
+    /// Share of the picture's height over which borrowed pixels fade out at its border, 0..0.5.
+    float edgeFade = 0.08f;
+    float distortion = 1.0f; ///< share of the normal's tilt that is followed: 0, a flat mirror, to 1
+    uint32_t blurLevels = 4; ///< halvings kept for rough surfaces, 0..6; 0 costs nothing: all are sharp
     /// Reflections of what is no farther from the mirror than this are not blurred by `scatter` [m], 0..1e6.
     float clearDistance = 0;
-    /// How fast reflections widen beyond it: the sine of a cone's angle, 0 (not at all) .. 1. Wants
-    /// blurLevels.
-    float scatter = 0;
-    /// Where, in distance from the mirror, reflections have given way to the sky, which they begin to at half
-    /// of it [m], 0..1e6; 0: nowhere.
+    float scatter = 0; ///< how fast they widen beyond it: the sine of a cone, 0..1. Wants blurLevels
+    /// How far from the mirror the sky has taken over, from half of that on [m], 0..1e6; 0: nowhere.
     float skyFadeDistance = 0;
     /// Pixels beside the picture's borders take what is mirrored farther inside, by 1 + height of that above
     /// the plane [m] x how steeply the camera looks down (0..1) x nearness to the border (0..1) x this [1/m],
     /// 0..100. 0 costs nothing; else one dispatch.
     float edgeStretch = 0;
-    float edgeStretchBand =
-        0.15f; ///< share of the picture's width, from either border, that it moves, 0.01..0.5
+    float edgeStretchBand = 0.15f; ///< share of the width, from either border, that it moves, 0.01..0.5
     /// Share of each pixel that is taken from the view's last frame, 0..0.95; 0 costs nothing. Reflections
     /// then shimmer less, and keep for a while what this frame alone does not know. About 1 / (1 - this)
     /// frames are averaged; 0.9 suits most. See ViewDesc::jitter and ViewDesc::cut.
@@ -61,11 +51,9 @@ struct ReflectionDesc {
     /// Rays pass at once over cells of 8 x 8 pixels in which nothing is as near as they are, and look at
     /// every pixel of the others: they miss nothing that is thin. Without, they go in strides.
     bool marchCells = true;
-    /// Pixels a ray looks at at most, 8..512; in strides, those of a ray are as long as that asks for, and
-    /// one a pixel at least.
+    /// Pixels a ray looks at at most, 8..512; strides are as long as that asks for, one pixel at least.
     uint32_t marchSteps = 64;
-    float marchThickness =
-        0.5f; ///< how deep things are taken to be behind what is seen of them [m], 0.001..100
+    float marchThickness = 0.5f; ///< depth of things behind what is seen of them [m], 0.001..100
     float marchDistance = 10000; ///< how far along a ray hits are looked for [m], 0.1..1e6
     /// Share of a stride by which each pixel's ray starts earlier or later than its neighbours', 0..1: trades
     /// banding for noise, the same in each frame. Without strides there are no bands, and it does nothing.
@@ -91,8 +79,7 @@ struct SceneSamples {
     VkSampleCountFlagBits color = VK_SAMPLE_COUNT_1_BIT; ///< of ViewDesc::sceneColor
 };
 
-/// What a reflector of this description costs for views of `extent` pixels, in images of that size. Nothing
-/// is created.
+/// What such a reflector costs for views of `extent` pixels, in images of that size. Creates nothing.
 Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out,
                 SceneSamples samples = {});
 
@@ -100,8 +87,7 @@ struct Reflector;
 
 /// Transactional; allocates no image until the first reflect().
 Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** out);
-/// May be called while the GPU still uses it: memory is given back when its frame slot comes round. Null is
-/// ignored.
+/// May be called while the GPU still uses it: memory goes back when its frame slot comes. Null is ignored.
 void destroyReflector(Reflector* reflector);
 
 /// What reflect() left for a view, to be asked for anew in each frame. Both images are in

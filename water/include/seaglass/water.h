@@ -41,6 +41,14 @@ struct MeshDesc {
     uint32_t cellsPerLevel = 128; ///< cells until a twice coarser level takes over, 128..1024
 };
 
+/// How closely the surface is looked at, in texture looks a pixel; docs/tradeoffs.md has what each costs.
+struct ShadingDesc {
+    uint32_t mirrorLooks = 2;     ///< for what the slopes within a pixel mirror: 1, 2 or 4
+    uint32_t refractionLooks = 6; ///< for where the bent ray ends, 1 (straight through) .. 16
+    uint32_t slopeLooks = 1;      ///< along a pixel's longer side, for its waves: 1, 2 or 4
+    uint32_t waveShadowSteps = 0; ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
+};
+
 /// What a body covers of its plane.
 enum class ExtentShape : uint32_t {
     unbounded = 0, ///< all of it, to the horizon; costs nothing
@@ -91,11 +99,18 @@ struct BodyDesc {
     const CausticsDesc* caustics = nullptr;     ///< needs `waves` and `refraction`; null: even light
     bool motion = false; ///< with `waves`, keeps those of the last simulate() for SurfaceOutput::motion
     MeshDesc mesh;       ///< how finely it is drawn
-    uint32_t waveShadowSteps = 0; ///< looks for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
+    ShadingDesc shading; ///< how finely it is shaded
 };
 
-/// What a body of this description costs, for views and images of `extent` pixels, without what all bodies of
-/// a context share. Creates nothing on the device; lays waves out on the CPU, for some milliseconds.
+/// A dial of measured steps; docs/tradeoffs.md has what each costs and how wrong it is.
+enum class Quality : uint32_t { low = 0, medium, high, highest };
+
+/// Fills in `body`'s mesh.cellsPerLevel and shading, and what `reflection` costs; either may be null. What is
+/// modelled stays: parts, the sea (the same at every quality), and a reflection of the sky or planar.
+void setQuality(Quality quality, BodyDesc* body, ReflectionDesc* reflection);
+
+/// What such a body costs, for views and images of `extent` pixels, without what all bodies of a context
+/// share. Creates nothing on the device; lays waves out on the CPU, for some milliseconds.
 Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
                 SceneSamples samples = {});
 
@@ -107,8 +122,7 @@ struct DryRoom {
 };
 
 Status createBody(Context* context, const BodyDesc* desc, Body** out); ///< on failure `*out` is null
-/// May be called while the GPU still uses it. Null is ignored.
-void destroyBody(Body* body);
+void destroyBody(Body* body);                                          ///< as destroyReflector()
 /// From here on, 8 at most: no surface in them, no caustics and, for an eye in one, no fog.
 Status setDryRooms(Body* body, const DryRoom* rooms, uint32_t count);
 

@@ -1,0 +1,46 @@
+#include "seaglass/water.h"
+
+#include <algorithm>
+
+namespace seaglass {
+
+namespace {
+
+/// A row of the dial.
+struct Step {
+    uint32_t cellsPerLevel;
+    ShadingDesc shading;
+    bool hybrid;
+    uint32_t downscale, marchSteps;
+};
+
+constexpr Step steps[] = {
+    {128, {1, 2, 1, 0}, false, 2, 32},
+    {128, {2, 3, 1, 0}, false, 1, 64},
+    {192, {2, 6, 2, 8}, true, 1, 64},
+    {256, {4, 8, 4, 16}, true, 1, 128},
+};
+
+void set(const Step& step, ReflectionDesc& reflection) {
+    reflection.downscale = step.downscale;
+    reflection.marchSteps = step.marchSteps;
+    reflection.marchCells = true;
+    reflection.coarseKeys = false;
+    const bool readsThePicture = reflection.technique != ReflectionTechnique::sky &&
+                                 reflection.technique != ReflectionTechnique::planar;
+    if (readsThePicture)
+        reflection.technique = step.hybrid ? ReflectionTechnique::hybrid : ReflectionTechnique::sspr;
+}
+
+} // namespace
+
+void setQuality(Quality quality, BodyDesc* body, ReflectionDesc* reflection) {
+    const Step& step = steps[static_cast<size_t>(std::min(quality, Quality::highest))];
+    if (body) {
+        body->mesh.cellsPerLevel = step.cellsPerLevel;
+        body->shading = step.shading;
+    }
+    if (reflection) set(step, *reflection);
+}
+
+} // namespace seaglass
