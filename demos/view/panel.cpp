@@ -126,13 +126,13 @@ bool layOutMirror(std::optional<ReflectionDesc>& reflection) {
 /// The dial, then what it turned, which can be turned on.
 bool layOutQuality(WaterDesc& water) {
     bool changed = false;
-    for (const std::string_view quality : qualities()) {
+    for (const std::string_view& quality : qualities()) {
         if (&quality != qualities().data()) ImGui::SameLine();
         if (!ImGui::Button(std::string(quality).c_str())) continue;
         setQuality(quality, water);
         changed = true;
     }
-    changed |= slider("refraction looks", water.refractionLooks, 1, 16);
+    changed |= slider("bent light", water.refractionLooks, 1, 16);
     const auto powersOfTwo = [&](const char* name, uint32_t& value) {
         ImGui::Text("%s:", name);
         for (const uint32_t looks : {1u, 2u, 4u}) {

@@ -48,7 +48,7 @@ float firstHit() {
 layout(constant_id = 7) const int mirrorLooks = 2;   // 1, 2 or 4
 
 // The slopes that the eye sees, as offsets from their mean in deviations, of a Gaussian and of Rayleigh's distribution: four,
-// nearly Gauss and Hermite's, for the lopsided fitted to keep the mean, the deviation and, within half a percent, Fresnel's
+// nearly Gauss and Hermite's, for the lopsided fitted to keep the mean, the deviation and, within 2 %, Fresnel's
 // mean; or the means of eight equal shares, which tell edges better apart. None of them is seen from behind.
 const int slopesSeen = mirrorLooks == 4 ? 8 : 4;
 const float fourLevel[4] = float[](-2.2, -0.7875, 0.7875, 2.2);
