@@ -1,6 +1,6 @@
 #include "water/draw_pipeline.h"
 
-#include <array>
+#include <vector>
 
 #include "gpu/kernel.h"
 
@@ -97,7 +97,7 @@ Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, c
     if (const Status s = vertex.create(shaders.vertex, what); s != Status::ok) return s;
     if (const Status s = fragment.create(shaders.fragment, what); s != Status::ok) return s;
 
-    std::array<VkSpecializationMapEntry, 10> entries{};
+    std::vector<VkSpecializationMapEntry> entries(shaders.constants.size());
     for (uint32_t i = 0; i < shaders.constants.size(); ++i)
         entries[i] = {i, static_cast<uint32_t>(i * sizeof(uint32_t)), sizeof(uint32_t)};
     const VkSpecializationInfo specialization{static_cast<uint32_t>(shaders.constants.size()), entries.data(),

@@ -1,7 +1,6 @@
 // The library's dial of quality, as it turns the settings of a scene's water.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,25 +1,11 @@
 #include "program/scene_options.h"
 
-#include <algorithm>
-
 #include <CLI/CLI.hpp>
 
 #include "host/quality.h"
-#include "scene/nearest.h"
+#include "program/values.h"
 
 namespace demos {
-
-namespace {
-
-bool checkQuality(const std::string& quality, Error& error) {
-    const std::span<const std::string_view> known = qualities();
-    if (quality.empty() || std::ranges::find(known, quality) != known.end()) return true;
-    error.text = "--quality is '" + quality + "', expected low, medium, high or highest; the nearest is " +
-                 std::string(nearest(quality, {known.begin(), known.end()}));
-    return false;
-}
-
-} // namespace
 
 void describeQuality(CLI::App& command, RawScene& raw) {
     command
@@ -62,7 +48,7 @@ bool checkScene(const RawScene& raw, const char* expected, RenderOptions& out, E
         out.timeS = parseNumber("--time", raw.time, -1e6, 1e6, "a number of seconds, -1e6 to 1e6", error);
         if (!out.timeS) return false;
     }
-    if (!checkQuality(raw.quality, error)) return false;
+    if (!raw.quality.empty() && !isOneOf("--quality", raw.quality, qualities(), error)) return false;
     out.quality = raw.quality;
     out.camera = raw.camera;
     out.overrides = raw.overrides;

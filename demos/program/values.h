@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,9 @@ std::optional<double> parseNumber(const std::string& option, const std::string& 
                                   double most, std::string_view expected, Error& error);
 std::optional<uint32_t> parseCount(const std::string& option, const std::string& text, uint32_t most,
                                    Error& error);
+/// False with `error` set when `word` is none of the known ones.
+bool isOneOf(const std::string& option, const std::string& word, std::span<const std::string_view> known,
+             Error& error);
 /// "1280x720", each side 1 to 16384.
 std::optional<Size> parseSize(const std::string& option, const std::string& text, Error& error);
 

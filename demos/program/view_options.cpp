@@ -1,13 +1,10 @@
 #include "program/view_options.h"
 
-#include <algorithm>
-
 #include <CLI/CLI.hpp>
 
 #include "program/aov_names.h"
 #include "program/output.h"
 #include "scene/fields.h"
-#include "scene/nearest.h"
 #include "view/view_state.h"
 
 namespace demos {
@@ -38,11 +35,7 @@ bool checkSplit(const std::string& half, Error& error) {
     const std::span<const std::string_view> known = choicesOf("water.reflection.technique");
     std::vector<std::string_view> names(known.begin(), known.end());
     names.push_back(referenceName);
-    if (half.empty() || std::ranges::find(names, half) != names.end()) return true;
-    error.text = "--split is '" + half +
-                 "', expected sky, sspr, ssr, hybrid, planar or reference; the nearest is " +
-                 std::string(nearest(half, names));
-    return false;
+    return half.empty() || isOneOf("--split", half, names, error);
 }
 
 bool checkReference(const RawView& raw, ViewOptions& options, Error& error) {

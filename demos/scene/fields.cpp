@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "scene/nearest.h"
+
 namespace demos {
 
 namespace {
@@ -310,15 +312,6 @@ std::string range(const Field& field) {
         words = "more than " + text(field.least) + ", up to " + text(field.most);
     if (field.rule == Rule::zeroOrRange) words = "0 or " + words;
     if (!field.unit.empty()) words.append(" ").append(field.unit);
-    return words;
-}
-
-std::string oneOf(std::span<const std::string_view> choices) {
-    std::string words;
-    for (const std::string_view& choice : choices) {
-        const bool last = &choice == &choices.back();
-        words.append(words.empty() ? "" : last ? " or " : ", ").append(choice);
-    }
     return words;
 }
 

@@ -44,4 +44,13 @@ std::string_view nearest(std::string_view word, const std::vector<std::string_vi
     return found == known.end() ? std::string_view{} : *found;
 }
 
+std::string oneOf(std::span<const std::string_view> choices) {
+    std::string words;
+    for (const std::string_view& choice : choices) {
+        const bool last = &choice == &choices.back();
+        words.append(words.empty() ? "" : last ? " or " : ", ").append(choice);
+    }
+    return words;
+}
+
 } // namespace demos

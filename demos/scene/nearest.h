@@ -1,7 +1,9 @@
-// The nearest of the known words, for "did you mean".
+// Known words, as errors name them: all of them, or the nearest, for "did you mean".
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,5 +15,8 @@ size_t editDistance(std::string_view a, std::string_view b);
 
 /// The known word nearest to `word`, the first of equals; empty when nothing is known.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& known);
+
+/// "a, b or c".
+std::string oneOf(std::span<const std::string_view> choices);
 
 } // namespace demos

@@ -1,7 +1,8 @@
 #include "view/panel.h"
 
-#include <array>
+#include <initializer_list>
 #include <iterator>
+#include <string>
 #include <string_view>
 
 #include <imgui.h>
@@ -24,6 +25,19 @@ bool slider(const char* label, double& value, double least, double most, const c
 bool slider(const char* label, uint32_t& value, uint32_t least, uint32_t most) {
     ImGui::SliderScalar(label, ImGuiDataType_U32, &value, &least, &most, "%u", ImGuiSliderFlags_AlwaysClamp);
     return ImGui::IsItemDeactivatedAfterEdit();
+}
+
+/// Side by side. True when another was chosen.
+bool chooseNumber(const char* label, uint32_t& value, std::initializer_list<uint32_t> choices) {
+    const uint32_t before = value;
+    ImGui::TextUnformatted(label);
+    ImGui::PushID(label);
+    for (const uint32_t choice : choices) {
+        ImGui::SameLine();
+        if (ImGui::RadioButton(std::to_string(choice).c_str(), value == choice)) value = choice;
+    }
+    ImGui::PopID();
+    return value != before;
 }
 
 /// True when another was chosen.
@@ -96,15 +110,7 @@ bool layOutRays(ReflectionDesc& reflection) {
 
 bool layOutReflection(ReflectionDesc& reflection) {
     bool changed = choose("technique", reflection.technique, choicesOf("water.reflection.technique"));
-    constexpr std::array<uint32_t, 4> downscales = {1, 2, 4, 8};
-    ImGui::TextUnformatted("size: 1 /");
-    for (const uint32_t downscale : downscales) {
-        ImGui::SameLine();
-        if (ImGui::RadioButton(std::to_string(downscale).c_str(), reflection.downscale == downscale)) {
-            changed |= reflection.downscale != downscale;
-            reflection.downscale = downscale;
-        }
-    }
+    changed |= chooseNumber("size: 1 /", reflection.downscale, {1, 2, 4, 8});
     if (reflection.technique == "sspr")
         changed |= ImGui::Checkbox("one key for 2 x 2 pixels", &reflection.coarseKeys);
     if (reflection.technique == "ssr" || reflection.technique == "hybrid") changed |= layOutRays(reflection);
@@ -133,18 +139,8 @@ bool layOutQuality(WaterDesc& water) {
         changed = true;
     }
     changed |= slider("bent light", water.refractionLooks, 1, 16);
-    const auto powersOfTwo = [&](const char* name, uint32_t& value) {
-        ImGui::Text("%s:", name);
-        for (const uint32_t looks : {1u, 2u, 4u}) {
-            ImGui::SameLine();
-            const std::string label = std::to_string(looks) + "##" + name;
-            if (!ImGui::RadioButton(label.c_str(), value == looks)) continue;
-            changed |= value != looks;
-            value = looks;
-        }
-    };
-    powersOfTwo("mirror looks", water.mirrorLooks);
-    powersOfTwo("slope looks", water.slopeLooks);
+    changed |= chooseNumber("mirror looks:", water.mirrorLooks, {1, 2, 4});
+    changed |= chooseNumber("slope looks:", water.slopeLooks, {1, 2, 4});
     bool shadows = water.waveShadowSteps > 0;
     if (ImGui::Checkbox("waves hide low sun and sky", &shadows)) {
         water.waveShadowSteps = shadows ? 8 : 0;
