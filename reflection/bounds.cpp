@@ -18,7 +18,8 @@ Corners cornersOf(const Bounds& bounds, const ViewGeometry& view) {
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 corner((i & 1 ? bounds.high : bounds.low).x, (i & 2 ? bounds.high : bounds.low).y,
                                 (i & 4 ? bounds.high : bounds.low).z);
-        corners[static_cast<size_t>(i)] = view.pixelFromRelative * glm::dvec4(corner - view.eye, 1);
+        corners[static_cast<size_t>(i)] =
+            view.pixelFromRelative * glm::dvec4(bounds.axes * corner - view.eye, 1);
     }
     return corners;
 }

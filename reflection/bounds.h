@@ -2,6 +2,7 @@
 // reflectors in a frame each works for its own surface alone.
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -11,7 +12,8 @@ namespace seaglass {
 
 struct Bounds {
     bool everywhere = true;
-    glm::dvec3 low{0}, high{0}; ///< world
+    glm::dvec3 low{0}, high{0}; ///< along `axes`
+    glm::dmat3 axes{1};         ///< in the world
 };
 
 /// Null when they are usable, else what is wrong with them.

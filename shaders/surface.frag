@@ -34,6 +34,12 @@ float calmPixelWidth() {
 
 layout(constant_id = 4) const bool lightsCrests = false;
 layout(constant_id = 5) const bool hasDryRooms = false;
+layout(constant_id = 10) const bool tilted = false;
+
+// What the host knows of: the sky cube's directions and normals.
+vec3 inWorld(vec3 direction) {
+    return tilted ? worldFromBody * direction : direction;
+}
 
 #include "surface_point.glsl"
 #include "visible_slopes.glsl"
@@ -86,7 +92,7 @@ vec3 mirroredRadiance(SurfacePoint s, vec3 toEye) {
 
 vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
     if (surfaceOutput == outputHeight) return vec4(position.y + plane.w, 0.0, 0.0, 1.0);
-    if (surfaceOutput == outputNormal) return vec4(normal, 1.0);
+    if (surfaceOutput == outputNormal) return vec4(inWorld(normal), 1.0);
     if (surfaceOutput == outputSlopes) return vec4(s.slope, s.covariance.xy);
 #ifdef FOAM
     if (surfaceOutput == outputFoam) return vec4(foamHere().mask, 0.0, 0.0, 1.0);

@@ -96,6 +96,8 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
     if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
     if (const char* bad = readPlane(desc.plane, plane))
         return owner.device.fail(Status::invalidArgument, "%s", bad);
+    frame = BodyFrame::of(glm::dvec3(plane));
+    plane = {0, 1, 0, plane.w};
     mesh = desc.mesh;
     shading = desc.shading;
     if (desc.waves)
@@ -131,7 +133,9 @@ Status Body::createReflector(const BodyDesc& desc) {
     }
     reflector = std::make_unique<Reflector>();
     reflectionDistortion = desc.reflection->distortion;
-    return reflector->create(*context, reflectorDesc);
+    if (const Status s = reflector->create(*context, reflectorDesc); s != Status::ok) return s;
+    reflector->bounds.axes = frame.worldFromBody;
+    return Status::ok;
 }
 
 Status Body::createWaves(const BodyDesc& desc) {
@@ -178,7 +182,7 @@ Status Body::simulate(VkCommandBuffer commands, double time) {
 Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
     if (scene.taken) return context->share(singleSamples);
     ViewGeometry geometry;
-    if (const char* bad = readView(scene.given, geometry))
+    if (const char* bad = frame.readView(scene.given, geometry))
         return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
     if (!mayShow(geometry)) return Status::ok;
     const ReflectionDesc desc;
@@ -230,7 +234,8 @@ SurfaceFeatures Body::features(const ReflectionImages& images) const {
             waves ? shading.mirrorLooks : 0,
             refraction ? shading.refractionLooks : 0,
             waves ? shading.slopeLooks : 0,
-            waves ? shading.waveShadowSteps : 0};
+            waves ? shading.waveShadowSteps : 0,
+            frame.tilted};
 }
 
 SurfaceFeatures Body::motionFeatures() const {
@@ -311,7 +316,8 @@ Status Body::placeHostMesh(const MeshView& view, SurfaceInputs& inputs) {
 Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
                          ViewDesc& read) {
     const gpu::Device& device = context->device;
-    if (const char* bad = readView(view, out)) return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (const char* bad = frame.readView(view, out))
+        return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (out.parallel)
         return device.fail(Status::unsupported,
@@ -366,7 +372,7 @@ Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDe
     ViewGeometry geometry;
     ViewDesc read;
     if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
-    if (lighting.toSun[1] <= 0) return Status::ok;
+    if (toSun(lighting).y <= 0) return Status::ok;
     return recordOverView(commands, target, read, lighting, geometry,
                           {UnderwaterPass::caustics, false, true});
 }
@@ -502,8 +508,10 @@ void destroyBody(Body* body) {
 Status setDryRooms(Body* body, const DryRoom* rooms, uint32_t count) {
     if (!body) return Status::invalidArgument;
     return gpu::guarded([&] {
-        const char* bad = readDryRooms(rooms, count, body->dryRooms);
-        return bad ? body->context->device.fail(Status::invalidArgument, "%s", bad) : Status::ok;
+        if (const char* bad = readDryRooms(rooms, count, body->dryRooms))
+            return body->context->device.fail(Status::invalidArgument, "%s", bad);
+        for (DryPlanes& room : body->dryRooms) room = body->frame.fromWorld(room);
+        return Status::ok;
     });
 }
 

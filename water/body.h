@@ -16,6 +16,7 @@
 #include "reflection/reflector.h"
 #include "reflection/view.h"
 #include "seaglass/water.h"
+#include "water/body_frame.h"
 #include "water/caustics.h"
 #include "water/dry_rooms.h"
 #include "water/extent.h"
@@ -54,7 +55,9 @@ struct RecordedIn {
         mirroring{}; ///< by view; `mirroring`: drawn with what was reflected
 };
 
+/// Whatever is not of a Reflector is in the body's own axes.
 struct Body : Held {
+    BodyFrame frame;
     glm::dvec4 plane{0};
     MeshDesc mesh;
     ShadingDesc shading;
@@ -95,6 +98,9 @@ struct Body : Held {
                           const LightingDesc& lighting, UnderwaterPass pass);
     /// Of a point above the calm surface [m].
     double heightOf(const glm::dvec3& point) const { return glm::dot(glm::dvec3(plane), point) + plane.w; }
+    glm::dvec3 toSun(const LightingDesc& lighting) const {
+        return frame.fromWorld({lighting.toSun[0], lighting.toSun[1], lighting.toSun[2]});
+    }
 
   private:
     /// `read`: the view with a scene that shaders sample.

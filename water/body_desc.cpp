@@ -1,7 +1,6 @@
 #include "water/body_desc.h"
 
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "reflection/mirror.h"
 #include "reflection/reflector.h"
@@ -70,7 +69,8 @@ const char* badField(const CausticsDesc& desc) {
 const char* badField(const BodyDesc& desc) {
     glm::dvec4 plane;
     if (const char* bad = readPlane(desc.plane, plane)) return bad;
-    if (glm::length(glm::dvec3(plane) - glm::dvec3(0, 1, 0)) > 1e-9) return "BodyDesc.plane does not face +Y";
+    // A normal that was turned there may end on either side of level.
+    if (!(plane.y > 1e-6)) return "BodyDesc.plane does not face up, expected a normal whose y is positive";
     if (const char* bad = badField(desc.extent)) return bad;
     if (desc.foam && !desc.waves) return "BodyDesc.foam needs BodyDesc.waves";
     if (desc.wavesOn > WavesOn::cpu) return "BodyDesc.wavesOn is no WavesOn";

@@ -242,7 +242,8 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.waveShadowSteps,
                                   variant.features.mirrorLooks,
                                   variant.features.refractionLooks,
-                                  variant.features.slopeLooks};
+                                  variant.features.slopeLooks,
+                                  variant.features.tilted};
     return createDrawPipeline(
         device, target,
         {vertexShader(variant.features, target.viewMask != 0), fragmentShader(variant.features), constants},

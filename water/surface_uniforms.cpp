@@ -75,7 +75,8 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
     u.pixelFromRelative = glm::mat4(geometry.pixelFromRelative);
     u.relativeFromPixel = glm::mat4(relativeFromScenePixel(geometry));
     u.plane = glm::vec4(glm::vec3(body.plane), body.heightOf(geometry.eye));
-    u.toSun = glm::vec4(lighting.toSun[0], lighting.toSun[1], lighting.toSun[2], 0);
+    u.toSun = glm::vec4(glm::vec3(body.toSun(lighting)), 0);
+    u.worldFromBody = glm::mat3x4(body.frame.worldFromBody);
     u.sunIrradiance = color(lighting.sunIrradiance);
     u.skyIrradiance = color(lighting.skyIrradiance);
     u.skyMips = static_cast<float>(lighting.skyCubeMipLevels);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include <glm/mat3x4.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -14,7 +15,8 @@
 
 namespace seaglass {
 
-/// The std140 block of shaders/common/surface_uniforms.glsl. Positions are relative to the eye.
+/// The std140 block of shaders/common/surface_uniforms.glsl. Positions are relative to the eye, in the body's
+/// axes.
 struct SurfaceUniforms {
     glm::mat4 clipFromRelative{1};
     glm::mat4 pixelFromRelative{1};
@@ -53,8 +55,9 @@ struct SurfaceUniforms {
     glm::vec4 caustics{0};                       ///< strength; CausticBlur: log2Scale, exponent
     glm::vec4 covered{-1e9f, -1e9f, 1e9f, 1e9f}; ///< (u, v) of the box around the body, low and high [m]
     glm::vec4 shorePlace{0};                     ///< of the eye on the shore's map, and of a metre
-    glm::vec4 shoreSignal{0}; ///< rows a second, the first one's, their number; the map's spacing [m]
-    glm::vec4 shoreForm{0};   ///< 1 / period; how far foam is carried for each metre of swash
+    glm::vec4 shoreSignal{0};     ///< rows a second, the first one's, their number; the map's spacing [m]
+    glm::vec4 shoreForm{0};       ///< 1 / period; how far foam is carried for each metre of swash
+    glm::mat3x4 worldFromBody{1}; ///< a column each
     uint32_t dryRooms = 0;
     float dryPadding[3] = {};
     glm::vec4 dryPlanes[maxDryRooms * dryRoomPlanes] = {}; ///< of each room: outside is positive [m]

@@ -10,11 +10,11 @@
 // `spread` is the standard deviation of the mirrored direction [rad]. A texel of a cube's mip, read linearly, spreads by
 // 0.65 of its width where each mip is a smooth half of the last (by 0.5 after a box), and is 2 / edge wide amid a face.
 vec3 skyAt(vec3 direction, float spread) {
-    vec3 size = abs(direction);
+    vec3 size = abs(inWorld(direction));
     float texel = 2.0 * max(max(size.x, size.y), size.z) / exp2(skyMips - 1.0);
     float mip = clamp(log2(max(spread / (0.65 * texel), 1.0)), 0.0, max(skyMips - 2.0, 0.0));
-    // No mirrored ray comes from below the horizon, so neither may the blur.
-    return textureLod(skyCube, vec3(direction.x, max(direction.y, spread), direction.z), mip).rgb;
+    // No mirrored ray comes from below the plane, so neither may the blur.
+    return textureLod(skyCube, inWorld(vec3(direction.x, max(direction.y, spread), direction.z)), mip).rgb;
 }
 
 vec3 keptAbove(vec3 direction) {

@@ -1,5 +1,5 @@
-// One view of a body: water/surface_uniforms.h. Positions are metres relative to the eye, +Y up; (u, v) are the calm plane's axes,
-// world x and z.
+// One view of a body: water/surface_uniforms.h. Positions are metres relative to the eye in the body's axes (water/body_frame.h),
+// +Y up; (u, v) are the calm plane's, x and z.
 
 // Loaded once, by loadSurface(): CPU devices load uniforms anew at each use.
 mat4 clipFromRelative;
@@ -33,6 +33,7 @@ vec4 covered;   // (u, v) of the box around the body, low and high
 vec4 shorePlace;    // of the eye on the shore's map, and of a metre
 vec4 shoreSignal;   // rows a second, the first one's, their number; the map's spacing
 vec4 shoreForm;     // 1 / period; how far foam is carried for each metre of swash
+mat3 worldFromBody;   // of directions
 
 const uint dryRoomPlanes = 8;
 
@@ -70,6 +71,7 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     vec4 shorePlace;
     vec4 shoreSignal;
     vec4 shoreForm;
+    mat3 worldFromBody;
     uint dryRooms;
     vec4 dryPlanes[8 * dryRoomPlanes];
 } stored;
@@ -107,6 +109,7 @@ void loadSurface() {
     shorePlace = stored.shorePlace;
     shoreSignal = stored.shoreSignal;
     shoreForm = stored.shoreForm;
+    worldFromBody = stored.worldFromBody;
 }
 
 // (x, y, depth) of a point in the region's pixels; w <= 0 behind the camera.

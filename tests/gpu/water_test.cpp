@@ -1008,7 +1008,7 @@ TEST_F(Water, BadDescriptionsAreNamedAndLeaveNothing) {
         return text.find(field) != std::string::npos;
     };
     EXPECT_TRUE(names(refused([](BodyDesc& d) { d.plane[1] = 0; }), "plane"));
-    EXPECT_TRUE(names(refused([](BodyDesc& d) { d.plane[0] = 0.5; }), "plane"));
+    EXPECT_TRUE(names(refused([](BodyDesc& d) { d.plane[1] = -1; }), "plane"));
     EXPECT_TRUE(names(refused([&](BodyDesc& d) { d.foam = &foam; }), "foam"));
     EXPECT_TRUE(names(refused([&](BodyDesc& d) {
                           d.waves = &waves;

@@ -56,7 +56,7 @@ MISTAKES = [
     Mistake("no_sky", ("water.cpp", TOLD_LIGHT, ""), says="LightingDesc.skyCube is null"),
     Mistake("z_up", ("water.cpp", "    body.waves = &breeze;\n",
                      "    body.waves = &breeze;\n    body.plane[1] = 0, body.plane[2] = 1;\n"),
-            says="BodyDesc.plane does not face +Y"),
+            says="BodyDesc.plane does not face up"),
     Mistake("attachment_layout", ("water.cpp", "view.sceneDepth = {depthCopy_.view, depthFormat, extent_, read};",
                                   "view.sceneDepth = {depthCopy_.view, depthFormat, extent_, "
                                   "VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};"),

@@ -1,8 +1,8 @@
 // The sea itself: spectrum, waves and heights, with no Vulkan: a server can link seaglass::sea alone.
 //
 // A sea is a fixed function of (desc, time): the same bits for the same seed and time, whatever was asked
-// before. Local frame: u and v are horizontal metres (u = world x, v = world z for a body whose plane faces
-// +Y), height is along the plane's normal, above the calm plane.
+// before. Local frame: u and v are metres along a body's calm plane n.p + d = 0, n unit: world x and z where
+// level, else (x, z) - (n.x, n.z) (y - d) / (1 + n.y) of its points; height is along n, above the calm plane.
 #ifndef SEAGLASS_SEA_H
 #define SEAGLASS_SEA_H
 

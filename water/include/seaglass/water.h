@@ -57,19 +57,19 @@ enum class ExtentShape : uint32_t {
     mesh,          ///< triangles of the host's own, drawn as they are
 };
 
-/// Points are (x, z) in the world [m]. At the outline waves move water up and down but not to the side, which
-/// comes back within 2.5 significant wave heights (times a choppiness over 1). Height queries know of none.
+/// Points are (u, v), as sea.h has them [m]. At the outline waves move water up and down but not to the side,
+/// which comes back within 2.5 significant wave heights (times a choppiness over 1). Queries know of none.
 struct ExtentDesc {
     ExtentShape shape = ExtentShape::unbounded; ///< says which fields below are read
 
     // Of `rectangle`.
     double center[2] = {0, 0}; ///< its middle
-    double size[2] = {0, 0};   ///< along its own x and z [m], each 0.01..1e6
-    double yaw = 0;            ///< of its own x, from +X towards +Z [rad]
+    double size[2] = {0, 0};   ///< along its own u and v [m], each 0.01..1e6
+    double yaw = 0;            ///< of its own u, from +u towards +v [rad]
 
     /// Of `polygon`: its corners, 3..1024, either way round; no edge may cross or touch another. Cut by
     /// pixels: lay it under the bank. Of `mesh`: its vertices, 3..2^24.
-    const double* points = nullptr; ///< x and z of each in turn
+    const double* points = nullptr; ///< u and v of each in turn
     uint32_t pointCount = 0;        ///< pairs in `points`
 
     /// Of `mesh`: three to a triangle, either way round. Waves shorter than its edges do not show in its
@@ -87,7 +87,7 @@ enum class WavesOn : uint32_t {
 
 /// One water body. A null feature costs no memory, pipeline or dispatch. Copied, pointees included.
 struct BodyDesc {
-    double plane[4] = {0, 1, 0, 0};             ///< the calm surface, n.p + d = 0; at present n must be +Y
+    double plane[4] = {0, 1, 0, 0};             ///< the calm surface, n.p + d = 0; n.y > 0, of any scale
     ExtentDesc extent;                          ///< to the horizon unless it says otherwise
     const SeaDesc* waves = nullptr;             ///< null: flat as glass
     WavesOn wavesOn = WavesOn::automatic;       ///< the GPU, or `wavesBackend`

@@ -1,0 +1,36 @@
+#include "water/body_frame.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+
+namespace seaglass {
+
+BodyFrame BodyFrame::of(const glm::dvec3& n) {
+    BodyFrame frame;
+    if (glm::length(n - glm::dvec3(0, 1, 0)) < 1e-9) return frame;
+    // Rodrigues' rotation about n x Y, by its sine and cosine (x, z) and y.
+    const double share = 1 / (1 + n.y), both = -n.x * n.z * share;
+    frame.worldFromBody = {{1 - n.x * n.x * share, -n.x, both}, n, {both, -n.z, 1 - n.z * n.z * share}};
+    frame.tilted = true;
+    return frame;
+}
+
+glm::dvec3 BodyFrame::fromWorld(const glm::dvec3& vector) const {
+    return tilted ? vector * worldFromBody : vector;
+}
+
+DryPlanes BodyFrame::fromWorld(const DryPlanes& planes) const {
+    DryPlanes turned = planes;
+    for (glm::dvec4& plane : turned) plane = glm::dvec4(fromWorld(glm::dvec3(plane)), plane.w);
+    return turned;
+}
+
+const char* BodyFrame::readView(const ViewDesc& view, ViewGeometry& out) const {
+    if (!tilted) return seaglass::readView(view, out);
+    ViewDesc turned = view;
+    const glm::dmat4 viewFromBody = toMatrix(view.view) * glm::dmat4(worldFromBody);
+    for (int i = 0; i < 16; ++i) turned.view[i] = viewFromBody[i / 4][i % 4];
+    return seaglass::readView(turned, out);
+}
+
+} // namespace seaglass
