@@ -42,14 +42,29 @@ void raise(Grid& grid, const glm::vec3& a, const glm::vec3& b, const glm::vec3& 
         }
 }
 
+/// Into the plane's axes, about the mesh's origin.
+void turn(Mesh& mesh, const Plane& plane) {
+    mesh.low = glm::vec3(INFINITY);
+    mesh.high = glm::vec3(-INFINITY);
+    for (MeshVertex& vertex : mesh.vertices) {
+        glm::vec3& p = vertex.position;
+        const Vec3 turned = alongPlane({plane[0], plane[1], plane[2], 0}, {p.x, p.y, p.z});
+        p = {turned[0], turned[1], turned[2]};
+        mesh.low = glm::min(mesh.low, p);
+        mesh.high = glm::max(mesh.high, p);
+    }
+}
+
 } // namespace
 
-bool shoreOf(const ShoreDesc& shore, double levelM, SceneShore& out, Error& error) {
-    const std::optional<Mesh> mesh = readMesh(shore.file, error);
+bool shoreOf(const ShoreDesc& shore, const Plane& plane, SceneShore& out, Error& error) {
+    std::optional<Mesh> mesh = readMesh(shore.file, error);
     if (!mesh) {
         error.text = shore.where + ": " + error.text;
         return false;
     }
+    if (plane[1] < 1) turn(*mesh, plane);
+    const Vec3 origin = alongPlane(plane, shore.positionM);
     const double spacing = shore.spacingM;
     const auto samples = [&](float low, float high) {
         return std::floor(double{high - low} / spacing + 1e-6) + 1;
@@ -69,13 +84,13 @@ bool shoreOf(const ShoreDesc& shore, double levelM, SceneShore& out, Error& erro
     for (size_t i = 0; i + 2 < mesh->indices.size(); i += 3)
         raise(grid, mesh->vertices[mesh->indices[i]].position, mesh->vertices[mesh->indices[i + 1]].position,
               mesh->vertices[mesh->indices[i + 2]].position);
-    for (float& height : out.bed) height += static_cast<float>(shore.positionM[1] - levelM);
+    for (float& height : out.bed) height += static_cast<float>(origin[1]);
     out.desc.bed = out.bed.data();
     out.desc.samples[0] = grid.columns;
     out.desc.samples[1] = grid.rows;
     out.desc.spacing = grid.spacing;
-    out.desc.origin[0] = double{mesh->low.x} + shore.positionM[0];
-    out.desc.origin[1] = double{mesh->low.z} + shore.positionM[2];
+    out.desc.origin[0] = double{mesh->low.x} + origin[0];
+    out.desc.origin[1] = double{mesh->low.z} + origin[2];
     return true;
 }
 

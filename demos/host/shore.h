@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/water_plane.h"
 #include "seaglass/sea.h"
 
 namespace demos {
@@ -18,8 +18,8 @@ struct SceneShore {
     std::vector<float> bed;
 };
 
-/// The highest of the mesh at each sample, over the water's level; where it has nothing, its lowest point.
+/// The highest of the mesh at each sample, over the water's plane; where it has nothing, its lowest point.
 /// False with `error` set when the mesh cannot be read, or has too many samples.
-bool shoreOf(const ShoreDesc& shore, double levelM, SceneShore& out, Error& error);
+bool shoreOf(const ShoreDesc& shore, const Plane& plane, SceneShore& out, Error& error);
 
 } // namespace demos

@@ -82,7 +82,8 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     seaglass::UnderwaterDesc underwater;
     seaglass::CausticsDesc caustics;
     seaglass::BodyDesc body;
-    body.plane[3] = -desc.levelM;
+    const Plane plane = waterPlane(desc);
+    std::ranges::copy(plane, body.plane);
     body.mesh.cellSize = static_cast<float>(desc.cellM);
     body.mesh.cellsPerLevel = desc.cellsPerLevel;
     body.shading = {desc.mirrorLooks, desc.refractionLooks, desc.slopeLooks, desc.waveShadowSteps};
@@ -92,7 +93,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     }
     if (desc.waves) {
         if (!seaOf(*desc.waves, sea, error) || !wavesOnOf(*desc.waves, body.wavesOn, error)) return false;
-        if (desc.shore && !shoreOf(*desc.shore, desc.levelM, shore, error)) return false;
+        if (desc.shore && !shoreOf(*desc.shore, plane, shore, error)) return false;
         if (desc.shore) sea.desc.shore = &shore.desc;
         body.waves = &sea.desc;
         body.wavesBackend = wavesBackend_;

@@ -18,6 +18,12 @@ SurfaceMesh rectangleOf(const Floor& floor, const glm::dvec3& eye) {
     return mesh;
 }
 
+/// Into the water's axes.
+void turn(Camera& camera, const seaglass::BodyFrame& frame) {
+    for (glm::dvec3* vector : {&camera.eye, &camera.right, &camera.up, &camera.forward})
+        *vector = frame.fromWorld(*vector);
+}
+
 } // namespace
 
 bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& error) {
@@ -29,8 +35,11 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
         return false;
     }
     if (!makeCamera(desc.camera, aspect, out.camera, error) || !out.geometry.create(error)) return false;
+    turn(out.camera, world.frame);
     out.pixelAngle = static_cast<float>(2 * out.camera.tanHalfFovY / desc.height);
-    for (const Instance& instance : world.instances) out.geometry.add(instance, out.camera.eye);
+    const glm::dmat4 bodyFromWorld(glm::transpose(world.frame.worldFromBody));
+    for (const Instance& instance : world.instances)
+        out.geometry.add({instance.model, bodyFromWorld * instance.worldFromMesh}, out.camera.eye);
     if (world.floor) {
         out.mesh = rectangleOf(*world.floor, out.camera.eye);
         out.geometry.add(out.mesh);
@@ -40,7 +49,7 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
         const seaglass::FoamDesc foamDesc = foam ? foamOf(*foam) : seaglass::FoamDesc{};
         if (!out.surface.create(world.sea.get(), foam ? &foamDesc : nullptr, desc.timeS, error)) return false;
         SurfaceMeshDesc mesh;
-        mesh.levelM = world.water->levelM;
+        mesh.levelM = world.levelM;
         mesh.height = desc.height;
         if (world.outline) {
             mesh.outline = &*world.outline;
@@ -106,8 +115,7 @@ glm::dvec2 Frame::calmAt(uint32_t triangle, const glm::vec3& weights) const {
 }
 
 float Frame::heightOf(const glm::vec3& position) const {
-    const double level = world->water ? world->water->levelM : 0;
-    return static_cast<float>(static_cast<double>(position.y) + camera.eye.y - level);
+    return static_cast<float>(static_cast<double>(position.y) + camera.eye.y - world->levelM);
 }
 
 } // namespace demos::reference

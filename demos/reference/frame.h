@@ -16,6 +16,7 @@ struct FrameDesc {
     uint32_t threads = 0; ///< 0: as many as the machine has; the picture does not depend on it
 };
 
+/// In the axes of the world's water.
 struct Frame {
     const World* world = nullptr;
     FrameDesc desc;
@@ -33,7 +34,7 @@ struct Frame {
     glm::dvec3 seenAt(const glm::vec3& position) const;
     /// Whether there is water at a point of a triangle of its surface.
     bool covers(uint32_t triangle, const glm::vec3& weights) const;
-    /// Where the water of a hit rests, in the world.
+    /// (u, v) where the water of a hit rests.
     glm::dvec2 calmAt(const Hit& waterHit) const;
     glm::dvec2 calmAt(uint32_t triangle, const glm::vec3& weights) const;
     /// Height of a point relative to the eye above the calm water [m].

@@ -26,7 +26,7 @@ bool makeLight(SkyImage image, const SkyDesc& sky, const SunDesc& sun, Light& ou
 
 glm::vec3 Light::sky(const glm::vec3& direction) const {
     const double angle = glm::radians(-rotationDeg), c = std::cos(angle), s = std::sin(angle);
-    const glm::dvec3 d(direction);
+    const glm::dvec3 d = axes * glm::dvec3(direction);
     const glm::vec3 radiance = sampleSky(image, {c * d.x - s * d.z, d.y, s * d.x + c * d.z});
     return glm::min(radiance * static_cast<float>(intensity), glm::vec3(brightest));
 }
@@ -35,15 +35,16 @@ glm::vec3 Light::sunDisc(const glm::vec3& direction, float soft) const {
     if (sun.direction.y <= 0) return glm::vec3(0);
     constexpr auto radius = static_cast<float>(sunRadius);
     const float disc = 1 - glm::smoothstep(radius - soft, radius + soft, glm::length(direction - toSun()));
-    const float above = glm::smoothstep(-soft, soft, direction.y);
+    const float above = glm::smoothstep(-soft, soft, static_cast<float>((axes * glm::dvec3(direction)).y));
     return sunIrradiance() / (std::numbers::pi_v<float> * radius * radius) * (disc * above);
 }
 
 glm::vec3 Light::cube(const glm::vec3& direction, float mip) const {
-    return sampleCube(filtered.cube, glm::dvec3(direction), mip);
+    return sampleCube(filtered.cube, axes * glm::dvec3(direction), mip);
 }
 
-glm::vec3 Light::irradiance(const glm::vec3& n) const {
+glm::vec3 Light::irradiance(const glm::vec3& normal) const {
+    const glm::vec3 n(axes * glm::dvec3(normal));
     const auto& sh = filtered.irradianceSh;
     const glm::vec3 e = sh[0] + sh[1] * n.y + sh[2] * n.z + sh[3] * n.x + sh[4] * (n.x * n.y) +
                         sh[5] * (n.y * n.z) + sh[6] * (3 * n.z * n.z - 1) + sh[7] * (n.x * n.z) +

@@ -11,8 +11,9 @@ struct Light {
     double rotationDeg = 0, intensity = 1;
     SkyLight filtered;
     Sun sun;
+    glm::dmat3 axes{1}; ///< along which the directions below are given, in the world
 
-    glm::vec3 toSun() const { return glm::vec3(sun.direction); }
+    glm::vec3 toSun() const { return glm::vec3(sun.direction * axes); }
     glm::vec3 sunIrradiance() const { return glm::vec3(sun.irradiance); }
 
     /// Radiance of the sky without the sun, as sharp as its image.

@@ -53,13 +53,22 @@ bool setDryRooms(const std::vector<DryRoomDesc>& rooms, World& out, Error& error
     const char* const bad =
         seaglass::readDryRooms(read.data(), static_cast<uint32_t>(read.size()), out.dryRooms);
     if (bad) error.text = std::string("water: ") + bad;
+    for (seaglass::DryPlanes& room : out.dryRooms) room = out.frame.fromWorld(room);
     return !bad;
+}
+
+void setPlane(const WaterDesc& water, World& out) {
+    const auto [x, y, z, d] = waterPlane(water);
+    out.frame = seaglass::BodyFrame::of({x, y, z});
+    out.levelM = -d;
 }
 
 } // namespace
 
 bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error) {
     out.water = desc;
+    setPlane(desc.value_or(WaterDesc{}), out);
+    out.light.axes = out.frame.worldFromBody;
     out.sea.reset();
     out.outline.reset();
     out.dryRooms.clear();
@@ -69,7 +78,7 @@ bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error) {
     SceneSea sea;
     if (!seaOf(*desc->waves, sea, error)) return false;
     SceneShore shore;
-    if (desc->shore && !shoreOf(*desc->shore, desc->levelM, shore, error)) return false;
+    if (desc->shore && !shoreOf(*desc->shore, waterPlane(*desc), shore, error)) return false;
     if (desc->shore) sea.desc.shore = &shore.desc;
     seaglass::SeaError problem;
     out.sea.reset(seaglass::createSea(&sea.desc, &problem));

@@ -8,7 +8,8 @@
 #include "reference/light.h"
 #include "reference/water_surface.h"
 
-// Not public: there is to be one notion of what an outline encloses.
+// Not public: there is to be one notion of what an outline encloses, and of a tilted body's axes.
+#include "water/body_frame.h"
 #include "water/dry_rooms.h"
 #include "water/extent.h"
 
@@ -25,7 +26,9 @@ struct World {
     std::vector<Instance> instances;
     Light light;
     std::optional<WaterDesc> water;
-    SeaPointer sea;                           ///< null when flat
+    seaglass::BodyFrame frame; ///< of the water: all is traced in its axes, in which it is level
+    double levelM = 0;         ///< of the water in them
+    SeaPointer sea;            ///< null when flat
     std::optional<seaglass::Outline> outline; ///< of the water; none where it is unbounded
     std::vector<seaglass::DryPlanes> dryRooms;
     std::optional<Floor> floor;

@@ -204,7 +204,10 @@ constexpr std::array dryRoomFields = {
 };
 
 constexpr std::array waterFields = {
-    Field{"level_m", at<&WaterDesc::levelM>, -1e5, 1e5, "m", "height of the calm surface"},
+    Field{"level_m", at<&WaterDesc::levelM>, -1e5, 1e5, "m", "height of the calm surface, at the origin"},
+    Field{"tilt_deg", at<&WaterDesc::tiltDeg>, 0, 80, "degrees", "of the calm surface, 0 level"},
+    Field{"tilt_towards_deg", at<&WaterDesc::tiltTowardsDeg>, -turn, turn, "degrees",
+          "where it falls to, from +X towards +Z"},
     Field{"cell_m", at<&WaterDesc::cellM>, 0.01, 100, "m", "edge of the finest cells"},
     Field{"cells_per_level", at<&WaterDesc::cellsPerLevel>, 128, 1024, "",
           "until twice coarser ones take over"},

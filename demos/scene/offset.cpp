@@ -2,7 +2,22 @@
 
 #include <utility>
 
+#include "scene/water_plane.h"
+
 namespace demos {
+
+namespace {
+
+void moveWater(WaterDesc& water, const Vec3& offset) {
+    const auto [x, y, z, d] = waterPlane(water);
+    water.levelM += offset[1] + (x * offset[0] + z * offset[2]) / y;
+    if (!water.extent) return;
+    const Vec3 moved = alongPlane({x, y, z, 0}, offset);
+    water.extent->centerM[0] += moved[0];
+    water.extent->centerM[1] += moved[2];
+}
+
+} // namespace
 
 void applyOffset(Scene& scene, CameraDesc& camera) {
     const Vec3 offset = std::exchange(camera.offsetM, {});
@@ -10,11 +25,7 @@ void applyOffset(Scene& scene, CameraDesc& camera) {
         for (size_t i = 0; i < 3; ++i) place[i] += offset[i];
     };
     for (MeshDesc& mesh : scene.meshes) move(mesh.positionM);
-    if (scene.water) scene.water->levelM += offset[1];
-    if (scene.water && scene.water->extent) {
-        scene.water->extent->centerM[0] += offset[0];
-        scene.water->extent->centerM[1] += offset[2];
-    }
+    if (scene.water) moveWater(*scene.water, offset);
     if (scene.water && scene.water->shore) move(scene.water->shore->positionM);
     if (scene.water)
         for (DryRoomDesc& room : scene.water->dryRooms) move(room.positionM);

@@ -149,7 +149,9 @@ struct DryRoomDesc {
 };
 
 struct WaterDesc {
-    double levelM = 0;
+    double levelM = 0;         ///< over the origin, where it is tilted
+    double tiltDeg = 0;        ///< of its surface; its extent then lies along the plane's own axes
+    double tiltTowardsDeg = 0; ///< where that falls to, from +X towards +Z
     double cellM = 0.25;
     uint32_t cellsPerLevel = 128;
     uint32_t mirrorLooks = 2;

@@ -10,6 +10,7 @@
 #include "demos/scene/fields.h"
 #include "demos/scene/offset.h"
 #include "demos/scene/scene.h"
+#include "demos/scene/water_plane.h"
 #include "tests/program/run.h"
 #include "tests/program/sample.h"
 
@@ -285,6 +286,27 @@ TEST_F(SceneFile, WaterMayEnd) {
               "expected pairs of numbers, [[x, z], ...], each -1e+06 to 1e+06 m");
     EXPECT_NE(problemOf("water.extent.size_m=[25]").find("expected two numbers, each 0.01 to 1e+06 m"),
               std::string::npos);
+}
+
+TEST_F(SceneFile, WaterMayBeTilted) {
+    std::optional<Scene> slope = load(
+        {"water.level_m=2", "water.tilt_deg=30", "water.tilt_towards_deg=90", "water.extent.size_m=[4, 9]"});
+    ASSERT_TRUE(slope && slope->water->extent) << error_.text;
+    const auto [x, y, z, d] = demos::waterPlane(*slope->water);
+    EXPECT_NEAR(x, 0, 1e-12);
+    EXPECT_NEAR(y, std::sqrt(0.75), 1e-12);
+    EXPECT_NEAR(z, 0.5, 1e-12) << "it falls towards +Z";
+    EXPECT_NEAR(d, -2 * y, 1e-12);
+    // Moved, a point is where it was in the water.
+    const demos::Vec3 offset = {100, 20, 3}, point = {7, 5, -4};
+    const demos::Vec3 before = demos::alongPlane({x, y, z, d}, point);
+    demos::CameraDesc camera;
+    camera.offsetM = offset;
+    demos::applyOffset(*slope, camera);
+    const demos::Vec3 after = demos::alongPlane(demos::waterPlane(*slope->water), {107, 25, -1});
+    EXPECT_NEAR(after[0] - slope->water->extent->centerM[0], before[0], 1e-9);
+    EXPECT_NEAR(after[1], before[1], 1e-9);
+    EXPECT_NEAR(after[2] - slope->water->extent->centerM[1], before[2], 1e-9);
 }
 
 TEST_F(SceneFile, FoamNeedsWaves) {
