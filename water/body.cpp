@@ -182,7 +182,7 @@ Status Body::simulate(VkCommandBuffer commands, double time) {
 Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
     if (scene.taken) return context->share(singleSamples);
     ViewGeometry geometry;
-    if (const char* bad = frame.readView(scene.given, geometry))
+    if (const char* bad = readView(frame.fromWorld(scene.given), geometry))
         return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
     if (!mayShow(geometry)) return Status::ok;
     const ReflectionDesc desc;
@@ -316,7 +316,7 @@ Status Body::placeHostMesh(const MeshView& view, SurfaceInputs& inputs) {
 Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
                          ViewDesc& read) {
     const gpu::Device& device = context->device;
-    if (const char* bad = frame.readView(view, out))
+    if (const char* bad = readView(frame.fromWorld(view), out))
         return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (out.parallel)

@@ -99,7 +99,7 @@ struct Body : Held {
     /// Of a point above the calm surface [m].
     double heightOf(const glm::dvec3& point) const { return glm::dot(glm::dvec3(plane), point) + plane.w; }
     glm::dvec3 toSun(const LightingDesc& lighting) const {
-        return frame.fromWorld({lighting.toSun[0], lighting.toSun[1], lighting.toSun[2]});
+        return frame.fromWorld(glm::dvec3(lighting.toSun[0], lighting.toSun[1], lighting.toSun[2]));
     }
 
   private:

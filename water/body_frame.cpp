@@ -3,6 +3,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
+#include "reflection/view.h"
+
 namespace seaglass {
 
 BodyFrame BodyFrame::of(const glm::dvec3& n) {
@@ -25,12 +27,12 @@ DryPlanes BodyFrame::fromWorld(const DryPlanes& planes) const {
     return turned;
 }
 
-const char* BodyFrame::readView(const ViewDesc& view, ViewGeometry& out) const {
-    if (!tilted) return seaglass::readView(view, out);
+ViewDesc BodyFrame::fromWorld(const ViewDesc& view) const {
+    if (!tilted) return view;
     ViewDesc turned = view;
     const glm::dmat4 viewFromBody = toMatrix(view.view) * glm::dmat4(worldFromBody);
     for (int i = 0; i < 16; ++i) turned.view[i] = viewFromBody[i / 4][i % 4];
-    return seaglass::readView(turned, out);
+    return turned;
 }
 
 } // namespace seaglass

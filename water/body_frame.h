@@ -7,7 +7,6 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "reflection/view.h"
 #include "water/dry_rooms.h"
 
 namespace seaglass {
@@ -22,8 +21,8 @@ struct BodyFrame {
     /// Of a direction or, since both have their origin in one place, a point.
     glm::dvec3 fromWorld(const glm::dvec3& vector) const;
     DryPlanes fromWorld(const DryPlanes& planes) const;
-    /// As its namesake of reflection/view.h; `out` in the body's axes.
-    const char* readView(const ViewDesc& view, ViewGeometry& out) const;
+    /// One from the body's axes to the same picture.
+    ViewDesc fromWorld(const ViewDesc& view) const;
 };
 
 } // namespace seaglass

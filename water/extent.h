@@ -11,7 +11,7 @@
 namespace seaglass {
 
 struct OutlineEdge {
-    glm::dvec2 from{0}, to{0}; ///< (u, v) in the world [m]
+    glm::dvec2 from{0}, to{0}; ///< (u, v) [m]
 };
 
 struct OutlineBox {

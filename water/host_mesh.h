@@ -22,7 +22,7 @@ std::vector<HostVertex> hostVertices(const ExtentDesc& desc, const glm::dvec2& o
 struct HostMesh {
     gpu::Buffer vertices, indices;
     uint32_t indexCount = 0;
-    glm::dvec2 origin{0}; ///< in the world
+    glm::dvec2 origin{0}; ///< (u, v)
 
     Status create(const gpu::Device& device, const ExtentDesc& desc, const Outline& outline);
     static VkDeviceSize bytes(const ExtentDesc& desc);

@@ -1,5 +1,5 @@
 // The surface's mesh: a quadtree of equal grid patches around the eye (Strugar 2009, "Continuous
-// Distance-Dependent Level of Detail"). Patches lie on a lattice fixed in the world, so nothing swims;
+// Distance-Dependent Level of Detail"). Patches lie on a lattice fixed in the plane, so nothing swims;
 // vertices glide onto the next coarser lattice before it takes over, so nothing pops and no crack opens.
 #pragma once
 
@@ -40,7 +40,7 @@ struct OutlinedPatches {
 };
 
 struct MeshView {
-    glm::dvec2 eye{0};    ///< (u, v) in the world [m]
+    glm::dvec2 eye{0};    ///< (u, v) [m]
     double eyeHeight = 0; ///< above the calm surface [m]
     std::array<glm::dvec4, 5>
         frustum{};           ///< planes facing inwards over (u, height, v) relative to the eye's foot
