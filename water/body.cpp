@@ -311,7 +311,8 @@ Status Body::placeHostMesh(const MeshView& view, SurfaceInputs& inputs) {
 Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
                          ViewDesc& read) {
     const gpu::Device& device = context->device;
-    if (const char* bad = readView(view, out)) return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (const char* bad = refraction ? readView(view, out) : readCamera(view, out))
+        return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (out.parallel)
         return device.fail(Status::unsupported,
