@@ -316,7 +316,8 @@ Status Body::placeHostMesh(const MeshView& view, SurfaceInputs& inputs) {
 Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
                          ViewDesc& read) {
     const gpu::Device& device = context->device;
-    if (const char* bad = readView(frame.fromWorld(view), out))
+    const ViewDesc turned = frame.fromWorld(view);
+    if (const char* bad = refraction ? readView(turned, out) : readCamera(turned, out))
         return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (out.parallel)

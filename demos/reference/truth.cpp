@@ -8,13 +8,17 @@
 namespace demos::reference {
 namespace {
 
+/// Cosine between facets of one rounded face; a stake of eight sides turns by 45 degrees.
+constexpr float mostTurned = 0.7f;
+
 bool within(const Frame& frame, const glm::dvec3& seen) {
     return seen.z >= frame.camera.near && seen.x >= 0 && seen.y >= 0 && seen.x < frame.desc.width &&
            seen.y < frame.desc.height;
 }
 
-/// Whether a pixel's centre next to a place in the picture shows the surface that a hit there is on. What is
-/// thinner than a pixel, or seen edge on, is in sight and yet in no pixel.
+/// Whether a pixel's centre next to a place in the picture shows the surface that a hit there is on: the same
+/// face, for that beside it has another colour. What is thinner than a pixel, or seen edge on, is in sight
+/// and yet in no pixel.
 bool isSampled(const Frame& frame, const Hit& hit, const glm::dvec3& seen) {
     const float distance = glm::length(hit.position);
     const glm::vec2 corner = glm::floor(glm::vec2(seen) - 0.5f) + 0.5f;
@@ -23,7 +27,9 @@ bool isSampled(const Frame& frame, const Hit& hit, const glm::dvec3& seen) {
         Hit there;
         if (!frame.geometry.trace(ray, Kind::opaque, there)) continue;
         const float off = std::abs(glm::dot(hit.geometricNormal, there.position - hit.position));
-        if (off <= 0.01f + 2e-3f * distance && std::abs(there.distance - distance) <= 0.25f * distance)
+        const bool alike = glm::dot(hit.facing(), there.facing()) >= mostTurned;
+        if (alike && off <= 0.01f + 2e-3f * distance &&
+            std::abs(there.distance - distance) <= 0.25f * distance)
             return true;
     }
     return false;

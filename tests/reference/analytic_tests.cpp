@@ -267,4 +267,28 @@ TEST(Analytic, WhatNoPixelShowsIsUnsampled) {
     EXPECT_LT(counted[static_cast<int>(reference::TruthClass::recoverable)], unsampled / 4);
 }
 
+// Likewise from farther off, where the deck's front is closer to the plane of its underside than depths tell:
+// what no pixel shows is another face, however near.
+TEST(Analytic, AFaceIsNotSampledByTheOneBesideIt) {
+    const std::vector<Box> boxes = {{{-20, 2.003, -90}, {20, 2.2, -60}}};
+    reference::World world;
+    ASSERT_TRUE(flatWaterUnder(boxes, world));
+    reference::FrameDesc desc = wideFrame();
+    desc.camera.positionM = {0, 2, 0};
+    desc.camera.targetM = {0, 2, -10};
+    desc.camera.verticalFovDeg = 10;
+    const Picture truth = tests::traced(world, desc, true).truth;
+    const auto rowMirroring = [&](double heightAndEye, double away) {
+        const double slope = heightAndEye / away / std::tan(glm::radians(desc.camera.verticalFovDeg) / 2);
+        return static_cast<uint32_t>((1 + slope) * desc.height / 2);
+    };
+    const uint32_t first = rowMirroring(4.003, 90) + 1, front = rowMirroring(4.003, 60);
+    ASSERT_GT(front, first + 5);
+    for (uint32_t y = first; y < front; ++y)
+        EXPECT_EQ(
+            static_cast<reference::TruthClass>(truth.rgba[4 * (size_t{y} * desc.width + desc.width / 2)]),
+            reference::TruthClass::unsampled)
+            << "row " << y;
+}
+
 } // namespace

@@ -51,7 +51,7 @@ MISTAKES = [
             says="ViewDesc.view has a last row other than 0, 0, 0, 1, expected it column-major"),
     Mistake("depth_direction", ("water.cpp", "    target.reversedDepth = false;\n", ""),
             says="expected TargetDesc.reversedDepth to be false"),
-    Mistake("no_simulate", ("water.cpp", "    check(seaglass::simulate(commands, &water_, 1, frameNumber_ / 60.0));\n", ""),
+    Mistake("no_simulate", ("engine.cpp", "    check(seaglass::simulate(commands, &water_, 1, frameNumber_ / 60.0));\n", ""),
             says="simulate() was never called"),
     Mistake("no_sky", ("water.cpp", TOLD_LIGHT, ""), says="LightingDesc.skyCube is null"),
     Mistake("z_up", ("water.cpp", "    body.waves = &breeze;\n",
@@ -163,10 +163,11 @@ def main():
     if said or right is None:
         raise SystemExit(f"without any mistake: {said}")
     write_png(out / "right.png", right)
-    said, before = draw(after.parent / "before/build/tutorial", out / "before.ppm")
-    if said or before is None:
-        raise SystemExit(f"before it has water: {said}")
-    write_png(out / "before.png", before)
+    for state in ("before", "first"):
+        said, picture = draw(after.parent / state / "build/tutorial", out / f"{state}.ppm")
+        if said or picture is None:
+            raise SystemExit(f"{state}: {said}")
+        write_png(out / f"{state}.png", picture)
     problems = []
     for mistake in MISTAKES:
         problem = make(mistake, folder, sources)

@@ -1,4 +1,4 @@
-// demos/tutorial: the renderer before it has water, and after water.diff.
+// demos/tutorial: the renderer before it has water, with water.diff, and after mirrors.diff.
 #include <gtest/gtest.h>
 
 #include "demos/host/image_file.h"
@@ -50,12 +50,16 @@ demos::Image view(const demos::Picture& picture) {
 }
 
 TEST(Tutorial, GainsWater) {
-    const std::vector<uint8_t> before = draw(SEAGLASS_BEFORE), after = draw(SEAGLASS_AFTER);
+    const std::vector<uint8_t> before = draw(SEAGLASS_BEFORE), first = draw(SEAGLASS_FIRST),
+                               after = draw(SEAGLASS_AFTER);
     const Box sky{10, 5, 60, 20}, bed{60, 110, 200, 140};
-    EXPECT_EQ(mean(before, sky), mean(after, sky)) << "what is not water stays as it was";
-    const auto sand = mean(before, bed), water = mean(after, bed);
+    const auto sand = mean(before, bed), opaque = mean(first, bed), clear = mean(after, bed);
     EXPECT_GT(sand[0], sand[2] + 20) << "sand is yellow";
-    EXPECT_GT(water[2], water[0]) << "water is blue";
+    for (const auto& [drawn, water] : {std::pair(first, opaque), {after, clear}}) {
+        EXPECT_EQ(mean(before, sky), mean(drawn, sky)) << "what is not water stays as it was";
+        EXPECT_GT(water[2], water[0]) << "water is blue";
+    }
+    EXPECT_GT(clear[0], opaque[0] + 10) << "sand shines through what mirrors.diff lets light into";
 }
 
 TEST(Tutorial, IsAsApproved) {

@@ -93,7 +93,7 @@ struct BodyDesc {
     WavesOn wavesOn = WavesOn::automatic;       ///< the GPU, or `wavesBackend`
     const WavesBackend* wavesBackend = nullptr; ///< of the CPU, e.g. fftwWaves(); null: the GPU alone
     const FoamDesc* foam = nullptr;             ///< needs `waves`
-    const RefractionDesc* refraction = nullptr; ///< null: opaque, and sceneColor is not read
+    const RefractionDesc* refraction = nullptr; ///< null: opaque, draw() reads no scene images
     const ReflectionDesc* reflection = nullptr; ///< null: the sky cube alone
     const UnderwaterDesc* underwater = nullptr; ///< needs `refraction`; null: seen from above alone
     const CausticsDesc* caustics = nullptr;     ///< needs `waves` and `refraction`; null: even light
