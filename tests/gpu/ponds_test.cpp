@@ -14,26 +14,25 @@ using namespace tests;
 
 constexpr double fall = 2, run = 8; ///< of the channel, from z = -8 to 0
 
-/// Banks around two hollows and a ditch.
+/// Two hollows in the grass, and a ditch between them.
 double groundAt(double x, double z) {
     const double upper = std::clamp(std::max(std::abs(x) - 4, std::abs(z + 12) - 4), -1.1, 0.25);
     const double lower = std::clamp(std::max(std::abs(x) - 5, std::abs(z - 5) - 5), -1.2, 0.25);
     const double slope = fall * std::clamp(-z / run, 0.0, 1.0);
     const double ditch = slope + std::clamp(2 * (std::abs(x) - 1), -0.5, 0.25);
-    const double bank = z < -run ? std::min(fall + upper, z > -run - 1 ? ditch : 1e3)
-                        : z > 0  ? std::min(lower, z < 1 ? ditch : 1e3)
-                                 : ditch;
-    return bank;
+    if (z < -run) return z > -run - 1 ? std::min(fall + upper, ditch) : fall + upper;
+    if (z > 0) return z < 1 ? std::min(lower, ditch) : lower;
+    return ditch;
 }
 
-/// The plane through a line of the world along x, and one below it.
+/// A rectangle of a plane that does not lean along x.
 struct Water {
     glm::dvec3 normal;
     double d;
     double uLow, uHigh, vLow, vHigh; ///< what is covered of it
 
     double heightOf(const glm::dvec3& p) const { return glm::dot(normal, p) + d; }
-    /// As seaglass/sea.h has (u, v) of points in the plane, for planes that do not lean along x.
+    /// Of a point of the plane, by (u, v) as seaglass/sea.h has them.
     bool contains(const glm::dvec3& p, double margin) const {
         const double v = p.z - normal.z * (p.y - d) / (1 + normal.y);
         return p.x > uLow + margin && p.x < uHigh - margin && v > vLow + margin && v < vHigh - margin;

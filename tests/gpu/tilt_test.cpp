@@ -311,7 +311,6 @@ TEST_P(Tilts, HeightsAndSlopesAreAlongThePlanesNormal) {
     }
 }
 
-/// A mesh of two triangles is pinned all round; so is what a rectangle and a polygon have of their edges.
 TEST_P(Tilts, ExtentsLieInThePlane) {
     addWaves();
     const double corners[] = {-3, 2, 5, 1, 3, -8, -4, -9};
