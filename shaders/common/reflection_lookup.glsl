@@ -70,6 +70,21 @@ float shareAboveSand(vec3 from, BentPoint point) {
 }
 #endif
 
+// A ray that goes on to the sky is looked up far from where it leaves the water, and blurred there: with what other water
+// before it mirrors. Share of what the blur meets that lies ahead of the ray.
+float shareAhead(vec3 from, vec3 direction, vec2 pixel, float mip) {
+    const vec2 taps[4] = vec2[](vec2(-0.5, -0.25), vec2(0.25, -0.5), vec2(0.5, 0.25), vec2(-0.25, 0.5));
+    vec2 counted = vec2(0.0);
+    for (int i = 0; i < 4; ++i) {
+        vec2 tap = pixel + taps[i] * exp2(mip) * reflectionScale;
+        float info = infoAt(tap);
+        vec3 ray = rayThrough(tap);
+        vec3 met = mirroredPoint(ray, ray, info, plane.xyz, plane.w);
+        if (infoIsHit(info)) counted += vec2(dot(met.xz - from.xz, direction.xz) > 0.0 ? 1.0 : 0.0, 1.0);
+    }
+    return counted.x / max(counted.y, 1.0);
+}
+
 // Radiance times confidence, and confidence. Rays within the pixel spread by `spread` radians [standard deviation]; the
 // farther they go, the more of the reflection they meet. `hit` is how far that is [m]: from a ray beside it, to the next.
 vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
@@ -87,8 +102,12 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
     // and a mast must stay a line.
     float width = bundleWidth(0.25 * spread * reflectionDistortion, point.distance, reflectionLook);
     float mip = bundleMip(width, length(from), point.distance, pixelsPerRadian / reflectionScale);
-    return reflectionTexel(point.pixel / reflectionScale, mip, reflectionScale) *
-           (inside * shareOfScene(point.distance, reflectionLook));
+    vec4 texel = reflectionTexel(point.pixel / reflectionScale, mip, reflectionScale);
+#ifdef WAVES
+    for (bool doubtful = texel.a > 0.0 && point.distance >= farAway; doubtful; doubtful = false)
+        inside *= shareAhead(from, direction, point.pixel, mip);
+#endif
+    return texel * (inside * shareOfScene(point.distance, reflectionLook));
 }
 
 // Where in the region the mirrored thing is taken from, its distance from the surface and its ReflectionClass. A texel

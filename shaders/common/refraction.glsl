@@ -58,15 +58,38 @@ vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here) {
     return sum.rgb / sum.a;
 }
 
+// The depth at which a ray that goes `perDepth` a metre down meets a bed that goes on beyond its last pixel, by its slope
+// there; `track` is the way of such rays on the screen, unit. Steps are no bed.
+float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
+    vec4 p = pixelFromRelative * vec4(last.seen, 1.0);
+    Behind before = behindAt(p.xy / p.w - 4.0 * track);
+    vec3 step = last.seen - before.seen;
+    float across = dot(step.xz, step.xz);
+    bool isSlope = isBelowWater(before) && step.y * step.y < across;
+    vec2 slope = isSlope ? step.xz * (step.y / across) : vec2(0.0);
+    float depth = position.y - last.seen.y - dot(slope, position.xz - last.seen.xz);
+    return clamp(depth / max(1.0 + dot(slope, perDepth.xz), 0.2), 0.0, 1.5 * (position.y - last.seen.y));
+}
+
+// How much nearer the ray is than the scene behind it, in inverse distances, which both are affine on the screen.
+float nearerBy(float rayDistance, Behind b) {
+    float scene = dot(vec4(pixelFromRelative[0].w, pixelFromRelative[1].w, pixelFromRelative[2].w, pixelFromRelative[3].w),
+                      vec4(b.seen, 1.0));
+    return 1.0 / rayDistance - (b.nothing ? 0.0 : 1.0 / scene);
+}
+
 // What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
 // raised and little water lies before it. Sought is the depth under the surface at which the ray meets what the picture
-// shows where the ray projects: a root, by false position between a depth where the ray is above the scene and one where
-// it is under it. (A fixed point it is not: up a wall it would run away.) What stands out of the water is passed over.
-// Beyond the picture's border the bed is taken to lie as deep as there. Where the line of sight itself passes over the bed's
-// end, far off, it begins with what lies below at as much depth as can be seen through. `path` is how much water lies
-// before it [m].
+// shows where the ray projects: a root, by false position between a place of the screen where the ray is before the scene
+// and one where it is behind, which is exact for a plane. (A fixed point it is not: up a wall it would run away.) What
+// stands out of the water is passed over. Where the ray leaves the picture, or passes behind something, the bed goes on by
+// its slope. Where the line of sight itself passes over the bed's end, far off, it begins with what lies below at as much
+// depth as can be seen through. `path` is how much water lies before it [m].
 vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     const float shallowest = 0.1;
+    // Of its depth, from what is met; with two looks the nearest is the best there is.
+    const float mostOff = refractionLooks > 2 ? 0.35 : 1e9;
+    const float wellOff = refractionLooks > 3 ? 0.05 : 0.35;
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
     Behind found = behindAt(here);
     path = 1e6;
@@ -75,40 +98,65 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     vec4 from = pixelFromRelative * vec4(position, 1.0);
     vec4 perDepth = pixelFromRelative * vec4(bent / steepness, 0.0);
     float leaves = untilBorder(from, perDepth);
+    vec2 above = vec2(0.0, nearerBy(from.w, found));   // a way on the screen, and how much nearer the ray is there
+    vec2 under = vec2(0.0);                            // likewise, where it is not; none while its second is 0
     bool passedOver = found.nothing;
+    float drop = max(position.y - found.seen.y, 0.0);
+    float sought = min(drop, leaves);
     for (bool blind = passedOver; blind; blind = false) {
         vec3 k = extinction();
-        vec4 target = from + perDepth * min(2.0 / min(min(k.r, k.g), k.b), leaves);
+        sought = min(2.0 / min(min(k.r, k.g), k.b), leaves);
+        vec4 target = from + perDepth * sought;
         found = behindAt(mix(here, target.xy / target.w, refractionDistortion));
+        drop = max(position.y - found.seen.y, 0.0);
+        if (isBelowWater(found)) sought = min(drop, sought);
     }
     if (found.nothing) return waterGlow(vec3(path));
-    float drop = max(position.y - found.seen.y, 0.0);
-    vec2 above = vec2(0.0, drop);   // a depth, and how much deeper the scene is there
-    vec2 under = vec2(0.0);         // likewise, where it is not; none while its second is 0
-    float sought = min(drop, leaves);
+    float deepest = 0.0;            // at which the ray was seen to be above the bed
+    Behind last = found;            // of the bed, before the ray leaves the picture or passes behind something
     float least = 1e9;
     bool left = false;
     for (int i = 0; i < refractionLooks - 1 && least > 0.01 && !left; ++i) {
         vec4 target = from + perDepth * sought;
         Behind b = behindAt(mix(here, target.xy / target.w, refractionDistortion));
         float deeper = b.nothing ? max(sought, 1.0) : position.y - b.seen.y - sought;
-        if (isBelowWater(b) && abs(deeper) < least) {
+        bool isBed = isBelowWater(b);
+        if (isBed && abs(deeper) < min(least, mostOff * sought)) {
             least = abs(deeper);
             found = b;
             drop = sought;
         }
-        if (deeper > 0.0) above = vec2(sought, deeper);
-        else under = vec2(sought, deeper);
+        vec2 reached = vec2(sought / target.w, nearerBy(target.w, b));
+        vec2 before = above;
+        if (deeper > 0.0) {
+            above = reached;
+            deepest = sought;
+            if (isBed) last = b;
+        } else {
+            // Of what stands before the bed only that it does counts.
+            under = isBed ? reached : vec2(reached.x, -above.y);
+        }
         left = deeper > 0.01 && sought >= leaves;
-        float share = clamp(above.y / max(above.y - under.y, 1e-6), 0.1, 0.9);
-        sought = under.y < 0.0 ? mix(above.x, under.x, share) : min(sought + deeper, leaves);
+        vec2 other = under.y < 0.0 ? under : before;
+        float apart = other.x - above.x;
+        float slope = abs(apart) > 1e-9 ? (other.y - above.y) / apart : 0.0;
+        float way = above.x - above.y / min(slope, -1e-9);
+        if (under.y < 0.0) way = clamp(way, mix(above.x, under.x, 0.02), mix(above.x, under.x, 0.98));
+        float beyond = 1.0 - way * perDepth.w;
+        sought = beyond > 0.0 ? min(way * from.w / beyond, leaves) : leaves;
     }
     // What hides the place that the ray meets is as good as it, unless it lies far higher.
-    float known = passedOver && !left ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;
+    float known = passedOver && !(left && isBelowWater(last)) ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;
     vec3 bed = radianceOf(found);
-    for (; left; left = false) {
-        drop = position.y - found.seen.y;
-        bed = radianceBeyond(found, position + bent / steepness * drop, here);
+    bool astray = refractionLooks > 2 && !passedOver && least > wellOff * drop && isBelowWater(found);
+    for (bool unseen = (left || astray) && isBelowWater(last); unseen; unseen = false) {
+        vec2 track = perDepth.xy - perDepth.w * from.xy / from.w;
+        drop = max(depthBeyond(last, bent / steepness, track / max(length(track), 1e-6)), deepest);
+        vec4 target = from + perDepth * drop;
+        found = behindAt(mix(here, target.xy / target.w, refractionDistortion));
+        bool met = drop < leaves && isBelowWater(found) && abs(position.y - found.seen.y - drop) < 0.1 * drop;
+        bed = met ? radianceOf(found) : radianceBeyond(last, position + bent / steepness * drop, here);
+        if (!met) found = last;
     }
     path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
     bed = litBelow(bed, -(found.seen.y + plane.w)) / (waterIndex * waterIndex);

@@ -85,7 +85,7 @@ TEST_F(WaterSamples, RefractionSeesAMultisampledSceneAsASingleSampledOne) {
             std::printf("%zu compared, %zu apart, the rest by %.3f, %.3f pixels\n", compared, apart, shift.x,
                         shift.y);
             EXPECT_GT(compared, 15000u);
-            EXPECT_LE(apart, compared / (reflects ? 29 : 75));
+            EXPECT_LE(apart, compared / (reflects ? 27 : 62));
             // A mean of samples lies around the pixel's middle, off which depth is looked up.
             EXPECT_LE(glm::length(shift), resolved ? 0.4 : 0.1);
         }

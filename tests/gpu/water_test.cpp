@@ -299,6 +299,78 @@ TEST_F(Water, TheBedIsSeenAsFarAsTheBentRayMeetsIt) {
     EXPECT_GT(passedOver, 50u);
 }
 
+/// Shines by itself, and rises by a fifth of the way towards the eye: at z it lies at -1 + z / 5.
+struct RisingBed {
+    /// How far along `direction` from a point of the world it lies.
+    static double met(const glm::dvec3& from, const glm::dvec3& direction) {
+        return (0.2 * from.z - 1 - from.y) / (direction.y - 0.2 * direction.z);
+    }
+
+    static SceneBehind seenBy(const Camera& camera) {
+        SceneBehind behind = planeBelow(camera, -1, 4);
+        const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+        for (uint32_t y = 0; y < camera.height; ++y)
+            for (uint32_t x = 0; x < camera.width; ++x) {
+                const glm::dvec3 ray = rayThrough(camera, x, y);
+                const double along = met(camera.eye, ray) * glm::dot(ray, forward);
+                behind.depth[size_t{y} * camera.width + x] =
+                    static_cast<float>(along > 0 ? camera.near / along : 0);
+            }
+        return behind;
+    }
+
+    /// As flat water at y = 0 shows it, and mirrors the test's sky; at a pixel below the horizon.
+    static glm::dvec3 expected(const Camera& camera, const RefractionDesc& water, uint32_t x, uint32_t y) {
+        const glm::dvec3 ray = rayThrough(camera, x, y);
+        const glm::dvec3 surface = camera.eye - ray * (camera.eye.y / ray.y);
+        const glm::dvec3 bent = glm::refract(ray, glm::dvec3(0, 1, 0), 1 / 1.333);
+        const double f = fresnel(-ray.y), path = met(surface, bent);
+        glm::dvec3 color;
+        for (glm::length_t c = 0; c < 3; ++c)
+            color[c] =
+                f * (c + 1) + (1 - f) * 4 * std::exp(-double{water.absorption[c]} * path) / (1.333 * 1.333);
+        return color;
+    }
+};
+
+// Where the bent ray leaves the picture at its lower border, and where a quay hides what it meets, the bed
+// goes on as it rises; the quay does not show through the water.
+TEST_F(Water, TheBedGoesOnAsItRisesWhereItIsNotSeen) {
+    const RefractionDesc refraction = {{0.5f, 0.2f, 0.1f}, {0, 0, 0}, 1};
+    BodyDesc desc;
+    desc.refraction = &refraction;
+    Body* body = makeBody(desc);
+    Camera camera = seaCamera();
+    camera.eye = {0, 3, 2};
+    camera.target = {0, 2, -10};
+    const SceneBehind open = RisingBed::seenBy(camera);
+    SceneBehind quay = open;
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    for (uint32_t y = 0; y < camera.height; ++y)
+        for (uint32_t x = 0; x < camera.width; ++x) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            const double distance = (0.3 - camera.eye.y) / ray.y;
+            if (ray.y >= 0 || camera.eye.z + distance * ray.z < -6) continue;
+            const size_t i = size_t{y} * camera.width + x;
+            quay.depth[i] = static_cast<float>(camera.near / (distance * glm::dot(ray, forward)));
+            std::fill_n(&quay.color[i * 4], 3, 100.0f);
+        }
+    for (const SceneBehind& behind : {open, quay}) {
+        const WaterPicture p = picture({body}, camera, 0, SurfaceOutput::shaded, behind);
+        double most = 0;
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 3; x < p.width; x += 17) {
+                const size_t i = size_t{y} * p.width + x;
+                if (behind.depth[i] != open.depth[i] || angleBelowHorizon(camera, x, y) < 0.22) continue;
+                const glm::dvec3 expected = RisingBed::expected(camera, refraction, x, y);
+                for (glm::length_t c = 0; c < 3; ++c)
+                    most = std::max(
+                        most, std::abs(double{p.color[i * 4 + static_cast<size_t>(c)]} / expected[c] - 1));
+            }
+        EXPECT_LT(most, 0.03);
+    }
+}
+
 /// Everything below the horizon is a plane at height `bed`, all above a wall as far as can be; of one colour,
 /// the sky cube's times `radiance`.
 SceneBehind evenWorld(const Camera& camera, double bed, float radiance) {
@@ -506,6 +578,48 @@ TEST_F(WaterLook, ASmallerReflectionLetsNoSkyInAlongWhatStandsBeforeIt) {
         EXPECT_LE(skyInIt, beside / 25) << downscale;
         EXPECT_GE(psnr, 13.5) << downscale;
     }
+}
+
+// Waves far off bend rays so steeply up that the flat mirror shows, where those are looked up, things close
+// to the eye. The rays go away from them.
+TEST_F(Water, WavesDoNotMirrorWhatLiesBeforeThem) {
+    const ReflectionDesc reflection;
+    const SeaDesc sea = breeze();
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.reflection = &reflection;
+    desc.shading.mirrorLooks = 4;
+    Body* body = makeBody(desc);
+    Camera camera = seaCamera();
+    camera.target = {3, 2, -10};
+    SceneBehind open, behind;
+    const size_t pixels = size_t{camera.width} * camera.height;
+    open.color.assign(4 * pixels, 0);
+    open.depth.assign(pixels, 0);
+    behind = open;
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    for (size_t i = 0; i < pixels; ++i) {
+        const glm::dvec3 ray = rayThrough(camera, static_cast<uint32_t>(i % camera.width),
+                                          static_cast<uint32_t>(i / camera.width));
+        // A bright board 15 m away, above the water.
+        const glm::dvec3 at = camera.eye + ray * ((-8 - camera.eye.z) / ray.z);
+        if (ray.z >= 0 || at.y < 0.5 || at.y > 2 || std::abs(at.x - 3) > 3) continue;
+        behind.depth[i] = static_cast<float>(camera.near / glm::dot(at - camera.eye, forward));
+        std::fill_n(&behind.color[4 * i], 3, 50.0f);
+    }
+    const WaterPicture without = picture({body}, camera, 2, SurfaceOutput::shaded, open);
+    const WaterPicture with = picture({body}, camera, 2, SurfaceOutput::shaded, behind);
+    double farOff = 0, near = 0;
+    for (uint32_t y = 0; y < with.height; ++y)
+        for (uint32_t x = 0; x < with.width; ++x) {
+            const size_t i = size_t{y} * with.width + x;
+            const double angle = angleBelowHorizon(camera, x, y);
+            const double gained = double{with.color[4 * i]} - double{without.color[4 * i]};
+            if (angle > 0.01 && angle < 0.09) farOff = std::max(farOff, std::abs(gained));
+            if (angle > 0.25) near = std::max(near, gained);
+        }
+    EXPECT_GT(near, 1) << "the board is mirrored before itself";
+    EXPECT_LT(farOff, 1e-3);
 }
 
 TEST_F(Water, SaysWhereTheReflectionIsTakenFrom) {
