@@ -15,6 +15,9 @@ constexpr uint32_t foamPatternSamples = 256;
 /// Edge of the tile that it repeats in [m]; shaders/common/foam_cover.glsl samples divisions of it.
 constexpr double foamTile = 24.0;
 
+/// After this [m] the parts of the tile that places show come round again.
+constexpr double foamRepeat = 16 * foamTile;
+
 /// A place of the pattern, as four bytes of a texel.
 struct FoamTexel {
     uint8_t pattern = 0; ///< evenly distributed over 0..255: `pattern < cover` covers a share `cover`

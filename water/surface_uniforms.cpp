@@ -52,8 +52,8 @@ void setFoam(SurfaceUniforms& u, const Foam& foam, const Sea& sea, const glm::dv
     const FoamStreak streak = foamStreakOf(description(sea));
     double placeU = eye.x, placeV = eye.z;
     streak.apply(placeU, placeV);
-    u.foam = glm::vec4(foam.past(), foam.albedo(), inTile(placeU, foamTile) * foamTile,
-                       inTile(placeV, foamTile) * foamTile);
+    u.foam = glm::vec4(foam.past(), foam.albedo(), inTile(placeU, foamRepeat) * foamRepeat,
+                       inTile(placeV, foamRepeat) * foamRepeat);
     u.foamStreak = {streak.u, streak.v};
     u.foamCascades = static_cast<int32_t>(foam.cascades());
 }

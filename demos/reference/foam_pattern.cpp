@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 // Not public: the pattern is the library's own, and there is to be but one.
@@ -39,6 +40,30 @@ glm::vec4 texelAt(const glm::dvec2& place, float texels) {
     return share > 0 ? glm::mix(found, bilinear(mips, finer + 1, place), share) : found;
 }
 
+struct Part {
+    glm::dvec2 here, beside;
+    float share;
+};
+
+/// foamPartOf() of the shader.
+Part partOf(const glm::dvec2& place) {
+    const glm::dvec2 turn = 2 * std::numbers::pi / seaglass::foamRepeat * place;
+    const double index =
+        4 + 1.1 * (std::sin(7 * turn.x + 3 * turn.y) + std::sin(9 * turn.y - 5 * turn.x + 1) +
+                   std::sin(11 * turn.x - 4 * turn.y + 2));
+    const glm::dvec2 spread = seaglass::foamTile * glm::dvec2(0.7548777, 0.5698403);
+    const double part = std::floor(index + 0.5), off = index - part;
+    return {place + part * spread, place + (part + (off < 0 ? -1 : 1)) * spread,
+            static_cast<float>(0.5 * glm::smoothstep(0.38, 0.5, std::abs(off)))};
+}
+
+glm::vec4 patternAt(const Part& part, double tile, float texels) {
+    const glm::vec4 texel = texelAt(part.here / tile, texels);
+    if (part.share <= 0) return texel;
+    return glm::mix(texel, texelAt(part.beside / tile, texels), part.share) /
+           glm::length(glm::vec2(part.share, 1 - part.share));
+}
+
 /// Share of the places where a sum of three even distributions, of these widths and of mean 0, is below `x`.
 float shareBelow(float x, const glm::vec3& widths) {
     const float t = std::max(0.5f * (widths.x + widths.y + widths.z) - std::abs(x), 0.0f);
@@ -56,6 +81,7 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
     constexpr std::array tiles = {seaglass::foamTile, seaglass::foamTile / 5, seaglass::foamTile / 17};
     const glm::dvec2 carried = calm - surface.edge(calm, static_cast<double>(pixelWidth)).advected;
     const glm::dvec2 streak = surface.foamStreak(), place = carried - streak * glm::dot(streak, carried);
+    const Part part = partOf(place);
     float pattern = 0, variance = 1e-5f;
     glm::vec3 widths;
     std::array<float, 3> bend;
@@ -63,7 +89,7 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
     for (size_t i = 0; i < 3; ++i) {
         const float texels =
             std::max(pixelWidth * static_cast<float>(seaglass::foamPatternSamples / tiles[i]), 1.0f);
-        const glm::vec4 texel = texelAt(place / tiles[i], texels);
+        const glm::vec4 texel = patternAt(part, tiles[i], texels);
         const float last = std::clamp(8 - std::log2(texels), 0.0f, 1.0f);
         const float kept = weights[i] * last * last * 30 / (29.15f + texels);
         pattern += weights[i] * last * texel.x;

@@ -1,6 +1,7 @@
 // Foam on the surface: its cover from the waves' history, broken up by a pattern, and its light.
 
-const float foamTile = 24.0;   // [m], as in water/foam_pattern.h
+const float foamTile = 24.0;             // [m], as in water/foam_pattern.h
+const float foamRepeat = 16.0 * foamTile;
 
 struct Foam {
     float mask;    // share that is white
@@ -51,6 +52,34 @@ float foamCover(vec2 bend, float pixelWidth) {
     return 1.0 - clear;
 }
 
+// Where in the pattern a place looks: a tile seen over and over stands in rows, so each place has its own part of it, by an
+// index that changes slowly (Quilez, Texture repetition).
+struct FoamPart {
+    vec2 here;    // [m]
+    vec2 beside;
+    float share;  // of `beside`
+};
+
+FoamPart foamPartOf(vec2 place) {
+    vec2 turn = 2.0 * pi / foamRepeat * place;
+    float index = 4.0 + 1.1 * (sin(7.0 * turn.x + 3.0 * turn.y) + sin(9.0 * turn.y - 5.0 * turn.x + 1.0) +
+                               sin(11.0 * turn.x - 4.0 * turn.y + 2.0));
+    const vec2 spread = foamTile * vec2(0.7548777, 0.5698403);   // over the tile, evenly (Roberts 2018)
+    float part = floor(index + 0.5);
+    float off = index - part;
+    return FoamPart(place + part * spread, place + (part + (off < 0.0 ? -1.0 : 1.0)) * spread, 0.5 * smoothstep(0.38, 0.5, abs(off)));
+}
+
+// Centred on 0. Two parts that meet keep the contrast of one.
+vec4 foamPatternAt(FoamPart part, float tile, float mip) {
+    vec4 texel = textureLod(foamPattern, part.here / tile, mip) - 0.5;
+    for (bool meet = part.share > 0.0; meet; meet = false) {
+        vec4 beside = textureLod(foamPattern, part.beside / tile, mip) - 0.5;
+        texel = mix(texel, beside, part.share) / length(vec2(part.share, 1.0 - part.share));
+    }
+    return texel;
+}
+
 // Cover breaks up into rafts and lace where they can be seen, drawn out by the wind, and is a mean where they cannot:
 // white is a share `cover` of the surface either way.
 Foam foamHere() {
@@ -64,6 +93,7 @@ Foam foamHere() {
     calm -= shoreHere.advected;
 #endif
     vec2 place = foam.zw + calm - streak * dot(streak, calm);
+    FoamPart part = foamPartOf(place);
     float pixelWidth = calmPixelWidth();
     float pattern = 0.0;
     float variance = 1e-5;
@@ -73,7 +103,7 @@ Foam foamHere() {
     for (int i = 0; i < 3; ++i) {
         float texels = max(pixelWidth * patternSamples / tiles[i], 1.0);
         float mip = log2(texels);
-        vec4 texel = textureLod(foamPattern, place / tiles[i], mip) - 0.5;
+        vec4 texel = foamPatternAt(part, tiles[i], mip);
         // The last mip has no contrast, and a byte for it that is not quite the mean.
         float last = clamp(patternMips - mip, 0.0, 1.0);
         float kept = weights[i] * last * last * 30.0 / (29.15 + texels);   // keptContrast() of water/foam_pattern.cpp

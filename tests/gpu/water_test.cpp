@@ -976,6 +976,49 @@ TEST_F(WaterFoam, CoversAsMuchFromAnyHeight) {
 }
 
 // Between steps it glides: no picture differs from the one before by more than its share of a step.
+// The pattern repeats every 24 m, across the wind without a bend: from the air its rafts would stand in rows.
+TEST_F(WaterFoam, RaftsStandInNoRows) {
+    SeaDesc desc = breeze();
+    desc.windSpeed = 20;
+    desc.windDirection = 0;
+    desc.fetch = 500e3f;
+    const FoamDesc foam{.bias = 0.03f};
+    BodyDesc bodyDesc;
+    bodyDesc.waves = &desc;
+    bodyDesc.wavesBackend = fftwWaves();
+    bodyDesc.foam = &foam;
+    Body* body = makeBody(bodyDesc);
+    constexpr size_t rows = 32; // of pixels, to a tile
+    Camera camera = seaCamera();
+    camera.width = camera.height = 256;
+    const double height = 24.0 * 256 / rows / 2 / std::tan(glm::radians(camera.fovDegrees) / 2);
+    camera.eye = {0, height, 0};
+    camera.target = {0.001 * height, 0, 0};
+    double most = -1, elsewhere = 0;
+    for (const bool alongX : {true, false}) {
+        const WaterPicture p = picture({body}, camera, 60, SurfaceOutput::foam);
+        const auto correlation = [&](size_t lag) {
+            double sum = 0, squares = 0, products = 0, count = 0;
+            for (size_t y = 0; y < camera.height; ++y)
+                for (size_t x = 0; x + lag < camera.width; ++x) {
+                    const size_t i = alongX ? y * camera.width + x : x * camera.width + y;
+                    const double a = p.color[4 * i], b = p.color[4 * (i + lag * (alongX ? 1 : camera.width))];
+                    sum += a + b;
+                    squares += a * a + b * b;
+                    products += a * b;
+                    ++count;
+                }
+            const double mean = sum / (2 * count);
+            return (products / count - mean * mean) / (squares / (2 * count) - mean * mean);
+        };
+        for (const size_t lag : {rows, 2 * rows, 3 * rows}) most = std::max(most, correlation(lag));
+        for (const size_t lag : {rows + rows / 2, 2 * rows + rows / 2})
+            elsewhere = std::max(elsewhere, std::abs(correlation(lag)));
+    }
+    std::printf("correlation a tile apart %.3f, between %.3f\n", most, elsewhere);
+    EXPECT_LT(most, 0.2);
+}
+
 TEST_F(WaterFoam, GlidesFromStepToStep) {
     Body* body = foamyBody();
     Camera camera = above();
