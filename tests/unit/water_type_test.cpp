@@ -1,5 +1,7 @@
-// Named waters against what optical oceanography measured.
+// Named waters against what optical oceanography measured, tinted ones against what was asked for.
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -76,6 +78,60 @@ TEST(WaterType, WaterIsTheClearOceanUnlessToldOtherwise) {
         EXPECT_EQ(refraction.absorption[band], ocean.absorption[band]);
         EXPECT_EQ(refraction.backscatter[band], ocean.backscatter[band]);
     }
+}
+
+constexpr float tints[][3] = {{0.001f, 0.008f, 0.035f}, {0.33f, 0.33f, 0.33f}, {1e-9f, 0.1f, 0.33f}};
+constexpr float visibilities[] = {0.05f, 7.0f, 1000.0f};
+
+TEST(WaterType, ATintIsWhatDeepWaterSendsBack) {
+    for (const auto& tint : tints)
+        for (const float visibility : visibilities) {
+            WaterCoefficients water{};
+            ASSERT_TRUE(tintedWater(tint, visibility, &water, nullptr));
+            double clearest = 1e9;
+            for (int band = 0; band < 3; ++band) {
+                const double a = water.absorption[band], bb = water.backscatter[band];
+                EXPECT_NEAR(reflectance(water, band), double{tint[band]}, 1e-5 * double{tint[band]});
+                EXPECT_TRUE(a >= 0 && a <= 100 && bb >= 0 && bb <= 100) << a << ' ' << bb;
+                clearest = std::min(clearest, a + bb);
+            }
+            EXPECT_NEAR(std::exp(-clearest * double{visibility}), 0.05, 1e-5);
+        }
+}
+
+TEST(WaterType, TintedWaterScattersAllChannelsAlike) {
+    WaterCoefficients water{};
+    ASSERT_TRUE(tintedWater(tints[0], 7, &water, nullptr));
+    EXPECT_FLOAT_EQ(water.backscatter[0], water.backscatter[2]);
+    EXPECT_FLOAT_EQ(water.backscatter[1], water.backscatter[2]);
+}
+
+TEST(WaterType, BadTintsAreNamedAndLeaveNothing) {
+    const float good[3] = {0.1f, 0.1f, 0.1f};
+    WaterCoefficients water{{1, 2, 3}, {4, 5, 6}};
+    const auto expectRefused = [&](const float* tint, float visibility, const char* field) {
+        SeaError error;
+        EXPECT_FALSE(tintedWater(tint, visibility, &water, &error)) << field;
+        EXPECT_NE(std::string(error.text).find(field), std::string::npos) << error.text;
+        EXPECT_FALSE(tintedWater(tint, visibility, &water, nullptr));
+        EXPECT_EQ(water.absorption[0], 1);
+        EXPECT_EQ(water.backscatter[2], 6);
+    };
+    const char* const names[] = {"tint[0] is ", "tint[1] is ", "tint[2] is "};
+    for (int band = 0; band < 3; ++band)
+        for (const float bad : {0.0f, -0.1f, 0.331f, 1.0f, NAN, INFINITY}) {
+            float tint[3] = {0.1f, 0.1f, 0.1f};
+            tint[band] = bad;
+            expectRefused(tint, 5, names[band]);
+        }
+    for (const float bad : {0.0f, -1.0f, 0.04f, 1001.0f, NAN, INFINITY})
+        expectRefused(good, bad, "visibility is ");
+    expectRefused(nullptr, 5, "tint is null");
+    SeaError error;
+    EXPECT_FALSE(tintedWater(good, 5, nullptr, &error));
+    EXPECT_NE(std::string(error.text).find("out is null"), std::string::npos) << error.text;
+    EXPECT_TRUE(tintedWater(good, 5, &water, &error));
+    EXPECT_EQ(error.text[0], 0);
 }
 
 } // namespace

@@ -1,8 +1,8 @@
-// What real waters absorb and scatter back, by name. No Vulkan.
+// What water absorbs and scatters back, of real waters by name and of others by tint. No Vulkan.
 #ifndef SEAGLASS_WATER_TYPE_H
 #define SEAGLASS_WATER_TYPE_H
 
-#include <cstdint>
+#include "seaglass/sea.h"
 
 namespace seaglass {
 
@@ -26,18 +26,17 @@ struct WaterCoefficients {
 /// has the attenuation of daylight, of which 1 / 1.25 is absorption and backscatter (Gordon 1989, in diffuse
 /// light); the latter by the same law, for 2 and 10 mg of chlorophyll. An unknown type is clearOcean.
 constexpr WaterCoefficients waterCoefficients(WaterType type) {
-    switch (type) {
-    case WaterType::pool:
-        return {{0.340f, 0.0565f, 0.0092f}, {0.0004f, 0.0007f, 0.0017f}};
-    case WaterType::coastal:
-        return {{0.355f, 0.0906f, 0.193f}, {0.0049f, 0.0054f, 0.0067f}};
-    case WaterType::turbid:
-        return {{0.421f, 0.228f, 0.435f}, {0.0114f, 0.0119f, 0.0132f}};
-    case WaterType::clearOcean:
-        break;
-    }
+    if (type == WaterType::pool) return {{0.340f, 0.0565f, 0.0092f}, {0.0004f, 0.0007f, 0.0017f}};
+    if (type == WaterType::coastal) return {{0.355f, 0.0906f, 0.193f}, {0.0049f, 0.0054f, 0.0067f}};
+    if (type == WaterType::turbid) return {{0.421f, 0.228f, 0.435f}, {0.0114f, 0.0119f, 0.0132f}};
     return {{0.345f, 0.0622f, 0.0253f}, {0.0011f, 0.0016f, 0.0030f}};
 }
+
+/// Of water that, where it is endlessly deep, sends back `tint` of the light that enters: linear, above 0, up
+/// to 0.33 (named waters: 0.0004 to 0.05). Through `visibility` metres, 0.05..1000, it lets 5 % of its
+/// clearest channel pass (WMO's meteorological optical range). All channels scatter alike, unless one would
+/// have to absorb over 100. False when a value is out of range, which `error` names; `out` is then as before.
+bool tintedWater(const float tint[3], float visibility, WaterCoefficients* out, SeaError* error);
 
 } // namespace seaglass
 
