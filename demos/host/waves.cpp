@@ -142,6 +142,10 @@ seaglass::WaterCoefficients coefficientsOf(const RefractionDesc& refraction) {
     for (const auto& [name, type] : waterTypes)
         if (name == refraction.type) return seaglass::waterCoefficients(type);
     seaglass::WaterCoefficients given{};
+    float tint[3];
+    std::ranges::transform(refraction.tint, tint, [](double c) { return static_cast<float>(c); });
+    if (seaglass::tintedWater(tint, static_cast<float>(refraction.visibilityM), &given, nullptr))
+        return given;
     for (size_t i = 0; i < 3; ++i) {
         given.absorption[i] = static_cast<float>(refraction.absorptionPerM[i]);
         given.backscatter[i] = static_cast<float>(refraction.backscatterPerM[i]);

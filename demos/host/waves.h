@@ -29,7 +29,7 @@ struct SceneSea {
 bool seaOf(const WavesDesc& waves, SceneSea& sea, Error& error);
 
 seaglass::FoamDesc foamOf(const FoamDesc& foam);
-/// Of the type that is named, else as they are given.
+/// Of the type that is named, or of the tint, else as they are given.
 seaglass::WaterCoefficients coefficientsOf(const RefractionDesc& refraction);
 
 } // namespace demos

@@ -141,6 +141,10 @@ constexpr std::array foamFields = {
 constexpr std::array refractionFields = {
     Field{"type", at<&RefractionDesc::type>, 0, 0, "", "a real water's coefficients, whatever they are here",
           false, Rule::none, waterTypes},
+    Field{"tint", at<&RefractionDesc::tint>, 0, 0.33, "",
+          "what deep water sends back: linear red, green, blue", false, Rule::positive},
+    Field{"visibility_m", at<&RefractionDesc::visibilityM>, 0.05, 1000, "m",
+          "with tint: where 5 % of the clearest colour is left"},
     Field{"absorption_per_m", at<&RefractionDesc::absorptionPerM>, 0, 100, "1/m", "red, green, blue"},
     Field{"backscatter_per_m", at<&RefractionDesc::backscatterPerM>, 0, 100, "1/m", "red, green, blue"},
     Field{"distortion", at<&RefractionDesc::distortion>, 0, 1, "", "0 straight, 1 as Snell says"},

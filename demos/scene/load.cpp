@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <system_error>
 
@@ -268,6 +269,29 @@ class Reader {
     Error& error_;
 };
 
+// ---- The colour of water, which is said in one way of two
+
+constexpr const char* colorByTint[] = {"tint", "visibility_m"};
+constexpr const char* colorByWater[] = {"type", "absorption_per_m", "backscatter_per_m"};
+
+bool isOverride(const toml::node& node) {
+    const toml::source_region& source = node.source();
+    return source.path && source.path->starts_with(overrideMark);
+}
+
+/// What is set by hand in one way takes the place of what the file says in the other.
+void dropOtherColor(toml::table& refraction, std::string_view key) {
+    const auto drop = [&](const auto& keys, const auto& others) {
+        if (std::ranges::find(keys, key) == std::end(keys)) return;
+        for (const char* const other : others) {
+            const toml::node* const node = refraction.get(other);
+            if (node && !isOverride(*node)) refraction.erase(other);
+        }
+    };
+    drop(colorByTint, colorByWater);
+    drop(colorByWater, colorByTint);
+}
+
 // ---- Overrides
 
 /// The value of "path=value": TOML, or else a bare word. Its nodes say where they come from.
@@ -321,6 +345,7 @@ class Overrider {
                             std::string(section->fields.back().key));
             }
         }
+        if (section->key == "refraction") dropOtherColor(*table, keys.back());
         // The last key is checked with all others, by the reader, which knows this override by its source.
         value->get("v")->visit([&](auto& node) { table->insert_or_assign(keys.back(), std::move(node)); });
         return true;
@@ -417,6 +442,29 @@ bool checkWaves(const Scene& scene, const toml::table& root, Reader& reader) {
                        "water.waves.spectrum is 'table', expected water.waves.spectrum_table too");
 }
 
+/// The first of `keys` that a table has, or null.
+const char* firstOf(const toml::table& table, std::span<const char* const> keys) {
+    const auto found = std::ranges::find_if(keys, [&](const char* key) { return table.contains(key); });
+    return found == keys.end() ? nullptr : *found;
+}
+
+bool checkRefraction(const Scene& scene, const toml::table& root, Reader& reader) {
+    if (!scene.water || !scene.water->refraction) return true;
+    const toml::table& table = *root["water"]["refraction"].as_table();
+    const char* const set = firstOf(table, colorByTint);
+    if (!set) return true;
+    const char* const other = firstOf(table, colorByWater);
+    const auto fail = [&](const char* key, const std::string& expected) {
+        return reader.fail(place(*table.get(key), reader.file()),
+                           std::string("water.refraction.") + key + " is set, expected " + expected);
+    };
+    if (other)
+        return fail(other, std::string("no water.refraction.") + set + " then: a water has one colour");
+    for (const char* const key : colorByTint)
+        if (!table.contains(key)) return fail(set, std::string("water.refraction.") + key + " too");
+    return true;
+}
+
 bool checkExtent(const Scene& scene, const toml::table& root, Reader& reader) {
     if (!scene.water || !scene.water->extent) return true;
     const ExtentDesc& extent = *scene.water->extent;
@@ -505,8 +553,8 @@ std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::stri
     Reader reader(file, error);
     if (!reader.read(root, sceneSection(), &scene, "", "")) return std::nullopt;
     if (!checkCameras(scene, root, reader) || !checkWater(scene, root, reader) ||
-        !checkExtent(scene, root, reader) || !checkWaves(scene, root, reader) ||
-        !checkFloor(scene, root, reader))
+        !checkRefraction(scene, root, reader) || !checkExtent(scene, root, reader) ||
+        !checkWaves(scene, root, reader) || !checkFloor(scene, root, reader))
         return std::nullopt;
     rememberPlaces(scene, root, file.string());
     return scene;

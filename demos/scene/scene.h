@@ -85,7 +85,9 @@ struct FoamDesc {
 };
 
 struct RefractionDesc {
-    std::string type; ///< pool | clear-ocean | coastal | turbid, or empty: the coefficients that follow
+    std::string type;       ///< pool | clear-ocean | coastal | turbid, or empty: the coefficients that follow
+    Vec3 tint = {0, 0, 0};  ///< with a visibility, in place of them: seaglass::tintedWater()
+    double visibilityM = 0; ///< 0: no tint
     Vec3 absorptionPerM = {0.345, 0.0622, 0.0253};
     Vec3 backscatterPerM = {0.0011, 0.0016, 0.0030};
     double distortion = 1;

@@ -82,11 +82,13 @@ TEST_F(Saved, SoDoesWhatWasSetByHand) {
                 "water.waves.spectrum_table=buoy.csv", "water.waves.depth_m=12.3456789012345678",
                 "water.waves.swells=[{height_m = 2}, {period_s = 9.5}]", "water.underwater.meniscus_m=0",
                 "water.extent.shape=polygon", "water.extent.points_m=[[0, 0], [5.5, 1], [2, 6]]",
+                "water.refraction.tint=[0.01, 0.2, 0.15]", "water.refraction.visibility_m=6.5",
                 "camera.low.roll_deg=-12.5"});
     const Scene back = throughAFile(scene, folder_.path() / "out" / "saved.toml");
     expectSame(scene, back);
     EXPECT_EQ(back.title, "a \"b\" \\ c\td");
     EXPECT_EQ(back.water->waves->seed, 9007199254740993u);
+    EXPECT_EQ(back.water->refraction->visibilityM, 6.5);
 }
 
 TEST_F(Saved, LeavesOutWhatIsTheDefaultAndNamesFilesFromWhereItIs) {

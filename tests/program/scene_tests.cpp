@@ -21,6 +21,12 @@ using demos::Error;
 using demos::Field;
 using demos::Scene;
 
+/// The sample, with what is said of the water's colour from line 31 on.
+std::string withColour(const std::string& lines) {
+    std::string text = tests::sampleScene();
+    return text.insert(text.find("\n[water.reflection]"), lines + "\n");
+}
+
 /// A folder with the sample scene, to load with changes.
 class SceneFile : public testing::Test {
   protected:
@@ -114,6 +120,50 @@ TEST_F(SceneFile, WavesAreAWindSeaAndSwells) {
     std::string many = tests::sampleScene();
     for (int i = 0; i < 5; ++i) many += "[[water.waves.swells]]\nheight_m = 1\n";
     EXPECT_NE(problem(many).find("water.waves.swells are 5, expected at most 4"), std::string::npos);
+}
+
+TEST_F(SceneFile, WaterHasATintOrCoefficients) {
+    const std::string tinted = withColour("tint = [0.01, 0.2, 0.15]\nvisibility_m = 6");
+    const std::optional<Scene> scene = loadText(tinted);
+    ASSERT_TRUE(scene) << error_.text;
+    EXPECT_EQ(scene->water->refraction->tint, (demos::Vec3{0.01, 0.2, 0.15}));
+    EXPECT_EQ(scene->water->refraction->visibilityM, 6);
+
+    EXPECT_EQ(problem(withColour("tint = [0.01, 0.2, 0.15]")),
+              "scene.toml:31: water.refraction.tint is set, expected water.refraction.visibility_m too");
+    EXPECT_EQ(problem(withColour("visibility_m = 6")),
+              "scene.toml:31: water.refraction.visibility_m is set, expected water.refraction.tint too");
+    const std::string both = "tint = [0.1, 0.1, 0.1]\nvisibility_m = 6\n";
+    for (const std::string rival :
+         {"type = 'pool'", "absorption_per_m = [1, 1, 1]", "backscatter_per_m = [1, 1, 1]"})
+        EXPECT_EQ(problem(withColour(both + rival)),
+                  "scene.toml:33: water.refraction." + rival.substr(0, rival.find(' ')) +
+                      " is set, expected no water.refraction.tint then: a water has one colour");
+    EXPECT_EQ(problem(withColour("tint = [0, 0.25, 0.125]\nvisibility_m = 6")),
+              "scene.toml:31: water.refraction.tint is [ 0, 0.25, 0.125 ], expected three numbers, each more "
+              "than 0, up to 0.33");
+    EXPECT_EQ(problem(withColour("tint = [0.1, 0.2, 0.1]\nvisibility_m = 2000")),
+              "scene.toml:32: water.refraction.visibility_m is 2000, expected 0.05 to 1000 m");
+}
+
+TEST_F(SceneFile, ATintSetByHandTakesThePlaceOfTheFilesColour) {
+    const std::vector<std::string> tint = {"water.refraction.tint=[0.01, 0.2, 0.15]",
+                                           "water.refraction.visibility_m=6"};
+    const std::string named = withColour("type = 'pool'\nabsorption_per_m = [1, 1, 1]");
+    const std::optional<Scene> scene = loadText(named, tint);
+    ASSERT_TRUE(scene) << error_.text;
+    EXPECT_EQ(scene->water->refraction->type, "");
+    EXPECT_EQ(scene->water->refraction->visibilityM, 6);
+
+    const std::string tinted = withColour("tint = [0.1, 0.1, 0.1]\nvisibility_m = 6");
+    const std::optional<Scene> turbid = loadText(tinted, {"water.refraction.type=turbid"});
+    ASSERT_TRUE(turbid) << error_.text;
+    EXPECT_EQ(turbid->water->refraction->type, "turbid");
+    EXPECT_EQ(turbid->water->refraction->visibilityM, 0);
+
+    EXPECT_EQ(problem(named, {"water.refraction.type=turbid", tint[0], tint[1]}),
+              "--set water.refraction.type=turbid: water.refraction.type is set, expected no "
+              "water.refraction.tint then: a water has one colour");
 }
 
 TEST_F(SceneFile, AbsentTablesAreAbsentFeatures) {
@@ -455,7 +505,8 @@ TEST_F(SceneFile, EveryFieldIsInTheTableOnce) {
 
 /// The sample, with one of everything that can be repeated, and what else wants more than one field.
 std::string fullSample() {
-    return tests::sampleScene() + "[[water.waves.swells]]\n[water.extent]\nsize_m = [25, 10]\n" +
+    return withColour("tint = [0.1, 0.2, 0.1]\nvisibility_m = 6") +
+           "[[water.waves.swells]]\n[water.extent]\nsize_m = [25, 10]\n" +
            "[water.shore]\nfile = 'tetra.gltf'\n" +
            "[[water.dry_rooms]]\npoints_m = [[0, 0], [1, 0], [0, 1]]\n";
 }

@@ -33,4 +33,20 @@ TEST(DemoScenes, HoldTheWavesThatTheyAskFor) {
     EXPECT_GE(count, 5u);
 }
 
+TEST(DemoScenes, WaterIsOfItsTint) {
+    demos::RefractionDesc refraction;
+    refraction.tint = {0.01, 0.2, 0.15};
+    refraction.visibilityM = 6;
+    const float tint[3] = {0.01f, 0.2f, 0.15f};
+    seaglass::WaterCoefficients asked{};
+    ASSERT_TRUE(seaglass::tintedWater(tint, 6, &asked, nullptr));
+    const seaglass::WaterCoefficients told = demos::coefficientsOf(refraction);
+    for (int band = 0; band < 3; ++band) {
+        EXPECT_EQ(told.absorption[band], asked.absorption[band]);
+        EXPECT_EQ(told.backscatter[band], asked.backscatter[band]);
+    }
+    const seaglass::WaterCoefficients plain = demos::coefficientsOf(demos::RefractionDesc{});
+    EXPECT_EQ(plain.absorption[0], 0.345f);
+}
+
 } // namespace
