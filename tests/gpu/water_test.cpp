@@ -219,20 +219,29 @@ TEST_F(Water, WhatLiesBelowIsDimmedByBeerAndLambert) {
         }
 }
 
-/// A black wall that stands on the bed and out of the water.
-SceneBehind wallBefore(const Camera& camera, SceneBehind behind, double bed, double z) {
+/// What stands before the rest, of one radiance, where `distanceAlong` a ray from the eye is positive.
+template<typename DistanceAlong>
+SceneBehind drawnOver(const Camera& camera, SceneBehind behind, float radiance,
+                      const DistanceAlong& distanceAlong) {
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
     for (uint32_t y = 0; y < camera.height; ++y)
         for (uint32_t x = 0; x < camera.width; ++x) {
             const glm::dvec3 ray = rayThrough(camera, x, y);
-            const double distance = (z - camera.eye.z) / ray.z;
-            const double height = camera.eye.y + distance * ray.y;
-            if (height < bed || height > 1) continue;
+            const double distance = distanceAlong(ray);
+            if (!(distance > 0)) continue;
             const size_t i = size_t{y} * camera.width + x;
-            const double along = glm::dot(ray, glm::normalize(camera.target - camera.eye));
-            behind.depth[i] = static_cast<float>(camera.near / (distance * along));
-            std::fill_n(&behind.color[i * 4], 3, 0.0f);
+            behind.depth[i] = static_cast<float>(camera.near / (distance * glm::dot(ray, forward)));
+            std::fill_n(&behind.color[i * 4], 3, radiance);
         }
     return behind;
+}
+
+/// A black wall that stands on the bed and out of the water.
+SceneBehind wallBefore(const Camera& camera, const SceneBehind& behind, double bed, double z) {
+    return drawnOver(camera, behind, 0, [&](const glm::dvec3& ray) {
+        const double distance = (z - camera.eye.z) / ray.z, height = camera.eye.y + distance * ray.y;
+        return height < bed || height > 1 ? -1 : distance;
+    });
 }
 
 // At the lower border the ray bends out of the picture: what lies there is made up, of the bed and nothing
@@ -307,16 +316,9 @@ struct RisingBed {
     }
 
     static SceneBehind seenBy(const Camera& camera) {
-        SceneBehind behind = planeBelow(camera, -1, 4);
-        const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-        for (uint32_t y = 0; y < camera.height; ++y)
-            for (uint32_t x = 0; x < camera.width; ++x) {
-                const glm::dvec3 ray = rayThrough(camera, x, y);
-                const double along = met(camera.eye, ray) * glm::dot(ray, forward);
-                behind.depth[size_t{y} * camera.width + x] =
-                    static_cast<float>(along > 0 ? camera.near / along : 0);
-            }
-        return behind;
+        SceneBehind sky = planeBelow(camera, -1, 4);
+        std::ranges::fill(sky.depth, 0.0f);
+        return drawnOver(camera, sky, 4, [&](const glm::dvec3& ray) { return met(camera.eye, ray); });
     }
 
     /// As flat water at y = 0 shows it, and mirrors the test's sky; at a pixel below the horizon.
@@ -344,17 +346,10 @@ TEST_F(Water, TheBedGoesOnAsItRisesWhereItIsNotSeen) {
     camera.eye = {0, 3, 2};
     camera.target = {0, 2, -10};
     const SceneBehind open = RisingBed::seenBy(camera);
-    SceneBehind quay = open;
-    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-    for (uint32_t y = 0; y < camera.height; ++y)
-        for (uint32_t x = 0; x < camera.width; ++x) {
-            const glm::dvec3 ray = rayThrough(camera, x, y);
-            const double distance = (0.3 - camera.eye.y) / ray.y;
-            if (ray.y >= 0 || camera.eye.z + distance * ray.z < -6) continue;
-            const size_t i = size_t{y} * camera.width + x;
-            quay.depth[i] = static_cast<float>(camera.near / (distance * glm::dot(ray, forward)));
-            std::fill_n(&quay.color[i * 4], 3, 100.0f);
-        }
+    const SceneBehind quay = drawnOver(camera, open, 100, [&](const glm::dvec3& ray) {
+        const double distance = (0.3 - camera.eye.y) / ray.y;
+        return camera.eye.z + distance * ray.z < -6 ? -1 : distance;
+    });
     for (const SceneBehind& behind : {open, quay}) {
         const WaterPicture p = picture({body}, camera, 0, SurfaceOutput::shaded, behind);
         double most = 0;
@@ -592,21 +587,15 @@ TEST_F(Water, WavesDoNotMirrorWhatLiesBeforeThem) {
     Body* body = makeBody(desc);
     Camera camera = seaCamera();
     camera.target = {3, 2, -10};
-    SceneBehind open, behind;
-    const size_t pixels = size_t{camera.width} * camera.height;
-    open.color.assign(4 * pixels, 0);
-    open.depth.assign(pixels, 0);
-    behind = open;
-    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-    for (size_t i = 0; i < pixels; ++i) {
-        const glm::dvec3 ray = rayThrough(camera, static_cast<uint32_t>(i % camera.width),
-                                          static_cast<uint32_t>(i / camera.width));
-        // A bright board 15 m away, above the water.
-        const glm::dvec3 at = camera.eye + ray * ((-8 - camera.eye.z) / ray.z);
-        if (ray.z >= 0 || at.y < 0.5 || at.y > 2 || std::abs(at.x - 3) > 3) continue;
-        behind.depth[i] = static_cast<float>(camera.near / glm::dot(at - camera.eye, forward));
-        std::fill_n(&behind.color[4 * i], 3, 50.0f);
-    }
+    SceneBehind open;
+    open.color.assign(size_t{4} * camera.width * camera.height, 0);
+    open.depth.assign(size_t{1} * camera.width * camera.height, 0);
+    // A bright board 15 m away, above the water.
+    const SceneBehind behind = drawnOver(camera, open, 50, [&](const glm::dvec3& ray) {
+        const double distance = (-8 - camera.eye.z) / ray.z;
+        const glm::dvec3 at = camera.eye + distance * ray;
+        return at.y < 0.5 || at.y > 2 || std::abs(at.x - 3) > 3 ? -1 : distance;
+    });
     const WaterPicture without = picture({body}, camera, 2, SurfaceOutput::shaded, open);
     const WaterPicture with = picture({body}, camera, 2, SurfaceOutput::shaded, behind);
     double farOff = 0, near = 0;
