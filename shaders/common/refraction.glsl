@@ -21,6 +21,11 @@ vec3 radianceOf(Behind b) {
     return texelFetch(sceneColor, region.xy + b.pixel, 0).rgb;
 }
 
+// What shows where a bent ray has come to, `target` in homogeneous pixels, from `here`.
+Behind behindRay(vec2 here, vec4 target) {
+    return behindAt(mix(here, target.xy / target.w, refractionDistortion));
+}
+
 // How far a ray from inside the picture goes until it leaves it [m]: where a + t b, homogeneous pixels, passes a border.
 float untilBorder(vec4 a, vec4 b) {
     vec2 size = vec2(region.zw);
@@ -73,8 +78,7 @@ float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
 
 // How much nearer the ray is than the scene behind it, in inverse distances, which both are affine on the screen.
 float nearerBy(float rayDistance, Behind b) {
-    float scene = dot(vec4(pixelFromRelative[0].w, pixelFromRelative[1].w, pixelFromRelative[2].w, pixelFromRelative[3].w),
-                      vec4(b.seen, 1.0));
+    float scene = (pixelFromRelative * vec4(b.seen, 1.0)).w;
     return 1.0 / rayDistance - (b.nothing ? 0.0 : 1.0 / scene);
 }
 
@@ -106,8 +110,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     for (bool blind = passedOver; blind; blind = false) {
         vec3 k = extinction();
         sought = min(2.0 / min(min(k.r, k.g), k.b), leaves);
-        vec4 target = from + perDepth * sought;
-        found = behindAt(mix(here, target.xy / target.w, refractionDistortion));
+        found = behindRay(here, from + perDepth * sought);
         drop = max(position.y - found.seen.y, 0.0);
         if (isBelowWater(found)) sought = min(drop, sought);
     }
@@ -118,7 +121,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     bool left = false;
     for (int i = 0; i < refractionLooks - 1 && least > 0.01 && !left; ++i) {
         vec4 target = from + perDepth * sought;
-        Behind b = behindAt(mix(here, target.xy / target.w, refractionDistortion));
+        Behind b = behindRay(here, target);
         float deeper = b.nothing ? max(sought, 1.0) : position.y - b.seen.y - sought;
         bool isBed = isBelowWater(b);
         if (isBed && abs(deeper) < min(least, mostOff * sought)) {
@@ -152,8 +155,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     for (bool unseen = (left || astray) && isBelowWater(last); unseen; unseen = false) {
         vec2 track = perDepth.xy - perDepth.w * from.xy / from.w;
         drop = max(depthBeyond(last, bent / steepness, track / max(length(track), 1e-6)), deepest);
-        vec4 target = from + perDepth * drop;
-        found = behindAt(mix(here, target.xy / target.w, refractionDistortion));
+        found = behindRay(here, from + perDepth * drop);
         bool met = drop < leaves && isBelowWater(found) && abs(position.y - found.seen.y - drop) < 0.1 * drop;
         bed = met ? radianceOf(found) : radianceBeyond(last, position + bent / steepness * drop, here);
         if (!met) found = last;

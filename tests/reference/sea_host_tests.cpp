@@ -7,7 +7,7 @@
 
 #include "host/host.h"
 #include "host/image_file.h"
-#include "host/supersample.h"
+#include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -23,15 +23,8 @@ Scene sea() {
     return *scene;
 }
 
-/// 3 x 3 samples a pixel, as the reference averages what a pixel sees.
 Picture render(Host& host, const Scene& scene) {
-    Error error;
-    constexpr uint32_t factor = 3;
-    EXPECT_TRUE(host.load(scene, error)) << error.text;
-    const std::optional<Picture> large =
-        host.render({width * factor, height * factor, scene.cameras.front(), scene.timeS, Aov::color}, error);
-    EXPECT_TRUE(large) << error.text;
-    return averaged(*large, factor);
+    return tests::rendered(host, scene, width, height);
 }
 
 Picture trace(const Scene& scene) {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/supersample.h"
 #include "tests/reference/box_world.h"
+#include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -30,13 +30,7 @@ struct Shades {
 };
 
 Shades compare(Host& host, const Scene& scene) {
-    Error error;
-    constexpr uint32_t factor = 3;
-    EXPECT_TRUE(host.load(scene, error)) << error.text;
-    const std::optional<Picture> large =
-        host.render({width * factor, height * factor, scene.cameras.front(), scene.timeS, Aov::color}, error);
-    EXPECT_TRUE(large) << error.text;
-    const Picture drawn = averaged(*large, factor);
+    const Picture drawn = tests::rendered(host, scene, width, height);
     const Picture traced =
         tests::traced(scene, {width, height, scene.cameras.front(), scene.timeS, 16}).color;
     Shades shades;
