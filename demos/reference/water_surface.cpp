@@ -231,9 +231,8 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
         const glm::vec4 d = share * trilinear(cascade, cascade.derivatives, mip, calm);
         derivatives += d;
         shear += share * trilinear(cascade, cascade.displacement, mip, calm).w;
-        if (footprint > 0)
-            variance += share * share * glm::vec3(trilinear(cascade, cascade.moments, mip, calm)) -
-                        glm::vec3(d.x * d.x, d.y * d.y, d.x * d.y);
+        variance += share * share * glm::vec3(trilinear(cascade, cascade.moments, mip, calm)) -
+                    glm::vec3(d.x * d.x, d.y * d.y, d.x * d.y);
     }
     derivatives += glm::vec4(shore.slope[0], shore.slope[1], shore.stretch[0], shore.stretch[1]);
     shear += static_cast<float>(shore.stretch[2]);

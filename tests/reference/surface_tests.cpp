@@ -131,6 +131,22 @@ TEST(Surface, SlopesAreThoseOfTheMesh) {
     EXPECT_LT(std::sqrt(squares / reference), 0.35);
 }
 
+/// What the maps lose between their samples is roughness, or the sea would be smoother than the wind makes it.
+TEST(Surface, SlopesHaveAllOfTheSeasVariance) {
+    const Scene scene(breezy(0), 90);
+    const reference::WaterSurface& surface = scene.frame.surface;
+    double sum = 0;
+    constexpr int points = 400; // a side
+    for (int i = 0; i < points * points; ++i) {
+        const glm::dvec2 calm(1.37 * (i % points), 1.73 * (i / points));
+        const reference::WaterSurface::Slopes s = surface.slopes(calm, 0);
+        sum += static_cast<double>(glm::dot(s.mean, s.mean) + s.covariance.x + s.covariance.y);
+    }
+    const seaglass::Sea& sea = *scene.world.sea;
+    const double all = seaglass::resolvedSlopeVariance(sea) + seaglass::unresolvedSlopeVariance(sea);
+    EXPECT_NEAR(sum / (points * points), all, 0.03 * all);
+}
+
 TEST(Surface, HasNoHoles) {
     const Scene scene(breezy(1), 90);
     const reference::Frame& frame = scene.frame;
