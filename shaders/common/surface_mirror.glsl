@@ -79,9 +79,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     VisibleSlopes v = visibleSlopes(s, toEye);
     SlopeSpread seen = slopeSpread(v);
     float spread = lookWidth() * seen.deviation + s.slopeStep;   // and from this pixel to the next
-    // A facet tilted aside turns a ray that grazes it by far less than one tilted to the eye: by cosine.
-    float cosine = dot(toEye, normalOf(s.slope + v.towards * seen.mean));
-    float spreadOfSky = max((2.0 * deviationAcross(s, v.towards) + s.slopeStep) * cosine, 0.5 * (seen.deviation + s.slopeStep));
+    float spreadAside = 2.0 * deviationAcross(s, v.towards) + s.slopeStep;
     Reflection sum = Reflection(vec3(0.0), 0.0, 0.0);
     vec4 met = vec4(0.0);   // rays that meet another wave, times their weight, and that
     vec4 found = vec4(0.0);
@@ -90,17 +88,20 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     for (int look = 0; look < mirrorLooks; ++look) {
         vec4 all = vec4(0.0);
         vec4 clear = vec4(0.0);   // rays that meet none
+        float cosines = 0.0;
         for (int i = look * together; i < (look + 1) * together; ++i) {
             vec3 normal = normalOf(s.slope + v.towards * slopeSeen(i, seen));
             vec3 direction = reflect(-toEye, normal);
-            vec4 mirrored = shareOfSlope(i) * fresnelWater(dot(toEye, normal)) * vec4(direction, 1.0);
+            float cosine = dot(toEye, normal);
+            vec4 mirrored = shareOfSlope(i) * fresnelWater(cosine) * vec4(direction, 1.0);
             all += mirrored;
+            cosines += mirrored.w * max(cosine, 0.0);
             clear += clearShare(direction.y, ahead) * mirrored;
         }
         found = mirroredScene(keptAbove(all.xyz), spread, hit);
         sum.radiance += clear.w * found.rgb;
         for (bool open = found.a < 0.999 && clear.w > 1e-6; open; open = false)
-            sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, spreadOfSky);
+            sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, max(spreadAside * cosines / max(all.w, 1e-6), 0.5 * spread));
         sum.fresnel += all.w;
         met += all - clear;
     }
@@ -108,7 +109,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
         vec3 direction = normalize(met.xyz);
         vec3 facet = normalOf(horizontal(direction) * (1.25 * roughness.w));
         float keeps = met.w * fresnelWater(dot(-direction, facet));
-        sum.radiance += keeps * (found.rgb + (1.0 - found.a) * skyAt(keptAbove(reflect(direction, facet)), spread));
+        sum.radiance += keeps * (found.rgb + (1.0 - found.a) * skyAt(keptAbove(reflect(direction, facet)), 0.5 * spread));
         sum.swallowed = met.w - keeps;
     }
     return sum;
