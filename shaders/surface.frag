@@ -5,7 +5,8 @@
 #include "optics.glsl"
 #include "slopes.glsl"
 
-layout(location = 0) in vec2 calmPosition;
+layout(location = 0) in vec2 meshCalm;   // (u, v) before displacement, as the mesh has it
+vec2 calmPosition;                      // of what the pixel shows
 layout(location = 1) in vec3 position;
 #ifdef OUTLINE
 layout(location = 2) flat in uvec2 edgeRange;
@@ -28,7 +29,7 @@ const uint seenBelow = 1;
 
 // Metres of calm water to the next pixel.
 float calmPixelWidth() {
-    vec2 stepSize = max(abs(dFdx(calmPosition)), abs(dFdy(calmPosition)));
+    vec2 stepSize = max(abs(dFdx(meshCalm)), abs(dFdy(meshCalm)));
     return max(stepSize.x, stepSize.y);
 }
 
@@ -47,6 +48,7 @@ vec3 inWorld(vec3 direction) {
 #ifdef WAVES
 #include "wave_displacement.glsl"
 #endif
+#include "relief.glsl"
 #include "waves_ahead.glsl"
 #include "surface_mirror.glsl"
 #include "sun_glint.glsl"
@@ -116,12 +118,13 @@ void main() {
     if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) discard;
     loadSurface();
 #ifdef OUTLINE
-    if (!isWithin(calmPosition, edgeRange)) discard;
+    if (!isWithin(meshCalm, edgeRange)) discard;
 #endif
     if (hasDryRooms && isDry(position)) discard;
 #ifdef SHORE
-    shoreHere = shoreWave(calmPosition, calmPixelWidth());
+    shoreHere = shoreWave(meshCalm, calmPixelWidth());
 #endif
+    calmPosition = shownCalm();
     SurfacePoint s = surfacePoint();
     vec3 toEye = -normalize(position);
     vec3 normal = normalOf(s.slope);

@@ -235,6 +235,7 @@ SurfaceFeatures Body::features(const ReflectionImages& images) const {
             refraction ? shading.refractionLooks : 0,
             waves ? shading.slopeLooks : 0,
             waves ? shading.waveShadowSteps : 0,
+            waves && !shore && shading.relief,
             frame.tilted};
 }
 

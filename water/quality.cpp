@@ -15,10 +15,10 @@ struct Step {
 };
 
 constexpr Step steps[] = {
-    {128, {1, 2, 1, 0}, false, 2, 32},
-    {128, {2, 3, 1, 0}, false, 1, 64},
-    {192, {2, 6, 2, 8}, true, 1, 64},
-    {256, {4, 8, 4, 16}, true, 1, 128},
+    {128, {1, 2, 1, 0, false}, false, 2, 32},
+    {128, {2, 3, 1, 0, false}, false, 1, 64},
+    {192, {2, 6, 2, 8, true}, true, 1, 64},
+    {256, {4, 8, 4, 16, true}, true, 1, 128},
 };
 
 void set(const Step& step, ReflectionDesc& reflection) {

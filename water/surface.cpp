@@ -243,7 +243,8 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.mirrorLooks,
                                   variant.features.refractionLooks,
                                   variant.features.slopeLooks,
-                                  variant.features.tilted};
+                                  variant.features.tilted,
+                                  variant.features.relief};
     return createDrawPipeline(
         device, target,
         {vertexShader(variant.features, target.viewMask != 0), fragmentShader(variant.features), constants},

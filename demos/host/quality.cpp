@@ -44,6 +44,7 @@ void setQuality(std::string_view quality, WaterDesc& water) {
     water.refractionLooks = body.shading.refractionLooks;
     water.slopeLooks = body.shading.slopeLooks;
     water.waveShadowSteps = body.shading.waveShadowSteps;
+    water.relief = body.shading.relief;
     if (water.reflection) setQuality(numbered(quality), *water.reflection);
 }
 
@@ -59,6 +60,7 @@ std::vector<std::string> qualityOverrides(std::string_view quality, const WaterD
     add("refraction_looks", std::to_string(set.refractionLooks));
     add("slope_looks", std::to_string(set.slopeLooks));
     add("wave_shadow_steps", std::to_string(set.waveShadowSteps));
+    add("relief", set.relief ? "true" : "false");
     if (!set.reflection) return overrides; // an override would give it one
     add("reflection.technique", set.reflection->technique);
     add("reflection.downscale", std::to_string(set.reflection->downscale));

@@ -86,7 +86,8 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     std::ranges::copy(plane, body.plane);
     body.mesh.cellSize = static_cast<float>(desc.cellM);
     body.mesh.cellsPerLevel = desc.cellsPerLevel;
-    body.shading = {desc.mirrorLooks, desc.refractionLooks, desc.slopeLooks, desc.waveShadowSteps};
+    body.shading = {desc.mirrorLooks, desc.refractionLooks, desc.slopeLooks, desc.waveShadowSteps,
+                    desc.relief};
     if (desc.extent) {
         if (!extentOf(*desc.extent, extent, error)) return false;
         body.extent = extent.desc;

@@ -223,6 +223,7 @@ constexpr std::array waterFields = {
           Rule::powerOfTwo},
     Field{"wave_shadow_steps", at<&WaterDesc::waveShadowSteps>, 0, 32, "",
           "looks for the waves that hide low sky and sun, not 1; 0: a mean"},
+    Field{"relief", at<&WaterDesc::relief>, 0, 1, "", "shades short waves at their own height"},
 };
 
 constexpr std::array floorFields = {

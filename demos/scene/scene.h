@@ -160,6 +160,7 @@ struct WaterDesc {
     uint32_t refractionLooks = 6;
     uint32_t slopeLooks = 1;
     uint32_t waveShadowSteps = 0;
+    bool relief = false;
     std::optional<ExtentDesc> extent; ///< none: to the horizon
     std::optional<WavesDesc> waves;
     std::optional<ShoreDesc> shore; ///< none: no bed is felt

@@ -146,6 +146,7 @@ bool layOutQuality(WaterDesc& water) {
         water.waveShadowSteps = shadows ? 8 : 0;
         changed = true;
     }
+    changed |= ImGui::Checkbox("relief of short waves", &water.relief);
     return changed;
 }
 

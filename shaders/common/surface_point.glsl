@@ -91,7 +91,7 @@ void lookAtWaves(vec3 at, float texels, Footprint pixel, out vec4 derivatives, o
 SurfacePoint surfacePoint() {
     SurfacePoint s = SurfacePoint(vec2(0.0), roughness.xyz, 0.0);
 #ifdef WAVES
-    Footprint pixel = footprintOf(dFdx(calmPosition), dFdy(calmPosition));
+    Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
     vec4 derivatives = vec4(0.0);
     float shear = 0.0;
     vec3 variance = vec3(0.0);

@@ -31,6 +31,7 @@ TEST(QualityDial, EachStepLooksNoLessThanTheOneBefore) {
         EXPECT_GE(body.shading.refractionLooks, last.shading.refractionLooks);
         EXPECT_GE(body.shading.slopeLooks, last.shading.slopeLooks);
         EXPECT_GE(body.shading.waveShadowSteps, last.shading.waveShadowSteps);
+        EXPECT_GE(body.shading.relief, last.shading.relief);
         EXPECT_LE(reflection.downscale, lastReflection.downscale);
         EXPECT_GE(reflection.marchSteps, lastReflection.marchSteps);
         last = body;
@@ -63,7 +64,8 @@ TEST(QualityDial, LeavesWhatIsModelled) {
 
 class Looks : public WaterTest {
   protected:
-    Body* bodyWith(const ShadingDesc& shading, const RefractionDesc* refraction = nullptr) {
+    Body* bodyWith(const ShadingDesc& shading, const RefractionDesc* refraction = nullptr,
+                   const MeshDesc& mesh = {}) {
         SeaDesc sea;
         sea.windSpeed = 10;
         sea.samples = 128;
@@ -72,6 +74,7 @@ class Looks : public WaterTest {
         desc.wavesBackend = fftwWaves();
         desc.refraction = refraction;
         desc.shading = shading;
+        desc.mesh = mesh;
         return makeBody(desc);
     }
     /// Seen low over the water, where pixels are long.
@@ -113,6 +116,32 @@ TEST_F(Looks, AlongAPixelShowMoreSlopesAndLoseNone) {
                 four.shown, four.within);
     EXPECT_GT(four.shown, 1.05 * one.shown);
     EXPECT_NEAR(four.shown + four.within, one.shown + one.within, 0.02 * (one.shown + one.within));
+}
+
+/// Root mean square of how far apart the shown slopes are where both pictures have water.
+double slopesApart(const WaterPicture& a, const WaterPicture& b) {
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < a.color.size(); i += 4) {
+        if (!a.covered(i / 4) || !b.covered(i / 4)) continue;
+        for (const size_t axis : {i, i + 1}) sum += std::pow(double{a.color[axis]} - double{b.color[axis]}, 2);
+        ++count;
+    }
+    return std::sqrt(sum / count);
+}
+
+// A mesh whose cells are longer than waves shows their near and far sides as wide as each other. With relief it comes
+// nearer to a mesh that has those waves.
+TEST_F(Looks, ReliefStandsInForAFinerMesh) {
+    const auto slopes = [&](const MeshDesc& mesh, bool relief) {
+        Body* const body = bodyWith({.slopeLooks = 4, .relief = relief}, nullptr, mesh);
+        return picture({body}, low(), 50, SurfaceOutput::slopes);
+    };
+    constexpr MeshDesc coarse = {1, 128};
+    const WaterPicture fine = slopes({0.04f, 1024}, false);
+    const double flat = slopesApart(slopes(coarse, false), fine);
+    const double relief = slopesApart(slopes(coarse, true), fine);
+    std::printf("slopes off by %.4f without relief, %.4f with it\n", flat, relief);
+    EXPECT_LT(relief, 0.8 * flat);
 }
 
 double meanOf(const WaterPicture& p) {

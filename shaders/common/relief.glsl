@@ -1,0 +1,20 @@
+// Which point of the calm plane a pixel shows: where its line of sight meets the waves' own height instead of the mesh,
+// which is too coarse for the short ones (parallax mapping, Kaneko et al. 2001). So waves' near sides are as large as
+// their far sides are small. Needs wave_displacement.glsl.
+
+layout(constant_id = 11) const bool hasRelief = false;
+
+vec2 shownCalm() {
+#if defined(WAVES) && !defined(SHORE)
+    for (bool moves = hasRelief; moves; moves = false) {
+        Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
+        float width = max(length(pixel.shorter), length(pixel.longer) / float(slopeLooks));
+        float higher = waveDisplacementAt(waveDisplacement, meshCalm, width, vec4(1.0)).y - plane.w - position.y;
+        vec3 across = cross(dFdx(position), dFdy(position));   // of the drawn triangle, up or down
+        vec2 slope = -across.xz / (abs(across.y) > 1e-12 ? across.y : 1e-12);
+        float rises = abs(position.y - dot(slope, position.xz));   // of the line of sight over the triangle, to the eye
+        return meshCalm - position.xz * (higher / max(rises, 0.02 * length(position.xz)));
+    }
+#endif
+    return meshCalm;
+}
