@@ -1,8 +1,7 @@
 // GLM's vectors and matrices in and out of Seaglass's plain arrays, of whatever precision and alignment the
 // host has them. Apart: no other header includes it, nothing in the libraries was compiled with it, and GLM's
 // macros change nothing but the host's own code.
-#ifndef SEAGLASS_GLM_H
-#define SEAGLASS_GLM_H
+#pragma once
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -61,5 +60,3 @@ glm::mat<4, 4, T, glm::defaultp> toMat4(const double (&matrix)[16]) {
 }
 
 } // namespace seaglass
-
-#endif

@@ -3,8 +3,7 @@
 //
 // World: right-handed, metres. Matrices are column-major and multiply column vectors; they are double because
 // a float matrix 100 km from the origin steps by 8 mm. Colours are linear, HDR, in the host's own scale.
-#ifndef SEAGLASS_HOST_H
-#define SEAGLASS_HOST_H
+#pragma once
 
 #include "seaglass/version.h"
 
@@ -33,9 +32,9 @@ struct MessageCallback {
     void* user = nullptr;                                     ///< handed back to it
 };
 
-/// Called before and after the commands of each GPU pass are recorded: for timestamps or debug labels. `pass`
-/// is a literal such as "sspr_scatter".
+/// For timestamps or debug labels.
 struct PassCallback {
+    /// Called before and after the commands of each GPU pass are recorded: `pass` is such as "sspr_scatter".
     void (*function)(void* user, VkCommandBuffer commands, const char* pass, bool begins) = nullptr;
     void* user = nullptr; ///< handed back to it
 };
@@ -154,7 +153,7 @@ struct Estimate {
     /// The same of what multisampled scenes take: held by all reflectors and bodies of a context together,
     /// and recorded once in a call of reflect(), however many it is for.
     uint64_t bytesPerSharedView = 0;
-    uint32_t dispatchesPerSharedView = 0;
+    uint32_t dispatchesPerSharedView = 0; ///< likewise
 };
 
 /// Where light comes from.
@@ -168,5 +167,3 @@ struct LightingDesc {
 };
 
 } // namespace seaglass
-
-#endif

@@ -1,8 +1,7 @@
 // Commands that hosts record beside Seaglass's: copies of the scene for it to read, and a sky of one colour.
 // Apart: no other header includes it, and nothing in the libraries was compiled with it. Vulkan's functions
 // are called by their names: include what declares them (vulkan.h, volk.h) before.
-#ifndef SEAGLASS_RECORD_H
-#define SEAGLASS_RECORD_H
+#pragma once
 
 #include "seaglass/host.h"
 
@@ -110,5 +109,3 @@ inline void recordEvenSky(VkCommandBuffer commands, VkImage cube, float red, flo
 }
 
 } // namespace seaglass
-
-#endif

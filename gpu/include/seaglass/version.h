@@ -1,6 +1,5 @@
 // Which Seaglass this is. The build takes the version from here.
-#ifndef SEAGLASS_VERSION_H
-#define SEAGLASS_VERSION_H
+#pragma once
 
 #include <cstdint>
 
@@ -18,5 +17,3 @@ namespace seaglass {
 uint32_t version();
 
 } // namespace seaglass
-
-#endif

@@ -4,8 +4,7 @@
 // For each view a Reflector gives two images of the view's size, or of a fraction of it: `color`, the scene
 // as the plane mirrors it at each pixel, and `info`, what is known about it. Whoever shades the surface looks
 // them up (see shaders/common/reflection_lookup.glsl) and bends the lookup by its own normals.
-#ifndef SEAGLASS_REFLECTION_H
-#define SEAGLASS_REFLECTION_H
+#pragma once
 
 #include <math.h>
 
@@ -197,5 +196,3 @@ Status recordOverlay(VkCommandBuffer commands, Reflector* reflector, const ViewD
                      const OverlayDesc* desc);
 
 } // namespace seaglass
-
-#endif

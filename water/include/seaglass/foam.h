@@ -4,8 +4,7 @@
 // below a threshold. What it leaves behind stays with the water and fades. Foam is stepped at fixed times, a
 // whole multiple of 1/4 s each, and dies after three decay times: it is a function of the sea and the time
 // alone, whatever frames were drawn before.
-#ifndef SEAGLASS_FOAM_H
-#define SEAGLASS_FOAM_H
+#pragma once
 
 #include "seaglass/sea.h"
 
@@ -33,5 +32,3 @@ bool whitecapCover(const Sea& sea, const WavesBackend& backend, const FoamDesc& 
                    double* cover);
 
 } // namespace seaglass
-
-#endif

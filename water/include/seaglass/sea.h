@@ -3,8 +3,7 @@
 // A sea is a fixed function of (desc, time): the same bits for the same seed and time, whatever was asked
 // before. Local frame: u and v are metres along a body's calm plane n.p + d = 0, n unit: world x and z where
 // level, else (x, z) - (n.x, n.z) (y - d) / (1 + n.y) of its points; height is along n, above the calm plane.
-#ifndef SEAGLASS_SEA_H
-#define SEAGLASS_SEA_H
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -190,5 +189,3 @@ void destroyHeightGrid(HeightGrid* grid); ///< null is ignored
 void sampleHeights(const HeightGrid& grid, const double* points, size_t count, HeightSample* out);
 
 } // namespace seaglass
-
-#endif

@@ -3,8 +3,7 @@
 //
 // A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> (host begins its pass) ->
 // draw. With caustics, drawCaustics after the opaque scene.
-#ifndef SEAGLASS_WATER_H
-#define SEAGLASS_WATER_H
+#pragma once
 
 #include "seaglass/foam.h"
 #include "seaglass/reflection.h"
@@ -209,5 +208,3 @@ ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex);
 const Sea* sea(const Body* body);
 
 } // namespace seaglass
-
-#endif

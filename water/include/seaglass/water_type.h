@@ -1,6 +1,5 @@
 // What water absorbs and scatters back, of real waters by name and of others by tint. No Vulkan.
-#ifndef SEAGLASS_WATER_TYPE_H
-#define SEAGLASS_WATER_TYPE_H
+#pragma once
 
 #include "seaglass/sea.h"
 
@@ -39,5 +38,3 @@ constexpr WaterCoefficients waterCoefficients(WaterType type) {
 bool tintedWater(const float tint[3], float visibility, WaterCoefficients* out, SeaError* error);
 
 } // namespace seaglass
-
-#endif

@@ -1,7 +1,6 @@
 // The CPU wave backend. FFTW is under the GPL: linking seaglass::waves_fftw puts that licence on the program
 // that does. Leave the target out to stay clear of it.
-#ifndef SEAGLASS_WAVES_FFTW_H
-#define SEAGLASS_WAVES_FFTW_H
+#pragma once
 
 #include "seaglass/sea.h"
 
@@ -13,5 +12,3 @@ namespace seaglass {
 const WavesBackend* fftwWaves(uint32_t threads = 1);
 
 } // namespace seaglass
-
-#endif
