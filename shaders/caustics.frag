@@ -8,6 +8,10 @@
 
 layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
 layout(set = 0, binding = 2) uniform sampler2DArray waveDerivatives;
+#ifdef SUN_SHADOW
+#define SUN_SHADOW_BINDING 3
+#include "sun_shadow.glsl"
+#endif
 
 layout(location = 0) out vec4 outColor;
 
@@ -64,7 +68,12 @@ void main() {
 
     // Of what lights the point, the sun's share: as its side faces it, which depth tells between pixels.
     vec3 normal = across * (dot(across, at) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);
-    vec3 sun = sunIrradiance.rgb * max(dot(normal, toSun.xyz), 0.0);
+#ifdef SUN_SHADOW
+    // By where the ray came in: what stands in the water hides little of it.
+    vec2 from = at.xz - depth * strays(vec2(0.0));
+    sunSeen = sunSeenFrom(vec3(from.x, -plane.w, from.y), dFdx(at), dFdy(at));
+#endif
+    vec3 sun = sunSeen * sunIrradiance.rgb * max(dot(normal, toSun.xyz), 0.0);
     vec3 share = sun / max(sun + skyIrradiance.rgb, 1e-6);
     const float backscattered = 0.0183;   // of all that is scattered
     vec3 beam = exp(-backscatter.rgb / backscattered * depth);

@@ -132,6 +132,9 @@ void main() {
         outColor = debugOutput(s, normal, toEye);
         return;
     }
+#ifdef SUN_SHADOW
+    sunSeen = sunSeenFrom(position, dFdx(position), dFdy(position));
+#endif
     float foamShare = 0.0;
 #ifdef FOAM
     Foam white = foamHere();

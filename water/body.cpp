@@ -13,6 +13,7 @@
 #include "gpu/guard.h"
 #include "reflection/mirror.h"
 #include "water/body_desc.h"
+#include "water/lighting.h"
 #include "water/sea.h"
 #include "water/surface_uniforms.h"
 #include "water/target.h"
@@ -26,18 +27,6 @@ const WavesBackend* chosenBackend(const gpu::Device& device, const BodyDesc& des
     const bool onCpu = desc.wavesOn == WavesOn::cpu ||
                        (desc.wavesOn == WavesOn::automatic && device.type() == VK_PHYSICAL_DEVICE_TYPE_CPU);
     return onCpu ? desc.wavesBackend : nullptr;
-}
-
-const char* badField(const LightingDesc& lighting) {
-    if (!lighting.skyCube) return "LightingDesc.skyCube is null";
-    if (lighting.skyCubeMipLevels == 0) return "LightingDesc.skyCubeMipLevels is 0";
-    double squared = 0;
-    for (const double value : lighting.toSun) squared += value * value;
-    if (!(std::abs(squared - 1) < 1e-3)) return "LightingDesc.toSun is not a unit vector";
-    for (int i = 0; i < 3; ++i)
-        if (!(lighting.sunIrradiance[i] >= 0) || !(lighting.skyIrradiance[i] >= 0))
-            return "LightingDesc irradiance is negative or NaN";
-    return nullptr;
 }
 
 /// The farthest point of the near plane from the eye [m].
@@ -217,7 +206,7 @@ Status Body::reflect(VkCommandBuffer commands, SceneOfCall& scene) {
     return Status::ok;
 }
 
-SurfaceFeatures Body::features(const ReflectionImages& images) const {
+SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDesc& lighting) const {
     const SurfaceShape shape = hostMesh  ? SurfaceShape::hostMesh
                                : outline ? SurfaceShape::outlined
                                          : SurfaceShape::plane;
@@ -236,13 +225,14 @@ SurfaceFeatures Body::features(const ReflectionImages& images) const {
             waves ? shading.slopeLooks : 0,
             waves ? shading.waveShadowSteps : 0,
             waves && !shore && shading.relief,
+            lighting.shadow != nullptr,
             frame.tilted};
 }
 
 SurfaceFeatures Body::motionFeatures() const {
     SurfaceFeatures wanted;
     wanted.waves = waves.has_value();
-    wanted.shape = features({}).shape;
+    wanted.shape = features({}, {}).shape;
     wanted.cascades = waves ? waves->maps().cascades : 0;
     wanted.dryRooms = !dryRooms.empty();
     wanted.motion = true;
@@ -376,7 +366,7 @@ Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDe
     if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
     if (toSun(lighting).y <= 0) return Status::ok;
     return recordOverView(commands, target, read, lighting, geometry,
-                          {UnderwaterPass::caustics, false, true});
+                          {UnderwaterPass::caustics, false, true, lighting.shadow != nullptr});
 }
 
 Status Body::recordOverView(VkCommandBuffer commands, Target& target, const ViewDesc& view,
@@ -385,6 +375,7 @@ Status Body::recordOverView(VkCommandBuffer commands, Target& target, const View
     const SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
     UnderwaterInputs inputs;
     inputs.view = &view;
+    inputs.shadow = lighting.shadow;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
     const size_t map = variant.pass == UnderwaterPass::caustics ? 1 : 0;
     if (variant.waves) inputs.waveMap = waves->maps().images[map].view();
@@ -422,7 +413,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
         recorded.mirroring[view.viewIndex] = context->frameNumber;
     }
     if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
-    const SurfaceFeatures wanted = motion ? motionFeatures() : features(inputs.reflection);
+    const SurfaceFeatures wanted = motion ? motionFeatures() : features(inputs.reflection, lighting);
     const DrawPipeline* pipeline = nullptr;
     if (const Status s =
             target.pipelines.get({wanted, output, motion ? SidesSeen::above : sidesSeen(geometry)}, pipeline);

@@ -116,7 +116,7 @@ struct Body : Held {
     Status createWaves(const BodyDesc& desc);
     Status createFoam(const FoamDesc& desc);
     Status createReflector(const BodyDesc& desc);
-    SurfaceFeatures features(const ReflectionImages& images) const;
+    SurfaceFeatures features(const ReflectionImages& images, const LightingDesc& lighting) const;
     SurfaceFeatures motionFeatures() const;
     /// The last frame's pixels of points relative to this frame's eye; this frame is the next one's last.
     glm::mat4 lastPixelFromRelative(const ViewDesc& view, const ViewGeometry& geometry);

@@ -1,7 +1,9 @@
 #include "water/surface.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "spirv/motion.frag.h"
@@ -19,21 +21,12 @@
 #include "spirv/motion_waves_outline.vert.h"
 #include "spirv/motion_waves_outline_views.vert.h"
 #include "spirv/motion_waves_views.vert.h"
-#include "spirv/surface.frag.h"
 #include "spirv/surface.vert.h"
 #include "spirv/surface_host_mesh.vert.h"
 #include "spirv/surface_host_mesh_views.vert.h"
-#include "spirv/surface_l.frag.h"
-#include "spirv/surface_lo.frag.h"
-#include "spirv/surface_lr.frag.h"
-#include "spirv/surface_lro.frag.h"
-#include "spirv/surface_o.frag.h"
 #include "spirv/surface_outline.vert.h"
 #include "spirv/surface_outline_views.vert.h"
-#include "spirv/surface_r.frag.h"
-#include "spirv/surface_ro.frag.h"
 #include "spirv/surface_views.vert.h"
-#include "spirv/surface_w.frag.h"
 #include "spirv/surface_waves.vert.h"
 #include "spirv/surface_waves_host_mesh.vert.h"
 #include "spirv/surface_waves_host_mesh_views.vert.h"
@@ -46,37 +39,7 @@
 #include "spirv/surface_waves_shore_outline_views.vert.h"
 #include "spirv/surface_waves_shore_views.vert.h"
 #include "spirv/surface_waves_views.vert.h"
-#include "spirv/surface_wf.frag.h"
-#include "spirv/surface_wfl.frag.h"
-#include "spirv/surface_wflo.frag.h"
-#include "spirv/surface_wflr.frag.h"
-#include "spirv/surface_wflro.frag.h"
-#include "spirv/surface_wfo.frag.h"
-#include "spirv/surface_wfr.frag.h"
-#include "spirv/surface_wfro.frag.h"
-#include "spirv/surface_wfs.frag.h"
-#include "spirv/surface_wfsl.frag.h"
-#include "spirv/surface_wfslo.frag.h"
-#include "spirv/surface_wfslr.frag.h"
-#include "spirv/surface_wfslro.frag.h"
-#include "spirv/surface_wfso.frag.h"
-#include "spirv/surface_wfsr.frag.h"
-#include "spirv/surface_wfsro.frag.h"
-#include "spirv/surface_wl.frag.h"
-#include "spirv/surface_wlo.frag.h"
-#include "spirv/surface_wlr.frag.h"
-#include "spirv/surface_wlro.frag.h"
-#include "spirv/surface_wo.frag.h"
-#include "spirv/surface_wr.frag.h"
-#include "spirv/surface_wro.frag.h"
-#include "spirv/surface_ws.frag.h"
-#include "spirv/surface_wsl.frag.h"
-#include "spirv/surface_wslo.frag.h"
-#include "spirv/surface_wslr.frag.h"
-#include "spirv/surface_wslro.frag.h"
-#include "spirv/surface_wso.frag.h"
-#include "spirv/surface_wsr.frag.h"
-#include "spirv/surface_wsro.frag.h"
+#include "surface_fragments.h"
 #include "water/surface_uniforms.h"
 
 namespace seaglass {
@@ -121,37 +84,31 @@ std::span<const uint32_t> vertexShader(const SurfaceFeatures& f, bool multiview)
     return multiview ? several[shape][waves] : one[shape][waves];
 }
 
-// Letters in the names: w waves, f foam, s a shore, l reflection, r refraction, o an outline.
+/// As the shaders' names have it: w waves, f foam, s a shore, l reflection, r refraction, o an outline, h a
+/// shadow.
+std::string lettersOf(const SurfaceFeatures& f) {
+    std::string letters;
+    if (f.waves) letters += 'w';
+    if (f.foam) letters += 'f';
+    if (f.shore) letters += 's';
+    if (f.reflection) letters += 'l';
+    if (f.refraction) letters += 'r';
+    if (f.shape == SurfaceShape::outlined) letters += 'o';
+    if (f.sunShadow) letters += 'h';
+    return letters;
+}
+
 std::span<const uint32_t> fragmentShader(const SurfaceFeatures& f) {
     if (f.motion) return motionFragmentShader(f);
-    const bool outlined = f.shape == SurfaceShape::outlined;
-    const int base = (f.reflection ? 1 : 0) + (f.refraction ? 2 : 0) + (outlined ? 4 : 0);
-    const std::span<const uint32_t> calm[] = {surface_frag,    surface_l_frag,  surface_r_frag,
-                                              surface_lr_frag, surface_o_frag,  surface_lo_frag,
-                                              surface_ro_frag, surface_lro_frag};
-    const std::span<const uint32_t> waves[] = {surface_w_frag,   surface_wl_frag,  surface_wr_frag,
-                                               surface_wlr_frag, surface_wo_frag,  surface_wlo_frag,
-                                               surface_wro_frag, surface_wlro_frag};
-    const std::span<const uint32_t> foam[] = {surface_wf_frag,   surface_wfl_frag,  surface_wfr_frag,
-                                              surface_wflr_frag, surface_wfo_frag,  surface_wflo_frag,
-                                              surface_wfro_frag, surface_wflro_frag};
-    const std::span<const uint32_t> shore[] = {surface_ws_frag,   surface_wsl_frag,  surface_wsr_frag,
-                                               surface_wslr_frag, surface_wso_frag,  surface_wslo_frag,
-                                               surface_wsro_frag, surface_wslro_frag};
-    const std::span<const uint32_t> shoreFoam[] = {surface_wfs_frag,   surface_wfsl_frag,  surface_wfsr_frag,
-                                                   surface_wfslr_frag, surface_wfso_frag,  surface_wfslo_frag,
-                                                   surface_wfsro_frag, surface_wfslro_frag};
-    if (!f.waves) return calm[base];
-    if (f.shore) return f.foam ? shoreFoam[base] : shore[base];
-    return f.foam ? foam[base] : waves[base];
+    return std::ranges::find(surfaceFragments, lettersOf(f), &SurfaceFragment::letters)->shader;
 }
 
 /// In the order of shaders/common/surface.glsl, which numbers bindings likewise.
 template<typename Item, typename Waves, typename Shore, typename Extent, typename Motion, typename Foam,
-         typename Reflection, typename Refraction>
+         typename Reflection, typename Refraction, typename Shadow>
 std::vector<Item> byFeature(const SurfaceFeatures& f, std::initializer_list<Item> always, Waves&& waves,
                             Shore&& shore, Extent&& extent, Motion&& motion, Foam&& foam,
-                            Reflection&& reflection, Refraction&& refraction) {
+                            Reflection&& reflection, Refraction&& refraction, Shadow&& shadow) {
     std::vector<Item> list(always);
     if (f.waves)
         for (const Item& item : waves()) list.push_back(item);
@@ -165,6 +122,7 @@ std::vector<Item> byFeature(const SurfaceFeatures& f, std::initializer_list<Item
         for (const Item& item : reflection()) list.push_back(item);
     if (f.refraction)
         for (const Item& item : refraction()) list.push_back(item);
+    if (f.sunShadow) list.push_back(shadow());
     return list;
 }
 
@@ -187,7 +145,8 @@ std::vector<VkDescriptorType> bindings(const SurfaceFeatures& f) {
         },
         [] {
             return std::array{image, image};
-        });
+        },
+        [] { return image; });
 }
 
 std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatures& f,
@@ -221,6 +180,10 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
                                                 in.view->sceneColor.layout),
                               gpu::sampledImage(samplers.nearestClamp(), in.view->sceneDepth.view,
                                                 in.view->sceneDepth.layout)};
+        },
+        [&] {
+            return gpu::sampledImage(samplers.nearestClamp(), light.shadow->map.view,
+                                     light.shadow->map.layout);
         });
 }
 

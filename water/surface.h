@@ -34,6 +34,7 @@ struct SurfaceFeatures {
     uint32_t slopeLooks = 0;      ///< only with waves
     uint32_t waveShadowSteps = 0; ///< likewise
     bool relief = false;          ///< only with waves and without a shore
+    bool sunShadow = false;       ///< a shadow map of the host's
     bool tilted = false;          ///< its axes are not the world's
     bool motion = false;          ///< beside it waves, shape and dryRooms alone
     auto operator<=>(const SurfaceFeatures&) const = default;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "water/body.h"
+#include "water/lighting.h"
 #include "water/sea.h"
 
 namespace seaglass {
@@ -79,6 +80,7 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
     u.worldFromBody = glm::mat3x4(body.frame.worldFromBody);
     u.sunIrradiance = color(lighting.sunIrradiance);
     u.skyIrradiance = color(lighting.skyIrradiance);
+    if (lighting.shadow) setSunShadow(u, *lighting.shadow, body.frame, geometry.eye);
     u.skyMips = static_cast<float>(lighting.skyCubeMipLevels);
     u.sceneShift = glm::vec2(geometry.sceneShift);
     u.region = glm::ivec4(geometry.regionOrigin, geometry.regionSize);

@@ -15,6 +15,8 @@
 
 namespace seaglass {
 
+constexpr uint32_t maxShadowCascades = 4;
+
 /// The std140 block of shaders/common/surface_uniforms.glsl. Positions are relative to the eye, in the body's
 /// axes.
 struct SurfaceUniforms {
@@ -61,6 +63,10 @@ struct SurfaceUniforms {
     uint32_t dryRooms = 0;
     float dryPadding[3] = {};
     glm::vec4 dryPlanes[maxDryRooms * dryRoomPlanes] = {}; ///< of each room: outside is positive [m]
+    glm::mat4 shadowFromRelative[maxShadowCascades] = {};  ///< to u, v and depth of SunShadow's cascades
+    glm::vec4 shadowBounds[maxShadowCascades] = {};
+    glm::vec4 shadowLayers{0};
+    glm::vec4 shadow{0}; ///< cascades; 1, or -1 where what is nearer to the sun is greater
 };
 
 SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry, const LightingDesc& lighting);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "spirv/caustics.frag.h"
+#include "spirv/caustics_h.frag.h"
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
 #include "spirv/underwater_views.vert.h"
@@ -22,8 +23,8 @@ struct PassInfo {
     Drawing drawing;
 };
 
-PassInfo infoOf(UnderwaterPass pass) {
-    switch (pass) {
+PassInfo infoOf(const UnderwaterVariant& v) {
+    switch (v.pass) {
     case UnderwaterPass::water:
         return {"underwater", underwater_frag, underwater_waves_frag, true, true, Drawing::over};
     case UnderwaterPass::waterline:
@@ -31,14 +32,16 @@ PassInfo infoOf(UnderwaterPass pass) {
     case UnderwaterPass::caustics:
         break;
     }
-    return {"caustics", {}, caustics_frag, false, true, Drawing::scaled};
+    const std::span<const uint32_t> shader =
+        v.sunShadow ? std::span<const uint32_t>(caustics_h_frag) : caustics_frag;
+    return {"caustics", {}, shader, false, true, Drawing::scaled};
 }
 
 /// In the order of the shaders' bindings.
 std::vector<gpu::Resource> resources(const Context& context, const UnderwaterVariant& v,
                                      const UnderwaterInputs& in) {
     const gpu::Samplers& samplers = context.samplers;
-    const PassInfo info = infoOf(v.pass);
+    const PassInfo info = infoOf(v);
     std::vector<gpu::Resource> list = {
         gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms))};
     const auto add = [&](const Image& image) {
@@ -47,13 +50,14 @@ std::vector<gpu::Resource> resources(const Context& context, const UnderwaterVar
     if (info.readsColor) add(in.view->sceneColor);
     if (info.readsDepth) add(in.view->sceneDepth);
     if (v.waves) list.push_back(gpu::sampledImage(samplers.trilinearRepeat(), in.waveMap));
+    if (v.sunShadow) add(in.shadow->map);
     return list;
 }
 
 std::vector<VkDescriptorType> bindings(const UnderwaterVariant& v) {
-    const PassInfo info = infoOf(v.pass);
+    const PassInfo info = infoOf(v);
     std::vector<VkDescriptorType> types = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER};
-    const int images = int{info.readsColor} + int{info.readsDepth} + int{v.waves};
+    const int images = int{info.readsColor} + int{info.readsDepth} + int{v.waves} + int{v.sunShadow};
     types.insert(types.end(), static_cast<size_t>(images), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
     return types;
 }
@@ -68,7 +72,7 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
     if (const Status s = createDrawLayout(device, target, types, stages, "underwater layout", out);
         s != Status::ok)
         return s;
-    const PassInfo info = infoOf(variant.pass);
+    const PassInfo info = infoOf(variant);
     const uint32_t straddles[] = {variant.straddles};
     const std::span<const uint32_t> constants(straddles, variant.pass == UnderwaterPass::water ? 1 : 0);
     const std::span<const uint32_t> vertex =
@@ -87,7 +91,7 @@ Status recordUnderwater(Context& context, VkCommandBuffer commands, UnderwaterPi
             context.frame().allocateSet(pipeline->layout.set(), resources(context, variant, inputs), set);
         s != Status::ok)
         return s;
-    const gpu::PassScope pass(context.device, commands, infoOf(variant.pass).name);
+    const gpu::PassScope pass(context.device, commands, infoOf(variant).name);
     bindDraw(context.device, commands, *pipeline, set, inputs.view->viewIndex);
     context.device.vk().CmdDraw(commands, 3, 1, 0, 0);
     return Status::ok;

@@ -15,6 +15,7 @@ struct UnderwaterVariant {
     UnderwaterPass pass = UnderwaterPass::water;
     bool straddles = false; ///< the near plane may be above the water too
     bool waves = false;     ///< asked for only where it straddles, and always of caustics
+    bool sunShadow = false; ///< of caustics alone
     auto operator<=>(const UnderwaterVariant&) const = default;
 };
 
@@ -26,6 +27,7 @@ struct UnderwaterInputs {
     gpu::Slice uniforms; ///< SurfaceUniforms
     const ViewDesc* view = nullptr;
     VkImageView waveMap = VK_NULL_HANDLE; ///< with waves: displacement, or derivatives for caustics
+    const SunShadow* shadow = nullptr;
 };
 
 /// Viewport and scissor are set.

@@ -131,6 +131,8 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
     camera_.projection[2][1] = -2 * camera_.jitterPx.y / extent.height;
     camera_.toldProjection = mistaken(camera_.projection, frame.mistake);
     shadowFits_ = fitShadows(scene.bounds, camera_, scene.sky.sun.direction);
+    lighting_ = lightingOf(scene.sky);
+    if (sunShadowOf(shadow_, shadowFits_, camera_.eye, sunShadow_)) lighting_.shadow = &sunShadow_;
     writeUniforms();
     return water_.beginFrame(error) && mirror_.beginFrame(error);
 }
@@ -212,7 +214,7 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
         return true;
     case Stage::caustics:
         targets_.copyDepth(commands);
-        return water_.drawCaustics(commands, *water(), camera_, targets_, scene_->sky, error);
+        return water_.drawCaustics(commands, *water(), camera_, targets_, lighting_, error);
     case Stage::copy:
         if (!needed(Stage::caustics)) targets_.copyDepth(commands);
         targets_.copyColor(commands);
@@ -226,7 +228,7 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
         return recordOverlay(commands, error);
     case Stage::water:
         if (!needed(Stage::copy)) targets_.betweenPasses(commands);
-        return water_.draw(commands, *water(), camera_, targets_, scene_->sky, frame_.aov, error);
+        return water_.draw(commands, *water(), camera_, targets_, lighting_, frame_.aov, error);
     case Stage::mirror:
         if (!needed(Stage::copy)) targets_.betweenPasses(commands);
         bindFrameSet(commands, scene_->frame);

@@ -95,6 +95,8 @@ class FrameRecorder {
     FrameDesc frame_;
     Camera camera_;
     ShadowFits shadowFits_;
+    seaglass::SunShadow sunShadow_;
+    seaglass::LightingDesc lighting_;
     FrameUniforms uniforms_;
     double cpuSimulateMs_ = 0;
 };

@@ -34,10 +34,10 @@ bool allocate(const Device& device, const VkMemoryRequirements& needs, VkMemoryP
     return true;
 }
 
-VkImageView makeView(const Device& device, const Image& image, bool cube, Error& error) {
+VkImageView makeView(const Device& device, const Image& image, VkImageViewType type, Error& error) {
     VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
     info.image = image.image.get();
-    info.viewType = cube ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
+    info.viewType = type;
     info.format = image.format;
     info.subresourceRange = {image.aspect, 0, image.mips, 0, image.layers};
     VkImageView view = VK_NULL_HANDLE;
@@ -190,10 +190,17 @@ bool createImage(const Device& device, const ImageDesc& desc, Image& out, Error&
     if (!succeeded(vkBindImageMemory(device.handle(), image, made.memory.get(), 0), "vkBindImageMemory",
                    error))
         return false;
-    made.view = UniqueImageView(device.handle(), makeView(device, made, desc.cube, error));
+    made.view = UniqueImageView(
+        device.handle(),
+        makeView(device, made, desc.cube ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D, error));
     if (!made.view) return false;
     out = std::move(made);
     return true;
+}
+
+bool createArrayView(const Device& device, const Image& image, UniqueImageView& out, Error& error) {
+    out = UniqueImageView(device.handle(), makeView(device, image, VK_IMAGE_VIEW_TYPE_2D_ARRAY, error));
+    return static_cast<bool>(out);
 }
 
 bool createSampledImage(Device& device, ImageDesc desc, std::span<const std::span<const std::byte>> levels,

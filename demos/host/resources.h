@@ -47,6 +47,9 @@ struct ImageDesc {
 /// An image too large for the device is an error that names the limit.
 bool createImage(const Device& device, const ImageDesc& desc, Image& out, Error& error);
 
+/// Of a 2D image, as an array of its layers.
+bool createArrayView(const Device& device, const Image& image, UniqueImageView& out, Error& error);
+
 /// A sampled image with all its mips: `levels` holds them largest first, the faces of a cube one after
 /// another in each. With one level given and more in the image, the rest is made by halving. Ends in
 /// SHADER_READ_ONLY_OPTIMAL.

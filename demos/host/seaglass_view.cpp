@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 namespace demos {
@@ -25,6 +26,39 @@ seaglass::ViewDesc viewOf(const Camera& camera, const FrameTargets& targets) {
     view.sceneColor = sampled(targets.sceneColor);
     view.sceneDepth = sampled(targets.sceneDepth);
     return view;
+}
+
+seaglass::LightingDesc lightingOf(const Sky& sky) {
+    seaglass::LightingDesc lighting;
+    for (int i = 0; i < 3; ++i) {
+        lighting.toSun[i] = sky.sun.direction[i];
+        lighting.sunIrradiance[i] = static_cast<float>(sky.sun.irradiance[i]);
+        lighting.skyIrradiance[i] = sky.irradianceUp[i];
+    }
+    lighting.skyCube = sky.cube.view.get();
+    lighting.skyCubeMipLevels = sky.cube.mips;
+    return lighting;
+}
+
+bool sunShadowOf(const ShadowPass& pass, const ShadowFits& fits, const glm::dvec3& eye,
+                 seaglass::SunShadow& out) {
+    out = {};
+    out.map = {pass.mapAsArray(), pass.format(), pass.extent(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    out.cascadeCount = 0;
+    for (uint32_t i = 0; i < shadowCascades; ++i) {
+        if (!fits[i].enabled) continue;
+        const glm::dvec2 corner = 0.5 * glm::dvec2(i & 1, i >> 1);
+        const glm::dmat4 tile = glm::translate(glm::dmat4(1), glm::dvec3(corner + 0.25, 0)) *
+                                glm::scale(glm::dmat4(1), glm::dvec3(0.25, 0.25, 1));
+        const glm::dmat4 eyeFromWorld = glm::translate(glm::dmat4(1), -eye);
+        const glm::dmat4 textureFromWorld = tile * glm::dmat4(fits[i].clipFromEye) * eyeFromWorld;
+        const uint32_t at = out.cascadeCount++;
+        std::copy_n(glm::value_ptr(textureFromWorld), 16, out.textureFromWorld[at]);
+        const glm::vec4 bounds(corner, corner + 0.5);
+        std::copy_n(glm::value_ptr(bounds), 4, out.bounds[at]);
+        out.layers[at] = 0;
+    }
+    return out.cascadeCount > 0;
 }
 
 glm::dmat4 mistaken(const glm::dmat4& projection, Mistake mistake) {

@@ -3,11 +3,20 @@
 
 #include "host/camera.h"
 #include "host/frame_targets.h"
+#include "host/shadow.h"
+#include "host/sky.h"
 #include "seaglass/reflection.h"
 
 namespace demos {
 
 seaglass::ViewDesc viewOf(const Camera& camera, const FrameTargets& targets);
+
+/// Without shadows.
+seaglass::LightingDesc lightingOf(const Sky& sky);
+
+/// False where nothing throws any. What `out` holds is for this eye.
+bool sunShadowOf(const ShadowPass& pass, const ShadowFits& fits, const glm::dvec3& eye,
+                 seaglass::SunShadow& out);
 
 /// The projection with something wrong about it.
 glm::dmat4 mistaken(const glm::dmat4& projection, Mistake mistake);

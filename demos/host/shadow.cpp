@@ -142,7 +142,8 @@ bool ShadowPass::create(const Device& device, const Layouts& layouts, Error& err
     desc.slopeBias = 0.75f;
     PipelineDesc masked = desc;
     masked.fragment = shadow_frag;
-    return createImage(device, image, map_, error) && createSampler(device, sampler, sampler_, error) &&
+    return createImage(device, image, map_, error) && createArrayView(device, map_, arrayView_, error) &&
+           createSampler(device, sampler, sampler_, error) &&
            createPipeline(device, layouts.pipeline.get(), desc, opaque_, error) &&
            createPipeline(device, layouts.pipeline.get(), masked, masked_, error);
 }

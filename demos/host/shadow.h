@@ -26,6 +26,10 @@ class ShadowPass {
 
     bool create(const Device& device, const Layouts& layouts, Error& error);
     VkImageView map() const { return map_.view.get(); }
+    /// The same, as an array of one layer.
+    VkImageView mapAsArray() const { return arrayView_.get(); }
+    VkFormat format() const { return map_.format; }
+    VkExtent2D extent() const { return map_.extent; }
     VkSampler sampler() const { return sampler_.get(); }
     /// Leaves the map readable by fragment shaders. Needs set 0 bound.
     void record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
@@ -33,6 +37,7 @@ class ShadowPass {
 
   private:
     Image map_;
+    UniqueImageView arrayView_;
     UniqueSampler sampler_;
     UniquePipeline opaque_, masked_;
 };

@@ -23,18 +23,6 @@ seaglass::RefractionDesc refractionOf(const RefractionDesc& desc) {
     return refraction;
 }
 
-seaglass::LightingDesc lightingOf(const Sky& sky) {
-    seaglass::LightingDesc lighting;
-    for (int i = 0; i < 3; ++i) {
-        lighting.toSun[i] = sky.sun.direction[i];
-        lighting.sunIrradiance[i] = static_cast<float>(sky.sun.irradiance[i]);
-        lighting.skyIrradiance[i] = sky.irradianceUp[i];
-    }
-    lighting.skyCube = sky.cube.view.get();
-    lighting.skyCubeMipLevels = sky.cube.mips;
-    return lighting;
-}
-
 seaglass::SurfaceOutput outputOf(Aov aov) {
     switch (aov) {
     case Aov::reflection:
@@ -172,19 +160,20 @@ bool WaterPass::overlay(VkCommandBuffer commands, const WaterBody& body, const C
 }
 
 bool WaterPass::drawCaustics(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
-                             const FrameTargets& targets, const Sky& sky, Error& error) {
+                             const FrameTargets& targets, const seaglass::LightingDesc& lighting,
+                             Error& error) {
     beginRendering(commands, targets.extent, &targets.color, VK_ATTACHMENT_LOAD_OP_LOAD, targets.depth,
                    VK_ATTACHMENT_LOAD_OP_LOAD, 0);
     seaglass::Body* const bodies[] = {body.get()};
     const seaglass::ViewDesc view = viewOf(camera, targets);
-    const seaglass::LightingDesc lighting = lightingOf(sky);
     const seaglass::Status status = seaglass::drawCaustics(commands, target_, bodies, 1, &view, &lighting);
     vkCmdEndRendering(commands);
     return context_.ok(status, error);
 }
 
 bool WaterPass::draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
-                     const FrameTargets& targets, const Sky& sky, Aov aov, Error& error) {
+                     const FrameTargets& targets, const seaglass::LightingDesc& lighting, Aov aov,
+                     Error& error) {
     const bool overScene = aov == Aov::color || aov == Aov::depth;
     const bool exact = needsExact(aov);
     if (exact) targets.exactToAttachment(commands);
@@ -195,7 +184,6 @@ bool WaterPass::draw(VkCommandBuffer commands, const WaterBody& body, const Came
     if (body) {
         seaglass::Body* const bodies[] = {body.get()};
         const seaglass::ViewDesc view = viewOf(camera, targets);
-        const seaglass::LightingDesc lighting = lightingOf(sky);
         status = seaglass::draw(commands, exact ? exactTarget_ : target_, bodies, 1, &view, &lighting,
                                 outputOf(aov));
     }

@@ -4,7 +4,6 @@
 #include "host/camera.h"
 #include "host/frame_targets.h"
 #include "host/seaglass_context.h"
-#include "host/sky.h"
 #include "seaglass/water.h"
 
 namespace demos {
@@ -64,10 +63,10 @@ class WaterPass {
                  const FrameTargets& targets, Aov aov, Error& error);
     /// Over targets.color, with the scene's depth copied before.
     bool drawCaustics(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
-                      const FrameTargets& targets, const Sky& sky, Error& error);
+                      const FrameTargets& targets, const seaglass::LightingDesc& lighting, Error& error);
     /// Draws into targets.color, or exact, over the opaque depth; for anything but colour, over black.
     bool draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
-              const FrameTargets& targets, const Sky& sky, Aov aov, Error& error);
+              const FrameTargets& targets, const seaglass::LightingDesc& lighting, Aov aov, Error& error);
 
   private:
     SeaglassContext context_;

@@ -59,7 +59,7 @@ vec3 sunScattered(CrestSide side, vec3 along) {
     vec3 from = -refract(-toSun.xyz, facet, 1.0 / waterIndex);
     float beam = max(level, 1e-3) * catches(steepness, roughness.w) * (1.0 - fresnelWater(cosSun)) / risesFaster(side, from);
     vec3 left = exp(-extinction() * (side.above / risesFaster(side, from)));
-    return sunIrradiance.rgb * (beam * scattersForwards(dot(from, along)) / (waterIndex * waterIndex)) * left;
+    return sunSeen * sunIrradiance.rgb * (beam * scattersForwards(dot(from, along)) / (waterIndex * waterIndex)) * left;
 }
 
 // Along which the eye looks into the water, through the facets that it sees.

@@ -135,7 +135,7 @@ vec3 withFoam(vec3 water, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored)
     vec3 facing = normalOf(film.slope);
     // What leans sees less of the sky, and what lies low less than what stands out.
     float open = (0.5 + 0.5 * facing.y) * (1.0 + 0.4 * white.height);
-    vec3 light = sunIrradiance.rgb * max(dot(facing, toSun.xyz), 0.0) + skyIrradiance.rgb * open;
+    vec3 light = sunSeen * sunIrradiance.rgb * max(dot(facing, toSun.xyz), 0.0) + skyIrradiance.rgb * open;
     vec3 foamy = light * foam.y / pi + filmShare * (mirrored + sunGlint(film, toEye));
     return mix(water, foamy, white.mask);
 }

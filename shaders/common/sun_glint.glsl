@@ -12,7 +12,7 @@ vec3 sunGlint(SurfacePoint s, vec3 toEye) {
     float deviation = sqrt(0.5 * (s.covariance.x + s.covariance.y));
     float up2 = halfway.y * halfway.y;
     float masking = 1.0 + smithLambda(cosEye, deviation);
-    float glint = fresnel * density / (4.0 * up2 * up2 * cosEye * masking);
+    float glint = sunSeen * fresnel * density / (4.0 * up2 * up2 * cosEye * masking);
 #ifdef WAVES
     for (bool shines = glint > 1e-5; shines; shines = false) {
         return sunIrradiance.rgb * (glint * clearShare(max(toSun.y, 1e-3), wavesAhead(s, horizontal(toSun.xyz))));

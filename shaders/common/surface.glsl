@@ -85,4 +85,12 @@ layout(set = 0, binding = AFTER_FOAM + 1) uniform sampler2D reflectionInfo;
 #ifdef REFRACTION
 layout(set = 0, binding = AFTER_REFLECTION) uniform sampler2D sceneColor;
 layout(set = 0, binding = AFTER_REFLECTION + 1) uniform sampler2D sceneDepth;
+#define AFTER_REFRACTION (AFTER_REFLECTION + 2)
+#else
+#define AFTER_REFRACTION AFTER_REFLECTION
+#endif
+
+#ifdef SUN_SHADOW
+#define SUN_SHADOW_BINDING AFTER_REFRACTION
+#include "sun_shadow.glsl"
 #endif

@@ -73,7 +73,7 @@ vec3 sunThrough(SurfacePoint s, vec3 toEye) {
     float up2 = halfway.y * halfway.y;
     vec3 normal = normalOf(s.slope);
     float seen = max(-dot(toEye, normal), 1e-2);
-    return sunIrradiance.rgb * (cosSun * cosEye * waterIndex * waterIndex * (1.0 - fresnelWater(cosSun)) * density /
+    return sunSeen * sunIrradiance.rgb * (cosSun * cosEye * waterIndex * waterIndex * (1.0 - fresnelWater(cosSun)) * density /
                                 (up2 * up2 * seen * gap * gap));
 }
 

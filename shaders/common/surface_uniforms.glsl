@@ -35,6 +35,8 @@ vec4 shoreSignal;   // rows a second, the first one's, their number; the map's s
 vec4 shoreForm;     // 1 / period; how far foam is carried for each metre of swash
 mat3 worldFromBody;   // of directions
 
+float sunSeen = 1.0;   // share of the sun's light that reaches the surface here
+
 const uint dryRoomPlanes = 8;
 
 layout(set = 0, binding = 0, std140) uniform Surface {
@@ -74,6 +76,10 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     mat3 worldFromBody;
     uint dryRooms;
     vec4 dryPlanes[8 * dryRoomPlanes];
+    mat4 shadowFromRelative[4];   // to u, v and depth of each cascade
+    vec4 shadowBounds[4];         // lowest u and v, highest
+    vec4 shadowLayers;
+    vec4 shadow;                  // cascades; 1, or -1 where what is nearer to the sun is greater
 } stored;
 
 // Before anything else.

@@ -123,14 +123,15 @@ double slopesApart(const WaterPicture& a, const WaterPicture& b) {
     double sum = 0, count = 0;
     for (size_t i = 0; i < a.color.size(); i += 4) {
         if (!a.covered(i / 4) || !b.covered(i / 4)) continue;
-        for (const size_t axis : {i, i + 1}) sum += std::pow(double{a.color[axis]} - double{b.color[axis]}, 2);
+        for (const size_t axis : {i, i + 1})
+            sum += std::pow(double{a.color[axis]} - double{b.color[axis]}, 2);
         ++count;
     }
     return std::sqrt(sum / count);
 }
 
-// A mesh whose cells are longer than waves shows their near and far sides as wide as each other. With relief it comes
-// nearer to a mesh that has those waves.
+// A mesh whose cells are longer than waves shows their near and far sides as wide as each other. With relief
+// it comes nearer to a mesh that has those waves.
 TEST_F(Looks, ReliefStandsInForAFinerMesh) {
     const auto slopes = [&](const MeshDesc& mesh, bool relief) {
         Body* const body = bodyWith({.slopeLooks = 4, .relief = relief}, nullptr, mesh);

@@ -131,7 +131,8 @@ TEST(Surface, SlopesAreThoseOfTheMesh) {
     EXPECT_LT(std::sqrt(squares / reference), 0.35);
 }
 
-/// What the maps lose between their samples is roughness, or the sea would be smoother than the wind makes it.
+/// What the maps lose between their samples is roughness, or the sea would be smoother than the wind makes
+/// it.
 TEST(Surface, SlopesHaveAllOfTheSeasVariance) {
     const Scene scene(breezy(0), 90);
     const reference::WaterSurface& surface = scene.frame.surface;

@@ -156,6 +156,17 @@ struct Estimate {
     uint32_t dispatchesPerSharedView = 0; ///< likewise
 };
 
+/// The host's shadow map of the sun: 1 to 4 cascades, finest first, each a layer of one image or a part of
+/// it.
+struct SunShadow {
+    Image map;                  ///< depth as ViewDesc::sceneDepth has it, one sample; the view is a 2D_ARRAY
+    uint32_t cascadeCount = 1;  ///< a point takes the first that holds it; beyond all it is lit
+    bool reversedDepth = false; ///< what is nearer to the sun is greater
+    double textureFromWorld[4][16] = {}; ///< of each cascade: to u and v of its layer, and depth
+    float bounds[4][4] = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}}; ///< u, v; low, high
+    uint32_t layers[4] = {0, 1, 2, 3}; ///< of the map, of each cascade
+};
+
 /// Where light comes from.
 struct LightingDesc {
     double toSun[3] = {0, 1, 0};          ///< unit, world, from the surface towards the sun
@@ -164,6 +175,7 @@ struct LightingDesc {
     VkImageView skyCube = VK_NULL_HANDLE; ///< radiance without the sun: a cube and all its mips, +Y up
     VkImageLayout skyCubeLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; ///< when sampled
     uint32_t skyCubeMipLevels = 1;                                          ///< of skyCube, at least 1
+    const SunShadow* shadow = nullptr; ///< of what hides the sun from the water; null: nothing does
 };
 
 } // namespace seaglass

@@ -1,0 +1,70 @@
+#include "water/lighting.h"
+
+#include <cmath>
+
+#include <glm/ext/matrix_transform.hpp>
+
+#include "reflection/scene_formats.h"
+
+namespace seaglass {
+
+namespace {
+
+bool allFinite(const double (&matrix)[16]) {
+    for (const double value : matrix)
+        if (!std::isfinite(value)) return false;
+    return true;
+}
+
+const char* badCascade(const SunShadow& shadow, uint32_t i) {
+    if (!allFinite(shadow.textureFromWorld[i])) return "SunShadow.textureFromWorld is not finite";
+    const float(&b)[4] = shadow.bounds[i];
+    if (!(b[0] >= 0 && b[1] >= 0 && b[2] > b[0] && b[3] > b[1] && b[2] <= 1 && b[3] <= 1))
+        return "SunShadow.bounds is no part of a texture, expected 0 <= low < high <= 1";
+    return nullptr;
+}
+
+const char* badField(const SunShadow& shadow) {
+    if (!shadow.map.view) return "SunShadow.map.view is null";
+    if (!holdsDepth(shadow.map.format))
+        return "SunShadow.map.format holds no depth that can be read, expected D16_UNORM, "
+               "X8_D24_UNORM_PACK32 or "
+               "D32_SFLOAT, with stencil or without, R16_UNORM or R32_SFLOAT";
+    if (!sampledIn(shadow.map.layout))
+        return "SunShadow.map.layout is none to sample from, expected GENERAL or one that is read-only";
+    if (shadow.map.samples != VK_SAMPLE_COUNT_1_BIT) return "SunShadow.map.samples is not 1";
+    if (shadow.cascadeCount < 1 || shadow.cascadeCount > maxShadowCascades)
+        return "SunShadow.cascadeCount is out of range, expected 1 to 4";
+    for (uint32_t i = 0; i < shadow.cascadeCount; ++i)
+        if (const char* bad = badCascade(shadow, i)) return bad;
+    return nullptr;
+}
+
+} // namespace
+
+const char* badField(const LightingDesc& lighting) {
+    if (!lighting.skyCube) return "LightingDesc.skyCube is null";
+    if (lighting.skyCubeMipLevels == 0) return "LightingDesc.skyCubeMipLevels is 0";
+    double squared = 0;
+    for (const double value : lighting.toSun) squared += value * value;
+    if (!(std::abs(squared - 1) < 1e-3)) return "LightingDesc.toSun is not a unit vector";
+    for (int i = 0; i < 3; ++i)
+        if (!(lighting.sunIrradiance[i] >= 0) || !(lighting.skyIrradiance[i] >= 0))
+            return "LightingDesc irradiance is negative or NaN";
+    return lighting.shadow ? badField(*lighting.shadow) : nullptr;
+}
+
+void setSunShadow(SurfaceUniforms& uniforms, const SunShadow& shadow, const BodyFrame& frame,
+                  const glm::dvec3& eye) {
+    const glm::dmat4 worldFromRelative = glm::dmat4(frame.worldFromBody) * glm::translate(glm::dmat4(1), eye);
+    for (uint32_t i = 0; i < shadow.cascadeCount; ++i) {
+        const int at = static_cast<int>(i);
+        const float(&b)[4] = shadow.bounds[i];
+        uniforms.shadowFromRelative[at] = glm::mat4(toMatrix(shadow.textureFromWorld[i]) * worldFromRelative);
+        uniforms.shadowBounds[at] = {b[0], b[1], b[2], b[3]};
+        uniforms.shadowLayers[at] = static_cast<float>(shadow.layers[i]);
+    }
+    uniforms.shadow = {shadow.cascadeCount, shadow.reversedDepth ? -1 : 1, 0, 0};
+}
+
+} // namespace seaglass

@@ -1,0 +1,16 @@
+// What the host says of light, checked and as shaders want it.
+#pragma once
+
+#include "water/body_frame.h"
+#include "water/surface_uniforms.h"
+
+namespace seaglass {
+
+/// Null, or what is wrong.
+const char* badField(const LightingDesc& lighting);
+
+/// For a body in these axes, and points relative to an `eye` in them.
+void setSunShadow(SurfaceUniforms& uniforms, const SunShadow& shadow, const BodyFrame& frame,
+                  const glm::dvec3& eye);
+
+} // namespace seaglass
