@@ -52,16 +52,18 @@ bool FrameRecorder::load(const Scene& scene, LoadedScene& out, Error& error) {
 bool FrameRecorder::createSurface(const WaterDesc& desc, LoadedScene& scene, Error& error) {
     WaterBody body;
     if (!water_.createBody(desc, body, error)) return false;
-    scene.surfaces.emplace_back(std::move(body));
+    BentSun sun;
+    if (!bentSunOf(desc, scene.sky.sun.direction, sun, error)) return false;
+    scene.surfaces.push_back({std::move(body), sun});
     return true;
 }
 
 bool FrameRecorder::createSurface(const FloorDesc& desc, LoadedScene& scene, Error& error) {
     const MirrorSurface* const first =
-        scene.surfaces.empty() ? nullptr : std::get_if<MirrorSurface>(&scene.surfaces.front());
+        scene.surfaces.empty() ? nullptr : std::get_if<MirrorSurface>(&scene.surfaces.front().body);
     MirrorSurface surface;
     if (!mirror_.createSurface(desc, first, surface, error)) return false;
-    scene.surfaces.emplace_back(std::move(surface));
+    scene.surfaces.push_back({std::move(surface), {}});
     return true;
 }
 
@@ -92,11 +94,11 @@ uint64_t FrameRecorder::hostBytes() const {
 }
 
 const WaterBody* FrameRecorder::water() const {
-    return std::get_if<WaterBody>(surface_);
+    return std::get_if<WaterBody>(&surface_->body);
 }
 
 const MirrorSurface* FrameRecorder::floor() const {
-    return std::get_if<MirrorSurface>(surface_);
+    return std::get_if<MirrorSurface>(&surface_->body);
 }
 
 bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Error& error) {
@@ -130,7 +132,7 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
     camera_.projection[2][0] = -2 * camera_.jitterPx.x / extent.width;
     camera_.projection[2][1] = -2 * camera_.jitterPx.y / extent.height;
     camera_.toldProjection = mistaken(camera_.projection, frame.mistake);
-    shadowFits_ = fitShadows(scene.bounds, camera_, scene.sky.sun.direction);
+    shadowFits_ = fitShadows(scene.bounds, camera_, scene.sky.sun.direction, surface_->sun);
     lighting_ = lightingOf(scene.sky);
     if (sunShadowOf(shadow_, shadowFits_, camera_.eye, sunShadow_)) lighting_.shadow = &sunShadow_;
     writeUniforms();
@@ -142,6 +144,7 @@ void FrameRecorder::writeUniforms() {
     uniforms_.clipFromEye = glm::mat4(camera_.projection * camera_.rotation);
     setSkyUniforms(scene_->sky, camera_, targets_.extent, uniforms_);
     setShadowUniforms(shadowFits_, uniforms_);
+    setBentUniforms(surface_->sun, camera_.eye, uniforms_);
     std::memcpy(scene_->frame.uniforms.mapped, &uniforms_, sizeof(uniforms_));
 }
 
@@ -206,7 +209,7 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
         return water_.simulate(commands, *water(), frame_.timeS, cpuSimulateMs_, error);
     case Stage::shadow:
         bindFrameSet(commands, scene_->frame);
-        shadow_.record(commands, layouts_, scene_->meshes, camera_.eye, shadowFits_);
+        shadow_.record(commands, layouts_, scene_->meshes, camera_.eye, shadowFits_, surface_->sun);
         return true;
     case Stage::opaque:
         bindFrameSet(commands, scene_->frame);

@@ -16,8 +16,11 @@ struct FrameSet {
     VkDescriptorSet set = VK_NULL_HANDLE;
 };
 
-/// What mirrors.
-using Surface = std::variant<WaterBody, MirrorSurface>;
+/// What mirrors, and what it makes of the sun.
+struct Surface {
+    std::variant<WaterBody, MirrorSurface> body;
+    BentSun sun;
+};
 
 /// A scene as it lies on the device.
 struct LoadedScene {

@@ -39,7 +39,7 @@ DeviceInfo Host::device() const {
 
 double Host::resolvedShare() const {
     if (!impl_->scene || impl_->scene->surfaces.empty()) return 1;
-    const auto* const water = std::get_if<WaterBody>(&impl_->scene->surfaces.front());
+    const auto* const water = std::get_if<WaterBody>(&impl_->scene->surfaces.front().body);
     const seaglass::Sea* const sea = water && *water ? seaglass::sea(water->get()) : nullptr;
     return sea ? seaglass::resolvedShare(*sea) : 1;
 }

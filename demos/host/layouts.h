@@ -24,6 +24,7 @@ struct FrameUniforms {
     glm::vec4 sky;
     glm::vec4 shadowTexelM;
     glm::vec4 shadow;
+    glm::vec4 waterPlane, waterAcross, waterAlong, sunShear;
 };
 
 /// As in shaders/draw.glsl.

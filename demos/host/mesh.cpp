@@ -101,6 +101,29 @@ bool createWhite(Device& device, MeshSet& set, Error& error) {
            createSampler(device, {}, set.whiteSampler, error);
 }
 
+Box boxIn(const glm::dmat4& worldFromMesh, const glm::vec3& low, const glm::vec3& high) {
+    Box box;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
+        box.corners[i] = glm::dvec3(worldFromMesh * glm::dvec4(corner, 1));
+    }
+    return box;
+}
+
+/// What to draw of a part, and whether the rest of it is to be cut off.
+struct Cast {
+    bool drawn = true, cut = false;
+    Casts casts = Casts::all;
+};
+
+Cast castBy(const MeshPart& part, const glm::dmat4& worldFromMesh, const MeshPipelines& pipelines) {
+    if (!pipelines.sun) return {};
+    const BentShare share = shareOf(*pipelines.sun, boxIn(worldFromMesh, part.low, part.high).corners);
+    const bool bent = pipelines.casts == Casts::bent;
+    return {bent ? share.some : !share.all, share.some && !share.all,
+            share.some ? pipelines.casts : Casts::all};
+}
+
 /// Whether a part lies wholly beyond one side of the picture, or behind the eye.
 bool outside(const MeshPart& part, const glm::dmat4& clipFromMesh) {
     bool beyond[5] = {true, true, true, true, true};
@@ -139,15 +162,8 @@ bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDe
 
 std::vector<Box> worldBounds(const MeshSet& meshes) {
     std::vector<Box> boxes;
-    for (const MeshInstance& instance : meshes.instances) {
-        Box box;
-        const glm::dvec3 low(instance.mesh->low), high(instance.mesh->high);
-        for (int i = 0; i < 8; ++i) {
-            const glm::dvec3 corner(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
-            box.corners[i] = glm::dvec3(instance.worldFromMesh * glm::dvec4(corner, 1));
-        }
-        boxes.push_back(box);
-    }
+    for (const MeshInstance& instance : meshes.instances)
+        boxes.push_back(boxIn(instance.worldFromMesh, instance.mesh->low, instance.mesh->high));
     return boxes;
 }
 
@@ -163,9 +179,12 @@ void drawMeshes(VkCommandBuffer commands, const Layouts& layouts, const MeshSet&
         vkCmdBindVertexBuffers(commands, 0, 1, &mesh.vertices.buffer.get(), &offset);
         vkCmdBindIndexBuffer(commands, mesh.indices.buffer.get(), 0, VK_INDEX_TYPE_UINT32);
         for (const MeshPart& part : mesh.parts) {
-            if (outside(part, pipelines.clipFromEye * eyeFromMesh)) continue;
+            const Cast cast = castBy(part, instance.worldFromMesh, pipelines);
+            if (!cast.drawn || outside(part, pipelines.clipFromEye * eyeFromMesh)) continue;
             const GpuMaterial& material = mesh.materials[part.material];
-            const VkPipeline wanted = material.masked ? pipelines.masked : pipelines.opaque;
+            const VkPipeline wanted = material.masked ? pipelines.masked
+                                      : cast.cut      ? pipelines.cut
+                                                      : pipelines.opaque;
             if (wanted != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, wanted);
             bound = wanted;
             vkCmdSetCullMode(commands, pipelines.cullBack && !material.doubleSided ? VK_CULL_MODE_BACK_BIT
@@ -174,6 +193,7 @@ void drawMeshes(VkCommandBuffer commands, const Layouts& layouts, const MeshSet&
                                     &material.textures, 0, nullptr);
             DrawConstants constants = material.constants;
             constants.surface.z = static_cast<float>(pipelines.cascade);
+            constants.surface.w = static_cast<float>(cast.casts);
             for (int row = 0; row < 3; ++row)
                 constants.eyeFromMesh[row] = glm::vec4(glm::transpose(eyeFromMesh)[row]);
             vkCmdPushConstants(commands, layouts.pipeline.get(), drawStages, 0, sizeof(constants),

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "host/bent_sun.h"
 #include "host/layouts.h"
 #include "host/mesh_file.h"
 
@@ -47,12 +48,18 @@ bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDe
 
 std::vector<Box> worldBounds(const MeshSet& meshes);
 
+/// What of a mesh casts a shadow, as in shaders/draw.glsl.
+enum class Casts { all, straight, bent };
+
 struct MeshPipelines {
     VkPipeline opaque = VK_NULL_HANDLE, masked = VK_NULL_HANDLE;
     bool cullBack = true;      ///< back faces of materials that have none
     uint32_t cascade = 0;      ///< of the shadow map
     glm::dmat4 clipFromEye{1}; ///< parts outside its clip volume, depth aside, are not drawn
     bool mirrored = false;     ///< front faces are wound the other way round
+    Casts casts = Casts::all;  ///< of what `sun` tells apart
+    const BentSun* sun = nullptr;
+    VkPipeline cut = VK_NULL_HANDLE; ///< for parts of which some is left out
 };
 
 /// Needs set 0 bound.

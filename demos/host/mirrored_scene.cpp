@@ -56,6 +56,7 @@ FrameUniforms mirroredUniforms(const FrameUniforms& frame, const Camera& camera,
     uniforms.clipFromEye = glm::mat4(eye.clipFromEye);
     const glm::dmat4 toFrame = glm::translate(glm::dmat4(1), eye.position - camera.eye);
     for (glm::mat4& shadow : uniforms.shadowFromEye) shadow = glm::mat4(glm::dmat4(shadow) * toFrame);
+    moveBentUniforms(eye.position - camera.eye, uniforms);
     return uniforms;
 }
 

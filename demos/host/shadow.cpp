@@ -64,15 +64,54 @@ Distances distancesTo(const std::vector<Box>& boxes, const Camera& camera) {
     return found;
 }
 
+/// Of what the camera sees at a distance, from the eye.
+std::array<glm::dvec3, 4> cornersAt(double distance, const Camera& camera) {
+    std::array<glm::dvec3, 4> corners;
+    for (size_t i = 0; i < 4; ++i)
+        corners[i] = distance * (camera.forward + (i & 1 ? 1.0 : -1.0) * camera.tanHalfFovX * camera.right +
+                                 (i & 2 ? 1.0 : -1.0) * camera.tanHalfFovY * camera.up);
+    return corners;
+}
+
 /// What the camera sees between two distances, in the sun's axes.
 Range seenBetween(double from, double to, const Camera& camera, const LightAxes& axes) {
     Range seen;
     for (const double distance : {from, to})
-        for (int i = 0; i < 4; ++i)
-            seen.add(axes.of(distance *
-                             (camera.forward + (i & 1 ? 1.0 : -1.0) * camera.tanHalfFovX * camera.right +
-                              (i & 2 ? 1.0 : -1.0) * camera.tanHalfFovY * camera.up)));
+        for (const glm::dvec3& corner : cornersAt(distance, camera)) seen.add(axes.of(corner));
     return seen;
+}
+
+/// What is opaque, and where the shear puts what of it is under water, down to `deepest` [m].
+struct Casters {
+    Range bounds;
+    double deepest = 0;
+};
+
+Casters castersAmong(const std::vector<Box>& boxes, const Camera& camera, const LightAxes& axes,
+                     const BentSun& bent) {
+    Casters casters;
+    for (const Box& box : boxes) {
+        const bool some = shareOf(bent, box.corners).some;
+        for (const glm::dvec3& corner : box.corners) {
+            const double depth = some ? std::max(bent.depthOf(corner), 0.0) : 0;
+            casters.bounds.add(axes.of(corner - camera.eye));
+            casters.bounds.add(axes.of(corner - camera.eye + depth * bent.shear));
+            casters.deepest = std::max(casters.deepest, depth);
+        }
+    }
+    return casters;
+}
+
+/// Widens what is seen between two distances by where the shear puts it: moved as a whole, by the most that
+/// any of it is.
+Range withSheared(const Range& seen, double from, double to, const Casters& casters, const Camera& camera,
+                  const LightAxes& axes, const BentSun& bent) {
+    double deepest = 0;
+    for (const double distance : {from, to})
+        for (const glm::dvec3& corner : cornersAt(distance, camera))
+            deepest = std::max(deepest, bent.depthOf(camera.eye + corner));
+    const glm::dvec3 shift = axes.of(std::min(casters.deepest, deepest) * bent.shear);
+    return {glm::min(seen.low, seen.low + shift), glm::max(seen.high, seen.high + shift)};
 }
 
 ShadowFit fitCascade(const Range& bounds, const Range& seen, const LightAxes& axes) {
@@ -108,22 +147,24 @@ void setTile(VkCommandBuffer commands, uint32_t cascade) {
 
 } // namespace
 
-ShadowFits fitShadows(const std::vector<Box>& boxes, const Camera& camera, const glm::dvec3& toSun) {
+ShadowFits fitShadows(const std::vector<Box>& boxes, const Camera& camera, const glm::dvec3& toSun,
+                      const BentSun& bent) {
     ShadowFits fits;
     if (boxes.empty() || toSun.y <= 0) return fits;
     const LightAxes axes = lightAxes(toSun, camera);
     const Distances distances = distancesTo(boxes, camera);
-    Range bounds;
-    for (const Box& box : boxes)
-        for (const glm::dvec3& corner : box.corners) bounds.add(axes.of(corner - camera.eye));
+    const Casters casters = castersAmong(boxes, camera, axes, bent);
     // Mountains are in shadow, too: the last cascade reaches the farthest thing.
     const double factor =
         std::max(leastFactor, std::pow((distances.farthest - distances.nearest) / firstReachM,
                                        1.0 / (shadowCascades - 1)));
     double from = distances.nearest, reach = firstReachM;
     for (uint32_t i = 0; i < shadowCascades; ++i, reach *= factor) {
-        fits[i] = fitCascade(bounds, seenBetween(from, distances.nearest + reach, camera, axes), axes);
-        from = distances.nearest + reach;
+        const double to = distances.nearest + reach;
+        Range seen = seenBetween(from, to, camera, axes);
+        if (bent.bends) seen = withSheared(seen, from, to, casters, camera, axes, bent);
+        fits[i] = fitCascade(casters.bounds, seen, axes);
+        from = to;
     }
     return fits;
 }
@@ -140,16 +181,19 @@ bool ShadowPass::create(const Device& device, const Layouts& layouts, Error& err
     desc.depthFormat = image.format;
     desc.depthCompare = VK_COMPARE_OP_LESS_OR_EQUAL;
     desc.slopeBias = 0.75f;
-    PipelineDesc masked = desc;
-    masked.fragment = shadow_frag;
+    PipelineDesc cut = desc;
+    cut.fragment = shadow_frag;
+    PipelineDesc masked = cut;
+    masked.masked = true;
     return createImage(device, image, map_, error) && createArrayView(device, map_, arrayView_, error) &&
            createSampler(device, sampler, sampler_, error) &&
            createPipeline(device, layouts.pipeline.get(), desc, opaque_, error) &&
-           createPipeline(device, layouts.pipeline.get(), masked, masked_, error);
+           createPipeline(device, layouts.pipeline.get(), masked, masked_, error) &&
+           createPipeline(device, layouts.pipeline.get(), cut, cut_, error);
 }
 
 void ShadowPass::record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
-                        const glm::dvec3& eye, const ShadowFits& fits) const {
+                        const glm::dvec3& eye, const ShadowFits& fits, const BentSun& bent) const {
     constexpr VkPipelineStageFlags2 tests =
         VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
     imageBarrier(commands, map_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
@@ -161,8 +205,17 @@ void ShadowPass::record(VkCommandBuffer commands, const Layouts& layouts, const 
     for (uint32_t i = 0; i < shadowCascades; ++i) {
         if (!fits[i].enabled) continue;
         setTile(commands, i);
-        drawMeshes(commands, layouts, meshes, eye,
-                   {opaque_.get(), masked_.get(), false, i, glm::dmat4(fits[i].clipFromEye)});
+        MeshPipelines pipelines = {opaque_.get(), masked_.get(), false, i, glm::dmat4(fits[i].clipFromEye)};
+        if (bent.bends) {
+            pipelines.cut = cut_.get();
+            pipelines.sun = &bent;
+            pipelines.casts = Casts::straight;
+        }
+        drawMeshes(commands, layouts, meshes, eye, pipelines);
+        if (!bent.bends) continue;
+        pipelines.casts = Casts::bent;
+        pipelines.clipFromEye *= shearFromEye(bent, eye);
+        drawMeshes(commands, layouts, meshes, eye, pipelines);
     }
     vkCmdEndRendering(commands);
     imageBarrier(commands, map_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,

@@ -18,7 +18,8 @@ struct ShadowFit {
 
 using ShadowFits = std::array<ShadowFit, shadowCascades>;
 
-ShadowFits fitShadows(const std::vector<Box>& boxes, const Camera& camera, const glm::dvec3& toSun);
+ShadowFits fitShadows(const std::vector<Box>& boxes, const Camera& camera, const glm::dvec3& toSun,
+                      const BentSun& bent);
 
 class ShadowPass {
   public:
@@ -33,13 +34,13 @@ class ShadowPass {
     VkSampler sampler() const { return sampler_.get(); }
     /// Leaves the map readable by fragment shaders. Needs set 0 bound.
     void record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
-                const glm::dvec3& eye, const ShadowFits& fits) const;
+                const glm::dvec3& eye, const ShadowFits& fits, const BentSun& bent) const;
 
   private:
     Image map_;
     UniqueImageView arrayView_;
     UniqueSampler sampler_;
-    UniquePipeline opaque_, masked_;
+    UniquePipeline opaque_, masked_, cut_;
 };
 
 void setShadowUniforms(const ShadowFits& fits, FrameUniforms& uniforms);

@@ -2,6 +2,7 @@
 // truth of what the mirror shows.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

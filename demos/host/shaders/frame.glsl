@@ -12,6 +12,10 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 sky;               // rotation [turns], intensity, last mip of the cube, face size
     vec4 shadowTexelM;      // of each cascade, 0 where it is not drawn
     vec4 shadow;            // texel of a cascade [uv]
+    vec4 waterPlane;        // whose calm surface bends the sun: height over it; 0: none
+    vec4 waterAcross;       // along the surface: -1 to 1 where there is water
+    vec4 waterAlong;        // across that
+    vec4 sunShear;          // on each metre of depth
 } frame;
 
 // Irradiance from the sky on a plane with unit normal n (Ramamoorthi and Hanrahan 2001).

@@ -1,12 +1,19 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
 #include "draw.glsl"
+#include "bent_sun.glsl"
+
+layout(constant_id = 0) const bool masked = false;
 
 layout(set = 1, binding = 0) uniform sampler2D baseColorMap;
 
 layout(location = 0) in vec2 inUv;
 layout(location = 1) in float inAlpha;
+layout(location = 2) in vec3 inFromEye;
 
 void main() {
-    if (draw.baseColor.a * inAlpha * texture(baseColorMap, inUv).a < draw.emissive.w) discard;
+    const int casts = int(draw.surface.w);
+    if (casts != castsAll && isSunBent(inFromEye) != (casts == castsBent)) discard;
+    if (masked && draw.baseColor.a * inAlpha * texture(baseColorMap, inUv).a < draw.emissive.w) discard;
 }

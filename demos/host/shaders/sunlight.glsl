@@ -1,4 +1,6 @@
 // What of the sun reaches a point, and what a glossy surface mirrors of it. Needs frame.glsl.
+#include "bent_sun.glsl"
+
 layout(set = 0, binding = 3) uniform sampler2DShadow shadowMap;
 
 const float pi = 3.14159265;
@@ -24,7 +26,14 @@ float filteredShadow(int cascade, vec2 uv, float depth) {
 }
 
 float sunVisibility(vec3 fromEye, vec3 normal, float nDotL) {
-    const float sine = sqrt(max(0.0, 1.0 - nDotL * nDotL));
+    const bool bent = isSunBent(fromEye);
+    float cosine = nDotL, stretch = 1.0;
+    if (bent) {
+        const vec3 turned = shearedNormal(normal);
+        stretch = length(turned);
+        cosine = dot(turned, frame.toSun.xyz) / stretch;
+    }
+    const float sine = sqrt(max(0.0, 1.0 - cosine * cosine));
     int chosen = -1;
     vec3 at = vec3(0.0);
     // From far to near: the nearest that holds the point wins. Chosen first and filtered once, since a device that
@@ -33,7 +42,8 @@ float sunVisibility(vec3 fromEye, vec3 normal, float nDotL) {
         const float texelM = frame.shadowTexelM[cascade];
         // Under a filter of radius r a plane seen at an angle rises by r * sin: lifting the receiver along its normal
         // by that much ends acne without a bias in depth.
-        const vec3 receiver = fromEye + normal * (texelM * (2.5 * sine + 0.1));
+        const vec3 lifted = fromEye + normal * (texelM * stretch * (2.5 * sine + 0.1));
+        const vec3 receiver = bent ? sheared(lifted) : lifted;
         const vec3 clip = (frame.shadowFromEye[cascade] * vec4(receiver, 1.0)).xyz;
         // The filter must not reach into the neighbouring cascade.
         const bool inside = max(abs(clip.x), abs(clip.y)) < 1.0 - 8.0 * frame.shadow.x;

@@ -1,0 +1,109 @@
+#include "host/bent_sun.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/extent.h"
+#include "scene/water_plane.h"
+
+namespace demos {
+namespace {
+
+constexpr double waterIndex = 1.333;
+/// Of the sun's direction and the normal: along the surface no light comes in, and none has to be placed.
+constexpr double leastCosine = 1e-3;
+/// By which walls may stand in what the water covers [m].
+constexpr double margin = 0.1;
+
+bool boxOf(const ExtentDesc& desc, BentSun& out, Error& error) {
+    SceneExtent extent;
+    if (!extentOf(desc, extent, error)) return false;
+    if (extent.desc.shape == seaglass::ExtentShape::rectangle) {
+        const double c = std::abs(std::cos(extent.desc.yaw)), s = std::abs(std::sin(extent.desc.yaw));
+        const double u = extent.desc.size[0] / 2, v = extent.desc.size[1] / 2;
+        out.middle = {extent.desc.center[0], extent.desc.center[1]};
+        out.half = {c * u + s * v, s * u + c * v};
+    } else {
+        glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
+        for (size_t i = 0; i + 1 < extent.points.size(); i += 2) {
+            const glm::dvec2 point(extent.points[i], extent.points[i + 1]);
+            low = glm::min(low, point);
+            high = glm::max(high, point);
+        }
+        out.middle = (low + high) / 2.0;
+        out.half = (high - low) / 2.0;
+    }
+    out.half += margin;
+    return true;
+}
+
+/// Less what a ray runs along the surface on each metre of depth in the water: what it would run on in air.
+glm::dvec3 shearOf(const glm::dvec3& normal, const glm::dvec3& toSun, double cosine) {
+    const double below = std::sqrt(1 - (1 - cosine * cosine) / (waterIndex * waterIndex));
+    const glm::dvec3 aside = toSun - cosine * normal;
+    return aside / (waterIndex * below) - aside / cosine;
+}
+
+/// So that what the water covers has -1 to 1.
+glm::vec4 scaledAxis(const glm::dvec3& axis, double middle, double half, const glm::dvec3& eye) {
+    return glm::vec4(glm::dvec4(axis, glm::dot(axis, eye) - middle) / half);
+}
+
+} // namespace
+
+bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, BentSun& out, Error& error) {
+    const Plane plane = waterPlane(water);
+    BentSun sun;
+    sun.normal = {plane[0], plane[1], plane[2]};
+    sun.offset = plane[3];
+    // alongPlane() as axes.
+    const glm::dvec3& n = sun.normal;
+    sun.across = {1 - n.x * n.x / (1 + n.y), -n.x, -n.x * n.z / (1 + n.y)};
+    sun.along = {-n.x * n.z / (1 + n.y), -n.z, 1 - n.z * n.z / (1 + n.y)};
+    if (water.extent && !boxOf(*water.extent, sun, error)) return false;
+    const double cosine = glm::dot(n, toSun);
+    sun.bends = toSun.y > 0 && cosine > leastCosine;
+    if (sun.bends) sun.shear = shearOf(n, toSun, cosine);
+    out = sun;
+    return true;
+}
+
+BentShare shareOf(const BentSun& sun, std::span<const glm::dvec3, 8> corners) {
+    if (!sun.bends) return {};
+    // Beyond a side of the box in which rays are bent, and within it: the surface, and two sides each of u
+    // and v.
+    bool out[5] = {true, true, true, true, true}, in = true;
+    for (const glm::dvec3& corner : corners) {
+        const double u = glm::dot(sun.across, corner) - sun.middle.x,
+                     v = glm::dot(sun.along, corner) - sun.middle.y;
+        const double inside[5] = {sun.depthOf(corner), sun.half.x - u, sun.half.x + u, sun.half.y - v,
+                                  sun.half.y + v};
+        for (size_t side = 0; side < 5; ++side) {
+            out[side] = out[side] && inside[side] <= 0;
+            in = in && inside[side] > 0;
+        }
+    }
+    return {std::none_of(std::begin(out), std::end(out), [](bool beyond) { return beyond; }), in};
+}
+
+glm::dmat4 shearFromEye(const BentSun& sun, const glm::dvec3& eye) {
+    glm::dmat4 shear(1);
+    for (int i = 0; i < 3; ++i) shear[i] -= glm::dvec4(sun.shear * sun.normal[i], 0);
+    shear[3] += glm::dvec4(sun.shear * sun.depthOf(eye), 0);
+    return shear;
+}
+
+void setBentUniforms(const BentSun& sun, const glm::dvec3& eye, FrameUniforms& uniforms) {
+    if (!sun.bends) return; // a plane of zeros has nothing below it
+    uniforms.waterPlane = glm::vec4(glm::dvec4(sun.normal, -sun.depthOf(eye)));
+    uniforms.waterAcross = scaledAxis(sun.across, sun.middle.x, sun.half.x, eye);
+    uniforms.waterAlong = scaledAxis(sun.along, sun.middle.y, sun.half.y, eye);
+    uniforms.sunShear = glm::vec4(glm::vec3(sun.shear), 0);
+}
+
+void moveBentUniforms(const glm::dvec3& step, FrameUniforms& uniforms) {
+    for (glm::vec4* const plane : {&uniforms.waterPlane, &uniforms.waterAcross, &uniforms.waterAlong})
+        plane->w += static_cast<float>(glm::dot(glm::dvec3(*plane), step));
+}
+
+} // namespace demos

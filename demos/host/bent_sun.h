@@ -1,0 +1,42 @@
+// The sun as calm water bends its rays. Sheared along the surface by its depth, what lies under water has
+// them straight again, so that one shadow map holds what is above and what is below.
+#pragma once
+
+#include <limits>
+#include <span>
+
+#include "host/camera.h"
+#include "host/layouts.h"
+
+namespace demos {
+
+/// Where in the world it is bent, and how. Of one water: a frame has no other.
+struct BentSun {
+    bool bends = false;
+    glm::dvec3 normal{0, 1, 0}; ///< of the calm surface, normal.p + offset = 0; unit
+    double offset = 0;
+    glm::dvec3 shear{0};                        ///< of a point on each metre of its depth, along the surface
+    glm::dvec3 across{1, 0, 0}, along{0, 0, 1}; ///< axes of u and v
+    glm::dvec2 middle{0};                       ///< in u and v, of the box that the water fills
+    glm::dvec2 half{std::numeric_limits<double>::infinity()}; ///< of that box's sides
+
+    double depthOf(const glm::dvec3& p) const { return -(glm::dot(normal, p) + offset); }
+};
+
+/// False with `error` set when the file of an extent cannot be read.
+bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, BentSun& out, Error& error);
+
+/// How much of a box lies where rays are bent.
+struct BentShare {
+    bool some = false, all = false;
+};
+BentShare shareOf(const BentSun& sun, std::span<const glm::dvec3, 8> corners);
+
+/// Moves what is under water; relative to the eye.
+glm::dmat4 shearFromEye(const BentSun& sun, const glm::dvec3& eye);
+
+void setBentUniforms(const BentSun& sun, const glm::dvec3& eye, FrameUniforms& uniforms);
+/// The same for another eye, `step` from the one that they are of.
+void moveBentUniforms(const glm::dvec3& step, FrameUniforms& uniforms);
+
+} // namespace demos

@@ -1,0 +1,142 @@
+// Shadows under water lie where the ray falls that the surface bends: as the reference traces them.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/reference/box_file.h"
+#include "tests/reference/rendered_picture.h"
+#include "tests/reference/traced_picture.h"
+
+namespace {
+
+using namespace demos;
+
+constexpr uint32_t width = 200, height = 150;
+
+/// Clear, calm water over an even bed, seen from above, in a sun that stands 30 degrees high over +X and a
+/// little over +Z.
+Scene calmWater(const std::string& name, std::vector<tests::Box> things, double depth = 2) {
+    things.push_back({{-20, -depth - 1, -20}, {20, -depth, 20}});
+    Scene scene;
+    scene.sky.file = std::string(SEAGLASS_SCENES) + "/../../textures/harbour_sky.exr";
+    scene.sky.intensity = 0.2;
+    scene.sun.azimuthDeg = 20;
+    scene.sun.elevationDeg = 30;
+    scene.sun.irradiance = {10, 10, 10};
+    scene.meshes.push_back({tests::writeBoxes(name, things, 0.5)});
+    scene.water.emplace().refraction.emplace().type = "pool";
+    scene.cameras.emplace_back();
+    scene.cameras[0].positionM = {-2, 9, 0.3};
+    scene.cameras[0].targetM = {-2, 0, 0};
+    return scene;
+}
+
+double brightness(const Picture& picture, size_t pixel) {
+    return static_cast<double>(picture.rgba[pixel * 4] + picture.rgba[pixel * 4 + 1] +
+                               picture.rgba[pixel * 4 + 2]);
+}
+
+/// Rows of a picture.
+struct Rows {
+    size_t from = 0, to = height;
+};
+
+/// Pixels that are darker than halfway between a dark and a bright one.
+std::vector<bool> shaded(const Picture& picture, const Rows& rows) {
+    std::vector<double> values;
+    for (size_t i = rows.from * width; i < rows.to * width; ++i) values.push_back(brightness(picture, i));
+    std::vector<double> sorted = values;
+    std::ranges::sort(sorted);
+    const double halfway = (sorted[sorted.size() / 50] + sorted[sorted.size() * 9 / 10]) / 2;
+    std::vector<bool> dark;
+    for (const double value : values) dark.push_back(value < halfway);
+    return dark;
+}
+
+struct Pictures {
+    Picture drawn, traced;
+};
+
+Pictures picturesOf(const Scene& scene) {
+    HostDesc desc;
+    desc.validation = true;
+    Error error;
+    const std::unique_ptr<Host> host = Host::create(desc, error);
+    EXPECT_TRUE(host) << error.text;
+    if (!host) return {};
+    Pictures pictures;
+    pictures.drawn = tests::rendered(*host, scene, width, height);
+    EXPECT_EQ(host->validationMessages(), 0u);
+    pictures.traced = tests::traced(scene, {width, height, scene.cameras.front(), scene.timeS, 16}).color;
+    return pictures;
+}
+
+void expectAlike(const Pictures& pictures, const Rows& rows = {}) {
+    const std::vector<bool> drawn = shaded(pictures.drawn, rows), traced = shaded(pictures.traced, rows);
+    size_t both = 0, either = 0;
+    for (size_t i = 0; i < drawn.size(); ++i) {
+        both += drawn[i] && traced[i];
+        either += drawn[i] || traced[i];
+    }
+    const double alike = static_cast<double>(both) / static_cast<double>(either);
+    std::printf("shaded in either %zu, in both %.3f of them\n", either, alike);
+    EXPECT_GT(either, 500u);
+    EXPECT_GT(alike, 0.93);
+}
+
+const std::vector<tests::Box> board = {{{0.5, 0.6, -1.5}, {2.5, 0.7, 1.5}}};
+const std::vector<tests::Box> post = {{{0.6, -2, -0.3}, {1.2, 1.2, 0.3}}};
+
+TEST(BentSun, ShadesTheBedUnderABoard) {
+    expectAlike(picturesOf(calmWater("board", board)));
+}
+
+TEST(BentSun, KeepsThePostsShadowWhole) {
+    expectAlike(picturesOf(calmWater("post", post)));
+}
+
+TEST(BentSun, FollowsATiltedSurface) {
+    Scene scene = calmWater("tilted", board);
+    scene.water->tiltDeg = 14;
+    scene.water->tiltTowardsDeg = 250;
+    expectAlike(picturesOf(scene));
+}
+
+TEST(BentSun, IsTheSameToAnEyeUnderWater) {
+    Scene scene = calmWater("below", board);
+    scene.water->underwater.emplace();
+    scene.cameras[0].positionM = {0, -0.3, 0.3};
+    scene.cameras[0].targetM = {-0.5, -2, 0};
+    scene.cameras[0].verticalFovDeg = 90;
+    expectAlike(picturesOf(scene));
+}
+
+TEST(BentSun, ReachesFarWhereItIsLow) {
+    Scene scene = calmWater("low", {{{4, 0.6, -1.5}, {8, 0.7, 1.5}}});
+    scene.sun.elevationDeg = 7;
+    expectAlike(picturesOf(scene));
+}
+
+/// Such an eye has the place where the light comes in far behind it.
+TEST(BentSun, ShadesWhatADeepEyeLooksDownOn) {
+    Scene scene = calmWater("deep", {{{7.7, 0.6, 0.9}, {10.7, 0.7, 6.9}}}, 12);
+    scene.water->underwater.emplace();
+    scene.cameras[0].positionM = {0, -10.5, 0.1};
+    scene.cameras[0].targetM = {0, -12, 0};
+    expectAlike(picturesOf(scene));
+}
+
+/// Nor where its extent ends. The bed beside the water lies as deep.
+TEST(BentSun, IsStraightBesideTheWater) {
+    Scene scene = calmWater("beside", {{{0.5, 0.6, -5}, {2.5, 0.7, 5}}});
+    ExtentDesc& extent = scene.water->extent.emplace();
+    extent.centerM = {0, 5};
+    extent.sizeM = {30, 10};
+    scene.cameras[0].positionM[0] = scene.cameras[0].targetM[0] = -5;
+    const Pictures pictures = picturesOf(scene);
+    expectAlike(pictures, {25, height / 2 - 10});
+    expectAlike(pictures, {height / 2 + 10, height - 25});
+}
+
+} // namespace
