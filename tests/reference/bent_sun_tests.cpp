@@ -127,6 +127,24 @@ TEST(BentSun, ShadesWhatADeepEyeLooksDownOn) {
     expectAlike(picturesOf(scene));
 }
 
+/// Above water such a sun lights a wall seven times as much as the level.
+TEST(BentSun, FallsOnWallsAsSteeplyAsInWater) {
+    Scene scene = calmWater("wall", {{{-3, -2, -4}, {-2, 1, 4}}});
+    scene.sun.elevationDeg = 8;
+    scene.water->underwater.emplace();
+    scene.cameras[0].positionM = {0.5, -1, 0};
+    scene.cameras[0].targetM = {-2, -1, 0};
+    scene.cameras[0].verticalFovDeg = 20;
+    const Pictures pictures = picturesOf(scene);
+    double drawn = 0, traced = 0;
+    for (size_t i = 0; i < size_t{width} * height; ++i) {
+        drawn += brightness(pictures.drawn, i);
+        traced += brightness(pictures.traced, i);
+    }
+    std::printf("drawn %.4f of what is traced\n", drawn / traced);
+    EXPECT_NEAR(drawn / traced, 1, 0.3); // the sky falls on it as in air
+}
+
 /// Nor where its extent ends. The bed beside the water lies as deep.
 TEST(BentSun, IsStraightBesideTheWater) {
     Scene scene = calmWater("beside", {{{0.5, 0.6, -5}, {2.5, 0.7, 5}}});

@@ -38,7 +38,7 @@ void main() {
     if (!gl_FrontFacing) n = -n;
     const vec3 v = normalize(-inFromEye);
     const vec3 l = frame.toSun.xyz;
-    const float nDotL = dot(n, l), nDotV = max(abs(dot(n, v)), 1e-3);
+    const float nDotL = facingSun(inFromEye, n), nDotV = max(abs(dot(n, v)), 1e-3);
 
     vec3 radiance = draw.emissive.rgb;
     if (nDotL > 0.0) {

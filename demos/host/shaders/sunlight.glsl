@@ -25,14 +25,17 @@ float filteredShadow(int cascade, vec2 uv, float depth) {
     return sum / 144.0;
 }
 
+// Cosine of the sun's ray to a side with that unit normal. Under water it is the bent ray's over its own to the surface,
+// times the straight one's: what comes in is the water's to say.
+float facingSun(vec3 fromEye, vec3 normal) {
+    return dot(isSunBent(fromEye) ? shearedNormal(normal) : normal, frame.toSun.xyz);
+}
+
+// `nDotL` is facingSun().
 float sunVisibility(vec3 fromEye, vec3 normal, float nDotL) {
     const bool bent = isSunBent(fromEye);
-    float cosine = nDotL, stretch = 1.0;
-    if (bent) {
-        const vec3 turned = shearedNormal(normal);
-        stretch = length(turned);
-        cosine = dot(turned, frame.toSun.xyz) / stretch;
-    }
+    const float stretch = bent ? length(shearedNormal(normal)) : 1.0;
+    const float cosine = nDotL / stretch;
     const float sine = sqrt(max(0.0, 1.0 - cosine * cosine));
     int chosen = -1;
     vec3 at = vec3(0.0);
