@@ -85,6 +85,17 @@ void expectAlike(const Pictures& pictures, const Rows& rows = {}) {
     EXPECT_GT(alike, 0.93);
 }
 
+/// As a share of what is traced.
+double brightnessDrawn(const Pictures& pictures) {
+    double drawn = 0, traced = 0;
+    for (size_t i = 0; i < size_t{width} * height; ++i) {
+        drawn += brightness(pictures.drawn, i);
+        traced += brightness(pictures.traced, i);
+    }
+    std::printf("drawn %.4f of what is traced\n", drawn / traced);
+    return drawn / traced;
+}
+
 const std::vector<tests::Box> board = {{{0.5, 0.6, -1.5}, {2.5, 0.7, 1.5}}};
 const std::vector<tests::Box> post = {{{0.6, -2, -0.3}, {1.2, 1.2, 0.3}}};
 
@@ -135,14 +146,18 @@ TEST(BentSun, FallsOnWallsAsSteeplyAsInWater) {
     scene.cameras[0].positionM = {0.5, -1, 0};
     scene.cameras[0].targetM = {-2, -1, 0};
     scene.cameras[0].verticalFovDeg = 20;
-    const Pictures pictures = picturesOf(scene);
-    double drawn = 0, traced = 0;
-    for (size_t i = 0; i < size_t{width} * height; ++i) {
-        drawn += brightness(pictures.drawn, i);
-        traced += brightness(pictures.traced, i);
-    }
-    std::printf("drawn %.4f of what is traced\n", drawn / traced);
-    EXPECT_NEAR(drawn / traced, 1, 0.3); // the sky falls on it as in air
+    EXPECT_NEAR(brightnessDrawn(picturesOf(scene)), 1, 0.3); // the sky falls on it as in air
+}
+
+/// Whose eye lies as far above the water as the other below it.
+TEST(BentSun, IsBentInAMirroredPicture) {
+    Scene scene = calmWater("mirrored", board);
+    scene.water->underwater.emplace();
+    scene.water->reflection.emplace().technique = "planar";
+    scene.cameras[0].positionM = {4, -0.6, 0};
+    scene.cameras[0].targetM = {1.5, 0, 0};
+    scene.cameras[0].verticalFovDeg = 20;
+    expectAlike(picturesOf(scene));
 }
 
 /// Nor where its extent ends. The bed beside the water lies as deep.
