@@ -61,9 +61,11 @@ class Features : public testing::Test {
         return camera;
     }
 
-    Cost costOf(const BodyDesc& body) {
+    Cost costOf(const BodyDesc& body, bool sunShadow = true) {
+        HostShape shape;
+        shape.sunShadow = sunShadow;
         spiedCalls().clear();
-        ShapedHost host(device(), {}, true, {}, [&](BodyDesc& desc) { desc = body; });
+        ShapedHost host(device(), shape, true, {}, [&](BodyDesc& desc) { desc = body; });
         host.picture(atTheWaterline());
         Cost cost;
         cost.bytes = bytesSpied();
@@ -95,6 +97,7 @@ TEST_F(Features, ThatAreOffAreGone) {
         const char* name;
         void (*off)(Water&);
         bool memory, computes, dispatches, draws, samples; ///< what must become less
+        bool sunShadow = true;
     };
     const Switch switches[] = {
         {"waves",
@@ -118,12 +121,13 @@ TEST_F(Features, ThatAreOffAreGone) {
         {"blur", [](Water& w) { w.reflection.blurLevels = 0; }, true, true, true, false, false},
         {"underwater", [](Water& w) { w.desc.underwater = nullptr; }, false, false, false, true, true},
         {"caustics", [](Water& w) { w.desc.caustics = nullptr; }, false, false, false, true, true},
+        {"sun shadow", [](Water&) {}, false, false, false, false, true, false},
     };
     for (const Switch& feature : switches) {
         SCOPED_TRACE(feature.name);
         Water water;
         feature.off(water);
-        const Cost cost = costOf(water.desc);
+        const Cost cost = costOf(water.desc, feature.sunShadow);
         std::printf(
             "%-12s %8zu KiB of %zu, %zu of %zu compute pipelines, %zu of %zu dispatches, %zu of %zu draws, "
             "%zu of %zu images sampled\n",

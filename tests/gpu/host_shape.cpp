@@ -206,6 +206,21 @@ void ShapedHost::createLight() {
     lighting_.toSun[1] = 0.8;
     for (float& value : lighting_.sunIrradiance) value = 0.5f;
     for (float& value : lighting_.skyIrradiance) value = 0.5f;
+    if (shape_.sunShadow) createSunShadow();
+}
+
+void ShapedHost::createSunShadow() {
+    constexpr uint32_t size = 8;
+    const std::vector<float> farthest(size * size, 1);
+    shadowMap_ = uploaded(device_, VK_FORMAT_R32_SFLOAT, {size, size}, false, farthest);
+    demos::Error error;
+    EXPECT_TRUE(demos::createArrayView(device_, shadowMap_, shadowView_, error)) << error.text;
+    sunShadow_.map = {shadowView_.get(), shadowMap_.format, shadowMap_.extent,
+                      VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    double(&middle)[16] = sunShadow_.textureFromWorld[0]; // of all points
+    middle[12] = middle[13] = middle[14] = 0.5;
+    middle[15] = 1;
+    lighting_.shadow = &sunShadow_;
 }
 
 void ShapedHost::createWater(bool reversedDepth, const std::function<void(seaglass::BodyDesc&)>& change) {

@@ -23,6 +23,7 @@ struct HostShape {
     bool secondary = false;  ///< all of it recorded in secondary command buffers
     bool flipped = false;    ///< y up in clip space, and a viewport of negative height
     bool multiview = false;  ///< all cameras of a frame in one pass
+    bool sunShadow = false;  ///< hands in a shadow map, of a sun that nothing hides
 };
 
 /// Whether the tests' device has its formats and samples.
@@ -82,6 +83,7 @@ class ShapedHost {
     };
 
     void createLight();
+    void createSunShadow();
     void createWater(bool reversedDepth, const std::function<void(seaglass::BodyDesc&)>& change);
     void createRenderPass();
     Attachment createAttachment(VkFormat format, VkExtent2D extent, uint32_t layers,
@@ -104,7 +106,9 @@ class ShapedHost {
     seaglass::Target* target_ = nullptr;
     seaglass::Body* body_ = nullptr;
     bool caustics_ = false;
-    demos::Image skyCube_;
+    demos::Image skyCube_, shadowMap_;
+    demos::UniqueImageView shadowView_;
+    seaglass::SunShadow sunShadow_;
     seaglass::LightingDesc lighting_;
     demos::Unique<VkRenderPass, &vkDestroyRenderPass> renderPass_;
     std::vector<std::unique_ptr<Scene>> scenes_;

@@ -135,6 +135,12 @@ HostShape flipped() {
     return shape;
 }
 
+HostShape withSunShadow() {
+    HostShape shape = named("SunShadow");
+    shape.sunShadow = true;
+    return shape;
+}
+
 std::vector<Case> cases() {
     const HostShape depthAndStencil = withDepth(VK_FORMAT_D32_SFLOAT_S8_UINT, true, "D32AndStencil");
     // Sampled at other places; means along edges.
@@ -145,6 +151,7 @@ std::vector<Case> cases() {
     constexpr double line = 0.005;
     return {
         {named("Plain")},
+        {withSunShadow()},
         {inPass({}, "RenderPass")},
         {inSecondaries({}, "Secondaries")},
         {inSecondaries(inPass({}, ""), "RenderPassSecondaries")},
