@@ -15,12 +15,6 @@ namespace seaglass {
 
 namespace {
 
-bool allFinite(const glm::dmat4& m) {
-    for (int i = 0; i < 16; ++i)
-        if (!std::isfinite(m[i / 4][i % 4])) return false;
-    return true;
-}
-
 /// Columns that lie in one plane to within rounding, whatever their lengths: near planes make some very
 /// short.
 template<typename Matrix>
@@ -121,6 +115,12 @@ glm::dmat4 toMatrix(const double (&values)[16]) {
     glm::dmat4 m;
     for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = values[i];
     return m;
+}
+
+bool allFinite(const glm::dmat4& m) {
+    for (int i = 0; i < 16; ++i)
+        if (!std::isfinite(m[i / 4][i % 4])) return false;
+    return true;
 }
 
 const char* readView(const ViewDesc& view, ViewGeometry& out) {

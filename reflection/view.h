@@ -54,5 +54,6 @@ glm::dmat4 scenePixelFromRelative(const ViewGeometry& view);
 glm::dmat4 relativeFromScenePixel(const ViewGeometry& view);
 
 glm::dmat4 toMatrix(const double (&values)[16]);
+bool allFinite(const glm::dmat4& m);
 
 } // namespace seaglass

@@ -71,7 +71,7 @@ void main() {
 #ifdef SUN_SHADOW
     // By where the ray came in: what stands in the water hides little of it.
     vec2 from = at.xz - depth * strays(vec2(0.0));
-    sunSeen = sunSeenFrom(vec3(from.x, -plane.w, from.y), dFdx(at), dFdy(at));
+    sunSeen = sunSeenAt(vec3(from.x, -plane.w, from.y));
 #endif
     vec3 sun = sunSeen * sunIrradiance.rgb * max(dot(normal, toSun.xyz), 0.0);
     vec3 share = sun / max(sun + skyIrradiance.rgb, 1e-6);

@@ -66,6 +66,23 @@ vec3 inWorld(vec3 direction) {
 #include "foam_cover.glsl"
 #endif
 
+#ifdef SUN_SHADOW
+// A mean over the pixel, by as many looks as its waves get.
+float sunSeenHere() {
+#ifdef WAVES
+    vec2 part = footprintOf(dFdx(meshCalm), dFdy(meshCalm)).longer / float(slopeLooks);
+    float sum = 0.0;
+    for (int i = 0; i < slopeLooks; ++i) {
+        vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeLooks));
+        sum += sunSeenAt(position + vec3(aside.x, 0.0, aside.y));
+    }
+    return sum / float(slopeLooks);
+#else
+    return sunSeenAt(position);
+#endif
+}
+#endif
+
 bool isSeenFromWater() {
 #ifdef REFRACTION
     return sidesSeen == seenBelow || (sidesSeen != seenAbove && seenFromBelow());
@@ -133,7 +150,7 @@ void main() {
         return;
     }
 #ifdef SUN_SHADOW
-    sunSeen = sunSeenFrom(position, dFdx(position), dFdy(position));
+    sunSeen = sunSeenHere();
 #endif
     float foamShare = 0.0;
 #ifdef FOAM

@@ -10,14 +10,8 @@ namespace seaglass {
 
 namespace {
 
-bool allFinite(const double (&matrix)[16]) {
-    for (const double value : matrix)
-        if (!std::isfinite(value)) return false;
-    return true;
-}
-
 const char* badCascade(const SunShadow& shadow, uint32_t i) {
-    if (!allFinite(shadow.textureFromWorld[i])) return "SunShadow.textureFromWorld is not finite";
+    if (!allFinite(toMatrix(shadow.textureFromWorld[i]))) return "SunShadow.textureFromWorld is not finite";
     const float(&b)[4] = shadow.bounds[i];
     if (!(b[0] >= 0 && b[1] >= 0 && b[2] > b[0] && b[3] > b[1] && b[2] <= 1 && b[3] <= 1))
         return "SunShadow.bounds is no part of a texture, expected 0 <= low < high <= 1";
@@ -28,8 +22,7 @@ const char* badField(const SunShadow& shadow) {
     if (!shadow.map.view) return "SunShadow.map.view is null";
     if (!holdsDepth(shadow.map.format))
         return "SunShadow.map.format holds no depth that can be read, expected D16_UNORM, "
-               "X8_D24_UNORM_PACK32 or "
-               "D32_SFLOAT, with stencil or without, R16_UNORM or R32_SFLOAT";
+               "X8_D24_UNORM_PACK32 or D32_SFLOAT, with stencil or without, R16_UNORM or R32_SFLOAT";
     if (!sampledIn(shadow.map.layout))
         return "SunShadow.map.layout is none to sample from, expected GENERAL or one that is read-only";
     if (shadow.map.samples != VK_SAMPLE_COUNT_1_BIT) return "SunShadow.map.samples is not 1";

@@ -80,7 +80,8 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
     u.worldFromBody = glm::mat3x4(body.frame.worldFromBody);
     u.sunIrradiance = color(lighting.sunIrradiance);
     u.skyIrradiance = color(lighting.skyIrradiance);
-    if (lighting.shadow) setSunShadow(u, *lighting.shadow, body.frame, geometry.eye);
+    const bool sunShines = u.toSun.y > 0 && glm::vec3(u.sunIrradiance) != glm::vec3(0);
+    if (lighting.shadow && sunShines) setSunShadow(u, *lighting.shadow, body.frame, geometry.eye);
     u.skyMips = static_cast<float>(lighting.skyCubeMipLevels);
     u.sceneShift = glm::vec2(geometry.sceneShift);
     u.region = glm::ivec4(geometry.regionOrigin, geometry.regionSize);

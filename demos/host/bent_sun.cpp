@@ -37,6 +37,17 @@ bool boxOf(const ExtentDesc& desc, BentSun& out, Error& error) {
     return true;
 }
 
+/// alongPlane() is linear: what it says of the axes of space makes up the rows of u and v.
+void setAxes(const Plane& plane, BentSun& out) {
+    for (int i = 0; i < 3; ++i) {
+        Vec3 axis{};
+        axis[static_cast<size_t>(i)] = 1;
+        const Vec3 turned = alongPlane({plane[0], plane[1], plane[2], 0}, axis);
+        out.across[i] = turned[0];
+        out.along[i] = turned[2];
+    }
+}
+
 /// Less what a ray runs along the surface on each metre of depth in the water: what it would run on in air.
 glm::dvec3 shearOf(const glm::dvec3& normal, const glm::dvec3& toSun, double cosine) {
     const double below = std::sqrt(1 - (1 - cosine * cosine) / (waterIndex * waterIndex));
@@ -56,14 +67,11 @@ bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, BentSun& out, Er
     BentSun sun;
     sun.normal = {plane[0], plane[1], plane[2]};
     sun.offset = plane[3];
-    // alongPlane() as axes.
-    const glm::dvec3& n = sun.normal;
-    sun.across = {1 - n.x * n.x / (1 + n.y), -n.x, -n.x * n.z / (1 + n.y)};
-    sun.along = {-n.x * n.z / (1 + n.y), -n.z, 1 - n.z * n.z / (1 + n.y)};
+    setAxes(plane, sun);
     if (water.extent && !boxOf(*water.extent, sun, error)) return false;
-    const double cosine = glm::dot(n, toSun);
+    const double cosine = glm::dot(sun.normal, toSun);
     sun.bends = toSun.y > 0 && cosine > leastCosine;
-    if (sun.bends) sun.shear = shearOf(n, toSun, cosine);
+    if (sun.bends) sun.shear = shearOf(sun.normal, toSun, cosine);
     out = sun;
     return true;
 }

@@ -44,7 +44,7 @@ struct MeshDesc {
 struct ShadingDesc {
     uint32_t mirrorLooks = 2;     ///< for what the slopes within a pixel mirror: 1, 2 or 4
     uint32_t refractionLooks = 6; ///< for where the bent ray ends, 1 (straight through) .. 16
-    uint32_t slopeLooks = 1;      ///< along a pixel's longer side, for its waves: 1, 2 or 4
+    uint32_t slopeLooks = 1;      ///< along a pixel's longer side, for waves and shadow: 1, 2 or 4
     uint32_t waveShadowSteps = 0; ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
     bool relief = false;          ///< shades waves too short for the mesh at their own height; not on a shore
 };
