@@ -18,13 +18,6 @@ struct PlanarUniforms {
     glm::vec4 weightRow{0};
 };
 
-constexpr gpu::Use drawnColor = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-                                 VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
-                                 VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
-constexpr gpu::Use drawnDepth = {
-    VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT,
-    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL};
-
 gpu::ImageDesc depthDesc(VkExtent2D extent) {
     gpu::ImageDesc desc;
     desc.format = depthFormat;
@@ -44,8 +37,8 @@ glm::dmat4 turned(const glm::dmat4& view) {
 
 void recordBarriers(const ReflectPass& pass, const PlanarScratch& scratch, const OwnedReflection& images) {
     VkImageMemoryBarrier2 before[] = {
-        gpu::imageBarrier(images.color.handle(), drawnColor, gpu::storageChanged, 0, 1),
-        gpu::imageBarrier(scratch.depth.handle(), drawnDepth, gpu::sampledByShaders),
+        gpu::imageBarrier(images.color.handle(), gpu::drawnColor, gpu::storageChanged, 0, 1),
+        gpu::imageBarrier(scratch.depth.handle(), gpu::drawnDepth, gpu::sampledByShaders),
         gpu::imageBarrier(images.info.handle(), gpu::discardedAfterSampling, gpu::storageWritten)};
     before[1].subresourceRange.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
     gpu::recordBarriers(pass.context.device, pass.commands, before, 3);

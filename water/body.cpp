@@ -85,6 +85,7 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
     if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
     if (const char* bad = readPlane(desc.plane, plane))
         return owner.device.fail(Status::invalidArgument, "%s", bad);
+    worldPlane = plane;
     frame = BodyFrame::of(glm::dvec3(plane));
     plane = {0, 1, 0, plane.w};
     mesh = desc.mesh;
@@ -94,6 +95,7 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
     if (desc.foam && waves)
         if (const Status s = createFoam(*desc.foam); s != Status::ok) return s;
     if (desc.refraction) refraction = *desc.refraction;
+    if (desc.bed) bed.emplace().desc = *desc.bed;
     if (desc.underwater) underwater = *desc.underwater;
     if (desc.caustics && waves) {
         caustics = *desc.caustics;
@@ -191,7 +193,23 @@ bool Body::mayShow(const ViewGeometry& geometry) {
     return !patches.empty();
 }
 
+Status Body::bedView(const ViewDesc& view, PlanarView& out) {
+    const gpu::Device& device = context->device;
+    if (!bed) return device.fail(Status::invalidArgument, "bedView: the body has no BodyDesc.bed");
+    ViewGeometry geometry;
+    if (const char* bad = readCamera(frame.fromWorld(view), geometry))
+        return device.fail(Status::invalidArgument, "bedView: %s", bad);
+    out = {};
+    out.visible = sidesSeen(geometry) != SidesSeen::below && mayShow(geometry);
+    if (!out.visible) return Status::ok;
+    // On a shore what shines through a film of water lies as high as the waves run up.
+    glm::dvec4 highest = worldPlane;
+    if (shore) highest.w -= displacement();
+    return bed->handOut(*context, view, highest, frame, out);
+}
+
 Status Body::reflect(VkCommandBuffer commands, SceneOfCall& scene) {
+    if (bed) bed->take(*context, commands, scene.given.viewIndex);
     if (!isMultisampled(scene.given))
         dropSamples(*context, singleSamples.get(), scene.given.viewIndex);
     else if (refraction)
@@ -226,7 +244,8 @@ SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDes
             waves ? shading.waveShadowSteps : 0,
             waves && !shore && shading.relief,
             lighting.shadow != nullptr,
-            frame.tilted};
+            frame.tilted,
+            bed.has_value()};
 }
 
 SurfaceFeatures Body::motionFeatures() const {
@@ -413,12 +432,18 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
         recorded.mirroring[view.viewIndex] = context->frameNumber;
     }
     if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
-    const SurfaceFeatures wanted = motion ? motionFeatures() : features(inputs.reflection, lighting);
+    SurfaceFeatures wanted = motion ? motionFeatures() : features(inputs.reflection, lighting);
+    const SidesSeen sides = motion ? SidesSeen::above : sidesSeen(geometry);
+    if (wanted.bed) {
+        inputs.bed = bed->of(*context, view.viewIndex);
+        wanted.bed = sides != SidesSeen::below;
+        if (wanted.bed && !inputs.bed)
+            return device.misused("draw: BodyDesc.bed is set, and bedView() and reflect() were not called "
+                                  "for this view before");
+        if (wanted.bed) setBed(uniforms, *inputs.bed, geometry.eye);
+    }
     const DrawPipeline* pipeline = nullptr;
-    if (const Status s =
-            target.pipelines.get({wanted, output, motion ? SidesSeen::above : sidesSeen(geometry)}, pipeline);
-        s != Status::ok)
-        return s;
+    if (const Status s = target.pipelines.get({wanted, output, sides}, pipeline); s != Status::ok) return s;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
     inputs.lighting = &lighting;
     inputs.view = &read;
@@ -486,6 +511,7 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
             sum.bytesPerSharedView = SingleSampledScene::bytes(extent, samples);
             sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
         }
+        if (desc->bed) sum.bytesPerView += Bed::bytes(*desc->bed, extent);
         if (desc->waves)
             if (const Status s = addWaves(*context, *desc, sum); s != Status::ok) return s;
         sum.bytes += HostMesh::bytes(desc->extent);
@@ -586,6 +612,15 @@ Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view,
         return body->context->device.fail(Status::invalidArgument,
                                           "recordOverlay: the body's reflection is the sky alone");
     return recordOverlay(commands, body->reflector.get(), view, desc);
+}
+
+Status bedView(Body* body, const ViewDesc* view, PlanarView* out) {
+    if (const Status s = gpu::refuseNull(gpu::contextOf(&body, 1), "bedView",
+                                         {{"body", !body}, {"view", !view}, {"out", !out}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseDestroyed("bedView", "body", *body); s != Status::ok) return s;
+    return gpu::guarded([&] { return body->bedView(*view, *out); });
 }
 
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view) {

@@ -16,6 +16,7 @@
 #include "reflection/reflector.h"
 #include "reflection/view.h"
 #include "seaglass/water.h"
+#include "water/bed.h"
 #include "water/body_frame.h"
 #include "water/caustics.h"
 #include "water/dry_rooms.h"
@@ -59,6 +60,7 @@ struct RecordedIn {
 struct Body : Held {
     BodyFrame frame;
     glm::dvec4 plane{0};
+    glm::dvec4 worldPlane{0};
     MeshDesc mesh;
     ShadingDesc shading;
     std::optional<Outline> outline;       ///< none where the body is unbounded
@@ -75,7 +77,8 @@ struct Body : Held {
     std::optional<UnderwaterDesc> underwater;
     std::optional<CausticsDesc> caustics; ///< only over waves
     CausticBlur causticBlur;
-    std::unique_ptr<Reflector> reflector;         ///< null without a screen-space technique
+    std::optional<Bed> bed;               ///< what refraction looks at from above in the place of the scene
+    std::unique_ptr<Reflector> reflector; ///< null without a screen-space technique
     std::shared_ptr<SingleSamples> singleSamples; ///< null until refraction sees through a view with many
     float reflectionDistortion = 0;
     std::vector<DryPlanes> dryRooms;
@@ -88,6 +91,7 @@ struct Body : Held {
 
     Status create(Context& owner, const BodyDesc& desc);
     Status simulate(VkCommandBuffer commands, double time);
+    Status bedView(const ViewDesc& view, PlanarView& out);
     Status reflect(VkCommandBuffer commands, SceneOfCall& scene);
     Status draw(VkCommandBuffer commands, Target& target, const ViewDesc& view, const LightingDesc& lighting,
                 SurfaceOutput output);

@@ -89,6 +89,9 @@ const char* badField(const BodyDesc& desc) {
         return "BodyDesc.caustics needs BodyDesc.waves and BodyDesc.refraction";
     if (desc.caustics)
         if (const char* bad = badField(*desc.caustics)) return bad;
+    if (desc.bed && !desc.refraction) return "BodyDesc.bed needs BodyDesc.refraction";
+    if (desc.bed && !(desc.bed->margin >= 0 && desc.bed->margin <= 1))
+        return "BedDesc.margin is out of range, expected 0 to 1";
     if (const char* bad = badField(desc.shading)) return bad;
     return badField(desc.mesh);
 }

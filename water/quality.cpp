@@ -12,13 +12,14 @@ struct Step {
     ShadingDesc shading;
     bool hybrid;
     uint32_t downscale, marchSteps;
+    bool bed; ///< is left, where there is one
 };
 
 constexpr Step steps[] = {
-    {128, {1, 2, 1, 0, false}, false, 2, 32},
-    {128, {2, 3, 1, 0, false}, false, 1, 64},
-    {192, {2, 6, 2, 8, true}, true, 1, 64},
-    {256, {4, 8, 4, 16, true}, true, 1, 128},
+    {128, {1, 2, 1, 0, false}, false, 2, 32, false},
+    {128, {2, 3, 1, 0, false}, false, 1, 64, false},
+    {192, {2, 6, 2, 8, true}, true, 1, 64, true},
+    {256, {4, 8, 4, 16, true}, true, 1, 128, true},
 };
 
 void set(const Step& step, ReflectionDesc& reflection) {
@@ -39,6 +40,7 @@ void setQuality(Quality quality, BodyDesc* body, ReflectionDesc* reflection) {
     if (body) {
         body->mesh.cellsPerLevel = step.cellsPerLevel;
         body->shading = step.shading;
+        if (!step.bed) body->bed = nullptr;
     }
     if (reflection) set(step, *reflection);
 }

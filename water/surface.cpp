@@ -144,7 +144,7 @@ std::vector<VkDescriptorType> bindings(const SurfaceFeatures& f) {
             return std::array{image, image};
         },
         [] {
-            return std::array{image, image};
+            return std::array{image, image, image, image};
         },
         [] { return image; });
 }
@@ -176,10 +176,15 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
                               gpu::sampledImage(samplers.nearestClamp(), in.reflection.info)};
         },
         [&] {
-            return std::array{gpu::sampledImage(samplers.nearestClamp(), in.view->sceneColor.view,
-                                                in.view->sceneColor.layout),
-                              gpu::sampledImage(samplers.nearestClamp(), in.view->sceneDepth.view,
-                                                in.view->sceneDepth.layout)};
+            const VkSampler s = samplers.nearestClamp();
+            const gpu::Resource color =
+                gpu::sampledImage(s, in.view->sceneColor.view, in.view->sceneColor.layout);
+            const gpu::Resource depth =
+                gpu::sampledImage(s, in.view->sceneDepth.view, in.view->sceneDepth.layout);
+            // Without a bed its shader does not look at it.
+            if (!f.bed) return std::array{color, depth, color, depth};
+            return std::array{color, depth, gpu::sampledImage(s, in.bed->color.view()),
+                              gpu::sampledImage(s, in.bed->depth.view())};
         },
         [&] {
             return gpu::sampledImage(samplers.nearestClamp(), light.shadow->map.view,
@@ -207,7 +212,8 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.refractionLooks,
                                   variant.features.slopeLooks,
                                   variant.features.tilted,
-                                  variant.features.relief};
+                                  variant.features.relief,
+                                  variant.features.bed};
     return createDrawPipeline(
         device, target,
         {vertexShader(variant.features, target.viewMask != 0), fragmentShader(variant.features), constants},

@@ -5,6 +5,7 @@
 
 #include "gpu/context.h"
 #include "seaglass/water.h"
+#include "water/bed.h"
 #include "water/draw_pipeline.h"
 
 namespace seaglass {
@@ -36,6 +37,7 @@ struct SurfaceFeatures {
     bool relief = false;          ///< only with waves and without a shore
     bool sunShadow = false;       ///< a shadow map of the host's
     bool tilted = false;          ///< its axes are not the world's
+    bool bed = false;             ///< only with refraction: it looks at a picture of the bed
     bool motion = false;          ///< beside it waves, shape and dryRooms alone
     auto operator<=>(const SurfaceFeatures&) const = default;
 };
@@ -73,6 +75,7 @@ struct SurfaceInputs {
     VkImageView foamPattern = VK_NULL_HANDLE;
     VkImageView foamHistory = VK_NULL_HANDLE;
     ReflectionImages reflection;
+    const BedPicture* bed = nullptr;
     const ViewDesc* view = nullptr;
 };
 

@@ -66,8 +66,17 @@ struct SurfaceUniforms {
     glm::mat4 shadowFromRelative[maxShadowCascades] = {};  ///< to u, v and depth of SunShadow's cascades
     glm::vec4 shadowBounds[maxShadowCascades] = {};
     glm::vec4 shadowLayers{0};
-    glm::vec4 shadow{0}; ///< cascades; 1, or -1 where what is nearer to the sun is greater
+    glm::vec4 shadow{0};          ///< cascades; 1, or -1 where what is nearer to the sun is greater
+    glm::mat4 bedFromRelative{1}; ///< to the pixels of the bed's picture
+    glm::mat4 relativeFromBed{1};
+    glm::ivec2 bedSize{0}; ///< of that picture [pixel]
+    float bedPadding[2] = {};
 };
+
+struct BedPicture;
+
+/// For points relative to an `eye` in the body's axes.
+void setBed(SurfaceUniforms& uniforms, const BedPicture& bed, const glm::dvec3& eye);
 
 SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry, const LightingDesc& lighting);
 

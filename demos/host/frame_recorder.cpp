@@ -15,6 +15,11 @@ bool isPlanar(const SurfaceDesc& desc) {
         desc);
 }
 
+bool hasBed(const SurfaceDesc& desc) {
+    const auto* const water = std::get_if<WaterDesc>(&desc);
+    return water && water->bed && water->bed->drawn;
+}
+
 } // namespace
 
 bool FrameRecorder::create(Device& device, const HostDesc& desc, Error& error) {
@@ -70,6 +75,7 @@ bool FrameRecorder::createSurface(const FloorDesc& desc, LoadedScene& scene, Err
 bool FrameRecorder::addSurface(const SurfaceDesc& desc, LoadedScene& scene, Error& error) {
     if (!scene.mirrored.set && isPlanar(desc) && !createFrameSet(scene.sky, scene.mirrored, error))
         return false;
+    if (!scene.bed.set && hasBed(desc) && !createFrameSet(scene.sky, scene.bed, error)) return false;
     return std::visit([&](const auto& surface) { return createSurface(surface, scene, error); }, desc);
 }
 
@@ -89,6 +95,7 @@ bool FrameRecorder::estimateReflection(const SurfaceDesc& desc, VkExtent2D exten
 uint64_t FrameRecorder::hostBytes() const {
     uint64_t bytes = 0;
     if (needed(Stage::copy)) bytes += targets_.sceneColor.bytes + targets_.sceneDepth.bytes;
+    if (needed(Stage::bed)) bytes += scene_->bed.uniforms.size;
     if (needed(Stage::mirrored)) bytes += scene_->mirrored.uniforms.size;
     return bytes;
 }
@@ -157,11 +164,13 @@ bool FrameRecorder::needed(Stage stage) const {
     case Stage::simulate:
         return hasWater;
     case Stage::caustics:
-        return hasWater && water->caustics();
+        return hasWater && water->parts().caustics;
     case Stage::copy:
         return hasWater || (floor && (overlay || floor->readsScene()));
     case Stage::mirrored:
-        return floor ? floor->planar : water->planar();
+        return floor ? floor->planar : water->parts().planar;
+    case Stage::bed:
+        return hasWater && water->parts().bed;
     case Stage::reflect:
         return hasWater || (floor && floor->reflector);
     case Stage::overlay:
@@ -186,13 +195,25 @@ bool FrameRecorder::recordMirrored(VkCommandBuffer commands, Error& error) {
     const bool known = floor() ? mirror_.planarView(*floor(), camera_, targets_, view, error)
                                : water_.planarView(*water(), camera_, targets_, view, error);
     if (!known) return false;
-    if (!view.visible) return true;
-    const MirroredEye eye = mirroredEye(view);
-    const FrameUniforms uniforms = mirroredUniforms(uniforms_, camera_, eye);
-    std::memcpy(scene_->mirrored.uniforms.mapped, &uniforms, sizeof(uniforms));
-    bindFrameSet(commands, scene_->mirrored);
-    recordMirroredScene(commands, layouts_, scene_->meshes, opaque_, eye, view);
+    if (view.visible) recordAgain(commands, scene_->mirrored, view);
     return true;
+}
+
+bool FrameRecorder::recordBed(VkCommandBuffer commands, Error& error) {
+    seaglass::PlanarView view;
+    if (!water_.bedView(*water(), camera_, targets_, view, error)) return false;
+    if (!view.visible) return true;
+    recordAgain(commands, scene_->bed, view);
+    return !water()->parts().caustics || water_.drawCaustics(commands, *water(), view, lighting_, error);
+}
+
+void FrameRecorder::recordAgain(VkCommandBuffer commands, const FrameSet& frame,
+                                const seaglass::PlanarView& view) {
+    const OtherEye eye = otherEye(view);
+    const FrameUniforms uniforms = otherUniforms(uniforms_, camera_, eye);
+    std::memcpy(frame.uniforms.mapped, &uniforms, sizeof(uniforms));
+    bindFrameSet(commands, frame);
+    recordSceneAgain(commands, layouts_, scene_->meshes, opaque_, eye, view);
 }
 
 bool FrameRecorder::recordOverlay(VkCommandBuffer commands, Error& error) {
@@ -224,6 +245,8 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
         return true;
     case Stage::mirrored:
         return recordMirrored(commands, error);
+    case Stage::bed:
+        return recordBed(commands, error);
     case Stage::reflect:
         if (floor()) return mirror_.reflect(commands, *floor(), camera_, targets_, error);
         return water_.reflect(commands, *water(), camera_, targets_, error);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "host/mirror_pass.h"
-#include "host/mirrored_scene.h"
 #include "host/opaque.h"
+#include "host/scene_again.h"
 #include "host/shadow.h"
 #include "host/water_pass.h"
 
@@ -29,10 +29,11 @@ struct LoadedScene {
     std::vector<Box> bounds;
     FrameSet frame;
     FrameSet mirrored;             ///< only where a reflection is planar
+    FrameSet bed;                  ///< only where a water has one
     std::vector<Surface> surfaces; ///< of which a frame draws one
 };
 
-enum class Stage { simulate, shadow, opaque, caustics, copy, mirrored, reflect, water, mirror, overlay };
+enum class Stage { simulate, shadow, opaque, caustics, copy, mirrored, bed, reflect, water, mirror, overlay };
 
 struct StageName {
     Stage stage;
@@ -44,8 +45,9 @@ constexpr StageName stages[] = {
     {Stage::simulate, "simulate", true},   {Stage::shadow, "host_shadow", false},
     {Stage::opaque, "host_opaque", false}, {Stage::caustics, "caustics", false},
     {Stage::copy, "host_copy", false},     {Stage::mirrored, "host_mirrored", false},
-    {Stage::reflect, "reflect", true},     {Stage::water, "water_draw", false},
-    {Stage::mirror, "mirror_draw", false}, {Stage::overlay, "overlay", true},
+    {Stage::bed, "host_bed", false},       {Stage::reflect, "reflect", true},
+    {Stage::water, "water_draw", false},   {Stage::mirror, "mirror_draw", false},
+    {Stage::overlay, "overlay", true},
 };
 
 class FrameRecorder {
@@ -78,7 +80,10 @@ class FrameRecorder {
     void writeUniforms();
     bool createSurface(const WaterDesc& desc, LoadedScene& scene, Error& error);
     bool createSurface(const FloorDesc& desc, LoadedScene& scene, Error& error);
+    /// With a frame set of its own.
+    void recordAgain(VkCommandBuffer commands, const FrameSet& frame, const seaglass::PlanarView& view);
     bool recordMirrored(VkCommandBuffer commands, Error& error);
+    bool recordBed(VkCommandBuffer commands, Error& error);
     bool recordOverlay(VkCommandBuffer commands, Error& error);
     /// The frame's, or null; a water without a body where the scene has no surface.
     const WaterBody* water() const;

@@ -38,6 +38,8 @@ std::span<const std::string_view> qualities() {
 
 void setQuality(std::string_view quality, WaterDesc& water) {
     seaglass::BodyDesc body;
+    const seaglass::BedDesc bed;
+    body.bed = &bed;
     seaglass::setQuality(numbered(quality), &body, nullptr);
     water.cellsPerLevel = body.mesh.cellsPerLevel;
     water.mirrorLooks = body.shading.mirrorLooks;
@@ -45,6 +47,7 @@ void setQuality(std::string_view quality, WaterDesc& water) {
     water.slopeLooks = body.shading.slopeLooks;
     water.waveShadowSteps = body.shading.waveShadowSteps;
     water.relief = body.shading.relief;
+    if (water.bed) water.bed->drawn = body.bed;
     if (water.reflection) setQuality(numbered(quality), *water.reflection);
 }
 
@@ -61,6 +64,7 @@ std::vector<std::string> qualityOverrides(std::string_view quality, const WaterD
     add("slope_looks", std::to_string(set.slopeLooks));
     add("wave_shadow_steps", std::to_string(set.waveShadowSteps));
     add("relief", set.relief ? "true" : "false");
+    if (set.bed) add("bed.drawn", set.bed->drawn ? "true" : "false");
     if (!set.reflection) return overrides; // an override would give it one
     add("reflection.technique", set.reflection->technique);
     add("reflection.downscale", std::to_string(set.reflection->downscale));

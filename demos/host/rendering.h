@@ -5,11 +5,12 @@
 
 namespace demos {
 
-/// Colour is cleared to zero, depth to `clearDepth`; both are kept. Viewport and scissor are set to all of
-/// it.
+/// Colour is cleared to zero, depth to `clearDepth`; both are kept. Depth in another layout is only read.
+/// Viewport and scissor are set to all of it.
 inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageView color,
                            VkAttachmentLoadOp colorLoad, VkImageView depth, VkAttachmentLoadOp depthLoad,
-                           float clearDepth) {
+                           float clearDepth,
+                           VkImageLayout depthLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL) {
     VkRenderingAttachmentInfo colorInfo{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     colorInfo.imageView = color;
     colorInfo.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
@@ -17,9 +18,10 @@ inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageV
     colorInfo.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     VkRenderingAttachmentInfo depthInfo{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     depthInfo.imageView = depth;
-    depthInfo.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
+    depthInfo.imageLayout = depthLayout;
     depthInfo.loadOp = depthLoad;
-    depthInfo.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    depthInfo.storeOp = depthLayout == VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL ? VK_ATTACHMENT_STORE_OP_STORE
+                                                                                : VK_ATTACHMENT_STORE_OP_NONE;
     depthInfo.clearValue.depthStencil.depth = clearDepth;
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     info.renderArea.extent = extent;

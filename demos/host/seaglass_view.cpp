@@ -28,6 +28,17 @@ seaglass::ViewDesc viewOf(const Camera& camera, const FrameTargets& targets) {
     return view;
 }
 
+seaglass::ViewDesc viewOf(const seaglass::PlanarView& drawn) {
+    seaglass::ViewDesc view;
+    std::ranges::copy(drawn.view, view.view);
+    std::ranges::copy(drawn.projection, view.projection);
+    view.viewport = drawn.viewport;
+    view.sceneColor = {drawn.color, drawn.colorFormat, drawn.extent,
+                       VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    view.sceneDepth = {drawn.depth, drawn.depthFormat, drawn.extent, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL};
+    return view;
+}
+
 seaglass::LightingDesc lightingOf(const Sky& sky) {
     seaglass::LightingDesc lighting;
     for (int i = 0; i < 3; ++i) {

@@ -10,6 +10,8 @@
 namespace demos {
 
 seaglass::ViewDesc viewOf(const Camera& camera, const FrameTargets& targets);
+/// Of a picture that the host drew for Seaglass, while its depth is only read.
+seaglass::ViewDesc viewOf(const seaglass::PlanarView& drawn);
 
 /// Without shadows.
 seaglass::LightingDesc lightingOf(const Sky& sky);

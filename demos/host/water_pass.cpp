@@ -6,6 +6,7 @@
 #include "host/dry_rooms.h"
 #include "host/extent.h"
 #include "host/rendering.h"
+#include "host/scene_again.h"
 #include "host/seaglass_view.h"
 #include "host/shore.h"
 #include "host/waves.h"
@@ -69,6 +70,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     seaglass::ReflectionDesc reflection;
     seaglass::UnderwaterDesc underwater;
     seaglass::CausticsDesc caustics;
+    seaglass::BedDesc bed;
     seaglass::BodyDesc body;
     const Plane plane = waterPlane(desc);
     std::ranges::copy(plane, body.plane);
@@ -107,6 +109,10 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
         caustics.strength = static_cast<float>(desc.caustics->strength);
         body.caustics = &caustics;
     }
+    if (desc.bed && desc.bed->drawn) {
+        bed.margin = static_cast<float>(desc.bed->margin);
+        body.bed = &bed;
+    }
     std::vector<seaglass::DryRoom> rooms;
     if (!dryRoomsOf(desc.dryRooms, rooms, error)) return false;
     seaglass::Body* made = nullptr;
@@ -118,7 +124,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
         return false;
     }
     const bool planar = body.reflection && reflection.technique == seaglass::ReflectionTechnique::planar;
-    out = WaterBody(made, planar, body.caustics != nullptr);
+    out = WaterBody(made, {planar, body.caustics != nullptr, body.bed != nullptr});
     return true;
 }
 
@@ -145,6 +151,12 @@ bool WaterPass::planarView(const WaterBody& body, const Camera& camera, const Fr
     return context_.ok(seaglass::planarView(body.get(), &view, &out), error);
 }
 
+bool WaterPass::bedView(const WaterBody& body, const Camera& camera, const FrameTargets& targets,
+                        seaglass::PlanarView& out, Error& error) {
+    const seaglass::ViewDesc view = viewOf(camera, targets);
+    return context_.ok(seaglass::bedView(body.get(), &view, &out), error);
+}
+
 bool WaterPass::reflect(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                         const FrameTargets& targets, Error& error) {
     seaglass::Body* const bodies[] = {body.get()};
@@ -168,6 +180,16 @@ bool WaterPass::drawCaustics(VkCommandBuffer commands, const WaterBody& body, co
     const seaglass::ViewDesc view = viewOf(camera, targets);
     const seaglass::Status status = seaglass::drawCaustics(commands, target_, bodies, 1, &view, &lighting);
     vkCmdEndRendering(commands);
+    return context_.ok(status, error);
+}
+
+bool WaterPass::drawCaustics(VkCommandBuffer commands, const WaterBody& body, const seaglass::PlanarView& bed,
+                             const seaglass::LightingDesc& lighting, Error& error) {
+    seaglass::Body* const bodies[] = {body.get()};
+    const seaglass::ViewDesc view = viewOf(bed);
+    beginOverBed(commands, bed);
+    const seaglass::Status status = seaglass::drawCaustics(commands, target_, bodies, 1, &view, &lighting);
+    endOverBed(commands, bed);
     return context_.ok(status, error);
 }
 

@@ -8,18 +8,23 @@
 
 namespace demos {
 
+/// What the host has to do for a water besides drawing it.
+struct WaterParts {
+    bool planar = false; ///< to draw what it mirrors
+    bool caustics = false;
+    bool bed = false; ///< to draw what lies below it
+};
+
 /// One water body of a scene. Destroy it before the WaterPass it comes from.
 class WaterBody {
   public:
     WaterBody() = default;
-    WaterBody(seaglass::Body* body, bool planar, bool caustics)
-        : body_(body), planar_(planar), caustics_(caustics) {}
+    WaterBody(seaglass::Body* body, WaterParts parts) : body_(body), parts_(parts) {}
     WaterBody(WaterBody&& other) noexcept
-        : body_(std::exchange(other.body_, nullptr)), planar_(other.planar_), caustics_(other.caustics_) {}
+        : body_(std::exchange(other.body_, nullptr)), parts_(other.parts_) {}
     WaterBody& operator=(WaterBody&& other) noexcept {
         std::swap(body_, other.body_);
-        std::swap(planar_, other.planar_);
-        std::swap(caustics_, other.caustics_);
+        std::swap(parts_, other.parts_);
         return *this;
     }
     ~WaterBody() {
@@ -27,14 +32,11 @@ class WaterBody {
     }
     seaglass::Body* get() const { return body_; }
     explicit operator bool() const { return body_ != nullptr; }
-    /// Whether the scene has to be drawn for it a second time.
-    bool planar() const { return planar_; }
-    bool caustics() const { return caustics_; }
+    const WaterParts& parts() const { return parts_; }
 
   private:
     seaglass::Body* body_ = nullptr;
-    bool planar_ = false;
-    bool caustics_ = false;
+    WaterParts parts_;
 };
 
 class WaterPass {
@@ -56,6 +58,9 @@ class WaterPass {
     /// What to draw for a planar reflection, before reflect().
     bool planarView(const WaterBody& body, const Camera& camera, const FrameTargets& targets,
                     seaglass::PlanarView& out, Error& error);
+    /// What to draw for its refraction, before reflect().
+    bool bedView(const WaterBody& body, const Camera& camera, const FrameTargets& targets,
+                 seaglass::PlanarView& out, Error& error);
     bool reflect(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                  const FrameTargets& targets, Error& error);
     /// Draws into targets.overlay how the library understands the frame, after reflect().
@@ -64,6 +69,9 @@ class WaterPass {
     /// Over targets.color, with the scene's depth copied before.
     bool drawCaustics(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                       const FrameTargets& targets, const seaglass::LightingDesc& lighting, Error& error);
+    /// Over the bed's picture, drawn before.
+    bool drawCaustics(VkCommandBuffer commands, const WaterBody& body, const seaglass::PlanarView& bed,
+                      const seaglass::LightingDesc& lighting, Error& error);
     /// Draws into targets.color, or exact, over the opaque depth; for anything but colour, over black.
     bool draw(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
               const FrameTargets& targets, const seaglass::LightingDesc& lighting, Aov aov, Error& error);

@@ -160,6 +160,11 @@ constexpr std::array causticsFields = {
     Field{"strength", at<&CausticsDesc::strength>, 0, 1, "", "of their contrast, 1 as the waves say"},
 };
 
+constexpr std::array bedFields = {
+    Field{"drawn", at<&BedDesc::drawn>, 0, 0, "", "false: as without"},
+    Field{"margin", at<&BedDesc::margin>, 0, 1, "", "larger on each side, share of the picture's size"},
+};
+
 constexpr std::array reflectionFields = {
     Field{"technique", at<&ReflectionDesc::technique>, 0, 0, "", "where reflections come from", false,
           Rule::none, techniques},
@@ -276,6 +281,9 @@ constexpr Section extent = {"extent", extentFields, {}, "what the water covers; 
 constexpr Section caustics = {
     "caustics", causticsFields, {}, "sunlight that waves gather below; without it light is even"};
 
+constexpr Section bed = {
+    "bed", bedFields, {}, "the bed drawn once more for refraction; without it, it sees the picture"};
+
 constexpr Section dryRooms = {
     "dry_rooms", dryRoomFields, {}, "hollows without water, such as a boat's inside, eight at most"};
 
@@ -288,6 +296,7 @@ constexpr std::array waterChildren = {
     Child{&reflection, open<&WaterDesc::reflection>},
     Child{&underwater, open<&WaterDesc::underwater>},
     Child{&caustics, open<&WaterDesc::caustics>},
+    Child{&bed, open<&WaterDesc::bed>},
     Child{&dryRooms, open<&WaterDesc::dryRooms>, true},
 };
 

@@ -150,6 +150,12 @@ struct DryRoomDesc {
     double bottomM = -1;       ///< likewise
 };
 
+/// The bed as a picture of its own.
+struct BedDesc {
+    bool drawn = true;
+    double margin = 0.25; ///< by which it is larger on each side, of the picture's size
+};
+
 struct WaterDesc {
     double levelM = 0;         ///< over the origin, where it is tilted
     double tiltDeg = 0;        ///< of its surface; its extent then lies along the plane's own axes
@@ -169,6 +175,7 @@ struct WaterDesc {
     std::optional<ReflectionDesc> reflection;
     std::optional<UnderwaterDesc> underwater;
     std::optional<CausticsDesc> caustics;
+    std::optional<BedDesc> bed; ///< none: refraction sees what the picture shows
     std::vector<DryRoomDesc> dryRooms;
 };
 

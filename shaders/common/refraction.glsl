@@ -2,6 +2,7 @@
 
 #ifdef REFRACTION
 layout(constant_id = 8) const int refractionLooks = 6;   // 1: straight through
+layout(constant_id = 12) const bool hasBed = false;   // a picture of its own: water/bed.h
 
 struct Behind {
     ivec2 pixel;   // of the region
@@ -21,14 +22,32 @@ vec3 radianceOf(Behind b) {
     return texelFetch(sceneColor, region.xy + b.pixel, 0).rgb;
 }
 
+// In what follows pixels are the bed's where it has a picture of its own: wider than the region, and with nothing in it that
+// stands above the water. Else they are the scene's.
+vec4 bedPixelOf(vec4 relative) {
+    return (hasBed ? bedFromRelative : pixelFromRelative) * relative;
+}
+
+Behind bedAt(vec2 pixel) {
+    if (!hasBed) return behindAt(pixel);
+    ivec2 p = clamp(ivec2(pixel), ivec2(0), bedSize - 1);
+    float depth = texelFetch(bedDepth, p, 0).r;
+    vec4 q = relativeFromBed * vec4(vec2(p) + 0.5, depth, 1.0);
+    return Behind(p, q.xyz / q.w, depthSign * (depth - farDepth) <= 0.0);
+}
+
+vec3 bedRadiance(Behind b) {
+    return hasBed ? texelFetch(bedColor, b.pixel, 0).rgb : radianceOf(b);
+}
+
 // What shows where a bent ray has come to, `target` in homogeneous pixels, from `here`.
 Behind behindRay(vec2 here, vec4 target) {
-    return behindAt(mix(here, target.xy / target.w, refractionDistortion));
+    return bedAt(mix(here, target.xy / target.w, refractionDistortion));
 }
 
 // How far a ray from inside the picture goes until it leaves it [m]: where a + t b, homogeneous pixels, passes a border.
 float untilBorder(vec4 a, vec4 b) {
-    vec2 size = vec2(region.zw);
+    vec2 size = vec2(hasBed ? bedSize : region.zw);
     // Gaps to the borders, times w, and how fast they shrink.
     vec4 gap = vec4(a.xy, size * a.w - a.xy);
     vec4 loss = vec4(-b.xy, b.xy - size * b.w);
@@ -45,20 +64,20 @@ bool isBelowWater(Behind b) {
 // is not the bed.
 vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here) {
     const vec2 taps[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
-    vec3 nearby = radianceOf(inside);
-    vec4 p = pixelFromRelative * vec4(2.0 * inside.seen - beyond, 1.0);
+    vec3 nearby = bedRadiance(inside);
+    vec4 p = bedPixelOf(vec4(2.0 * inside.seen - beyond, 1.0));
     if (p.w <= 0.0) return nearby;
     vec2 middle = mix(here, p.xy / p.w, refractionDistortion);
-    vec4 edge = pixelFromRelative * vec4(inside.seen, 1.0);
+    vec4 edge = bedPixelOf(vec4(inside.seen, 1.0));
     float radius = length(middle - edge.xy / edge.w);
     vec4 sum = vec4(nearby, 1.0) * 1e-3;
     for (int i = 0; i < 4; ++i) {
         vec2 pixel = middle + radius * taps[i];
-        Behind b = behindAt(pixel);
+        Behind b = bedAt(pixel);
         bool level = abs(b.seen.y - inside.seen.y) < 0.15 * (position.y - inside.seen.y);
-        vec3 step = behindAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
+        vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
         bool flatHere = abs(step.y) < 0.5 * length(step.xz);
-        if (isBelowWater(b) && level && flatHere) sum += vec4(radianceOf(b), 1.0);
+        if (isBelowWater(b) && level && flatHere) sum += vec4(bedRadiance(b), 1.0);
     }
     return sum.rgb / sum.a;
 }
@@ -66,8 +85,8 @@ vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here) {
 // The depth at which a ray that goes `perDepth` a metre down meets a bed that goes on beyond its last pixel, by its slope
 // there; `track` is the way of such rays on the screen, unit. Steps are no bed.
 float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
-    vec4 p = pixelFromRelative * vec4(last.seen, 1.0);
-    Behind before = behindAt(p.xy / p.w - 4.0 * track);
+    vec4 p = bedPixelOf(vec4(last.seen, 1.0));
+    Behind before = bedAt(p.xy / p.w - 4.0 * track);
     vec3 step = last.seen - before.seen;
     float across = dot(step.xz, step.xz);
     bool isSlope = isBelowWater(before) && step.y * step.y < across;
@@ -78,7 +97,7 @@ float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
 
 // How much nearer the ray is than the scene behind it, in inverse distances, which both are affine on the screen.
 float nearerBy(float rayDistance, Behind b) {
-    float scene = (pixelFromRelative * vec4(b.seen, 1.0)).w;
+    float scene = bedPixelOf(vec4(b.seen, 1.0)).w;
     return 1.0 / rayDistance - (b.nothing ? 0.0 : 1.0 / scene);
 }
 
@@ -94,13 +113,13 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     // Of its depth, from what is met; with two looks the nearest is the best there is.
     const float mostOff = refractionLooks > 2 ? 0.35 : 1e9;
     const float wellOff = refractionLooks > 3 ? 0.05 : 0.35;
-    vec2 here = gl_FragCoord.xy - vec2(region.xy);
-    Behind found = behindAt(here);
+    vec4 from = bedPixelOf(vec4(position, 1.0));
+    vec2 here = hasBed ? from.xy / from.w : gl_FragCoord.xy - vec2(region.xy);
+    Behind found = bedAt(here);
     path = 1e6;
     vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);
     float steepness = max(-bent.y, shallowest);
-    vec4 from = pixelFromRelative * vec4(position, 1.0);
-    vec4 perDepth = pixelFromRelative * vec4(bent / steepness, 0.0);
+    vec4 perDepth = bedPixelOf(vec4(bent / steepness, 0.0));
     float leaves = untilBorder(from, perDepth);
     vec2 above = vec2(0.0, nearerBy(from.w, found));   // a way on the screen, and how much nearer the ray is there
     vec2 under = vec2(0.0);                            // likewise, where it is not; none while its second is 0
@@ -150,14 +169,14 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     }
     // What hides the place that the ray meets is as good as it, unless it lies far higher.
     float known = passedOver && !(left && isBelowWater(last)) ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;
-    vec3 bed = radianceOf(found);
+    vec3 bed = bedRadiance(found);
     bool astray = refractionLooks > 2 && !passedOver && least > wellOff * drop && isBelowWater(found);
     for (bool unseen = (left || astray) && isBelowWater(last); unseen; unseen = false) {
         vec2 track = perDepth.xy - perDepth.w * from.xy / from.w;
         drop = max(depthBeyond(last, bent / steepness, track / max(length(track), 1e-6)), deepest);
         found = behindRay(here, from + perDepth * drop);
         bool met = drop < leaves && isBelowWater(found) && abs(position.y - found.seen.y - drop) < 0.1 * drop;
-        bed = met ? radianceOf(found) : radianceBeyond(last, position + bent / steepness * drop, here);
+        bed = met ? bedRadiance(found) : radianceBeyond(last, position + bent / steepness * drop, here);
         if (!met) found = last;
     }
     path = mix(length(found.seen - position), drop / steepness, refractionDistortion);

@@ -85,7 +85,9 @@ layout(set = 0, binding = AFTER_FOAM + 1) uniform sampler2D reflectionInfo;
 #ifdef REFRACTION
 layout(set = 0, binding = AFTER_REFLECTION) uniform sampler2D sceneColor;
 layout(set = 0, binding = AFTER_REFLECTION + 1) uniform sampler2D sceneDepth;
-#define AFTER_REFRACTION (AFTER_REFLECTION + 2)
+layout(set = 0, binding = AFTER_REFLECTION + 2) uniform sampler2D bedColor;
+layout(set = 0, binding = AFTER_REFLECTION + 3) uniform sampler2D bedDepth;
+#define AFTER_REFRACTION (AFTER_REFLECTION + 4)
 #else
 #define AFTER_REFRACTION AFTER_REFLECTION
 #endif

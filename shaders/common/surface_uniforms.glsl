@@ -34,6 +34,9 @@ vec4 shorePlace;    // of the eye on the shore's map, and of a metre
 vec4 shoreSignal;   // rows a second, the first one's, their number; the map's spacing
 vec4 shoreForm;     // 1 / period; how far foam is carried for each metre of swash
 mat3 worldFromBody;   // of directions
+mat4 bedFromRelative;   // to pixels of the bed's picture
+mat4 relativeFromBed;
+ivec2 bedSize;   // of that picture
 
 float sunSeen = 1.0;   // share of the sun's light that reaches the surface here
 
@@ -80,6 +83,9 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     vec4 shadowBounds[4];         // lowest u and v, highest
     vec4 shadowLayers;
     vec4 shadow;                  // cascades; 1, or -1 where what is nearer to the sun is greater
+    mat4 bedFromRelative;
+    mat4 relativeFromBed;
+    ivec2 bedSize;
 } stored;
 
 // Before anything else.
@@ -116,6 +122,9 @@ void loadSurface() {
     shoreSignal = stored.shoreSignal;
     shoreForm = stored.shoreForm;
     worldFromBody = stored.worldFromBody;
+    bedFromRelative = stored.bedFromRelative;
+    relativeFromBed = stored.relativeFromBed;
+    bedSize = stored.bedSize;
 }
 
 // (x, y, depth) of a point in the region's pixels; w <= 0 behind the camera.

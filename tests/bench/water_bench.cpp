@@ -33,12 +33,13 @@ constexpr Part parts[] = {
     {"high", [](WaterDesc& water) { setQuality("high", water); }},
     {"highest", [](WaterDesc& water) { setQuality("highest", water); }},
     {"no foam", [](WaterDesc& water) { water.foam.reset(); }},
-    {"no refraction", [](WaterDesc& water) { water.refraction.reset(), water.underwater.reset(); }},
+    {"no refraction",
+     [](WaterDesc& water) { water.refraction.reset(), water.bed.reset(), water.underwater.reset(); }},
     {"sky alone", [](WaterDesc& water) { water.reflection.reset(); }},
     {"still", [](WaterDesc& water) { water.foam.reset(), water.waves.reset(); }},
     {"still, sky alone, opaque",
      [](WaterDesc& water) {
-         water.refraction.reset(), water.underwater.reset(), water.reflection.reset();
+         water.refraction.reset(), water.bed.reset(), water.underwater.reset(), water.reflection.reset();
          water.foam.reset(), water.waves.reset();
      }},
 };
@@ -47,7 +48,7 @@ void print(const char* name, const SurfaceTimes& times, const ComparedTimes& all
     const double sum = times.surfaceMs();
     std::string shares;
     for (const PassTime& pass : times.passes) {
-        if (pass.name != "reflect" && pass.name != "water_draw") continue;
+        if (pass.name != "reflect" && pass.name != "water_draw" && pass.name != "host_bed") continue;
         char text[64];
         std::snprintf(text, sizeof text, "  %s %.2f", pass.name.c_str(), pass.ms / all.floor.ms);
         shares += text;

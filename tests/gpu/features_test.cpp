@@ -27,6 +27,7 @@ struct Water {
         desc.reflection = &reflection;
         desc.underwater = &underwater;
         desc.caustics = &caustics;
+        desc.bed = &bed;
         desc.extent = extent;
     }
     Water(const Water&) = delete;
@@ -38,6 +39,7 @@ struct Water {
     ReflectionDesc reflection;
     UnderwaterDesc underwater;
     CausticsDesc caustics;
+    BedDesc bed;
     ExtentDesc extent;
     BodyDesc desc;
 };
@@ -111,16 +113,19 @@ TEST_F(Features, ThatAreOffAreGone) {
         {"refraction",
          [](Water& w) {
              w.desc.refraction = nullptr;
+             w.desc.bed = nullptr;
              w.desc.underwater = nullptr;
              w.desc.caustics = nullptr;
          },
-         false, false, false, true, true},
+         true, false, false, true, true},
         {"reflection", [](Water& w) { w.desc.reflection = nullptr; }, true, true, true, false, true},
         {"temporal", [](Water& w) { w.reflection.temporal = 0; }, true, true, true, false, true},
         {"edge stretch", [](Water& w) { w.reflection.edgeStretch = 0; }, false, true, true, false, false},
         {"blur", [](Water& w) { w.reflection.blurLevels = 0; }, true, true, true, false, false},
         {"underwater", [](Water& w) { w.desc.underwater = nullptr; }, false, false, false, true, true},
         {"caustics", [](Water& w) { w.desc.caustics = nullptr; }, false, false, false, true, true},
+        // Its shader's places for the bed's images hold the scene's, and are not read.
+        {"bed", [](Water& w) { w.desc.bed = nullptr; }, true, false, false, false, false},
         {"sun shadow", [](Water&) {}, false, false, false, false, true, false},
     };
     for (const Switch& feature : switches) {
@@ -181,6 +186,8 @@ TEST_F(Features, EachAddsWhatTheEstimateSays) {
     water.desc.underwater = nullptr;
     water.desc.caustics = nullptr;
     holds("from above", water);
+    water.desc.bed = nullptr;
+    holds("no bed", water);
     water.desc.extent = {};
     holds("endless", water);
     water.desc.foam = nullptr;

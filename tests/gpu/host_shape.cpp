@@ -6,6 +6,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "host/rendering.h"
 #include "tests/gpu/rig.h"
 #include "tests/gpu/spy.h"
 #include "tests/gpu/traced_scene.h"
@@ -250,6 +251,7 @@ void ShapedHost::createWater(bool reversedDepth, const std::function<void(seagla
     desc.reflection = &reflection;
     if (change) change(desc);
     caustics_ = desc.caustics;
+    bed_ = desc.bed;
     EXPECT_EQ(seaglass::createBody(context_, &desc, &body_), Status::ok) << message_;
 }
 
@@ -415,6 +417,18 @@ void ShapedHost::record(Slot& slot, const Targets* targets,
     vkCmdExecuteCommands(slot.primary, 1, &own);
 }
 
+void ShapedHost::clearBed(VkCommandBuffer commands, const seaglass::ViewDesc& view) {
+    seaglass::PlanarView bed;
+    EXPECT_EQ(seaglass::bedView(body_, &view, &bed), Status::ok) << message_;
+    recordBarrier(commands, toLayout(bed.colorImage, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
+                                     colorLayout));
+    recordBarrier(commands, toLayout(bed.depthImage, VK_IMAGE_ASPECT_DEPTH_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
+                                     VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL));
+    demos::beginRendering(commands, bed.extent, bed.color, VK_ATTACHMENT_LOAD_OP_CLEAR, bed.depth,
+                          VK_ATTACHMENT_LOAD_OP_CLEAR, bed.clearDepth);
+    vkCmdEndRendering(commands);
+}
+
 void ShapedHost::beginPass(VkCommandBuffer commands, const Targets& targets, float clearDepth) {
     const VkRect2D area = {{0, 0}, targets.extent};
     const bool many = shape_.samples != VK_SAMPLE_COUNT_1_BIT;
@@ -499,6 +513,8 @@ void ShapedHost::submit(uint32_t slotIndex, std::span<const Camera> cameras, dou
     EXPECT_EQ(seaglass::beginFrame(context_, slotIndex), Status::ok) << message_;
     record(slot, nullptr, [&](VkCommandBuffer commands) {
         EXPECT_EQ(seaglass::simulate(commands, &body_, 1, time), Status::ok) << message_;
+        for (const seaglass::ViewDesc& view : views)
+            if (bed_) clearBed(commands, view);
         for (const seaglass::ViewDesc& view : views)
             EXPECT_EQ(seaglass::reflect(commands, &body_, 1, &view), Status::ok) << message_;
     });

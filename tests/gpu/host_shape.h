@@ -94,6 +94,8 @@ class ShapedHost {
     /// Records in a secondary command buffer where the host has those; else in `primary`. `targets`: within
     /// their pass.
     void record(Slot& slot, const Targets* targets, const std::function<void(VkCommandBuffer)>& commands);
+    /// Nothing lies there.
+    void clearBed(VkCommandBuffer commands, const seaglass::ViewDesc& view);
     void beginPass(VkCommandBuffer commands, const Targets& targets, float clearDepth);
     void endPass(VkCommandBuffer commands);
     void readBack(VkCommandBuffer commands, const Targets& targets);
@@ -105,7 +107,7 @@ class ShapedHost {
     seaglass::Context* context_ = nullptr;
     seaglass::Target* target_ = nullptr;
     seaglass::Body* body_ = nullptr;
-    bool caustics_ = false;
+    bool caustics_ = false, bed_ = false;
     demos::Image skyCube_, shadowMap_;
     demos::UniqueImageView shadowView_;
     seaglass::SunShadow sunShadow_;

@@ -41,6 +41,18 @@ TEST(QualityDial, EachStepLooksNoLessThanTheOneBefore) {
               chosen(Quality::highest, ReflectionTechnique::ssr));
 }
 
+TEST(QualityDial, HasTheBedDrawnAtItsUpperHalfAlone) {
+    const BedDesc bed;
+    for (const Quality quality : qualities) {
+        BodyDesc body;
+        setQuality(quality, &body, nullptr);
+        EXPECT_EQ(body.bed, nullptr);
+        body.bed = &bed;
+        setQuality(quality, &body, nullptr);
+        EXPECT_EQ(body.bed, quality < Quality::high ? nullptr : &bed);
+    }
+}
+
 TEST(QualityDial, LeavesWhatIsModelled) {
     const SeaDesc waves;
     for (const Quality quality : qualities) {

@@ -139,6 +139,7 @@ WaterPicture WaterTest::picture(const std::vector<seaglass::Body*>& bodies, cons
     const auto count = static_cast<uint32_t>(bodies.size());
     frame([&](VkCommandBuffer commands) {
         EXPECT_EQ(seaglass::simulate(commands, bodies.data(), count, time), Status::ok) << message();
+        if (beforeReflection) beforeReflection(commands);
         EXPECT_EQ(seaglass::reflect(commands, bodies.data(), count, &reflected), Status::ok) << message();
         toAttachment(commands, color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, false);
         toAttachment(commands, depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, true);

@@ -44,6 +44,8 @@ class WaterTest : public GpuTest {
     std::function<void(seaglass::ViewDesc&)> changeView;
     /// Changes what reflect() is told of the view that draw() is told the truth of; null leaves it.
     std::function<void(seaglass::ViewDesc&)> misleadReflection;
+    /// Recorded between simulate() and reflect(); null: nothing.
+    std::function<void(VkCommandBuffer)> beforeReflection;
     /// What picture() records in its pass; null: draw().
     std::function<seaglass::Status(VkCommandBuffer, seaglass::Target*, const seaglass::ViewDesc&)> drawing;
     seaglass::LightingDesc lighting; ///< no sun; the sky cube's radiance is 1, 2, 3

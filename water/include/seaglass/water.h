@@ -34,6 +34,12 @@ struct CausticsDesc {
     float strength = 1.0f; ///< of the contrast, 0..1: 1 as the waves say
 };
 
+/// What lies below in a picture of its own, which the host draws as bedView() says: refraction then finds
+/// what the view's picture ends before, or hides behind a pool's edge. For an eye above the water.
+struct BedDesc {
+    float margin = 0.25f; ///< by which it is larger on each side, as a share of the view's size, 0..1
+};
+
 /// How finely the surface is meshed.
 struct MeshDesc {
     float cellSize = 0.25f;       ///< edge of the finest cells that waves get [m], 0.01..100
@@ -97,6 +103,7 @@ struct BodyDesc {
     const ReflectionDesc* reflection = nullptr; ///< null: the sky cube alone
     const UnderwaterDesc* underwater = nullptr; ///< needs `refraction`; null: seen from above alone
     const CausticsDesc* caustics = nullptr;     ///< needs `waves` and `refraction`; null: even light
+    const BedDesc* bed = nullptr; ///< needs `refraction`; null: bent rays see what the view's picture shows
     bool motion = false; ///< with `waves`, keeps those of the last simulate() for SurfaceOutput::motion
     MeshDesc mesh;       ///< how finely it is drawn
     ShadingDesc shading; ///< how finely it is shaded
@@ -105,8 +112,9 @@ struct BodyDesc {
 /// A dial of measured steps; docs/tradeoffs.md has what each costs and how wrong it is.
 enum class Quality : uint32_t { low = 0, medium, high, highest };
 
-/// Fills in `body`'s mesh.cellsPerLevel and shading, and what `reflection` costs; either may be null. What is
-/// modelled stays: parts, the sea (the same at every quality), and a reflection of the sky or planar.
+/// Fills in `body`'s mesh.cellsPerLevel and shading, takes its bed away at low and medium, and fills in what
+/// `reflection` costs; either may be null. What is modelled stays: all other parts, the sea (the same at
+/// every quality), and a reflection of the sky or planar.
 void setQuality(Quality quality, BodyDesc* body, ReflectionDesc* reflection);
 
 /// What such a body costs, for views and images of `extent` pixels, without what all bodies of a context
@@ -151,6 +159,11 @@ Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, d
 
 /// What to draw for a body whose reflection is `planar`; as planarView() for reflectors.
 Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
+
+/// What to draw for a body with `bed`, before reflect() and likewise: the opaque scene under the calm
+/// surface, from the view's own eye. drawCaustics() may be called over it, with a ViewDesc of these matrices
+/// and images.
+Status bedView(Body* body, const ViewDesc* view, PlanarView* out);
 
 /// Records the reflections of `view`; as reflect() for reflectors. Outside any render pass. Of a view whose
 /// scene is multisampled it also takes the samples that refraction reads, of bodies without reflection too.

@@ -1,0 +1,68 @@
+// Refraction that looks at a picture of the bed shows what the reference traces behind a quay and past the
+// picture's border.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/reference/box_file.h"
+#include "tests/reference/rendered_picture.h"
+#include "tests/reference/traced_picture.h"
+
+namespace {
+
+using namespace demos;
+
+constexpr uint32_t width = 160, height = 90;
+
+/// Calm water before a quay, whose edge hides dark stripes on the bed: bent rays alone lead to them.
+Scene pastAQuay() {
+    Scene scene;
+    scene.sky.file = std::string(SEAGLASS_SCENES) + "/../../textures/harbour_sky.exr";
+    scene.sky.intensity = 0.2;
+    scene.sun.azimuthDeg = 250;
+    scene.sun.elevationDeg = 50;
+    scene.sun.irradiance = {10, 10, 10};
+    const std::vector<tests::Box> pale = {{{-30, -3, -30}, {30, -2, 0}}, {{-30, -3, 0}, {30, 0.4, 8}}};
+    const std::vector<tests::Box> dark = {{{-30, -2, -6.5}, {30, -1.98, -5}},
+                                          {{-4, -2, -20}, {-3, -1.98, -1}}};
+    scene.meshes.push_back({tests::writeBoxes("quay", pale, 0.5)});
+    scene.meshes.push_back({tests::writeBoxes("stripes", dark, 0.03)});
+    scene.water.emplace().refraction.emplace().type = "pool";
+    scene.water->refractionLooks = 8;
+    scene.cameras.emplace_back();
+    scene.cameras[0].positionM = {0, 1.2, 3};
+    scene.cameras[0].targetM = {0, -0.6, -3};
+    return scene;
+}
+
+/// Mean difference, a share of the mean.
+double apart(Host& host, const Scene& scene) {
+    const Picture drawn = tests::rendered(host, scene, width, height);
+    const Picture traced =
+        tests::traced(scene, {width, height, scene.cameras.front(), scene.timeS, 16}).color;
+    double sum = 0, difference = 0;
+    for (size_t i = 0; i < drawn.rgba.size(); ++i) {
+        if (i % 4 == 3) continue;
+        sum += static_cast<double>(traced.rgba[i]);
+        difference += std::abs(static_cast<double>(drawn.rgba[i]) - static_cast<double>(traced.rgba[i]));
+    }
+    return difference / sum;
+}
+
+TEST(BedsPicture, ShowsWhatTheSceneHides) {
+    HostDesc desc;
+    desc.validation = true;
+    Error error;
+    const std::unique_ptr<Host> host = Host::create(desc, error);
+    ASSERT_TRUE(host) << error.text;
+    Scene scene = pastAQuay();
+    const double without = apart(*host, scene);
+    scene.water->bed.emplace();
+    const double with = apart(*host, scene);
+    std::printf("apart by %.4f without, %.4f with\n", without, with);
+    EXPECT_LT(with, 0.02);
+    EXPECT_GT(without, 3 * with);
+    EXPECT_EQ(host->validationMessages(), 0u);
+}
+
+} // namespace

@@ -1,0 +1,142 @@
+#include "water/bed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "reflection/oblique.h"
+
+namespace seaglass {
+
+namespace {
+
+gpu::ImageDesc colorDesc(VkExtent2D extent) {
+    gpu::ImageDesc desc;
+    desc.format = VK_FORMAT_R16G16B16A16_SFLOAT;
+    desc.extent = extent;
+    desc.usage =
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    return desc;
+}
+
+gpu::ImageDesc depthDesc(VkExtent2D extent) {
+    gpu::ImageDesc desc;
+    desc.format = VK_FORMAT_D32_SFLOAT;
+    desc.extent = extent;
+    desc.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                 VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    desc.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
+    return desc;
+}
+
+/// Whole pixels, so that a point's place in its pixel is the same in both pictures.
+glm::ivec2 marginOf(const BedDesc& desc, const glm::ivec2& size) {
+    return glm::ivec2(glm::ceil(glm::dvec2(size) * double{desc.margin}));
+}
+
+/// `view` over a viewport that is larger by `margin` on each side, with its corner at 0.
+ViewDesc widened(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec2& margin) {
+    ViewDesc out = view;
+    const float side = view.viewport.height < 0 ? -1.0f : 1.0f;
+    const glm::vec2 more = 2.0f * glm::vec2(margin);
+    out.viewport.x -= static_cast<float>(geometry.regionOrigin.x);
+    out.viewport.y -= static_cast<float>(geometry.regionOrigin.y);
+    if (side < 0) out.viewport.y += more.y;
+    out.viewport.width += more.x;
+    out.viewport.height += side * more.y;
+    const double across = double{view.viewport.width} / double{out.viewport.width};
+    const double down = double{view.viewport.height} / double{out.viewport.height};
+    for (int column = 0; column < 4; ++column) {
+        out.projection[4 * column] *= across;
+        out.projection[4 * column + 1] *= down;
+    }
+    return out;
+}
+
+/// Cuts what lies above `plane`, of the world; false where the eye is too close to it.
+bool cutAbove(ViewDesc& view, bool reversedDepth, const glm::dvec4& plane) {
+    const glm::dvec4 below = -(plane * glm::inverse(toMatrix(view.view)));
+    const ObliqueProjection cut = obliqueProjection(toMatrix(view.projection), reversedDepth, below);
+    for (int i = 0; i < 16; ++i) view.projection[i] = cut.projection[i / 4][i % 4];
+    return cut.oblique;
+}
+
+} // namespace
+
+bool BedPicture::isOf(VkExtent2D extent) const {
+    const VkExtent2D own = color.desc().extent;
+    return color.handle() && own.width == extent.width && own.height == extent.height;
+}
+
+Status BedPicture::create(const gpu::Device& device, VkExtent2D extent) {
+    if (const Status s = color.create(device, colorDesc(extent), "bed"); s != Status::ok) return s;
+    return depth.create(device, depthDesc(extent), "bed's depth");
+}
+
+Status Bed::handOut(Context& context, const ViewDesc& view, const glm::dvec4& plane, const BodyFrame& frame,
+                    PlanarView& out) {
+    ViewGeometry geometry;
+    const gpu::Device& device = context.device;
+    if (const char* bad = readCamera(view, geometry))
+        return device.fail(Status::invalidArgument, "bedView: %s", bad);
+    const glm::ivec2 margin = marginOf(desc, geometry.regionSize);
+    ViewDesc wide = widened(view, geometry, margin);
+    out.obliqueClip = cutAbove(wide, geometry.reversedDepth, plane);
+
+    BedPicture& picture = views[view.viewIndex];
+    ViewGeometry camera;
+    if (const char* bad = readCamera(frame.fromWorld(wide), camera))
+        return device.fail(Status::invalidArgument, "bedView: %s", bad);
+    const VkExtent2D extent = extentOf(camera);
+    if (!picture.isOf(extent)) {
+        BedPicture fresh;
+        if (const Status s = fresh.create(device, extent); s != Status::ok) return s;
+        context.frame().retire(std::exchange(picture, std::move(fresh)));
+    }
+    picture.camera = camera;
+    picture.handedOut = true;
+
+    std::copy_n(wide.view, 16, out.view);
+    std::copy_n(wide.projection, 16, out.projection);
+    out.windingFlipped = false;
+    out.viewport = wide.viewport;
+    out.extent = extent;
+    out.colorImage = picture.color.handle();
+    out.color = picture.color.view();
+    out.colorFormat = picture.color.desc().format;
+    out.depthImage = picture.depth.handle();
+    out.depth = picture.depth.view();
+    out.depthFormat = picture.depth.desc().format;
+    out.clearDepth = static_cast<float>(geometry.farDepth);
+    return Status::ok;
+}
+
+void Bed::take(Context& context, VkCommandBuffer commands, uint32_t viewIndex) {
+    if (viewIndex >= maxViews) return;
+    BedPicture& picture = views[viewIndex];
+    if (!std::exchange(picture.handedOut, false)) return;
+    picture.taken = context.frameNumber;
+    VkImageMemoryBarrier2 barriers[] = {
+        gpu::imageBarrier(picture.color.handle(), gpu::drawnColor, gpu::sampledByShaders),
+        gpu::imageBarrier(picture.depth.handle(), gpu::drawnDepth, gpu::sampledByShaders)};
+    barriers[1].subresourceRange.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
+    gpu::recordBarriers(context.device, commands, barriers, 2);
+}
+
+const BedPicture* Bed::of(const Context& context, uint32_t viewIndex) const {
+    if (viewIndex >= maxViews) return nullptr;
+    const BedPicture& picture = views[viewIndex];
+    return picture.taken == context.frameNumber ? &picture : nullptr;
+}
+
+VkDeviceSize Bed::bytes(const BedDesc& desc, VkExtent2D view) {
+    const glm::ivec2 size(static_cast<int>(view.width), static_cast<int>(view.height));
+    const glm::ivec2 wide = size + 2 * marginOf(desc, size);
+    const VkExtent2D extent = {static_cast<uint32_t>(wide.x), static_cast<uint32_t>(wide.y)};
+    return gpu::imageBytes(colorDesc(extent)) + gpu::imageBytes(depthDesc(extent));
+}
+
+} // namespace seaglass

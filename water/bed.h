@@ -1,0 +1,44 @@
+// What lies below a body, as a picture of its own that the host draws: wider than the view's, and without
+// what stands above the water. There the ray that the surface bends finds what the view's own picture ends
+// before, or hides behind a pool's edge.
+#pragma once
+
+#include <array>
+
+#include <glm/vec2.hpp>
+
+#include "gpu/context.h"
+#include "gpu/image.h"
+#include "reflection/limits.h"
+#include "reflection/view.h"
+#include "seaglass/water.h"
+#include "water/body_frame.h"
+
+namespace seaglass {
+
+/// Of one view.
+struct BedPicture {
+    gpu::OwnedImage color;  ///< RGBA16F
+    gpu::OwnedImage depth;  ///< D32
+    ViewGeometry camera;    ///< in the body's axes, region and pixels as the images have them
+    bool handedOut = false; ///< the host was told what to draw since it was taken last
+    uint64_t taken = 0;     ///< in what frame
+    bool isOf(VkExtent2D extent) const;
+    Status create(const gpu::Device& device, VkExtent2D extent);
+};
+
+struct Bed {
+    BedDesc desc;
+    std::array<BedPicture, maxViews> views;
+
+    /// What the host is to draw: `view` as it was given, and in it what lies below `plane`, of the world.
+    Status handOut(Context& context, const ViewDesc& view, const glm::dvec4& plane, const BodyFrame& frame,
+                   PlanarView& out);
+    /// From attachments, as the host has left them, to be sampled; of views that were not handed out nothing.
+    void take(Context& context, VkCommandBuffer commands, uint32_t viewIndex);
+    /// Null where the view has none in this frame.
+    const BedPicture* of(const Context& context, uint32_t viewIndex) const;
+    static VkDeviceSize bytes(const BedDesc& desc, VkExtent2D view);
+};
+
+} // namespace seaglass
