@@ -64,7 +64,9 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
         if (world.dryRooms.empty()) out.mesh.positions = {};
         out.sky = skyBeams(world.light);
     }
-    return out.geometry.build(error);
+    if (!out.geometry.build(error)) return false;
+    if (world.water) out.caustics.create(out);
+    return true;
 }
 
 Ray Frame::rayThrough(const glm::vec2& pixel) const {

@@ -1,6 +1,7 @@
 // One picture's worth of a world: what rays hit from this eye at this time.
 #pragma once
 
+#include "reference/caustics.h"
 #include "reference/light_below.h"
 #include "reference/random.h"
 #include "reference/world.h"
@@ -26,6 +27,7 @@ struct Frame {
     SurfaceMesh mesh; ///< without its positions, which the geometry holds, but among dry rooms
     Geometry geometry;
     SkyBeams sky; ///< under water; dark where there is none
+    Caustics caustics;
 
     /// Through a point of the picture, in pixels from its left top corner.
     Ray rayThrough(const glm::vec2& pixel) const;

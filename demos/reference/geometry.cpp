@@ -193,8 +193,8 @@ bool Geometry::build(Error& error) {
     return false;
 }
 
-bool Geometry::trace(const Ray& ray, Kind kinds, Hit& hit) const {
-    Context context{{}, &ray.footprint, false};
+bool Geometry::meets(const Ray& ray, Kind kinds, bool light, Hit& hit) const {
+    Context context{{}, &ray.footprint, light};
     rtcInitIntersectContext(&context.embree);
     RTCRayHit query{};
     query.ray.org_x = ray.origin.x;

@@ -78,12 +78,16 @@ class Geometry {
     bool build(Error& error);
 
     /// The nearest hit, back faces and cut-outs left out as the host leaves them out.
-    bool trace(const Ray& ray, Kind kinds, Hit& hit) const;
-    /// Whether anything lies between; both faces of everything cast shadows, as in the host.
+    bool trace(const Ray& ray, Kind kinds, Hit& hit) const { return meets(ray, kinds, false, hit); }
+    /// The nearest that light is stopped by: both faces of everything cast shadows, as in the host.
+    bool traceLight(const Ray& ray, Kind kinds, Hit& hit) const { return meets(ray, kinds, true, hit); }
+    /// Whether anything that stops light lies between.
     bool occluded(const glm::vec3& from, const glm::vec3& direction, Kind kinds, const Footprint& footprint,
                   float distance = INFINITY) const;
 
   private:
+    bool meets(const Ray& ray, Kind kinds, bool light, Hit& hit) const;
+
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
     std::vector<std::unique_ptr<OpaquePart>> parts_; ///< by Embree's geometry

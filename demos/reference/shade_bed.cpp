@@ -22,11 +22,28 @@ glm::vec3 received(const Bed& bed, const Beam& beam) {
 }
 
 /// Both in the water and from there to the sun.
-bool inShadow(const Frame& frame, const Bed& bed, const glm::vec3& inWater, const glm::vec3& inAir,
-              const Footprint& footprint) {
+bool inShadow(const Frame& frame, const Bed& bed, const Footprint& footprint, Random* random) {
+    const Light& light = frame.world->light;
+    const glm::vec3 inAir = random ? light.towardsSun(random->next2()) : light.toSun();
+    const glm::vec3 inWater = enteringBeam(inAir, glm::vec3(0)).from;
     const float path = bed.depth / inWater.y;
     return frame.geometry.occluded(bed.at, inWater, Kind::opaque, footprint, path) ||
            frame.geometry.occluded(bed.at + inWater * path, inAir, Kind::opaque, footprint);
+}
+
+/// Shares of a beam of the sun.
+struct Sunlit {
+    float evenly = 0;   ///< were the water calm
+    glm::vec3 truly{0}; ///< as waves gather it, but for what has been scattered and knows of waves no more
+};
+
+Sunlit sunlitOf(const Frame& frame, const Bed& bed, const Hit& hit, const glm::vec3& from,
+                const Footprint& footprint, Random* random) {
+    const float evenly = inShadow(frame, bed, footprint, random) ? 0.0f : 1.0f;
+    const std::optional<float> gain = frame.caustics.gainAt(frame, hit.position, hit.geometricNormal, from);
+    if (!gain) return {evenly, glm::vec3(evenly)};
+    const glm::vec3 straight = glm::exp(-waterLightOf(frame).scattering() * (bed.depth / from.y));
+    return {evenly, glm::mix(glm::vec3(evenly), glm::vec3(*gain), straight)};
 }
 
 } // namespace
@@ -38,20 +55,24 @@ glm::vec3 shadeBed(const Frame& frame, const Ray& ray, const Hit& hit, Random* r
                      std::max(-frame.heightOf(hit.position), 0.0f), waterLightOf(frame).extinction()};
     const glm::vec3 toSun = light.toSun();
     const Beam sun = enteringBeam(toSun, light.sunIrradiance() * std::max(toSun.y, 0.0f));
-    glm::vec3 irradiance = received(bed, sun);
+    glm::vec3 irradiance = received(bed, sun), around = irradiance;
     if (irradiance != glm::vec3(0)) {
-        const glm::vec3 inAir = random ? light.towardsSun(random->next2()) : toSun;
-        if (inShadow(frame, bed, enteringBeam(inAir, glm::vec3(0)).from, inAir, ray.footprint))
-            irradiance = glm::vec3(0);
+        const Sunlit sunlit = sunlitOf(frame, bed, hit, sun.from, ray.footprint, random);
+        irradiance *= sunlit.truly;
+        around *= sunlit.evenly;
     }
-    for (const Beam& beam : frame.sky) irradiance += received(bed, beam);
+    for (const Beam& beam : frame.sky) {
+        const glm::vec3 sky = received(bed, beam);
+        irradiance += sky;
+        around += sky;
+    }
 
     const glm::vec3 albedo(baseColorAt(*hit.part, hit.triangle, hit.weights, hit.position, ray.footprint));
     // Of diffuse light 0.066 is turned back from above, and so 1 - 0.934 / n^2 from below.
     constexpr float turnedBack = 1 - 0.934f / (waterIndex * waterIndex);
     // Flatter than the critical angle light goes 3 m a metre of depth in the mean, up and down.
     const glm::vec3 again = turnedBack * albedo * glm::exp(-6 * bed.depth * bed.extinction);
-    return material.emissive + albedo / pi * irradiance / (1.0f - again);
+    return material.emissive + albedo / pi * (irradiance - around + around / (1.0f - again));
 }
 
 glm::vec3 bedInWater(const Frame& frame, const Ray& ray, const Hit& hit, Random* random) {

@@ -1,7 +1,7 @@
-// Opaque things under water, as they look from within it. The sun comes down the ray that calm water bends,
-// the sky in beams likewise; waves, which gather and spread that light, are left out, and what lies below
-// hides the sun but not the sky, as in the host. The surface turns back what is sent up flatly: that light is
-// taken to come from a level bed of the same albedo.
+// Opaque things under water, as they look from within it. The sun comes as photons bring it through the
+// waves, by caustics.h, or where none were followed down the ray that calm water bends; the sky in beams
+// likewise, which nothing hides, as in the host. The surface turns back what is sent up flatly: that light is
+// taken to come from a level bed of the same albedo that is lit evenly.
 #pragma once
 
 #include "reference/frame.h"

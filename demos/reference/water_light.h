@@ -11,6 +11,12 @@ struct WaterLight {
     glm::vec3 entering{0};                       ///< irradiance just below the surface
 
     glm::vec3 extinction() const { return absorption + backscatter; }
+    /// All that is scattered, forwards too [1/m]: particles send 0.0183 of it back (Petzold 1972), and
+    /// molecules, which sea water owes this much to (Morel 1974), half.
+    glm::vec3 scattering() const {
+        const glm::vec3 byMolecules = glm::min(backscatter, glm::vec3(0.00046f, 0.00095f, 0.00227f));
+        return 2.0f * byMolecules + (backscatter - byMolecules) / 0.0183f;
+    }
     /// Radiance of endless water below, seen from just under its surface (Morel and Prieur 1977).
     glm::vec3 deep() const { return entering / pi * (0.33f * backscatter / extinction()); }
     /// What `path` metres send back, seen above the surface.

@@ -53,7 +53,12 @@ class Square {
     }
     bool shades(float x, float side) const {
         const reference::Ray ray = along(x, side);
-        return geometry_.occluded(ray.origin, ray.direction, reference::Kind::everything, ray.footprint);
+        reference::Hit found;
+        const bool stops = geometry_.traceLight(ray, reference::Kind::everything, found);
+        EXPECT_TRUE(!stops || std::abs(found.distance - 5) < 1e-4f);
+        EXPECT_EQ(stops,
+                  geometry_.occluded(ray.origin, ray.direction, reference::Kind::everything, ray.footprint));
+        return stops;
     }
 
   private:
