@@ -15,6 +15,13 @@ layout(set = 0, binding = 2) uniform sampler2DArray waveDerivatives;
 
 layout(location = 0) out vec4 outColor;
 
+// All that is scattered, forwards too [1/m]: particles send 0.0183 of it back (Petzold 1972), and molecules, which sea
+// water owes this much to (Morel 1974), half.
+vec3 scattering() {
+    vec3 byMolecules = min(backscatter.rgb, vec3(0.00046, 0.00095, 0.00227));
+    return 2.0 * byMolecules + (backscatter.rgb - byMolecules) / 0.0183;
+}
+
 // How far the sun's ray through a surface of this slope strays sideways on each metre down.
 vec2 strays(vec2 slope) {
     vec3 ray = refract(-toSun.xyz, normalOf(slope), 1.0 / waterIndex);
@@ -75,12 +82,12 @@ void main() {
 #endif
     vec3 sun = sunSeen * sunIrradiance.rgb * max(dot(normal, toSun.xyz), 0.0);
     vec3 share = sun / max(sun + skyIrradiance.rgb, 1e-6);
-    const float backscattered = 0.0183;   // of all that is scattered
-    vec3 beam = exp(-backscatter.rgb / backscattered * depth);
+    vec3 beam = exp(-scattering() * depth);
 
     // What is too narrow to be seen, what the sun's disc blurs, and what has crossed.
     float pixelsPerRadian = length(vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y));
     float disc = 0.0093 / waterIndex * depth;
     float width = max(max(1.5 * length(at) / pixelsPerRadian, disc), exp2(caustics.y + caustics.z * log2(depth * turnsMore())));
-    outColor = vec4(1.0 + caustics.x * share * beam * (gathered(at.xz, depth, max(width, 1e-3)) - 1.0), 1.0);
+    vec3 factor = 1.0 + caustics.x * share * beam * (gathered(at.xz, depth, max(width, 1e-3)) - 1.0);
+    outColor = vec4(factor, dot(factor, vec3(1.0 / 3.0)));
 }

@@ -36,6 +36,7 @@ void main() {
     vec4 q = relativeFromPixel * vec4(gl_FragCoord.xy - vec2(region.xy), seen, 1.0);
     vec3 at = q.xyz / q.w;
     float path = max(length(at) - length(start), 0.0);
-    vec3 lit = litBelow(texelFetch(sceneColor, pixel, 0).rgb, -(at.y + plane.w));
+    vec4 color = texelFetch(sceneColor, pixel, 0);
+    vec3 lit = litBelow(color.rgb, -(at.y + plane.w), gatheredIn(color));
     outColor = vec4(throughWater(lit, depth, view.y, path), 1.0);
 }

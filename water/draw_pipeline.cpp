@@ -25,11 +25,12 @@ struct PipelineState {
                                     VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
         if (drawing == Drawing::blended || drawing == Drawing::scaled) {
             const bool scaled = drawing == Drawing::scaled;
-            attachment.colorWriteMask &= ~VkColorComponentFlags(VK_COLOR_COMPONENT_A_BIT);
+            if (!scaled) attachment.colorWriteMask &= ~VkColorComponentFlags(VK_COLOR_COMPONENT_A_BIT);
             attachment.blendEnable = VK_TRUE;
             attachment.srcColorBlendFactor = scaled ? VK_BLEND_FACTOR_DST_COLOR : VK_BLEND_FACTOR_SRC_ALPHA;
             attachment.dstColorBlendFactor =
                 scaled ? VK_BLEND_FACTOR_ZERO : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+            attachment.srcAlphaBlendFactor = VK_BLEND_FACTOR_DST_ALPHA;
         }
         blend.attachmentCount = 1;
         blend.pAttachments = &attachment;

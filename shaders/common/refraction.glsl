@@ -36,8 +36,12 @@ Behind bedAt(vec2 pixel) {
     return Behind(p, q.xyz / q.w, depthSign * (depth - farDepth) <= 0.0);
 }
 
+vec4 bedColorOf(Behind b) {
+    return hasBed ? texelFetch(bedColor, b.pixel, 0) : texelFetch(sceneColor, region.xy + b.pixel, 0);
+}
+
 vec3 bedRadiance(Behind b) {
-    return hasBed ? texelFetch(bedColor, b.pixel, 0).rgb : radianceOf(b);
+    return bedColorOf(b).rgb;
 }
 
 // What shows where a bent ray has come to, `target` in homogeneous pixels, from `here`.
@@ -180,7 +184,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
         if (!met) found = last;
     }
     path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
-    bed = litBelow(bed, -(found.seen.y + plane.w)) / (waterIndex * waterIndex);
+    bed = litBelow(bed, -(found.seen.y + plane.w), gatheredIn(bedColorOf(found))) / (waterIndex * waterIndex);
     return mix(waterGlow(vec3(1e6)), bed * exp(-extinction() * path) + waterGlow(vec3(path)), known);
 }
 #else

@@ -121,7 +121,7 @@ vec3 mirroredBelow(SurfacePoint s, vec3 view) {
     if (hit.distance < farAway) {
         float along = hit.distance;
         vec4 screen = reflectionAlong(position, direction, s.slopeStep, along);
-        vec3 lit = litBelow(screen.rgb, depth - direction.y * hit.distance);
+        vec3 lit = litBelow(screen.rgb, depth - direction.y * hit.distance, 1.0);
         radiance = radiance * (1.0 - screen.a) + lit * exp(-extinction() * hit.distance) +
                    screen.a * scatteredIn(depth, direction.y, hit.distance);
     }

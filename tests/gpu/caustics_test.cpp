@@ -142,13 +142,18 @@ TEST_F(Caustics, FallWhereTheWavesSendTheLight) {
 TEST_F(Caustics, FadeAsTheWaterScattersTheBeam) {
     const double depth = 3;
     const std::vector<double> clear = factors(makeBody(desc_), -depth);
+    // No more than its molecules, which scatter as much forwards; then with particles besides.
+    for (float& channel : refraction_.backscatter) channel = 0.0009f;
+    const std::vector<double> pure = factors(makeBody(desc_), -depth);
     for (float& channel : refraction_.backscatter) channel = 0.0061f;
     const std::vector<double> murky = factors(makeBody(desc_), -depth);
     refraction_.backscatter[1] = 0;
     caustics_.strength = 0.25f;
     const std::vector<double> weak = factors(makeBody(desc_), -depth);
     for (size_t i = 0; i < clear.size(); i += 97) {
-        EXPECT_NEAR(murky[i] - 1, (clear[i] - 1) * std::exp(-0.0061 / 0.0183 * depth), 2e-3);
+        EXPECT_NEAR(pure[i] - 1, (clear[i] - 1) * std::exp(-2 * 0.0009 * depth), 2e-3);
+        const double scattered = 2 * 0.00095 + (0.0061 - 0.00095) / 0.0183; // in green
+        EXPECT_NEAR(murky[i] - 1, (clear[i] - 1) * std::exp(-scattered * depth), 2e-3);
         EXPECT_NEAR(weak[i] - 1, 0.25 * (clear[i] - 1), 2e-3);
     }
 }

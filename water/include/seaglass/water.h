@@ -29,7 +29,7 @@ struct UnderwaterDesc {
 };
 
 /// Sunlight that the waves gather on what lies below them: drawCaustics(). By the curvature of the waves that
-/// a depth can bring to a focus; fades as the water scatters the beam, b = bb / 0.0183 (Petzold 1972).
+/// a depth can bring to a focus; fades as the water scatters the beam (Petzold 1972, Morel 1974).
 struct CausticsDesc {
     float strength = 1.0f; ///< of the contrast, 0..1: 1 as the waves say
 };
@@ -206,11 +206,12 @@ enum class SurfaceOutput : uint32_t {
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
-/// Multiplies the colour of what lies below the bodies with `caustics` by the sunlight that the waves gather
-/// there, 1 in the mean: in a pass over the opaque scene, with a floating-point colour attachment and a depth
-/// attachment of the target's formats (neither tested nor written), before the colour is copied for reflect()
-/// and draw(). Reads view.sceneDepth, which must not be the attachment written; of many samples it is
-/// `unsupported`. Leaves bound what draw() does. Records nothing of other bodies or without a sun.
+/// Multiplies the colour of what lies below the bodies with `caustics`, and its alpha, which should be 1
+/// before, by the sunlight that the waves gather there, 1 in the mean: in a pass over the opaque scene, with
+/// a floating-point colour attachment and a depth attachment of the target's formats (neither tested nor
+/// written), before the colour is copied for reflect() and draw(). Reads view.sceneDepth, which must not be
+/// the attachment written; of many samples it is `unsupported`. Leaves bound what draw() does. Records
+/// nothing of other bodies or without a sun.
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
                     const ViewDesc* view, const LightingDesc* lighting);
 
