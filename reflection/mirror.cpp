@@ -124,6 +124,7 @@ MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldP
     out.keyShift = std::countr_zero(keyScale(desc));
     out.contactPerMetre = static_cast<float>(contactPerMetre(mirror, view.depthStep));
     out.depthStep = static_cast<float>(view.depthStep);
+    out.undersideLight = desc.undersideLight;
     out.followed = desc.technique == ReflectionTechnique::hybrid ? 1 : 0;
     return out;
 }

@@ -63,8 +63,9 @@ struct MirrorUniforms {
     int32_t keyShift = 0;      ///< and to one key
     float contactPerMetre = 0; ///< see onOrBelowPlane() of shaders/common/mirror.glsl
     float depthStep = 0;
-    uint32_t followed = 0; ///< whether rays are followed afterwards where nothing is proven
-    uint32_t padding[2] = {};
+    uint32_t followed = 0;    ///< whether rays are followed afterwards where nothing is proven
+    float undersideLight = 0; ///< of the top that is seen
+    uint32_t padding = 0;
 };
 static_assert(sizeof(MirrorUniforms) == 384);
 

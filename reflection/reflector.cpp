@@ -110,6 +110,8 @@ const char* badField(const ReflectionDesc& desc) {
         return "ReflectionDesc.downscale is out of range, expected 1, 2, 4 or 8";
     if (!(desc.edgeFade >= 0 && desc.edgeFade <= 0.5f))
         return "ReflectionDesc.edgeFade is out of range, expected 0 to 0.5";
+    if (!(desc.undersideLight >= 0 && desc.undersideLight <= 1))
+        return "ReflectionDesc.undersideLight is out of range, expected 0 to 1";
     if (!(desc.distortion >= 0 && desc.distortion <= 1))
         return "ReflectionDesc.distortion is out of range, expected 0 to 1";
     if (const char* bad = badLook(desc)) return bad;

@@ -37,11 +37,17 @@ vec3 mirroredBySurface(vec2 q, vec3 direction) {
     return reflect(direction, plane.xyz);
 }
 
-// One that another technique knew nothing of, or doubted.
+// One that another technique knew nothing of, or that shows it an underside.
 ivec2 pixelToMarch() {
     ivec2 pixel = pixelToResolve();
     if (pixel == noPixel || !infoIsOpen(imageLoad(reflectionInfo, pixel).r)) return noPixel;
     return pixel;
+}
+
+// What lies beyond an underside does not show.
+float metresToMarch(ivec2 pixel) {
+    float known = imageLoad(reflectionInfo, pixel).r;
+    return infoIsDoubt(known) ? min(hitOfDoubt(known), longest) : longest;
 }
 #else
 layout(set = 0, binding = AFTER_CELLS) uniform sampler2D surfaceNormals;
@@ -58,6 +64,10 @@ vec3 mirroredBySurface(vec2 q, vec3 direction) {
 ivec2 pixelToMarch() {
     return pixelToResolve();
 }
+
+float metresToMarch(ivec2 pixel) {
+    return longest;
+}
 #endif
 
 // Interleaved gradient noise (Jimenez 2014): 0..1, and evenly spread among neighbours.
@@ -73,18 +83,22 @@ void main() {
 
     vec4 color = vec4(0.0);
     float info = infoUnknown;
+    int worth = refused;
     SightLine sight = sightLine(relativeFromPixel, q);
     if (sight.towardsPlane > 0.0) {
-        March found = marched(sight.onPlane, mirroredBySurface(q, sight.direction), noiseAt(vec2(pixel)));
+        March found = marched(sight.onPlane, mirroredBySurface(q, sight.direction), metresToMarch(pixel),
+                              noiseAt(vec2(pixel)));
         info = found.info;
+        worth = found.worth;
         if (infoIsHit(info)) {
             float confidence = edgeConfidence(q, found.source);
-            color = vec4(texelFetch(sceneColor, region.xy + ivec2(found.source), 0).rgb * confidence, confidence);
+            float light = worth == underside ? confidence * undersideLight : confidence;
+            color = vec4(texelFetch(sceneColor, region.xy + ivec2(found.source), 0).rgb * light, confidence);
         }
     }
 #ifdef OPEN
     float doubted = imageLoad(reflectionInfo, pixel).r;
-    if (info == infoUnknown && infoIsDoubt(doubted)) {
+    if (worth != met && infoIsDoubt(doubted)) {
         imageStore(reflectionInfo, pixel, vec4(hitOfDoubt(doubted), 0.0, 0.0, 0.0));
         return;
     }

@@ -194,7 +194,7 @@ Hit metAtKey(ScreenRay ray, LineKey from) {
     ivec2 pixel = clamp(ivec2(p.xy / p.w), ivec2(0), region.zw - 1);
     Surface seen = surfaceAt(pixel);
     Hit hit = metWithin(betweenPixels, ray, vec2(pixel) + 0.5, seen);
-    hit.valid = hit.valid && hit.front && solid(pixel, seen.depth) && insideRegion(hit.source);
+    hit.valid = hit.valid && solid(pixel, seen.depth) && insideRegion(hit.source);
     return hit;
 }
 
@@ -225,9 +225,10 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
     }
     Hit one = metAtKey(ray, ahead);
     Hit other = metAtKey(ray, behind);
-    bool agree = one.valid && other.valid && farthest(one.source - other.source) <= betweenPixels;
-    Hit best = one.valid && (!other.valid || one.off <= other.off) ? one : other;
-    best.valid = best.valid && (agree || best.off <= besidePixel);
+    bool alike = one.front == other.front;
+    bool agree = one.valid && other.valid && alike && farthest(one.source - other.source) <= betweenPixels;
+    Hit best = one.valid && (!other.valid || (alike ? one.off <= other.off : one.front)) ? one : other;
+    best.valid = best.valid && (agree || best.front && best.off <= besidePixel);
     return Hole(all(keysBeside), best);
 }
 
@@ -251,8 +252,8 @@ void main() {
         ScreenRay ray = rayOf(q);
         ivec2 cell = ivec2(q) >> keyShift;
         Hit hit = nearestHit(cell, ray);
-        // Loops of one round, since those that nobody enters are left out. What is mirrored of a thing whose top is seen
-        // is its underside: a ray that comes out of the top has met something before, which may be such a hole.
+        // Loops of one round, since those that nobody enters are left out. A ray that comes out of a top has met something
+        // before: what left such a hole, or else an underside.
         for (bool doubts = !hit.front; doubts; doubts = false) {
             Hole hole = holeAround(q, ray, hit.valid ? keyFromDepth(hit.depth) : keyAt(cell));
             if (!hit.valid && !hole.inside) info = infoOfMiss(q);
@@ -260,7 +261,8 @@ void main() {
         }
         for (bool hits = hit.valid; hits; hits = false) {
             float confidence = edgeConfidence(q, hit.source);
-            color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * confidence, confidence);
+            float light = hit.front ? confidence : confidence * undersideLight;
+            color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * light, confidence);
             info = infoOfHit(distanceToHit(q, hit.depth));
             if (followed && !hit.front) info = infoOfDoubt(info);
         }

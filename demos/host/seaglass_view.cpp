@@ -110,6 +110,7 @@ bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::Ref
     out.downscale = desc.downscale;
     out.coarseKeys = desc.coarseKeys;
     out.edgeFade = static_cast<float>(desc.edgeFade);
+    out.undersideLight = static_cast<float>(desc.undersideLight);
     out.distortion = static_cast<float>(desc.distortion);
     out.blurLevels = desc.blurLevels;
     out.clearDistance = static_cast<float>(desc.clearDistanceM);

@@ -107,6 +107,7 @@ struct ReflectionDesc {
     uint32_t downscale = 1;         ///< pixels of the picture to one of the reflection, each way
     bool coarseKeys = false;        ///< sspr: one key for 2 x 2 pixels
     double edgeFade = 0.08;
+    double undersideLight = 0.15; ///< of undersides not seen, as a share of their tops
     double distortion = 1;
     uint32_t blurLevels = 4;
     double clearDistanceM = 0;

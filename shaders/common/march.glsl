@@ -65,9 +65,9 @@ float turnsWithDepth(vec3 point, float weight) {
     return depthSign * (dot(forwardRow, vec4(point, 1.0)) * weightRow.z - forwardRow.z * weight);
 }
 
-Track trackOf(vec4 start, vec4 perMetre) {
+Track trackOf(vec4 start, vec4 perMetre, float metres) {
     vec2 size = vec2(region.zw);
-    vec2 picture = vec2(0.0, longest);
+    vec2 picture = vec2(0.0, metres);
     keepWhere(start.x, perMetre.x, picture);
     keepWhere(start.y, perMetre.y, picture);
     keepWhere(size.x * start.w - start.x, size.x * perMetre.w - perMetre.x, picture);
@@ -81,7 +81,7 @@ Track trackOf(vec4 start, vec4 perMetre) {
     Track track;
     track.range = picture;
     keepWhere(far.x, far.y, track.range);
-    track.leavesPicture = picture.y < longest && track.range.y >= picture.y;
+    track.leavesPicture = picture.y < metres && track.range.y >= picture.y;
     vec4 first = screenPoint(start + perMetre * track.range.x);
     vec4 last = screenPoint(start + perMetre * track.range.y);
     vec3 toSigned = vec3(1.0, 1.0, depthSign);
@@ -139,6 +139,7 @@ bool within(Track track, float share, float ray, float seen) {
 struct Slope {
     float perPixel;
     bool sure;
+    vec2 steps;   // to both sides
 };
 
 // How far the difference of two depths may be off.
@@ -152,9 +153,10 @@ Slope slopeOf(float before2, float before, float here, float after, float after2
     float rounding = 2.0 * roundingAt(here);
     bool leftSure = abs(left - (before - before2)) <= 0.1 * abs(left) + rounding;
     bool rightSure = abs((after2 - after) - right) <= 0.1 * abs(right) + rounding;
-    if (leftSure != rightSure) return Slope(leftSure ? left : right, true);
+    vec2 steps = vec2(left, right);
+    if (leftSure != rightSure) return Slope(leftSure ? left : right, true, steps);
     float less = abs(left) < abs(right) ? left : right;
-    return Slope(left * right > 0.0 || leftSure ? less : 0.0, leftSure);
+    return Slope(left * right > 0.0 || leftSure ? less : 0.0, leftSure, steps);
 }
 
 float signedDepthAt(vec2 pixel) {
@@ -185,8 +187,9 @@ bool cameCloseTo(Track track, float share) {
 
 // What a crossing is worth.
 const int refused = 0;
-const int behind = 1;   // the ray passes behind what is seen; it meets it if that is thick
-const int met = 2;
+const int behind = 1;      // the ray passes behind what is seen; it meets it if that is thick
+const int underside = 2;   // the ray comes out of what is seen, and so has met a side that is not
+const int met = 3;
 
 // Whether a ray is behind what is seen by no more than two pixels cover there: what is too narrow to tell its slope is taken
 // to be about as thick as wide.
@@ -197,8 +200,14 @@ bool withinPixels(Track track, float share, float ray, float seen) {
     return deeper * here.y * length(row) <= 2.0 * (here.x + track.scene.weightPerDepth * deeper);
 }
 
-// Moves a crossing to where the ray meets the plane through what is seen. Refused where the ray leaves that plane towards
-// the eye instead: what shows is then the far side of what the ray would meet.
+// Whether what is seen at a pixel goes on as a plane as far as another.
+bool goesOn(vec2 pixel, float seen, vec2 slope, vec2 other) {
+    float rise = dot(slope, other - pixel);
+    return abs(signedDepthAt(other) - seen - rise) <= 0.1 * abs(rise) + 2.0 * roundingAt(seen);
+}
+
+// Moves a crossing to where the ray meets the plane through what is seen. Where the ray leaves that plane towards the eye
+// instead, what shows is the far side of what it met before: an underside where the plane goes on as far as that.
 int settled(Track track, inout Crossing crossing) {
     vec3 point = trackPoint(track, crossing.share);
     vec2 middle = floor(min(point.xy, vec2(region.zw) - 0.5)) + 0.5;
@@ -209,12 +218,24 @@ int settled(Track track, inout Crossing crossing) {
     float above = point.z - seen - dot(slope, point.xy - middle);
     float perShare = track.along.z - dot(slope, track.along.xy);
     float rounding = roundingAt(seen) / track.halfPixel;
-    if (x.sure && y.sure && perShare > rounding && !cameCloseTo(track, crossing.begins)) return refused;
+    bool wide = x.sure && y.sure;
+    // By the steps to whichever side.
+    vec2 most = max(vec2(x.steps.x, y.steps.x) * track.along.xy, vec2(x.steps.y, y.steps.y) * track.along.xy);
+    float leaving = wide ? perShare : track.along.z - most.x - most.y;
+    bool leaves = leaving > rounding && !cameCloseTo(track, crossing.begins);
     float meets = crossing.share - above / (abs(perShare) > 0.0 ? perShare : 1.0);
     crossing.share = clamp(meets, max(crossing.begins, 0.0), min(crossing.ends, 1.0));
+    float beside = abs(meets - crossing.share);
+    if (leaves && beside <= 3.0 * track.halfPixel) return underside;
+    if (leaves && wide) {
+        bool shown = false;
+        for (bool ahead = meets <= 1.0; ahead; ahead = false)
+            shown = goesOn(middle, seen, slope, floor(trackPoint(track, meets).xy) + 0.5);
+        if (shown) crossing.share = meets;
+        return shown ? underside : refused;
+    }
     // Half a pixel beside, since an edge falls anywhere in its pixel.
-    if (abs(meets - crossing.share) <= track.halfPixel) return met;
-    bool wide = x.sure && y.sure;
+    if (beside <= track.halfPixel) return met;
     return wide || withinPixels(track, crossing.share, trackPoint(track, crossing.share).z, seen) ? behind : refused;
 }
 
@@ -240,4 +261,5 @@ struct Progress {
 struct March {
     float info;
     vec2 source;   // pixel of the hit
+    int worth;
 };

@@ -1,17 +1,17 @@
 // The whole way of a ray. Needs march.glsl and what says where it crosses what is seen.
 
-// From `from` along the unit `direction`, which leads away from the plane. `noise` is 0..1.
-March marched(vec3 from, vec3 direction, float noise) {
+// From `from` along the unit `direction`, which leads away from the plane, for so many metres. `noise` is 0..1.
+March marched(vec3 from, vec3 direction, float metres, float noise) {
     vec4 perMetre = pixelFromRelative * vec4(direction, 0.0);
-    Track track = trackOf(pixelFromRelative * vec4(from, 1.0), perMetre);
-    if (!(track.range.x < track.range.y)) return March(infoUnknown, vec2(0.0));
+    Track track = trackOf(pixelFromRelative * vec4(from, 1.0), perMetre, metres);
+    if (!(track.range.x < track.range.y)) return March(infoUnknown, vec2(0.0), refused);
 
     Progress at = atStart(track, noise);
     // The share at which something is met, or else where the ray first passes behind something.
     float share = 0.0;
     int found = refused;
     // Invocations stay together: all look for a crossing, then all settle theirs.
-    for (int alarm = 0; alarm <= falseAlarms && found != met && at.looks > 0 && at.reached < 1.0; ++alarm) {
+    for (int alarm = 0; alarm <= falseAlarms && found < underside && at.looks > 0 && at.reached < 1.0; ++alarm) {
         Crossing crossing = nextCrossing(track, at);
         for (bool settles = crossing.found; settles; settles = false) {
             int worth = settled(track, crossing);
@@ -21,7 +21,7 @@ March marched(vec3 from, vec3 direction, float noise) {
             }
         }
     }
-    if (found != refused) return March(infoOfHit(trackMetres(track, share)), trackPoint(track, share).xy);
+    if (found != refused) return March(infoOfHit(trackMetres(track, share)), trackPoint(track, share).xy, found);
     bool sky = at.reached >= 1.0 && !at.hidden && !track.leavesPicture && reachesSky(track, perMetre);
-    return March(sky ? infoSky : infoUnknown, vec2(0.0));
+    return March(sky ? infoSky : infoUnknown, vec2(0.0), found);
 }

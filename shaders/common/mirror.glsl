@@ -21,6 +21,7 @@ int pixelShift;   // pixels of the region to one of the reflection, each way
 int keyShift;     // and to one key
 float contactPerMetre;   // see onOrBelowPlane()
 float depthStep;         // scene depths closer than this may be held as one
+float undersideLight;    // share of the top's colour that stands for what lies under it
 bool followed;           // rays are followed afterwards where nothing is proven
 
 layout(set = 0, binding = 0, std140) uniform Mirror {
@@ -44,6 +45,7 @@ layout(set = 0, binding = 0, std140) uniform Mirror {
     float contactPerMetre;
     float depthStep;
     bool followed;
+    float undersideLight;
 } stored;
 
 // Before anything else.
@@ -68,6 +70,7 @@ void loadMirror() {
     contactPerMetre = stored.contactPerMetre;
     depthStep = stored.depthStep;
     followed = stored.followed;
+    undersideLight = stored.undersideLight;
 }
 
 // The reflection's pixels, and its keys'.

@@ -50,8 +50,9 @@ inline Score score(const TracedView& view, const Reflected& result) {
         ++hits;
         const double confidence = double{result.color[i * 4 + 3]};
         if (confidence < 0.1) continue; // faded out at the border: its colour has no digits left
-        const glm::dvec2 position(result.color[i * 4] / confidence * view.width,
-                                  result.color[i * 4 + 1] / confidence * view.height);
+        const double light = double{result.color[i * 4 + 2]}; // undersides are darker than their tops
+        const glm::dvec2 position(result.color[i * 4] / light * view.width,
+                                  result.color[i * 4 + 1] / light * view.height);
         errors.push_back(glm::length(position - view.source[i]));
     }
     const auto misplaced = static_cast<double>(

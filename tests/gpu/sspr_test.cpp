@@ -349,6 +349,11 @@ TEST_F(Sspr, BadDescriptionsAreNamedAndLeaveNothing) {
     EXPECT_NE(refused([](ReflectorDesc& d) { d.plane[3] = NAN; }).find("plane"), std::string::npos);
     EXPECT_NE(refused([](ReflectorDesc& d) { d.reflection.edgeFade = -1; }).find("edgeFade"),
               std::string::npos);
+    for (const float light : {-0.01f, 1.01f, NAN})
+        EXPECT_NE(refused([=](ReflectorDesc& d) {
+                      d.reflection.undersideLight = light;
+                  }).find("undersideLight is out of range, expected 0 to 1"),
+                  std::string::npos);
     EXPECT_NE(refused([](ReflectorDesc& d) { d.reflection.distortion = NAN; }).find("distortion"),
               std::string::npos);
     EXPECT_NE(refused([](ReflectorDesc& d) { d.boundsLow[1] = 0; }).find("boundsLow"), std::string::npos);

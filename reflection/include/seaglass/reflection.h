@@ -29,6 +29,8 @@ struct ReflectionDesc {
     bool coarseKeys = false;
     /// Share of the picture's height over which borrowed pixels fade out at its border, 0..0.5.
     float edgeFade = 0.08f;
+    /// Brightness of an underside that the picture does not hold, as a share of the top that it shows, 0..1.
+    float undersideLight = 0.15f;
     float distortion = 1.0f; ///< share of the normal's tilt that is followed: 0, a flat mirror, to 1
     uint32_t blurLevels = 4; ///< halvings kept for rough surfaces, 0..6; 0 costs nothing: all are sharp
     /// Reflections of what is no farther from the mirror than this are not blurred by `scatter` [m], 0..1e6.

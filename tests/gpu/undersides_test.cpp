@@ -1,0 +1,113 @@
+// What a mirror shows of things from below, of which the picture holds the top.
+#include <cmath>
+#include <string>
+
+#include "tests/gpu/poses.h"
+#include "tests/gpu/reflection_rig.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+constexpr float share = 0.25f;
+
+const Box plate{{-4, 0.9, -6}, {3, 1.0, -1}};
+
+/// A plate on posts, and a wall behind it that would show through.
+std::vector<Box> plateOnPosts() {
+    return {plate,
+            {{-3.9, -1, -5.9}, {-3.7, 0.9, -5.7}},
+            {{2.7, -1, -5.9}, {2.9, 0.9, -5.7}},
+            {{-3.9, -1, -1.3}, {-3.7, 0.9, -1.1}},
+            {{2.7, -1, -1.3}, {2.9, 0.9, -1.1}},
+            {{-30, -1, -31}, {30, 12, -30}}};
+}
+
+class Undersides : public ReflectionTest, public testing::WithParamInterface<ReflectionTechnique> {
+  protected:
+    Reflected reflected(const Camera& camera, const TracedView& traced, float light = share) {
+        ReflectorDesc desc = with(GetParam());
+        desc.reflection.undersideLight = light;
+        return reflectScene(camera, traced, desc);
+    }
+};
+
+std::vector<Pose> posesAboveThePlate() {
+    std::vector<Pose> some = poses();
+    some.resize(3); // level, and rolled
+    Camera high = testCamera();
+    high.eye = {-0.5, 9, 8};
+    high.target = {-0.5, 0, -2};
+    some.push_back({"high", high});
+    return some;
+}
+
+/// Of each pixel whose mirrored ray goes in by the plate's underside and comes out of its top where that is
+/// seen, the way of the ray to there; else 0.
+std::vector<double> waysOut(const Camera& camera, const TracedView& traced) {
+    const std::vector<Box> boxes = plateOnPosts();
+    const glm::dmat4 clip = projectionMatrix(camera) * viewMatrix(camera);
+    const glm::dmat4 inverse = glm::inverse(clip);
+    std::vector<double> ways(traced.truth.size());
+    for (size_t i = 0; i < ways.size(); ++i) {
+        if (traced.truth[i] == Truth::none) continue;
+        const glm::dvec2 middle(static_cast<double>(i % camera.width) + 0.5,
+                                static_cast<double>(i / camera.width) + 0.5);
+        const glm::dvec2 ndc = middle / glm::dvec2(camera.width, camera.height) * 2.0 - 1.0;
+        const glm::dvec4 ahead = inverse * glm::dvec4(ndc, 0.5, 1);
+        const glm::dvec3 ray = glm::normalize(glm::dvec3(ahead) / ahead.w - camera.eye);
+        const glm::dvec3 on = camera.eye - ray * (camera.eye.y / ray.y);
+        const glm::dvec3 up = ray * glm::dvec3(1, -1, 1);
+        if (std::abs(nearestHit(boxes, on, up) - plate.low.y / up.y) > 1e-9) continue;
+        const double way = plate.high.y / up.y;
+        const glm::dvec3 out = on + up * way;
+        if (out.x < plate.low.x || out.x > plate.high.x || out.z < plate.low.z || out.z > plate.high.z)
+            continue;
+        const double seen = glm::length(out - camera.eye);
+        if (nearestHit(boxes, camera.eye, (out - camera.eye) / seen) < seen - 1e-6) continue;
+        const glm::dvec4 p = clip * glm::dvec4(out, 1);
+        if (std::abs(p.x) < 0.9 * p.w && std::abs(p.y) < 0.9 * p.w) ways[i] = way;
+    }
+    return ways;
+}
+
+TEST_P(Undersides, AreNeitherSeenThroughNorAsBrightAsTops) {
+    for (const Pose& pose : posesAboveThePlate()) {
+        const TracedView traced = Tracer(pose.camera, plateOnPosts()).run();
+        const Reflected result = reflected(pose.camera, traced);
+        const std::vector<double> ways = waysOut(pose.camera, traced);
+        size_t undersides = 0, through = 0, bright = 0;
+        for (size_t i = 0; i < ways.size(); ++i) {
+            if (ways[i] == 0) continue;
+            ++undersides;
+            const double info = double{result.info[i]};
+            through += !(info > 0) || info > ways[i] * 1.02 + 0.05;
+            const float confidence = result.color[i * 4 + 3];
+            bright += std::abs(result.color[i * 4 + 2] / confidence - share) > 0.01f;
+        }
+        std::printf("%-8s %zu undersides, %zu seen through, %zu not as bright as asked\n", pose.name,
+                    undersides, through, bright);
+        EXPECT_GT(undersides, 1000u) << pose.name;
+        // What is left is a pixel's breadth along the plate's edges, where no slope tells the side.
+        EXPECT_LE(static_cast<double>(through), 0.035 * static_cast<double>(undersides)) << pose.name;
+        EXPECT_LE(static_cast<double>(bright), 0.05 * static_cast<double>(undersides)) << pose.name;
+    }
+}
+
+// Where nothing is seen from above there is nothing to darken.
+TEST_P(Undersides, LeaveWhatIsSeenAlone) {
+    Camera camera = testCamera();
+    const TracedView traced = Tracer(camera, {{{-9, -1, -9}, {9, 9, -8}}, {{-3, -1, -2}, {1, 4, -1}}}).run();
+    const Reflected dark = reflected(camera, traced, 0);
+    const Reflected bright = reflected(camera, traced, 1);
+    EXPECT_EQ(dark.info, bright.info);
+    EXPECT_EQ(dark.color, bright.color);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Undersides,
+                         testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::ssr,
+                                         ReflectionTechnique::hybrid),
+                         nameOf);
+
+} // namespace
