@@ -27,12 +27,10 @@ struct ReflectionDesc {
     uint32_t downscale = 1; ///< pixels of the view to one of the reflection, each way: 1, 2, 4 or 8
     /// SSPR scatters one key for 2 x 2 pixels: a quarter of their memory. Looking steeply down it finds less.
     bool coarseKeys = false;
-    /// Share of the picture's height over which borrowed pixels fade out at its border, 0..0.5.
-    float edgeFade = 0.08f;
-    /// Brightness of an underside that the picture does not hold, as a share of the top that it shows, 0..1.
-    float undersideLight = 0.15f;
-    float distortion = 1.0f; ///< share of the normal's tilt that is followed: 0, a flat mirror, to 1
-    uint32_t blurLevels = 4; ///< halvings kept for rough surfaces, 0..6; 0 costs nothing: all are sharp
+    float edgeFade = 0.08f; ///< share of the height over which borrowed pixels fade at the border, 0..0.5
+    float undersideLight = 0.15f; ///< of an underside that is not seen, as a share of its top's, 0..1
+    float distortion = 1.0f;      ///< share of the normal's tilt that is followed: 0, a flat mirror, to 1
+    uint32_t blurLevels = 4;      ///< halvings kept for rough surfaces, 0..6; 0 costs nothing: all are sharp
     /// Reflections of what is no farther from the mirror than this are not blurred by `scatter` [m], 0..1e6.
     float clearDistance = 0;
     float scatter = 0; ///< how fast they widen beyond it: the sine of a cone, 0..1. Wants blurLevels
@@ -52,8 +50,7 @@ struct ReflectionDesc {
     /// Rays pass at once over cells of 8 x 8 pixels in which nothing is as near as they are, and look at
     /// every pixel of the others: they miss nothing that is thin. Without, they go in strides.
     bool marchCells = true;
-    /// Pixels a ray looks at at most, 8..512; strides are as long as that asks for, one pixel at least.
-    uint32_t marchSteps = 64;
+    uint32_t marchSteps = 64; ///< pixels a ray looks at at most, 8..512; strides are as long as that asks for
     float marchThickness = 0.5f; ///< depth of things behind what is seen of them [m], 0.001..100
     float marchDistance = 10000; ///< how far along a ray hits are looked for [m], 0.1..1e6
     /// Share of a stride by which each pixel's ray starts earlier or later than its neighbours', 0..1: trades

@@ -2,7 +2,7 @@
 // buffer.
 //
 // A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> (host begins its pass) ->
-// draw. With caustics, drawCaustics after the opaque scene.
+// draw. With caustics, drawCaustics after the opaque scene; with a bed, bedView before reflect.
 #pragma once
 
 #include "seaglass/foam.h"
@@ -112,9 +112,8 @@ struct BodyDesc {
 /// A dial of measured steps; docs/tradeoffs.md has what each costs and how wrong it is.
 enum class Quality : uint32_t { low = 0, medium, high, highest };
 
-/// Fills in `body`'s mesh.cellsPerLevel and shading, takes its bed away at low and medium, and fills in what
-/// `reflection` costs; either may be null. What is modelled stays: all other parts, the sea (the same at
-/// every quality), and a reflection of the sky or planar.
+/// Fills in `body`'s cellsPerLevel and shading, drops its bed at low and medium, and sets what `reflection`
+/// costs; either may be null. What is modelled stays: parts, the sea, a reflection of the sky or planar.
 void setQuality(Quality quality, BodyDesc* body, ReflectionDesc* reflection);
 
 /// What such a body costs, for views and images of `extent` pixels, without what all bodies of a context
@@ -196,8 +195,7 @@ enum class SurfaceOutput : uint32_t {
 /// test and write, of the target's formats. Reads view.sceneColor and view.sceneDepth in fragment shaders, so
 /// they must not be the attachments written (a copy of the colour; depth may be a read-only attachment or a
 /// copy). Leaves pipeline, descriptor sets, push constants and index buffer bound to its own; the viewport
-/// and scissor are set from the view. Where its scene is multisampled, a body with refraction wants reflect()
-/// before.
+/// and scissor are set from the view. Of a multisampled scene refraction wants reflect() before.
 ///
 /// For an eye in a body with `underwater` each pixel whose line of sight begins in the water first becomes
 /// sceneColor as it looks through it, then surfaces are drawn as ever, then the waterline. So all bodies of a
