@@ -57,7 +57,8 @@ TEST_F(WaterSamples, RefractionSeesAMultisampledSceneAsASingleSampledOne) {
     const Camera camera = aboveTheBed();
     const TracedView traced = Tracer(camera, harbourOnABed()).run();
     const MultisampledScene scene = drawMultisampled(camera, harbourOnABed(), many);
-    const ReflectionDesc reflection;
+    ReflectionDesc reflection;
+    reflection.undersideLight = 1; // colours are places
     for (const bool reflects : {false, true})
         for (const bool resolved : {false, true}) {
             BodyDesc desc = clearBody();

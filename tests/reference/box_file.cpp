@@ -1,5 +1,6 @@
 #include "tests/reference/box_file.h"
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 
@@ -14,10 +15,19 @@ std::string listed(const glm::vec3& v) {
     return "[" + std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z) + "]";
 }
 
+/// Tests run beside each other, and no two may write the same file.
+std::string ownName(const std::string& name) {
+    const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+    std::string own = std::string(test.test_suite_name()) + "_" + test.name() + "_" + name;
+    std::ranges::replace(own, '/', '_');
+    return own;
+}
+
 } // namespace
 
-std::filesystem::path writeBoxes(const std::string& name, const std::vector<Box>& boxes, double albedo) {
+std::filesystem::path writeBoxes(const std::string& suffix, const std::vector<Box>& boxes, double albedo) {
     const std::filesystem::path folder = testing::TempDir();
+    const std::string name = ownName(suffix);
     const demos::Mesh mesh = shiningBoxes(boxes, glm::vec3(0));
     glm::vec3 low(std::numeric_limits<float>::max()), high = -low;
     std::ofstream data(folder / (name + ".bin"), std::ios::binary);

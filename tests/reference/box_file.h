@@ -8,7 +8,7 @@
 
 namespace tests {
 
-/// glTF in the folder for tests: rough, of one albedo.
-std::filesystem::path writeBoxes(const std::string& name, const std::vector<Box>& boxes, double albedo);
+/// glTF in the folder for tests, under the name of the running test and `suffix`: rough, of one albedo.
+std::filesystem::path writeBoxes(const std::string& suffix, const std::vector<Box>& boxes, double albedo);
 
 } // namespace tests
