@@ -18,16 +18,6 @@ struct PlanarUniforms {
     glm::vec4 weightRow{0};
 };
 
-gpu::ImageDesc depthDesc(VkExtent2D extent) {
-    gpu::ImageDesc desc;
-    desc.format = depthFormat;
-    desc.extent = extent;
-    desc.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                 VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    desc.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
-    return desc;
-}
-
 /// Without its translation: what the view does to points relative to the eye.
 glm::dmat4 turned(const glm::dmat4& view) {
     glm::dmat4 rotation = view;
@@ -46,6 +36,16 @@ void recordBarriers(const ReflectPass& pass, const PlanarScratch& scratch, const
 
 } // namespace
 
+gpu::ImageDesc drawnDepthDesc(VkExtent2D extent) {
+    gpu::ImageDesc desc;
+    desc.format = depthFormat;
+    desc.extent = extent;
+    desc.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                 VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    desc.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
+    return desc;
+}
+
 Status PlanarKernel::create(Context& context) {
     constexpr VkDescriptorType bindings[] = {
         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
@@ -55,11 +55,11 @@ Status PlanarKernel::create(Context& context) {
 }
 
 Status PlanarScratch::create(const gpu::Device& device, VkExtent2D extent) {
-    return depth.create(device, depthDesc(extent), "mirrored depth");
+    return depth.create(device, drawnDepthDesc(extent), "mirrored depth");
 }
 
 VkDeviceSize PlanarScratch::bytes(VkExtent2D extent) {
-    return gpu::imageBytes(depthDesc(extent));
+    return gpu::imageBytes(drawnDepthDesc(extent));
 }
 
 MirroredCamera mirroredCamera(const ViewDesc& view, const ViewGeometry& geometry,

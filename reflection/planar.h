@@ -13,6 +13,9 @@ struct PlanarKernel {
     Status create(Context& context);
 };
 
+/// A depth image that a host draws into and shaders sample.
+gpu::ImageDesc drawnDepthDesc(VkExtent2D extent);
+
 /// What planar reflection needs for one view besides its images.
 struct PlanarScratch {
     gpu::OwnedImage depth;

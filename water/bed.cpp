@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "reflection/oblique.h"
+#include "reflection/planar.h"
 
 namespace seaglass {
 
@@ -19,16 +20,6 @@ gpu::ImageDesc colorDesc(VkExtent2D extent) {
     desc.extent = extent;
     desc.usage =
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    return desc;
-}
-
-gpu::ImageDesc depthDesc(VkExtent2D extent) {
-    gpu::ImageDesc desc;
-    desc.format = VK_FORMAT_D32_SFLOAT;
-    desc.extent = extent;
-    desc.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                 VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    desc.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
     return desc;
 }
 
@@ -73,7 +64,7 @@ bool BedPicture::isOf(VkExtent2D extent) const {
 
 Status BedPicture::create(const gpu::Device& device, VkExtent2D extent) {
     if (const Status s = color.create(device, colorDesc(extent), "bed"); s != Status::ok) return s;
-    return depth.create(device, depthDesc(extent), "bed's depth");
+    return depth.create(device, drawnDepthDesc(extent), "bed's depth");
 }
 
 Status Bed::handOut(Context& context, const ViewDesc& view, const glm::dvec4& plane, const BodyFrame& frame,
@@ -136,7 +127,7 @@ VkDeviceSize Bed::bytes(const BedDesc& desc, VkExtent2D view) {
     const glm::ivec2 size(static_cast<int>(view.width), static_cast<int>(view.height));
     const glm::ivec2 wide = size + 2 * marginOf(desc, size);
     const VkExtent2D extent = {static_cast<uint32_t>(wide.x), static_cast<uint32_t>(wide.y)};
-    return gpu::imageBytes(colorDesc(extent)) + gpu::imageBytes(depthDesc(extent));
+    return gpu::imageBytes(colorDesc(extent)) + gpu::imageBytes(drawnDepthDesc(extent));
 }
 
 } // namespace seaglass

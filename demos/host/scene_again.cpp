@@ -7,67 +7,44 @@
 namespace demos {
 namespace {
 
-constexpr VkPipelineStageFlags2 readers =
-    VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+/// What the images of such a view are used for.
+struct Use {
+    VkPipelineStageFlags2 stage;
+    VkAccessFlags2 access;
+    VkImageLayout color, depth;
+};
 
-VkImageMemoryBarrier2 discarded(VkImage image, VkImageAspectFlags aspect, VkImageLayout to,
-                                VkPipelineStageFlags2 stage, VkAccessFlags2 access) {
-    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-    barrier.srcStageMask = readers;
-    barrier.dstStageMask = stage;
-    barrier.dstAccessMask = access;
-    barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
-    barrier.newLayout = to;
-    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.image = image;
-    barrier.subresourceRange = {aspect, 0, 1, 0, 1};
-    return barrier;
-}
+constexpr Use sampledBefore = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT |
+                                   VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+                               VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_UNDEFINED};
+constexpr Use attached = {
+    VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
+        VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+    VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
+        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+    VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL};
+constexpr Use depthRead = {attached.stage | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+                           attached.access | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, attached.color,
+                           VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL};
 
-void toAttachments(VkCommandBuffer commands, const seaglass::PlanarView& view) {
-    const VkImageMemoryBarrier2 barriers[] = {
-        discarded(view.colorImage, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                  VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-                  VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT),
-        discarded(view.depthImage, VK_IMAGE_ASPECT_DEPTH_BIT, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                  VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
-                  VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
-                      VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT)};
-    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    dependency.imageMemoryBarrierCount = 2;
-    dependency.pImageMemoryBarriers = barriers;
-    vkCmdPipelineBarrier2(commands, &dependency);
-}
-
-constexpr VkPipelineStageFlags2 depthTests =
-    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
-
-/// A barrier on an image that was drawn to, for what follows it in `to`.
-VkImageMemoryBarrier2 drawn(VkImage image, VkImageAspectFlags aspect, VkImageLayout from, VkImageLayout to) {
-    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-    barrier.srcStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT | depthTests |
-                           VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-    barrier.srcAccessMask =
-        VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
-    barrier.dstStageMask = barrier.srcStageMask;
-    barrier.dstAccessMask = barrier.srcAccessMask | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT |
-                            VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
-                            VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
-    barrier.oldLayout = from;
-    barrier.newLayout = to;
-    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.image = image;
-    barrier.subresourceRange = {aspect, 0, 1, 0, 1};
-    return barrier;
-}
-
-void depthTo(VkCommandBuffer commands, const seaglass::PlanarView& view, VkImageLayout from,
-             VkImageLayout to) {
-    constexpr VkImageLayout color = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    const VkImageMemoryBarrier2 barriers[] = {drawn(view.colorImage, VK_IMAGE_ASPECT_COLOR_BIT, color, color),
-                                              drawn(view.depthImage, VK_IMAGE_ASPECT_DEPTH_BIT, from, to)};
+void change(VkCommandBuffer commands, const seaglass::PlanarView& view, const Use& from, const Use& to) {
+    VkImageMemoryBarrier2 barriers[2] = {};
+    for (VkImageMemoryBarrier2& barrier : barriers) {
+        const bool color = &barrier == barriers;
+        barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
+        barrier.srcStageMask = from.stage;
+        barrier.srcAccessMask = from.access;
+        barrier.dstStageMask = to.stage;
+        barrier.dstAccessMask = to.access;
+        barrier.oldLayout = color ? from.color : from.depth;
+        barrier.newLayout = color ? to.color : to.depth;
+        barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+        barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+        barrier.image = color ? view.colorImage : view.depthImage;
+        barrier.subresourceRange.aspectMask = color ? VK_IMAGE_ASPECT_COLOR_BIT : VK_IMAGE_ASPECT_DEPTH_BIT;
+        barrier.subresourceRange.levelCount = 1;
+        barrier.subresourceRange.layerCount = 1;
+    }
     VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     dependency.imageMemoryBarrierCount = 2;
     dependency.pImageMemoryBarriers = barriers;
@@ -96,7 +73,7 @@ FrameUniforms otherUniforms(const FrameUniforms& frame, const Camera& camera, co
 
 void recordSceneAgain(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
                       const OpaquePass& opaque, const OtherEye& eye, const seaglass::PlanarView& view) {
-    toAttachments(commands, view);
+    change(commands, view, sampledBefore, attached);
     beginRendering(commands, view.extent, view.color, VK_ATTACHMENT_LOAD_OP_DONT_CARE, view.depth,
                    VK_ATTACHMENT_LOAD_OP_CLEAR, view.clearDepth);
     MeshPipelines pipelines = opaque.meshPipelines(eye.clipFromEye);
@@ -106,16 +83,14 @@ void recordSceneAgain(VkCommandBuffer commands, const Layouts& layouts, const Me
 }
 
 void beginOverBed(VkCommandBuffer commands, const seaglass::PlanarView& view) {
-    depthTo(commands, view, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-            VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
+    change(commands, view, attached, depthRead);
     beginRendering(commands, view.extent, view.color, VK_ATTACHMENT_LOAD_OP_LOAD, view.depth,
-                   VK_ATTACHMENT_LOAD_OP_LOAD, 0, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
+                   VK_ATTACHMENT_LOAD_OP_LOAD, 0, depthRead.depth);
 }
 
 void endOverBed(VkCommandBuffer commands, const seaglass::PlanarView& view) {
     vkCmdEndRendering(commands);
-    depthTo(commands, view, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL,
-            VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
+    change(commands, view, depthRead, attached);
 }
 
 } // namespace demos
