@@ -10,8 +10,6 @@ namespace seaglass {
 
 namespace {
 
-constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
-
 /// The std140 block of shaders/planar.comp.
 struct PlanarUniforms {
     glm::vec4 heightRow{0};
@@ -38,12 +36,23 @@ void recordBarriers(const ReflectPass& pass, const PlanarScratch& scratch, const
 
 gpu::ImageDesc drawnDepthDesc(VkExtent2D extent) {
     gpu::ImageDesc desc;
-    desc.format = depthFormat;
+    desc.format = VK_FORMAT_D32_SFLOAT;
     desc.extent = extent;
     desc.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
                  VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     desc.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
     return desc;
+}
+
+void setImages(const gpu::OwnedImage& color, const gpu::OwnedImage& depth, double farDepth, PlanarView& out) {
+    out.extent = color.desc().extent;
+    out.colorImage = color.handle();
+    out.color = color.firstMipView();
+    out.colorFormat = color.desc().format;
+    out.depthImage = depth.handle();
+    out.depth = depth.view();
+    out.depthFormat = depth.desc().format;
+    out.clearDepth = static_cast<float>(farDepth);
 }
 
 Status PlanarKernel::create(Context& context) {
@@ -100,14 +109,7 @@ PlanarView describe(const MirroredCamera& camera, const ViewDesc& view, const Vi
                     view.viewport.height / scale,
                     0,
                     1};
-    out.extent = images.color.desc().extent;
-    out.colorImage = images.color.handle();
-    out.color = images.color.firstMipView();
-    out.colorFormat = images.color.desc().format;
-    out.depthImage = scratch.depth.handle();
-    out.depth = scratch.depth.view();
-    out.depthFormat = depthFormat;
-    out.clearDepth = static_cast<float>(geometry.farDepth);
+    setImages(images.color, scratch.depth, geometry.farDepth, out);
     return out;
 }
 

@@ -16,6 +16,9 @@ struct PlanarKernel {
 /// A depth image that a host draws into and shaders sample.
 gpu::ImageDesc drawnDepthDesc(VkExtent2D extent);
 
+/// Says in `out` what a host is to draw into.
+void setImages(const gpu::OwnedImage& color, const gpu::OwnedImage& depth, double farDepth, PlanarView& out);
+
 /// What planar reflection needs for one view besides its images.
 struct PlanarScratch {
     gpu::OwnedImage depth;

@@ -67,12 +67,9 @@ Status BedPicture::create(const gpu::Device& device, VkExtent2D extent) {
     return depth.create(device, drawnDepthDesc(extent), "bed's depth");
 }
 
-Status Bed::handOut(Context& context, const ViewDesc& view, const glm::dvec4& plane, const BodyFrame& frame,
-                    PlanarView& out) {
-    ViewGeometry geometry;
+Status Bed::handOut(Context& context, const ViewDesc& view, const ViewGeometry& geometry,
+                    const glm::dvec4& plane, const BodyFrame& frame, PlanarView& out) {
     const gpu::Device& device = context.device;
-    if (const char* bad = readCamera(view, geometry))
-        return device.fail(Status::invalidArgument, "bedView: %s", bad);
     const glm::ivec2 margin = marginOf(desc, geometry.regionSize);
     ViewDesc wide = widened(view, geometry, margin);
     out.obliqueClip = cutAbove(wide, geometry.reversedDepth, plane);
@@ -94,14 +91,7 @@ Status Bed::handOut(Context& context, const ViewDesc& view, const glm::dvec4& pl
     std::copy_n(wide.projection, 16, out.projection);
     out.windingFlipped = false;
     out.viewport = wide.viewport;
-    out.extent = extent;
-    out.colorImage = picture.color.handle();
-    out.color = picture.color.view();
-    out.colorFormat = picture.color.desc().format;
-    out.depthImage = picture.depth.handle();
-    out.depth = picture.depth.view();
-    out.depthFormat = picture.depth.desc().format;
-    out.clearDepth = static_cast<float>(geometry.farDepth);
+    setImages(picture.color, picture.depth, geometry.farDepth, out);
     return Status::ok;
 }
 

@@ -32,8 +32,9 @@ struct Bed {
     std::array<BedPicture, maxViews> views;
 
     /// What the host is to draw: `view` as it was given, and in it what lies below `plane`, of the world.
-    Status handOut(Context& context, const ViewDesc& view, const glm::dvec4& plane, const BodyFrame& frame,
-                   PlanarView& out);
+    /// `geometry`: the view's, in the body's axes.
+    Status handOut(Context& context, const ViewDesc& view, const ViewGeometry& geometry,
+                   const glm::dvec4& plane, const BodyFrame& frame, PlanarView& out);
     /// From attachments, as the host has left them, to be sampled; of views that were not handed out nothing.
     void take(Context& context, VkCommandBuffer commands, uint32_t viewIndex);
     /// Null where the view has none in this frame.

@@ -85,7 +85,6 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
     if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
     if (const char* bad = readPlane(desc.plane, plane))
         return owner.device.fail(Status::invalidArgument, "%s", bad);
-    worldPlane = plane;
     frame = BodyFrame::of(glm::dvec3(plane));
     plane = {0, 1, 0, plane.w};
     mesh = desc.mesh;
@@ -203,9 +202,9 @@ Status Body::bedView(const ViewDesc& view, PlanarView& out) {
     out.visible = sidesSeen(geometry) != SidesSeen::below && mayShow(geometry);
     if (!out.visible) return Status::ok;
     // On a shore what shines through a film of water lies as high as the waves run up.
-    glm::dvec4 highest = worldPlane;
-    if (shore) highest.w -= displacement();
-    return bed->handOut(*context, view, highest, frame, out);
+    const double raised = shore ? displacement() : 0;
+    const glm::dvec4 highest(frame.worldFromBody[1], plane.w - raised);
+    return bed->handOut(*context, view, geometry, highest, frame, out);
 }
 
 Status Body::reflect(VkCommandBuffer commands, SceneOfCall& scene) {
@@ -434,13 +433,13 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
     SurfaceFeatures wanted = motion ? motionFeatures() : features(inputs.reflection, lighting);
     const SidesSeen sides = motion ? SidesSeen::above : sidesSeen(geometry);
+    wanted.bed = wanted.bed && sides != SidesSeen::below;
     if (wanted.bed) {
         inputs.bed = bed->of(*context, view.viewIndex);
-        wanted.bed = sides != SidesSeen::below;
-        if (wanted.bed && !inputs.bed)
+        if (!inputs.bed)
             return device.misused("draw: BodyDesc.bed is set, and bedView() and reflect() were not called "
                                   "for this view before");
-        if (wanted.bed) setBed(uniforms, *inputs.bed, geometry.eye);
+        setBed(uniforms, *inputs.bed, geometry.eye);
     }
     const DrawPipeline* pipeline = nullptr;
     if (const Status s = target.pipelines.get({wanted, output, sides}, pipeline); s != Status::ok) return s;

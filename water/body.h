@@ -60,7 +60,6 @@ struct RecordedIn {
 struct Body : Held {
     BodyFrame frame;
     glm::dvec4 plane{0};
-    glm::dvec4 worldPlane{0};
     MeshDesc mesh;
     ShadingDesc shading;
     std::optional<Outline> outline;       ///< none where the body is unbounded

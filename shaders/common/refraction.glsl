@@ -10,16 +10,23 @@ struct Behind {
     bool nothing;  // but the far plane
 };
 
+Behind shownAt(ivec2 pixel, float depth, mat4 relativeFromPixels) {
+    vec4 q = relativeFromPixels * vec4(vec2(pixel) + 0.5, depth, 1.0);
+    return Behind(pixel, q.xyz / q.w, depthSign * (depth - farDepth) <= 0.0);
+}
+
 // What the host's opaque scene shows at a pixel of the region.
 Behind behindAt(vec2 pixel) {
     ivec2 p = clamp(ivec2(pixel + sceneShift), ivec2(0), region.zw - 1);
-    float depth = texelFetch(sceneDepth, region.xy + p, 0).r;
-    vec4 q = relativeFromPixel * vec4(vec2(p) + 0.5, depth, 1.0);
-    return Behind(p, q.xyz / q.w, depthSign * (depth - farDepth) <= 0.0);
+    return shownAt(p, texelFetch(sceneDepth, region.xy + p, 0).r, relativeFromPixel);
+}
+
+vec4 colorOf(Behind b) {
+    return texelFetch(sceneColor, region.xy + b.pixel, 0);
 }
 
 vec3 radianceOf(Behind b) {
-    return texelFetch(sceneColor, region.xy + b.pixel, 0).rgb;
+    return colorOf(b).rgb;
 }
 
 // In what follows pixels are the bed's where it has a picture of its own: wider than the region, and with nothing in it that
@@ -31,13 +38,11 @@ vec4 bedPixelOf(vec4 relative) {
 Behind bedAt(vec2 pixel) {
     if (!hasBed) return behindAt(pixel);
     ivec2 p = clamp(ivec2(pixel), ivec2(0), bedSize - 1);
-    float depth = texelFetch(bedDepth, p, 0).r;
-    vec4 q = relativeFromBed * vec4(vec2(p) + 0.5, depth, 1.0);
-    return Behind(p, q.xyz / q.w, depthSign * (depth - farDepth) <= 0.0);
+    return shownAt(p, texelFetch(bedDepth, p, 0).r, relativeFromBed);
 }
 
 vec4 bedColorOf(Behind b) {
-    return hasBed ? texelFetch(bedColor, b.pixel, 0) : texelFetch(sceneColor, region.xy + b.pixel, 0);
+    return hasBed ? texelFetch(bedColor, b.pixel, 0) : colorOf(b);
 }
 
 vec3 bedRadiance(Behind b) {

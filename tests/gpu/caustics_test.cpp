@@ -7,6 +7,7 @@
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/spy.h"
 #include "tests/gpu/water_rig.h"
+#include "tests/unit/statistics.h"
 
 namespace {
 
@@ -66,19 +67,6 @@ class Caustics : public WaterTest {
     BodyDesc desc_;
 };
 
-double meanOf(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double v : values) sum += v;
-    return sum / static_cast<double>(values.size());
-}
-
-double deviationOf(const std::vector<double>& values) {
-    const double mean = meanOf(values);
-    double sum = 0;
-    for (const double v : values) sum += (v - mean) * (v - mean);
-    return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
 TEST_F(Caustics, TakeAsMuchLightAsTheyGive) {
     Body* body = makeBody(desc_);
     for (const double depth : {0.3, 1.0, 3.0, 10.0}) {
@@ -130,10 +118,7 @@ TEST_F(Caustics, FallWhereTheWavesSendTheLight) {
             drawn[at(v) * cells + at(u)] += light[size_t{y} * 256 + x];
         }
     const double meanFallen = meanOf(fallen), meanDrawn = meanOf(drawn);
-    double both = 0;
-    for (size_t i = 0; i < fallen.size(); ++i) both += (fallen[i] - meanFallen) * (drawn[i] - meanDrawn);
-    const double correlation =
-        both / static_cast<double>(fallen.size()) / (deviationOf(fallen) * deviationOf(drawn));
+    const double correlation = correlationOf(fallen, drawn);
     std::printf("correlation with photons %.3f\n", correlation);
     EXPECT_GT(correlation, 0.8);
     EXPECT_NEAR(deviationOf(drawn) / meanDrawn / (deviationOf(fallen) / meanFallen), 1, 0.4);

@@ -6,6 +6,7 @@
 #include "tests/reference/box_file.h"
 #include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
+#include "tests/unit/statistics.h"
 
 namespace {
 
@@ -58,18 +59,8 @@ struct Alike {
 
 Alike compare(const Picture& drawn, const Picture& traced, size_t side) {
     const std::vector<double> a = coarser(drawn, side), b = coarser(traced, side);
-    const auto count = static_cast<double>(a.size());
-    double meanA = 0, meanB = 0, aa = 0, bb = 0, ab = 0;
-    for (size_t i = 0; i < a.size(); ++i) {
-        meanA += a[i] / count;
-        meanB += b[i] / count;
-    }
-    for (size_t i = 0; i < a.size(); ++i) {
-        aa += (a[i] - meanA) * (a[i] - meanA) / count;
-        bb += (b[i] - meanB) * (b[i] - meanB) / count;
-        ab += (a[i] - meanA) * (b[i] - meanB) / count;
-    }
-    return {std::sqrt(aa) / meanA, std::sqrt(bb) / meanB, ab / std::sqrt(aa * bb)};
+    return {tests::deviationOf(a) / tests::meanOf(a), tests::deviationOf(b) / tests::meanOf(b),
+            tests::correlationOf(a, b)};
 }
 
 WavesDesc swell() {

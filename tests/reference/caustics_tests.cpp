@@ -9,11 +9,14 @@
 
 #include "tests/reference/box_world.h"
 #include "tests/reference/traced_picture.h"
+#include "tests/unit/statistics.h"
 
 namespace {
 
 using namespace demos;
 using tests::Box;
+using tests::deviationOf;
+using tests::meanOf;
 
 /// From straight above, so that the sides of the water seen are `metres`, under a sun over +X.
 struct Bath {
@@ -88,19 +91,6 @@ class Lit {
     reference::Frame frame_;
     glm::vec3 from_{0, 1, 0};
 };
-
-double meanOf(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double v : values) sum += v;
-    return sum / static_cast<double>(values.size());
-}
-
-double deviationOf(const std::vector<double>& values) {
-    const double mean = meanOf(values);
-    double sum = 0;
-    for (const double v : values) sum += (v - mean) * (v - mean);
-    return std::sqrt(sum / static_cast<double>(values.size()));
-}
 
 /// Root of the mean square between two fields, a share of their mean.
 double noiseOf(const std::vector<double>& a, const std::vector<double>& b) {
