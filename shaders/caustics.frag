@@ -62,6 +62,14 @@ float gathered(vec2 at, float depth, float width) {
     return max((u.x * v.y - u.y * v.x) / (apart * apart), 0.0);
 }
 
+// Across the line of sight, of a pixel that shows the point [m].
+float pixelWidth(vec3 at) {
+    mat4 rows = transpose(pixelFromRelative);
+    float w = dot(rows[3], vec4(at, 1.0));
+    float x = dot(rows[0], vec4(at, 1.0)) / w;
+    return w / length(rows[0].xyz - x * rows[3].xyz);
+}
+
 void main() {
     loadSurface();
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -84,10 +92,12 @@ void main() {
     vec3 share = sun / max(sun + skyIrradiance.rgb, 1e-6);
     vec3 beam = exp(-scattering() * depth);
 
-    // What is too narrow to be seen, what the sun's disc blurs, and what has crossed.
-    float pixelsPerRadian = length(vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y));
+    // What is too narrow to be seen, what the sun's disc blurs, and what has crossed. An eye in the air looks through waves, by
+    // which one pixel shows places some deviations of their slopes apart.
     float disc = 0.0093 / waterIndex * depth;
-    float width = max(max(1.5 * length(at) / pixelsPerRadian, disc), exp2(caustics.y + caustics.z * log2(depth * turnsMore())));
+    float crossed = exp2(caustics.y + caustics.z * log2(depth * turnsMore()));
+    float bent = plane.w > 0.0 ? 4.0 * (1.0 - 1.0 / waterIndex) * roughness.w * depth : 0.0;
+    float width = max(max(1.5 * pixelWidth(at) + bent, disc), crossed);
     vec3 factor = 1.0 + caustics.x * share * beam * (gathered(at.xz, depth, max(width, 1e-3)) - 1.0);
     outColor = vec4(factor, dot(factor, vec3(1.0 / 3.0)));
 }

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "reflection/oblique.h"
 #include "reflection/planar.h"
@@ -23,9 +25,10 @@ gpu::ImageDesc colorDesc(VkExtent2D extent) {
     return desc;
 }
 
-/// Whole pixels, so that a point's place in its pixel is the same in both pictures.
+/// Whole pixels, so that a point of the surface has the same place in its pixel in both pictures.
 glm::ivec2 marginOf(const BedDesc& desc, const glm::ivec2& size) {
-    return glm::ivec2(glm::ceil(glm::dvec2(size) * double{desc.margin}));
+    constexpr double rounding = 1e-3; // tenths are none as floats
+    return glm::ivec2(glm::ceil(glm::dvec2(size) * double{desc.margin} - rounding));
 }
 
 /// `view` over a viewport that is larger by `margin` on each side, with its corner at 0.
@@ -45,6 +48,43 @@ ViewDesc widened(const ViewDesc& view, const ViewGeometry& geometry, const glm::
         out.projection[4 * column + 1] *= down;
     }
     return out;
+}
+
+/// How many times higher than the eye lies where a ray seems to come from that calm water bends, by its angle
+/// from straight down.
+double apparentRise(double incidence) {
+    constexpr double index = 1.333;
+    const double sine = std::sin(incidence);
+    return std::sqrt(index * index - sine * sine) / std::cos(incidence);
+}
+
+/// Half as far below the horizon as the view's steepest ray, for far water shows little of its bed; 80
+/// degrees at most, for a level one comes from endlessly high.
+double typicalIncidence(const ViewGeometry& geometry) {
+    double steepest = 0;
+    for (int i = 0; i < 9; ++i) {
+        const glm::dvec2 at = 0.5 * glm::dvec2(i % 3, i / 3) * glm::dvec2(geometry.regionSize);
+        const glm::dvec4 p = geometry.relativeFromPixel * glm::dvec4(at, 0.5, 1);
+        const glm::dvec3 ray = glm::normalize(glm::dvec3(p) / p.w);
+        steepest = std::max(steepest, std::asin(std::clamp(-ray.y, -1.0, 1.0)));
+    }
+    return std::min(glm::radians(90.0) - 0.5 * steepest, glm::radians(80.0));
+}
+
+/// Raises the eye to `rise` times its height over `plane`, and squeezes what it sees towards the plane, whose
+/// points all keep their pixels.
+void raise(ViewDesc& view, const glm::dvec4& plane, double rise) {
+    const glm::dmat4 before = toMatrix(view.view), projection = toMatrix(view.projection);
+    const glm::dvec3 up(plane), eye(glm::inverse(before)[3]);
+    const double less = 1 / rise - 1;
+    glm::dmat4 squeezed(glm::dmat3(1) + less * glm::outerProduct(up, up));
+    squeezed[3] = glm::dvec4(less * plane.w * up, 1);
+    const glm::dmat4 after = glm::translate(before, (1 - rise) * (glm::dot(up, eye) + plane.w) * up);
+    const glm::dmat4 skewed = projection * before * squeezed * glm::inverse(after);
+    for (int i = 0; i < 16; ++i) {
+        view.view[i] = after[i / 4][i % 4];
+        view.projection[i] = skewed[i / 4][i % 4];
+    }
 }
 
 /// Cuts what lies above `plane`, of the world; false where the eye is too close to it.
@@ -72,6 +112,7 @@ Status Bed::handOut(Context& context, const ViewDesc& view, const ViewGeometry& 
     const gpu::Device& device = context.device;
     const glm::ivec2 margin = marginOf(desc, geometry.regionSize);
     ViewDesc wide = widened(view, geometry, margin);
+    raise(wide, plane, apparentRise(typicalIncidence(geometry)));
     out.obliqueClip = cutAbove(wide, geometry.reversedDepth, plane);
 
     BedPicture& picture = views[view.viewIndex];

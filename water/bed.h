@@ -1,6 +1,6 @@
-// What lies below a body, as a picture of its own that the host draws: wider than the view's, and without
-// what stands above the water. There the ray that the surface bends finds what the view's own picture ends
-// before, or hides behind a pool's edge.
+// What lies below a body, as a picture of its own that the host draws: a little wider than the view's,
+// without what stands above the water, and from above the eye, where rays come from that the surface bends.
+// There they find what the view's own picture ends before, or hides behind a pool's edge or a bank.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ struct Bed {
     BedDesc desc;
     std::array<BedPicture, maxViews> views;
 
-    /// What the host is to draw: `view` as it was given, and in it what lies below `plane`, of the world.
+    /// What the host is to draw: as `view` was given, what lies below `plane`, of the world.
     /// `geometry`: the view's, in the body's axes.
     Status handOut(Context& context, const ViewDesc& view, const ViewGeometry& geometry,
                    const glm::dvec4& plane, const BodyFrame& frame, PlanarView& out);

@@ -154,7 +154,7 @@ struct DryRoomDesc {
 /// The bed as a picture of its own.
 struct BedDesc {
     bool drawn = true;
-    double margin = 0.25; ///< by which it is larger on each side, of the picture's size
+    double margin = 0.1; ///< by which it is larger on each side, of the picture's size
 };
 
 struct WaterDesc {

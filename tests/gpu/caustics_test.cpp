@@ -34,19 +34,19 @@ class Caustics : public WaterTest {
         for (float& channel : lighting.skyIrradiance) channel = 0;
     }
 
-    /// From straight above, 16 m of the bed from side to side.
-    static Camera above(double bed) {
+    /// From straight above, 16 m of the bed from side to side, or more by as many more pixels.
+    static Camera above(double bed, uint32_t wider = 1) {
         Camera camera;
         camera.eye = {3, 40 + bed, 7};
         camera.target = {3, 0, 7};
-        camera.fovDegrees = 2 * std::atan(8.0 / 40) * 180 / std::numbers::pi;
-        camera.width = camera.height = 256;
+        camera.fovDegrees = 2 * std::atan(8.0 * wider / 40) * 180 / std::numbers::pi;
+        camera.width = camera.height = 256 * wider;
         return camera;
     }
 
     /// What the light on a level bed is multiplied by.
-    std::vector<double> factors(Body* body, double bed, double time = 2) {
-        const Camera camera = above(bed);
+    std::vector<double> factors(Body* body, double bed, double time = 2, uint32_t wider = 1) {
+        const Camera camera = above(bed, wider);
         SceneBehind behind;
         behind.depth.assign(size_t{camera.width} * camera.height, static_cast<float>(camera.near / 40));
         behind.color.assign(behind.depth.size() * 4, 1);
@@ -122,6 +122,16 @@ TEST_F(Caustics, FallWhereTheWavesSendTheLight) {
     std::printf("correlation with photons %.3f\n", correlation);
     EXPECT_GT(correlation, 0.8);
     EXPECT_NEAR(deviationOf(drawn) / meanDrawn / (deviationOf(fallen) / meanFallen), 1, 0.4);
+}
+
+// As a bed's picture is, which is larger than the view's.
+TEST_F(Caustics, AreTheSameInALargerPicture) {
+    Body* const body = makeBody(desc_);
+    const std::vector<double> small = factors(body, -1.5), large = factors(body, -1.5, 2, 2);
+    ASSERT_EQ(large.size(), 4 * small.size());
+    for (size_t y = 0; y < 256; ++y)
+        for (size_t x = 0; x < 256; ++x)
+            ASSERT_NEAR(small[y * 256 + x], large[(y + 128) * 512 + x + 128], 0.01) << x << ' ' << y;
 }
 
 TEST_F(Caustics, FadeAsTheWaterScattersTheBeam) {

@@ -40,15 +40,18 @@ void main() {
     const vec3 l = frame.toSun.xyz;
     const float nDotL = facingSun(inFromEye, n), nDotV = max(abs(dot(n, v)), 1e-3);
 
+    // Of index 1.5, which mirrors a tenth as much in water as in air.
+    const float mirrors = isSunBent(inFromEye) ? mix(0.087, 1.0, metallic) : 1.0;
+
     vec3 radiance = draw.emissive.rgb;
     if (nDotL > 0.0) {
         const vec3 sun = frame.sunIrradiance.rgb * (nDotL * sunVisibility(inFromEye, n, nDotL));
-        radiance += sun * (diffuse / pi + sunSpecular(n, v, l, nDotL, nDotV, f0, roughness));
+        radiance += sun * (diffuse / pi + mirrors * sunSpecular(n, v, l, nDotL, nDotV, f0, roughness));
     }
-    const vec3 ambient = environmentBrdf(f0, roughness, nDotV);
+    const vec3 ambient = mirrors * environmentBrdf(f0, roughness, nDotV);
     // The mip whose texels are as large as the lobe: solid angles 4 pi alpha^2 and 4 pi / (6 size^2).
     const float mip = log2(frame.sky.w * roughness * roughness * 2.449);
     const vec3 mirrored = textureLod(skyCube, reflect(-v, n), clamp(mip, 0.0, frame.sky.z - 1.0)).rgb;
-    radiance += diffuse / pi * skyIrradiance(n) * (1.0 - ambient) + mirrored * ambient;
+    radiance += diffuse / pi * facingSky(inFromEye, n) * (1.0 - ambient) + mirrored * ambient;
     outColor = vec4(min(radiance, vec3(60000.0)), 1.0);
 }

@@ -1,4 +1,4 @@
-// What of the sun reaches a point, and what a glossy surface mirrors of it. Needs frame.glsl.
+// What of sun and sky reaches a point, and what a glossy surface mirrors of the sun. Needs frame.glsl.
 #include "bent_sun.glsl"
 
 layout(set = 0, binding = 3) uniform sampler2DShadow shadowMap;
@@ -29,6 +29,15 @@ float filteredShadow(int cascade, vec2 uv, float depth) {
 // times the straight one's: what comes in is the water's to say.
 float facingSun(vec3 fromEye, vec3 normal) {
     return dot(isSunBent(fromEye) ? shearedNormal(normal) : normal, frame.toSun.xyz);
+}
+
+// Irradiance from the sky on a side with that unit normal. Under water all of it comes from within 49 degrees of straight
+// above, so that sides which lean have about half as much more or less of it; what comes in is the water's to say.
+vec3 facingSky(vec3 fromEye, vec3 normal) {
+    const vec3 inAir = skyIrradiance(normal);
+    if (!isSunBent(fromEye)) return inAir;
+    const vec3 up = frame.waterPlane.xyz;
+    return mix(max(dot(up, normal), 0.0) * skyIrradiance(up), inAir, 0.5);
 }
 
 // `nDotL` is facingSun().

@@ -37,7 +37,7 @@ struct CausticsDesc {
 /// What lies below in a picture of its own, which the host draws as bedView() says: refraction then finds
 /// what the view's picture ends before, or hides behind a pool's edge. For an eye above the water.
 struct BedDesc {
-    float margin = 0.25f; ///< by which it is larger on each side, as a share of the view's size, 0..1
+    float margin = 0.1f; ///< by which it is larger on each side, as a share of the view's size, 0..1
 };
 
 /// How finely the surface is meshed.
@@ -160,8 +160,8 @@ Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, d
 Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
 
 /// What to draw for a body with `bed`, before reflect() and likewise: the opaque scene under the calm
-/// surface, from the view's own eye. drawCaustics() may be called over it, with a ViewDesc of these matrices
-/// and images.
+/// surface, from where its rays seem to come. drawCaustics() may be called over it, with a ViewDesc of these
+/// matrices and images.
 Status bedView(Body* body, const ViewDesc* view, PlanarView* out);
 
 /// Records the reflections of `view`; as reflect() for reflectors. Outside any render pass. Of a view whose
