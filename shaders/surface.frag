@@ -4,6 +4,7 @@
 #include "surface.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
+#include "surface_fresnel.glsl"
 
 layout(location = 0) in vec2 meshCalm;   // (u, v) before displacement, as the mesh has it
 vec2 calmPosition;                      // of what the pixel shows

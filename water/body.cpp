@@ -244,7 +244,8 @@ SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDes
             waves && !shore && shading.relief,
             lighting.shadow != nullptr,
             frame.tilted,
-            bed.has_value()};
+            bed.has_value(),
+            shading.fresnel == Fresnel::schlick};
 }
 
 SurfaceFeatures Body::motionFeatures() const {

@@ -37,6 +37,7 @@ const char* badField(const ShadingDesc& desc) {
     if (!isOneTwoOrFour(desc.slopeLooks)) return "ShadingDesc.slopeLooks is out of range, expected 1, 2 or 4";
     if (desc.waveShadowSteps == 1 || desc.waveShadowSteps > 32)
         return "ShadingDesc.waveShadowSteps is out of range, expected 0 or 2 to 32";
+    if (desc.fresnel > Fresnel::schlick) return "ShadingDesc.fresnel is no Fresnel";
     return nullptr;
 }
 

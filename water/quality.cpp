@@ -39,7 +39,9 @@ void setQuality(Quality quality, BodyDesc* body, ReflectionDesc* reflection) {
     const Step& step = steps[static_cast<size_t>(std::min(quality, Quality::highest))];
     if (body) {
         body->mesh.cellsPerLevel = step.cellsPerLevel;
+        const Fresnel fresnel = body->shading.fresnel;
         body->shading = step.shading;
+        body->shading.fresnel = fresnel;
         if (!step.bed) body->bed = nullptr;
     }
     if (reflection) set(step, *reflection);

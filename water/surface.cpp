@@ -213,7 +213,8 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.slopeLooks,
                                   variant.features.tilted,
                                   variant.features.relief,
-                                  variant.features.bed};
+                                  variant.features.bed,
+                                  variant.features.schlick};
     return createDrawPipeline(
         device, target,
         {vertexShader(variant.features, target.viewMask != 0), fragmentShader(variant.features), constants},

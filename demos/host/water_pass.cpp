@@ -24,6 +24,15 @@ seaglass::RefractionDesc refractionOf(const RefractionDesc& desc) {
     return refraction;
 }
 
+bool fresnelOf(const WaterDesc& desc, seaglass::Fresnel& out, Error& error) {
+    if (desc.fresnel != "exact" && desc.fresnel != "schlick") {
+        error.text = "water.fresnel is \"" + desc.fresnel + "\", expected exact or schlick";
+        return false;
+    }
+    out = desc.fresnel == "exact" ? seaglass::Fresnel::exact : seaglass::Fresnel::schlick;
+    return true;
+}
+
 seaglass::SurfaceOutput outputOf(Aov aov) {
     switch (aov) {
     case Aov::reflection:
@@ -78,6 +87,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     body.mesh.cellsPerLevel = desc.cellsPerLevel;
     body.shading = {desc.mirrorLooks, desc.refractionLooks, desc.slopeLooks, desc.waveShadowSteps,
                     desc.relief};
+    if (!fresnelOf(desc, body.shading.fresnel, error)) return false;
     if (desc.extent) {
         if (!extentOf(*desc.extent, extent, error)) return false;
         body.extent = extent.desc;

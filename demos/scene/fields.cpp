@@ -214,6 +214,8 @@ constexpr std::array dryRoomFields = {
     Field{"bottom_m", at<&DryRoomDesc::bottomM>, -1e3, 1e3, "m", "height of its bottom"},
 };
 
+constexpr std::array<std::string_view, 2> fresnels = {"exact", "schlick"};
+
 constexpr std::array waterFields = {
     Field{"level_m", at<&WaterDesc::levelM>, -1e5, 1e5, "m", "height of the calm surface, at the origin"},
     Field{"tilt_deg", at<&WaterDesc::tiltDeg>, 0, 80, "degrees", "of the calm surface, 0 level"},
@@ -231,6 +233,8 @@ constexpr std::array waterFields = {
     Field{"wave_shadow_steps", at<&WaterDesc::waveShadowSteps>, 0, 32, "",
           "looks for the waves that hide low sky and sun, not 1; 0: a mean"},
     Field{"relief", at<&WaterDesc::relief>, 0, 1, "", "shades short waves at their own height"},
+    Field{"fresnel", at<&WaterDesc::fresnel>, 0, 0, "", "what share of light is mirrored", false, Rule::none,
+          fresnels},
 };
 
 constexpr std::array floorFields = {

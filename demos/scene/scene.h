@@ -168,6 +168,7 @@ struct WaterDesc {
     uint32_t slopeLooks = 1;
     uint32_t waveShadowSteps = 0;
     bool relief = false;
+    std::string fresnel = "exact";    ///< exact | schlick
     std::optional<ExtentDesc> extent; ///< none: to the horizon
     std::optional<WavesDesc> waves;
     std::optional<ShoreDesc> shore; ///< none: no bed is felt

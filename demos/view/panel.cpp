@@ -148,6 +148,7 @@ bool layOutQuality(WaterDesc& water) {
         changed = true;
     }
     changed |= ImGui::Checkbox("relief of short waves", &water.relief);
+    changed |= choose("fresnel", water.fresnel, choicesOf("water.fresnel"));
     return changed;
 }
 

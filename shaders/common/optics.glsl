@@ -12,11 +12,13 @@ float fresnelWater(float cosIncidence) {
     return 0.5 * a * a * (1.0 + b * b);
 }
 
-// From water into air, where beyond the critical angle no ray leaves and all of it stays.
-float fresnelFromWater(float cosIncidence) {
-    float c = clamp(cosIncidence, 0.0, 1.0);
-    float sine2 = waterIndex * waterIndex * (1.0 - c * c);   // of the ray in air
-    return sine2 >= 1.0 ? 1.0 : fresnelWater(sqrt(1.0 - sine2));
+// The same by Schlick's approximation (1994).
+float fresnelSchlick(float cosIncidence) {
+    const float root = (waterIndex - 1.0) / (waterIndex + 1.0);
+    const float straightOn = root * root;
+    float d = 1.0 - clamp(cosIncidence, 0.0, 1.0);
+    float d2 = d * d;
+    return straightOn + (1.0 - straightOn) * (d2 * d2 * d);
 }
 
 // Smith's masking function for Gaussian slopes of deviation `deviation` towards a direction with cosine `c` (rational fit:

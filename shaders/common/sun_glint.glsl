@@ -6,7 +6,7 @@ vec3 sunGlint(SurfacePoint s, vec3 toEye) {
     if (toSun.y <= 0.0 || halfway.y <= 0.0) return vec3(0.0);
     vec2 slope = -halfway.xz / halfway.y;
     float density = slopeDensity(slope - s.slope, s.covariance + vec3(discVariance, discVariance, 0.0));
-    float fresnel = fresnelWater(dot(toEye, halfway));
+    float fresnel = mirroredShare(dot(toEye, halfway));
     vec3 normal = normalOf(s.slope);
     float cosEye = max(dot(toEye, normal), 1e-3);
     float deviation = sqrt(0.5 * (s.covariance.x + s.covariance.y));

@@ -73,7 +73,7 @@ vec3 sunThrough(SurfacePoint s, vec3 toEye) {
     float up2 = halfway.y * halfway.y;
     vec3 normal = normalOf(s.slope);
     float seen = max(-dot(toEye, normal), 1e-2);
-    return sunSeen * sunIrradiance.rgb * (cosSun * cosEye * waterIndex * waterIndex * (1.0 - fresnelWater(cosSun)) * density /
+    return sunSeen * sunIrradiance.rgb * (cosSun * cosEye * waterIndex * waterIndex * (1.0 - mirroredShare(cosSun)) * density /
                                 (up2 * up2 * seen * gap * gap));
 }
 
@@ -90,7 +90,7 @@ vec3 throughWindow(SurfacePoint s, vec3 view, out float reflectance) {
         float weight = weightOf(v, offset);
         vec3 normal = normalOf(s.slope + v.towards * offset);
         float cosine = max(dot(view, normal), 1e-4);
-        float fresnel = fresnelFromWater(cosine);
+        float fresnel = mirroredShareBelow(cosine);
         if (fresnel < 1.0) {
             vec3 outward = refract(view, -normal, waterIndex);
             float bends = waterIndex * cosine / max(dot(outward, normal), 0.1) - 1.0;   // of the ray, to the facet's tilt

@@ -93,7 +93,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
             vec3 normal = normalOf(s.slope + v.towards * slopeSeen(i, seen));
             vec3 direction = reflect(-toEye, normal);
             float cosine = dot(toEye, normal);
-            vec4 mirrored = shareOfSlope(i) * fresnelWater(cosine) * vec4(direction, 1.0);
+            vec4 mirrored = shareOfSlope(i) * mirroredShare(cosine) * vec4(direction, 1.0);
             all += mirrored;
             cosines += mirrored.w * max(cosine, 0.0);
             clear += clearShare(direction.y, ahead) * mirrored;
@@ -108,7 +108,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     for (bool again = met.w > 1e-3 * sum.fresnel; again; again = false) {
         vec3 direction = normalize(met.xyz);
         vec3 facet = normalOf(horizontal(direction) * (1.25 * roughness.w));
-        float keeps = met.w * fresnelWater(dot(-direction, facet));
+        float keeps = met.w * mirroredShare(dot(-direction, facet));
         sum.radiance += keeps * (found.rgb + (1.0 - found.a) * skyAt(keptAbove(reflect(direction, facet)), 0.5 * spread));
         sum.swallowed = met.w - keeps;
     }
@@ -117,7 +117,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
 #else
 Reflection reflected(SurfacePoint s, vec3 toEye) {
     float hit = firstHit();
-    float fresnel = fresnelWater(toEye.y);
+    float fresnel = mirroredShare(toEye.y);
     vec3 direction = keptAbove(vec3(-toEye.x, toEye.y, -toEye.z));
     vec4 found = mirroredScene(direction, 0.0, hit);
     vec3 mirrored = found.rgb;

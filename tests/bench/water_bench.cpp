@@ -32,6 +32,7 @@ constexpr Part parts[] = {
     {"medium", [](WaterDesc& water) { setQuality("medium", water); }},
     {"high", [](WaterDesc& water) { setQuality("high", water); }},
     {"highest", [](WaterDesc& water) { setQuality("highest", water); }},
+    {"Schlick", [](WaterDesc& water) { water.fresnel = "schlick"; }},
     {"no foam", [](WaterDesc& water) { water.foam.reset(); }},
     {"no refraction",
      [](WaterDesc& water) { water.refraction.reset(), water.bed.reset(), water.underwater.reset(); }},

@@ -61,6 +61,7 @@ TEST(QualityDial, LeavesWhatIsModelled) {
         BodyDesc body;
         body.waves = &waves;
         body.mesh.cellSize = 0.77f;
+        body.shading.fresnel = Fresnel::schlick;
         ReflectionDesc reflection;
         reflection.edgeFade = 0.33f;
         reflection.temporal = 0.5f;
@@ -68,6 +69,7 @@ TEST(QualityDial, LeavesWhatIsModelled) {
         EXPECT_EQ(body.waves, &waves);
         EXPECT_EQ(body.foam, nullptr);
         EXPECT_EQ(body.mesh.cellSize, 0.77f);
+        EXPECT_EQ(body.shading.fresnel, Fresnel::schlick);
         EXPECT_EQ(reflection.edgeFade, 0.33f);
         EXPECT_EQ(reflection.temporal, 0.5f);
         setQuality(quality, nullptr, nullptr);
@@ -169,10 +171,12 @@ double meanOf(const WaterPicture& p) {
 
 // Under one sky all slopes mirror the same: only Fresnel's mean may differ by how they are told apart.
 TEST_F(Looks, AtWhatIsMirroredAgreeUnderAnEvenSky) {
-    const double two = meanOf(picture({bodyWith({})}, low(), 50));
-    for (const uint32_t looks : {1u, 4u}) {
-        const double mean = meanOf(picture({bodyWith({.mirrorLooks = looks})}, low(), 50));
-        EXPECT_NEAR(mean / two, 1, 0.01) << looks;
+    for (const Fresnel formula : {Fresnel::exact, Fresnel::schlick}) {
+        const double two = meanOf(picture({bodyWith({.fresnel = formula})}, low(), 50));
+        for (const uint32_t looks : {1u, 4u}) {
+            const ShadingDesc shading = {.mirrorLooks = looks, .fresnel = formula};
+            EXPECT_NEAR(meanOf(picture({bodyWith(shading)}, low(), 50)) / two, 1, 0.01) << looks;
+        }
     }
 }
 
@@ -191,6 +195,7 @@ TEST_F(Looks, OutOfRangeAreNamed) {
     }
     for (const uint32_t bad : {0u, 17u})
         EXPECT_NE(refused({.refractionLooks = bad}).find("ShadingDesc.refractionLooks"), std::string::npos);
+    EXPECT_NE(refused({.fresnel = static_cast<Fresnel>(2)}).find("ShadingDesc.fresnel"), std::string::npos);
 }
 
 /// A bed striped along the line of sight, as the picture shows it.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "seaglass/waves_fftw.h"
+#include "tests/gpu/fresnel.h"
 #include "tests/gpu/spy.h"
 #include "tests/gpu/traced_scene.h"
 #include "tests/gpu/water_rig.h"
@@ -32,15 +33,6 @@ SeaDesc breeze() {
     sea.samples = 64;
     sea.cascades = 3;
     return sea;
-}
-
-/// Exact Fresnel reflectance of water in another form than the shader's: from the two polarisations.
-double fresnel(double cosine) {
-    const double n = 1.333;
-    const double transmitted = std::sqrt(1 - (1 - cosine * cosine) / (n * n));
-    const double s = (cosine - n * transmitted) / (cosine + n * transmitted);
-    const double p = (transmitted - n * cosine) / (transmitted + n * cosine);
-    return (s * s + p * p) / 2;
 }
 
 class Water : public WaterTest {
@@ -175,22 +167,6 @@ TEST_F(Water, MapsHoldWhatTheBackendEvaluated) {
     fftwWaves()->destroy(state);
 }
 
-TEST_F(Water, FlatWaterMirrorsTheSkyByFresnelsFormula) {
-    Body* body = flatBody();
-    const Camera camera = seaCamera();
-    const WaterPicture p = picture({body}, camera);
-    for (uint32_t y = 0; y < p.height; y += 11)
-        for (uint32_t x = 0; x < p.width; x += 17) {
-            const size_t i = size_t{y} * p.width + x;
-            const double angle = angleBelowHorizon(camera, x, y);
-            if (angle < 0.01) continue;
-            const double expected = fresnel(std::sin(angle));
-            for (size_t channel = 0; channel < 3; ++channel)
-                EXPECT_NEAR(p.color[i * 4 + channel], expected * static_cast<double>(channel + 1),
-                            2e-3 * expected + 1e-4);
-        }
-}
-
 TEST_F(Water, WhatLiesBelowIsDimmedByBeerAndLambert) {
     const RefractionDesc refraction = {{0.5f, 0.2f, 0.1f}, {0, 0, 0}, 1};
     BodyDesc desc;
@@ -205,7 +181,7 @@ TEST_F(Water, WhatLiesBelowIsDimmedByBeerAndLambert) {
         for (uint32_t x = 3; x < p.width; x += 17) {
             const double angle = angleBelowHorizon(camera, x, y);
             if (angle < 0.2) continue;
-            const double f = fresnel(std::sin(angle));
+            const double f = reflectance(std::sin(angle));
             // Snell: the ray goes on steeper than it came.
             const double sine = std::cos(angle) / 1.333;
             const double path = -bed / std::sqrt(1 - sine * sine);
@@ -296,7 +272,7 @@ TEST_F(Water, TheBedIsSeenAsFarAsTheBentRayMeetsIt) {
             const double met = distanceAt(x, y, 0) - bed * sine / cosine;
             if (met > end - 2 && angle > 0.03) continue; // fades out: its end might hide more of it
             passedOver += met < end && distanceAt(x, y, bed) > end;
-            const double f = fresnel(std::sin(angle));
+            const double f = reflectance(std::sin(angle));
             for (size_t channel = 0; channel < 3; ++channel) {
                 const double through = std::exp(double{refraction.absorption[channel]} * bed / cosine);
                 const double seen = met < end ? 4 * through / (1.333 * 1.333) : 0;
@@ -326,7 +302,7 @@ struct RisingBed {
         const glm::dvec3 ray = rayThrough(camera, x, y);
         const glm::dvec3 surface = camera.eye - ray * (camera.eye.y / ray.y);
         const glm::dvec3 bent = glm::refract(ray, glm::dvec3(0, 1, 0), 1 / 1.333);
-        const double f = fresnel(-ray.y), path = met(surface, bent);
+        const double f = reflectance(-ray.y), path = met(surface, bent);
         glm::dvec3 color;
         for (glm::length_t c = 0; c < 3; ++c)
             color[c] =
@@ -377,9 +353,12 @@ SceneBehind evenWorld(const Camera& camera, double bed, float radiance) {
     return behind;
 }
 
+class WaterByFormula : public Water, public testing::WithParamInterface<Fresnel> {};
+INSTANTIATE_TEST_SUITE_P(Fresnel, WaterByFormula, testing::ValuesIn(formulas), formulaName);
+
 // Water that absorbs nothing, over a bed as bright as the sky, cannot be told from the sky: what is not
 // mirrored shines through, at any angle, smooth or rough. Over a black bed it is darker, never brighter.
-TEST_F(Water, IsUnseenInAWhiteFurnace) {
+TEST_P(WaterByFormula, IsUnseenInAWhiteFurnace) {
     RefractionDesc clear = {{0, 0, 0}, {0, 0, 0}, 1};
     const ReflectionDesc reflection;
     lighting.skyIrradiance[0] = static_cast<float>(std::numbers::pi);
@@ -397,6 +376,7 @@ TEST_F(Water, IsUnseenInAWhiteFurnace) {
             clear.scattering = mirror ? 0.0f : 0.5f;
             desc.refraction = &clear;
             desc.reflection = mirror;
+            desc.shading.fresnel = GetParam();
             Body* body = makeBody(desc);
             for (const double down : {0.3, 8.0, 300.0}) { // over 10 m: nearly level, and steep
                 Camera camera = seaCamera();

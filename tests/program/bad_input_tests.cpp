@@ -65,6 +65,9 @@ std::vector<BadInput> commandLines() {
         {"MirrorLooksAreThree",
          render({"--set", "water.mirror_looks=3"}),
          {"--set water.mirror_looks=3:", "a power of two, 1 to 4"}},
+        {"FresnelIsUnknown",
+         render({"--set", "water.fresnel=shlick"}),
+         {"--set water.fresnel=shlick: water.fresnel is 'shlick'", "expected exact or schlick"}},
         {"BothValidations", render({"--validation", "--no-validation"}), {"--validation"}},
         {"SetWithoutValue", render({"--set", "time_s"}), {"--set time_s", "path=value"}},
         {"SetUnknownKey",
@@ -87,6 +90,9 @@ std::vector<BadInput> files() {
         {"OutOfRange",
          render({}, "range.toml"),
          {"range.toml:22: water.waves.wind_m_s is -3", "expected 0 to 100 m/s"}},
+        {"FresnelOfAnotherName",
+         render({}, "fresnel.toml"),
+         {"fresnel.toml:20: water.fresnel is 'shlick'", "expected exact or schlick"}},
         {"FloorOutOfRange",
          render({}, "floor_range.toml"),
          {"floor_range.toml:21: floor.roughness is 1.5", "expected 0 to 1"}},
@@ -156,6 +162,7 @@ class BadInputTest : public testing::TestWithParam<BadInput> {
         writeAll(at / "truncated.toml", scene.substr(0, scene.find("position_m = [0, 2, 4]") + 16));
         writeAll(at / "unknown.toml", replaced(scene, "wind_m_s = 6", "wind_ms = 6"));
         writeAll(at / "range.toml", replaced(scene, "wind_m_s = 6", "wind_m_s = -3"));
+        writeAll(at / "fresnel.toml", replaced(scene, "level = 128", "level = 128\nfresnel = \"shlick\""));
         const std::string floor = tests::sampleFloorScene();
         writeAll(at / "floor.toml", floor);
         writeAll(at / "floor_range.toml", replaced(floor, "roughness = 0.25", "roughness = 1.5"));

@@ -96,6 +96,7 @@ TEST_F(Render, TimeCameraAndOverridesShow) {
                                          {"--camera", "low"},
                                          {"--set", "water.waves.wind_m_s=15"},
                                          {"--set", "sky.intensity=2"},
+                                         {"--set", "water.fresnel=schlick"},
                                          {"--set", "mesh=[]"},
                                          {"--aov", "height"}};
     std::vector<std::string> pictures;

@@ -1,5 +1,4 @@
-// Water bodies: an FFT-displaced sea, its reflection, refraction and foam, recorded into the host's command
-// buffer.
+// Water bodies: an FFT-displaced sea, its reflection, refraction and foam, in the host's command buffer.
 //
 // A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> (host begins its pass) ->
 // draw. With caustics, drawCaustics after the opaque scene; with a bed, bedView before reflect.
@@ -23,8 +22,7 @@ struct RefractionDesc {
 /// The body seen from within: where the near plane of a view lies under the surface, draw() also draws the
 /// surface from below, and the water before the opaque scene by RefractionDesc's coefficients.
 struct UnderwaterDesc {
-    /// Of the dark line where the near plane leaves the water, as wide as water climbs a lens (capillary
-    /// length 2.7 mm) [m], 0..0.1; 0 draws none.
+    /// Of the dark line where the near plane leaves the water (capillary length 2.7 mm) [m], 0..0.1; 0: none.
     float meniscus = 0.003f;
 };
 
@@ -46,6 +44,9 @@ struct MeshDesc {
     uint32_t cellsPerLevel = 128; ///< cells until a twice coarser level takes over, 128..1024
 };
 
+/// What share of light is mirrored: exact (Born and Wolf 1999, 1.5.2), or as Schlick approximates it (1994).
+enum class Fresnel : uint32_t { exact = 0, schlick };
+
 /// How closely the surface is looked at, in texture looks a pixel; docs/tradeoffs.md has what each costs.
 struct ShadingDesc {
     uint32_t mirrorLooks = 2;     ///< for what the slopes within a pixel mirror: 1, 2 or 4
@@ -53,6 +54,7 @@ struct ShadingDesc {
     uint32_t slopeLooks = 1;      ///< along a pixel's longer side, for waves and shadow: 1, 2 or 4
     uint32_t waveShadowSteps = 0; ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
     bool relief = false;          ///< shades waves too short for the mesh at their own height; not on a shore
+    Fresnel fresnel = Fresnel::exact; ///< of what the eye sees; light for the bed enters by exact's share
 };
 
 /// What a body covers of its plane.
@@ -68,10 +70,9 @@ enum class ExtentShape : uint32_t {
 struct ExtentDesc {
     ExtentShape shape = ExtentShape::unbounded; ///< says which fields below are read
 
-    // Of `rectangle`.
-    double center[2] = {0, 0}; ///< its middle
-    double size[2] = {0, 0};   ///< along its own u and v [m], each 0.01..1e6
-    double yaw = 0;            ///< of its own u, from +u towards +v [rad]
+    double center[2] = {0, 0}; ///< of `rectangle`: its middle
+    double size[2] = {0, 0};   ///< likewise, along its own u and v [m], each 0.01..1e6
+    double yaw = 0;            ///< likewise, of its own u, from +u towards +v [rad]
 
     /// Of `polygon`: its corners, 3..1024, either way round; no edge may cross or touch another. Cut by
     /// pixels: lay it under the bank. Of `mesh`: its vertices, 3..2^24.
@@ -160,8 +161,7 @@ Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, d
 Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
 
 /// What to draw for a body with `bed`, before reflect() and likewise: the opaque scene under the calm
-/// surface, from where its rays seem to come. drawCaustics() may be called over it, with a ViewDesc of these
-/// matrices and images.
+/// surface, from where its rays seem to come. drawCaustics() may follow, by a ViewDesc of these.
 Status bedView(Body* body, const ViewDesc* view, PlanarView* out);
 
 /// Records the reflections of `view`; as reflect() for reflectors. Outside any render pass. Of a view whose
