@@ -33,6 +33,8 @@ const float withinPixel = 0.52;
 const float besidePixel = 0.75;
 const float betweenPixels = 1.5;
 const float mostLoose = 4.0;
+const float backPixels = 64.0;   // that a ray is followed back
+const float backStride = 8.0;
 
 struct Hit {
     bool valid;
@@ -147,15 +149,30 @@ uint keyAt(ivec2 cell) {
     return keys[cell.y * (lastCell.x + 1) + cell.x];
 }
 
-// The nearest key around `cell` that is farther than `last`, whose turn is over.
-uint nextKey(ivec2 cell, uint last) {
-    uint best = noKey;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            uint key = keyAt(cell + ivec2(x, y));
-            if (key < last) best = max(best, key);
-        }
-    return best;
+// The keys in and around a cell, loaded once.
+struct KeysAround {
+    uvec3 before;
+    uvec3 level;
+    uvec3 after;
+};
+
+uvec3 keysInRow(ivec2 cell) {
+    return uvec3(keyAt(cell - ivec2(1, 0)), keyAt(cell), keyAt(cell + ivec2(1, 0)));
+}
+
+KeysAround keysAround(ivec2 cell) {
+    return KeysAround(keysInRow(cell - ivec2(0, 1)), keysInRow(cell), keysInRow(cell + ivec2(0, 1)));
+}
+
+uvec3 fartherThan(uint last, uvec3 some) {
+    return mix(uvec3(noKey), some, lessThan(some, uvec3(last)));
+}
+
+// The nearest key that is farther than `last`, whose turn is over.
+uint nextKey(KeysAround around, uint last) {
+    uvec3 farther = max(fartherThan(last, around.before), fartherThan(last, around.level));
+    farther = max(farther, fartherThan(last, around.after));
+    return max(max(farther.x, farther.y), farther.z);
 }
 
 // Nearer keys lead to the same place of the picture.
@@ -171,12 +188,13 @@ uint beyond(ScreenRay ray, float mirroredDepth) {
 // but leave a loop when nobody is in it.
 Hit nearestHit(ivec2 cell, ScreenRay ray) {
     Hit hit = noHit;
-    uint own = keyAt(cell);
-    uint key = nextKey(cell, ~0u);
+    KeysAround around = keysAround(cell);
+    uint own = around.level.y;
+    uint key = nextKey(around, ~0u);
     while (key != noKey) {
         hit = refined(key > own && own != noKey ? withinPixel : besidePixel, ray, depthFromKey(key));
         if (hit.valid) break;
-        key = nextKey(cell, beyond(ray, depthFromKey(key)));
+        key = nextKey(around, beyond(ray, depthFromKey(key)));
     }
     return hit;
 }
@@ -187,20 +205,25 @@ struct LineKey {
     ivec2 cell;
 };
 
-// Where the ray meets what left a key in another cell.
-Hit metAtKey(ScreenRay ray, LineKey from) {
-    if (from.key == noKey) return noHit;
+// Two pixels of the scene whose surfaces a ray may meet.
+struct Guesses {
+    ivec2 one;
+    ivec2 other;
+};
+
+const ivec2 nowhere = ivec2(-1);
+const Guesses noGuesses = Guesses(nowhere, nowhere);
+
+// What left a key in another cell.
+ivec2 sourceOf(LineKey from) {
+    if (from.key == noKey) return nowhere;
     vec4 p = sceneFromPixel * vec4((vec2(from.cell) + 0.5) * float(1 << keyShift), depthFromKey(from.key), 1.0);
-    ivec2 pixel = clamp(ivec2(p.xy / p.w), ivec2(0), region.zw - 1);
-    Surface seen = surfaceAt(pixel);
-    Hit hit = metWithin(betweenPixels, ray, vec2(pixel) + 0.5, seen);
-    hit.valid = hit.valid && solid(pixel, seen.depth) && insideRegion(hit.source);
-    return hit;
+    return clamp(ivec2(p.xy / p.w), ivec2(0), region.zw - 1);
 }
 
 struct Hole {
     bool inside;
-    Hit hit;
+    Guesses left;   // by what
 };
 
 // What is seen edge on is mirrored many times larger, and its keys lie far apart, but only along the line through a pixel
@@ -223,13 +246,84 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
         if (ahead.key == noKey && nextKey > here) ahead = LineKey(nextKey, next);
         if (behind.key == noKey && lastKey > here) behind = LineKey(lastKey, last);
     }
-    Hit one = metAtKey(ray, ahead);
-    Hit other = metAtKey(ray, behind);
+    return Hole(all(keysBeside), Guesses(sourceOf(ahead), sourceOf(behind)));
+}
+
+// The mirrored depth of a ray at a point of the line that it is on the screen.
+float depthOn(ScreenRay ray, vec2 point) {
+    vec2 start = ray.origin.xy - point * ray.origin.w;
+    vec2 along = ray.along.xy - point * ray.along.w;
+    return abs(along.x) > abs(along.y) ? -start.x / along.x : -start.y / along.y;
+}
+
+// Where a ray that comes out of a top went in: between two pixels, of which what is seen at the second hides it.
+struct Entry {
+    Guesses between;
+    vec2 hidden;   // the last point that is
+    float depth;   // of the ray there, from infinityDepth
+};
+
+bool hides(vec2 point, float depth) {
+    return depthSign * (texelFetch(sceneDepth, region.xy + ivec2(point), 0).r - infinityDepth - depth) >= 0.0;
+}
+
+// Back towards the mirror, in strides, then in pixels. Depth is linear along a ray on the screen.
+Entry entryBefore(vec2 q, ScreenRay ray, Hit top) {
+    vec2 back = q - top.source;
+    float way = farthest(back);
+    vec2 step = back / max(way, 1e-6);
+    float pixels = min(floor(way), backPixels);
+    vec4 first = ray.origin + top.depth * ray.along;
+    vec4 last = ray.origin + depthOn(ray, top.source + pixels * step) * ray.along;
+    float depth = first.z / first.w;
+    float perPixel = (last.z / last.w - depth) / max(pixels, 1.0);
+    float hidden = 0.0;
+    float shown = 0.0;
+    while (shown == 0.0 && hidden < pixels) {
+        float next = min(hidden + backStride, pixels);
+        bool still = hides(top.source + next * step, depth + next * perPixel);
+        hidden = still ? next : hidden;
+        shown = still ? 0.0 : next;
+    }
+    for (float less = 0.5 * backStride; less >= 1.0; less *= 0.5) {
+        float next = hidden + less;
+        bool still = next < shown && hides(top.source + next * step, depth + next * perPixel);
+        hidden = still ? next : hidden;
+    }
+    vec2 point = top.source + hidden * step;
+    Guesses between = Guesses(ivec2(point + step), min(ivec2(point), region.zw - 1));
+    return Entry(shown > 0.0 ? between : noGuesses, point, depth + hidden * perPixel);
+}
+
+// Where a ray goes in behind what is seen by no more than two pixels cover: what is too narrow to tell its slope is taken
+// to be about as thick as wide.
+Hit hitOnThin(ScreenRay ray, Entry entry) {
+    if (entry.between == noGuesses) return noHit;
+    float depth = texelFetch(sceneDepth, region.xy + entry.between.other, 0).r;
+    vec4 seen = relativeFromPixel * vec4(entry.hidden, depth, 1.0);
+    vec4 beside = seen + relativeFromPixel[0];
+    vec4 hidden = seen + relativeFromPixel[2] * (entry.depth + infinityDepth - depth);
+    vec3 at = seen.xyz / seen.w;
+    bool thin = distance(hidden.xyz / hidden.w, at) <= 2.0 * distance(beside.xyz / beside.w, at);
+    return Hit(thin, thin, entry.hidden, 0.0, depthOn(ray, entry.hidden));
+}
+
+Hit metAt(ScreenRay ray, ivec2 pixel) {
+    if (pixel == nowhere) return noHit;
+    Surface seen = surfaceAt(pixel);
+    Hit hit = metWithin(betweenPixels, ray, vec2(pixel) + 0.5, seen);
+    hit.valid = hit.valid && solid(pixel, seen.depth) && insideRegion(hit.source);
+    return hit;
+}
+
+Hit metAtEither(ScreenRay ray, Guesses guesses) {
+    Hit one = metAt(ray, guesses.one);
+    Hit other = metAt(ray, guesses.other);
     bool alike = one.front == other.front;
     bool agree = one.valid && other.valid && alike && farthest(one.source - other.source) <= betweenPixels;
     Hit best = one.valid && (!other.valid || (alike ? one.off <= other.off : one.front)) ? one : other;
     best.valid = best.valid && (agree || best.front && best.off <= besidePixel);
-    return Hole(all(keysBeside), best);
+    return best;
 }
 
 // From the mirror to what is hit: the mirrored ray is as long below the plane as the way to its end.
@@ -252,19 +346,33 @@ void main() {
         ScreenRay ray = rayOf(q);
         ivec2 cell = ivec2(q) >> keyShift;
         Hit hit = nearestHit(cell, ray);
-        // Loops of one round, since those that nobody enters are left out. A ray that comes out of a top has met something
-        // before: what left such a hole, or else an underside.
+        bool comesOut = hit.valid && !hit.front;
+        Guesses guesses = noGuesses;
+        Hit thin = noHit;
+        // Loops of one round, since those that nobody enters are left out.
+        for (bool misses = !hit.valid; misses; misses = false) {
+            Hole hole = holeAround(q, ray, keyAt(cell));
+            if (!hole.inside) info = infoOfMiss(q);
+            guesses = hole.left;
+        }
+        for (bool enters = comesOut; enters; enters = false) {
+            Entry entry = entryBefore(q, ray, hit);
+            guesses = entry.between;
+            thin = hitOnThin(ray, entry);
+        }
         for (bool doubts = !hit.front; doubts; doubts = false) {
-            Hole hole = holeAround(q, ray, hit.valid ? keyFromDepth(hit.depth) : keyAt(cell));
-            if (!hit.valid && !hole.inside) info = infoOfMiss(q);
-            if (hole.hit.valid) hit = hole.hit;
+            Hit met = metAtEither(ray, guesses);
+            // Where rays are followed they tell better.
+            bool tells = !comesOut || met.front && (!followed || met.off <= withinPixel);
+            if (met.valid && tells) hit = met;
+            else if (thin.valid) hit = thin;
         }
         for (bool hits = hit.valid; hits; hits = false) {
             float confidence = edgeConfidence(q, hit.source);
             float light = hit.front ? confidence : confidence * undersideLight;
             color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * light, confidence);
             info = infoOfHit(distanceToHit(q, hit.depth));
-            if (followed && !hit.front) info = infoOfDoubt(info);
+            if (followed && (comesOut || !hit.front)) info = infoOfDoubt(info);
         }
     }
     imageStore(reflectionColor, pixel, color);

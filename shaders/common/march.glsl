@@ -174,6 +174,7 @@ struct Crossing {
     float share;
     float begins;   // as shares
     float ends;
+    bool thin;      // what the ray passes behind there
 };
 
 // Whether the ray, a pixel before, was in front of something by less than it may be behind it: at an edge it met the one
@@ -236,7 +237,8 @@ int settled(Track track, inout Crossing crossing) {
     }
     // Half a pixel beside, since an edge falls anywhere in its pixel.
     if (beside <= track.halfPixel) return met;
-    return wide || withinPixels(track, crossing.share, trackPoint(track, crossing.share).z, seen) ? behind : refused;
+    crossing.thin = withinPixels(track, crossing.share, trackPoint(track, crossing.share).z, seen);
+    return wide || crossing.thin ? behind : refused;
 }
 
 // Whether the far plane shows where the ray was left and where it would end.

@@ -56,7 +56,7 @@ bool meetsSquare(Track track, int shift, float until, inout float reached, inout
 
 // The next pixel before `until` in which the ray crosses what is seen.
 Crossing crossedPixel(Track track, float until, inout Progress at) {
-    Crossing crossing = Crossing(false, 0.0, 0.0, 0.0);
+    Crossing crossing = Crossing(false, 0.0, 0.0, 0.0, false);
     Walk walk = walkFrom(track, at.reached, 0);
     while (at.reached < until && at.looks > 0) {
         --at.looks;
@@ -78,7 +78,7 @@ Crossing crossedPixel(Track track, float until, inout Progress at) {
 
 // Loops that nobody is in are left, while all of a masked branch is paid for.
 Crossing nextCrossing(Track track, inout Progress at) {
-    Crossing crossing = Crossing(false, 0.0, 0.0, 0.0);
+    Crossing crossing = Crossing(false, 0.0, 0.0, 0.0, false);
     float end = 1.0 - 0.02 * track.halfPixel;   // not beyond the picture by rounding
     while (at.looks > 0 && at.reached < end && !crossing.found) {
         float blockEnds = 0.0;

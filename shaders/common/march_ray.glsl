@@ -10,12 +10,16 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
     // The share at which something is met, or else where the ray first passes behind something.
     float share = 0.0;
     int found = refused;
+    bool thin = false;
     // Invocations stay together: all look for a crossing, then all settle theirs.
     for (int alarm = 0; alarm <= falseAlarms && found < underside && at.looks > 0 && at.reached < 1.0; ++alarm) {
         Crossing crossing = nextCrossing(track, at);
         for (bool settles = crossing.found; settles; settles = false) {
             int worth = settled(track, crossing);
+            // What is thin has been met: out of it the ray comes.
+            if (worth == underside && thin) found = met;
             if (worth > found) {
+                thin = worth == behind && crossing.thin;
                 found = worth;
                 share = crossing.share;
             }

@@ -25,7 +25,7 @@ Crossing bisected(Track track, float low, float high, bool inFront) {
         low = crossed ? low : share;
         inFront = inFront || !isBehind;
     }
-    return Crossing(close, high, high - track.halfPixel, high + track.halfPixel);
+    return Crossing(close, high, high - track.halfPixel, high + track.halfPixel, false);
 }
 
 // The next stride on which the ray may cross what is seen. The interval of depth that the ray has over a pixel is compared,
@@ -50,6 +50,6 @@ Crossing nextCrossing(Track track, inout Progress at) {
         candidate = isBehind && within(track, at.reached, point.z + nearer, seen.depth);
         if (candidate) break;
     }
-    if (!candidate) return Crossing(false, 0.0, 0.0, 0.0);
+    if (!candidate) return Crossing(false, 0.0, 0.0, 0.0, false);
     return bisected(track, max(last, 0.0), at.reached, wasInFront);
 }
