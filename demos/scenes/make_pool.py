@@ -153,7 +153,7 @@ class Pool:
             s = np.linspace(0, 1, 41)
             line = a + (b - a) * s[:, None]
             along = s * np.linalg.norm(b - a)
-            for material, low, high in (("tiles", bed(line[:, 1]), -0.28), ("band", -0.28, DECK - 0.05)):
+            for material, low, high in (("tiles", bed(line[:, 1]), -0.28), ("band", -0.28, DECK - 0.1)):
                 p = np.zeros((41, 2, 3))
                 p[..., 0], p[..., 2] = line[:, None, 0], line[:, None, 1]
                 p[:, 0, 1], p[:, 1, 1] = low, high
