@@ -1,5 +1,6 @@
 #include "measure/run.h"
 
+#include "host/supersample.h"
 #include "measure/picture_error.h"
 #include "reference/reference.h"
 
@@ -40,9 +41,9 @@ class View {
   public:
     View(Host& host, const Subject& subject, const CameraDesc& camera, const RunDesc& desc,
          const ProgressFunction& progress)
-        : host_(host), subject_(subject), progress_(progress), rounds_(desc.rounds),
-          samples_(desc.samples), frame_{desc.width,          desc.height, camera,
-                                         subject.scene.timeS, Aov::color,  0} {
+        : host_(host), subject_(subject), progress_(progress), rounds_(desc.rounds), samples_(desc.samples),
+          supersample_(desc.supersample), frame_{desc.width,          desc.height, camera,
+                                                 subject.scene.timeS, Aov::color,  0} {
         result_.scene = subject.file;
         result_.camera = camera.name;
     }
@@ -126,11 +127,23 @@ class View {
         return true;
     }
 
+    /// Reuses no frame: those before are smaller.
+    bool supersample(FrameDesc frame, Error& error) {
+        if (supersample_ == 1) return true;
+        frame.width *= supersample_;
+        frame.height *= supersample_;
+        frame.follows = false;
+        const std::optional<Picture> large = host_.render(frame, error);
+        if (large) shots_.color = averaged(*large, supersample_);
+        return large.has_value();
+    }
+
     bool compare(uint32_t surface, Error& error) {
         FrameDesc frame = frame_;
         frame.surface = surface;
         frame.follows = true;
-        if (!settle(surface, error) || !takeShots(host_, frame, shots_, error)) return false;
+        if (!settle(surface, error) || !takeShots(host_, frame, shots_, error) || !supersample(frame, error))
+            return false;
         const double exposureEv = subject_.scene.exposureEv;
         const std::optional<PictureError> found = errorOf(truth_, shots_, exposureEv, error);
         if (!found) {
@@ -146,7 +159,7 @@ class View {
     Host& host_;
     const Subject& subject_;
     const ProgressFunction& progress_;
-    uint32_t rounds_, samples_;
+    uint32_t rounds_, samples_, supersample_;
     FrameDesc frame_;
     reference::Pictures truth_;
     Shots shots_; ///< of the water that was compared last

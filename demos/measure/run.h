@@ -10,8 +10,9 @@ namespace demos::measure {
 
 struct RunDesc {
     uint32_t width = 1280, height = 720;
-    uint32_t rounds = 20; ///< medians of so many
-    uint32_t samples = 1; ///< of the reference's colour, a pixel
+    uint32_t rounds = 20;     ///< medians of so many
+    uint32_t samples = 1;     ///< of the reference's colour, a pixel
+    uint32_t supersample = 1; ///< pictures that are compared are means of so many pixels each way
 };
 
 enum class RunResult { ok, failed, stopped };

@@ -85,6 +85,7 @@ std::string tradeoffJson(const Tradeoff& tradeoff) {
     json["size"] = {tradeoff.width, tradeoff.height};
     json["runs"] = tradeoff.runs;
     json["reference_samples"] = tradeoff.samples;
+    json["supersample"] = tradeoff.supersample;
     json["flat"] = tradeoff.flat;
     json["floor_ms"] = orNull(tradeoff.floorMs());
     json["entries"] = Json::array();

@@ -70,6 +70,7 @@ struct Tradeoff {
     uint32_t width = 0, height = 0;
     uint32_t runs = 0;
     uint32_t samples = 1;       ///< of the reference's colour, a pixel
+    uint32_t supersample = 1;   ///< of the pictures that are compared, each way
     bool flat = false;          ///< the waters were stilled
     std::vector<Entry> entries; ///< by scene, camera and technique, in this order
     std::vector<Sheet> sheets;

@@ -56,11 +56,11 @@ std::optional<std::vector<measure::Subject>> readAll(const MeasureOptions& optio
 }
 
 /// Beside the frame: the reference, what is drawn for a comparison, and each technique's images and picture.
-double bytesAPixel(const std::vector<measure::Subject>& subjects) {
+double bytesAPixel(const std::vector<measure::Subject>& subjects, uint32_t supersample) {
     constexpr double pictures = 8 * 16, technique = 48;
     size_t most = 0;
     for (const measure::Subject& subject : subjects) most = std::max(most, subject.variants.size());
-    return frameBytesAPixel + pictures + technique * static_cast<double>(most);
+    return frameBytesAPixel * supersample * supersample + pictures + technique * static_cast<double>(most);
 }
 
 /// All of them before any is measured: what cannot be read is bad input, and leaves nothing behind.
@@ -83,6 +83,7 @@ measure::Tradeoff emptyTradeoff(const MeasureOptions& options, const DeviceInfo&
     tradeoff.height = options.size.height;
     tradeoff.runs = options.rounds;
     tradeoff.samples = options.samples;
+    tradeoff.supersample = options.supersample;
     tradeoff.flat = options.flat;
     return tradeoff;
 }
@@ -118,7 +119,7 @@ void sayInterrupted(const TradeoffFiles& files, size_t views, Error& error) {
 ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
     const std::optional<std::vector<measure::Subject>> subjects = readAll(options, error);
     if (!subjects || !checkTradeoffFiles(options.folder, error) ||
-        !fitsMemory(options.size, bytesAPixel(*subjects), error))
+        !fitsMemory(options.size, bytesAPixel(*subjects, options.supersample), error))
         return badInput;
 
     Progress progress;
@@ -129,7 +130,7 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
         return badInput;
     }
     TradeoffFiles files(options.folder, emptyTradeoff(options, host->device()));
-    if (!fitsDevice(options.size, 1, host->device(), error) ||
+    if (!fitsDevice(options.size, options.supersample, host->device(), error) ||
         !canBeLoaded(*host, *subjects, progress, error) || !files.makeFolder(error))
         return badInput;
 
@@ -145,7 +146,7 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
     for (const measure::Subject& subject : *subjects) views += subject.cameras.size();
     for (const measure::Subject& subject : *subjects) {
         const measure::RunDesc desc = {options.size.width, options.size.height, options.rounds,
-                                       options.samples};
+                                       options.samples, options.supersample};
         switch (measure::measureSubject(*host, subject, desc, say, write, error)) {
         case measure::RunResult::ok:
             break;

@@ -15,7 +15,7 @@ the floor (a compute copy of the frame's colour and depth, timed between the sam
 picture is from the ray-traced one. Writes tradeoff.json, .csv and .md, and index.html with plots and pictures.
 
   flip, wrong_share, psnr_surface_db   of the tone-mapped picture over the surface that mirrors
-  flip_picture, psnr_picture_db      the same over the whole picture
+  flip_picture, psnr_picture_db      the same over the whole picture; these alone are of --supersample
   psnr_db          of what is mirrored, before Fresnel, where it is seen elsewhere in the picture
   psnr_valid_db    the same where it was found
   coverage         how much of it was found
@@ -51,6 +51,11 @@ void describeMeasure(CLI::App& command, RawMeasure& raw) {
         .add_option(
             "--spp", raw.samples,
             "Samples a pixel of the reference's colour, 1 (its centre, as the picture is) if not given")
+        ->type_name("N");
+    command
+        .add_option("--supersample", raw.supersample,
+                    "Compare pictures that were rendered N times larger each way and averaged, 1 to 4, 1 if "
+                    "not given")
         ->type_name("N");
     const auto addCollected = [&](const char* name, std::vector<std::string>& values, const char* about,
                                   const char* type) {
@@ -106,6 +111,11 @@ std::optional<MeasureOptions> checkMeasure(const RawMeasure& raw, Error& error) 
         const std::optional<uint32_t> samples = parseCount("--spp", raw.samples, mostSamples, error);
         if (!samples) return std::nullopt;
         options.samples = *samples;
+    }
+    if (!raw.supersample.empty()) {
+        const std::optional<uint32_t> factor = parseSupersample(raw.supersample, options.size, error);
+        if (!factor) return std::nullopt;
+        options.supersample = *factor;
     }
     options.device = raw.device;
     return options;

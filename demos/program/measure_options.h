@@ -20,6 +20,7 @@ struct MeasureOptions {
     Size size;
     uint32_t rounds = 20;
     uint32_t samples = 1;                ///< of the reference, a pixel
+    uint32_t supersample = 1;            ///< of the pictures, each way
     std::vector<std::string> techniques; ///< empty takes all
     std::vector<std::string> cameras;    ///< of every scene; empty takes all
     std::vector<std::string> overrides;
@@ -31,7 +32,7 @@ struct MeasureOptions {
 /// What the line says, before any of it is checked.
 struct RawMeasure {
     std::vector<std::string> scenes, techniques, cameras, overrides;
-    std::string folder, size, rounds, samples, device;
+    std::string folder, size, rounds, samples, supersample, device;
     bool quick = false, flat = false;
 };
 

@@ -139,13 +139,8 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
     if (raw.outputs.empty()) return fail("no output, expected -o OUT.png or -o OUT.exr", error);
     out.outputs.assign(raw.outputs.begin(), raw.outputs.end());
     if (!raw.supersample.empty()) {
-        const std::optional<uint32_t> factor = parseCount("--supersample", raw.supersample, 4, error);
+        const std::optional<uint32_t> factor = parseSupersample(raw.supersample, out.size, error);
         if (!factor) return false;
-        if (std::max(out.size.width, out.size.height) * *factor > longestSide) {
-            return fail("--supersample is '" + raw.supersample + "', expected no more than " +
-                            std::to_string(longestSide) + " pixels a side in all",
-                        error);
-        }
         out.supersample = *factor;
     }
     if (!raw.frames.empty()) {

@@ -58,4 +58,11 @@ std::optional<Size> parseSize(const std::string& option, const std::string& text
     return fail(option, text, "WIDTHxHEIGHT, each 1 to " + std::to_string(longestSide), error);
 }
 
+std::optional<uint32_t> parseSupersample(const std::string& text, const Size& size, Error& error) {
+    const std::string option = "--supersample";
+    const std::optional<uint32_t> factor = parseCount(option, text, 4, error);
+    if (!factor || std::max(size.width, size.height) * *factor <= longestSide) return factor;
+    return fail(option, text, "no more than " + std::to_string(longestSide) + " pixels a side in all", error);
+}
+
 } // namespace demos

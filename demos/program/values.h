@@ -28,5 +28,7 @@ bool isOneOf(const std::string& option, const std::string& word, std::span<const
              Error& error);
 /// "1280x720", each side 1 to 16384.
 std::optional<Size> parseSize(const std::string& option, const std::string& text, Error& error);
+/// Of --supersample: 1 to 4, and a picture of `size` times that is no larger than any may be.
+std::optional<uint32_t> parseSupersample(const std::string& text, const Size& size, Error& error);
 
 } // namespace demos

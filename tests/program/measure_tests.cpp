@@ -261,6 +261,24 @@ TEST_F(Measure, ComparesWithAsManySamplesAsItIsAskedFor) {
     expectRefused({"scene.toml", "-o", "new", "--spp", "0"}, {"--spp is '0'"});
 }
 
+TEST_F(Measure, ComparesPicturesThatAreSupersampledIfAsked) {
+    const auto measureWith = [&](const char* factor, const char* folder) {
+        const Outcome outcome = measure({"scene.toml", "-o", folder, "--quick", "--size", "48x27",
+                                         "--technique", "planar", "--spp", "64", "--supersample", factor});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return measured(folder);
+    };
+    const json one = measureWith("1", "one"), four = measureWith("4", "four");
+    EXPECT_EQ(four["supersample"], 4);
+    const json &before = one["entries"][0]["error"], &after = four["entries"][0]["error"];
+    EXPECT_LT(after["flip_picture"].get<double>(), 0.7 * before["flip_picture"].get<double>());
+    for (const char* const key : {"psnr_db", "coverage", "position_px_p50"})
+        EXPECT_EQ(before[key], after[key]);
+    expectRefused({"scene.toml", "-o", "new", "--supersample", "5"}, {"--supersample is '5'", "1 to 4"});
+    expectRefused({"scene.toml", "-o", "new", "--size", "8000x10", "--supersample", "3"},
+                  {"--supersample is '3'", "16384"});
+}
+
 TEST_F(Measure, TakesAllScenesThatMirrorIfNoneIsNamed) {
     for (const char* const name : {"one", "two"}) {
         const fs::path folder = path("demos/scenes") / name;
