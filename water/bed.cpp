@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -112,7 +113,7 @@ Status Bed::handOut(Context& context, const ViewDesc& view, const ViewGeometry& 
     const gpu::Device& device = context.device;
     const glm::ivec2 margin = marginOf(desc, geometry.regionSize);
     ViewDesc wide = widened(view, geometry, margin);
-    raise(wide, plane, apparentRise(typicalIncidence(geometry)));
+    raise(wide, plane, glm::mix(1.0, apparentRise(typicalIncidence(geometry)), distortion));
     out.obliqueClip = cutAbove(wide, geometry.reversedDepth, plane);
 
     BedPicture& picture = views[view.viewIndex];

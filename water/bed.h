@@ -29,6 +29,7 @@ struct BedPicture {
 
 struct Bed {
     BedDesc desc;
+    double distortion = 1; ///< RefractionDesc's
     std::array<BedPicture, maxViews> views;
 
     /// What the host is to draw: as `view` was given, what lies below `plane`, of the world.

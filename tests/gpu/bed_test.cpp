@@ -250,6 +250,16 @@ TEST_F(Beds, AreDrawnFromAboveTheEye) {
     }
 }
 
+// Straight through, the bed is seen from where the eye is.
+TEST_F(Beds, ThatAreNotDistortedAreDrawnFromTheEye) {
+    refraction_.distortion = 0;
+    Body* const body = makeBody(desc_);
+    const ViewDesc view = viewDesc(camera_);
+    PlanarView wanted;
+    frame([&](VkCommandBuffer) { ASSERT_EQ(bedView(body, &view, &wanted), Status::ok) << message(); });
+    for (int i = 0; i < 16; ++i) EXPECT_NEAR(wanted.view[i], view.view[i], 1e-9);
+}
+
 // The picture of the bed ends somewhere too: there it is made up, and stays near to what is around.
 TEST_F(Beds, WithoutAMarginEndWithThePicture) {
     bed_.margin = 0;
