@@ -125,6 +125,7 @@ MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldP
     out.contactPerMetre = static_cast<float>(contactPerMetre(mirror, view.depthStep));
     out.depthStep = static_cast<float>(view.depthStep);
     out.undersideLight = desc.undersideLight;
+    out.roofLooks = desc.roofLooks;
     out.followed = desc.technique == ReflectionTechnique::hybrid ? 1 : 0;
     return out;
 }

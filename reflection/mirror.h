@@ -65,7 +65,7 @@ struct MirrorUniforms {
     float depthStep = 0;
     uint32_t followed = 0;    ///< whether rays are followed afterwards where nothing is proven
     float undersideLight = 0; ///< of the top that is seen
-    uint32_t padding = 0;
+    uint32_t roofLooks = 0;
 };
 static_assert(sizeof(MirrorUniforms) == 384);
 

@@ -112,6 +112,7 @@ const char* badField(const ReflectionDesc& desc) {
         return "ReflectionDesc.edgeFade is out of range, expected 0 to 0.5";
     if (!(desc.undersideLight >= 0 && desc.undersideLight <= 1))
         return "ReflectionDesc.undersideLight is out of range, expected 0 to 1";
+    if (desc.roofLooks > 8) return "ReflectionDesc.roofLooks is out of range, expected 0 to 8";
     if (!(desc.distortion >= 0 && desc.distortion <= 1))
         return "ReflectionDesc.distortion is out of range, expected 0 to 1";
     if (const char* bad = badLook(desc)) return bad;

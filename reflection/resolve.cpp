@@ -6,6 +6,7 @@
 #include "reflection/tiles.h"
 #include "spirv/miss.comp.h"
 #include "spirv/resolve.comp.h"
+#include "spirv/resolve_roofs.comp.h"
 
 namespace seaglass {
 
@@ -16,16 +17,24 @@ constexpr VkDescriptorType buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr VkDescriptorType sampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 
-} // namespace
-
-Status ResolveKernel::create(Context& context) {
+Status createResolve(Context& context, std::span<const uint32_t> shader, ResolveKernel& out) {
     constexpr VkDescriptorType resolveBindings[] = {uniforms, buffer,  sampled, buffer,
                                                     sampled,  storage, storage};
-    if (const Status s = kernel.create(context.device, resolve_comp, resolveBindings, "resolve pipeline");
+    if (const Status s = out.kernel.create(context.device, shader, resolveBindings, "resolve pipeline");
         s != Status::ok)
         return s;
     constexpr VkDescriptorType missBindings[] = {uniforms, buffer, sampled, storage};
-    return miss.create(context.device, miss_comp, missBindings, "miss pipeline");
+    return out.miss.create(context.device, miss_comp, missBindings, "miss pipeline");
+}
+
+} // namespace
+
+Status ResolveKernel::create(Context& context) {
+    return createResolve(context, resolve_comp, *this);
+}
+
+Status RoofsResolveKernel::create(Context& context) {
+    return createResolve(context, resolve_roofs_comp, resolve);
 }
 
 Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, const gpu::Buffer& keys,

@@ -13,6 +13,12 @@ struct ResolveKernel {
     Status create(Context& context);
 };
 
+/// Looks for what hangs over the mirror, too.
+struct RoofsResolveKernel {
+    ResolveKernel resolve;
+    Status create(Context& context);
+};
+
 /// Writes both images, which come from any layout, where `tiles` lists tiles, and clears them elsewhere.
 /// `info` is left to be sampled by shaders, mip 0 of `color` as gpu::storageWritten says.
 Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, const gpu::Buffer& keys,

@@ -15,20 +15,34 @@ VkDeviceSize tileBytes(VkExtent2D extent, const ReflectionDesc& desc) {
     return tileBufferBytes(scaledDown(extent, desc.downscale));
 }
 
-Status shareScatter(Context& context, const ReflectionDesc& desc, std::shared_ptr<ScatterKernel>& out) {
-    if (keyScale(desc) == 1) return context.share(out);
-    std::shared_ptr<CoarseScatterKernel> coarse;
-    if (const Status s = context.share(coarse); s != Status::ok) return s;
-    out = std::shared_ptr<ScatterKernel>(coarse, &coarse->scatter);
+template<typename Variant, typename Kernel>
+Status shareVariant(Context& context, Kernel Variant::*of, std::shared_ptr<Kernel>& out) {
+    std::shared_ptr<Variant> variant;
+    if (const Status s = context.share(variant); s != Status::ok) return s;
+    out = std::shared_ptr<Kernel>(variant, &(variant.get()->*of));
     return Status::ok;
+}
+
+Status shareScatter(Context& context, const ReflectionDesc& desc, std::shared_ptr<ScatterKernel>& out) {
+    return keyScale(desc) == 1 ? context.share(out)
+                               : shareVariant(context, &CoarseScatterKernel::scatter, out);
+}
+
+Status shareTiles(Context& context, const ReflectionDesc& desc, std::shared_ptr<TilesKernel>& out) {
+    return desc.roofLooks == 0 ? context.share(out) : shareVariant(context, &RoofsTilesKernel::tiles, out);
+}
+
+Status shareResolve(Context& context, const ReflectionDesc& desc, std::shared_ptr<ResolveKernel>& out) {
+    return desc.roofLooks == 0 ? context.share(out)
+                               : shareVariant(context, &RoofsResolveKernel::resolve, out);
 }
 
 } // namespace
 
 Status SsprKernels::create(Context& context, const ReflectionDesc& desc) {
     if (const Status s = shareScatter(context, desc, scatter); s != Status::ok) return s;
-    if (const Status s = context.share(tiles); s != Status::ok) return s;
-    return context.share(resolve);
+    if (const Status s = shareTiles(context, desc, tiles); s != Status::ok) return s;
+    return shareResolve(context, desc, resolve);
 }
 
 VkDeviceSize SsprScratch::bytes(VkExtent2D extent, const ReflectionDesc& desc) {
@@ -52,7 +66,8 @@ Status recordSspr(const ReflectPass& pass, const SsprKernels& kernels, const Ssp
                   const OwnedReflection& images) {
     if (const Status s = recordScatter(pass, *kernels.scatter, scratch.keys, scratch.tiles); s != Status::ok)
         return s;
-    if (const Status s = recordTiles(pass, *kernels.tiles, scratch.tiles); s != Status::ok) return s;
+    if (const Status s = recordTiles(pass, *kernels.tiles, scratch.keys, scratch.tiles); s != Status::ok)
+        return s;
     return recordResolve(pass, *kernels.resolve, scratch.keys, scratch.tiles, images);
 }
 

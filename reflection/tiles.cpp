@@ -1,8 +1,9 @@
 #include "reflection/tiles.h"
 
-#include "reflection/mirror.h"
+#include "reflection/depth_scan.h"
 #include "reflection/reflection_images.h"
 #include "spirv/tiles.comp.h"
+#include "spirv/tiles_roofs.comp.h"
 
 namespace seaglass {
 
@@ -43,9 +44,11 @@ void recordAllSeen(const gpu::Device& device, VkCommandBuffer commands, const gp
 }
 
 Status TilesKernel::create(Context& context) {
-    constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-                                             VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
-    return kernel.create(context.device, tiles_comp, bindings, "tiles pipeline");
+    return createDepthScan(context, tiles_comp, "tiles pipeline", kernel);
+}
+
+Status RoofsTilesKernel::create(Context& context) {
+    return createDepthScan(context, tiles_roofs_comp, "tiles pipeline", tiles.kernel);
 }
 
 void recordTileLists(const ReflectPass& pass, const gpu::Kernel& kernel, VkDescriptorSet set) {
@@ -57,17 +60,11 @@ void recordTileLists(const ReflectPass& pass, const gpu::Kernel& kernel, VkDescr
                         VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT});
 }
 
-Status recordTiles(const ReflectPass& pass, const TilesKernel& kernel, const gpu::Buffer& tiles) {
-    Context& context = pass.context;
-    const gpu::Resource resources[] = {
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
-        gpu::storageBuffer(tiles.handle()),
-    };
+Status recordTiles(const ReflectPass& pass, const TilesKernel& kernel, const gpu::Buffer& keys,
+                   const gpu::Buffer& tiles) {
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(kernel.kernel.layout().set(), resources, set);
-        s != Status::ok)
-        return s;
-    const gpu::PassScope scope(context.device, pass.commands, "sspr_tiles");
+    if (const Status s = allocateDepthScan(pass, kernel.kernel, keys, tiles, set); s != Status::ok) return s;
+    const gpu::PassScope scope(pass.context.device, pass.commands, "sspr_tiles");
     recordTileLists(pass, kernel.kernel, set);
     return Status::ok;
 }

@@ -42,12 +42,19 @@ struct TilesKernel {
     Status create(Context& context);
 };
 
+/// Looks for what hangs over tiles, too.
+struct RoofsTilesKernel {
+    TilesKernel tiles;
+    Status create(Context& context);
+};
+
 /// Dispatches a kernel that takes an invocation a tile and fills lists; leaves them visible to compute
 /// shaders and indirect dispatches.
 void recordTileLists(const ReflectPass& pass, const gpu::Kernel& kernel, VkDescriptorSet set);
 
-/// Fills the lists by the flags that the scatter left; leaves them visible to compute shaders and indirect
-/// dispatches.
-Status recordTiles(const ReflectPass& pass, const TilesKernel& kernel, const gpu::Buffer& tiles);
+/// Fills the lists by the flags and keys that the scatter left; leaves them visible to compute shaders and
+/// indirect dispatches.
+Status recordTiles(const ReflectPass& pass, const TilesKernel& kernel, const gpu::Buffer& keys,
+                   const gpu::Buffer& tiles);
 
 } // namespace seaglass

@@ -13,6 +13,7 @@ layout(set = 0, binding = 1, std430) readonly buffer Tiles {
 layout(set = 0, binding = 2) uniform sampler2D sceneDepth;
 layout(set = 0, binding = 3, r16f) uniform writeonly image2D reflectionInfo;
 
+#include "scene_depth.glsl"
 #include "miss.glsl"
 #include "tile_columns.glsl"
 

@@ -1,7 +1,7 @@
 // SSPR, second pass: turns mirrored depths into colour. A key says roughly how far along this pixel's mirrored ray
 // something lies; the ray is met there with the plane through the scene's depths, and the key counts only when they meet
 // within the very pixel those depths were taken from. Holes are filled and leaks refused by proof instead of by likeness
-// of colour.
+// of colour. With ROOFS, what hangs over the mirror is looked for, too.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
@@ -21,9 +21,18 @@ layout(set = 0, binding = 4) uniform sampler2D sceneColor;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reflectionColor;
 layout(set = 0, binding = 6, r16f) uniform writeonly image2D reflectionInfo;
 
+#include "scene_depth.glsl"
 #include "miss.glsl"
 #include "depth_quads.glsl"
 #include "tile_list.glsl"
+#include "keys.glsl"
+#include "look_before.glsl"
+#include "screen_ray.glsl"
+#include "hidden_way.glsl"
+#include "hits.glsl"
+#ifdef ROOFS
+#include "roofs.glsl"
+#endif
 
 const int refinements = 3;
 const int holeCells = 12;   // to each side
@@ -33,42 +42,12 @@ const float withinPixel = 0.52;
 const float besidePixel = 0.75;
 const float betweenPixels = 1.5;
 const float mostLoose = 4.0;
-const float backPixels = 64.0;   // that a ray is followed back
-const float backStride = 8.0;
-
-struct Hit {
-    bool valid;
-    bool front;    // on the side that is seen
-    vec2 source;   // pixel
-    float off;     // from the middle of the pixel whose surface was met
-    float depth;   // mirrored, at this pixel
-};
-
-const Hit noHit = Hit(false, false, vec2(0.0), 0.0, 0.0);
-
-// The mirrored ray of a pixel as screen points whose depth counts from infinityDepth: origin + mirroredDepth * along.
-struct ScreenRay {
-    vec4 origin;
-    vec4 along;
-};
-
-ScreenRay rayOf(vec2 q) {
-    vec4 origin = sceneFromPixel * vec4(q, 0.0, 1.0);
-    vec4 along = sceneFromPixel[2];
-    origin.z = dot(depthRow, vec4(q, 0.0, 1.0));
-    along.z = depthRow.z;
-    return ScreenRay(origin, along);
-}
 
 // The smaller of the steps to both sides, since the other may lead off the surface; none where they part in sign, as on
 // what is a pixel wide (minmod, van Leer 1979).
 float edgeAwareStep(float before, float after) {
     if (before * after <= 0.0) return 0.0;
     return abs(before) < abs(after) ? before : after;
-}
-
-float farthest(vec2 apart) {
-    return max(abs(apart.x), abs(apart.y));
 }
 
 // A pixel's depth and, since depth is affine on the screen over any plane, its steps from the pixels before and to those
@@ -140,15 +119,6 @@ Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
     return hit.valid ? hit : noHit;
 }
 
-// Of keyGrid(), loaded once: CPU devices load uniforms anew in each turn of a loop.
-ivec2 lastCell;
-
-// Beyond the border its own keys again, which have had their turn.
-uint keyAt(ivec2 cell) {
-    cell = clamp(cell, ivec2(0), lastCell);
-    return keys[cell.y * (lastCell.x + 1) + cell.x];
-}
-
 // The keys in and around a cell, loaded once.
 struct KeysAround {
     uvec3 before;
@@ -199,28 +169,6 @@ Hit nearestHit(ivec2 cell, ScreenRay ray) {
     return hit;
 }
 
-// A key on the line through a pixel and its source.
-struct LineKey {
-    uint key;
-    ivec2 cell;
-};
-
-// Two pixels of the scene whose surfaces a ray may meet.
-struct Guesses {
-    ivec2 one;
-    ivec2 other;
-};
-
-const ivec2 nowhere = ivec2(-1);
-const Guesses noGuesses = Guesses(nowhere, nowhere);
-
-// What left a key in another cell.
-ivec2 sourceOf(LineKey from) {
-    if (from.key == noKey) return nowhere;
-    vec4 p = sceneFromPixel * vec4((vec2(from.cell) + 0.5) * float(1 << keyShift), depthFromKey(from.key), 1.0);
-    return clamp(ivec2(p.xy / p.w), ivec2(0), region.zw - 1);
-}
-
 struct Hole {
     bool inside;
     Guesses left;   // by what
@@ -249,57 +197,11 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
     return Hole(all(keysBeside), Guesses(sourceOf(ahead), sourceOf(behind)));
 }
 
-// The mirrored depth of a ray at a point of the line that it is on the screen.
-float depthOn(ScreenRay ray, vec2 point) {
-    vec2 start = ray.origin.xy - point * ray.origin.w;
-    vec2 along = ray.along.xy - point * ray.along.w;
-    return abs(along.x) > abs(along.y) ? -start.x / along.x : -start.y / along.y;
-}
-
-// Where a ray that comes out of a top went in: between two pixels, of which what is seen at the second hides it.
-struct Entry {
-    Guesses between;
-    vec2 hidden;   // the last point that is
-    float depth;   // of the ray there, from infinityDepth
-};
-
-bool hides(vec2 point, float depth) {
-    return depthSign * (texelFetch(sceneDepth, region.xy + ivec2(point), 0).r - infinityDepth - depth) >= 0.0;
-}
-
-// Back towards the mirror, in strides, then in pixels. Depth is linear along a ray on the screen.
-Entry entryBefore(vec2 q, ScreenRay ray, Hit top) {
-    vec2 back = q - top.source;
-    float way = farthest(back);
-    vec2 step = back / max(way, 1e-6);
-    float pixels = min(floor(way), backPixels);
-    vec4 first = ray.origin + top.depth * ray.along;
-    vec4 last = ray.origin + depthOn(ray, top.source + pixels * step) * ray.along;
-    float depth = first.z / first.w;
-    float perPixel = (last.z / last.w - depth) / max(pixels, 1.0);
-    float hidden = 0.0;
-    float shown = 0.0;
-    while (shown == 0.0 && hidden < pixels) {
-        float next = min(hidden + backStride, pixels);
-        bool still = hides(top.source + next * step, depth + next * perPixel);
-        hidden = still ? next : hidden;
-        shown = still ? 0.0 : next;
-    }
-    for (float less = 0.5 * backStride; less >= 1.0; less *= 0.5) {
-        float next = hidden + less;
-        bool still = next < shown && hides(top.source + next * step, depth + next * perPixel);
-        hidden = still ? next : hidden;
-    }
-    vec2 point = top.source + hidden * step;
-    Guesses between = Guesses(ivec2(point + step), min(ivec2(point), region.zw - 1));
-    return Entry(shown > 0.0 ? between : noGuesses, point, depth + hidden * perPixel);
-}
-
 // Where a ray goes in behind what is seen by no more than two pixels cover: what is too narrow to tell its slope is taken
 // to be about as thick as wide.
 Hit hitOnThin(ScreenRay ray, Entry entry) {
     if (entry.between == noGuesses) return noHit;
-    float depth = texelFetch(sceneDepth, region.xy + entry.between.other, 0).r;
+    float depth = depthAt(entry.between.other);
     vec4 seen = relativeFromPixel * vec4(entry.hidden, depth, 1.0);
     vec4 beside = seen + relativeFromPixel[0];
     vec4 hidden = seen + relativeFromPixel[2] * (entry.depth + infinityDepth - depth);
@@ -338,7 +240,7 @@ void main() {
     loadMirror();
     ivec2 pixel = pixelToResolve();
     if (pixel == noPixel) return;
-    lastCell = keyGrid() - 1;
+    loadKeyGrid();
     vec2 q = middleOf(pixel);
     vec4 color = vec4(0.0);
     float info = infoUnknown;
@@ -356,7 +258,7 @@ void main() {
             guesses = hole.left;
         }
         for (bool enters = comesOut; enters; enters = false) {
-            Entry entry = entryBefore(q, ray, hit);
+            Entry entry = entryBefore(ray, q, hit.source, backPixels, backStride);
             guesses = entry.between;
             thin = hitOnThin(ray, entry);
         }
@@ -367,6 +269,12 @@ void main() {
             if (met.valid && tells) hit = met;
             else if (thin.valid) hit = thin;
         }
+#ifdef ROOFS
+        for (bool passes = !comesOut; passes; passes = false) {
+            Hit roof = underRoof(q, ray, hit);
+            if (roof.valid) hit = roof;
+        }
+#endif
         for (bool hits = hit.valid; hits; hits = false) {
             float confidence = edgeConfidence(q, hit.source);
             float light = hit.front ? confidence : confidence * undersideLight;

@@ -1,5 +1,5 @@
-// Sorts the tiles that are looked up into two lists: those with keys in or around them, and the rest. The order within
-// a list is any; what is computed of a tile does not depend on it.
+// Sorts the tiles that are looked up into two lists: those with keys in or around them or, with ROOFS, with something
+// that hangs over them, and the rest. The order within a list is any; what is computed of a tile does not depend on it.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
@@ -7,11 +7,40 @@
 
 layout(local_size_x = 64, local_size_y = 1) in;
 
-layout(set = 0, binding = 1, std430) buffer Tiles {
+layout(set = 0, binding = 3, std430) buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
 #include "list_tile.glsl"
+
+#ifdef ROOFS
+layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
+layout(set = 0, binding = 2, std430) readonly buffer Keys {
+    uint keys[];
+};
+#include "keys.glsl"
+#include "look_before.glsl"
+#include "scene_depth.glsl"
+#include "screen_ray.glsl"
+#include "hidden_way.glsl"
+#include "hits.glsl"
+#include "roofs.glsl"
+
+// What hangs over a mirror may reach farther than any keys are near: here and there in a tile.
+bool hangsOver(ivec2 tile) {
+    loadKeyGrid();
+    float pixels = float(tileEdge << pixelShift);
+    for (int i = 0; i < 4; ++i) {
+        vec2 q = (vec2(tile) + vec2(0.25) + 0.5 * vec2(i & 1, i >> 1)) * pixels;
+        if (underRoof(q, rayOf(q), noHit).valid) return true;
+    }
+    return false;
+}
+#else
+bool hangsOver(ivec2 tile) {
+    return false;
+}
+#endif
 
 bool keysNear(ivec2 tile) {
     ivec2 low = max(tile - 1, ivec2(0));
@@ -30,7 +59,7 @@ void main() {
     if (index >= count) return;
     ivec2 tile = ivec2(index % tilesAcross(), index / tilesAcross());
     if (!lookedUp(tile, tiles[index])) return;
-    if (keysNear(tile))
+    if (keysNear(tile) || hangsOver(tile))
         listTile(tile);
     else
         listTileOfColumns(tile);

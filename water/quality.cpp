@@ -11,20 +11,21 @@ struct Step {
     uint32_t cellsPerLevel;
     ShadingDesc shading;
     bool hybrid;
-    uint32_t downscale, marchSteps;
+    uint32_t downscale, marchSteps, roofLooks;
     bool bed; ///< is left, where there is one
 };
 
 constexpr Step steps[] = {
-    {128, {1, 2, 1, 0, false}, false, 2, 32, false},
-    {128, {2, 3, 1, 0, false}, false, 1, 64, false},
-    {192, {2, 6, 2, 8, true}, true, 1, 64, true},
-    {256, {4, 8, 4, 16, true}, true, 1, 128, true},
+    {128, {1, 2, 1, 0, false}, false, 2, 32, 0, false},
+    {128, {2, 3, 1, 0, false}, false, 1, 64, 6, false},
+    {192, {2, 6, 2, 8, true}, true, 1, 64, 6, true},
+    {256, {4, 8, 4, 16, true}, true, 1, 128, 6, true},
 };
 
 void set(const Step& step, ReflectionDesc& reflection) {
     reflection.downscale = step.downscale;
     reflection.marchSteps = step.marchSteps;
+    reflection.roofLooks = step.roofLooks;
     reflection.marchCells = true;
     reflection.coarseKeys = false;
     const bool readsThePicture = reflection.technique != ReflectionTechnique::sky &&

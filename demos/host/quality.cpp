@@ -24,6 +24,7 @@ void setQuality(seaglass::Quality quality, ReflectionDesc& desc) {
     seaglass::setQuality(quality, nullptr, &reflection);
     desc.downscale = reflection.downscale;
     desc.marchSteps = reflection.marchSteps;
+    desc.roofLooks = reflection.roofLooks;
     desc.marchCells = reflection.marchCells;
     desc.coarseKeys = reflection.coarseKeys;
     if (reflection.technique == before) return;
@@ -69,6 +70,7 @@ std::vector<std::string> qualityOverrides(std::string_view quality, const WaterD
     add("reflection.technique", set.reflection->technique);
     add("reflection.downscale", std::to_string(set.reflection->downscale));
     add("reflection.march_steps", std::to_string(set.reflection->marchSteps));
+    add("reflection.roof_looks", std::to_string(set.reflection->roofLooks));
     add("reflection.march_cells", set.reflection->marchCells ? "true" : "false");
     add("reflection.coarse_keys", set.reflection->coarseKeys ? "true" : "false");
     return overrides;

@@ -111,6 +111,7 @@ bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::Ref
     out.coarseKeys = desc.coarseKeys;
     out.edgeFade = static_cast<float>(desc.edgeFade);
     out.undersideLight = static_cast<float>(desc.undersideLight);
+    out.roofLooks = desc.roofLooks;
     out.distortion = static_cast<float>(desc.distortion);
     out.blurLevels = desc.blurLevels;
     out.clearDistance = static_cast<float>(desc.clearDistanceM);

@@ -174,6 +174,8 @@ constexpr std::array reflectionFields = {
     Field{"edge_fade", at<&ReflectionDesc::edgeFade>, 0, 0.5, "", "share of the picture's height"},
     Field{"underside_light", at<&ReflectionDesc::undersideLight>, 0, 1, "",
           "of undersides not seen, as a share of their tops"},
+    Field{"roof_looks", at<&ReflectionDesc::roofLooks>, 0, 8, "",
+          "sspr, hybrid: for what hangs over the mirror"},
     Field{"distortion", at<&ReflectionDesc::distortion>, 0, 1, "", "0 flat mirror, 1 as geometry says"},
     Field{"blur_levels", at<&ReflectionDesc::blurLevels>, 0, 6, "", "halvings for rough surfaces, 0 sharp"},
     Field{"clear_distance_m", at<&ReflectionDesc::clearDistanceM>, 0, 1e6, "m", "scattered only beyond"},

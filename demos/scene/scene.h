@@ -108,6 +108,7 @@ struct ReflectionDesc {
     bool coarseKeys = false;        ///< sspr: one key for 2 x 2 pixels
     double edgeFade = 0.08;
     double undersideLight = 0.15; ///< of undersides not seen, as a share of their tops
+    uint32_t roofLooks = 0;       ///< sspr, hybrid: for what hangs over the water
     double distortion = 1;
     uint32_t blurLevels = 4;
     double clearDistanceM = 0;

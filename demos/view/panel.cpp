@@ -113,6 +113,8 @@ bool layOutReflection(ReflectionDesc& reflection) {
     changed |= chooseNumber("size: 1 /", reflection.downscale, {1, 2, 4, 8});
     if (reflection.technique == "sspr")
         changed |= ImGui::Checkbox("one key for 2 x 2 pixels", &reflection.coarseKeys);
+    if (reflection.technique == "sspr" || reflection.technique == "hybrid")
+        changed |= slider("looks for roofs", reflection.roofLooks, 0, 8);
     if (reflection.technique == "ssr" || reflection.technique == "hybrid") changed |= layOutRays(reflection);
     changed |= slider("temporal", reflection.temporal, 0, 0.95, "%.2f");
     changed |= slider("distortion", reflection.distortion, 0, 1, "%.2f");

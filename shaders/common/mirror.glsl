@@ -22,6 +22,7 @@ int keyShift;     // and to one key
 float contactPerMetre;   // see onOrBelowPlane()
 float depthStep;         // scene depths closer than this may be held as one
 float undersideLight;    // share of the top's colour that stands for what lies under it
+uint roofLooks;          // for what hangs over the mirror
 bool followed;           // rays are followed afterwards where nothing is proven
 
 layout(set = 0, binding = 0, std140) uniform Mirror {
@@ -46,6 +47,7 @@ layout(set = 0, binding = 0, std140) uniform Mirror {
     float depthStep;
     bool followed;
     float undersideLight;
+    uint roofLooks;
 } stored;
 
 // Before anything else.
@@ -71,6 +73,7 @@ void loadMirror() {
     depthStep = stored.depthStep;
     followed = stored.followed;
     undersideLight = stored.undersideLight;
+    roofLooks = stored.roofLooks;
 }
 
 // The reflection's pixels, and its keys'.

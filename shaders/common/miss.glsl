@@ -1,9 +1,5 @@
 // What is known of a mirrored pixel that nothing on the screen was found for. Needs mirror.glsl, reflection_info.glsl and
-// sceneDepth.
-
-float depthAt(ivec2 pixel) {
-    return texelFetch(sceneDepth, region.xy + pixel, 0).r;
-}
+// scene_depth.glsl.
 
 // Where the far end of a mirrored ray shows. Affine in the mirror's pixel.
 struct FarEnd {

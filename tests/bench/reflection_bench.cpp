@@ -48,6 +48,8 @@ std::vector<Setting> settings() {
     flat.blurLevels = 0;
     ReflectionDesc coarse = flat;
     coarse.coarseKeys = true;
+    ReflectionDesc roofs = flat;
+    roofs.roofLooks = 6;
     ReflectionDesc half = flat;
     half.downscale = 2;
     const ReflectionDesc bent;
@@ -59,14 +61,9 @@ std::vector<Setting> settings() {
     strides.marchCells = false;
     ReflectionDesc hybrid = flat;
     hybrid.technique = ReflectionTechnique::hybrid;
-    return {{"sspr", flat},
-            {"sspr, coarse keys", coarse},
-            {"sspr, half", half},
-            {"sspr, bent, blurred", bent},
-            {"sspr, temporal", temporal},
-            {"ssr", ssr},
-            {"ssr, strides", strides},
-            {"hybrid", hybrid}};
+    return {{"sspr", flat},       {"sspr, coarse keys", coarse}, {"sspr, roofs", roofs},
+            {"sspr, half", half}, {"sspr, bent, blurred", bent}, {"sspr, temporal", temporal},
+            {"ssr", ssr},         {"ssr, strides", strides},     {"hybrid", hybrid}};
 }
 
 struct Samples {

@@ -34,9 +34,11 @@ TEST(QualityDial, EachStepLooksNoLessThanTheOneBefore) {
         EXPECT_GE(body.shading.relief, last.shading.relief);
         EXPECT_LE(reflection.downscale, lastReflection.downscale);
         EXPECT_GE(reflection.marchSteps, lastReflection.marchSteps);
+        EXPECT_GE(reflection.roofLooks, lastReflection.roofLooks);
         last = body;
         lastReflection = reflection;
     }
+    EXPECT_GT(lastReflection.roofLooks, 0u);
     EXPECT_NE(chosen(Quality::low, ReflectionTechnique::ssr),
               chosen(Quality::highest, ReflectionTechnique::ssr));
 }

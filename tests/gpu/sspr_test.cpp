@@ -354,6 +354,10 @@ TEST_F(Sspr, BadDescriptionsAreNamedAndLeaveNothing) {
                       d.reflection.undersideLight = light;
                   }).find("undersideLight is out of range, expected 0 to 1"),
                   std::string::npos);
+    EXPECT_NE(refused([](ReflectorDesc& d) {
+                  d.reflection.roofLooks = 9;
+              }).find("roofLooks is out of range, expected 0 to 8"),
+              std::string::npos);
     EXPECT_NE(refused([](ReflectorDesc& d) { d.reflection.distortion = NAN; }).find("distortion"),
               std::string::npos);
     EXPECT_NE(refused([](ReflectorDesc& d) { d.boundsLow[1] = 0; }).find("boundsLow"), std::string::npos);

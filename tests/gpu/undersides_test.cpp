@@ -149,6 +149,107 @@ TEST_P(Undersides, AreNotSidesThatAreSeen) {
     EXPECT_LE(static_cast<double>(dark), most * static_cast<double>(seen));
 }
 
+class Roofs : public ReflectionTest, public testing::WithParamInterface<ReflectionTechnique> {
+  protected:
+    Reflected reflected(const Camera& camera, const TracedView& traced, uint32_t looks) {
+        ReflectorDesc desc = with(GetParam());
+        desc.reflection.roofLooks = looks;
+        return reflectScene(camera, traced, desc);
+    }
+};
+
+/// Thick, so that half of the rays that meet its underside leave by its hidden back.
+const Box deck{{-4, 0.6, -4}, {3, 1.1, -2}};
+
+std::vector<Box> deckOnPosts() {
+    return {deck, {{-3.9, -1, -3.9}, {-3.7, 0.6, -3.7}}, {{2.7, -1, -3.9}, {2.9, 0.6, -3.7}}};
+}
+
+/// Of each pixel whose mirrored ray goes in by the deck's underside and comes out of its back, the way of the
+/// ray to the underside, where the top straight above is seen; else 0.
+std::vector<double> waysUnder(const Camera& camera, const TracedView& traced, const std::vector<Box>& boxes) {
+    const std::vector<Ray> rays = mirroredRays(camera, traced);
+    std::vector<double> ways(traced.truth.size());
+    for (size_t i = 0; i < ways.size(); ++i) {
+        if (traced.truth[i] == Truth::none) continue;
+        const auto& [on, up] = rays[i];
+        const double way = deck.low.y / up.y;
+        if (std::abs(nearestHit(boxes, on, up) - way) > 1e-9) continue;
+        if ((on + up * (deck.high.y / up.y)).z > deck.low.z) continue;
+        const glm::dvec3 above = on + up * way + glm::dvec3(0, deck.high.y - deck.low.y, 0);
+        const double seen = glm::length(above - camera.eye);
+        if (nearestHit(boxes, camera.eye, (above - camera.eye) / seen) < seen - 1e-6) continue;
+        ways[i] = way;
+    }
+    return ways;
+}
+
+// Nothing of what lies behind a pier shines through its underside, be it things or sky.
+TEST_P(Roofs, HideWhatLiesBehindWhatHangs) {
+    std::vector<Pose> above = poses();
+    above.resize(1);
+    Camera higher = testCamera();
+    higher.eye.y = 4;
+    above.push_back({"higher", higher});
+    const std::vector<Box> open = deckOnPosts();
+    std::vector<Box> walled = open;
+    walled.push_back({{-30, -1, -31}, {30, 12, -30}});
+    for (const Pose& pose : above)
+        for (const std::vector<Box>& boxes : {walled, open}) {
+            const TracedView traced = Tracer(pose.camera, boxes).run();
+            const Reflected result = reflected(pose.camera, traced, 6);
+            const Reflected without = reflected(pose.camera, traced, 0);
+            const std::vector<double> ways = waysUnder(pose.camera, traced, boxes);
+            const std::vector<Ray> rays = mirroredRays(pose.camera, traced);
+            size_t undersides = 0, through = 0, beyond = 0;
+            for (size_t i = 0; i < ways.size(); ++i) {
+                const float info = result.info[i];
+                undersides += ways[i] > 0;
+                through += ways[i] > 0 && (!(info > 0) || std::abs(double{info} - ways[i]) > 0.25 * ways[i]);
+                beyond += traced.truth[i] != Truth::none && info != without.info[i] &&
+                          !std::isfinite(nearestHit({deck}, rays[i].from, rays[i].along));
+            }
+            std::printf("%-8s %zu undersides, %zu seen through, %zu beyond\n", pose.name, undersides, through,
+                        beyond);
+            EXPECT_GT(undersides, 1000u) << pose.name;
+            // What is left is a pixel's breadth along its back and its posts.
+            EXPECT_LE(static_cast<double>(through), 0.1 * static_cast<double>(undersides)) << pose.name;
+            EXPECT_LE(static_cast<double>(beyond), 0.04 * static_cast<double>(undersides)) << pose.name;
+        }
+}
+
+/// What hangs over the mirror and has no top that is seen, or none at all: a board and rails on posts; and
+/// what hangs nowhere: a quay, and a box that floats.
+std::vector<Box> nothingOverhead() {
+    std::vector<Box> boxes = {{{-30, -1, -31}, {30, 3, -30}},
+                              {{-3, 1, -3}, {0, 2.5, -2.98}},
+                              {{-2.9, -1, -3}, {-2.8, 1, -2.9}},
+                              {{-0.2, -1, -3}, {-0.1, 1, -2.9}},
+                              {{2, -0.3, -5}, {5, 0.8, -3}}};
+    for (int i = 0; i < 4; ++i) boxes.push_back({{-6, 0.6 + 0.3 * i, -8}, {6, 0.65 + 0.3 * i, -7.97}});
+    for (int i = 0; i < 5; ++i) boxes.push_back({{-6 + 3.0 * i, -1, -8}, {-5.9 + 3.0 * i, 1.6, -7.97}});
+    return boxes;
+}
+
+TEST_P(Roofs, AreNotSeenWhereNothingHangs) {
+    for (const Pose& pose : posesAboveThePlate()) {
+        const TracedView traced = Tracer(pose.camera, nothingOverhead()).run();
+        const Reflected with6 = reflected(pose.camera, traced, 6);
+        const Reflected without = reflected(pose.camera, traced, 0);
+        size_t mirror = 0, changed = 0;
+        for (size_t i = 0; i < with6.info.size(); ++i) {
+            mirror += traced.truth[i] != Truth::none;
+            changed += with6.info[i] != without.info[i];
+        }
+        std::printf("%-8s %zu of %zu changed\n", pose.name, changed, mirror);
+        EXPECT_GT(mirror, 10000u) << pose.name;
+        EXPECT_LE(static_cast<double>(changed), 0.0005 * static_cast<double>(mirror)) << pose.name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(, Roofs, testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::hybrid),
+                         nameOf);
+
 class FollowedUndersides : public ReflectionTest {};
 
 // The hybrid's rays go as far as the tops that they come out of.

@@ -1,0 +1,24 @@
+// What a mirrored ray meets of the scene, and the keys that lead there. Needs mirror.glsl and hidden_way.glsl.
+
+struct Hit {
+    bool valid;
+    bool front;    // on the side that is seen
+    vec2 source;   // pixel
+    float off;     // from the middle of the pixel whose surface was met
+    float depth;   // mirrored, at this pixel
+};
+
+const Hit noHit = Hit(false, false, vec2(0.0), 0.0, 0.0);
+
+// A key on the line through a pixel and its source.
+struct LineKey {
+    uint key;
+    ivec2 cell;
+};
+
+// What left a key in another cell.
+ivec2 sourceOf(LineKey from) {
+    if (from.key == noKey) return nowhere;
+    vec4 p = sceneFromPixel * vec4((vec2(from.cell) + 0.5) * float(1 << keyShift), depthFromKey(from.key), 1.0);
+    return clamp(ivec2(p.xy / p.w), ivec2(0), region.zw - 1);
+}

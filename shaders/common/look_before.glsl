@@ -1,0 +1,21 @@
+// Looks over the mirror from one of its pixels towards the eye, for what hangs between. Needs mirror.glsl.
+
+// What hangs lower than it is wide leaves keys in at least as many cells as lie between them and what it hides: looks may lie
+// as far apart as they have gone.
+const int firstLook = 3;   // [cells]
+
+float farthest(vec2 apart) {
+    return max(abs(apart.x), abs(apart.y));
+}
+
+// On the screen, from a pixel of the mirror to what it shows.
+vec2 awayFrom(vec2 q) {
+    vec4 start = sceneFromPixel * vec4(q, 0.0, 1.0);
+    vec4 along = sceneFromPixel[2];
+    vec2 away = depthSign * (start.xy * along.w - along.xy * start.w);
+    return away / max(farthest(away), 1e-30);
+}
+
+ivec2 cellBefore(vec2 q, vec2 away, int look) {
+    return ivec2(floor(q / float(1 << keyShift) - float(firstLook << look) * away));
+}

@@ -1,0 +1,87 @@
+// What hangs over a mirror, a pier's deck for one, as the mirror shows it from below: the eye sees its top and its edge, and the
+// ray that meets its underside leaves by its hidden back. Needs hits.glsl, keys.glsl and
+// look_before.glsl.
+
+const float leastHeight = 3.0;   // of its edge above the mirror [pixels]: what floats hangs nowhere
+const float levelWithin = 0.15;  // of its thickness
+const float steepestTop = 0.2;   // its rise for each metre of the way between two pixels
+const float stride = 8.0;        // what shows between the rails of a fence ends what hides a ray
+
+// What left a key nearer than what shows here, nearer to the eye on the mirror: on the screen, it hides the ray before that
+// comes to what shows here.
+ivec2 roofBefore(vec2 q, vec2 away, uint here) {
+    LineKey roof = LineKey(noKey, ivec2(0));
+    for (int i = 0; i < int(roofLooks); ++i) {
+        ivec2 cell = cellBefore(q, away, i);
+        uint key = keyAt(cell);
+        bool found = roof.key == noKey && key > here;
+        roof.key = found ? key : roof.key;
+        roof.cell = found ? cell : roof.cell;
+    }
+    return sourceOf(roof);
+}
+
+float heightOf(vec4 point) {
+    return dot(heightRow, point) / dot(weightRow, point);
+}
+
+float heightSeenAt(vec2 point) {
+    return heightOf(vec4(point, depthAt(ivec2(point)), 1.0));
+}
+
+// The mirrored depth at which a ray is as high.
+float depthAtHeight(vec2 q, float height) {
+    vec4 start = vec4(q, 0.0, 1.0);
+    return -(dot(heightRow, start) + height * dot(weightRow, start)) / (heightRow.z + height * weightRow.z);
+}
+
+float metresPerPixel(vec4 point) {
+    vec4 p = relativeFromPixel * point;
+    vec4 beside = p + relativeFromPixel[0];
+    return distance(p.xyz / p.w, beside.xyz / beside.w);
+}
+
+// Level where it ends: a rail or a wall is not.
+bool endsLevel(vec2 end, vec2 away, float top, float thickness) {
+    vec2 before = end - away;
+    float rise = abs(heightSeenAt(before) - top);
+    vec3 way = unprojected(vec3(end, depthAt(ivec2(end)))) - unprojected(vec3(before, depthAt(ivec2(before))));
+    return rise < levelWithin * thickness && rise < steepestTop * length(way);
+}
+
+// Where the ray is as high as the edge that it goes in under, it meets an underside, provided that straight above a level top
+// is seen, as high as the one by which the ray gets out of sight.
+Hit hitUnderTop(vec2 q, ScreenRay ray, float height, float depth, float top) {
+    vec4 mirrored = vec4(q, depth - infinityDepth, 1.0);
+    vec4 above = mix(mirrored, ray.origin + depth * ray.along, 0.5 * (top / height + 1.0));
+    vec2 source = above.xy / above.w;
+    bool shows = top > height && above.w > 0.0 && insideRegion(source);
+    vec2 middle = floor(shows ? source : vec2(0.0)) + 0.5;
+    bool level = abs(heightSeenAt(middle) - top) < levelWithin * (top - height);
+    return Hit(shows && level, false, middle, 0.0, depth);
+}
+
+Hit underRoof(vec2 q, ScreenRay ray, Hit shown) {
+    vec2 away = awayFrom(q);
+    ivec2 roof = roofBefore(q, away, shown.valid ? keyFromDepth(shown.depth) : noKey);
+    vec2 from = vec2(roof) + 0.5;
+    bool first = !shown.valid || dot(shown.source - from, away) > 2.0;
+    float mostPixels = float(firstLook << roofLooks);
+    Hit hit = noHit;
+    // Loops of one round, since those that nobody enters are left out.
+    for (bool hidden = roof != nowhere && first; hidden; hidden = false) {
+        Entry entry = entryBefore(ray, q, from, mostPixels, stride);
+        vec4 edge = vec4(entry.hidden, depthAt(max(entry.between.other, ivec2(0))), 1.0);
+        float height = heightOf(edge);
+        float depth = depthAtHeight(q, height);
+        bool above = entry.between != noGuesses && height > leastHeight * metresPerPixel(edge);
+        bool before = !shown.valid || depthSign * (depth - shown.depth) > 0.0;
+        for (bool hangs = above && before; hangs; hangs = false) {
+            vec2 end = exitAfter(ray, from, away, mostPixels, stride);
+            float top = heightSeenAt(end);
+            hit = hitUnderTop(q, ray, height, depth, top);
+            hit.valid = hit.valid && endsLevel(end, away, top, top - height);
+        }
+    }
+    return hit;
+}
