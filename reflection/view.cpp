@@ -117,6 +117,10 @@ glm::dmat4 toMatrix(const double (&values)[16]) {
     return m;
 }
 
+void toValues(const glm::dmat4& m, double (&values)[16]) {
+    for (int i = 0; i < 16; ++i) values[i] = m[i / 4][i % 4];
+}
+
 bool allFinite(const glm::dmat4& m) {
     for (int i = 0; i < 16; ++i)
         if (!std::isfinite(m[i / 4][i % 4])) return false;

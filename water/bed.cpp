@@ -81,18 +81,15 @@ void raise(ViewDesc& view, const glm::dvec4& plane, double rise) {
     glm::dmat4 squeezed(glm::dmat3(1) + less * glm::outerProduct(up, up));
     squeezed[3] = glm::dvec4(less * plane.w * up, 1);
     const glm::dmat4 after = glm::translate(before, (1 - rise) * (glm::dot(up, eye) + plane.w) * up);
-    const glm::dmat4 skewed = projection * before * squeezed * glm::inverse(after);
-    for (int i = 0; i < 16; ++i) {
-        view.view[i] = after[i / 4][i % 4];
-        view.projection[i] = skewed[i / 4][i % 4];
-    }
+    toValues(after, view.view);
+    toValues(projection * before * squeezed * glm::inverse(after), view.projection);
 }
 
 /// Cuts what lies above `plane`, of the world; false where the eye is too close to it.
 bool cutAbove(ViewDesc& view, bool reversedDepth, const glm::dvec4& plane) {
     const glm::dvec4 below = -(plane * glm::inverse(toMatrix(view.view)));
     const ObliqueProjection cut = obliqueProjection(toMatrix(view.projection), reversedDepth, below);
-    for (int i = 0; i < 16; ++i) view.projection[i] = cut.projection[i / 4][i % 4];
+    toValues(cut.projection, view.projection);
     return cut.oblique;
 }
 

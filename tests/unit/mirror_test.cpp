@@ -225,6 +225,14 @@ TEST(View, NamesWhatIsWrong) {
               std::string::npos);
 }
 
+TEST(View, ValuesOfAMatrixComeBackAsTheyWere) {
+    const ViewDesc view = describedView(everyKindOfCamera().front());
+    double values[16];
+    toValues(toMatrix(view.view), values);
+    for (int i = 0; i < 16; ++i) EXPECT_EQ(values[i], view.view[i]);
+    EXPECT_EQ(glm::dvec3(toMatrix(view.view)[3]), glm::dvec3(view.view[12], view.view[13], view.view[14]));
+}
+
 TEST(View, NamesTheImageThatCannotBeRead) {
     const auto refused = [](auto&& spoil) {
         ViewDesc view = describedView(Camera{});
