@@ -246,8 +246,9 @@ TEST(View, NamesTheImageThatCannotBeRead) {
     const auto begins = [](const std::string& text, const char* with) { return text.find(with) == 0; };
     using View = ViewDesc;
     EXPECT_EQ(refused([](View&, Image&) {}), "");
-    EXPECT_TRUE(begins(refused([](View& v, Image&) { v.sceneDepth.format = VK_FORMAT_UNDEFINED; }),
-                       "ViewDesc.sceneDepth.format"));
+    EXPECT_EQ(refused([](View& v, Image&) { v.sceneDepth.format = VK_FORMAT_UNDEFINED; }),
+              "ViewDesc.sceneDepth.format holds no depth that can be read, expected D16_UNORM, "
+              "X8_D24_UNORM_PACK32 or D32_SFLOAT, with stencil or without, R16_UNORM or R32_SFLOAT");
     EXPECT_TRUE(begins(refused([](View& v, Image&) { v.sceneDepth.format = VK_FORMAT_R16G16B16A16_SFLOAT; }),
                        "ViewDesc.sceneDepth.format"));
     EXPECT_TRUE(begins(refused([](View& v, Image&) { v.sceneDepth.format = VK_FORMAT_S8_UINT; }),
