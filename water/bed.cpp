@@ -95,11 +95,6 @@ bool cutAbove(ViewDesc& view, bool reversedDepth, const glm::dvec4& plane) {
 
 } // namespace
 
-bool BedPicture::isOf(VkExtent2D extent) const {
-    const VkExtent2D own = color.desc().extent;
-    return color.handle() && own.width == extent.width && own.height == extent.height;
-}
-
 Status BedPicture::create(const gpu::Device& device, VkExtent2D extent) {
     if (const Status s = color.create(device, colorDesc(extent), "bed"); s != Status::ok) return s;
     return depth.create(device, drawnDepthDesc(extent), "bed's depth");
@@ -118,7 +113,7 @@ Status Bed::handOut(Context& context, const ViewDesc& view, const ViewGeometry& 
     if (const char* bad = readCamera(frame.fromWorld(wide), camera))
         return device.fail(Status::invalidArgument, "bedView: %s", bad);
     const VkExtent2D extent = extentOf(camera);
-    if (!picture.isOf(extent)) {
+    if (!picture.color.isOf(extent)) {
         BedPicture fresh;
         if (const Status s = fresh.create(device, extent); s != Status::ok) return s;
         context.frame().retire(std::exchange(picture, std::move(fresh)));
