@@ -18,6 +18,10 @@ struct ImageDesc {
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
 };
 
+inline bool isSame(VkExtent2D a, VkExtent2D b) {
+    return a.width == b.width && a.height == b.height;
+}
+
 /// Of all mips and layers, as tightly as the format allows.
 VkDeviceSize imageBytes(const ImageDesc& desc);
 
@@ -37,6 +41,8 @@ class OwnedImage {
     /// One mip alone, of an image that shaders write to.
     VkImageView mipView(uint32_t mip) const { return mipViews_.empty() ? view_ : mipViews_[mip]; }
     const ImageDesc& desc() const { return desc_; }
+    /// Whether it is there, and of this size.
+    bool isOf(VkExtent2D extent) const { return image_ && isSame(desc_.extent, extent); }
 
   private:
     void release();

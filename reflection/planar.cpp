@@ -97,10 +97,8 @@ MirroredCamera mirroredCamera(const ViewDesc& view, const ViewGeometry& geometry
 PlanarView describe(const MirroredCamera& camera, const ViewDesc& view, const ViewGeometry& geometry,
                     uint32_t downscale, const PlanarScratch& scratch, const OwnedReflection& images) {
     PlanarView out;
-    for (int i = 0; i < 16; ++i) {
-        out.view[i] = camera.view[i / 4][i % 4];
-        out.projection[i] = camera.projection[i / 4][i % 4];
-    }
+    toValues(camera.view, out.view);
+    toValues(camera.projection, out.projection);
     out.obliqueClip = camera.obliqueClip;
     const auto scale = static_cast<float>(downscale);
     out.viewport = {(view.viewport.x - static_cast<float>(geometry.regionOrigin.x)) / scale,

@@ -31,9 +31,7 @@ struct ReflectedView {
     bool reflected = false;     ///< the images hold what reflect() has left
     bool bent = false;          ///< by the view's own normals
     VkExtent2D region = {0, 0}; ///< the view's, in pixels
-    bool isOf(VkExtent2D extent) const {
-        return region.width == extent.width && region.height == extent.height;
-    }
+    bool isOf(VkExtent2D extent) const { return gpu::isSame(region, extent); }
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
     /// What techniques write.
     OwnedReflection& found(const ReflectionDesc& desc) { return desc.temporal > 0 ? temporal.found : images; }

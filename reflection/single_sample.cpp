@@ -21,11 +21,6 @@ bool hasManySamples(const Image& image) {
     return image.samples != VK_SAMPLE_COUNT_1_BIT;
 }
 
-bool isAsLarge(const gpu::OwnedImage& owned, const Image& image) {
-    const VkExtent2D extent = owned.desc().extent;
-    return owned.handle() && extent.width == image.extent.width && extent.height == image.extent.height;
-}
-
 gpu::ImageDesc imageDesc(VkExtent2D extent, VkFormat format) {
     gpu::ImageDesc desc;
     desc.format = format;
@@ -110,8 +105,8 @@ Status ColorSampleKernel::create(Context& context) {
 }
 
 bool SingleSampledScene::fits(const ViewDesc& view) const {
-    return isAsLarge(depth, view.sceneDepth) &&
-           (!hasManySamples(view.sceneColor) || isAsLarge(color, view.sceneColor));
+    return depth.isOf(view.sceneDepth.extent) &&
+           (!hasManySamples(view.sceneColor) || color.isOf(view.sceneColor.extent));
 }
 
 void SingleSampledScene::standIn(ViewDesc& view) const {

@@ -40,11 +40,12 @@ struct ImageRules {
     const char* hasOtherSamples;
 };
 
+constexpr auto badDepthFormat = noDepthIn("ViewDesc.sceneDepth.format");
+
 constexpr ImageRules depthRules = {
     holdsDepth,
     "ViewDesc.sceneDepth.view is null",
-    "ViewDesc.sceneDepth.format holds no depth that can be read, expected D16_UNORM, X8_D24_UNORM_PACK32 or "
-    "D32_SFLOAT, with stencil or without, R16_UNORM or R32_SFLOAT",
+    badDepthFormat.data(),
     "ViewDesc.sceneDepth.layout is none to sample from, expected GENERAL or one that is read-only",
     "ViewDesc.sceneDepth is smaller than the viewport",
     "ViewDesc.sceneDepth.samples is none of 1, 2, 4, 8 and 16",
@@ -115,6 +116,10 @@ glm::dmat4 toMatrix(const double (&values)[16]) {
     glm::dmat4 m;
     for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = values[i];
     return m;
+}
+
+void toValues(const glm::dmat4& m, double (&values)[16]) {
+    for (int i = 0; i < 16; ++i) values[i] = m[i / 4][i % 4];
 }
 
 bool allFinite(const glm::dmat4& m) {

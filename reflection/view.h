@@ -54,6 +54,7 @@ glm::dmat4 scenePixelFromRelative(const ViewGeometry& view);
 glm::dmat4 relativeFromScenePixel(const ViewGeometry& view);
 
 glm::dmat4 toMatrix(const double (&values)[16]);
+void toValues(const glm::dmat4& m, double (&values)[16]);
 bool allFinite(const glm::dmat4& m);
 
 } // namespace seaglass

@@ -62,14 +62,6 @@ float gathered(vec2 at, float depth, float width) {
     return max((u.x * v.y - u.y * v.x) / (apart * apart), 0.0);
 }
 
-// Across the line of sight, of a pixel that shows the point [m].
-float pixelWidth(vec3 at) {
-    mat4 rows = transpose(pixelFromRelative);
-    float w = dot(rows[3], vec4(at, 1.0));
-    float x = dot(rows[0], vec4(at, 1.0)) / w;
-    return w / length(rows[0].xyz - x * rows[3].xyz);
-}
-
 void main() {
     loadSurface();
     ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -81,27 +81,19 @@ void raise(ViewDesc& view, const glm::dvec4& plane, double rise) {
     glm::dmat4 squeezed(glm::dmat3(1) + less * glm::outerProduct(up, up));
     squeezed[3] = glm::dvec4(less * plane.w * up, 1);
     const glm::dmat4 after = glm::translate(before, (1 - rise) * (glm::dot(up, eye) + plane.w) * up);
-    const glm::dmat4 skewed = projection * before * squeezed * glm::inverse(after);
-    for (int i = 0; i < 16; ++i) {
-        view.view[i] = after[i / 4][i % 4];
-        view.projection[i] = skewed[i / 4][i % 4];
-    }
+    toValues(after, view.view);
+    toValues(projection * before * squeezed * glm::inverse(after), view.projection);
 }
 
 /// Cuts what lies above `plane`, of the world; false where the eye is too close to it.
 bool cutAbove(ViewDesc& view, bool reversedDepth, const glm::dvec4& plane) {
     const glm::dvec4 below = -(plane * glm::inverse(toMatrix(view.view)));
     const ObliqueProjection cut = obliqueProjection(toMatrix(view.projection), reversedDepth, below);
-    for (int i = 0; i < 16; ++i) view.projection[i] = cut.projection[i / 4][i % 4];
+    toValues(cut.projection, view.projection);
     return cut.oblique;
 }
 
 } // namespace
-
-bool BedPicture::isOf(VkExtent2D extent) const {
-    const VkExtent2D own = color.desc().extent;
-    return color.handle() && own.width == extent.width && own.height == extent.height;
-}
 
 Status BedPicture::create(const gpu::Device& device, VkExtent2D extent) {
     if (const Status s = color.create(device, colorDesc(extent), "bed"); s != Status::ok) return s;
@@ -121,7 +113,7 @@ Status Bed::handOut(Context& context, const ViewDesc& view, const ViewGeometry& 
     if (const char* bad = readCamera(frame.fromWorld(wide), camera))
         return device.fail(Status::invalidArgument, "bedView: %s", bad);
     const VkExtent2D extent = extentOf(camera);
-    if (!picture.isOf(extent)) {
+    if (!picture.color.isOf(extent)) {
         BedPicture fresh;
         if (const Status s = fresh.create(device, extent); s != Status::ok) return s;
         context.frame().retire(std::exchange(picture, std::move(fresh)));

@@ -23,7 +23,6 @@ struct BedPicture {
     ViewGeometry camera;    ///< in the body's axes, region and pixels as the images have them
     bool handedOut = false; ///< the host was told what to draw since it was taken last
     uint64_t taken = 0;     ///< in what frame
-    bool isOf(VkExtent2D extent) const;
     Status create(const gpu::Device& device, VkExtent2D extent);
 };
 

@@ -30,8 +30,7 @@ DryPlanes BodyFrame::fromWorld(const DryPlanes& planes) const {
 ViewDesc BodyFrame::fromWorld(const ViewDesc& view) const {
     if (!tilted) return view;
     ViewDesc turned = view;
-    const glm::dmat4 viewFromBody = toMatrix(view.view) * glm::dmat4(worldFromBody);
-    for (int i = 0; i < 16; ++i) turned.view[i] = viewFromBody[i / 4][i % 4];
+    toValues(toMatrix(view.view) * glm::dmat4(worldFromBody), turned.view);
     return turned;
 }
 

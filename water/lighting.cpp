@@ -18,11 +18,11 @@ const char* badCascade(const SunShadow& shadow, uint32_t i) {
     return nullptr;
 }
 
+constexpr auto badMapFormat = noDepthIn("SunShadow.map.format");
+
 const char* badField(const SunShadow& shadow) {
     if (!shadow.map.view) return "SunShadow.map.view is null";
-    if (!holdsDepth(shadow.map.format))
-        return "SunShadow.map.format holds no depth that can be read, expected D16_UNORM, "
-               "X8_D24_UNORM_PACK32 or D32_SFLOAT, with stencil or without, R16_UNORM or R32_SFLOAT";
+    if (!holdsDepth(shadow.map.format)) return badMapFormat.data();
     if (!sampledIn(shadow.map.layout))
         return "SunShadow.map.layout is none to sample from, expected GENERAL or one that is read-only";
     if (shadow.map.samples != VK_SAMPLE_COUNT_1_BIT) return "SunShadow.map.samples is not 1";

@@ -34,43 +34,26 @@ bool FloorPass::createImages(Device& device, VkExtent2D extent, Error& error) {
 }
 
 bool FloorPass::createSet(const Device& device, Error& error) {
-    VkDescriptorSetLayoutBinding bindings[4] = {};
-    for (uint32_t i = 0; i < 4; ++i)
-        bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
-    VkDescriptorSetLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-    layoutInfo.bindingCount = 4;
-    layoutInfo.pBindings = bindings;
-    VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
-    if (!succeeded(vkCreateDescriptorSetLayout(device.handle(), &layoutInfo, nullptr, &setLayout),
-                   "vkCreateDescriptorSetLayout", error))
-        return false;
-    setLayout_ = UniqueDescriptorSetLayout(device.handle(), setLayout);
-
-    const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 4};
-    if (!allocateSet(device, setLayout, {&size, 1}, pool_, set_, error)) return false;
+    constexpr VkDescriptorType image = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    constexpr VkDescriptorType types[] = {image, image, image, image};
+    if (!createSetLayout(device, types, setLayout_, error, VK_SHADER_STAGE_COMPUTE_BIT)) return false;
+    const VkDescriptorPoolSize size = {image, 4};
+    if (!allocateSet(device, setLayout_.get(), {&size, 1}, pool_, set_, error)) return false;
     for (uint32_t i = 0; i < 4; ++i) {
-        const VkDescriptorImageInfo image = {VK_NULL_HANDLE, images_[i].view.get(), VK_IMAGE_LAYOUT_GENERAL};
+        const VkDescriptorImageInfo bound = {VK_NULL_HANDLE, images_[i].view.get(), VK_IMAGE_LAYOUT_GENERAL};
         VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
         write.dstSet = set_;
         write.dstBinding = i;
         write.descriptorCount = 1;
-        write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-        write.pImageInfo = &image;
+        write.descriptorType = image;
+        write.pImageInfo = &bound;
         vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
     }
     return true;
 }
 
 bool FloorPass::createPipeline(const Device& device, Error& error) {
-    VkPipelineLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-    layoutInfo.setLayoutCount = 1;
-    layoutInfo.pSetLayouts = &setLayout_.get();
-    VkPipelineLayout layout = VK_NULL_HANDLE;
-    if (!succeeded(vkCreatePipelineLayout(device.handle(), &layoutInfo, nullptr, &layout),
-                   "vkCreatePipelineLayout", error))
-        return false;
-    layout_ = UniquePipelineLayout(device.handle(), layout);
-
+    if (!createPipelineLayout(device, {&setLayout_.get(), 1}, 0, layout_, error)) return false;
     VkShaderModuleCreateInfo code{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     code.codeSize = sizeof(floor_comp);
     code.pCode = floor_comp;
@@ -84,7 +67,7 @@ bool FloorPass::createPipeline(const Device& device, Error& error) {
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
     info.stage.module = shader;
     info.stage.pName = "main";
-    info.layout = layout;
+    info.layout = layout_.get();
     VkPipeline pipeline = VK_NULL_HANDLE;
     if (!succeeded(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
                    "vkCreateComputePipelines", error))

@@ -3,9 +3,9 @@
 namespace demos {
 
 bool createSetLayout(const Device& device, std::span<const VkDescriptorType> types,
-                     UniqueDescriptorSetLayout& out, Error& error) {
+                     UniqueDescriptorSetLayout& out, Error& error, VkShaderStageFlags stages) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
-    for (uint32_t i = 0; i < types.size(); ++i) bindings.push_back({i, types[i], 1, drawStages, nullptr});
+    for (uint32_t i = 0; i < types.size(); ++i) bindings.push_back({i, types[i], 1, stages, nullptr});
     VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     info.bindingCount = static_cast<uint32_t>(bindings.size());
     info.pBindings = bindings.data();

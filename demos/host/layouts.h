@@ -40,17 +40,17 @@ struct Layouts {
     UniquePipelineLayout pipeline;
 };
 
-/// One descriptor of each type, bound in their order, for vertex and fragment shaders.
-bool createSetLayout(const Device& device, std::span<const VkDescriptorType> types,
-                     UniqueDescriptorSetLayout& out, Error& error);
+constexpr VkShaderStageFlags drawStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
-/// For drawing, with push constants of `constantBytes`; 0: none.
+/// One descriptor of each type, bound in their order.
+bool createSetLayout(const Device& device, std::span<const VkDescriptorType> types,
+                     UniqueDescriptorSetLayout& out, Error& error, VkShaderStageFlags stages = drawStages);
+
+/// With push constants of `constantBytes` for drawing; 0: none.
 bool createPipelineLayout(const Device& device, std::span<const VkDescriptorSetLayout> sets,
                           uint32_t constantBytes, UniquePipelineLayout& out, Error& error);
 
 bool createLayouts(const Device& device, Layouts& out, Error& error);
-
-constexpr VkShaderStageFlags drawStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
 /// A set from a pool of its own.
 bool allocateSet(const Device& device, VkDescriptorSetLayout layout,

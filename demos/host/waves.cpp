@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -82,6 +83,17 @@ void setWind(const WavesDesc& waves, seaglass::SeaDesc& sea) {
         sea.swells[next] = swellOf(waves.swells[i]);
 }
 
+/// Scenes hold no tint that tintedWater() refuses, but for what is too little for a float.
+seaglass::WaterCoefficients tinted(const RefractionDesc& refraction) {
+    float tint[3];
+    std::ranges::transform(refraction.tint, tint, [](double c) {
+        return std::max(static_cast<float>(c), std::numeric_limits<float>::min());
+    });
+    seaglass::WaterCoefficients water{};
+    seaglass::tintedWater(tint, static_cast<float>(refraction.visibilityM), &water, nullptr);
+    return water;
+}
+
 } // namespace
 
 const seaglass::WavesBackend* wavesBackend() {
@@ -141,11 +153,8 @@ seaglass::FoamDesc foamOf(const FoamDesc& foam) {
 seaglass::WaterCoefficients coefficientsOf(const RefractionDesc& refraction) {
     for (const auto& [name, type] : waterTypes)
         if (name == refraction.type) return seaglass::waterCoefficients(type);
+    if (refraction.visibilityM > 0) return tinted(refraction);
     seaglass::WaterCoefficients given{};
-    float tint[3];
-    std::ranges::transform(refraction.tint, tint, [](double c) { return static_cast<float>(c); });
-    if (seaglass::tintedWater(tint, static_cast<float>(refraction.visibilityM), &given, nullptr))
-        return given;
     for (size_t i = 0; i < 3; ++i) {
         given.absorption[i] = static_cast<float>(refraction.absorptionPerM[i]);
         given.backscatter[i] = static_cast<float>(refraction.backscatterPerM[i]);

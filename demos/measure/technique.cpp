@@ -59,19 +59,10 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 bool areKnown(const std::vector<std::string>& names, Error& error) {
     std::vector<std::string_view> known;
-    std::string list;
-    for (const Technique& technique : techniques()) {
-        if (std::find(known.begin(), known.end(), technique.name) != known.end()) continue;
-        known.push_back(technique.name);
-        list += (list.empty() ? "" : ", ") + technique.name;
-    }
-    for (const std::string& name : names) {
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        error.text = "--technique is '" + name + "', expected one of " + list + "; the nearest is " +
-                     std::string(nearest(name, known));
-        return false;
-    }
-    return true;
+    for (const Technique& technique : techniques())
+        if (std::ranges::find(known, technique.name) == known.end()) known.push_back(technique.name);
+    return std::ranges::all_of(
+        names, [&](const std::string& name) { return isOneOf("--technique", name, known, error); });
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "host/quality.h"
 #include "program/values.h"
+#include "scene/nearest.h"
 
 namespace demos {
 

@@ -1,6 +1,5 @@
 #include "program/sea_options.h"
 
-#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -33,17 +32,9 @@ bool fail(const std::string& what, Error& error) {
 bool choose(const std::string& option, const std::string& text, std::string_view path, std::string& out,
             Error& error) {
     if (text.empty()) return true;
-    const std::span<const std::string_view> choices = choicesOf(path);
-    if (std::find(choices.begin(), choices.end(), text) != choices.end()) {
-        out = text;
-        return true;
-    }
-    std::string known;
-    for (const std::string_view choice : choices) known.append(known.empty() ? "" : ", ").append(choice);
-    const std::vector<std::string_view> names(choices.begin(), choices.end());
-    return fail(option + " is '" + text + "', expected one of " + known + "; the nearest is " +
-                    std::string(nearest(text, names)),
-                error);
+    if (!isOneOf(option, text, choicesOf(path), error)) return false;
+    out = text;
+    return true;
 }
 
 struct Number {

@@ -4,8 +4,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "scene/nearest.h"
-
 namespace demos {
 
 namespace {
@@ -38,14 +36,6 @@ std::optional<uint32_t> parseCount(const std::string& option, const std::string&
     const std::optional<uint32_t> value = parseAll<uint32_t>(text);
     if (value && 1 <= *value && *value <= most) return value;
     return fail(option, text, "a whole number, 1 to " + std::to_string(most), error);
-}
-
-bool isOneOf(const std::string& option, const std::string& word, std::span<const std::string_view> known,
-             Error& error) {
-    if (std::ranges::find(known, word) != known.end()) return true;
-    const std::string_view meant = nearest(word, {known.begin(), known.end()});
-    fail(option, word, oneOf(known) + "; the nearest is " + std::string(meant), error);
-    return false;
 }
 
 std::optional<Size> parseSize(const std::string& option, const std::string& text, Error& error) {

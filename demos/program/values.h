@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,9 +22,6 @@ std::optional<double> parseNumber(const std::string& option, const std::string& 
                                   double most, std::string_view expected, Error& error);
 std::optional<uint32_t> parseCount(const std::string& option, const std::string& text, uint32_t most,
                                    Error& error);
-/// False with `error` set when `word` is none of the known ones.
-bool isOneOf(const std::string& option, const std::string& word, std::span<const std::string_view> known,
-             Error& error);
 /// "1280x720", each side 1 to 16384.
 std::optional<Size> parseSize(const std::string& option, const std::string& text, Error& error);
 /// Of --supersample: 1 to 4, and a picture of `size` times that is no larger than any may be.

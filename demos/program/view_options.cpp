@@ -5,6 +5,7 @@
 #include "program/aov_names.h"
 #include "program/output.h"
 #include "scene/fields.h"
+#include "scene/nearest.h"
 #include "view/view_state.h"
 
 namespace demos {

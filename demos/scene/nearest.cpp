@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 
+#include "scene/scene.h"
+
 namespace demos {
 
 namespace {
@@ -51,6 +53,15 @@ std::string oneOf(std::span<const std::string_view> choices) {
         words.append(words.empty() ? "" : last ? " or " : ", ").append(choice);
     }
     return words;
+}
+
+bool isOneOf(const std::string& option, const std::string& word, std::span<const std::string_view> known,
+             Error& error) {
+    if (std::ranges::find(known, word) != known.end()) return true;
+    const std::string_view meant = nearest(word, {known.begin(), known.end()});
+    error.text = option + " is '" + word + "', expected " + oneOf(known) + "; the nearest is ";
+    error.text += meant;
+    return false;
 }
 
 } // namespace demos

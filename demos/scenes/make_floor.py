@@ -162,10 +162,10 @@ class Court:
         stone, under = rgb("#d3c8b4"), rgb("#8a5a3c")
         beams.add("marble", shape.box((19.2, 0.5, 0.7), (0, 4.15, BACK + 2.4), stone, 0.5))
         beams.add("marble", shape.box((0.7, 0.5, 8.4), (LEFT + 1.6, 4.15, -3.6), stone, 0.5))
-        for x in np.arange(-9.2, 9.3, 0.8):  # a pergola's rafters: seen from below in the floor
-            beams.add("wood", shape.box((0.14, 0.2, 3.0), (x, 4.5, BACK + 1.35), under, 0.6))
+        for x in np.arange(-9.2, 9.3, 0.8):  # a pergola's rafters, up to the wall's coping: seen from below in the floor
+            beams.add("wood", shape.box((0.14, 0.2, 2.725), (x, 4.5, BACK + 1.4875), under, 0.6))
         for z in np.arange(-7.6, 0.6, 0.8):
-            beams.add("wood", shape.box((2.2, 0.2, 0.14), (LEFT + 0.95, 4.5, z), under, 0.6))
+            beams.add("wood", shape.box((1.925, 0.2, 0.14), (LEFT + 1.0875, 4.5, z), under, 0.6))
         self.still("beams", beams)
 
     def railing(self):

@@ -1,4 +1,4 @@
-// Looks up a reflection image along a ray that waves have bent. Needs surface.glsl's names: plane, region, pixelOf,
+// Looks up a reflection image along a ray that waves have bent. Needs surface.glsl's names: plane, region, pixelOf, pixelWidth,
 // reflectionColor, reflectionInfo, reflectionDistortion, reflectionScale, reflectionLook.
 //
 // A point at distance t along the ray is mirrored about the plane and projected: the reflection image holds there what
@@ -97,11 +97,11 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
 #ifdef SHORE
     inside *= shareAboveSand(from, point);
 #endif
-    float pixelsPerRadian = length(vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y));
     // A quarter: mips blur alike in all directions, but at grazing angles slopes turn the mirrored ray mostly up and down,
     // and a mast must stay a line.
     float width = bundleWidth(0.25 * spread * reflectionDistortion, point.distance, reflectionLook);
-    float mip = bundleMip(width, length(from), point.distance, pixelsPerRadian / reflectionScale);
+    float toEye = length(from);
+    float mip = bundleMip(width, toEye, point.distance, toEye / (pixelWidth(from) * reflectionScale));
     vec4 texel = reflectionTexel(point.pixel / reflectionScale, mip, reflectionScale);
 #ifdef WAVES
     for (bool doubtful = texel.a > 0.0 && point.distance >= farAway; doubtful; doubtful = false)

@@ -29,8 +29,8 @@ vec3 radianceOf(Behind b) {
     return colorOf(b).rgb;
 }
 
-// In what follows pixels are the bed's where it has a picture of its own: wider than the region, and with nothing in it that
-// stands above the water. Else they are the scene's.
+// In what follows pixels are the bed's where it has a picture of its own: wider than the region, from a raised
+// eye (water/bed.cpp), and with nothing in it that stands above the water. Else they are the scene's.
 vec4 bedPixelOf(vec4 relative) {
     return (hasBed ? bedFromRelative : pixelFromRelative) * relative;
 }

@@ -132,3 +132,12 @@ vec4 pixelOf(vec3 position) {
     vec4 p = pixelFromRelative * vec4(position, 1.0);
     return vec4(p.xyz / p.w, p.w);
 }
+
+// Across the line of sight, of a square as large as a pixel that shows the point [m].
+float pixelWidth(vec3 at) {
+    mat4 rows = transpose(pixelFromRelative);
+    vec4 p = pixelOf(at);
+    vec3 right = rows[0].xyz - p.x * rows[3].xyz;
+    vec3 down = rows[1].xyz - p.y * rows[3].xyz;
+    return p.w * inversesqrt(length(cross(right, down)));
+}

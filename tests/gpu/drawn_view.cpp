@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "host/rendering.h"
 #include "tests/gpu/rig.h"
 
 namespace tests {
@@ -16,33 +17,47 @@ demos::Buffer upload(std::span<const std::byte> bytes) {
     return buffer;
 }
 
-void barrier(VkCommandBuffer commands, const seaglass::PlanarView& view, VkImageLayout colorFrom,
-             VkImageLayout depthFrom, VkImageLayout colorTo, VkImageLayout depthTo) {
-    const bool before = colorFrom == VK_IMAGE_LAYOUT_UNDEFINED;
-    VkImageMemoryBarrier2 barriers[2] = {{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2},
-                                         {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2}};
-    for (VkImageMemoryBarrier2& b : barriers) {
-        b.srcStageMask =
-            before ? VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
-                   : VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-        b.srcAccessMask = before ? VK_ACCESS_2_NONE : VK_ACCESS_2_TRANSFER_WRITE_BIT;
-        b.dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-        b.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    }
-    if (!before) {
-        barriers[0].dstStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
-        barriers[0].dstAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
-        barriers[1].dstStageMask = VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
-        barriers[1].dstAccessMask = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
-    }
-    barriers[0].oldLayout = colorFrom;
-    barriers[0].newLayout = colorTo;
-    barriers[0].image = view.colorImage;
-    barriers[0].subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    barriers[1].oldLayout = depthFrom;
-    barriers[1].newLayout = depthTo;
-    barriers[1].image = view.depthImage;
-    barriers[1].subresourceRange = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, 0, 1};
+struct Use {
+    VkPipelineStageFlags2 stage;
+    VkAccessFlags2 access;
+    VkImageLayout layout;
+};
+
+/// Of both images.
+struct Uses {
+    Use color, depth;
+};
+
+constexpr Use sampledLast = {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                             VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED};
+constexpr Use copied = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+constexpr Uses discarded = {sampledLast, sampledLast};
+constexpr Uses filled = {copied, copied};
+constexpr Uses attached = {
+    {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+     VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL},
+    {VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+     VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL}};
+
+VkImageMemoryBarrier2 barrierOf(VkImage image, VkImageAspectFlags aspect, const Use& from, const Use& to) {
+    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = from.stage;
+    barrier.srcAccessMask = from.access;
+    barrier.dstStageMask = to.stage;
+    barrier.dstAccessMask = to.access;
+    barrier.oldLayout = from.layout;
+    barrier.newLayout = to.layout;
+    barrier.image = image;
+    barrier.subresourceRange = {aspect, 0, 1, 0, 1};
+    return barrier;
+}
+
+void recordBarriers(VkCommandBuffer commands, const seaglass::PlanarView& view, const Uses& from,
+                    const Uses& to) {
+    const VkImageMemoryBarrier2 barriers[] = {
+        barrierOf(view.colorImage, VK_IMAGE_ASPECT_COLOR_BIT, from.color, to.color),
+        barrierOf(view.depthImage, VK_IMAGE_ASPECT_DEPTH_BIT, from.depth, to.depth)};
     VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     dependency.imageMemoryBarrierCount = 2;
     dependency.pImageMemoryBarriers = barriers;
@@ -62,8 +77,7 @@ DrawnBuffers::DrawnBuffers(const Drawn& drawn)
       depth(upload(std::as_bytes(std::span(drawn.depth)))) {}
 
 void recordDrawing(VkCommandBuffer commands, const seaglass::PlanarView& view, const DrawnBuffers& drawn) {
-    barrier(commands, view, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_UNDEFINED,
-            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    recordBarriers(commands, view, discarded, filled);
     VkBufferImageCopy region{};
     region.imageExtent = {view.extent.width, view.extent.height, 1};
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
@@ -72,8 +86,13 @@ void recordDrawing(VkCommandBuffer commands, const seaglass::PlanarView& view, c
     region.imageSubresource.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
     vkCmdCopyBufferToImage(commands, drawn.depth.buffer.get(), view.depthImage,
                            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    barrier(commands, view, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-            VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
+    recordBarriers(commands, view, filled, attached);
+}
+
+void beginDrawing(VkCommandBuffer commands, const seaglass::PlanarView& view) {
+    recordBarriers(commands, view, discarded, attached);
+    demos::beginRendering(commands, view.extent, view.color, VK_ATTACHMENT_LOAD_OP_CLEAR, view.depth,
+                          VK_ATTACHMENT_LOAD_OP_CLEAR, view.clearDepth);
 }
 
 } // namespace tests

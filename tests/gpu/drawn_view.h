@@ -27,4 +27,7 @@ struct DrawnBuffers {
 /// Fills the view's images and leaves them as a host leaves its attachments.
 void recordDrawing(VkCommandBuffer commands, const seaglass::PlanarView& view, const DrawnBuffers& drawn);
 
+/// Begins rendering to the view's images, which it clears.
+void beginDrawing(VkCommandBuffer commands, const seaglass::PlanarView& view);
+
 } // namespace tests

@@ -6,7 +6,7 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "host/rendering.h"
+#include "tests/gpu/drawn_view.h"
 #include "tests/gpu/rig.h"
 #include "tests/gpu/spy.h"
 #include "tests/gpu/traced_scene.h"
@@ -420,12 +420,7 @@ void ShapedHost::record(Slot& slot, const Targets* targets,
 void ShapedHost::clearBed(VkCommandBuffer commands, const seaglass::ViewDesc& view) {
     seaglass::PlanarView bed;
     EXPECT_EQ(seaglass::bedView(body_, &view, &bed), Status::ok) << message_;
-    recordBarrier(commands, toLayout(bed.colorImage, VK_IMAGE_ASPECT_COLOR_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
-                                     colorLayout));
-    recordBarrier(commands, toLayout(bed.depthImage, VK_IMAGE_ASPECT_DEPTH_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
-                                     VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL));
-    demos::beginRendering(commands, bed.extent, bed.color, VK_ATTACHMENT_LOAD_OP_CLEAR, bed.depth,
-                          VK_ATTACHMENT_LOAD_OP_CLEAR, bed.clearDepth);
+    beginDrawing(commands, bed);
     vkCmdEndRendering(commands);
 }
 

@@ -226,10 +226,11 @@ TEST_F(HostShapes, ChangeTheirSizeEveryFrame) {
     Camera camera = shoreCamera();
     uint32_t slot = 0;
     for (const auto& [width, height] :
-         {std::pair{200u, 112u}, {121u, 67u}, {1u, 1u}, {64u, 240u}, {200u, 112u}}) {
+         {std::pair{200u, 112u}, {121u, 67u}, {1u, 1u}, {64u, 240u}, {64u, 90u}, {200u, 90u}, {200u, 112u}}) {
         camera.width = width;
         camera.height = height;
-        EXPECT_EQ(host.picture(camera, 5, slot), ShapedHost(device()).picture(camera)) << width;
+        EXPECT_EQ(host.picture(camera, 5, slot), ShapedHost(device()).picture(camera))
+            << width << " x " << height;
         slot = (slot + 1) % 4;
     }
 }

@@ -250,7 +250,7 @@ TEST_F(SunShadows, ThatCannotBeReadAreNamed) {
     shadow_.map.view = VK_NULL_HANDLE;
     EXPECT_TRUE(named("map.view")) << message();
     shadow_.map.format = VK_FORMAT_R8G8B8A8_UNORM;
-    EXPECT_TRUE(named("map.format")) << message();
+    EXPECT_TRUE(named("map.format holds no depth that can be read, expected D16_UNORM, ")) << message();
     shadow_.map.layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
     EXPECT_TRUE(named("map.layout")) << message();
     shadow_.map.samples = VK_SAMPLE_COUNT_4_BIT;

@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "seaglass/waves_fftw.h"
+#include "tests/gpu/drawn_view.h"
 #include "tests/gpu/spy.h"
 #include "tests/gpu/traced_scene.h"
 #include "tests/gpu/water_rig.h"
@@ -198,42 +199,7 @@ class Tilts : public WaterTest, public testing::WithParamInterface<Turn> {
 };
 
 void Tilts::drawMirrored(VkCommandBuffer commands, const PlanarView& view) {
-    VkImageMemoryBarrier2 barriers[2] = {{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2},
-                                         {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2}};
-    for (VkImageMemoryBarrier2& b : barriers) {
-        b.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-        b.dstStageMask = VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT;
-        b.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
-    }
-    barriers[0].newLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    barriers[0].image = view.colorImage;
-    barriers[0].subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    barriers[1].newLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
-    barriers[1].image = view.depthImage;
-    barriers[1].subresourceRange = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, 0, 1};
-    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    dependency.imageMemoryBarrierCount = 2;
-    dependency.pImageMemoryBarriers = barriers;
-    vkCmdPipelineBarrier2(commands, &dependency);
-
-    VkRenderingAttachmentInfo attachments[2] = {{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO},
-                                                {VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO}};
-    for (VkRenderingAttachmentInfo& a : attachments) {
-        a.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-        a.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-    }
-    attachments[0].imageView = view.color;
-    attachments[0].imageLayout = barriers[0].newLayout;
-    attachments[1].imageView = view.depth;
-    attachments[1].imageLayout = barriers[1].newLayout;
-    attachments[1].clearValue.depthStencil.depth = view.clearDepth;
-    VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
-    rendering.renderArea.extent = view.extent;
-    rendering.layerCount = 1;
-    rendering.colorAttachmentCount = 1;
-    rendering.pColorAttachments = &attachments[0];
-    rendering.pDepthAttachment = &attachments[1];
-    vkCmdBeginRendering(commands, &rendering);
+    beginDrawing(commands, view);
     VkClearAttachment clears[2] = {{VK_IMAGE_ASPECT_COLOR_BIT, 0, {}}, {VK_IMAGE_ASPECT_DEPTH_BIT, 0, {}}};
     clears[0].clearValue.color = {{9, 4, 2, 1}};
     clears[1].clearValue.depthStencil.depth = 0.02f;

@@ -202,7 +202,7 @@ TEST_F(Measure, BadLinesAreRefused) {
     expectRefused({"scene.toml", "-o", "sky.hdr"}, {"-o sky.hdr", "is a file, expected a folder"});
     expectRefused({"scene.toml", "-o", "new", "--device", "no such device"}, {"no such device"});
     expectRefused({"scene.toml", "-o", "new", "--technique", "sspt"},
-                  {"--technique is 'sspt'", "none, sky, sspr", "nearest is sspr"});
+                  {"--technique is 'sspt', expected none, sky, sspr, ", " or water; the nearest is sspr"});
     expectRefused({"scene.toml", "-o", "new", "--camera", "leven"},
                   {"--camera is 'leven'", "level, low", "nearest is level"});
     expectRefused({"scene.toml", "-o", "new", "--set", "water.wave.wind_m_s=3"},

@@ -45,6 +45,8 @@ TEST(DemoScenes, WaterIsOfItsTint) {
         EXPECT_EQ(told.absorption[band], asked.absorption[band]);
         EXPECT_EQ(told.backscatter[band], asked.backscatter[band]);
     }
+    refraction.tint[0] = 1e-60; // 0 as a float
+    EXPECT_EQ(demos::coefficientsOf(refraction).backscatter[1], asked.backscatter[1]);
     const seaglass::WaterCoefficients plain = demos::coefficientsOf(demos::RefractionDesc{});
     EXPECT_EQ(plain.absorption[0], 0.345f);
 }

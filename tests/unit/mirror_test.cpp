@@ -225,6 +225,14 @@ TEST(View, NamesWhatIsWrong) {
               std::string::npos);
 }
 
+TEST(View, ValuesOfAMatrixComeBackAsTheyWere) {
+    const ViewDesc view = describedView(everyKindOfCamera().front());
+    double values[16];
+    toValues(toMatrix(view.view), values);
+    for (int i = 0; i < 16; ++i) EXPECT_EQ(values[i], view.view[i]);
+    EXPECT_EQ(glm::dvec3(toMatrix(view.view)[3]), glm::dvec3(view.view[12], view.view[13], view.view[14]));
+}
+
 TEST(View, NamesTheImageThatCannotBeRead) {
     const auto refused = [](auto&& spoil) {
         ViewDesc view = describedView(Camera{});
@@ -238,8 +246,9 @@ TEST(View, NamesTheImageThatCannotBeRead) {
     const auto begins = [](const std::string& text, const char* with) { return text.find(with) == 0; };
     using View = ViewDesc;
     EXPECT_EQ(refused([](View&, Image&) {}), "");
-    EXPECT_TRUE(begins(refused([](View& v, Image&) { v.sceneDepth.format = VK_FORMAT_UNDEFINED; }),
-                       "ViewDesc.sceneDepth.format"));
+    EXPECT_EQ(refused([](View& v, Image&) { v.sceneDepth.format = VK_FORMAT_UNDEFINED; }),
+              "ViewDesc.sceneDepth.format holds no depth that can be read, expected D16_UNORM, "
+              "X8_D24_UNORM_PACK32 or D32_SFLOAT, with stencil or without, R16_UNORM or R32_SFLOAT");
     EXPECT_TRUE(begins(refused([](View& v, Image&) { v.sceneDepth.format = VK_FORMAT_R16G16B16A16_SFLOAT; }),
                        "ViewDesc.sceneDepth.format"));
     EXPECT_TRUE(begins(refused([](View& v, Image&) { v.sceneDepth.format = VK_FORMAT_S8_UINT; }),
