@@ -43,7 +43,7 @@ float metresPerPixel(vec4 point) {
 
 // Level where it ends: a rail or a wall is not.
 bool endsLevel(vec2 end, vec2 away, float top, float thickness) {
-    vec2 before = end - away;
+    vec2 before = clamp(end - away, vec2(0.5), vec2(region.zw) - 0.5);
     float rise = abs(heightSeenAt(before) - top);
     vec3 way = unprojected(vec3(end, depthAt(ivec2(end)))) - unprojected(vec3(before, depthAt(ivec2(before))));
     return rise < levelWithin * thickness && rise < steepestTop * length(way);
