@@ -41,12 +41,22 @@ float metresPerPixel(vec4 point) {
     return distance(p.xyz / p.w, beside.xyz / beside.w);
 }
 
-// Level where it ends: a rail or a wall is not.
-bool endsLevel(vec2 end, vec2 away, float top, float thickness) {
-    vec2 before = clamp(end - away, vec2(0.5), vec2(region.zw) - 0.5);
+// Whether a top is level there, as a rail or a wall is not.
+bool isLevel(vec2 point, vec2 away, float edgeHeight) {
+    float top = heightSeenAt(point);
+    vec2 before = clamp(point - away, vec2(0.5), vec2(region.zw) - 0.5);
     float rise = abs(heightSeenAt(before) - top);
-    vec3 way = unprojected(vec3(end, depthAt(ivec2(end)))) - unprojected(vec3(before, depthAt(ivec2(before))));
-    return rise < levelWithin * thickness && rise < steepestTop * length(way);
+    vec3 way = unprojected(vec3(point, depthAt(ivec2(point)))) - unprojected(vec3(before, depthAt(ivec2(before))));
+    return rise < levelWithin * (top - edgeHeight) && rise < steepestTop * length(way);
+}
+
+// The first of the top that is tried, from where the ray is hidden on, or where that ends: posts may stand on it.
+vec2 levelPoint(vec2 from, vec2 end, vec2 away, float edgeHeight) {
+    vec2 point = from;
+    float most = farthest(end - from);
+    for (float pixels = 1.0; pixels <= most && !isLevel(point, away, edgeHeight); pixels = 2.0 * pixels + 1.0)
+        point = from + pixels * away;
+    return isLevel(point, away, edgeHeight) ? point : end;
 }
 
 // Where the ray is as high as the edge that it goes in under, it meets an underside, provided that straight above a level top
@@ -78,9 +88,9 @@ Hit underRoof(vec2 q, ScreenRay ray, Hit shown) {
         bool before = !shown.valid || depthSign * (depth - shown.depth) > 0.0;
         for (bool hangs = above && before; hangs; hangs = false) {
             vec2 end = exitAfter(ray, from, away, mostPixels, stride);
-            float top = heightSeenAt(end);
-            hit = hitUnderTop(q, ray, height, depth, top);
-            hit.valid = hit.valid && endsLevel(end, away, top, top - height);
+            vec2 on = levelPoint(from, end, away, height);
+            hit = hitUnderTop(q, ray, height, depth, heightSeenAt(on));
+            hit.valid = hit.valid && isLevel(on, away, height);
         }
     }
     return hit;

@@ -161,8 +161,12 @@ class Roofs : public ReflectionTest, public testing::WithParamInterface<Reflecti
 /// Thick, so that half of the rays that meet its underside leave by its hidden back.
 const Box deck{{-4, 0.6, -4}, {3, 1.1, -2}};
 
-std::vector<Box> deckOnPosts() {
-    return {deck, {{-3.9, -1, -3.9}, {-3.7, 0.6, -3.7}}, {{2.7, -1, -3.9}, {2.9, 0.6, -3.7}}};
+/// Posts carry it, and may stand on it.
+std::vector<Box> deckOnPosts(bool postsOnIt) {
+    std::vector<Box> boxes = {
+        deck, {{-3.9, -1, -3.9}, {-3.7, 0.6, -3.7}}, {{2.7, -1, -3.9}, {2.9, 0.6, -3.7}}};
+    for (double x = -3; postsOnIt && x < 3; x += 1.5) boxes.push_back({{x, 1.1, -4}, {x + 0.5, 2, -3.8}});
+    return boxes;
 }
 
 /// Of each pixel whose mirrored ray goes in by the deck's underside and comes out of its back, the way of the
@@ -184,38 +188,43 @@ std::vector<double> waysUnder(const Camera& camera, const TracedView& traced, co
     return ways;
 }
 
+/// Shares of the undersides of which so much may be wrong.
+struct Wrong {
+    double through, beyond;
+};
+
 // Nothing of what lies behind a pier shines through its underside, be it things or sky.
 TEST_P(Roofs, HideWhatLiesBehindWhatHangs) {
-    std::vector<Pose> above = poses();
-    above.resize(1);
     Camera higher = testCamera();
     higher.eye.y = 4;
-    above.push_back({"higher", higher});
-    const std::vector<Box> open = deckOnPosts();
-    std::vector<Box> walled = open;
-    walled.push_back({{-30, -1, -31}, {30, 12, -30}});
-    for (const Pose& pose : above)
-        for (const std::vector<Box>& boxes : {walled, open}) {
-            const TracedView traced = Tracer(pose.camera, boxes).run();
-            const Reflected result = reflected(pose.camera, traced, 6);
-            const Reflected without = reflected(pose.camera, traced, 0);
-            const std::vector<double> ways = waysUnder(pose.camera, traced, boxes);
-            const std::vector<Ray> rays = mirroredRays(pose.camera, traced);
-            size_t undersides = 0, through = 0, beyond = 0;
-            for (size_t i = 0; i < ways.size(); ++i) {
-                const float info = result.info[i];
-                undersides += ways[i] > 0;
-                through += ways[i] > 0 && (!(info > 0) || std::abs(double{info} - ways[i]) > 0.25 * ways[i]);
-                beyond += traced.truth[i] != Truth::none && info != without.info[i] &&
-                          !std::isfinite(nearestHit({deck}, rays[i].from, rays[i].along));
+    for (const Pose& pose : {poses()[0], Pose{"higher", higher}})
+        for (const bool postsOnIt : {false, true})
+            for (const bool walled : {false, true}) {
+                const std::vector<Box> pier = deckOnPosts(postsOnIt);
+                std::vector<Box> boxes = pier;
+                if (walled) boxes.push_back({{-30, -1, -31}, {30, 12, -30}});
+                const TracedView traced = Tracer(pose.camera, boxes).run();
+                const Reflected result = reflected(pose.camera, traced, 6);
+                const Reflected without = reflected(pose.camera, traced, 0);
+                const std::vector<double> ways = waysUnder(pose.camera, traced, boxes);
+                const std::vector<Ray> rays = mirroredRays(pose.camera, traced);
+                size_t undersides = 0, through = 0, beyond = 0;
+                for (size_t i = 0; i < ways.size(); ++i) {
+                    const float info = result.info[i];
+                    undersides += ways[i] > 0;
+                    through +=
+                        ways[i] > 0 && (!(info > 0) || std::abs(double{info} - ways[i]) > 0.25 * ways[i]);
+                    beyond += traced.truth[i] != Truth::none && info != without.info[i] &&
+                              !std::isfinite(nearestHit(pier, rays[i].from, rays[i].along));
+                }
+                std::printf("%-8s %zu undersides, %zu seen through, %zu beyond\n", pose.name, undersides,
+                            through, beyond);
+                EXPECT_GT(undersides, 1000u) << pose.name;
+                // What is left is a pixel's breadth along its back and beside its posts.
+                const Wrong most = postsOnIt ? Wrong{0.18, 0.11} : Wrong{0.1, 0.04};
+                EXPECT_LE(static_cast<double>(through), most.through * static_cast<double>(undersides));
+                EXPECT_LE(static_cast<double>(beyond), most.beyond * static_cast<double>(undersides));
             }
-            std::printf("%-8s %zu undersides, %zu seen through, %zu beyond\n", pose.name, undersides, through,
-                        beyond);
-            EXPECT_GT(undersides, 1000u) << pose.name;
-            // What is left is a pixel's breadth along its back and its posts.
-            EXPECT_LE(static_cast<double>(through), 0.1 * static_cast<double>(undersides)) << pose.name;
-            EXPECT_LE(static_cast<double>(beyond), 0.04 * static_cast<double>(undersides)) << pose.name;
-        }
 }
 
 /// What hangs over the mirror and has no top that is seen, or none at all: a board and rails on posts; and
