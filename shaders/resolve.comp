@@ -258,7 +258,7 @@ void main() {
             guesses = hole.left;
         }
         for (bool enters = comesOut; enters; enters = false) {
-            Entry entry = entryBefore(ray, q, hit.source, backPixels, backStride);
+            Entry entry = entryBefore(ray, q, hit.source, backPixels);
             guesses = entry.between;
             thin = hitOnThin(ray, entry);
         }

@@ -1,7 +1,7 @@
 // Where a mirrored ray runs behind what is seen. Needs screen_ray.glsl and scene_depth.glsl.
 
 const float backPixels = 64.0;   // that a ray is followed back to the side by which it went in
-const float backStride = 8.0;    // to begin with, so that it passes over what shows in narrower gaps
+const float hiddenStride = 8.0;   // to begin with: narrower gaps may be passed over
 
 // Two pixels of the scene whose surfaces a ray may meet.
 struct Guesses {
@@ -24,18 +24,18 @@ bool hides(vec2 point, float depth) {
 }
 
 // How many of the next pixels of its way hide a ray, whose depth is linear there: looked for in strides, then in pixels.
-float hiddenPixels(ScreenRay ray, vec2 from, vec2 step, float pixels, float stride) {
+float hiddenPixels(ScreenRay ray, vec2 from, vec2 step, float pixels) {
     float depth = rayDepthAt(ray, from);
     float perPixel = (rayDepthAt(ray, from + pixels * step) - depth) / max(pixels, 1.0);
     float hidden = 0.0;
     float shown = 0.0;
     while (shown == 0.0 && hidden < pixels) {
-        float next = min(hidden + stride, pixels);
+        float next = min(hidden + hiddenStride, pixels);
         bool still = hides(from + next * step, depth + next * perPixel);
         hidden = still ? next : hidden;
         shown = still ? 0.0 : next;
     }
-    for (float less = 0.5 * stride; less >= 1.0; less *= 0.5) {
+    for (float less = 0.5 * hiddenStride; less >= 1.0; less *= 0.5) {
         float next = hidden + less;
         bool still = next < shown && hides(from + next * step, depth + next * perPixel);
         hidden = still ? next : hidden;
@@ -44,21 +44,21 @@ float hiddenPixels(ScreenRay ray, vec2 from, vec2 step, float pixels, float stri
 }
 
 // Back towards the mirror from a point at which the ray is hidden.
-Entry entryBefore(ScreenRay ray, vec2 q, vec2 from, float mostPixels, float stride) {
+Entry entryBefore(ScreenRay ray, vec2 q, vec2 from, float mostPixels) {
     vec2 back = q - from;
     float way = farthest(back);
     vec2 step = back / max(way, 1e-6);
     float pixels = min(floor(way), mostPixels);
-    float hidden = hiddenPixels(ray, from, step, pixels, stride);
+    float hidden = hiddenPixels(ray, from, step, pixels);
     vec2 point = from + hidden * step;
     Guesses between = Guesses(ivec2(point + step), min(ivec2(point), region.zw - 1));
     return Entry(hidden < pixels ? between : noGuesses, point, rayDepthAt(ray, point));
 }
 
 // The last hidden point of a ray before it is seen again.
-vec2 exitAfter(ScreenRay ray, vec2 from, vec2 step, float mostPixels, float stride) {
+vec2 exitAfter(ScreenRay ray, vec2 from, vec2 step, float mostPixels) {
     vec2 left = (mix(vec2(0.0), vec2(region.zw), greaterThan(step, vec2(0.0))) - from) / step;
     left = mix(left, vec2(mostPixels), lessThan(abs(step), vec2(1e-3)));
     float pixels = clamp(floor(min(left.x, left.y)) - 1.0, 0.0, mostPixels);
-    return from + hiddenPixels(ray, from, step, pixels, stride) * step;
+    return from + hiddenPixels(ray, from, step, pixels) * step;
 }

@@ -1,11 +1,9 @@
 // What hangs over a mirror, a pier's deck for one, as the mirror shows it from below: the eye sees its top and its edge, and the
-// ray that meets its underside leaves by its hidden back. Needs hits.glsl, keys.glsl and
-// look_before.glsl.
+// ray that meets its underside leaves by its hidden back. Needs hits.glsl, keys.glsl and look_before.glsl.
 
 const float leastHeight = 3.0;   // of its edge above the mirror [pixels]: what floats hangs nowhere
 const float levelWithin = 0.15;  // of its thickness
 const float steepestTop = 0.2;   // its rise for each metre of the way between two pixels
-const float stride = 8.0;        // what shows between the rails of a fence ends what hides a ray
 
 // What left a key nearer than what shows here, nearer to the eye on the mirror: on the screen, it hides the ray before that
 // comes to what shows here.
@@ -80,14 +78,14 @@ Hit underRoof(vec2 q, ScreenRay ray, Hit shown) {
     Hit hit = noHit;
     // Loops of one round, since those that nobody enters are left out.
     for (bool hidden = roof != nowhere && first; hidden; hidden = false) {
-        Entry entry = entryBefore(ray, q, from, mostPixels, stride);
+        Entry entry = entryBefore(ray, q, from, mostPixels);
         vec4 edge = vec4(entry.hidden, depthAt(max(entry.between.other, ivec2(0))), 1.0);
         float height = heightOf(edge);
         float depth = depthAtHeight(q, height);
         bool above = entry.between != noGuesses && height > leastHeight * metresPerPixel(edge);
         bool before = !shown.valid || depthSign * (depth - shown.depth) > 0.0;
         for (bool hangs = above && before; hangs; hangs = false) {
-            vec2 end = exitAfter(ray, from, away, mostPixels, stride);
+            vec2 end = exitAfter(ray, from, away, mostPixels);
             vec2 on = levelPoint(from, end, away, height);
             hit = hitUnderTop(q, ray, height, depth, heightSeenAt(on));
             hit.valid = hit.valid && isLevel(on, away, height);
