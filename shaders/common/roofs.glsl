@@ -48,13 +48,21 @@ bool isLevel(vec2 point, vec2 away, float edgeHeight) {
     return rise < levelWithin * (top - edgeHeight) && rise < steepestTop * length(way);
 }
 
-// The first of the top that is tried, from where the ray is hidden on, or where that ends: posts may stand on it.
-vec2 levelPoint(vec2 from, vec2 end, vec2 away, float edgeHeight) {
-    vec2 point = from;
+// A level point of the top: the first that is tried from where the ray is hidden on, or where that ends, since posts may
+// stand on it.
+bool levelPoint(vec2 from, vec2 end, vec2 away, float edgeHeight, out vec2 point) {
     float most = farthest(end - from);
-    for (float pixels = 1.0; pixels <= most && !isLevel(point, away, edgeHeight); pixels = 2.0 * pixels + 1.0)
+    point = from;
+    bool level = isLevel(point, away, edgeHeight);
+    for (float pixels = 1.0; pixels <= most && !level; pixels = 2.0 * pixels + 1.0) {
         point = from + pixels * away;
-    return isLevel(point, away, edgeHeight) ? point : end;
+        level = isLevel(point, away, edgeHeight);
+    }
+    for (bool last = !level; last; last = false) {
+        point = end;
+        level = isLevel(point, away, edgeHeight);
+    }
+    return level;
 }
 
 // Where the ray is as high as the edge that it goes in under, it meets an underside, provided that straight above a level top
@@ -86,9 +94,10 @@ Hit underRoof(vec2 q, ScreenRay ray, Hit shown) {
         bool before = !shown.valid || depthSign * (depth - shown.depth) > 0.0;
         for (bool hangs = above && before; hangs; hangs = false) {
             vec2 end = exitAfter(ray, from, away, mostPixels);
-            vec2 on = levelPoint(from, end, away, height);
+            vec2 on;
+            bool level = levelPoint(from, end, away, height, on);
             hit = hitUnderTop(q, ray, height, depth, heightSeenAt(on));
-            hit.valid = hit.valid && isLevel(on, away, height);
+            hit.valid = hit.valid && level;
         }
     }
     return hit;
