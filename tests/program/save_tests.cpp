@@ -9,6 +9,7 @@
 #include "demos/scene/fields.h"
 #include "demos/scene/offset.h"
 #include "demos/scene/save.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/program/run.h"
 #include "tests/program/sample.h"
 
@@ -63,10 +64,9 @@ class Saved : public testing::Test {
 
 TEST_F(Saved, EverySceneReadsBackAsItWas) {
     size_t scenes = 0;
-    for (const fs::directory_entry& entry : fs::directory_iterator(SEAGLASS_SCENES)) {
-        if (entry.path().extension() != ".toml") continue;
-        SCOPED_TRACE(entry.path().filename());
-        const Scene scene = loaded(entry.path());
+    for (const std::filesystem::path& file : tests::demoScenes()) {
+        SCOPED_TRACE(file.filename());
+        const Scene scene = loaded(file);
         expectSame(scene, throughAFile(scene, folder_.path() / "out" / "saved.toml"));
         ++scenes;
     }

@@ -12,6 +12,7 @@
 #include "host/placement.h"
 #include "scene/scene.h"
 #include "tests/program/coplanar.h"
+#include "tests/program/demo_scenes.h"
 
 namespace {
 
@@ -97,11 +98,9 @@ std::map<std::pair<Source, Source>, std::vector<Overlap>> byMaterials(const std:
 
 TEST(SceneFaces, DoNotLieInEachOther) {
     size_t count = 0;
-    for (const std::filesystem::directory_entry& entry :
-         std::filesystem::directory_iterator(SEAGLASS_SCENES)) {
-        if (entry.path().extension() != ".toml") continue;
+    for (const std::filesystem::path& file : tests::demoScenes()) {
         demos::Error error;
-        const auto scene = demos::loadScene(entry.path(), {}, error);
+        const auto scene = demos::loadScene(file, {}, error);
         ASSERT_TRUE(scene) << error.text;
         Faces faces;
         for (const demos::MeshDesc& mesh : scene->meshes) add(mesh, faces);

@@ -11,6 +11,7 @@
 #include "demos/scene/offset.h"
 #include "demos/scene/scene.h"
 #include "demos/scene/water_plane.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/program/run.h"
 #include "tests/program/sample.h"
 
@@ -552,10 +553,9 @@ TEST_F(SceneFile, EveryNumberHoldsItsRange) {
 
 TEST(DemoScenes, Load) {
     size_t count = 0;
-    for (const fs::directory_entry& entry : fs::directory_iterator(SEAGLASS_SCENES)) {
-        if (entry.path().extension() != ".toml") continue;
+    for (const std::filesystem::path& file : tests::demoScenes()) {
         Error error;
-        EXPECT_TRUE(demos::loadScene(entry.path(), {}, error)) << error.text;
+        EXPECT_TRUE(demos::loadScene(file, {}, error)) << error.text;
         ++count;
     }
     EXPECT_GE(count, 2u);

@@ -7,16 +7,15 @@
 #include "host/waves.h"
 #include "program/lost_waves.h"
 #include "scene/scene.h"
+#include "tests/program/demo_scenes.h"
 
 namespace {
 
 TEST(DemoScenes, HoldTheWavesThatTheyAskFor) {
     size_t count = 0;
-    for (const std::filesystem::directory_entry& entry :
-         std::filesystem::directory_iterator(SEAGLASS_SCENES)) {
-        if (entry.path().extension() != ".toml") continue;
+    for (const std::filesystem::path& file : tests::demoScenes()) {
         demos::Error error;
-        const auto scene = demos::loadScene(entry.path(), {}, error);
+        const auto scene = demos::loadScene(file, {}, error);
         ASSERT_TRUE(scene) << error.text;
         if (!scene->water || !scene->water->waves) continue;
         demos::SceneSea asked;
@@ -26,8 +25,8 @@ TEST(DemoScenes, HoldTheWavesThatTheyAskFor) {
             seaglass::createSea(&asked.desc, &problem), seaglass::destroySea);
         ASSERT_TRUE(sea) << problem.text;
         const double share = seaglass::resolvedShare(*sea);
-        std::printf("%s: %.2f\n", entry.path().filename().c_str(), share);
-        EXPECT_GE(share, demos::leastResolvedInPictures) << entry.path();
+        std::printf("%s: %.2f\n", file.filename().c_str(), share);
+        EXPECT_GE(share, demos::leastResolvedInPictures) << file;
         ++count;
     }
     EXPECT_GE(count, 5u);
