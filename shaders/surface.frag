@@ -54,10 +54,10 @@ vec3 inWorld(vec3 direction) {
 #include "surface_mirror.glsl"
 #include "sun_glint.glsl"
 #include "water_light.glsl"
+#include "refraction.glsl"
 #if defined(REFRACTION) && defined(WAVES)
 #include "crest_light.glsl"
 #endif
-#include "refraction.glsl"
 #ifdef REFRACTION
 #include "underwater_light.glsl"
 #include "near_plane.glsl"

@@ -33,11 +33,11 @@ float shareBelow(float x, vec3 widths) {
 
 // Share of the surface that is white: what each cascade's breakers left (water/foam_history.h). `bend`, -1..1, moves
 // the place looked up by as much as hides that the history has samples.
-float foamCover(vec2 bend, float pixelWidth) {
+float foamCover(vec2 aside, vec2 bend, float pixelWidth) {
     float clear = 1.0;
     for (int i = 0; i < foamCascades; ++i) {
         float texels = cascade[i].w;
-        vec2 place = calmPosition + bend * min(0.7 / texels, 2.5);
+        vec2 place = calmPosition + aside + bend * min(0.7 / texels, 2.5);
         float mip = log2(max(pixelWidth * texels, 1.0));
         vec2 steps = textureLod(foamHistory, vec3(cascade[i].xy + place * cascade[i].z, i), mip).rg;
         float left = mix(steps.x, steps.y, foam.x);
@@ -80,28 +80,27 @@ vec4 foamPatternAt(FoamPart part, float tile, float mip) {
     return texel;
 }
 
+vec2 drawnOut(vec2 calm) {
+    vec2 streak = vec2(foamStreakU, foamStreakV);
+    return calm - streak * dot(streak, calm);
+}
+
 // Cover breaks up into rafts and lace where they can be seen, drawn out by the wind, and is a mean where they cannot:
 // white is a share `cover` of the surface either way.
-Foam foamHere() {
+//
+// One look, `aside` of the pixel's middle on the calm plane. It covers `pixelWidth` there, and `patternWidth` of the pattern [m].
+Foam foamAt(vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
     const vec3 weights = vec3(0.3, 0.4, 0.3);
     const vec3 tiles = foamTile / vec3(1.0, 5.0, 17.0);
     const float patternSamples = 256.0;
     const float patternMips = 8.0;   // beyond the finest
-    vec2 streak = vec2(foamStreakU, foamStreakV);
-    vec2 calm = calmPosition;
-#ifdef SHORE
-    calm -= shoreHere.advected;
-#endif
-    vec2 place = foam.zw + calm - streak * dot(streak, calm);
-    FoamPart part = foamPartOf(place);
-    float pixelWidth = calmPixelWidth();
     float pattern = 0.0;
     float variance = 1e-5;
     vec3 widths;
     vec2 slope = vec2(0.0);
     float bend[3];
     for (int i = 0; i < 3; ++i) {
-        float texels = max(pixelWidth * patternSamples / tiles[i], 1.0);
+        float texels = max(patternWidth * patternSamples / tiles[i], 1.0);
         float mip = log2(texels);
         vec4 texel = foamPatternAt(part, tiles[i], mip);
         // The last mip has no contrast, and a byte for it that is not quite the mean.
@@ -113,7 +112,7 @@ Foam foamHere() {
         slope += texel.zw;
         bend[i] = 2.0 * texel.y;
     }
-    float cover = foamCover(vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth);
+    float cover = foamCover(aside, vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth);
     // Mips that are looked at between their texels have longer ends than even distributions do.
     widths = max(widths, 0.15 * (widths.x + widths.y + widths.z) + 1e-3);
     // As its own distribution function the octaves' sum is even again, so that a share `cover` of it lies below `cover`.
@@ -123,6 +122,32 @@ Foam foamHere() {
     float rafts = smoothstep(-edge, edge, cover - even);
     float seen = clamp(variance / 0.003, 0.0, 1.0);
     return Foam(mix(cover, rafts, seen), slope, seen * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0));
+}
+
+// A pixel is long and narrow at a grazing angle, and is taken in as many parts as there are looks at its waves. A look is
+// as wide as such a part at its narrow side, or half its longer one: as wide as all of it, rafts blur into a veil.
+Foam foamHere() {
+    vec2 calm = calmPosition;
+#ifdef SHORE
+    calm -= shoreHere.advected;
+#endif
+    FoamPart here = foamPartOf(foam.zw + drawnOut(calm));
+    Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
+    vec2 part = pixel.longer / float(slopeLooks);
+    vec2 wide = part * clamp(length(pixel.shorter) / max(length(part), 1e-9), 0.5, 1.0);
+    float width = max(length(wide), length(pixel.shorter));
+    float patternWidth = max(length(drawnOut(wide)), length(drawnOut(pixel.shorter)));
+    Foam sum = Foam(0.0, vec2(0.0), 0.0);
+    for (int i = 0; i < slopeLooks; ++i) {
+        vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeLooks));
+        vec2 drawn = drawnOut(aside);
+        Foam look = foamAt(aside, FoamPart(here.here + drawn, here.beside + drawn, here.share), width, patternWidth);
+        sum.mask += look.mask;
+        sum.slope += look.slope;
+        sum.height += look.height;
+    }
+    float each = 1.0 / float(slopeLooks);
+    return Foam(each * sum.mask, each * sum.slope, each * sum.height);
 }
 
 // Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the

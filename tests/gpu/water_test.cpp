@@ -944,7 +944,6 @@ TEST_F(WaterFoam, CoversAsMuchFromAnyHeight) {
     }
 }
 
-// Between steps it glides: no picture differs from the one before by more than its share of a step.
 // The pattern repeats every 24 m, across the wind without a bend: from the air its rafts would stand in rows.
 TEST_F(WaterFoam, RaftsStandInNoRows) {
     SeaDesc desc = breeze();
@@ -988,6 +987,61 @@ TEST_F(WaterFoam, RaftsStandInNoRows) {
     EXPECT_LT(most, 0.2);
 }
 
+// From an aeroplane a pixel is twice as long as wide and as large as the rafts: they stay white on dark, not
+// a veil.
+TEST_F(WaterFoam, IsNoVeilFromTheAir) {
+    SeaDesc desc = breeze();
+    desc.windSpeed = 20;
+    desc.windDirection = 0;
+    desc.fetch = 500e3f;
+    const FoamDesc foam{.bias = 0.03f};
+    BodyDesc bodyDesc;
+    bodyDesc.waves = &desc;
+    bodyDesc.wavesBackend = fftwWaves();
+    bodyDesc.foam = &foam;
+    constexpr uint32_t width = 128, height = 72, finer = 4;
+    Camera camera = seaCamera();
+    camera.fovDegrees = 46;
+    camera.eye = {0, 400, 0};
+    for (const bool downwind : {false, true})
+        for (const uint32_t looks : {1u, 4u}) {
+            bodyDesc.shading.slopeLooks = looks;
+            Body* body = makeBody(bodyDesc);
+            camera.target = downwind ? glm::dvec3(600, 100, 0) : glm::dvec3(0, 100, 600);
+            camera.width = width;
+            camera.height = height;
+            const WaterPicture drawn = picture({body}, camera, 60, SurfaceOutput::foam);
+            camera.width *= finer;
+            camera.height *= finer;
+            const WaterPicture fine = picture({body}, camera, 60, SurfaceOutput::foam);
+            double drawnSum = 0, drawnSquares = 0, meanSum = 0, meanSquares = 0, count = 0;
+            for (size_t y = height / 2; y < height; ++y)
+                for (size_t x = 0; x < width; ++x) {
+                    double mean = 0;
+                    for (size_t i = 0; i < finer * finer; ++i)
+                        mean += double{fine.color[4 * ((finer * y + i / finer) * camera.width + finer * x +
+                                                       i % finer)]} /
+                                (finer * finer);
+                    const double white = double{drawn.color[4 * (y * width + x)]};
+                    drawnSum += white;
+                    drawnSquares += white * white;
+                    meanSum += mean;
+                    meanSquares += mean * mean;
+                    ++count;
+                }
+            const auto deviation = [&](double sum, double squares) {
+                return std::sqrt(squares / count - sum / count * (sum / count));
+            };
+            const double contrast = deviation(drawnSum, drawnSquares) / deviation(meanSum, meanSquares);
+            std::printf("%s, %u looks: %.3f white, %.3f of 16 samples; contrast %.3f of theirs\n",
+                        downwind ? "downwind" : "across the wind", looks, drawnSum / count, meanSum / count,
+                        contrast);
+            EXPECT_GT(contrast, 0.8);
+            EXPECT_LT(contrast, 1.4);
+        }
+}
+
+// Between steps it glides: no picture differs from the one before by more than its share of a step.
 TEST_F(WaterFoam, GlidesFromStepToStep) {
     Body* body = foamyBody();
     Camera camera = above();

@@ -51,7 +51,7 @@ enum class Fresnel : uint32_t { exact = 0, schlick };
 struct ShadingDesc {
     uint32_t mirrorLooks = 2;     ///< for what the slopes within a pixel mirror: 1, 2 or 4
     uint32_t refractionLooks = 6; ///< for where the bent ray ends, 1 (straight through) .. 16
-    uint32_t slopeLooks = 1;      ///< along a pixel's longer side, for waves and shadow: 1, 2 or 4
+    uint32_t slopeLooks = 1;      ///< along a pixel's longer side, at waves, foam, shadow: 1, 2 or 4
     uint32_t waveShadowSteps = 0; ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
     bool relief = false;          ///< shades waves too short for the mesh at their own height; not on a shore
     Fresnel fresnel = Fresnel::exact; ///< of what the eye sees; light for the bed enters by exact's share
