@@ -72,7 +72,7 @@ vec3 intoWater(SurfacePoint s, vec3 toEye) {
 
 // `behind` as the water before it leaves it, `path` metres of it. Where all around is of one radiance it stays so.
 vec3 throughCrest(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
-    const int points = 3;
+    const int points = clamp(refractionLooks / 2, 1, 3);
     float scattering = absorption.w;
     float bottom = position.y + plane.w + within.z;
     for (bool crest = lightsCrests && bottom > 0.0; crest; crest = false) {
