@@ -39,7 +39,9 @@ vec2 slopeOver(vec2 calm, float width) {
     vec2 sum = vec2(0.0);
     for (int i = 0; i < stored.cascades; ++i) {
         float mip = max(log2(width * cascade[i].w), 0.0);
-        if (mip < maxMip) sum += textureLod(waveDerivatives, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xy;
+        // Loops of one round, here and below: CPU devices leave them out where nobody is in them.
+        for (bool shows = mip < maxMip; shows; shows = false)
+            sum += textureLod(waveDerivatives, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xy;
     }
     return sum;
 }
@@ -83,6 +85,7 @@ void main() {
     vec3 sun = sunSeen * sunIrradiance.rgb * max(dot(normal, toSun.xyz), 0.0);
     vec3 share = sun / max(sun + skyIrradiance.rgb, 1e-6);
     vec3 beam = exp(-scattering() * depth);
+    vec3 weight = caustics.x * share * beam;
 
     // What is too narrow to be seen, what the sun's disc blurs, and what has crossed. An eye in the air looks through waves, by
     // which one pixel shows places some deviations of their slopes apart.
@@ -90,6 +93,9 @@ void main() {
     float crossed = exp2(caustics.y + caustics.z * log2(depth * turnsMore()));
     float bent = plane.w > 0.0 ? 4.0 * (1.0 - 1.0 / waterIndex) * roughness.w * depth : 0.0;
     float width = max(max(1.5 * pixelWidth(at) + bent, disc), crossed);
-    vec3 factor = 1.0 + caustics.x * share * beam * (gathered(at.xz, depth, max(width, 1e-3)) - 1.0);
+    vec3 factor = vec3(1.0);
+    const float leastSeen = 0.004;   // a step of eight bits, where light gathers to twice its mean
+    for (bool lit = any(greaterThan(weight, vec3(leastSeen))); lit; lit = false)
+        factor += weight * (gathered(at.xz, depth, max(width, 1e-3)) - 1.0);
     outColor = vec4(factor, dot(factor, vec3(1.0 / 3.0)));
 }
