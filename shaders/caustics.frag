@@ -76,7 +76,7 @@ void main() {
     if (depthSign * (seen - farDepth) <= 0.0 || !(depth > 0.0) || beside || isDry(at)) discard;
 
     // Of what lights the point, the sun's share: as its side faces it, which depth tells between pixels.
-    vec3 normal = across * (dot(across, at) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);
+    vec3 normal = across * (dot(across, sightTo(at)) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);
 #ifdef SUN_SHADOW
     // By where the ray came in: what stands in the water hides little of it.
     vec2 from = at.xz - depth * strays(vec2(0.0));

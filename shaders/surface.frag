@@ -144,7 +144,7 @@ void main() {
 #endif
     calmPosition = shownCalm();
     SurfacePoint s = surfacePoint();
-    vec3 toEye = -normalize(position);
+    vec3 toEye = -normalize(sightTo(position));
     vec3 normal = normalOf(s.slope);
     if (surfaceOutput != outputShaded) {
         outColor = debugOutput(s, normal, toEye);

@@ -47,7 +47,7 @@ void main() {
     MeshPatch patch_ = patches[gl_InstanceIndex];
     ivec2 grid = ivec2(gl_VertexIndex % (patchCells + 1), gl_VertexIndex / (patchCells + 1));
     vec2 calm = patch_.corner + vec2(grid) * patch_.cell;
-    float share = length(vec3(calm, plane.w)) / abs(patch_.range);
+    float share = (sight.w * length(vec3(calm, plane.w)) + within.w) / abs(patch_.range);
     float glide = clamp((share - glideBegins) / (glideEnds - glideBegins), 0.0, 1.0);
     calm -= vec2(grid & 1) * patch_.cell * glide;
     // Drawn out at its end, so that no corners of patches show against the sky.

@@ -23,8 +23,8 @@ void main() {
     loadSurface();
     vec3 start = onNearPlane();
     if (straddles && heightAboveSurface(start) > 0.0) discard;
-    vec3 view = normalize(start);
-    float depth = max(-plane.w, 0.0);
+    vec3 view = normalize(sightTo(start));
+    float depth = depthOfSight(start);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float seen = texelFetch(sceneDepth, pixel, 0).r;
     // To the surface, which is drawn over it, or without an end.
@@ -35,7 +35,7 @@ void main() {
     }
     vec4 q = relativeFromPixel * vec4(gl_FragCoord.xy - vec2(region.xy), seen, 1.0);
     vec3 at = q.xyz / q.w;
-    float path = max(length(at) - length(start), 0.0);
+    float path = max(distanceTo(at) - distanceTo(start), 0.0);
     vec4 color = texelFetch(sceneColor, pixel, 0);
     vec3 lit = litBelow(color.rgb, -(at.y + plane.w), gatheredIn(color));
     outColor = vec4(throughWater(lit, depth, view.y, path), 1.0);

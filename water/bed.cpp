@@ -59,9 +59,11 @@ double apparentRise(double incidence) {
     return std::sqrt(index * index - sine * sine) / std::cos(incidence);
 }
 
-/// Half as far below the horizon as the view's steepest ray, for far water shows little of its bed; 80
-/// degrees at most, for a level one comes from endlessly high.
+/// Of parallel lines of sight their own. Else half as far below the horizon as the view's steepest ray, for
+/// far water shows little of its bed. 80 degrees at most, for a level one comes from endlessly high.
 double typicalIncidence(const ViewGeometry& geometry) {
+    constexpr double most = glm::radians(80.0);
+    if (geometry.parallel) return std::min(std::acos(std::clamp(-geometry.sight.y, 0.0, 1.0)), most);
     double steepest = 0;
     for (int i = 0; i < 9; ++i) {
         const glm::dvec2 at = 0.5 * glm::dvec2(i % 3, i / 3) * glm::dvec2(geometry.regionSize);
@@ -69,7 +71,7 @@ double typicalIncidence(const ViewGeometry& geometry) {
         const glm::dvec3 ray = glm::normalize(glm::dvec3(p) / p.w);
         steepest = std::max(steepest, std::asin(std::clamp(-ray.y, -1.0, 1.0)));
     }
-    return std::min(glm::radians(90.0) - 0.5 * steepest, glm::radians(80.0));
+    return std::min(glm::radians(90.0) - 0.5 * steepest, most);
 }
 
 /// Raises the eye to `rise` times its height over `plane`, and squeezes what it sees towards the plane, whose

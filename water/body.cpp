@@ -29,16 +29,28 @@ const WavesBackend* chosenBackend(const gpu::Device& device, const BodyDesc& des
     return onCpu ? desc.wavesBackend : nullptr;
 }
 
-/// The farthest point of the near plane from the eye [m].
-double nearPlaneReach(const ViewGeometry& geometry) {
-    const double depth = geometry.reversedDepth ? 1 : 0;
+/// Where lines of sight begin, within `reach` metres of a place.
+struct SightStart {
+    glm::dvec3 middle{0};
     double reach = 0;
+};
+
+/// At the eye, as far as the corners of the near plane; of parallel lines on that plane, as far as those
+/// stand above its middle.
+SightStart sightStart(const ViewGeometry& geometry) {
+    const double depth = geometry.reversedDepth ? 1 : 0;
+    const auto onNearPlane = [&](double x, double y) {
+        const glm::dvec2 at = glm::dvec2(x, y) * glm::dvec2(geometry.regionSize);
+        const glm::dvec4 p = geometry.relativeFromPixel * glm::dvec4(at, depth, 1);
+        return glm::dvec3(p) / std::abs(p.w);
+    };
+    const glm::dvec3 middle = geometry.parallel ? onNearPlane(0.5, 0.5) : glm::dvec3(0);
+    SightStart start{geometry.eye + middle, 0};
     for (int i = 0; i < 4; ++i) {
-        const glm::dvec2 corner(i & 1 ? geometry.regionSize.x : 0, i & 2 ? geometry.regionSize.y : 0);
-        const glm::dvec4 p = geometry.relativeFromPixel * glm::dvec4(corner, depth, 1);
-        reach = std::max(reach, glm::length(glm::dvec3(p)) / std::abs(p.w));
+        const glm::dvec3 corner = onNearPlane(i & 1, i >> 1) - middle;
+        start.reach = std::max(start.reach, geometry.parallel ? std::abs(corner.y) : glm::length(corner));
     }
-    return reach;
+    return start;
 }
 
 /// Blocks that follow on each other in one buffer.
@@ -53,8 +65,8 @@ Status upload(Context& context, gpu::Resource& out, const Blocks&... blocks) {
     return Status::ok;
 }
 
-/// From one pixel to the next above it, amid the picture [rad].
-double pixelAngle(const ViewGeometry& geometry) {
+/// From one pixel to the next above it, amid the picture [rad]; of parallel lines of sight [m].
+double pixelStep(const ViewGeometry& geometry) {
     return 1 / glm::length(glm::dvec3(glm::row(geometry.pixelFromRelative, 1)));
 }
 
@@ -172,7 +184,7 @@ Status Body::simulate(VkCommandBuffer commands, double time) {
 Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
     if (scene.taken) return context->share(singleSamples);
     ViewGeometry geometry;
-    if (const char* bad = readView(frame.fromWorld(scene.given), geometry))
+    if (const char* bad = readTurned(frame.fromWorld(scene.given), true, geometry))
         return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
     if (!mayShow(geometry)) return Status::ok;
     const ReflectionDesc desc;
@@ -196,7 +208,7 @@ Status Body::bedView(const ViewDesc& view, PlanarView& out) {
     const gpu::Device& device = context->device;
     if (!bed) return device.fail(Status::invalidArgument, "bedView: the body has no BodyDesc.bed");
     ViewGeometry geometry;
-    if (const char* bad = readCamera(frame.fromWorld(view), geometry))
+    if (const char* bad = readTurned(frame.fromWorld(view), false, geometry))
         return device.fail(Status::invalidArgument, "bedView: %s", bad);
     out = {};
     out.visible = sidesSeen(geometry) != SidesSeen::below && mayShow(geometry);
@@ -282,7 +294,9 @@ MeshView Body::meshView(const ViewGeometry& geometry) const {
     view.eyeHeight = heightOf(geometry.eye);
     view.displacement = displacement();
     view.waves = &detail;
-    view.pixel = pixelAngle(geometry);
+    view.pixel = pixelStep(geometry);
+    view.parallel = parallelLines(geometry, view.eyeHeight, view.displacement);
+    if (view.parallel) view.pixel /= view.parallel->distance;
     // Patches are tested around the eye's foot on the calm plane.
     glm::dmat4 relativeFromFoot(1);
     relativeFromFoot[3].y = -view.eyeHeight;
@@ -323,16 +337,19 @@ Status Body::placeHostMesh(const MeshView& view, SurfaceInputs& inputs) {
     return Status::ok;
 }
 
+const char* Body::readTurned(const ViewDesc& turned, bool seesScene, ViewGeometry& out) const {
+    if (const char* bad = seesScene ? readView(turned, out) : readCamera(turned, out)) return bad;
+    placeEye(out, -plane.w);
+    return nullptr;
+}
+
 Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
                          ViewDesc& read) {
     const gpu::Device& device = context->device;
     const ViewDesc turned = frame.fromWorld(view);
-    if (const char* bad = refraction ? readView(turned, out) : readCamera(turned, out))
+    if (const char* bad = readTurned(turned, refraction.has_value(), out))
         return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
-    if (out.parallel)
-        return device.fail(Status::unsupported,
-                           "draw: ViewDesc.projection is orthographic, water is seen from an eye");
     if (waves && !simulated)
         return device.misused("draw: the body has waves but simulate() was never called");
     recorded.drawn = context->frameNumber;
@@ -348,12 +365,13 @@ Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, Vie
 
 SidesSeen Body::sidesSeen(const ViewGeometry& geometry) const {
     if (!underwater) return SidesSeen::above;
-    if (outline && !outline->contains({geometry.eye.x, geometry.eye.z})) return SidesSeen::above;
-    if (isDry(dryRooms, geometry.eye)) return SidesSeen::above;
-    const double eyeHeight = heightOf(geometry.eye);
-    const double reach = displacement() + nearPlaneReach(geometry);
-    if (eyeHeight > reach) return SidesSeen::above;
-    return eyeHeight < -reach ? SidesSeen::below : SidesSeen::either;
+    const SightStart start = sightStart(geometry);
+    if (outline && !outline->contains({start.middle.x, start.middle.z})) return SidesSeen::above;
+    if (isDry(dryRooms, start.middle)) return SidesSeen::above;
+    const double height = heightOf(start.middle);
+    const double reach = displacement() + start.reach;
+    if (height > reach) return SidesSeen::above;
+    return height < -reach ? SidesSeen::below : SidesSeen::either;
 }
 
 Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const ViewDesc& view,
@@ -424,6 +442,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     SurfaceInputs inputs;
     MeshView asMeshed = meshView(geometry);
     asMeshed.farthestFirst = !target.desc.depthWrite;
+    if (asMeshed.parallel) uniforms.within.w = static_cast<float>(asMeshed.parallel->distance);
     if (const Status s = place(asMeshed, inputs); s != Status::ok) return s;
     if (inputs.instanceCount == 0) return Status::ok;
 

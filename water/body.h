@@ -106,6 +106,8 @@ struct Body : Held {
     }
 
   private:
+    /// Of a view in the body's axes. Null, or what is wrong with it.
+    const char* readTurned(const ViewDesc& turned, bool seesScene, ViewGeometry& out) const;
     /// `read`: the view with a scene that shaders sample.
     Status readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out, ViewDesc& read);
     /// Where refraction sees a multisampled scene, which draw() cannot make single-sampled inside a pass.

@@ -27,8 +27,15 @@ struct Lattice {
     double range(int level) const { return cell(level) * rangeInCells; }
 
     double distanceTo(int level, const glm::dvec2& corner) const {
+        if (view.parallel) return view.parallel->distance;
         const glm::dvec2 nearest = glm::clamp(glm::dvec2(0), corner, corner + edge(level));
         return glm::length(glm::dvec3(nearest, view.eyeHeight));
+    }
+
+    /// Of what the waves may have moved nearer.
+    double leastDistanceTo(int level, const glm::dvec2& corner) const {
+        const double moved = view.parallel ? 0 : 2 * view.displacement;
+        return std::max(distanceTo(level, corner) - moved, 0.0);
     }
 
     bool isDivided(int level, const glm::dvec2& corner) const {
@@ -39,8 +46,7 @@ struct Lattice {
     /// the waves: so that what they have there is not.
     uint32_t cellsFor(int level, const glm::dvec2& corner, bool held = false) const {
         if (!view.waves) return patchCells;
-        const double nearest = std::max(distanceTo(level, corner) - 2 * view.displacement, 0.0);
-        const double unseen = view.pixel * nearest / 3;
+        const double unseen = view.pixel * leastDistanceTo(level, corner) / 3;
         if (held && view.displacement > unseen) return patchCells;
         uint32_t cells = fewestCells;
         while (cells < patchCells && view.waves->lostBetween(edge(level) / cells) > unseen) cells *= 2;
@@ -76,9 +82,11 @@ struct Lattice {
     }
 };
 
-float distanceTo(const MeshPatch& patch) {
+double distanceTo(const MeshView& view, const MeshPatch& patch) {
     const float half = 0.5f * patch.cell * patchCells;
-    return std::hypot(patch.corner[0] + half, patch.corner[1] + half);
+    const glm::vec2 middle(patch.corner[0] + half, patch.corner[1] + half);
+    if (view.parallel) return glm::dot(view.parallel->along, glm::dvec2(middle));
+    return double{std::hypot(middle.x, middle.y)};
 }
 
 void widenCells(MeshPatch& patch, uint32_t cells) {
@@ -86,7 +94,7 @@ void widenCells(MeshPatch& patch, uint32_t cells) {
 }
 
 bool drawnBefore(const MeshView& view, const MeshPatch& a, const MeshPatch& b) {
-    return view.farthestFirst ? distanceTo(a) > distanceTo(b) : a.cell < b.cell;
+    return view.farthestFirst ? distanceTo(view, a) > distanceTo(view, b) : a.cell < b.cell;
 }
 
 class Selection {
@@ -94,13 +102,7 @@ class Selection {
     Selection(const Lattice& lattice, std::vector<MeshPatch>& out) : lattice_(lattice), out_(out) {}
 
     uint32_t run() {
-        const int coarsest = lattice_.coarsest(horizonDistance(lattice_.view.eyeHeight));
-        const double reach = lattice_.range(coarsest);
-        lattice_.forEach(coarsest, glm::dvec2(-reach), glm::dvec2(reach), [&](const glm::dvec2& corner) {
-            if (lattice_.distanceTo(coarsest, corner) <= reach) visit(coarsest, corner);
-        });
-        for (MeshPatch& patch : out_)
-            if (patch.range > 0.99 * reach) patch.range = -patch.range;
+        lattice_.view.parallel ? selectSeen(*lattice_.view.parallel) : selectToHorizon();
         std::stable_sort(out_.begin(), out_.end(), [&](const MeshPatch& a, const MeshPatch& b) {
             return drawnBefore(lattice_.view, a, b);
         });
@@ -109,6 +111,24 @@ class Selection {
     }
 
   private:
+    void selectToHorizon() {
+        const int coarsest = lattice_.coarsest(horizonDistance(lattice_.view.eyeHeight));
+        const double reach = lattice_.range(coarsest);
+        lattice_.forEach(coarsest, glm::dvec2(-reach), glm::dvec2(reach), [&](const glm::dvec2& corner) {
+            if (lattice_.distanceTo(coarsest, corner) <= reach) visit(coarsest, corner);
+        });
+        for (MeshPatch& patch : out_)
+            if (patch.range > 0.99 * reach) patch.range = -patch.range;
+    }
+
+    void selectSeen(const ParallelLines& lines) {
+        const double d = lattice_.view.displacement;
+        const double across = glm::length(lines.seen.high - lines.seen.low);
+        const int coarsest = lattice_.coarsest(std::max(lines.distance, across));
+        lattice_.forEach(coarsest, lines.seen.low - d, lines.seen.high + d,
+                         [&](const glm::dvec2& corner) { visit(coarsest, corner); });
+    }
+
     void visit(int level, const glm::dvec2& corner) {
         const double d = lattice_.view.displacement;
         if (!inSight(lattice_.view, {corner - d, corner + lattice_.edge(level) + d})) return;
@@ -135,7 +155,9 @@ class OutlinedSelection {
 
     uint32_t run() {
         const glm::dvec2 farthest = glm::max(glm::abs(box_.low), glm::abs(box_.high));
-        const int coarsest = lattice_.coarsest(glm::length(glm::dvec3(farthest, lattice_.view.eyeHeight)));
+        double reach = glm::length(glm::dvec3(farthest, lattice_.view.eyeHeight));
+        if (lattice_.view.parallel) reach = std::max(reach, lattice_.view.parallel->distance);
+        const int coarsest = lattice_.coarsest(reach);
         std::vector<OutlineEdge> edges;
         for (const auto& [from, to] : outline_.edges)
             edges.push_back({from - lattice_.view.eye, to - lattice_.view.eye});
@@ -197,11 +219,18 @@ class OutlinedSelection {
 
 } // namespace
 
-std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDepth) {
+std::array<glm::dvec4, 6> frustumPlanes(const glm::dmat4& clip, bool reversedDepth) {
     const glm::dmat4 rows = glm::transpose(clip);
-    // Only the near plane bounds depth: the sea goes on to an infinite far plane.
-    return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1],
-            reversedDepth ? rows[3] - rows[2] : rows[2]};
+    const glm::dvec4 deep = rows[2], shallow = rows[3] - rows[2];
+    // Seen from an eye the sea goes on to an infinite far plane.
+    const bool parallel = glm::dvec3(rows[3]) == glm::dvec3(0);
+    const glm::dvec4 far = reversedDepth ? deep : shallow;
+    return {rows[3] + rows[0],
+            rows[3] - rows[0],
+            rows[3] + rows[1],
+            rows[3] - rows[1],
+            reversedDepth ? shallow : deep,
+            parallel ? far : glm::dvec4(0, 0, 0, 1)};
 }
 
 bool inSight(const MeshView& view, const OutlineBox& box) {

@@ -1,10 +1,12 @@
 // The surface's mesh: a quadtree of equal grid patches around the eye (Strugar 2009, "Continuous
 // Distance-Dependent Level of Detail"). Patches lie on a lattice fixed in the plane, so nothing swims;
 // vertices glide onto the next coarser lattice before it takes over, so nothing pops and no crack opens.
+// Seen by parallel lines of sight all patches are of one level, and glide as the view widens.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -12,6 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "water/extent.h"
+#include "water/parallel_view.h"
 #include "water/wave_detail.h"
 
 namespace seaglass {
@@ -42,16 +45,17 @@ struct OutlinedPatches {
 struct MeshView {
     glm::dvec2 eye{0};    ///< (u, v) [m]
     double eyeHeight = 0; ///< above the calm surface [m]
-    std::array<glm::dvec4, 5>
+    std::array<glm::dvec4, 6>
         frustum{};           ///< planes facing inwards over (u, height, v) relative to the eye's foot
     double displacement = 0; ///< the most that waves move a vertex in any axis [m]
     bool farthestFirst = false;
     const WaveDetail* waves = nullptr; ///< null: patches have all their cells
-    double pixel = 0;                  ///< from one pixel to the next [rad]
+    double pixel = 0;                  ///< from one pixel to the next [rad], as far away as `parallel` says
+    std::optional<ParallelLines> parallel; ///< none: lines of sight come from the eye
 };
 
-/// Inward planes (left, right, bottom, top, near) of a clip matrix over its input space.
-std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDepth);
+/// Inward planes (left, right, bottom, top, near, far) of a clip matrix over its input space.
+std::array<glm::dvec4, 6> frustumPlanes(const glm::dmat4& clip, bool reversedDepth);
 
 /// Whether a view may see something of what lies in a box relative to its eye.
 bool inSight(const MeshView& view, const OutlineBox& box);

@@ -85,6 +85,7 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
     u.pixelFromRelative = glm::mat4(geometry.pixelFromRelative);
     u.relativeFromPixel = glm::mat4(relativeFromScenePixel(geometry));
     u.plane = glm::vec4(glm::vec3(body.plane), body.heightOf(geometry.eye));
+    if (geometry.parallel) u.sight = glm::vec4(glm::vec3(geometry.sight), 0);
     u.toSun = glm::vec4(glm::vec3(body.toSun(lighting)), 0);
     u.worldFromBody = glm::mat3x4(body.frame.worldFromBody);
     u.sunIrradiance = color(lighting.sunIrradiance);

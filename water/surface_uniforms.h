@@ -26,6 +26,7 @@ struct SurfaceUniforms {
                                          ///< points relative to this frame's eye
     glm::vec4 cascade[maxCascades] = {}; ///< eye's (u, v) in the tile, in tiles; 1 / patch; 1 / texel [1/m]
     glm::vec4 plane{0, 1, 0, 0};         ///< up, and the eye's height [m]
+    glm::vec4 sight{0, 0, 0, 1};         ///< direction of parallel lines of sight, and 0; else 0, and 1
     glm::vec4 toSun{0};
     glm::vec4 sunIrradiance{0};
     glm::vec4 skyIrradiance{0};
@@ -49,7 +50,8 @@ struct SurfaceUniforms {
     float padding = 0;
     glm::vec4 reflectionLook{
         0};                  ///< clear distance [m], scatter, distance at which the sky has taken over [m]
-    glm::vec4 within{0};     ///< edge of the finest cells, half the meniscus, deviation of heights [m]
+    glm::vec4 within{0};     ///< edge of the finest cells, half the meniscus, deviation of heights, distance
+                             ///< of ParallelLines [m]
     glm::vec2 sceneShift{0}; ///< ViewGeometry's [pixel]
     float shiftPadding[2] = {};
     glm::vec4 extent{0}; ///< (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges

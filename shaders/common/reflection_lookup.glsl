@@ -11,6 +11,7 @@
 #include "reflection_texels.glsl"
 
 const float farAway = 1e5;
+const float endlesslyFar = 1e9;   // the eye of parallel lines of sight [m]
 
 vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
     vec3 p = from + direction * t;
@@ -52,16 +53,17 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
 #endif
 }
 
-vec3 rayThrough(vec2 pixel) {
+Ray rayThrough(vec2 pixel) {
     vec4 p = relativeFromPixel * vec4(pixel, 0.5, 1.0);
-    return normalize(p.xyz / p.w);
+    vec3 at = p.xyz / p.w;
+    return Ray((1.0 - sight.w) * at, normalize(sightTo(at)));
 }
 
 #ifdef SHORE
 // What runs up the sand stands above the plane that the image mirrors about, which there lies in the sand: the image shows
 // sand, which no ray from above it meets. Share of what else there is.
 float shareAboveSand(vec3 from, BentPoint point) {
-    vec3 ray = rayThrough(point.pixel);
+    Ray ray = rayThrough(point.pixel);
     vec3 met = mirroredPoint(ray, ray, point.distance, plane.xyz, plane.w);
     vec2 along = met.xz - from.xz;
     float sand = -plane.w - shoreHere.depth + dot(shoreHere.bedSlope, along);
@@ -78,7 +80,7 @@ float shareAhead(vec3 from, vec3 direction, vec2 pixel, float mip) {
     for (int i = 0; i < 4; ++i) {
         vec2 tap = pixel + taps[i] * exp2(mip) * reflectionScale;
         float info = infoAt(tap);
-        vec3 ray = rayThrough(tap);
+        Ray ray = rayThrough(tap);
         vec3 met = mirroredPoint(ray, ray, info, plane.xyz, plane.w);
         if (infoIsHit(info)) counted += vec2(dot(met.xz - from.xz, direction.xz) > 0.0 ? 1.0 : 0.0, 1.0);
     }
@@ -100,7 +102,7 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
     // A quarter: mips blur alike in all directions, but at grazing angles slopes turn the mirrored ray mostly up and down,
     // and a mast must stay a line.
     float width = bundleWidth(0.25 * spread * reflectionDistortion, point.distance, reflectionLook);
-    float toEye = length(from);
+    float toEye = length(from) + (1.0 - sight.w) * endlesslyFar;
     float mip = bundleMip(width, toEye, point.distance, toEye / (pixelWidth(from) * reflectionScale));
     vec4 texel = reflectionTexel(point.pixel / reflectionScale, mip, reflectionScale);
 #ifdef WAVES
@@ -116,7 +118,7 @@ vec4 reflectionSource(vec3 from, vec3 direction) {
     vec2 pixel = bentPoint(from, direction, hitHere(), 2).pixel;
     float info = infoAt(pixel);
     if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
-    vec3 throughTexel = rayThrough((floor(pixel / reflectionScale) + 0.5) * reflectionScale);
+    Ray throughTexel = rayThrough((floor(pixel / reflectionScale) + 0.5) * reflectionScale);
     vec3 source = mirroredPoint(rayThrough(pixel), throughTexel, info, plane.xyz, plane.w);
     vec4 seen = pixelOf(source);
     return seen.w > 0.0 ? vec4(seen.xy, info, 2.0) : vec4(-1.0, -1.0, info, 2.0);

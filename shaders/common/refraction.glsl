@@ -104,10 +104,12 @@ float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
     return clamp(depth / max(1.0 + dot(slope, perDepth.xz), 0.2), 0.0, 1.5 * (position.y - last.seen.y));
 }
 
-// How much nearer the ray is than the scene behind it, in inverse distances, which both are affine on the screen.
-float nearerBy(float rayDistance, Behind b) {
+// How much nearer the ray, which is `at` that pixel, is than the scene behind it: in what is affine on the screen of both,
+// inverse distances from an eye, and distances along parallel lines of sight.
+float nearerBy(vec4 pixel, vec3 at, Behind b) {
     float scene = bedPixelOf(vec4(b.seen, 1.0)).w;
-    return 1.0 / rayDistance - (b.nothing ? 0.0 : 1.0 / scene);
+    float endless = (sight.w - 1.0) * 1e4;
+    return 1.0 / pixel.w - dot(at, sight.xyz) - (b.nothing ? endless : 1.0 / scene - dot(b.seen, sight.xyz));
 }
 
 // What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
@@ -130,7 +132,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     float steepness = max(-bent.y, shallowest);
     vec4 perDepth = bedPixelOf(vec4(bent / steepness, 0.0));
     float leaves = untilBorder(from, perDepth);
-    vec2 above = vec2(0.0, nearerBy(from.w, found));   // a way on the screen, and how much nearer the ray is there
+    vec2 above = vec2(0.0, nearerBy(from, position, found));   // a way on the screen, and how much nearer the ray is there
     vec2 under = vec2(0.0);                            // likewise, where it is not; none while its second is 0
     bool passedOver = found.nothing;
     float drop = max(position.y - found.seen.y, 0.0);
@@ -157,7 +159,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
             found = b;
             drop = sought;
         }
-        vec2 reached = vec2(sought / target.w, nearerBy(target.w, b));
+        vec2 reached = vec2(sought / target.w, nearerBy(target, position + bent / steepness * sought, b));
         vec2 before = above;
         if (deeper > 0.0) {
             above = reached;

@@ -12,8 +12,9 @@ vec2 shownCalm() {
         float higher = waveDisplacementAt(waveDisplacement, meshCalm, width, vec4(1.0)).y - plane.w - position.y;
         vec3 across = cross(dFdx(position), dFdy(position));   // of the drawn triangle, up or down
         vec2 slope = -across.xz / (abs(across.y) > 1e-12 ? across.y : 1e-12);
-        float rises = abs(position.y - dot(slope, position.xz));   // of the line of sight over the triangle, to the eye
-        return meshCalm - position.xz * (higher / max(rises, 0.02 * length(position.xz)));
+        vec3 along = sightTo(position);
+        float rises = abs(along.y - dot(slope, along.xz));   // of the line of sight over the triangle, to the eye
+        return meshCalm - along.xz * (higher / max(rises, 0.02 * length(along.xz)));
     }
 #endif
     return meshCalm;

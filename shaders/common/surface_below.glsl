@@ -5,16 +5,21 @@ const float endlessPath = 1e6;   // [m]
 
 bool seenFromBelow() {
     vec3 across = cross(dFdx(position), dFdy(position));   // of the drawn triangle, up or down
-    return across.y * dot(across, position) > 0.0;
+    return across.y * dot(across, sightTo(position)) > 0.0;
 }
 
 vec3 keptBelow(vec3 direction) {
     return normalize(vec3(direction.x, min(-abs(direction.y), -1e-3), direction.z));
 }
 
+// Greater where a point lies farther away.
+float farnessOf(vec3 at) {
+    return sight.w * dot(at, at) + dot(at, sight.xyz);
+}
+
 // Whether what the scene shows stands above the water and before `at`.
 bool hides(Behind b, vec3 at) {
-    return !b.nothing && b.seen.y + plane.w > 0.0 && dot(b.seen, b.seen) < dot(at, at);
+    return !b.nothing && b.seen.y + plane.w > 0.0 && farnessOf(b.seen) < farnessOf(at);
 }
 
 // What stands above the water where the ray `along`, in air, meets it in the picture: a walk over the pixels that it is
@@ -24,12 +29,13 @@ vec4 sceneAbove(vec3 along) {
     const int halvings = 4;
     vec4 start = pixelFromRelative * vec4(position, 1.0);
     vec4 perMetre = pixelFromRelative * vec4(along, 0.0);
-    if (perMetre.w <= 0.0) return vec4(0.0);   // towards the eye's back
+    if (perMetre.w <= 0.0 && sight.w > 0.0) return vec4(0.0);   // towards the eye's back
+    float leaves = perMetre.w > 0.0 ? 0.0 : untilBorder(start, perMetre);   // of parallel lines, which vanish nowhere
     float reached = 0.0;
     for (int i = 1; i < steps; ++i) {
         float share = float(i) / float(steps);
         float near = reached;
-        float far = share * start.w / ((1.0 - share) * perMetre.w);
+        float far = perMetre.w > 0.0 ? share * start.w / ((1.0 - share) * perMetre.w) : share * leaves;
         reached = far;
         vec4 p = start + far * perMetre;
         if (any(lessThan(p.xy, vec2(0.0))) || any(greaterThanEqual(p.xy, vec2(region.zw) * p.w))) break;
@@ -130,7 +136,7 @@ vec3 mirroredBelow(SurfacePoint s, vec3 view) {
 }
 
 vec3 shadedBelow(SurfacePoint s, float foamShare) {
-    vec3 view = normalize(position);
+    vec3 view = normalize(sightTo(position));
     float reflectance;
     vec3 radiance = throughWindow(s, view, reflectance);
     radiance += reflectance * mirroredBelow(s, view) + sunThrough(s, -view);
@@ -138,6 +144,6 @@ vec3 shadedBelow(SurfacePoint s, float foamShare) {
     // Foam passes on, spread evenly, what it does not send back.
     radiance = mix(radiance, lightEntering() * (1.0 - foam.y) / pi, foamShare);
 #endif
-    return throughWater(radiance, max(-plane.w, 0.0), view.y,
-                        max(length(position) - length(onNearPlane()), 0.0));
+    vec3 start = onNearPlane();
+    return throughWater(radiance, depthOfSight(start), view.y, max(distanceTo(position) - distanceTo(start), 0.0));
 }

@@ -7,6 +7,7 @@ mat4 pixelFromRelative;
 mat4 relativeFromPixel;   // of the scene's pixels
 vec4 cascade[4];   // eye's (u, v) in the tile, in tiles; 1 / patch; 1 / texel
 vec4 plane;   // up, and the eye's height
+vec4 sight;   // where lines of sight are parallel their direction, and 0; else 0, and 1: they come from the eye
 vec4 toSun;
 vec4 sunIrradiance;
 vec4 skyIrradiance;
@@ -25,7 +26,7 @@ float reflectionScale;   // pixels of the region to one of the reflection
 float foamStreakU;   // wind's direction, times sqrt(1 - 1/stretch) of the pattern
 float foamStreakV;
 vec3 reflectionLook;   // clear distance, scatter, distance of the sky: reflection_blur.glsl
-vec4 within;   // edge of the finest cells, half the meniscus, deviation of the waves' height: metres
+vec4 within;   // metres: edge of the finest cells, half the meniscus, deviation of the waves' height; water/parallel_view.h: distance
 vec2 sceneShift;   // to the scene's pixel that shows a point, whose sample may lie off its middle
 vec4 extent;   // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves
 vec4 caustics;   // strength; water/caustics.h: log2Scale, exponent
@@ -48,6 +49,7 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     mat4 relativeFromPixel;
     vec4 cascade[4];
     vec4 plane;
+    vec4 sight;
     vec4 toSun;
     vec4 sunIrradiance;
     vec4 skyIrradiance;
@@ -95,6 +97,7 @@ void loadSurface() {
     relativeFromPixel = stored.relativeFromPixel;
     cascade = stored.cascade;
     plane = stored.plane;
+    sight = stored.sight;
     toSun = stored.toSun;
     sunIrradiance = stored.sunIrradiance;
     skyIrradiance = stored.skyIrradiance;
@@ -125,6 +128,16 @@ void loadSurface() {
     bedFromRelative = stored.bedFromRelative;
     relativeFromBed = stored.relativeFromBed;
     bedSize = stored.bedSize;
+}
+
+// To a point along the line of sight on which it lies, of any length.
+vec3 sightTo(vec3 at) {
+    return at * sight.w + sight.xyz;
+}
+
+// How far away a point lies; of parallel lines, beyond the eye's own place on them.
+float distanceTo(vec3 at) {
+    return length(at * sight.w) + dot(at, sight.xyz);
 }
 
 // (x, y, depth) of a point in the region's pixels; w <= 0 behind the camera.

@@ -54,7 +54,12 @@ class Motion : public WaterTest {
     BodyDesc desc_;
 };
 
-TEST_F(Motion, OfStillWaterIsTheCameras) {
+/// By the camera's own, and by parallel lines of sight.
+class StillMotion : public Motion, public testing::WithParamInterface<double> {};
+
+TEST_P(StillMotion, IsTheCameras) {
+    camera_.parallelHeight = GetParam();
+    camera_.far = GetParam() > 0 ? 100 : 0;
     Body* const body = makeBody(desc_);
     const WaterPicture first = motion(body, camera_, 0);
     forEachNear(first, camera_, [](const glm::dvec2&, const glm::dvec3&, const glm::dvec2& moved) {
@@ -68,6 +73,9 @@ TEST_F(Motion, OfStillWaterIsTheCameras) {
         EXPECT_NEAR(glm::length(pixel - pixelOf(camera_, world) - moved), 0, 0.02);
     });
 }
+INSTANTIATE_TEST_SUITE_P(, StillMotion, testing::Values(0.0, 8.0), [](const auto& test) {
+    return std::string(test.param > 0 ? "ByParallelLines" : "ByPerspective");
+});
 
 TEST_F(Motion, OfWavesIsTheirWaters) {
     sea_.cascades = 1; // longer than the mesh's cells

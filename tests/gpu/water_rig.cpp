@@ -83,6 +83,11 @@ void WaterTest::useSamples(VkSampleCountFlagBits samples) {
     makeTarget();
 }
 
+void WaterTest::useDepth(bool reversed) {
+    reversedDepth_ = reversed;
+    makeTarget();
+}
+
 void WaterTest::leaveDepth() {
     depthWrite_ = false;
     makeTarget();
@@ -95,6 +100,7 @@ void WaterTest::makeTarget() {
     desc.depthFormat = depthFormat;
     desc.samples = samples_;
     desc.depthWrite = depthWrite_;
+    desc.reversedDepth = reversedDepth_;
     ASSERT_EQ(seaglass::createTarget(context(), &desc, &target_), seaglass::Status::ok) << message();
 }
 
@@ -194,17 +200,29 @@ glm::dvec3 worldAt(const Camera& camera, const WaterPicture& picture, uint32_t x
 }
 
 glm::dvec3 rayThrough(const Camera& camera, uint32_t x, uint32_t y) {
-    return glm::normalize(unproject(camera, x + 0.5, y + 0.5, 0.5) - camera.eye);
+    return lineThrough(camera, x, y).along;
+}
+
+Line lineThrough(const Camera& camera, uint32_t x, uint32_t y) {
+    const glm::dvec3 inside = unproject(camera, x + 0.5, y + 0.5, 0.5);
+    if (camera.parallelHeight == 0) return {camera.eye, glm::normalize(inside - camera.eye)};
+    const glm::dvec3 from = unproject(camera, x + 0.5, y + 0.5, camera.reversed ? 1 : 0);
+    return {from, glm::normalize(inside - from)};
+}
+
+float depthOf(const Camera& camera, const glm::dvec3& world) {
+    const glm::dvec4 p = projectionMatrix(camera) * viewMatrix(camera) * glm::dvec4(world, 1);
+    return static_cast<float>(p.z / p.w);
 }
 
 SceneBehind planeBelow(const Camera& camera, double bed, float radiance) {
     SceneBehind behind;
-    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
     for (uint32_t y = 0; y < camera.height; ++y)
         for (uint32_t x = 0; x < camera.width; ++x) {
-            const glm::dvec3 ray = rayThrough(camera, x, y);
-            const double along = (bed - camera.eye.y) / ray.y * glm::dot(ray, forward);
-            behind.depth.push_back(static_cast<float>(ray.y < 0 ? camera.near / along : 0));
+            const auto [from, along] = lineThrough(camera, x, y);
+            const glm::dvec3 met = from + along * ((bed - from.y) / along.y);
+            const float far = camera.reversed ? 0 : 1;
+            behind.depth.push_back(along.y < 0 ? depthOf(camera, met) : far);
             behind.color.insert(behind.color.end(), {radiance, radiance, radiance, 1});
         }
     return behind;

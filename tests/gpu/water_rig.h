@@ -32,6 +32,8 @@ class WaterTest : public GpuTest {
 
     /// What is drawn into from here on, and resolved; 1 before.
     void useSamples(VkSampleCountFlagBits samples);
+    /// Which way the target's depth runs from here on; reversed before.
+    void useDepth(bool reversed);
     /// From here on, water leaves the depth alone.
     void leaveDepth();
     seaglass::Body* makeBody(const seaglass::BodyDesc& desc);
@@ -55,13 +57,21 @@ class WaterTest : public GpuTest {
     void makeTarget();
 
     seaglass::Target* target_ = nullptr;
-    bool depthWrite_ = true;
+    bool depthWrite_ = true, reversedDepth_ = true;
     VkSampleCountFlagBits samples_ = VK_SAMPLE_COUNT_1_BIT;
     std::vector<seaglass::Body*> bodies_;
 };
 
 /// The pixel's point on the surface, in the world.
 glm::dvec3 worldAt(const Camera& camera, const WaterPicture& picture, uint32_t x, uint32_t y);
+
+/// A pixel's line of sight: from the eye, or from the near plane where they are parallel. `along` is unit.
+struct Line {
+    glm::dvec3 from{0}, along{0};
+};
+Line lineThrough(const Camera& camera, uint32_t x, uint32_t y);
+/// As its pixel's depth holds a point of the world.
+float depthOf(const Camera& camera, const glm::dvec3& world);
 
 /// The direction of a pixel's ray, unit.
 glm::dvec3 rayThrough(const Camera& camera, uint32_t x, uint32_t y);

@@ -1276,13 +1276,6 @@ class WaterRefuses : public Water {
     }
 };
 
-TEST_F(WaterRefuses, ParallelLinesOfSight) {
-    Camera camera = seaCamera();
-    camera.parallelHeight = 10;
-    camera.far = 100;
-    expectRefused(camera, Status::unsupported, "ViewDesc.projection is orthographic");
-}
-
 TEST_F(WaterRefuses, DepthThatRunsAgainstTheTarget) {
     Camera camera = seaCamera();
     camera.reversed = false;

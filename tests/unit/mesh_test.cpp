@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "tests/unit/cameras.h"
 #include "tests/unit/mesh_support.h"
@@ -117,6 +118,91 @@ TEST(Mesh, LeavesOutWhatIsBehindTheEye) {
     EXPECT_EQ(cover(seen, 0.1, 50), 0);
     EXPECT_EQ(cover(seen, 0.1, -50), 1);
     EXPECT_EQ(cover(seen, 0.1, -50e3), 1);
+}
+
+/// By parallel lines of sight, so many degrees down, from a place beside the origin.
+tests::Camera parallelCamera(double degreesDown, double height) {
+    const double down = tests::radians(degreesDown);
+    tests::Camera camera;
+    camera.eye = glm::dvec3(11.3, 0, 4.9) + 80.0 * glm::dvec3(std::cos(down), std::sin(down), 0);
+    camera.target = {11.3, 0, 4.9};
+    camera.parallelHeight = height;
+    camera.far = 10e3;
+    return camera;
+}
+
+/// Of flat water at y = 0, as bodies see it.
+MeshView meshViewOf(const tests::Camera& camera) {
+    ViewGeometry geometry;
+    EXPECT_EQ(readCamera(tests::viewDesc(camera), geometry), nullptr);
+    placeEye(geometry, 0);
+    MeshView view;
+    view.eye = {geometry.eye.x, geometry.eye.z};
+    view.eyeHeight = geometry.eye.y;
+    glm::dmat4 fromFoot(1);
+    fromFoot[3].y = -view.eyeHeight;
+    view.frustum = frustumPlanes(geometry.clipFromRelative * fromFoot, geometry.reversedDepth);
+    view.parallel = parallelLines(geometry, view.eyeHeight, 0);
+    return view;
+}
+
+/// Where a place of the picture, from -1 to 1, meets the water, from the eye's foot.
+glm::dvec2 metAt(const tests::Camera& camera, const MeshView& view, double x, double y) {
+    const glm::dmat4 inverse = glm::inverse(tests::projectionMatrix(camera) * tests::viewMatrix(camera));
+    const glm::dvec3 near(inverse * glm::dvec4(x, y, 1, 1)), far(inverse * glm::dvec4(x, y, 0, 1));
+    const glm::dvec3 met = glm::mix(near, far, near.y / (near.y - far.y));
+    return glm::dvec2(met.x, met.z) - view.eye;
+}
+
+TEST(ParallelMesh, CoversWhatIsSeenOnceAndLittleElse) {
+    for (const double degreesDown : {90.0, 35.0, 5.0})
+        for (const double height : {1.0, 30.0, 900.0}) {
+            tests::Camera camera = parallelCamera(degreesDown, height);
+            camera.far = 200e3;
+            camera.eye += (camera.eye - camera.target) * (height / 4);
+            const MeshView view = meshViewOf(camera);
+            const std::vector<MeshPatch> patches = patchesFor(view);
+            for (double y = -0.99; y < 1; y += 0.11)
+                for (double x = -0.99; x < 1; x += 0.11) {
+                    const glm::dvec2 at = metAt(camera, view, x, y);
+                    EXPECT_EQ(cover(patches, at.x, at.y), 1) << degreesDown << ' ' << height;
+                }
+            for (const glm::dvec2 beside : {glm::dvec2(12, 0), glm::dvec2(-12, 0), glm::dvec2(0, 12)}) {
+                const glm::dvec2 at = metAt(camera, view, beside.x, beside.y);
+                EXPECT_EQ(cover(patches, at.x, at.y), 0) << degreesDown << ' ' << height;
+            }
+            EXPECT_LT(patches.size(), 800u) << degreesDown << ' ' << height;
+        }
+}
+
+// Sight along the plane sees it from the near plane to the far one.
+TEST(ParallelMesh, IsBoundedWhereThePlaneIsSeenEdgeOn) {
+    for (const double degreesDown : {0.0, 0.01, 0.5}) {
+        const std::vector<MeshPatch> patches = patchesFor(meshViewOf(parallelCamera(degreesDown, 20)));
+        EXPECT_GT(patches.size(), 0u);
+        EXPECT_LT(patches.size(), 3000u) << degreesDown;
+    }
+}
+
+// All patches are of one level, and have glided fully onto the next one's lattice when that takes over.
+TEST(ParallelMesh, ChangesNothingWhenALevelTakesOver) {
+    double last = 0;
+    std::set<float> levels;
+    for (double height = 60; height < 600; height *= 1.001) {
+        const MeshView view = meshViewOf(parallelCamera(50, height));
+        const std::vector<MeshPatch> patches = patchesFor(view);
+        ASSERT_FALSE(patches.empty());
+        for (const MeshPatch& p : patches) {
+            EXPECT_EQ(p.cell, patches.front().cell);
+            EXPECT_GT(p.range, view.parallel->distance) << "the sea ends nowhere";
+        }
+        const double width =
+            double{patches.front().cell} * (1 + glide(patches.front(), view.parallel->distance));
+        EXPECT_NEAR(width / (last > 0 ? last : width), 1, 0.02) << height;
+        last = width;
+        levels.insert(patches.front().cell);
+    }
+    EXPECT_GE(levels.size(), 3u);
 }
 
 TEST(Mesh, IndicesUseEveryVertexAndNoOther) {

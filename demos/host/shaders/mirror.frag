@@ -39,9 +39,9 @@ vec3 classColor(float info) {
     return infoIsSky(info) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
 }
 
-vec3 rayThrough(vec2 pixel) {
+Ray rayThrough(vec2 pixel) {
     const vec2 at = 2.0 * pixel / mirror.picture.xy - 1.0;
-    return normalize(frame.skyForward.xyz + at.x * frame.skyRight.xyz - at.y * frame.skyUp.xyz);
+    return Ray(vec3(0.0), normalize(frame.skyForward.xyz + at.x * frame.skyRight.xyz - at.y * frame.skyUp.xyz));
 }
 
 // Where in the picture what is mirrored here is taken from, its distance from the floor and its ReflectionClass, as
@@ -51,9 +51,9 @@ vec4 sourceHere() {
     const float info = infoHere();
     if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
     const float downscale = float(mirror.modes.z);
-    const vec3 throughTexel = rayThrough((floor(gl_FragCoord.xy / downscale) + 0.5) * downscale);
+    const Ray throughTexel = rayThrough((floor(gl_FragCoord.xy / downscale) + 0.5) * downscale);
     const vec3 n = mirror.normal.xyz;
-    const vec3 source = mirroredPoint(normalize(inFromEye), throughTexel, info, n, -dot(n, mirror.middle.xyz));
+    const vec3 source = mirroredPoint(Ray(vec3(0.0), normalize(inFromEye)), throughTexel, info, n, -dot(n, mirror.middle.xyz));
     const vec4 seen = frame.clipFromEye * vec4(source, 1.0);
     return seen.w > 0.0 ? vec4((0.5 + 0.5 * seen.xy / seen.w) * mirror.picture.xy, info, 2.0) : vec4(-1.0, -1.0, info, 2.0);
 }

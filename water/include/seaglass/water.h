@@ -38,7 +38,7 @@ struct BedDesc {
     float margin = 0.1f; ///< by which it is larger on each side, as a share of the view's size, 0..1
 };
 
-/// How finely the surface is meshed.
+/// How finely the surface is meshed; by parallel lines of sight as from where 45 degrees see as much.
 struct MeshDesc {
     float cellSize = 0.25f;       ///< edge of the finest cells that waves get [m], 0.01..100
     uint32_t cellsPerLevel = 128; ///< cells until a twice coarser level takes over, 128..1024
@@ -197,10 +197,10 @@ enum class SurfaceOutput : uint32_t {
 /// copy). Leaves pipeline, descriptor sets, push constants and index buffer bound to its own; the viewport
 /// and scissor are set from the view. Of a multisampled scene refraction wants reflect() before.
 ///
-/// For an eye in a body with `underwater` each pixel whose line of sight begins in the water first becomes
-/// sceneColor as it looks through it, then surfaces are drawn as ever, then the waterline. So all bodies of a
-/// view belong in one call, or the one that the eye is in comes first; a host's own transparent things under
-/// water come after it, and fade by themselves.
+/// For an eye, or a near plane of parallel lines of sight, in a body with `underwater` each pixel whose line
+/// begins in the water first becomes sceneColor as it looks through it, then surfaces are drawn as ever, then
+/// the waterline. So all bodies of a view belong in one call, or the one that it begins in comes first; a
+/// host's own transparent things under water come after it, and fade by themselves.
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
