@@ -1,8 +1,10 @@
-// The camera in double precision: a view matrix that survives any place and direction, and an infinite
-// projection with reversed depth.
+// The camera in double precision: a view matrix that survives any place and direction, and a projection with
+// reversed depth, infinite unless lines of sight are parallel.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #define GLM_FORCE_DEPTH_ZERO_TO_ONE
 #include <glm/glm.hpp>
@@ -17,13 +19,38 @@ struct Camera {
     glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
     glm::dmat4 view{1};       ///< world to view, eye included
     glm::dmat4 rotation{1};   ///< world directions to view: the view matrix of an eye at the origin
-    glm::dmat4 projection{1}; ///< view to clip; y points down as Vulkan's does; depth = near / distance
-    double tanHalfFovX = 1, tanHalfFovY = 1;
-    double near = 0.1;
-    glm::dmat4 toldProjection{1}; ///< what the library is told: a Mistake apart, the projection
-    glm::dvec2 jitterPx{0};       ///< by which `projection` moves the picture, right and down
-    bool follows = false;         ///< the frame before
+    glm::dmat4 projection{1}; ///< view to clip; y points down as Vulkan's does
+    double tanHalfFovX = 1, tanHalfFovY = 1; ///< 0 where lines of sight are parallel
+    glm::dvec2 half{0};                      ///< of what those show [m]; 0 where they come from the eye
+    double near = 0.1, far = 0;              ///< 0: infinite
+    glm::dmat4 toldProjection{1};            ///< what the library is told: a Mistake apart, the projection
+    glm::dvec2 jitterPx{0};                  ///< by which `projection` moves the picture, right and down
+    bool follows = false;                    ///< the frame before
+
+    bool parallel() const { return half.y > 0; }
+    /// Relative to the eye, `distance` along the axis: (x, y) from -1 to 1 across the picture, y up.
+    glm::dvec3 seenAt(double x, double y, double distance) const {
+        return distance * (forward + right * (x * tanHalfFovX) + up * (y * tanHalfFovY)) +
+               right * (x * half.x) + up * (y * half.y);
+    }
+    /// Along the axis, of a point with this depth in the picture [m].
+    double distanceOf(double depth) const {
+        if (parallel()) return far - depth * (far - near);
+        return depth > 0 ? near / depth : std::numeric_limits<double>::infinity();
+    }
 };
+
+/// By parallel lines of sight, to 10 km or 20 times as far as they show across.
+inline void makeParallel(double heightM, double aspect, Camera& out) {
+    out.tanHalfFovX = out.tanHalfFovY = 0;
+    out.half = glm::dvec2(aspect, 1) * (heightM / 2);
+    out.far = out.near + std::max(1e4, 20 * heightM);
+    out.projection = glm::dmat4(1);
+    out.projection[0][0] = 1 / out.half.x;
+    out.projection[1][1] = -1 / out.half.y;
+    out.projection[2][2] = 1 / (out.far - out.near);
+    out.projection[3][2] = out.far / (out.far - out.near);
+}
 
 inline glm::dvec3 toGlm(const Vec3& v) {
     return {v[0], v[1], v[2]};
@@ -81,6 +108,7 @@ inline bool makeCamera(const CameraDesc& desc, double aspect, Camera& out, Error
     out.projection[1][1] = -1 / out.tanHalfFovY;
     out.projection[2][3] = -1;
     out.projection[3][2] = desc.nearM;
+    if (desc.orthographicHeightM > 0) makeParallel(desc.orthographicHeightM, aspect, out);
     out.toldProjection = out.projection;
     return true;
 }

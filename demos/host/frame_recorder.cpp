@@ -136,8 +136,11 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
         return false;
     camera_.jitterPx = {frame.jitterPx[0], frame.jitterPx[1]};
     camera_.follows = frame.follows;
-    camera_.projection[2][0] = -2 * camera_.jitterPx.x / extent.width;
-    camera_.projection[2][1] = -2 * camera_.jitterPx.y / extent.height;
+    const glm::dvec2 moved = 2.0 * camera_.jitterPx / glm::dvec2(extent.width, extent.height);
+    // From there clip coordinates are divided by the distance, or by 1.
+    glm::dvec4& column = camera_.projection[camera_.parallel() ? 3 : 2];
+    column.x = camera_.parallel() ? moved.x : -moved.x;
+    column.y = camera_.parallel() ? moved.y : -moved.y;
     camera_.toldProjection = mistaken(camera_.projection, frame.mistake);
     shadowFits_ = fitShadows(scene.bounds, camera_, scene.sky.sun.direction, surface_->sun);
     lighting_ = lightingOf(scene.sky);
@@ -148,7 +151,7 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
 
 void FrameRecorder::writeUniforms() {
     uniforms_ = {};
-    uniforms_.clipFromEye = glm::mat4(camera_.projection * camera_.rotation);
+    setClip(camera_.projection * camera_.rotation, uniforms_);
     setSkyUniforms(scene_->sky, camera_, targets_.extent, uniforms_);
     setShadowUniforms(shadowFits_, uniforms_);
     setBentUniforms(surface_->sun, camera_.eye, uniforms_);

@@ -210,13 +210,13 @@ Picture readExact(const FrameTargets& targets) {
     return picture;
 }
 
-Picture readDepth(const FrameTargets& targets, double nearM) {
+Picture readDepth(const FrameTargets& targets, const Camera& camera) {
     Picture picture = emptyPicture(targets.extent);
     const auto* const depths = static_cast<const float*>(targets.readback.mapped);
     for (size_t i = 0; i < picture.rgba.size() / 4; ++i) {
         const double depth = static_cast<double>(depths[i]);
         picture.rgba[4 * i] =
-            depth > 0 ? static_cast<float>(nearM / depth) : std::numeric_limits<float>::infinity();
+            depth > 0 ? static_cast<float>(camera.distanceOf(depth)) : std::numeric_limits<float>::infinity();
         picture.rgba[4 * i + 3] = 1;
     }
     return picture;

@@ -1,6 +1,7 @@
 // The images a frame is drawn into, the copies the water reads, and the way back to the CPU.
 #pragma once
 
+#include "host/camera.h"
 #include "host/resources.h"
 
 namespace demos {
@@ -58,6 +59,6 @@ bool createOverlayTarget(const Device& device, FrameTargets& targets, Error& err
 Picture readColor(const FrameTargets& targets);
 Picture readExact(const FrameTargets& targets);
 /// Metres along the view axis in red, infinite for the far plane.
-Picture readDepth(const FrameTargets& targets, double nearM);
+Picture readDepth(const FrameTargets& targets, const Camera& camera);
 
 } // namespace demos

@@ -89,7 +89,7 @@ std::optional<Picture> Host::render(const FrameDesc& frame, Error& error) {
         frame, [&](VkCommandBuffer commands, const Image& picture) { targets.copyBack(commands, picture); },
         error);
     if (!drawn) return std::nullopt;
-    if (frame.aov == Aov::depth) return readDepth(targets, impl.recorder->camera().near);
+    if (frame.aov == Aov::depth) return readDepth(targets, impl.recorder->camera());
     return needsExact(frame.aov) ? readExact(targets) : readColor(targets);
 }
 

@@ -33,6 +33,15 @@ bool createPipelineLayout(const Device& device, std::span<const VkDescriptorSetL
     return true;
 }
 
+void setClip(const glm::dmat4& clipFromEye, FrameUniforms& uniforms) {
+    uniforms.clipFromEye = glm::mat4(clipFromEye);
+    uniforms.sight = {0, 0, 0, 1};
+    const glm::dvec3 weight(clipFromEye[0][3], clipFromEye[1][3], clipFromEye[2][3]);
+    if (weight != glm::dvec3(0)) return;
+    const glm::dvec3 towards(glm::inverse(clipFromEye)[2]);
+    uniforms.sight = glm::vec4(-glm::normalize(towards), 0);
+}
+
 bool createLayouts(const Device& device, Layouts& out, Error& error) {
     constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     constexpr VkDescriptorType texture = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;

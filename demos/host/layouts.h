@@ -25,7 +25,11 @@ struct FrameUniforms {
     glm::vec4 shadowTexelM;
     glm::vec4 shadow;
     glm::vec4 waterPlane, waterAcross, waterAlong, sunShear;
+    glm::vec4 sight;
 };
+
+/// What follows from eye-relative positions' way to clip space, with reversed depth.
+void setClip(const glm::dmat4& clipFromEye, FrameUniforms& uniforms);
 
 /// As in shaders/draw.glsl.
 struct DrawConstants {

@@ -64,7 +64,7 @@ OtherEye otherEye(const seaglass::PlanarView& view) {
 
 FrameUniforms otherUniforms(const FrameUniforms& frame, const Camera& camera, const OtherEye& eye) {
     FrameUniforms uniforms = frame;
-    uniforms.clipFromEye = glm::mat4(eye.clipFromEye);
+    setClip(eye.clipFromEye, uniforms);
     const glm::dmat4 toFrame = glm::translate(glm::dmat4(1), eye.position - camera.eye);
     for (glm::mat4& shadow : uniforms.shadowFromEye) shadow = glm::mat4(glm::dmat4(shadow) * toFrame);
     moveBentUniforms(eye.position - camera.eye, uniforms);

@@ -45,6 +45,11 @@ LightAxes lightAxes(const glm::dvec3& toSun, const Camera& camera) {
     return axes;
 }
 
+double distanceTo(const glm::dvec3& point, const Camera& camera) {
+    const glm::dvec3 p = point - camera.eye;
+    return camera.parallel() ? glm::dot(p, camera.forward) : glm::length(p);
+}
+
 /// From the eye to what is opaque [m].
 struct Distances {
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
@@ -56,10 +61,10 @@ Distances distancesTo(const std::vector<Box>& boxes, const Camera& camera) {
         glm::dvec3 centre(0);
         for (const glm::dvec3& corner : box.corners) {
             centre += corner / 8.0;
-            found.farthest = std::max(found.farthest, glm::length(corner - camera.eye));
+            found.farthest = std::max(found.farthest, distanceTo(corner, camera));
         }
         const double radius = glm::length(box.corners[0] - centre);
-        found.nearest = std::min(found.nearest, std::max(0.0, glm::length(centre - camera.eye) - radius));
+        found.nearest = std::min(found.nearest, std::max(0.0, distanceTo(centre, camera) - radius));
     }
     return found;
 }
@@ -67,9 +72,7 @@ Distances distancesTo(const std::vector<Box>& boxes, const Camera& camera) {
 /// Of what the camera sees at a distance, from the eye.
 std::array<glm::dvec3, 4> cornersAt(double distance, const Camera& camera) {
     std::array<glm::dvec3, 4> corners;
-    for (size_t i = 0; i < 4; ++i)
-        corners[i] = distance * (camera.forward + (i & 1 ? 1.0 : -1.0) * camera.tanHalfFovX * camera.right +
-                                 (i & 2 ? 1.0 : -1.0) * camera.tanHalfFovY * camera.up);
+    for (size_t i = 0; i < 4; ++i) corners[i] = camera.seenAt(i & 1 ? 1 : -1, i & 2 ? 1 : -1, distance);
     return corners;
 }
 

@@ -27,7 +27,7 @@ BeamPlace beamPlaceOf(const Frame& frame, const glm::vec3& position, const glm::
 /// sight. None where hardly any of its light arrives, nor where a pixel is wider than a tile.
 std::optional<glm::vec3> bedSeenBy(const Frame& frame, uint32_t x, uint32_t y) {
     Ray ray = frame.rayThrough(glm::vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5f);
-    ray.inWater = isInWater(frame, ray.direction * ray.nearest);
+    ray.inWater = isInWater(frame, ray.origin + ray.direction * ray.nearest);
     Hit hit;
     if (!frame.geometry.trace(ray, Kind::everything, hit)) return std::nullopt;
     float before = 0, path = hit.distance; // in air and in water
@@ -47,7 +47,7 @@ std::optional<glm::vec3> bedSeenBy(const Frame& frame, uint32_t x, uint32_t y) {
     const glm::vec3 left =
         glm::exp(-waterLightOf(frame).extinction() * (path - frame.heightOf(hit.position)));
     if (std::max({left.x, left.y, left.z}) < least) return std::nullopt;
-    const double width = static_cast<double>(frame.pixelAngle * (before + hit.distance));
+    const double width = static_cast<double>(frame.pixelAngle * (frame.apexM + before + hit.distance));
     return width > PhotonMap::side ? std::nullopt : std::optional(hit.position);
 }
 

@@ -42,7 +42,7 @@ struct Way {
 bool wayOut(const Frame& frame, const glm::vec3& at, const glm::vec3& direction, Random& random, Way& out) {
     out.ray.origin = at;
     out.ray.direction = direction;
-    out.ray.footprint = footprintAfter(at, direction, glm::length(at), frame.pixelAngle);
+    out.ray.footprint = footprintAfter(at, direction, frame.apexM + frame.distanceTo(at), frame.pixelAngle);
     if (!frame.geometry.trace(out.ray, Kind::everything, out.hit)) return false;
     if (out.hit.kind != Kind::surface || out.hit.frontFacing) return false;
     out.facet = randomFacet(frame, out.ray, out.hit, 0.1f, random);

@@ -37,6 +37,12 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
     if (!makeCamera(desc.camera, aspect, out.camera, error) || !out.geometry.create(error)) return false;
     turn(out.camera, world.frame);
     out.pixelAngle = static_cast<float>(2 * out.camera.tanHalfFovY / desc.height);
+    if (out.camera.parallel()) {
+        // So far that neighbours are as good as parallel, and so near that floats tell them apart.
+        const double apex = 200 * out.camera.half.y;
+        out.apexM = static_cast<float>(apex);
+        out.pixelAngle = static_cast<float>(2 * out.camera.half.y / desc.height / apex);
+    }
     const glm::dmat4 bodyFromWorld(glm::transpose(world.frame.worldFromBody));
     for (const Instance& instance : world.instances)
         out.geometry.add({instance.model, bodyFromWorld * instance.worldFromMesh}, out.camera.eye);
@@ -71,11 +77,10 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
 
 Ray Frame::rayThrough(const glm::vec2& pixel) const {
     const auto through = [&](double x, double y) {
-        const double right = 2 * x / desc.width - 1, up = 1 - 2 * y / desc.height;
-        return camera.forward + camera.right * (right * camera.tanHalfFovX) +
-               camera.up * (up * camera.tanHalfFovY);
+        return camera.seenAt(2 * x / desc.width - 1, 1 - 2 * y / desc.height, camera.parallel() ? 0 : 1);
     };
     const double x = static_cast<double>(pixel.x), y = static_cast<double>(pixel.y);
+    if (camera.parallel()) return parallelRay(through(x, y), through(x + 1, y), through(x, y + 1));
     const glm::dvec3 towards = through(x, y);
     const double length = glm::length(towards);
     Ray ray;
@@ -85,11 +90,26 @@ Ray Frame::rayThrough(const glm::vec2& pixel) const {
     return ray;
 }
 
+Ray Frame::parallelRay(const glm::dvec3& from, const glm::dvec3& right, const glm::dvec3& below) const {
+    const glm::dvec3 along = static_cast<double>(apexM) * camera.forward;
+    Ray ray;
+    ray.origin = glm::vec3(from);
+    ray.direction = glm::vec3(camera.forward);
+    ray.nearest = static_cast<float>(camera.near);
+    ray.footprint = {glm::vec3(from - along), glm::vec3(along + right - from),
+                     glm::vec3(along + below - from)};
+    return ray;
+}
+
+float Frame::distanceTo(const glm::vec3& position) const {
+    return camera.parallel() ? glm::dot(position, glm::vec3(camera.forward)) : glm::length(position);
+}
+
 glm::dvec3 Frame::seenAt(const glm::vec3& position) const {
     const glm::dvec3 p(position);
     const double along = glm::dot(p, camera.forward);
-    const double right = glm::dot(p, camera.right) / (along * camera.tanHalfFovX);
-    const double up = glm::dot(p, camera.up) / (along * camera.tanHalfFovY);
+    const double right = glm::dot(p, camera.right) / (along * camera.tanHalfFovX + camera.half.x);
+    const double up = glm::dot(p, camera.up) / (along * camera.tanHalfFovY + camera.half.y);
     return {(right + 1) / 2 * desc.width, (1 - up) / 2 * desc.height, along};
 }
 

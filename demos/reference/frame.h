@@ -22,7 +22,8 @@ struct Frame {
     const World* world = nullptr;
     FrameDesc desc;
     Camera camera;
-    float pixelAngle = 0; ///< [rad]
+    float pixelAngle = 0; ///< [rad], as seen from the apex of first rays
+    float apexM = 0;      ///< how far that lies behind where they begin
     WaterSurface surface;
     SurfaceMesh mesh; ///< without its positions, which the geometry holds, but among dry rooms
     Geometry geometry;
@@ -34,6 +35,8 @@ struct Frame {
     /// Where in the picture a point relative to the eye is seen; z is its distance along the view axis, not
     /// positive behind the eye.
     glm::dvec3 seenAt(const glm::vec3& position) const;
+    /// Along the line of sight to a point relative to the eye, from where it begins [m].
+    float distanceTo(const glm::vec3& position) const;
     /// Whether there is water at a point of a triangle of its surface.
     bool covers(uint32_t triangle, const glm::vec3& weights) const;
     /// (u, v) where the water of a hit rests.
@@ -41,6 +44,10 @@ struct Frame {
     glm::dvec2 calmAt(uint32_t triangle, const glm::vec3& weights) const;
     /// Height of a point relative to the eye above the calm water [m].
     float heightOf(const glm::vec3& position) const;
+
+  private:
+    /// Where it and the next pixels' rays begin, relative to the eye.
+    Ray parallelRay(const glm::dvec3& from, const glm::dvec3& right, const glm::dvec3& below) const;
 };
 
 /// `out` keeps a pointer to the world, and its geometry one to `out`.

@@ -24,7 +24,7 @@ void PixelSum::add(const Frame& frame, uint32_t x, uint32_t y, uint32_t sample) 
     Random random(y * frame.desc.width + x, sample, frame.desc.seed);
     Random* const chance = frame.desc.samples > 1 ? &random : nullptr;
     Ray ray = frame.rayThrough(corner + (chance ? random.inPixel() : glm::vec2(0.5f)));
-    ray.inWater = isInWater(frame, ray.direction * ray.nearest);
+    ray.inWater = isInWater(frame, ray.origin + ray.direction * ray.nearest);
     ++count_;
     Hit hit;
     if (!frame.geometry.trace(ray, Kind::everything, hit)) {

@@ -20,7 +20,7 @@ bool within(const Frame& frame, const glm::dvec3& seen) {
 /// face, for that beside it has another colour. What is thinner than a pixel, or seen edge on, is in sight
 /// and yet in no pixel.
 bool isSampled(const Frame& frame, const Hit& hit, const glm::dvec3& seen) {
-    const float distance = glm::length(hit.position);
+    const float distance = frame.distanceTo(hit.position);
     const glm::vec2 corner = glm::floor(glm::vec2(seen) - 0.5f) + 0.5f;
     for (int i = 0; i < 4; ++i) {
         Ray ray = frame.rayThrough(corner + glm::vec2(i & 1, i >> 1));
@@ -39,10 +39,11 @@ TruthClass classOf(const Frame& frame, const Ray& mirrored, const Hit& hit, cons
     if (!within(frame, seen)) return TruthClass::offScreen;
     const glm::vec3 side =
         glm::dot(hit.geometricNormal, mirrored.direction) < 0 ? hit.geometricNormal : -hit.geometricNormal;
-    if (glm::dot(side, hit.position) >= 0) return TruthClass::backFacing;
+    const glm::vec3 sight = frame.camera.parallel() ? glm::vec3(frame.camera.forward) : hit.position;
+    if (glm::dot(side, sight) >= 0) return TruthClass::backFacing;
     Ray direct = frame.rayThrough(glm::vec2(seen));
     Hit first;
-    const float distance = glm::length(hit.position);
+    const float distance = frame.distanceTo(hit.position);
     // The picture holds the opaque scene alone: water hides nothing.
     if (frame.geometry.trace(direct, Kind::opaque, first) &&
         first.distance < distance - (0.01f + 1e-3f * distance))

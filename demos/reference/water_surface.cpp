@@ -39,7 +39,23 @@ struct Azimuths {
     double middle = 0, half = std::numbers::pi;
 };
 
+/// What the mesh is finest around: the eye's foot, or the middle of what parallel lines of sight see, from as
+/// high as they see across.
+struct MeshMiddle {
+    glm::dvec2 at{0}; ///< from the eye [m]
+    double height = 0;
+};
+
+MeshMiddle middleOf(const Camera& camera, double eyeHeight) {
+    if (!camera.parallel()) return {glm::dvec2(0), std::max(std::abs(eyeHeight), 0.05)};
+    const double sinks = std::max(-camera.forward.y * (eyeHeight < 0 ? -1 : 1), 1e-2);
+    const double along = std::clamp(std::abs(eyeHeight) / sinks, camera.near, camera.far);
+    return {along * glm::dvec2(camera.forward.x, camera.forward.z),
+            glm::length(camera.half / glm::dvec2(1, std::max(sinks, 0.1)))};
+}
+
 Azimuths azimuthsOf(const Camera& camera) {
+    if (camera.parallel()) return {};
     const glm::dvec2 ahead(camera.forward.x, camera.forward.z);
     if (glm::length(ahead) < 1e-3) return {};
     Azimuths seen{std::atan2(ahead.y, ahead.x), 0};
@@ -75,9 +91,8 @@ std::vector<double> azimuthSteps(const Azimuths& seen, double fine) {
     return angles;
 }
 
-/// From the eye's foot to a corner of what an outline encloses [m].
-double farthestOf(const seaglass::Outline& outline, const Camera& camera) {
-    const glm::dvec2 foot(camera.eye.x, camera.eye.z);
+/// From a place to a corner of what an outline encloses [m].
+double farthestOf(const seaglass::Outline& outline, const glm::dvec2& foot) {
     return 1.1 * glm::length(glm::max(glm::abs(outline.low - foot), glm::abs(outline.high - foot)));
 }
 
@@ -267,17 +282,21 @@ float WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend, do
 }
 
 SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc) {
-    const double eyeHeight = camera.eye.y - desc.levelM, height = std::max(std::abs(eyeHeight), 0.05);
+    const double eyeHeight = camera.eye.y - desc.levelM;
+    const MeshMiddle middle = middleOf(camera, eyeHeight);
+    const double height = middle.height;
+    const glm::dvec2 foot = glm::dvec2(camera.eye.x, camera.eye.z) + middle.at;
     // A flat sea comes within h/d radians of the horizon: as far as the renderer's own mesh.
     double horizon = std::max(100e3, 4000 * height);
-    if (desc.outline) horizon = std::min(horizon, farthestOf(*desc.outline, camera));
+    if (desc.outline) horizon = std::min(horizon, farthestOf(*desc.outline, foot));
     constexpr double finestCell = 0.005; // [m]
     const auto cellAt = [&](double r, double fine) {
         return std::max(fine * std::hypot(r, height), finestCell);
     };
     const Azimuths seen = azimuthsOf(camera);
     // Flat water needs no more than a horizon that looks round.
-    double fine = surface.flat() ? 0.1 : desc.pixelsACell * 2 * camera.tanHalfFovY / desc.height;
+    const double across = 2 * (camera.parallel() ? camera.half.y / height : camera.tanHalfFovY);
+    double fine = surface.flat() ? 0.1 : desc.pixelsACell * across / desc.height;
     fine = std::clamp(fine, 1e-4, 0.1);
     const auto vertices = [&] {
         return std::log(2 * horizon / height) / fine * static_cast<double>(azimuthSteps(seen, fine).size());
@@ -287,17 +306,17 @@ SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const Surf
 
     SurfaceMesh mesh;
     const auto add = [&](const glm::dvec2& fromFoot, double cell) {
-        const glm::dvec2 calm = fromFoot + glm::dvec2(camera.eye.x, camera.eye.z);
+        const glm::dvec2 calm = fromFoot + foot, fromEye = fromFoot + middle.at;
         glm::vec3 moved = surface.displacement(calm, cell);
         if (desc.outline && desc.pinned > 0) {
             const auto loose =
                 static_cast<float>(std::min(desc.outline->distanceTo(calm) / desc.pinned, 1.0));
             moved *= glm::vec3(loose, 1, loose);
         }
-        mesh.calm.emplace_back(fromFoot);
-        mesh.positions.emplace_back(static_cast<float>(fromFoot.x + moved.x),
+        mesh.calm.emplace_back(fromEye);
+        mesh.positions.emplace_back(static_cast<float>(fromEye.x + moved.x),
                                     static_cast<float>(moved.y - eyeHeight),
-                                    static_cast<float>(fromFoot.y + moved.z));
+                                    static_cast<float>(fromEye.y + moved.z));
     };
     add(glm::dvec2(0), cellAt(0, fine));
     uint32_t rings = 0;

@@ -258,6 +258,8 @@ constexpr std::array cameraFields = {
     Field{"target_m", at<&CameraDesc::targetM>, -far, far, "m", "a point looked at", required},
     Field{"roll_deg", at<&CameraDesc::rollDeg>, -turn, turn, "degrees", "about the view axis"},
     Field{"vertical_fov_deg", at<&CameraDesc::verticalFovDeg>, 1, 179, "degrees", "angle of view"},
+    Field{"orthographic_height_m", at<&CameraDesc::orthographicHeightM>, 0.01, 1e4, "m",
+          "of what parallel lines of sight show, in the place of an angle of view"},
     Field{"offset_m", at<&CameraDesc::offsetM>, -far, far, "m", "how far the whole scene is moved"},
     Field{"near_m", at<&CameraDesc::nearM>, 1e-3, 1e3, "m", "distance of the near plane"},
 };

@@ -269,10 +269,12 @@ class Reader {
     Error& error_;
 };
 
-// ---- The colour of water, which is said in one way of two
+// ---- What is said in one way of two: the colour of water, and how much a camera shows
 
 constexpr const char* colorByTint[] = {"tint", "visibility_m"};
 constexpr const char* colorByWater[] = {"type", "absorption_per_m", "backscatter_per_m"};
+constexpr const char* shownByAngle[] = {"vertical_fov_deg"};
+constexpr const char* shownByHeight[] = {"orthographic_height_m"};
 
 bool isOverride(const toml::node& node) {
     const toml::source_region& source = node.source();
@@ -280,16 +282,22 @@ bool isOverride(const toml::node& node) {
 }
 
 /// What is set by hand in one way takes the place of what the file says in the other.
-void dropOtherColor(toml::table& refraction, std::string_view key) {
+void dropOtherWay(const Section& section, toml::table& table, std::string_view key) {
     const auto drop = [&](const auto& keys, const auto& others) {
         if (std::ranges::find(keys, key) == std::end(keys)) return;
         for (const char* const other : others) {
-            const toml::node* const node = refraction.get(other);
-            if (node && !isOverride(*node)) refraction.erase(other);
+            const toml::node* const node = table.get(other);
+            if (node && !isOverride(*node)) table.erase(other);
         }
     };
-    drop(colorByTint, colorByWater);
-    drop(colorByWater, colorByTint);
+    if (section.key == "refraction") {
+        drop(colorByTint, colorByWater);
+        drop(colorByWater, colorByTint);
+    }
+    if (section.key == "camera") {
+        drop(shownByAngle, shownByHeight);
+        drop(shownByHeight, shownByAngle);
+    }
 }
 
 // ---- Overrides
@@ -345,7 +353,7 @@ class Overrider {
                             std::string(section->fields.back().key));
             }
         }
-        if (section->key == "refraction") dropOtherColor(*table, keys.back());
+        dropOtherWay(*section, *table, keys.back());
         // The last key is checked with all others, by the reader, which knows this override by its source.
         value->get("v")->visit([&](auto& node) { table->insert_or_assign(keys.back(), std::move(node)); });
         return true;
@@ -391,6 +399,18 @@ class Overrider {
 
 // ---- What fields say together
 
+bool checkOrthographic(const Scene& scene, const CameraDesc& camera, const toml::table& table,
+                       const std::string& path, Reader& reader) {
+    if (camera.orthographicHeightM == 0) return true;
+    const auto fail = [&](const char* why) {
+        return reader.fail(place(*table.get("orthographic_height_m"), reader.file()),
+                           path + ".orthographic_height_m is set, " + why);
+    };
+    if (table.contains("vertical_fov_deg"))
+        return fail("expected no vertical_fov_deg then: a camera shows an angle or a height");
+    return scene.floor ? fail("expected no [floor], which is seen from an eye") : true;
+}
+
 bool checkCameras(const Scene& scene, const toml::table& root, Reader& reader) {
     const toml::array& tables = *root.get_as<toml::array>("camera");
     for (size_t i = 0; i < scene.cameras.size(); ++i) {
@@ -412,6 +432,7 @@ bool checkCameras(const Scene& scene, const toml::table& root, Reader& reader) {
             return reader.fail(place(*table.get("target_m"), reader.file()),
                                path + ".target_m is its position_m, expected a point away from the eye");
         }
+        if (!checkOrthographic(scene, camera, table, path, reader)) return false;
     }
     return true;
 }

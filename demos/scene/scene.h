@@ -203,6 +203,7 @@ struct CameraDesc {
     Vec3 targetM = {0, 2, -1};
     double rollDeg = 0;
     double verticalFovDeg = 45;
+    double orthographicHeightM = 0; ///< of what parallel lines of sight show; 0: they come from the eye
     double nearM = 0.1;
     Vec3 offsetM = {0, 0, 0}; ///< added to every place in the scene, this camera's own included
 

@@ -271,6 +271,32 @@ TEST_F(SceneFile, CamerasMustDifferAndLookSomewhere) {
               "scene.toml:41: camera.1.name is 'low.er', expected a name of letters, digits, _ and -");
 }
 
+TEST_F(SceneFile, CamerasShowAnAngleOrAHeight) {
+    const std::string parallel = replaced("name = \"low\"", "name = \"low\"\northographic_height_m = 12.5");
+    const std::optional<Scene> scene = loadText(parallel);
+    ASSERT_TRUE(scene) << error_.text;
+    EXPECT_EQ(scene->cameras[0].orthographicHeightM, 0);
+    EXPECT_EQ(scene->cameras[1].orthographicHeightM, 12.5);
+    const std::string both =
+        replaced("name = \"low\"", "name = \"low\"\northographic_height_m = 12.5\nvertical_fov_deg = 40");
+    EXPECT_EQ(problem(both), "scene.toml:42: camera.1.orthographic_height_m is set, expected no "
+                             "vertical_fov_deg then: a camera shows an angle or a height");
+    EXPECT_EQ(problem(replaced("name = \"low\"", "name = \"low\"\northographic_height_m = 0")),
+              "scene.toml:42: camera.1.orthographic_height_m is 0, expected 0.01 to 10000 m");
+    EXPECT_EQ(problem(tests::sampleFloorScene(), {"camera.low.orthographic_height_m=5"}),
+              "--set camera.low.orthographic_height_m=5: camera.1.orthographic_height_m is set, expected no "
+              "[floor], which is seen from an eye");
+
+    // What is set by hand takes the other's place.
+    const std::optional<Scene> byAngle = loadText(parallel, {"camera.low.vertical_fov_deg=40"});
+    ASSERT_TRUE(byAngle) << error_.text;
+    EXPECT_EQ(byAngle->cameras[1].orthographicHeightM, 0);
+    const std::string angle = replaced("name = \"low\"", "name = \"low\"\nvertical_fov_deg = 40");
+    const std::optional<Scene> byHeight = loadText(angle, {"camera.low.orthographic_height_m=9"});
+    ASSERT_TRUE(byHeight) << error_.text;
+    EXPECT_EQ(byHeight->cameras[1].orthographicHeightM, 9);
+}
+
 TEST_F(SceneFile, AFloorTakesTheWatersPlace) {
     tests::writeAll(folder_.path() / "tiles.png", "not read here");
     std::optional<Scene> scene =

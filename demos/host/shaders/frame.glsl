@@ -16,6 +16,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 waterAcross;       // along the surface: -1 to 1 where there is water
     vec4 waterAlong;        // across that
     vec4 sunShear;          // on each metre of depth
+    vec4 sight;             // where lines of sight are parallel their direction, and 0; else 0, and 1
 } frame;
 
 // Irradiance from the sky on a plane with unit normal n (Ramamoorthi and Hanrahan 2001).

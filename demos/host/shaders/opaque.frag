@@ -36,7 +36,7 @@ void main() {
 
     vec3 n = normalize(inNormal);
     if (!gl_FrontFacing) n = -n;
-    const vec3 v = normalize(-inFromEye);
+    const vec3 v = -normalize(inFromEye * frame.sight.w + frame.sight.xyz);
     const vec3 l = frame.toSun.xyz;
     const float nDotL = facingSun(inFromEye, n), nDotV = max(abs(dot(n, v)), 1e-3);
 
