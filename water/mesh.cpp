@@ -219,18 +219,11 @@ class OutlinedSelection {
 
 } // namespace
 
-std::array<glm::dvec4, 6> frustumPlanes(const glm::dmat4& clip, bool reversedDepth) {
+std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDepth) {
     const glm::dmat4 rows = glm::transpose(clip);
-    const glm::dvec4 deep = rows[2], shallow = rows[3] - rows[2];
-    // Seen from an eye the sea goes on to an infinite far plane.
-    const bool parallel = glm::dvec3(rows[3]) == glm::dvec3(0);
-    const glm::dvec4 far = reversedDepth ? deep : shallow;
-    return {rows[3] + rows[0],
-            rows[3] - rows[0],
-            rows[3] + rows[1],
-            rows[3] - rows[1],
-            reversedDepth ? shallow : deep,
-            parallel ? far : glm::dvec4(0, 0, 0, 1)};
+    // Only the near plane bounds depth: seen from an eye the sea goes on to an infinite far plane.
+    return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1],
+            reversedDepth ? rows[3] - rows[2] : rows[2]};
 }
 
 bool inSight(const MeshView& view, const OutlineBox& box) {

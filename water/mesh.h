@@ -45,7 +45,7 @@ struct OutlinedPatches {
 struct MeshView {
     glm::dvec2 eye{0};    ///< (u, v) [m]
     double eyeHeight = 0; ///< above the calm surface [m]
-    std::array<glm::dvec4, 6>
+    std::array<glm::dvec4, 5>
         frustum{};           ///< planes facing inwards over (u, height, v) relative to the eye's foot
     double displacement = 0; ///< the most that waves move a vertex in any axis [m]
     bool farthestFirst = false;
@@ -54,8 +54,8 @@ struct MeshView {
     std::optional<ParallelLines> parallel; ///< none: lines of sight come from the eye
 };
 
-/// Inward planes (left, right, bottom, top, near, far) of a clip matrix over its input space.
-std::array<glm::dvec4, 6> frustumPlanes(const glm::dmat4& clip, bool reversedDepth);
+/// Inward planes (left, right, bottom, top, near) of a clip matrix over its input space.
+std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDepth);
 
 /// Whether a view may see something of what lies in a box relative to its eye.
 bool inSight(const MeshView& view, const OutlineBox& box);
