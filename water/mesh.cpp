@@ -122,6 +122,7 @@ class Selection {
     }
 
     void selectSeen(const ParallelLines& lines) {
+        if (lines.seen.low.x > lines.seen.high.x) return; // none
         const double d = lattice_.view.displacement;
         const double across = glm::length(lines.seen.high - lines.seen.low);
         const int coarsest = lattice_.coarsest(std::max(lines.distance, across));

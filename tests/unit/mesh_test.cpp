@@ -175,6 +175,16 @@ TEST(ParallelMesh, CoversWhatIsSeenOnceAndLittleElse) {
         }
 }
 
+TEST(ParallelMesh, IsNoneWhereNoWaterIsSeen) {
+    tests::Camera camera = parallelCamera(35, 20);
+    EXPECT_FALSE(patchesFor(meshViewOf(camera)).empty());
+    camera.far = 50;
+    EXPECT_TRUE(patchesFor(meshViewOf(camera)).empty()) << "it ends before the water";
+    camera.far = 1000;
+    camera.target = camera.eye + glm::dvec3(-1, 1, 0);
+    EXPECT_TRUE(patchesFor(meshViewOf(camera)).empty()) << "it looks up";
+}
+
 // Sight along the plane sees it from the near plane to the far one.
 TEST(ParallelMesh, IsBoundedWhereThePlaneIsSeenEdgeOn) {
     for (const double degreesDown : {0.0, 0.01, 0.5}) {
