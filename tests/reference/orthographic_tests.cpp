@@ -73,12 +73,12 @@ TEST_P(Orthographic, LooksAsTraced) {
 }
 INSTANTIATE_TEST_SUITE_P(
     , Orthographic,
-    testing::Values(Shot{"PoolWithoutWater", "pool", {-30, 30, 30}, {0, 0, 0}, 18, false, 2},
-                    Shot{"Pool", "pool", {-30, 30, 30}, {0, 0, 0}, 18, true, 2},
-                    Shot{"PoolFromAbove", "pool", {0, 40, 0}, {0, 0, 0}, 16, true, 2},
-                    Shot{"Harbour", "harbour", {-40, 40, 50}, {0, 0, 4}, 30, true, 2},
-                    Shot{"HarbourFromAbove", "harbour", {0, 60, 6}, {0, 0, 6}, 24, true, 2},
-                    Shot{"Ocean", "ocean", {0, 40, 0}, {40, 0, -40}, 30, true, 5}),
+    testing::Values(Shot{"PoolWithoutWater", "pool", {-30, 30, 30}, {0, 0, 0}, 18, false, 1.4},
+                    Shot{"Pool", "pool", {-30, 30, 30}, {0, 0, 0}, 18, true, 1.4},
+                    Shot{"PoolFromAbove", "pool", {0, 40, 0}, {0, 0, 0}, 16, true, 1.4},
+                    Shot{"Harbour", "harbour", {-40, 40, 50}, {0, 0, 4}, 30, true, 1.4},
+                    Shot{"HarbourFromAbove", "harbour", {0, 60, 6}, {0, 0, 6}, 24, true, 1.4},
+                    Shot{"Ocean", "ocean", {0, 40, 0}, {40, 0, -40}, 30, true, 4.5}),
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace
