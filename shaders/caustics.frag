@@ -8,8 +8,15 @@
 
 layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
 layout(set = 0, binding = 2) uniform sampler2DArray waveDerivatives;
+#ifdef SHORE
+#define SHORE_BINDING 3
+#include "shore.glsl"
+#define AFTER_SHORE 5
+#else
+#define AFTER_SHORE 3
+#endif
 #ifdef SUN_SHADOW
-#define SUN_SHADOW_BINDING 3
+#define SUN_SHADOW_BINDING AFTER_SHORE
 #include "sun_shadow.glsl"
 #endif
 
@@ -37,11 +44,19 @@ float turnsMore() {
 // Mean slope over `width` metres.
 vec2 slopeOver(vec2 calm, float width) {
     vec2 sum = vec2(0.0);
+    float kept = 1.0;
+#ifdef SHORE
+    ShoreWave shore = shoreWave(calm, width);
+    sum = shore.slope;
+#endif
     for (int i = 0; i < stored.cascades; ++i) {
         float mip = max(log2(width * cascade[i].w), 0.0);
+#ifdef SHORE
+        kept = shore.kept[i];
+#endif
         // Loops of one round, here and below: CPU devices leave them out where nobody is in them.
         for (bool shows = mip < maxMip; shows; shows = false)
-            sum += textureLod(waveDerivatives, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xy;
+            sum += kept * textureLod(waveDerivatives, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xy;
     }
     return sum;
 }

@@ -19,7 +19,6 @@ const int patchCells = 16;   // that vertices are numbered by; fewer may be draw
 // before the range does and begin after the coarser neighbour's patches can touch it.
 const float glideBegins = 0.7;
 const float glideEnds = 0.95;
-const float filmLift = 0.012;   // of a film over the sand, so that none of its grains hides it [m]
 
 #include "wave_displacement.glsl"
 
@@ -72,17 +71,13 @@ void main() {
     loose = min(vertex.fromEdge * extent.z, 1.0);
 #endif
     vec3 held = vec3(loose, 1.0, loose);
-#ifdef SHORE
-    ShoreWave shore = shoreWave(calm, cell);
-    vec3 displacement = waveDisplacementAt(waveDisplacement, calm, cell, shore.kept);
-    displacement += vec3(shore.move.x, shore.height, shore.move.y);
-    displacement.y = withFilm(shore, displacement.y, filmLift + 0.01 * cell);
-#else
-    vec3 displacement = waveDisplacementAt(waveDisplacement, calm, cell, vec4(1.0));
-#endif
-    relative += held * displacement;
+    relative += held * surfaceDisplacement(waveDisplacement, calm, cell);
 #ifdef MOTION
+#ifdef SHORE
+    last += held * displacementOver(lastShoreWave(calm, cell), lastDisplacement, calm, cell);
+#else
     last += held * waveDisplacementAt(lastDisplacement, calm, cell, vec4(1.0));
+#endif
 #endif
 #endif
 #ifdef MOTION

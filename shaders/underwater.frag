@@ -11,6 +11,10 @@ layout(set = 0, binding = 2) uniform sampler2D sceneDepth;
 #ifdef WAVES
 layout(set = 0, binding = 3) uniform sampler2DArray waveDisplacement;
 #endif
+#ifdef SHORE
+#define SHORE_BINDING 4
+#include "shore.glsl"
+#endif
 
 layout(constant_id = 0) const bool straddles = false;   // the view's near plane may be above the water too
 

@@ -8,6 +8,10 @@
 #ifdef WAVES
 layout(set = 0, binding = 1) uniform sampler2DArray waveDisplacement;
 #endif
+#ifdef SHORE
+#define SHORE_BINDING 2
+#include "shore.glsl"
+#endif
 
 layout(location = 0) out vec4 outColor;
 
@@ -18,8 +22,16 @@ void main() {
     loadSurface();
     vec3 start = onNearPlane();
     float height = heightAboveSurface(start);
+#ifdef SHORE
+    // Looked for at the next pixels anew: CPU devices read no buffer for those that derivatives alone ask.
+    vec3 right = dFdx(start), down = dFdy(start);
+    if (abs(height) > 4.0 * within.y) discard;
+    vec2 change = vec2(heightAboveSurface(start + right), heightAboveSurface(start + down)) - height;
+#else
+    vec2 change = vec2(dFdx(height), dFdy(height));
+#endif
     // Along the near plane, which may lie flat: pixels to the line, times metres a pixel.
-    float perPixel = max(length(vec2(dFdx(height), dFdy(height))), 1e-9);
+    float perPixel = max(length(change), 1e-9);
     float distance = abs(height) / perPixel * length(dFdy(start));
     // A wedge of water bends what lies behind it out of sight: dark at its edge below, thinning upwards.
     float share = 1.0 - smoothstep(0.0, within.y, distance);

@@ -263,6 +263,7 @@ SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDes
 SurfaceFeatures Body::motionFeatures() const {
     SurfaceFeatures wanted;
     wanted.waves = waves.has_value();
+    wanted.shore = shore.has_value();
     wanted.shape = features({}, {}).shape;
     wanted.cascades = waves ? waves->maps().cascades : 0;
     wanted.dryRooms = !dryRooms.empty();
@@ -384,7 +385,8 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
     const bool wanted =
         pass == UnderwaterPass::water ? sides != SidesSeen::above : straddles && underwater->meniscus > 0;
     if (!wanted) return Status::ok;
-    return recordOverView(commands, target, read, lighting, geometry, {pass, straddles, straddles && waves});
+    return recordOverView(commands, target, read, lighting, geometry,
+                          {pass, straddles, straddles && waves, false, straddles && shore});
 }
 
 Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
@@ -402,8 +404,16 @@ Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDe
     ViewDesc read;
     if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
     if (toSun(lighting).y <= 0) return Status::ok;
-    return recordOverView(commands, target, read, lighting, geometry,
-                          {UnderwaterPass::caustics, false, true, lighting.shadow != nullptr});
+    return recordOverView(
+        commands, target, read, lighting, geometry,
+        {UnderwaterPass::caustics, false, true, lighting.shadow != nullptr, shore.has_value()});
+}
+
+Status Body::shoreInputs(bool moves, VkImageView& map, gpu::Resource& rows) {
+    if (!shore) return Status::ok;
+    map = shore->view();
+    if (moves) return upload(*context, rows, shore->signal().rows, shore->last().rows);
+    return upload(*context, rows, shore->signal().rows);
 }
 
 Status Body::recordOverView(VkCommandBuffer commands, Target& target, const ViewDesc& view,
@@ -416,6 +426,8 @@ Status Body::recordOverView(VkCommandBuffer commands, Target& target, const View
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
     const size_t map = variant.pass == UnderwaterPass::caustics ? 1 : 0;
     if (variant.waves) inputs.waveMap = waves->maps().images[map].view();
+    if (variant.shore)
+        if (const Status s = shoreInputs(false, inputs.shoreMap, inputs.shoreRows); s != Status::ok) return s;
     setViewport(context->device, commands, view, geometry);
     return recordUnderwater(*context, commands, target.underwater, variant, inputs);
 }
@@ -471,11 +483,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     if (motion && waves) inputs.lastDisplacement = waves->lastDisplacement();
     if (foamPattern) inputs.foamPattern = foamPattern->view();
     if (foam) inputs.foamHistory = foam->view();
-    if (shore) {
-        inputs.shoreMap = shore->view();
-        if (const Status s = upload(*context, inputs.shoreRows, shore->signal().rows); s != Status::ok)
-            return s;
-    }
+    if (const Status s = shoreInputs(motion, inputs.shoreMap, inputs.shoreRows); s != Status::ok) return s;
     setViewport(device, commands, view, geometry);
     return recordSurface(*context, commands, *pipeline, wanted, inputs);
 }

@@ -112,6 +112,8 @@ struct Body : Held {
     Status readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out, ViewDesc& read);
     /// Where refraction sees a multisampled scene, which draw() cannot make single-sampled inside a pass.
     Status takeScene(VkCommandBuffer commands, SceneOfCall& scene);
+    /// What a shore's shaders read: nothing without one. `moves`: of the last frame, too.
+    Status shoreInputs(bool moves, VkImageView& map, gpu::Resource& rows);
     Status recordOverView(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                           const LightingDesc& lighting, const ViewGeometry& geometry,
                           const UnderwaterVariant& variant);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
 
 namespace seaglass {
 
@@ -49,7 +50,9 @@ Status ShoreMap::create(Context& context, const Shore& shore) {
 void ShoreMap::record(const gpu::Device& device, VkCommandBuffer commands, const Shore& shore, double time,
                       double decayTime) {
     image_.recordUpload(device, commands);
-    signal_ = shore.signalAt(time, decayTime);
+    ShoreSignal now = shore.signalAt(time, decayTime);
+    last_ = signal_.rows.empty() ? now : std::move(signal_);
+    signal_ = std::move(now);
 }
 
 } // namespace seaglass

@@ -15,10 +15,12 @@ class ShoreMap {
                 double decayTime);
     VkImageView view() const { return image_.view(); }
     const ShoreSignal& signal() const { return signal_; }
+    /// Of the call before; of the first call, that one's own.
+    const ShoreSignal& last() const { return last_; }
 
   private:
     FixedImage image_;
-    ShoreSignal signal_;
+    ShoreSignal signal_, last_;
 };
 
 } // namespace seaglass

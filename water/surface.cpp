@@ -20,6 +20,13 @@
 #include "spirv/motion_waves_outline.frag.h"
 #include "spirv/motion_waves_outline.vert.h"
 #include "spirv/motion_waves_outline_views.vert.h"
+#include "spirv/motion_waves_shore.vert.h"
+#include "spirv/motion_waves_shore_host_mesh.vert.h"
+#include "spirv/motion_waves_shore_host_mesh_views.vert.h"
+#include "spirv/motion_waves_shore_outline.frag.h"
+#include "spirv/motion_waves_shore_outline.vert.h"
+#include "spirv/motion_waves_shore_outline_views.vert.h"
+#include "spirv/motion_waves_shore_views.vert.h"
 #include "spirv/motion_waves_views.vert.h"
 #include "spirv/surface.vert.h"
 #include "spirv/surface_host_mesh.vert.h"
@@ -46,21 +53,30 @@ namespace seaglass {
 
 namespace {
 
+/// 0: none; 1; 2 with a shore.
+size_t wavesOf(const SurfaceFeatures& f) {
+    return f.shore ? 2 : f.waves ? 1 : 0;
+}
+
 std::span<const uint32_t> motionVertexShader(const SurfaceFeatures& f, bool multiview) {
     using Shader = std::span<const uint32_t>;
-    // By shape, then waves.
-    const Shader one[][2] = {{motion_vert, motion_waves_vert},
-                             {motion_outline_vert, motion_waves_outline_vert},
-                             {motion_host_mesh_vert, motion_waves_host_mesh_vert}};
-    const Shader several[][2] = {{motion_views_vert, motion_waves_views_vert},
-                                 {motion_outline_views_vert, motion_waves_outline_views_vert},
-                                 {motion_host_mesh_views_vert, motion_waves_host_mesh_views_vert}};
+    // By shape, then waves, then a shore.
+    const Shader one[][3] = {
+        {motion_vert, motion_waves_vert, motion_waves_shore_vert},
+        {motion_outline_vert, motion_waves_outline_vert, motion_waves_shore_outline_vert},
+        {motion_host_mesh_vert, motion_waves_host_mesh_vert, motion_waves_shore_host_mesh_vert}};
+    const Shader several[][3] = {
+        {motion_views_vert, motion_waves_views_vert, motion_waves_shore_views_vert},
+        {motion_outline_views_vert, motion_waves_outline_views_vert, motion_waves_shore_outline_views_vert},
+        {motion_host_mesh_views_vert, motion_waves_host_mesh_views_vert,
+         motion_waves_shore_host_mesh_views_vert}};
     const auto shape = static_cast<size_t>(f.shape);
-    return multiview ? several[shape][f.waves] : one[shape][f.waves];
+    return multiview ? several[shape][wavesOf(f)] : one[shape][wavesOf(f)];
 }
 
 std::span<const uint32_t> motionFragmentShader(const SurfaceFeatures& f) {
     if (f.shape != SurfaceShape::outlined) return motion_frag;
+    if (f.shore) return motion_waves_shore_outline_frag;
     if (f.waves) return motion_waves_outline_frag;
     return motion_outline_frag;
 }
@@ -80,8 +96,7 @@ std::span<const uint32_t> vertexShader(const SurfaceFeatures& f, bool multiview)
         {surface_host_mesh_views_vert, surface_waves_host_mesh_views_vert,
          surface_waves_shore_host_mesh_views_vert}};
     const auto shape = static_cast<size_t>(f.shape);
-    const size_t waves = f.shore ? 2 : f.waves ? 1 : 0;
-    return multiview ? several[shape][waves] : one[shape][waves];
+    return multiview ? several[shape][wavesOf(f)] : one[shape][wavesOf(f)];
 }
 
 /// As the shaders' names have it: w waves, f foam, s a shore, l reflection, r refraction, o an outline, h a

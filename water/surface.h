@@ -39,7 +39,7 @@ struct SurfaceFeatures {
     bool tilted = false;          ///< its axes are not the world's
     bool bed = false;             ///< only with refraction: it looks at a picture of the bed
     bool schlick = false;         ///< in place of the exact formula
-    bool motion = false;          ///< beside it waves, shape and dryRooms alone
+    bool motion = false;          ///< beside it waves, shore, shape and dryRooms alone
     auto operator<=>(const SurfaceFeatures&) const = default;
 };
 

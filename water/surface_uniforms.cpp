@@ -39,14 +39,15 @@ void setWaves(SurfaceUniforms& u, const Sea& sea, const WaveMaps& maps, const gl
     }
 }
 
-void setShore(SurfaceUniforms& u, const Shore& shore, const ShoreSignal& signal, const glm::dvec3& eye) {
+void setShore(SurfaceUniforms& u, const Shore& shore, const ShoreMap& map, const glm::dvec3& eye) {
+    const ShoreSignal& signal = map.signal();
     const double spacing = shore.spacing();
     const glm::dvec2 samples(shore.samples()[0], shore.samples()[1]);
     const glm::dvec2 fromFirst =
         (glm::dvec2(eye.x, eye.z) - glm::dvec2(shore.origin()[0], shore.origin()[1])) / spacing;
     u.shorePlace = glm::vec4((fromFirst + 0.5) / samples, 1.0 / (samples * spacing));
     u.shoreSignal = {signal.rowsPerSecond, signal.offset, signal.count, spacing};
-    u.shoreForm = {shore.peak() / (2 * std::numbers::pi), shore.carried(), 0, 0};
+    u.shoreForm = {shore.peak() / (2 * std::numbers::pi), shore.carried(), map.last().offset, 0};
 }
 
 void setFoam(SurfaceUniforms& u, const Foam& foam, const Sea& sea, const glm::dvec3& eye) {
@@ -104,7 +105,7 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
         u.reflectionLook = {reflection.clearDistance, reflection.scatter, reflection.skyFadeDistance, 0};
     }
     if (body.waves) setWaves(u, *body.sea, body.waves->maps(), geometry.eye);
-    if (body.shore) setShore(u, *body.sea->shore, body.shore->signal(), geometry.eye);
+    if (body.shore) setShore(u, *body.sea->shore, *body.shore, geometry.eye);
     if (body.hostMesh) {
         const glm::dvec2 origin = body.hostMesh->origin - glm::dvec2(geometry.eye.x, geometry.eye.z);
         u.extent = glm::vec4(glm::vec2(origin), 0, 0);

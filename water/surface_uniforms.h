@@ -60,7 +60,8 @@ struct SurfaceUniforms {
     glm::vec4 covered{-1e9f, -1e9f, 1e9f, 1e9f}; ///< (u, v) of the box around the body, low and high [m]
     glm::vec4 shorePlace{0};                     ///< of the eye on the shore's map, and of a metre
     glm::vec4 shoreSignal{0};     ///< rows a second, the first one's, their number; the map's spacing [m]
-    glm::vec4 shoreForm{0};       ///< 1 / period; how far foam is carried for each metre of swash
+    glm::vec4 shoreForm{0};       ///< 1 / period; how far foam is carried for each metre of swash; the first
+                                  ///< row in the last frame
     glm::mat3x4 worldFromBody{1}; ///< a column each
     uint32_t dryRooms = 0;
     float dryPadding[3] = {};

@@ -4,12 +4,16 @@
 
 #include "spirv/caustics.frag.h"
 #include "spirv/caustics_h.frag.h"
+#include "spirv/caustics_s.frag.h"
+#include "spirv/caustics_sh.frag.h"
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
 #include "spirv/underwater_views.vert.h"
 #include "spirv/underwater_waves.frag.h"
+#include "spirv/underwater_waves_shore.frag.h"
 #include "spirv/waterline.frag.h"
 #include "spirv/waterline_waves.frag.h"
+#include "spirv/waterline_waves_shore.frag.h"
 #include "water/surface_uniforms.h"
 
 namespace seaglass {
@@ -18,23 +22,28 @@ namespace {
 
 struct PassInfo {
     const char* name;
-    std::span<const uint32_t> shader, wavesShader;
+    std::span<const uint32_t> shader;
     bool readsColor, readsDepth;
     Drawing drawing;
 };
 
 PassInfo infoOf(const UnderwaterVariant& v) {
+    using Shader = std::span<const uint32_t>;
+    const size_t waves = v.shore ? 2 : v.waves ? 1 : 0;
     switch (v.pass) {
-    case UnderwaterPass::water:
-        return {"underwater", underwater_frag, underwater_waves_frag, true, true, Drawing::over};
-    case UnderwaterPass::waterline:
-        return {"waterline", waterline_frag, waterline_waves_frag, false, false, Drawing::blended};
+    case UnderwaterPass::water: {
+        const Shader shaders[] = {underwater_frag, underwater_waves_frag, underwater_waves_shore_frag};
+        return {"underwater", shaders[waves], true, true, Drawing::over};
+    }
+    case UnderwaterPass::waterline: {
+        const Shader shaders[] = {waterline_frag, waterline_waves_frag, waterline_waves_shore_frag};
+        return {"waterline", shaders[waves], false, false, Drawing::blended};
+    }
     case UnderwaterPass::caustics:
         break;
     }
-    const std::span<const uint32_t> shader =
-        v.sunShadow ? std::span<const uint32_t>(caustics_h_frag) : caustics_frag;
-    return {"caustics", {}, shader, false, true, Drawing::scaled};
+    const Shader shaders[][2] = {{caustics_frag, caustics_h_frag}, {caustics_s_frag, caustics_sh_frag}};
+    return {"caustics", shaders[v.shore][v.sunShadow], false, true, Drawing::scaled};
 }
 
 /// In the order of the shaders' bindings.
@@ -50,6 +59,10 @@ std::vector<gpu::Resource> resources(const Context& context, const UnderwaterVar
     if (info.readsColor) add(in.view->sceneColor);
     if (info.readsDepth) add(in.view->sceneDepth);
     if (v.waves) list.push_back(gpu::sampledImage(samplers.trilinearRepeat(), in.waveMap));
+    if (v.shore) {
+        list.push_back(gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap));
+        list.push_back(in.shoreRows);
+    }
     if (v.sunShadow) add(in.shadow->map);
     return list;
 }
@@ -57,8 +70,10 @@ std::vector<gpu::Resource> resources(const Context& context, const UnderwaterVar
 std::vector<VkDescriptorType> bindings(const UnderwaterVariant& v) {
     const PassInfo info = infoOf(v);
     std::vector<VkDescriptorType> types = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER};
-    const int images = int{info.readsColor} + int{info.readsDepth} + int{v.waves} + int{v.sunShadow};
-    types.insert(types.end(), static_cast<size_t>(images), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+    constexpr VkDescriptorType image = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    types.insert(types.end(), size_t{info.readsColor} + info.readsDepth + v.waves, image);
+    if (v.shore) types.insert(types.end(), {image, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
+    if (v.sunShadow) types.push_back(image);
     return types;
 }
 
@@ -77,9 +92,8 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
     const std::span<const uint32_t> constants(straddles, variant.pass == UnderwaterPass::water ? 1 : 0);
     const std::span<const uint32_t> vertex =
         target.viewMask ? std::span<const uint32_t>(underwater_views_vert) : underwater_vert;
-    return createDrawPipeline(device, target,
-                              {vertex, variant.waves ? info.wavesShader : info.shader, constants},
-                              info.drawing, "underwater pipeline", out);
+    return createDrawPipeline(device, target, {vertex, info.shader, constants}, info.drawing,
+                              "underwater pipeline", out);
 }
 
 Status recordUnderwater(Context& context, VkCommandBuffer commands, UnderwaterPipelines& pipelines,

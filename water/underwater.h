@@ -16,6 +16,7 @@ struct UnderwaterVariant {
     bool straddles = false; ///< the near plane may be above the water too
     bool waves = false;     ///< asked for only where it straddles, and always of caustics
     bool sunShadow = false; ///< of caustics alone
+    bool shore = false;     ///< only with waves
     auto operator<=>(const UnderwaterVariant&) const = default;
 };
 
@@ -27,6 +28,8 @@ struct UnderwaterInputs {
     gpu::Slice uniforms; ///< SurfaceUniforms
     const ViewDesc* view = nullptr;
     VkImageView waveMap = VK_NULL_HANDLE; ///< with waves: displacement, or derivatives for caustics
+    VkImageView shoreMap = VK_NULL_HANDLE;
+    gpu::Resource shoreRows;
     const SunShadow* shadow = nullptr;
 };
 

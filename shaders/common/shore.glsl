@@ -8,6 +8,7 @@ layout(set = 0, binding = SHORE_BINDING + 1, std430) readonly buffer ShoreSignal
 
 const int shoreTrains = 3;
 const float lowestSwash = -1.2;
+const float filmLift = 0.012;   // of a film over the sand, so that none of its grains hides it [m]
 
 struct ShoreWave {
     vec4 kept;       // of each cascade's amplitude
@@ -24,8 +25,9 @@ struct ShoreWave {
     float foam;
 };
 
-// At calm (u, v); `width` is what is seen as one [m].
-ShoreWave shoreWave(vec2 calm, float width) {
+// At calm (u, v); `width` is what is seen as one [m]. Of the moment whose rows begin at `rows`, `arrives` the row of what
+// arrives then at the edge.
+ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
     vec2 at = shorePlace.xy + calm * shorePlace.zw;
     float spacing = shoreSignal.w;
     vec2 texel = spacing * shorePlace.zw;
@@ -58,8 +60,8 @@ ShoreWave shoreWave(vec2 calm, float width) {
             vec2 slowness = vec2(alongU[t + 1], alongV[t + 1]);
             float size = max(length(slowness), 1e-4);
             vec2 towards = slowness / size;
-            float row = clamp(here[t + 1] * shoreSignal.x + shoreSignal.y, 0.0, shoreSignal.z - 1.001);
-            int i = 2 * (t * int(shoreSignal.z) + int(row));
+            float row = clamp(here[t + 1] * shoreSignal.x + arrives, 0.0, shoreSignal.z - 1.001);
+            int i = rows + 2 * (t * int(shoreSignal.z) + int(row));
             vec4 a = shoreRows[i];
             vec4 b = shoreRows[i + 2];
             vec4 now = mix(a, b, fract(row));
@@ -87,6 +89,17 @@ ShoreWave shoreWave(vec2 calm, float width) {
     }
     return w;
 }
+
+ShoreWave shoreWave(vec2 calm, float width) {
+    return shoreWaveOf(calm, width, 0, shoreSignal.y);
+}
+
+#ifdef MOTION
+// In the last frame.
+ShoreWave lastShoreWave(vec2 calm, float width) {
+    return shoreWaveOf(calm, width, 2 * shoreTrains * int(shoreSignal.z), shoreForm.z);
+}
+#endif
 
 // The height above calm water of a film that lies on the sand, or of the surface where that is higher.
 float withFilm(ShoreWave w, float height, float lift) {

@@ -33,7 +33,7 @@ vec4 caustics;   // strength; water/caustics.h: log2Scale, exponent
 vec4 covered;   // (u, v) of the box around the body, low and high
 vec4 shorePlace;    // of the eye on the shore's map, and of a metre
 vec4 shoreSignal;   // rows a second, the first one's, their number; the map's spacing
-vec4 shoreForm;     // 1 / period; how far foam is carried for each metre of swash
+vec4 shoreForm;     // 1 / period; how far foam is carried for each metre of swash; the first row in the last frame
 mat3 worldFromBody;   // of directions
 mat4 bedFromRelative;   // to pixels of the bed's picture
 mat4 relativeFromBed;

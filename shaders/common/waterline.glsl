@@ -1,13 +1,13 @@
-// Where the near plane of a view that stands in both leaves the water. Needs surface_uniforms.glsl.
+// Where the near plane of a view that stands in both leaves the water. Needs surface_uniforms.glsl and, over a shore, shore.glsl.
 
 #ifdef WAVES
+int cascades = stored.cascades;
+
+#include "wave_displacement.glsl"
+
+// As the finest cells of the mesh have it.
 vec3 displacementOf(vec2 calm) {
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < stored.cascades; ++i) {
-        float mip = max(log2(within.x * cascade[i].w), 0.0);   // as the finest cells of the mesh have it
-        if (mip < maxMip) sum += textureLod(waveDisplacement, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xyz;
-    }
-    return sum;
+    return surfaceDisplacement(waveDisplacement, calm, within.x);
 }
 #endif
 

@@ -1,4 +1,5 @@
-// How far the waves move a point of the calm plane, as a mean over `width` metres. Needs surface.glsl.
+// How far the waves move a point of the calm plane, as a mean over `width` metres. Needs surface.glsl, or surface_uniforms.glsl
+// and `cascades`.
 
 #ifdef WAVES
 // `kept` is a share of each cascade.
@@ -11,5 +12,24 @@ vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, ve
             sum += kept[i] * textureLod(displacements, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xyz;
     }
     return sum;
+}
+
+#ifdef SHORE
+// Over a shore's bed; with the film on its sand.
+vec3 displacementOver(ShoreWave shore, sampler2DArray displacements, vec2 calm, float width) {
+    vec3 moved = waveDisplacementAt(displacements, calm, width, shore.kept);
+    moved += vec3(shore.move.x, shore.height, shore.move.y);
+    moved.y = withFilm(shore, moved.y, filmLift + 0.01 * width);
+    return moved;
+}
+#endif
+
+// Of the water's surface, wherever there is a bed or none.
+vec3 surfaceDisplacement(sampler2DArray displacements, vec2 calm, float width) {
+#ifdef SHORE
+    return displacementOver(shoreWave(calm, width), displacements, calm, width);
+#else
+    return waveDisplacementAt(displacements, calm, width, vec4(1.0));
+#endif
 }
 #endif

@@ -1,12 +1,14 @@
-// Water at a shore as it is drawn: that it stands where the height queries say, where it is white, and that a
-// sea without a bed knows nothing of it.
+// Water at a shore as it is drawn: that it stands where the height queries say, from above, for an eye in it,
+// in motion and in the light on the bed; where it is white, and that a sea without a bed knows nothing of it.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/spy.h"
 #include "tests/gpu/water_rig.h"
+#include "tests/unit/statistics.h"
 #include "water/body.h"
 #include "water/sea.h"
 
@@ -81,6 +83,198 @@ TEST_F(ShoreOnGpu, TheSurfaceStandsWhereHeightQueriesSay) {
     std::printf("worst difference %.4f m, highest wave %.2f m\n", worst, highest);
     EXPECT_LT(worst, 0.05);
     EXPECT_GT(highest, 0.1);
+}
+
+/// In the surf, looking up, so that no ray from above meets the water.
+Camera straddling() {
+    Camera camera;
+    camera.eye = {3, -0.3, -14};
+    camera.target = {3, 30, -2};
+    camera.near = 0.4;
+    camera.fovDegrees = 60;
+    return camera;
+}
+
+TEST_F(ShoreOnGpu, TheWaterlineIsThatOfTheWavesOverTheBed) {
+    const RefractionDesc refraction{{0, 0, 0}, {0, 0, 0}, 1};
+    UnderwaterDesc underwater;
+    underwater.meniscus = 0;
+    desc_.refraction = &refraction;
+    desc_.underwater = &underwater;
+    desc_.mesh.cellSize = 0.02f;
+    Body* const body = makeBody(desc_);
+    const Camera camera = straddling();
+    size_t wet = 0, dry = 0, wrong = 0;
+    for (double time = 20; time < 26; time += 0.75) {
+        const WaterPicture p = picture({body}, camera, time);
+        const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+        std::vector<double> points, above;
+        std::vector<size_t> pixels;
+        for (uint32_t y = 0; y < p.height; y += 5)
+            for (uint32_t x = 0; x < p.width; x += 7) {
+                const glm::dvec3 ray = rayThrough(camera, x, y);
+                const glm::dvec3 start = camera.eye + ray * (camera.near / glm::dot(ray, forward));
+                points.insert(points.end(), {start.x, start.z});
+                above.push_back(start.y);
+                pixels.push_back(size_t{y} * p.width + x);
+            }
+        std::vector<HeightSample> heights(pixels.size());
+        sampleHeights(*sea(body), time, points.data(), heights.size(), heights.data());
+        for (size_t i = 0; i < pixels.size(); ++i) {
+            const double height = above[i] - double{heights[i].height};
+            if (std::abs(height) < 0.006) continue; // what the maps' interpolation leaves open
+            (height < 0 ? wet : dry) += 1;
+            wrong += p.covered(pixels[i]) != (height < 0);
+        }
+    }
+    std::printf("%zu wet, %zu dry, %zu wrong\n", wet, dry, wrong);
+    EXPECT_GT(wet, 500u);
+    EXPECT_GT(dry, 500u);
+    EXPECT_EQ(wrong, 0u);
+}
+
+TEST_F(ShoreOnGpu, TheMeniscusLiesAtTheWaterlineAlone) {
+    const RefractionDesc refraction;
+    UnderwaterDesc underwater;
+    desc_.refraction = &refraction;
+    desc_.underwater = &underwater;
+    const auto drawn = [&](float meniscus) {
+        underwater.meniscus = meniscus;
+        return picture({makeBody(desc_)}, straddling(), 20);
+    };
+    const WaterPicture with = drawn(0.01f), without = drawn(0);
+    size_t drawnAt = 0, astray = 0;
+    const int width = static_cast<int>(with.width), height = static_cast<int>(with.height), apart = 4;
+    const auto covered = [&](int x, int y) { return without.covered(static_cast<size_t>(y * width + x)); };
+    for (int y = apart; y + apart < height; ++y)
+        for (int x = apart; x + apart < width; ++x) {
+            const size_t i = static_cast<size_t>(y * width + x) * 4;
+            if (with.color[i] == without.color[i]) continue;
+            ++drawnAt;
+            astray += covered(x, y - apart) == covered(x, y + apart) &&
+                      covered(x - apart, y) == covered(x + apart, y);
+        }
+    EXPECT_GT(drawnAt, 100u);
+    EXPECT_EQ(astray, 0u);
+}
+
+TEST_F(ShoreOnGpu, MotionIsThatOfTheWavesOverTheBed) {
+    desc_.motion = true;
+    Body* const body = makeBody(desc_);
+    const double before = 31.4, now = 31.45;
+    const Camera seenBy = camera();
+    const auto motionOf = [&](Body* moving) {
+        picture({moving}, seenBy, before, SurfaceOutput::motion);
+        return picture({moving}, seenBy, now, SurfaceOutput::motion);
+    };
+    const WaterPicture p = motionOf(body);
+    const glm::dmat4 clipFromWorld = projectionMatrix(seenBy) * viewMatrix(seenBy);
+    const auto pixelOf = [&](const glm::dvec3& world) {
+        const glm::dvec4 clip = clipFromWorld * glm::dvec4(world, 1);
+        return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(seenBy.width, seenBy.height);
+    };
+    std::vector<double> off;
+    double greatest = 0;
+    for (uint32_t y = 0; y < p.height; y += 5)
+        for (uint32_t x = 0; x < p.width; x += 11) {
+            const size_t i = size_t{y} * p.width + x;
+            if (!p.covered(i)) continue;
+            const glm::dvec3 world = worldAt(seenBy, p, x, y);
+            // What lies on the sand as a film does not move with the water.
+            if (glm::length(world - seenBy.eye) > 22 || world.y < slope * world.z + 0.06) continue;
+            const double point[] = {world.x, world.z};
+            HeightSample sample;
+            sampleHeights(*sea(body), (before + now) / 2, point, 1, &sample);
+            const glm::dvec3 velocity(sample.velocity[0], sample.velocity[1], sample.velocity[2]);
+            const glm::dvec2 expected = pixelOf(world) - pixelOf(world - velocity * (now - before));
+            off.push_back(glm::length(glm::dvec2(p.color[i * 4], p.color[i * 4 + 1]) - expected));
+            greatest = std::max(greatest, glm::length(expected));
+        }
+    ASSERT_GT(off.size(), 200u);
+    std::printf("motion up to %.2f pixels, off by %.3f in the mean and %.3f at most\n", greatest, meanOf(off),
+                *std::ranges::max_element(off));
+    EXPECT_GT(greatest, 0.5);
+    EXPECT_LT(meanOf(off), 0.05 * greatest);
+    EXPECT_LT(*std::ranges::max_element(off), 0.25 * greatest);
+    // And of a body that ends far away.
+    desc_.extent.shape = ExtentShape::rectangle;
+    desc_.extent.size[0] = desc_.extent.size[1] = 400;
+    const WaterPicture outlined = motionOf(makeBody(desc_));
+    double apart = 0;
+    for (size_t i = 0; i < p.depth.size(); ++i)
+        if (p.depth[i] > seenBy.near / 22)
+            apart = std::max(apart, std::abs(double{outlined.color[i * 4]} - double{p.color[i * 4]}));
+    EXPECT_LT(apart, 0.01);
+}
+
+TEST_F(ShoreOnGpu, SunlightGathersBelowTheWavesOverTheBed) {
+    const RefractionDesc refraction{{0, 0, 0}, {0, 0, 0}, 1};
+    const CausticsDesc caustics;
+    sea_.windSpeed = 0; // the swell alone, which the bed changes most
+    desc_.refraction = &refraction;
+    desc_.caustics = &caustics;
+    Body* const body = makeBody(desc_);
+    lighting.toSun[0] = 0;
+    lighting.toSun[1] = 1;
+    lighting.toSun[2] = 0;
+    for (float& channel : lighting.sunIrradiance) channel = 5;
+    for (float& channel : lighting.skyIrradiance) channel = 0;
+    const double time = 31.4, depth = 3;
+    // 16 m from side to side of what lies under the waves that a bed guides.
+    constexpr double side = 16, middle = -20;
+    Camera seenBy;
+    seenBy.eye = {0, 40 - depth, middle};
+    seenBy.target = {0, 0, middle};
+    seenBy.fovDegrees = 2 * std::atan(side / 2 / 40) * 180 / std::numbers::pi;
+    seenBy.width = seenBy.height = 256;
+    drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
+        return drawCaustics(commands, target, &body, 1, &view, &lighting);
+    };
+    const WaterPicture p =
+        picture({body}, seenBy, time, SurfaceOutput::shaded, planeBelow(seenBy, -depth, 1));
+    // Photons through the surface on a net, each refracted at the normal there.
+    constexpr int cells = 16, net = 180;
+    constexpr double reach = 20;
+    std::vector<double> points;
+    for (int j = 0; j < net; ++j)
+        for (int i = 0; i < net; ++i)
+            points.insert(points.end(), {(i + 0.5) * reach / net - reach / 2,
+                                         middle + (j + 0.5) * reach / net - reach / 2});
+    std::vector<HeightSample> samples(points.size() / 2);
+    const std::unique_ptr<HeightGrid, void (*)(HeightGrid*)> grid(createHeightGrid(*sea(body), time),
+                                                                  destroyHeightGrid);
+    sampleHeights(*grid, points.data(), samples.size(), samples.data());
+    std::vector<double> fallen(cells * cells), drawn(cells * cells);
+    // Each lights as much of the bed as its part of the net, so that still water lights all of it alike.
+    constexpr double half = cells * reach / net / side / 2;
+    const auto light = [&](double u, double v) {
+        const auto share = [](double c, double cell) {
+            return (std::min(c + half, cell + 1) - std::max(c - half, cell)) / (2 * half);
+        };
+        for (double row = std::floor(v - half); row < v + half; ++row)
+            for (double column = std::floor(u - half); column < u + half; ++column)
+                if (std::min(row, column) >= 0 && std::max(row, column) < cells)
+                    fallen[static_cast<size_t>(row) * cells + static_cast<size_t>(column)] +=
+                        share(u, column) * share(v, row);
+    };
+    for (size_t i = 0; i < samples.size(); ++i) {
+        const glm::dvec3 normal(samples[i].normal[0], samples[i].normal[1], samples[i].normal[2]);
+        const double ratio = 1 / 1.333;
+        const double along = ratio * normal.y - std::sqrt(1 - ratio * ratio * (1 - normal.y * normal.y));
+        const glm::dvec3 ray = glm::dvec3(0, -ratio, 0) + normal * along;
+        const double t = (depth + double{samples[i].height}) / -ray.y;
+        light(((points[2 * i] + ray.x * t) / side + 0.5) * cells,
+              ((points[2 * i + 1] + ray.z * t - middle) / side + 0.5) * cells);
+    }
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x)
+            drawn[(y * cells / p.height) * cells + x * cells / p.width] +=
+                double{p.color[(size_t{y} * p.width + x) * 4 + 1]} / double{WaterPicture::untouched};
+    const double correlation = correlationOf(fallen, drawn);
+    const double contrast = deviationOf(drawn) / meanOf(drawn) / (deviationOf(fallen) / meanOf(fallen));
+    std::printf("correlation with photons %.3f, contrast %.2f of theirs\n", correlation, contrast);
+    EXPECT_GT(correlation, 0.8);
+    EXPECT_NEAR(contrast, 1, 0.3);
 }
 
 TEST_F(ShoreOnGpu, FoamIsWhereTheWaterThinsAndNotWhereItIsDeep) {
