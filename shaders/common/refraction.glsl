@@ -104,6 +104,20 @@ float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
     return clamp(depth / max(1.0 + dot(slope, perDepth.xz), 0.2), 0.0, 1.5 * (position.y - last.seen.y));
 }
 
+// As much depth as can be seen through [m].
+float seenAsFarAs() {
+    vec3 k = extinction();
+    return 2.0 / min(min(k.r, k.g), k.b);
+}
+
+#ifdef SHORE
+// The depth at which a ray meets the bed that the shore's map has.
+float depthOnMap(vec3 perDepth) {
+    float depth = position.y + plane.w + shoreHere.depth;
+    return clamp(depth / max(1.0 + dot(shoreHere.bedSlope, perDepth.xz), 0.2), 0.0, 3.0 * max(depth, 0.0));
+}
+#endif
+
 // How much nearer the ray, which is `at` that pixel, is than the scene behind it: in what is affine on the screen of both,
 // inverse distances from an eye, and distances along parallel lines of sight.
 float nearerBy(vec4 pixel, vec3 at, Behind b) {
@@ -112,13 +126,20 @@ float nearerBy(vec4 pixel, vec3 at, Behind b) {
     return 1.0 / pixel.w - dot(at, sight.xyz) - (b.nothing ? endless : 1.0 / scene - dot(b.seen, sight.xyz));
 }
 
+// A bed of so much light in air, at so much depth.
+vec3 bedThrough(vec3 bed, float depth, float gathered, float path) {
+    bed = litBelow(bed, depth, gathered) / (waterIndex * waterIndex);
+    return bed * exp(-extinction() * path) + waterGlow(vec3(path));
+}
+
 // What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
 // raised and little water lies before it. Sought is the depth under the surface at which the ray meets what the picture
 // shows where the ray projects: a root, by false position between a place of the screen where the ray is before the scene
 // and one where it is behind, which is exact for a plane. (A fixed point it is not: up a wall it would run away.) What
 // stands out of the water is passed over. Where the ray leaves the picture, or passes behind something, the bed goes on by
 // its slope. Where the line of sight itself passes over the bed's end, far off, it begins with what lies below at as much
-// depth as can be seen through. `path` is how much water lies before it [m].
+// depth as can be seen through; over a shore with what its map says, which stands for a bed that falls away out of sight.
+// `path` is how much water lies before it [m].
 vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     const float shallowest = 0.1;
     // Of its depth, from what is met; with two looks the nearest is the best there is.
@@ -137,14 +158,20 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     bool passedOver = found.nothing;
     float drop = max(position.y - found.seen.y, 0.0);
     float sought = min(drop, leaves);
+#ifdef SHORE
+    float onMap = depthOnMap(bent / steepness);
+#endif
     for (bool blind = passedOver; blind; blind = false) {
-        vec3 k = extinction();
-        sought = min(2.0 / min(min(k.r, k.g), k.b), leaves);
+        sought = min(seenAsFarAs(), leaves);
         found = behindRay(here, from + perDepth * sought);
         drop = max(position.y - found.seen.y, 0.0);
         if (isBelowWater(found)) sought = min(drop, sought);
+#ifdef SHORE
+        sought = min(onMap, leaves);
+#endif
     }
     if (found.nothing) return waterGlow(vec3(path));
+    Behind nearest = found;
     float deepest = 0.0;            // at which the ray was seen to be above the bed
     Behind last = found;            // of the bed, before the ray leaves the picture or passes behind something
     float least = 1e9;
@@ -166,6 +193,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
             deepest = sought;
             if (isBed) last = b;
         } else {
+            if (isBed) nearest = b;
             // Of what stands before the bed only that it does counts.
             under = isBed ? reached : vec2(reached.x, -above.y);
         }
@@ -190,9 +218,14 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
         bed = met ? bedRadiance(found) : radianceBeyond(last, position + bent / steepness * drop, here);
         if (!met) found = last;
     }
+    vec3 unknown = waterGlow(vec3(1e6));
+#ifdef SHORE
+    for (bool hidden = passedOver && known < 1.0; hidden; hidden = false)
+        unknown = bedThrough(bedRadiance(nearest), onMap - position.y - plane.w, gatheredIn(bedColorOf(nearest)),
+                             onMap / steepness);
+#endif
     path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
-    bed = litBelow(bed, -(found.seen.y + plane.w), gatheredIn(bedColorOf(found))) / (waterIndex * waterIndex);
-    return mix(waterGlow(vec3(1e6)), bed * exp(-extinction() * path) + waterGlow(vec3(path)), known);
+    return mix(unknown, bedThrough(bed, -(found.seen.y + plane.w), gatheredIn(bedColorOf(found)), path), known);
 }
 #else
 vec3 refracted(vec3 normal, vec3 toEye, out float path) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "seaglass/waves_fftw.h"
+#include "tests/gpu/fresnel.h"
 #include "tests/gpu/spy.h"
 #include "tests/gpu/water_rig.h"
 #include "tests/unit/statistics.h"
@@ -343,6 +344,67 @@ TEST_F(ShoreOnGpu, WaterOnTheSandMirrorsTheSkyAndNotTheSand) {
     std::printf("of the sky's light %.3f\n", sum / ofSky);
     EXPECT_GT(count, 500);
     EXPECT_GT(sum, 0.75 * ofSky); // 0.3 with the sand
+}
+
+/// Behind the edge of a shelf, which hides it, the map alone knows of the bed.
+TEST_F(ShoreOnGpu, ABedThatFallsAwayOutOfSightIsSeenThroughTheWater) {
+    constexpr double edge = -60, falls = 0.35, deepest = 30;
+    const auto depthAt = [&](double z) {
+        return z > edge ? -slope * z : std::min(-slope * edge + falls * (edge - z), deepest);
+    };
+    for (uint32_t j = 0; j < shore_.samples[1]; ++j)
+        std::fill_n(bed_.begin() + j * shore_.samples[0], shore_.samples[0],
+                    static_cast<float>(-depthAt(shore_.origin[1] + j)));
+    sea_.windSpeed = 0;
+    sea_.swells[0].height = 0.005f;
+    const float extinction = 0.1f;
+    const RefractionDesc refraction{{extinction, extinction, extinction}, {0, 0, 0}, 1};
+    desc_.refraction = &refraction;
+    Body* const body = makeBody(desc_);
+    Camera seenBy = camera();
+    seenBy.eye = {0, 4, -30};
+    seenBy.target = {0, 0, edge};
+    const glm::dvec3 forward = glm::normalize(seenBy.target - seenBy.eye);
+    // As the host sees it: what lies behind the edge is nowhere in its picture.
+    const auto seen = [&](float radiance) {
+        SceneBehind behind;
+        for (uint32_t y = 0; y < seenBy.height; ++y)
+            for (uint32_t x = 0; x < seenBy.width; ++x) {
+                const glm::dvec3 ray = rayThrough(seenBy, x, y);
+                const double t = (slope * seenBy.eye.z - seenBy.eye.y) / (ray.y - slope * ray.z);
+                const bool hit = t > 0 && seenBy.eye.z + t * ray.z > edge;
+                behind.depth.push_back(
+                    static_cast<float>(hit ? seenBy.near / (t * glm::dot(ray, forward)) : 0));
+                behind.color.insert(behind.color.end(), 4, hit ? radiance : 0);
+            }
+        return picture({body}, seenBy, 20, SurfaceOutput::shaded, behind);
+    };
+    const WaterPicture bright = seen(8), dark = seen(0);
+    size_t checked = 0;
+    double worst = 0;
+    for (uint32_t y = 0; y < bright.height; y += 2)
+        for (uint32_t x = 40; x <= 280; x += 20) {
+            const glm::dvec3 ray = rayThrough(seenBy, x, y);
+            const glm::dvec3 at = seenBy.eye - ray * (seenBy.eye.y / ray.y);
+            if (ray.y > 0 || at.z < edge - 20 || at.z > edge + 20) continue;
+            // Where rays pass the edge itself, the map's slope above is not that of the bed that they meet.
+            if (at.z > edge && at.z < edge + 5) continue;
+            // Snell's law, and where it meets the bed.
+            const glm::dvec3 bent = glm::refract(ray, glm::dvec3(0, 1, 0), 1 / waterIndex);
+            double low = 0, high = 2 * deepest;
+            for (int i = 0; i < 40; ++i) {
+                const double middle = (low + high) / 2;
+                (-bent.y * middle < depthAt(at.z + bent.z * middle) ? low : high) = middle;
+            }
+            const double through = (1 - reflectance(-ray.y, Fresnel::exact)) / (waterIndex * waterIndex);
+            const double expected = 8 * through * std::exp(-double{extinction} * low);
+            const size_t i = (size_t{y} * bright.width + x) * 4 + 1;
+            worst = std::max(worst, std::abs(double{bright.color[i] - dark.color[i]} / expected - 1));
+            ++checked;
+        }
+    std::printf("off by %.3f at most, of %zu\n", worst, checked);
+    EXPECT_GT(checked, 100u);
+    EXPECT_LT(worst, 0.03);
 }
 
 TEST_F(ShoreOnGpu, ASeaWithoutABedHasNothingOfIt) {
