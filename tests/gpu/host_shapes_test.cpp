@@ -1,5 +1,6 @@
 // Whatever shape the host has, it gets the same water, and the validation layers hear nothing.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -298,18 +299,28 @@ TEST_F(OwnDevices, DrawSeveralViewsInOnePass) {
     demos::Device* device = make(deviceShape);
     ASSERT_TRUE(device) << why();
     const std::vector<Camera> cameras = eyes();
-    const std::vector<Picture> alone = {ShapedHost(*device).picture(cameras[0]),
-                                        ShapedHost(*device).picture(cameras[1])};
-    HostShape shape;
-    shape.multiview = true;
-    for (const bool pass : {false, true})
-        for (const bool secondary : {false, true}) {
-            shape.renderPass = pass;
-            shape.secondary = secondary;
-            ShapedHost host(*device, shape);
-            host.submit(0, cameras, 5);
-            EXPECT_EQ(host.fetch(0), alone) << pass << secondary;
+    std::vector<Picture> level;
+    for (const bool tilted : {false, true}) {
+        const auto tilt = [&](BodyDesc& desc) {
+            if (tilted) std::ranges::copy(std::array{0.12, 0.992, 0.04, 0.0}, desc.plane);
+        };
+        const std::vector<Picture> alone = {ShapedHost(*device, {}, true, {}, tilt).picture(cameras[0]),
+                                            ShapedHost(*device, {}, true, {}, tilt).picture(cameras[1])};
+        HostShape shape;
+        shape.multiview = true;
+        for (const bool pass : {false, true})
+            for (const bool secondary : {false, true}) {
+                shape.renderPass = pass;
+                shape.secondary = secondary;
+                ShapedHost host(*device, shape, true, {}, tilt);
+                host.submit(0, cameras, 5);
+                EXPECT_EQ(host.fetch(0), alone) << tilted << pass << secondary;
+            }
+        if (!tilted) level = alone;
+        if (tilted) {
+            EXPECT_GT(apart(level[0], alone[0], 0.01f), 0.1);
         }
+    }
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // The debug overlay must say what the rig knows to be true, and look different when the camera is told wrong.
 #include <array>
 
+#include "tests/gpu/overlay_target.h"
 #include "tests/gpu/poses.h"
 #include "tests/gpu/reflection_rig.h"
 #include "tests/gpu/spy.h"
@@ -82,7 +83,7 @@ class Overlay : public ReflectionTest {
   protected:
     /// Reflects the boxes and draws an overlay of them; `told` are the matrices that the library is given.
     Look look(OverlayKind kind, const TracedView& traced, ViewDesc told, const ReflectorDesc& desc = {}) {
-        const demos::Image target = targetOf({traced.width, traced.height});
+        const demos::Image target = overlayTarget({traced.width, traced.height});
         const SceneOnDevice scene = upload(traced, told);
         OverlayDesc overlay;
         overlay.kind = kind;
@@ -105,35 +106,6 @@ class Overlay : public ReflectionTest {
         frame([](VkCommandBuffer) {});
         frame([](VkCommandBuffer) {});
         return out;
-    }
-
-    static demos::Image targetOf(VkExtent2D extent) {
-        demos::ImageDesc desc;
-        desc.format = VK_FORMAT_R16G16B16A16_SFLOAT;
-        desc.extent = extent;
-        desc.usage =
-            VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
-        demos::Image image;
-        demos::Error error;
-        EXPECT_TRUE(demos::createImage(device(), desc, image, error)) << error.text;
-        return image;
-    }
-
-    static Image described(const demos::Image& image) {
-        return {image.view.get(), image.format, image.extent, VK_IMAGE_LAYOUT_GENERAL};
-    }
-
-    static void toGeneral(VkCommandBuffer commands, const demos::Image& image) {
-        demos::imageBarrier(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL,
-                            VK_PIPELINE_STAGE_2_NONE, 0, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                            VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
-    }
-
-    static void toSampled(VkCommandBuffer commands, const demos::Image& image) {
-        demos::imageBarrier(commands, image, VK_IMAGE_LAYOUT_GENERAL,
-                            VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                            VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                            VK_ACCESS_2_MEMORY_READ_BIT);
     }
 
     /// Of the last look(), for a whole picture.
@@ -316,7 +288,7 @@ TEST_F(Overlay, NoDepthIsMagenta) {
 TEST_F(Overlay, CostsNothingUntilItIsAskedFor) {
     const Camera camera = testCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
-    const demos::Image target = targetOf({traced.width, traced.height});
+    const demos::Image target = overlayTarget({traced.width, traced.height});
     ViewDesc view = viewDesc(camera);
     const SceneOnDevice scene = upload(traced, view);
     ReflectorDesc desc;
@@ -341,7 +313,7 @@ TEST_F(Overlay, CostsNothingUntilItIsAskedFor) {
 TEST_F(Overlay, BadDescriptionsAreNamed) {
     const Camera camera = testCamera();
     const TracedView traced = Tracer(camera, {}).run();
-    const demos::Image target = targetOf({traced.width, traced.height});
+    const demos::Image target = overlayTarget({traced.width, traced.height});
     ViewDesc view = viewDesc(camera);
     const SceneOnDevice scene = upload(traced, view);
     const ReflectorDesc desc;

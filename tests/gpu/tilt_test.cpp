@@ -9,6 +9,7 @@
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/drawn_view.h"
+#include "tests/gpu/overlay_target.h"
 #include "tests/gpu/spy.h"
 #include "tests/gpu/traced_scene.h"
 #include "tests/gpu/water_rig.h"
@@ -409,6 +410,76 @@ TEST_P(Tilts, MotionIsTheSame) {
     std::printf("motion up to %.2f pixels, off by %.5f at most\n", greatest, worst);
     EXPECT_GT(greatest, 1);
     EXPECT_LT(worst, 0.01);
+}
+
+TEST_P(Tilts, HistoriesAreFollowedAlongThePlane) {
+    desc_.reflection = &reflection_;
+    reflection_.temporal = 0.9f;
+    const Camera start = camera_;
+    const auto lastOf = [&](bool inTurned, Body* body, int frames) {
+        WaterPicture p;
+        for (int i = 0; i < frames; ++i) {
+            camera_ = start;
+            camera_.eye.x += 0.05 * (i - frames);
+            camera_.rollDegrees = i - frames;
+            p = seen(inTurned, body, 0, SurfaceOutput::reflection, scene());
+        }
+        return p;
+    };
+    const auto [level, tilted] = bodies();
+    const Pair pair{lastOf(false, level, 5), lastOf(true, tilted, 5)};
+    expectSame(pair, "histories", followedRays);
+    const WaterPicture alone = lastOf(true, makeBody(turned(desc_)), 1);
+    size_t kept = 0;
+    for (size_t i = 0; i < alone.color.size(); i += 4)
+        kept += std::abs(shown(alone.color[i]) - shown(pair.turned.color[i])) > 1.5 / 255;
+    std::printf("%zu pixels are others than those of one frame\n", kept);
+    EXPECT_GT(kept, 200u);
+}
+
+TEST_P(Tilts, TheOverlayShowsTheSame) {
+    desc_.reflection = &reflection_;
+    const auto [level, tilted] = bodies();
+    const SceneBehind behind = scene();
+    const demos::Image color = uploadFloats(camera_.width, camera_.height, 4, behind.color);
+    const demos::Image depth = uploadFloats(camera_.width, camera_.height, 1, behind.depth);
+    const demos::Image target = overlayTarget({camera_.width, camera_.height});
+    const auto overlay = [&](bool inTurned, Body* body, OverlayKind kind) {
+        ViewDesc view = viewDesc(camera_);
+        view.sceneColor = asSeaglass(color);
+        view.sceneDepth = asSeaglass(depth);
+        if (inTurned) turn(view);
+        OverlayDesc desc;
+        desc.kind = kind;
+        desc.target = described(target);
+        frame([&](VkCommandBuffer commands) {
+            EXPECT_EQ(reflect(commands, &body, 1, &view), Status::ok) << message();
+            toGeneral(commands, target);
+            EXPECT_EQ(recordOverlay(commands, body, &view, &desc), Status::ok) << message();
+            toSampled(commands, target);
+        });
+        return download(target.image.get(), target.format, target.extent);
+    };
+    for (const auto& [kind, name] : {std::pair(OverlayKind::depth, "depth"),
+                                     {OverlayKind::plane, "plane"},
+                                     {OverlayKind::classes, "classes"},
+                                     {OverlayKind::confidence, "confidence"},
+                                     {OverlayKind::hitDistance, "distance"}}) {
+        const std::vector<float> a = overlay(false, level, kind), b = overlay(true, tilted, kind);
+        size_t off = 0;
+        float lowest = 1, highest = 0;
+        for (size_t i = 0; i < a.size(); i += 4) {
+            double difference = 0;
+            for (size_t c = i; c < i + 3; ++c)
+                difference = std::max(difference, std::abs(double{a[c]} - double{b[c]}));
+            off += difference > 0.01;
+            lowest = std::min(lowest, a[i]);
+            highest = std::max(highest, a[i]);
+        }
+        std::printf("%s: %zu of %zu pixels differ\n", name, off, a.size() / 4);
+        EXPECT_LE(static_cast<double>(off), followedRays * static_cast<double>(a.size()) / 4) << name;
+        EXPECT_GT(highest - lowest, 0.1f) << name;
+    }
 }
 
 TEST_P(Tilts, DryRoomsStayWhereTheyAreInTheWorld) {
