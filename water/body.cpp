@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_access.hpp>
 
 #include "gpu/guard.h"
 #include "reflection/mirror.h"
@@ -65,9 +64,14 @@ Status upload(Context& context, gpu::Resource& out, const Blocks&... blocks) {
     return Status::ok;
 }
 
-/// From one pixel to the next above it, amid the picture [rad]; of parallel lines of sight [m].
+/// As pixelWidth() of shaders/common/surface_uniforms.glsl has it, amid the picture [rad]; of parallel lines
+/// of sight [m].
 double pixelStep(const ViewGeometry& geometry) {
-    return 1 / glm::length(glm::dvec3(glm::row(geometry.pixelFromRelative, 1)));
+    const glm::dmat4 rows = glm::transpose(geometry.pixelFromRelative);
+    const glm::dvec2 middle = glm::dvec2(geometry.regionSize) / 2.0;
+    const glm::dvec3 ahead(rows[3]), right = glm::dvec3(rows[0]) - middle.x * ahead,
+                                     down = glm::dvec3(rows[1]) - middle.y * ahead;
+    return 1 / std::sqrt(glm::length(glm::cross(right, down)));
 }
 
 void setViewport(const gpu::Device& device, VkCommandBuffer commands, const ViewDesc& view,

@@ -46,7 +46,7 @@ struct Lattice {
     /// the waves: so that what they have there is not.
     uint32_t cellsFor(int level, const glm::dvec2& corner, bool held = false) const {
         if (!view.waves) return patchCells;
-        const double unseen = view.pixel * leastDistanceTo(level, corner) / 3;
+        const double unseen = 0.31 * view.pixel * leastDistanceTo(level, corner);
         if (held && view.displacement > unseen) return patchCells;
         uint32_t cells = fewestCells;
         while (cells < patchCells && view.waves->lostBetween(edge(level) / cells) > unseen) cells *= 2;

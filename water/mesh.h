@@ -61,7 +61,7 @@ std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDep
 bool inSight(const MeshView& view, const OutlineBox& box);
 
 /// Patches from fine to coarse, or from far to near, out to the horizon; those out of sight left out. Returns
-/// how many cells are across each: no more than it takes to leave out of the waves a third of a pixel.
+/// how many cells are across each: no more than it takes to leave out of the waves 0.31 of a pixel.
 uint32_t selectPatches(const MeshView& view, double finestCell, double rangeInCells,
                        std::vector<MeshPatch>& out);
 

@@ -1,4 +1,4 @@
-// What is blurred by how much a pixel shows is blurred alike however the camera is turned.
+// What depends on how much a pixel shows is the same however the camera is turned.
 #include <cmath>
 #include <numbers>
 
@@ -34,14 +34,14 @@ class PixelWidth : public WaterTest {
   protected:
     /// How far the two pictures of `seen` are apart, as a share of how much one varies.
     template<typename Seen>
-    static double apart(const Camera& camera, Seen&& seen) {
+    static double apart(const Camera& camera, Seen&& seen, size_t channel = 1) {
         const WaterPicture whole = seen(camera), turned = seen(onItsSide(camera));
         double off = 0, sum = 0, squares = 0, count = 0;
         for (uint32_t y = 0; y < whole.height; ++y)
             for (uint32_t x = 0; x < whole.width; ++x) {
                 const size_t i = size_t{y} * whole.width + x;
                 const size_t j = size_t{turned.height - 1 - x} * turned.width + y;
-                const double a = whole.color[i * 4 + 1], b = turned.color[j * 4 + 1];
+                const double a = whole.color[i * 4 + channel], b = turned.color[j * 4 + channel];
                 if (whole.color[i * 4 + 3] == WaterPicture::untouched) continue;
                 off += (a - b) * (a - b);
                 sum += a;
@@ -88,6 +88,23 @@ TEST_F(PixelWidth, BlursReflectionsAlikeInACameraOnItsSide) {
         return picture({body}, camera, 0, SurfaceOutput::reflection, stripedWall(camera));
     });
     EXPECT_LT(off, 0.03);
+}
+
+TEST_F(PixelWidth, MakesMeshesAsFineInACameraOnItsSide) {
+    SeaDesc sea;
+    sea.windSpeed = 7;
+    sea.fetch = 20e3f;
+    sea.samples = 128;
+    desc_.waves = &sea;
+    desc_.wavesBackend = fftwWaves();
+    desc_.mesh.cellSize = 0.1f;
+    Body* const body = makeBody(desc_);
+    for (const double height : {3.0, 5.0, 8.0, 12.0, 20.0}) {
+        const double off = apart(
+            upright({0, height, 0}, {0, 0, -2 * height}),
+            [&](const Camera& camera) { return picture({body}, camera, 7, SurfaceOutput::height); }, 0);
+        EXPECT_LT(off, 0.03) << height;
+    }
 }
 
 TEST_F(PixelWidth, BlursCausticsAlikeInACameraOnItsSide) {
