@@ -27,15 +27,6 @@ Camera fromAside(double degreesDown, double height, const glm::dvec3& target = g
     return camera;
 }
 
-SeaDesc breeze() {
-    SeaDesc sea;
-    sea.windSpeed = 8;
-    sea.fetch = 50e3f;
-    sea.samples = 64;
-    sea.cascades = 3;
-    return sea;
-}
-
 /// Waves of some centimetres.
 SeaDesc ripples() {
     SeaDesc sea;

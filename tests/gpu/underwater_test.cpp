@@ -5,6 +5,7 @@
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/fresnel.h"
+#include "tests/gpu/near_plane.h"
 #include "tests/gpu/spy.h"
 #include "tests/gpu/water_rig.h"
 
@@ -170,31 +171,12 @@ TEST_F(Underwater, TheWaterlineIsWhereTheNearPlaneLeavesTheSurface) {
         camera.near = 0.4;
         camera.fovDegrees = 36;
         camera.rollDegrees = roll;
-        const WaterPicture p = picture({body}, camera, 3);
-        const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-        std::vector<double> points, above;
-        std::vector<size_t> pixels;
-        for (uint32_t y = 0; y < p.height; y += 3)
-            for (uint32_t x = 0; x < p.width; x += 7) {
-                const glm::dvec3 ray = rayThrough(camera, x, y);
-                const glm::dvec3 start = camera.eye + ray * (camera.near / glm::dot(ray, forward));
-                points.insert(points.end(), {start.x, start.z});
-                above.push_back(start.y);
-                pixels.push_back(size_t{y} * p.width + x);
-            }
-        std::vector<HeightSample> heights(pixels.size());
-        sampleHeights(*seaglass::sea(body), 3, points.data(), heights.size(), heights.data());
-        size_t wet = 0, dry = 0, wrong = 0;
-        for (size_t i = 0; i < pixels.size(); ++i) {
-            const double height = above[i] - double{heights[i].height};
-            if (std::abs(height) < 0.004) continue; // what the maps' interpolation leaves open
-            const bool replaced = p.covered(pixels[i]);
-            (height < 0 ? wet : dry) += 1;
-            wrong += replaced != (height < 0);
-        }
-        EXPECT_GT(wet, 200u);
-        EXPECT_GT(dry, 200u);
-        EXPECT_EQ(wrong, 0u) << "of " << wet + dry << ", roll " << roll;
+        constexpr double unsure = 0.004; // what the maps' interpolation leaves open
+        const NearPlaneCount count =
+            countNearPlane(picture({body}, camera, 3), camera, *seaglass::sea(body), 3, unsure);
+        EXPECT_GT(count.wet, 200u);
+        EXPECT_GT(count.dry, 200u);
+        EXPECT_EQ(count.wrong, 0u) << "of " << count.wet + count.dry << ", roll " << roll;
     }
 }
 

@@ -228,6 +228,15 @@ SceneBehind planeBelow(const Camera& camera, double bed, float radiance) {
     return behind;
 }
 
+seaglass::SeaDesc breeze() {
+    seaglass::SeaDesc sea;
+    sea.windSpeed = 8;
+    sea.fetch = 50e3f;
+    sea.samples = 64;
+    sea.cascades = 3;
+    return sea;
+}
+
 double angleBelowHorizon(const Camera& camera, uint32_t x, uint32_t y) {
     return -std::asin(rayThrough(camera, x, y).y);
 }

@@ -78,6 +78,9 @@ glm::dvec3 rayThrough(const Camera& camera, uint32_t x, uint32_t y);
 /// A plane at height `bed`, of one radiance.
 SceneBehind planeBelow(const Camera& camera, double bed, float radiance);
 
+/// A wind of 8 m/s, in few samples.
+seaglass::SeaDesc breeze();
+
 /// The angle of a pixel's ray below the horizon [rad].
 double angleBelowHorizon(const Camera& camera, uint32_t x, uint32_t y);
 

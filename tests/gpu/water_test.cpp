@@ -26,15 +26,6 @@ Camera seaCamera() {
     return camera;
 }
 
-SeaDesc breeze() {
-    SeaDesc sea;
-    sea.windSpeed = 8;
-    sea.fetch = 50e3f;
-    sea.samples = 64;
-    sea.cascades = 3;
-    return sea;
-}
-
 class Water : public WaterTest {
   protected:
     Body* wavyBody(const SeaDesc& sea) {
@@ -840,6 +831,20 @@ class WaterFoam : public Water {
         desc.foam = &foam;
         return makeBody(desc);
     }
+    /// Thick foam, drawn out by a gale along x.
+    Body* streakyBody(uint32_t slopeLooks = 1) {
+        SeaDesc sea = breeze();
+        sea.windSpeed = 20;
+        sea.windDirection = 0;
+        sea.fetch = 500e3f;
+        const FoamDesc foam{.bias = 0.03f};
+        BodyDesc desc;
+        desc.waves = &sea;
+        desc.wavesBackend = fftwWaves();
+        desc.foam = &foam;
+        desc.shading.slopeLooks = slopeLooks;
+        return makeBody(desc);
+    }
     static Camera above() {
         Camera camera = seaCamera();
         camera.eye.y = 40;
@@ -946,16 +951,7 @@ TEST_F(WaterFoam, CoversAsMuchFromAnyHeight) {
 
 // The pattern repeats every 24 m, across the wind without a bend: from the air its rafts would stand in rows.
 TEST_F(WaterFoam, RaftsStandInNoRows) {
-    SeaDesc desc = breeze();
-    desc.windSpeed = 20;
-    desc.windDirection = 0;
-    desc.fetch = 500e3f;
-    const FoamDesc foam{.bias = 0.03f};
-    BodyDesc bodyDesc;
-    bodyDesc.waves = &desc;
-    bodyDesc.wavesBackend = fftwWaves();
-    bodyDesc.foam = &foam;
-    Body* body = makeBody(bodyDesc);
+    Body* body = streakyBody();
     constexpr size_t rows = 32; // of pixels, to a tile
     Camera camera = seaCamera();
     camera.width = camera.height = 256;
@@ -990,23 +986,13 @@ TEST_F(WaterFoam, RaftsStandInNoRows) {
 // From an aeroplane a pixel is twice as long as wide and as large as the rafts: they stay white on dark, not
 // a veil.
 TEST_F(WaterFoam, IsNoVeilFromTheAir) {
-    SeaDesc desc = breeze();
-    desc.windSpeed = 20;
-    desc.windDirection = 0;
-    desc.fetch = 500e3f;
-    const FoamDesc foam{.bias = 0.03f};
-    BodyDesc bodyDesc;
-    bodyDesc.waves = &desc;
-    bodyDesc.wavesBackend = fftwWaves();
-    bodyDesc.foam = &foam;
     constexpr uint32_t width = 128, height = 72, finer = 4;
     Camera camera = seaCamera();
     camera.fovDegrees = 46;
     camera.eye = {0, 400, 0};
     for (const bool downwind : {false, true})
         for (const uint32_t looks : {1u, 4u}) {
-            bodyDesc.shading.slopeLooks = looks;
-            Body* body = makeBody(bodyDesc);
+            Body* body = streakyBody(looks);
             camera.target = downwind ? glm::dvec3(600, 100, 0) : glm::dvec3(0, 100, 600);
             camera.width = width;
             camera.height = height;
