@@ -34,6 +34,11 @@ float footprintOn(const Ray& ray, const Hit& hit) {
     return std::max(right, below);
 }
 
+float foamWidth(const Ray& ray, const Hit& hit, const Random* random) {
+    constexpr float point = 1e-3f;
+    return random ? point : footprintOn(ray, hit);
+}
+
 Facet meanFacet(const Frame& frame, const Ray& ray, const Hit& hit) {
     Facet f;
     f.up = hit.facing();

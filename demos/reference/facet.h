@@ -15,6 +15,9 @@ struct Facet {
 
 /// Width of the pixel on the calm surface around a hit [m].
 float footprintOn(const Ray& ray, const Hit& hit);
+/// Over which foam is a mean there [m]: the pixel, but of many samples each sees the white or the dark of its
+/// own point.
+float foamWidth(const Ray& ray, const Hit& hit, const Random* random);
 
 /// The mean slope over the pixel; where that faces away from the eye, the mesh's own.
 Facet meanFacet(const Frame& frame, const Ray& ray, const Hit& hit);

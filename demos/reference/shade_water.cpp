@@ -152,10 +152,7 @@ WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int
         radiance += random ? sampledGlint(frame, facet, toEye, towardsSun) : meanGlint(frame, facet, toEye);
 
     if (world.water->foam && !flat) {
-        const auto samples = static_cast<float>(frame.desc.samples);
-        const float footprint = footprintOn(ray, hit) / std::sqrt(samples);
-        const glm::dvec2 calm = frame.calmAt(hit);
-        const Foam white = foamAt(frame.surface, calm, footprint);
+        const Foam white = foamAt(frame.surface, frame.calmAt(hit), foamWidth(ray, hit, random));
         radiance = glm::mix(radiance, foamRadiance(frame, facet, white, toEye, mirror, lit) * facet.weight,
                             white.mask);
     }

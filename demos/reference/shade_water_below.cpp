@@ -82,8 +82,7 @@ WaterRadiance shadeWaterBelow(const Frame& frame, const Ray& ray, const Hit& hit
             sunThrough(frame, facet.slopes.mean, covariance, -ray.direction, world.light.toSun(), seen);
     }
     if (world.water->foam && !flat) {
-        const float footprint = footprintOn(ray, hit) / std::sqrt(static_cast<float>(frame.desc.samples));
-        const Foam white = foamAt(frame.surface, frame.calmAt(hit), footprint);
+        const Foam white = foamAt(frame.surface, frame.calmAt(hit), foamWidth(ray, hit, random));
         const glm::vec3 foam = waterLightOf(frame).entering *
                                ((1 - static_cast<float>(world.water->foam->albedo)) / pi * facet.weight);
         radiance = glm::mix(radiance, foam, white.mask);
