@@ -5,15 +5,11 @@
 #include "host/quality.h"
 #include "scene/camera_choice.h"
 #include "scene/offset.h"
+#include "scene/without.h"
 
 namespace demos::measure {
 
 namespace {
-
-void still(WaterDesc& water) {
-    water.waves.reset();
-    water.foam.reset();
-}
 
 std::optional<Scene> sceneWith(const Technique& technique, const std::string& surface,
                                const SubjectDesc& desc, Error& error) {
@@ -26,7 +22,7 @@ std::optional<Scene> sceneWith(const Technique& technique, const std::string& su
     if (!technique.part && scene->water) scene->water->reflection.reset();
     if (!technique.part && scene->floor) scene->floor->reflection.reset();
     if (technique.dial) setQuality(technique.quality, *scene->water);
-    if (desc.flat && scene->water) still(*scene->water);
+    if (desc.flat && scene->water) takeWaves(*scene->water);
     return scene;
 }
 

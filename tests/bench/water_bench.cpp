@@ -11,6 +11,7 @@
 #include "host/quality.h"
 #include "scene/camera_choice.h"
 #include "scene/offset.h"
+#include "scene/without.h"
 
 namespace {
 
@@ -34,15 +35,12 @@ constexpr Part parts[] = {
     {"highest", [](WaterDesc& water) { setQuality("highest", water); }},
     {"Schlick", [](WaterDesc& water) { water.fresnel = "schlick"; }},
     {"no foam", [](WaterDesc& water) { water.foam.reset(); }},
-    {"no refraction",
-     [](WaterDesc& water) { water.refraction.reset(), water.bed.reset(), water.underwater.reset(); }},
+    {"no refraction", takeRefraction},
     {"sky alone", [](WaterDesc& water) { water.reflection.reset(); }},
-    {"still", [](WaterDesc& water) { water.foam.reset(), water.waves.reset(); }},
+    {"no caustics", [](WaterDesc& water) { water.caustics.reset(); }},
+    {"still", takeWaves},
     {"still, sky alone, opaque",
-     [](WaterDesc& water) {
-         water.refraction.reset(), water.bed.reset(), water.underwater.reset(), water.reflection.reset();
-         water.foam.reset(), water.waves.reset();
-     }},
+     [](WaterDesc& water) { takeRefraction(water), takeWaves(water), water.reflection.reset(); }},
 };
 
 void print(const char* name, const SurfaceTimes& times, const ComparedTimes& all) {

@@ -5,6 +5,7 @@
 
 #include "host/host.h"
 #include "scene/offset.h"
+#include "scene/without.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -23,8 +24,7 @@ struct View {
 std::optional<View> calmHarbour(const Vec3& offset, Error& error) {
     std::optional<Scene> scene = loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {}, error);
     if (!scene) return std::nullopt;
-    scene->water->waves.reset();
-    scene->water->foam.reset();
+    takeWaves(*scene->water);
     CameraDesc camera = scene->cameras.front();
     camera.offsetM = offset;
     applyOffset(*scene, camera);

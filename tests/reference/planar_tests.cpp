@@ -6,6 +6,7 @@
 
 #include "host/supersample.h"
 #include "metrics/psnr.h"
+#include "scene/without.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -66,8 +67,7 @@ TEST(Planar, MirrorsWhatTheReferenceMirrors) {
         loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml",
                   {"water.reflection.technique=planar", "sun.irradiance=[0,0,0]"}, error);
     ASSERT_TRUE(scene) << error.text;
-    scene->water->waves.reset();
-    scene->water->foam.reset();
+    takeWaves(*scene->water);
     for (const CameraDesc& camera : scene->cameras) {
         if (camera.name != "level" && camera.name != "high" && camera.name != "grazing") continue;
         Mirrored mirrored;

@@ -6,6 +6,7 @@
 
 #include "host/host.h"
 #include "scene/offset.h"
+#include "scene/without.h"
 
 namespace {
 
@@ -65,8 +66,7 @@ TEST(HarbourPoses, NoPixelOfTwoMillionIsNan) {
     Error error;
     std::optional<Scene> scene = loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {}, error);
     ASSERT_TRUE(scene) << error.text;
-    scene->water->waves.reset();
-    scene->water->foam.reset();
+    takeWaves(*scene->water);
     const auto roll35 = std::find_if(scene->cameras.begin(), scene->cameras.end(),
                                      [](const CameraDesc& camera) { return camera.name == "roll35"; });
     ASSERT_NE(roll35, scene->cameras.end());

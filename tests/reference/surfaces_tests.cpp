@@ -3,6 +3,7 @@
 
 #include "host/host.h"
 #include "scene/scene.h"
+#include "scene/without.h"
 
 namespace {
 
@@ -21,8 +22,7 @@ TEST(Surfaces, WatersTakeTurnsOverOneScene) {
         loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {"water.waves.samples=64"}, error);
     ASSERT_TRUE(scene) << error.text;
     WaterDesc flat = *scene->water;
-    flat.waves.reset();
-    flat.foam.reset();
+    takeWaves(flat);
     flat.reflection->technique = "sky";
     WaterDesc planar = flat;
     planar.reflection->technique = "planar";

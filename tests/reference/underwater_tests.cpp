@@ -7,6 +7,7 @@
 #include "host/host.h"
 #include "measure/picture_error.h"
 #include "metrics/compare.h"
+#include "scene/without.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -92,8 +93,7 @@ TEST_F(UnderwaterHost, CrossingTheSurfaceByMillimetresNeverJumps) {
 /// What it mirrors of the water below lies where rays find it: beyond the window, all of the picture's
 /// surface.
 TEST_F(UnderwaterHost, MirrorsTheBedWhereItIsTraced) {
-    scene_.water->waves.reset();
-    scene_.water->foam.reset();
+    takeWaves(*scene_.water);
     const CameraDesc camera = cameraOf(scene_, "below");
     for (const std::string technique : {"sspr", "ssr", "hybrid", "planar"}) {
         Error error;
