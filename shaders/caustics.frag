@@ -22,6 +22,8 @@ layout(set = 0, binding = 2) uniform sampler2DArray waveDerivatives;
 
 layout(location = 0) out vec4 outColor;
 
+layout(constant_id = 0) const int searchSteps = 2;
+
 // All that is scattered, forwards too [1/m]: particles send 0.0183 of it back (Petzold 1972), and molecules, which sea
 // water owes this much to (Morel 1974), half.
 vec3 scattering() {
@@ -41,31 +43,42 @@ float turnsMore() {
     return length(strays(0.05 * towards) - strays(-0.05 * towards)) / (0.1 * 0.25);
 }
 
-// Mean slope over `width` metres.
-vec2 slopeOver(vec2 calm, float width) {
-    vec2 sum = vec2(0.0);
-    float kept = 1.0;
+// Mean slopes over `width` metres, of three places: one loop for all is the cheapest.
+mat3x2 slopesOver(mat3x2 calm, float width) {
+    mat3x2 sum = mat3x2(0.0);
 #ifdef SHORE
-    ShoreWave shore = shoreWave(calm, width);
-    sum = shore.slope;
+    mat3x4 kept;
+    for (int j = 0; j < 3; ++j) {
+        ShoreWave shore = shoreWave(calm[j], width);
+        sum[j] = shore.slope;
+        kept[j] = shore.kept;
+    }
 #endif
     for (int i = 0; i < stored.cascades; ++i) {
         float mip = max(log2(width * cascade[i].w), 0.0);
-#ifdef SHORE
-        kept = shore.kept[i];
-#endif
         // Loops of one round, here and below: CPU devices leave them out where nobody is in them.
         for (bool shows = mip < maxMip; shows; shows = false)
-            sum += kept * textureLod(waveDerivatives, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xy;
+            for (int j = 0; j < 3; ++j) {
+                vec2 slope = textureLod(waveDerivatives, vec3(cascade[i].xy + calm[j] * cascade[i].z, i), mip).xy;
+#ifdef SHORE
+                slope *= kept[j][i];
+#endif
+                sum[j] += slope;
+            }
     }
     return sum;
 }
 
-// Where on the surface the ray came through that lights `at`, `depth` below: by steps, each from the slope that the last
+// Where on the surface the rays came through that light places `depth` below: by steps, each from the slope that the last
 // one found.
-vec2 enteredAt(vec2 at, float depth, float width) {
-    vec2 from = at - depth * strays(vec2(0.0));
-    for (int i = 0; i < 3; ++i) from = at - depth * strays(slopeOver(from, width));
+mat3x2 enteredAt(mat3x2 at, float depth, float width) {
+    vec2 straight = strays(vec2(0.0));
+    mat3x2 from;
+    for (int j = 0; j < 3; ++j) from[j] = at[j] - depth * straight;
+    for (int i = 0; i < searchSteps; ++i) {
+        mat3x2 slopes = slopesOver(from, width);
+        for (int j = 0; j < 3; ++j) from[j] = at[j] - depth * strays(slopes[j]);
+    }
     return from;
 }
 
@@ -73,44 +86,49 @@ vec2 enteredAt(vec2 at, float depth, float width) {
 // so that it is 1 in the mean, to the last place but for what is cut at 0.
 float gathered(vec2 at, float depth, float width) {
     float apart = 0.5 * width;
-    vec2 from = enteredAt(at, depth, width);
-    vec2 u = enteredAt(at + vec2(apart, 0.0), depth, width) - from;
-    vec2 v = enteredAt(at + vec2(0.0, apart), depth, width) - from;
+    mat3x2 from = enteredAt(mat3x2(at, at + vec2(apart, 0.0), at + vec2(0.0, apart)), depth, width);
+    vec2 u = from[1] - from[0];
+    vec2 v = from[2] - from[0];
     return max((u.x * v.y - u.y * v.x) / (apart * apart), 0.0);
 }
 
-void main() {
-    loadSurface();
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float seen = texelFetch(sceneDepth, pixel, 0).r;
-    vec4 q = relativeFromPixel * vec4(gl_FragCoord.xy - vec2(region.xy), seen, 1.0);
-    vec3 at = q.xyz / q.w;
-    vec3 across = cross(dFdx(at), dFdy(at));
-    float depth = -(at.y + plane.w);
-    bool beside = any(lessThan(at.xz, covered.xy)) || any(greaterThan(at.xz, covered.zw));
-    if (depthSign * (seen - farDepth) <= 0.0 || !(depth > 0.0) || beside || isDry(at)) discard;
-
-    // Of what lights the point, the sun's share: as its side faces it, which depth tells between pixels.
-    vec3 normal = across * (dot(across, sightTo(at)) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);
+// Of what lights a point, the sun's share: as its side faces it, less what is scattered on the way.
+vec3 beamShare(vec3 at, float depth, vec3 normal) {
 #ifdef SUN_SHADOW
     // By where the ray came in: what stands in the water hides little of it.
     vec2 from = at.xz - depth * strays(vec2(0.0));
     sunSeen = sunSeenAt(vec3(from.x, -plane.w, from.y));
 #endif
     vec3 sun = sunSeen * sunIrradiance.rgb * max(dot(normal, toSun.xyz), 0.0);
-    vec3 share = sun / max(sun + skyIrradiance.rgb, 1e-6);
-    vec3 beam = exp(-scattering() * depth);
-    vec3 weight = caustics.x * share * beam;
+    return sun / max(sun + skyIrradiance.rgb, 1e-6) * exp(-scattering() * depth);
+}
 
-    // What is too narrow to be seen, what the sun's disc blurs, and what has crossed. An eye in the air looks through waves, by
-    // which one pixel shows places some deviations of their slopes apart.
+// Over which waves are taken together: what is too narrow to be seen, what the sun's disc blurs, and what has crossed. An eye
+// in the air looks through waves, by which one pixel shows places some deviations of their slopes apart.
+float seenWidth(vec3 at, float depth) {
     float disc = 0.0093 / waterIndex * depth;
     float crossed = exp2(caustics.y + caustics.z * log2(depth * turnsMore()));
     float bent = plane.w > 0.0 ? 4.0 * (1.0 - 1.0 / waterIndex) * roughness.w * depth : 0.0;
-    float width = max(max(1.5 * pixelWidth(at) + bent, disc), crossed);
+    return max(max(max(1.5 * pixelWidth(at) + bent, disc), crossed), 1e-3);
+}
+
+void main() {
+    loadSurface();
+    float seen = texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r;
+    vec4 q = relativeFromPixel * vec4(gl_FragCoord.xy - vec2(region.xy), seen, 1.0);
+    vec3 at = q.xyz / q.w;
+    vec3 across = cross(dFdx(at), dFdy(at));   // the side it shows, which depth tells between pixels
+    vec3 normal = across * (dot(across, sightTo(at)) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);
+    float depth = -(at.y + plane.w);
+    bool beside = any(lessThan(at.xz, covered.xy)) || any(greaterThan(at.xz, covered.zw));
+    bool below = depthSign * (seen - farDepth) > 0.0 && depth > 0.0 && !beside;
     vec3 factor = vec3(1.0);
     const float leastSeen = 0.004;   // a step of eight bits, where light gathers to twice its mean
-    for (bool lit = any(greaterThan(weight, vec3(leastSeen))); lit; lit = false)
-        factor += weight * (gathered(at.xz, depth, max(width, 1e-3)) - 1.0);
+    for (bool sunlit = below && dot(normal, toSun.xyz) > 0.0; sunlit; sunlit = false) {
+        vec3 weight = caustics.x * beamShare(at, depth, normal);
+        for (bool lit = any(greaterThan(weight, vec3(leastSeen))) && !isDry(at); lit; lit = false)
+            factor += weight * (gathered(at.xz, depth, seenWidth(at, depth)) - 1.0);
+    }
+    if (!below) discard;
     outColor = vec4(factor, dot(factor, vec3(1.0 / 3.0)));
 }

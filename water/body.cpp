@@ -390,7 +390,7 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
         pass == UnderwaterPass::water ? sides != SidesSeen::above : straddles && underwater->meniscus > 0;
     if (!wanted) return Status::ok;
     return recordOverView(commands, target, read, lighting, geometry,
-                          {pass, straddles, straddles && waves, false, straddles && shore});
+                          {pass, straddles, straddles && waves, false, 0, straddles && shore});
 }
 
 Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
@@ -408,9 +408,12 @@ Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDe
     ViewDesc read;
     if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
     if (toSun(lighting).y <= 0) return Status::ok;
-    return recordOverView(
-        commands, target, read, lighting, geometry,
-        {UnderwaterPass::caustics, false, true, lighting.shadow != nullptr, shore.has_value()});
+    UnderwaterVariant variant = {UnderwaterPass::caustics};
+    variant.waves = true;
+    variant.sunShadow = lighting.shadow != nullptr;
+    variant.searchSteps = shading.refractionLooks < 4 ? 1 : 2;
+    variant.shore = shore.has_value();
+    return recordOverView(commands, target, read, lighting, geometry, variant);
 }
 
 Status Body::shoreInputs(bool moves, VkImageView& map, gpu::Resource& rows) {

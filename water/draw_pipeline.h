@@ -17,6 +17,11 @@ enum class Drawing {
     scaled,  ///< multiplies the colour; the target's alpha stays
 };
 
+/// Which form of a shader: 0 for calm water, 1 with waves, 2 with those over a shore's bed.
+constexpr size_t formFor(bool waves, bool shore) {
+    return shore ? 2 : waves ? 1 : 0;
+}
+
 struct DrawPipeline {
     gpu::Layout layout;
     VkPipeline handle = VK_NULL_HANDLE;

@@ -53,11 +53,6 @@ namespace seaglass {
 
 namespace {
 
-/// 0: none; 1; 2 with a shore.
-size_t wavesOf(const SurfaceFeatures& f) {
-    return f.shore ? 2 : f.waves ? 1 : 0;
-}
-
 std::span<const uint32_t> motionVertexShader(const SurfaceFeatures& f, bool multiview) {
     using Shader = std::span<const uint32_t>;
     // By shape, then waves, then a shore.
@@ -71,7 +66,8 @@ std::span<const uint32_t> motionVertexShader(const SurfaceFeatures& f, bool mult
         {motion_host_mesh_views_vert, motion_waves_host_mesh_views_vert,
          motion_waves_shore_host_mesh_views_vert}};
     const auto shape = static_cast<size_t>(f.shape);
-    return multiview ? several[shape][wavesOf(f)] : one[shape][wavesOf(f)];
+    const size_t form = formFor(f.waves, f.shore);
+    return multiview ? several[shape][form] : one[shape][form];
 }
 
 std::span<const uint32_t> motionFragmentShader(const SurfaceFeatures& f) {
@@ -96,7 +92,8 @@ std::span<const uint32_t> vertexShader(const SurfaceFeatures& f, bool multiview)
         {surface_host_mesh_views_vert, surface_waves_host_mesh_views_vert,
          surface_waves_shore_host_mesh_views_vert}};
     const auto shape = static_cast<size_t>(f.shape);
-    return multiview ? several[shape][wavesOf(f)] : one[shape][wavesOf(f)];
+    const size_t form = formFor(f.waves, f.shore);
+    return multiview ? several[shape][form] : one[shape][form];
 }
 
 /// As the shaders' names have it: w waves, f foam, s a shore, l reflection, r refraction, o an outline, h a

@@ -29,15 +29,15 @@ struct PassInfo {
 
 PassInfo infoOf(const UnderwaterVariant& v) {
     using Shader = std::span<const uint32_t>;
-    const size_t waves = v.shore ? 2 : v.waves ? 1 : 0;
+    const size_t form = formFor(v.waves, v.shore);
     switch (v.pass) {
     case UnderwaterPass::water: {
         const Shader shaders[] = {underwater_frag, underwater_waves_frag, underwater_waves_shore_frag};
-        return {"underwater", shaders[waves], true, true, Drawing::over};
+        return {"underwater", shaders[form], true, true, Drawing::over};
     }
     case UnderwaterPass::waterline: {
         const Shader shaders[] = {waterline_frag, waterline_waves_frag, waterline_waves_shore_frag};
-        return {"waterline", shaders[waves], false, false, Drawing::blended};
+        return {"waterline", shaders[form], false, false, Drawing::blended};
     }
     case UnderwaterPass::caustics:
         break;
@@ -88,8 +88,9 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
         s != Status::ok)
         return s;
     const PassInfo info = infoOf(variant);
-    const uint32_t straddles[] = {variant.straddles};
-    const std::span<const uint32_t> constants(straddles, variant.pass == UnderwaterPass::water ? 1 : 0);
+    const bool searches = variant.pass == UnderwaterPass::caustics;
+    const uint32_t first[] = {searches ? variant.searchSteps : variant.straddles};
+    const std::span<const uint32_t> constants(first, variant.pass == UnderwaterPass::waterline ? 0 : 1);
     const std::span<const uint32_t> vertex =
         target.viewMask ? std::span<const uint32_t>(underwater_views_vert) : underwater_vert;
     return createDrawPipeline(device, target, {vertex, info.shader, constants}, info.drawing,

@@ -13,10 +13,11 @@ enum class UnderwaterPass : uint32_t { water, waterline, caustics };
 
 struct UnderwaterVariant {
     UnderwaterPass pass = UnderwaterPass::water;
-    bool straddles = false; ///< the near plane may be above the water too
-    bool waves = false;     ///< asked for only where it straddles, and always of caustics
-    bool sunShadow = false; ///< of caustics alone
-    bool shore = false;     ///< only with waves
+    bool straddles = false;   ///< the near plane may be above the water too
+    bool waves = false;       ///< asked for only where it straddles, and always of caustics
+    bool sunShadow = false;   ///< of caustics alone
+    uint32_t searchSteps = 0; ///< likewise, for where their light came in
+    bool shore = false;       ///< only with waves
     auto operator<=>(const UnderwaterVariant&) const = default;
 };
 

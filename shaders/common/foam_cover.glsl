@@ -80,6 +80,7 @@ vec4 foamPatternAt(FoamPart part, float tile, float mip) {
     return texel;
 }
 
+// A place's own in the pattern, which passes more slowly along the wind: so wind draws foam out.
 vec2 drawnOut(vec2 calm) {
     vec2 streak = vec2(foamStreakU, foamStreakV);
     return calm - streak * dot(streak, calm);

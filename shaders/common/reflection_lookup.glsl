@@ -37,7 +37,11 @@ float hitHere() {
     return infoIsHit(info) ? info : farAway;
 }
 
-// The pixel whose reflection the bent ray meets, by `rounds` of fixed-point iteration on the hit distance, from `t`.
+// Of the way from a pixel to where its bent ray vanishes: two thirds as far along as the eye is away.
+const float overNear = 0.4;
+
+// The pixel whose reflection the bent ray meets, by `rounds` of fixed-point iteration on the hit distance, from `t`. One that
+// starts at the sky jumps over what is near, such as the tail of a buoy's reflection: a last look is for that.
 BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
 #ifdef WAVES
@@ -46,6 +50,16 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
         float info = infoAt(pixel);
         if (infoIsHit(info)) t = info;
         pixel = mirroredPixel(from, direction, t);
+    }
+    for (bool open = t >= farAway; open; open = false) {
+        float info = infoAt(mix(here, pixel, overNear));
+        for (bool hides = infoIsHit(info); hides; hides = false) {
+            vec2 near = mirroredPixel(from, direction, info);
+            for (bool meets = infoIsHit(infoAt(near)); meets; meets = false) {
+                t = info;
+                pixel = near;
+            }
+        }
     }
     return BentPoint(mix(here, pixel, reflectionDistortion), t);
 #else

@@ -117,6 +117,30 @@ vec3 throughWindow(SurfacePoint s, vec3 view, out float reflectance) {
     return sum * gathered;
 }
 
+// What the host has lit as if in air, `path` metres along a ray into the water from `depth`.
+vec3 shownBelow(vec3 inAir, float share, float depth, float rise, float path) {
+    vec3 lit = litBelow(inAir, depth - rise * path, 1.0);
+    return lit * exp(-extinction() * path) + share * scatteredIn(depth, rise, path);
+}
+
+#ifdef REFLECTION
+// Beyond the picture the bed goes on, as high as where the picture shows it nearest to the ray's end, which is sought by
+// turns. `water` where it shows none below the eye there.
+vec3 bedBeyond(vec3 direction, float depth, vec3 water) {
+    float path = 1e3;
+    Behind last;
+    for (int i = 0; i < 3; ++i) {
+        vec4 end = pixelOf(position + direction * path);
+        if (end.w <= 0.0) return water;
+        last = behindAt(end.xy);
+        if (last.nothing || last.seen.y > min(0.0, position.y)) return water;
+        path = (position.y - last.seen.y) / -direction.y;
+    }
+    vec3 bed = radianceBeyond(last, position + direction * path, gl_FragCoord.xy - vec2(region.xy));
+    return shownBelow(bed, 1.0, depth, direction.y, path);
+}
+#endif
+
 // What the surface mirrors of the water below it.
 vec3 mirroredBelow(SurfacePoint s, vec3 view) {
     vec3 direction = keptBelow(reflect(view, normalOf(s.slope)));
@@ -124,13 +148,11 @@ vec3 mirroredBelow(SurfacePoint s, vec3 view) {
     vec3 radiance = scatteredIn(depth, direction.y, endlessPath);
 #ifdef REFLECTION
     BentPoint hit = bentPoint(position, direction, hitHere(), 2);
-    if (hit.distance < farAway) {
-        float along = hit.distance;
-        vec4 screen = reflectionAlong(position, direction, s.slopeStep, along);
-        vec3 lit = litBelow(screen.rgb, depth - direction.y * hit.distance, 1.0);
-        radiance = radiance * (1.0 - screen.a) + lit * exp(-extinction() * hit.distance) +
-                   screen.a * scatteredIn(depth, direction.y, hit.distance);
-    }
+    vec4 screen = vec4(0.0);
+    float along = hit.distance;
+    if (hit.distance < farAway) screen = reflectionAlong(position, direction, s.slopeStep, along);
+    if (screen.a < 0.999 && !infoIsSky(infoAt(hit.pixel))) radiance = bedBeyond(direction, depth, radiance);
+    radiance = radiance * (1.0 - screen.a) + shownBelow(screen.rgb, screen.a, depth, direction.y, hit.distance);
 #endif
     return radiance;
 }

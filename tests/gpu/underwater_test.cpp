@@ -157,6 +157,28 @@ TEST_F(Underwater, WhatIsSeenThroughWaterKeepsBeersAndLambertsLaw) {
     EXPECT_GT(checked, 100u);
 }
 
+// The eye looks up a little: what the surface above it mirrors lies below the picture.
+TEST_F(Underwater, TheSurfaceMirrorsABedBeyondThePicture) {
+    const ReflectionDesc reflection;
+    desc_.reflection = &reflection;
+    for (float& channel : lighting.skyIrradiance) channel = 0; // of no light, the bed's is its own
+    Camera camera = level(-1.5);
+    camera.target = camera.eye + glm::dvec3(0, 0.2, -1);
+    constexpr float radiance = 4;
+    const WaterPicture p =
+        picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, planeBelow(camera, -4, radiance));
+    const double critical = std::asin(1 / index);
+    size_t mirrors = 0;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            const double cosine = rayThrough(camera, x, y).y; // to the surface's normal
+            if (cosine < 0.05 || std::acos(cosine) < critical + 0.02) continue;
+            ++mirrors;
+            EXPECT_NEAR(p.color[(size_t{y} * p.width + x) * 4], radiance, 0.02 * radiance) << x << ' ' << y;
+        }
+    EXPECT_GT(mirrors, 20000u);
+}
+
 TEST_F(Underwater, TheWaterlineIsWhereTheNearPlaneLeavesTheSurface) {
     const SeaDesc sea = ripples();
     desc_.waves = &sea;

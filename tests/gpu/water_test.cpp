@@ -582,6 +582,53 @@ TEST_F(Water, WavesDoNotMirrorWhatLiesBeforeThem) {
     EXPECT_LT(farOff, 1e-3);
 }
 
+// Where the flat mirror shows the sky, a facet that leans towards the eye mirrors what floats near by: the
+// tail of its reflection, in pieces.
+TEST_F(Water, MirrorsTheTailOfWhatFloats) {
+    const ReflectionDesc reflection;
+    SeaDesc sea = breeze();
+    sea.windSpeed = 3;
+    sea.fetch = 1e3f;
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.reflection = &reflection;
+    Body* body = makeBody(desc);
+    Camera camera = seaCamera();
+    camera.width = 640;
+    camera.height = 360;
+    camera.target = camera.eye + glm::dvec3(0, -0.6, -2);
+    SceneBehind open;
+    open.color.assign(size_t{4} * camera.width * camera.height, 0);
+    open.depth.assign(size_t{1} * camera.width * camera.height, 0);
+    // 2 m high, 10 m away.
+    const auto alongToBoard = [](const glm::dvec3& from, const glm::dvec3& ray) {
+        const double distance = ray.z < 0 ? (-3 - from.z) / ray.z : -1;
+        const glm::dvec3 at = from + distance * ray;
+        return at.y < -1 || at.y > 2 || std::abs(at.x - 3) > 0.5 ? -1 : distance;
+    };
+    const SceneBehind behind =
+        drawnOver(camera, open, 50, [&](const glm::dvec3& ray) { return alongToBoard(camera.eye, ray); });
+    const WaterPicture normals = picture({body}, camera, 2, SurfaceOutput::normal, behind);
+    const WaterPicture sources = picture({body}, camera, 2, SurfaceOutput::reflectionSource, behind);
+    size_t tail = 0, found = 0, beside = 0, strays = 0;
+    for (uint32_t y = 0; y < normals.height; ++y)
+        for (uint32_t x = 0; x < normals.width; ++x) {
+            const size_t i = size_t{y} * normals.width + x;
+            if (!normals.covered(i) || behind.depth[i] > 0) continue;
+            const glm::dvec3 from = worldAt(camera, normals, x, y), ray = rayThrough(camera, x, y);
+            const glm::dvec3 normal(normals.color[4 * i], normals.color[4 * i + 1], normals.color[4 * i + 2]);
+            const bool hits = alongToBoard(from, glm::reflect(ray, normal)) > 0;
+            const bool flatHits = alongToBoard(from, ray * glm::dvec3(1, -1, 1)) > 0;
+            const bool says = sources.color[4 * i + 3] == 2.0f;
+            if (hits && !flatHits) ++tail, found += says;
+            if (!hits) ++beside, strays += says;
+        }
+    std::printf("%zu of %zu in the tail are found, %zu of %zu beside it\n", found, tail, strays, beside);
+    EXPECT_GT(tail, 200u);
+    EXPECT_GT(found, 6 * tail / 10);
+    EXPECT_LT(strays, beside / 1000);
+}
+
 TEST_F(Water, SaysWhereTheReflectionIsTakenFrom) {
     const ReflectionDesc reflection;
     BodyDesc desc;
