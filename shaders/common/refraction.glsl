@@ -186,7 +186,9 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
             found = b;
             drop = sought;
         }
-        vec2 reached = vec2(sought / target.w, nearerBy(target, position + bent / steepness * sought, b));
+        // Its sign is that of what can be told more exactly.
+        float nearer = nearerBy(target, position + bent / steepness * sought, b);
+        vec2 reached = vec2(sought / target.w, deeper > 0.0 ? max(nearer, 1e-9) : min(nearer, -1e-9));
         vec2 before = above;
         if (deeper > 0.0) {
             above = reached;
@@ -204,7 +206,9 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
         float way = above.x - above.y / min(slope, -1e-9);
         if (under.y < 0.0) way = clamp(way, mix(above.x, under.x, 0.02), mix(above.x, under.x, 0.98));
         float beyond = 1.0 - way * perDepth.w;
-        sought = beyond > 0.0 ? min(way * from.w / beyond, leaves) : leaves;
+        // Two looks that lie close together tell the slope no better than texels do.
+        float farthest = i > 0 ? min(4.0 * sought, leaves) : leaves;
+        sought = beyond > 0.0 ? min(way * from.w / beyond, farthest) : farthest;
     }
     // What hides the place that the ray meets is as good as it, unless it lies far higher.
     float known = passedOver && !(left && isBelowWater(last)) ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;

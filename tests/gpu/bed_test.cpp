@@ -72,6 +72,17 @@ class Beds : public WaterTest {
         camera_.height = 80;
     }
 
+    /// So that a pixel is longer along the line of sight than the search for the bed is exact; in water that
+    /// dims what is taken for deep.
+    void lookFromAfar() {
+        camera_.eye = {-30, 24, 36};
+        camera_.target = {0, 0, 0};
+        camera_.fovDegrees = 10;
+        camera_.width = 480;
+        camera_.height = 320;
+        std::ranges::fill(refraction_.absorption, 1.0f);
+    }
+
     /// A host that draws the bed; the scene's own picture is a wall before everything.
     void drawBed(Body* body, const BedPlane& bed) {
         Camera from = camera_;
@@ -177,6 +188,14 @@ TEST_F(Beds, ShowThereWithAFarPlane) {
 
 TEST_F(Beds, ShowThereOnASlope) {
     expectTruth({{0.1, 0.97, -0.2, 3}});
+}
+
+TEST_F(Beds, ShowThereFromAfar) {
+    lookFromAfar();
+    for (const uint32_t looks : {6u, 8u, 16u}) {
+        desc_.shading.refractionLooks = looks;
+        for (const double slope : {0.05, 0.1, 0.2}) expectTruth({{0, 1, slope, 2}});
+    }
 }
 
 // It falls away more steeply than the eye looks down, which would see its underside.
