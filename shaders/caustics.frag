@@ -94,13 +94,18 @@ float gathered(vec2 at, float depth, float width) {
 
 // Of what lights a point, the sun's share: as its side faces it, less what is scattered on the way.
 vec3 beamShare(vec3 at, float depth, vec3 normal) {
-#ifdef SUN_SHADOW
-    // By where the ray came in: what stands in the water hides little of it.
-    vec2 from = at.xz - depth * strays(vec2(0.0));
-    sunSeen = sunSeenAt(vec3(from.x, -plane.w, from.y));
-#endif
     vec3 sun = sunSeen * sunIrradiance.rgb * max(dot(normal, toSun.xyz), 0.0);
     return sun / max(sun + skyIrradiance.rgb, 1e-6) * exp(-scattering() * depth);
+}
+
+// Of the sun's light, what came in where the ray to a point did: what stands in the water hides little of it.
+float sunSeenFrom(vec3 at, float depth) {
+#ifdef SUN_SHADOW
+    vec2 from = at.xz - depth * strays(vec2(0.0));
+    return sunSeenAt(vec3(from.x, -plane.w, from.y));
+#else
+    return 1.0;
+#endif
 }
 
 // Over which waves are taken together: what is too narrow to be seen, what the sun's disc blurs, and what has crossed. An eye
@@ -124,11 +129,11 @@ void main() {
     bool below = depthSign * (seen - farDepth) > 0.0 && depth > 0.0 && !beside;
     vec3 factor = vec3(1.0);
     const float leastSeen = 0.004;   // a step of eight bits, where light gathers to twice its mean
-    for (bool sunlit = below && dot(normal, toSun.xyz) > 0.0; sunlit; sunlit = false) {
-        vec3 weight = caustics.x * beamShare(at, depth, normal);
-        for (bool lit = any(greaterThan(weight, vec3(leastSeen))) && !isDry(at); lit; lit = false)
-            factor += weight * (gathered(at.xz, depth, seenWidth(at, depth)) - 1.0);
-    }
+    bool lit = below && any(greaterThan(caustics.x * beamShare(at, depth, normal), vec3(leastSeen)));
+    for (bool b = lit; b; b = false) sunSeen = sunSeenFrom(at, depth);
+    vec3 weight = caustics.x * beamShare(at, depth, normal);
+    for (bool b = lit && sunSeen > 0.0 && !isDry(at); b; b = false)
+        factor += weight * (gathered(at.xz, depth, seenWidth(at, depth)) - 1.0);
     if (!below) discard;
     outColor = vec4(factor, dot(factor, vec3(1.0 / 3.0)));
 }

@@ -150,6 +150,7 @@ vec3 mirroredBelow(SurfacePoint s, vec3 view) {
     BentPoint hit = bentPoint(position, direction, hitHere(), 2);
     vec4 screen = vec4(0.0);
     float along = hit.distance;
+    // From the hit on: a tail found before is followed.
     if (hit.distance < farAway) screen = reflectionAlong(position, direction, s.slopeStep, along);
     if (screen.a < 0.999 && !infoIsSky(infoAt(hit.pixel))) radiance = bedBeyond(direction, depth, radiance);
     radiance = radiance * (1.0 - screen.a) + shownBelow(screen.rgb, screen.a, depth, direction.y, hit.distance);

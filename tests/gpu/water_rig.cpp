@@ -215,6 +215,14 @@ float depthOf(const Camera& camera, const glm::dvec3& world) {
     return static_cast<float>(p.z / p.w);
 }
 
+SceneBehind nothingBehind(const Camera& camera) {
+    SceneBehind behind;
+    const size_t pixels = size_t{camera.width} * camera.height;
+    behind.color.assign(4 * pixels, 0);
+    behind.depth.assign(pixels, camera.reversed ? 0.0f : 1.0f);
+    return behind;
+}
+
 SceneBehind planeBelow(const Camera& camera, double bed, float radiance) {
     SceneBehind behind;
     for (uint32_t y = 0; y < camera.height; ++y)

@@ -75,6 +75,8 @@ float depthOf(const Camera& camera, const glm::dvec3& world);
 
 /// The direction of a pixel's ray, unit.
 glm::dvec3 rayThrough(const Camera& camera, uint32_t x, uint32_t y);
+/// Black, and nothing in it.
+SceneBehind nothingBehind(const Camera& camera);
 /// A plane at height `bed`, of one radiance.
 SceneBehind planeBelow(const Camera& camera, double bed, float radiance);
 

@@ -558,9 +558,7 @@ TEST_F(Water, WavesDoNotMirrorWhatLiesBeforeThem) {
     Body* body = makeBody(desc);
     Camera camera = seaCamera();
     camera.target = {3, 2, -10};
-    SceneBehind open;
-    open.color.assign(size_t{4} * camera.width * camera.height, 0);
-    open.depth.assign(size_t{1} * camera.width * camera.height, 0);
+    const SceneBehind open = nothingBehind(camera);
     // A bright board 15 m away, above the water.
     const SceneBehind behind = drawnOver(camera, open, 50, [&](const glm::dvec3& ray) {
         const double distance = (-8 - camera.eye.z) / ray.z;
@@ -597,9 +595,7 @@ TEST_F(Water, MirrorsTheTailOfWhatFloats) {
     camera.width = 640;
     camera.height = 360;
     camera.target = camera.eye + glm::dvec3(0, -0.6, -2);
-    SceneBehind open;
-    open.color.assign(size_t{4} * camera.width * camera.height, 0);
-    open.depth.assign(size_t{1} * camera.width * camera.height, 0);
+    const SceneBehind open = nothingBehind(camera);
     // 2 m high, 10 m away.
     const auto alongToBoard = [](const glm::dvec3& from, const glm::dvec3& ray) {
         const double distance = ray.z < 0 ? (-3 - from.z) / ray.z : -1;

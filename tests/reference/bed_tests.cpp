@@ -7,6 +7,7 @@
 
 #include "host/quality.h"
 #include "tests/reference/box_file.h"
+#include "tests/reference/camera_of.h"
 #include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
 
@@ -111,11 +112,10 @@ TEST_F(BedsPicture, HasNoSpecksThroughALongLens) {
     std::optional<Scene> pool = loadScene(std::string(SEAGLASS_SCENES) + "/pool.toml", {}, error);
     ASSERT_TRUE(pool) << error.text;
     setQuality("highest", *pool->water);
-    const auto far = std::ranges::find(pool->cameras, "far", &CameraDesc::name);
-    ASSERT_NE(far, pool->cameras.end());
-    far->verticalFovDeg = 10;
+    CameraDesc far = tests::cameraOf(*pool, "far");
+    far.verticalFovDeg = 10;
     ASSERT_TRUE(host_->load(*pool, error)) << error.text;
-    const std::optional<Picture> drawn = host_->render({480, 270, *far, pool->timeS, Aov::color}, error);
+    const std::optional<Picture> drawn = host_->render({480, 270, far, pool->timeS, Aov::color}, error);
     ASSERT_TRUE(drawn) << error.text;
     const double specks = shareOfSpecks(*drawn);
     std::printf("%.5f of the pixels are specks\n", specks);

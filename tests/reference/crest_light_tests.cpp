@@ -1,9 +1,8 @@
 // Light through crests: the renderer's few looks at the displaced sea gain what rays through it do.
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "host/host.h"
+#include "tests/reference/camera_of.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -49,7 +48,7 @@ TEST(CrestLightHost, GainsWhatRaysThroughTheSeaDo) {
     const auto scene =
         loadScene(std::string(SEAGLASS_SCENES) + "/ocean.toml", {"water.refraction.type=coastal"}, error);
     ASSERT_TRUE(scene) << error.text;
-    const CameraDesc camera = *std::ranges::find(scene->cameras, "low", &CameraDesc::name);
+    const CameraDesc camera = tests::cameraOf(*scene, "low");
     const glm::dvec3 drawn = gain(*scene, camera, rendered), truth = gain(*scene, camera, traced);
     std::printf("gain drawn %.4f %.4f %.4f, by rays %.4f %.4f %.4f\n", drawn.r, drawn.g, drawn.b, truth.r,
                 truth.g, truth.b);

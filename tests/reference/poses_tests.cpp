@@ -1,5 +1,4 @@
 // Every camera of the harbour gives a picture: finite, valid, and with water in it.
-#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -7,6 +6,7 @@
 #include "host/host.h"
 #include "scene/offset.h"
 #include "scene/without.h"
+#include "tests/reference/camera_of.h"
 
 namespace {
 
@@ -67,12 +67,10 @@ TEST(HarbourPoses, NoPixelOfTwoMillionIsNan) {
     std::optional<Scene> scene = loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {}, error);
     ASSERT_TRUE(scene) << error.text;
     takeWaves(*scene->water);
-    const auto roll35 = std::find_if(scene->cameras.begin(), scene->cameras.end(),
-                                     [](const CameraDesc& camera) { return camera.name == "roll35"; });
-    ASSERT_NE(roll35, scene->cameras.end());
+    const CameraDesc roll35 = tests::cameraOf(*scene, "roll35");
     const std::unique_ptr<Host> host = Host::create({}, error);
     ASSERT_TRUE(host && host->load(*scene, error)) << error.text;
-    const std::optional<Picture> color = host->render({1920, 1080, *roll35, scene->timeS, Aov::color}, error);
+    const std::optional<Picture> color = host->render({1920, 1080, roll35, scene->timeS, Aov::color}, error);
     ASSERT_TRUE(color) << error.text;
     EXPECT_EQ(countNotFinite(*color), 0u);
 }

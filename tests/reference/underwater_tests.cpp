@@ -8,18 +8,16 @@
 #include "measure/picture_error.h"
 #include "metrics/compare.h"
 #include "scene/without.h"
+#include "tests/reference/camera_of.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
 
 using namespace demos;
+using tests::cameraOf;
 
 Image view(const Picture& picture) {
     return {picture.width, picture.height, picture.rgba};
-}
-
-CameraDesc cameraOf(const Scene& scene, const std::string& name) {
-    return *std::ranges::find(scene.cameras, name, &CameraDesc::name);
 }
 
 class UnderwaterHost : public testing::Test {
