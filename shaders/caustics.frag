@@ -130,6 +130,7 @@ void main() {
     vec3 factor = vec3(1.0);
     const float leastSeen = 0.004;   // a step of eight bits, where light gathers to twice its mean
     bool lit = below && any(greaterThan(caustics.x * beamShare(at, depth, normal), vec3(leastSeen)));
+    // Beside each other, not one in the other: CPU devices do not leave out the outer of two.
     for (bool b = lit; b; b = false) sunSeen = sunSeenFrom(at, depth);
     vec3 weight = caustics.x * beamShare(at, depth, normal);
     for (bool b = lit && sunSeen > 0.0 && !isDry(at); b; b = false)
