@@ -54,10 +54,10 @@ mat3x2 slopesOver(mat3x2 calm, float width) {
         kept[j] = shore.kept;
     }
 #endif
-    for (int i = 0; i < stored.cascades; ++i) {
+    int i = 0;
+    do {
         float mip = max(log2(width * cascade[i].w), 0.0);
-        // Loops of one round, here and below: CPU devices leave them out where nobody is in them.
-        for (bool shows = mip < maxMip; shows; shows = false)
+        if (mip < maxMip)
             for (int j = 0; j < 3; ++j) {
                 vec2 slope = textureLod(waveDerivatives, vec3(cascade[i].xy + calm[j] * cascade[i].z, i), mip).xy;
 #ifdef SHORE
@@ -65,7 +65,7 @@ mat3x2 slopesOver(mat3x2 calm, float width) {
 #endif
                 sum[j] += slope;
             }
-    }
+    } while (++i < stored.cascades);
     return sum;
 }
 
@@ -75,10 +75,11 @@ mat3x2 enteredAt(mat3x2 at, float depth, float width) {
     vec2 straight = strays(vec2(0.0));
     mat3x2 from;
     for (int j = 0; j < 3; ++j) from[j] = at[j] - depth * straight;
-    for (int i = 0; i < searchSteps; ++i) {
+    int i = 0;
+    do {
         mat3x2 slopes = slopesOver(from, width);
         for (int j = 0; j < 3; ++j) from[j] = at[j] - depth * strays(slopes[j]);
-    }
+    } while (++i < searchSteps);
     return from;
 }
 
@@ -130,10 +131,9 @@ void main() {
     vec3 factor = vec3(1.0);
     const float leastSeen = 0.004;   // a step of eight bits, where light gathers to twice its mean
     bool lit = below && any(greaterThan(caustics.x * beamShare(at, depth, normal), vec3(leastSeen)));
-    // Beside each other, not one in the other: CPU devices do not leave out the outer of two.
-    for (bool b = lit; b; b = false) sunSeen = sunSeenFrom(at, depth);
+    if (lit) sunSeen = sunSeenFrom(at, depth);
     vec3 weight = caustics.x * beamShare(at, depth, normal);
-    for (bool b = lit && sunSeen > 0.0 && !isDry(at); b; b = false)
+    if (lit && sunSeen > 0.0 && !isDry(at))
         factor += weight * (gathered(at.xz, depth, seenWidth(at, depth)) - 1.0);
     if (!below) discard;
     outColor = vec4(factor, dot(factor, vec3(1.0 / 3.0)));

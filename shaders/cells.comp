@@ -37,8 +37,10 @@ void main() {
     bool planeSeen = false;
     uint nearest = noKey;
     vec2 perTexel = perDepthTexel();
-    for (int y = first.y; y < last.y; y += 2)
-        for (int x = first.x; x < last.x; x += 2) {
+    int y = first.y;
+    do {
+        int x = first.x;
+        do {
             vec4 depths = depthsAround(ivec2(x, y) + 1, perTexel).wzxy;
             for (int i = 0; i < 4; ++i) {
                 ivec2 pixel = ivec2(x, y) + ivec2(i & 1, i >> 1);
@@ -48,7 +50,10 @@ void main() {
                 planeSeen = planeSeen || onPlane;
                 nearest = far || onPlane ? nearest : max(nearest, keyFromDepth(depths[i]));
             }
-        }
+            x += 2;
+        } while (x < last.x);
+        y += 2;
+    } while (y < last.y);
     cells[index] = nearest;
     ivec2 block = first >> blockShift;
     if (nearest != noKey) atomicMax(cells[firstSquare(blockShift) + block.y * squaresAcross(blockShift) + block.x], nearest);

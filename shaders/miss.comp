@@ -24,10 +24,11 @@ void main() {
     ivec2 pixel = column.top;
     FarEnd end = farEndOf(middleOf(pixel));
     FarEnd perRow = farEndPerRow(float(1 << pixelShift));
-    for (int row = 0; row < column.rows; ++row) {
+    int row = 0;
+    do {
         imageStore(reflectionInfo, pixel, vec4(infoOfFarEnd(end), 0.0, 0.0, 0.0));
         end.point += perRow.point;
         end.ahead += perRow.ahead;
         ++pixel.y;
-    }
+    } while (++row < column.rows);
 }

@@ -103,7 +103,8 @@ Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
     if (!(p.w > 0.0)) return noHit;
     Hit hit = Hit(false, false, p.xy / p.w, 0.0, mirroredDepth);
     bool movedOver = false;
-    for (int i = 0; i < refinements && !hit.valid; ++i) {
+    int left = refinements;
+    do {
         if (!insideRegion(hit.source)) return noHit;
         ivec2 pixel = ivec2(hit.source);
         Surface seen = surfaceAt(pixel);
@@ -112,10 +113,10 @@ Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
             if (movedOver) return noHit;
             movedOver = true;
             hit.source = besides(middle, hit.source);
-            continue;
+        } else {
+            hit = metWithin(accepted, ray, middle, seen);
         }
-        hit = metWithin(accepted, ray, middle, seen);
-    }
+    } while (--left > 0 && !hit.valid);
     return hit.valid ? hit : noHit;
 }
 
@@ -154,17 +155,17 @@ uint beyond(ScreenRay ray, float mirroredDepth) {
 }
 
 // The nearest key in and around the cell first: where a near surface is mirrored larger than it is seen, its keys leave
-// holes, and what shows through them would prove itself as well. The first that does counts. CPU devices mask branches,
-// but leave a loop when nobody is in it.
+// holes, and what shows through them would prove itself as well. The first that does counts.
 Hit nearestHit(ivec2 cell, ScreenRay ray) {
     Hit hit = noHit;
     KeysAround around = keysAround(cell);
     uint own = around.level.y;
     uint key = nextKey(around, ~0u);
-    while (key != noKey) {
-        hit = refined(key > own && own != noKey ? withinPixel : besidePixel, ray, depthFromKey(key));
-        if (hit.valid) break;
-        key = nextKey(around, beyond(ray, depthFromKey(key)));
+    if (key != noKey) {
+        do {
+            hit = refined(key > own && own != noKey ? withinPixel : besidePixel, ray, depthFromKey(key));
+            key = nextKey(around, beyond(ray, depthFromKey(key)));
+        } while (key != noKey && !hit.valid);
     }
     return hit;
 }
@@ -185,7 +186,8 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
     LineKey ahead = LineKey(noKey, ivec2(0));
     LineKey behind = ahead;
     bvec2 keysBeside = bvec2(false);
-    for (int i = 1; i <= holeCells && (ahead.key == noKey || behind.key == noKey); ++i) {
+    int i = 1;
+    do {
         ivec2 next = ivec2(floor(cell + float(i) * step));
         ivec2 last = ivec2(floor(cell - float(i) * step));
         uint nextKey = keyAt(next);
@@ -193,7 +195,7 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
         keysBeside = bvec2(keysBeside.x || nextKey != noKey, keysBeside.y || lastKey != noKey);
         if (ahead.key == noKey && nextKey > here) ahead = LineKey(nextKey, next);
         if (behind.key == noKey && lastKey > here) behind = LineKey(lastKey, last);
-    }
+    } while (++i <= holeCells && (ahead.key == noKey || behind.key == noKey));
     return Hole(all(keysBeside), Guesses(sourceOf(ahead), sourceOf(behind)));
 }
 
@@ -251,18 +253,17 @@ void main() {
         bool comesOut = hit.valid && !hit.front;
         Guesses guesses = noGuesses;
         Hit thin = noHit;
-        // Loops of one round, since those that nobody enters are left out.
-        for (bool misses = !hit.valid; misses; misses = false) {
+        if (!hit.valid) {
             Hole hole = holeAround(q, ray, keyAt(cell));
             if (!hole.inside) info = infoOfMiss(q);
             guesses = hole.left;
         }
-        for (bool enters = comesOut; enters; enters = false) {
+        if (comesOut) {
             Entry entry = entryBefore(ray, q, hit.source, backPixels);
             guesses = entry.between;
             thin = hitOnThin(ray, entry);
         }
-        for (bool doubts = !hit.front; doubts; doubts = false) {
+        if (!hit.front) {
             Hit met = metAtEither(ray, guesses);
             // Where rays are followed they tell better.
             bool tells = !comesOut || met.front && (!followed || met.off <= withinPixel);
@@ -270,12 +271,12 @@ void main() {
             else if (thin.valid) hit = thin;
         }
 #ifdef ROOFS
-        for (bool passes = !comesOut; passes; passes = false) {
+        if (!comesOut) {
             Hit roof = underRoof(q, ray, hit);
             if (roof.valid) hit = roof;
         }
 #endif
-        for (bool hits = hit.valid; hits; hits = false) {
+        if (hit.valid) {
             float confidence = edgeConfidence(q, hit.source);
             float light = hit.front ? confidence : confidence * undersideLight;
             color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * light, confidence);

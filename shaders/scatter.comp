@@ -55,7 +55,8 @@ bool scatterCells(ivec2 first, int rows) {
     vec2 perTexel = perDepthTexel();
     int quads = (1 << keyShift) >> 1;
     bool planeSeen = false;
-    for (int row = 0; row < rows && first.y <= last.y; ++row) {
+    int row = 0;
+    do {
         vec4 nearest, farthest;
         for (int i = 0; i < quads * quads; ++i) {
             // Past the border, the pixels before it again.
@@ -76,7 +77,7 @@ bool scatterCells(ivec2 first, int rows) {
         if (far || dot(above, nearest) > 0.0) scatter(screenMirror * nearest, far);
         planeSeen = planeSeen || dot(above, farthest) <= 0.0;
         first.y += 1 << keyShift;
-    }
+    } while (++row < rows && first.y <= last.y);
     return planeSeen;
 }
 #else
@@ -104,7 +105,8 @@ bool scatterPixels(ivec2 first, int rows) {
     bool goesOn = first.x < last.x;
     vec2 perTexel = perDepthTexel();
     bool planeSeen = false;
-    for (int i = 0; i < rows && first.y <= last.y; i += 2) {
+    int i = 0;
+    do {
         vec4 depths = depthsAround(first + 1, perTexel);
         planeSeen = scatterPixel(target, above, depths.w) || planeSeen;
         if (goesOn) planeSeen = scatterPixel(target + perColumn, above + row.x, depths.z) || planeSeen;
@@ -115,7 +117,8 @@ bool scatterPixels(ivec2 first, int rows) {
         target += 2.0 * perRow;
         above += 2.0 * row.y;
         first.y += 2;
-    }
+        i += 2;
+    } while (i < rows && first.y <= last.y);
     return planeSeen;
 }
 #endif
@@ -126,7 +129,7 @@ void main() {
     tilesInRow = tilesAcross();
     int rows = (tileEdge << pixelShift) >> keyShift;
     ivec2 first = ivec2(gl_GlobalInvocationID.x << max(keyShift, 1), int(gl_GlobalInvocationID.y) * rows << keyShift);
-    if (first.x >= region.z) return;
+    if (first.x >= region.z || first.y >= region.w) return;
 #ifdef COARSE
     bool planeSeen = scatterCells(first, rows);
 #else

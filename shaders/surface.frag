@@ -1,6 +1,7 @@
 // Shades the water's surface: what it mirrors, what shines through, the sun's glint and foam.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #include "surface.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
@@ -73,10 +74,11 @@ float sunSeenHere() {
 #ifdef WAVES
     vec2 part = footprintOf(dFdx(meshCalm), dFdy(meshCalm)).longer / float(slopeLooks);
     float sum = 0.0;
-    for (int i = 0; i < slopeLooks; ++i) {
+    int i = 0;
+    do {
         vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeLooks));
         sum += sunSeenAt(position + vec3(aside.x, 0.0, aside.y));
-    }
+    } while (++i < slopeLooks);
     return sum / float(slopeLooks);
 #else
     return sunSeenAt(position);

@@ -139,7 +139,9 @@ Remembered rememberedAt(vec2 texel, vec2 distances, bool sky) {
     float hits = 0.0;
     float distance = 0.0;
     bool allHit = true;
-    for (int i = still ? 4 : 0; i < (still ? 5 : 9); ++i) {
+    int i = still ? 4 : 0;
+    int last = still ? 4 : 8;
+    do {
         int row = i / 3 - 1;
         ivec2 off = ivec2(i - 3 * row - 4, row);
         vec2 place = nearest + vec2(off);
@@ -158,7 +160,7 @@ Remembered rememberedAt(vec2 texel, vec2 distances, bool sky) {
         weight += share;
         hits += hit ? share : 0.0;
         distance += hit ? share * info : 0.0;
-    }
+    } while (++i <= last);
     return Remembered(allHit ? sharp : linear / max(weight, leastWeight), weight, hits > 0.5 * weight,
                       distance / max(hits, leastWeight));
 }
@@ -179,18 +181,19 @@ struct Place {
 // iteration from there on.
 Place lastPlace(SightLine sight, float distance, bool sought) {
     Place place = Place(vec2(0.0), distance, 0.0, true);
-    for (int left = sought ? 3 : 0; place.found; --left) {
+    int left = sought ? 3 : 0;
+    do {
         vec3 image = sight.onPlane + sight.direction * place.distance;
         place.texel = lastTexel(image);
         SightLine then = lastSightLine(place.texel);
         place.distanceThen = dot(image - then.onPlane, then.direction);
-        if (left == 0) break;
+        if (left-- == 0) break;
         ivec2 at = ivec2(floor(place.texel));
         bool inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThanEqual(at, lastPixel));
         float info = inside ? texelFetch(lastInfo, at, 0).r : infoUnknown;
         place.found = infoIsHit(info);
         place.distance = max(dot(then.onPlane + then.direction * info - sight.onPlane, sight.direction), 0.0);
-    }
+    } while (place.found);
     return place;
 }
 
@@ -255,7 +258,8 @@ void main() {
     Column column = columnToVisit();
     if (column.rows == 0) return;
     Row above, here;
-    for (int y = -1; y <= column.rows; y += 2) {
+    int y = -1;
+    do {
         // Of two rows, the first above the corner.
         vec2 corner = vec2(column.top + ivec2(0, y + 1));
         vec4 left = textureGather(foundInfo, corner * perPixel);
@@ -263,7 +267,8 @@ void main() {
         ivec2 pixel = column.top + ivec2(0, y);
         Row below = rowAt(pixel, vec3(left.w, left.z, right.z));
         Row last = rowAt(pixel + ivec2(0, 1), vec3(left.x, left.y, right.y));
-        for (int i = 0; i < 2; ++i) {
+        int i = 0;
+        do {
             int row = y - 1 + i;
             if (row >= 0 && row < column.rows) {
                 Around around = joined(joined(above.around, here.around), below.around);
@@ -275,6 +280,7 @@ void main() {
             above = here;
             here = below;
             below = last;
-        }
-    }
+        } while (++i < 2);
+        y += 2;
+    } while (y <= column.rows);
 }

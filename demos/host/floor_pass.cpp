@@ -54,26 +54,7 @@ bool FloorPass::createSet(const Device& device, Error& error) {
 
 bool FloorPass::createPipeline(const Device& device, Error& error) {
     if (!createPipelineLayout(device, {&setLayout_.get(), 1}, 0, layout_, error)) return false;
-    VkShaderModuleCreateInfo code{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-    code.codeSize = sizeof(floor_comp);
-    code.pCode = floor_comp;
-    VkShaderModule shader = VK_NULL_HANDLE;
-    if (!succeeded(vkCreateShaderModule(device.handle(), &code, nullptr, &shader), "vkCreateShaderModule",
-                   error))
-        return false;
-    const UniqueShaderModule owned(device.handle(), shader);
-    VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
-    info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
-    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    info.stage.module = shader;
-    info.stage.pName = "main";
-    info.layout = layout_.get();
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    if (!succeeded(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-                   "vkCreateComputePipelines", error))
-        return false;
-    pipeline_ = UniquePipeline(device.handle(), pipeline);
-    return true;
+    return createComputePipeline(device, floor_comp, layout_.get(), nullptr, pipeline_, error);
 }
 
 void FloorPass::record(VkCommandBuffer commands) const {

@@ -75,7 +75,7 @@ vec3 throughCrest(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
     const int points = clamp(refractionLooks / 2, 1, 3);
     float scattering = absorption.w;
     float bottom = position.y + plane.w + within.z;
-    for (bool crest = lightsCrests && bottom > 0.0; crest; crest = false) {
+    if (lightsCrests && bottom > 0.0) {
         vec3 along = intoWater(s, toEye);
         vec2 ahead = horizontal(along);
         vec3 lowSky = normalize(vec3(ahead.x, 0.6, ahead.y));
@@ -84,7 +84,8 @@ vec3 throughCrest(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
         float straight = 1.0;   // share that has not turned to the sky
         vec3 fromSun = vec3(0.0);
         vec3 skyShare = vec3(0.0);
-        for (int i = 0; i < points; ++i) {
+        int i = 0;
+        do {
             float t = (float(i) + 0.5) * stretch;
             vec2 calm = calmPosition + along.xz * t;
             float height = waveDisplacementAt(waveDisplacement, calm, width, keptHere()).y;
@@ -98,7 +99,7 @@ vec3 throughCrest(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
             float turned = 1.0 - exp(-scattering * stretch * share);
             skyShare += turned * reaches * exp(-extinction() * (above / risesFaster(far, lowSky)));
             straight *= 1.0 - turned;
-        }
+        } while (++i < points);
         behind += skyShare * (skyAt(lowSky, 0.5) - behind) + fromSun;
     }
     return behind;

@@ -73,7 +73,7 @@ FoamPart foamPartOf(vec2 place) {
 // Centred on 0. Two parts that meet keep the contrast of one.
 vec4 foamPatternAt(FoamPart part, float tile, float mip) {
     vec4 texel = textureLod(foamPattern, part.here / tile, mip) - 0.5;
-    for (bool meet = part.share > 0.0; meet; meet = false) {
+    if (part.share > 0.0) {
         vec4 beside = textureLod(foamPattern, part.beside / tile, mip) - 0.5;
         texel = mix(texel, beside, part.share) / length(vec2(part.share, 1.0 - part.share));
     }
@@ -139,14 +139,15 @@ Foam foamHere() {
     float width = max(length(wide), length(pixel.shorter));
     float patternWidth = max(length(drawnOut(wide)), length(drawnOut(pixel.shorter)));
     Foam sum = Foam(0.0, vec2(0.0), 0.0);
-    for (int i = 0; i < slopeLooks; ++i) {
+    int i = 0;
+    do {
         vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeLooks));
         vec2 drawn = drawnOut(aside);
         Foam look = foamAt(aside, FoamPart(here.here + drawn, here.beside + drawn, here.share), width, patternWidth);
         sum.mask += look.mask;
         sum.slope += look.slope;
         sum.height += look.height;
-    }
+    } while (++i < slopeLooks);
     float each = 1.0 / float(slopeLooks);
     return Foam(each * sum.mask, each * sum.slope, each * sum.height);
 }

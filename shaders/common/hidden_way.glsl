@@ -29,17 +29,19 @@ float hiddenPixels(ScreenRay ray, vec2 from, vec2 step, float pixels) {
     float perPixel = (rayDepthAt(ray, from + pixels * step) - depth) / max(pixels, 1.0);
     float hidden = 0.0;
     float shown = 0.0;
-    while (shown == 0.0 && hidden < pixels) {
+    do {
         float next = min(hidden + hiddenStride, pixels);
         bool still = hides(from + next * step, depth + next * perPixel);
         hidden = still ? next : hidden;
         shown = still ? 0.0 : next;
-    }
-    for (float less = 0.5 * hiddenStride; less >= 1.0; less *= 0.5) {
+    } while (shown == 0.0 && hidden < pixels);
+    float less = 0.5 * hiddenStride;
+    do {
         float next = hidden + less;
         bool still = next < shown && hides(from + next * step, depth + next * perPixel);
         hidden = still ? next : hidden;
-    }
+        less *= 0.5;
+    } while (less >= 1.0);
     return hidden;
 }
 

@@ -230,7 +230,7 @@ int settled(Track track, inout Crossing crossing) {
     if (leaves && beside <= 3.0 * track.halfPixel) return underside;
     if (leaves && wide) {
         bool shown = false;
-        for (bool ahead = meets <= 1.0; ahead; ahead = false)
+        if (meets <= 1.0)
             shown = goesOn(middle, seen, slope, floor(trackPoint(track, meets).xy) + 0.5);
         if (shown) crossing.share = meets;
         return shown ? underside : refused;

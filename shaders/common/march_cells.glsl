@@ -42,14 +42,16 @@ bool meetsSquare(Track track, int shift, float until, inout float reached, inout
     uint flipped = toDepth > 0.0 ? 0u : ~0u;   // as keyFromDepth() does
     bool receding = track.along.z < 0.0;
     bool meets = false;
-    while (reached < until) {
-        ends = leavesAt(walk);
-        float farthest = track.first.z + (receding ? ends : reached) * track.along.z;
-        uint key = floatBitsToUint(clamp(toDepth * farthest, 0.0, 1.0)) ^ flipped;
-        meets = cells[first + walk.square.y * across + walk.square.x] >= key;
-        if (meets) break;
-        reached = max(ends, reached);
-        goOn(walk);
+    if (reached < until) {
+        do {
+            ends = leavesAt(walk);
+            float farthest = track.first.z + (receding ? ends : reached) * track.along.z;
+            uint key = floatBitsToUint(clamp(toDepth * farthest, 0.0, 1.0)) ^ flipped;
+            meets = cells[first + walk.square.y * across + walk.square.x] >= key;
+            if (meets) break;
+            reached = max(ends, reached);
+            goOn(walk);
+        } while (reached < until);
     }
     return meets;
 }
@@ -58,34 +60,37 @@ bool meetsSquare(Track track, int shift, float until, inout float reached, inout
 Crossing crossedPixel(Track track, float until, inout Progress at) {
     Crossing crossing = Crossing(false, 0.0, 0.0, 0.0, false);
     Walk walk = walkFrom(track, at.reached, 0);
-    while (at.reached < until && at.looks > 0) {
-        --at.looks;
-        crossing.begins = at.reached;
-        crossing.ends = leavesAt(walk);
-        Seen seen = seenAt(track.scene, walk.square);
-        float entering = track.first.z + crossing.begins * track.along.z;
-        float leaving = track.first.z + crossing.ends * track.along.z;
-        at.reached = max(crossing.ends, at.reached);
-        bool isBehind = seen.counts && seen.depth >= min(entering, leaving);
-        at.hidden = at.hidden || isBehind;
-        crossing.found = isBehind && within(track, crossing.begins, max(entering, leaving), seen.depth);
-        if (crossing.found) break;
-        goOn(walk);
+    if (at.reached < until && at.looks > 0) {
+        do {
+            --at.looks;
+            crossing.begins = at.reached;
+            crossing.ends = leavesAt(walk);
+            Seen seen = seenAt(track.scene, walk.square);
+            float entering = track.first.z + crossing.begins * track.along.z;
+            float leaving = track.first.z + crossing.ends * track.along.z;
+            at.reached = max(crossing.ends, at.reached);
+            bool isBehind = seen.counts && seen.depth >= min(entering, leaving);
+            at.hidden = at.hidden || isBehind;
+            crossing.found = isBehind && within(track, crossing.begins, max(entering, leaving), seen.depth);
+            if (crossing.found) break;
+            goOn(walk);
+        } while (at.reached < until && at.looks > 0);
     }
     crossing.share = 0.5 * (crossing.begins + crossing.ends);
     return crossing;
 }
 
-// Loops that nobody is in are left, while all of a masked branch is paid for.
 Crossing nextCrossing(Track track, inout Progress at) {
     Crossing crossing = Crossing(false, 0.0, 0.0, 0.0, false);
     float end = 1.0 - 0.02 * track.halfPixel;   // not beyond the picture by rounding
-    while (at.looks > 0 && at.reached < end && !crossing.found) {
-        float blockEnds = 0.0;
-        float cellEnds = 0.0;
-        bool block = meetsSquare(track, blockShift, end, at.reached, blockEnds);
-        bool cell = meetsSquare(track, cellShift, block ? min(blockEnds, end) : 0.0, at.reached, cellEnds);
-        crossing = crossedPixel(track, cell ? min(cellEnds, end) : 0.0, at);
+    if (at.looks > 0 && at.reached < end) {
+        do {
+            float blockEnds = 0.0;
+            float cellEnds = 0.0;
+            bool block = meetsSquare(track, blockShift, end, at.reached, blockEnds);
+            bool cell = meetsSquare(track, cellShift, block ? min(blockEnds, end) : 0.0, at.reached, cellEnds);
+            crossing = crossedPixel(track, cell ? min(cellEnds, end) : 0.0, at);
+        } while (at.looks > 0 && at.reached < end && !crossing.found);
     }
     at.reached = at.reached < end ? at.reached : 1.0;
     return crossing;

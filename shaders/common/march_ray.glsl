@@ -12,9 +12,10 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
     int found = refused;
     bool thin = false;
     // Invocations stay together: all look for a crossing, then all settle theirs.
-    for (int alarm = 0; alarm <= falseAlarms && found < underside && at.looks > 0 && at.reached < 1.0; ++alarm) {
+    int alarms = 0;
+    do {
         Crossing crossing = nextCrossing(track, at);
-        for (bool settles = crossing.found; settles; settles = false) {
+        if (crossing.found) {
             int worth = settled(track, crossing);
             // What is thin has been met: out of it the ray comes.
             if (worth == underside && thin) found = met;
@@ -24,7 +25,7 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
                 share = crossing.share;
             }
         }
-    }
+    } while (++alarms <= falseAlarms && found < underside && at.looks > 0 && at.reached < 1.0);
     if (found != refused) return March(infoOfHit(trackMetres(track, share)), trackPoint(track, share).xy, found);
     bool sky = at.reached >= 1.0 && !at.hidden && !track.leavesPicture && reachesSky(track, perMetre);
     return March(sky ? infoSky : infoUnknown, vec2(0.0), found);

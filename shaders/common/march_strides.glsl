@@ -14,7 +14,8 @@ Progress atStart(Track track, float noise) {
 Crossing bisected(Track track, float low, float high, bool inFront) {
     float halfPixel = track.halfPixel * abs(track.along.z);
     bool close = false;
-    for (int i = 0; i <= bisections; ++i) {
+    int i = 0;
+    do {
         float share = i < bisections ? 0.5 * (low + high) : high;
         vec3 point = trackPoint(track, share);
         Seen seen = seenAt(track.scene, pixelAt(track.scene, point.xy));
@@ -24,7 +25,7 @@ Crossing bisected(Track track, float low, float high, bool inFront) {
         high = crossed ? share : high;
         low = crossed ? low : share;
         inFront = inFront || !isBehind;
-    }
+    } while (++i <= bisections);
     return Crossing(close, high, high - track.halfPixel, high + track.halfPixel, false);
 }
 
@@ -37,18 +38,20 @@ Crossing nextCrossing(Track track, inout Progress at) {
     float last = at.reached;
     bool wasInFront = at.inFront;
     bool candidate = false;
-    while (at.looks > 0 && at.reached < 1.0) {
-        --at.looks;
-        last = at.reached;
-        wasInFront = at.inFront;
-        at.reached = min(at.reached + stride, 1.0);
-        vec3 point = trackPoint(track, at.reached);
-        Seen seen = seenAt(track.scene, pixelAt(track.scene, point.xy));
-        bool isBehind = seen.counts && seen.depth >= point.z - halfPixel;
-        at.inFront = !isBehind;
-        at.hidden = at.hidden || isBehind;
-        candidate = isBehind && within(track, at.reached, point.z + nearer, seen.depth);
-        if (candidate) break;
+    if (at.looks > 0 && at.reached < 1.0) {
+        do {
+            --at.looks;
+            last = at.reached;
+            wasInFront = at.inFront;
+            at.reached = min(at.reached + stride, 1.0);
+            vec3 point = trackPoint(track, at.reached);
+            Seen seen = seenAt(track.scene, pixelAt(track.scene, point.xy));
+            bool isBehind = seen.counts && seen.depth >= point.z - halfPixel;
+            at.inFront = !isBehind;
+            at.hidden = at.hidden || isBehind;
+            candidate = isBehind && within(track, at.reached, point.z + nearer, seen.depth);
+            if (candidate) break;
+        } while (at.looks > 0 && at.reached < 1.0);
     }
     if (!candidate) return Crossing(false, 0.0, 0.0, 0.0, false);
     return bisected(track, max(last, 0.0), at.reached, wasInFront);

@@ -51,11 +51,11 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
         if (infoIsHit(info)) t = info;
         pixel = mirroredPixel(from, direction, t);
     }
-    for (bool open = t >= farAway; open; open = false) {
+    if (t >= farAway) {
         float info = infoAt(mix(here, pixel, overNear));
-        for (bool hides = infoIsHit(info); hides; hides = false) {
+        if (infoIsHit(info)) {
             vec2 near = mirroredPixel(from, direction, info);
-            for (bool meets = infoIsHit(infoAt(near)); meets; meets = false) {
+            if (infoIsHit(infoAt(near))) {
                 t = info;
                 pixel = near;
             }
@@ -91,13 +91,14 @@ float shareAboveSand(vec3 from, BentPoint point) {
 float shareAhead(vec3 from, vec3 direction, vec2 pixel, float mip) {
     const vec2 taps[4] = vec2[](vec2(-0.5, -0.25), vec2(0.25, -0.5), vec2(0.5, 0.25), vec2(-0.25, 0.5));
     vec2 counted = vec2(0.0);
-    for (int i = 0; i < 4; ++i) {
+    int i = 0;
+    [[dont_unroll]] do {
         vec2 tap = pixel + taps[i] * exp2(mip) * reflectionScale;
         float info = infoAt(tap);
         Ray ray = rayThrough(tap);
         vec3 met = mirroredPoint(ray, ray, info, plane.xyz, plane.w);
         if (infoIsHit(info)) counted += vec2(dot(met.xz - from.xz, direction.xz) > 0.0 ? 1.0 : 0.0, 1.0);
-    }
+    } while (++i < 4);
     return counted.x / max(counted.y, 1.0);
 }
 
@@ -120,7 +121,7 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
     float mip = bundleMip(width, toEye, point.distance, toEye / (pixelWidth(from) * reflectionScale));
     vec4 texel = reflectionTexel(point.pixel / reflectionScale, mip, reflectionScale);
 #ifdef WAVES
-    for (bool doubtful = texel.a > 0.0 && point.distance >= farAway; doubtful; doubtful = false)
+    if (texel.a > 0.0 && point.distance >= farAway)
         inside *= shareAhead(from, direction, point.pixel, mip);
 #endif
     return texel * (inside * shareOfScene(point.distance, reflectionLook));

@@ -23,7 +23,6 @@ vec4 knownBetween(vec2 texel) {
 // `texel` counts in those of mip 0, `scale` is how many pixels of the frame go to one, each way.
 vec4 reflectionTexel(vec2 texel, float mip, float scale) {
     vec4 color = textureLod(reflectionColor, texel / vec2(textureSize(reflectionColor, 0)), scale > 1.0 ? max(mip, 1.0) : mip);
-    // A loop of one round: CPU devices leave it out where nobody is in it.
-    for (bool small = scale > 1.0 && mip < 1.0; small; small = false) color = mix(knownBetween(texel), color, mip);
+    if (scale > 1.0 && mip < 1.0) color = mix(knownBetween(texel), color, mip);
     return color;
 }

@@ -80,14 +80,15 @@ vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here) {
     vec4 edge = bedPixelOf(vec4(inside.seen, 1.0));
     float radius = length(middle - edge.xy / edge.w);
     vec4 sum = vec4(nearby, 1.0) * 1e-3;
-    for (int i = 0; i < 4; ++i) {
+    int i = 0;
+    [[dont_unroll]] do {
         vec2 pixel = middle + radius * taps[i];
         Behind b = bedAt(pixel);
         bool level = abs(b.seen.y - inside.seen.y) < 0.15 * (position.y - inside.seen.y);
         vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
         bool flatHere = abs(step.y) < 0.5 * length(step.xz);
         if (isBelowWater(b) && level && flatHere) sum += vec4(bedRadiance(b), 1.0);
-    }
+    } while (++i < 4);
     return sum.rgb / sum.a;
 }
 
@@ -161,7 +162,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
 #ifdef SHORE
     float onMap = depthOnMap(bent / steepness);
 #endif
-    for (bool blind = passedOver; blind; blind = false) {
+    if (passedOver) {
         sought = min(seenAsFarAs(), leaves);
         found = behindRay(here, from + perDepth * sought);
         drop = max(position.y - found.seen.y, 0.0);
@@ -176,45 +177,48 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     Behind last = found;            // of the bed, before the ray leaves the picture or passes behind something
     float least = 1e9;
     bool left = false;
-    for (int i = 0; i < refractionLooks - 1 && least > 0.01 && !left; ++i) {
-        vec4 target = from + perDepth * sought;
-        Behind b = behindRay(here, target);
-        float deeper = b.nothing ? max(sought, 1.0) : position.y - b.seen.y - sought;
-        bool isBed = isBelowWater(b);
-        if (isBed && abs(deeper) < min(least, mostOff * sought)) {
-            least = abs(deeper);
-            found = b;
-            drop = sought;
-        }
-        // Its sign is that of what can be told more exactly.
-        float nearer = nearerBy(target, position + bent / steepness * sought, b);
-        vec2 reached = vec2(sought / target.w, deeper > 0.0 ? max(nearer, 1e-9) : min(nearer, -1e-9));
-        vec2 before = above;
-        if (deeper > 0.0) {
-            above = reached;
-            deepest = sought;
-            if (isBed) last = b;
-        } else {
-            if (isBed) nearest = b;
-            // Of what stands before the bed only that it does counts.
-            under = isBed ? reached : vec2(reached.x, -above.y);
-        }
-        left = deeper > 0.01 && sought >= leaves;
-        vec2 other = under.y < 0.0 ? under : before;
-        float apart = other.x - above.x;
-        float slope = abs(apart) > 1e-9 ? (other.y - above.y) / apart : 0.0;
-        float way = above.x - above.y / min(slope, -1e-9);
-        if (under.y < 0.0) way = clamp(way, mix(above.x, under.x, 0.02), mix(above.x, under.x, 0.98));
-        float beyond = 1.0 - way * perDepth.w;
-        // Two looks that lie close together tell the slope no better than texels do.
-        float farthest = i > 0 ? min(4.0 * sought, leaves) : leaves;
-        sought = beyond > 0.0 ? min(way * from.w / beyond, farthest) : farthest;
+    int i = 0;
+    if (refractionLooks > 1) {
+        do {
+            vec4 target = from + perDepth * sought;
+            Behind b = behindRay(here, target);
+            float deeper = b.nothing ? max(sought, 1.0) : position.y - b.seen.y - sought;
+            bool isBed = isBelowWater(b);
+            if (isBed && abs(deeper) < min(least, mostOff * sought)) {
+                least = abs(deeper);
+                found = b;
+                drop = sought;
+            }
+            // Its sign is that of what can be told more exactly.
+            float nearer = nearerBy(target, position + bent / steepness * sought, b);
+            vec2 reached = vec2(sought / target.w, deeper > 0.0 ? max(nearer, 1e-9) : min(nearer, -1e-9));
+            vec2 before = above;
+            if (deeper > 0.0) {
+                above = reached;
+                deepest = sought;
+                if (isBed) last = b;
+            } else {
+                if (isBed) nearest = b;
+                // Of what stands before the bed only that it does counts.
+                under = isBed ? reached : vec2(reached.x, -above.y);
+            }
+            left = deeper > 0.01 && sought >= leaves;
+            vec2 other = under.y < 0.0 ? under : before;
+            float apart = other.x - above.x;
+            float slope = abs(apart) > 1e-9 ? (other.y - above.y) / apart : 0.0;
+            float way = above.x - above.y / min(slope, -1e-9);
+            if (under.y < 0.0) way = clamp(way, mix(above.x, under.x, 0.02), mix(above.x, under.x, 0.98));
+            float beyond = 1.0 - way * perDepth.w;
+            // Two looks that lie close together tell the slope no better than texels do.
+            float farthest = i > 0 ? min(4.0 * sought, leaves) : leaves;
+            sought = beyond > 0.0 ? min(way * from.w / beyond, farthest) : farthest;
+        } while (++i < refractionLooks - 1 && least > 0.01 && !left);
     }
     // What hides the place that the ray meets is as good as it, unless it lies far higher.
     float known = passedOver && !(left && isBelowWater(last)) ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;
     vec3 bed = bedRadiance(found);
     bool astray = refractionLooks > 2 && !passedOver && least > wellOff * drop && isBelowWater(found);
-    for (bool unseen = (left || astray) && isBelowWater(last); unseen; unseen = false) {
+    if ((left || astray) && isBelowWater(last)) {
         vec2 track = perDepth.xy - perDepth.w * from.xy / from.w;
         drop = max(depthBeyond(last, bent / steepness, track / max(length(track), 1e-6)), deepest);
         found = behindRay(here, from + perDepth * drop);
@@ -224,7 +228,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     }
     vec3 unknown = waterGlow(vec3(1e6));
 #ifdef SHORE
-    for (bool hidden = passedOver && known < 1.0; hidden; hidden = false)
+    if (passedOver && known < 1.0)
         unknown = bedThrough(bedRadiance(nearest), onMap - position.y - plane.w, gatheredIn(bedColorOf(nearest)),
                              onMap / steepness);
 #endif

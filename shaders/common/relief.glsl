@@ -6,7 +6,7 @@ layout(constant_id = 11) const bool hasRelief = false;
 
 vec2 shownCalm() {
 #if defined(WAVES) && !defined(SHORE)
-    for (bool moves = hasRelief; moves; moves = false) {
+    if (hasRelief) {
         Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
         float width = max(length(pixel.shorter), length(pixel.longer) / float(slopeLooks));
         float higher = waveDisplacementAt(waveDisplacement, meshCalm, width, vec4(1.0)).y - plane.w - position.y;

@@ -52,16 +52,14 @@ bool isLevel(vec2 point, vec2 away, float edgeHeight) {
 // stand on it.
 bool levelPoint(vec2 from, vec2 end, vec2 away, float edgeHeight, out vec2 point) {
     float most = farthest(end - from);
-    point = from;
-    bool level = isLevel(point, away, edgeHeight);
-    for (float pixels = 1.0; pixels <= most && !level; pixels = 2.0 * pixels + 1.0) {
-        point = from + pixels * away;
+    float pixels = 0.0;
+    bool level, last;
+    do {
+        last = pixels > most;
+        point = last ? end : from + pixels * away;
         level = isLevel(point, away, edgeHeight);
-    }
-    for (bool last = !level; last; last = false) {
-        point = end;
-        level = isLevel(point, away, edgeHeight);
-    }
+        pixels = 2.0 * pixels + 1.0;
+    } while (!level && !last);
     return level;
 }
 
@@ -84,15 +82,14 @@ Hit underRoof(vec2 q, ScreenRay ray, Hit shown) {
     bool first = !shown.valid || dot(shown.source - from, away) > 2.0;
     float mostPixels = float(firstLook << roofLooks);
     Hit hit = noHit;
-    // Loops of one round, since those that nobody enters are left out.
-    for (bool hidden = roof != nowhere && first; hidden; hidden = false) {
+    if (roof != nowhere && first) {
         Entry entry = entryBefore(ray, q, from, mostPixels);
         vec4 edge = vec4(entry.hidden, depthAt(max(entry.between.other, ivec2(0))), 1.0);
         float height = heightOf(edge);
         float depth = depthAtHeight(q, height);
         bool above = entry.between != noGuesses && height > leastHeight * metresPerPixel(edge);
         bool before = !shown.valid || depthSign * (depth - shown.depth) > 0.0;
-        for (bool hangs = above && before; hangs; hangs = false) {
+        if (above && before) {
             vec2 end = exitAfter(ray, from, away, mostPixels);
             vec2 on;
             bool level = levelPoint(from, end, away, height, on);

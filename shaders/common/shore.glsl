@@ -48,15 +48,15 @@ ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
     w.wetTo = -1e9;
     w.advected = vec2(0.0);
     w.foam = 0.0;
-    // A loop of one round stands for a branch.
-    for (bool guided = form.x + form.w > 0.0; guided; guided = false) {
+    if (form.x + form.w > 0.0) {
         float lean = 0.6 * form.y;
         float perTrain = inversesqrt(float(shoreTrains));
         float swash = 0.0;
         float wet = 0.0;
         float white = 0.0;
         vec2 swashSlope = vec2(0.0);
-        for (int t = 0; t < shoreTrains; ++t) {
+        int t = 0;
+        do {
             vec2 slowness = vec2(alongU[t + 1], alongV[t + 1]);
             float size = max(length(slowness), 1e-4);
             vec2 towards = slowness / size;
@@ -81,7 +81,7 @@ ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
             w.stretch += stretches * vec3(towards * towards, towards.x * towards.y);
             w.advected += towards * (now.z * form.w * shoreForm.y);
             white += mix(shoreRows[i + 1].x, shoreRows[i + 3].x, fract(row));
-        }
+        } while (++t < shoreTrains);
         w.height += form.w * max(swash, lowestSwash);
         w.slope += swash > lowestSwash ? form.w * swashSlope : vec2(0.0);
         w.wetTo = form.w * wet;

@@ -14,7 +14,7 @@ vec3 sunGlint(SurfacePoint s, vec3 toEye) {
     float masking = 1.0 + smithLambda(cosEye, deviation);
     float glint = sunSeen * fresnel * density / (4.0 * up2 * up2 * cosEye * masking);
 #ifdef WAVES
-    for (bool shines = glint > 1e-5; shines; shines = false) {
+    if (glint > 1e-5) {
         return sunIrradiance.rgb * (glint * clearShare(max(toSun.y, 1e-3), wavesAhead(s, horizontal(toSun.xyz))));
     }
 #endif

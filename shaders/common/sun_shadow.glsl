@@ -16,12 +16,14 @@ float shareLit(vec3 at, float layer, vec2 size) {
 float sunSeenAt(vec3 point) {
     vec2 size = vec2(textureSize(sunShadowMap, 0).xy);
     vec2 texel = 1.0 / size;   // within which a look reaches into a neighbouring cascade
-    for (int i = 0; i < int(stored.shadow.x); ++i) {
+    int i = 0;
+    bool inside;
+    vec3 at;
+    do {
         vec4 p = stored.shadowFromRelative[i] * vec4(point, 1.0);
-        vec3 at = p.xyz / p.w;
+        at = p.xyz / p.w;
         vec4 bounds = stored.shadowBounds[i];
-        if (all(greaterThan(at.xy, bounds.xy + texel)) && all(lessThan(at.xy, bounds.zw - texel)))
-            return shareLit(at, stored.shadowLayers[i], size);
-    }
-    return 1.0;
+        inside = all(greaterThan(at.xy, bounds.xy + texel)) && all(lessThan(at.xy, bounds.zw - texel));
+    } while (!inside && ++i < int(stored.shadow.x));
+    return inside ? shareLit(at, stored.shadowLayers[i], size) : 1.0;
 }

@@ -91,7 +91,8 @@ vec3 throughWindow(SurfacePoint s, vec3 view, out float reflectance) {
     vec3 sum = vec3(0.0);
     float reflects = 0.0;
     float weights = 0.0;
-    for (int i = 0; i < steps.points; ++i) {
+    int i = 0;
+    do {
         float offset = offsetOf(steps, i);
         float weight = weightOf(v, offset);
         vec3 normal = normalOf(s.slope + v.towards * offset);
@@ -105,7 +106,7 @@ vec3 throughWindow(SurfacePoint s, vec3 view, out float reflectance) {
         }
         reflects += weight * fresnel;
         weights += weight;
-    }
+    } while (++i < steps.points);
     reflectance = reflects / weights;
     sum /= weights;
     vec3 mean = normalOf(s.slope);

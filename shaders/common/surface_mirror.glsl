@@ -1,7 +1,5 @@
 // What the surface mirrors: an integral over the slopes that the eye can see, along the line of sight, each with its own
 // Fresnel term and weighted by its visible area. Without it the mean normal makes the far sea a mirror of the horizon.
-//
-// Loops of one round stand for branches: CPU devices leave them out where nobody is in them.
 
 #ifdef REFLECTION
 #include "reflection_lookup.glsl"
@@ -85,11 +83,13 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     vec4 found = vec4(0.0);
     float hit = firstHit();
     WavesAhead ahead = wavesAhead(s, -v.towards);
-    for (int look = 0; look < mirrorLooks; ++look) {
+    int look = 0;
+    do {
         vec4 all = vec4(0.0);
         vec4 clear = vec4(0.0);   // rays that meet none
         float cosines = 0.0;
-        for (int i = look * together; i < (look + 1) * together; ++i) {
+        for (int j = 0; j < together; ++j) {
+            int i = look * together + j;
             vec3 normal = normalOf(s.slope + v.towards * slopeSeen(i, seen));
             vec3 direction = reflect(-toEye, normal);
             float cosine = dot(toEye, normal);
@@ -100,12 +100,12 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
         }
         found = mirroredScene(keptAbove(all.xyz), spread, hit);
         sum.radiance += clear.w * found.rgb;
-        for (bool open = found.a < 0.999 && clear.w > 1e-6; open; open = false)
+        if (found.a < 0.999 && clear.w > 1e-6)
             sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, max(spreadAside * cosines / max(all.w, 1e-6), 0.5 * spread));
         sum.fresnel += all.w;
         met += all - clear;
-    }
-    for (bool again = met.w > 1e-3 * sum.fresnel; again; again = false) {
+    } while (++look < mirrorLooks);
+    if (met.w > 1e-3 * sum.fresnel) {
         vec3 direction = normalize(met.xyz);
         vec3 facet = normalOf(horizontal(direction) * (1.25 * roughness.w));
         float keeps = met.w * mirroredShare(dot(-direction, facet));
@@ -121,7 +121,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     vec3 direction = keptAbove(vec3(-toEye.x, toEye.y, -toEye.z));
     vec4 found = mirroredScene(direction, 0.0, hit);
     vec3 mirrored = found.rgb;
-    for (bool open = found.a < 0.999; open; open = false) mirrored += (1.0 - found.a) * skyAt(direction, 0.0);
+    if (found.a < 0.999) mirrored += (1.0 - found.a) * skyAt(direction, 0.0);
     return Reflection(fresnel * mirrored, fresnel, 0.0);
 }
 #endif

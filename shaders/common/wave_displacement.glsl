@@ -7,8 +7,8 @@ vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, ve
     vec3 sum = vec3(0.0);
     for (int i = 0; i < cascades; ++i) {
         float mip = max(log2(width * cascade[i].w), 0.0);
-        // The last mip is the tile's mean, which is zero. A loop of one round, which CPU devices leave out.
-        for (bool moves = mip < maxMip; moves; moves = false)
+        // The last mip is the tile's mean, which is zero.
+        if (mip < maxMip)
             sum += kept[i] * textureLod(displacements, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xyz;
     }
     return sum;

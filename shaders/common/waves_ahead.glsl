@@ -19,22 +19,25 @@ float horizonTowards(vec2 slope, vec2 along) {
     vec3 here = waveDisplacementAt(waveDisplacement, calmPosition, 0.5 * (growth - 1.0) * away, keptHere());
     vec2 moved = here.xz;
     float tangent = dot(slope, along);
-    for (int i = 0; i < waveShadowSteps; ++i) {
+    int i = 0;
+    [[dont_unroll]] do {
         // What moved the last one stands for what moves this one.
         vec2 calm = calmPosition + here.xz + along * away - moved;
         vec3 there = waveDisplacementAt(waveDisplacement, calm, 0.5 * (growth - 1.0) * away, keptHere());
         moved = there.xz;
         tangent = max(tangent, (there.y - here.y) / away);
         away *= growth;
-    }
+    } while (++i < waveShadowSteps);
     return tangent;
 }
 
 WavesAhead wavesAhead(SurfacePoint s, vec2 along) {
     if (waveShadowSteps == 0) return WavesAhead(0.0, 0.0, 0.0);
     float unseen = 0.5 * (s.covariance.x + s.covariance.y);
-    return WavesAhead(horizonTowards(s.slope, along), clamp(3.0 - 3.0 * unseen / (roughness.w * roughness.w), 0.0, 1.0),
-                      sqrt(unseen));
+    float found = clamp(3.0 - 3.0 * unseen / (roughness.w * roughness.w), 0.0, 1.0);
+    float horizon = 0.0;
+    if (found > 0.0) horizon = horizonTowards(s.slope, along);
+    return WavesAhead(horizon, found, sqrt(unseen));
 }
 
 // Share of the rays of this rise that meet no other wave.
