@@ -117,7 +117,9 @@ struct SurfaceTimes {
     uint64_t hostBytes = 0;
     std::vector<PassTime> passes; ///< of the whole frame, the scene's own among them
 
-    /// All that a frame has for the surface: its waves, its reflection, its drawing.
+    /// Those that a frame has for the surface: its waves, its reflection, its drawing.
+    std::vector<PassTime> surfacePasses() const;
+    /// Of all of them, and of what the processor simulates.
     double surfaceMs() const;
 };
 

@@ -131,11 +131,17 @@ class RoundTimer {
 
 } // namespace
 
-double SurfaceTimes::surfaceMs() const {
-    double sum = cpuSimulateMs;
+std::vector<PassTime> SurfaceTimes::surfacePasses() const {
+    std::vector<PassTime> chosen;
     for (const PassTime& pass : passes)
         for (const StageName& stage : surfaceStages)
-            if (pass.name == stage.name) sum += pass.ms;
+            if (pass.name == stage.name) chosen.push_back(pass);
+    return chosen;
+}
+
+double SurfaceTimes::surfaceMs() const {
+    double sum = cpuSimulateMs;
+    for (const PassTime& pass : surfacePasses()) sum += pass.ms;
     return sum;
 }
 

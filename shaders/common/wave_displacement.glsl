@@ -5,12 +5,13 @@
 // `kept` is a share of each cascade.
 vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, vec4 kept) {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < cascades; ++i) {
+    int i = 0;
+    do {
         float mip = max(log2(width * cascade[i].w), 0.0);
         // The last mip is the tile's mean, which is zero.
         if (mip < maxMip)
             sum += kept[i] * textureLod(displacements, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xyz;
-    }
+    } while (++i < cascades);
     return sum;
 }
 

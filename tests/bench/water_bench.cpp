@@ -46,8 +46,7 @@ constexpr Part parts[] = {
 void print(const char* name, const SurfaceTimes& times, const ComparedTimes& all) {
     const double sum = times.surfaceMs();
     std::string shares;
-    for (const PassTime& pass : times.passes) {
-        if (pass.ms < 0.05 * all.floor.ms) continue;
+    for (const PassTime& pass : times.surfacePasses()) {
         char text[64];
         std::snprintf(text, sizeof text, "  %s %.2f", pass.name.c_str(), pass.ms / all.floor.ms);
         shares += text;
