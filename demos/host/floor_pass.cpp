@@ -1,6 +1,7 @@
 #include "host/floor_pass.h"
 
 #include "host/layouts.h"
+#include "host/pipeline.h"
 
 #include "spirv/floor.comp.h"
 

@@ -33,31 +33,6 @@ bool createPipelineLayout(const Device& device, std::span<const VkDescriptorSetL
     return true;
 }
 
-bool createComputePipeline(const Device& device, std::span<const uint32_t> spirv, VkPipelineLayout layout,
-                           const VkSpecializationInfo* constants, UniquePipeline& out, Error& error) {
-    VkShaderModuleCreateInfo code{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-    code.codeSize = spirv.size_bytes();
-    code.pCode = spirv.data();
-    VkShaderModule shader = VK_NULL_HANDLE;
-    if (!succeeded(vkCreateShaderModule(device.handle(), &code, nullptr, &shader), "vkCreateShaderModule",
-                   error))
-        return false;
-    const UniqueShaderModule owned(device.handle(), shader);
-    VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
-    info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
-    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    info.stage.module = shader;
-    info.stage.pName = "main";
-    info.stage.pSpecializationInfo = constants;
-    info.layout = layout;
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    if (!succeeded(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-                   "vkCreateComputePipelines", error))
-        return false;
-    out = UniquePipeline(device.handle(), pipeline);
-    return true;
-}
-
 void setClip(const glm::dmat4& clipFromEye, FrameUniforms& uniforms) {
     uniforms.clipFromEye = glm::mat4(clipFromEye);
     uniforms.sight = {0, 0, 0, 1};

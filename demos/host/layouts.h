@@ -54,10 +54,6 @@ bool createSetLayout(const Device& device, std::span<const VkDescriptorType> typ
 bool createPipelineLayout(const Device& device, std::span<const VkDescriptorSetLayout> sets,
                           uint32_t constantBytes, UniquePipelineLayout& out, Error& error);
 
-/// `constants` specialise it; null: none.
-bool createComputePipeline(const Device& device, std::span<const uint32_t> spirv, VkPipelineLayout layout,
-                           const VkSpecializationInfo* constants, UniquePipeline& out, Error& error);
-
 bool createLayouts(const Device& device, Layouts& out, Error& error);
 
 /// A set from a pool of its own.

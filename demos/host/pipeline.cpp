@@ -114,4 +114,23 @@ bool createPipeline(const Device& device, VkPipelineLayout layout, const Pipelin
     return true;
 }
 
+bool createComputePipeline(const Device& device, std::span<const uint32_t> spirv, VkPipelineLayout layout,
+                           const VkSpecializationInfo* constants, UniquePipeline& out, Error& error) {
+    UniqueShaderModule shader;
+    if (!createModule(device, spirv, shader, error)) return false;
+    VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+    info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+    info.stage.module = shader.get();
+    info.stage.pName = "main";
+    info.stage.pSpecializationInfo = constants;
+    info.layout = layout;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+                   "vkCreateComputePipelines", error))
+        return false;
+    out = UniquePipeline(device.handle(), pipeline);
+    return true;
+}
+
 } // namespace demos

@@ -1,4 +1,4 @@
-// Graphics pipelines of the host, all for dynamic rendering.
+// Pipelines of the host: those that draw are for dynamic rendering.
 #pragma once
 
 #include <span>
@@ -26,5 +26,9 @@ struct PipelineDesc {
 /// Viewport, scissor, cull mode and front face are dynamic.
 bool createPipeline(const Device& device, VkPipelineLayout layout, const PipelineDesc& desc,
                     UniquePipeline& out, Error& error);
+
+/// `constants` specialise it; null: none.
+bool createComputePipeline(const Device& device, std::span<const uint32_t> spirv, VkPipelineLayout layout,
+                           const VkSpecializationInfo* constants, UniquePipeline& out, Error& error);
 
 } // namespace demos

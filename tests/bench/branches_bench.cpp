@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/layouts.h"
+#include "host/pipeline.h"
 
 #include "spirv/branches.comp.h"
 
