@@ -10,7 +10,6 @@ layout(set = 0, binding = 0, std430) buffer Values {
 };
 
 const int parts = 4;
-int asked = parts;   // that nobody can tell beforehand
 
 float part(float x, float sum) {
     for (int i = 0; i < 16; ++i) sum = sin(1.7 * sum + 0.3) + 0.1 * x;
@@ -39,7 +38,7 @@ void main() {
     uint index = gl_GlobalInvocationID.x;
     float x = values[index];   // whole, 0..99
     bool enters = x < float(under);
-    asked = x < 1e9 ? parts : 0;
+    int asked = x < 1e9 ? parts : 0;   // which no compiler can tell
     float sum = x;
     switch (form) {
     case 1: sum = work(x, sum); break;
