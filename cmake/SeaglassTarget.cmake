@@ -1,7 +1,7 @@
 # What every Seaglass target is compiled with. Private, so that nothing leaks into a consumer's build.
 function(seaglass_target target)
   target_compile_features(${target} PRIVATE cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion
     # Vulkan's structs are begun by their sType alone; the rest is zero by the language.
     -Wno-missing-field-initializers
@@ -25,6 +25,6 @@ function(seaglass_library target)
   # Public headers carry no macros, so a shared library shows all it has; until 1.0 any minor version may break.
   # They find each other where they are installed.
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${part} WINDOWS_EXPORT_ALL_SYMBOLS ON INSTALL_RPATH "$ORIGIN"
-    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} POSITION_INDEPENDENT_CODE ON)
   seaglass_target(${target})
 endfunction()

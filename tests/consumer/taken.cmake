@@ -1,5 +1,5 @@
 # Takes Seaglass into the project beside this file and runs what it builds. way: find_package, pkg_config, deb, vcpkg,
-# add_subdirectory or fetch_content.
+# add_subdirectory or fetch_content. part: only the program of that part.
 cmake_minimum_required(VERSION 3.25)
 
 include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
@@ -8,6 +8,11 @@ file(REMOVE_RECURSE ${work})
 file(MAKE_DIRECTORY ${work})
 set(prefix ${work}/prefix)
 set(programs reflection_alone sea_alone water_alone)
+set(target all)
+if(part)
+  set(programs ${part}_alone)
+  set(target ${programs})
+endif()
 if(fftw AND NOT way MATCHES "add|fetch|vcpkg")
   list(APPEND programs fftw_waves)
 endif()
@@ -52,7 +57,7 @@ else()
   run(${CMAKE_COMMAND} -G ${generator} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${work}/build -D WAY=${way} -D FFTW=${fftw}
     -D SEAGLASS_SOURCE=${seaglass_source} -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_BUILD_TYPE=Debug
     -D CMAKE_CXX_STANDARD=17)
-  run(${CMAKE_COMMAND} --build ${work}/build)
+  run(${CMAKE_COMMAND} --build ${work}/build --target ${target})
   foreach(program IN LISTS programs)
     run(${work}/build/${program})
   endforeach()

@@ -15,7 +15,7 @@ endforeach()
 file(REMOVE_RECURSE ${work})
 set(build ${work}/build)
 run(${CMAKE_COMMAND} -S ${source} --preset ${preset} -B ${build} -D SEAGLASS_WARNINGS_AS_ERRORS=ON -D SEAGLASS_DEMOS=OFF
-  ${arguments})
+  -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON ${arguments})
 run(${CMAKE_COMMAND} --build ${build})
 if(NOT preset STREQUAL "mingw")
   run(${CMAKE_CTEST_COMMAND} --test-dir ${build} --output-on-failure --label-regex "^unit$" --exclude-regex "^Consumer[.](Find|Pkg)"

@@ -3,9 +3,17 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace tests {
+
+inline std::filesystem::path demoScene(const std::string& name) {
+    return std::filesystem::path(SEAGLASS_SCENES) / (name + ".toml");
+}
+inline std::filesystem::path demoTexture(const char* name) {
+    return std::filesystem::path(SEAGLASS_SCENES) / "../../textures" / name;
+}
 
 /// Their files, by name.
 inline std::vector<std::filesystem::path> demoScenes() {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/quality.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/box_file.h"
 #include "tests/reference/camera_of.h"
 #include "tests/reference/rendered_picture.h"
@@ -20,7 +21,7 @@ constexpr uint32_t width = 160, height = 90;
 /// Calm water before a quay, whose edge hides dark stripes on the bed: bent rays alone lead to them.
 Scene pastAQuay() {
     Scene scene;
-    scene.sky.file = std::string(SEAGLASS_SCENES) + "/../../textures/harbour_sky.exr";
+    scene.sky.file = tests::demoTexture("harbour_sky.exr");
     scene.sky.intensity = 0.2;
     scene.sun.azimuthDeg = 250;
     scene.sun.elevationDeg = 50;
@@ -109,7 +110,7 @@ double shareOfSpecks(const Picture& picture) {
 // every way, even along the raised eye's own.
 TEST_F(BedsPicture, HasNoSpecksThroughALongLens) {
     Error error;
-    std::optional<Scene> pool = loadScene(std::string(SEAGLASS_SCENES) + "/pool.toml", {}, error);
+    std::optional<Scene> pool = loadScene(tests::demoScene("pool"), {}, error);
     ASSERT_TRUE(pool) << error.text;
     setQuality("highest", *pool->water);
     CameraDesc far = tests::cameraOf(*pool, "far");

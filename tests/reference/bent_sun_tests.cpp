@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/box_file.h"
 #include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
@@ -19,7 +20,7 @@ constexpr uint32_t width = 200, height = 150;
 Scene calmWater(const std::string& name, std::vector<tests::Box> things, double depth = 2) {
     things.push_back({{-20, -depth - 1, -20}, {20, -depth, 20}});
     Scene scene;
-    scene.sky.file = std::string(SEAGLASS_SCENES) + "/../../textures/harbour_sky.exr";
+    scene.sky.file = tests::demoTexture("harbour_sky.exr");
     scene.sky.intensity = 0.2;
     scene.sun.azimuthDeg = 20;
     scene.sun.elevationDeg = 30;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/box_file.h"
 #include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
@@ -17,7 +18,7 @@ constexpr uint32_t width = 160, height = 120;
 /// Clear water with waves over an even bed, as an eye in it looks down on some two metres of the bed.
 Scene bath(double depth, const WavesDesc& waves) {
     Scene scene;
-    scene.sky.file = std::string(SEAGLASS_SCENES) + "/../../textures/harbour_sky.exr";
+    scene.sky.file = tests::demoTexture("harbour_sky.exr");
     scene.sky.intensity = 0.02;
     scene.sun.azimuthDeg = 20;
     scene.sun.elevationDeg = 55;
@@ -75,7 +76,7 @@ WavesDesc swell() {
 
 WavesDesc ripplesOfThePool() {
     Error error;
-    const auto pool = loadScene(std::string(SEAGLASS_SCENES) + "/pool.toml", {}, error);
+    const auto pool = loadScene(tests::demoScene("pool"), {}, error);
     EXPECT_TRUE(pool) << error.text;
     return *pool->water->waves;
 }

@@ -166,13 +166,15 @@ class OneWave : public testing::Test {
                     1e-3 * best.y);
         return best;
     }
-    /// Along the line below the crest, `aside` of it.
-    double below(double depth, double aside) {
+    Lit bedAt(double depth) {
         bath_.depth = depth;
-        const Lit lit(bath_);
+        return Lit(bath_);
+    }
+    /// Along the line below the crest, `aside` of it.
+    double along(const Lit& bed, double aside) const {
         double sum = 0;
         constexpr int places = 40;
-        for (int i = 0; i < places; ++i) sum += lit.at(crest_ + aside, 0.02 * (i - places / 2)) / places;
+        for (int i = 0; i < places; ++i) sum += bed.at(crest_ + aside, 0.02 * (i - places / 2)) / places;
         return sum;
     }
 
@@ -187,7 +189,8 @@ TEST_F(OneWave, GathersAsALensDoes) {
         const double depth = share * focus_;
         const double crest = 1 / (1 - (depth + height_) / focus_),
                      trough = 1 / (1 + (depth - height_) / focus_);
-        const double atCrest = below(depth, 0), atTrough = below(depth, length / 2);
+        const Lit bed = bedAt(depth);
+        const double atCrest = along(bed, 0), atTrough = along(bed, length / 2);
         std::printf("%.2f m: crest %.3f of %.3f, trough %.3f of %.3f\n", depth, atCrest, crest, atTrough,
                     trough);
         EXPECT_NEAR(atCrest, crest, 0.06 * crest) << depth;
@@ -198,15 +201,18 @@ TEST_F(OneWave, GathersAsALensDoes) {
 /// Rays from both sides of the crest meet below it at the focus, and at three times that depth lie between
 /// two lines.
 TEST_F(OneWave, DrawsLinesWhereItsRaysCross) {
-    const double atFocus = below(focus_, 0), before = below(0.8 * focus_, 0), beside = below(focus_, 0.05);
+    const Lit inFocus = bedAt(focus_);
+    const double atFocus = along(inFocus, 0), before = along(bedAt(0.8 * focus_), 0),
+                 beside = along(inFocus, 0.05);
     std::printf("%.2f m: %.2f, before it %.2f, beside %.2f\n", focus_, atFocus, before, beside);
     EXPECT_GT(atFocus, 1.2 * before);
     EXPECT_GT(atFocus, 3 * beside);
     // As angles of the wave, x - 3 sin x turns back where cos x is a third, and has three roots.
     const double turns = std::acos(1.0 / 3), line = (3 * std::sin(turns) - turns) / curl, root = 2.27886;
     const double between = 0.5 + 2 / (1 - 3 * std::cos(root));
-    const double atLine = below(3 * focus_, line - 0.02), middle = below(3 * focus_, 0),
-                 outside = below(3 * focus_, line + 0.07);
+    const Lit beyond = bedAt(3 * focus_);
+    const double atLine = along(beyond, line - 0.02), middle = along(beyond, 0),
+                 outside = along(beyond, line + 0.07);
     std::printf("three times as deep: %.2f at the line, %.2f of %.2f between, %.2f outside\n", atLine, middle,
                 between, outside);
     EXPECT_NEAR(middle, between, 0.15 * between);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "host/host.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/camera_of.h"
 #include "tests/reference/traced_picture.h"
 
@@ -45,8 +46,7 @@ glm::dvec3 gain(Scene scene, const CameraDesc& camera, Draw draw) {
 
 TEST(CrestLightHost, GainsWhatRaysThroughTheSeaDo) {
     Error error;
-    const auto scene =
-        loadScene(std::string(SEAGLASS_SCENES) + "/ocean.toml", {"water.refraction.type=coastal"}, error);
+    const auto scene = loadScene(tests::demoScene("ocean"), {"water.refraction.type=coastal"}, error);
     ASSERT_TRUE(scene) << error.text;
     const CameraDesc camera = tests::cameraOf(*scene, "low");
     const glm::dvec3 drawn = gain(*scene, camera, rendered), truth = gain(*scene, camera, traced);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/reference.h"
+#include "tests/program/demo_scenes.h"
 
 namespace {
 
@@ -9,7 +10,7 @@ using namespace demos;
 
 Scene poolOver(const ExtentDesc& extent) {
     Scene scene;
-    scene.sky.file = std::string(SEAGLASS_SCENES) + "/../../textures/harbour_sky.exr";
+    scene.sky.file = tests::demoTexture("harbour_sky.exr");
     scene.sun.elevationDeg = 40;
     scene.water.emplace();
     scene.water->levelM = -1;

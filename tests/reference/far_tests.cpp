@@ -6,6 +6,7 @@
 #include "host/host.h"
 #include "scene/offset.h"
 #include "scene/without.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -22,7 +23,7 @@ struct View {
 };
 
 std::optional<View> calmHarbour(const Vec3& offset, Error& error) {
-    std::optional<Scene> scene = loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {}, error);
+    std::optional<Scene> scene = loadScene(tests::demoScene("harbour"), {}, error);
     if (!scene) return std::nullopt;
     takeWaves(*scene->water);
     CameraDesc camera = scene->cameras.front();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/pass_samples.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -48,7 +49,7 @@ double differing(const Both& both, std::initializer_list<reference::TruthClass> 
 }
 
 std::optional<Scene> court(Error& error) {
-    return loadScene(std::string(SEAGLASS_SCENES) + "/floor.toml", {}, error);
+    return loadScene(tests::demoScene("floor"), {}, error);
 }
 
 TEST(FloorOfTheHost, LooksAsTraced) {

@@ -1,6 +1,7 @@
 // What is not water must look in the reference as the host renders it.
 #include <gtest/gtest.h>
 
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -12,8 +13,7 @@ class HostScene : public testing::TestWithParam<const char*> {};
 
 TEST_P(HostScene, OpaqueThingsLookAsTraced) {
     Error error;
-    std::optional<Scene> scene =
-        loadScene(std::string(SEAGLASS_SCENES) + "/" + GetParam() + ".toml", {}, error);
+    std::optional<Scene> scene = loadScene(tests::demoScene(GetParam()), {}, error);
     ASSERT_TRUE(scene) << error.text;
     scene->water.reset();
     constexpr uint32_t width = 320, height = 180;

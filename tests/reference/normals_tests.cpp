@@ -4,6 +4,7 @@
 #include "host/waves.h"
 #include "measure/picture_error.h"
 #include "seaglass/sea.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -41,9 +42,8 @@ std::optional<measure::PictureError> errorWith(const seaglass::WavesBackend* wav
 
 TEST(Normals, FlippedOnesAreMeasured) {
     Error error;
-    const std::optional<Scene> scene =
-        loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml",
-                  {"water.waves.samples=64", "water.waves.amplitude=0.5"}, error);
+    const std::optional<Scene> scene = loadScene(
+        tests::demoScene("harbour"), {"water.waves.samples=64", "water.waves.amplitude=0.5"}, error);
     ASSERT_TRUE(scene) << error.text;
     // Of many samples: the picture spreads what each pixel mirrors, which one ray does not.
     const reference::Pictures truth =

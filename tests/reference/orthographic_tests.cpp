@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "host/host.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
 
@@ -25,8 +26,7 @@ struct Shot {
 
 Scene sceneOf(const Shot& shot) {
     Error error;
-    std::optional<Scene> scene =
-        loadScene(std::string(SEAGLASS_SCENES) + "/" + shot.scene + ".toml", {}, error);
+    std::optional<Scene> scene = loadScene(tests::demoScene(shot.scene), {}, error);
     EXPECT_TRUE(scene) << error.text;
     CameraDesc camera;
     camera.positionM = shot.position;

@@ -7,6 +7,7 @@
 #include "host/supersample.h"
 #include "metrics/psnr.h"
 #include "scene/without.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -63,9 +64,8 @@ TEST(Planar, MirrorsWhatTheReferenceMirrors) {
     Error error;
     // Without the sun: its shadows are filtered maps here and rays there, which leaves 34 dB, mirrored or
     // not.
-    std::optional<Scene> scene =
-        loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml",
-                  {"water.reflection.technique=planar", "sun.irradiance=[0,0,0]"}, error);
+    std::optional<Scene> scene = loadScene(
+        tests::demoScene("harbour"), {"water.reflection.technique=planar", "sun.irradiance=[0,0,0]"}, error);
     ASSERT_TRUE(scene) << error.text;
     takeWaves(*scene->water);
     for (const CameraDesc& camera : scene->cameras) {

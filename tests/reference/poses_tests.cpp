@@ -6,6 +6,7 @@
 #include "host/host.h"
 #include "scene/offset.h"
 #include "scene/without.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/camera_of.h"
 
 namespace {
@@ -29,7 +30,7 @@ double shareOfWater(const Picture& normals) {
 
 TEST(HarbourPoses, AreFiniteValidAndShowWater) {
     Error error;
-    const std::optional<Scene> scene = loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {}, error);
+    const std::optional<Scene> scene = loadScene(tests::demoScene("harbour"), {}, error);
     ASSERT_TRUE(scene) << error.text;
     HostDesc desc;
     desc.validation = true;
@@ -64,7 +65,7 @@ TEST(HarbourPoses, AreFiniteValidAndShowWater) {
 /// One pixel of this very picture was once NaN: a triangle without area had drawn it.
 TEST(HarbourPoses, NoPixelOfTwoMillionIsNan) {
     Error error;
-    std::optional<Scene> scene = loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {}, error);
+    std::optional<Scene> scene = loadScene(tests::demoScene("harbour"), {}, error);
     ASSERT_TRUE(scene) << error.text;
     takeWaves(*scene->water);
     const CameraDesc roll35 = tests::cameraOf(*scene, "roll35");

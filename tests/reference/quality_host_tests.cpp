@@ -6,6 +6,7 @@
 #include "host/quality.h"
 #include "measure/picture_error.h"
 #include "metrics/flip.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -26,8 +27,7 @@ class QualityOfTheHost : public testing::TestWithParam<const char*> {};
 
 TEST_P(QualityOfTheHost, BringsThePictureNearerToTheTraced) {
     Error error;
-    const std::optional<Scene> scene =
-        loadScene(std::string(SEAGLASS_SCENES) + "/" + GetParam() + ".toml", {}, error);
+    const std::optional<Scene> scene = loadScene(tests::demoScene(GetParam()), {}, error);
     ASSERT_TRUE(scene) << error.text;
     const Picture traced =
         tests::traced(*scene, {width, height, scene->cameras.front(), scene->timeS, 32}).color;

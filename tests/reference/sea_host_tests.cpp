@@ -7,6 +7,7 @@
 
 #include "host/host.h"
 #include "host/image_file.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
 
@@ -18,7 +19,7 @@ constexpr uint32_t width = 160, height = 90;
 
 Scene sea() {
     Error error;
-    const auto scene = loadScene(std::string(SEAGLASS_SCENES) + "/ocean.toml", {}, error);
+    const auto scene = loadScene(tests::demoScene("ocean"), {}, error);
     EXPECT_TRUE(scene) << error.text;
     return *scene;
 }
@@ -114,7 +115,7 @@ TEST(SeaOfTheHost, SeesWhichWavesHideTheSun) {
 /// waves are beside the cells that they are drawn by.
 TEST(SeaOfTheHost, SeesNothingHiddenOnACalmLake) {
     Error error;
-    std::optional<Scene> scene = loadScene(std::string(SEAGLASS_SCENES) + "/lake.toml", {}, error);
+    std::optional<Scene> scene = loadScene(tests::demoScene("lake"), {}, error);
     ASSERT_TRUE(scene) << error.text;
     const std::unique_ptr<Host> host = Host::create({}, error);
     ASSERT_TRUE(host) << error.text;

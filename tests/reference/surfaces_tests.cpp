@@ -4,6 +4,7 @@
 #include "host/host.h"
 #include "scene/scene.h"
 #include "scene/without.h"
+#include "tests/program/demo_scenes.h"
 
 namespace {
 
@@ -19,7 +20,7 @@ std::optional<double> passOf(const SurfaceTimes& times, const std::string& name)
 TEST(Surfaces, WatersTakeTurnsOverOneScene) {
     Error error;
     const std::optional<Scene> scene =
-        loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {"water.waves.samples=64"}, error);
+        loadScene(tests::demoScene("harbour"), {"water.waves.samples=64"}, error);
     ASSERT_TRUE(scene) << error.text;
     WaterDesc flat = *scene->water;
     takeWaves(flat);
@@ -78,7 +79,7 @@ TEST(Surfaces, WatersTakeTurnsOverOneScene) {
 
 TEST(Surfaces, FloorsTakeTurnsOverOneScene) {
     Error error;
-    const std::optional<Scene> scene = loadScene(std::string(SEAGLASS_SCENES) + "/floor.toml", {}, error);
+    const std::optional<Scene> scene = loadScene(tests::demoScene("floor"), {}, error);
     ASSERT_TRUE(scene) << error.text;
     const std::unique_ptr<Host> host = Host::create({{}, true}, error);
     ASSERT_TRUE(host) << error.text;

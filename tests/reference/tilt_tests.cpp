@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/box_world.h"
 #include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
@@ -16,7 +17,7 @@ constexpr uint32_t width = 160, height = 90;
 /// Water that falls towards the eye and to its left, between the harbour's quays.
 Scene slope(double tiltDeg) {
     Error error;
-    auto scene = loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {}, error);
+    auto scene = loadScene(tests::demoScene("harbour"), {}, error);
     EXPECT_TRUE(scene) << error.text;
     scene->water->tiltDeg = tiltDeg;
     scene->water->tiltTowardsDeg = 110;

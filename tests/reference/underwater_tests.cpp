@@ -8,6 +8,7 @@
 #include "measure/picture_error.h"
 #include "metrics/compare.h"
 #include "scene/without.h"
+#include "tests/program/demo_scenes.h"
 #include "tests/reference/camera_of.h"
 #include "tests/reference/traced_picture.h"
 
@@ -24,7 +25,7 @@ class UnderwaterHost : public testing::Test {
   protected:
     void SetUp() override {
         Error error;
-        const auto scene = loadScene(std::string(SEAGLASS_SCENES) + "/harbour.toml", {}, error);
+        const auto scene = loadScene(tests::demoScene("harbour"), {}, error);
         ASSERT_TRUE(scene) << error.text;
         scene_ = *scene;
         HostDesc desc;
