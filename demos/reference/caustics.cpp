@@ -1,6 +1,7 @@
 #include "reference/caustics.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 
@@ -153,7 +154,8 @@ class Source {
 
     std::vector<Photon> photonsOf(const PhotonTile& tile) const {
         constexpr double area = PhotonMap::side * PhotonMap::side;
-        const auto count = static_cast<uint32_t>(std::ceil(tile.density * area));
+        // As many as fill the tile evenly.
+        const uint32_t count = std::bit_ceil(static_cast<uint32_t>(std::ceil(tile.density * area)));
         const uint32_t number =
             hash(static_cast<uint32_t>(tile.at.x) + hash(static_cast<uint32_t>(tile.at.y)));
         std::vector<Photon> photons;
