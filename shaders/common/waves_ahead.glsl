@@ -15,15 +15,16 @@ struct WavesAhead {
 float horizonTowards(vec2 slope, vec2 along) {
     const float nearest = 0.005;
     float growth = pow(nearest, -1.0 / float(waveShadowSteps - 1));
+    float blur = 0.2 * (growth - 1.0);   // less than half a step, which would flatten the crests that cast shadows
     float away = nearest * 100.0 * within.z;
-    vec3 here = waveDisplacementAt(waveDisplacement, calmPosition, 0.5 * (growth - 1.0) * away, keptHere());
+    vec3 here = waveDisplacementAt(waveDisplacement, calmPosition, blur * away, keptHere());
     vec2 moved = here.xz;
     float tangent = dot(slope, along);
     int i = 0;
     [[dont_unroll]] do {
         // What moved the last one stands for what moves this one.
         vec2 calm = calmPosition + here.xz + along * away - moved;
-        vec3 there = waveDisplacementAt(waveDisplacement, calm, 0.5 * (growth - 1.0) * away, keptHere());
+        vec3 there = waveDisplacementAt(waveDisplacement, calm, blur * away, keptHere());
         moved = there.xz;
         tangent = max(tangent, (there.y - here.y) / away);
         away *= growth;
@@ -45,7 +46,7 @@ float clearShare(float rise, WavesAhead ahead) {
     if (rise <= 0.0) return 0.0;
     float masked = 1.0 / (1.0 + smithLambda(rise, roughness.w));
     if (waveShadowSteps == 0) return masked;
-    const float soft = 0.015;
+    const float soft = 0.005;   // the sun's disc, and as much for the sky: wider lets its glint into shadows
     float tangent = rise * inversesqrt(max(1.0 - rise * rise, 1e-4));
     float past = smoothstep(ahead.horizon - soft, ahead.horizon + soft, tangent) / (1.0 + smithLambda(rise, ahead.unseen));
     return mix(masked, past, ahead.found);
