@@ -4,7 +4,6 @@
 #include "surface_uniforms.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
-#include "dry_rooms.glsl"
 
 layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
 layout(set = 0, binding = 2) uniform sampler2DArray waveDerivatives;
@@ -23,6 +22,9 @@ layout(set = 0, binding = 2) uniform sampler2DArray waveDerivatives;
 layout(location = 0) out vec4 outColor;
 
 layout(constant_id = 0) const int searchSteps = 2;
+layout(constant_id = 1) const uint dryRooms = 0;   // water/dry_rooms.h: roomsPacked()
+
+#include "dry_rooms.glsl"
 
 // All that is scattered, forwards too [1/m]: particles send 0.0183 of it back (Petzold 1972), and molecules, which sea
 // water owes this much to (Morel 1974), half.

@@ -11,7 +11,7 @@ layout(location = 2) flat in uvec2 edgeRange;
 layout(location = 3) in vec4 lastPixel;
 layout(location = 0) out vec4 outColor;
 
-layout(constant_id = 5) const bool hasDryRooms = false;
+layout(constant_id = 5) const uint dryRooms = 0;   // water/dry_rooms.h: roomsPacked()
 
 #include "dry_rooms.glsl"
 
@@ -21,7 +21,7 @@ void main() {
 #ifdef OUTLINE
     if (!isWithin(calmPosition, edgeRange)) discard;
 #endif
-    if (hasDryRooms && isDry(position)) discard;
+    if (isDry(position)) discard;
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
     vec2 moved = lastPixel.w > 0.0 ? here - lastPixel.xy / lastPixel.w : vec2(0.0);   // it was behind the eye
     outColor = vec4(moved, 0.0, 1.0);

@@ -36,7 +36,7 @@ float calmPixelWidth() {
 }
 
 layout(constant_id = 4) const bool lightsCrests = false;
-layout(constant_id = 5) const bool hasDryRooms = false;
+layout(constant_id = 5) const uint dryRooms = 0;   // water/dry_rooms.h: roomsPacked()
 layout(constant_id = 10) const bool tilted = false;
 
 // What the host knows of: the sky cube's directions and normals.
@@ -140,7 +140,7 @@ void main() {
 #ifdef OUTLINE
     if (!isWithin(meshCalm, edgeRange)) discard;
 #endif
-    if (hasDryRooms && isDry(position)) discard;
+    if (isDry(position)) discard;
 #ifdef SHORE
     shoreHere = shoreWave(meshCalm, calmPixelWidth());
 #endif

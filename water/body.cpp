@@ -252,7 +252,7 @@ SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDes
             waves ? waves->maps().cascades : 0,
             foam ? foam->cascades() : 0,
             waves && refraction && refraction->scattering > 0,
-            !dryRooms.empty(),
+            roomsPacked(dryRooms),
             waves ? shading.mirrorLooks : 0,
             refraction ? shading.refractionLooks : 0,
             waves ? shading.slopeLooks : 0,
@@ -270,7 +270,7 @@ SurfaceFeatures Body::motionFeatures() const {
     wanted.shore = shore.has_value();
     wanted.shape = features({}, {}).shape;
     wanted.cascades = waves ? waves->maps().cascades : 0;
-    wanted.dryRooms = !dryRooms.empty();
+    wanted.dryRooms = roomsPacked(dryRooms);
     wanted.motion = true;
     return wanted;
 }
@@ -390,7 +390,7 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
         pass == UnderwaterPass::water ? sides != SidesSeen::above : straddles && underwater->meniscus > 0;
     if (!wanted) return Status::ok;
     return recordOverView(commands, target, read, lighting, geometry,
-                          {pass, straddles, straddles && waves, false, 0, straddles && shore});
+                          {pass, straddles, straddles && waves, false, 0, 0, straddles && shore});
 }
 
 Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
@@ -413,6 +413,7 @@ Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDe
     variant.sunShadow = lighting.shadow != nullptr;
     variant.searchSteps = shading.refractionLooks < 4 ? 1 : 2;
     variant.shore = shore.has_value();
+    variant.dryRooms = roomsPacked(dryRooms);
     return recordOverView(commands, target, read, lighting, geometry, variant);
 }
 

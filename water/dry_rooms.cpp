@@ -1,6 +1,7 @@
 #include "water/dry_rooms.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -35,6 +36,10 @@ const char* readDryRooms(const DryRoom* rooms, uint32_t count, std::vector<DryPl
         if (const char* bad = readRoom(rooms[i], read[i])) return bad;
     out = std::move(read);
     return nullptr;
+}
+
+uint32_t roomsPacked(const std::vector<DryPlanes>& rooms) {
+    return rooms.empty() ? 0 : std::bit_ceil(static_cast<uint32_t>(rooms.size()));
 }
 
 bool isDry(const std::vector<DryPlanes>& rooms, const glm::dvec3& position) {

@@ -27,9 +27,9 @@ struct SurfaceFeatures {
     bool shore = false;      ///< only with waves
     SurfaceShape shape = SurfaceShape::plane;
     uint32_t cascades = 0;
-    uint32_t foamCascades = 0; ///< that break: the first so many
-    bool crestLight = false;   ///< only with waves and refraction
-    bool dryRooms = false;
+    uint32_t foamCascades = 0;    ///< that break: the first so many
+    bool crestLight = false;      ///< only with waves and refraction
+    uint32_t dryRooms = 0;        ///< roomsPacked()
     uint32_t mirrorLooks = 0;     ///< only with waves
     uint32_t refractionLooks = 0; ///< only with refraction
     uint32_t slopeLooks = 0;      ///< only with waves

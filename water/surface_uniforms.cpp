@@ -1,5 +1,6 @@
 #include "water/surface_uniforms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -61,7 +62,7 @@ void setFoam(SurfaceUniforms& u, const Foam& foam, const Sea& sea, const glm::dv
 }
 
 void setDryRooms(SurfaceUniforms& u, const std::vector<DryPlanes>& rooms, const glm::dvec3& eye) {
-    u.dryRooms = static_cast<uint32_t>(rooms.size());
+    std::fill_n(u.dryPlanes, roomsPacked(rooms) * dryRoomPlanes, glm::vec4(0, 0, 0, 1)); // holding nothing
     glm::vec4* out = u.dryPlanes;
     for (const DryPlanes& room : rooms)
         for (const glm::dvec4& plane : room)

@@ -63,8 +63,6 @@ struct SurfaceUniforms {
     glm::vec4 shoreForm{0};       ///< 1 / period; how far foam is carried for each metre of swash; the first
                                   ///< row in the last frame
     glm::mat3x4 worldFromBody{1}; ///< a column each
-    uint32_t dryRooms = 0;
-    float dryPadding[3] = {};
     glm::vec4 dryPlanes[maxDryRooms * dryRoomPlanes] = {}; ///< of each room: outside is positive [m]
     glm::mat4 shadowFromRelative[maxShadowCascades] = {};  ///< to u, v and depth of SunShadow's cascades
     glm::vec4 shadowBounds[maxShadowCascades] = {};

@@ -3,9 +3,11 @@
 #include <vector>
 
 #include "spirv/caustics.frag.h"
+#include "spirv/caustics.vert.h"
 #include "spirv/caustics_h.frag.h"
 #include "spirv/caustics_s.frag.h"
 #include "spirv/caustics_sh.frag.h"
+#include "spirv/caustics_views.vert.h"
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
 #include "spirv/underwater_views.vert.h"
@@ -82,18 +84,18 @@ std::vector<VkDescriptorType> bindings(const UnderwaterVariant& v) {
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
                      DrawPipeline& out) {
     const std::vector<VkDescriptorType> types = bindings(variant);
+    const bool caustics = variant.pass == UnderwaterPass::caustics;
+    const bool views = target.viewMask != 0;
     const VkShaderStageFlags stages =
-        VK_SHADER_STAGE_FRAGMENT_BIT | (target.viewMask ? VK_SHADER_STAGE_VERTEX_BIT : 0);
+        VK_SHADER_STAGE_FRAGMENT_BIT | (caustics || views ? VK_SHADER_STAGE_VERTEX_BIT : 0);
     if (const Status s = createDrawLayout(device, target, types, stages, "underwater layout", out);
         s != Status::ok)
         return s;
     const PassInfo info = infoOf(variant);
-    const bool searches = variant.pass == UnderwaterPass::caustics;
-    const uint32_t first[] = {searches ? variant.searchSteps : variant.straddles};
-    const std::span<const uint32_t> constants(first, variant.pass == UnderwaterPass::waterline ? 0 : 1);
-    const std::span<const uint32_t> vertex =
-        target.viewMask ? std::span<const uint32_t>(underwater_views_vert) : underwater_vert;
-    return createDrawPipeline(device, target, {vertex, info.shader, constants}, info.drawing,
+    const uint32_t constants[] = {caustics ? variant.searchSteps : variant.straddles, variant.dryRooms};
+    const std::span<const uint32_t> vertex[][2] = {{underwater_vert, underwater_views_vert},
+                                                   {caustics_vert, caustics_views_vert}};
+    return createDrawPipeline(device, target, {vertex[caustics][views], info.shader, constants}, info.drawing,
                               "underwater pipeline", out);
 }
 

@@ -17,6 +17,7 @@ struct UnderwaterVariant {
     bool waves = false;       ///< asked for only where it straddles, and always of caustics
     bool sunShadow = false;   ///< of caustics alone
     uint32_t searchSteps = 0; ///< likewise, for where their light came in
+    uint32_t dryRooms = 0;    ///< likewise: roomsPacked()
     bool shore = false;       ///< only with waves
     auto operator<=>(const UnderwaterVariant&) const = default;
 };

@@ -79,7 +79,6 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     vec4 shoreSignal;
     vec4 shoreForm;
     mat3 worldFromBody;
-    uint dryRooms;
     vec4 dryPlanes[8 * dryRoomPlanes];
     mat4 shadowFromRelative[4];   // to u, v and depth of each cascade
     vec4 shadowBounds[4];         // lowest u and v, highest

@@ -46,10 +46,13 @@ class Caustics : public WaterTest {
 
     /// What the light on a level bed is multiplied by.
     std::vector<double> factors(Body* body, double bed, double time = 2, uint32_t wider = 1) {
-        const Camera camera = above(bed, wider);
-        SceneBehind behind;
-        behind.depth.assign(size_t{camera.width} * camera.height, static_cast<float>(camera.near / 40));
-        behind.color.assign(behind.depth.size() * 4, 1);
+        return factors(body, above(bed, wider), bed, time);
+    }
+    std::vector<double> factors(Body* body, const Camera& camera, double bed, double time = 2) {
+        return factors(body, camera, planeBelow(camera, bed, 1), time);
+    }
+    std::vector<double> factors(Body* body, const Camera& camera, const SceneBehind& behind,
+                                double time = 2) {
         drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
             return drawCaustics(commands, target, &body, 1, &view, &lighting);
         };
@@ -132,6 +135,49 @@ TEST_F(Caustics, AreTheSameInALargerPicture) {
     for (size_t y = 0; y < 256; ++y)
         for (size_t x = 0; x < 256; ++x)
             ASSERT_NEAR(small[y * 256 + x], large[(y + 128) * 512 + x + 128], 0.01) << x << ' ' << y;
+}
+
+// The pass leaves out what lines of sight show that do not point down.
+TEST_F(Caustics, ReachAsFarAsTheBedIsSeenHoweverTheCameraIsTurned) {
+    Body* const body = makeBody(desc_);
+    Camera camera;
+    camera.eye = {3, 2, 7};
+    camera.width = 160;
+    camera.height = 96;
+    int pictures = 0;
+    for (const double pitch : {-90.0, -60.0, -25.0, 0.0, 20.0})
+        for (const double roll : {0.0, 35.0, 90.0, 180.0, -125.0})
+            for (const glm::dvec2 offCentre : {glm::dvec2(0), glm::dvec2(0.3, -0.4)}) {
+                const double turned = pitch * std::numbers::pi / 180;
+                camera.target = camera.eye + glm::dvec3(0.01, std::sin(turned), std::cos(turned));
+                camera.rollDegrees = roll;
+                camera.offCentre = offCentre;
+                camera.reversed = offCentre.x == 0;
+                const std::vector<double> light = factors(body, camera, -1);
+                size_t near = 0, left = 0;
+                for (uint32_t y = 0; y < camera.height; ++y)
+                    for (uint32_t x = 0; x < camera.width; ++x) {
+                        const bool shows = angleBelowHorizon(camera, x, y) > 0.03;
+                        near += shows;
+                        left += shows && light[size_t{y} * camera.width + x] == 1;
+                    }
+                EXPECT_LE(left, near / 200) << pitch << ' ' << roll << ' ' << offCentre.x << ": of " << near;
+                pictures += near > 500;
+            }
+    EXPECT_GE(pictures, 48);
+}
+
+TEST_F(Caustics, LieAboveAnEyeBelowTheSurfaceToo) {
+    Camera camera;
+    camera.eye = {3, -3, 7};
+    camera.target = {3, -3, 0};
+    camera.width = 160;
+    camera.height = 96;
+    const SceneBehind wall = {
+        std::vector<float>(size_t{160} * 96 * 4, 1),
+        std::vector<float>(size_t{160} * 96, depthOf(camera, camera.eye - glm::dvec3(0, 0, 3)))};
+    const std::vector<double> light = factors(makeBody(desc_), camera, wall);
+    EXPECT_LT(std::ranges::count(light, 1.0), 160 * 96 / 200);
 }
 
 TEST_F(Caustics, FadeAsTheWaterScattersTheBeam) {

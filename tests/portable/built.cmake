@@ -1,4 +1,4 @@
-# Builds the libraries as `preset` says, warnings being errors, and runs the unit tests that it has; for Windows, whose
+# Builds the libraries as `preset` says, warnings being errors, and runs the unit tests if it has any; for Windows, whose
 # programs do not run here, installs them and links somebody else's project with them.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
@@ -17,6 +17,9 @@ set(build ${work}/build)
 run(${CMAKE_COMMAND} -S ${source} --preset ${preset} -B ${build} -D SEAGLASS_WARNINGS_AS_ERRORS=ON -D SEAGLASS_DEMOS=OFF
   -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON ${arguments})
 run(${CMAKE_COMMAND} --build ${build})
+if(arguments MATCHES "SEAGLASS_TESTS=OFF")
+  return()
+endif()
 if(NOT preset STREQUAL "mingw")
   run(${CMAKE_CTEST_COMMAND} --test-dir ${build} --output-on-failure --label-regex "^unit$" --exclude-regex "^Consumer[.](Find|Pkg)"
     --no-tests=error)
