@@ -389,8 +389,9 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
     const bool wanted =
         pass == UnderwaterPass::water ? sides != SidesSeen::above : straddles && underwater->meniscus > 0;
     if (!wanted) return Status::ok;
-    return recordOverView(commands, target, read, lighting, geometry,
-                          {pass, straddles, straddles && waves, false, 0, 0, straddles && shore});
+    return recordOverView(
+        commands, target, read, lighting, geometry,
+        {.pass = pass, .straddles = straddles, .waves = straddles && waves, .shore = straddles && shore});
 }
 
 Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
