@@ -3,12 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "one_view.glsl"
 #include "surface_uniforms.glsl"
+#include "sight_line.glsl"
 
 // How much a line of sight rises, in some unit: linear in the pixels.
 float rise(vec2 pixel) {
-    vec4 p = relativeFromPixel * vec4(pixel, 0.5, 1.0);
-    vec4 perDepth = relativeFromPixel[2];
-    return depthSign * dot(plane.xyz, p.xyz * perDepth.w - perDepth.xyz * p.w);
+    return dot(plane.xyz, alongSight(relativeFromPixel, relativeFromPixel * vec4(pixel, 0.5, 1.0)));
 }
 
 void main() {
