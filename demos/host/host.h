@@ -157,6 +157,8 @@ class Host {
                                             Error& error);
     /// Draws one frame and waits for it.
     std::optional<Picture> render(const FrameDesc& frame, Error& error);
+    /// What a frame takes, the median of `runs`, where one like it has been drawn already.
+    std::optional<double> frameMs(const FrameDesc& frame, uint32_t runs, Error& error);
     /// Draws the frame `runs` times after a warm-up and gives medians by pass.
     std::optional<FrameTimes> measure(const FrameDesc& frame, uint32_t runs, Error& error);
     /// Draws the frame with all of the scene's surfaces in turn, `rounds` times after a warm-up, each over

@@ -14,6 +14,8 @@ struct Host::Impl {
 
     bool ready(Error& error) const;
     bool recordFrame(VkCommandBuffer commands, Error& error);
+    /// Draws one frame and waits for it: from submission to fence.
+    bool timeFrame(const FrameDesc& frame, double& ms, Error& error);
     /// Draws one frame, then what `then` records, and waits for both.
     bool draw(const FrameDesc& frame, const AfterFrame& then, Error& error);
 

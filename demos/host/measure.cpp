@@ -4,6 +4,29 @@
 
 namespace demos {
 
+bool Host::Impl::timeFrame(const FrameDesc& frame, double& ms, Error& error) {
+    if (!recorder->begin(*scene, frame, error) ||
+        !device->run([&](VkCommandBuffer commands, Error& problem) { return recordFrame(commands, problem); },
+                     error))
+        return false;
+    ms = device->lastRunMs();
+    return true;
+}
+
+std::optional<double> Host::frameMs(const FrameDesc& timed, uint32_t runs, Error& error) {
+    FrameDesc frame = timed;
+    frame.follows = true;
+    if (!impl_->ready(error)) return std::nullopt;
+    if (runs == 0) {
+        error.text = "measuring needs at least one run";
+        return std::nullopt;
+    }
+    std::vector<double> ms(runs);
+    for (double& one : ms)
+        if (!impl_->timeFrame(frame, one, error)) return std::nullopt;
+    return quantile(ms, 0.5);
+}
+
 std::optional<FrameTimes> Host::measure(const FrameDesc& measured, uint32_t runs, Error& error) {
     FrameDesc frame = measured;
     frame.follows = true;
@@ -18,13 +41,10 @@ std::optional<FrameTimes> Host::measure(const FrameDesc& measured, uint32_t runs
     for (uint32_t i = 0; i < Impl::warmUps + runs; ++i) {
         const bool warm = i >= Impl::warmUps;
         // Whole frames and stages alternate, so that both see the same machine.
-        if (!impl.recorder->begin(*impl.scene, frame, error) ||
-            !impl.device->run(
-                [&](VkCommandBuffer commands, Error& problem) { return impl.recordFrame(commands, problem); },
-                error))
-            return std::nullopt;
+        double wholeMs = 0;
+        if (!impl.timeFrame(frame, wholeMs, error)) return std::nullopt;
         if (warm) {
-            whole.push_back(impl.device->lastRunMs());
+            whole.push_back(wholeMs);
             simulate.push_back(impl.recorder->cpuSimulateMs());
         }
         if (!impl.recorder->begin(*impl.scene, frame, error) ||

@@ -82,19 +82,11 @@ class Run {
                 return false;
         }
         progress.say("measuring");
-        const uint32_t affordable =
-            static_cast<uint32_t>(std::clamp(1000 * timingSeconds / lastMs, 1.0, 1e3));
-        const uint32_t runs = options_.stats.empty() ? std::min(affordable, timingRuns) : statsRuns;
-        const std::optional<FrameTimes> times = host_.measure(frame_, runs, error);
-        if (!times) return false;
-        times_ = *times;
-        if (options_.stats.empty()) return true;
-        return writeText(options_.stats,
-                         statsJson(host_.device(), options_.size, scene_, frame_.camera, times_), error);
+        return options_.stats.empty() ? timeAtHand(lastMs, error) : timeByPass(error);
     }
 
     void summarise() const {
-        if (!options_.stats.empty()) std::fputs(statsTable(times_).c_str(), stdout);
+        if (times_) std::fputs(statsTable(*times_).c_str(), stdout);
         if (!scale_.empty()) std::printf("scale: %s\n", scale_.c_str());
         for (const auto& [first, last] : written_) {
             const std::string until = first == last ? "" : " .. " + last.filename().string();
@@ -102,11 +94,27 @@ class Run {
                 options_.supersample == 1 ? "" : " from " + sizeText(frame_.width, frame_.height);
             std::printf("%s: %s%s, %.1f ms a frame, %s%s\n", host_.device().name.c_str(),
                         sizeText(options_.size.width, options_.size.height).c_str(), sampled.c_str(),
-                        times_.frameMs, first.string().c_str(), until.c_str());
+                        frameMs_, first.string().c_str(), until.c_str());
         }
     }
 
   private:
+    /// As often as there is patience for: nobody asked.
+    bool timeAtHand(double lastMs, Error& error) {
+        const auto affordable = static_cast<uint32_t>(std::clamp(1000 * timingSeconds / lastMs, 1.0, 1e3));
+        const std::optional<double> ms = host_.frameMs(frame_, std::min(affordable, timingRuns), error);
+        frameMs_ = ms.value_or(0);
+        return ms.has_value();
+    }
+
+    bool timeByPass(Error& error) {
+        times_ = host_.measure(frame_, statsRuns, error);
+        if (!times_) return false;
+        frameMs_ = times_->frameMs;
+        return writeText(options_.stats,
+                         statsJson(host_.device(), options_.size, scene_, frame_.camera, *times_), error);
+    }
+
     bool keep(const Picture& picture, uint32_t index, Progress& progress, Error& error) {
         const Infinity infinity = options_.aov == Aov::depth ? Infinity::far : Infinity::broken;
         const Image image{picture.width, picture.height, picture.rgba};
@@ -135,7 +143,8 @@ class Run {
     const Scene& scene_;
     Host& host_;
     FrameDesc frame_;
-    FrameTimes times_;
+    double frameMs_ = 0;
+    std::optional<FrameTimes> times_; // by pass, if asked for
     std::string scale_;
     std::vector<std::pair<fs::path, fs::path>> written_; // first and last, of each output
 };

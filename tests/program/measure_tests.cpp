@@ -372,8 +372,8 @@ TEST_F(Measure, WithoutGnuplotOnlyThePlotsAreMissing) {
 TEST_F(Measure, TwoRunsFindTheSameErrors) {
     floor();
     const auto errors = [&](const std::string& folder) {
-        const Outcome outcome =
-            measure({"scene.toml", "floor.toml", "-o", folder, "--quick", "--size", "64x36"});
+        const Outcome outcome = measure(
+            {"scene.toml", "floor.toml", "-o", folder, "--quick", "--rounds", "1", "--size", "64x36"});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         const json entries = measured(folder)["entries"];
         json found = json::array();
