@@ -261,8 +261,7 @@ bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) 
     case Stage::mirror:
         if (!needed(Stage::copy)) targets_.betweenPasses(commands);
         bindFrameSet(commands, scene_->frame);
-        mirror_.draw(commands, *floor(), camera_, targets_, frame_.aov);
-        return true;
+        return mirror_.draw(commands, *floor(), camera_, targets_, frame_.aov, error);
     }
     return false;
 }

@@ -53,21 +53,26 @@ void MirrorPass::create(Device& device, const Layouts& layouts, uint32_t framesI
 }
 
 bool MirrorPass::createOnce(Error& error) {
-    return context_.exists() || (createLayout(error) && createPipelines(error) &&
-                                 context_.create(*device_, framesInFlight_, "floor", *timer_, error));
+    return context_.exists() ||
+           (createLayout(error) && context_.create(*device_, framesInFlight_, "floor", *timer_, error));
 }
 
-bool MirrorPass::createPipelines(Error& error) {
+VkPipeline MirrorPass::pipelineOf(const MirrorSurface& surface, Aov aov, Error& error) {
+    // Where depth is shown, colour is drawn as ever.
+    const Aov shown = aov == Aov::depth ? Aov::color : aov;
+    const bool mirrored = surface.reflector != nullptr;
+    UniquePipeline& pipeline = pipelines_[{shown, mirrored}];
+    if (pipeline) return pipeline.get();
+    const uint32_t constants[] = {static_cast<uint32_t>(shown), mirrored};
     PipelineDesc desc;
     desc.vertex = mirror_vert;
     desc.fragment = mirror_frag;
     desc.meshVertices = false;
-    desc.colorFormat = FrameTargets::colorFormat;
+    desc.constants = constants;
+    desc.colorFormat = needsExact(aov) ? FrameTargets::exactFormat : FrameTargets::colorFormat;
     desc.depthFormat = FrameTargets::depthFormat;
-    PipelineDesc exact = desc;
-    exact.colorFormat = FrameTargets::exactFormat;
-    return createPipeline(*device_, layout_.get(), desc, pipeline_, error) &&
-           createPipeline(*device_, layout_.get(), exact, exactPipeline_, error);
+    if (!createPipeline(*device_, layout_.get(), desc, pipeline, error)) return VK_NULL_HANDLE;
+    return pipeline.get();
 }
 
 bool MirrorPass::createLayout(Error& error) {
@@ -157,8 +162,7 @@ bool MirrorPass::overlay(VkCommandBuffer commands, const MirrorSurface& surface,
     return context_.ok(seaglass::recordOverlay(commands, surface.reflector.get(), &view, &desc), error);
 }
 
-void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camera, VkExtent2D extent,
-                               Aov aov) const {
+void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camera, VkExtent2D extent) const {
     const FloorDesc& desc = surface.desc;
     const FloorPlane& plane = surface.plane;
     const auto with = [](const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w)); };
@@ -168,17 +172,18 @@ void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camer
     uniforms.along = with(plane.along * (desc.lengthM / 2), desc.lengthM / 2 / desc.textureM);
     uniforms.normal = with(plane.normal, desc.roughness);
     uniforms.color = with(toGlm(desc.color), extent.height / (2 * camera.tanHalfFovY));
-    uniforms.modes = {static_cast<int>(aov), surface.reflector ? 1 : 0, surface.downscale, 0};
-    uniforms.picture = glm::vec4(extent.width, extent.height, 0, 0);
+    uniforms.picture = glm::vec4(extent.width, extent.height, surface.downscale, 0);
     if (desc.reflection)
         uniforms.look = glm::dvec4(desc.reflection->clearDistanceM, desc.reflection->scatter,
                                    desc.reflection->skyFadeM, 0);
     std::memcpy(surface.uniforms.mapped, &uniforms, sizeof(uniforms));
 }
 
-void MirrorPass::draw(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
-                      const FrameTargets& targets, Aov aov) const {
-    writeUniforms(surface, camera, targets.extent, aov);
+bool MirrorPass::draw(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
+                      const FrameTargets& targets, Aov aov, Error& error) {
+    const VkPipeline pipeline = pipelineOf(surface, aov, error);
+    if (!pipeline) return false;
+    writeUniforms(surface, camera, targets.extent);
     if (surface.reflector) {
         const seaglass::ReflectionImages images = seaglass::reflectionImages(surface.reflector.get(), 0);
         writeTexture(*device_, surface.set, colorBinding, images.color, surface.reflectionSampler.get());
@@ -189,13 +194,14 @@ void MirrorPass::draw(VkCommandBuffer commands, const MirrorSurface& surface, co
     beginRendering(commands, targets.extent, exact ? &targets.exact : &targets.color,
                    overScene ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR, targets.depth,
                    VK_ATTACHMENT_LOAD_OP_LOAD, 0);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, (exact ? exactPipeline_ : pipeline_).get());
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 1, 1, &surface.set, 0,
                             nullptr);
     vkCmdSetCullMode(commands, VK_CULL_MODE_BACK_BIT);
     vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
     vkCmdDraw(commands, 6, 1, 0, 0);
     vkCmdEndRendering(commands);
+    return true;
 }
 
 } // namespace demos

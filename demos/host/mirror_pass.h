@@ -1,6 +1,8 @@
 // The host's polished floor: everything it does with seaglass::reflection, which is all of Seaglass it needs.
 #pragma once
 
+#include <map>
+
 #include "host/floor_plane.h"
 #include "host/frame_targets.h"
 #include "host/layouts.h"
@@ -19,8 +21,7 @@ struct MirrorUniforms {
     glm::vec4 along;   ///< half the length; w: repeats of the texture in that
     glm::vec4 normal;  ///< w: roughness
     glm::vec4 color;   ///< w: pixels a radian at the middle of the picture
-    glm::ivec4 modes;  ///< output, whether the scene is mirrored, pixels to one of its reflection
-    glm::vec4 picture; ///< its width and height [pixels]
+    glm::vec4 picture; ///< its width and height [pixels], pixels to one of its reflection
     glm::vec4 look;    ///< clear distance [m], scatter, distance at which the sky has taken over [m]
 };
 
@@ -72,16 +73,17 @@ class MirrorPass {
     /// Draws into targets.color, or exact, and targets.depth over the opaque scene; for anything but colour,
     /// over black.
     /// Needs set 0 bound.
-    void draw(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
-              const FrameTargets& targets, Aov aov) const;
+    bool draw(VkCommandBuffer commands, const MirrorSurface& surface, const Camera& camera,
+              const FrameTargets& targets, Aov aov, Error& error);
 
   private:
     bool createOnce(Error& error);
     bool createLayout(Error& error);
-    bool createPipelines(Error& error);
     bool createReflector(MirrorSurface& out, Error& error);
     bool createSet(MirrorSurface& surface, Error& error) const;
-    void writeUniforms(const MirrorSurface& surface, const Camera& camera, VkExtent2D extent, Aov aov) const;
+    /// Made when it is first asked for; null on an error.
+    VkPipeline pipelineOf(const MirrorSurface& surface, Aov aov, Error& error);
+    void writeUniforms(const MirrorSurface& surface, const Camera& camera, VkExtent2D extent) const;
 
     Device* device_ = nullptr;
     const Layouts* layouts_ = nullptr;
@@ -89,7 +91,8 @@ class MirrorPass {
     SeaglassContext context_;
     UniqueDescriptorSetLayout setLayout_;
     UniquePipelineLayout layout_;
-    UniquePipeline pipeline_, exactPipeline_;
+    std::map<std::pair<Aov, bool>, UniquePipeline>
+        pipelines_; ///< by output and whether the scene is mirrored
     uint32_t framesInFlight_ = 1;
 };
 

@@ -14,7 +14,8 @@ bool OpaquePass::create(const Device& device, const Layouts& layouts, Error& err
     desc.colorFormat = FrameTargets::colorFormat;
     desc.depthFormat = FrameTargets::depthFormat;
     PipelineDesc masked = desc;
-    masked.masked = true;
+    const uint32_t isMasked[] = {VK_TRUE};
+    masked.constants = isMasked;
     return createPipeline(device, layouts.pipeline.get(), desc, opaque_, error) &&
            createPipeline(device, layouts.pipeline.get(), masked, masked_, error) &&
            sky_.create(device, layouts, desc.colorFormat, desc.depthFormat, error);

@@ -36,9 +36,11 @@ bool createPipeline(const Device& device, VkPipelineLayout layout, const Pipelin
     if (!createModule(device, desc.vertex, vertex, error)) return false;
     if (!desc.fragment.empty() && !createModule(device, desc.fragment, fragment, error)) return false;
 
-    const VkBool32 masked = desc.masked;
-    const VkSpecializationMapEntry entry = {0, 0, sizeof(masked)};
-    const VkSpecializationInfo constants = {1, &entry, sizeof(masked), &masked};
+    std::vector<VkSpecializationMapEntry> entries;
+    for (uint32_t i = 0; i < desc.constants.size(); ++i)
+        entries.push_back({i, i * static_cast<uint32_t>(sizeof(uint32_t)), sizeof(uint32_t)});
+    const VkSpecializationInfo constants = {static_cast<uint32_t>(entries.size()), entries.data(),
+                                            desc.constants.size_bytes(), desc.constants.data()};
     VkPipelineShaderStageCreateInfo stages[2] = {{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO},
                                                  {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO}};
     stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;

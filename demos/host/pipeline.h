@@ -18,8 +18,8 @@ struct PipelineDesc {
     VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;
     bool depthWrite = true;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-    VkSampleMask sampleMask = ~0u; ///< those that are written
-    bool masked = false;           ///< the fragment shader's constant 0
+    VkSampleMask sampleMask = ~0u;       ///< those that are written
+    std::span<const uint32_t> constants; ///< the fragment shader's, from 0 on
     float slopeBias = 0;
 };
 

@@ -187,7 +187,8 @@ bool ShadowPass::create(const Device& device, const Layouts& layouts, Error& err
     PipelineDesc cut = desc;
     cut.fragment = shadow_frag;
     PipelineDesc masked = cut;
-    masked.masked = true;
+    const uint32_t isMasked[] = {VK_TRUE};
+    masked.constants = isMasked;
     return createImage(device, image, map_, error) && createArrayView(device, map_, arrayView_, error) &&
            createSampler(device, sampler, sampler_, error) &&
            createPipeline(device, layouts.pipeline.get(), desc, opaque_, error) &&

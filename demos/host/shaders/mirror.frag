@@ -15,23 +15,26 @@ layout(set = 1, binding = 3) uniform sampler2D reflectionInfo;
 #include "reflection_blur.glsl"
 #include "reflection_texels.glsl"
 
+// Constants, not uniforms: a driver that compiles a shader for uniforms' values, as llvmpipe does where that halves it, would
+// do so at each draw.
+layout(constant_id = 0) const int shownOutput = 0;   // the program's --aov, as host.h numbers them; colour for depth
+layout(constant_id = 1) const bool sceneIsMirrored = true;
+
 layout(location = 0) in vec3 inFromEye;
 layout(location = 1) in vec2 inUv;
 
 layout(location = 0) out vec4 outColor;
 
-// The program's --aov, as host.h numbers them.
 const int aovReflection = 1;
 const int aovClass = 2;
 const int aovNormal = 4;
 const int aovColor = 0;
-const int aovDepth = 6;
 const int aovSource = 7;
 
 const float farAway = 1e5;   // [m]
 
 float infoHere() {
-    return mirror.modes.y != 0 ? texelFetch(reflectionInfo, ivec2(gl_FragCoord.xy) / mirror.modes.z, 0).x : infoUnknown;
+    return sceneIsMirrored ? texelFetch(reflectionInfo, ivec2(gl_FragCoord.xy) / int(mirror.picture.z), 0).x : infoUnknown;
 }
 
 vec3 classColor(float info) {
@@ -47,10 +50,10 @@ Ray rayThrough(vec2 pixel) {
 // Where in the picture what is mirrored here is taken from, its distance from the floor and its ReflectionClass, as
 // seaglass::SurfaceOutput has it of water.
 vec4 sourceHere() {
-    if (mirror.modes.y == 0) return vec4(-1.0, -1.0, 0.0, 1.0);
+    if (!sceneIsMirrored) return vec4(-1.0, -1.0, 0.0, 1.0);
     const float info = infoHere();
     if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
-    const float downscale = float(mirror.modes.z);
+    const float downscale = mirror.picture.z;
     const Ray throughTexel = rayThrough((floor(gl_FragCoord.xy / downscale) + 0.5) * downscale);
     const vec3 n = mirror.normal.xyz;
     const vec3 source = mirroredPoint(Ray(vec3(0.0), normalize(inFromEye)), throughTexel, info, n, -dot(n, mirror.middle.xyz));
@@ -67,11 +70,11 @@ vec3 skyAlong(vec3 direction, float roughness) {
 // A flat mirror needs no bent lookup: the reflection image holds at each pixel what is mirrored there. The farther the
 // rays of a rough one go, the more of it they meet: the lobe's solid angle is 4 pi alpha^2 cos, as seen from the mirror.
 vec4 sceneHere(float cosine, float roughness) {
-    if (mirror.modes.y == 0) return vec4(0.0);
+    if (!sceneIsMirrored) return vec4(0.0);
     const float info = infoHere();
     const float distance = infoIsHit(info) ? info : farAway;
     const float cone = 3.545 * roughness * roughness * sqrt(cosine);
-    const float downscale = float(mirror.modes.z);
+    const float downscale = mirror.picture.z;
     const float toMirror = length(inFromEye);
     const float mip = bundleMip(bundleWidth(cone, distance, mirror.look.xyz), toMirror, distance, mirror.color.w / downscale);
     return reflectionTexel(gl_FragCoord.xy / downscale, mip, downscale) * shareOfScene(distance, mirror.look.xyz);
@@ -83,7 +86,7 @@ float fresnel(float f0, float roughness, float cosine) {
 }
 
 void main() {
-    if (mirror.modes.x == aovSource) {
+    if (shownOutput == aovSource) {
         outColor = sourceHere();
         return;
     }
@@ -95,11 +98,11 @@ void main() {
 
     const vec4 scene = sceneHere(nDotV, roughness);
     const vec3 mirrored = skyAlong(reflect(-v, n), roughness) * (1.0 - scene.a) + scene.rgb;
-    if (mirror.modes.x != aovColor && mirror.modes.x != aovDepth) {
+    if (shownOutput != aovColor) {
         vec3 shown = vec3(0.0);
-        if (mirror.modes.x == aovReflection) shown = mirrored;
-        if (mirror.modes.x == aovClass && mirror.modes.y != 0) shown = classColor(infoHere());
-        if (mirror.modes.x == aovNormal) shown = n;
+        if (shownOutput == aovReflection) shown = mirrored;
+        if (shownOutput == aovClass && sceneIsMirrored) shown = classColor(infoHere());
+        if (shownOutput == aovNormal) shown = n;
         outColor = vec4(shown, 1.0);
         return;
     }

@@ -5,7 +5,6 @@ layout(set = 1, binding = 0, std140) uniform Mirror {
     vec4 along;    // half the length; w: repeats of the texture in that
     vec4 normal;   // w: roughness
     vec4 color;    // w: pixels a radian at the middle of the picture
-    ivec4 modes;   // output, whether the scene is mirrored, pixels to one of its reflection
-    vec4 picture;  // its width and height [pixels]
+    vec4 picture;  // its width and height [pixels], pixels to one of its reflection
     vec4 look;     // clear distance, scatter, distance of the sky: reflection_blur.glsl
 } mirror;
