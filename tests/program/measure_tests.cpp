@@ -335,7 +335,8 @@ TEST_F(Measure, TheDialsStepsAreOfWaterAndCostMoreAndMore) {
         EXPECT_EQ(entries[i]["technique"], "water");
         EXPECT_EQ(entries[i]["quality"], steps[i]);
     }
-    EXPECT_LT(entries[0]["cost"]["bytes"], entries[1]["cost"]["bytes"]);
+    EXPECT_LE(entries[0]["cost"]["bytes"], entries[1]["cost"]["bytes"]);
+    EXPECT_LT(entries[1]["cost"]["bytes"], entries[2]["cost"]["bytes"]);
     floor();
     expectRefused({"floor.toml", "-o", "none", "--technique", "water"},
                   {"floor.toml", "has a floor", "expected [water]"});
@@ -370,15 +371,14 @@ TEST_F(Measure, WithoutGnuplotOnlyThePlotsAreMissing) {
 }
 
 TEST_F(Measure, TwoRunsFindTheSameErrors) {
-    floor();
     const auto errors = [&](const std::string& folder) {
-        const Outcome outcome = measure(
-            {"scene.toml", "floor.toml", "-o", folder, "--quick", "--rounds", "1", "--size", "64x36"});
+        const Outcome outcome =
+            measure({"scene.toml", "-o", folder, "--quick", "--rounds", "1", "--size", "64x36"});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         const json entries = measured(folder)["entries"];
         json found = json::array();
         for (const json& entry : entries) found.push_back(entry["error"]);
-        EXPECT_EQ(found.size(), techniques + techniquesOfAFloor);
+        EXPECT_EQ(found.size(), techniques);
         return found;
     };
     EXPECT_EQ(errors("one"), errors("two"));

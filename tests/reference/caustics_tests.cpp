@@ -151,9 +151,10 @@ class OneWave : public testing::Test {
         bath_.waves.choppiness = 0;
         bath_.elevationDeg = 90;
         bath_.metres = 1.2;
-        bath_.pixels = 200;
+        bath_.pixels = 1; // for waves alone, which no light is traced through
         bath_.waves.amplitude = height_ / crestOf(Lit(bath_)).y;
         crest_ = crestOf(Lit(bath_)).x;
+        bath_.pixels = 200;
     }
     /// Where along x, nearest to the middle, and how high.
     static glm::dvec2 crestOf(const Lit& lit) {
