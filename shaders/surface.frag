@@ -9,6 +9,7 @@
 
 layout(location = 0) in vec2 meshCalm;   // (u, v) before displacement, as the mesh has it
 vec2 calmPosition;                      // of what the pixel shows
+float pixelLength;                      // to the next pixel [m of calm water]
 layout(location = 1) in vec3 position;
 #ifdef OUTLINE
 layout(location = 2) flat in uvec2 edgeRange;
@@ -141,8 +142,9 @@ void main() {
     if (!isWithin(meshCalm, edgeRange)) discard;
 #endif
     if (isDry(position)) discard;
+    pixelLength = calmPixelWidth();
 #ifdef SHORE
-    shoreHere = shoreWave(meshCalm, calmPixelWidth());
+    shoreHere = shoreWave(meshCalm, pixelLength);
 #endif
     calmPosition = shownCalm();
     SurfacePoint s = surfacePoint();

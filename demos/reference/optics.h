@@ -29,19 +29,48 @@ inline float fresnelFromWater(float cosIncidence) {
     return sine2 >= 1 ? 1.0f : fresnelWater(std::sqrt(1 - sine2));
 }
 
-/// Smith's masking function for Gaussian slopes (rational fit: Walter et al. 2007).
-inline float smithLambda(float c, float deviation) {
-    const float tangent = std::sqrt(std::max(1 - c * c, 0.0f)) / std::max(c, 1e-4f);
-    const float a = 1 / std::max(1.41421356f * deviation * tangent, 1e-6f);
-    return a >= 1.6f ? 0.0f : (1 - 1.259f * a + 0.396f * a * a) / (3.535f * a + 2.181f * a * a);
-}
-
 /// Density of Gaussian slopes with covariance (uu, vv, uv) at a distance `d` from their mean.
 inline float slopeDensity(const glm::vec2& d, const glm::vec3& covariance) {
     const float determinant = std::max(covariance.x * covariance.y - covariance.z * covariance.z, 1e-12f);
     const float exponent =
         (covariance.y * d.x * d.x - 2 * covariance.z * d.x * d.y + covariance.x * d.y * d.y) / determinant;
     return std::exp(-0.5f * exponent) / (2 * pi * std::sqrt(determinant));
+}
+
+/// Of the unit Gaussian what lies below e, within 1.4e-4 (Page 1977).
+inline float gaussianBelow(float e) {
+    return 1 / (1 + std::exp(-e * (1.5976f + 0.070566f * e * e)));
+}
+
+/// Mean of e - x over all x of the unit Gaussian that are less.
+inline float meanAbove(float e) {
+    const float within = std::max(e, -2.0f);
+    return within * gaussianBelow(within) + 0.398942f * std::exp(-0.5f * within * within);
+}
+
+/// Gaussian slopes along a direction above the surface, in deviations below that at which they are edge on.
+struct SlopesAlong {
+    float aside, deviation, edgeOn;
+};
+
+inline SlopesAlong slopesAlong(const glm::vec3& direction, const glm::vec2& mean,
+                               const glm::vec3& covariance) {
+    const float aside = std::max(glm::length(glm::vec2(direction.x, direction.z)), 1e-6f);
+    const glm::vec2 along = glm::vec2(direction.x, direction.z) / aside;
+    const float variance =
+        glm::dot(along * along, glm::vec2(covariance)) + 2 * along.x * along.y * covariance.z;
+    const float deviation = std::sqrt(std::max(variance, 1e-10f));
+    return {aside, deviation, (direction.y / aside - glm::dot(mean, along)) / deviation};
+}
+
+/// How large level area is to the eye, its facets that are seen from behind left out.
+inline float visibleArea(const SlopesAlong& s) {
+    return std::max(s.aside * s.deviation * meanAbove(s.edgeOn), 1e-4f);
+}
+
+/// Share of the rays along the direction that get past the slopes (Smith 1967).
+inline float clearShareOf(const SlopesAlong& s) {
+    return s.edgeOn <= 0 ? 0.0f : s.edgeOn / meanAbove(s.edgeOn);
 }
 
 inline glm::vec3 normalOf(const glm::vec2& slope) {

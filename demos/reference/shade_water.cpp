@@ -64,14 +64,12 @@ glm::vec3 meanGlint(const Frame& frame, const Facet& facet, const glm::vec3& toE
     const glm::vec3& covariance = facet.slopes.covariance;
     const float density =
         slopeDensity(slope - facet.slopes.mean, covariance + glm::vec3(discVariance, discVariance, 0));
-    const glm::vec3 normal = normalOf(facet.slopes.mean);
-    const float cosEye = std::max(glm::dot(toEye, normal), 1e-3f);
-    const float cosSun = std::max(glm::dot(toSun, normal), 1e-3f);
-    const float deviation = std::sqrt(0.5f * (covariance.x + covariance.y));
-    const float masking = 1 + smithLambda(cosEye, deviation) + smithLambda(cosSun, deviation);
+    const glm::vec2& mean = facet.slopes.mean;
+    const float clear = clearShareOf(slopesAlong(toSun, mean, covariance));
+    const float area = visibleArea(slopesAlong(toEye, mean, covariance));
     const float up2 = halfway.y * halfway.y;
     return light.sunIrradiance() *
-           (fresnelWater(glm::dot(toEye, halfway)) * density / (4 * up2 * up2 * cosEye * masking));
+           (clear * fresnelWater(glm::dot(toEye, halfway)) * density / (4 * up2 * up2 * area));
 }
 
 /// Times the facet's weight. Of the facets around this one, distributed by what no map resolves, those that

@@ -21,14 +21,6 @@ float fresnelSchlick(float cosIncidence) {
     return straightOn + (1.0 - straightOn) * (d2 * d2 * d);
 }
 
-// Smith's masking function for Gaussian slopes of deviation `deviation` towards a direction with cosine `c` (rational fit:
-// Walter et al. 2007).
-float smithLambda(float c, float deviation) {
-    float tangent = sqrt(max(1.0 - c * c, 0.0)) / max(c, 1e-4);
-    float a = 1.0 / max(1.41421356 * deviation * tangent, 1e-6);
-    return a >= 1.6 ? 0.0 : (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 * a + 2.181 * a * a);
-}
-
 // Density of Gaussian slopes with covariance (uu, vv, uv) at a distance `d` from their mean.
 float slopeDensity(vec2 d, vec3 covariance) {
     float determinant = max(covariance.x * covariance.y - covariance.z * covariance.z, 1e-12);

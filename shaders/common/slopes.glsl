@@ -12,3 +12,20 @@ vec2 horizontal(vec3 direction) {
 float varianceAlong(vec2 towards, vec3 covariance) {
     return dot(towards * towards, covariance.xy) + 2.0 * towards.x * towards.y * covariance.z;
 }
+
+// Of the unit Gaussian what lies below e, within 1.4e-4 (Page 1977).
+float gaussianBelow(float e) {
+    return 1.0 / (1.0 + exp(-e * (1.5976 + 0.070566 * e * e)));
+}
+
+// Mean of e - x over all x of the unit Gaussian that are less: what facets show of themselves to a ray along which they are
+// edge on at slope e.
+float meanAbove(float e) {
+    float within = max(e, -2.0);   // below, less than 0.009, which is as good as gaussianBelow()
+    return within * gaussianBelow(within) + 0.398942 * exp(-0.5 * within * within);
+}
+
+// All facets over those that are not hidden, 1 + Lambda, along a ray that is as steep as slopes of e deviations (Smith 1967).
+float hiddenPer(float e) {
+    return meanAbove(e) / max(e, 1e-3);
+}

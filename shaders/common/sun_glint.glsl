@@ -7,15 +7,12 @@ vec3 sunGlint(SurfacePoint s, vec3 toEye) {
     vec2 slope = -halfway.xz / halfway.y;
     float density = slopeDensity(slope - s.slope, s.covariance + vec3(discVariance, discVariance, 0.0));
     float fresnel = mirroredShare(dot(toEye, halfway));
-    vec3 normal = normalOf(s.slope);
-    float cosEye = max(dot(toEye, normal), 1e-3);
-    float deviation = sqrt(0.5 * (s.covariance.x + s.covariance.y));
     float up2 = halfway.y * halfway.y;
-    float masking = 1.0 + smithLambda(cosEye, deviation);
-    float glint = sunSeen * fresnel * density / (4.0 * up2 * up2 * cosEye * masking);
+    float glint = sunSeen * fresnel * density / (4.0 * up2 * up2 * visibleArea(visibleSlopes(s, toEye), toEye));
 #ifdef WAVES
     if (glint > 1e-5) {
-        return sunIrradiance.rgb * (glint * clearShare(max(toSun.y, 1e-3), wavesAhead(s, horizontal(toSun.xyz))));
+        WavesAhead ahead = wavesAhead(s, horizontal(toSun.xyz), toSun.y / max(length(toSun.xz), 1e-6));
+        return sunIrradiance.rgb * (glint * clearShare(max(toSun.y, 1e-3), ahead));
     }
 #endif
     return sunIrradiance.rgb * glint;

@@ -65,20 +65,19 @@ vec4 sceneAbove(vec3 along) {
 
 // The sun through the surface, spread by the slopes within the pixel and by its own disc (Walter et al. 2007, eq. 16
 // and 21, with n^2 for what refraction gathers).
-vec3 sunThrough(SurfacePoint s, vec3 toEye) {
-    vec3 halfway = -(toSun.xyz + waterIndex * toEye);
+vec3 sunThrough(SurfacePoint s, vec3 view) {
+    vec3 halfway = waterIndex * view - toSun.xyz;
     if (toSun.y <= 0.0 || halfway.y <= 0.0) return vec3(0.0);
     float gap = length(halfway);   // what moves the sun by an angle tilts the facet by that over the gap
     halfway /= gap;
     float cosSun = dot(toSun.xyz, halfway);
-    float cosEye = -dot(toEye, halfway);
+    float cosEye = dot(view, halfway);
     if (cosSun <= 0.0 || cosEye <= 0.0) return vec3(0.0);
     float discVariance = 5.4e-6 / (gap * gap);
     vec2 slope = -halfway.xz / halfway.y;
     float density = slopeDensity(slope - s.slope, s.covariance + vec3(discVariance, discVariance, 0.0));
     float up2 = halfway.y * halfway.y;
-    vec3 normal = normalOf(s.slope);
-    float seen = max(-dot(toEye, normal), 1e-2);
+    float seen = visibleArea(visibleSlopes(s, view), view);
     return sunSeen * sunIrradiance.rgb * (cosSun * cosEye * waterIndex * waterIndex * (1.0 - mirroredShare(cosSun)) * density /
                                 (up2 * up2 * seen * gap * gap));
 }
@@ -163,7 +162,7 @@ vec3 shadedBelow(SurfacePoint s, float foamShare) {
     vec3 view = normalize(sightTo(position));
     float reflectance;
     vec3 radiance = throughWindow(s, view, reflectance);
-    radiance += reflectance * mirroredBelow(s, view) + sunThrough(s, -view);
+    radiance += reflectance * mirroredBelow(s, view) + sunThrough(s, view);
 #ifdef FOAM
     // Foam passes on, spread evenly, what it does not send back.
     radiance = mix(radiance, lightEntering() * (1.0 - foam.y) / pi, foamShare);

@@ -82,7 +82,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     vec4 met = vec4(0.0);   // rays that meet another wave, times their weight, and that
     vec4 found = vec4(0.0);
     float hit = firstHit();
-    WavesAhead ahead = wavesAhead(s, -v.towards);
+    WavesAhead ahead = wavesAhead(s, -v.towards, 0.0);
     int look = 0;
     do {
         vec4 all = vec4(0.0);

@@ -29,11 +29,14 @@ struct SlopeSpread {
 // m = -Phi / (e Phi + phi), and the variance 2 + m (e - m). Their third moment is fitted, within 0.02 of Rayleigh's.
 SlopeSpread slopeSpread(VisibleSlopes v) {
     float e = clamp(v.edgeOn / v.deviation, -1.5, 20.0);
-    float density = 0.398942 * exp(-0.5 * e * e);
-    float below = 1.0 / (1.0 + exp(-e * (1.5976 + 0.070566 * e * e)));   // Phi, within 1.4e-4 (Page 1977)
-    float mean = -below / (e * below + density);
+    float mean = -gaussianBelow(e) / meanAbove(e);
     float skew = 1.75 / (1.0 + 0.75 * exp(0.911 * e));
     return SlopeSpread(v.deviation * mean, v.deviation * sqrt(2.0 + mean * (e - mean)), skew);
+}
+
+// How large level area is to the eye, its facets that are seen from behind left out: Smith's masking by all its slopes.
+float visibleArea(VisibleSlopes v, vec3 side) {
+    return max(max(length(side.xz), 1e-6) * v.deviation * meanAbove(v.edgeOn / v.deviation), 1e-4);
 }
 
 // Many points by the midpoint rule, where what is seen ends at some slope: within 2.5 deviations, and less than edge on.

@@ -107,8 +107,9 @@ TEST(SeaOfTheHost, SeesWhichWavesHideTheSun) {
     const double without = difference(mean, traced, scene.exposureEv);
     const double with = difference(looked, traced, scene.exposureEv);
     std::printf("off by %.2f of 255 without looking, %.2f with\n", without, with);
-    // 0.67 where crests are flattened or the edges of their shadows are blurred.
-    EXPECT_LT(with, 0.655 * without);
+    // 0.64 where pixels that hold small waves do not look for the large ones, which they show as well; 0.67
+    // where crests are flattened or the edges of their shadows are blurred.
+    EXPECT_LT(with, 0.63 * without);
     EXPECT_EQ(host->validationMessages(), 0u);
 }
 
