@@ -141,9 +141,9 @@ vec3 bedBeyond(vec3 direction, float depth, vec3 water) {
 }
 #endif
 
-// What the surface mirrors of the water below it.
-vec3 mirroredBelow(SurfacePoint s, vec3 view) {
-    vec3 direction = keptBelow(reflect(view, normalOf(s.slope)));
+// What a facet mirrors of the water below, and of what lies in it.
+vec3 mirroredBy(vec2 slope, vec3 view, float spread) {
+    vec3 direction = keptBelow(reflect(view, normalOf(slope)));
     float depth = max(-(position.y + plane.w), 0.0);
     vec3 radiance = scatteredIn(depth, direction.y, endlessPath);
 #ifdef REFLECTION
@@ -151,12 +151,39 @@ vec3 mirroredBelow(SurfacePoint s, vec3 view) {
     vec4 screen = vec4(0.0);
     float along = hit.distance;
     // From the hit on: a tail found before is followed.
-    if (hit.distance < farAway) screen = reflectionAlong(position, direction, s.slopeStep, along);
+    if (hit.distance < farAway) screen = reflectionAlong(position, direction, spread, along);
     if (screen.a < 0.999 && !infoIsSky(infoAt(hit.pixel))) radiance = bedBeyond(direction, depth, radiance);
     radiance = radiance * (1.0 - screen.a) + shownBelow(screen.rgb, screen.a, depth, direction.y, hit.distance);
 #endif
     return radiance;
 }
+
+#ifdef WAVES
+// For 1, 2 and 4 looks the means of equal shares of a Gaussian [deviations], along the line of sight. Aside each lies to
+// one side or the other, so that along and aside do not depend on each other.
+const float belowLooks[7] = float[](0.0, -0.8, 0.8, -1.27, -0.325, 0.325, 1.27);
+
+// The mean over the slopes that are seen, at as many of them as there are looks. Seen from below, where no line of sight
+// that is mirrored is as low as those over water, slopes turn rays aside as much as up and down: twice reflectionAlong()'s blur.
+vec3 mirroredBelow(SurfacePoint s, vec3 view) {
+    VisibleSlopes v = visibleSlopes(s, view);
+    SlopeSpread seen = slopeSpread(v);
+    vec2 aside = mirrorLooks == 1 ? vec2(0.0) : vec2(-v.towards.y, v.towards.x) * (0.7 * deviationAcross(s, v.towards));
+    float spread = 2.0 * lookWidth() * seen.deviation + s.slopeStep;
+    vec3 sum = vec3(0.0);
+    int i = 0;
+    do {
+        float offset = seen.mean + belowLooks[mirrorLooks - 1 + i] * seen.deviation;
+        float sideways = (i & 1) == (i >> 1) ? 1.0 : -1.0;
+        sum += mirroredBy(s.slope + v.towards * offset + sideways * aside, view, spread);
+    } while (++i < mirrorLooks);
+    return sum / float(mirrorLooks);
+}
+#else
+vec3 mirroredBelow(SurfacePoint s, vec3 view) {
+    return mirroredBy(s.slope, view, s.slopeStep);
+}
+#endif
 
 vec3 shadedBelow(SurfacePoint s, float foamShare) {
     vec3 view = normalize(sightTo(position));

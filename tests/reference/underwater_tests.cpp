@@ -21,6 +21,13 @@ Image view(const Picture& picture) {
     return {picture.width, picture.height, picture.rgba};
 }
 
+/// Of the first `count` channels, 0 to 255.
+double meanDifference(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b, size_t count) {
+    double sum = 0;
+    for (size_t i = 0; i < count; ++i) sum += std::abs(double(a[i]) - double(b[i]));
+    return sum / static_cast<double>(count);
+}
+
 class UnderwaterHost : public testing::Test {
   protected:
     void SetUp() override {
@@ -87,6 +94,26 @@ TEST_F(UnderwaterHost, CrossingTheSurfaceByMillimetresNeverJumps) {
     }
     std::printf("FLIP of a millimetre: %.4f to %.4f\n", *std::ranges::min_element(changes),
                 *std::ranges::max_element(changes));
+}
+
+/// Ripples that nothing resolves blur what the surface mirrors of the bed: the more so the farther it lies.
+TEST_F(UnderwaterHost, MirrorsTheBedAsSoftlyAsItIsTraced) {
+    Error error;
+    const auto scene = loadScene(tests::demoScene("underwater"), {}, error);
+    ASSERT_TRUE(scene) << error.text;
+    scene_ = *scene;
+    const CameraDesc camera = cameraOf(scene_, "far");
+    const std::vector<uint8_t> traced = toneMap(trace(camera, 16), scene_.exposureEv);
+    const size_t surface = traced.size() / 3; // the picture's upper third
+    for (const auto& [looks, most] : {std::pair{1u, 7.5}, {2u, 7.2}, {4u, 6.2}}) {
+        scene_.water->mirrorLooks = looks;
+        ASSERT_TRUE(host_->load(scene_, error)) << error.text;
+        const std::vector<uint8_t> rendered = toneMap(render(camera), scene_.exposureEv);
+        const double off = meanDifference(traced, rendered, surface);
+        std::printf("%u looks: off by %.2f of 255\n", looks, off);
+        EXPECT_LT(off, most) << looks;
+    }
+    EXPECT_EQ(host_->validationMessages(), 0u);
 }
 
 /// What it mirrors of the water below lies where rays find it: beyond the window, all of the picture's
