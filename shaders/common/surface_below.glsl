@@ -125,19 +125,25 @@ vec3 shownBelow(vec3 inAir, float share, float depth, float rise, float path) {
 
 #ifdef REFLECTION
 // Beyond the picture the bed goes on, as high as where the picture shows it nearest to the ray's end, which is sought by
-// turns. `water` where it shows none below the eye there.
+// turns, from as far as what a flat mirror shows here to where the picture shows a bed no more. `water` where it shows none
+// below the eye.
 vec3 bedBeyond(vec3 direction, float depth, vec3 water) {
-    float path = 1e3;
-    Behind last;
+    float path = min(hitHere(), 1e3);
+    Behind bed;
+    bool shown = false;
     for (int i = 0; i < 3; ++i) {
         vec4 end = pixelOf(position + direction * path);
-        if (end.w <= 0.0) return water;
-        last = behindAt(end.xy);
-        if (last.nothing || last.seen.y > min(0.0, position.y)) return water;
-        path = (position.y - last.seen.y) / -direction.y;
+        if (end.w <= 0.0) break;
+        Behind there = behindAt(end.xy);
+        if (there.nothing) break;
+        if (there.seen.y > min(0.0, position.y)) return water;
+        bed = there;
+        shown = true;
+        path = (position.y - bed.seen.y) / -direction.y;
     }
-    vec3 bed = radianceBeyond(last, position + direction * path, gl_FragCoord.xy - vec2(region.xy));
-    return shownBelow(bed, 1.0, depth, direction.y, path);
+    if (!shown) return water;
+    vec3 light = radianceBeyond(bed, position + direction * path, gl_FragCoord.xy - vec2(region.xy));
+    return shownBelow(light, 1.0, depth, direction.y, path);
 }
 #endif
 

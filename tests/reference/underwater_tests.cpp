@@ -116,6 +116,27 @@ TEST_F(UnderwaterHost, MirrorsTheBedAsSoftlyAsItIsTraced) {
     EXPECT_EQ(host_->validationMessages(), 0u);
 }
 
+/// Towards the picture's border what is mirrored lies beyond it, and the picture shows no bed where the ray
+/// is first thought to end.
+TEST_F(UnderwaterHost, MirrorsABedBeyondThePictureThatEndsFarOff) {
+    Error error;
+    const auto scene = loadScene(tests::demoScene("underwater"), {}, error);
+    ASSERT_TRUE(scene) << error.text;
+    scene_ = *scene;
+    ASSERT_TRUE(host_->load(scene_, error)) << error.text;
+    const CameraDesc camera = cameraOf(scene_, "near");
+    const Picture traced = trace(camera, 16), rendered = render(camera);
+    double sums[2] = {};
+    for (size_t i = 0; i < size_t(10) * width; ++i) { // upper rows: the surface, and little before it
+        sums[0] += static_cast<double>(traced.rgba[4 * i + 2]);
+        sums[1] += static_cast<double>(rendered.rgba[4 * i + 2]);
+    }
+    std::printf("blue light of the surface: %.3f of the traced\n", sums[1] / sums[0]);
+    EXPECT_GT(sums[1] / sums[0], 0.83); // 0.81 where that was taken for endless water
+    EXPECT_LT(sums[1] / sums[0], 1.05);
+    EXPECT_EQ(host_->validationMessages(), 0u);
+}
+
 /// What it mirrors of the water below lies where rays find it: beyond the window, all of the picture's
 /// surface.
 TEST_F(UnderwaterHost, MirrorsTheBedWhereItIsTraced) {
