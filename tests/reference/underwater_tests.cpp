@@ -31,14 +31,18 @@ double meanDifference(const std::vector<uint8_t>& a, const std::vector<uint8_t>&
 class UnderwaterHost : public testing::Test {
   protected:
     void SetUp() override {
+        take("harbour");
         Error error;
-        const auto scene = loadScene(tests::demoScene("harbour"), {}, error);
-        ASSERT_TRUE(scene) << error.text;
-        scene_ = *scene;
         HostDesc desc;
         desc.validation = true;
         host_ = Host::create(desc, error);
         ASSERT_TRUE(host_) << error.text;
+    }
+    void take(const char* name) {
+        Error error;
+        const auto scene = loadScene(tests::demoScene(name), {}, error);
+        ASSERT_TRUE(scene) << error.text;
+        scene_ = *scene;
     }
     Picture render(const CameraDesc& camera) {
         Error error;
@@ -98,10 +102,8 @@ TEST_F(UnderwaterHost, CrossingTheSurfaceByMillimetresNeverJumps) {
 
 /// Ripples that nothing resolves blur what the surface mirrors of the bed: the more so the farther it lies.
 TEST_F(UnderwaterHost, MirrorsTheBedAsSoftlyAsItIsTraced) {
+    take("underwater");
     Error error;
-    const auto scene = loadScene(tests::demoScene("underwater"), {}, error);
-    ASSERT_TRUE(scene) << error.text;
-    scene_ = *scene;
     const CameraDesc camera = cameraOf(scene_, "far");
     const std::vector<uint8_t> traced = toneMap(trace(camera, 16), scene_.exposureEv);
     const size_t surface = traced.size() / 3; // the picture's upper third
@@ -119,10 +121,8 @@ TEST_F(UnderwaterHost, MirrorsTheBedAsSoftlyAsItIsTraced) {
 /// Towards the picture's border what is mirrored lies beyond it, and the picture shows no bed where the ray
 /// is first thought to end.
 TEST_F(UnderwaterHost, MirrorsABedBeyondThePictureThatEndsFarOff) {
+    take("underwater");
     Error error;
-    const auto scene = loadScene(tests::demoScene("underwater"), {}, error);
-    ASSERT_TRUE(scene) << error.text;
-    scene_ = *scene;
     ASSERT_TRUE(host_->load(scene_, error)) << error.text;
     const CameraDesc camera = cameraOf(scene_, "near");
     const Picture traced = trace(camera, 16), rendered = render(camera);
