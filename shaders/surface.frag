@@ -147,6 +147,9 @@ void main() {
     shoreHere = shoreWave(meshCalm, pixelLength);
 #endif
     calmPosition = shownCalm();
+#ifdef REFRACTION
+    looksAtBed = hasBed && !isSeenFromWater();
+#endif
     SurfacePoint s = surfacePoint();
     vec3 toEye = -normalize(sightTo(position));
     vec3 normal = normalOf(s.slope);

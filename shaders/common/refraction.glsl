@@ -3,6 +3,7 @@
 #ifdef REFRACTION
 layout(constant_id = 8) const int refractionLooks = 6;   // 1: straight through
 layout(constant_id = 12) const bool hasBed = false;   // a picture of its own: water/bed.h
+bool looksAtBed = hasBed;   // not where a surface is seen from the water: what it mirrors is looked for in the scene
 
 struct Behind {
     ivec2 pixel;   // of the region
@@ -32,17 +33,17 @@ vec3 radianceOf(Behind b) {
 // In what follows pixels are the bed's where it has a picture of its own: wider than the region, from a raised
 // eye (water/bed.cpp), and with nothing in it that stands above the water. Else they are the scene's.
 vec4 bedPixelOf(vec4 relative) {
-    return (hasBed ? bedFromRelative : pixelFromRelative) * relative;
+    return (looksAtBed ? bedFromRelative : pixelFromRelative) * relative;
 }
 
 Behind bedAt(vec2 pixel) {
-    if (!hasBed) return behindAt(pixel);
+    if (!looksAtBed) return behindAt(pixel);
     ivec2 p = clamp(ivec2(pixel), ivec2(0), bedSize - 1);
     return shownAt(p, texelFetch(bedDepth, p, 0).r, relativeFromBed);
 }
 
 vec4 bedColorOf(Behind b) {
-    return hasBed ? texelFetch(bedColor, b.pixel, 0) : colorOf(b);
+    return looksAtBed ? texelFetch(bedColor, b.pixel, 0) : colorOf(b);
 }
 
 vec3 bedRadiance(Behind b) {
@@ -56,7 +57,7 @@ Behind behindRay(vec2 here, vec4 target) {
 
 // How far a ray from inside the picture goes until it leaves it [m]: where a + t b, homogeneous pixels, passes a border.
 float untilBorder(vec4 a, vec4 b) {
-    vec2 size = vec2(hasBed ? bedSize : region.zw);
+    vec2 size = vec2(looksAtBed ? bedSize : region.zw);
     // Gaps to the borders, times w, and how fast they shrink.
     vec4 gap = vec4(a.xy, size * a.w - a.xy);
     vec4 loss = vec4(-b.xy, b.xy - size * b.w);
@@ -147,7 +148,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     const float mostOff = refractionLooks > 2 ? 0.35 : 1e9;
     const float wellOff = refractionLooks > 3 ? 0.05 : 0.35;
     vec4 from = bedPixelOf(vec4(position, 1.0));
-    vec2 here = hasBed ? from.xy / from.w : gl_FragCoord.xy - vec2(region.xy);
+    vec2 here = looksAtBed ? from.xy / from.w : gl_FragCoord.xy - vec2(region.xy);
     Behind found = bedAt(here);
     path = 1e6;
     vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);

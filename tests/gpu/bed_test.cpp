@@ -314,6 +314,27 @@ TEST_F(Beds, AreNotAskedForByAnEyeInTheWaterOrAwayFromIt) {
     EXPECT_FALSE(isWanted(away));
 }
 
+// An eye that is half in the water: rays that the surface turns down meet the scene, whose pixels are not the
+// bed's.
+TEST_F(Beds, AreNotLookedAtWhereTheSurfaceIsSeenFromTheWater) {
+    const UnderwaterDesc underwater{0};
+    const ReflectionDesc reflection;
+    desc_.underwater = &underwater;
+    desc_.reflection = &reflection;
+    camera_.eye = {0, -0.02, 0};
+    camera_.target = camera_.eye + glm::dvec3(0, 0.2, -1);
+    constexpr float radiance = 4;
+    const SceneBehind scene = planeBelow(camera_, -4, radiance);
+    Body* const body = makeBody(desc_);
+    drawBed(body, {});
+    const WaterPicture got = picture({body}, camera_, 0, SurfaceOutput::shaded, scene);
+    beforeReflection = nullptr;
+    desc_.bed = nullptr;
+    const WaterPicture without = picture({makeBody(desc_)}, camera_, 0, SurfaceOutput::shaded, scene);
+    EXPECT_EQ(got.color, without.color);
+    EXPECT_GT(*std::ranges::max_element(got.color), 0.5f * radiance) << "nothing of the bed is mirrored";
+}
+
 TEST_F(Beds, CostWhatTheEstimateSays) {
     Estimate with, without;
     EXPECT_EQ(estimate(context(), &desc_, {200, 100}, &with), Status::ok);
