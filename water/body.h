@@ -101,6 +101,11 @@ struct Body : Held {
                           const LightingDesc& lighting, UnderwaterPass pass);
     /// Of a point above the calm surface [m].
     double heightOf(const glm::dvec3& point) const { return glm::dot(glm::dvec3(plane), point) + plane.w; }
+    /// Edge of the cells that a view's near plane cuts [m].
+    double cellNearEye(const ViewGeometry& geometry) const {
+        const double asked{mesh.cellSize};
+        return hostMesh || geometry.parallel ? asked : seaglass::cellNearEye(displacement(), asked);
+    }
     glm::dvec3 toSun(const LightingDesc& lighting) const {
         return frame.fromWorld(glm::dvec3(lighting.toSun[0], lighting.toSun[1], lighting.toSun[2]));
     }

@@ -5,6 +5,7 @@
 #include "reflection/mirror.h"
 #include "reflection/reflector.h"
 #include "water/extent.h"
+#include "water/mesh.h"
 #include "water/whitecaps.h"
 
 namespace seaglass {
@@ -20,7 +21,7 @@ bool coefficientsInRange(const float (&values)[3]) {
 const char* badField(const MeshDesc& desc) {
     if (!(desc.cellSize >= 0.01f && desc.cellSize <= 100))
         return "MeshDesc.cellSize is out of range, expected 0.01 to 100";
-    if (desc.cellsPerLevel < 128 || desc.cellsPerLevel > 1024)
+    if (desc.cellsPerLevel < fewestInRange || desc.cellsPerLevel > 1024)
         return "MeshDesc.cellsPerLevel is out of range, expected 128 to 1024";
     return nullptr;
 }

@@ -16,15 +16,22 @@ double horizonDistance(double eyeHeight) {
     return std::max(100e3, 4000.0 * std::abs(eyeHeight));
 }
 
+/// Levels that waves get near an eye, below those that a mesh is asked for.
+int nearLevels(double displacement, double finestCell) {
+    if (displacement == 0) return 0;
+    return std::max(static_cast<int>(std::ceil(std::log2(finestCell / nearestCell))), 0);
+}
+
 /// Where patches of each level may lie, and which of them a view asks for. Corners are relative to the eye.
 struct Lattice {
     const MeshView& view;
-    double finestCell;
+    double finestCell; ///< of those that are asked for
     double rangeInCells;
+    int near = view.parallel ? 0 : nearLevels(view.displacement, finestCell);
 
-    double cell(int level) const { return std::ldexp(finestCell, level); }
+    double cell(int level) const { return std::ldexp(finestCell, level - near); }
     double edge(int level) const { return cell(level) * patchCells; }
-    double range(int level) const { return cell(level) * rangeInCells; }
+    double range(int level) const { return cell(level) * (level < near ? fewestInRange : rangeInCells); }
 
     double distanceTo(int level, const glm::dvec2& corner) const {
         if (view.parallel) return view.parallel->distance;
@@ -219,6 +226,10 @@ class OutlinedSelection {
 };
 
 } // namespace
+
+double cellNearEye(double displacement, double finestCell) {
+    return std::ldexp(finestCell, -nearLevels(displacement, finestCell));
+}
 
 std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDepth) {
     const glm::dmat4 rows = glm::transpose(clip);

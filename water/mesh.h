@@ -21,6 +21,9 @@ namespace seaglass {
 
 constexpr uint32_t patchCells = 16; ///< across a patch, at the most; the shader's patchCells
 constexpr uint32_t fewestCells = 2; ///< of which every other vertex still glides
+constexpr uint32_t fewestInRange =
+    128;                             ///< cells until the next level takes over; see glideBegins of the shader
+constexpr double nearestCell = 0.01; ///< [m]: waves that are shorter than two of these are ripples
 
 /// One patch as the vertex shader reads it.
 struct MeshPatch {
@@ -59,6 +62,11 @@ std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDep
 
 /// Whether a view may see something of what lies in a box relative to its eye.
 bool inSight(const MeshView& view, const OutlineBox& box);
+
+/// Edge of the cells that waves get where they touch the eye [m]. What is nearer than 64 finest cells is
+/// meshed finer than those, in levels as short as may be, so that the water's line across a lens has its
+/// waves.
+double cellNearEye(double displacement, double finestCell);
 
 /// Patches from fine to coarse, or from far to near, out to the horizon; those out of sight left out. Returns
 /// how many cells are across each: no more than it takes to leave out of the waves 0.31 of a pixel.

@@ -119,7 +119,7 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
         u.backscatter = color(body.refraction->backscatter);
         u.refractionDistortion = body.refraction->distortion;
     }
-    u.within.x = body.mesh.cellSize;
+    u.within.x = static_cast<float>(body.cellNearEye(geometry));
     if (body.sea) u.within.z = static_cast<float>(significantWaveHeight(*body.sea) / 4);
     if (body.underwater) u.within.y = body.underwater->meniscus / 2;
     if (body.outline) u.covered = body.outline->boxFrom({geometry.eye.x, geometry.eye.z}).packed();

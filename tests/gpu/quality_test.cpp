@@ -149,9 +149,13 @@ double slopesApart(const WaterPicture& a, const WaterPicture& b) {
 // A mesh whose cells are longer than waves shows their near and far sides as wide as each other. With relief
 // it comes nearer to a mesh that has those waves.
 TEST_F(Looks, ReliefStandsInForAFinerMesh) {
+    Camera camera = low();
+    camera.eye = {0, 18, 0}; // what is near has finer cells than are asked for
+    camera.target = {0, 0, -180};
+    camera.fovDegrees = 5;
     const auto slopes = [&](const MeshDesc& mesh, bool relief) {
         Body* const body = bodyWith({.slopeLooks = 4, .relief = relief}, nullptr, mesh);
-        return picture({body}, low(), 50, SurfaceOutput::slopes);
+        return picture({body}, camera, 50, SurfaceOutput::slopes);
     };
     constexpr MeshDesc coarse = {1, 128};
     const WaterPicture fine = slopes({0.04f, 1024}, false);

@@ -103,7 +103,6 @@ TEST_F(ShoreOnGpu, TheWaterlineIsThatOfTheWavesOverTheBed) {
     underwater.meniscus = 0;
     desc_.refraction = &refraction;
     desc_.underwater = &underwater;
-    desc_.mesh.cellSize = 0.02f;
     Body* const body = makeBody(desc_);
     const Camera camera = straddling();
     NearPlaneCount all;

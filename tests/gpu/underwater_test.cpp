@@ -183,7 +183,6 @@ TEST_F(Underwater, TheWaterlineIsWhereTheNearPlaneLeavesTheSurface) {
     const SeaDesc sea = ripples();
     desc_.waves = &sea;
     desc_.wavesBackend = fftwWaves();
-    desc_.mesh.cellSize = 0.02f;
     underwater_.meniscus = 0;
     Body* body = makeBody(desc_);
     for (const double roll : {0.0, 35.0, 180.0}) {

@@ -21,10 +21,15 @@ using tests::allAround;
 constexpr double cell = 0.25;
 constexpr double range = 128;
 
-std::vector<MeshPatch> patchesFor(const MeshView& view) {
+std::vector<MeshPatch> patchesFor(const MeshView& view, double rangeInCells = range) {
     std::vector<MeshPatch> patches;
-    selectPatches(view, cell, range, patches);
+    selectPatches(view, cell, rangeInCells, patches);
     return patches;
+}
+
+MeshView withWaves(MeshView view) {
+    view.displacement = 0.4;
+    return view;
 }
 
 /// How many patches hold a point.
@@ -70,36 +75,59 @@ double glide(const MeshPatch& p, double distance) {
     return std::clamp((distance / std::abs(double{p.range}) - 0.7) / (0.95 - 0.7), 0.0, 1.0);
 }
 
-TEST(Mesh, LevelsMeetWithoutCracks) {
-    // Where a fine patch touches a coarser one its vertices must have glided fully, the coarser one's not at
-    // all.
-    for (const double height : {0.5, 10.0, 77.0}) {
-        const MeshView view = allAround({11.3, 4.9}, height);
-        const std::vector<MeshPatch> patches = patchesFor(view);
-        const double end = 3000;
-        int seams = 0;
-        for (const MeshPatch& fine : patches)
-            for (const MeshPatch& coarse : patches) {
-                if (coarse.cell <= fine.cell || std::abs(fine.corner[0]) > end ||
-                    std::abs(fine.corner[1]) > end)
-                    continue;
-                const double edge = double{fine.cell} * patchCells;
-                const double coarseEdge = double{coarse.cell} * patchCells;
-                for (uint32_t i = 0; i <= patchCells; ++i) {
-                    const glm::dvec2 p(fine.corner[0] + edge, fine.corner[1] + i * double{fine.cell});
-                    const bool shared = std::abs(p.x - coarse.corner[0]) < 1e-6 &&
-                                        p.y >= coarse.corner[1] - 1e-6 &&
-                                        p.y <= coarse.corner[1] + coarseEdge + 1e-6;
-                    if (!shared) continue;
-                    ++seams;
-                    const double distance = glm::length(glm::dvec3(p, height));
-                    EXPECT_EQ(coarse.cell, 2 * fine.cell);
-                    EXPECT_EQ(glide(fine, distance), 1);
-                    EXPECT_EQ(glide(coarse, distance), 0);
-                }
+/// Where a fine patch touches a coarser one its vertices must have glided fully, the coarser one's not at
+/// all.
+void expectNoCracks(const std::vector<MeshPatch>& patches, double height) {
+    const double end = 3000;
+    int seams = 0;
+    for (const MeshPatch& fine : patches)
+        for (const MeshPatch& coarse : patches) {
+            if (coarse.cell <= fine.cell || std::abs(fine.corner[0]) > end || std::abs(fine.corner[1]) > end)
+                continue;
+            const double edge = double{fine.cell} * patchCells;
+            const double coarseEdge = double{coarse.cell} * patchCells;
+            for (uint32_t i = 0; i <= patchCells; ++i) {
+                const glm::dvec2 p(fine.corner[0] + edge, fine.corner[1] + i * double{fine.cell});
+                const bool shared = std::abs(p.x - coarse.corner[0]) < 1e-6 &&
+                                    p.y >= coarse.corner[1] - 1e-6 &&
+                                    p.y <= coarse.corner[1] + coarseEdge + 1e-6;
+                if (!shared) continue;
+                ++seams;
+                const double distance = glm::length(glm::dvec3(p, height));
+                EXPECT_EQ(coarse.cell, 2 * fine.cell);
+                EXPECT_EQ(glide(fine, distance), 1);
+                EXPECT_EQ(glide(coarse, distance), 0);
             }
-        EXPECT_GT(seams, 0);
+        }
+    EXPECT_GT(seams, 0);
+}
+
+TEST(Mesh, LevelsMeetWithoutCracks) {
+    for (const double height : {0.001, 0.5, 10.0, 77.0}) {
+        const MeshView view = allAround({11.3, 4.9}, height);
+        expectNoCracks(patchesFor(view), height);
+        for (const double rangeInCells : {128.0, 192.0})
+            expectNoCracks(patchesFor(withWaves(view), rangeInCells), height);
     }
+}
+
+TEST(Mesh, OfWavesIsFinerWhereTheyTouchTheEye) {
+    const auto finest = [](const std::vector<MeshPatch>& patches) { return double{patches.front().cell}; };
+    for (const double rangeInCells : {128.0, 256.0}) {
+        for (const double height : {0.0, 0.3, 3.0, 15.0}) {
+            const MeshView view = allAround({3.1, -7.7}, height);
+            EXPECT_EQ(finest(patchesFor(view, rangeInCells)), cell) << "still water";
+            const double near = finest(patchesFor(withWaves(view), rangeInCells));
+            EXPECT_LE(near, std::max(height / 64, 0.01)) << "from " << height << " m";
+            EXPECT_GE(near, cellNearEye(0.4, cell));
+        }
+        // No dearer from where all is farther away than 64 cells.
+        const MeshView high = allAround({3.1, -7.7}, 64 * cell + 0.1);
+        EXPECT_EQ(patchesFor(withWaves(high), rangeInCells).size(), patchesFor(high, rangeInCells).size());
+    }
+    EXPECT_EQ(cellNearEye(0, cell), cell);
+    EXPECT_LE(cellNearEye(0.4, cell), 0.01);
+    EXPECT_EQ(cellNearEye(0.4, 0.01), 0.01);
 }
 
 TEST(Mesh, LeavesOutWhatIsBehindTheEye) {

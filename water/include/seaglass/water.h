@@ -40,7 +40,7 @@ struct BedDesc {
 
 /// How finely the surface is meshed; by parallel lines of sight as from where 45 degrees see as much.
 struct MeshDesc {
-    float cellSize = 0.25f;       ///< edge of the finest cells that waves get [m], 0.01..100
+    float cellSize = 0.25f;       ///< edge of the finest cells [m], 0.01..100; waves nearer than 64 get finer
     uint32_t cellsPerLevel = 128; ///< cells until a twice coarser level takes over, 128..1024
 };
 
