@@ -76,8 +76,8 @@ WaterRadiance shadeWaterBelow(const Frame& frame, const Ray& ray, const Hit& hit
                                               world.light.toSun(), Kind::opaque, ray.footprint);
     if (lit) {
         const glm::vec3 covariance = random ? frame.surface.roughness() : facet.slopes.covariance;
-        const float seen =
-            random ? facet.meshCosine : std::max(-glm::dot(ray.direction, facet.normal), 1e-2f);
+        const float seen = random ? facet.meshCosine
+                                  : visibleArea(slopesAlong(ray.direction, facet.slopes.mean, covariance));
         radiance +=
             sunThrough(frame, facet.slopes.mean, covariance, -ray.direction, world.light.toSun(), seen);
     }

@@ -8,6 +8,7 @@
 #include "host/host.h"
 #include "host/image_file.h"
 #include "tests/program/demo_scenes.h"
+#include "tests/reference/mean_difference.h"
 #include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
 
@@ -87,10 +88,8 @@ TEST(SeaOfTheHost, MirrorsAStripOfSkyAsAPath) {
 /// Mean difference of what a screen shows, below the horizon: 0..255.
 double difference(const Picture& a, const Picture& b, double exposureEv) {
     const std::vector<uint8_t> first = toneMap(a, exposureEv), second = toneMap(b, exposureEv);
-    const size_t begin = first.size() / 2;
-    double sum = 0;
-    for (size_t i = begin; i < first.size(); ++i) sum += std::abs(double(first[i]) - double(second[i]));
-    return sum / static_cast<double>(first.size() - begin);
+    const size_t water = first.size() / 2;
+    return tests::meanDifference(std::span(first).last(water), std::span(second).last(water));
 }
 
 /// A low sun leaves the lee of its waves dark.

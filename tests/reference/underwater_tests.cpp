@@ -10,6 +10,7 @@
 #include "scene/without.h"
 #include "tests/program/demo_scenes.h"
 #include "tests/reference/camera_of.h"
+#include "tests/reference/mean_difference.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -19,13 +20,6 @@ using tests::cameraOf;
 
 Image view(const Picture& picture) {
     return {picture.width, picture.height, picture.rgba};
-}
-
-/// Of the first `count` channels, 0 to 255.
-double meanDifference(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b, size_t count) {
-    double sum = 0;
-    for (size_t i = 0; i < count; ++i) sum += std::abs(double(a[i]) - double(b[i]));
-    return sum / static_cast<double>(count);
 }
 
 class UnderwaterHost : public testing::Test {
@@ -106,12 +100,14 @@ TEST_F(UnderwaterHost, MirrorsTheBedAsSoftlyAsItIsTraced) {
     Error error;
     const CameraDesc camera = cameraOf(scene_, "far");
     const std::vector<uint8_t> traced = toneMap(trace(camera, 16), scene_.exposureEv);
-    const size_t surface = traced.size() / 3; // the picture's upper third
+    const auto surface = [](const std::vector<uint8_t>& picture) { // the upper third
+        return std::span(picture).first(picture.size() / 3);
+    };
     for (const auto& [looks, most] : {std::pair{1u, 7.5}, {2u, 7.2}, {4u, 6.2}}) {
         scene_.water->mirrorLooks = looks;
         ASSERT_TRUE(host_->load(scene_, error)) << error.text;
         const std::vector<uint8_t> rendered = toneMap(render(camera), scene_.exposureEv);
-        const double off = meanDifference(traced, rendered, surface);
+        const double off = tests::meanDifference(surface(traced), surface(rendered));
         std::printf("%u looks: off by %.2f of 255\n", looks, off);
         EXPECT_LT(off, most) << looks;
     }
