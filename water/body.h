@@ -56,6 +56,13 @@ struct RecordedIn {
         mirroring{}; ///< by view; `mirroring`: drawn with what was reflected
 };
 
+/// What shaders read of a shore's trains, until the frame ends.
+struct ShoreRows {
+    gpu::Resource rows;
+    uint64_t frame = 0;
+    bool moves = false; ///< those of the last frame are there, too
+};
+
 /// Whatever is not of a Reflector is in the body's own axes.
 struct Body : Held {
     BodyFrame frame;
@@ -71,6 +78,7 @@ struct Body : Held {
     std::optional<Foam> foam; ///< only where waves break
     std::optional<FoamPattern> foamPattern;
     std::optional<ShoreMap> shore; ///< only of a sea that has one
+    ShoreRows shoreRows;
     double foamDecay = double{FoamDesc{}.decayTime};
     std::optional<RefractionDesc> refraction;
     std::optional<UnderwaterDesc> underwater;

@@ -98,4 +98,10 @@ const char* badField(const BodyDesc& desc) {
     return badField(desc.mesh);
 }
 
+const WavesBackend* chosenBackend(const gpu::Device& device, const BodyDesc& desc) {
+    const bool onCpu = desc.wavesOn == WavesOn::cpu ||
+                       (desc.wavesOn == WavesOn::automatic && device.type() == VK_PHYSICAL_DEVICE_TYPE_CPU);
+    return onCpu ? desc.wavesBackend : nullptr;
+}
+
 } // namespace seaglass

@@ -1,11 +1,15 @@
 // What a body's description may say.
 #pragma once
 
+#include "gpu/device.h"
 #include "seaglass/water.h"
 
 namespace seaglass {
 
 /// Null when it is usable, else what is wrong with it.
 const char* badField(const BodyDesc& desc);
+
+/// Who computes its waves on the CPU; null: compute shaders do.
+const WavesBackend* chosenBackend(const gpu::Device& device, const BodyDesc& desc);
 
 } // namespace seaglass

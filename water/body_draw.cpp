@@ -1,0 +1,351 @@
+// What a body draws in a view: its surface, and the passes over the view of what lies in the water.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "water/body.h"
+#include "water/lighting.h"
+#include "water/sea.h"
+#include "water/surface_uniforms.h"
+#include "water/target.h"
+
+namespace seaglass {
+
+namespace {
+
+/// Where lines of sight begin, within `reach` metres of a place.
+struct SightStart {
+    glm::dvec3 middle{0};
+    double reach = 0;
+};
+
+/// At the eye, as far as the corners of the near plane; of parallel lines on that plane, as far as those
+/// stand above its middle.
+SightStart sightStart(const ViewGeometry& geometry) {
+    const double depth = geometry.reversedDepth ? 1 : 0;
+    const auto onNearPlane = [&](double x, double y) {
+        const glm::dvec2 at = glm::dvec2(x, y) * glm::dvec2(geometry.regionSize);
+        const glm::dvec4 p = geometry.relativeFromPixel * glm::dvec4(at, depth, 1);
+        return glm::dvec3(p) / std::abs(p.w);
+    };
+    const glm::dvec3 middle = geometry.parallel ? onNearPlane(0.5, 0.5) : glm::dvec3(0);
+    SightStart start{geometry.eye + middle, 0};
+    for (int i = 0; i < 4; ++i) {
+        const glm::dvec3 corner = onNearPlane(i & 1, i >> 1) - middle;
+        start.reach = std::max(start.reach, geometry.parallel ? std::abs(corner.y) : glm::length(corner));
+    }
+    return start;
+}
+
+/// Blocks that follow on each other in one buffer.
+template<typename... Blocks>
+Status upload(Context& context, gpu::Resource& out, const Blocks&... blocks) {
+    gpu::Slice slice;
+    const size_t bytes = (std::as_bytes(std::span(blocks)).size() + ...);
+    if (const Status s = context.frame().allocate(bytes, slice); s != Status::ok) return s;
+    auto* data = static_cast<std::byte*>(slice.data);
+    ((data = std::ranges::copy(std::as_bytes(std::span(blocks)), data).out), ...);
+    out = gpu::storageBuffer(slice.buffer, slice.offset, bytes);
+    return Status::ok;
+}
+
+/// As pixelWidth() of shaders/common/surface_uniforms.glsl has it, amid the picture [rad]; of parallel lines
+/// of sight [m].
+double pixelStep(const ViewGeometry& geometry) {
+    const glm::dmat4 rows = glm::transpose(geometry.pixelFromRelative);
+    const glm::dvec2 middle = glm::dvec2(geometry.regionSize) / 2.0;
+    const glm::dvec3 ahead(rows[3]), right = glm::dvec3(rows[0]) - middle.x * ahead,
+                                     down = glm::dvec3(rows[1]) - middle.y * ahead;
+    return 1 / std::sqrt(glm::length(glm::cross(right, down)));
+}
+
+void setViewport(const gpu::Device& device, VkCommandBuffer commands, const ViewDesc& view,
+                 const ViewGeometry& geometry) {
+    device.vk().CmdSetViewport(commands, 0, 1, &view.viewport);
+    const VkRect2D scissor = {
+        {geometry.regionOrigin.x, geometry.regionOrigin.y},
+        {static_cast<uint32_t>(geometry.regionSize.x), static_cast<uint32_t>(geometry.regionSize.y)}};
+    device.vk().CmdSetScissor(commands, 0, 1, &scissor);
+}
+
+} // namespace
+
+bool Body::mayShow(const ViewGeometry& geometry) {
+    if (sidesSeen(geometry) != SidesSeen::above) return true;
+    const MeshView view = meshView(geometry);
+    if (outline) return inSight(view, outline->boxFrom(view.eye));
+    selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, patches);
+    return !patches.empty();
+}
+
+SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDesc& lighting) const {
+    const SurfaceShape shape = hostMesh  ? SurfaceShape::hostMesh
+                               : outline ? SurfaceShape::outlined
+                                         : SurfaceShape::plane;
+    return {waves.has_value(),
+            foam.has_value(),
+            refraction.has_value(),
+            images.color != VK_NULL_HANDLE,
+            shore.has_value(),
+            shape,
+            waves ? waves->maps().cascades : 0,
+            foam ? foam->cascades() : 0,
+            waves && refraction && refraction->scattering > 0,
+            roomsPacked(dryRooms),
+            waves ? shading.mirrorLooks : 0,
+            refraction ? shading.refractionLooks : 0,
+            waves ? shading.slopeLooks : 0,
+            waves ? shading.waveShadowSteps : 0,
+            waves && !shore && shading.relief,
+            lighting.shadow != nullptr,
+            frame.tilted,
+            bed.has_value(),
+            shading.fresnel == Fresnel::schlick};
+}
+
+SurfaceFeatures Body::motionFeatures() const {
+    SurfaceFeatures wanted;
+    wanted.waves = waves.has_value();
+    wanted.shore = shore.has_value();
+    wanted.shape = features({}, {}).shape;
+    wanted.cascades = waves ? waves->maps().cascades : 0;
+    wanted.dryRooms = roomsPacked(dryRooms);
+    wanted.motion = true;
+    return wanted;
+}
+
+glm::mat4 Body::lastPixelFromRelative(const ViewDesc& view, const ViewGeometry& geometry) {
+    const LastView now{geometry.pixelFromRelative, geometry.eye, geometry.jitter};
+    const auto [entry, fresh] = lastViews.try_emplace(view.viewIndex, now);
+    const LastView last = std::exchange(entry->second, now);
+    if (fresh || view.cut) return glm::mat4(now.pixelFromRelative);
+    glm::dmat4 moved(1), steadied(1);
+    moved[3] = glm::dvec4(geometry.eye - last.eye, 1);
+    steadied[3] = glm::dvec4(now.jitter - last.jitter, 0, 1);
+    return glm::mat4(steadied * last.pixelFromRelative * moved);
+}
+
+Status Body::place(const MeshView& view, SurfaceInputs& inputs) {
+    inputs.instanceCount = 0;
+    if (hostMesh) return placeHostMesh(view, inputs);
+    inputs.indices = indices->buffer.handle();
+    return outline ? placeOutlined(view, inputs) : placePatches(view, inputs);
+}
+
+MeshView Body::meshView(const ViewGeometry& geometry) const {
+    MeshView view;
+    view.eye = {geometry.eye.x, geometry.eye.z};
+    view.eyeHeight = heightOf(geometry.eye);
+    view.displacement = displacement();
+    view.waves = &detail;
+    view.pixel = pixelStep(geometry);
+    view.parallel = parallelLines(geometry, view.eyeHeight, view.displacement);
+    if (view.parallel) view.pixel /= view.parallel->distance;
+    // Patches are tested around the eye's foot on the calm plane.
+    glm::dmat4 relativeFromFoot(1);
+    relativeFromFoot[3].y = -view.eyeHeight;
+    view.frustum = frustumPlanes(geometry.clipFromRelative * relativeFromFoot, geometry.reversedDepth);
+    return view;
+}
+
+void Body::placeCells(uint32_t across, SurfaceInputs& inputs) const {
+    inputs.firstIndex = firstPatchIndex(across);
+    inputs.indexCount = across * across * 6;
+}
+
+Status Body::placePatches(const MeshView& view, SurfaceInputs& inputs) {
+    placeCells(selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, patches), inputs);
+    inputs.instanceCount = static_cast<uint32_t>(patches.size());
+    if (patches.empty()) return Status::ok;
+    return upload(*context, inputs.patches, patches);
+}
+
+Status Body::placeOutlined(const MeshView& view, SurfaceInputs& inputs) {
+    placeCells(selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, *outline,
+                             pinnedWithin(displacement()), outlined),
+               inputs);
+    inputs.instanceCount = static_cast<uint32_t>(outlined.patches.size());
+    if (outlined.patches.empty()) return Status::ok;
+    if (const Status s = upload(*context, inputs.patches, outlined.patches); s != Status::ok) return s;
+    const std::array box = {outline->boxFrom(view.eye).packed()};
+    return upload(*context, inputs.extent, box, outlined.edges);
+}
+
+Status Body::placeHostMesh(const MeshView& view, SurfaceInputs& inputs) {
+    if (!inSight(view, outline->boxFrom(view.eye))) return Status::ok;
+    inputs.patches = gpu::storageBuffer(hostMesh->vertices.handle());
+    inputs.indices = hostMesh->indices.handle();
+    inputs.indexType = VK_INDEX_TYPE_UINT32;
+    inputs.indexCount = hostMesh->indexCount;
+    inputs.instanceCount = 1;
+    return Status::ok;
+}
+
+const char* Body::readTurned(const ViewDesc& turned, bool seesScene, ViewGeometry& out) const {
+    if (const char* bad = seesScene ? readView(turned, out) : readCamera(turned, out)) return bad;
+    placeEye(out, -plane.w);
+    return nullptr;
+}
+
+Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
+                         ViewDesc& read) {
+    const gpu::Device& device = context->device;
+    const ViewDesc turned = frame.fromWorld(view);
+    if (const char* bad = readTurned(turned, refraction.has_value(), out))
+        return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (waves && !simulated)
+        return device.misused("draw: the body has waves but simulate() was never called");
+    recorded.drawn = context->frameNumber;
+    read = view;
+    if (!refraction || !isMultisampled(view)) return Status::ok;
+    if (!mayShow(out)) return Status::ok; // nothing was taken, and nothing will be drawn
+    if (!singleSamples || !singleSamples->views[view.viewIndex].fits(view))
+        return device.misused(
+            "draw: ViewDesc.sceneDepth.samples is not 1, and reflect() was not called for this view before");
+    singleSamples->views[view.viewIndex].standIn(read);
+    return Status::ok;
+}
+
+SidesSeen Body::sidesSeen(const ViewGeometry& geometry) const {
+    if (!underwater) return SidesSeen::above;
+    const SightStart start = sightStart(geometry);
+    if (outline && !outline->contains({start.middle.x, start.middle.z})) return SidesSeen::above;
+    if (isDry(dryRooms, start.middle)) return SidesSeen::above;
+    const double height = heightOf(start.middle);
+    const double reach = displacement() + start.reach;
+    if (height > reach) return SidesSeen::above;
+    return height < -reach ? SidesSeen::below : SidesSeen::either;
+}
+
+Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                            const LightingDesc& lighting, UnderwaterPass pass) {
+    ViewGeometry geometry;
+    ViewDesc read;
+    if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
+    const SidesSeen sides = sidesSeen(geometry);
+    const bool straddles = sides == SidesSeen::either;
+    const bool wanted =
+        pass == UnderwaterPass::water ? sides != SidesSeen::above : straddles && underwater->meniscus > 0;
+    if (!wanted) return Status::ok;
+    return recordOverView(
+        commands, target, read, lighting, geometry,
+        {.pass = pass, .straddles = straddles, .waves = straddles && waves, .shore = straddles && shore});
+}
+
+Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                          const LightingDesc& lighting) {
+    if (!caustics) return Status::ok;
+    if (!holdsFloats(target.desc.colorFormat))
+        return context->device.fail(
+            Status::invalidArgument,
+            "drawCaustics: TargetDesc.colorFormat holds no floats, and light that is gathered exceeds 1");
+    if (isMultisampled(view))
+        return context->device.fail(
+            Status::unsupported,
+            "drawCaustics: ViewDesc.sceneDepth.samples is not 1: nothing has taken one sample of each yet");
+    ViewGeometry geometry;
+    ViewDesc read;
+    if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
+    if (toSun(lighting).y <= 0) return Status::ok;
+    UnderwaterVariant variant = {UnderwaterPass::caustics};
+    variant.waves = true;
+    variant.sunShadow = lighting.shadow != nullptr;
+    variant.searchSteps = shading.refractionLooks < 4 ? 1 : 2;
+    variant.shore = shore.has_value();
+    variant.dryRooms = roomsPacked(dryRooms);
+    return recordOverView(commands, target, read, lighting, geometry, variant);
+}
+
+Status Body::shoreInputs(bool moves, VkImageView& map, gpu::Resource& rows) {
+    if (!shore) return Status::ok;
+    map = shore->view();
+    if (shoreRows.frame != context->frameNumber || (moves && !shoreRows.moves)) {
+        const auto& now = shore->signal().rows;
+        const Status s = moves ? upload(*context, shoreRows.rows, now, shore->last().rows)
+                               : upload(*context, shoreRows.rows, now);
+        if (s != Status::ok) return s;
+        shoreRows.frame = context->frameNumber;
+        shoreRows.moves = moves;
+    }
+    rows = shoreRows.rows;
+    return Status::ok;
+}
+
+Status Body::recordOverView(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                            const LightingDesc& lighting, const ViewGeometry& geometry,
+                            const UnderwaterVariant& variant) {
+    const SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
+    UnderwaterInputs inputs;
+    inputs.view = &view;
+    inputs.shadow = lighting.shadow;
+    if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
+    const size_t map = variant.pass == UnderwaterPass::caustics ? 1 : 0;
+    if (variant.waves) inputs.waveMap = waves->maps().images[map].view();
+    if (variant.shore)
+        if (const Status s = shoreInputs(false, inputs.shoreMap, inputs.shoreRows); s != Status::ok) return s;
+    setViewport(context->device, commands, view, geometry);
+    return recordUnderwater(*context, commands, target.underwater, variant, inputs);
+}
+
+Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                  const LightingDesc& lighting, SurfaceOutput output) {
+    const gpu::Device& device = context->device;
+    ViewGeometry geometry;
+    ViewDesc read;
+    if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
+    if (geometry.reversedDepth != target.desc.reversedDepth)
+        return device.fail(
+            Status::invalidArgument,
+            "draw: ViewDesc.projection makes what is nearer %s, expected TargetDesc.reversedDepth to be %s",
+            geometry.reversedDepth ? "greater" : "less", geometry.reversedDepth ? "true" : "false");
+    const bool motion = output == SurfaceOutput::motion;
+    if (motion && waves && !keepsMotion)
+        return device.fail(Status::invalidArgument, "draw: SurfaceOutput::motion needs BodyDesc.motion");
+    const glm::mat4 lastPixel = motion ? lastPixelFromRelative(view, geometry) : glm::mat4(1);
+    if (outline && !mayShow(geometry)) return Status::ok;
+
+    SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
+    if (motion) uniforms.relativeFromPixel = lastPixel;
+    SurfaceInputs inputs;
+    MeshView asMeshed = meshView(geometry);
+    asMeshed.farthestFirst = !target.desc.depthWrite;
+    if (asMeshed.parallel) uniforms.within.w = static_cast<float>(asMeshed.parallel->distance);
+    if (const Status s = place(asMeshed, inputs); s != Status::ok) return s;
+    if (inputs.instanceCount == 0) return Status::ok;
+
+    if (reflector && !motion) {
+        inputs.reflection = reflector->images(view.viewIndex);
+        recorded.mirroring[view.viewIndex] = context->frameNumber;
+    }
+    if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
+    SurfaceFeatures wanted = motion ? motionFeatures() : features(inputs.reflection, lighting);
+    const SidesSeen sides = motion ? SidesSeen::above : sidesSeen(geometry);
+    wanted.bed = wanted.bed && sides != SidesSeen::below;
+    if (wanted.bed) {
+        inputs.bed = bed->of(*context, view.viewIndex);
+        if (!inputs.bed)
+            return device.misused("draw: BodyDesc.bed is set, and bedView() and reflect() were not called "
+                                  "for this view before");
+        setBed(uniforms, *inputs.bed, geometry.eye);
+    }
+    const DrawPipeline* pipeline = nullptr;
+    if (const Status s = target.pipelines.get({wanted, output, sides}, pipeline); s != Status::ok) return s;
+    if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
+    inputs.lighting = &lighting;
+    inputs.view = &read;
+    if (waves)
+        for (uint32_t i = 0; i < waveMapCount; ++i) inputs.waveMaps[i] = waves->maps().images[i].view();
+    if (motion && waves) inputs.lastDisplacement = waves->lastDisplacement();
+    if (foamPattern) inputs.foamPattern = foamPattern->view();
+    if (foam) inputs.foamHistory = foam->view();
+    if (const Status s = shoreInputs(motion, inputs.shoreMap, inputs.shoreRows); s != Status::ok) return s;
+    setViewport(device, commands, view, geometry);
+    return recordSurface(*context, commands, *pipeline, wanted, inputs);
+}
+
+} // namespace seaglass

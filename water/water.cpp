@@ -1,0 +1,218 @@
+// The calls of seaglass/water.h: what they are handed is checked, then bodies record one after the other.
+#include <memory>
+
+#include "gpu/guard.h"
+#include "water/body.h"
+#include "water/body_desc.h"
+#include "water/sea.h"
+#include "water/target.h"
+
+namespace seaglass {
+
+Status createBody(Context* context, const BodyDesc* desc, Body** out) {
+    if (out) *out = nullptr;
+    if (const Status s =
+            gpu::refuseNull(context, "createBody", {{"context", !context}, {"desc", !desc}, {"out", !out}});
+        s != Status::ok)
+        return s;
+    return gpu::guarded([&] {
+        auto body = std::make_unique<Body>();
+        if (const Status s = body->create(*context, *desc); s != Status::ok) return s;
+        *out = body.release();
+        ++context->inUse;
+        return Status::ok;
+    });
+}
+
+namespace {
+
+Status addWaves(Context& context, const BodyDesc& desc, Estimate& out) {
+    SeaError error;
+    const std::unique_ptr<Sea, SeaDeleter> sea(createSea(desc.waves, &error));
+    if (!sea) return context.device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
+    if (cascadeCount(*sea) == 0) return Status::ok;
+    const WavesBackend* backend = chosenBackend(context.device, desc);
+    out.bytes += Waves::bytes(context, *sea, backend) + (desc.motion ? Waves::lastBytes(*sea) : 0);
+    if (sea->shore) out.bytes += ShoreMap::bytes(*sea->shore);
+    if (desc.foam && breakingOf(*sea, *desc.foam).count > 0)
+        out.bytes += FoamPattern::bytes() + Foam::bytes(*sea, *desc.foam, backend, context.frameCount);
+    return Status::ok;
+}
+
+} // namespace
+
+Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
+                SceneSamples samples) {
+    if (const Status s =
+            gpu::refuseNull(context, "estimate", {{"context", !context}, {"desc", !desc}, {"out", !out}});
+        s != Status::ok)
+        return s;
+    *out = {};
+    if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    if (const char* bad = badField(samples)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    return gpu::guarded([&] {
+        Estimate sum;
+        if (desc->reflection)
+            if (const Status s = estimate(context, desc->reflection, extent, &sum, samples); s != Status::ok)
+                return s;
+        if (desc->refraction) {
+            sum.bytesPerSharedView = SingleSampledScene::bytes(extent, samples);
+            sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
+        }
+        if (desc->bed) sum.bytesPerView += Bed::bytes(*desc->bed, extent);
+        if (desc->waves)
+            if (const Status s = addWaves(*context, *desc, sum); s != Status::ok) return s;
+        sum.bytes += HostMesh::bytes(desc->extent);
+        *out = sum;
+        return Status::ok;
+    });
+}
+
+void destroyBody(Body* body) {
+    destroyHeld(body, "destroyBody");
+}
+
+Status setDryRooms(Body* body, const DryRoom* rooms, uint32_t count) {
+    if (!body) return Status::invalidArgument;
+    return gpu::guarded([&] {
+        if (const char* bad = readDryRooms(rooms, count, body->dryRooms))
+            return body->context->device.fail(Status::invalidArgument, "%s", bad);
+        for (DryPlanes& room : body->dryRooms) room = body->frame.fromWorld(room);
+        return Status::ok;
+    });
+}
+
+namespace {
+
+template<typename Each>
+Status forEach(Body* const* bodies, uint32_t count, Each&& each) {
+    return gpu::guarded([&] {
+        for (uint32_t i = 0; i < count; ++i)
+            if (const Status s = each(*bodies[i]); s != Status::ok) return s;
+        return Status::ok;
+    });
+}
+
+/// What calls that record for bodies are handed. `context`: where there may be one and no body.
+Status refuseUnusable(const char* call, const Context* context, VkCommandBuffer commands, Body* const* bodies,
+                      uint32_t count, std::initializer_list<gpu::Argument> more) {
+    if (!context) context = gpu::contextOf(bodies, count);
+    if (const Status s =
+            gpu::refuseNull(context, call, {{"commands", !commands}, {"bodies", count && !bodies}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseNull(context, call, more); s != Status::ok) return s;
+    return gpu::refuseUnusable(call, "bodies", bodies, count);
+}
+
+/// What calls that draw are handed.
+Status refuseDraw(const char* call, VkCommandBuffer commands, const Target* target, Body* const* bodies,
+                  uint32_t count, const ViewDesc* view, const LightingDesc* lighting) {
+    if (const Status s = refuseUnusable(call, target ? target->context : nullptr, commands, bodies, count,
+                                        {{"target", !target}, {"view", !view}, {"lighting", !lighting}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseDestroyed(call, "target", *target); s != Status::ok) return s;
+    const gpu::Device& device = target->context->device;
+    for (uint32_t i = 0; i < count; ++i)
+        if (bodies[i]->context != target->context)
+            return device.fail(Status::invalidArgument,
+                               "%s: bodies[%u] and the target are of different contexts", call, i);
+    const uint32_t mask = target->desc.viewMask;
+    if (mask && !(view->viewIndex < maxViews && (mask >> view->viewIndex & 1u)))
+        return device.fail(Status::invalidArgument,
+                           "%s: ViewDesc.viewIndex is %u, which is none of "
+                           "TargetDesc.viewMask",
+                           call, view->viewIndex);
+    return gpu::refuseOutsideFrame(target->context, call);
+}
+
+} // namespace
+
+Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time) {
+    if (const Status s = refuseUnusable("simulate", nullptr, commands, bodies, count, {}); s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(bodies, count), "simulate"); s != Status::ok)
+        return s;
+    return forEach(bodies, count, [&](Body& body) { return body.simulate(commands, time); });
+}
+
+Status planarView(Body* body, const ViewDesc* view, PlanarView* out) {
+    if (const Status s = gpu::refuseNull(gpu::contextOf(&body, 1), "planarView",
+                                         {{"body", !body}, {"view", !view}, {"out", !out}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseDestroyed("planarView", "body", *body); s != Status::ok) return s;
+    if (!body->reflector)
+        return body->context->device.fail(Status::invalidArgument,
+                                          "planarView: the body's reflection is the sky alone");
+    return planarView(body->reflector.get(), view, out);
+}
+
+Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view, const OverlayDesc* desc) {
+    if (const Status s =
+            gpu::refuseNull(gpu::contextOf(&body, 1), "recordOverlay",
+                            {{"commands", !commands}, {"body", !body}, {"view", !view}, {"desc", !desc}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseDestroyed("recordOverlay", "body", *body); s != Status::ok) return s;
+    if (!body->reflector)
+        return body->context->device.fail(Status::invalidArgument,
+                                          "recordOverlay: the body's reflection is the sky alone");
+    return recordOverlay(commands, body->reflector.get(), view, desc);
+}
+
+Status bedView(Body* body, const ViewDesc* view, PlanarView* out) {
+    if (const Status s = gpu::refuseNull(gpu::contextOf(&body, 1), "bedView",
+                                         {{"body", !body}, {"view", !view}, {"out", !out}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseDestroyed("bedView", "body", *body); s != Status::ok) return s;
+    return gpu::guarded([&] { return body->bedView(*view, *out); });
+}
+
+Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view) {
+    if (const Status s = refuseUnusable("reflect", nullptr, commands, bodies, count, {{"view", !view}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(bodies, count), "reflect"); s != Status::ok)
+        return s;
+    SceneOfCall scene(*view);
+    return forEach(bodies, count, [&](Body& body) { return body.reflect(commands, scene); });
+}
+
+Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
+            const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output) {
+    if (const Status s = refuseDraw("draw", commands, target, bodies, count, view, lighting); s != Status::ok)
+        return s;
+    const auto underwater = [&](UnderwaterPass pass) {
+        if (output != SurfaceOutput::shaded) return Status::ok;
+        return forEach(bodies, count, [&](Body& body) {
+            return body.underwater ? body.drawUnderwater(commands, *target, *view, *lighting, pass)
+                                   : Status::ok;
+        });
+    };
+    if (const Status s = underwater(UnderwaterPass::water); s != Status::ok) return s;
+    const Status surfaces = forEach(
+        bodies, count, [&](Body& body) { return body.draw(commands, *target, *view, *lighting, output); });
+    return surfaces == Status::ok ? underwater(UnderwaterPass::waterline) : surfaces;
+}
+
+Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
+                    const ViewDesc* view, const LightingDesc* lighting) {
+    if (const Status s = refuseDraw("drawCaustics", commands, target, bodies, count, view, lighting);
+        s != Status::ok)
+        return s;
+    return forEach(bodies, count,
+                   [&](Body& body) { return body.drawCaustics(commands, *target, *view, *lighting); });
+}
+
+ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex) {
+    return body && body->reflector ? body->reflector->images(viewIndex) : ReflectionImages{};
+}
+
+const Sea* sea(const Body* body) {
+    return body ? body->sea.get() : nullptr;
+}
+
+} // namespace seaglass
