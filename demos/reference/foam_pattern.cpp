@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "reference/optics.h"
+
 // Not public: the pattern is the library's own, and there is to be but one.
 #include "water/foam_pattern.h"
 
@@ -82,7 +84,8 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
     const glm::dvec2 carried = calm - surface.edge(calm, static_cast<double>(pixelWidth)).advected;
     const glm::dvec2 streak = surface.foamStreak(), place = carried - streak * glm::dot(streak, carried);
     const Part part = partOf(place);
-    float pattern = 0, variance = 1e-5f;
+    constexpr float patternVariance = (0.3f * 0.3f + 0.4f * 0.4f + 0.3f * 0.3f) / 12, softEdges = 0.05f;
+    float pattern = 0, variance = 0;
     glm::vec3 widths;
     std::array<float, 3> bend;
     Foam foam;
@@ -102,11 +105,10 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
     const float cover = surface.foamCover(calm, bent, static_cast<double>(pixelWidth));
     widths = glm::max(widths, 0.15f * (widths.x + widths.y + widths.z) + 1e-3f);
     const float even = std::clamp(shareBelow(pattern, widths), 2e-4f, 1 - 2e-4f);
-    const float edge = std::min(0.2f, 0.8f * std::min(cover, 1 - cover)) + 1e-4f;
-    const float rafts = glm::smoothstep(-edge, edge, cover - even);
-    const float seen = std::clamp(variance / 0.003f, 0.0f, 1.0f);
-    foam.mask = glm::mix(cover, rafts, seen);
-    foam.height = seen * std::clamp(1 - 2 * even / std::max(cover, 1e-3f), -1.0f, 1.0f);
+    const float kept2 = (1 - softEdges) * variance / patternVariance;
+    foam.mask = gaussianBelow((gaussianQuantile(cover) - std::sqrt(kept2) * gaussianQuantile(even)) /
+                              std::sqrt(1 - kept2));
+    foam.height = kept2 * kept2 * std::clamp(1 - 2 * even / std::max(cover, 1e-3f), -1.0f, 1.0f);
     return foam;
 }
 

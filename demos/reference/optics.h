@@ -42,6 +42,13 @@ inline float gaussianBelow(float e) {
     return 1 / (1 + std::exp(-e * (1.5976f + 0.070566f * e * e)));
 }
 
+/// Below what deviation a share of the unit Gaussian lies, within 3e-3 (Hastings 1955, sheet 67).
+inline float gaussianQuantile(float share) {
+    const float t = std::sqrt(-2 * std::log(std::max(std::min(share, 1 - share), 1e-6f)));
+    const float away = t - (2.30753f + 0.27061f * t) / (1 + t * (0.99229f + 0.04481f * t));
+    return share < 0.5f ? -away : away;
+}
+
 /// Mean of e - x over all x of the unit Gaussian that are less.
 inline float meanAbove(float e) {
     const float within = std::max(e, -2.0f);

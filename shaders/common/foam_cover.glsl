@@ -95,8 +95,10 @@ Foam foamAt(vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
     const vec3 tiles = foamTile / vec3(1.0, 5.0, 17.0);
     const float patternSamples = 256.0;
     const float patternMips = 8.0;   // beyond the finest
+    const float patternVariance = dot(weights, weights) / 12.0;   // of even distributions
+    const float softEdges = 0.05;   // share of it, so that rafts' edges fade out over a fifth of a deviation
     float pattern = 0.0;
-    float variance = 1e-5;
+    float variance = 0.0;
     vec3 widths;
     vec2 slope = vec2(0.0);
     float bend[3];
@@ -108,7 +110,7 @@ Foam foamAt(vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
         float last = clamp(patternMips - mip, 0.0, 1.0);
         float kept = weights[i] * last * last * 30.0 / (29.15 + texels);   // keptContrast() of water/foam_pattern.cpp
         pattern += weights[i] * last * texel.x;
-        variance += kept * kept / 12.0;   // of an even distribution
+        variance += kept * kept / 12.0;
         widths[i] = kept;
         slope += texel.zw;
         bend[i] = 2.0 * texel.y;
@@ -119,10 +121,12 @@ Foam foamAt(vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
     // As its own distribution function the octaves' sum is even again, so that a share `cover` of it lies below `cover`.
     // Its ends are kept off 0 and 1, where even no foam at all would show.
     float even = clamp(shareBelow(pattern, widths), 2e-4, 1.0 - 2e-4);
-    float edge = min(0.2, 0.8 * min(cover, 1.0 - cover)) + 1e-4;
-    float rafts = smoothstep(-edge, edge, cover - even);
-    float seen = clamp(variance / 0.003, 0.0, 1.0);
-    return Foam(mix(cover, rafts, seen), slope, seen * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0));
+    // What the look blurs away is noise to it, as are soft edges: of that noise as much lies below as makes a share `cover` of
+    // all looks white, however little of the pattern is left.
+    float kept2 = (1.0 - softEdges) * variance / patternVariance;
+    float white = gaussianBelow((gaussianQuantile(cover) - sqrt(kept2) * gaussianQuantile(even)) * inversesqrt(1.0 - kept2));
+    // Where white is but likely, where it stands out is no longer told.
+    return Foam(white, slope, kept2 * kept2 * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0));
 }
 
 // A pixel is long and narrow at a grazing angle, and is taken in as many parts as there are looks at its waves. A look is

@@ -18,6 +18,13 @@ float gaussianBelow(float e) {
     return 1.0 / (1.0 + exp(-e * (1.5976 + 0.070566 * e * e)));
 }
 
+// Below what deviation a share of the unit Gaussian lies, within 3e-3 (Hastings 1955, sheet 67).
+float gaussianQuantile(float share) {
+    float t = sqrt(-2.0 * log(max(min(share, 1.0 - share), 1e-6)));
+    float away = t - (2.30753 + 0.27061 * t) / (1.0 + t * (0.99229 + 0.04481 * t));
+    return share < 0.5 ? -away : away;
+}
+
 // Mean of e - x over all x of the unit Gaussian that are less: what facets show of themselves to a ray along which they are
 // edge on at slope e.
 float meanAbove(float e) {
