@@ -91,6 +91,28 @@ TEST_F(BedsPicture, OfADarkBedIsAsBrightAsTheTraced) {
     EXPECT_LT(apart(*host_, scene), 0.02);
 }
 
+// What a pool's ladder mirrors under water is bright water, not the ground below the sky's horizon.
+TEST_F(BedsPicture, OfSubmergedMetalIsAsBrightAsTheTraced) {
+    Error error;
+    std::optional<Scene> pool = loadScene(tests::demoScene("pool"), {}, error);
+    ASSERT_TRUE(pool) << error.text;
+    setQuality("highest", *pool->water);
+    const CameraDesc edge = tests::cameraOf(*pool, "edge");
+    constexpr uint32_t across = 240, down = 135;
+    ASSERT_TRUE(host_->load(*pool, error)) << error.text;
+    const std::optional<Picture> drawn = host_->render({across, down, edge, pool->timeS, Aov::color}, error);
+    ASSERT_TRUE(drawn) << error.text;
+    const Picture traced = tests::traced(*pool, {across, down, edge, pool->timeS, 16}).color;
+    double shown = 0, truth = 0;
+    for (size_t y = 79; y < 100; ++y) // its legs
+        for (size_t x = 116; x < 125; ++x) {
+            shown += double{drawn->rgba[(y * across + x) * 4 + 1]};
+            truth += double{traced.rgba[(y * across + x) * 4 + 1]};
+        }
+    std::printf("green of the ladder's legs: %.3f of the traced\n", shown / truth);
+    EXPECT_NEAR(shown / truth, 1, 0.1); // 0.56 where they mirror the sky cube
+}
+
 /// Share of the pixels that are far darker than those on all four sides.
 double shareOfSpecks(const Picture& picture) {
     const auto green = [&](uint32_t x, uint32_t y) {

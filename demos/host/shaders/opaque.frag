@@ -29,7 +29,9 @@ void main() {
     const vec4 base = draw.baseColor * inColor * texture(baseColorMap, inUv);
     if (masked && base.a < draw.emissive.w) discard;
     const vec4 mr = texture(metallicRoughnessMap, inUv);
-    const float metallic = draw.surface.x * mr.b;
+    // What metal mirrors in water is the water and the bed around it, no sky: as bright as what is matte and of its colour.
+    const bool inWater = isSunBent(inFromEye);
+    const float metallic = inWater ? 0.0 : draw.surface.x * mr.b;
     const float roughness = clamp(draw.surface.y * mr.g, 0.06, 1.0);
     const vec3 f0 = mix(vec3(0.04), base.rgb, metallic);
     const vec3 diffuse = base.rgb * (1.0 - metallic);
@@ -41,7 +43,7 @@ void main() {
     const float nDotL = facingSun(inFromEye, n), nDotV = max(abs(dot(n, v)), 1e-3);
 
     // Of index 1.5, which mirrors a tenth as much in water as in air.
-    const float mirrors = isSunBent(inFromEye) ? mix(0.087, 1.0, metallic) : 1.0;
+    const float mirrors = inWater ? 0.087 : 1.0;
 
     vec3 radiance = draw.emissive.rgb;
     if (nDotL > 0.0) {
