@@ -4,13 +4,13 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/fresnel.h"
 #include "tests/gpu/spy.h"
 #include "tests/gpu/traced_scene.h"
 #include "tests/gpu/water_rig.h"
+#include "tests/unit/statistics.h"
 #include "water/body.h"
 
 namespace {
@@ -895,9 +895,10 @@ class WaterFoam : public Water {
         camera.target.y = 10;
         return camera;
     }
-    /// What of each pixel is white.
+    static constexpr double foamTime = 60;
+    /// What of each pixel is white at that time.
     std::vector<double> white(Body* body, const Camera& camera) {
-        const WaterPicture p = picture({body}, camera, 60, SurfaceOutput::foam);
+        const WaterPicture p = picture({body}, camera, foamTime, SurfaceOutput::foam);
         std::vector<double> shares;
         for (size_t i = 0; i < p.color.size(); i += 4) shares.push_back(double{p.color[i]});
         return shares;
@@ -919,17 +920,6 @@ class WaterFoam : public Water {
 double partly(const std::vector<double>& white) {
     const auto between = [](double share) { return share > 0.05 && share < 0.95; };
     return static_cast<double>(std::ranges::count_if(white, between)) / static_cast<double>(white.size());
-}
-
-double meanOf(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double deviationOf(const std::vector<double>& values) {
-    const double mean = meanOf(values);
-    double squares = 0;
-    for (const double value : values) squares += (value - mean) * (value - mean);
-    return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
 TEST_F(WaterFoam, IsTheSamePictureWhateverWasDrawnBefore) {
@@ -979,7 +969,6 @@ TEST_F(WaterFoam, CoversAsMuchFromAnyHeight) {
     SeaDesc desc = breeze();
     desc.windSpeed = 15;
     desc.fetch = 300e3f;
-    constexpr double time = 60;
     // A picture shows so little from near by that it takes many to know the sea's mean.
     struct Look {
         double height;
@@ -994,7 +983,7 @@ TEST_F(WaterFoam, CoversAsMuchFromAnyHeight) {
         bodyDesc.foam = &foam;
         Body* body = makeBody(bodyDesc);
         double expected = 0;
-        ASSERT_TRUE(whitecapCover(*sea(body), *fftwWaves(), foam, time, &expected));
+        ASSERT_TRUE(whitecapCover(*sea(body), *fftwWaves(), foam, foamTime, &expected));
         EXPECT_GT(expected, bias > 0 ? 0.1 : 0.02);
         EXPECT_LT(expected, 0.5);
         const double tile = cascade(*sea(body), 0).patch;
