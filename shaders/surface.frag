@@ -178,9 +178,16 @@ void main() {
 #if defined(REFRACTION) && defined(WAVES)
     through = throughCrest(through, s, toEye, path);
 #endif
-    vec3 radiance = mirror.radiance + entering * through + sunGlint(s, toEye);
+    vec3 radiance = mirror.radiance + entering * through;
+    float glint = sunGlint(s, toEye);
+#ifdef WAVES
+    WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);
+    if (glint > 1e-5 || foamShare > 1e-3) ahead = wavesBeforeTheSun(s);
+    glint *= sunClear(slopeOf(toEye + toSun.xyz), ahead);
+#endif
+    radiance += sunIrradiance.rgb * glint;
 #ifdef FOAM
-    radiance = withFoam(radiance, white, s, toEye, mirror.radiance);
+    radiance = withFoam(radiance, white, s, toEye, mirror.radiance, ahead);
 #endif
 #if defined(SHORE) && defined(REFRACTION)
     // Wet sand dries, and water thins out into it.

@@ -157,8 +157,8 @@ Foam foamHere() {
 }
 
 // Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
-// water mirrors a share shines from it too.
-vec3 withFoam(vec3 water, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored) {
+// water mirrors a share shines from it too. `ahead`: towards the sun.
+vec3 withFoam(vec3 water, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored, WavesAhead ahead) {
     const float relief = 0.7;
     const float filmVariance = 0.12;   // of the film's slopes
     const float filmShare = 0.4;
@@ -166,7 +166,10 @@ vec3 withFoam(vec3 water, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored)
     vec3 facing = normalOf(film.slope);
     // What leans sees less of the sky, and what lies low less than what stands out.
     float open = (0.5 + 0.5 * facing.y) * (1.0 + 0.4 * white.height);
-    vec3 light = sunSeen * sunIrradiance.rgb * max(dot(facing, toSun.xyz), 0.0) + skyIrradiance.rgb * open;
-    vec3 foamy = light * foam.y / pi + filmShare * (mirrored + sunGlint(film, toEye));
+    float sun = sunSeen * sunClear(s.slope, ahead) * max(dot(facing, toSun.xyz), 0.0);
+    ahead.unseen = sqrt(ahead.unseen * ahead.unseen + filmVariance);
+    float glint = sunGlint(film, toEye) * sunClear(slopeOf(toEye + toSun.xyz), ahead);
+    vec3 light = sunIrradiance.rgb * sun + skyIrradiance.rgb * open;
+    vec3 foamy = light * foam.y / pi + filmShare * (mirrored + sunIrradiance.rgb * glint);
     return mix(water, foamy, white.mask);
 }

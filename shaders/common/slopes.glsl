@@ -4,6 +4,11 @@ vec3 normalOf(vec2 slope) {
     return normalize(vec3(-slope.x, 1.0, -slope.y));
 }
 
+// Of what a normal of any length stands on.
+vec2 slopeOf(vec3 normal) {
+    return -normal.xz / max(normal.y, 1e-6);
+}
+
 // The unit vector of the calm plane that a direction runs along.
 vec2 horizontal(vec3 direction) {
     return direction.xz / max(length(direction.xz), 1e-6);

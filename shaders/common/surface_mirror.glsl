@@ -90,13 +90,14 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
         float cosines = 0.0;
         for (int j = 0; j < together; ++j) {
             int i = look * together + j;
-            vec3 normal = normalOf(s.slope + v.towards * slopeSeen(i, seen));
+            vec2 slope = s.slope + v.towards * slopeSeen(i, seen);
+            vec3 normal = normalOf(slope);
             vec3 direction = reflect(-toEye, normal);
             float cosine = dot(toEye, normal);
             vec4 mirrored = shareOfSlope(i) * mirroredShare(cosine) * vec4(direction, 1.0);
             all += mirrored;
             cosines += mirrored.w * max(cosine, 0.0);
-            clear += clearShare(direction.y, ahead) * mirrored;
+            clear += clearShare(direction.y, -dot(slope, v.towards), ahead) * mirrored;
         }
         found = mirroredScene(keptAbove(all.xyz), spread, hit);
         sum.radiance += clear.w * found.rgb;

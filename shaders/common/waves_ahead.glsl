@@ -5,7 +5,9 @@ layout(constant_id = 6) const int waveShadowSteps = 0;
 
 struct WavesAhead {
     float horizon;   // tangent of the highest wave ahead
+    float slope;     // of the pixel's middle, towards there
     float unseen;    // deviation of the slopes of waves that are not looked for
+    float alike;     // correlation of such slopes around a facet with its own
 };
 
 #ifdef WAVES
@@ -38,17 +40,25 @@ float horizonTowards(vec2 slope, vec2 along, float lowest) {
 
 // Of rays that rise by `lowest` or more. A pixel that is a quarter of the longest wave's length holds all of what casts shadows.
 WavesAhead wavesAhead(SurfacePoint s, vec2 along, float lowest) {
-    if (waveShadowSteps == 0) return WavesAhead(noWave, roughness.w);
+    const float alikeInAll = 0.2;
+    const float alikeInShort = 0.85;
+    if (waveShadowSteps == 0) return WavesAhead(noWave, 0.0, roughness.w, 0.0);
+    float held = pixelLength / (25.0 * within.z);
     float horizon = noWave;
-    if (pixelLength < 25.0 * within.z) horizon = horizonTowards(s.slope, along, lowest);
-    return WavesAhead(horizon, sqrt(varianceAlong(along, s.covariance)));
+    if (held < 1.0) horizon = horizonTowards(s.slope, along, lowest);
+    float alike = mix(alikeInShort, alikeInAll, smoothstep(0.5, 2.0, held));
+    return WavesAhead(horizon, dot(s.slope, along), sqrt(varianceAlong(along, s.covariance)), alike);
 }
 
-// Share of the rays of this rise that meet no other wave.
-float clearShare(float rise, WavesAhead ahead) {
+// Share of the rays of this rise that meet no other wave, from facets of this `slope` towards where they go. Smith's facets
+// lean each for itself. Those of a sea lie on the sides of longer waves: around one that leans to the ray others do, and
+// leave its way free. Where no wave is looked for, that would light the lee of those that the picture shows.
+float clearShare(float rise, float slope, WavesAhead ahead) {
     if (rise <= 0.0) return 0.0;
     const float soft = 0.005;   // the sun's disc, and as much for the sky: wider lets its glint into shadows
     float tangent = rise * inversesqrt(max(1.0 - rise * rise, 1e-4));
-    return smoothstep(ahead.horizon - soft, ahead.horizon + soft, tangent) / hiddenPer(tangent / max(ahead.unseen, 1e-5));
+    float around = mix(ahead.slope, slope, ahead.alike);
+    float deviation = sqrt(1.0 - ahead.alike * ahead.alike) * max(ahead.unseen, 1e-5);
+    return smoothstep(ahead.horizon - soft, ahead.horizon + soft, tangent) / hiddenPer(max(tangent - around, 0.0) / deviation);
 }
 #endif

@@ -811,13 +811,21 @@ TEST_F(Water, SlopeVarianceIsTheSameAtAnyDistance) {
 }
 
 // A sea seen from 1 km has the same radiance whether pixels show its waves, and the mean is taken of them, or
-// one pixel's roughness stands for all.
-TEST_F(Water, RadianceIsTheSameOfWavesAndOfTheirRoughness) {
-    SeaDesc desc = breeze();
-    desc.windSpeed = 10;
-    desc.fetch = 300e3f;
-    desc.samples = 128;
-    Body* body = wavyBody(desc);
+// one pixel's roughness stands for all: whether waves that hide others are looked for or not.
+class WaterFromAfar : public Water, public testing::WithParamInterface<Quality> {};
+
+INSTANTIATE_TEST_SUITE_P(AtEach, WaterFromAfar, testing::Values(Quality::medium, Quality::highest));
+
+TEST_P(WaterFromAfar, RadianceIsTheSameOfWavesAndOfTheirRoughness) {
+    SeaDesc sea = breeze();
+    sea.windSpeed = 10;
+    sea.fetch = 300e3f;
+    sea.samples = 128;
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.wavesBackend = fftwWaves();
+    setQuality(GetParam(), &desc, nullptr);
+    Body* body = makeBody(desc);
     struct Look {
         double distance, fov;
         uint32_t size;

@@ -7,6 +7,7 @@
 
 #include "host/host.h"
 #include "host/image_file.h"
+#include "host/quality.h"
 #include "tests/program/demo_scenes.h"
 #include "tests/reference/mean_difference.h"
 #include "tests/reference/rendered_picture.h"
@@ -110,6 +111,44 @@ TEST(SeaOfTheHost, SeesWhichWavesHideTheSun) {
     // where crests are flattened or the edges of their shadows are blurred.
     EXPECT_LT(with, 0.63 * without);
     EXPECT_EQ(host->validationMessages(), 0u);
+}
+
+/// The storm under a sun 7.5 degrees high, before the eye; without sky, so that its light alone is compared.
+Scene stormInLowSun(const char* camera) {
+    Error error;
+    const std::vector<std::string> sun = {"sky.intensity=0", "sun.azimuth_deg=298", "sun.elevation_deg=7.5",
+                                          "sun.irradiance=[8.685, 4.944, 1.910]",
+                                          "water.refraction.scattering_per_m=0"};
+    std::optional<Scene> scene = loadScene(tests::demoScene("storm"), sun, error);
+    EXPECT_TRUE(scene) << error.text;
+    while (scene->cameras.front().name != camera) scene->cameras.erase(scene->cameras.begin());
+    setQuality("highest", *scene->water);
+    return *scene;
+}
+
+/// Facets that mirror a low sun lean towards it, as do the sides of longer waves that they are on: few of
+/// them stand in the shadow of others, however rough the sea is.
+TEST(SeaOfTheHost, MirrorsAsMuchOfALowSunAsTraced) {
+    Scene scene = stormInLowSun("far");
+    scene.water->foam.reset();
+    Error error;
+    const std::unique_ptr<Host> host = Host::create({}, error);
+    ASSERT_TRUE(host) << error.text;
+    const double traced = lightIn(trace(scene), 0, 1), drawn = lightIn(render(*host, scene), 0, 1);
+    std::printf("%.1f traced, %.1f drawn\n", traced, drawn);
+    // 0.71 where each facet is as likely in shadow as any other (Smith).
+    EXPECT_NEAR(drawn / traced, 1, 0.12);
+}
+
+/// Foam behind a crest is in its shadow.
+TEST(SeaOfTheHost, LightsNoFoamBehindCrests) {
+    Scene scene = stormInLowSun("near");
+    Error error;
+    const std::unique_ptr<Host> host = Host::create({}, error);
+    ASSERT_TRUE(host) << error.text;
+    const double traced = lightIn(trace(scene), 0, 0.4), drawn = lightIn(render(*host, scene), 0, 0.4);
+    std::printf("%.1f traced, %.1f drawn\n", traced, drawn);
+    EXPECT_NEAR(drawn / traced, 1, 0.25);
 }
 
 /// No wave of a mirror-calm lake rises before another: what looks for such must find none, however small the
