@@ -32,21 +32,29 @@ glm::ivec2 marginOf(const BedDesc& desc, const glm::ivec2& size) {
     return glm::ivec2(glm::ceil(glm::dvec2(size) * double{desc.margin} - rounding));
 }
 
-/// `view` over a viewport that is larger by `margin` on each side, with its corner at 0.
-ViewDesc widened(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec2& margin) {
+/// As many pixels as show what `size` of the view and a `margin` on each side do.
+glm::dvec2 pixelsOf(const glm::dvec2& size, const glm::ivec2& margin, uint32_t downscale) {
+    return glm::ceil((size + 2.0 * glm::dvec2(margin)) / static_cast<double>(downscale));
+}
+
+/// `view` over what is larger by `margin` on each side, in a viewport of its own pixels with its corner at 0.
+ViewDesc widened(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec2& margin,
+                 uint32_t downscale) {
     ViewDesc out = view;
-    const float side = view.viewport.height < 0 ? -1.0f : 1.0f;
-    const glm::vec2 more = 2.0f * glm::vec2(margin);
-    out.viewport.x -= static_cast<float>(geometry.regionOrigin.x);
-    out.viewport.y -= static_cast<float>(geometry.regionOrigin.y);
-    if (side < 0) out.viewport.y += more.y;
-    out.viewport.width += more.x;
-    out.viewport.height += side * more.y;
-    const double across = double{view.viewport.width} / double{out.viewport.width};
-    const double down = double{view.viewport.height} / double{out.viewport.height};
+    const VkViewport& v = view.viewport;
+    const double height = std::abs(double{v.height}), scale = downscale;
+    const double top = v.height < 0 ? double{v.y} - height : double{v.y};
+    const glm::dvec2 share(double{v.width} / (double{v.width} + 2 * margin.x),
+                           height / (height + 2 * margin.y));
+    const glm::dvec2 wide = pixelsOf(glm::dvec2(double{v.width}, height), margin, downscale);
+    const glm::dvec2 corner = (glm::dvec2(double{v.x}, top) - glm::dvec2(geometry.regionOrigin)) / scale;
+    out.viewport.x = static_cast<float>(corner.x);
+    out.viewport.y = static_cast<float>(v.height < 0 ? corner.y + wide.y : corner.y);
+    out.viewport.width = static_cast<float>(wide.x);
+    out.viewport.height = static_cast<float>(v.height < 0 ? -wide.y : wide.y);
     for (int column = 0; column < 4; ++column) {
-        out.projection[4 * column] *= across;
-        out.projection[4 * column + 1] *= down;
+        out.projection[4 * column] *= share.x;
+        out.projection[4 * column + 1] *= share.y;
     }
     return out;
 }
@@ -106,7 +114,7 @@ Status Bed::handOut(Context& context, const ViewDesc& view, const ViewGeometry& 
                     const glm::dvec4& plane, const BodyFrame& frame, PlanarView& out) {
     const gpu::Device& device = context.device;
     const glm::ivec2 margin = marginOf(desc, geometry.regionSize);
-    ViewDesc wide = widened(view, geometry, margin);
+    ViewDesc wide = widened(view, geometry, margin, downscale);
     raise(wide, plane, glm::mix(1.0, apparentRise(typicalIncidence(geometry)), distortion));
     out.obliqueClip = cutAbove(wide, geometry.reversedDepth, plane);
 
@@ -149,10 +157,10 @@ const BedPicture* Bed::of(const Context& context, uint32_t viewIndex) const {
     return picture.taken == context.frameNumber ? &picture : nullptr;
 }
 
-VkDeviceSize Bed::bytes(const BedDesc& desc, VkExtent2D view) {
+VkDeviceSize Bed::bytes(const BedDesc& desc, uint32_t downscale, VkExtent2D view) {
     const glm::ivec2 size(static_cast<int>(view.width), static_cast<int>(view.height));
-    const glm::ivec2 wide = size + 2 * marginOf(desc, size);
-    const VkExtent2D extent = {static_cast<uint32_t>(wide.x), static_cast<uint32_t>(wide.y)};
+    const glm::dvec2 pixels = pixelsOf(size, marginOf(desc, size), downscale);
+    const VkExtent2D extent = {static_cast<uint32_t>(pixels.x), static_cast<uint32_t>(pixels.y)};
     return gpu::imageBytes(colorDesc(extent)) + gpu::imageBytes(drawnDepthDesc(extent));
 }
 

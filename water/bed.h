@@ -28,7 +28,8 @@ struct BedPicture {
 
 struct Bed {
     BedDesc desc;
-    double distortion = 1; ///< RefractionDesc's
+    uint32_t downscale = 1; ///< ShadingDesc's
+    double distortion = 1;  ///< RefractionDesc's
     std::array<BedPicture, maxViews> views;
 
     /// What the host is to draw: as `view` was given, what lies below `plane`, of the world.
@@ -39,7 +40,7 @@ struct Bed {
     void take(Context& context, VkCommandBuffer commands, uint32_t viewIndex);
     /// Null where the view has none in this frame.
     const BedPicture* of(const Context& context, uint32_t viewIndex) const;
-    static VkDeviceSize bytes(const BedDesc& desc, VkExtent2D view);
+    static VkDeviceSize bytes(const BedDesc& desc, uint32_t downscale, VkExtent2D view);
 };
 
 } // namespace seaglass

@@ -34,7 +34,8 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
     if (desc.foam && waves)
         if (const Status s = createFoam(*desc.foam); s != Status::ok) return s;
     if (desc.refraction) refraction = *desc.refraction;
-    if (desc.bed) bed.emplace(Bed{*desc.bed, double{desc.refraction->distortion}, {}});
+    if (desc.bed)
+        bed.emplace(Bed{*desc.bed, desc.shading.bedDownscale, double{desc.refraction->distortion}, {}});
     if (desc.underwater) underwater = *desc.underwater;
     if (desc.caustics && waves) {
         caustics = *desc.caustics;

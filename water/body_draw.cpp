@@ -103,7 +103,7 @@ SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDes
             waves && !shore && shading.relief,
             lighting.shadow != nullptr,
             frame.tilted,
-            bed.has_value(),
+            bed ? bed->downscale : 0,
             shading.fresnel == Fresnel::schlick};
 }
 
@@ -325,8 +325,8 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
     SurfaceFeatures wanted = motion ? motionFeatures() : features(inputs.reflection, lighting);
     const SidesSeen sides = motion ? SidesSeen::above : sidesSeen(geometry);
-    wanted.bed = wanted.bed && sides != SidesSeen::below;
-    if (wanted.bed) {
+    if (sides == SidesSeen::below) wanted.bedDownscale = 0;
+    if (wanted.bedDownscale != 0) {
         inputs.bed = bed->of(*context, view.viewIndex);
         if (!inputs.bed)
             return device.misused("draw: BodyDesc.bed is set, and bedView() and reflect() were not called "

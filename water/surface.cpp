@@ -194,7 +194,7 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
             const gpu::Resource depth =
                 gpu::sampledImage(s, in.view->sceneDepth.view, in.view->sceneDepth.layout);
             // Without a bed its shader does not look at it.
-            if (!f.bed) return std::array{color, depth, color, depth};
+            if (f.bedDownscale == 0) return std::array{color, depth, color, depth};
             return std::array{color, depth, gpu::sampledImage(s, in.bed->color.view()),
                               gpu::sampledImage(s, in.bed->depth.view())};
         },
@@ -225,7 +225,7 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.slopeLooks,
                                   variant.features.tilted,
                                   variant.features.relief,
-                                  variant.features.bed,
+                                  variant.features.bedDownscale,
                                   variant.features.schlick};
     return createDrawPipeline(
         device, target,

@@ -59,7 +59,7 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
             sum.bytesPerSharedView = SingleSampledScene::bytes(extent, samples);
             sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
         }
-        if (desc->bed) sum.bytesPerView += Bed::bytes(*desc->bed, extent);
+        if (desc->bed) sum.bytesPerView += Bed::bytes(*desc->bed, desc->shading.bedDownscale, extent);
         if (desc->waves)
             if (const Status s = addWaves(*context, *desc, sum); s != Status::ok) return s;
         sum.bytes += HostMesh::bytes(desc->extent);

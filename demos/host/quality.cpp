@@ -49,6 +49,7 @@ void setQuality(std::string_view quality, WaterDesc& water) {
     water.waveShadowSteps = body.shading.waveShadowSteps;
     water.relief = body.shading.relief;
     if (water.bed) water.bed->drawn = body.bed;
+    if (water.bed) water.bed->downscale = body.shading.bedDownscale;
     if (water.reflection) setQuality(numbered(quality), *water.reflection);
 }
 
@@ -66,6 +67,7 @@ std::vector<std::string> qualityOverrides(std::string_view quality, const WaterD
     add("wave_shadow_steps", std::to_string(set.waveShadowSteps));
     add("relief", set.relief ? "true" : "false");
     if (set.bed) add("bed.drawn", set.bed->drawn ? "true" : "false");
+    if (set.bed) add("bed.downscale", std::to_string(set.bed->downscale));
     if (!set.reflection) return overrides; // an override would give it one
     add("reflection.technique", set.reflection->technique);
     add("reflection.downscale", std::to_string(set.reflection->downscale));

@@ -85,8 +85,9 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     std::ranges::copy(plane, body.plane);
     body.mesh.cellSize = static_cast<float>(desc.cellM);
     body.mesh.cellsPerLevel = desc.cellsPerLevel;
-    body.shading = {desc.mirrorLooks, desc.refractionLooks, desc.slopeLooks, desc.waveShadowSteps,
-                    desc.relief};
+    const uint32_t bedDownscale = desc.bed ? desc.bed->downscale : 1;
+    body.shading = {desc.mirrorLooks, desc.refractionLooks, bedDownscale,
+                    desc.slopeLooks,  desc.waveShadowSteps, desc.relief};
     if (!fresnelOf(desc, body.shading.fresnel, error)) return false;
     if (desc.extent) {
         if (!extentOf(*desc.extent, extent, error)) return false;

@@ -163,6 +163,8 @@ constexpr std::array causticsFields = {
 constexpr std::array bedFields = {
     Field{"drawn", at<&BedDesc::drawn>, 0, 0, "", "false: as without"},
     Field{"margin", at<&BedDesc::margin>, 0, 1, "", "larger on each side, share of the picture's size"},
+    Field{"downscale", at<&BedDesc::downscale>, 1, 8, "",
+          "pixels of the picture to one of the bed's, each way"},
 };
 
 constexpr std::array reflectionFields = {

@@ -155,7 +155,8 @@ struct DryRoomDesc {
 /// The bed as a picture of its own.
 struct BedDesc {
     bool drawn = true;
-    double margin = 0.1; ///< by which it is larger on each side, of the picture's size
+    double margin = 0.1;    ///< by which it is larger on each side, of the picture's size
+    uint32_t downscale = 1; ///< pixels of the picture to one of it, each way
 };
 
 struct WaterDesc {

@@ -142,6 +142,7 @@ bool layOutQuality(WaterDesc& water) {
         changed = true;
     }
     changed |= slider("bent light", water.refractionLooks, 1, 16);
+    if (water.bed) changed |= slider("pixels to one of the bed", water.bed->downscale, 1, 8);
     changed |= chooseNumber("mirror looks:", water.mirrorLooks, {1, 2, 4});
     changed |= chooseNumber("slope looks:", water.slopeLooks, {1, 2, 4});
     bool shadows = water.waveShadowSteps > 0;

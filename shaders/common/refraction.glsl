@@ -2,28 +2,29 @@
 
 #ifdef REFRACTION
 layout(constant_id = 8) const int refractionLooks = 6;   // 1: straight through
-layout(constant_id = 12) const bool hasBed = false;   // a picture of its own: water/bed.h
+layout(constant_id = 12) const int bedDownscale = 0;   // of the bed's picture of its own: water/bed.h
+const bool hasBed = bedDownscale > 0;
 bool looksAtBed = hasBed;   // not where a surface is seen from the water: what it mirrors is looked for in the scene
 
 struct Behind {
-    ivec2 pixel;   // of the region
+    vec2 pixel;    // of the region
     vec3 seen;     // where, relative to the eye
     bool nothing;  // but the far plane
 };
 
-Behind shownAt(ivec2 pixel, float depth, mat4 relativeFromPixels) {
-    vec4 q = relativeFromPixels * vec4(vec2(pixel) + 0.5, depth, 1.0);
+Behind shownAt(vec2 pixel, float depth, mat4 relativeFromPixels) {
+    vec4 q = relativeFromPixels * vec4(floor(pixel) + 0.5, depth, 1.0);
     return Behind(pixel, q.xyz / q.w, depthSign * (depth - farDepth) <= 0.0);
 }
 
 // What the host's opaque scene shows at a pixel of the region.
 Behind behindAt(vec2 pixel) {
     ivec2 p = clamp(ivec2(pixel + sceneShift), ivec2(0), region.zw - 1);
-    return shownAt(p, texelFetch(sceneDepth, region.xy + p, 0).r, relativeFromPixel);
+    return shownAt(vec2(p), texelFetch(sceneDepth, region.xy + p, 0).r, relativeFromPixel);
 }
 
 vec4 colorOf(Behind b) {
-    return texelFetch(sceneColor, region.xy + b.pixel, 0);
+    return texelFetch(sceneColor, region.xy + ivec2(b.pixel), 0);
 }
 
 vec3 radianceOf(Behind b) {
@@ -38,12 +39,30 @@ vec4 bedPixelOf(vec4 relative) {
 
 Behind bedAt(vec2 pixel) {
     if (!looksAtBed) return behindAt(pixel);
-    ivec2 p = clamp(ivec2(pixel), ivec2(0), bedSize - 1);
-    return shownAt(p, texelFetch(bedDepth, p, 0).r, relativeFromBed);
+    vec2 p = clamp(pixel, vec2(0.0), vec2(bedSize) - 0.5);
+    return shownAt(p, texelFetch(bedDepth, ivec2(p), 0).r, relativeFromBed);
+}
+
+// Linear, of the four around that show something: the others may hold whatever memory held.
+vec4 betweenBedTexels(vec2 pixel) {
+    vec2 corner = floor(pixel - 0.5);
+    vec2 past = pixel - 0.5 - corner;
+    vec4 depths = textureGather(bedDepth, (corner + 1.0) / vec2(bedSize));
+    vec4 weights = vec4(1.0 - past.x, past.x, past.x, 1.0 - past.x) * vec4(past.y, past.y, 1.0 - past.y, 1.0 - past.y);
+    const ivec2 places[4] = ivec2[](ivec2(0, 1), ivec2(1, 1), ivec2(1, 0), ivec2(0, 0));
+    vec4 sum = vec4(0.0);
+    float all = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        if (weights[i] <= 0.0 || depthSign * (depths[i] - farDepth) <= 0.0) continue;
+        sum += weights[i] * texelFetch(bedColor, clamp(ivec2(corner) + places[i], ivec2(0), bedSize - 1), 0);
+        all += weights[i];
+    }
+    return sum / max(all, 1e-6);
 }
 
 vec4 bedColorOf(Behind b) {
-    return looksAtBed ? texelFetch(bedColor, b.pixel, 0) : colorOf(b);
+    if (!looksAtBed) return colorOf(b);
+    return bedDownscale > 1 ? betweenBedTexels(b.pixel) : texelFetch(bedColor, ivec2(b.pixel), 0);
 }
 
 vec3 bedRadiance(Behind b) {

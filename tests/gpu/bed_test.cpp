@@ -43,7 +43,9 @@ struct BedPlane {
                 const glm::dvec4 p = worldFromClip * glm::dvec4(ndc, depth, 1);
                 const bool seen = fromAbove && depth > 0 && depth < 1 && p.w > 0;
                 out.depth.push_back(seen ? static_cast<float>(depth) : view.clearDepth);
-                const glm::vec3 color = seen ? radianceAt(glm::dvec3(p) / p.w) : glm::vec3(0);
+                // Where nothing was drawn there may be anything.
+                constexpr float none = std::numeric_limits<float>::quiet_NaN();
+                const glm::vec3 color = seen ? radianceAt(glm::dvec3(p) / p.w) : glm::vec3(none);
                 out.color.push_back(glm::packHalf4x16(glm::vec4(color, 0.25f)));
             }
         return out;
@@ -198,6 +200,15 @@ TEST_F(Beds, ShowThereFromAfar) {
     }
 }
 
+// What lies between its pixels is seen, too.
+TEST_F(Beds, ShowThereByFewerPixels) {
+    for (const uint32_t downscale : {2u, 3u}) {
+        desc_.shading.bedDownscale = downscale;
+        expectTruth({});
+        expectTruth({{0.1, 0.97, -0.2, 3}});
+    }
+}
+
 // It falls away more steeply than the eye looks down, which would see its underside.
 TEST_F(Beds, ShowThereBehindTheBankThatTheEyeStandsOn) {
     camera_.eye = {1, 2.5, 6};
@@ -336,11 +347,17 @@ TEST_F(Beds, AreNotLookedAtWhereTheSurfaceIsSeenFromTheWater) {
 }
 
 TEST_F(Beds, CostWhatTheEstimateSays) {
-    Estimate with, without;
-    EXPECT_EQ(estimate(context(), &desc_, {200, 100}, &with), Status::ok);
+    const auto bytes = [&] {
+        Estimate estimated;
+        EXPECT_EQ(estimate(context(), &desc_, {200, 100}, &estimated), Status::ok);
+        return estimated.bytesPerView;
+    };
+    const VkDeviceSize with = bytes();
+    desc_.shading.bedDownscale = 7;
+    const VkDeviceSize fewer = bytes();
     desc_.bed = nullptr;
-    EXPECT_EQ(estimate(context(), &desc_, {200, 100}, &without), Status::ok);
-    EXPECT_EQ(with.bytesPerView - without.bytesPerView, 240u * 120u * (8u + 4u));
+    EXPECT_EQ(with - bytes(), 240u * 120u * (8u + 4u));
+    EXPECT_EQ(fewer - bytes(), 35u * 18u * (8u + 4u));
 }
 
 TEST_F(Beds, OfBadDescriptionsAreRefused) {
@@ -352,6 +369,13 @@ TEST_F(Beds, OfBadDescriptionsAreRefused) {
         EXPECT_EQ(body, nullptr);
     }
     bed_ = {};
+    for (const uint32_t downscale : {0u, 9u}) {
+        desc_.shading.bedDownscale = downscale;
+        Body* body = nullptr;
+        EXPECT_EQ(createBody(context(), &desc_, &body), Status::invalidArgument);
+        EXPECT_EQ(message(), "ShadingDesc.bedDownscale is out of range, expected 1 to 8");
+    }
+    desc_.shading.bedDownscale = 1;
     desc_.refraction = nullptr;
     Body* body = nullptr;
     EXPECT_EQ(createBody(context(), &desc_, &body), Status::invalidArgument);

@@ -29,6 +29,7 @@ TEST(QualityDial, EachStepLooksNoLessThanTheOneBefore) {
         EXPECT_GE(body.mesh.cellsPerLevel, last.mesh.cellsPerLevel);
         EXPECT_GE(body.shading.mirrorLooks, last.shading.mirrorLooks);
         EXPECT_GE(body.shading.refractionLooks, last.shading.refractionLooks);
+        EXPECT_LE(body.shading.bedDownscale, last.shading.bedDownscale);
         EXPECT_GE(body.shading.slopeLooks, last.shading.slopeLooks);
         EXPECT_GE(body.shading.waveShadowSteps, last.shading.waveShadowSteps);
         EXPECT_GE(body.shading.relief, last.shading.relief);
@@ -43,7 +44,7 @@ TEST(QualityDial, EachStepLooksNoLessThanTheOneBefore) {
               chosen(Quality::highest, ReflectionTechnique::ssr));
 }
 
-TEST(QualityDial, HasTheBedDrawnAtItsUpperHalfAlone) {
+TEST(QualityDial, HasTheBedDrawnButAtItsLowest) {
     const BedDesc bed;
     for (const Quality quality : qualities) {
         BodyDesc body;
@@ -51,7 +52,7 @@ TEST(QualityDial, HasTheBedDrawnAtItsUpperHalfAlone) {
         EXPECT_EQ(body.bed, nullptr);
         body.bed = &bed;
         setQuality(quality, &body, nullptr);
-        EXPECT_EQ(body.bed, quality < Quality::high ? nullptr : &bed);
+        EXPECT_EQ(body.bed, quality == Quality::low ? nullptr : &bed);
     }
 }
 

@@ -51,6 +51,7 @@ enum class Fresnel : uint32_t { exact = 0, schlick };
 struct ShadingDesc {
     uint32_t mirrorLooks = 2;     ///< for what the slopes within a pixel mirror: 1, 2 or 4
     uint32_t refractionLooks = 6; ///< for where the bent ray ends, 1 (straight through) .. 16
+    uint32_t bedDownscale = 1;    ///< pixels of the view to one of `BodyDesc::bed`, each way, 1..8
     uint32_t slopeLooks = 1;      ///< along a pixel's longer side, at waves, foam, shadow: 1, 2 or 4
     uint32_t waveShadowSteps = 0; ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
     bool relief = false;          ///< shades waves too short for the mesh at their own height; not on a shore
@@ -113,7 +114,7 @@ struct BodyDesc {
 /// A dial of measured steps; docs/tradeoffs.md has what each costs and how wrong it is.
 enum class Quality : uint32_t { low = 0, medium, high, highest };
 
-/// Fills in `body`'s cellsPerLevel and shading, drops its bed at low and medium, and sets what `reflection`
+/// Fills in `body`'s cellsPerLevel and shading, drops its bed at low, and sets what `reflection`
 /// costs; either may be null. What is modelled stays: parts, the sea, a reflection of the sky or planar.
 void setQuality(Quality quality, BodyDesc* body, ReflectionDesc* reflection);
 
