@@ -49,8 +49,8 @@ float risesFaster(CrestSide side, vec3 from) {
     return max(from.y - side.rises * length(from.xz), 0.1);
 }
 
-// The sun's beam through that side: irradiance of what faces it, times the share that turns to the eye.
-vec3 sunScattered(CrestSide side, vec3 along) {
+// The sun's beam through that side, above `calm`: irradiance of what faces it, times the share that turns to the eye.
+vec3 sunScattered(CrestSide side, vec2 calm, vec3 along) {
     float level = length(toSun.xz);
     float steepness = toSun.y / max(level, 1e-3) - side.rises;
     vec3 facet = normalOf(side, leansTo(steepness, roughness.w));
@@ -58,8 +58,19 @@ vec3 sunScattered(CrestSide side, vec3 along) {
     if (toSun.y <= 0.0 || cosSun <= 0.0) return vec3(0.0);
     vec3 from = -refract(-toSun.xyz, facet, 1.0 / waterIndex);
     float beam = max(level, 1e-3) * catches(steepness, roughness.w) * (1.0 - fresnelWater(cosSun)) / risesFaster(side, from);
-    vec3 left = exp(-extinction() * (side.above / risesFaster(side, from)));
-    return sunSeen * sunIrradiance.rgb * (beam * scattersForwards(dot(from, along)) / (waterIndex * waterIndex)) * left;
+    float way = side.above / risesFaster(side, from);
+    vec3 light = sunSeen * sunIrradiance.rgb * exp(-extinction() * way);
+    float share = beam * scattersForwards(dot(from, along)) / (waterIndex * waterIndex);
+    // Most of a wave's front looks up to its crest, which hides the sun from where light would enter. Where no waves are
+    // looked for, a side that rises faster than the sun's rays is taken to be in shadow.
+    if (waveShadowSteps == 0) {
+        share *= smoothstep(-0.1, 0.15, steepness);
+    } else if (share * dot(light, vec3(1.0)) > 1e-5 * dot(sunIrradiance.rgb, vec3(1.0))) {
+        float tangent = toSun.y / max(level, 1e-3);
+        float horizon = horizonTowards(calm + from.xz * way, side.towards, tangent);
+        share *= smoothstep(horizon - 0.005, horizon + 0.005, tangent);
+    }
+    return share * light;
 }
 
 // Along which the eye looks into the water, through the facets that it sees.
@@ -92,7 +103,7 @@ vec3 throughCrest(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
             float above = max(height - (position.y + plane.w + along.y * t), 0.0);
             vec3 reaches = straight * exp(-extinction() * t);
             CrestSide lit = crestSide(calm, horizontal(toSun.xyz), height, above, width);
-            fromSun += scattering * stretch * reaches * sunScattered(lit, along);
+            fromSun += scattering * stretch * reaches * sunScattered(lit, calm, along);
             CrestSide far = crestSide(calm, ahead, height, above, width);
             // Facets of a rough side spread its light: e^(5 c) over the deviation of their tilt.
             float share = scattersFromFacet(dot(normalOf(far, 0.0), along)) * exp(12.5 * roughness.w * roughness.w);

@@ -13,23 +13,23 @@ struct WavesAhead {
 #ifdef WAVES
 const float noWave = -1e3;
 
-// The highest wave from here, by the slope, to where none hides what rises by `lowest`: four deviations of height over another
+// The tangent of the highest wave `from` a place to where none hides what rises by `lowest`: four deviations of height over another
 // there are few, nor does it matter what lies beyond the length of the longest, 100 of them. Distances grow evenly: what is
 // nearer is finer, but no finer than the pixel. Heights are all of the maps: the mesh's differ by more than near waves rise.
-float horizonTowards(vec2 slope, vec2 along, float lowest) {
+float horizonTowards(vec2 from, vec2 along, float lowest) {
     float nearest = max(0.5 * within.z, pixelLength);
     float farthest = within.z * min(4.0 / max(lowest, 1e-3), 100.0);
     float growth = pow(max(farthest / nearest, 2.0), 1.0 / float(waveShadowSteps - 1));
     float blur = 0.2 * (growth - 1.0);   // less than half a step, which would flatten the crests that cast shadows
     float finest = 0.5 * pixelLength;
     float away = nearest;
-    vec3 here = waveDisplacementAt(waveDisplacement, calmPosition, max(blur * away, finest), keptHere());
+    vec3 here = waveDisplacementAt(waveDisplacement, from, max(blur * away, finest), keptHere());
     vec2 moved = here.xz;
-    float tangent = dot(slope, along);
+    float tangent = noWave;
     int i = 0;
     [[dont_unroll]] do {
         // What moved the last one stands for what moves this one.
-        vec2 calm = calmPosition + here.xz + along * away - moved;
+        vec2 calm = from + here.xz + along * away - moved;
         vec3 there = waveDisplacementAt(waveDisplacement, calm, max(blur * away, finest), keptHere());
         moved = there.xz;
         tangent = max(tangent, (there.y - here.y) / away);
@@ -45,7 +45,7 @@ WavesAhead wavesAhead(SurfacePoint s, vec2 along, float lowest) {
     if (waveShadowSteps == 0) return WavesAhead(noWave, 0.0, roughness.w, 0.0);
     float held = pixelLength / (25.0 * within.z);
     float horizon = noWave;
-    if (held < 1.0) horizon = horizonTowards(s.slope, along, lowest);
+    if (held < 1.0) horizon = max(dot(s.slope, along), horizonTowards(calmPosition, along, lowest));
     float alike = mix(alikeInShort, alikeInAll, smoothstep(0.5, 2.0, held));
     return WavesAhead(horizon, dot(s.slope, along), sqrt(varianceAlong(along, s.covariance)), alike);
 }

@@ -117,8 +117,7 @@ TEST(SeaOfTheHost, SeesWhichWavesHideTheSun) {
 Scene stormInLowSun(const char* camera) {
     Error error;
     const std::vector<std::string> sun = {"sky.intensity=0", "sun.azimuth_deg=298", "sun.elevation_deg=7.5",
-                                          "sun.irradiance=[8.685, 4.944, 1.910]",
-                                          "water.refraction.scattering_per_m=0"};
+                                          "sun.irradiance=[8.685, 4.944, 1.910]"};
     std::optional<Scene> scene = loadScene(tests::demoScene("storm"), sun, error);
     EXPECT_TRUE(scene) << error.text;
     while (scene->cameras.front().name != camera) scene->cameras.erase(scene->cameras.begin());
@@ -126,29 +125,49 @@ Scene stormInLowSun(const char* camera) {
     return *scene;
 }
 
-/// Light drawn over light traced, below the horizon, from the left to a share of the width.
-double lightDrawn(const Scene& scene, double to) {
+/// The same, whose crests let none of it through.
+Scene withOpaqueCrests(Scene scene) {
+    scene.water->refraction->scatteringPerM = 0;
+    return scene;
+}
+
+/// Below the horizon, from the left to a share of the width.
+struct Light {
+    double traced = 0, drawn = 0;
+    double ratio() const { return drawn / traced; }
+};
+
+Light lightOf(const Scene& scene, double to) {
     Error error;
     const std::unique_ptr<Host> host = Host::create({}, error);
     EXPECT_TRUE(host) << error.text;
-    if (!host) return 0;
-    const double traced = lightIn(trace(scene), 0, to), drawn = lightIn(render(*host, scene), 0, to);
-    std::printf("%.1f traced, %.1f drawn\n", traced, drawn);
-    return drawn / traced;
+    if (!host) return {};
+    const Light light = {lightIn(trace(scene), 0, to), lightIn(render(*host, scene), 0, to)};
+    std::printf("%.2f traced, %.2f drawn\n", light.traced, light.drawn);
+    return light;
 }
 
 /// Facets that mirror a low sun lean towards it, as do the sides of longer waves that they are on: few of
 /// them stand in the shadow of others, however rough the sea is.
 TEST(SeaOfTheHost, MirrorsAsMuchOfALowSunAsTraced) {
-    Scene scene = stormInLowSun("far");
+    Scene scene = withOpaqueCrests(stormInLowSun("far"));
     scene.water->foam.reset();
     // 0.69 where each facet is as likely in shadow as any other (Smith).
-    EXPECT_NEAR(lightDrawn(scene, 1), 1, 0.12);
+    EXPECT_NEAR(lightOf(scene, 1).ratio(), 1, 0.12);
 }
 
 /// Foam behind a crest is in its shadow.
 TEST(SeaOfTheHost, LightsNoFoamBehindCrests) {
-    EXPECT_NEAR(lightDrawn(stormInLowSun("near"), 0.4), 1, 0.25);
+    EXPECT_NEAR(lightOf(withOpaqueCrests(stormInLowSun("near")), 0.4).ratio(), 1, 0.25);
+}
+
+/// A low sun shines through the crests of waves alone: lower down it would enter where they cast their
+/// shadow.
+TEST(SeaOfTheHost, LightsCrestsAloneFromBehind) {
+    const Scene scene = stormInLowSun("near");
+    const Light with = lightOf(scene, 1), without = lightOf(withOpaqueCrests(scene), 1);
+    // 11 where what hides the sun is not looked for.
+    EXPECT_NEAR((with.drawn - without.drawn) / (with.traced - without.traced), 1, 0.3);
 }
 
 /// No wave of a mirror-calm lake rises before another: what looks for such must find none, however small the
