@@ -48,8 +48,10 @@ void setQuality(std::string_view quality, WaterDesc& water) {
     water.slopeLooks = body.shading.slopeLooks;
     water.waveShadowSteps = body.shading.waveShadowSteps;
     water.relief = body.shading.relief;
-    if (water.bed) water.bed->drawn = body.bed;
-    if (water.bed) water.bed->downscale = body.shading.bedDownscale;
+    if (water.bed) {
+        water.bed->drawn = body.bed;
+        water.bed->downscale = body.shading.bedDownscale;
+    }
     if (water.reflection) setQuality(numbered(quality), *water.reflection);
 }
 
@@ -66,8 +68,10 @@ std::vector<std::string> qualityOverrides(std::string_view quality, const WaterD
     add("slope_looks", std::to_string(set.slopeLooks));
     add("wave_shadow_steps", std::to_string(set.waveShadowSteps));
     add("relief", set.relief ? "true" : "false");
-    if (set.bed) add("bed.drawn", set.bed->drawn ? "true" : "false");
-    if (set.bed) add("bed.downscale", std::to_string(set.bed->downscale));
+    if (set.bed) {
+        add("bed.drawn", set.bed->drawn ? "true" : "false");
+        add("bed.downscale", std::to_string(set.bed->downscale));
+    }
     if (!set.reflection) return overrides; // an override would give it one
     add("reflection.technique", set.reflection->technique);
     add("reflection.downscale", std::to_string(set.reflection->downscale));

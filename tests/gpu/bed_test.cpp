@@ -116,6 +116,7 @@ class Beds : public WaterTest {
         Body* const body = makeBody(desc_);
         drawBed(body, bed);
         const WaterPicture got = picture({body}, camera_, 0, SurfaceOutput::shaded, wall());
+        EXPECT_TRUE(std::ranges::all_of(got.color, [](float c) { return std::isfinite(c); }));
         const WaterPicture mirrored = mirroredAlone();
         double most = 0;
         size_t compared = 0;
