@@ -182,7 +182,8 @@ void main() {
     float glint = sunGlint(s, toEye);
 #ifdef WAVES
     WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);
-    if (glint > 1e-5 || foamShare > 1e-3) ahead = wavesBeforeTheSun(s);
+    bool sunShines = sunSeen * dot(sunIrradiance.rgb, vec3(1.0)) > 0.0;
+    if (sunShines && (glint > 1e-5 || foamShare > 1e-3)) ahead = wavesBeforeTheSun(s);
     glint *= sunClear(slopeOf(toEye + toSun.xyz), ahead);
 #endif
     radiance += sunIrradiance.rgb * glint;

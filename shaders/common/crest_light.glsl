@@ -52,13 +52,15 @@ float risesFaster(CrestSide side, vec3 from) {
 // The sun's beam through that side, above `calm`: irradiance of what faces it, times the share that turns to the eye.
 vec3 sunScattered(CrestSide side, vec2 calm, vec3 along) {
     float level = length(toSun.xz);
-    float steepness = toSun.y / max(level, 1e-3) - side.rises;
+    float tangent = toSun.y / max(level, 1e-3);
+    float steepness = tangent - side.rises;
     vec3 facet = normalOf(side, leansTo(steepness, roughness.w));
     float cosSun = dot(facet, toSun.xyz);
     if (toSun.y <= 0.0 || cosSun <= 0.0) return vec3(0.0);
     vec3 from = -refract(-toSun.xyz, facet, 1.0 / waterIndex);
-    float beam = max(level, 1e-3) * catches(steepness, roughness.w) * (1.0 - fresnelWater(cosSun)) / risesFaster(side, from);
-    float way = side.above / risesFaster(side, from);
+    float rises = risesFaster(side, from);
+    float beam = max(level, 1e-3) * catches(steepness, roughness.w) * (1.0 - fresnelWater(cosSun)) / rises;
+    float way = side.above / rises;
     vec3 light = sunSeen * sunIrradiance.rgb * exp(-extinction() * way);
     float share = beam * scattersForwards(dot(from, along)) / (waterIndex * waterIndex);
     // Most of a wave's front looks up to its crest, which hides the sun from where light would enter. Where no waves are
@@ -66,9 +68,7 @@ vec3 sunScattered(CrestSide side, vec2 calm, vec3 along) {
     if (waveShadowSteps == 0) {
         share *= smoothstep(-0.1, 0.15, steepness);
     } else if (share * dot(light, vec3(1.0)) > 1e-5 * dot(sunIrradiance.rgb, vec3(1.0))) {
-        float tangent = toSun.y / max(level, 1e-3);
-        float horizon = horizonTowards(calm + from.xz * way, side.towards, tangent);
-        share *= smoothstep(horizon - 0.005, horizon + 0.005, tangent);
+        share *= pastHorizon(tangent, horizonTowards(calm + from.xz * way, side.towards, tangent));
     }
     return share * light;
 }

@@ -50,15 +50,20 @@ WavesAhead wavesAhead(SurfacePoint s, vec2 along, float lowest) {
     return WavesAhead(horizon, dot(s.slope, along), sqrt(varianceAlong(along, s.covariance)), alike);
 }
 
+// Share of the rays that pass above the highest wave.
+float pastHorizon(float tangent, float horizon) {
+    const float soft = 0.005;   // the sun's disc, and as much for the sky: wider lets its glint into shadows
+    return smoothstep(horizon - soft, horizon + soft, tangent);
+}
+
 // Share of the rays of this rise that meet no other wave, from facets of this `slope` towards where they go. Smith's facets
 // lean each for itself. Those of a sea lie on the sides of longer waves: around one that leans to the ray others do, and
 // leave its way free. Where no wave is looked for, that would light the lee of those that the picture shows.
 float clearShare(float rise, float slope, WavesAhead ahead) {
     if (rise <= 0.0) return 0.0;
-    const float soft = 0.005;   // the sun's disc, and as much for the sky: wider lets its glint into shadows
     float tangent = rise * inversesqrt(max(1.0 - rise * rise, 1e-4));
     float around = mix(ahead.slope, slope, ahead.alike);
     float deviation = sqrt(1.0 - ahead.alike * ahead.alike) * max(ahead.unseen, 1e-5);
-    return smoothstep(ahead.horizon - soft, ahead.horizon + soft, tangent) / hiddenPer(max(tangent - around, 0.0) / deviation);
+    return pastHorizon(tangent, ahead.horizon) / hiddenPer(max(tangent - around, 0.0) / deviation);
 }
 #endif

@@ -9,6 +9,7 @@
 #include "host/image_file.h"
 #include "host/quality.h"
 #include "tests/program/demo_scenes.h"
+#include "tests/reference/camera_of.h"
 #include "tests/reference/mean_difference.h"
 #include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
@@ -120,7 +121,7 @@ Scene stormInLowSun(const char* camera) {
                                           "sun.irradiance=[8.685, 4.944, 1.910]"};
     std::optional<Scene> scene = loadScene(tests::demoScene("storm"), sun, error);
     EXPECT_TRUE(scene) << error.text;
-    while (scene->cameras.front().name != camera) scene->cameras.erase(scene->cameras.begin());
+    scene->cameras = {tests::cameraOf(*scene, camera)};
     setQuality("highest", *scene->water);
     return *scene;
 }
