@@ -188,17 +188,25 @@ bool cameCloseTo(Track track, float share) {
 
 // What a crossing is worth.
 const int refused = 0;
-const int behind = 1;      // the ray passes behind what is seen; it meets it if that is thick
-const int underside = 2;   // the ray comes out of what is seen, and so has met a side that is not
-const int met = 3;
+const int behind = 1;        // the ray passes behind what is seen; it meets it if that is thick
+const int closeBehind = 2;   // the same, and by no more than that is wide, or than one of its faces shows
+const int underside = 3;     // the ray comes out of what is seen, and so has met a side that is not
+const int met = 4;
 
-// Whether a ray is behind what is seen by no more than two pixels cover there: what is too narrow to tell its slope is taken
-// to be about as thick as wide.
-bool withinPixels(Track track, float share, float ray, float seen) {
+// How far a ray is behind what is seen, in the pixels that so many metres cover there.
+float pixelsBehind(Track track, float share, float ray, float seen) {
     vec2 here = track.weights.xz + share * track.weights.yw;
     vec3 row = vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y);
     float deeper = seen - ray;
-    return deeper * here.y * length(row) <= 2.0 * (here.x + track.scene.weightPerDepth * deeper);
+    return deeper * here.y * length(row) / (here.x + track.scene.weightPerDepth * deeper);
+}
+
+// Whether a ray is hidden still, so many pixels farther along it on the screen.
+bool staysHidden(Track track, float share, float pixels) {
+    float after = min(share + 2.0 * track.halfPixel * pixels, 1.0);
+    vec3 point = trackPoint(track, after);
+    Seen seen = seenAt(track.scene, pixelAt(track.scene, point.xy));
+    return seen.counts && seen.depth >= point.z;
 }
 
 // Whether what is seen at a pixel goes on as a plane as far as another.
@@ -223,7 +231,8 @@ int settled(Track track, inout Crossing crossing) {
     // By the steps to whichever side.
     vec2 most = max(vec2(x.steps.x, y.steps.x) * track.along.xy, vec2(x.steps.y, y.steps.y) * track.along.xy);
     float leaving = wide ? perShare : track.along.z - most.x - most.y;
-    bool leaves = leaving > rounding && !cameCloseTo(track, crossing.begins);
+    bool cameClose = cameCloseTo(track, crossing.begins);
+    bool leaves = leaving > rounding && !cameClose;
     float meets = crossing.share - above / (abs(perShare) > 0.0 ? perShare : 1.0);
     crossing.share = clamp(meets, max(crossing.begins, 0.0), min(crossing.ends, 1.0));
     float beside = abs(meets - crossing.share);
@@ -237,8 +246,12 @@ int settled(Track track, inout Crossing crossing) {
     }
     // Half a pixel beside, since an edge falls anywhere in its pixel.
     if (beside <= track.halfPixel) return met;
-    crossing.thin = withinPixels(track, crossing.share, trackPoint(track, crossing.share).z, seen);
-    return wide || crossing.thin ? behind : refused;
+    // Things are taken to be about as thick as wide; what is too narrow to tell its slope, as two pixels.
+    float pixels = pixelsBehind(track, crossing.share, trackPoint(track, crossing.share).z, seen);
+    crossing.thin = pixels <= 2.0;
+    if (crossing.thin || wide && cameClose) return closeBehind;
+    if (!wide || !staysHidden(track, crossing.share, 0.5 * pixels)) return refused;
+    return staysHidden(track, crossing.share, pixels) ? closeBehind : behind;
 }
 
 // Whether the far plane shows where the ray was left and where it would end.

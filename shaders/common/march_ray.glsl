@@ -20,7 +20,7 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
             // What is thin has been met: out of it the ray comes.
             if (worth == underside && thin) found = met;
             if (worth > found) {
-                thin = worth == behind && crossing.thin;
+                thin = crossing.thin;
                 found = worth;
                 share = crossing.share;
             }

@@ -221,6 +221,23 @@ TEST_F(Ssr, ThicknessDecidesWhatARayPassesBehind) {
     EXPECT_GT(falseHits(5.0f), 4 * falseHits(0.02f));
 }
 
+// Rays that pass between rails go behind the next one above, by more than that is wide.
+TEST_F(Ssr, GapsOfARailingStayOpen) {
+    const Camera camera = testCamera();
+    std::vector<Box> railing;
+    for (int i = 0; i < 3; ++i) {
+        const double low = 0.8 + 0.4 * i;
+        railing.push_back({{-4, low, -1}, {3, low + 0.1, -0.96}});
+    }
+    const TracedView traced = Tracer(camera, railing).run();
+    for (const ReflectionTechnique technique : {ReflectionTechnique::ssr, ReflectionTechnique::hybrid}) {
+        const Score s = score(traced, reflectScene(camera, traced, with(technique)));
+        print("railing", s);
+        EXPECT_LE(s.falseOnSky, 0.015);
+        EXPECT_GE(s.coverage, 0.95);
+    }
+}
+
 TEST_F(Ssr, JitterIsTheSameEachTime) {
     const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
     ReflectorDesc desc = inStrides(ReflectionTechnique::ssr);
