@@ -188,10 +188,9 @@ bool cameCloseTo(Track track, float share) {
 
 // What a crossing is worth.
 const int refused = 0;
-const int behind = 1;        // the ray passes behind what is seen; it meets it if that is thick
-const int closeBehind = 2;   // the same, and by no more than that is wide, or than one of its faces shows
-const int underside = 3;     // the ray comes out of what is seen, and so has met a side that is not
-const int met = 4;
+const int behind = 1;      // the ray passes behind what is seen; it meets it if that is thick
+const int underside = 2;   // the ray comes out of what is seen, and so has met a side that is not
+const int met = 3;
 
 // How far a ray is behind what is seen, in the pixels that so many metres cover there.
 float pixelsBehind(Track track, float share, float ray, float seen) {
@@ -246,12 +245,11 @@ int settled(Track track, inout Crossing crossing) {
     }
     // Half a pixel beside, since an edge falls anywhere in its pixel.
     if (beside <= track.halfPixel) return met;
-    // Things are taken to be about as thick as wide; what is too narrow to tell its slope, as two pixels.
+    // Things are taken to be at most twice as thick as wide; what is too narrow to tell its slope, as two pixels.
     float pixels = pixelsBehind(track, crossing.share, trackPoint(track, crossing.share).z, seen);
     crossing.thin = pixels <= 2.0;
-    if (crossing.thin || wide && cameClose) return closeBehind;
-    if (!wide || !staysHidden(track, crossing.share, 0.5 * pixels)) return refused;
-    return staysHidden(track, crossing.share, pixels) ? closeBehind : behind;
+    bool thick = wide && (cameClose || staysHidden(track, crossing.share, 0.5 * pixels));
+    return thick || crossing.thin ? behind : refused;
 }
 
 // Whether the far plane shows where the ray was left and where it would end.
