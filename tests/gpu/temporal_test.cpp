@@ -45,11 +45,13 @@ glm::vec3 colorOf(const glm::dvec3& world) {
     return glm::vec3(0.5 + 0.4 * glm::sin(world * glm::dvec3(1.4, 1.9, 1.2)));
 }
 
+glm::dvec2 middleOf(const Camera& camera, size_t i) {
+    return {static_cast<double>(i % camera.width) + 0.5, static_cast<double>(i / camera.width) + 0.5};
+}
+
 glm::dvec3 worldAt(const glm::dmat4& inverse, const Camera& camera, size_t i, double depth) {
     const glm::dvec2 size(camera.width, camera.height);
-    const glm::dvec2 pixel(static_cast<double>(i % camera.width) + 0.5,
-                           static_cast<double>(i / camera.width) + 0.5);
-    const glm::dvec4 p = inverse * glm::dvec4(pixel / size * 2.0 - 1.0, depth, 1);
+    const glm::dvec4 p = inverse * glm::dvec4(middleOf(camera, i) / size * 2.0 - 1.0, depth, 1);
     return glm::dvec3(p) / p.w;
 }
 
@@ -66,10 +68,10 @@ TracedView painted(const Camera& camera, const std::vector<Box>& boxes) {
     return traced;
 }
 
-/// What a pixel mirrors, and whether it is anything but sky.
+/// What a pixel mirrors, and how far from the mirror [m]; the sky is infinitely far.
 struct Mirrored {
     glm::vec3 color{0};
-    bool hit = false;
+    double distance = std::numeric_limits<double>::infinity();
 };
 
 Mirrored mirroredAt(const Camera& camera, const std::vector<Box>& boxes, const glm::dvec2& pixel) {
@@ -81,7 +83,7 @@ Mirrored mirroredAt(const Camera& camera, const std::vector<Box>& boxes, const g
     const glm::dvec3 up = ray * glm::dvec3(1, -1, 1);
     const double hit = nearestHit(boxes, on, up);
     if (std::isinf(hit)) return {};
-    return {colorOf(on + up * hit), true};
+    return {colorOf(on + up * hit), hit};
 }
 
 /// What is mirrored all over each pixel, premultiplied by how much of it is no sky.
@@ -91,10 +93,8 @@ std::vector<glm::dvec4> mirroredOver(const Camera& camera, const std::vector<Box
     std::vector<glm::dvec4> whole(traced.truth.size(), glm::dvec4(0));
     for (size_t i = 0; i < whole.size(); ++i)
         for (uint32_t s = 0; traced.truth[i] != Truth::none && s < samples; ++s) {
-            const glm::dvec2 pixel(static_cast<double>(i % camera.width) + 0.5,
-                                   static_cast<double>(i / camera.width) + 0.5);
-            const Mirrored seen = mirroredAt(camera, boxes, pixel + halton(s));
-            if (seen.hit) whole[i] += glm::dvec4(seen.color, 1) / double{samples};
+            const Mirrored seen = mirroredAt(camera, boxes, middleOf(camera, i) + halton(s));
+            if (std::isfinite(seen.distance)) whole[i] += glm::dvec4(seen.color, 1) / double{samples};
         }
     return whole;
 }
@@ -396,9 +396,15 @@ TEST_P(Temporal, WhatIsHiddenIsKeptWhereItIsWhileTheCameraMoves) {
         const Reflected whole = next(without, painted(camera, harbourOfBoxes()), viewOf(camera));
         const Reflected fresh = next(without, hidden, viewOf(camera));
         const Reflected reused = next(reflector, hidden, viewOf(camera));
+        // Hidden undersides are taken for what lies behind them, without the board, too: not to be kept.
+        const auto isTrue = [&](size_t i) {
+            const double distance = mirroredAt(camera, harbourOfBoxes(), middleOf(camera, i)).distance;
+            return std::abs(double{whole.info[i]} - distance) < 0.1 * distance;
+        };
         size_t holes = 0, known = 0, inPlace = 0, ofItsColor = 0;
         for (size_t i = 0; i < fresh.info.size(); ++i) {
             if (fresh.info[i] != 0 || !(whole.info[i] > 0) || hidden.truth[i] == Truth::none) continue;
+            if (!isTrue(i)) continue;
             ++holes;
             if (!(reused.info[i] > 0)) continue;
             ++known;
@@ -412,7 +418,7 @@ TEST_P(Temporal, WhatIsHiddenIsKeptWhereItIsWhileTheCameraMoves) {
                     ofItsColor);
         EXPECT_GT(holes, 100u) << n;
         EXPECT_GE(known, holes / 5) << n; // others have been hidden for longer
-        EXPECT_GE(inPlace, known * 4 / 5) << n;
+        EXPECT_GE(inPlace, known * 17 / 20) << n;
         EXPECT_GE(ofItsColor, known * 7 / 10) << n;
     }
 }
