@@ -37,7 +37,7 @@ vec3 mirroredBySurface(vec2 q, vec3 direction) {
     return reflect(direction, plane.xyz);
 }
 
-// One that another technique knew nothing of, or that shows it an underside.
+// One that another technique knew nothing of, that shows it an underside, or sky beside what is mirrored.
 ivec2 pixelToMarch() {
     ivec2 pixel = pixelToResolve();
     if (pixel == noPixel || !infoIsOpen(imageLoad(reflectionInfo, pixel).r)) return noPixel;
@@ -97,9 +97,9 @@ void main() {
         }
     }
 #ifdef OPEN
-    float doubted = imageLoad(reflectionInfo, pixel).r;
-    if (worth != met && infoIsDoubt(doubted)) {
-        imageStore(reflectionInfo, pixel, vec4(hitOfDoubt(doubted), 0.0, 0.0, 0.0));
+    float known = imageLoad(reflectionInfo, pixel).r;
+    if (known != infoUnknown && worth < (infoIsDoubt(known) ? met : closely)) {
+        imageStore(reflectionInfo, pixel, vec4(infoUndoubted(known), 0.0, 0.0, 0.0));
         return;
     }
 #endif

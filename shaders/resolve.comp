@@ -172,6 +172,7 @@ Hit nearestHit(ivec2 cell, ScreenRay ray) {
 
 struct Hole {
     bool inside;
+    bool beside;    // what is mirrored
     Guesses left;   // by what
 };
 
@@ -196,7 +197,7 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
         if (ahead.key == noKey && nextKey > here) ahead = LineKey(nextKey, next);
         if (behind.key == noKey && lastKey > here) behind = LineKey(lastKey, last);
     } while (++i <= holeCells && (ahead.key == noKey || behind.key == noKey));
-    return Hole(all(keysBeside), Guesses(sourceOf(ahead), sourceOf(behind)));
+    return Hole(all(keysBeside), any(keysBeside), Guesses(sourceOf(ahead), sourceOf(behind)));
 }
 
 // Where a ray goes in behind what is seen by no more than two pixels cover: what is too narrow to tell its slope is taken
@@ -256,6 +257,7 @@ void main() {
         if (!hit.valid) {
             Hole hole = holeAround(q, ray, keyAt(cell));
             if (!hole.inside) info = infoOfMiss(q);
+            if (followed && hole.beside && info == infoSky) info = infoDoubtedSky;
             guesses = hole.left;
         }
         if (comesOut) {

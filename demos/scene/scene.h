@@ -119,7 +119,7 @@ struct ReflectionDesc {
     // Of ssr and hybrid, as in seaglass/reflection.h.
     bool marchCells = true;
     uint32_t marchSteps = 64;
-    double marchThicknessM = 0.5;
+    double marchThicknessM = 1;
     double marchDistanceM = 10000;
     double marchJitter = 0;
 };

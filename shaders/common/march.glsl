@@ -15,7 +15,7 @@ layout(set = 0, binding = 2, std140) uniform MarchSettings {
     bool hasNormals;
 };
 
-const int falseAlarms = 6;   // crossings that may be turned down before the ray is given up
+const int falseAlarms = 12;   // crossings that may be turned down before the ray is given up
 
 // What each look at the scene needs, loaded once: CPU devices load uniforms anew in each turn of a loop.
 struct Scene {
@@ -188,9 +188,10 @@ bool cameCloseTo(Track track, float share) {
 
 // What a crossing is worth.
 const int refused = 0;
-const int behind = 1;      // the ray passes behind what is seen; it meets it if that is thick
-const int underside = 2;   // the ray comes out of what is seen, and so has met a side that is not
-const int met = 3;
+const int behind = 1;    // the ray passes behind what is seen; it meets it if that is thick
+const int closely = 2;   // by no more than that is wide
+const int underside = 3; // the ray comes out of what is seen, and so has met a side that is not
+const int met = 4;
 
 // How far a ray is behind what is seen, in the pixels that so many metres cover there.
 float pixelsBehind(Track track, float share, float ray, float seen) {
@@ -245,11 +246,14 @@ int settled(Track track, inout Crossing crossing) {
     }
     // Half a pixel beside, since an edge falls anywhere in its pixel.
     if (beside <= track.halfPixel) return met;
-    // Things are taken to be at most twice as thick as wide; what is too narrow to tell its slope, as two pixels.
+    // Things are taken to be at most twice as thick as wide, which two looks along the ray tell: the second may fall on
+    // what stands beside. What is too narrow to tell its slope is taken to be as thick as two pixels.
     float pixels = pixelsBehind(track, crossing.share, trackPoint(track, crossing.share).z, seen);
     crossing.thin = pixels <= 2.0;
-    bool thick = wide && (cameClose || staysHidden(track, crossing.share, 0.5 * pixels));
-    return thick || crossing.thin ? behind : refused;
+    if (crossing.thin || wide && cameClose) return closely;
+    bool thick = staysHidden(track, crossing.share, 0.25 * pixels) && staysHidden(track, crossing.share, 0.5 * pixels);
+    if (!wide || !thick) return refused;
+    return staysHidden(track, crossing.share, pixels) ? closely : behind;
 }
 
 // Whether the far plane shows where the ray was left and where it would end.

@@ -10,26 +10,28 @@ Progress atStart(Track track, float noise) {
     return Progress(-jitter * noise * stride, !isBehind, false, steps + 1);
 }
 
-// Closes in on a crossing between two strides.
-Crossing bisected(Track track, float low, float high, bool inFront) {
+// Closes in on where a ray goes behind what is seen between two strides, or where it `leaves`.
+Crossing bisected(Track track, float low, float high, bool inFront, bool leaves) {
     float halfPixel = track.halfPixel * abs(track.along.z);
+    float hidden = leaves ? low : high;
     bool close = false;
     int i = 0;
     do {
-        float share = i < bisections ? 0.5 * (low + high) : high;
+        float share = i < bisections ? 0.5 * (low + high) : hidden;
         vec3 point = trackPoint(track, share);
         Seen seen = seenAt(track.scene, pixelAt(track.scene, point.xy));
         bool isBehind = seen.counts && seen.depth >= point.z - halfPixel;
         close = within(track, share, point.z + halfPixel, seen.depth);
-        bool crossed = isBehind && (inFront || close);
+        bool crossed = leaves != (isBehind && (leaves || inFront || close));
         high = crossed ? share : high;
         low = crossed ? low : share;
+        hidden = leaves ? low : high;
         inFront = inFront || !isBehind;
     } while (++i <= bisections);
-    return Crossing(close, high, high - track.halfPixel, high + track.halfPixel, false);
+    return Crossing(close, hidden, hidden - track.halfPixel, hidden + track.halfPixel, false);
 }
 
-// The next stride on which the ray may cross what is seen. The interval of depth that the ray has over a pixel is compared,
+// The next stride on which the ray may cross what is seen, or come out of it. The interval of depth that the ray has over a pixel is compared,
 // not its middle: otherwise the last row of every edge is missed.
 Crossing nextCrossing(Track track, inout Progress at) {
     float stride = max(2.0 * track.halfPixel, 1.0 / float(steps));
@@ -38,6 +40,7 @@ Crossing nextCrossing(Track track, inout Progress at) {
     float last = at.reached;
     bool wasInFront = at.inFront;
     bool candidate = false;
+    bool leaves = false;
     if (at.looks > 0 && at.reached < 1.0) {
         do {
             --at.looks;
@@ -49,10 +52,11 @@ Crossing nextCrossing(Track track, inout Progress at) {
             bool isBehind = seen.counts && seen.depth >= point.z - halfPixel;
             at.inFront = !isBehind;
             at.hidden = at.hidden || isBehind;
-            candidate = isBehind && within(track, at.reached, point.z + nearer, seen.depth);
+            leaves = !isBehind && !wasInFront;
+            candidate = leaves || isBehind && within(track, at.reached, point.z + nearer, seen.depth);
             if (candidate) break;
         } while (at.looks > 0 && at.reached < 1.0);
     }
     if (!candidate) return Crossing(false, 0.0, 0.0, 0.0, false);
-    return bisected(track, max(last, 0.0), at.reached, wasInFront);
+    return bisected(track, max(last, 0.0), at.reached, wasInFront, leaves);
 }

@@ -26,8 +26,16 @@ bool infoIsDoubt(float info) {
     return info < -1.5;
 }
 
+// As much: sky beside what is mirrored.
+const float infoDoubtedSky = -1.25;
+
 bool infoIsOpen(float info) {
-    return info == infoUnknown || infoIsDoubt(info);
+    return info == infoUnknown || info == infoDoubtedSky || infoIsDoubt(info);
+}
+
+// What stands of it.
+float infoUndoubted(float info) {
+    return infoIsDoubt(info) ? hitOfDoubt(info) : infoSky;
 }
 
 bool infoIsSky(float info) {
