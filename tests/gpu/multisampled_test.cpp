@@ -77,14 +77,16 @@ struct Differences {
 };
 
 std::ostream& operator<<(std::ostream& out, const Differences& d) {
-    return out << d.ofClass << " of class, " << d.ofDistance << " of distance, " << d.ofPlace << " of place of "
-               << d.compared;
+    return out << d.ofClass << " of class, " << d.ofDistance << " of distance, " << d.ofPlace
+               << " of place of " << d.compared;
 }
 
 /// Away from edges, where the mirror shows what is `truth`.
-Differences differencesOf(const TracedView& traced, const Reflected& single, const Reflected& many, Truth truth) {
+Differences differencesOf(const TracedView& traced, const Reflected& single, const Reflected& many,
+                          Truth truth) {
     const size_t width = traced.width;
-    const float pixel[2] = {1.5f / static_cast<float>(traced.width), 1.5f / static_cast<float>(traced.height)};
+    const float pixel[2] = {1.5f / static_cast<float>(traced.width),
+                            1.5f / static_cast<float>(traced.height)};
     Differences out;
     for (size_t y = 1; y + 1 < traced.height; ++y)
         for (size_t x = 1; x + 1 < width; ++x) {

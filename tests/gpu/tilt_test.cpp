@@ -213,7 +213,8 @@ void Tilts::drawMirrored(VkCommandBuffer commands, const PlanarView& view) {
     vkCmdEndRendering(commands);
 }
 
-/// Of pixels beside an edge a followed ray may hit or miss: of whole rows, where the far island's edges lie along them.
+/// Of pixels beside an edge a followed ray may hit or miss: of whole rows, where the far island's edges lie
+/// along them.
 constexpr double followedRays = 1.5e-3;
 
 TEST_P(Tilts, StillWaterIsAsLevelWaterIs) {
