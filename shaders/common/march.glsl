@@ -251,8 +251,9 @@ int settled(Track track, inout Crossing crossing) {
     float pixels = pixelsBehind(track, crossing.share, trackPoint(track, crossing.share).z, seen);
     crossing.thin = pixels <= 2.0;
     if (crossing.thin || wide && cameClose) return closely;
-    bool thick = staysHidden(track, crossing.share, 0.25 * pixels) && staysHidden(track, crossing.share, 0.5 * pixels);
-    if (!wide || !thick) return refused;
+    bool thick = wide && staysHidden(track, crossing.share, 0.25 * pixels) &&
+                 staysHidden(track, crossing.share, 0.5 * pixels);
+    if (!thick) return refused;
     return staysHidden(track, crossing.share, pixels) ? closely : behind;
 }
 

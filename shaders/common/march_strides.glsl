@@ -31,8 +31,8 @@ Crossing bisected(Track track, float low, float high, bool inFront, bool leaves)
     return Crossing(close, hidden, hidden - track.halfPixel, hidden + track.halfPixel, false);
 }
 
-// The next stride on which the ray may cross what is seen, or come out of it. The interval of depth that the ray has over a pixel is compared,
-// not its middle: otherwise the last row of every edge is missed.
+// The next stride on which the ray may cross what is seen, or come out of it. The interval of depth that the ray has over
+// a pixel is compared, not its middle: otherwise the last row of every edge is missed.
 Crossing nextCrossing(Track track, inout Progress at) {
     float stride = max(2.0 * track.halfPixel, 1.0 / float(steps));
     float halfPixel = track.halfPixel * abs(track.along.z);

@@ -26,7 +26,7 @@ bool infoIsDoubt(float info) {
     return info < -1.5;
 }
 
-// As much: sky beside what is mirrored.
+// Between the same: sky beside what is mirrored, which stands unless a ray meets something.
 const float infoDoubtedSky = -1.25;
 
 bool infoIsOpen(float info) {

@@ -52,7 +52,7 @@ struct ReflectionDesc {
     /// every pixel of the others: they miss nothing that is thin. Without, they go in strides.
     bool marchCells = true;
     uint32_t marchSteps = 64; ///< pixels a ray looks at at most, 8..512; strides are as long as that asks for
-    float marchThickness = 1; ///< depth of things behind what is seen of them [m], 0.001..100
+    float marchThickness = 1; ///< depth of things behind what is seen of them, at most [m], 0.001..100
     float marchDistance = 10000; ///< how far along a ray hits are looked for [m], 0.1..1e6
     /// Share of a stride by which each pixel's ray starts earlier or later than its neighbours', 0..1: trades
     /// banding for noise, the same in each frame. Without strides there are no bands, and it does nothing.
