@@ -125,13 +125,18 @@ ivec2 pixelAt(Scene scene, vec2 point) {
     return ivec2(min(point, scene.lastPixel));
 }
 
-// Whether a ray at the signed depth `ray` is at most `thickness` behind what is seen. Both distances ahead of the eye are
-// fractions N/W; with N and W affine in depth, their difference is `turns` times the depths', over both W. Multiplied
-// out, it costs no division.
-bool within(Track track, float share, float ray, float seen) {
+// Whether of two signed depths, where a ray is at the depth `ray`, one is at most `thickness` behind the other. Both distances
+// ahead of the eye are fractions N/W; with N and W affine in depth, their difference is `turns` times the depths', over both
+// W. Multiplied out, it costs no division.
+bool within(Track track, float share, float ray, float farther, float nearer) {
     vec2 here = track.weights.xz + share * track.weights.yw;
-    float deeper = seen - ray;
-    return deeper * here.y <= track.scene.thickness * here.x * (here.x + track.scene.weightPerDepth * deeper);
+    float weight = here.x + track.scene.weightPerDepth * (farther - ray);
+    float deeper = nearer - farther;
+    return deeper * here.y <= track.scene.thickness * weight * (weight + track.scene.weightPerDepth * deeper);
+}
+
+bool within(Track track, float share, float ray, float seen) {
+    return within(track, share, ray, ray, seen);
 }
 
 // The smaller step to both sides; none where they part in sign, as on what is a pixel wide (minmod, van Leer 1979). A step
@@ -171,11 +176,17 @@ Slope slopeAlong(vec2 pixel, vec2 step, float here) {
 // A stretch of a track over one pixel, in which the ray goes behind what is seen there.
 struct Crossing {
     bool found;
-    float share;
+    float share;    // at which the ray meets that
+    float shown;    // and at which that shows
     float begins;   // as shares
     float ends;
+    bool close;     // the ray is no farther behind it than things are thick
     bool thin;      // what the ray passes behind there
+    float coveredFrom;   // share from which on something nearer than what is seen there hid the ray; else `inSight`
 };
+
+const float inSight = 2.0;
+const Crossing noCrossing = Crossing(false, 0.0, 0.0, 0.0, 0.0, false, false, inSight);
 
 // Whether the ray, a pixel before, was in front of something by less than it may be behind it: at an edge it met the one
 // face, and the pixel shows the other.
@@ -188,10 +199,11 @@ bool cameCloseTo(Track track, float share) {
 
 // What a crossing is worth.
 const int refused = 0;
-const int behind = 1;    // the ray passes behind what is seen; it meets it if that is thick
-const int closely = 2;   // by no more than that is wide
-const int underside = 3; // the ray comes out of what is seen, and so has met a side that is not
-const int met = 4;
+const int unseen = 1;    // the ray, hidden by something nearer, has met what shows beside that
+const int behind = 2;    // the ray passes behind what is seen; it meets it if that is thick
+const int closely = 3;   // by no more than that is wide
+const int underside = 4; // the ray comes out of what is seen, and so has met a side that is not
+const int met = 5;
 
 // How far a ray is behind what is seen, in the pixels that so many metres cover there.
 float pixelsBehind(Track track, float share, float ray, float seen) {
@@ -215,7 +227,15 @@ bool goesOn(vec2 pixel, float seen, vec2 slope, vec2 other) {
     return abs(signedDepthAt(other) - seen - rise) <= 0.1 * abs(rise) + 2.0 * roundingAt(seen);
 }
 
-// Moves a crossing to where the ray meets the plane through what is seen. Where the ray leaves that plane towards the eye
+// Whether what is seen goes on for two pixels along the ray, as rails and ropes do not.
+bool isBroad(Track track, float share, float seen) {
+    float after = min(share + 4.0 * track.halfPixel, 1.0);
+    vec3 point = trackPoint(track, after);
+    float there = seenAt(track.scene, pixelAt(track.scene, point.xy)).depth;
+    return within(track, after, point.z, min(there, seen), max(there, seen));
+}
+
+// Moves a crossing to where the ray meets the plane through what is seen: while it was hidden before, too. Where the ray leaves that plane towards the eye
 // instead, what shows is the far side of what it met before: an underside where the plane goes on as far as that.
 int settled(Track track, inout Crossing crossing) {
     vec3 point = trackPoint(track, crossing.share);
@@ -231,18 +251,25 @@ int settled(Track track, inout Crossing crossing) {
     // By the steps to whichever side.
     vec2 most = max(vec2(x.steps.x, y.steps.x) * track.along.xy, vec2(x.steps.y, y.steps.y) * track.along.xy);
     float leaving = wide ? perShare : track.along.z - most.x - most.y;
+    float meets = crossing.share - above / (abs(perShare) > 0.0 ? perShare : 1.0);
+    // Only while it was hidden can it have met what shows beside, since before it was seen not to.
+    bool covered = meets >= crossing.coveredFrom && meets <= crossing.begins;
+    if (covered && perShare < -rounding && isBroad(track, crossing.share, seen)) {
+        crossing.shown = crossing.share;
+        crossing.share = meets;
+        return crossing.close ? closely : unseen;
+    }
+    if (!crossing.close) return refused;
     bool cameClose = cameCloseTo(track, crossing.begins);
     bool leaves = leaving > rounding && !cameClose;
-    float meets = crossing.share - above / (abs(perShare) > 0.0 ? perShare : 1.0);
     crossing.share = clamp(meets, max(crossing.begins, 0.0), min(crossing.ends, 1.0));
+    crossing.shown = crossing.share;
     float beside = abs(meets - crossing.share);
     if (leaves && beside <= 3.0 * track.halfPixel) return underside;
     if (leaves && wide) {
-        bool shown = false;
-        if (meets <= 1.0)
-            shown = goesOn(middle, seen, slope, floor(trackPoint(track, meets).xy) + 0.5);
-        if (shown) crossing.share = meets;
-        return shown ? underside : refused;
+        if (meets > 1.0 || !goesOn(middle, seen, slope, floor(trackPoint(track, meets).xy) + 0.5)) return refused;
+        crossing.share = crossing.shown = meets;
+        return underside;
     }
     // Half a pixel beside, since an edge falls anywhere in its pixel.
     if (beside <= track.halfPixel) return met;
@@ -268,11 +295,30 @@ bool reachesSky(Track track, vec4 perMetre) {
     return isFar(depthAt(end)) && isFar(depthAt(last.xy));
 }
 
+// What hides a ray for a while.
+struct Cover {
+    float depth;   // signed, at the last look; `nothing` while the ray is in sight
+    float from;    // share from which on it hides the ray
+};
+
+const float nothing = -2.0;
+const Cover noCover = Cover(nothing, 0.0);
+
+// Whether what hides a ray ends at a look that began at `share`, and what shows there instead lies behind it by more than things
+// are thick, and still before the ray.
+bool coverEnds(Track track, float share, float ray, Seen seen, bool isBehind, inout Cover cover) {
+    bool ends = isBehind && cover.depth != nothing && !within(track, share, ray, seen.depth, cover.depth);
+    cover.from = cover.depth == nothing ? share : cover.from;
+    cover.depth = isBehind ? seen.depth : nothing;
+    return ends;
+}
+
 // How far a ray has been followed.
 struct Progress {
     float reached;   // share
     bool inFront;    // of what is seen there
     bool hidden;     // was behind something
+    Cover cover;
     int looks;       // left
 };
 

@@ -2,7 +2,7 @@
 // ray are passed over at once. Needs march.glsl, cells.glsl and the buffer Cells.
 
 Progress atStart(Track track, float noise) {
-    return Progress(0.0, true, false, steps);
+    return Progress(0.0, true, false, noCover, steps);
 }
 
 // Squares of pixels that a track crosses one after the other (Amanatides and Woo 1987).
@@ -58,7 +58,7 @@ bool meetsSquare(Track track, int shift, float until, inout float reached, inout
 
 // The next pixel before `until` in which the ray crosses what is seen.
 Crossing crossedPixel(Track track, float until, inout Progress at) {
-    Crossing crossing = Crossing(false, 0.0, 0.0, 0.0, false);
+    Crossing crossing = noCrossing;
     Walk walk = walkFrom(track, at.reached, 0);
     if (at.reached < until && at.looks > 0) {
         do {
@@ -71,7 +71,10 @@ Crossing crossedPixel(Track track, float until, inout Progress at) {
             at.reached = max(crossing.ends, at.reached);
             bool isBehind = seen.counts && seen.depth >= min(entering, leaving);
             at.hidden = at.hidden || isBehind;
-            crossing.found = isBehind && within(track, crossing.begins, max(entering, leaving), seen.depth);
+            bool ends = coverEnds(track, crossing.begins, entering, seen, isBehind, at.cover);
+            crossing.close = isBehind && within(track, crossing.begins, max(entering, leaving), seen.depth);
+            crossing.coveredFrom = ends ? at.cover.from : inSight;
+            crossing.found = crossing.close || ends;
             if (crossing.found) break;
             goOn(walk);
         } while (at.reached < until && at.looks > 0);
@@ -81,14 +84,16 @@ Crossing crossedPixel(Track track, float until, inout Progress at) {
 }
 
 Crossing nextCrossing(Track track, inout Progress at) {
-    Crossing crossing = Crossing(false, 0.0, 0.0, 0.0, false);
+    Crossing crossing = noCrossing;
     float end = 1.0 - 0.02 * track.halfPixel;   // not beyond the picture by rounding
     if (at.looks > 0 && at.reached < end) {
         do {
+            float before = at.reached;
             float blockEnds = 0.0;
             float cellEnds = 0.0;
             bool block = meetsSquare(track, blockShift, end, at.reached, blockEnds);
             bool cell = meetsSquare(track, cellShift, block ? min(blockEnds, end) : 0.0, at.reached, cellEnds);
+            if (at.reached > before) at.cover = noCover;
             crossing = crossedPixel(track, cell ? min(cellEnds, end) : 0.0, at);
         } while (at.looks > 0 && at.reached < end && !crossing.found);
     }

@@ -7,8 +7,9 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
     if (!(track.range.x < track.range.y)) return March(infoUnknown, vec2(0.0), refused);
 
     Progress at = atStart(track, noise);
-    // The share at which something is met, or else where the ray first passes behind something.
+    // The share at which something is met, or else where the ray first passes behind something; and where that shows.
     float share = 0.0;
+    float shown = 0.0;
     int found = refused;
     bool thin = false;
     // Invocations stay together: all look for a crossing, then all settle theirs.
@@ -23,10 +24,11 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
                 thin = crossing.thin;
                 found = worth;
                 share = crossing.share;
+                shown = crossing.shown;
             }
         }
     } while (++alarms <= falseAlarms && found < underside && at.looks > 0 && at.reached < 1.0);
-    if (found != refused) return March(infoOfHit(trackMetres(track, share)), trackPoint(track, share).xy, found);
+    if (found != refused) return March(infoOfHit(trackMetres(track, share)), trackPoint(track, shown).xy, found);
     bool sky = at.reached >= 1.0 && !at.hidden && !track.leavesPicture && reachesSky(track, perMetre);
     return March(sky ? infoSky : infoUnknown, vec2(0.0), found);
 }

@@ -7,7 +7,7 @@ Progress atStart(Track track, float noise) {
     Seen seen = seenAt(track.scene, pixelAt(track.scene, track.first.xy));
     float halfPixel = track.halfPixel * abs(track.along.z);
     bool isBehind = seen.counts && seen.depth >= track.first.z - halfPixel;
-    return Progress(-jitter * noise * stride, !isBehind, false, steps + 1);
+    return Progress(-jitter * noise * stride, !isBehind, false, noCover, steps + 1);
 }
 
 // Closes in on where a ray goes behind what is seen between two strides, or where it `leaves`.
@@ -22,13 +22,13 @@ Crossing bisected(Track track, float low, float high, bool inFront, bool leaves)
         Seen seen = seenAt(track.scene, pixelAt(track.scene, point.xy));
         bool isBehind = seen.counts && seen.depth >= point.z - halfPixel;
         close = within(track, share, point.z + halfPixel, seen.depth);
-        bool crossed = leaves != (isBehind && (leaves || inFront || close));
+        bool crossed = leaves ? !isBehind : isBehind && (inFront || close);
         high = crossed ? share : high;
         low = crossed ? low : share;
         hidden = leaves ? low : high;
         inFront = inFront || !isBehind;
     } while (++i <= bisections);
-    return Crossing(close, hidden, hidden - track.halfPixel, hidden + track.halfPixel, false);
+    return Crossing(close, hidden, hidden, hidden - track.halfPixel, hidden + track.halfPixel, close, false, inSight);
 }
 
 // The next stride on which the ray may cross what is seen, or come out of it. The interval of depth that the ray has over
@@ -41,6 +41,7 @@ Crossing nextCrossing(Track track, inout Progress at) {
     bool wasInFront = at.inFront;
     bool candidate = false;
     bool leaves = false;
+    bool ends = false;
     if (at.looks > 0 && at.reached < 1.0) {
         do {
             --at.looks;
@@ -54,9 +55,13 @@ Crossing nextCrossing(Track track, inout Progress at) {
             at.hidden = at.hidden || isBehind;
             leaves = !isBehind && !wasInFront;
             candidate = leaves || isBehind && within(track, at.reached, point.z + nearer, seen.depth);
-            if (candidate) break;
+            ends = coverEnds(track, max(last, 0.0), point.z, seen, isBehind, at.cover);
+            if (candidate || ends) break;
         } while (at.looks > 0 && at.reached < 1.0);
     }
-    if (!candidate) return Crossing(false, 0.0, 0.0, 0.0, false);
+    if (ends && !candidate)
+        return Crossing(true, at.reached, at.reached, at.reached - track.halfPixel, at.reached + track.halfPixel, false, false,
+                        at.cover.from);
+    if (!candidate) return noCrossing;
     return bisected(track, max(last, 0.0), at.reached, wasInFront, leaves);
 }

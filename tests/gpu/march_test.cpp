@@ -236,6 +236,77 @@ TEST_F(Ssr, GapsOfARailingStayOpen) {
     }
 }
 
+/// The pixel that a hit's colour was taken from: colours are their pixels' places.
+size_t sourceOf(const TracedView& traced, const Reflected& result, size_t i) {
+    const double confidence = double{result.color[i * 4 + 3]};
+    const double x = double{result.color[i * 4]} / confidence * traced.width;
+    const double y = double{result.color[i * 4 + 1]} / confidence * traced.height;
+    return static_cast<size_t>(y) * traced.width + static_cast<size_t>(x);
+}
+
+// Of a house behind a bridge: rays go out of sight under the bridge, and behind it meet what shows above.
+TEST_F(Ssr, WhatShowsBesideWhatHidesItIsFound) {
+    const Camera camera = testCamera();
+    const Box deck{{-8, 1.4, -5}, {8, 2.4, -4.6}}, house{{-7, -1, -14}, {7, 7, -11}};
+    const TracedView traced = Tracer(camera, {deck, house}).run();
+    const TracedView withoutDeck = Tracer(camera, {house}).run();
+    for (const ReflectorDesc& desc : {with(ReflectionTechnique::ssr), inStrides(ReflectionTechnique::ssr),
+                                      with(ReflectionTechnique::hybrid)}) {
+        const Reflected result = reflectScene(camera, traced, desc);
+        size_t hidden = 0, found = 0;
+        for (size_t i = 0; i < result.info.size(); ++i) {
+            const bool ofHouse = traced.distance[i] == withoutDeck.distance[i];
+            if (traced.truth[i] != Truth::lost || !ofHouse) continue;
+            ++hidden;
+            if (std::abs(double{result.info[i]} - traced.distance[i]) > 0.02 * traced.distance[i]) continue;
+            const size_t source = sourceOf(traced, result, i);
+            const double column = static_cast<double>(source % traced.width) + 0.5;
+            const bool shows = traced.depth[source] == withoutDeck.depth[source];
+            found += shows && std::abs(column - traced.source[i].x) < 2;
+        }
+        std::printf("%zu of %zu found\n", found, hidden);
+        EXPECT_GT(hidden, 1000u);
+        EXPECT_GE(found, desc.reflection.marchCells ? hidden * 19 / 20 : hidden * 3 / 4);
+    }
+}
+
+// Of a rail a pixel shows above a board before it: too little to tell what the board hides.
+TEST_F(Ssr, WhatIsThinIsNotThoughtToGoOn) {
+    const Camera camera = testCamera();
+    const Box board{{-4, 1.4, -1}, {3, 2, -0.96}}, rail{{-6, 1.86, -6}, {4.5, 1.96, -5.96}};
+    const TracedView traced = Tracer(camera, {board, rail}).run();
+    const TracedView railAlone = Tracer(camera, {rail}).run();
+    for (const ReflectionTechnique technique : {ReflectionTechnique::ssr, ReflectionTechnique::hybrid}) {
+        ReflectorDesc desc = with(technique);
+        desc.reflection.marchThickness = 0.1f;
+        const Reflected result = reflectScene(camera, traced, desc);
+        size_t sky = 0, ofRail = 0;
+        for (size_t i = 0; i < result.info.size(); ++i) {
+            if (traced.truth[i] != Truth::sky) continue;
+            ++sky;
+            if (!(result.info[i] > 0)) continue;
+            const size_t source = sourceOf(traced, result, i);
+            ofRail += traced.depth[source] == railAlone.depth[source];
+        }
+        std::printf("%zu of %zu show the rail\n", ofRail, sky);
+        EXPECT_GT(sky, 10000u);
+        EXPECT_LE(ofRail, sky / 100);
+    }
+}
+
+// Of two bridges, rays pass under both: what shows of the second, above the first, they have not met.
+TEST_F(Ssr, WhatIsPassedUnderIsNotMet) {
+    const Camera camera = testCamera();
+    const TracedView traced =
+        Tracer(camera, {{{-8, 1.4, -5}, {8, 2.0, -4.8}}, {{-8, 1.2, -9}, {8, 3.4, -8.8}}}).run();
+    for (const ReflectorDesc& desc : {with(ReflectionTechnique::ssr), inStrides(ReflectionTechnique::ssr),
+                                      with(ReflectionTechnique::hybrid)}) {
+        const Score s = score(traced, reflectScene(camera, traced, desc));
+        print("bridges", s);
+        EXPECT_LE(s.falseOnSky, 0.01);
+    }
+}
+
 TEST_F(Ssr, JitterIsTheSameEachTime) {
     const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
     ReflectorDesc desc = inStrides(ReflectionTechnique::ssr);

@@ -346,10 +346,12 @@ TEST_P(Temporal, WhatIsTakenAwayLeavesNoGhost) {
     EXPECT_LE(ghosts, changed / 25); // at silhouettes, within what is around
 }
 
+/// Floats before the tower up to the sky, so that nothing tells what it hides; and before nothing of its
+/// mirror image.
+const Box board{{0.3, 2.3, 1}, {1.4, 4.8, 1.2}};
+
 TEST_P(Temporal, WhatIsHiddenIsKeptForAWhileWithLessAndLessConfidence) {
     const Camera camera = smallCamera();
-    // Floats before the tower, and before nothing of its mirror image.
-    const Box board{{0.3, 2.3, 1}, {1.4, 3.6, 1.2}};
     const TracedView before = painted(camera, harbourOfBoxes());
     const TracedView after = painted(camera, harbourWith(board));
     ReflectorDesc desc = with(GetParam(), 0.8f);
@@ -383,7 +385,6 @@ TEST_P(Temporal, WhatIsHiddenIsKeptForAWhileWithLessAndLessConfidence) {
 }
 
 TEST_P(Temporal, WhatIsHiddenIsKeptWhereItIsWhileTheCameraMoves) {
-    const Box board{{0.3, 2.3, 1}, {1.4, 3.6, 1.2}};
     ReflectorDesc desc = with(GetParam(), 0.8f);
     desc.reflection.edgeFade = 0;
     Reflector* const reflector = make(desc);

@@ -60,6 +60,7 @@ struct TracedView {
     std::vector<float> depth;
     std::vector<float> color; ///< RGBA: each pixel's own position in 0..1, so that a colour tells its source
     std::vector<Truth> truth;
+    std::vector<double> distance;   ///< from the mirror to what it shows [m]; infinite: sky, or no mirror
     std::vector<glm::dvec2> source; ///< of recoverable pixels: where their mirrored point is seen [pixel]
 };
 
@@ -81,6 +82,7 @@ class Tracer {
         out.color.resize(count * 4);
         out.truth.resize(count);
         out.source.resize(count);
+        out.distance.assign(count, std::numeric_limits<double>::infinity());
         for (uint32_t y = 0; y < out.height; ++y)
             for (uint32_t x = 0; x < out.width; ++x) pixel(x, y, out);
         return out;
@@ -134,6 +136,7 @@ class Tracer {
         if (up.y <= 0) return;
         const double mirrored = nearestHit(boxes_, on, up);
         out.truth[i] = Truth::sky;
+        out.distance[i] = mirrored;
         if (std::isinf(mirrored)) return;
         const glm::dvec3 point = on + up * mirrored;
         const glm::dvec4 seen = project(point);
