@@ -83,6 +83,27 @@ Crossing crossedPixel(Track track, float until, inout Progress at) {
     return crossing;
 }
 
+// Whether a ray is hidden there, by more than things are thick, and by nothing that lies farther by as much than what hid it.
+bool hiddenAt(Track track, float share, inout Cover cover) {
+    vec3 point = trackPoint(track, share);
+    Seen seen = seenAt(track.scene, pixelAt(track.scene, point.xy));
+    bool hidden = seen.counts && seen.depth >= point.z && !within(track, share, point.z, seen.depth) &&
+                  within(track, share, point.z, seen.depth, cover.depth);
+    cover.depth = seen.depth;
+    return hidden;
+}
+
+// Whether the same hides a ray all over a square. Of one that has been hidden for a square's width two looks tell, or it had
+// none left for where it comes into sight.
+bool staysCovered(Track track, float from, float until, inout Cover cover) {
+    float width = float(1 << cellShift) * 2.0 * track.halfPixel;
+    Cover there = cover;
+    bool stays = cover.depth != nothing && from - cover.from > width && hiddenAt(track, 0.5 * (from + until), there) &&
+                 hiddenAt(track, until - 0.1 * track.halfPixel, there);
+    if (stays) cover = there;
+    return stays;
+}
+
 Crossing nextCrossing(Track track, inout Progress at) {
     Crossing crossing = noCrossing;
     float end = 1.0 - 0.02 * track.halfPixel;   // not beyond the picture by rounding
@@ -94,7 +115,13 @@ Crossing nextCrossing(Track track, inout Progress at) {
             bool block = meetsSquare(track, blockShift, end, at.reached, blockEnds);
             bool cell = meetsSquare(track, cellShift, block ? min(blockEnds, end) : 0.0, at.reached, cellEnds);
             if (at.reached > before) at.cover = noCover;
-            crossing = crossedPixel(track, cell ? min(cellEnds, end) : 0.0, at);
+            float until = cell ? min(cellEnds, end) : 0.0;
+            bool covered = cell && staysCovered(track, at.reached, until, at.cover);
+            if (covered) {
+                at.reached = max(until, at.reached);
+                at.looks -= 2;
+            }
+            crossing = crossedPixel(track, covered ? 0.0 : until, at);
         } while (at.looks > 0 && at.reached < end && !crossing.found);
     }
     at.reached = at.reached < end ? at.reached : 1.0;
