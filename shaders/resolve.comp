@@ -42,6 +42,7 @@ const float withinPixel = 0.52;
 const float besidePixel = 0.75;
 const float betweenPixels = 1.5;
 const float mostLoose = 4.0;
+const float unseenPixels = 8.0;   // that things are taken to go on out of sight
 
 // The smaller of the steps to both sides, since the other may lead off the surface; none where they part in sign, as on
 // what is a pixel wide (minmod, van Leer 1979).
@@ -216,19 +217,46 @@ Hit hitOnThin(ScreenRay ray, Entry entry) {
 Hit metAt(ScreenRay ray, ivec2 pixel) {
     if (pixel == nowhere) return noHit;
     Surface seen = surfaceAt(pixel);
-    Hit hit = metWithin(betweenPixels, ray, vec2(pixel) + 0.5, seen);
+    Hit hit = metWithin(unseenPixels, ray, vec2(pixel) + 0.5, seen);
     hit.valid = hit.valid && solid(pixel, seen.depth) && insideRegion(hit.source);
     return hit;
 }
 
-Hit metAtEither(ScreenRay ray, Guesses guesses) {
-    Hit one = metAt(ray, guesses.one);
-    Hit other = metAt(ray, guesses.other);
+Hit metBetween(Hit one, Hit other) {
+    one.valid = one.valid && one.off <= betweenPixels;
+    other.valid = other.valid && other.off <= betweenPixels;
     bool alike = one.front == other.front;
     bool agree = one.valid && other.valid && alike && farthest(one.source - other.source) <= betweenPixels;
     Hit best = one.valid && (!other.valid || (alike ? one.off <= other.off : one.front)) ? one : other;
     best.valid = best.valid && (agree || best.front && best.off <= besidePixel);
     return best;
+}
+
+// How near what is seen at a point is, of how near something else is.
+float nearnessAt(vec2 point, float than) {
+    vec2 inside = clamp(point, vec2(0.5), vec2(region.zw) - 0.5);
+    return (depthAt(ivec2(inside)) - infinityDepth) / than;
+}
+
+// Where the ray meets, out of sight, the plane of what shows beside: that is hidden from there on, and does not end; and goes on
+// to the other side, too, as rails and ropes do not.
+Hit unseen(ScreenRay ray, ivec2 pixel, Hit hit) {
+    vec2 shown = vec2(hit.valid ? pixel : ivec2(0)) + 0.5;
+    float nearness = depthAt(ivec2(shown)) - infinityDepth;
+    vec2 way = hit.source - shown;
+    vec2 step = way / max(farthest(way), 1.0);
+    float next = min(nearnessAt(shown + step, nearness), nearnessAt(shown + min(2.0, farthest(way)) * step, nearness));
+    float beyond = nearnessAt(shown - 0.5 * unseenPixels * step, nearness);
+    bool goesOn = next > 0.9 && beyond > 0.9 && beyond < 1.1;
+    hit.valid = hit.valid && hit.front && goesOn && hides(hit.source, rayDepthAt(ray, hit.source));
+    hit.source = shown;
+    return hit;
+}
+
+Hit metUnseen(ScreenRay ray, Guesses guesses, Hit one, Hit other) {
+    one = unseen(ray, guesses.one, one);
+    other = unseen(ray, guesses.other, other);
+    return one.valid && (!other.valid || one.off <= other.off) ? one : other;
 }
 
 // From the mirror to what is hit: the mirrored ray is as long below the plane as the way to its end.
@@ -252,6 +280,7 @@ void main() {
         ivec2 cell = ivec2(q) >> keyShift;
         Hit hit = nearestHit(cell, ray);
         bool comesOut = hit.valid && !hit.front;
+        bool inHole = false;
         Guesses guesses = noGuesses;
         Hit thin = noHit;
         if (!hit.valid) {
@@ -259,6 +288,7 @@ void main() {
             if (!hole.inside) info = infoOfMiss(q);
             if (followed && hole.beside && info == infoSky) info = infoDoubtedSky;
             guesses = hole.left;
+            inHole = hole.inside;
         }
         if (comesOut) {
             Entry entry = entryBefore(ray, q, hit.source, backPixels);
@@ -266,11 +296,14 @@ void main() {
             thin = hitOnThin(ray, entry);
         }
         if (!hit.front) {
-            Hit met = metAtEither(ray, guesses);
+            Hit one = metAt(ray, guesses.one);
+            Hit other = metAt(ray, guesses.other);
+            Hit met = metBetween(one, other);
             // Where rays are followed they tell better.
             bool tells = !comesOut || met.front && (!followed || met.off <= withinPixel);
             if (met.valid && tells) hit = met;
             else if (thin.valid) hit = thin;
+            else if (inHole && !hit.valid) hit = metUnseen(ray, guesses, one, other);
         }
 #ifdef ROOFS
         if (!comesOut) {

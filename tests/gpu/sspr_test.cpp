@@ -33,9 +33,51 @@ TEST_F(Sspr, AgreesWithTheTracedTruth) {
             EXPECT_GE(s.coverage, coverage.at(pose.name)) << pose.name;
             EXPECT_LE(s.medianPixels, 0.45) << pose.name;
             EXPECT_LE(s.p95Pixels, 0.75) << pose.name;
-            EXPECT_LE(s.falseOnSky, 0.004) << pose.name;
+            // The pier's deck hides the upper edge of the island, which is thought to go on.
+            EXPECT_LE(s.falseOnSky, pose.name == std::string("grazing") ? 0.008 : 0.004) << pose.name;
             EXPECT_LE(s.skyOnGeometry, 0.01) << pose.name;
         }
+}
+
+// A house's wall behind a footbridge, which hides a strip of it.
+TEST_F(Sspr, WhatShowsBesideGoesOnOutOfSight) {
+    const Camera camera = testCamera();
+    const Box deck{{-8, 1.4, -5}, {8, 1.7, -4.6}}, house{{-7, -1, -14}, {7, 7, -11}};
+    const TracedView traced = Tracer(camera, {deck, house}).run();
+    const TracedView withoutDeck = Tracer(camera, {house}).run();
+    const Reflected result = reflectScene(camera, traced);
+    size_t hidden = 0, found = 0;
+    for (size_t i = 0; i < result.info.size(); ++i) {
+        const double distance = traced.distance[i];
+        if (traced.truth[i] != Truth::lost || distance != withoutDeck.distance[i]) continue;
+        ++hidden;
+        found += std::abs(double{result.info[i]} - distance) < 0.02 * distance;
+    }
+    std::printf("%zu of %zu found\n", found, hidden);
+    EXPECT_GT(hidden, 1000u);
+    EXPECT_GE(found, hidden * 4 / 5);
+}
+
+// Sky shows between the footbridge and the roof of a shed: the shed ends there.
+TEST_F(Sspr, WhatIsSeenToEndDoesNotGoOn) {
+    const Camera camera = testCamera();
+    const Box deck{{-8, 1.4, -5}, {8, 1.7, -4.6}}, shed{{-7, -1, -6.1}, {7, 1.22, -6}};
+    const TracedView traced = Tracer(camera, {deck, shed}).run();
+    const Score s = score(traced, reflectScene(camera, traced));
+    print("shed", s);
+    EXPECT_LE(s.falseOnSky, 0.004);
+}
+
+// The railings of a footbridge: what shows of the farther one beside the nearer ends out of sight.
+TEST_F(Sspr, RailsDoNotGoOnOutOfSight) {
+    const Camera camera = testCamera();
+    std::vector<Box> railings;
+    for (const double low : {0.6, 0.9, 1.2, 1.5, 1.8})
+        for (const double z : {-1.0, -2.0}) railings.push_back({{-5, low, z}, {4, low + 0.08, z + 0.08}});
+    const TracedView traced = Tracer(camera, railings).run();
+    const Score s = score(traced, reflectScene(camera, traced));
+    print("railings", s);
+    EXPECT_LE(s.falseOnSky, 0.008);
 }
 
 // A flaring hull is seen foreshortened and mirrored at about three times that height: between its keys those
