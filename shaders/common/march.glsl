@@ -235,8 +235,9 @@ bool isBroad(Track track, float share, float seen) {
     return within(track, after, point.z, min(there, seen), max(there, seen));
 }
 
-// Moves a crossing to where the ray meets the plane through what is seen: while it was hidden before, too. Where the ray leaves that plane towards the eye
-// instead, what shows is the far side of what it met before: an underside where the plane goes on as far as that.
+// Moves a crossing to where the ray meets the plane through what is seen: while it was hidden before, too. Where the ray
+// leaves that plane towards the eye instead, what shows is the far side of what it met before: an underside where the plane
+// goes on as far as that.
 int settled(Track track, inout Crossing crossing) {
     vec3 point = trackPoint(track, crossing.share);
     vec2 middle = floor(min(point.xy, vec2(region.zw) - 0.5)) + 0.5;

@@ -22,7 +22,7 @@ class Sspr : public ReflectionTest {};
 TEST_F(Sspr, AgreesWithTheTracedTruth) {
     // Grazing, and at the edges of what is mirrored larger, holes are closed from their edges.
     const std::map<std::string_view, double> coverage = {
-        {"level", 0.9945}, {"roll35", 0.988}, {"roll90", 0.9945}, {"steep", 0.984}, {"grazing", 0.992}};
+        {"level", 0.9945}, {"roll35", 0.989}, {"roll90", 0.9945}, {"steep", 0.986}, {"grazing", 0.993}};
     for (const Pose& pose : poses())
         for (const bool reversed : {true, false}) {
             Camera camera = pose.camera;
