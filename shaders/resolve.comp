@@ -303,7 +303,7 @@ void main() {
             bool tells = !comesOut || met.front && (!followed || met.off <= withinPixel);
             if (met.valid && tells) hit = met;
             else if (thin.valid) hit = thin;
-            else if (inHole && !hit.valid) hit = metUnseen(ray, guesses, one, other);
+            else if (inHole) hit = metUnseen(ray, guesses, one, other);
         }
 #ifdef ROOFS
         if (!comesOut) {
