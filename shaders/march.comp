@@ -17,6 +17,8 @@ layout(set = 0, binding = 6, std430) readonly buffer Tiles {
     uint tiles[];
 };
 #include "tile_list.glsl"
+#include "depth_quads.glsl"
+#include "source_color.glsl"
 
 #ifdef CELLS
 #include "cells.glsl"
@@ -91,9 +93,9 @@ void main() {
         info = found.info;
         worth = found.worth;
         if (infoIsHit(info)) {
-            float confidence = edgeConfidence(q, found.source);
+            float confidence = edgeConfidence(q, found.source.xy);
             float light = worth == underside ? confidence * undersideLight : confidence;
-            color = vec4(texelFetch(sceneColor, region.xy + ivec2(found.source), 0).rgb * light, confidence);
+            color = vec4(sourceColor(found.source.xy, found.source.z) * light, confidence);
         }
     }
 #ifdef OPEN

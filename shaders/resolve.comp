@@ -30,6 +30,7 @@ layout(set = 0, binding = 6, r16f) uniform writeonly image2D reflectionInfo;
 #include "screen_ray.glsl"
 #include "hidden_way.glsl"
 #include "hits.glsl"
+#include "source_color.glsl"
 #ifdef ROOFS
 #include "roofs.glsl"
 #endif
@@ -314,7 +315,7 @@ void main() {
         if (hit.valid) {
             float confidence = edgeConfidence(q, hit.source);
             float light = hit.front ? confidence : confidence * undersideLight;
-            color = vec4(texelFetch(sceneColor, region.xy + ivec2(hit.source), 0).rgb * light, confidence);
+            color = vec4(sourceColor(hit.source, rayDepthAt(ray, hit.source)) * light, confidence);
             info = infoOfHit(distanceToHit(q, hit.depth));
             if (followed && (comesOut || !hit.front)) info = infoOfDoubt(info);
         }

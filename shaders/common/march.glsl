@@ -325,6 +325,6 @@ struct Progress {
 
 struct March {
     float info;
-    vec2 source;   // pixel of the hit
+    vec3 source;   // pixel at which the hit shows, and how near the ray is there, from infinityDepth
     int worth;
 };

@@ -4,7 +4,7 @@
 March marched(vec3 from, vec3 direction, float metres, float noise) {
     vec4 perMetre = pixelFromRelative * vec4(direction, 0.0);
     Track track = trackOf(pixelFromRelative * vec4(from, 1.0), perMetre, metres);
-    if (!(track.range.x < track.range.y)) return March(infoUnknown, vec2(0.0), refused);
+    if (!(track.range.x < track.range.y)) return March(infoUnknown, vec3(0.0), refused);
 
     Progress at = atStart(track, noise);
     // The share at which something is met, or else where the ray first passes behind something; and where that shows.
@@ -28,7 +28,11 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
             }
         }
     } while (++alarms <= falseAlarms && found < underside && at.looks > 0 && at.reached < 1.0);
-    if (found != refused) return March(infoOfHit(trackMetres(track, share)), trackPoint(track, shown).xy, found);
+    if (found != refused) {
+        vec3 source = trackPoint(track, shown);
+        source.z = depthSign * source.z - infinityDepth;
+        return March(infoOfHit(trackMetres(track, share)), source, found);
+    }
     bool sky = at.reached >= 1.0 && !at.hidden && !track.leavesPicture && reachesSky(track, perMetre);
-    return March(sky ? infoSky : infoUnknown, vec2(0.0), found);
+    return March(sky ? infoSky : infoUnknown, vec3(0.0), found);
 }

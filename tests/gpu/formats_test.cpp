@@ -109,7 +109,7 @@ TEST_P(DepthFormats, KeepClassesAndPlaces) {
                 const Score s = scoreOf(camera, traced, GetParam().format, technique);
                 print(pose.name, s);
                 EXPECT_GE(s.coverage, exact.coverage - 0.01) << pose.name;
-                EXPECT_LE(s.medianPixels, exact.medianPixels + 0.1) << pose.name;
+                EXPECT_LE(s.medianPixels, exact.medianPixels + 0.2) << pose.name;
                 EXPECT_LE(s.p95Pixels, exact.p95Pixels + 0.05 + pixelsPerStep(camera, GetParam().format))
                     << pose.name;
                 EXPECT_LE(s.falseOnSky, exact.falseOnSky + 0.001) << pose.name;

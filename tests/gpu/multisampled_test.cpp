@@ -53,8 +53,9 @@ TEST_P(Multisampled, ScenesAreReflectedAsExactlyAsSingleSampledOnes) {
             // from around, but a ray looks only at the pixels it crosses, and at edges comes out of tops.
             const bool rays = technique == ReflectionTechnique::ssr;
             EXPECT_GE(s.coverage, single.coverage - (rays ? 0.035 : 0.02)) << pose.name;
-            EXPECT_LE(s.medianPixels, single.medianPixels + 0.08) << pose.name;
-            EXPECT_LE(s.p95Pixels, single.p95Pixels + (rays ? 0.6 : 0.08)) << pose.name;
+            // Colours, which tell places, are rounded to half floats once more.
+            EXPECT_LE(s.medianPixels, single.medianPixels + 0.11) << pose.name;
+            EXPECT_LE(s.p95Pixels, single.p95Pixels + (rays ? 0.6 : 0.15)) << pose.name;
             EXPECT_LE(s.misplaced, single.misplaced + 0.008) << pose.name;
             EXPECT_LE(s.falseOnSky, single.falseOnSky + 0.004) << pose.name;
             EXPECT_LE(s.skyOnGeometry, single.skyOnGeometry + 0.013) << pose.name;

@@ -1,0 +1,26 @@
+// The scene's colour where a ray meets it. Needs mirror.glsl, depth_quads.glsl and sceneColor.
+
+vec3 texelColor(ivec2 pixel) {
+    return texelFetch(sceneColor, region.xy + pixel, 0).rgb;
+}
+
+// Between the four texels around, where these show one plane on which the ray is there: depth is affine on the screen over
+// a plane. Else the one texel that the point falls in, since what does not belong together is not blended. `nearness` is
+// the ray's depth from infinityDepth.
+vec3 sourceColor(vec2 source, float nearness) {
+    ivec2 corner = clamp(ivec2(floor(source + 0.5)), ivec2(1), region.zw - 1);
+    vec2 beyond = clamp(source + 0.5 - vec2(corner), 0.0, 1.0);
+    vec4 seen = depthsAround(corner, perDepthTexel()) - infinityDepth;
+    vec2 rows = mix(seen.wx, seen.zy, beyond.x);
+    float off = abs(mix(rows.x, rows.y, beyond.y) - nearness);
+    float twist = abs(seen.x + seen.z - seen.y - seen.w);
+    float least = min(min(seen.x, seen.y), min(seen.z, seen.w));
+    float most = max(max(seen.x, seen.y), max(seen.z, seen.w));
+    float rounding = 4e-6 * abs(nearness + infinityDepth) + 2.0 * depthStep;
+    vec3 nearest = texelColor(ivec2(source));
+    if (max(off, twist) > 0.05 * (most - least) + rounding) return nearest;
+    vec3 upper = mix(texelColor(corner - 1), texelColor(corner - ivec2(0, 1)), beyond.x);
+    vec3 lower = mix(texelColor(corner - ivec2(1, 0)), texelColor(corner), beyond.x);
+    vec3 blend = mix(upper, lower, beyond.y);
+    return any(isnan(blend)) || any(isinf(blend)) ? nearest : blend;
+}
