@@ -12,6 +12,11 @@ bool scatters(ReflectionTechnique technique) {
     return technique == ReflectionTechnique::sspr || technique == ReflectionTechnique::hybrid;
 }
 
+/// What is drawn by the host needs no guess.
+bool reachesBeyond(const ReflectionDesc& desc) {
+    return desc.edgeReach > 0 && desc.technique != ReflectionTechnique::planar;
+}
+
 const char* badMarch(const ReflectionDesc& desc) {
     if (desc.marchSteps < 8 || desc.marchSteps > 512)
         return "ReflectionDesc.marchSteps is out of range, expected 8 to 512";
@@ -95,6 +100,7 @@ Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent, const SceneSa
         estimate.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
     }
     estimate.dispatchesPerView += blurMipLevels(scaled, desc.blurLevels) - 1;
+    if (reachesBeyond(desc)) estimate.dispatchesPerView += edgeReachDispatches;
     if (desc.edgeStretch > 0) estimate.dispatchesPerView += stretchDispatches;
     if (desc.temporal > 0) {
         estimate.bytesPerView += TemporalScratch::bytes(scaled, desc);
@@ -110,6 +116,8 @@ const char* badField(const ReflectionDesc& desc) {
         return "ReflectionDesc.downscale is out of range, expected 1, 2, 4 or 8";
     if (!(desc.edgeFade >= 0 && desc.edgeFade <= 0.5f))
         return "ReflectionDesc.edgeFade is out of range, expected 0 to 0.5";
+    if (!(desc.edgeReach >= 0 && desc.edgeReach <= 1))
+        return "ReflectionDesc.edgeReach is out of range, expected 0 to 1";
     if (!(desc.undersideLight >= 0 && desc.undersideLight <= 1))
         return "ReflectionDesc.undersideLight is out of range, expected 0 to 1";
     if (desc.roofLooks > 8) return "ReflectionDesc.roofLooks is out of range, expected 0 to 8";
@@ -139,6 +147,8 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
         if (const Status s = owner.share(blur); s != Status::ok) return s;
     if (desc.edgeStretch > 0)
         if (const Status s = owner.share(stretch); s != Status::ok) return s;
+    if (reachesBeyond(desc))
+        if (const Status s = owner.share(edgeReach); s != Status::ok) return s;
     if (desc.temporal > 0)
         if (const Status s = owner.share(temporal); s != Status::ok) return s;
     if (desc.technique == ReflectionTechnique::ssr) return ssr.create(owner, desc);
@@ -235,6 +245,10 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
         if (const Status s = takeSamples(pass, singleSamples, scene); s != Status::ok) return s;
     const OwnedReflection& found = reflected.found(desc);
     if (const Status s = recordTechnique(pass, reflected, found); s != Status::ok) return s;
+    if (edgeReach && !view.surfaceNormals)
+        if (const Status s = recordEdgeReach(pass, *edgeReach, reflected.tiles(desc.technique), found);
+            s != Status::ok)
+            return s;
     if (stretch)
         if (const Status s = recordStretch(pass, *stretch, found); s != Status::ok) return s;
     if (temporal)

@@ -9,6 +9,7 @@
 
 #include "reflection/blur.h"
 #include "reflection/bounds.h"
+#include "reflection/edge_reach.h"
 #include "reflection/hybrid.h"
 #include "reflection/limits.h"
 #include "reflection/overlay.h"
@@ -54,6 +55,7 @@ struct Reflector : Held {
     SsrKernels ssr;                               ///< empty with every other technique
     HybridKernels hybrid;                         ///< empty with every other technique
     std::shared_ptr<PlanarKernel> planar;         ///< null with every other technique
+    std::shared_ptr<EdgeReachKernel> edgeReach;   ///< null without edge reach
     std::shared_ptr<StretchKernel> stretch;       ///< null without edge stretch
     std::shared_ptr<BlurKernel> blur;             ///< null without blur
     std::shared_ptr<TemporalKernel> temporal;     ///< null without temporal reuse

@@ -31,6 +31,7 @@ layout(set = 0, binding = 6, r16f) uniform writeonly image2D reflectionInfo;
 #include "hidden_way.glsl"
 #include "hits.glsl"
 #include "source_color.glsl"
+#include "hit_distance.glsl"
 #ifdef ROOFS
 #include "roofs.glsl"
 #endif
@@ -258,14 +259,6 @@ Hit metUnseen(ScreenRay ray, Guesses guesses, Hit one, Hit other) {
     one = unseen(ray, guesses.one, one);
     other = unseen(ray, guesses.other, other);
     return one.valid && (!other.valid || one.off <= other.off) ? one : other;
-}
-
-// From the mirror to what is hit: the mirrored ray is as long below the plane as the way to its end.
-float distanceToHit(vec2 q, float mirroredDepth) {
-    vec3 end = unprojected(vec3(q, mirroredDepth));
-    // Along the line of sight, from the eye or from infinity, whichever way depth runs.
-    vec3 along = depthSign * (end * relativeFromPixel[2].w - relativeFromPixel[2].xyz);
-    return length(along) * (dot(plane.xyz, end) + plane.w) / dot(plane.xyz, along);
 }
 
 void main() {

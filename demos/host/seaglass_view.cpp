@@ -117,6 +117,7 @@ bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::Ref
     out.clearDistance = static_cast<float>(desc.clearDistanceM);
     out.scatter = static_cast<float>(desc.scatter);
     out.skyFadeDistance = static_cast<float>(desc.skyFadeM);
+    out.edgeReach = static_cast<float>(desc.edgeReach);
     out.edgeStretch = static_cast<float>(desc.edgeStretchPerM);
     out.temporal = static_cast<float>(desc.temporal);
     out.marchCells = desc.marchCells;

@@ -183,6 +183,7 @@ constexpr std::array reflectionFields = {
     Field{"clear_distance_m", at<&ReflectionDesc::clearDistanceM>, 0, 1e6, "m", "scattered only beyond"},
     Field{"scatter", at<&ReflectionDesc::scatter>, 0, 1, "", "how fast reflections widen with distance"},
     Field{"sky_fade_m", at<&ReflectionDesc::skyFadeM>, 0, 1e6, "m", "where only sky is mirrored, 0 nowhere"},
+    Field{"edge_reach", at<&ReflectionDesc::edgeReach>, 0, 1, "", "share of the picture's height"},
     Field{"edge_stretch_per_m", at<&ReflectionDesc::edgeStretchPerM>, 0, 100, "1/m",
           "stretches reflections over the border"},
     Field{"temporal", at<&ReflectionDesc::temporal>, 0, 0.95, "",

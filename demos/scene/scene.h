@@ -114,6 +114,7 @@ struct ReflectionDesc {
     double clearDistanceM = 0;
     double scatter = 0;
     double skyFadeM = 0;
+    double edgeReach = 0;
     double edgeStretchPerM = 0;
     double temporal = 0; ///< share of each pixel taken from the last frame
     // Of ssr and hybrid, as in seaglass/reflection.h.

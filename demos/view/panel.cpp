@@ -120,6 +120,7 @@ bool layOutReflection(ReflectionDesc& reflection) {
     changed |= slider("distortion", reflection.distortion, 0, 1, "%.2f");
     changed |= slider("edge fade", reflection.edgeFade, 0, 0.5, "%.2f");
     changed |= slider("underside light", reflection.undersideLight, 0, 1, "%.2f");
+    changed |= slider("edge reach", reflection.edgeReach, 0, 1, "%.2f");
     changed |= slider("edge stretch", reflection.edgeStretchPerM, 0, 10, "%.2f / m");
     changed |= slider("blur levels", reflection.blurLevels, 0, 6);
     return changed;

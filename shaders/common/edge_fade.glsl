@@ -9,7 +9,12 @@ float borderDistance(vec2 q, vec2 source) {
     return min(steps.x, steps.y);
 }
 
-float edgeConfidence(vec2 q, vec2 source) {
-    float x = clamp(borderDistance(q, source) / max(edgeFadePixels, 1e-6), 0.0, 1.0);
+// By the pixels that are left to where it has faded out.
+float confidenceWithin(float left) {
+    float x = clamp(left / max(edgeFadePixels, 1e-6), 0.0, 1.0);
     return x * x * x * (x * (x * 6.0 - 15.0) + 10.0);
+}
+
+float edgeConfidence(vec2 q, vec2 source) {
+    return confidenceWithin(borderDistance(q, source));
 }

@@ -53,6 +53,8 @@ std::vector<Setting> settings() {
     ReflectionDesc half = flat;
     half.downscale = 2;
     const ReflectionDesc bent;
+    ReflectionDesc reaching = flat;
+    reaching.edgeReach = 0.2f;
     ReflectionDesc temporal = flat;
     temporal.temporal = 0.9f;
     ReflectionDesc ssr = flat;
@@ -61,9 +63,16 @@ std::vector<Setting> settings() {
     strides.marchCells = false;
     ReflectionDesc hybrid = flat;
     hybrid.technique = ReflectionTechnique::hybrid;
-    return {{"sspr", flat},       {"sspr, coarse keys", coarse}, {"sspr, roofs", roofs},
-            {"sspr, half", half}, {"sspr, bent, blurred", bent}, {"sspr, temporal", temporal},
-            {"ssr", ssr},         {"ssr, strides", strides},     {"hybrid", hybrid}};
+    return {{"sspr", flat},
+            {"sspr, coarse keys", coarse},
+            {"sspr, roofs", roofs},
+            {"sspr, half", half},
+            {"sspr, bent, blurred", bent},
+            {"sspr, edge reach", reaching},
+            {"sspr, temporal", temporal},
+            {"ssr", ssr},
+            {"ssr, strides", strides},
+            {"hybrid", hybrid}};
 }
 
 struct Samples {

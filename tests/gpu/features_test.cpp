@@ -18,6 +18,7 @@ struct Water {
         sea.samples = 64;
         reflection.temporal = 0.9f;
         reflection.edgeStretch = 0.5f;
+        reflection.edgeReach = 0.2f;
         extent.shape = ExtentShape::rectangle;
         extent.size[0] = extent.size[1] = 60;
         desc.waves = &sea;
@@ -120,6 +121,7 @@ TEST_F(Features, ThatAreOffAreGone) {
          true, false, false, true, true},
         {"reflection", [](Water& w) { w.desc.reflection = nullptr; }, true, true, true, false, true},
         {"temporal", [](Water& w) { w.reflection.temporal = 0; }, true, true, true, false, true},
+        {"edge reach", [](Water& w) { w.reflection.edgeReach = 0; }, false, true, true, false, true},
         {"edge stretch", [](Water& w) { w.reflection.edgeStretch = 0; }, false, true, true, false, false},
         {"blur", [](Water& w) { w.reflection.blurLevels = 0; }, true, true, true, false, false},
         {"underwater", [](Water& w) { w.desc.underwater = nullptr; }, false, false, false, true, true},

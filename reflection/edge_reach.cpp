@@ -1,0 +1,64 @@
+#include "reflection/edge_reach.h"
+
+#include <cstddef>
+
+#include "reflection/mirror.h"
+#include "reflection/tiles.h"
+#include "spirv/edge_reach.comp.h"
+
+namespace seaglass {
+
+namespace {
+
+/// The std140 block of shaders/edge_reach.comp.
+struct EdgeReachUniforms {
+    float reach = 0;
+    float padding[3] = {};
+};
+
+} // namespace
+
+Status EdgeReachKernel::create(Context& context) {
+    constexpr VkDescriptorType bindings[] = {
+        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+    if (const Status s = columns.create(context); s != Status::ok) return s;
+    return kernel.create(context.device, edge_reach_comp, bindings, "edge reach pipeline");
+}
+
+Status recordEdgeReach(const ReflectPass& pass, const EdgeReachKernel& reach, const gpu::Buffer& tiles,
+                       const OwnedReflection& images) {
+    Context& context = pass.context;
+    const EdgeReachUniforms uniforms{pass.desc.edgeReach * static_cast<float>(pass.extent().height)};
+    gpu::Slice slice;
+    if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
+    const VkSampler nearest = context.samplers.nearestClamp();
+    const Image& depth = pass.view.sceneDepth;
+    const Image& color = pass.view.sceneColor;
+    const gpu::Resource resources[] = {
+        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
+        gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
+        gpu::sampledImage(nearest, depth.view, depth.layout),
+        gpu::sampledImage(nearest, color.view, color.layout),
+        gpu::storageImage(images.color.firstMipView()),
+        gpu::storageImage(images.info.view()),
+        gpu::storageBuffer(tiles.handle()),
+    };
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(reach.kernel.layout().set(), resources, set);
+        s != Status::ok)
+        return s;
+    const gpu::PassScope scope(context.device, pass.commands, "reflection_edge_reach");
+    if (const Status s = recordSeenColumns(pass, reach.columns, tiles); s != Status::ok) return s;
+    const VkImageMemoryBarrier2 before[] = {
+        gpu::imageBarrier(images.color.handle(), gpu::storageWritten, gpu::storageChanged, 0, 1),
+        gpu::imageBarrier(images.info.handle(), gpu::sampledByShaders, gpu::storageChanged)};
+    gpu::recordBarriers(context.device, pass.commands, before, 2);
+    reach.kernel.dispatchIndirect(pass.commands, set, tiles.handle(), offsetof(TileHeader, columnGroups));
+    images.recordInfoSampled(context.device, pass.commands);
+    return Status::ok;
+}
+
+} // namespace seaglass

@@ -1,0 +1,25 @@
+// Edge reach: what a mirrored ray leaves the picture in front of is taken to go on beyond the border, as the
+// plane that it is inside.
+#pragma once
+
+#include "gpu/kernel.h"
+#include "reflection/open_tiles.h"
+#include "reflection/reflect_pass.h"
+#include "reflection/reflection_images.h"
+
+namespace seaglass {
+
+struct EdgeReachKernel {
+    SeenColumnsKernel columns;
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+
+constexpr uint32_t edgeReachDispatches = 2;
+
+/// Both images come and go as techniques leave them. `tiles` tell where the plane is seen, and list columns
+/// afterwards.
+Status recordEdgeReach(const ReflectPass& pass, const EdgeReachKernel& reach, const gpu::Buffer& tiles,
+                       const OwnedReflection& images);
+
+} // namespace seaglass

@@ -1,0 +1,9 @@
+// How far from the mirror what a pixel shows is. Needs mirror.glsl.
+
+// From the mirror to what is hit: the mirrored ray is as long below the plane as the way to its end.
+float distanceToHit(vec2 q, float mirroredDepth) {
+    vec3 end = unprojected(vec3(q, mirroredDepth));
+    // Along the line of sight, from the eye or from infinity, whichever way depth runs.
+    vec3 along = depthSign * (end * relativeFromPixel[2].w - relativeFromPixel[2].xyz);
+    return length(along) * (dot(plane.xyz, end) + plane.w) / dot(plane.xyz, along);
+}
