@@ -1,14 +1,15 @@
 // The scene's colour where a ray meets it. Needs mirror.glsl, depth_quads.glsl and sceneColor.
 
+// Of a picture one pixel wide none lies before the first.
 vec3 texelColor(ivec2 pixel) {
-    return texelFetch(sceneColor, region.xy + pixel, 0).rgb;
+    return texelFetch(sceneColor, region.xy + max(pixel, 0), 0).rgb;
 }
 
 // Between the four texels around, where these show one plane on which the ray is there: depth is affine on the screen over
 // a plane. Else the one texel that the point falls in, since what does not belong together is not blended. `nearness` is
 // the ray's depth from infinityDepth.
 vec3 sourceColor(vec2 source, float nearness) {
-    ivec2 corner = clamp(ivec2(floor(source + 0.5)), ivec2(1), region.zw - 1);
+    ivec2 corner = min(max(ivec2(floor(source + 0.5)), 1), region.zw - 1);
     vec2 beyond = clamp(source + 0.5 - vec2(corner), 0.0, 1.0);
     vec4 seen = depthsAround(corner, perDepthTexel()) - infinityDepth;
     vec2 rows = mix(seen.wx, seen.zy, beyond.x);
