@@ -38,9 +38,7 @@ struct Exit {
 
 Exit exitOf(vec2 q, vec2 along) {
     vec2 outward = along / max(max(abs(along.x), abs(along.y)), 1e-30);
-    vec2 room = mix(q, vec2(region.zw) - q, step(0.0, outward));
-    vec2 steps = room / max(abs(outward), vec2(1e-6));
-    return Exit(q + outward * (min(steps.x, steps.y) - 0.5), outward);
+    return Exit(q + outward * (stepsToBorder(q, outward) - 0.5), outward);
 }
 
 vec2 insideOf(Exit at, float pixels) {

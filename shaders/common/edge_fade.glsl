@@ -1,12 +1,17 @@
 // How a reflection fades out where the picture that it borrows from ends. Needs mirror.glsl.
 
+// How many times `along` leads from a point to the border.
+float stepsToBorder(vec2 point, vec2 along) {
+    vec2 room = mix(point, vec2(region.zw) - point, step(0.0, along));
+    vec2 steps = room / max(abs(along), vec2(1e-6));
+    return min(steps.x, steps.y);
+}
+
 // How far the border is from `source`, going on in the direction in which the mirror borrowed it: an upright camera
 // borrows upwards, so only the top border can cut a reflection off.
 float borderDistance(vec2 q, vec2 source) {
     vec2 along = source - q;
-    vec2 room = mix(source, vec2(region.zw) - source, step(0.0, along));
-    vec2 steps = room * length(along) / max(abs(along), vec2(1e-6));
-    return min(steps.x, steps.y);
+    return stepsToBorder(source, along) * length(along);
 }
 
 // By the pixels that are left to where it has faded out.
