@@ -52,10 +52,7 @@ Status recordEdgeReach(const ReflectPass& pass, const EdgeReachKernel& reach, co
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "reflection_edge_reach");
     if (const Status s = recordSeenColumns(pass, reach.columns, tiles); s != Status::ok) return s;
-    const VkImageMemoryBarrier2 before[] = {
-        gpu::imageBarrier(images.color.handle(), gpu::storageWritten, gpu::storageChanged, 0, 1),
-        gpu::imageBarrier(images.info.handle(), gpu::sampledByShaders, gpu::storageChanged)};
-    gpu::recordBarriers(context.device, pass.commands, before, 2);
+    images.recordToBeChanged(context.device, pass.commands);
     reach.kernel.dispatchIndirect(pass.commands, set, tiles.handle(), offsetof(TileHeader, columnGroups));
     images.recordInfoSampled(context.device, pass.commands);
     return Status::ok;

@@ -54,6 +54,13 @@ void OwnedReflection::recordCleared(const gpu::Device& device, VkCommandBuffer c
     gpu::recordBarriers(device, commands, barriers, 2);
 }
 
+void OwnedReflection::recordToBeChanged(const gpu::Device& device, VkCommandBuffer commands) const {
+    const VkImageMemoryBarrier2 before[] = {
+        gpu::imageBarrier(color.handle(), gpu::storageWritten, gpu::storageChanged, 0, 1),
+        gpu::imageBarrier(info.handle(), gpu::sampledByShaders, gpu::storageChanged)};
+    gpu::recordBarriers(device, commands, before, 2);
+}
+
 void OwnedReflection::recordInfoSampled(const gpu::Device& device, VkCommandBuffer commands) const {
     const VkImageMemoryBarrier2 after =
         gpu::imageBarrier(info.handle(), gpu::storageWritten, gpu::sampledByShaders);

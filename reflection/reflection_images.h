@@ -21,6 +21,8 @@ struct OwnedReflection {
     static VkDeviceSize bytes(VkExtent2D extent, uint32_t blurLevels);
     /// Mip 0 of both, which come from any layout, to nothing known; left for kernels to write.
     void recordCleared(const gpu::Device& device, VkCommandBuffer commands) const;
+    /// Mip 0 of both, as techniques leave them, for a kernel to read and write.
+    void recordToBeChanged(const gpu::Device& device, VkCommandBuffer commands) const;
     /// `info` from written by a kernel to sampled by shaders.
     void recordInfoSampled(const gpu::Device& device, VkCommandBuffer commands) const;
     ReflectionImages handles() const;

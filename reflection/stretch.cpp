@@ -60,10 +60,7 @@ Status recordStretch(const ReflectPass& pass, const StretchKernel& stretch, cons
         s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "reflection_stretch");
-    const VkImageMemoryBarrier2 before[] = {
-        gpu::imageBarrier(images.color.handle(), gpu::storageWritten, gpu::storageChanged, 0, 1),
-        gpu::imageBarrier(images.info.handle(), gpu::sampledByShaders, gpu::storageChanged)};
-    gpu::recordBarriers(context.device, pass.commands, before, 2);
+    images.recordToBeChanged(context.device, pass.commands);
     const uint32_t lines = uniforms.along == 0 ? extent.height : extent.width;
     stretch.kernel.dispatchAlong(pass.commands, set, lines, 2);
     images.recordInfoSampled(context.device, pass.commands);

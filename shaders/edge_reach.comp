@@ -20,6 +20,7 @@ layout(set = 0, binding = 6, std430) readonly buffer Tiles {
 };
 
 #include "scene_depth.glsl"
+#include "miss.glsl"
 #include "screen_ray.glsl"
 #include "hit_distance.glsl"
 #include "tile_columns.glsl"
@@ -47,9 +48,9 @@ vec2 insideOf(Exit at, float pixels) {
 
 // From infinity; none of the sky and of what lies below the plane.
 float nearnessAt(vec2 point) {
-    float depth = depthAt(ivec2(point));
-    bool counts = !isFar(depth) && !wellBelowPlane(vec3(floor(point) + 0.5, depth));
-    return counts ? depthSign * (depth - infinityDepth) : 0.0;
+    ivec2 pixel = ivec2(point);
+    float depth = depthAt(pixel);
+    return solid(pixel, depth) ? depthSign * (depth - infinityDepth) : 0.0;
 }
 
 // What a line's nearness is at the border, and how much more a pixel beyond.
@@ -105,12 +106,11 @@ bool isCut(ivec2 texel) {
 
 void reachBeyond(ivec2 texel) {
     vec2 q = middleOf(texel);
-    bool horizonAhead = dot(heightRow, vec4(q, infinityDepth, 1.0)) < 0.0;
     ScreenRay ray = rayOf(q);
     Exit at = exitOf(q, -depthSign * (ray.along.xy - q * ray.along.w));
     Nearness nearness = nearnessOf(ray, at);
     Meeting meeting = meetingBeyond(at, nearness);
-    if (!horizonAhead || !nearness.known || !meeting.found) return;
+    if (!planeAhead(q) || !nearness.known || !meeting.found) return;
     float info = imageLoad(reflectionInfo, texel).r;
     vec4 known = imageLoad(reflectionColor, texel);
     float confidence = confidenceWithin(reach - meeting.beyond);

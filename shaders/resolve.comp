@@ -91,10 +91,6 @@ Hit metWithin(float accepted, ScreenRay ray, vec2 middle, Surface seen) {
     return Hit(met > 0.0 && met <= 1.0 && p.w > 0.0 && off <= accepted, front, source, off, met);
 }
 
-bool solid(ivec2 pixel, float depth) {
-    return !isFar(depth) && !wellBelowPlane(vec3(vec2(pixel) + 0.5, depth));
-}
-
 // The middle of the pixel that a point lies next to. Just off an edge, what stands there still covers part of the pixel.
 vec2 besides(vec2 middle, vec2 point) {
     vec2 off = point - middle;

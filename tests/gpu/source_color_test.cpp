@@ -1,4 +1,5 @@
 // What colour a reflection takes from the scene, whose texels lie beside the points that are mirrored.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
