@@ -37,28 +37,49 @@ float hitHere() {
     return infoIsHit(info) ? info : farAway;
 }
 
+Ray rayThrough(vec2 pixel) {
+    vec4 p = relativeFromPixel * vec4(pixel, 0.5, 1.0);
+    vec3 at = p.xyz / p.w;
+    return Ray((1.0 - sight.w) * at, normalize(sightTo(at)));
+}
+
+// What the image shows at a pixel, of which `info` is known.
+vec3 shownBy(vec2 pixel, float info) {
+    Ray ray = rayThrough(pixel);
+    return mirroredPoint(ray, ray, info, plane.xyz, plane.w);
+}
+
+// How far along the ray what the image shows at a pixel lies [m], else `t`. Not what `info` says: another place of the
+// mirror shows it, which on steep waves may be far nearer to it. Into the water it does: rays to a level bed are as long from
+// place to place, and points of it run away along them.
+float towardsShown(vec3 from, vec3 direction, vec2 pixel, float t) {
+    float info = infoAt(pixel);
+    if (!infoIsHit(info)) return t;
+    if (direction.y < 0.0) return info;
+    float along = dot(shownBy(pixel, info) - from, direction);
+    return along > 0.0 ? along : t;
+}
+
 // Of the way from a pixel to where its bent ray vanishes: two thirds as far along as the eye is away.
 const float overNear = 0.4;
 
-// The pixel whose reflection the bent ray meets, by `rounds` of fixed-point iteration on the hit distance, from `t`. One that
-// starts at the sky jumps over what is near, such as the tail of a buoy's reflection: a last look is for that.
+// The pixel whose reflection the bent ray meets, by `rounds` of fixed-point iteration on how far what is shown there lies
+// along the ray, from `t`. One that starts at the sky jumps over what is near, such as the tail of a buoy's reflection: a
+// last look is for that.
 BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
 #ifdef WAVES
     vec2 pixel = mirroredPixel(from, direction, t);
     for (int i = 0; i < rounds; ++i) {
-        float info = infoAt(pixel);
-        if (infoIsHit(info)) t = info;
+        t = towardsShown(from, direction, pixel, t);
         pixel = mirroredPixel(from, direction, t);
     }
     if (t >= farAway) {
-        float info = infoAt(mix(here, pixel, overNear));
-        if (infoIsHit(info)) {
-            vec2 near = mirroredPixel(from, direction, info);
-            if (infoIsHit(infoAt(near))) {
-                t = info;
-                pixel = near;
-            }
+        float nearer = towardsShown(from, direction, mix(here, pixel, overNear), t);
+        vec2 near = mirroredPixel(from, direction, nearer);
+        if (nearer < t && infoIsHit(infoAt(near))) {
+            t = nearer;
+            pixel = near;
         }
     }
     return BentPoint(mix(here, pixel, reflectionDistortion), t);
@@ -67,18 +88,11 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
 #endif
 }
 
-Ray rayThrough(vec2 pixel) {
-    vec4 p = relativeFromPixel * vec4(pixel, 0.5, 1.0);
-    vec3 at = p.xyz / p.w;
-    return Ray((1.0 - sight.w) * at, normalize(sightTo(at)));
-}
-
 #ifdef SHORE
 // What runs up the sand stands above the plane that the image mirrors about, which there lies in the sand: the image shows
 // sand, which no ray from above it meets. Share of what else there is.
 float shareAboveSand(vec3 from, BentPoint point) {
-    Ray ray = rayThrough(point.pixel);
-    vec3 met = mirroredPoint(ray, ray, point.distance, plane.xyz, plane.w);
+    vec3 met = shownBy(point.pixel, max(infoAt(point.pixel), 0.0));
     vec2 along = met.xz - from.xz;
     float sand = -plane.w - shoreHere.depth + dot(shoreHere.bedSlope, along);
     float deep = smoothstep(0.1, 0.4, thickness());
@@ -95,8 +109,7 @@ float shareAhead(vec3 from, vec3 direction, vec2 pixel, float mip) {
     [[dont_unroll]] do {
         vec2 tap = pixel + taps[i] * exp2(mip) * reflectionScale;
         float info = infoAt(tap);
-        Ray ray = rayThrough(tap);
-        vec3 met = mirroredPoint(ray, ray, info, plane.xyz, plane.w);
+        vec3 met = shownBy(tap, info);
         if (infoIsHit(info)) counted += vec2(dot(met.xz - from.xz, direction.xz) > 0.0 ? 1.0 : 0.0, 1.0);
     } while (++i < 4);
     return counted.x / max(counted.y, 1.0);
@@ -127,11 +140,18 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
     return texel * (inside * shareOfScene(point.distance, reflectionLook));
 }
 
+// What is known where the bent ray leads: of one that meets nothing the image may show what lies behind the ray.
+float infoMet(BentPoint point) {
+    float info = infoAt(point.pixel);
+    return infoIsHit(info) && point.distance >= farAway ? infoSky : info;
+}
+
 // Where in the region the mirrored thing is taken from, its distance from the surface and its ReflectionClass. A texel
 // of the reflection says how far away its mirror image is; the lookup's own ray meets it there.
 vec4 reflectionSource(vec3 from, vec3 direction) {
-    vec2 pixel = bentPoint(from, direction, hitHere(), 2).pixel;
-    float info = infoAt(pixel);
+    BentPoint point = bentPoint(from, direction, hitHere(), 2);
+    vec2 pixel = point.pixel;
+    float info = infoMet(point);
     if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
     Ray throughTexel = rayThrough((floor(pixel / reflectionScale) + 0.5) * reflectionScale);
     vec3 source = mirroredPoint(rayThrough(pixel), throughTexel, info, plane.xyz, plane.w);
@@ -140,7 +160,7 @@ vec4 reflectionSource(vec3 from, vec3 direction) {
 }
 
 vec3 classColor(vec3 from, vec3 direction) {
-    float info = infoAt(bentPoint(from, direction, hitHere(), 2).pixel);
+    float info = infoMet(bentPoint(from, direction, hitHere(), 2));
     if (infoIsHit(info)) return vec3(0.0, 1.0, 0.0);
     return infoIsSky(info) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
 }
