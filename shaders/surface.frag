@@ -135,13 +135,17 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
 }
 
 void main() {
-    // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.
-    if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) discard;
     loadSurface();
+    // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.
+    bool shows = gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0 && !isDry(position);
 #ifdef OUTLINE
-    if (!isWithin(meshCalm, edgeRange)) discard;
+    shows = shows && isWithin(meshCalm, edgeRange);
 #endif
-    if (isDry(position)) discard;
+#ifdef WAVES
+    float side = isSeenFromWater() ? -1.0 : 1.0;
+    quadIsAlike = abs(meanOfQuad(vec4(shows ? side : 0.0)).x) == 1.0;
+#endif
+    if (!shows) discard;
     pixelLength = calmPixelWidth();
 #ifdef SHORE
     shoreHere = shoreWave(meshCalm, pixelLength);

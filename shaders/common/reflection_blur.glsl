@@ -10,9 +10,14 @@ float bundleWidth(float cone, float distance, vec3 look) {
 // A texel of the pyramid, read linearly, spreads by 0.65 of its width [standard deviation]; a mean of 2 x 2 spreads by 0.5.
 const float texelSpread = 1.29;
 
-// The mip whose texels are as wide as the bundle, as the eye sees it, `toMirror` + `distance` metres away.
-float bundleMip(float width, float toMirror, float distance, float texelsPerRadian) {
-    return log2(max(width / (toMirror + distance) * texelsPerRadian / texelSpread, 1.0));
+// How many texels' spreads the bundle is wide as the eye sees it, `toMirror` + `distance` metres away.
+float bundleTexels(float width, float toMirror, float distance, float texelsPerRadian) {
+    return width / (toMirror + distance) * texelsPerRadian / texelSpread;
+}
+
+// The mip whose texels are as wide.
+float bundleMip(float texels) {
+    return log2(max(texels, 1.0));
 }
 
 float shareOfScene(float distance, vec3 look) {

@@ -115,6 +115,15 @@ float shareAhead(vec3 from, vec3 direction, vec2 pixel, float mip) {
     return counted.x / max(counted.y, 1.0);
 }
 
+// How many texels are blurred into one for rays within `spread` radians [standard deviation] that go on for `distance` metres.
+float blurTexels(vec3 from, float spread, float distance) {
+    // A quarter: mips blur alike in all directions, but at grazing angles slopes turn the mirrored ray mostly up and down,
+    // and a mast must stay a line.
+    float width = bundleWidth(0.25 * spread * reflectionDistortion, distance, reflectionLook);
+    float toEye = length(from) + (1.0 - sight.w) * endlesslyFar;
+    return bundleTexels(width, toEye, distance, toEye / (pixelWidth(from) * reflectionScale));
+}
+
 // Radiance times confidence, and confidence. Rays within the pixel spread by `spread` radians [standard deviation]; the
 // farther they go, the more of the reflection they meet. `hit` is how far that is [m]: from a ray beside it, to the next.
 vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
@@ -127,11 +136,7 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
 #ifdef SHORE
     inside *= shareAboveSand(from, point);
 #endif
-    // A quarter: mips blur alike in all directions, but at grazing angles slopes turn the mirrored ray mostly up and down,
-    // and a mast must stay a line.
-    float width = bundleWidth(0.25 * spread * reflectionDistortion, point.distance, reflectionLook);
-    float toEye = length(from) + (1.0 - sight.w) * endlesslyFar;
-    float mip = bundleMip(width, toEye, point.distance, toEye / (pixelWidth(from) * reflectionScale));
+    float mip = bundleMip(blurTexels(from, spread, point.distance));
     vec4 texel = reflectionTexel(point.pixel / reflectionScale, mip, reflectionScale);
 #ifdef WAVES
     if (texel.a > 0.0 && point.distance >= farAway)

@@ -104,7 +104,7 @@ vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here) {
     [[dont_unroll]] do {
         vec2 pixel = middle + radius * taps[i];
         Behind b = bedAt(pixel);
-        bool level = abs(b.seen.y - inside.seen.y) < 0.15 * (position.y - inside.seen.y);
+        bool level = b.seen.y - inside.seen.y < 0.15 * (position.y - inside.seen.y);
         vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
         bool flatHere = abs(step.y) < 0.5 * length(step.xz);
         if (isBelowWater(b) && level && flatHere) sum += vec4(bedRadiance(b), 1.0);
@@ -119,7 +119,7 @@ float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
     Behind before = bedAt(p.xy / p.w - 4.0 * track);
     vec3 step = last.seen - before.seen;
     float across = dot(step.xz, step.xz);
-    bool isSlope = isBelowWater(before) && step.y * step.y < across;
+    bool isSlope = isBelowWater(before) && step.y * step.y < 0.25 * across;
     vec2 slope = isSlope ? step.xz * (step.y / across) : vec2(0.0);
     float depth = position.y - last.seen.y - dot(slope, position.xz - last.seen.xz);
     return clamp(depth / max(1.0 + dot(slope, perDepth.xz), 0.2), 0.0, 1.5 * (position.y - last.seen.y));

@@ -165,23 +165,33 @@ vec3 mirroredBy(vec2 slope, vec3 view, float spread) {
 }
 
 #ifdef WAVES
-// For 1, 2 and 4 looks the means of equal shares of a Gaussian [deviations], along the line of sight. Aside each lies to
-// one side or the other, so that along and aside do not depend on each other.
+// For 1, 2 and 4 looks the means of equal shares of a Gaussian [deviations], along the line of sight.
 const float belowLooks[7] = float[](0.0, -0.8, 0.8, -1.27, -0.325, 0.325, 1.27);
+
+// Aside each lies to one side or the other, so that along and aside do not depend on each other.
+float sideOf(int look) {
+    return mirrorLooks == 1 ? 0.0 : (look & 1) == (look >> 1) ? 1.0 : -1.0;
+}
+
+float sideOfShare() {
+    vec2 place = placeInQuad();
+    return place.x == place.y ? 1.0 : -1.0;
+}
 
 // The mean over the slopes that are seen, at as many of them as there are looks. Seen from below, where no line of sight
 // that is mirrored is as low as those over water, slopes turn rays aside as much as up and down: twice reflectionAlong()'s blur.
 vec3 mirroredBelow(SurfacePoint s, vec3 view) {
     VisibleSlopes v = visibleSlopes(s, view);
     SlopeSpread seen = slopeSpread(v);
-    vec2 aside = mirrorLooks == 1 ? vec2(0.0) : vec2(-v.towards.y, v.towards.x) * (0.7 * deviationAcross(s, v.towards));
+    vec2 aside = vec2(-v.towards.y, v.towards.x) * (0.7 * deviationAcross(s, v.towards));
     float spread = 2.0 * lookWidth() * seen.deviation + s.slopeStep;
+    float share = sharedInQuad(s, seen, spread, firstHit());
     vec3 sum = vec3(0.0);
     int i = 0;
     do {
-        float offset = seen.mean + belowLooks[mirrorLooks - 1 + i] * seen.deviation;
-        float sideways = (i & 1) == (i >> 1) ? 1.0 : -1.0;
-        sum += mirroredBy(s.slope + v.towards * offset + sideways * aside, view, spread);
+        float offset = mix(belowLooks[mirrorLooks - 1 + i], dot(levelShares[mirrorLooks - 1 + i], partOfQuad()), share);
+        vec2 slope = s.slope + v.towards * (seen.mean + offset * seen.deviation) + aside * mix(sideOf(i), sideOfShare(), share);
+        sum += meanFound(vec4(mirroredBy(slope, view, spread), 1.0), share).rgb;
     } while (++i < mirrorLooks);
     return sum / float(mirrorLooks);
 }

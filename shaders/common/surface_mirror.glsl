@@ -34,6 +34,14 @@ vec4 mirroredScene(vec3 direction, float spread, inout float hit) {
 #endif
 }
 
+float texelsBlurred(float spread, float hit) {
+#ifdef REFLECTION
+    return blurTexels(position, spread, hit);
+#else
+    return 0.0;
+#endif
+}
+
 float firstHit() {
 #ifdef REFLECTION
     return hitHere();
@@ -43,6 +51,8 @@ float firstHit() {
 }
 
 #ifdef WAVES
+#include "quad.glsl"
+
 layout(constant_id = 7) const int mirrorLooks = 2;   // 1, 2 or 4
 
 // The slopes that the eye sees, as offsets from their mean in deviations, of a Gaussian and of Rayleigh's distribution: four,
@@ -62,6 +72,42 @@ float slopeSeen(int i, SlopeSpread seen) {
 
 float shareOfSlope(int i) {
     return mirrorLooks == 4 ? 0.125 : fourShares[i];
+}
+
+// For looks of one, of two and of four, the means of four equal shares of each one's slopes.
+const vec4 levelShares[7] = vec4[](
+    vec4(-1.370, -0.350, 0.350, 1.370),
+    vec4(-1.694, -0.921, -0.505, -0.163), vec4(0.163, 0.505, 0.921, 1.694),
+    vec4(-1.990, -1.341, -1.024, -0.787), vec4(-0.587, -0.407, -0.240, -0.079),
+    vec4(0.079, 0.240, 0.407, 0.587), vec4(0.787, 1.024, 1.341, 1.990));
+const vec4 edgeOnShares[7] = vec4[](
+    vec4(-1.466, -0.253, 0.467, 1.252),
+    vec4(-1.884, -0.916, -0.430, -0.053), vec4(0.283, 0.609, 0.959, 1.433),
+    vec4(-2.273, -1.434, -1.043, -0.758), vec4(-0.525, -0.322, -0.138, 0.034),
+    vec4(0.198, 0.358, 0.518, 0.680), vec4(0.850, 1.036, 1.252, 1.567));
+
+// The slope that stands for this pixel's share of a look's, as an offset from what is in the middle of the pixel.
+float slopeOfShare(int look, SlopeSpread seen) {
+    int shares = mirrorLooks - 1 + look;
+    return seen.mean + dot(mix(levelShares[shares], edgeOnShares[shares], seen.skew), partOfQuad()) * seen.deviation;
+}
+
+bool quadIsAlike;   // all four pixels of the quad show this water, and from the same side
+
+// Few looks at a window in rough water show as many windows, not the column that it makes. So the pixels of a quad look at
+// shares of the slopes each, and take the mean of what they find. How far they do so [0..1]: not where the quad's slopes
+// differ by more than those within a pixel, nor where what they mirror lies within a texel or so.
+float sharedInQuad(SurfacePoint s, SlopeSpread seen, float spread, float hit) {
+    if (!quadIsAlike) return 0.0;
+    return smoothstep(1.0, 3.0, seen.deviation / max(s.slopeStep, 1e-6)) * smoothstep(0.1, 0.2, texelsBlurred(spread, hit));
+}
+
+// The more of the mean where they share in part, or what each found for itself would stand out as a pattern of dots.
+vec4 meanFound(vec4 own, float share) {
+    vec4 mean = meanOfQuad(own);
+    // Where a triangle ends, the quad's other pixels lie on what it would go on as.
+    bool sound = all(greaterThanEqual(mean, vec4(0.0))) && mean.a < 1.001;
+    return sound ? mix(own, mean, share * (2.0 - share)) : own;
 }
 
 // Deviation of the mirrored directions that one look stands for, in those of all slopes: mirroring doubles angles.
@@ -85,7 +131,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     WavesAhead ahead = wavesAhead(s, -v.towards, 0.0);
     int look = 0;
     do {
-        vec4 all = vec4(0.0);
+        vec4 total = vec4(0.0);
         vec4 clear = vec4(0.0);   // rays that meet none
         float cosines = 0.0;
         for (int j = 0; j < together; ++j) {
@@ -95,16 +141,19 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
             vec3 direction = reflect(-toEye, normal);
             float cosine = dot(toEye, normal);
             vec4 mirrored = shareOfSlope(i) * mirroredShare(cosine) * vec4(direction, 1.0);
-            all += mirrored;
+            total += mirrored;
             cosines += mirrored.w * max(cosine, 0.0);
             clear += clearShare(direction.y, -dot(slope, v.towards), ahead) * mirrored;
         }
-        found = mirroredScene(keptAbove(all.xyz), spread, hit);
+        float share = sharedInQuad(s, seen, spread, hit);
+        vec3 ofShare = reflect(-toEye, normalOf(s.slope + v.towards * slopeOfShare(look, seen)));
+        vec3 ray = keptAbove(mix(total.xyz / max(total.w, 1e-6), ofShare, share));
+        found = meanFound(mirroredScene(ray, spread, hit), share);
         sum.radiance += clear.w * found.rgb;
         if (found.a < 0.999 && clear.w > 1e-6)
-            sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, max(spreadAside * cosines / max(all.w, 1e-6), 0.5 * spread));
-        sum.fresnel += all.w;
-        met += all - clear;
+            sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, max(spreadAside * cosines / max(total.w, 1e-6), 0.5 * spread));
+        sum.fresnel += total.w;
+        met += total - clear;
     } while (++look < mirrorLooks);
     if (met.w > 1e-3 * sum.fresnel) {
         vec3 direction = normalize(met.xyz);

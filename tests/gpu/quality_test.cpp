@@ -247,4 +247,50 @@ TEST_F(Looks, BeyondTheBorderSeeTheBedsMeanAndNoStreaks) {
     EXPECT_LT(beyond, 0.8 * inside);
 }
 
+/// A level bed, and on it round black stones that the picture's lower border cuts off.
+SceneBehind stonesAtTheBorder(const Camera& camera, double bed) {
+    SceneBehind behind = planeBelow(camera, bed, 2);
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    const glm::dvec3 border = rayThrough(camera, camera.width / 2, camera.height - 1);
+    const glm::dvec3 middle = camera.eye + border * ((bed - camera.eye.y) / border.y) + glm::dvec3(0, 0, 1.5);
+    for (int stone = -3; stone <= 3; ++stone) {
+        const glm::dvec3 radii = glm::dvec3(0.7, 1, 1) * (1 + 0.15 * stone);
+        const glm::dvec3 from = (camera.eye - middle - glm::dvec3(2.5 * stone, 0, 0)) / radii;
+        for (uint32_t y = 0; y < camera.height; ++y)
+            for (uint32_t x = 0; x < camera.width; ++x) {
+                const glm::dvec3 ray = rayThrough(camera, x, y), along = ray / radii;
+                const double half = glm::dot(along, from), squared = glm::dot(along, along);
+                const double root = half * half - squared * (glm::dot(from, from) - 1);
+                if (root < 0) continue;
+                const double distance = (-half - std::sqrt(root)) / squared;
+                const size_t i = size_t{y} * camera.width + x;
+                behind.depth[i] = static_cast<float>(camera.near / (distance * glm::dot(ray, forward)));
+                std::fill_n(&behind.color[i * 4], 3, 0.0f);
+            }
+    }
+    return behind;
+}
+
+// A stone that the picture's border cuts off is no bed that goes on: it would be drawn out to a dark wall.
+TEST_F(Looks, BeyondTheBorderSeeTheBedAndNoStoneOnIt) {
+    const RefractionDesc absorbing = {{0.3f, 0.3f, 0.3f}, {0, 0, 0}, 1};
+    BodyDesc desc;
+    desc.refraction = &absorbing;
+    Camera camera = low();
+    camera.eye = {0, 2.2, 6};
+    camera.target = {0, 1.6, -14};
+    camera.width = 384;
+    camera.height = 216;
+    Body* const body = makeBody(desc);
+    const WaterPicture bare = picture({body}, camera, 0, SurfaceOutput::shaded, planeBelow(camera, -3, 2));
+    const WaterPicture p = picture({body}, camera, 0, SurfaceOutput::shaded, stonesAtTheBorder(camera, -3));
+    size_t dark = 0;
+    for (uint32_t x = 0; x < p.width; ++x) {
+        const size_t i = (size_t{p.height - 1} * p.width + x) * 4;
+        dark += p.color[i] < 0.9f * bare.color[i];
+    }
+    std::printf("%zu pixels of the lowest row are dark\n", dark);
+    EXPECT_LE(dark, 2u);
+}
+
 } // namespace

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/fresnel.h"
@@ -50,6 +51,10 @@ class Water : public WaterTest {
     Body* flatBody() { return makeBody({}); }
     /// Of a scene of that which `along` meets.
     std::vector<BentLook> bentLooks(Body* body, const Camera& camera, const Along& along);
+    /// How bright a lit band 60 m away makes each of 90 rows of the water before it, in pictures of `scale`
+    /// times as many: seen from 3 m above the water, or as far below it.
+    std::vector<double> columnOfBand(double above, uint32_t looks, uint32_t scale);
+    double offByFewLooks(double above, uint32_t looks);
 };
 
 TEST_F(Water, FlatWaterCoversAllBelowTheHorizon) {
@@ -689,6 +694,67 @@ TEST_F(Water, MirrorsAWallFarBeforeTheWavesThatAreSteepEnough) {
                 off[off.size() / 2], off[off.size() * 9 / 10]);
     EXPECT_LT(off[off.size() / 2], 0.3);
     EXPECT_LT(off[off.size() * 9 / 10], 1.5);
+}
+
+std::vector<double> Water::columnOfBand(double above, uint32_t looks, uint32_t scale) {
+    const ReflectionDesc reflection;
+    const RefractionDesc clear = {{0, 0, 0}, {0, 0, 0}, 1};
+    const SeaDesc sea = breeze();
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.reflection = &reflection;
+    desc.refraction = &clear;
+    const UnderwaterDesc underwater;
+    if (above < 0) desc.underwater = &underwater;
+    desc.shading.mirrorLooks = looks;
+    Camera camera = seaCamera();
+    camera.width = 160 * scale;
+    camera.height = 90 * scale;
+    camera.eye = {0, above, 0};
+    camera.target = {0, above, -60};
+    const SceneBehind dark = nothingBehind(camera);
+    const SceneBehind lit = drawnOver(camera, dark, 50, [&](const glm::dvec3& ray) {
+        const double distance = ray.z < 0 ? -60 / ray.z : -1;
+        const glm::dvec3 at = camera.eye + distance * ray;
+        return at.y / above < 2 || at.y / above > 8.0 / 3 || std::abs(at.x) > 80 ? -1 : distance;
+    });
+    Body* const body = makeBody(desc);
+    const WaterPicture without = picture({body}, camera, 2, SurfaceOutput::reflection, dark);
+    const WaterPicture with = picture({body}, camera, 2, SurfaceOutput::reflection, lit);
+    std::vector<double> rows(90);
+    for (uint32_t y = 0; y < camera.height; ++y)
+        for (uint32_t x = 0; x < camera.width; ++x) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            const size_t i = size_t{y} * camera.width + x;
+            if (std::abs(ray.x / ray.z) >= 0.5 || !with.covered(i)) continue;
+            rows[y / scale] += double{with.color[4 * i]} - double{without.color[4 * i]};
+        }
+    for (double& row : rows) row /= scale * scale;
+    return rows;
+}
+
+/// Of the light of one with many looks and four times the resolution.
+double Water::offByFewLooks(double above, uint32_t looks) {
+    const std::vector<double> fine = columnOfBand(above, 4, 4), rows = columnOfBand(above, looks, 1);
+    double off = 0;
+    for (size_t y = 0; y < rows.size(); ++y) off += std::abs(rows[y] - fine[y]);
+    off /= std::accumulate(fine.begin(), fine.end(), 0.0);
+    std::printf("%u looks: rows are off by %.3f of the light\n", looks, off);
+    return off;
+}
+
+// Few looks at what a pixel's slopes mirror, each pixel's at the same slopes, show a light once for each, one
+// below the other.
+TEST_F(Water, MirrorsALightAsOneColumnByFewLooks) {
+    EXPECT_LT(offByFewLooks(3, 1), 0.62); // 1.45 were each pixel's slopes the same
+    EXPECT_LT(offByFewLooks(3, 2), 0.53); // 0.96
+    EXPECT_LT(offByFewLooks(3, 4), 0.31); // 0.38
+}
+
+TEST_F(Water, MirrorsALightBelowAsOneColumnByFewLooks) {
+    EXPECT_LT(offByFewLooks(-3, 1), 0.50); // 1.15
+    EXPECT_LT(offByFewLooks(-3, 2), 0.32); // 0.62
+    EXPECT_LT(offByFewLooks(-3, 4), 0.20); // 0.26
 }
 
 TEST_F(Water, SaysWhereTheReflectionIsTakenFrom) {

@@ -76,7 +76,8 @@ vec4 sceneHere(float cosine, float roughness) {
     const float cone = 3.545 * roughness * roughness * sqrt(cosine);
     const float downscale = mirror.picture.z;
     const float toMirror = length(inFromEye);
-    const float mip = bundleMip(bundleWidth(cone, distance, mirror.look.xyz), toMirror, distance, mirror.color.w / downscale);
+    const float width = bundleWidth(cone, distance, mirror.look.xyz);
+    const float mip = bundleMip(bundleTexels(width, toMirror, distance, mirror.color.w / downscale));
     return reflectionTexel(gl_FragCoord.xy / downscale, mip, downscale) * shareOfScene(distance, mirror.look.xyz);
 }
 
