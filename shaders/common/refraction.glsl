@@ -90,7 +90,7 @@ bool isBelowWater(Behind b) {
 
 // What lies beyond the border nobody knows: a mean of the bed around the place that lies as far inside, over a wider part of
 // it the farther out. So the bed goes on without a seam, a streak or rocks where there are none. What stands up from the bed
-// is not the bed.
+// is not the bed; what lies lower than the last pixel before the border is, which may show a stone.
 vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here) {
     const vec2 taps[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
     vec3 nearby = bedRadiance(inside);
@@ -104,16 +104,16 @@ vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here) {
     [[dont_unroll]] do {
         vec2 pixel = middle + radius * taps[i];
         Behind b = bedAt(pixel);
-        bool level = b.seen.y - inside.seen.y < 0.15 * (position.y - inside.seen.y);
+        bool standsUp = b.seen.y - inside.seen.y >= 0.15 * (position.y - inside.seen.y);
         vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
         bool flatHere = abs(step.y) < 0.5 * length(step.xz);
-        if (isBelowWater(b) && level && flatHere) sum += vec4(bedRadiance(b), 1.0);
+        if (isBelowWater(b) && !standsUp && flatHere) sum += vec4(bedRadiance(b), 1.0);
     } while (++i < 4);
     return sum.rgb / sum.a;
 }
 
 // The depth at which a ray that goes `perDepth` a metre down meets a bed that goes on beyond its last pixel, by its slope
-// there; `track` is the way of such rays on the screen, unit. Steps are no bed.
+// there; `track` is the way of such rays on the screen, unit. Steps are no bed, nor are the sides of stones.
 float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
     vec4 p = bedPixelOf(vec4(last.seen, 1.0));
     Behind before = bedAt(p.xy / p.w - 4.0 * track);

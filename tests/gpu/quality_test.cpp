@@ -250,23 +250,17 @@ TEST_F(Looks, BeyondTheBorderSeeTheBedsMeanAndNoStreaks) {
 /// A level bed, and on it round black stones that the picture's lower border cuts off.
 SceneBehind stonesAtTheBorder(const Camera& camera, double bed) {
     SceneBehind behind = planeBelow(camera, bed, 2);
-    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
     const glm::dvec3 border = rayThrough(camera, camera.width / 2, camera.height - 1);
     const glm::dvec3 middle = camera.eye + border * ((bed - camera.eye.y) / border.y) + glm::dvec3(0, 0, 1.5);
     for (int stone = -3; stone <= 3; ++stone) {
         const glm::dvec3 radii = glm::dvec3(0.7, 1, 1) * (1 + 0.15 * stone);
         const glm::dvec3 from = (camera.eye - middle - glm::dvec3(2.5 * stone, 0, 0)) / radii;
-        for (uint32_t y = 0; y < camera.height; ++y)
-            for (uint32_t x = 0; x < camera.width; ++x) {
-                const glm::dvec3 ray = rayThrough(camera, x, y), along = ray / radii;
-                const double half = glm::dot(along, from), squared = glm::dot(along, along);
-                const double root = half * half - squared * (glm::dot(from, from) - 1);
-                if (root < 0) continue;
-                const double distance = (-half - std::sqrt(root)) / squared;
-                const size_t i = size_t{y} * camera.width + x;
-                behind.depth[i] = static_cast<float>(camera.near / (distance * glm::dot(ray, forward)));
-                std::fill_n(&behind.color[i * 4], 3, 0.0f);
-            }
+        behind = drawnOver(camera, behind, 0, [&](const glm::dvec3& ray) {
+            const glm::dvec3 along = ray / radii;
+            const double half = glm::dot(along, from), squared = glm::dot(along, along);
+            const double root = half * half - squared * (glm::dot(from, from) - 1);
+            return root < 0 ? -1 : (-half - std::sqrt(root)) / squared;
+        });
     }
     return behind;
 }

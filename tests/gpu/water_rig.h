@@ -80,6 +80,23 @@ SceneBehind nothingBehind(const Camera& camera);
 /// A plane at height `bed`, of one radiance.
 SceneBehind planeBelow(const Camera& camera, double bed, float radiance);
 
+/// What stands before the rest, of one radiance, where `distanceAlong` a ray from the eye is positive.
+template<typename DistanceAlong>
+SceneBehind drawnOver(const Camera& camera, SceneBehind behind, float radiance,
+                      const DistanceAlong& distanceAlong) {
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    for (uint32_t y = 0; y < camera.height; ++y)
+        for (uint32_t x = 0; x < camera.width; ++x) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            const double distance = distanceAlong(ray);
+            if (!(distance > 0)) continue;
+            const size_t i = size_t{y} * camera.width + x;
+            behind.depth[i] = static_cast<float>(camera.near / (distance * glm::dot(ray, forward)));
+            std::fill_n(&behind.color[i * 4], 3, radiance);
+        }
+    return behind;
+}
+
 /// A wind of 8 m/s, in few samples.
 seaglass::SeaDesc breeze();
 
