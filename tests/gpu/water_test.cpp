@@ -49,6 +49,14 @@ class Water : public WaterTest {
         return makeBody(desc);
     }
     Body* flatBody() { return makeBody({}); }
+    /// As described, with a breeze's waves that mirror the scene.
+    Body* mirroringBreeze(BodyDesc desc) {
+        const ReflectionDesc reflection;
+        const SeaDesc sea = breeze();
+        desc.waves = &sea;
+        desc.reflection = &reflection;
+        return makeBody(desc);
+    }
     /// Of a scene of that which `along` meets.
     std::vector<BentLook> bentLooks(Body* body, const Camera& camera, const Along& along);
     /// How bright a lit band 60 m away makes each of 90 rows of the water before it, in pictures of `scale`
@@ -552,13 +560,9 @@ TEST_F(WaterLook, ASmallerReflectionLetsNoSkyInAlongWhatStandsBeforeIt) {
 // Waves far off bend rays so steeply up that the flat mirror shows, where those are looked up, things close
 // to the eye. The rays go away from them.
 TEST_F(Water, WavesDoNotMirrorWhatLiesBeforeThem) {
-    const ReflectionDesc reflection;
-    const SeaDesc sea = breeze();
     BodyDesc desc;
-    desc.waves = &sea;
-    desc.reflection = &reflection;
     desc.shading.mirrorLooks = 4;
-    Body* body = makeBody(desc);
+    Body* body = mirroringBreeze(desc);
     Camera camera = seaCamera();
     camera.target = {3, 2, -10};
     const SceneBehind open = nothingBehind(camera);
@@ -641,11 +645,6 @@ TEST_F(Water, MirrorsTheTailOfWhatFloats) {
 // Waves near an eye that looks down mirror a wall far off, which the flat mirror shows far away from them,
 // where it has but a short way to it.
 TEST_F(Water, MirrorsAWallFarBeforeTheWavesThatAreSteepEnough) {
-    const ReflectionDesc reflection;
-    const SeaDesc sea = breeze();
-    BodyDesc desc;
-    desc.waves = &sea;
-    desc.reflection = &reflection;
     Camera camera = seaCamera();
     camera.width = 640;
     camera.height = 360;
@@ -660,7 +659,7 @@ TEST_F(Water, MirrorsAWallFarBeforeTheWavesThatAreSteepEnough) {
     const glm::dvec2 size(camera.width, camera.height);
     size_t beyondFlat = 0;
     std::vector<double> off;
-    for (const BentLook& look : bentLooks(makeBody(desc), camera, alongToWall)) {
+    for (const BentLook& look : bentLooks(mirroringBreeze({}), camera, alongToWall)) {
         if (!(look.bent > 0) || look.flat > 0) continue;
         const glm::dvec4 p = clip * glm::dvec4(look.met, 1);
         const glm::dvec2 truth = (glm::dvec2(p) / p.w * 0.5 + 0.5) * size;
@@ -680,12 +679,8 @@ TEST_F(Water, MirrorsAWallFarBeforeTheWavesThatAreSteepEnough) {
 }
 
 std::vector<double> Water::columnOfBand(double above, uint32_t looks, uint32_t scale) {
-    const ReflectionDesc reflection;
     const RefractionDesc clear = {{0, 0, 0}, {0, 0, 0}, 1};
-    const SeaDesc sea = breeze();
     BodyDesc desc;
-    desc.waves = &sea;
-    desc.reflection = &reflection;
     desc.refraction = &clear;
     const UnderwaterDesc underwater;
     if (above < 0) desc.underwater = &underwater;
@@ -701,7 +696,7 @@ std::vector<double> Water::columnOfBand(double above, uint32_t looks, uint32_t s
         const glm::dvec3 at = camera.eye + distance * ray;
         return at.y / above < 2 || at.y / above > 8.0 / 3 || std::abs(at.x) > 80 ? -1 : distance;
     });
-    Body* const body = makeBody(desc);
+    Body* const body = mirroringBreeze(desc);
     const WaterPicture without = picture({body}, camera, 2, SurfaceOutput::reflection, dark);
     const WaterPicture with = picture({body}, camera, 2, SurfaceOutput::reflection, lit);
     std::vector<double> rows(90);
