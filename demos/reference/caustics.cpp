@@ -38,7 +38,7 @@ std::optional<glm::vec3> bedSeenBy(const Frame& frame, uint32_t x, uint32_t y) {
         const glm::vec3 direction = mirrors ? glm::reflect(ray.direction, facet.normal)
                                             : glm::refract(ray.direction, facet.normal, 1 / waterIndex);
         before = hit.distance;
-        const Ray bent = bentRay(frame, ray, hit, mirrors ? facet.up : -facet.up, glm::normalize(direction));
+        const Ray bent = bentRay(ray, hit, mirrors ? facet.up : -facet.up, glm::normalize(direction));
         if (!frame.geometry.trace(bent, Kind::opaque, hit)) return std::nullopt;
         path = hit.distance + (mirrors ? before : 0);
     } else if (!ray.inWater) {

@@ -61,12 +61,11 @@ Facet randomFacet(const Frame& frame, const Ray& ray, const Hit& hit, float leas
     return f;
 }
 
-Ray bentRay(const Frame& frame, const Ray& ray, const Hit& hit, const glm::vec3& side,
-            const glm::vec3& direction) {
+Ray bentRay(const Ray& ray, const Hit& hit, const glm::vec3& side, const glm::vec3& direction) {
     Ray bent;
     bent.origin = hit.position + side * clearanceAt(hit.position);
     bent.direction = direction;
-    bent.footprint = footprintAfter(bent.origin, direction, travelledUntil(ray, hit), frame.pixelAngle);
+    bent.footprint = footprintAfter(bent.origin, direction, travelledUntil(ray, hit), ray.footprint.angle);
     return bent;
 }
 

@@ -25,7 +25,6 @@ Facet meanFacet(const Frame& frame, const Ray& ray, const Hit& hit);
 Facet randomFacet(const Frame& frame, const Ray& ray, const Hit& hit, float leastCosine, Random& random);
 
 /// On from a hit, to the side that `side` points to.
-Ray bentRay(const Frame& frame, const Ray& ray, const Hit& hit, const glm::vec3& side,
-            const glm::vec3& direction);
+Ray bentRay(const Ray& ray, const Hit& hit, const glm::vec3& side, const glm::vec3& direction);
 
 } // namespace demos::reference

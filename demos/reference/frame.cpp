@@ -75,29 +75,32 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
     return true;
 }
 
-Ray Frame::rayThrough(const glm::vec2& pixel) const {
+Ray Frame::rayThrough(const glm::vec2& pixel, float width) const {
     const auto through = [&](double x, double y) {
         return camera.seenAt(2 * x / desc.width - 1, 1 - 2 * y / desc.height, camera.parallel() ? 0 : 1);
     };
     const double x = static_cast<double>(pixel.x), y = static_cast<double>(pixel.y);
-    if (camera.parallel()) return parallelRay(through(x, y), through(x + 1, y), through(x, y + 1));
+    const double right = x + static_cast<double>(width), below = y + static_cast<double>(width);
+    const float angle = width * pixelAngle;
+    if (camera.parallel()) return parallelRay(through(x, y), through(right, y), through(x, below), angle);
     const glm::dvec3 towards = through(x, y);
     const double length = glm::length(towards);
     Ray ray;
     ray.direction = glm::vec3(towards / length);
     ray.nearest = static_cast<float>(camera.near * length);
-    ray.footprint = {glm::vec3(0), glm::vec3(through(x + 1, y)), glm::vec3(through(x, y + 1))};
+    ray.footprint = {glm::vec3(0), glm::vec3(through(right, y)), glm::vec3(through(x, below)), angle};
     return ray;
 }
 
-Ray Frame::parallelRay(const glm::dvec3& from, const glm::dvec3& right, const glm::dvec3& below) const {
+Ray Frame::parallelRay(const glm::dvec3& from, const glm::dvec3& right, const glm::dvec3& below,
+                       float angle) const {
     const glm::dvec3 along = static_cast<double>(apexM) * camera.forward;
     Ray ray;
     ray.origin = glm::vec3(from);
     ray.direction = glm::vec3(camera.forward);
     ray.nearest = static_cast<float>(camera.near);
     ray.footprint = {glm::vec3(from - along), glm::vec3(along + right - from),
-                     glm::vec3(along + below - from)};
+                     glm::vec3(along + below - from), angle};
     return ray;
 }
 

@@ -30,8 +30,9 @@ struct Frame {
     SkyBeams sky; ///< under water; dark where there is none
     Caustics caustics;
 
-    /// Through a point of the picture, in pixels from its left top corner.
-    Ray rayThrough(const glm::vec2& pixel) const;
+    /// Through a point of the picture, in pixels from its left top corner, for as many of them as `width`
+    /// each way.
+    Ray rayThrough(const glm::vec2& pixel, float width = 1) const;
     /// Where in the picture a point relative to the eye is seen; z is its distance along the view axis, not
     /// positive behind the eye.
     glm::dvec3 seenAt(const glm::vec3& position) const;
@@ -47,7 +48,8 @@ struct Frame {
 
   private:
     /// Where it and the next pixels' rays begin, relative to the eye.
-    Ray parallelRay(const glm::dvec3& from, const glm::dvec3& right, const glm::dvec3& below) const;
+    Ray parallelRay(const glm::dvec3& from, const glm::dvec3& right, const glm::dvec3& below,
+                    float angle) const;
 };
 
 /// `out` keeps a pointer to the world, and its geometry one to `out`.

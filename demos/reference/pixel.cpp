@@ -1,5 +1,7 @@
 #include "reference/pixel.h"
 
+#include <cmath>
+
 #include "reference/shade_bed.h"
 #include "reference/shade_floor.h"
 #include "reference/shade_water.h"
@@ -23,7 +25,10 @@ void PixelSum::add(const Frame& frame, uint32_t x, uint32_t y, uint32_t sample) 
     const glm::vec2 corner(static_cast<float>(x), static_cast<float>(y));
     Random random(y * frame.desc.width + x, sample, frame.desc.seed);
     Random* const chance = frame.desc.samples > 1 ? &random : nullptr;
-    Ray ray = frame.rayThrough(corner + (chance ? random.inPixel() : glm::vec2(0.5f)));
+    // Each of several stands for its own part: textures that are blurred by the whole pixel would be blurred
+    // twice.
+    const float width = 1 / std::sqrt(static_cast<float>(frame.desc.samples));
+    Ray ray = frame.rayThrough(corner + (chance ? random.inPixel() : glm::vec2(0.5f)), width);
     ray.inWater = isInWater(frame, ray.origin + ray.direction * ray.nearest);
     ++count_;
     Hit hit;

@@ -7,11 +7,12 @@
 
 namespace demos::reference {
 
-/// The rays of the pixels to the right and below, as far as they tell how finely a surface is looked at: both
-/// leave from `apex`, where the whole path would begin were it straight.
+/// The rays of the pixels, or of the samples, to the right and below, as far as they tell how finely a
+/// surface is looked at: both leave from `apex`, where the whole path would begin were it straight.
 struct Footprint {
     glm::vec3 apex{0};
     glm::vec3 right{0}, below{0}; ///< directions
+    float angle = 0;              ///< from the ray to either [rad], in the middle of the picture
 };
 
 struct Ray {
@@ -22,13 +23,13 @@ struct Ray {
     Footprint footprint;
 };
 
-/// What lies `travelled` metres behind a bend in the path sees the next pixels at `angle` from its own ray.
+/// What lies `travelled` metres behind a bend in the path sees the next rays at `angle` from its own.
 inline Footprint footprintAfter(const glm::vec3& origin, const glm::vec3& direction, float travelled,
                                 float angle) {
     const glm::vec3 other = glm::abs(direction.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
     const glm::vec3 right = glm::normalize(glm::cross(direction, other));
     const glm::vec3 below = glm::cross(direction, right);
-    return {origin - direction * travelled, direction + right * angle, direction + below * angle};
+    return {origin - direction * travelled, direction + right * angle, direction + below * angle, angle};
 }
 
 /// Where the neighbours meet the plane through `at`, relative to it. A plane that they miss is taken as far

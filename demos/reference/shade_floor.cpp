@@ -19,12 +19,12 @@ float coatFresnel(const FloorDesc& floor, float cosine) {
     return schlick(f0, std::max(1 - static_cast<float>(floor.roughness), f0), cosine);
 }
 
-Ray mirroredRay(const Frame& frame, const Ray& ray, const Hit& hit, const glm::vec3& facet) {
+Ray mirroredRay(const Ray& ray, const Hit& hit, const glm::vec3& facet) {
     Ray mirrored;
     mirrored.origin = hit.position + hit.facing() * clearanceAt(hit.position);
     mirrored.direction = glm::normalize(glm::reflect(ray.direction, facet));
     const float travelled = glm::length(ray.origin - ray.footprint.apex) + hit.distance;
-    mirrored.footprint = footprintAfter(mirrored.origin, mirrored.direction, travelled, frame.pixelAngle);
+    mirrored.footprint = footprintAfter(mirrored.origin, mirrored.direction, travelled, ray.footprint.angle);
     return mirrored;
 }
 
@@ -46,7 +46,7 @@ glm::vec3 roughMirror(const Frame& frame, const Ray& ray, const Hit& hit, Random
     const glm::mat3 world(glm::vec3(plane.across), glm::vec3(plane.along), glm::vec3(plane.normal));
     const glm::vec3 v = -ray.direction;
     const glm::vec3 facet = world * visibleFacet(glm::transpose(world) * v, alpha, random.next2());
-    const Ray mirrored = mirroredRay(frame, ray, hit, facet);
+    const Ray mirrored = mirroredRay(ray, hit, facet);
     const float leaves = glm::dot(mirrored.direction, hit.facing());
     if (leaves <= 0) return glm::vec3(0); // into a neighbouring facet
     const float fresnel =
@@ -75,8 +75,8 @@ Ground groundAt(const Frame& frame, const Ray& ray, const Hit& hit) {
 
 } // namespace
 
-Ray mirrorOfFloor(const Frame& frame, const Ray& ray, const Hit& hit) {
-    return mirroredRay(frame, ray, hit, hit.facing());
+Ray mirrorOfFloor(const Ray& ray, const Hit& hit) {
+    return mirroredRay(ray, hit, hit.facing());
 }
 
 glm::vec3 shadeFloor(const Frame& frame, const Ray& ray, const Hit& hit, Random* random) {
@@ -91,7 +91,7 @@ glm::vec3 shadeFloor(const Frame& frame, const Ray& ray, const Hit& hit, Random*
     const float coat = coatFresnel(floor, nDotV);
     const glm::vec3 mirrored =
         rough ? roughMirror(frame, ray, hit, *random)
-              : coat * radianceOf(frame, mirrorOfFloor(frame, ray, hit), roughness == 0, random);
+              : coat * radianceOf(frame, mirrorOfFloor(ray, hit), roughness == 0, random);
     glm::vec3 down = light.irradiance(n), glint(0);
     const glm::vec3 towardsSun = random ? light.towardsSun(random->next2()) : l;
     const bool lit = nDotL > 0 && light.sunIrradiance() != glm::vec3(0) &&

@@ -12,6 +12,6 @@ namespace demos::reference {
 glm::vec3 shadeFloor(const Frame& frame, const Ray& ray, const Hit& hit, Random* random);
 
 /// The ray that the flat plane mirrors.
-Ray mirrorOfFloor(const Frame& frame, const Ray& ray, const Hit& hit);
+Ray mirrorOfFloor(const Ray& ray, const Hit& hit);
 
 } // namespace demos::reference

@@ -32,7 +32,7 @@ glm::vec3 mirrored(const Frame& frame, const Ray& ray, const Hit& hit, const Fac
         kept = fresnelWater(-above);
     }
     if (bounces == 0) return kept * frame.world->light.sky(keptAbove(direction));
-    return kept * radianceAlong(frame, bentRay(frame, ray, hit, facet.up, direction), bounces - 1, random);
+    return kept * radianceAlong(frame, bentRay(ray, hit, facet.up, direction), bounces - 1, random);
 }
 
 glm::vec3 refracted(const Frame& frame, const Ray& ray, const Hit& hit, const Facet& facet, Random* random) {
@@ -40,7 +40,7 @@ glm::vec3 refracted(const Frame& frame, const Ray& ray, const Hit& hit, const Fa
     const WaterLight light = waterLightOf(frame);
     if (!desc) return light.glow(endless);
     const glm::vec3 direction = glm::normalize(glm::refract(ray.direction, facet.normal, 1 / waterIndex));
-    const Ray below = bentRay(frame, ray, hit, -facet.up, direction);
+    const Ray below = bentRay(ray, hit, -facet.up, direction);
     Hit bed;
     float path = endless;
     glm::vec3 radiance(0);
@@ -122,7 +122,7 @@ glm::vec3 shadeHit(const Frame& frame, const Ray& ray, const Hit& hit, Random* r
 MirroredRay mirrorOfMean(const Frame& frame, const Ray& ray, const Hit& hit) {
     const Facet facet = meanFacet(frame, ray, hit);
     const glm::vec3 direction = glm::normalize(glm::reflect(ray.direction, facet.normal));
-    MirroredRay mean = {facet.normal, bentRay(frame, ray, hit, facet.up, direction)};
+    MirroredRay mean = {facet.normal, bentRay(ray, hit, facet.up, direction)};
     mean.ray.inWater = frame.world->water->underwater && !hit.frontFacing;
     return mean;
 }

@@ -23,7 +23,7 @@ glm::vec3 keptOn(const glm::vec3& side, const glm::vec3& direction) {
 glm::vec3 mirrored(const Frame& frame, const Ray& ray, const Hit& hit, const Facet& facet, int bounces,
                    Random* random) {
     const glm::vec3 direction = keptOn(facet.up, glm::normalize(glm::reflect(ray.direction, facet.normal)));
-    Ray down = bentRay(frame, ray, hit, facet.up, direction);
+    Ray down = bentRay(ray, hit, facet.up, direction);
     down.inWater = true;
     return bounces == 0 ? endlessWater(frame, down) : radianceAlong(frame, down, bounces - 1, random);
 }
@@ -32,7 +32,7 @@ glm::vec3 aboveWater(const Frame& frame, const Ray& ray, const Hit& hit, const F
                      Random* random) {
     const glm::vec3 direction =
         keptOn(-facet.up, glm::normalize(glm::refract(ray.direction, facet.normal, waterIndex)));
-    const Ray out = bentRay(frame, ray, hit, -facet.up, direction);
+    const Ray out = bentRay(ray, hit, -facet.up, direction);
     return bounces == 0 ? frame.world->light.sky(direction) : radianceAlong(frame, out, bounces - 1, random);
 }
 

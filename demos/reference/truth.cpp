@@ -59,7 +59,7 @@ Truth truthAt(const Frame& frame, const glm::vec2& pixel) {
     Hit surface;
     if (!frame.geometry.trace(ray, Kind::everything, surface) || surface.kind != Kind::surface) return truth;
     const bool floor = frame.world->floor.has_value();
-    const Ray mirrored = floor ? mirrorOfFloor(frame, ray, surface) : mirrorOfMean(frame, ray, surface).ray;
+    const Ray mirrored = floor ? mirrorOfFloor(ray, surface) : mirrorOfMean(frame, ray, surface).ray;
     truth.radiance = radianceAlong(frame, mirrored, mostBounces - 1, nullptr);
     Hit hit;
     const bool found = frame.geometry.trace(mirrored, Kind::everything, hit);
