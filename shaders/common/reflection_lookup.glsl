@@ -60,6 +60,25 @@ float towardsShown(vec3 from, vec3 direction, vec2 pixel, float t) {
     return along > 0.0 ? along : t;
 }
 
+#ifdef WAVES
+// What stands before water hides in the mirror what rays from that water meet: a boat's side, as it is mirrored on this side
+// of it. Then what is shown half as far away from the pixel, or in it, stands for what is hidden.
+BentPoint aheadOf(vec3 from, vec3 direction, BentPoint point) {
+    const float leastCosine = 0.5;   // of the angle between the ray and the way to what it is said to meet
+    if (direction.y < 0.0) return point;
+    vec2 here = gl_FragCoord.xy - vec2(region.xy);
+    int i = 0;
+    [[dont_unroll]] do {
+        float info = infoAt(point.pixel);
+        vec3 way = shownBy(point.pixel, info) - from;
+        if (!infoIsHit(info) || dot(way, direction) > leastCosine * length(way)) break;
+        point.pixel = i == 0 ? mix(here, point.pixel, 0.5) : here;
+        point.distance = min(point.distance, towardsShown(from, direction, point.pixel, point.distance));
+    } while (++i < 2);
+    return point;
+}
+#endif
+
 // Of the way from a pixel to where its bent ray vanishes: two thirds as far along as the eye is away.
 const float overNear = 0.4;
 
@@ -82,7 +101,7 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
             pixel = near;
         }
     }
-    return BentPoint(mix(here, pixel, reflectionDistortion), t);
+    return aheadOf(from, direction, BentPoint(mix(here, pixel, reflectionDistortion), t));
 #else
     return BentPoint(here, t);
 #endif
