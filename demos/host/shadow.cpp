@@ -183,7 +183,7 @@ bool ShadowPass::create(const Device& device, const Layouts& layouts, Error& err
     desc.vertex = shadow_vert;
     desc.depthFormat = image.format;
     desc.depthCompare = VK_COMPARE_OP_LESS_OR_EQUAL;
-    desc.slopeBias = 0.75f;
+    desc.slopeBias = 1.25f;
     PipelineDesc cut = desc;
     cut.fragment = shadow_frag;
     PipelineDesc masked = cut;

@@ -39,6 +39,8 @@ void main() {
     vec3 n = normalize(inNormal);
     if (!gl_FrontFacing) n = -n;
     const vec3 v = -normalize(inFromEye * frame.sight.w + frame.sight.xyz);
+    vec3 facet = normalize(cross(dFdx(inFromEye), dFdy(inFromEye)));
+    if (dot(facet, v) < 0.0) facet = -facet;
     const vec3 l = frame.toSun.xyz;
     const float nDotL = facingSun(inFromEye, n), nDotV = max(abs(dot(n, v)), 1e-3);
 
@@ -47,7 +49,7 @@ void main() {
 
     vec3 radiance = draw.emissive.rgb;
     if (nDotL > 0.0) {
-        const vec3 sun = frame.sunIrradiance.rgb * (nDotL * sunVisibility(inFromEye, n, nDotL));
+        const vec3 sun = frame.sunIrradiance.rgb * (nDotL * sunVisibility(inFromEye, facet));
         radiance += sun * (diffuse / pi + mirrors * sunSpecular(n, v, l, nDotL, nDotV, f0, roughness));
     }
     const vec3 ambient = mirrors * environmentBrdf(f0, roughness, nDotV);

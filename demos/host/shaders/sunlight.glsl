@@ -5,24 +5,26 @@ layout(set = 0, binding = 3) uniform sampler2DShadow shadowMap;
 
 const float pi = 3.14159265;
 
-// Percentage-closer filtering under a 5x5 tent from nine bilinear taps (Castano 2013, "Shadow Mapping Summary").
-// `uv` runs over one cascade; the four are quarters of the map.
-float filteredShadow(int cascade, vec2 uv, float depth) {
+// Percentage-closer filtering under a 3x3 tent from four bilinear taps (Castano 2013, "Shadow Mapping Summary").
+// `at` is uv over one cascade, of which four are quarters of the map, and depth; `slope` is how that grows over uv on the
+// receiver's plane: taps beside the point compare with what the plane is there.
+float filteredShadow(int cascade, vec3 at, vec2 slope) {
     const float texel = frame.shadow.x;
-    const vec2 at = uv / texel + 0.5;
-    const vec2 base = floor(at), st = at - base;
+    const vec2 inTexels = at.xy / texel + 0.5;
+    const vec2 base = floor(inTexels), st = inTexels - base;
     const vec2 corner = vec2(cascade & 1, cascade >> 1) * 0.5;
-    const vec2 w0 = 4.0 - 3.0 * st, w2 = 1.0 + 3.0 * st;
-    const vec2 p0 = (3.0 - 2.0 * st) / w0 - 2.0, p1 = (3.0 + st) / 7.0, p2 = st / w2 + 2.0;
-    const vec3 wu = vec3(w0.x, 7.0, w2.x), wv = vec3(w0.y, 7.0, w2.y);
-    const vec3 pu = vec3(p0.x, p1.x, p2.x), pv = vec3(p0.y, p1.y, p2.y);
+    const vec2 w0 = 3.0 - 2.0 * st, w1 = 1.0 + 2.0 * st;
+    const vec2 p0 = (2.0 - st) / w0 - 1.0, p1 = st / w1 + 1.0;
+    const vec2 wu = vec2(w0.x, w1.x), wv = vec2(w0.y, w1.y);
+    const vec2 pu = vec2(p0.x, p1.x), pv = vec2(p0.y, p1.y);
     float sum = 0.0;
-    for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) {
             const vec2 tap = (base - 0.5 + vec2(pu[i], pv[j])) * texel;
+            const float depth = at.z + dot(slope, tap - at.xy);
             sum += wu[i] * wv[j] * texture(shadowMap, vec3(corner + 0.5 * tap, depth));
         }
-    return sum / 144.0;
+    return sum / 16.0;
 }
 
 // Cosine of the sun's ray to a side with that unit normal. Under water it is the bent ray's over its own to the surface,
@@ -40,21 +42,27 @@ vec3 facingSky(vec3 fromEye, vec3 normal) {
     return mix(max(dot(up, normal), 0.0) * skyIrradiance(up), inAir, 0.5);
 }
 
-// `nDotL` is facingSun().
-float sunVisibility(vec3 fromEye, vec3 normal, float nDotL) {
+// By a point's place in the cascade's clip space, with depth's slope over uv on a plane of that unit normal.
+vec2 slopeOfPlane(mat4 clipFromEye, vec3 normal, float cosine) {
+    const mat4 rows = transpose(clipFromEye);
+    const vec2 across = vec2(dot(normal, rows[0].xyz) / dot(rows[0].xyz, rows[0].xyz),
+                             dot(normal, rows[1].xyz) / dot(rows[1].xyz, rows[1].xyz));
+    return 2.0 * across * length(rows[2].xyz) / max(cosine, 0.05);
+}
+
+// Of a point on a plane of that unit normal, which the triangle has and not its shading.
+float sunVisibility(vec3 fromEye, vec3 normal) {
     const bool bent = isSunBent(fromEye);
-    const float stretch = bent ? length(shearedNormal(normal)) : 1.0;
-    const float cosine = nDotL / stretch;
-    const float sine = sqrt(max(0.0, 1.0 - cosine * cosine));
+    const vec3 facing = bent ? shearedNormal(normal) : normal;
+    const float stretch = length(facing), cosine = dot(facing, frame.toSun.xyz) / stretch;
+    if (cosine <= 0.0) return 0.0;
     int chosen = -1;
     vec3 at = vec3(0.0);
     // From far to near: the nearest that holds the point wins. Chosen first and filtered once, since a device that
     // masks branches would pay for each.
     for (int cascade = 3; cascade >= 0; --cascade) {
         const float texelM = frame.shadowTexelM[cascade];
-        // Under a filter of radius r a plane seen at an angle rises by r * sin: lifting the receiver along its normal
-        // by that much ends acne without a bias in depth.
-        const vec3 lifted = fromEye + normal * (texelM * stretch * (2.5 * sine + 0.1));
+        const vec3 lifted = fromEye + normal * (texelM * stretch * 0.25);
         const vec3 receiver = bent ? sheared(lifted) : lifted;
         const vec3 clip = (frame.shadowFromEye[cascade] * vec4(receiver, 1.0)).xyz;
         // The filter must not reach into the neighbouring cascade.
@@ -64,7 +72,9 @@ float sunVisibility(vec3 fromEye, vec3 normal, float nDotL) {
             at = clip;
         }
     }
-    return chosen < 0 ? 1.0 : filteredShadow(chosen, at.xy * 0.5 + 0.5, at.z);
+    if (chosen < 0) return 1.0;
+    const vec2 slope = slopeOfPlane(frame.shadowFromEye[chosen], facing / stretch, cosine);
+    return filteredShadow(chosen, vec3(at.xy * 0.5 + 0.5, at.z), slope);
 }
 
 // GGX with the height-correlated Smith term (Heitz 2014), Fresnel by Schlick.
