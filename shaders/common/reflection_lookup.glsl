@@ -143,14 +143,21 @@ float blurTexels(vec3 from, float spread, float distance) {
     return bundleTexels(width, toEye, distance, toEye / (pixelWidth(from) * reflectionScale));
 }
 
+// What lies a little beyond the border is as what shows at it, rather than sky; of a bed more is known there. Share of that.
+float heldInside(inout vec2 pixel, bool intoWater) {
+    vec2 size = vec2(region.zw);
+    vec2 held = clamp(pixel, vec2(0.5), size - 0.5);
+    vec2 beyond = abs(pixel - held) / (intoWater ? vec2(1.0) : 0.05 * size);
+    pixel = held;
+    return 1.0 - smoothstep(0.0, 1.0, max(beyond.x, beyond.y));
+}
+
 // Radiance times confidence, and confidence. Rays within the pixel spread by `spread` radians [standard deviation]; the
 // farther they go, the more of the reflection they meet. `hit` is how far that is [m]: from a ray beside it, to the next.
 vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
     BentPoint point = bentPoint(from, direction, hit, 1);
     hit = point.distance;
-    vec2 size = vec2(region.zw);
-    vec2 border = min(point.pixel, size - point.pixel) + 0.5;
-    float inside = clamp(min(border.x, border.y), 0.0, 1.0);
+    float inside = heldInside(point.pixel, direction.y < 0.0);
     if (inside <= 0.0) return vec4(0.0);
 #ifdef SHORE
     inside *= shareAboveSand(from, point);

@@ -600,6 +600,39 @@ TEST_F(Water, WavesDoNotMirrorWhatLiesBeforeThem) {
     }
 }
 
+// Rays of the picture's outermost columns are bent out of it as often as not. What is mirrored goes on there.
+TEST_F(Water, MirrorsAtTheBorderWhatItMirrorsBesideIt) {
+    ReflectionDesc reflection;
+    reflection.edgeFade = 0;
+    const SeaDesc sea = breeze();
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.reflection = &reflection;
+    Camera camera = seaCamera();
+    camera.target = camera.eye + glm::dvec3(0, 0, -10);
+    const SceneBehind wall = drawnOver(camera, nothingBehind(camera), 50, [&](const glm::dvec3& ray) {
+        const double distance = (-12 - camera.eye.z) / ray.z;
+        return camera.eye.y + distance * ray.y < 0 ? -1 : distance;
+    });
+    const WaterPicture p = picture({makeBody(desc)}, camera, 2, SurfaceOutput::reflection, wall);
+    double border = 0, inside = 0;
+    size_t borders = 0, insides = 0;
+    for (uint32_t y = p.height / 2; y < p.height * 7 / 8; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            const size_t i = size_t{y} * p.width + x;
+            if (!p.covered(i) || wall.depth[i] > 0) continue;
+            const uint32_t off = std::min(x, p.width - 1 - x);
+            if (off < 3) border += double{p.color[4 * i]}, ++borders;
+            if (off > 20 && off < 80) inside += double{p.color[4 * i]}, ++insides;
+        }
+    ASSERT_GT(borders, 100u);
+    border /= static_cast<double>(borders);
+    inside /= static_cast<double>(insides);
+    std::printf("%.2f at the border, %.2f beside it\n", border, inside);
+    EXPECT_GT(inside, 25) << "the wall is what is mirrored";
+    EXPECT_NEAR(border / inside, 1, 0.05);
+}
+
 std::vector<BentLook> Water::bentLooks(Body* body, const Camera& camera, const Along& along) {
     const SceneBehind behind = drawnOver(camera, nothingBehind(camera), 50,
                                          [&](const glm::dvec3& ray) { return along(camera.eye, ray); });
