@@ -30,6 +30,19 @@ glm::vec3 normalAt(const Hit& hit) {
     return hit.frontFacing ? n : -n;
 }
 
+glm::vec3 lightLeavesFrom(const Hit& hit) {
+    const Mesh& mesh = hit.part->model->mesh;
+    const float side = hit.frontFacing ? 1.0f : -1.0f;
+    glm::vec3 smooth(0);
+    for (int i = 0; i < 3; ++i) {
+        const uint32_t corner = mesh.indices[size_t(hit.triangle) * 3 + static_cast<size_t>(i)];
+        const glm::vec3 n = side * glm::normalize(hit.part->eyeFromMesh * mesh.vertices[corner].normal);
+        const float below = std::min(glm::dot(hit.position - hit.part->positions[corner], n), 0.0f);
+        smooth += hit.weights[i] * (hit.position - below * n);
+    }
+    return smooth + hit.facing() * clearanceAt(hit.position);
+}
+
 glm::vec3 shadeOpaque(const Geometry& geometry, const Light& light, const Ray& ray, const Hit& hit,
                       const glm::vec3& towardsSun) {
     const MeshMaterial& material = hit.part->model->mesh.materials[hit.part->materials[hit.triangle]];
@@ -48,8 +61,7 @@ glm::vec3 shadeOpaque(const Geometry& geometry, const Light& light, const Ray& r
 
     glm::vec3 radiance = material.emissive;
     const bool lit = nDotL > 0 && light.sunIrradiance() != glm::vec3(0);
-    if (lit && !geometry.occluded(hit.position + hit.facing() * clearanceAt(hit.position), towardsSun,
-                                  Kind::opaque, ray.footprint)) {
+    if (lit && !geometry.occluded(lightLeavesFrom(hit), towardsSun, Kind::opaque, ray.footprint)) {
         radiance += light.sunIrradiance() * nDotL *
                     (diffuse / pi + sunSpecular(n, v, l, nDotL, nDotV, f0, roughness));
     }

@@ -6,6 +6,11 @@
 
 namespace demos::reference {
 
+/// Where rays from an opaque hit to light begin: on the round thing that its triangles stand for, by their
+/// corners' normals, or triangles near the terminator would lie in their own shadow (Hanika 2021, "Hacking
+/// the Shadow Terminator").
+glm::vec3 lightLeavesFrom(const Hit& hit);
+
 /// Unit, on the side that the ray met.
 glm::vec3 normalAt(const Hit& hit);
 

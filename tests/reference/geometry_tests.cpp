@@ -1,7 +1,10 @@
 // What a ray may hit is what the host draws: back faces and cut-outs are not, but for shadows.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "reference/geometry.h"
+#include "reference/shade_opaque.h"
 
 namespace {
 
@@ -34,6 +37,30 @@ Mesh square(bool doubleSided, bool masked) {
         material.alphaCutoff = 0.5f;
     }
     mesh.materials.push_back(material);
+    return mesh;
+}
+
+/// Of radius 1 around the origin, as round as normals make 12 by 8 patches.
+Mesh ball() {
+    constexpr uint32_t around = 12, down = 8;
+    Mesh mesh;
+    for (uint32_t j = 0; j <= down; ++j)
+        for (uint32_t i = 0; i <= around; ++i) {
+            const float azimuth = 6.2831853f * static_cast<float>(i) / around;
+            const float polar = 3.14159265f * static_cast<float>(j) / down;
+            MeshVertex vertex{};
+            vertex.position = {std::sin(polar) * std::cos(azimuth), std::cos(polar),
+                               -std::sin(polar) * std::sin(azimuth)};
+            vertex.normal = vertex.position;
+            mesh.vertices.push_back(vertex);
+        }
+    for (uint32_t j = 0; j < down; ++j)
+        for (uint32_t i = 0; i < around; ++i) {
+            const uint32_t a = j * (around + 1) + i, b = a + around + 1;
+            for (const uint32_t corner : {a, b, a + 1, b, b + 1, a + 1}) mesh.indices.push_back(corner);
+        }
+    mesh.parts.push_back({0, static_cast<uint32_t>(mesh.indices.size()), 0, {}, {}});
+    mesh.materials.emplace_back();
     return mesh;
 }
 
@@ -72,6 +99,37 @@ class Square {
     reference::Model model_;
     reference::Geometry geometry_;
 };
+
+// Facets that turn away from a light which the round thing they stand for faces lie in their own shadow.
+TEST(Geometry, RoundThingsDoNotShadeThemselvesBeforeTheTerminator) {
+    Error error;
+    const reference::Model model(ball());
+    reference::Geometry geometry;
+    ASSERT_TRUE(geometry.create(error)) << error.text;
+    geometry.add({&model, glm::dmat4(1)}, glm::dvec3(0));
+    ASSERT_TRUE(geometry.build(error)) << error.text;
+    const glm::vec3 towardsLight = glm::normalize(glm::vec3(0.9f, 0.4f, 0.1f));
+    int lit = 0, dark = 0, fromFacets = 0;
+    for (int y = -19; y <= 19; ++y)
+        for (int x = -19; x <= 19; ++x) {
+            reference::Ray ray;
+            ray.origin = {0.05f * static_cast<float>(x) + 0.01f, 0.05f * static_cast<float>(y) + 0.02f, 3};
+            ray.footprint = reference::footprintAfter(ray.origin, ray.direction, 0, 1e-4f);
+            reference::Hit hit;
+            if (!geometry.trace(ray, reference::Kind::opaque, hit)) continue;
+            if (glm::dot(reference::normalAt(hit), towardsLight) < 0.01f) continue;
+            const auto shaded = [&](const glm::vec3& from) {
+                return geometry.occluded(from, towardsLight, reference::Kind::opaque, ray.footprint) ? 1 : 0;
+            };
+            ++lit;
+            dark += shaded(reference::lightLeavesFrom(hit));
+            fromFacets += shaded(hit.position + hit.facing() * reference::clearanceAt(hit.position));
+        }
+    std::printf("%d of %d lit places are dark, %d as facets\n", dark, lit, fromFacets);
+    EXPECT_GT(lit, 100);
+    EXPECT_GT(fromFacets, 5);
+    EXPECT_EQ(dark, 0);
+}
 
 TEST(Geometry, BackFacesAreCulledButCastShadows) {
     const Square single(false, false), both(true, false);

@@ -13,24 +13,31 @@ namespace {
 
 using namespace demos;
 
-/// The lake's mountains lie in shadow kilometres away.
-class HostScene : public testing::TestWithParam<const char*> {};
+struct View {
+    const char *scene, *camera;
+    double mostDiffer, mostFar; ///< shares of pixels that are off by over 3 and by over 30 %
+};
+
+/// The lake's mountains lie in shadow kilometres away; from high up the harbour shows hills in a low sun.
+class HostScene : public testing::TestWithParam<View> {};
 
 TEST_P(HostScene, OpaqueThingsLookAsTraced) {
     Error error;
-    std::optional<Scene> scene = loadScene(tests::demoScene(GetParam()), {}, error);
+    std::optional<Scene> scene = loadScene(tests::demoScene(GetParam().scene), {}, error);
     ASSERT_TRUE(scene) << error.text;
     scene->water.reset();
+    const auto camera = std::ranges::find(scene->cameras, GetParam().camera, &CameraDesc::name);
+    ASSERT_NE(camera, scene->cameras.end());
     constexpr uint32_t width = 320, height = 180;
 
     const std::unique_ptr<Host> host = Host::create({}, error);
     ASSERT_TRUE(host) << error.text;
     ASSERT_TRUE(host->load(*scene, error)) << error.text;
     const std::optional<Picture> rendered =
-        host->render({width, height, scene->cameras.front(), scene->timeS, Aov::color}, error);
+        host->render({width, height, *camera, scene->timeS, Aov::color}, error);
     ASSERT_TRUE(rendered) << error.text;
 
-    const Picture traced = tests::traced(*scene, {width, height, scene->cameras.front()}).color;
+    const Picture traced = tests::traced(*scene, {width, height, *camera}).color;
 
     size_t differ = 0, far = 0;
     double sumRendered = 0, sumTraced = 0;
@@ -51,8 +58,8 @@ TEST_P(HostScene, OpaqueThingsLookAsTraced) {
     RecordProperty("percent_over_3", std::to_string(100 * static_cast<double>(differ) / pixels));
     RecordProperty("percent_over_30", std::to_string(100 * static_cast<double>(far) / pixels));
     // Edges of shadows, edges of things, and texture filters.
-    EXPECT_LT(static_cast<double>(differ) / pixels, 0.05);
-    EXPECT_LT(static_cast<double>(far) / pixels, 0.012);
+    EXPECT_LT(static_cast<double>(differ) / pixels, GetParam().mostDiffer);
+    EXPECT_LT(static_cast<double>(far) / pixels, GetParam().mostFar);
     EXPECT_NEAR(sumTraced / sumRendered, 1, 0.01);
 }
 
@@ -64,8 +71,7 @@ std::vector<double> sunlit(const Picture& lit, const Picture& open) {
     return share;
 }
 
-/// A wall 30 m away, of which things shade a part: a third of a pixel's width on the screen, a texel of the
-/// shadow map's on the wall.
+/// Planks on a wall, less than two of the shadow map's texels thick.
 TEST(HostShadow, WhatHangsBeforeAWallShadesIt) {
     Scene scene;
     scene.sky.file = tests::demoTexture("harbour_sky.exr");
@@ -137,7 +143,14 @@ TEST(Traced, SamplesSeeTexturesAsFinelyAsPixelsOfTheirSize) {
     EXPECT_LT(apart, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Opaque, HostScene, testing::Values("harbour", "lake"),
-                         [](const auto& test) { return std::string(test.param); });
+// With shadows of facets alone 0.040, 0.078 and 0.032 differ by over 3 %, and with the filter's lift 0.041,
+// 0.076 and 0.040.
+INSTANTIATE_TEST_SUITE_P(Opaque, HostScene,
+                         testing::Values(View{"harbour", "level", 0.039, 0.012},
+                                         View{"harbour", "high", 0.07, 0.018},
+                                         View{"lake", "near", 0.035, 0.0078}),
+                         [](const auto& test) {
+                             return std::string(test.param.scene) + "_" + test.param.camera;
+                         });
 
 } // namespace

@@ -109,7 +109,7 @@ void main() {
     }
     vec3 light = skyIrradiance(n), glint = vec3(0.0);
     if (nDotL > 0.0) {
-        const vec3 sun = frame.sunIrradiance.rgb * (nDotL * sunVisibility(inFromEye, n));
+        const vec3 sun = frame.sunIrradiance.rgb * (nDotL * sunVisibility(inFromEye, n, n));
         light += sun;
         // No mirror is sharper than the sun's disc is wide.
         glint = sun * sunSpecular(n, v, l, nDotL, nDotV, vec3(f0), max(roughness, 0.06));

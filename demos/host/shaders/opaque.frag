@@ -49,7 +49,7 @@ void main() {
 
     vec3 radiance = draw.emissive.rgb;
     if (nDotL > 0.0) {
-        const vec3 sun = frame.sunIrradiance.rgb * (nDotL * sunVisibility(inFromEye, facet));
+        const vec3 sun = frame.sunIrradiance.rgb * (nDotL * sunVisibility(inFromEye, facet, n));
         radiance += sun * (diffuse / pi + mirrors * sunSpecular(n, v, l, nDotL, nDotV, f0, roughness));
     }
     const vec3 ambient = mirrors * environmentBrdf(f0, roughness, nDotV);

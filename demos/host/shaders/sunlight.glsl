@@ -50,19 +50,22 @@ vec2 slopeOfPlane(mat4 clipFromEye, vec3 normal, float cosine) {
     return 2.0 * across * length(rows[2].xyz) / max(cosine, 0.05);
 }
 
-// Of a point on a plane of that unit normal, which the triangle has and not its shading.
-float sunVisibility(vec3 fromEye, vec3 normal) {
+// Of a point of a facet whose shading has the normal `smoothed`; both are unit. A facet near the terminator would lie in its
+// own shadow where the round thing that it stands for is lit: there the shading's plane is taken, lifted over the facets.
+float sunVisibility(vec3 fromEye, vec3 facet, vec3 smoothed) {
+    const float facetCosine = dot(facet, frame.toSun.xyz);
+    const vec3 normal = facetCosine < 0.15 ? smoothed : facet;
+    const float liftTexels = mix(1.5, 0.25, smoothstep(0.0, 0.3, facetCosine));
     const bool bent = isSunBent(fromEye);
     const vec3 facing = bent ? shearedNormal(normal) : normal;
     const float stretch = length(facing), cosine = dot(facing, frame.toSun.xyz) / stretch;
-    if (cosine <= 0.0) return 0.0;
     int chosen = -1;
     vec3 at = vec3(0.0);
     // From far to near: the nearest that holds the point wins. Chosen first and filtered once, since a device that
     // masks branches would pay for each.
     for (int cascade = 3; cascade >= 0; --cascade) {
         const float texelM = frame.shadowTexelM[cascade];
-        const vec3 lifted = fromEye + normal * (texelM * stretch * 0.25);
+        const vec3 lifted = fromEye + normal * (texelM * stretch * liftTexels);
         const vec3 receiver = bent ? sheared(lifted) : lifted;
         const vec3 clip = (frame.shadowFromEye[cascade] * vec4(receiver, 1.0)).xyz;
         // The filter must not reach into the neighbouring cascade.
