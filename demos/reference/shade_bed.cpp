@@ -51,8 +51,8 @@ Sunlit sunlitOf(const Frame& frame, const Bed& bed, const Hit& hit, const glm::v
 glm::vec3 shadeBed(const Frame& frame, const Ray& ray, const Hit& hit, Random* random) {
     const Light& light = frame.world->light;
     const MeshMaterial& material = hit.part->model->mesh.materials[hit.part->materials[hit.triangle]];
-    const Bed bed = {lightLeavesFrom(hit), normalAt(hit),
-                     std::max(-frame.heightOf(hit.position), 0.0f), waterLightOf(frame).extinction()};
+    const Bed bed = {lightLeavesFrom(hit), normalAt(hit), std::max(-frame.heightOf(hit.position), 0.0f),
+                     waterLightOf(frame).extinction()};
     const glm::vec3 toSun = light.toSun();
     const Beam sun = enteringBeam(toSun, light.sunIrradiance() * std::max(toSun.y, 0.0f));
     glm::vec3 irradiance = received(bed, sun), around = irradiance;

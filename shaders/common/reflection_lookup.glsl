@@ -145,9 +145,10 @@ float blurTexels(vec3 from, float spread, float distance) {
 
 // What lies a little beyond the border is as what shows at it, rather than sky; of a bed more is known there. Share of that.
 float heldInside(inout vec2 pixel, bool intoWater) {
+    const float reach = 0.05;   // of the picture's size
     vec2 size = vec2(region.zw);
     vec2 held = clamp(pixel, vec2(0.5), size - 0.5);
-    vec2 beyond = abs(pixel - held) / (intoWater ? vec2(1.0) : 0.05 * size);
+    vec2 beyond = abs(pixel - held) / (intoWater ? vec2(1.0) : reach * size);
     pixel = held;
     return 1.0 - smoothstep(0.0, 1.0, max(beyond.x, beyond.y));
 }

@@ -25,7 +25,14 @@ vec3 environmentBrdf(vec3 f0, float roughness, float nDotV) {
     return f0 * ab.x + ab.y;
 }
 
+// The triangle's own normal, on the side of `smoothed`'s; that one where a triangle has no area.
+vec3 facetNormal(vec3 across, vec3 smoothed) {
+    const float area = length(across);
+    return area > 0.0 ? across / (dot(across, smoothed) < 0.0 ? -area : area) : smoothed;
+}
+
 void main() {
+    const vec3 across = cross(dFdx(inFromEye), dFdy(inFromEye));   // before any pixel of the quad is left
     const vec4 base = draw.baseColor * inColor * texture(baseColorMap, inUv);
     if (masked && base.a < draw.emissive.w) discard;
     const vec4 mr = texture(metallicRoughnessMap, inUv);
@@ -39,8 +46,6 @@ void main() {
     vec3 n = normalize(inNormal);
     if (!gl_FrontFacing) n = -n;
     const vec3 v = -normalize(inFromEye * frame.sight.w + frame.sight.xyz);
-    vec3 facet = normalize(cross(dFdx(inFromEye), dFdy(inFromEye)));
-    if (dot(facet, v) < 0.0) facet = -facet;
     const vec3 l = frame.toSun.xyz;
     const float nDotL = facingSun(inFromEye, n), nDotV = max(abs(dot(n, v)), 1e-3);
 
@@ -49,7 +54,7 @@ void main() {
 
     vec3 radiance = draw.emissive.rgb;
     if (nDotL > 0.0) {
-        const vec3 sun = frame.sunIrradiance.rgb * (nDotL * sunVisibility(inFromEye, facet, n));
+        const vec3 sun = frame.sunIrradiance.rgb * (nDotL * sunVisibility(inFromEye, facetNormal(across, n), n));
         radiance += sun * (diffuse / pi + mirrors * sunSpecular(n, v, l, nDotL, nDotV, f0, roughness));
     }
     const vec3 ambient = mirrors * environmentBrdf(f0, roughness, nDotV);
