@@ -55,6 +55,29 @@ glm::dvec3 shearOf(const glm::dvec3& normal, const glm::dvec3& toSun, double cos
     return aside / (waterIndex * below) - aside / cosine;
 }
 
+/// How far along the surface a ray runs on each metre of depth, through facets that lean from `up`.
+glm::dvec3 straysBy(const glm::dvec3& normal, const glm::dvec3& toSun, const glm::dvec3& lean) {
+    const glm::dvec3 ray = glm::refract(-toSun, glm::normalize(normal - lean), 1 / waterIndex);
+    const double down = -glm::dot(ray, normal);
+    return (ray + down * normal) / down;
+}
+
+/// Most along the sun's own direction.
+std::array<glm::dvec3, 2> straysOf(const BentSun& sun, const glm::dvec3& toSun, double slopeVariance) {
+    constexpr double step = 0.01; // of slope
+    const double deviation = std::sqrt(slopeVariance / 2);
+    const glm::dvec3 aside = toSun - glm::dot(sun.normal, toSun) * sun.normal;
+    const double length = glm::length(aside);
+    const glm::dvec3 along = length > 1e-6 ? aside / length : sun.across;
+    std::array<glm::dvec3, 2> strays;
+    for (size_t i = 0; i < 2; ++i) {
+        const glm::dvec3 lean = step * (i ? glm::cross(sun.normal, along) : along);
+        strays[i] = (straysBy(sun.normal, toSun, lean) - straysBy(sun.normal, toSun, -lean)) *
+                    (deviation / (2 * step));
+    }
+    return strays;
+}
+
 /// So that what the water covers has -1 to 1.
 glm::vec4 scaledAxis(const glm::dvec3& axis, double middle, double half, const glm::dvec3& eye) {
     return glm::vec4(glm::dvec4(axis, glm::dot(axis, eye) - middle) / half);
@@ -62,7 +85,8 @@ glm::vec4 scaledAxis(const glm::dvec3& axis, double middle, double half, const g
 
 } // namespace
 
-bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, BentSun& out, Error& error) {
+bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, double slopeVariance, BentSun& out,
+               Error& error) {
     const Plane plane = waterPlane(water);
     BentSun sun;
     sun.normal = {plane[0], plane[1], plane[2]};
@@ -71,7 +95,10 @@ bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, BentSun& out, Er
     if (water.extent && !boxOf(*water.extent, sun, error)) return false;
     const double cosine = glm::dot(sun.normal, toSun);
     sun.bends = toSun.y > 0 && cosine > leastCosine;
-    if (sun.bends) sun.shear = shearOf(sun.normal, toSun, cosine);
+    if (sun.bends) {
+        sun.shear = shearOf(sun.normal, toSun, cosine);
+        sun.strays = straysOf(sun, toSun, slopeVariance);
+    }
     out = sun;
     return true;
 }
@@ -107,6 +134,8 @@ void setBentUniforms(const BentSun& sun, const glm::dvec3& eye, FrameUniforms& u
     uniforms.waterAcross = scaledAxis(sun.across, sun.middle.x, sun.half.x, eye);
     uniforms.waterAlong = scaledAxis(sun.along, sun.middle.y, sun.half.y, eye);
     uniforms.sunShear = glm::vec4(glm::vec3(sun.shear), 0);
+    for (size_t i = 0; i < 2; ++i)
+        uniforms.sunStrays[i] = glm::vec4(glm::dvec4(sun.strays[i], glm::length(sun.strays[i])));
 }
 
 void moveBentUniforms(const glm::dvec3& step, FrameUniforms& uniforms) {

@@ -2,6 +2,7 @@
 // them straight again, so that one shadow map holds what is above and what is below.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 
@@ -15,16 +16,20 @@ struct BentSun {
     bool bends = false;
     glm::dvec3 normal{0, 1, 0}; ///< of the calm surface, normal.p + offset = 0; unit
     double offset = 0;
-    glm::dvec3 shear{0};                        ///< of a point on each metre of its depth, along the surface
-    glm::dvec3 across{1, 0, 0}, along{0, 0, 1}; ///< axes of u and v
-    glm::dvec2 middle{0};                       ///< in u and v, of the box that the water fills
+    glm::dvec3 shear{0}; ///< of a point on each metre of its depth, along the surface
+    /// Along the surface, two deviations of where its slopes send rays on each metre of depth.
+    std::array<glm::dvec3, 2> strays{};
+    glm::dvec3 across{1, 0, 0}, along{0, 0, 1};               ///< axes of u and v
+    glm::dvec2 middle{0};                                     ///< in u and v, of the box that the water fills
     glm::dvec2 half{std::numeric_limits<double>::infinity()}; ///< of that box's sides
 
     double depthOf(const glm::dvec3& p) const { return -(glm::dot(normal, p) + offset); }
 };
 
 /// False with `error` set when the file of an extent cannot be read.
-bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, BentSun& out, Error& error);
+/// `slopeVariance` is that of its waves, both axes together.
+bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, double slopeVariance, BentSun& out,
+               Error& error);
 
 /// How much of a box lies where rays are bent.
 struct BentShare {

@@ -32,7 +32,7 @@ bool FrameRecorder::create(Device& device, const HostDesc& desc, Error& error) {
 
 bool FrameRecorder::createFrameSet(const Sky& sky, FrameSet& out, Error& error) {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3}};
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4}};
     if (!allocateSet(*device_, layouts_.frame.get(), sizes, out.pool, out.set, error) ||
         !createBuffer(*device_, sizeof(FrameUniforms), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                       BufferPlace::upload, out.uniforms, error))
@@ -41,6 +41,7 @@ bool FrameRecorder::createFrameSet(const Sky& sky, FrameSet& out, Error& error) 
     writeTexture(*device_, out.set, 1, sky.cube.view.get(), sky.cubeSampler.get());
     writeTexture(*device_, out.set, 2, sky.image.view.get(), sky.imageSampler.get());
     writeTexture(*device_, out.set, 3, shadow_.map(), shadow_.sampler());
+    writeTexture(*device_, out.set, 4, shadow_.map(), shadow_.sampler());
     return true;
 }
 
@@ -58,7 +59,10 @@ bool FrameRecorder::createSurface(const WaterDesc& desc, LoadedScene& scene, Err
     WaterBody body;
     if (!water_.createBody(desc, body, error)) return false;
     BentSun sun;
-    if (!bentSunOf(desc, scene.sky.sun.direction, sun, error)) return false;
+    const seaglass::Sea* const sea = seaglass::sea(body.get());
+    const double slopes =
+        sea ? seaglass::resolvedSlopeVariance(*sea) + seaglass::unresolvedSlopeVariance(*sea) : 0;
+    if (!bentSunOf(desc, scene.sky.sun.direction, slopes, sun, error)) return false;
     scene.surfaces.push_back({std::move(body), sun});
     return true;
 }

@@ -45,7 +45,7 @@ void setClip(const glm::dmat4& clipFromEye, FrameUniforms& uniforms) {
 bool createLayouts(const Device& device, Layouts& out, Error& error) {
     constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     constexpr VkDescriptorType texture = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    constexpr VkDescriptorType frame[] = {uniform, texture, texture, texture};
+    constexpr VkDescriptorType frame[] = {uniform, texture, texture, texture, texture};
     constexpr VkDescriptorType material[] = {texture, texture};
     if (!createSetLayout(device, frame, out.frame, error) ||
         !createSetLayout(device, material, out.material, error))

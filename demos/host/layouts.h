@@ -25,6 +25,7 @@ struct FrameUniforms {
     glm::vec4 shadowTexelM;
     glm::vec4 shadow;
     glm::vec4 waterPlane, waterAcross, waterAlong, sunShear;
+    glm::vec4 sunStrays[2];
     glm::vec4 sight;
 };
 

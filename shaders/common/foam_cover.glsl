@@ -162,7 +162,8 @@ vec3 withFoam(vec3 water, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored,
     const float relief = 0.7;
     const float filmVariance = 0.12;   // of the film's slopes
     const float filmShare = 0.4;
-    SurfacePoint film = SurfacePoint(s.slope + relief * white.slope, s.covariance + vec3(filmVariance, filmVariance, 0.0), 0.0);
+    SurfacePoint film = SurfacePoint(s.slope + relief * white.slope, s.covariance + vec3(filmVariance, filmVariance, 0.0), 0.0,
+                                     s.bounded);
     vec3 facing = normalOf(film.slope);
     // What leans sees less of the sky, and what lies low less than what stands out.
     float open = (0.5 + 0.5 * facing.y) * (1.0 + 0.4 * white.height);

@@ -21,10 +21,14 @@ float fresnelSchlick(float cosIncidence) {
     return straightOn + (1.0 - straightOn) * (d2 * d2 * d);
 }
 
-// Density of Gaussian slopes with covariance (uu, vv, uv) at a distance `d` from their mean.
-float slopeDensity(vec2 d, vec3 covariance) {
+// Density of slopes with covariance (uu, vv, uv) at a distance `d` from their mean. Of the variance the share `bounded` is of
+// what ends somewhere, as the sun's disc does, and the rest Gaussian: (1 - q/(2(k + 2)))^k of the distance q in deviations
+// squared, a disc for k = 0 and a Gaussian for endless k, has the kurtosis of the sum of both by k = 3/bounded^2 - 3.
+float slopeDensity(vec2 d, vec3 covariance, float bounded) {
     float determinant = max(covariance.x * covariance.y - covariance.z * covariance.z, 1e-12);
-    float exponent =
-        (covariance.y * d.x * d.x - 2.0 * covariance.z * d.x * d.y + covariance.x * d.y * d.y) / determinant;
-    return exp(-0.5 * exponent) / (2.0 * pi * sqrt(determinant));
+    float q = (covariance.y * d.x * d.x - 2.0 * covariance.z * d.x * d.y + covariance.x * d.y * d.y) / determinant;
+    float k = 3.0 / max(bounded * bounded, 0.01) - 3.0;
+    float within = 1.0 - q / (2.0 * (k + 2.0));
+    if (within <= 0.0) return 0.0;
+    return (k + 1.0) / (k + 2.0) * pow(within, k) / (2.0 * pi * sqrt(determinant));
 }

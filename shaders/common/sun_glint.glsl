@@ -1,11 +1,32 @@
+// Covariance of the slopes whose facets mirror or refract the sun's disc to an eye: `halfway` is normal to the facet of its
+// middle, and `gap` long before it was made unit, so that what moves the sun by an angle tilts the facet by that over the gap,
+// and less in the plane of incidence by the sun's cosine.
+vec3 discOfSlopes(vec3 halfway, float gap) {
+    const float discVariance = 5.4e-6;   // of 0.00465 rad, along an axis
+    float cosSun = dot(toSun.xyz, halfway);
+    vec2 inPlane = toSun.xz - cosSun * halfway.xz;
+    inPlane /= max(length(inPlane), 1e-6);
+    float aside = discVariance / (gap * gap);
+    float less = aside * (1.0 - cosSun * cosSun);
+    return vec3(aside, aside, 0.0) - less * vec3(inPlane * inPlane, inPlane.x * inPlane.y);
+}
+
+// Of the slopes within the pixel and the disc, at the slope that mirrors or refracts the sun's middle.
+float sunDensity(SurfacePoint s, vec3 halfway, float gap) {
+    vec3 disc = discOfSlopes(halfway, gap);
+    vec3 covariance = s.covariance + disc;
+    float bounded = min((s.bounded + disc.x + disc.y) / (covariance.x + covariance.y), 1.0);
+    return slopeDensity(slopeOf(halfway) - s.slope, covariance, bounded);
+}
+
 // Radiance of the sun's mirror image, spread by the slopes within the pixel (Bruneton, Neyret and Holzschuch 2010,
-// eq. 14), the sun's own disc included in the variance; as a share of its irradiance, before what waves hide of it.
+// eq. 14) and by its own disc; as a share of its irradiance, before what waves hide of it.
 float sunGlint(SurfacePoint s, vec3 toEye) {
-    const float discVariance = 5.4e-6;
-    vec3 halfway = normalize(toEye + toSun.xyz);
+    vec3 halfway = toEye + toSun.xyz;
     if (toSun.y <= 0.0 || halfway.y <= 0.0) return 0.0;
-    vec2 slope = slopeOf(halfway);
-    float density = slopeDensity(slope - s.slope, s.covariance + vec3(discVariance, discVariance, 0.0));
+    float gap = length(halfway);
+    halfway /= gap;
+    float density = sunDensity(s, halfway, gap);
     float fresnel = mirroredShare(dot(toEye, halfway));
     float up2 = halfway.y * halfway.y;
     return sunSeen * fresnel * density / (4.0 * up2 * up2 * visibleArea(visibleSlopes(s, toEye), toEye));

@@ -17,9 +17,9 @@ float farnessOf(vec3 at) {
     return sight.w * dot(at, at) + dot(at, sight.xyz);
 }
 
-// Whether what the scene shows stands above the water and before `at`.
+// Whether what the scene shows lies before `at`.
 bool hides(Behind b, vec3 at) {
-    return !b.nothing && b.seen.y + plane.w > 0.0 && farnessOf(b.seen) < farnessOf(at);
+    return !b.nothing && farnessOf(b.seen) < farnessOf(at);
 }
 
 // What stands above the water where the ray `along`, in air, meets it in the picture: a walk over the pixels that it is
@@ -27,13 +27,15 @@ bool hides(Behind b, vec3 at) {
 vec4 sceneAbove(vec3 along) {
     const int steps = 16;
     const int halvings = 4;
+    const float atContact = 0.1;   // [m]
     vec4 start = pixelFromRelative * vec4(position, 1.0);
     vec4 perMetre = pixelFromRelative * vec4(along, 0.0);
     if (perMetre.w <= 0.0 && sight.w > 0.0) return vec4(0.0);   // towards the eye's back
     float leaves = perMetre.w > 0.0 ? 0.0 : untilBorder(start, perMetre);   // of parallel lines, which vanish nowhere
     float reached = 0.0;
     for (int i = 1; i < steps; ++i) {
-        float share = float(i) / float(steps);
+        float part = float(i) / float(steps);
+        float share = part * part;
         float near = reached;
         float far = perMetre.w > 0.0 ? share * start.w / ((1.0 - share) * perMetre.w) : share * leaves;
         reached = far;
@@ -53,8 +55,9 @@ vec4 sceneAbove(vec3 along) {
                 near = middle;
             }
         }
-        // What the ray passes behind is not what it meets.
-        if (length(found.seen - position - far * along) > 0.1 * far + 0.25) continue;
+        // What the ray passes behind is not what it meets, nor is what is in the water, but where it leaves that.
+        bool wet = found.seen.y < min(position.y, -plane.w) - atContact;
+        if (wet || length(found.seen - position - far * along) > 0.05 * far + atContact) continue;
         vec2 pixel = p.xy / p.w;
         vec2 border = min(pixel, vec2(region.zw) - pixel) / (0.06 * float(region.w));
         float confidence = clamp(min(border.x, border.y), 0.0, 1.0);
@@ -68,14 +71,12 @@ vec4 sceneAbove(vec3 along) {
 vec3 sunThrough(SurfacePoint s, vec3 view) {
     vec3 halfway = waterIndex * view - toSun.xyz;
     if (toSun.y <= 0.0 || halfway.y <= 0.0) return vec3(0.0);
-    float gap = length(halfway);   // what moves the sun by an angle tilts the facet by that over the gap
+    float gap = length(halfway);
     halfway /= gap;
     float cosSun = dot(toSun.xyz, halfway);
     float cosEye = dot(view, halfway);
     if (cosSun <= 0.0 || cosEye <= 0.0) return vec3(0.0);
-    float discVariance = 5.4e-6 / (gap * gap);
-    vec2 slope = -halfway.xz / halfway.y;
-    float density = slopeDensity(slope - s.slope, s.covariance + vec3(discVariance, discVariance, 0.0));
+    float density = sunDensity(s, halfway, gap);
     float up2 = halfway.y * halfway.y;
     float seen = visibleArea(visibleSlopes(s, view), view);
     return sunSeen * sunIrradiance.rgb * (cosSun * cosEye * waterIndex * waterIndex * (1.0 - mirroredShare(cosSun)) * density /
@@ -124,26 +125,60 @@ vec3 shownBelow(vec3 inAir, float share, float depth, float rise, float path) {
 }
 
 #ifdef REFLECTION
-// Beyond the picture the bed goes on, as high as where the picture shows it nearest to the ray's end, which is sought by
-// turns, from as far as what a flat mirror shows here to where the picture shows a bed no more. `water` where it shows none
-// below the eye.
-vec3 bedBeyond(vec3 direction, float depth, vec3 water) {
+// A bed so far along the ray, of so much light in air times confidence, and confidence.
+vec4 bedAlong(vec3 direction, float path, vec4 light, float depth) {
+    return vec4(shownBelow(light.rgb, light.a, depth, direction.y, path), light.a);
+}
+
+// Beyond the reflection the bed goes on, as high as where that ends before `pixel`, and of a mean colour, the wider the farther
+// out. Radiance times confidence, and confidence.
+vec4 bedBeyondReflection(vec3 direction, vec2 pixel, float depth) {
+    vec2 held = clamp(pixel, vec2(0.5), vec2(region.zw) - 0.5);
+    float info = infoAt(held);
+    vec3 bed = shownBy(held, info);
+    if (!infoIsHit(info) || bed.y > min(position.y, -plane.w)) return vec4(0.0);
+    float mip = log2(1.0 + 0.5 * length(pixel - held) / reflectionScale);
+    vec4 light = reflectionTexel(held / reflectionScale, mip, reflectionScale);
+    return bedAlong(direction, (position.y - bed.y) / -direction.y, light, depth);
+}
+
+// Beyond the scene's picture likewise, as high as where that shows it nearest to the ray's end, which is sought by turns, from
+// as far as what a flat mirror shows here to where the picture shows a bed no more. `met` where it shows that very end.
+vec4 bedBeyondScene(vec3 direction, float depth, out bool met) {
+    const float mostOff = 0.03;   // of the ray's length; what stands on the bed lies farther from its end
+    vec2 size = vec2(region.zw);
     float path = min(hitHere(), 1e3);
     Behind bed;
     bool shown = false;
+    met = false;
     for (int i = 0; i < 3; ++i) {
         vec4 end = pixelOf(position + direction * path);
         if (end.w <= 0.0) break;
         Behind there = behindAt(end.xy);
         if (there.nothing) break;
-        if (there.seen.y > min(0.0, position.y)) return water;
+        if (there.seen.y > min(0.0, position.y)) {
+            met = false;
+            return vec4(0.0);
+        }
+        float sought = path;
         bed = there;
         shown = true;
         path = (position.y - bed.seen.y) / -direction.y;
+        met = end.xy == clamp(end.xy, vec2(0.0), size) && abs(path - sought) < mostOff * path;
     }
-    if (!shown) return water;
+    if (!shown) return vec4(0.0);
     vec3 light = radianceBeyond(bed, position + direction * path, gl_FragCoord.xy - vec2(region.xy));
-    return shownBelow(light, 1.0, depth, direction.y, path);
+    return bedAlong(direction, path, vec4(light, 1.0), depth);
+}
+
+// What a ray that meets nothing known ends at: a bed that the scene shows there; else the one that is mirrored, which to an eye
+// that looks up is all there is; else the one that is seen; else endless `water`.
+vec3 bedBeyond(vec3 direction, vec2 pixel, float depth, vec3 water) {
+    bool met;
+    vec4 seen = bedBeyondScene(direction, depth, met);
+    vec4 bed = met ? seen : bedBeyondReflection(direction, pixel, depth);
+    bed += (1.0 - bed.a) * seen;
+    return bed.rgb + (1.0 - bed.a) * water;
 }
 #endif
 
@@ -158,7 +193,7 @@ vec3 mirroredBy(vec2 slope, vec3 view, float spread) {
     float along = hit.distance;
     // From the hit on: a tail found before is followed.
     if (hit.distance < farAway) screen = reflectionAlong(position, direction, spread, along);
-    if (screen.a < 0.999 && !infoIsSky(infoAt(hit.pixel))) radiance = bedBeyond(direction, depth, radiance);
+    if (screen.a < 0.999 && !infoIsSky(infoAt(hit.pixel))) radiance = bedBeyond(direction, hit.pixel, depth, radiance);
     radiance = radiance * (1.0 - screen.a) + shownBelow(screen.rgb, screen.a, depth, direction.y, hit.distance);
 #endif
     return radiance;

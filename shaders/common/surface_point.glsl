@@ -5,6 +5,7 @@ struct SurfacePoint {
     vec2 slope;        // mean over the pixel
     vec3 covariance;   // of the slopes within it: uu, vv, uv
     float slopeStep;   // change of slope to the next pixel
+    float bounded;     // of the covariance, variance along both axes that ends within the pixel
 };
 
 #ifdef WAVES
@@ -88,8 +89,15 @@ void lookAtWaves(vec3 at, float texels, Footprint pixel, out vec4 derivatives, o
 }
 #endif
 
+#ifdef WAVES
+// 1 where a pixel of so many texels shows a part of one of a cascade's waves, 0 where it shows many.
+float partOfAWave(float texels) {
+    return 1.0 - smoothstep(8.0, 32.0, texels);
+}
+#endif
+
 SurfacePoint surfacePoint() {
-    SurfacePoint s = SurfacePoint(vec2(0.0), roughness.xyz, 0.0);
+    SurfacePoint s = SurfacePoint(vec2(0.0), roughness.xyz, 0.0, 0.0);
 #ifdef WAVES
     Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
     vec4 derivatives = vec4(0.0);
@@ -106,7 +114,9 @@ SurfacePoint surfacePoint() {
 #endif
         derivatives += d;
         shear += moments.w;
-        variance += moments.xyz - vec3(d.xy * d.xy, d.x * d.y);
+        vec3 lost = moments.xyz - vec3(d.xy * d.xy, d.x * d.y);
+        variance += lost;
+        s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(pixel.longer) * cascade[i].w);
     }
     variance.xy = max(variance.xy, 0.0);
 #ifdef SHORE

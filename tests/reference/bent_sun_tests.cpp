@@ -173,4 +173,36 @@ TEST(BentSun, IsStraightBesideTheWater) {
     expectAlike(pictures, {height / 2 + 10, height - 25});
 }
 
+/// From where a shadow with an upright edge takes a quarter of the light to where it takes three, by columns'
+/// means [pixels].
+size_t edgeWidth(const Picture& picture) {
+    std::vector<double> columns(width, 0.0);
+    for (size_t i = 0; i < size_t{width} * height; ++i) columns[i % width] += brightness(picture, i);
+    const double lit = *std::ranges::max_element(columns), dark = *std::ranges::min_element(columns);
+    return static_cast<size_t>(std::ranges::count_if(columns, [&](double column) {
+        return column > dark + 0.25 * (lit - dark) && column < dark + 0.75 * (lit - dark);
+    }));
+}
+
+/// Waves send the sun's rays astray, the farther the more water lies below what casts.
+TEST(BentSun, WavesSoftenTheShadowOfWhatStandsHigh) {
+    for (const double above : {0.5, 3.0, 7.0}) {
+        const double shift = 0.8 * above; // of the shadow, so that its edge is amid the picture
+        Scene scene = calmWater("high", {{{shift, above - 8, -20}, {shift + 8, above - 7.9, 20}}}, 8);
+        WavesDesc& waves = scene.water->waves.emplace();
+        waves.windMps = 5;
+        waves.fetchM = 2000;
+        waves.largestPatchM = 40;
+        scene.water->underwater.emplace();
+        scene.cameras[0].positionM = {0, -6, 0.01};
+        scene.cameras[0].targetM = {0, -8, 0};
+        const Pictures pictures = picturesOf(scene);
+        const size_t drawn = edgeWidth(pictures.drawn), traced = edgeWidth(pictures.traced);
+        std::printf("%.1f m above the bed: the edge is %zu pixels wide, traced %zu\n", above, drawn, traced);
+        const double share = static_cast<double>(drawn) / static_cast<double>(traced);
+        EXPECT_GT(share, 0.6);
+        EXPECT_LT(share, 1.7);
+    }
+}
+
 } // namespace

@@ -2,6 +2,7 @@
 #include "bent_sun.glsl"
 
 layout(set = 0, binding = 3) uniform sampler2DShadow shadowMap;
+layout(set = 0, binding = 4) uniform sampler2D shadowDepth;   // the same map; fetched alone
 
 const float pi = 3.14159265;
 
@@ -50,6 +51,44 @@ vec2 slopeOfPlane(mat4 clipFromEye, vec3 normal, float cosine) {
     return 2.0 * across * length(rows[2].xyz) / max(cosine, 0.05);
 }
 
+// In a spiral from the middle, so that no two are near each other (Vogel 1979).
+vec2 spiral(int tap, float radius) {
+    const float turn = 2.39996323 * float(tap);
+    return radius * vec2(cos(turn), sin(turn));
+}
+
+// Waves send the sun's rays astray, the farther the deeper: what stands high over a bed has a soft shadow there
+// (percentage-closer soft shadows, Fernando 2005). How high that is on the mean is sought where rays that stray so far may have
+// passed; then as many rays are counted that stray by a Gaussian. `at` as above; `depth` is the receiver's [m]. Else `hard`.
+float scatteredShadow(int cascade, vec3 at, float depth, float hard) {
+    const int taps = 16;
+    const mat4 map = frame.shadowFromEye[cascade];
+    const vec3 toUv = vec3(0.5, 0.5, 1.0);
+    const vec3 along = toUv * (mat3(map) * frame.sunStrays[0].xyz), aside = toUv * (mat3(map) * frame.sunStrays[1].xyz);
+    const float heightPerDepth = dot(frame.waterPlane.xyz, frame.toSun.xyz) / length(transpose(map)[2].xyz);
+    const vec2 corner = vec2(cascade & 1, cascade >> 1) * 0.5;
+    const float farthest = 2.0;   // deviations
+    vec2 sum = vec2(0.0);
+    for (int i = 0; i < taps; ++i) {
+        const float astray = farthest * (float(i) + 0.5) / float(taps);
+        const vec2 off = spiral(i, astray);
+        const vec3 tap = at + depth * (off.x * along + off.y * aside);
+        const float seen = texelFetch(shadowDepth, ivec2((2.0 * corner + clamp(tap.xy, 0.0, 1.0)) / frame.shadow.x), 0).r;
+        const float height = min((tap.z - seen) * heightPerDepth, depth);
+        if (farthest * height > astray * depth) sum += vec2(height, 1.0);
+    }
+    const float height = sum.x / max(sum.y, 1.0);
+    const float least = 0.04;   // of that height, which is none of the receiver's own   // of that height, which is none of the receiver's own   // of that height, which is none of the receiver's own
+    float lit = 0.0;
+    for (int i = 0; i < taps; ++i) {
+        const vec2 off = spiral(i, sqrt(-2.0 * log(1.0 - (float(i) + 0.5) / float(taps))));
+        const vec3 tap = at + height * (off.x * along + off.y * aside) - vec3(0.0, 0.0, least * height / heightPerDepth);
+        lit += texture(shadowMap, vec3(corner + 0.5 * clamp(tap.xy, 0.0, 1.0), tap.z));
+    }
+    const float blurred = height * frame.sunStrays[0].w / frame.shadowTexelM[cascade];   // texels
+    return mix(hard, lit / float(taps), smoothstep(0.5, 1.5, blurred));
+}
+
 // Of a point of a facet whose shading has the normal `smoothed`; both are unit. A facet near the terminator would lie in its
 // own shadow where the round thing that it stands for is lit: there the shading's plane is taken, lifted over the facets.
 float sunVisibility(vec3 fromEye, vec3 facet, vec3 smoothed) {
@@ -77,7 +116,10 @@ float sunVisibility(vec3 fromEye, vec3 facet, vec3 smoothed) {
     }
     if (chosen < 0) return 1.0;
     const vec2 slope = slopeOfPlane(frame.shadowFromEye[chosen], facing / stretch, cosine);
-    return filteredShadow(chosen, vec3(at.xy * 0.5 + 0.5, at.z), slope);
+    at.xy = at.xy * 0.5 + 0.5;
+    const float hard = filteredShadow(chosen, at, slope);
+    if (!bent || frame.sunStrays[0].w <= 0.0) return hard;
+    return scatteredShadow(chosen, at, depthInWater(fromEye), hard);
 }
 
 // GGX with the height-correlated Smith term (Heitz 2014), Fresnel by Schlick.
