@@ -178,7 +178,11 @@ void main() {
     Reflection mirror = reflected(s, toEye);
     float entering = 1.0 - mirror.fresnel + mirror.swallowed;
     float path;
-    vec3 through = refracted(normal, toEye, path);
+    float blurred;
+    vec3 through = refracted(s, normal, toEye, path, blurred);
+#if defined(REFRACTION) && defined(WAVES)
+    through = meanFound(vec4(through, 1.0), quadIsAlike ? smoothstep(1.0, 3.0, blurred / sharpBed) : 0.0).rgb;
+#endif
 #if defined(REFRACTION) && defined(WAVES)
     through = throughCrest(through, s, toEye, path);
 #endif

@@ -84,25 +84,29 @@ float untilBorder(vec4 a, vec4 b) {
     return max(min(min(t.x, t.y), min(t.z, t.w)), 0.0);
 }
 
+const float sharpBed = bedDownscale > 1 ? 1.5 : 0.5;   // a blur of so many pixels is none: between texels there is some
+
 bool isBelowWater(Behind b) {
     return !b.nothing && b.seen.y < min(position.y, -plane.w);
 }
 
 // What lies beyond the border nobody knows: a mean of the bed around the place that lies as far inside, over a wider part of
-// it the farther out. So the bed goes on without a seam, a streak or rocks where there are none. What stands up from the bed
-// is not the bed; what lies lower than the last pixel before the border is, which may show a stone.
-vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here) {
+// it the farther out, and `least` pixels wide. So the bed goes on without a seam, a streak or rocks where there are none. What
+// stands up from the bed is not the bed; what lies lower than the last pixel before the border is, which may show a stone.
+vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here, float least) {
     const vec2 taps[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
+    // A quad's pixels look at places of their own where they take their mean.
+    vec2 side = least > sharpBed ? 1.0 - 2.0 * placeInQuad() : vec2(1.0);
     vec3 nearby = bedRadiance(inside);
     vec4 p = bedPixelOf(vec4(2.0 * inside.seen - beyond, 1.0));
     if (p.w <= 0.0) return nearby;
     vec2 middle = mix(here, p.xy / p.w, refractionDistortion);
     vec4 edge = bedPixelOf(vec4(inside.seen, 1.0));
-    float radius = length(middle - edge.xy / edge.w);
+    float radius = max(length(middle - edge.xy / edge.w), least);
     vec4 sum = vec4(nearby, 1.0) * 1e-3;
     int i = 0;
     [[dont_unroll]] do {
-        vec2 pixel = middle + radius * taps[i];
+        vec2 pixel = middle + radius * side * taps[i];
         Behind b = bedAt(pixel);
         bool standsUp = b.seen.y - inside.seen.y >= 0.15 * (position.y - inside.seen.y);
         vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
@@ -110,6 +114,14 @@ vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here) {
         if (isBelowWater(b) && !standsUp && flatHere) sum += vec4(bedRadiance(b), 1.0);
     } while (++i < 4);
     return sum.rgb / sum.a;
+}
+
+// Where the ray that a slope bends goes on each metre down.
+const float shallowest = 0.1;   // of its way
+
+vec3 bentPerDepth(vec2 slope, vec3 toEye) {
+    vec3 bent = refract(-toEye, normalOf(slope), 1.0 / waterIndex);
+    return bent / max(-bent.y, shallowest);
 }
 
 // The depth at which a ray that goes `perDepth` a metre down meets a bed that goes on beyond its last pixel, by its slope
@@ -147,6 +159,61 @@ float nearerBy(vec4 pixel, vec3 at, Behind b) {
     return 1.0 / pixel.w - dot(at, sight.xyz) - (b.nothing ? endless : 1.0 / scene - dot(b.seen, sight.xyz));
 }
 
+// Of the places of a Gaussian [deviations] that the pixels of a quad look at together, one of this pixel's `looks`; in a spiral
+// (Vogel 1979).
+vec2 placeAround(int look, int looks) {
+    float place = float(4 * look) + dot(partOfQuad(), vec4(0.5, 1.5, 2.5, 3.5));
+    float turn = 2.39996323 * place;
+    return sqrt(-2.0 * log(1.0 - place / float(4 * looks))) * vec2(cos(turn), sin(turn));
+}
+
+// How far a deviation of the slopes within the pixel moves what is seen of a bed `drop` metres below, and one aside of that
+// [pixels].
+mat2 blurOfBed(SurfacePoint s, vec3 toEye, vec3 seen, float drop) {
+#ifdef WAVES
+    float u = sqrt(max(s.covariance.x, 1e-12));
+    float both = s.covariance.z / u;
+    vec2 deviations[2] = vec2[](vec2(u, both), vec2(0.0, sqrt(max(s.covariance.y - both * both, 0.0))));
+    vec3 mean = bentPerDepth(s.slope, toEye);
+    vec4 middle = bedPixelOf(vec4(seen, 1.0));
+    mat2 blur;
+    for (int i = 0; i < 2; ++i) {
+        vec3 strays = bentPerDepth(s.slope + deviations[i], toEye) - mean;
+        vec4 there = bedPixelOf(vec4(seen + drop * strays, 1.0));
+        blur[i] = there.w > 0.0 ? refractionDistortion * (there.xy / there.w - middle.xy / middle.w) : vec2(0.0);
+    }
+    return blur;
+#else
+    return mat2(0.0);
+#endif
+}
+
+float widthOf(mat2 blur) {
+    return sqrt(dot(blur[0], blur[0]) + dot(blur[1], blur[1]));
+}
+
+// A mean of what those slopes show of the bed around, or of the pixel alone. Across the border it is as it is inside.
+vec4 bedColorAround(Behind b, mat2 blur, float drop) {
+    const int looks = refractionLooks > 3 ? 4 : 1;
+    vec2 size = vec2(looksAtBed ? bedSize : region.zw);
+    vec2 middle = looksAtBed ? b.pixel : b.pixel + 0.5;
+    bool blurs = widthOf(blur) > sharpBed;
+    float weights = blurs ? 1e-3 : 1.0;
+    vec4 sum = weights * bedColorOf(b);
+    int i = blurs ? 0 : looks;
+    [[dont_unroll]] while (i < looks) {
+        vec2 off = blur * placeAround(i, looks);
+        vec2 pixel = middle + off;
+        if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, size))) pixel = middle - off;
+        Behind there = bedAt(pixel);
+        ++i;
+        if (!isBelowWater(there) || abs(there.seen.y - b.seen.y) > 0.5 * drop) continue;
+        sum += bedColorOf(there);
+        weights += 1.0;
+    }
+    return sum / weights;
+}
+
 // A bed of so much light in air, at so much depth.
 vec3 bedThrough(vec3 bed, float depth, float gathered, float path) {
     bed = litBelow(bed, depth, gathered) / (waterIndex * waterIndex);
@@ -160,9 +227,8 @@ vec3 bedThrough(vec3 bed, float depth, float gathered, float path) {
 // stands out of the water is passed over. Where the ray leaves the picture, or passes behind something, the bed goes on by
 // its slope. Where the line of sight itself passes over the bed's end, far off, it begins with what lies below at as much
 // depth as can be seen through; over a shore with what its map says, which stands for a bed that falls away out of sight.
-// `path` is how much water lies before it [m].
-vec3 refracted(vec3 normal, vec3 toEye, out float path) {
-    const float shallowest = 0.1;
+// `path` is how much water lies before it [m], `blurred` over how many pixels slopes too small to be seen spread it.
+vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out float blurred) {
     // Of its depth, from what is met; with two looks the nearest is the best there is.
     const float mostOff = refractionLooks > 2 ? 0.35 : 1e9;
     const float wellOff = refractionLooks > 3 ? 0.05 : 0.35;
@@ -170,6 +236,7 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     vec2 here = looksAtBed ? from.xy / from.w : gl_FragCoord.xy - vec2(region.xy);
     Behind found = bedAt(here);
     path = 1e6;
+    blurred = 0.0;
     vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);
     float steepness = max(-bent.y, shallowest);
     vec4 perDepth = bedPixelOf(vec4(bent / steepness, 0.0));
@@ -236,16 +303,20 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
     }
     // What hides the place that the ray meets is as good as it, unless it lies far higher.
     float known = passedOver && !(left && isBelowWater(last)) ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;
-    vec3 bed = bedRadiance(found);
+    bool madeUp = false;
     bool astray = refractionLooks > 2 && !passedOver && least > wellOff * drop && isBelowWater(found);
     if ((left || astray) && isBelowWater(last)) {
         vec2 track = perDepth.xy - perDepth.w * from.xy / from.w;
         drop = max(depthBeyond(last, bent / steepness, track / max(length(track), 1e-6)), deepest);
         found = behindRay(here, from + perDepth * drop);
         bool met = drop < leaves && isBelowWater(found) && abs(position.y - found.seen.y - drop) < 0.1 * drop;
-        bed = met ? bedRadiance(found) : radianceBeyond(last, position + bent / steepness * drop, here);
-        if (!met) found = last;
+        madeUp = !met;
+        if (madeUp) found = last;
     }
+    mat2 blur = blurOfBed(s, toEye, found.seen, drop);
+    blurred = widthOf(blur);
+    vec4 bed = bedColorAround(found, madeUp ? mat2(0.0) : blur, drop);
+    if (madeUp) bed.rgb = radianceBeyond(found, position + bent / steepness * drop, here, blurred);
     vec3 unknown = waterGlow(vec3(1e6));
 #ifdef SHORE
     if (passedOver && known < 1.0)
@@ -253,11 +324,12 @@ vec3 refracted(vec3 normal, vec3 toEye, out float path) {
                              onMap / steepness);
 #endif
     path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
-    return mix(unknown, bedThrough(bed, -(found.seen.y + plane.w), gatheredIn(bedColorOf(found)), path), known);
+    return mix(unknown, bedThrough(bed.rgb, -(found.seen.y + plane.w), gatheredIn(bed), path), known);
 }
 #else
-vec3 refracted(vec3 normal, vec3 toEye, out float path) {
+vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out float blurred) {
     path = 1e6;
+    blurred = 0.0;
     return waterGlow(vec3(path));
 }
 #endif

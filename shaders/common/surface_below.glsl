@@ -167,7 +167,7 @@ vec4 bedBeyondScene(vec3 direction, float depth, out bool met) {
         met = end.xy == clamp(end.xy, vec2(0.0), size) && abs(path - sought) < mostOff * path;
     }
     if (!shown) return vec4(0.0);
-    vec3 light = radianceBeyond(bed, position + direction * path, gl_FragCoord.xy - vec2(region.xy));
+    vec3 light = radianceBeyond(bed, position + direction * path, gl_FragCoord.xy - vec2(region.xy), 0.0);
     return bedAlong(direction, path, vec4(light, 1.0), depth);
 }
 

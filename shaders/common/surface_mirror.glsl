@@ -1,6 +1,7 @@
 // What the surface mirrors: an integral over the slopes that the eye can see, along the line of sight, each with its own
 // Fresnel term and weighted by its visible area. Without it the mean normal makes the far sea a mirror of the horizon.
 
+#include "quad.glsl"
 #ifdef REFLECTION
 #include "reflection_lookup.glsl"
 #endif
@@ -51,8 +52,6 @@ float firstHit() {
 }
 
 #ifdef WAVES
-#include "quad.glsl"
-
 layout(constant_id = 7) const int mirrorLooks = 2;   // 1, 2 or 4
 
 // The slopes that the eye sees, as offsets from their mean in deviations, of a Gaussian and of Rayleigh's distribution: four,
