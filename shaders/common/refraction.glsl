@@ -159,12 +159,13 @@ float nearerBy(vec4 pixel, vec3 at, Behind b) {
     return 1.0 / pixel.w - dot(at, sight.xyz) - (b.nothing ? endless : 1.0 / scene - dot(b.seen, sight.xyz));
 }
 
-// Of the places of a Gaussian [deviations] that the pixels of a quad look at together, one of this pixel's `looks`; in a spiral
-// (Vogel 1979).
+// Of the places of a Gaussian [deviations] that the pixels of a quad look at together, one of this pixel's `looks`, 1 or 4: for
+// each a square, one corner a pixel, so that their mean is 0, and the variance of 16 is 1 along any axis.
 vec2 placeAround(int look, int looks) {
-    float place = float(4 * look) + dot(partOfQuad(), vec4(0.5, 1.5, 2.5, 3.5));
-    float turn = 2.39996323 * place;
-    return sqrt(-2.0 * log(1.0 - place / float(4 * looks))) * vec2(cos(turn), sin(turn));
+    const float radii[4] = float[](0.540, 1.013, 1.463, 2.131);
+    float radius = looks == 1 ? 1.25 : radii[look];   // four places alone blur more than a Gaussian
+    float turn = 0.4 + 1.9635 * float(look) + dot(partOfQuad(), vec4(0.0, 0.5, 1.0, 1.5)) * pi;
+    return radius * vec2(cos(turn), sin(turn));
 }
 
 // How far a deviation of the slopes within the pixel moves what is seen of a bed `drop` metres below, and one aside of that
@@ -207,7 +208,7 @@ vec4 bedColorAround(Behind b, mat2 blur, float drop) {
         if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, size))) pixel = middle - off;
         Behind there = bedAt(pixel);
         ++i;
-        if (!isBelowWater(there) || abs(there.seen.y - b.seen.y) > 0.5 * drop) continue;
+        if (!isBelowWater(there) || length(there.seen - b.seen) > 0.5 * drop) continue;
         sum += bedColorOf(there);
         weights += 1.0;
     }

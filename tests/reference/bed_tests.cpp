@@ -98,15 +98,14 @@ TEST_F(BedsPicture, OfSubmergedMetalIsAsBrightAsTheTraced) {
     ASSERT_TRUE(pool) << error.text;
     setQuality("highest", *pool->water);
     const CameraDesc edge = tests::cameraOf(*pool, "edge");
+    pool->cameras = {edge};
     constexpr uint32_t across = 240, down = 135;
-    ASSERT_TRUE(host_->load(*pool, error)) << error.text;
-    const std::optional<Picture> drawn = host_->render({across, down, edge, pool->timeS, Aov::color}, error);
-    ASSERT_TRUE(drawn) << error.text;
+    const Picture drawn = tests::rendered(*host_, *pool, across, down);
     const Picture traced = tests::traced(*pool, {across, down, edge, pool->timeS, 16}).color;
     double shown = 0, truth = 0;
     for (size_t y = 79; y < 100; ++y) // its legs
         for (size_t x = 116; x < 125; ++x) {
-            shown += double{drawn->rgba[(y * across + x) * 4 + 1]};
+            shown += double{drawn.rgba[(y * across + x) * 4 + 1]};
             truth += double{traced.rgba[(y * across + x) * 4 + 1]};
         }
     std::printf("green of the ladder's legs: %.3f of the traced\n", shown / truth);
