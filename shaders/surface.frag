@@ -182,8 +182,6 @@ void main() {
     vec3 through = refracted(s, normal, toEye, path, blurred);
 #if defined(REFRACTION) && defined(WAVES)
     through = meanFound(vec4(through, 1.0), quadIsAlike ? smoothstep(1.0, 3.0, blurred / sharpBed) : 0.0).rgb;
-#endif
-#if defined(REFRACTION) && defined(WAVES)
     through = throughCrest(through, s, toEye, path);
 #endif
     vec3 radiance = mirror.radiance + entering * through;

@@ -55,7 +55,7 @@ glm::dvec3 shearOf(const glm::dvec3& normal, const glm::dvec3& toSun, double cos
     return aside / (waterIndex * below) - aside / cosine;
 }
 
-/// How far along the surface a ray runs on each metre of depth, through facets that lean from `up`.
+/// How far along the surface a ray runs on each metre of depth, through facets that lean by `lean`.
 glm::dvec3 straysBy(const glm::dvec3& normal, const glm::dvec3& toSun, const glm::dvec3& lean) {
     const glm::dvec3 ray = glm::refract(-toSun, glm::normalize(normal - lean), 1 / waterIndex);
     const double down = -glm::dot(ray, normal);

@@ -87,9 +87,7 @@ void lookAtWaves(vec3 at, float texels, Footprint pixel, out vec4 derivatives, o
     derivatives /= float(slopeLooks);
     moments /= float(slopeLooks);
 }
-#endif
 
-#ifdef WAVES
 // 1 where a pixel of so many texels shows a part of one of a cascade's waves, 0 where it shows many.
 float partOfAWave(float texels) {
     return 1.0 - smoothstep(8.0, 32.0, texels);

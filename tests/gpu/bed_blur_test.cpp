@@ -4,14 +4,13 @@
 #include <numbers>
 
 #include "seaglass/waves_fftw.h"
+#include "tests/gpu/fresnel.h"
 #include "tests/gpu/water_rig.h"
 
 namespace {
 
 using namespace seaglass;
 using namespace tests;
-
-constexpr double index = 1.333;
 
 class BedBlur : public WaterTest, public testing::WithParamInterface<uint32_t> {
   protected:
@@ -79,7 +78,7 @@ TEST_P(BedBlur, IsThatOfTheSlopesThatNoMapHolds) {
         for (const bool along : {true, false}) {
             const SceneBehind bed = striped(camera, depth, wavelength, along);
             const double left = contrast(rough, camera, bed) / contrast(flat, camera, bed);
-            const double strays = (1 - 1 / index) * std::sqrt(along ? slopes.uu : slopes.vv) * depth;
+            const double strays = (1 - 1 / waterIndex) * std::sqrt(along ? slopes.uu : slopes.vv) * depth;
             const double expected = std::exp(-2 * std::pow(std::numbers::pi * strays / wavelength, 2));
             std::printf("%.2f m: %.3f of the contrast is left, expected %.3f\n", wavelength, left, expected);
             EXPECT_NEAR(left, expected, 0.1);
