@@ -63,6 +63,7 @@ vec3 inWorld(vec3 direction) {
 #ifdef REFRACTION
 #include "underwater_light.glsl"
 #include "near_plane.glsl"
+#include "waterline.glsl"
 #include "surface_below.glsl"
 #endif
 #ifdef FOAM
@@ -87,11 +88,11 @@ float sunSeenHere() {
 }
 #endif
 
-bool isSeenFromWater() {
+bool isSeenFromWater = false;
+
+void findSideSeen() {
 #ifdef REFRACTION
-    return sidesSeen == seenBelow || (sidesSeen != seenAbove && seenFromBelow());
-#else
-    return false;
+    isSeenFromWater = sidesSeen == seenBelow || (sidesSeen != seenAbove && seenFromBelow());
 #endif
 }
 
@@ -99,7 +100,7 @@ bool isSeenFromWater() {
 vec3 mirroredDirection(vec3 normal, vec3 toEye) {
     vec3 direction = reflect(-toEye, normal);
 #ifdef REFRACTION
-    if (isSeenFromWater()) return keptBelow(direction);
+    if (isSeenFromWater) return keptBelow(direction);
 #endif
     return keptAbove(direction);
 }
@@ -107,7 +108,7 @@ vec3 mirroredDirection(vec3 normal, vec3 toEye) {
 // Before Fresnel.
 vec3 mirroredRadiance(SurfacePoint s, vec3 toEye) {
 #ifdef REFRACTION
-    if (isSeenFromWater()) return mirroredBelow(s, -toEye);
+    if (isSeenFromWater) return mirroredBelow(s, -toEye);
 #endif
     Reflection r = reflected(s, toEye);
     return r.radiance / max(r.fresnel, 1e-4);
@@ -136,13 +137,14 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
 
 void main() {
     loadSurface();
+    findSideSeen();
     // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.
     bool shows = gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0 && !isDry(position);
 #ifdef OUTLINE
     shows = shows && isWithin(meshCalm, edgeRange);
 #endif
 #ifdef WAVES
-    float side = isSeenFromWater() ? -1.0 : 1.0;
+    float side = isSeenFromWater ? -1.0 : 1.0;
     quadIsAlike = abs(meanOfQuad(vec4(shows ? side : 0.0)).x) == 1.0;
 #endif
     if (!shows) discard;
@@ -152,7 +154,7 @@ void main() {
 #endif
     calmPosition = shownCalm();
 #ifdef REFRACTION
-    looksAtBed = hasBed && !isSeenFromWater();
+    looksAtBed = hasBed && !isSeenFromWater;
 #endif
     SurfacePoint s = surfacePoint();
     vec3 toEye = -normalize(sightTo(position));
@@ -170,7 +172,7 @@ void main() {
     foamShare = white.mask;
 #endif
 #ifdef REFRACTION
-    if (isSeenFromWater()) {
+    if (isSeenFromWater) {
         outColor = vec4(shadedBelow(s, foamShare), 1.0);
         return;
     }

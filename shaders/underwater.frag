@@ -21,6 +21,11 @@ layout(constant_id = 0) const bool straddles = false;   // the view's near plane
 layout(location = 0) out vec4 outColor;
 
 #include "near_plane.glsl"
+#ifdef WAVES
+int cascades = stored.cascades;
+
+#include "wave_displacement.glsl"
+#endif
 #include "waterline.glsl"
 
 void main() {

@@ -16,6 +16,11 @@ layout(set = 0, binding = 1) uniform sampler2DArray waveDisplacement;
 layout(location = 0) out vec4 outColor;
 
 #include "near_plane.glsl"
+#ifdef WAVES
+int cascades = stored.cascades;
+
+#include "wave_displacement.glsl"
+#endif
 #include "waterline.glsl"
 
 void main() {

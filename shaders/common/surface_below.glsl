@@ -3,9 +3,10 @@
 
 const float endlessPath = 1e6;   // [m]
 
+// Where waves fold, or are seen along their sides, far triangles show in slivers before near ones: from the wrong side. So
+// where the line of sight begins has the last word.
 bool seenFromBelow() {
-    vec3 across = cross(dFdx(position), dFdy(position));   // of the drawn triangle, up or down
-    return across.y * dot(across, sightTo(position)) > 0.0;
+    return heightAboveSurface(onNearPlane()) <= 0.0;
 }
 
 vec3 keptBelow(vec3 direction) {

@@ -1,10 +1,6 @@
-// Where the near plane of a view that stands in both leaves the water. Needs surface_uniforms.glsl and, over a shore, shore.glsl.
+// Where the near plane of a view that stands in both leaves the water. Needs surface_uniforms.glsl and wave_displacement.glsl.
 
 #ifdef WAVES
-int cascades = stored.cascades;
-
-#include "wave_displacement.glsl"
-
 // As the finest cells of the mesh have it.
 vec3 displacementOf(vec2 calm) {
     return surfaceDisplacement(waveDisplacement, calm, within.x);

@@ -179,6 +179,31 @@ TEST_F(Underwater, TheSurfaceMirrorsABedBeyondThePicture) {
     EXPECT_GT(mirrors, 20000u);
 }
 
+// No ray that is nearly level gets out: bright pixels there are far sides of waves, which shone through folds
+// of near ones.
+TEST_F(Underwater, NoFarSideOfAWaveShinesThroughItsNearSide) {
+    const SeaDesc sea = ripples();
+    desc_.waves = &sea;
+    desc_.wavesBackend = fftwWaves();
+    Body* body = makeBody(desc_);
+    size_t checked = 0, bright = 0;
+    for (int moment = 0; moment < 6; ++moment) {
+        const Camera camera = level(-0.15);
+        const WaterPicture p = picture({body}, camera, moment);
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                const size_t pixel = size_t{y} * p.width + x;
+                const double rises = rayThrough(camera, x, y).y;
+                if (!p.covered(pixel) || rises < 0 || rises > 0.1) continue;
+                ++checked;
+                bright += p.color[pixel * 4] > 0.4f; // of the sky's 1
+            }
+    }
+    std::printf("%zu of %zu\n", bright, checked);
+    EXPECT_GT(checked, 20000u);
+    EXPECT_EQ(bright, 0u);
+}
+
 TEST_F(Underwater, TheWaterlineIsWhereTheNearPlaneLeavesTheSurface) {
     const SeaDesc sea = ripples();
     desc_.waves = &sea;

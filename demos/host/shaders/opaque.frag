@@ -60,7 +60,8 @@ void main() {
     const vec3 ambient = mirrors * environmentBrdf(f0, roughness, nDotV);
     // The mip whose texels are as large as the lobe: solid angles 4 pi alpha^2 and 4 pi / (6 size^2).
     const float mip = log2(frame.sky.w * roughness * roughness * 2.449);
-    const vec3 mirrored = textureLod(skyCube, reflect(-v, n), clamp(mip, 0.0, frame.sky.z - 1.0)).rgb;
+    const vec3 mirror = reflect(-v, n);
+    const vec3 mirrored = inWater ? facingSky(inFromEye, mirror) / pi : textureLod(skyCube, mirror, clamp(mip, 0.0, frame.sky.z - 1.0)).rgb;
     radiance += diffuse / pi * facingSky(inFromEye, n) * (1.0 - ambient) + mirrored * ambient;
     outColor = vec4(min(radiance, vec3(60000.0)), 1.0);
 }

@@ -35,12 +35,15 @@ float facingSun(vec3 fromEye, vec3 normal) {
 }
 
 // Irradiance from the sky on a side with that unit normal. Under water all of it comes from within 49 degrees of straight
-// above, so that sides which lean have about half as much more or less of it; what comes in is the water's to say.
+// above: an even sky's within 0.02 of the share that it has there, and a sixth of what the side has more of in air than one
+// that leans the other way. What comes in is the water's to say.
 vec3 facingSky(vec3 fromEye, vec3 normal) {
     const vec3 inAir = skyIrradiance(normal);
     if (!isSunBent(fromEye)) return inAir;
     const vec3 up = frame.waterPlane.xyz;
-    return mix(max(dot(up, normal), 0.0) * skyIrradiance(up), inAir, 0.5);
+    const float upwards = dot(up, normal);
+    const vec3 more = inAir - skyIrradiance(2.0 * upwards * up - normal);
+    return skyIrradiance(up) * pow(max(upwards + 0.66, 0.0) / 1.66, 1.75) + max(more, 0.0) / 6.0;
 }
 
 // By a point's place in the cascade's clip space, with depth's slope over uv on a plane of that unit normal.
@@ -78,7 +81,7 @@ float scatteredShadow(int cascade, vec3 at, float depth, float hard) {
         if (farthest * height > astray * depth) sum += vec2(height, 1.0);
     }
     const float height = sum.x / max(sum.y, 1.0);
-    const float least = 0.04;   // of that height, which is none of the receiver's own   // of that height, which is none of the receiver's own   // of that height, which is none of the receiver's own
+    const float least = 0.04;   // of that height, which is none of the receiver's own
     float lit = 0.0;
     for (int i = 0; i < taps; ++i) {
         const vec2 off = spiral(i, sqrt(-2.0 * log(1.0 - (float(i) + 0.5) / float(taps))));
