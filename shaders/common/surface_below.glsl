@@ -143,33 +143,68 @@ vec4 bedBeyondReflection(vec3 direction, vec2 pixel, float depth) {
     return bedAlong(direction, (position.y - bed.y) / -direction.y, light, depth);
 }
 
-// Beyond the scene's picture likewise, as high as where that shows it nearest to the ray's end, which is sought by turns, from
-// as far as what a flat mirror shows here to where the picture shows a bed no more. `met` where it shows that very end.
+// What the scene's picture shows of the bed.
+struct ShownBed {
+    vec3 light;
+    float height;   // relative to the eye
+    float share;    // of the places looked at that show it
+    bool stands;    // as what stands on the bed does, whose side is seen
+};
+
+ShownBed shownBedAt(vec2 pixel) {
+    Behind b = behindAt(pixel);
+    vec3 step = behindAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
+    bool isBed = !b.nothing && b.seen.y <= min(0.0, position.y);
+    return ShownBed(radianceOf(b), b.seen.y, isBed ? 1.0 : 0.0, abs(step.y) >= 2.0 * length(step.xz));
+}
+
+// The mean on a level line about where the picture is `nearest` to a place beyond its border: the longer the farther out, so
+// that what is one stone at the border casts no streak, and a bed that ends there ends softly.
+ShownBed shownBedBeside(vec2 pixel, vec2 nearest) {
+    const int taps = 5;
+    const float offsets[taps] = float[](0.0, -0.6, 0.6, -1.6, 1.6);
+    vec4 up = pixelFromRelative[1];
+    vec2 level = normalize(vec2(up.w * nearest.y - up.y, up.x - up.w * nearest.x)) * distance(pixel, nearest);
+    ShownBed mean = ShownBed(vec3(0.0), 0.0, 0.0, false);
+    int i = 0;
+    [[dont_unroll]] do {
+        Behind b = behindAt(nearest + offsets[i] * level);
+        if (b.nothing || b.seen.y > min(0.0, position.y)) continue;
+        mean.light += radianceOf(b);
+        mean.height += b.seen.y;
+        mean.share += 1.0;
+    } while (++i < taps);
+    float shown = max(mean.share, 1.0);
+    return ShownBed(mean.light / shown, mean.height / shown, mean.share / float(taps), false);
+}
+
+// As the scene's picture shows the bed nearest to the ray's end, which is sought by turns, from as far as what a flat mirror
+// shows here. Where the picture shows no bed there, or what stands before it, the ray ends nearer. `met` where it shows that
+// very end.
 vec4 bedBeyondScene(vec3 direction, float depth, out bool met) {
     const float mostOff = 0.03;   // of the ray's length; what stands on the bed lies farther from its end
-    vec2 size = vec2(region.zw);
-    float path = min(hitHere(), 1e3);
-    Behind bed;
-    bool shown = false;
+    float sought = min(hitHere(), 1e3);
+    float path = sought;
+    ShownBed bed = ShownBed(vec3(0.0), 0.0, 0.0, true);
     met = false;
-    for (int i = 0; i < 3; ++i) {
-        vec4 end = pixelOf(position + direction * path);
+    for (int i = 0; i < 4; ++i) {
+        vec4 end = pixelOf(position + direction * sought);
         if (end.w <= 0.0) break;
-        Behind there = behindAt(end.xy);
-        if (there.nothing) break;
-        if (there.seen.y > min(0.0, position.y)) {
-            met = false;
-            return vec4(0.0);
+        vec2 nearest = clamp(end.xy, vec2(0.5), vec2(region.zw) - 0.5);
+        bool inside = distance(end.xy, nearest) < 1.0;
+        ShownBed there;
+        if (inside) there = shownBedAt(nearest);
+        else there = shownBedBeside(end.xy, nearest);
+        bool settles = there.share > 0.0 && !there.stands;
+        if (!settles && bed.share > 0.0 && !bed.stands) break;
+        if (there.share > 0.0) {
+            bed = there;
+            path = (position.y - bed.height) / -direction.y;
         }
-        float sought = path;
-        bed = there;
-        shown = true;
-        path = (position.y - bed.seen.y) / -direction.y;
-        met = end.xy == clamp(end.xy, vec2(0.0), size) && abs(path - sought) < mostOff * path;
+        met = inside && settles && abs(path - sought) < mostOff * path;
+        sought = settles ? path : sought * (there.share > 0.0 ? 0.5 : 0.2);
     }
-    if (!shown) return vec4(0.0);
-    vec3 light = radianceBeyond(bed, position + direction * path, gl_FragCoord.xy - vec2(region.xy), 0.0);
-    return bedAlong(direction, path, vec4(light, 1.0), depth);
+    return bedAlong(direction, path, vec4(bed.light, 1.0) * bed.share, depth);
 }
 
 // What a ray that meets nothing known ends at: a bed that the scene shows there; else the one that is mirrored, which to an eye

@@ -179,6 +179,40 @@ TEST_F(Underwater, TheSurfaceMirrorsABedBeyondThePicture) {
     EXPECT_GT(mirrors, 20000u);
 }
 
+// Where the picture's lower border shows a bed on the left alone, what is mirrored of the bed beyond it ends
+// by steps, not at an edge that stands in the picture.
+TEST_F(Underwater, ABedBeyondThePictureEndsSoftly) {
+    const ReflectionDesc reflection;
+    desc_.reflection = &reflection;
+    for (float& channel : lighting.skyIrradiance) channel = 0;
+    Camera camera = level(-1.5);
+    camera.target = camera.eye + glm::dvec3(0, 0.2, -1);
+    constexpr float radiance = 4;
+    SceneBehind behind = planeBelow(camera, -4, radiance);
+    for (size_t i = 0; i < behind.depth.size(); ++i)
+        if (i % camera.width >= camera.width / 2) behind.depth[i] = 0; // nothing
+    const WaterPicture p = picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, behind);
+    const auto at = [&](uint32_t x, uint32_t y) { return p.color[(size_t{y} * p.width + x) * 4]; };
+    const double critical = std::asin(1 / index);
+    const double lowest = -rayThrough(camera, p.width / 2, p.height - 1).y;
+    size_t rows = 0;
+    for (uint32_t y = 0; y < p.height / 2; ++y) {
+        const double rises = rayThrough(camera, p.width / 2, y).y;
+        // The bed's point that is mirrored there, 2.5 m below the eye and as far as 1.5 m up and 4 m down
+        // take the ray.
+        const double falls = std::sin(std::atan(2.5 / 5.5 * std::tan(std::asin(rises))));
+        if (std::acos(rises) < critical + 0.02 || falls < lowest + 0.02) continue;
+        ++rows;
+        float steepest = 0;
+        for (uint32_t x = 1; x < p.width; ++x)
+            steepest = std::max(steepest, std::abs(at(x, y) - at(x - 1, y)));
+        EXPECT_LT(steepest, 0.3f * radiance) << y;
+        EXPECT_GT(at(0, y), 0.99f * radiance) << y;
+        EXPECT_LT(at(p.width - 1, y), 0.5f * radiance) << y;
+    }
+    EXPECT_GT(rows, 5u);
+}
+
 // No ray that is nearly level gets out: bright pixels there are far sides of waves, which shone through folds
 // of near ones.
 TEST_F(Underwater, NoFarSideOfAWaveShinesThroughItsNearSide) {
