@@ -7,7 +7,7 @@ namespace demos {
 namespace {
 
 constexpr Size quickSize = {320, 180};
-constexpr uint32_t quickRounds = 5, mostRounds = 1000;
+constexpr uint32_t quickRounds = 5, mostRounds = 1000, mostRandomCameras = 1000;
 
 constexpr const char* footer =
     R"(For each scene, camera and technique: what the reflection costs, in milliseconds and as a multiple of
@@ -30,6 +30,7 @@ Examples:
   seaglass measure -o out/tradeoff
   seaglass measure demos/scenes/harbour.toml -o out/tradeoff --quick
   seaglass measure demos/scenes/harbour.toml -o out/flat --flat --technique sspr --camera level
+  seaglass measure demos/scenes/pool.toml -o out/faults --technique water --random-cameras 8 --spp 16 --rounds 1
 
 Files are written view by view. Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written),
 130 interrupted (what was finished is written).)";
@@ -68,6 +69,10 @@ void describeMeasure(CLI::App& command, RawMeasure& raw) {
                  "NAME");
     addCollected("--camera", raw.cameras,
                  "Measure this camera of each scene, and others given likewise; all if none is", "NAME");
+    command
+        .add_option("--random-cameras", raw.randomCameras,
+                    "Measure the views random:1 to random:N of each scene, which nobody chose")
+        ->type_name("N");
     addCollected("--set", raw.overrides, "Override a value of the scenes: water.waves.wind_m_s=12",
                  "PATH=VALUE");
     command.add_flag("--flat", raw.flat, "Still the water: no waves, no foam, where mirrors are exact");
@@ -90,6 +95,12 @@ std::optional<MeasureOptions> checkMeasure(const RawMeasure& raw, Error& error) 
     options.scenes.assign(raw.scenes.begin(), raw.scenes.end());
     options.techniques = raw.techniques;
     options.cameras = raw.cameras;
+    if (!raw.randomCameras.empty()) {
+        const std::optional<uint32_t> count =
+            parseCount("--random-cameras", raw.randomCameras, mostRandomCameras, error);
+        if (!count) return std::nullopt;
+        for (uint32_t i = 1; i <= *count; ++i) options.cameras.push_back("random:" + std::to_string(i));
+    }
     options.overrides = raw.overrides;
     options.flat = raw.flat;
     if (raw.quick) {

@@ -32,7 +32,7 @@ struct MeasureOptions {
 /// What the line says, before any of it is checked.
 struct RawMeasure {
     std::vector<std::string> scenes, techniques, cameras, overrides;
-    std::string folder, size, rounds, samples, supersample, device;
+    std::string folder, size, rounds, samples, supersample, randomCameras, device;
     bool quick = false, flat = false;
 };
 

@@ -21,7 +21,10 @@ void describeScene(CLI::App& command, RawScene& raw) {
     command.add_option("--size", raw.size, "Picture size, 1280x720 if not given")->type_name("WxH");
     command.add_option("--time", raw.time, "Time of the waves, the scene's if not given")
         ->type_name("SECONDS");
-    command.add_option("--camera", raw.camera, "One of the scene's cameras, its first if not given")
+    command
+        .add_option(
+            "--camera", raw.camera,
+            "One of the scene's cameras, its first if not given; random:7 is a view that nobody chose")
         ->type_name("NAME");
     command
         .add_option("--set", raw.overrides,

@@ -244,6 +244,19 @@ TEST_F(Measure, MeasuresWhatItIsAskedFor) {
     for (const json& entry : entries) EXPECT_EQ(entry["camera"], "low");
 }
 
+TEST_F(Measure, RandomCamerasAreMeasuredBesideThoseThatAreNamed) {
+    const Outcome outcome = measure({"scene.toml", "-o", "some", "--size", "48x27", "--technique", "sky",
+                                     "--rounds", "1", "--camera", "low", "--random-cameras", "2"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json entries = measured("some")["entries"];
+    std::vector<std::string> cameras;
+    for (const json& entry : entries) cameras.push_back(entry["camera"]);
+    EXPECT_EQ(cameras, (std::vector<std::string>{"low", "random:1", "random:2"}));
+    EXPECT_TRUE(fs::exists(path("some/2_scene_random_1.png")));
+    expectRefused({"scene.toml", "-o", "new", "--random-cameras", "0"},
+                  {"--random-cameras is '0'", "1 to 1000"});
+}
+
 // Samples make the reference's picture, not what is asked of a technique.
 TEST_F(Measure, ComparesWithAsManySamplesAsItIsAskedFor) {
     const auto measureWith = [&](const char* samples, const char* folder) {

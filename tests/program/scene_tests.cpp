@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "demos/scene/camera_choice.h"
 #include "demos/scene/fields.h"
 #include "demos/scene/offset.h"
 #include "demos/scene/scene.h"
@@ -269,6 +270,46 @@ TEST_F(SceneFile, CamerasMustDifferAndLookSomewhere) {
               "scene.toml:38: camera.0.target_m is its position_m, expected a point away from the eye");
     EXPECT_EQ(problem(replaced("name = \"low\"", "name = \"low.er\"")),
               "scene.toml:41: camera.1.name is 'low.er', expected a name of letters, digits, _ and -");
+}
+
+TEST_F(SceneFile, RandomCamerasAreTheSameEveryTimeAndStayOnTheirSide) {
+    Error error;
+    for (const std::string name : {"harbour", "pool", "ocean", "underwater", "floor"}) {
+        const auto scene = demos::loadScene(tests::demoScene(name.c_str()), {}, error);
+        ASSERT_TRUE(scene) << error.text;
+        const auto height = [&](const demos::CameraDesc& camera) {
+            return scene->water ? demos::alongPlane(demos::waterPlane(*scene->water), camera.positionM)[1]
+                                : camera.positionM[1] - scene->floor->pointM[1];
+        };
+        double lowest = 0, highest = 0;
+        for (const demos::CameraDesc& camera : scene->cameras) {
+            lowest = std::min(lowest, height(camera));
+            highest = std::max(highest, height(camera));
+        }
+        std::vector<demos::CameraDesc> seen;
+        for (uint32_t i = 0; i < 200; ++i) {
+            const std::string asked = "random:" + std::to_string(i);
+            const auto camera = demos::chooseCamera(*scene, asked, error);
+            ASSERT_TRUE(camera) << error.text;
+            EXPECT_EQ(camera->name, asked);
+            EXPECT_EQ(*camera, *demos::chooseCamera(*scene, asked, error));
+            EXPECT_EQ(std::count(seen.begin(), seen.end(), *camera), 0) << asked;
+            EXPECT_GE(height(*camera), lowest - 1e-9) << name << ' ' << asked;
+            EXPECT_LE(height(*camera), 3.2 * highest) << name << ' ' << asked;
+            seen.push_back(*camera);
+        }
+        EXPECT_EQ(lowest < 0,
+                  std::any_of(
+                      seen.begin(), seen.end(), [&](const auto& camera) { return height(camera) < 0; }))
+            << name;
+    }
+    const auto sample = load();
+    ASSERT_TRUE(sample);
+    for (const char* const bad : {"random:", "random:-1", "random:1x", "random:4294967296"}) {
+        EXPECT_FALSE(demos::chooseCamera(*sample, bad, error)) << bad;
+        EXPECT_EQ(error.text, std::string("--camera is '") + bad +
+                                  "', expected a number after 'random:', 0 to 4294967295");
+    }
 }
 
 TEST_F(SceneFile, CamerasShowAnAngleOrAHeight) {
