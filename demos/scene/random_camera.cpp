@@ -1,6 +1,5 @@
 #include "scene/random_camera.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
