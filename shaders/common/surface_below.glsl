@@ -151,11 +151,14 @@ struct ShownBed {
     bool stands;    // as what stands on the bed does, whose side is seen
 };
 
+bool isBelowEye(Behind b) {
+    return !b.nothing && b.seen.y <= min(0.0, position.y);
+}
+
 ShownBed shownBedAt(vec2 pixel) {
     Behind b = behindAt(pixel);
     vec3 step = behindAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
-    bool isBed = !b.nothing && b.seen.y <= min(0.0, position.y);
-    return ShownBed(radianceOf(b), b.seen.y, isBed ? 1.0 : 0.0, abs(step.y) >= 2.0 * length(step.xz));
+    return ShownBed(radianceOf(b), b.seen.y, isBelowEye(b) ? 1.0 : 0.0, abs(step.y) >= 2.0 * length(step.xz));
 }
 
 // The mean on a level line about where the picture is `nearest` to a place beyond its border: the longer the farther out, so
@@ -164,12 +167,13 @@ ShownBed shownBedBeside(vec2 pixel, vec2 nearest) {
     const int taps = 5;
     const float offsets[taps] = float[](0.0, -0.6, 0.6, -1.6, 1.6);
     vec4 up = pixelFromRelative[1];
-    vec2 level = normalize(vec2(up.w * nearest.y - up.y, up.x - up.w * nearest.x)) * distance(pixel, nearest);
+    vec2 level = vec2(up.w * nearest.y - up.y, up.x - up.w * nearest.x);
+    level *= distance(pixel, nearest) / max(length(level), 1e-9);   // no way is level straight below
     ShownBed mean = ShownBed(vec3(0.0), 0.0, 0.0, false);
     int i = 0;
     [[dont_unroll]] do {
         Behind b = behindAt(nearest + offsets[i] * level);
-        if (b.nothing || b.seen.y > min(0.0, position.y)) continue;
+        if (!isBelowEye(b)) continue;
         mean.light += radianceOf(b);
         mean.height += b.seen.y;
         mean.share += 1.0;
