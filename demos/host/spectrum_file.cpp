@@ -1,8 +1,9 @@
 #include "host/spectrum_file.h"
 
-#include <charconv>
 #include <fstream>
 #include <optional>
+
+#include "scene/parse_all.h"
 
 namespace demos {
 
@@ -16,11 +17,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::optional<float> number(std::string_view text) {
-    const std::string_view digits = trimmed(text);
-    float value = 0;
-    const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (code != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
-    return value;
+    return parseAll<float>(trimmed(text));
 }
 
 } // namespace

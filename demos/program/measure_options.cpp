@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "scene/random_camera.h"
+
 namespace demos {
 
 namespace {
@@ -99,7 +101,7 @@ std::optional<MeasureOptions> checkMeasure(const RawMeasure& raw, Error& error) 
         const std::optional<uint32_t> count =
             parseCount("--random-cameras", raw.randomCameras, mostRandomCameras, error);
         if (!count) return std::nullopt;
-        for (uint32_t i = 1; i <= *count; ++i) options.cameras.push_back("random:" + std::to_string(i));
+        for (uint32_t i = 1; i <= *count; ++i) options.cameras.push_back(randomCameraName(i));
     }
     options.overrides = raw.overrides;
     options.flat = raw.flat;

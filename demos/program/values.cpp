@@ -1,20 +1,13 @@
 #include "program/values.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "scene/parse_all.h"
 
 namespace demos {
 
 namespace {
-
-template<class T>
-std::optional<T> parseAll(std::string_view text) {
-    T value{};
-    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (code != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
 
 std::nullopt_t fail(const std::string& option, const std::string& text, std::string_view expected,
                     Error& error) {

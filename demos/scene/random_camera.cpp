@@ -35,7 +35,7 @@ CameraDesc randomCamera(const Scene& scene, uint32_t number) {
     Dice dice(number);
     const auto chosen = static_cast<size_t>(dice.between(0, static_cast<double>(scene.cameras.size())));
     CameraDesc camera = scene.cameras[chosen];
-    camera.name = "random:" + std::to_string(number);
+    camera.name = randomCameraName(number);
     camera.orthographicHeightM = 0;
     const Vec3 from = camera.positionM, to = camera.targetM;
     const double away = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);

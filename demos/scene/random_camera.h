@@ -2,9 +2,17 @@
 // cleared of.
 #pragma once
 
+#include <string_view>
+
 #include "scene/scene.h"
 
 namespace demos {
+
+inline constexpr std::string_view randomCameraPrefix = "random:";
+
+inline std::string randomCameraName(uint32_t number) {
+    return std::string(randomCameraPrefix) + std::to_string(number);
+}
 
 /// A function of the scene and `number` alone: by one of the scene's cameras, as far aside as half the way to
 /// its target, on the same side of the surface from a tenth to three times as high over it, turned, tipped,
