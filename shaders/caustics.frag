@@ -4,24 +4,17 @@
 #include "surface_uniforms.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
+#include "caustic_light.glsl"
 
 layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2) uniform sampler2DArray waveDerivatives;
-#ifdef SHORE
-#define SHORE_BINDING 3
-#include "shore.glsl"
-#define AFTER_SHORE 5
-#else
-#define AFTER_SHORE 3
-#endif
+layout(set = 0, binding = 2) uniform sampler2D gathered;
 #ifdef SUN_SHADOW
-#define SUN_SHADOW_BINDING AFTER_SHORE
+#define SUN_SHADOW_BINDING 3
 #include "sun_shadow.glsl"
 #endif
 
 layout(location = 0) out vec4 outColor;
 
-layout(constant_id = 0) const int searchSteps = 2;
 layout(constant_id = 1) const uint dryRooms = 0;   // water/dry_rooms.h: roomsPacked()
 
 #include "dry_rooms.glsl"
@@ -33,91 +26,118 @@ vec3 scattering() {
     return 2.0 * byMolecules + (backscatter.rgb - byMolecules) / 0.0183;
 }
 
-// How far the sun's ray through a surface of this slope strays sideways on each metre down.
-vec2 strays(vec2 slope) {
-    vec3 ray = refract(-toSun.xyz, normalOf(slope), 1.0 / waterIndex);
-    return ray.xz / max(-ray.y, 0.1);
+// Deviation along any axis of the slopes that rays do not know of.
+float lostSlope(float width) {
+    float place = clamp(log2(width) + 7.0, 0.0, 6.99);
+    int i = int(place);
+    return mix(stored.lostSlopes[i >> 2][i & 3], stored.lostSlopes[i + 1 >> 2][i + 1 & 3], fract(place));
 }
 
-// How much more a slope turns the ray than under a sun overhead, by a quarter: most along the sun's own direction.
-float turnsMore() {
+// Deviations on each metre down, along the sun's direction and across it.
+vec2 strayed(float slope) {
+    return slope * stored.sunTurned.xy;
+}
+
+// Pixels to the ends of the axes of an ellipse.
+struct Spread {
+    vec2 along, across;
+};
+
+// Of a metre on a level bed, along the sun's direction and across it.
+Spread pixelsPerMetre(vec3 at) {
     vec2 towards = horizontal(toSun.xyz);
-    return length(strays(0.05 * towards) - strays(-0.05 * towards)) / (0.1 * 0.25);
+    vec4 p = pixelOf(at);
+    vec4 along = pixelFromRelative * vec4(towards.x, 0.0, towards.y, 0.0);
+    vec4 across = pixelFromRelative * vec4(-towards.y, 0.0, towards.x, 0.0);
+    return Spread((along.xy - p.xy * along.w) / p.w, (across.xy - p.xy * across.w) / p.w);
 }
 
-// Mean slopes over `width` metres, of three places: one loop for all is the cheapest.
-mat3x2 slopesOver(mat3x2 calm, float width) {
-    mat3x2 sum = mat3x2(0.0);
-#ifdef SHORE
-    mat3x4 kept;
-    for (int j = 0; j < 3; ++j) {
-        ShoreWave shore = shoreWave(calm[j], width);
-        sum[j] = shore.slope;
-        kept[j] = shore.kept;
-    }
-#endif
+Spread spreadOf(Spread perMetre, vec2 deviation) {
+    return Spread(perMetre.along * deviation.x, perMetre.across * deviation.y);
+}
+
+// Whether the line of sight begins over calm water.
+bool seenFromAir(vec2 pixel) {
+    vec4 p = relativeFromPixel * vec4(pixel, 1.0 - farDepth, 1.0);
+    return p.y / p.w + plane.w > 0.0;
+}
+
+// On each metre down, of where light falls: by the sun's disc, by slopes that rays do not know of and, for an eye in the air, by
+// the waves that it looks through.
+vec2 blurPerMetre(vec3 at, vec2 pixel) {
+    const float disc = 0.5 * 0.00465 / waterIndex;
+    vec2 turned = strayed(lostSlope(rayWidth(at)));
+    float shown = seenFromAir(pixel) ? 0.25 * roughness.w : 0.0;
+    return sqrt(turned * turned + disc * disc + shown * shown);
+}
+
+// Light and what it would be under calm water, as a mean of such a spread.
+vec2 lightAround(vec2 pixel, Spread spread) {
+    float xx = spread.along.x * spread.along.x + spread.across.x * spread.across.x;
+    float yy = spread.along.y * spread.along.y + spread.across.y * spread.across.y;
+    float xy = spread.along.x * spread.along.y + spread.across.x * spread.across.y;
+    float halfGap = 0.5 * (xx - yy);
+    float apart = sqrt(halfGap * halfGap + xy * xy);
+    float middle = 0.5 * (xx + yy);
+    vec2 longer = halfGap > 0.0 ? vec2(halfGap + apart, xy) : vec2(xy, apart - halfGap);
+    longer /= max(length(longer), 1e-20);
+    float texel = float(rayStep);
+    float most = sqrt(middle + apart), least = sqrt(max(middle - apart, 0.0));
+    // A linear look at texels of w has a deviation of 0.41 w. One that is a little wider hides that rays stand in rows.
+    const float leastBlurred = 1.6;
+    float lod = log2(max(least / (0.41 * texel), leastBlurred));
+    const int mostLooks = 4;
+    int looks = clamp(int(ceil(most / max(least, 0.41 * texel))), 1, mostLooks);
+    // Of an even row from end to end the deviation is 0.29 of its length.
+    vec2 row = longer * sqrt(max(most * most - least * least, 0.0)) / 0.29;
+    vec2 size = texel * vec2(textureSize(gathered, 0));
+    vec2 sum = vec2(0.0);
     int i = 0;
     do {
-        float mip = max(log2(width * cascade[i].w), 0.0);
-        if (mip < maxMip)
-            for (int j = 0; j < 3; ++j) {
-                vec2 slope = textureLod(waveDerivatives, vec3(cascade[i].xy + calm[j] * cascade[i].z, i), mip).xy;
-#ifdef SHORE
-                slope *= kept[j][i];
-#endif
-                sum[j] += slope;
-            }
-    } while (++i < stored.cascades);
-    return sum;
+        vec2 look = pixel + row * ((float(i) + 0.5) / float(looks) - 0.5);
+        sum += textureLod(gathered, look / size, lod).xy;
+    } while (++i < looks);
+    return sum / float(looks);
 }
 
-// Where on the surface the rays came through that light places `depth` below: by steps, each from the slope that the last
-// one found.
-mat3x2 enteredAt(mat3x2 at, float depth, float width) {
-    vec2 straight = strays(vec2(0.0));
-    mat3x2 from;
-    for (int j = 0; j < 3; ++j) from[j] = at[j] - depth * straight;
-    int i = 0;
-    do {
-        mat3x2 slopes = slopesOver(from, width);
-        for (int j = 0; j < 3; ++j) from[j] = at[j] - depth * strays(slopes[j]);
-    } while (++i < searchSteps);
-    return from;
+// Share of the rays that light a pixel which come from where any were cast: fewer by the view's border.
+float shareCast(vec2 pixel, Spread spread) {
+    vec2 deviation = max(sqrt(spread.along * spread.along + spread.across * spread.across), 1e-3);
+    vec2 before = (pixel + float(margin)) / deviation;
+    vec2 after = (vec2(region.zw) - pixel + float(margin)) / deviation;
+    const float asGoodAsAll = 4.0;
+    if (all(greaterThan(min(before, after), vec2(asGoodAsAll)))) return 1.0;
+    return (gaussianBelow(before.x) + gaussianBelow(after.x) - 1.0) * (gaussianBelow(before.y) + gaussianBelow(after.y) - 1.0);
 }
 
-// Light on an area comes from that of the surface which it is drawn from. The way back is one to one and the waves repeat,
-// so that it is 1 in the mean, to the last place but for what is cut at 0.
-float gathered(vec2 at, float depth, float width) {
-    float apart = 0.5 * width;
-    mat3x2 from = enteredAt(mat3x2(at, at + vec2(apart, 0.0), at + vec2(0.0, apart)), depth, width);
-    vec2 u = from[1] - from[0];
-    vec2 v = from[2] - from[0];
-    return max((u.x * v.y - u.y * v.x) / (apart * apart), 0.0);
+// Times as much as under calm water.
+float lightOn(vec3 at, float depth) {
+    vec2 pixel = gl_FragCoord.xy - vec2(region.xy);
+    Spread perMetre = pixelsPerMetre(at);
+    vec2 light = lightAround(pixel, spreadOf(perMetre, depth * blurPerMetre(at, pixel)));
+    float elsewhere = 1.0 - shareCast(pixel, spreadOf(perMetre, depth * strayed(roughness.w)));
+    return light.y > 0.01 ? light.x / light.y + elsewhere : 1.0;
 }
 
-// Of what lights a point, the sun's share: as its side faces it, less what is scattered on the way.
-vec3 beamShare(vec3 at, float depth, vec3 normal) {
-    vec3 sun = sunSeen * sunIrradiance.rgb * max(dot(normal, toSun.xyz), 0.0);
-    return sun / max(sun + skyIrradiance.rgb, 1e-6) * exp(-scattering() * depth);
+// Of the sun's light what is not scattered on the way.
+vec3 straightOn(float depth) {
+    return exp(-scattering() * (depth / stored.sunInWater.y));
+}
+
+// Of what lights a point the sun's share, as its side faces the bent ray.
+vec3 sunShare(vec3 normal) {
+    vec3 from = stored.sunInWater.xyz;
+    vec3 sun = sunSeen * sunIrradiance.rgb * (toSun.y * max(dot(normal, from), 0.0) / from.y);
+    return sun / max(sun + skyIrradiance.rgb, 1e-6);
 }
 
 // Of the sun's light, what came in where the ray to a point did: what stands in the water hides little of it.
 float sunSeenFrom(vec3 at, float depth) {
 #ifdef SUN_SHADOW
-    vec2 from = at.xz - depth * strays(vec2(0.0));
-    return sunSeenAt(vec3(from.x, -plane.w, from.y));
+    return sunSeenAt(at + stored.sunInWater.xyz * (depth / stored.sunInWater.y));
 #else
     return 1.0;
 #endif
-}
-
-// Over which waves are taken together: what is too narrow to be seen, what the sun's disc blurs, and what has crossed. An eye
-// in the air looks through waves, by which one pixel shows places some deviations of their slopes apart.
-float seenWidth(vec3 at, float depth) {
-    float disc = 0.0093 / waterIndex * depth;
-    float crossed = exp2(caustics.y + caustics.z * log2(depth * turnsMore()));
-    float bent = plane.w > 0.0 ? 4.0 * (1.0 - 1.0 / waterIndex) * roughness.w * depth : 0.0;
-    return max(max(max(1.5 * pixelWidth(at) + bent, disc), crossed), 1e-3);
 }
 
 void main() {
@@ -130,13 +150,12 @@ void main() {
     float depth = -(at.y + plane.w);
     bool beside = any(lessThan(at.xz, covered.xy)) || any(greaterThan(at.xz, covered.zw));
     bool below = depthSign * (seen - farDepth) > 0.0 && depth > 0.0 && !beside;
+    if (!below) discard;
     vec3 factor = vec3(1.0);
     const float leastSeen = 0.004;   // a step of eight bits, where light gathers to twice its mean
-    bool lit = below && any(greaterThan(caustics.x * beamShare(at, depth, normal), vec3(leastSeen)));
+    vec3 straight = caustics.x * straightOn(depth);
+    bool lit = any(greaterThan(straight * sunShare(normal), vec3(leastSeen)));
     if (lit) sunSeen = sunSeenFrom(at, depth);
-    vec3 weight = caustics.x * beamShare(at, depth, normal);
-    if (lit && sunSeen > 0.0 && !isDry(at))
-        factor += weight * (gathered(at.xz, depth, seenWidth(at, depth)) - 1.0);
-    if (!below) discard;
+    if (lit && sunSeen > 0.0 && !isDry(at)) factor += straight * sunShare(normal) * (lightOn(at, depth) - 1.0);
     outColor = vec4(factor, dot(factor, vec3(1.0 / 3.0)));
 }

@@ -157,10 +157,14 @@ const BedPicture* Bed::of(const Context& context, uint32_t viewIndex) const {
     return picture.taken == context.frameNumber ? &picture : nullptr;
 }
 
-VkDeviceSize Bed::bytes(const BedDesc& desc, uint32_t downscale, VkExtent2D view) {
+VkExtent2D Bed::pictureExtent(const BedDesc& desc, uint32_t downscale, VkExtent2D view) {
     const glm::ivec2 size(static_cast<int>(view.width), static_cast<int>(view.height));
     const glm::dvec2 pixels = pixelsOf(size, marginOf(desc, size), downscale);
-    const VkExtent2D extent = {static_cast<uint32_t>(pixels.x), static_cast<uint32_t>(pixels.y)};
+    return {static_cast<uint32_t>(pixels.x), static_cast<uint32_t>(pixels.y)};
+}
+
+VkDeviceSize Bed::bytes(const BedDesc& desc, uint32_t downscale, VkExtent2D view) {
+    const VkExtent2D extent = pictureExtent(desc, downscale, view);
     return gpu::imageBytes(colorDesc(extent)) + gpu::imageBytes(drawnDepthDesc(extent));
 }
 

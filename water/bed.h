@@ -40,6 +40,8 @@ struct Bed {
     void take(Context& context, VkCommandBuffer commands, uint32_t viewIndex);
     /// Null where the view has none in this frame.
     const BedPicture* of(const Context& context, uint32_t viewIndex) const;
+    /// Of its picture.
+    static VkExtent2D pictureExtent(const BedDesc& desc, uint32_t downscale, VkExtent2D view);
     static VkDeviceSize bytes(const BedDesc& desc, uint32_t downscale, VkExtent2D view);
 };
 

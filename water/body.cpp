@@ -37,10 +37,9 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
     if (desc.bed)
         bed.emplace(Bed{*desc.bed, desc.shading.bedDownscale, double{desc.refraction->distortion}, {}});
     if (desc.underwater) underwater = *desc.underwater;
-    if (desc.caustics && waves) {
-        caustics = *desc.caustics;
-        causticBlur = causticBlurOf(*sea);
-    }
+    if (desc.caustics && waves)
+        if (const Status s = caustics.emplace().create(owner, *sea, *desc.caustics); s != Status::ok)
+            return s;
     if (desc.extent.shape != ExtentShape::unbounded) outline = outlineOf(desc.extent);
     if (desc.extent.shape == ExtentShape::mesh)
         if (const Status s = hostMesh.emplace().create(owner.device, desc.extent, *outline); s != Status::ok)

@@ -82,8 +82,7 @@ struct Body : Held {
     double foamDecay = double{FoamDesc{}.decayTime};
     std::optional<RefractionDesc> refraction;
     std::optional<UnderwaterDesc> underwater;
-    std::optional<CausticsDesc> caustics; ///< only over waves
-    CausticBlur causticBlur;
+    std::optional<Caustics> caustics;     ///< only over waves
     std::optional<Bed> bed;               ///< what refraction looks at from above in the place of the scene
     std::unique_ptr<Reflector> reflector; ///< null without a screen-space technique
     std::shared_ptr<SingleSamples> singleSamples; ///< null until refraction sees through a view with many
@@ -102,6 +101,7 @@ struct Body : Held {
     Status reflect(VkCommandBuffer commands, SceneOfCall& scene);
     Status draw(VkCommandBuffer commands, Target& target, const ViewDesc& view, const LightingDesc& lighting,
                 SurfaceOutput output);
+    Status castCaustics(VkCommandBuffer commands, const ViewDesc& view, const LightingDesc& lighting);
     Status drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                         const LightingDesc& lighting);
     /// Of an eye in the water: before the surfaces of all bodies, or after. Records nothing for other eyes.

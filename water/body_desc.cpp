@@ -37,6 +37,8 @@ const char* badField(const ShadingDesc& desc) {
         return "ShadingDesc.refractionLooks is out of range, expected 1 to 16";
     if (desc.bedDownscale < 1 || desc.bedDownscale > 8)
         return "ShadingDesc.bedDownscale is out of range, expected 1 to 8";
+    if (desc.causticStep < 1 || desc.causticStep > 8)
+        return "ShadingDesc.causticStep is out of range, expected 1 to 8";
     if (!isOneTwoOrFour(desc.slopeLooks)) return "ShadingDesc.slopeLooks is out of range, expected 1, 2 or 4";
     if (desc.waveShadowSteps == 1 || desc.waveShadowSteps > 32)
         return "ShadingDesc.waveShadowSteps is out of range, expected 0 or 2 to 32";

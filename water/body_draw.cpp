@@ -237,26 +237,44 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
         {.pass = pass, .straddles = straddles, .waves = straddles && waves, .shore = straddles && shore});
 }
 
-Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
-                          const LightingDesc& lighting) {
+Status Body::castCaustics(VkCommandBuffer commands, const ViewDesc& view, const LightingDesc& lighting) {
     if (!caustics) return Status::ok;
-    if (!holdsFloats(target.desc.colorFormat))
-        return context->device.fail(
-            Status::invalidArgument,
-            "drawCaustics: TargetDesc.colorFormat holds no floats, and light that is gathered exceeds 1");
     if (isMultisampled(view))
         return context->device.fail(
             Status::unsupported,
-            "drawCaustics: ViewDesc.sceneDepth.samples is not 1: nothing has taken one sample of each yet");
+            "castCaustics: ViewDesc.sceneDepth.samples is not 1: nothing has taken one sample of each yet");
     ViewGeometry geometry;
     ViewDesc read;
     if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
     if (toSun(lighting).y <= 0) return Status::ok;
+    CausticInputs inputs;
+    inputs.view = &read;
+    inputs.region = geometry.regionSize;
+    inputs.grid = causticGrid(shading, geometry.regionSize);
+    for (size_t i = 0; i < inputs.waveMaps.size(); ++i) inputs.waveMaps[i] = waves->maps().images[i].view();
+    if (const Status s = shoreInputs(false, inputs.shoreMap, inputs.shoreRows); s != Status::ok) return s;
+    const SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
+    if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
+    return caustics->record(*context, commands, inputs);
+}
+
+Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
+                          const LightingDesc& lighting) {
+    if (!caustics) return Status::ok;
+    const gpu::Device& device = context->device;
+    if (!holdsFloats(target.desc.colorFormat))
+        return device.fail(
+            Status::invalidArgument,
+            "drawCaustics: TargetDesc.colorFormat holds no floats, and light that is gathered exceeds 1");
+    ViewGeometry geometry;
+    ViewDesc read;
+    if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
+    if (toSun(lighting).y <= 0) return Status::ok;
+    if (!caustics->lightOf(*context, view.viewIndex, geometry.regionSize))
+        return device.misused(
+            "drawCaustics: castCaustics() was not called for this view before, or for another since");
     UnderwaterVariant variant = {UnderwaterPass::caustics};
-    variant.waves = true;
     variant.sunShadow = lighting.shadow != nullptr;
-    variant.searchSteps = shading.refractionLooks < 4 ? 1 : 2;
-    variant.shore = shore.has_value();
     variant.dryRooms = roomsPacked(dryRooms);
     return recordOverView(commands, target, read, lighting, geometry, variant);
 }
@@ -284,8 +302,9 @@ Status Body::recordOverView(VkCommandBuffer commands, Target& target, const View
     inputs.view = &view;
     inputs.shadow = lighting.shadow;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
-    const size_t map = variant.pass == UnderwaterPass::caustics ? 1 : 0;
-    if (variant.waves) inputs.waveMap = waves->maps().images[map].view();
+    if (variant.waves) inputs.waveMap = waves->maps().images[0].view();
+    if (variant.pass == UnderwaterPass::caustics)
+        inputs.light = caustics->lightOf(*context, view.viewIndex, geometry.regionSize);
     if (variant.shore)
         if (const Status s = shoreInputs(false, inputs.shoreMap, inputs.shoreRows); s != Status::ok) return s;
     setViewport(context->device, commands, view, geometry);

@@ -1,18 +1,106 @@
-// Which waves gather light at which depth.
+// Sunlight that waves gather on what lies below them: rays are cast from the pixels of a view, and what they
+// leave of light is gathered in a picture, which caustics.frag reads.
 #pragma once
 
-#include "seaglass/sea.h"
+#include <array>
+#include <memory>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/image.h"
+#include "gpu/kernel.h"
+#include "reflection/limits.h"
+#include "reflection/view.h"
+#include "seaglass/water.h"
 
 namespace seaglass {
 
-/// Light from the surface has crossed by `depth` from all waves that are narrower than 2^log2Scale
-/// depth^exponent metres, about, and lights what lies there evenly.
-struct CausticBlur {
-    double log2Scale = 0;
-    double exponent = 1;
+/// Deviation along any axis of the slopes that a mean over 2^i / 128 metres leaves out.
+using LostSlopes = std::array<float, 8>;
+LostSlopes lostSlopesOf(const Sea& sea);
+
+/// Its ray through calm water, and what waves make of that.
+struct SunInWater {
+    glm::dvec3 from{0, 1, 0}; ///< where it comes from, unit
+    /// How far a slope of 1 would turn it sideways on each metre down, at the rate of small ones: along the
+    /// sun's own direction on the plane, and across it. 1 - 1/n of a sun straight above.
+    double turnedAlong = 0, turnedAcross = 0;
 };
 
-/// A line through the logarithms of both, by least squares over the sea's own modes.
-CausticBlur causticBlurOf(const Sea& sea);
+/// Of a sun above the surface; `toSun` is unit, in the body's axes.
+SunInWater sunInWater(const glm::dvec3& toSun);
+
+/// How rays are cast on a view, in its pixels.
+struct CausticGrid {
+    int step = 1;   ///< from one ray to the next, each way; as wide is a texel of light
+    int margin = 0; ///< around the view, from where rays come too: whole steps
+};
+
+CausticGrid causticGrid(const ShadingDesc& shading, const glm::ivec2& region);
+
+struct CastKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+struct CastOnShoreKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+struct GatherKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+
+struct CausticInputs {
+    gpu::Slice uniforms; ///< SurfaceUniforms
+    const ViewDesc* view = nullptr;
+    glm::ivec2 region{0};
+    CausticGrid grid;
+    std::array<VkImageView, 3> waveMaps{}; ///< as WaveMaps::images
+    VkImageView shoreMap = VK_NULL_HANDLE; ///< null without a shore
+    gpu::Resource shoreRows;
+};
+
+/// Of one body: a picture for each view index, as large as the largest view of that index so far.
+class Caustics {
+  public:
+    Status create(Context& context, const Sea& sea, const CausticsDesc& desc);
+    float strength() const { return strength_; }
+    const LostSlopes& lostSlopes() const { return lostSlopes_; }
+
+    /// Leaves the light of one view to be sampled.
+    Status record(Context& context, VkCommandBuffer commands, const CausticInputs& inputs);
+    /// Light, and what it would be under calm water; null unless it was cast in this frame, last for a view
+    /// of this size.
+    VkImageView lightOf(const Context& context, uint32_t viewIndex, const glm::ivec2& region) const;
+
+    static constexpr uint32_t dispatches = 2;
+    /// Of one view, and of its bed where the body has one.
+    static VkDeviceSize bytes(const BodyDesc& desc, VkExtent2D view);
+
+  private:
+    struct Picture {
+        gpu::Buffer sums;
+        gpu::OwnedImage light;
+        uint64_t frame = 0;
+        glm::ivec2 region{0};
+    };
+    Status fit(Context& context, VkExtent2D texels, Picture& picture) const;
+    Status recordCast(Context& context, VkCommandBuffer commands, const CausticInputs& inputs,
+                      const Picture& picture) const;
+    Status recordGather(Context& context, VkCommandBuffer commands, const CausticInputs& inputs,
+                        const Picture& picture) const;
+    const gpu::Kernel& castKernel() const { return castOnShore_ ? castOnShore_->kernel : cast_->kernel; }
+
+    float strength_ = 1;
+    LostSlopes lostSlopes_{};
+    std::shared_ptr<CastKernel> cast_;
+    std::shared_ptr<CastOnShoreKernel> castOnShore_; ///< instead of that
+    std::shared_ptr<GatherKernel> gather_;
+    std::array<Picture, maxViews> views_;
+};
 
 } // namespace seaglass

@@ -16,10 +16,10 @@ struct Step {
 };
 
 constexpr Step steps[] = {
-    {128, {1, 2, 4, 1, 0, false}, false, 2, 32, 0, false},
-    {128, {2, 3, 4, 1, 0, false}, false, 2, 64, 6, true},
-    {192, {2, 6, 1, 2, 8, true}, true, 1, 64, 6, true},
-    {256, {4, 8, 1, 4, 16, true}, true, 1, 128, 6, true},
+    {128, {1, 2, 4, 4, 1, 0, false}, false, 2, 32, 0, false},
+    {128, {2, 3, 4, 2, 1, 0, false}, false, 2, 64, 6, true},
+    {192, {2, 6, 1, 1, 2, 8, true}, true, 1, 64, 6, true},
+    {256, {4, 8, 1, 1, 4, 16, true}, true, 1, 128, 6, true},
 };
 
 void set(const Step& step, ReflectionDesc& reflection) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -59,6 +60,16 @@ void setFoam(SurfaceUniforms& u, const Foam& foam, const Sea& sea, const glm::dv
                        inTile(placeV, foamRepeat) * foamRepeat);
     u.foamStreak = {streak.u, streak.v};
     u.foamCascades = static_cast<int32_t>(foam.cascades());
+}
+
+void setCaustics(SurfaceUniforms& u, const Caustics& caustics, const CausticGrid& grid) {
+    const SunInWater sun = sunInWater(glm::dvec3(u.toSun));
+    u.sunInWater = glm::vec4(glm::vec3(sun.from), 0);
+    u.sunTurned = glm::vec4(sun.turnedAlong, sun.turnedAcross, 0, 0);
+    u.caustics.x = caustics.strength();
+    u.causticGrid = {grid.step, grid.margin, 0, 0};
+    static_assert(sizeof u.lostSlopes == sizeof(LostSlopes));
+    std::memcpy(u.lostSlopes, caustics.lostSlopes().data(), sizeof u.lostSlopes);
 }
 
 void setDryRooms(SurfaceUniforms& u, const std::vector<DryPlanes>& rooms, const glm::dvec3& eye) {
@@ -124,9 +135,7 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
     if (body.underwater) u.within.y = body.underwater->meniscus / 2;
     if (body.outline) u.covered = body.outline->boxFrom({geometry.eye.x, geometry.eye.z}).packed();
     setDryRooms(u, body.dryRooms, geometry.eye);
-    if (body.caustics)
-        u.caustics =
-            glm::vec4(body.caustics->strength, body.causticBlur.log2Scale, body.causticBlur.exponent, 0);
+    if (body.caustics) setCaustics(u, *body.caustics, causticGrid(body.shading, geometry.regionSize));
     return u;
 }
 

@@ -56,7 +56,11 @@ struct SurfaceUniforms {
     float shiftPadding[2] = {};
     glm::vec4 extent{0}; ///< (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges
                          ///< hold the waves [1/m]
-    glm::vec4 caustics{0};                       ///< strength; CausticBlur: log2Scale, exponent
+    glm::vec4 sunInWater{0};                     ///< SunInWater::from
+    glm::vec4 sunTurned{0};                      ///< SunInWater: turnedAlong, turnedAcross
+    glm::vec4 lostSlopes[2]{};                   ///< LostSlopes
+    glm::ivec4 causticGrid{0};                   ///< CausticGrid: step, margin
+    glm::vec4 caustics{0};                       ///< strength
     glm::vec4 covered{-1e9f, -1e9f, 1e9f, 1e9f}; ///< (u, v) of the box around the body, low and high [m]
     glm::vec4 shorePlace{0};                     ///< of the eye on the shore's map, and of a metre
     glm::vec4 shoreSignal{0};     ///< rows a second, the first one's, their number; the map's spacing [m]

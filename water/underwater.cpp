@@ -5,8 +5,6 @@
 #include "spirv/caustics.frag.h"
 #include "spirv/caustics.vert.h"
 #include "spirv/caustics_h.frag.h"
-#include "spirv/caustics_s.frag.h"
-#include "spirv/caustics_sh.frag.h"
 #include "spirv/caustics_views.vert.h"
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
@@ -44,8 +42,8 @@ PassInfo infoOf(const UnderwaterVariant& v) {
     case UnderwaterPass::caustics:
         break;
     }
-    const Shader shaders[][2] = {{caustics_frag, caustics_h_frag}, {caustics_s_frag, caustics_sh_frag}};
-    return {"caustics", shaders[v.shore][v.sunShadow], false, true, Drawing::scaled};
+    const Shader shaders[] = {caustics_frag, caustics_h_frag};
+    return {"caustics", shaders[v.sunShadow], false, true, Drawing::scaled};
 }
 
 /// In the order of the shaders' bindings.
@@ -65,6 +63,8 @@ std::vector<gpu::Resource> resources(const Context& context, const UnderwaterVar
         list.push_back(gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap));
         list.push_back(in.shoreRows);
     }
+    if (v.pass == UnderwaterPass::caustics)
+        list.push_back(gpu::sampledImage(samplers.trilinearClamp(), in.light));
     if (v.sunShadow) add(in.shadow->map);
     return list;
 }
@@ -75,6 +75,7 @@ std::vector<VkDescriptorType> bindings(const UnderwaterVariant& v) {
     constexpr VkDescriptorType image = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     types.insert(types.end(), size_t{info.readsColor} + info.readsDepth + v.waves, image);
     if (v.shore) types.insert(types.end(), {image, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
+    if (v.pass == UnderwaterPass::caustics) types.push_back(image);
     if (v.sunShadow) types.push_back(image);
     return types;
 }
@@ -92,7 +93,7 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
         s != Status::ok)
         return s;
     const PassInfo info = infoOf(variant);
-    const uint32_t constants[] = {caustics ? variant.searchSteps : variant.straddles, variant.dryRooms};
+    const uint32_t constants[] = {variant.straddles, variant.dryRooms};
     const std::span<const uint32_t> vertex[][2] = {{underwater_vert, underwater_views_vert},
                                                    {caustics_vert, caustics_views_vert}};
     return createDrawPipeline(device, target, {vertex[caustics][views], info.shader, constants}, info.drawing,

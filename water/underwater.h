@@ -13,12 +13,11 @@ enum class UnderwaterPass : uint32_t { water, waterline, caustics };
 
 struct UnderwaterVariant {
     UnderwaterPass pass = UnderwaterPass::water;
-    bool straddles = false;   ///< the near plane may be above the water too
-    bool waves = false;       ///< asked for only where it straddles, and always of caustics
-    bool sunShadow = false;   ///< of caustics alone
-    uint32_t searchSteps = 0; ///< likewise, for where their light came in
-    uint32_t dryRooms = 0;    ///< likewise: roomsPacked()
-    bool shore = false;       ///< only with waves
+    bool straddles = false; ///< the near plane may be above the water too
+    bool waves = false;     ///< asked for only where it straddles
+    bool sunShadow = false; ///< of caustics alone
+    uint32_t dryRooms = 0;  ///< likewise: roomsPacked()
+    bool shore = false;     ///< only with waves
     auto operator<=>(const UnderwaterVariant&) const = default;
 };
 
@@ -29,10 +28,11 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
 struct UnderwaterInputs {
     gpu::Slice uniforms; ///< SurfaceUniforms
     const ViewDesc* view = nullptr;
-    VkImageView waveMap = VK_NULL_HANDLE; ///< with waves: displacement, or derivatives for caustics
+    VkImageView waveMap = VK_NULL_HANDLE; ///< with waves: displacement
     VkImageView shoreMap = VK_NULL_HANDLE;
     gpu::Resource shoreRows;
     const SunShadow* shadow = nullptr;
+    VkImageView light = VK_NULL_HANDLE; ///< of caustics: Caustics::lightOf()
 };
 
 /// Viewport and scissor are set.

@@ -60,6 +60,7 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
             sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
         }
         if (desc->bed) sum.bytesPerView += Bed::bytes(*desc->bed, desc->shading.bedDownscale, extent);
+        if (desc->caustics) sum.bytesPerView += Caustics::bytes(*desc, extent);
         if (desc->waves)
             if (const Status s = addWaves(*context, *desc, sum); s != Status::ok) return s;
         sum.bytes += HostMesh::bytes(desc->extent);
@@ -196,6 +197,18 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
     const Status surfaces = forEach(
         bodies, count, [&](Body& body) { return body.draw(commands, *target, *view, *lighting, output); });
     return surfaces == Status::ok ? underwater(UnderwaterPass::waterline) : surfaces;
+}
+
+Status castCaustics(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
+                    const LightingDesc* lighting) {
+    if (const Status s = refuseUnusable("castCaustics", nullptr, commands, bodies, count,
+                                        {{"view", !view}, {"lighting", !lighting}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(bodies, count), "castCaustics");
+        s != Status::ok)
+        return s;
+    return forEach(bodies, count, [&](Body& body) { return body.castCaustics(commands, *view, *lighting); });
 }
 
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,

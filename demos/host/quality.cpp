@@ -52,6 +52,7 @@ void setQuality(std::string_view quality, WaterDesc& water) {
         water.bed->drawn = body.bed;
         water.bed->downscale = body.shading.bedDownscale;
     }
+    if (water.caustics) water.caustics->stepPx = body.shading.causticStep;
     if (water.reflection) setQuality(numbered(quality), *water.reflection);
 }
 
@@ -72,6 +73,7 @@ std::vector<std::string> qualityOverrides(std::string_view quality, const WaterD
         add("bed.drawn", set.bed->drawn ? "true" : "false");
         add("bed.downscale", std::to_string(set.bed->downscale));
     }
+    if (set.caustics) add("caustics.step_px", std::to_string(set.caustics->stepPx));
     if (!set.reflection) return overrides; // an override would give it one
     add("reflection.technique", set.reflection->technique);
     add("reflection.downscale", std::to_string(set.reflection->downscale));

@@ -23,7 +23,8 @@ constexpr Use attached = {
     VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
         VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
     VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL};
-constexpr Use depthRead = {attached.stage | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+constexpr Use depthRead = {attached.stage | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
+                               VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                            attached.access | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, attached.color,
                            VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL};
 
@@ -82,8 +83,11 @@ void recordSceneAgain(VkCommandBuffer commands, const Layouts& layouts, const Me
     vkCmdEndRendering(commands);
 }
 
-void beginOverBed(VkCommandBuffer commands, const seaglass::PlanarView& view) {
+void readBedDepth(VkCommandBuffer commands, const seaglass::PlanarView& view) {
     change(commands, view, attached, depthRead);
+}
+
+void beginOverBed(VkCommandBuffer commands, const seaglass::PlanarView& view) {
     beginRendering(commands, view.extent, view.color, VK_ATTACHMENT_LOAD_OP_LOAD, view.depth,
                    VK_ATTACHMENT_LOAD_OP_LOAD, 0, depthRead.depth);
 }

@@ -86,7 +86,8 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     body.mesh.cellSize = static_cast<float>(desc.cellM);
     body.mesh.cellsPerLevel = desc.cellsPerLevel;
     const uint32_t bedDownscale = desc.bed ? desc.bed->downscale : 1;
-    body.shading = {desc.mirrorLooks, desc.refractionLooks, bedDownscale,
+    const uint32_t causticStep = desc.caustics ? desc.caustics->stepPx : 1;
+    body.shading = {desc.mirrorLooks, desc.refractionLooks, bedDownscale, causticStep,
                     desc.slopeLooks,  desc.waveShadowSteps, desc.relief};
     if (!fresnelOf(desc, body.shading.fresnel, error)) return false;
     if (desc.extent) {
@@ -185,10 +186,11 @@ bool WaterPass::overlay(VkCommandBuffer commands, const WaterBody& body, const C
 bool WaterPass::drawCaustics(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                              const FrameTargets& targets, const seaglass::LightingDesc& lighting,
                              Error& error) {
-    beginRendering(commands, targets.extent, &targets.color, VK_ATTACHMENT_LOAD_OP_LOAD, targets.depth,
-                   VK_ATTACHMENT_LOAD_OP_LOAD, 0);
     seaglass::Body* const bodies[] = {body.get()};
     const seaglass::ViewDesc view = viewOf(camera, targets);
+    if (!context_.ok(seaglass::castCaustics(commands, bodies, 1, &view, &lighting), error)) return false;
+    beginRendering(commands, targets.extent, &targets.color, VK_ATTACHMENT_LOAD_OP_LOAD, targets.depth,
+                   VK_ATTACHMENT_LOAD_OP_LOAD, 0);
     const seaglass::Status status = seaglass::drawCaustics(commands, target_, bodies, 1, &view, &lighting);
     vkCmdEndRendering(commands);
     return context_.ok(status, error);
@@ -198,6 +200,8 @@ bool WaterPass::drawCaustics(VkCommandBuffer commands, const WaterBody& body, co
                              const seaglass::LightingDesc& lighting, Error& error) {
     seaglass::Body* const bodies[] = {body.get()};
     const seaglass::ViewDesc view = viewOf(bed);
+    readBedDepth(commands, bed);
+    if (!context_.ok(seaglass::castCaustics(commands, bodies, 1, &view, &lighting), error)) return false;
     beginOverBed(commands, bed);
     const seaglass::Status status = seaglass::drawCaustics(commands, target_, bodies, 1, &view, &lighting);
     endOverBed(commands, bed);

@@ -158,6 +158,7 @@ constexpr std::array underwaterFields = {
 
 constexpr std::array causticsFields = {
     Field{"strength", at<&CausticsDesc::strength>, 0, 1, "", "of their contrast, 1 as the waves say"},
+    Field{"step_px", at<&CausticsDesc::stepPx>, 1, 8, "", "from one of the sun's rays to the next, each way"},
 };
 
 constexpr std::array bedFields = {

@@ -100,6 +100,7 @@ struct UnderwaterDesc {
 
 struct CausticsDesc {
     double strength = 1;
+    uint32_t stepPx = 1; ///< from one of the sun's rays to the next, each way
 };
 
 struct ReflectionDesc {

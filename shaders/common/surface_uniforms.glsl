@@ -29,7 +29,7 @@ vec3 reflectionLook;   // clear distance, scatter, distance of the sky: reflecti
 vec4 within;   // metres: edge of the finest cells, half the meniscus, deviation of the waves' height; water/parallel_view.h: distance
 vec2 sceneShift;   // to the scene's pixel that shows a point, whose sample may lie off its middle
 vec4 extent;   // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves
-vec4 caustics;   // strength; water/caustics.h: log2Scale, exponent
+vec4 caustics;   // strength
 vec4 covered;   // (u, v) of the box around the body, low and high
 vec4 shorePlace;    // of the eye on the shore's map, and of a metre
 vec4 shoreSignal;   // rows a second, the first one's, their number; the map's spacing
@@ -73,6 +73,10 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     vec4 within;
     vec2 sceneShift;
     vec4 extent;
+    vec4 sunInWater;      // water/caustics.h: SunInWater::from
+    vec4 sunTurned;       // likewise: turnedAlong, turnedAcross
+    vec4 lostSlopes[2];   // water/caustics.h: LostSlopes
+    ivec4 causticGrid;    // likewise: CausticGrid
     vec4 caustics;
     vec4 covered;
     vec4 shorePlace;

@@ -111,10 +111,7 @@ TEST_F(DryRooms, HaveNoCaustics) {
     desc_.caustics = &caustics;
     Body* const body = makeBody(desc_);
     lighting.sunIrradiance[1] = 1;
-    drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
-        Body* const bodies[] = {body};
-        return drawCaustics(commands, target, bodies, 1, &view, &lighting);
-    };
+    drawCausticsOf(body);
     const auto changed = [&] {
         const WaterPicture p = picture({body}, camera_, 3, SurfaceOutput::shaded, planeBelow(camera_, -1, 1));
         size_t pixels = 0;

@@ -125,7 +125,7 @@ TEST_F(Features, ThatAreOffAreGone) {
         {"edge stretch", [](Water& w) { w.reflection.edgeStretch = 0; }, false, true, true, false, false},
         {"blur", [](Water& w) { w.reflection.blurLevels = 0; }, true, true, true, false, false},
         {"underwater", [](Water& w) { w.desc.underwater = nullptr; }, false, false, false, true, true},
-        {"caustics", [](Water& w) { w.desc.caustics = nullptr; }, false, false, false, true, true},
+        {"caustics", [](Water& w) { w.desc.caustics = nullptr; }, true, true, true, true, true},
         // Its shader's places for the bed's images hold the scene's, and are not read.
         {"bed", [](Water& w) { w.desc.bed = nullptr; }, true, false, false, false, false},
         {"sun shadow", [](Water&) {}, false, false, false, false, true, false},

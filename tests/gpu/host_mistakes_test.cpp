@@ -107,6 +107,8 @@ TEST_F(Mistakes, NullsAreNamed) {
         expectRefused(draw(commands, target, nullptr, 1, &view, &lighting), "draw: bodies is null");
         expectRefused(draw(commands, nullptr, &body, 1, &view, &lighting), "draw: target is null");
         expectRefused(draw(commands, target, &body, 1, &view, nullptr), "draw: lighting is null");
+        expectRefused(castCaustics(commands, bodies, 2, &view, &lighting), "castCaustics: bodies[1]");
+        expectRefused(castCaustics(commands, &body, 1, &view, nullptr), "castCaustics: lighting is null");
         expectRefused(drawCaustics(commands, target, bodies, 2, &view, &lighting), "drawCaustics: bodies[1]");
         // With nobody to tell.
         EXPECT_EQ(simulate(commands, &noBody, 1, 0), Status::invalidArgument);

@@ -512,6 +512,11 @@ void ShapedHost::submit(uint32_t slotIndex, std::span<const Camera> cameras, dou
             if (bed_) clearBed(commands, view);
         for (const seaglass::ViewDesc& view : views)
             EXPECT_EQ(seaglass::reflect(commands, &body_, 1, &view), Status::ok) << message_;
+        for (const seaglass::ViewDesc& view : views)
+            if (caustics_) {
+                EXPECT_EQ(seaglass::castCaustics(commands, &body_, 1, &view, &lighting_), Status::ok)
+                    << message_;
+            }
     });
     for (size_t pass = 0; pass < slot.passes.size(); ++pass) {
         const Targets& targets = slot.passes[pass];

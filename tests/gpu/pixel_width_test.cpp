@@ -123,9 +123,7 @@ TEST_F(PixelWidth, BlursCausticsAlikeInACameraOnItsSide) {
     for (float& channel : lighting.sunIrradiance) channel = 5;
     for (float& channel : lighting.skyIrradiance) channel = 0;
     Body* const body = makeBody(desc_);
-    drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
-        return drawCaustics(commands, target, &body, 1, &view, &lighting);
-    };
+    drawCausticsOf(body);
     const double off = apart(upright({3, 40, 7}, {3, 0, 6.9}), [&](const Camera& camera) {
         WaterPicture p = picture({body}, camera, 2, SurfaceOutput::shaded, planeBelow(camera, -1.5, 1));
         for (size_t i = 0; i < p.color.size(); ++i) p.color[i] /= WaterPicture::untouched;

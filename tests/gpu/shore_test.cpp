@@ -214,9 +214,7 @@ TEST_F(ShoreOnGpu, SunlightGathersBelowTheWavesOverTheBed) {
     seenBy.target = {0, 0, middle};
     seenBy.fovDegrees = 2 * std::atan(side / 2 / 40) * 180 / std::numbers::pi;
     seenBy.width = seenBy.height = 256;
-    drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
-        return drawCaustics(commands, target, &body, 1, &view, &lighting);
-    };
+    drawCausticsOf(body);
     const WaterPicture p =
         picture({body}, seenBy, time, SurfaceOutput::shaded, planeBelow(seenBy, -depth, 1));
     // Photons through the surface on a net, each refracted at the normal there.

@@ -185,10 +185,9 @@ TEST_F(SunShadows, LeaveNoCaustics) {
     const auto factors = [&](bool shadow) {
         LightingDesc given = lighting;
         given.shadow = shadow ? &shadow_ : nullptr;
-        drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
-            return drawCaustics(commands, target, &body, 1, &view, &given);
-        };
+        drawCausticsOf(body, given);
         const WaterPicture p = picture({body}, camera, 40, SurfaceOutput::shaded, bed);
+        beforeDrawing = nullptr;
         drawing = nullptr;
         return p;
     };
@@ -223,9 +222,7 @@ TEST_F(SunShadows, AreReadBesideTheSky) {
     setMap([](double u) { return u < 0.5 ? above : nothing; });
     setCascade(0, 40);
     lighting.shadow = &shadow_;
-    drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
-        return drawCaustics(commands, target, &body, 1, &view, &lighting);
-    };
+    drawCausticsOf(body);
     const WaterPicture p = picture({body}, overTheSea(), 40, SurfaceOutput::shaded, bed);
     EXPECT_TRUE(std::ranges::all_of(p.color, [](float value) { return std::isfinite(value); }));
 }

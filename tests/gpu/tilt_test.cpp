@@ -138,11 +138,7 @@ class Tilts : public WaterTest, public testing::WithParamInterface<Turn> {
             if (inTurned) turn(view);
             if (alsoChange) alsoChange(view, body, inTurned);
         };
-        if (drawsCaustics)
-            drawing = [&, body](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
-                Body* const one = body;
-                return drawCaustics(commands, target, &one, 1, &view, &lighting);
-            };
+        if (drawsCaustics) drawCausticsOf(body);
         return picture({body}, camera_, time, output, behind);
     }
 
@@ -386,9 +382,7 @@ TEST_P(Tilts, CausticsFallAlongTheSunInThePlanesAxes) {
     changeView = [&](ViewDesc& view) { turn(view); };
     spiedCalls().clear();
     Body* const body = makeBody(turned(desc_));
-    drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
-        return drawCaustics(commands, target, &body, 1, &view, &lighting);
-    };
+    drawCausticsOf(body);
     picture({body}, camera_, 5, SurfaceOutput::shaded, scene());
     EXPECT_EQ(countSpied("CmdDraw"), 0u);
 }

@@ -117,6 +117,16 @@ seaglass::Body* WaterTest::makeBody(const seaglass::BodyDesc& desc) {
     return body;
 }
 
+void WaterTest::drawCausticsOf(seaglass::Body* body, const seaglass::LightingDesc& lights) {
+    beforeDrawing = [body, &lights](VkCommandBuffer commands, const seaglass::ViewDesc& view) {
+        return seaglass::castCaustics(commands, &body, 1, &view, &lights);
+    };
+    drawing = [body, &lights](VkCommandBuffer commands, seaglass::Target* target,
+                              const seaglass::ViewDesc& view) {
+        return seaglass::drawCaustics(commands, target, &body, 1, &view, &lights);
+    };
+}
+
 WaterPicture WaterTest::picture(const std::vector<seaglass::Body*>& bodies, const Camera& camera, double time,
                                 seaglass::SurfaceOutput output, const SceneBehind& behind) {
     using seaglass::Status;
@@ -147,6 +157,9 @@ WaterPicture WaterTest::picture(const std::vector<seaglass::Body*>& bodies, cons
         EXPECT_EQ(seaglass::simulate(commands, bodies.data(), count, time), Status::ok) << message();
         if (beforeReflection) beforeReflection(commands);
         EXPECT_EQ(seaglass::reflect(commands, bodies.data(), count, &reflected), Status::ok) << message();
+        if (beforeDrawing) {
+            EXPECT_EQ(beforeDrawing(commands, view), Status::ok) << message();
+        }
         toAttachment(commands, color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, false);
         toAttachment(commands, depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, true);
         VkClearValue untouched{};

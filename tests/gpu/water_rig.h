@@ -42,12 +42,19 @@ class WaterTest : public GpuTest {
                          seaglass::SurfaceOutput output = seaglass::SurfaceOutput::shaded,
                          const SceneBehind& behind = {});
 
+    /// From here on picture() multiplies what it clears with a body's caustics, and draws nothing. `lights`
+    /// is kept.
+    void drawCausticsOf(seaglass::Body* body, const seaglass::LightingDesc& lights);
+    void drawCausticsOf(seaglass::Body* body) { drawCausticsOf(body, lighting); }
+
     /// Changes the view that both are told; null leaves it.
     std::function<void(seaglass::ViewDesc&)> changeView;
     /// Changes what reflect() is told of the view that draw() is told the truth of; null leaves it.
     std::function<void(seaglass::ViewDesc&)> misleadReflection;
     /// Recorded between simulate() and reflect(); null: nothing.
     std::function<void(VkCommandBuffer)> beforeReflection;
+    /// Recorded before that pass; null: nothing.
+    std::function<seaglass::Status(VkCommandBuffer, const seaglass::ViewDesc&)> beforeDrawing;
     /// What picture() records in its pass; null: draw().
     std::function<seaglass::Status(VkCommandBuffer, seaglass::Target*, const seaglass::ViewDesc&)> drawing;
     seaglass::LightingDesc lighting; ///< no sun; the sky cube's radiance is 1, 2, 3

@@ -1,7 +1,8 @@
 // Water bodies: an FFT-displaced sea, its reflection, refraction and foam, in the host's command buffer.
 //
 // A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> (host begins its pass) ->
-// draw. With caustics, drawCaustics after the opaque scene; with a bed, bedView before reflect.
+// draw. With caustics, castCaustics and drawCaustics after the opaque scene; with a bed, bedView before
+// reflect.
 #pragma once
 
 #include "seaglass/foam.h"
@@ -52,6 +53,7 @@ struct ShadingDesc {
     uint32_t mirrorLooks = 2;     ///< for what the slopes within a pixel mirror: 1, 2 or 4
     uint32_t refractionLooks = 6; ///< for where the bent ray ends, 1 (straight through) .. 16
     uint32_t bedDownscale = 1;    ///< pixels of the view to one of `BodyDesc::bed`, each way, 1..8
+    uint32_t causticStep = 1;     ///< pixels from one ray of the sun to the next, each way, 1..8
     uint32_t slopeLooks = 1;      ///< along a pixel's longer side, at waves, foam, shadow: 1, 2 or 4
     uint32_t waveShadowSteps = 0; ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
     bool relief = false;          ///< shades waves too short for the mesh at their own height; not on a shore
@@ -162,7 +164,8 @@ Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, d
 Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
 
 /// What to draw for a body with `bed`, before reflect() and likewise: the opaque scene under the calm
-/// surface, from where its rays seem to come. drawCaustics() may follow, by a ViewDesc of these.
+/// surface, from where its rays seem to come. castCaustics() and drawCaustics() may follow, by a ViewDesc of
+/// these.
 Status bedView(Body* body, const ViewDesc* view, PlanarView* out);
 
 /// Records the reflections of `view`; as reflect() for reflectors. Outside any render pass. Of a view whose
@@ -205,12 +208,19 @@ enum class SurfaceOutput : uint32_t {
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
+/// Casts the sun's rays through the waves of the bodies with `caustics` on what `view` shows below them, for
+/// drawCaustics() of the same view, the next of its index. Outside any render pass, after the opaque scene.
+/// Reads view.sceneDepth in compute shaders; of many samples it is `unsupported`. Allocates when an index
+/// sees its largest view. Records nothing of other bodies or without a sun.
+Status castCaustics(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
+                    const LightingDesc* lighting);
+
 /// Multiplies the colour of what lies below the bodies with `caustics`, and its alpha, which should be 1
 /// before, by the sunlight that the waves gather there, 1 in the mean: in a pass over the opaque scene, with
 /// a floating-point colour attachment and a depth attachment of the target's formats (neither tested nor
-/// written), before the colour is copied for reflect() and draw(). Reads view.sceneDepth, which must not be
-/// the attachment written; of many samples it is `unsupported`. Leaves bound what draw() does. Records
-/// nothing of other bodies or without a sun.
+/// written), before the colour is copied for reflect() and draw(). Reads view.sceneDepth in fragment shaders,
+/// which must not be the attachment written. Leaves bound what draw() does. Needs castCaustics(), and records
+/// nothing where that did not.
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
                     const ViewDesc* view, const LightingDesc* lighting);
 

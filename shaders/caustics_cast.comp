@@ -1,0 +1,124 @@
+// Sends rays of the sun through the waves to the opaque scene below them, and counts what arrives. Under calm water the ray
+// of each pixel ends in that pixel, so that all are lit alike. Sums of integers do not depend on the order of the invocations.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "surface_uniforms.glsl"
+#include "optics.glsl"
+#include "slopes.glsl"
+#include "sight_line.glsl"
+#include "caustic_light.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
+layout(set = 0, binding = 2) uniform sampler2DArray waveDisplacement;
+layout(set = 0, binding = 3) uniform sampler2DArray waveDerivatives;
+layout(set = 0, binding = 4) uniform sampler2DArray waveMoments;
+layout(set = 0, binding = 5, std430) buffer Sums {
+    uint sums[];
+};
+#define WAVES
+#ifdef SHORE
+#define SHORE_BINDING 6
+#include "shore.glsl"
+#endif
+int cascades = stored.cascades;
+#include "wave_displacement.glsl"
+
+// How far the sun's ray through a surface of this slope strays sideways on each metre down.
+vec2 strays(vec2 slope) {
+    vec3 ray = refract(-toSun.xyz, normalOf(slope), 1.0 / waterIndex);
+    return ray.xz / max(-ray.y, 0.1);
+}
+
+struct Ray {
+    vec3 from;     // on the surface
+    vec2 strays;   // on each metre down
+    float light;   // of what calm water lets through: as the surface there faces the sun
+};
+
+// Mean slope over `width` metres of the surface over a point of the calm plane.
+vec2 slopeAt(vec2 calm, float width) {
+    vec4 derivatives = vec4(0.0);
+    float shear = 0.0;
+#ifdef SHORE
+    ShoreWave shore = shoreWave(calm, width);
+    derivatives = vec4(shore.slope, shore.stretch.xy);
+    shear = shore.stretch.z;
+    vec4 kept = shore.kept;
+#else
+    const vec4 kept = vec4(1.0);
+#endif
+    int i = 0;
+    do {
+        float mip = max(log2(width * cascade[i].w), 0.0);
+        if (mip < maxMip) {
+            vec3 at = vec3(cascade[i].xy + calm * cascade[i].z, i);
+            derivatives += kept[i] * textureLod(waveDerivatives, at, mip);
+            shear += kept[i] * textureLod(waveMoments, at, mip).w;
+        }
+    } while (++i < cascades);
+    vec2 diagonal = 1.0 + derivatives.zw;
+    vec2 bent = vec2(derivatives.x * diagonal.y - derivatives.y * shear, derivatives.y * diagonal.x - derivatives.x * shear);
+    return bent / max(diagonal.x * diagonal.y - shear * shear, 0.15);
+}
+
+// Through the surface where waves have moved it to (u, v): rays that stand evenly there light still water evenly.
+Ray rayThrough(vec2 at, float width) {
+    vec3 moved = surfaceDisplacement(waveDisplacement, at, width);
+    vec2 slope = slopeAt(at - moved.xz, width);
+    Ray ray;
+    ray.from = vec3(at.x, moved.y - plane.w, at.y);
+    ray.strays = strays(slope);
+    ray.light = max(1.0 - dot(slope, toSun.xz) / toSun.y, 0.0);
+    return ray;
+}
+
+vec3 whereItIs(Ray ray, float height) {
+    vec2 at = ray.from.xz + (ray.from.y - height) * ray.strays;
+    return vec3(at.x, height, at.y);
+}
+
+// What is under water at a pixel, which may lie beside the view: the bed at its border goes on level.
+bool bedAt(ivec2 pixel, out vec3 at) {
+    ivec2 inside = clamp(pixel, ivec2(0), region.zw - 1);
+    if (!bedShownAt(sceneDepth, inside, at)) return false;
+    if (inside == pixel) return true;
+    vec4 p = relativeFromPixel * vec4(vec2(pixel) + 0.5, 0.5, 1.0);
+    vec3 direction = alongSight(relativeFromPixel, p);
+    vec3 from = p.xyz / p.w;
+    vec3 beyond = from + direction * ((at.y - from.y) / direction.y);
+    vec3 further = beyond - at;
+    at = beyond;
+    const float farthest = 10.0;   // from the border [m]
+    return dot(further, further) < farthest * farthest && dot(sightTo(beyond), direction) > 0.0;
+}
+
+void leave(vec2 pixel, float amount) {
+    ivec2 size = lightSize();
+    vec2 at = pixel / float(rayStep) - 0.5;
+    ivec2 first = ivec2(floor(at));
+    vec2 past = at - vec2(first);
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = ivec2(i & 1, i >> 1);
+        ivec2 texel = first + corner;
+        if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size))) continue;
+        vec2 share = mix(1.0 - past, past, vec2(corner));
+        atomicAdd(sums[texel.y * size.x + texel.x], uint(amount * share.x * share.y + 0.5));
+    }
+}
+
+void main() {
+    loadSurface();
+    ivec2 pixel = pixelOfTexel(ivec2(gl_GlobalInvocationID.xy)) - margin;
+    if (any(greaterThanEqual(pixel, region.zw + margin))) return;
+    vec3 at;
+    if (!bedAt(pixel, at)) return;
+    vec3 enters = at - stored.sunInWater.xyz * ((at.y + plane.w) / stored.sunInWater.y);
+    Ray ray = rayThrough(enters.xz, rayWidth(at));
+    // To the height of its own pixel, then to what stands there.
+    vec4 fallen = pixelOf(whereItIs(ray, at.y));
+    bool shown = fallen.w > 0.0 && all(greaterThanEqual(fallen.xy, vec2(0.0))) && all(lessThan(fallen.xy, vec2(region.zw)));
+    if (shown && bedShownAt(sceneDepth, ivec2(fallen.xy), at)) fallen = pixelOf(whereItIs(ray, at.y));
+    if (fallen.w > 0.0) leave(fallen.xy, ray.light * lightUnit);
+}

@@ -1,0 +1,28 @@
+// The picture of the light that the sun's rays leave: water/caustics.h. Needs surface_uniforms.glsl.
+
+int rayStep = stored.causticGrid.x;     // pixels from one ray to the next, and of a texel of light
+int margin = stored.causticGrid.y;   // pixels around the view from which rays come too
+
+const float lightUnit = 4096.0;   // of a texel as bright as under calm water
+
+ivec2 lightSize() {
+    return (region.zw + rayStep - 1) / rayStep;
+}
+
+// The pixel that stands for a texel, which may lie beside the view.
+ivec2 pixelOfTexel(ivec2 texel) {
+    return texel * rayStep + rayStep / 2;
+}
+
+// Over what slopes are taken together for a ray to `at` [m].
+float rayWidth(vec3 at) {
+    return max(1.5 * float(rayStep) * pixelWidth(at), 1e-3);
+}
+
+// Whether the scene shows something under the calm surface at a pixel of the region, and where.
+bool bedShownAt(sampler2D sceneDepth, ivec2 pixel, out vec3 at) {
+    float seen = texelFetch(sceneDepth, region.xy + pixel, 0).r;
+    vec4 q = relativeFromPixel * vec4(vec2(pixel) + 0.5, seen, 1.0);
+    at = q.xyz / q.w;
+    return depthSign * (seen - farDepth) > 0.0 && at.y + plane.w < 0.0;
+}
