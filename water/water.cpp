@@ -26,7 +26,7 @@ Status createBody(Context* context, const BodyDesc* desc, Body** out) {
 
 namespace {
 
-Status addWaves(Context& context, const BodyDesc& desc, Estimate& out) {
+Status addWaves(Context& context, const BodyDesc& desc, VkExtent2D extent, Estimate& out) {
     SeaError error;
     const std::unique_ptr<Sea, SeaDeleter> sea(createSea(desc.waves, &error));
     if (!sea) return context.device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
@@ -34,6 +34,7 @@ Status addWaves(Context& context, const BodyDesc& desc, Estimate& out) {
     const WavesBackend* backend = chosenBackend(context.device, desc);
     out.bytes += Waves::bytes(context, *sea, backend) + (desc.motion ? Waves::lastBytes(*sea) : 0);
     if (sea->shore) out.bytes += ShoreMap::bytes(*sea->shore);
+    if (desc.caustics) out.bytesPerView += Caustics::bytes(desc, extent);
     if (desc.foam && breakingOf(*sea, *desc.foam).count > 0)
         out.bytes += FoamPattern::bytes() + Foam::bytes(*sea, *desc.foam, backend, context.frameCount);
     return Status::ok;
@@ -60,9 +61,8 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
             sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
         }
         if (desc->bed) sum.bytesPerView += Bed::bytes(*desc->bed, desc->shading.bedDownscale, extent);
-        if (desc->caustics) sum.bytesPerView += Caustics::bytes(*desc, extent);
         if (desc->waves)
-            if (const Status s = addWaves(*context, *desc, sum); s != Status::ok) return s;
+            if (const Status s = addWaves(*context, *desc, extent, sum); s != Status::ok) return s;
         sum.bytes += HostMesh::bytes(desc->extent);
         *out = sum;
         return Status::ok;

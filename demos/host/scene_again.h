@@ -24,8 +24,8 @@ FrameUniforms otherUniforms(const FrameUniforms& frame, const Camera& camera, co
 void recordSceneAgain(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
                       const OpaquePass& opaque, const OtherEye& eye, const seaglass::PlanarView& view);
 
-/// Shaders read the depth of a bed's picture from here on; then a pass over it. Between recordSceneAgain() and
-/// what Seaglass does next.
+/// Shaders read the depth of a bed's picture from here on; then a pass over it. Between recordSceneAgain()
+/// and what Seaglass does next.
 void readBedDepth(VkCommandBuffer commands, const seaglass::PlanarView& view);
 void beginOverBed(VkCommandBuffer commands, const seaglass::PlanarView& view);
 void endOverBed(VkCommandBuffer commands, const seaglass::PlanarView& view);
