@@ -116,9 +116,17 @@ void main() {
     if (!bedAt(pixel, at)) return;
     vec3 enters = at - stored.sunInWater.xyz * ((at.y + plane.w) / stored.sunInWater.y);
     Ray ray = rayThrough(enters.xz, rayWidth(at));
-    // To the height of its own pixel, then to what stands there.
-    vec4 fallen = pixelOf(whereItIs(ray, at.y));
+    // To the height of its own pixel, then to what stands there. What is thin, and what the bed behind it shows beside it, keeps
+    // its own light: which of its rays go past it, and which others it stops, the depth does not tell.
+    vec3 level = whereItIs(ray, at.y);
+    vec4 fallen = pixelOf(level);
     bool shown = fallen.w > 0.0 && all(greaterThanEqual(fallen.xy, vec2(0.0))) && all(lessThan(fallen.xy, vec2(region.zw)));
-    if (shown && bedShownAt(sceneDepth, ivec2(fallen.xy), at)) fallen = pixelOf(whereItIs(ray, at.y));
+    if (shown) {
+        vec3 there;
+        bool bed = bedShownAt(sceneDepth, ivec2(fallen.xy), there);
+        float steepest = 4.0 * (distance(level.xz, at.xz) + float(rayStep) * pixelWidth(at));
+        bool goesOn = bed && abs(there.y - at.y) < steepest;
+        fallen = goesOn ? pixelOf(whereItIs(ray, there.y)) : vec4(vec2(pixel) + 0.5, 0.0, 1.0);
+    }
     if (fallen.w > 0.0) leave(fallen.xy, ray.light * lightUnit);
 }
