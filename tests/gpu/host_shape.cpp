@@ -6,6 +6,8 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "host/scene_again.h"
+#include "host/seaglass_view.h"
 #include "tests/gpu/drawn_view.h"
 #include "tests/gpu/rig.h"
 #include "tests/gpu/spy.h"
@@ -422,6 +424,13 @@ void ShapedHost::clearBed(VkCommandBuffer commands, const seaglass::ViewDesc& vi
     EXPECT_EQ(seaglass::bedView(body_, &view, &bed), Status::ok) << message_;
     beginDrawing(commands, bed);
     vkCmdEndRendering(commands);
+    if (!caustics_) return;
+    demos::readBedDepth(commands, bed);
+    seaglass::ViewDesc over = demos::viewOf(bed);
+    over.viewIndex = view.viewIndex;
+    EXPECT_EQ(seaglass::castCaustics(commands, &body_, 1, &over, &lighting_), Status::ok) << message_;
+    demos::beginOverBed(commands, bed); // a target of the bed's formats would draw them
+    demos::endOverBed(commands, bed);
 }
 
 void ShapedHost::beginPass(VkCommandBuffer commands, const Targets& targets, float clearDepth) {
