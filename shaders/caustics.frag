@@ -4,6 +4,8 @@
 #include "surface_uniforms.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
+#include "footprint.glsl"
+#include "near_plane.glsl"
 #include "caustic_light.glsl"
 
 layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
@@ -38,7 +40,7 @@ vec2 strayed(float slope) {
     return slope * stored.sunTurned.xy;
 }
 
-// Pixels to the ends of the axes of an ellipse.
+// Pixels to the ends of two deviations, which span an ellipse.
 struct Spread {
     vec2 along, across;
 };
@@ -56,40 +58,27 @@ Spread spreadOf(Spread perMetre, vec2 deviation) {
     return Spread(perMetre.along * deviation.x, perMetre.across * deviation.y);
 }
 
-// Whether the line of sight begins over calm water.
-bool seenFromAir(vec2 pixel) {
-    vec4 p = relativeFromPixel * vec4(pixel, 1.0 - farDepth, 1.0);
-    return p.y / p.w + plane.w > 0.0;
-}
-
 // On each metre down, of where light falls: by the sun's disc, by slopes that rays do not know of and, for an eye in the air, by
 // the waves that it looks through.
-vec2 blurPerMetre(vec3 at, vec2 pixel) {
+vec2 blurPerMetre(vec3 at) {
     const float disc = 0.5 * 0.00465 / waterIndex;
     vec2 turned = strayed(lostSlope(rayWidth(at)));
-    float shown = seenFromAir(pixel) ? 0.25 * roughness.w : 0.0;
+    float shown = onNearPlane().y + plane.w > 0.0 ? 0.25 * roughness.w : 0.0;
     return sqrt(turned * turned + disc * disc + shown * shown);
 }
 
 // Light and what it would be under calm water, as a mean of such a spread.
 vec2 lightAround(vec2 pixel, Spread spread) {
-    float xx = spread.along.x * spread.along.x + spread.across.x * spread.across.x;
-    float yy = spread.along.y * spread.along.y + spread.across.y * spread.across.y;
-    float xy = spread.along.x * spread.along.y + spread.across.x * spread.across.y;
-    float halfGap = 0.5 * (xx - yy);
-    float apart = sqrt(halfGap * halfGap + xy * xy);
-    float middle = 0.5 * (xx + yy);
-    vec2 longer = halfGap > 0.0 ? vec2(halfGap + apart, xy) : vec2(xy, apart - halfGap);
-    longer /= max(length(longer), 1e-20);
+    Footprint ellipse = footprintOf(spread.along, spread.across);
     float texel = float(rayStep);
-    float most = sqrt(middle + apart), least = sqrt(max(middle - apart, 0.0));
+    float most = length(ellipse.longer), least = length(ellipse.shorter);
     // A linear look at texels of w has a deviation of 0.41 w. One that is a little wider hides that rays stand in rows.
     const float leastBlurred = 1.6;
     float lod = log2(max(least / (0.41 * texel), leastBlurred));
     const int mostLooks = 4;
     int looks = clamp(int(ceil(most / max(least, 0.41 * texel))), 1, mostLooks);
     // Of an even row from end to end the deviation is 0.29 of its length.
-    vec2 row = longer * sqrt(max(most * most - least * least, 0.0)) / 0.29;
+    vec2 row = ellipse.longer * sqrt(max(most * most - least * least, 0.0)) / (0.29 * max(most, 1e-6));
     vec2 size = texel * vec2(textureSize(gathered, 0));
     vec2 sum = vec2(0.0);
     int i = 0;
@@ -114,7 +103,7 @@ float shareCast(vec2 pixel, Spread spread) {
 float lightOn(vec3 at, float depth) {
     vec2 pixel = gl_FragCoord.xy - vec2(region.xy);
     Spread perMetre = pixelsPerMetre(at);
-    vec2 light = lightAround(pixel, spreadOf(perMetre, depth * blurPerMetre(at, pixel)));
+    vec2 light = lightAround(pixel, spreadOf(perMetre, depth * blurPerMetre(at)));
     float elsewhere = 1.0 - shareCast(pixel, spreadOf(perMetre, depth * strayed(roughness.w)));
     return light.y > 0.01 ? light.x / light.y + elsewhere : 1.0;
 }

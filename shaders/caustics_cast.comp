@@ -58,9 +58,7 @@ vec2 slopeAt(vec2 calm, float width) {
             shear += kept[i] * textureLod(waveMoments, at, mip).w;
         }
     } while (++i < cascades);
-    vec2 diagonal = 1.0 + derivatives.zw;
-    vec2 bent = vec2(derivatives.x * diagonal.y - derivatives.y * shear, derivatives.y * diagonal.x - derivatives.x * shear);
-    return bent / max(diagonal.x * diagonal.y - shear * shear, 0.15);
+    return slopeOfWaves(derivatives, shear);
 }
 
 // Through the surface where waves have moved it to (u, v): rays that stand evenly there light still water evenly.

@@ -45,6 +45,7 @@ vec3 inWorld(vec3 direction) {
     return tilted ? worldFromBody * direction : direction;
 }
 
+#include "footprint.glsl"
 #include "surface_point.glsl"
 #include "visible_slopes.glsl"
 #include "dry_rooms.glsl"

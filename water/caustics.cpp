@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gpu/mip_chain.h"
+#include "reflection/tiles.h"
 #include "spirv/caustics_cast.comp.h"
 #include "spirv/caustics_cast_shore.comp.h"
 #include "spirv/caustics_gather.comp.h"
@@ -22,13 +23,6 @@ namespace {
 constexpr VkDescriptorType uniforms = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType sampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-
-constexpr gpu::BufferUse readByShaders = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                                          VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
-constexpr gpu::BufferUse cleared = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
-constexpr gpu::BufferUse summedUp = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                                     VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
-                                         VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
 
 VkExtent2D over(const glm::ivec2& pixels, int step) {
     return {static_cast<uint32_t>((pixels.x + step - 1) / step),
@@ -151,11 +145,11 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
     if (const Status s = context.frame().allocateSet(castKernel().layout().set(), resources, set);
         s != Status::ok)
         return s;
-    gpu::recordBarrier(device, commands, readByShaders, cleared);
-    device.vk().CmdFillBuffer(commands, picture.sums.handle(), 0, VK_WHOLE_SIZE, 0);
-    gpu::recordBarrier(device, commands, cleared, summedUp);
+    recordBuffersCleared(device, commands, {picture.sums.handle()});
     castKernel().dispatchOver(commands, set, over(in.region + 2 * in.grid.margin, in.grid.step));
-    gpu::recordBarrier(device, commands, summedUp, readByShaders);
+    gpu::recordBarrier(device, commands,
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
     return Status::ok;
 }
 

@@ -8,12 +8,6 @@ struct SurfacePoint {
     float bounded;     // of the covariance, variance along both axes that ends within the pixel
 };
 
-#ifdef WAVES
-float jacobianOf(vec4 derivatives, float shear) {
-    return (1.0 + derivatives.z) * (1.0 + derivatives.w) - shear * shear;
-}
-#endif
-
 #ifdef SHORE
 ShoreWave shoreHere;
 
@@ -49,23 +43,6 @@ vec4 keptHere() {
 
 #ifdef WAVES
 layout(constant_id = 9) const int slopeLooks = 1;   // 1, 2 or 4
-
-// The longer half axis of a pixel on the calm plane, and the shorter one: of the ellipse that its two steps span [m].
-struct Footprint {
-    vec2 longer, shorter;
-};
-
-Footprint footprintOf(vec2 right, vec2 down) {
-    float uu = right.x * right.x + down.x * down.x;
-    float vv = right.y * right.y + down.y * down.y;
-    float uv = right.x * right.y + down.x * down.y;
-    float halfGap = 0.5 * (uu - vv);
-    float apart = sqrt(halfGap * halfGap + uv * uv);
-    float middle = 0.5 * (uu + vv);
-    vec2 along = halfGap > 0.0 ? vec2(halfGap + apart, uv) : vec2(uv, apart - halfGap);
-    along /= max(length(along), 1e-20);
-    return Footprint(along * sqrt(middle + apart), vec2(-along.y, along.x) * sqrt(max(middle - apart, 0.0)));
-}
 
 // Derivatives of the waves over the pixel, and their moments: at a grazing angle a pixel is long and narrow, and is taken in
 // as many parts as there are looks.
@@ -124,11 +101,7 @@ SurfacePoint surfacePoint() {
     s.covariance *= ripples * ripples;
     variance += shoreHere.covariance;
 #endif
-    // Tangents (1 + dDx/du, dh/du, shear) and (shear, dh/dv, 1 + dDz/dv); their cross product is the normal.
-    vec2 diagonal = 1.0 + derivatives.zw;
-    vec2 bent = vec2(derivatives.x * diagonal.y - derivatives.y * shear, derivatives.y * diagonal.x - derivatives.x * shear);
-    // Where the surface folds the Jacobian passes zero and the slope is vertical.
-    s.slope = bent / max(jacobianOf(derivatives, shear), 0.15);
+    s.slope = slopeOfWaves(derivatives, shear);
     s.covariance += variance;
 #ifdef SHORE
     s.slope = mix(s.slope, shoreHere.bedSlope, onSand());
