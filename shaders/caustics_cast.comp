@@ -102,13 +102,13 @@ void leave(vec2 pixel, float amount) {
         ivec2 texel = first + corner;
         if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size))) continue;
         vec2 share = mix(1.0 - past, past, vec2(corner));
-        atomicAdd(sums[texel.y * size.x + texel.x], uint(amount * share.x * share.y + 0.5));
+        atomicAdd(sums[texel.y * rowLength + texel.x], uint(amount * share.x * share.y + 0.5));
     }
 }
 
 void main() {
     loadSurface();
-    ivec2 pixel = pixelOfTexel(ivec2(gl_GlobalInvocationID.xy)) - margin;
+    ivec2 pixel = pixelOfTexel(ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow)) - ivec2(margin, 0);
     if (any(greaterThanEqual(pixel, region.zw + margin))) return;
     vec3 at;
     if (!bedAt(pixel, at)) return;

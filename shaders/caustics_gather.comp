@@ -1,4 +1,4 @@
-// What rays left of light on each texel, and how much they would have under calm water.
+// What rays left of light on each texel, and how much they would have under calm water: in the place of their sums.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "surface_uniforms.glsl"
@@ -7,21 +7,17 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2, std430) readonly buffer Sums {
-    uint sums[];
+layout(set = 0, binding = 2, std430) buffer Sums {
+    uint sums[];   // then halves: light, and 1 where there is a bed for it
 };
-layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D gathered;
 
 void main() {
     loadSurface();
-    ivec2 texel = ivec2(gl_GlobalInvocationID.xy), size = lightSize();
-    if (any(greaterThanEqual(texel, imageSize(gathered)))) return;
-    // The picture may be larger than the view.
-    vec2 light = vec2(0.0);
-    if (all(lessThan(texel, size))) {
-        vec3 at;
-        bool lit = bedShownAt(sceneDepth, min(pixelOfTexel(texel), region.zw - 1), at);
-        light = vec2(float(sums[texel.y * size.x + texel.x]) / lightUnit, float(lit));
-    }
-    imageStore(gathered, texel, vec4(light, 0.0, 0.0));
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    int i = texel.y * rowLength + texel.x;
+    if (texel.x >= rowLength || i >= sums.length()) return;
+    bool lit = false;
+    vec3 at;
+    if (all(lessThan(texel, lightSize()))) lit = bedShownAt(sceneDepth, min(pixelOfTexel(texel), region.zw - 1), at);
+    sums[i] = packHalf2x16(vec2(float(sums[i]) / lightUnit, float(lit)));
 }

@@ -30,7 +30,7 @@ int cascades = stored.cascades;
 
 void main() {
     loadSurface();
-    vec3 start = onNearPlane();
+    vec3 start = onNearPlane(gl_FragCoord.xy - vec2(region.xy));
     if (straddles && heightAboveSurface(start) > 0.0) discard;
     vec3 view = normalize(sightTo(start));
     float depth = depthOfSight(start);

@@ -25,7 +25,7 @@ int cascades = stored.cascades;
 
 void main() {
     loadSurface();
-    vec3 start = onNearPlane();
+    vec3 start = onNearPlane(gl_FragCoord.xy - vec2(region.xy));
     float height = heightAboveSurface(start);
 #ifdef SHORE
     // Looked for at the next pixels anew: CPU devices read no buffer for those that derivatives alone ask.

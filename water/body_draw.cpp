@@ -249,8 +249,9 @@ Status Body::castCaustics(VkCommandBuffer commands, const ViewDesc& view, const 
     if (toSun(lighting).y <= 0) return Status::ok;
     CausticInputs inputs;
     inputs.view = &read;
+    inputs.shadow = lighting.shadow;
     inputs.region = geometry.regionSize;
-    inputs.grid = causticGrid(shading, geometry.regionSize);
+    inputs.grid = causticGrid(shading, geometry, heightOf(geometry.eye));
     for (size_t i = 0; i < inputs.waveMaps.size(); ++i) inputs.waveMaps[i] = waves->maps().images[i].view();
     if (const Status s = shoreInputs(false, inputs.shoreMap, inputs.shoreRows); s != Status::ok) return s;
     const SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
@@ -274,7 +275,6 @@ Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDe
         return device.misused(
             "drawCaustics: castCaustics() was not called for this view before, or for another since");
     UnderwaterVariant variant = {UnderwaterPass::caustics};
-    variant.sunShadow = lighting.shadow != nullptr;
     variant.dryRooms = roomsPacked(dryRooms);
     return recordOverView(commands, target, read, lighting, geometry, variant);
 }
@@ -300,7 +300,6 @@ Status Body::recordOverView(VkCommandBuffer commands, Target& target, const View
     const SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
     UnderwaterInputs inputs;
     inputs.view = &view;
-    inputs.shadow = lighting.shadow;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
     if (variant.waves) inputs.waveMap = waves->maps().images[0].view();
     if (variant.pass == UnderwaterPass::caustics)

@@ -8,6 +8,8 @@
 
 #include "gpu/mip_chain.h"
 #include "reflection/tiles.h"
+#include "spirv/caustics_blur.comp.h"
+#include "spirv/caustics_blur_h.comp.h"
 #include "spirv/caustics_cast.comp.h"
 #include "spirv/caustics_cast_shore.comp.h"
 #include "spirv/caustics_gather.comp.h"
@@ -24,34 +26,96 @@ constexpr VkDescriptorType uniforms = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType sampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 
+constexpr uint32_t mostMips = 6;          // blurs as wide as 64 texels
+constexpr uint32_t reach = 1 << mostMips; // of looks beyond a view, in texels: two of the last mip
+
 VkExtent2D over(const glm::ivec2& pixels, int step) {
     return {static_cast<uint32_t>((pixels.x + step - 1) / step),
             static_cast<uint32_t>((pixels.y + step - 1) / step)};
 }
 
-gpu::ImageDesc lightDesc(VkExtent2D texels) {
-    constexpr int mostMips = 6; // blurs as wide as 64 texels
+gpu::ImageDesc blurredDesc(VkExtent2D texels) {
     gpu::ImageDesc desc;
-    desc.format = VK_FORMAT_R16G16B16A16_SFLOAT; // the narrowest that any device stores
+    desc.format = VK_FORMAT_R16G16_SFLOAT;
     desc.extent = texels;
-    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-                 VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    desc.mipLevels = static_cast<uint32_t>(
-        std::min(static_cast<int>(std::bit_width(std::max(texels.width, texels.height))), mostMips));
+    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    return desc;
+}
+
+gpu::ImageDesc gatheredDesc(VkExtent2D texels) {
+    gpu::ImageDesc desc = blurredDesc(texels);
+    desc.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    const int mips = std::bit_width(std::max(texels.width, texels.height));
+    desc.mipLevels = std::min(static_cast<uint32_t>(mips), mostMips);
     return desc;
 }
 
 VkDeviceSize sumBytes(VkExtent2D texels) {
-    return VkDeviceSize{texels.width} * texels.height * sizeof(uint32_t);
+    return VkDeviceSize{texels.width + reach} * (texels.height + reach) * sizeof(uint32_t);
+}
+
+/// What a view covers of a picture that may be larger, and beside it what looks from there reach.
+VkExtent2D lookedAt(const CausticInputs& in, const gpu::OwnedImage& picture) {
+    const VkExtent2D view = over(in.region, in.grid.step), all = picture.desc().extent;
+    return {std::min(view.width + reach, all.width), std::min(view.height + reach, all.height)};
+}
+
+/// What a kernel has left in the buffer, to mip 0.
+void recordCopied(const gpu::Device& device, VkCommandBuffer commands, const CausticInputs& in,
+                  const gpu::Buffer& from, const gpu::OwnedImage& to, uint32_t firstRow, VkExtent2D texels) {
+    gpu::recordBarrier(device, commands,
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT});
+    const VkImageMemoryBarrier2 before =
+        gpu::imageBarrier(to.handle(), gpu::discardedAfterSampling, gpu::copyWritten, 0, 1);
+    gpu::recordBarriers(device, commands, &before, 1);
+    VkBufferImageCopy region{};
+    region.bufferRowLength = static_cast<uint32_t>(in.grid.rowLength);
+    region.bufferOffset = VkDeviceSize{region.bufferRowLength} * firstRow * sizeof(uint32_t);
+    region.imageOffset.y = static_cast<int32_t>(firstRow);
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.imageExtent = {texels.width, texels.height, 1};
+    device.vk().CmdCopyBufferToImage(commands, from.handle(), to.handle(),
+                                     VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    // The buffer may be written again.
+    gpu::recordBarrier(device, commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_NONE},
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_NONE});
 }
 
 gpu::Resource uniformsOf(const CausticInputs& in) {
     return gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms));
 }
 
+gpu::Resource sampledTexels(const Context& context, const Image& image) {
+    return gpu::sampledImage(context.samplers.nearestClamp(), image.view, image.layout);
+}
+
 gpu::Resource depthOf(const Context& context, const CausticInputs& in) {
-    const Image& depth = in.view->sceneDepth;
-    return gpu::sampledImage(context.samplers.nearestClamp(), depth.view, depth.layout);
+    return sampledTexels(context, in.view->sceneDepth);
+}
+
+/// First and last row of pixels, to `margin` beside the view, whose lines of sight point down somewhere: how
+/// much they rise is linear in the pixels (shaders/common/sight_line.glsl). All for an eye that sees the
+/// water from within.
+glm::dvec2 rowsBelowHorizon(const ViewGeometry& view, double height, int margin) {
+    const double low = -margin, high = view.regionSize.y + margin;
+    if (view.parallel || height <= 0) return {low, high};
+    const glm::dmat4 fromPixel = relativeFromScenePixel(view);
+    const glm::dvec4 perDepth = fromPixel[2];
+    const auto rise = [&](double x, double y) {
+        const glm::dvec4 p = fromPixel * glm::dvec4(x, y, 0.5, 1);
+        return (view.reversedDepth ? 1 : -1) * (p.y * perDepth.w - perDepth.y * p.w);
+    };
+    double first = high, last = low;
+    for (const double x : {low, double(view.regionSize.x + margin)}) {
+        const double top = rise(x, low), bottom = rise(x, high);
+        const double level = low + (high - low) * (top == bottom ? 0 : top / (top - bottom));
+        if (top < 0 || bottom < 0) {
+            first = std::min(first, top < 0 ? low : level);
+            last = std::max(last, bottom < 0 ? high : level);
+        }
+    }
+    return {first, last};
 }
 
 } // namespace
@@ -83,11 +147,21 @@ SunInWater sunInWater(const glm::dvec3& toSun) {
     return sun;
 }
 
-CausticGrid causticGrid(const ShadingDesc& shading, const glm::ivec2& region) {
+CausticGrid causticGrid(const ShadingDesc& shading, const ViewGeometry& view, double height) {
+    const glm::ivec2 region = view.regionSize;
     const int step = static_cast<int>(shading.causticStep);
     // Light that comes from farther out is taken to be even: what is gathered fades by the border.
     const int margin = std::min(region.x, region.y) / 16;
-    return {step, margin / step * step};
+    CausticGrid grid;
+    grid.step = step;
+    grid.margin = margin / step * step;
+    grid.rowLength = (region.x + step - 1) / step + static_cast<int>(reach);
+    const glm::dvec2 rows = rowsBelowHorizon(view, height, grid.margin) / double(step);
+    const int viewRows = (region.y + step - 1) / step, beside = grid.margin / step;
+    grid.firstRow = std::clamp(static_cast<int>(std::floor(rows.x)) - 1, -beside, viewRows - 1);
+    const int least = std::max(grid.firstRow, 0) + 1;
+    grid.endRow = std::clamp(static_cast<int>(std::ceil(rows.y)) + 1, least, viewRows + beside);
+    return grid;
 }
 
 Status CastKernel::create(Context& context) {
@@ -101,28 +175,42 @@ Status CastOnShoreKernel::create(Context& context) {
 }
 
 Status GatherKernel::create(Context& context) {
-    constexpr std::array bindings{uniforms, sampled, storage, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
+    constexpr std::array bindings{uniforms, sampled, storage};
     return kernel.create(context.device, caustics_gather_comp, bindings, "caustics pipeline");
+}
+
+Status CausticBlurKernel::create(Context& context) {
+    constexpr std::array bindings{uniforms, sampled, sampled, storage};
+    return kernel.create(context.device, caustics_blur_comp, bindings, "caustics pipeline");
+}
+
+Status ShadowedCausticBlurKernel::create(Context& context) {
+    constexpr std::array bindings{uniforms, sampled, sampled, storage, sampled};
+    return kernel.create(context.device, caustics_blur_h_comp, bindings, "caustics pipeline");
 }
 
 Status Caustics::create(Context& context, const Sea& sea, const CausticsDesc& desc) {
     strength_ = desc.strength;
     lostSlopes_ = lostSlopesOf(sea);
     if (const Status s = context.share(gather_); s != Status::ok) return s;
+    if (const Status s = context.share(blur_); s != Status::ok) return s;
     return sea.shore ? context.share(castOnShore_) : context.share(cast_);
 }
 
 Status Caustics::fit(Context& context, VkExtent2D texels, Picture& picture) const {
-    const VkExtent2D held = picture.light.handle() ? picture.light.desc().extent : VkExtent2D{0, 0};
+    const VkExtent2D held = picture.gathered.handle() ? picture.gathered.desc().extent : VkExtent2D{0, 0};
     const VkExtent2D wanted = {std::max(texels.width, held.width), std::max(texels.height, held.height)};
-    if (picture.light.isOf(wanted)) return Status::ok;
+    if (picture.gathered.isOf(wanted)) return Status::ok;
     Picture fresh;
-    constexpr VkBufferUsageFlags usage =
-        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                         VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
     if (const Status s = fresh.sums.create(context.device, sumBytes(wanted), usage, "caustics' sums");
         s != Status::ok)
         return s;
-    if (const Status s = fresh.light.create(context.device, lightDesc(wanted), "caustics' light");
+    if (const Status s = fresh.gathered.create(context.device, gatheredDesc(wanted), "caustics' light");
+        s != Status::ok)
+        return s;
+    if (const Status s = fresh.blurred.create(context.device, blurredDesc(wanted), "caustics' blur");
         s != Status::ok)
         return s;
     context.frame().retire(std::exchange(picture, std::move(fresh)));
@@ -146,28 +234,54 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
         s != Status::ok)
         return s;
     recordBuffersCleared(device, commands, {picture.sums.handle()});
-    castKernel().dispatchOver(commands, set, over(in.region + 2 * in.grid.margin, in.grid.step));
+    const uint32_t across = over(in.region + 2 * in.grid.margin, in.grid.step).width;
+    castKernel().dispatchOver(commands, set,
+                              VkExtent2D{across, static_cast<uint32_t>(in.grid.endRow - in.grid.firstRow)});
     gpu::recordBarrier(device, commands,
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
     return Status::ok;
 }
 
 Status Caustics::recordGather(Context& context, VkCommandBuffer commands, const CausticInputs& in,
                               const Picture& picture) const {
     const gpu::Resource resources[] = {uniformsOf(in), depthOf(context, in),
-                                       gpu::storageBuffer(picture.sums.handle()),
-                                       gpu::storageImage(picture.light.firstMipView())};
+                                       gpu::storageBuffer(picture.sums.handle())};
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(gather_->kernel.layout().set(), resources, set);
         s != Status::ok)
         return s;
-    const VkImageMemoryBarrier2 before =
-        gpu::imageBarrier(picture.light.handle(), gpu::discardedAfterSampling, gpu::storageWritten, 0, 1);
-    gpu::recordBarriers(context.device, commands, &before, 1);
-    gather_->kernel.dispatchOver(commands, set, picture.light.desc().extent);
-    const gpu::OwnedImage* const images[] = {&picture.light};
-    gpu::recordMipChain(context.device, commands, images, gpu::storageWritten);
+    const VkExtent2D texels = lookedAt(in, picture.gathered);
+    gather_->kernel.dispatchOver(commands, set, texels);
+    recordCopied(context.device, commands, in, picture.sums, picture.gathered, 0, texels);
+    const gpu::OwnedImage* const images[] = {&picture.gathered};
+    gpu::recordMipChain(context.device, commands, images, gpu::copyWritten);
+    return Status::ok;
+}
+
+Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const CausticInputs& in,
+                            const Picture& picture) {
+    if (in.shadow && !blurInShadow_)
+        if (const Status s = context.share(blurInShadow_); s != Status::ok) return s;
+    const gpu::Kernel& kernel = in.shadow ? blurInShadow_->kernel : blur_->kernel;
+    std::vector<gpu::Resource> resources = {
+        uniformsOf(in), depthOf(context, in),
+        gpu::sampledImage(context.samplers.trilinearClamp(), picture.gathered.view()),
+        gpu::storageBuffer(picture.sums.handle())};
+    if (in.shadow) resources.push_back(sampledTexels(context, in.shadow->map));
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(kernel.layout().set(), resources, set); s != Status::ok)
+        return s;
+    const VkExtent2D view = over(in.region, in.grid.step);
+    const uint32_t firstRow = static_cast<uint32_t>(std::max(in.grid.firstRow, 0));
+    const uint32_t endRow = std::min(static_cast<uint32_t>(in.grid.endRow), view.height);
+    const VkExtent2D texels = {view.width, endRow - firstRow};
+    kernel.dispatchOver(commands, set, texels);
+    recordCopied(context.device, commands, in, picture.sums, picture.blurred, firstRow, texels);
+    const VkImageMemoryBarrier2 after =
+        gpu::imageBarrier(picture.blurred.handle(), gpu::copyWritten, gpu::sampledByShaders);
+    gpu::recordBarriers(context.device, commands, &after, 1);
     return Status::ok;
 }
 
@@ -179,6 +293,7 @@ Status Caustics::record(Context& context, VkCommandBuffer commands, const Causti
     const gpu::PassScope pass(context.device, commands, "caustics_cast");
     if (const Status s = recordCast(context, commands, in, picture); s != Status::ok) return s;
     if (const Status s = recordGather(context, commands, in, picture); s != Status::ok) return s;
+    if (const Status s = recordBlur(context, commands, in, picture); s != Status::ok) return s;
     picture.frame = context.frameNumber;
     picture.region = in.region;
     return Status::ok;
@@ -187,7 +302,7 @@ Status Caustics::record(Context& context, VkCommandBuffer commands, const Causti
 VkImageView Caustics::lightOf(const Context& context, uint32_t viewIndex, const glm::ivec2& region) const {
     const Picture& picture = views_[viewIndex];
     const bool cast = picture.frame == context.frameNumber && picture.region == region;
-    return cast ? picture.light.view() : VK_NULL_HANDLE;
+    return cast ? picture.blurred.view() : VK_NULL_HANDLE;
 }
 
 VkDeviceSize Caustics::bytes(const BodyDesc& desc, VkExtent2D view) {
@@ -197,8 +312,8 @@ VkDeviceSize Caustics::bytes(const BodyDesc& desc, VkExtent2D view) {
         largest = {std::max(view.width, bed.width), std::max(view.height, bed.height)};
     }
     const glm::ivec2 region(static_cast<int>(largest.width), static_cast<int>(largest.height));
-    const VkExtent2D texels = over(region, causticGrid(desc.shading, region).step);
-    return sumBytes(texels) + gpu::imageBytes(lightDesc(texels));
+    const VkExtent2D texels = over(region, static_cast<int>(desc.shading.causticStep));
+    return sumBytes(texels) + gpu::imageBytes(gatheredDesc(texels)) + gpu::imageBytes(blurredDesc(texels));
 }
 
 } // namespace seaglass

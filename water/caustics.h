@@ -1,5 +1,5 @@
 // Sunlight that waves gather on what lies below them: rays are cast from the pixels of a view, and what they
-// leave of light is gathered in a picture, which caustics.frag reads.
+// leave of light is gathered in a picture and blurred by what they do not know of; caustics.frag reads that.
 #pragma once
 
 #include <array>
@@ -35,11 +35,16 @@ SunInWater sunInWater(const glm::dvec3& toSun);
 
 /// How rays are cast on a view, in its pixels.
 struct CausticGrid {
-    int step = 1;   ///< from one ray to the next, each way; as wide is a texel of light
-    int margin = 0; ///< around the view, from where rays come too: whole steps
+    int step = 1;      ///< from one ray to the next, each way; as wide is a texel of light
+    int margin = 0;    ///< around the view, from where rays come too: whole steps
+    int rowLength = 0; ///< of the buffer, in texels
+    /// Rows of texels, some of them in the margin, that may show what is below the horizon; one of the view
+    /// at the least.
+    int firstRow = 0, endRow = 0;
 };
 
-CausticGrid causticGrid(const ShadingDesc& shading, const glm::ivec2& region);
+/// `height` is the eye's above the plane.
+CausticGrid causticGrid(const ShadingDesc& shading, const ViewGeometry& view, double height);
 
 struct CastKernel {
     gpu::Kernel kernel;
@@ -53,10 +58,19 @@ struct GatherKernel {
     gpu::Kernel kernel;
     Status create(Context& context);
 };
+struct CausticBlurKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+struct ShadowedCausticBlurKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
 
 struct CausticInputs {
     gpu::Slice uniforms; ///< SurfaceUniforms
     const ViewDesc* view = nullptr;
+    const SunShadow* shadow = nullptr;
     glm::ivec2 region{0};
     CausticGrid grid;
     std::array<VkImageView, 3> waveMaps{}; ///< as WaveMaps::images
@@ -77,14 +91,14 @@ class Caustics {
     /// of this size.
     VkImageView lightOf(const Context& context, uint32_t viewIndex, const glm::ivec2& region) const;
 
-    static constexpr uint32_t dispatches = 2;
+    static constexpr uint32_t dispatches = 3;
     /// Of one view, and of its bed where the body has one.
     static VkDeviceSize bytes(const BodyDesc& desc, VkExtent2D view);
 
   private:
     struct Picture {
-        gpu::Buffer sums;
-        gpu::OwnedImage light;
+        gpu::Buffer sums; ///< then what is copied to the images
+        gpu::OwnedImage gathered, blurred;
         uint64_t frame = 0;
         glm::ivec2 region{0};
     };
@@ -93,6 +107,8 @@ class Caustics {
                       const Picture& picture) const;
     Status recordGather(Context& context, VkCommandBuffer commands, const CausticInputs& inputs,
                         const Picture& picture) const;
+    Status recordBlur(Context& context, VkCommandBuffer commands, const CausticInputs& inputs,
+                      const Picture& picture);
     const gpu::Kernel& castKernel() const { return castOnShore_ ? castOnShore_->kernel : cast_->kernel; }
 
     float strength_ = 1;
@@ -100,6 +116,8 @@ class Caustics {
     std::shared_ptr<CastKernel> cast_;
     std::shared_ptr<CastOnShoreKernel> castOnShore_; ///< instead of that
     std::shared_ptr<GatherKernel> gather_;
+    std::shared_ptr<CausticBlurKernel> blur_;
+    std::shared_ptr<ShadowedCausticBlurKernel> blurInShadow_; ///< from the first shadow map on
     std::array<Picture, maxViews> views_;
 };
 

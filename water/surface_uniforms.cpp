@@ -67,7 +67,7 @@ void setCaustics(SurfaceUniforms& u, const Caustics& caustics, const CausticGrid
     u.sunInWater = glm::vec4(glm::vec3(sun.from), 0);
     u.sunTurned = glm::vec4(sun.turnedAlong, sun.turnedAcross, 0, 0);
     u.caustics.x = caustics.strength();
-    u.causticGrid = {grid.step, grid.margin, 0, 0};
+    u.causticGrid = {grid.step, grid.margin, grid.rowLength, grid.firstRow};
     static_assert(sizeof u.lostSlopes == sizeof(LostSlopes));
     std::memcpy(u.lostSlopes, caustics.lostSlopes().data(), sizeof u.lostSlopes);
 }
@@ -135,7 +135,8 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
     if (body.underwater) u.within.y = body.underwater->meniscus / 2;
     if (body.outline) u.covered = body.outline->boxFrom({geometry.eye.x, geometry.eye.z}).packed();
     setDryRooms(u, body.dryRooms, geometry.eye);
-    if (body.caustics) setCaustics(u, *body.caustics, causticGrid(body.shading, geometry.regionSize));
+    if (body.caustics)
+        setCaustics(u, *body.caustics, causticGrid(body.shading, geometry, body.heightOf(geometry.eye)));
     return u;
 }
 

@@ -59,7 +59,7 @@ struct SurfaceUniforms {
     glm::vec4 sunInWater{0};                     ///< SunInWater::from
     glm::vec4 sunTurned{0};                      ///< SunInWater: turnedAlong, turnedAcross
     glm::vec4 lostSlopes[2]{};                   ///< LostSlopes
-    glm::ivec4 causticGrid{0};                   ///< CausticGrid: step, margin
+    glm::ivec4 causticGrid{0};                   ///< CausticGrid: step, margin, rowLength, firstRow
     glm::vec4 caustics{0};                       ///< strength
     glm::vec4 covered{-1e9f, -1e9f, 1e9f, 1e9f}; ///< (u, v) of the box around the body, low and high [m]
     glm::vec4 shorePlace{0};                     ///< of the eye on the shore's map, and of a metre

@@ -4,7 +4,6 @@
 
 #include "spirv/caustics.frag.h"
 #include "spirv/caustics.vert.h"
-#include "spirv/caustics_h.frag.h"
 #include "spirv/caustics_views.vert.h"
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
@@ -42,8 +41,7 @@ PassInfo infoOf(const UnderwaterVariant& v) {
     case UnderwaterPass::caustics:
         break;
     }
-    const Shader shaders[] = {caustics_frag, caustics_h_frag};
-    return {"caustics", shaders[v.sunShadow], false, true, Drawing::scaled};
+    return {"caustics", caustics_frag, false, true, Drawing::scaled};
 }
 
 /// In the order of the shaders' bindings.
@@ -65,7 +63,6 @@ std::vector<gpu::Resource> resources(const Context& context, const UnderwaterVar
     }
     if (v.pass == UnderwaterPass::caustics)
         list.push_back(gpu::sampledImage(samplers.trilinearClamp(), in.light));
-    if (v.sunShadow) add(in.shadow->map);
     return list;
 }
 
@@ -76,7 +73,6 @@ std::vector<VkDescriptorType> bindings(const UnderwaterVariant& v) {
     types.insert(types.end(), size_t{info.readsColor} + info.readsDepth + v.waves, image);
     if (v.shore) types.insert(types.end(), {image, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
     if (v.pass == UnderwaterPass::caustics) types.push_back(image);
-    if (v.sunShadow) types.push_back(image);
     return types;
 }
 

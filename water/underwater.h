@@ -15,8 +15,7 @@ struct UnderwaterVariant {
     UnderwaterPass pass = UnderwaterPass::water;
     bool straddles = false; ///< the near plane may be above the water too
     bool waves = false;     ///< asked for only where it straddles
-    bool sunShadow = false; ///< of caustics alone
-    uint32_t dryRooms = 0;  ///< likewise: roomsPacked()
+    uint32_t dryRooms = 0;  ///< of caustics alone: roomsPacked()
     bool shore = false;     ///< only with waves
     auto operator<=>(const UnderwaterVariant&) const = default;
 };
@@ -31,7 +30,6 @@ struct UnderwaterInputs {
     VkImageView waveMap = VK_NULL_HANDLE; ///< with waves: displacement
     VkImageView shoreMap = VK_NULL_HANDLE;
     gpu::Resource shoreRows;
-    const SunShadow* shadow = nullptr;
     VkImageView light = VK_NULL_HANDLE; ///< of caustics: Caustics::lightOf()
 };
 

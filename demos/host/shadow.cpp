@@ -200,8 +200,10 @@ void ShadowPass::record(VkCommandBuffer commands, const Layouts& layouts, const 
                         const glm::dvec3& eye, const ShadowFits& fits, const BentSun& bent) const {
     constexpr VkPipelineStageFlags2 tests =
         VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
-    imageBarrier(commands, map_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                 VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, 0, tests,
+    constexpr VkPipelineStageFlags2 readers =
+        VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT; // castCaustics()
+    imageBarrier(commands, map_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, readers,
+                 0, tests,
                  VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
                      VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT);
     beginRendering(commands, mapExtent, nullptr, VK_ATTACHMENT_LOAD_OP_DONT_CARE, map_,
@@ -222,10 +224,9 @@ void ShadowPass::record(VkCommandBuffer commands, const Layouts& layouts, const 
         drawMeshes(commands, layouts, meshes, eye, pipelines);
     }
     vkCmdEndRendering(commands);
-    imageBarrier(commands, map_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                 VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, tests,
-                 VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-                 VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
+    imageBarrier(
+        commands, map_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+        tests, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, readers, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
 }
 
 void setShadowUniforms(const ShadowFits& fits, FrameUniforms& uniforms) {

@@ -1,7 +1,9 @@
 // The picture of the light that the sun's rays leave: water/caustics.h. Needs surface_uniforms.glsl.
 
 int rayStep = stored.causticGrid.x;     // pixels from one ray to the next, and of a texel of light
-int margin = stored.causticGrid.y;   // pixels around the view from which rays come too
+int margin = stored.causticGrid.y;      // pixels around the view from which rays come too
+int rowLength = stored.causticGrid.z;   // texels in the buffer, of which the view's come first
+int firstRow = stored.causticGrid.w;    // of texels, that may show what is below the horizon: in the margin too
 
 const float lightUnit = 4096.0;   // of a texel as bright as under calm water
 

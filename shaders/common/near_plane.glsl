@@ -1,9 +1,9 @@
 // Where lines of sight begin. Needs surface_uniforms.glsl.
 
-// Of this pixel's, relative to the eye.
-vec3 onNearPlane() {
+// Of the one through a pixel of the region, relative to the eye.
+vec3 onNearPlane(vec2 pixel) {
     float nearDepth = depthSign > 0.0 ? 1.0 : 0.0;
-    vec4 start = relativeFromPixel * vec4(gl_FragCoord.xy - vec2(region.xy), nearDepth, 1.0);
+    vec4 start = relativeFromPixel * vec4(pixel, nearDepth, 1.0);
     return start.xyz / start.w;
 }
 

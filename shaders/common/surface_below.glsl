@@ -6,7 +6,7 @@ const float endlessPath = 1e6;   // [m]
 // Where waves fold, or are seen along their sides, far triangles show in slivers before near ones: from the wrong side. So
 // where the line of sight begins has the last word.
 bool seenFromBelow() {
-    return heightAboveSurface(onNearPlane()) <= 0.0;
+    return heightAboveSurface(onNearPlane(gl_FragCoord.xy - vec2(region.xy))) <= 0.0;
 }
 
 vec3 keptBelow(vec3 direction) {
@@ -285,6 +285,6 @@ vec3 shadedBelow(SurfacePoint s, float foamShare) {
     // Foam passes on, spread evenly, what it does not send back.
     radiance = mix(radiance, lightEntering() * (1.0 - foam.y) / pi, foamShare);
 #endif
-    vec3 start = onNearPlane();
+    vec3 start = onNearPlane(gl_FragCoord.xy - vec2(region.xy));
     return throughWater(radiance, depthOfSight(start), view.y, max(distanceTo(position) - distanceTo(start), 0.0));
 }

@@ -218,12 +218,12 @@ TEST_F(Caustics, CostNothingWhereTheyAreNotAskedForOrNotSeen) {
     EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u);
     EXPECT_EQ(draws(flat), 0u);
     EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u);
-    // Rays, what they leave, and the pass over the scene.
-    EXPECT_EQ(draws(asked), 3u);
+    // Rays, what they leave, its blur, and the pass over the scene.
+    EXPECT_EQ(draws(asked), 4u);
     EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 1u);
-    EXPECT_EQ(draws(asked), 3u);
+    EXPECT_EQ(draws(asked), 4u);
     EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u);
-    EXPECT_EQ(countSpied("CmdDispatch"), 2u);
+    EXPECT_EQ(countSpied("CmdDispatch"), 3u);
     lighting.toSun[1] = -0.8;
     EXPECT_EQ(draws(asked), 0u) << "the sun is down";
 }

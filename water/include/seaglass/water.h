@@ -210,8 +210,9 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
 
 /// Casts the sun's rays through the waves of the bodies with `caustics` on what `view` shows below them, for
 /// drawCaustics() of the same view, the next of its index. Outside any render pass, after the opaque scene.
-/// Reads view.sceneDepth in compute shaders; of many samples it is `unsupported`. Allocates when an index
-/// sees its largest view. Records nothing of other bodies or without a sun.
+/// Reads view.sceneDepth and LightingDesc::shadow in compute shaders; a depth of many samples is
+/// `unsupported`. Allocates when an index sees its largest view. Records nothing of other bodies or without a
+/// sun.
 Status castCaustics(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
                     const LightingDesc* lighting);
 
