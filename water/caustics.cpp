@@ -45,8 +45,8 @@ gpu::ImageDesc blurredDesc(VkExtent2D texels) {
 gpu::ImageDesc gatheredDesc(VkExtent2D texels) {
     gpu::ImageDesc desc = blurredDesc(texels);
     desc.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    const int mips = std::bit_width(std::max(texels.width, texels.height));
-    desc.mipLevels = std::min(static_cast<uint32_t>(mips), mostMips);
+    const auto mips = static_cast<uint32_t>(std::bit_width(std::max(texels.width, texels.height)));
+    desc.mipLevels = std::min(mips, mostMips);
     return desc;
 }
 
