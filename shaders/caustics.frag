@@ -42,15 +42,13 @@ vec3 sunShare(vec3 normal, float seen) {
 
 void main() {
     loadSurface();
-    float seen = texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r;
-    vec4 q = relativeFromPixel * vec4(gl_FragCoord.xy - vec2(region.xy), seen, 1.0);
-    vec3 at = q.xyz / q.w;
+    vec3 at;
+    bool shown = bedShownAt(sceneDepth, ivec2(gl_FragCoord.xy) - region.xy, at);
     vec3 across = cross(dFdx(at), dFdy(at));   // the side it shows, which depth tells between pixels
     vec3 normal = across * (dot(across, sightTo(at)) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);
     float depth = -(at.y + plane.w);
     bool beside = any(lessThan(at.xz, covered.xy)) || any(greaterThan(at.xz, covered.zw));
-    bool below = depthSign * (seen - farDepth) > 0.0 && depth > 0.0 && !beside;
-    if (!below) discard;
+    if (!shown || beside) discard;
     vec3 factor = vec3(1.0);
     const float leastSeen = 0.004;   // a step of eight bits, where light gathers to twice its mean
     vec3 straight = caustics.x * straightOn(depth);
