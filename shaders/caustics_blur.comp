@@ -72,11 +72,12 @@ vec2 lightAround(vec2 pixel, Spread spread) {
     // Of an even row from end to end the deviation is 0.29 of its length.
     vec2 row = ellipse.longer * sqrt(max(most * most - least * least, 0.0)) / (0.29 * max(most, 1e-6));
     vec2 size = texel * vec2(textureSize(gathered, 0));
+    vec2 last = texel * (vec2(lightSize()) + 16.0);   // of which the widest look is of what has been gathered: `reach`
     vec2 sum = vec2(0.0);
     int i = 0;
     do {
         vec2 look = pixel + row * ((float(i) + 0.5) / float(looks) - 0.5);
-        sum += textureLod(gathered, look / size, lod).xy;
+        sum += textureLod(gathered, min(look, last) / size, lod).xy;
     } while (++i < looks);
     return sum / float(looks);
 }

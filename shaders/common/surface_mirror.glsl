@@ -114,9 +114,22 @@ float lookWidth() {
     return mirrorLooks == 1 ? 1.7 : mirrorLooks == 2 ? 1.0 : 0.5;
 }
 
+// Of a look's spread, what the sky is blurred by at the least. Slopes spread rays up and down, but a cube's mips blur alike in
+// all directions: by more, the glow around a low sun would show far to its sides. Fewer looks need more, or they show as such.
+const float skyBlurred = mirrorLooks == 4 ? 0.35 : 0.5;
+
+// What a ray meets of another wave: of the facets that show themselves to it, which rises, the one that mirrors as much as
+// they do in the mean. It leans by a third of a deviation less than their mean, by which Fresnel's term is off by 0.035 at
+// most, for seas whose slopes deviate by 0.1 to 0.35.
+vec3 facetMet(vec3 ray) {
+    VisibleSlopes v = VisibleSlopes(horizontal(-ray), max(roughness.w, 1e-5), -ray.y / max(length(ray.xz), 1e-6));
+    SlopeSpread met = slopeSpread(v);
+    return normalOf(v.towards * (met.mean + met.deviation / 3.0));
+}
+
 // The scene and the sky are looked up in as many groups of neighbouring slopes as there are looks. Low rays meet another wave
-// before they reach the sky (Smith's masking by all the sea's slopes); that wave's facets lean towards the ray by 1.25
-// deviations in the mean, and mirror a higher part of the sky in turn, or of what the last look found.
+// before they reach the sky (Smith's masking by all the sea's slopes), which mirrors a higher part of it in turn, or of what
+// the last look found.
 Reflection reflected(SurfacePoint s, vec3 toEye) {
     const int together = slopesSeen / mirrorLooks;
     VisibleSlopes v = visibleSlopes(s, toEye);
@@ -150,13 +163,13 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
         found = meanFound(mirroredScene(ray, spread, hit), share);
         sum.radiance += clear.w * found.rgb;
         if (found.a < 0.999 && clear.w > 1e-6)
-            sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, max(spreadAside * cosines / max(total.w, 1e-6), 0.5 * spread));
+            sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, max(spreadAside * cosines / max(total.w, 1e-6), skyBlurred * spread));
         sum.fresnel += total.w;
         met += total - clear;
     } while (++look < mirrorLooks);
     if (met.w > 1e-3 * sum.fresnel) {
         vec3 direction = normalize(met.xyz);
-        vec3 facet = normalOf(horizontal(direction) * (1.25 * roughness.w));
+        vec3 facet = facetMet(direction);
         float keeps = met.w * mirroredShare(dot(-direction, facet));
         sum.radiance += keeps * (found.rgb + (1.0 - found.a) * skyAt(keptAbove(reflect(direction, facet)), 0.5 * spread));
         sum.swallowed = met.w - keeps;

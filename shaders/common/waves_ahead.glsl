@@ -15,9 +15,10 @@ const float noWave = -1e3;
 
 // The tangent of the highest wave `from` a place to where none hides what rises by `lowest`: four deviations of height over another
 // there are few, nor does it matter what lies beyond the length of the longest, 100 of them. Distances grow evenly: what is
-// nearer is finer, but no finer than the pixel. Heights are all of the maps: the mesh's differ by more than near waves rise.
+// nearer is finer, but no finer than the pixel; and many begin nearer than few. Heights are all of the maps: the
+// mesh's differ by more than near waves rise.
 float horizonTowards(vec2 from, vec2 along, float lowest) {
-    float nearest = max(0.5 * within.z, pixelLength);
+    float nearest = max(min(0.5, 4.8 / float(waveShadowSteps)) * within.z, pixelLength);
     float farthest = within.z * min(4.0 / max(lowest, 1e-3), 100.0);
     float growth = pow(max(farthest / nearest, 2.0), 1.0 / float(waveShadowSteps - 1));
     float blur = 0.2 * (growth - 1.0);   // less than half a step, which would flatten the crests that cast shadows
