@@ -72,7 +72,8 @@ vec2 lightAround(vec2 pixel, Spread spread) {
     // Of an even row from end to end the deviation is 0.29 of its length.
     vec2 row = ellipse.longer * sqrt(max(most * most - least * least, 0.0)) / (0.29 * max(most, 1e-6));
     vec2 size = texel * vec2(textureSize(gathered, 0));
-    vec2 last = texel * (vec2(lightSize()) + 16.0);   // of which the widest look is of what has been gathered: `reach`
+    // From there the widest look, of the last mip, ends 48 texels on: where what has been gathered does, `reach` of water/caustics.cpp.
+    vec2 last = texel * (vec2(lightSize()) + 16.0);
     vec2 sum = vec2(0.0);
     int i = 0;
     do {
