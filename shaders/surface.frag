@@ -10,7 +10,8 @@
 layout(location = 0) in vec2 meshCalm;   // (u, v) before displacement, as the mesh has it
 vec2 calmPosition;                      // of what the pixel shows
 float pixelLength;                      // to the next pixel [m of calm water]
-layout(location = 1) in vec3 position;
+layout(location = 1) in vec3 meshPosition;   // likewise, and before it sinks on a globe
+vec3 position;
 #ifdef OUTLINE
 layout(location = 2) flat in uvec2 edgeRange;
 #endif
@@ -39,6 +40,17 @@ float calmPixelWidth() {
 layout(constant_id = 4) const bool lightsCrests = false;
 layout(constant_id = 5) const uint dryRooms = 0;   // water/dry_rooms.h: roomsPacked()
 layout(constant_id = 10) const bool tilted = false;
+#include "globe.glsl"
+
+// Of what is level at the pixel. On a globe light is reckoned in these, the sky's too, which is that of each place; the eye,
+// the scene and where things are keep the body's axes.
+mat3 level = mat3(1.0);
+
+vec3 fromLevel(vec3 direction) {
+    return onGlobe ? level * direction : direction;
+}
+
+float heightHere;   // above the calm water [m]
 
 // What the host knows of: the sky cube's directions and normals.
 vec3 inWorld(vec3 direction) {
@@ -116,18 +128,18 @@ vec3 mirroredRadiance(SurfacePoint s, vec3 toEye) {
 }
 
 vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
-    if (surfaceOutput == outputHeight) return vec4(position.y + plane.w, 0.0, 0.0, 1.0);
-    if (surfaceOutput == outputNormal) return vec4(inWorld(normal), 1.0);
+    if (surfaceOutput == outputHeight) return vec4(heightHere, 0.0, 0.0, 1.0);
+    if (surfaceOutput == outputNormal) return vec4(inWorld(fromLevel(normal)), 1.0);
     if (surfaceOutput == outputSlopes) return vec4(s.slope, s.covariance.xy);
 #ifdef FOAM
     if (surfaceOutput == outputFoam) return vec4(foamHere().mask, 0.0, 0.0, 1.0);
 #endif
 #ifdef REFLECTION
-    if (surfaceOutput == outputClass) return vec4(classColor(position, mirroredDirection(normal, toEye)), 1.0);
+    if (surfaceOutput == outputClass) return vec4(classColor(position, fromLevel(mirroredDirection(normal, toEye))), 1.0);
 #endif
     if (surfaceOutput == outputReflectionSource) {
 #ifdef REFLECTION
-        return reflectionSource(position, mirroredDirection(normal, toEye));
+        return reflectionSource(position, fromLevel(mirroredDirection(normal, toEye)));
 #else
         return vec4(-1.0, -1.0, 0.0, 1.0);   // the sky
 #endif
@@ -138,6 +150,8 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
 
 void main() {
     loadSurface();
+    heightHere = meshPosition.y + plane.w;
+    position = vec3(meshPosition.x, meshPosition.y - globeDrop(meshCalm), meshPosition.z);
     findSideSeen();
     // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.
     bool shows = gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0 && !isDry(position);
@@ -159,6 +173,11 @@ void main() {
 #endif
     SurfacePoint s = surfacePoint();
     vec3 toEye = -normalize(sightTo(position));
+    if (onGlobe) {
+        level = levelAt(meshCalm);
+        toEye = toEye * level;
+        toSun.xyz = toSun.xyz * level;
+    }
     vec3 normal = normalOf(s.slope);
     if (surfaceOutput != outputShaded) {
         outColor = debugOutput(s, normal, toEye);

@@ -6,7 +6,7 @@
 #include "surface.glsl"
 
 layout(location = 0) out vec2 calmPosition;   // (u, v) before displacement, relative to the eye
-layout(location = 1) out vec3 position;
+layout(location = 1) out vec3 position;   // over the plane, as if there were no globe
 #ifdef OUTLINE
 layout(location = 2) flat out uvec2 edgeRange;
 #endif
@@ -21,6 +21,7 @@ const float glideBegins = 0.7;
 const float glideEnds = 0.95;
 
 #include "wave_displacement.glsl"
+#include "globe.glsl"
 
 #ifdef HOST_MESH
 void main() {
@@ -80,10 +81,13 @@ void main() {
 #endif
 #endif
 #endif
-#ifdef MOTION
-    lastPixel = lastPixelFromRelative * vec4(last, 1.0);
-#endif
     calmPosition = calm;
     position = relative;
+    float drop = globeDrop(calm);
+    relative.y -= drop;
+#ifdef MOTION
+    last.y -= drop;
+    lastPixel = lastPixelFromRelative * vec4(last, 1.0);
+#endif
     gl_Position = clipFromRelative * vec4(relative, 1.0);
 }

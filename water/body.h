@@ -23,6 +23,7 @@
 #include "water/extent.h"
 #include "water/foam.h"
 #include "water/foam_pattern.h"
+#include "water/globe.h"
 #include "water/host_mesh.h"
 #include "water/mesh.h"
 #include "water/shore_map.h"
@@ -66,6 +67,7 @@ struct ShoreRows {
 /// Whatever is not of a Reflector is in the body's own axes.
 struct Body : Held {
     BodyFrame frame;
+    Globe globe;
     glm::dvec4 plane{0};
     MeshDesc mesh;
     ShadingDesc shading;

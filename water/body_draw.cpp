@@ -103,6 +103,7 @@ SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDes
             waves && !shore && shading.relief,
             lighting.shadow != nullptr,
             frame.tilted,
+            !globe.flat(),
             bed ? bed->downscale : 0,
             shading.fresnel == Fresnel::schlick};
 }
@@ -114,6 +115,7 @@ SurfaceFeatures Body::motionFeatures() const {
     wanted.shape = features({}, {}).shape;
     wanted.cascades = waves ? waves->maps().cascades : 0;
     wanted.dryRooms = roomsPacked(dryRooms);
+    wanted.globe = !globe.flat();
     wanted.motion = true;
     return wanted;
 }
@@ -141,6 +143,7 @@ MeshView Body::meshView(const ViewGeometry& geometry) const {
     view.eye = {geometry.eye.x, geometry.eye.z};
     view.eyeHeight = heightOf(geometry.eye);
     view.displacement = displacement();
+    view.globe = globe;
     view.waves = &detail;
     view.pixel = pixelStep(geometry);
     view.parallel = parallelLines(geometry, view.eyeHeight, view.displacement);

@@ -80,6 +80,11 @@ std::vector<OutlineEdge> borderOf(const ExtentDesc& desc) {
     return edges;
 }
 
+const char* badPlanet(double radius) {
+    if (radius == 0 || (radius >= 1e6 && radius <= 1e9)) return nullptr;
+    return "BodyDesc.extent.planetRadius is out of range, expected 0 or 1e6 to 1e9";
+}
+
 const char* badRectangle(const ExtentDesc& desc) {
     if (!std::isfinite(desc.center[0]) || !std::isfinite(desc.center[1]))
         return "BodyDesc.extent.center is not finite";
@@ -177,7 +182,7 @@ bool meets(const OutlineEdge& edge, const glm::dvec2& low, const glm::dvec2& hig
 const char* badField(const ExtentDesc& desc) {
     switch (desc.shape) {
     case ExtentShape::unbounded:
-        return nullptr;
+        return badPlanet(desc.planetRadius);
     case ExtentShape::rectangle:
         return badRectangle(desc);
     case ExtentShape::polygon:

@@ -12,8 +12,11 @@ namespace {
 
 // A flat sea seen from h metres up comes within h/d radians of the horizon at distance d: 1/4000 rad is less
 // than a pixel of any display. At least 100 km, so that crests do not end before the horizon does.
-double horizonDistance(double eyeHeight) {
-    return std::max(100e3, 4000.0 * std::abs(eyeHeight));
+// A globe's sea ends before that, where it has sunk below all that is seen of it, its highest crests too.
+double horizonDistance(const MeshView& view) {
+    const double height = std::abs(view.eyeHeight), flat = std::max(100e3, 4000.0 * height);
+    if (view.globe.flat()) return flat;
+    return std::min(flat, 1.1 * (view.globe.horizonFrom(height) + view.globe.horizonFrom(view.displacement)));
 }
 
 /// Levels that waves get near an eye, below those that a mesh is asked for.
@@ -49,6 +52,11 @@ struct Lattice {
         return level > 0 && distanceTo(level, corner) < range(level - 1);
     }
 
+    /// What a cell as wide leaves out of the waves and of the globe [m].
+    double lostBetween(double width) const {
+        return view.waves->lostBetween(width) + view.globe.bulgeOver(width);
+    }
+
     /// Cells across a patch, so that what they leave out of the waves is not seen. By an outline that holds
     /// the waves: so that what they have there is not.
     uint32_t cellsFor(int level, const glm::dvec2& corner, bool held = false) const {
@@ -56,7 +64,7 @@ struct Lattice {
         const double unseen = 0.31 * view.pixel * leastDistanceTo(level, corner);
         if (held && view.displacement > unseen) return patchCells;
         uint32_t cells = fewestCells;
-        while (cells < patchCells && view.waves->lostBetween(edge(level) / cells) > unseen) cells *= 2;
+        while (cells < patchCells && lostBetween(edge(level) / cells) > unseen) cells *= 2;
         return cells;
     }
 
@@ -119,7 +127,7 @@ class Selection {
 
   private:
     void selectToHorizon() {
-        const int coarsest = lattice_.coarsest(horizonDistance(lattice_.view.eyeHeight));
+        const int coarsest = lattice_.coarsest(horizonDistance(lattice_.view));
         const double reach = lattice_.range(coarsest);
         lattice_.forEach(coarsest, glm::dvec2(-reach), glm::dvec2(reach), [&](const glm::dvec2& corner) {
             if (lattice_.distanceTo(coarsest, corner) <= reach) visit(coarsest, corner);
@@ -240,11 +248,13 @@ std::array<glm::dvec4, 5> frustumPlanes(const glm::dmat4& clip, bool reversedDep
 
 bool inSight(const MeshView& view, const OutlineBox& box) {
     const double d = view.displacement;
-    const glm::dvec3 low(box.low.x, -d, box.low.y), high(box.high.x, d, box.high.y);
+    const glm::dvec2 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
+    const double sunk = view.globe.dropAt(glm::dot(farthest, farthest));
+    const glm::dvec3 low(box.low.x, -d - sunk, box.low.y), high(box.high.x, d, box.high.y);
     return std::all_of(view.frustum.begin(), view.frustum.end(), [&](const glm::dvec4& plane) {
         const glm::dvec3 normal(plane);
-        const glm::dvec3 farthest = glm::mix(low, high, glm::greaterThan(normal, glm::dvec3(0)));
-        return glm::dot(normal, farthest) + plane.w >= 0;
+        const glm::dvec3 innermost = glm::mix(low, high, glm::greaterThan(normal, glm::dvec3(0)));
+        return glm::dot(normal, innermost) + plane.w >= 0;
     });
 }
 

@@ -14,6 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "water/extent.h"
+#include "water/globe.h"
 #include "water/parallel_view.h"
 #include "water/wave_detail.h"
 
@@ -51,6 +52,7 @@ struct MeshView {
     std::array<glm::dvec4, 5>
         frustum{};           ///< planes facing inwards over (u, height, v) relative to the eye's foot
     double displacement = 0; ///< the most that waves move a vertex in any axis [m]
+    Globe globe;             ///< that a sea without an outline lies on
     bool farthestFirst = false;
     const WaveDetail* waves = nullptr; ///< null: patches have all their cells
     double pixel = 0;                  ///< from one pixel to the next [rad], as far away as `parallel` says

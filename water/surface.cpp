@@ -226,7 +226,8 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.tilted,
                                   variant.features.relief,
                                   variant.features.bedDownscale,
-                                  variant.features.schlick};
+                                  variant.features.schlick,
+                                  variant.features.globe};
     return createDrawPipeline(
         device, target,
         {vertexShader(variant.features, target.viewMask != 0), fragmentShader(variant.features), constants},

@@ -37,6 +37,7 @@ struct SurfaceFeatures {
     bool relief = false;          ///< only with waves and without a shore
     bool sunShadow = false;       ///< a shadow map of the host's
     bool tilted = false;          ///< its axes are not the world's
+    bool globe = false;           ///< it lies on one; only of the shape `plane`
     uint32_t bedDownscale = 0;    ///< only with refraction: of the bed's picture it looks at; 0: at none
     bool schlick = false;         ///< in place of the exact formula
     bool motion = false;          ///< beside it waves, shore, shape and dryRooms alone

@@ -124,6 +124,7 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
     }
     if (body.outline && body.sea)
         u.extent.z = static_cast<float>(1 / pinnedWithin(largestDisplacement(*body.sea)));
+    u.extent.w = static_cast<float>(body.globe.curvature);
     if (body.foam) setFoam(u, *body.foam, *body.sea, geometry.eye);
     if (body.refraction) {
         u.absorption = glm::vec4(glm::vec3(color(body.refraction->absorption)), body.refraction->scattering);

@@ -55,7 +55,7 @@ struct SurfaceUniforms {
     glm::vec2 sceneShift{0}; ///< ViewGeometry's [pixel]
     float shiftPadding[2] = {};
     glm::vec4 extent{0}; ///< (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges
-                         ///< hold the waves [1/m]
+                         ///< hold the waves, and Globe::curvature [1/m]
     glm::vec4 sunInWater{0};                     ///< SunInWater::from
     glm::vec4 sunTurned{0};                      ///< SunInWater: turnedAlong, turnedAcross
     glm::vec4 lostSlopes[2]{};                   ///< LostSlopes

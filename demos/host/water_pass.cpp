@@ -90,6 +90,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     body.shading = {desc.mirrorLooks, desc.refractionLooks, bedDownscale, causticStep,
                     desc.slopeLooks,  desc.waveShadowSteps, desc.relief};
     if (!fresnelOf(desc, body.shading.fresnel, error)) return false;
+    body.extent.planetRadius = desc.planetRadiusM;
     if (desc.extent) {
         if (!extentOf(*desc.extent, extent, error)) return false;
         body.extent = extent.desc;

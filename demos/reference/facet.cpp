@@ -43,7 +43,7 @@ Facet meanFacet(const Frame& frame, const Ray& ray, const Hit& hit) {
     Facet f;
     f.up = hit.facing();
     f.slopes = frame.surface.slopes(frame.calmAt(hit), static_cast<double>(footprintOn(ray, hit)));
-    f.normal = sideOf(hit) * normalOf(f.slopes.mean);
+    f.normal = frame.levelAt(hit.position) * (sideOf(hit) * normalOf(f.slopes.mean));
     if (glm::dot(f.normal, ray.direction) > -1e-3f) f.normal = f.up;
     return f;
 }
@@ -53,11 +53,13 @@ Facet randomFacet(const Frame& frame, const Ray& ray, const Hit& hit, float leas
     f.up = hit.facing();
     f.slopes = frame.surface.slopes(frame.calmAt(hit), 0);
     const glm::vec2 slope = f.slopes.mean + correlated(f.slopes.covariance, random.nextNormal());
-    f.meshCosine = std::max(-glm::dot(ray.direction, f.up) / std::max(std::abs(f.up.y), 0.05f), leastCosine);
-    const float seen = -sideOf(hit) * glm::dot(ray.direction, glm::vec3(-slope.x, 1, -slope.y));
+    const glm::mat3 level = frame.levelAt(hit.position);
+    const float upright = std::abs(glm::dot(f.up, level[1]));
+    f.meshCosine = std::max(-glm::dot(ray.direction, f.up) / std::max(upright, 0.05f), leastCosine);
+    const float seen = -sideOf(hit) * glm::dot(ray.direction, level * glm::vec3(-slope.x, 1, -slope.y));
     // A trace is kept of facets seen from behind, so that no pixel's sum is empty.
     f.weight = std::clamp(seen / f.meshCosine, 1e-4f, 20.0f);
-    f.normal = seen > 0 ? sideOf(hit) * normalOf(slope) : f.up;
+    f.normal = seen > 0 ? level * (sideOf(hit) * normalOf(slope)) : f.up;
     return f;
 }
 

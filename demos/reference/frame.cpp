@@ -56,6 +56,7 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
         if (!out.surface.create(world.sea.get(), foam ? &foamDesc : nullptr, desc.timeS, error)) return false;
         SurfaceMeshDesc mesh;
         mesh.levelM = world.levelM;
+        mesh.globe = world.globe;
         mesh.height = desc.height;
         if (world.outline) {
             mesh.outline = &*world.outline;
@@ -140,7 +141,19 @@ glm::dvec2 Frame::calmAt(uint32_t triangle, const glm::vec3& weights) const {
 }
 
 float Frame::heightOf(const glm::vec3& position) const {
-    return static_cast<float>(static_cast<double>(position.y) + camera.eye.y - world->levelM);
+    const glm::dvec2 away(position.x, position.z);
+    const double level = world->levelM - world->globe.dropAt(glm::dot(away, away));
+    return static_cast<float>(static_cast<double>(position.y) + camera.eye.y - level);
+}
+
+glm::mat3 Frame::levelAt(const glm::vec3& position) const {
+    const glm::dvec2 away = glm::dvec2(position.x, position.z) * world->globe.curvature;
+    const double up = std::sqrt(std::max(1 - glm::dot(away, away), 0.0));
+    return glm::mat3(seaglass::BodyFrame::of({away.x, up, away.y}).worldFromBody);
+}
+
+glm::vec3 Frame::skyFrom(const glm::vec3& position, const glm::vec3& direction) const {
+    return world->light.sky(world->globe.flat() ? direction : direction * levelAt(position));
 }
 
 } // namespace demos::reference

@@ -45,6 +45,10 @@ struct Frame {
     glm::dvec2 calmAt(uint32_t triangle, const glm::vec3& weights) const;
     /// Height of a point relative to the eye above the calm water [m].
     float heightOf(const glm::vec3& position) const;
+    /// Turns what is level at a point relative to the eye, on its globe, into the world's axes.
+    glm::mat3 levelAt(const glm::vec3& position) const;
+    /// The sky that is seen from there: each place has its own over it.
+    glm::vec3 skyFrom(const glm::vec3& position, const glm::vec3& direction) const;
 
   private:
     /// Where it and the next pixels' rays begin, relative to the eye.

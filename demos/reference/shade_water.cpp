@@ -31,7 +31,10 @@ glm::vec3 mirrored(const Frame& frame, const Ray& ray, const Hit& hit, const Fac
         direction = glm::normalize(glm::reflect(direction, facet.up));
         kept = fresnelWater(-above);
     }
-    if (bounces == 0) return kept * frame.world->light.sky(keptAbove(direction));
+    if (bounces == 0) {
+        const glm::mat3 level = frame.levelAt(hit.position);
+        return kept * frame.world->light.sky(keptAbove(direction * level));
+    }
     return kept * radianceAlong(frame, bentRay(ray, hit, facet.up, direction), bounces - 1, random);
 }
 
@@ -54,11 +57,12 @@ glm::vec3 refracted(const Frame& frame, const Ray& ray, const Hit& hit, const Fa
     return random ? throughCrest(frame, below, path, radiance, *random) : radiance;
 }
 
+// In what follows directions are in the axes of what is level there, as slopes are.
+
 /// sunGlint() of shaders/common/sun_glint.glsl: Bruneton, Neyret and Holzschuch 2010, eq. 14.
-glm::vec3 meanGlint(const Frame& frame, const Facet& facet, const glm::vec3& toEye) {
+glm::vec3 meanGlint(const Frame& frame, const Facet& facet, const glm::vec3& toEye, const glm::vec3& toSun) {
     constexpr float discVariance = 5.4e-6f;
-    const Light& light = frame.world->light;
-    const glm::vec3 toSun = light.toSun(), halfway = glm::normalize(toEye + toSun);
+    const glm::vec3 halfway = glm::normalize(toEye + toSun);
     if (toSun.y <= 0 || halfway.y <= 0) return glm::vec3(0);
     const glm::vec2 slope = -glm::vec2(halfway.x, halfway.z) / halfway.y;
     const glm::vec3& covariance = facet.slopes.covariance;
@@ -68,7 +72,7 @@ glm::vec3 meanGlint(const Frame& frame, const Facet& facet, const glm::vec3& toE
     const float clear = clearShareOf(slopesAlong(toSun, mean, covariance));
     const float area = visibleArea(slopesAlong(toEye, mean, covariance));
     const float up2 = halfway.y * halfway.y;
-    return light.sunIrradiance() *
+    return frame.world->light.sunIrradiance() *
            (clear * fresnelWater(glm::dot(toEye, halfway)) * density / (4 * up2 * up2 * area));
 }
 
@@ -89,17 +93,17 @@ glm::vec3 sampledGlint(const Frame& frame, const Facet& facet, const glm::vec3& 
 
 /// withFoam() of shaders/common/foam_cover.glsl.
 glm::vec3 foamRadiance(const Frame& frame, const Facet& facet, const Foam& white, const glm::vec3& toEye,
-                       const glm::vec3& mirror, bool lit) {
+                       const glm::vec3& toSun, const glm::vec3& mirror, bool lit) {
     constexpr float relief = 0.7f, filmVariance = 0.12f, filmShare = 0.4f;
     Facet film = facet;
     film.slopes.mean += relief * white.slope;
     film.slopes.covariance += glm::vec3(filmVariance, filmVariance, 0);
     const Light& light = frame.world->light;
     const glm::vec3 facing = normalOf(film.slopes.mean);
-    const float sun = lit ? std::max(glm::dot(facing, light.toSun()), 0.0f) : 0.0f;
+    const float sun = lit ? std::max(glm::dot(facing, toSun), 0.0f) : 0.0f;
     const float open = (0.5f + 0.5f * facing.y) * (1 + 0.4f * white.height);
     const glm::vec3 falls = light.sunIrradiance() * sun + light.filtered.irradianceUp * open;
-    const glm::vec3 glint = lit ? meanGlint(frame, film, toEye) : glm::vec3(0);
+    const glm::vec3 glint = lit ? meanGlint(frame, film, toEye, toSun) : glm::vec3(0);
     return falls * (static_cast<float>(frame.world->water->foam->albedo) / pi) + filmShare * (mirror + glint);
 }
 
@@ -130,11 +134,12 @@ MirroredRay mirrorOfMean(const Frame& frame, const Ray& ray, const Hit& hit) {
 WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int bounces, Random* random) {
     const World& world = *frame.world;
     if (world.water->underwater && !hit.frontFacing) return shadeWaterBelow(frame, ray, hit, bounces, random);
-    const glm::vec3 toEye = -ray.direction;
+    const glm::mat3 level = frame.levelAt(hit.position);
+    const glm::vec3 toEye = -ray.direction * level, toSun = world.light.toSun() * level;
     const float leastCosine = bounces == mostBounces ? 0.01f : 0.1f;
     const Facet facet =
         random ? randomFacet(frame, ray, hit, leastCosine, *random) : meanFacet(frame, ray, hit);
-    const float fresnel = fresnelWater(glm::dot(toEye, facet.normal));
+    const float fresnel = fresnelWater(-glm::dot(ray.direction, facet.normal));
     const glm::vec3 mirror = fresnel * mirrored(frame, ray, hit, facet, bounces, random);
     glm::vec3 radiance = mirror + (1 - fresnel) * refracted(frame, ray, hit, facet, random);
     radiance *= facet.weight;
@@ -147,12 +152,14 @@ WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int
                      !frame.geometry.occluded(hit.position + facet.up * clearanceAt(hit.position), towardsSun,
                                               random ? Kind::everything : Kind::opaque, ray.footprint);
     if (lit)
-        radiance += random ? sampledGlint(frame, facet, toEye, towardsSun) : meanGlint(frame, facet, toEye);
+        radiance += random ? sampledGlint(frame, facet, toEye, towardsSun * level)
+                           : meanGlint(frame, facet, toEye, toSun);
 
     if (world.water->foam && !flat) {
         const Foam white = foamAt(frame.surface, frame.calmAt(hit), foamWidth(ray, hit, random));
-        radiance = glm::mix(radiance, foamRadiance(frame, facet, white, toEye, mirror, lit) * facet.weight,
-                            white.mask);
+        radiance =
+            glm::mix(radiance, foamRadiance(frame, facet, white, toEye, toSun, mirror, lit) * facet.weight,
+                     white.mask);
     }
     const auto presence = static_cast<float>(
         frame.surface.edge(frame.calmAt(hit), static_cast<double>(footprintOn(ray, hit))).presence);
@@ -166,7 +173,7 @@ glm::vec3 radianceAlong(const Frame& frame, const Ray& ray, int bounces, Random*
     Hit hit;
     if (!frame.geometry.trace(ray, Kind::everything, hit)) {
         if (ray.inWater) return endlessWater(frame, ray);
-        const glm::vec3 sky = light.sky(ray.direction);
+        const glm::vec3 sky = frame.skyFrom(ray.origin, ray.direction);
         return frame.surface.flat() ? sky + light.sunDisc(ray.direction, 0.1f * static_cast<float>(sunRadius))
                                     : sky;
     }

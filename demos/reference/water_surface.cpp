@@ -288,6 +288,11 @@ SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const Surf
     const glm::dvec2 foot = glm::dvec2(camera.eye.x, camera.eye.z) + middle.at;
     // A flat sea comes within h/d radians of the horizon: as far as the renderer's own mesh.
     double horizon = std::max(100e3, 4000 * height);
+    if (!desc.globe.flat()) {
+        constexpr double highestCrest = 30; // [m]
+        horizon =
+            std::min(horizon, 1.1 * (desc.globe.horizonFrom(height) + desc.globe.horizonFrom(highestCrest)));
+    }
     if (desc.outline) horizon = std::min(horizon, farthestOf(*desc.outline, foot));
     constexpr double finestCell = 0.005; // [m]
     const auto cellAt = [&](double r, double fine) {
@@ -313,9 +318,10 @@ SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const Surf
                 static_cast<float>(std::min(desc.outline->distanceTo(calm) / desc.pinned, 1.0));
             moved *= glm::vec3(loose, 1, loose);
         }
+        const double drop = desc.globe.dropAt(glm::dot(fromEye, fromEye));
         mesh.calm.emplace_back(fromEye);
         mesh.positions.emplace_back(static_cast<float>(fromEye.x + moved.x),
-                                    static_cast<float>(moved.y - eyeHeight),
+                                    static_cast<float>(double{moved.y} - eyeHeight - drop),
                                     static_cast<float>(fromEye.y + moved.z));
     };
     add(glm::dvec2(0), cellAt(0, fine));

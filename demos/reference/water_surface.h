@@ -11,6 +11,7 @@
 
 // Not public: there is to be one notion of what an outline encloses, and of what a bed makes of a sea.
 #include "water/extent.h"
+#include "water/globe.h"
 #include "water/shore.h"
 
 namespace demos::reference {
@@ -88,6 +89,7 @@ class WaterSurface {
 
 struct SurfaceMeshDesc {
     double levelM = 0;
+    seaglass::Globe globe; ///< that it lies on
     double aspect = 1;
     uint32_t height = 1;                        ///< pixels
     double pixelsACell = 1.5;                   ///< edge of a cell as it is seen across the line of sight

@@ -28,6 +28,7 @@ struct World {
     std::optional<WaterDesc> water;
     seaglass::BodyFrame frame; ///< of the water: all is traced in its axes, in which it is level
     double levelM = 0;         ///< of the water in them
+    seaglass::Globe globe;     ///< that the water lies on
     SeaPointer sea;            ///< null when flat
     std::optional<seaglass::Outline> outline; ///< of the water; none where it is unbounded
     std::vector<seaglass::DryPlanes> dryRooms;

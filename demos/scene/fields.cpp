@@ -227,6 +227,8 @@ constexpr std::array waterFields = {
     Field{"tilt_deg", at<&WaterDesc::tiltDeg>, 0, 80, "degrees", "of the calm surface, 0 level"},
     Field{"tilt_towards_deg", at<&WaterDesc::tiltTowardsDeg>, -turn, turn, "degrees",
           "where it falls to, from +X towards +Z"},
+    Field{"planet_radius_m", at<&WaterDesc::planetRadiusM>, 1e6, 1e9, "m",
+          "of the ball on which the open sea falls away, 0: flat", false, Rule::zeroOrRange},
     Field{"cell_m", at<&WaterDesc::cellM>, 0.01, 100, "m", "edge of the finest cells"},
     Field{"cells_per_level", at<&WaterDesc::cellsPerLevel>, 128, 1024, "",
           "until twice coarser ones take over"},

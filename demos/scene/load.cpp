@@ -488,6 +488,9 @@ bool checkRefraction(const Scene& scene, const toml::table& root, Reader& reader
 
 bool checkExtent(const Scene& scene, const toml::table& root, Reader& reader) {
     if (!scene.water || !scene.water->extent) return true;
+    if (scene.water->planetRadiusM != 0)
+        return reader.fail(place(*root["water"]["planet_radius_m"].node(), reader.file()),
+                           "water.planet_radius_m is set, expected no water.extent then: its water is level");
     const ExtentDesc& extent = *scene.water->extent;
     const char* missing = nullptr;
     if (extent.shape == "rectangle" && extent.sizeM[0] == 0) missing = "size_m";

@@ -165,6 +165,7 @@ struct WaterDesc {
     double levelM = 0;         ///< over the origin, where it is tilted
     double tiltDeg = 0;        ///< of its surface; its extent then lies along the plane's own axes
     double tiltTowardsDeg = 0; ///< where that falls to, from +X towards +Z
+    double planetRadiusM = 0;  ///< that it falls away on, without an extent; 0: flat
     double cellM = 0.25;
     uint32_t cellsPerLevel = 128;
     uint32_t mirrorLooks = 2;

@@ -85,7 +85,7 @@ vec3 intoWater(SurfacePoint s, vec3 toEye) {
 vec3 throughCrest(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
     const int points = clamp(refractionLooks / 2, 1, 3);
     float scattering = absorption.w;
-    float bottom = position.y + plane.w + within.z;
+    float bottom = heightHere + within.z;
     if (lightsCrests && bottom > 0.0) {
         vec3 along = intoWater(s, toEye);
         vec2 ahead = horizontal(along);
@@ -100,7 +100,7 @@ vec3 throughCrest(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
             float t = (float(i) + 0.5) * stretch;
             vec2 calm = calmPosition + along.xz * t;
             float height = waveDisplacementAt(waveDisplacement, calm, width, keptHere()).y;
-            float above = max(height - (position.y + plane.w + along.y * t), 0.0);
+            float above = max(height - (heightHere + along.y * t), 0.0);
             vec3 reaches = straight * exp(-extinction() * t);
             CrestSide lit = crestSide(calm, horizontal(toSun.xyz), height, above, width);
             fromSun += scattering * stretch * reaches * sunScattered(lit, calm, along);

@@ -146,7 +146,7 @@ float seenAsFarAs() {
 #ifdef SHORE
 // The depth at which a ray meets the bed that the shore's map has.
 float depthOnMap(vec3 perDepth) {
-    float depth = position.y + plane.w + shoreHere.depth;
+    float depth = heightHere + shoreHere.depth;
     return clamp(depth / max(1.0 + dot(shoreHere.bedSlope, perDepth.xz), 0.2), 0.0, 3.0 * max(depth, 0.0));
 }
 #endif

@@ -9,7 +9,7 @@ vec2 shownCalm() {
     if (hasRelief) {
         Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
         float width = max(length(pixel.shorter), length(pixel.longer) / float(slopeLooks));
-        float higher = waveDisplacementAt(waveDisplacement, meshCalm, width, vec4(1.0)).y - plane.w - position.y;
+        float higher = waveDisplacementAt(waveDisplacement, meshCalm, width, vec4(1.0)).y - heightHere;
         vec3 across = cross(dFdx(position), dFdy(position));   // of the drawn triangle, up or down
         vec2 slope = -across.xz / (abs(across.y) > 1e-12 ? across.y : 1e-12);
         vec3 along = sightTo(position);

@@ -225,7 +225,7 @@ vec3 bedBeyond(vec3 direction, vec2 pixel, float depth, vec3 water) {
 // What a facet mirrors of the water below, and of what lies in it.
 vec3 mirroredBy(vec2 slope, vec3 view, float spread) {
     vec3 direction = keptBelow(reflect(view, normalOf(slope)));
-    float depth = max(-(position.y + plane.w), 0.0);
+    float depth = max(-heightHere, 0.0);
     vec3 radiance = scatteredIn(depth, direction.y, endlessPath);
 #ifdef REFLECTION
     BentPoint hit = bentPoint(position, direction, hitHere(), 2);

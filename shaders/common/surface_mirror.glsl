@@ -29,7 +29,7 @@ struct Reflection {
 // Of the scene, times confidence, and confidence. `hit` is how far away the last ray beside this one met something [m].
 vec4 mirroredScene(vec3 direction, float spread, inout float hit) {
 #ifdef REFLECTION
-    return reflectionAlong(position, direction, spread, hit);
+    return reflectionAlong(position, fromLevel(direction), spread, hit);
 #else
     return vec4(0.0);
 #endif

@@ -28,7 +28,7 @@ float foamStreakV;
 vec3 reflectionLook;   // clear distance, scatter, distance of the sky: reflection_blur.glsl
 vec4 within;   // metres: edge of the finest cells, half the meniscus, deviation of the waves' height; water/parallel_view.h: distance
 vec2 sceneShift;   // to the scene's pixel that shows a point, whose sample may lie off its middle
-vec4 extent;   // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves
+vec4 extent;   // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves; 1 / the globe's radius
 vec4 caustics;   // strength
 vec4 covered;   // (u, v) of the box around the body, low and high
 vec4 shorePlace;    // of the eye on the shore's map, and of a metre

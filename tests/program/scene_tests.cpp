@@ -427,6 +427,18 @@ TEST_F(SceneFile, WaterMayBeTilted) {
     EXPECT_NEAR(after[2] - slope->water->extent->centerM[1], before[2], 1e-9);
 }
 
+TEST_F(SceneFile, TheOpenSeaMayLieOnAPlanet) {
+    const std::optional<Scene> sea = load({"water.planet_radius_m=6.371e6"});
+    ASSERT_TRUE(sea) << error_.text;
+    EXPECT_EQ(sea->water->planetRadiusM, 6.371e6);
+    EXPECT_NE(problemOf("water.planet_radius_m=1000").find("expected 0 or 1e+06 to 1e+09 m"),
+              std::string::npos);
+    EXPECT_FALSE(load({"water.planet_radius_m=6.371e6", "water.extent.size_m=[4, 9]"}));
+    EXPECT_NE(error_.text.find("water.planet_radius_m is set, expected no water.extent then"),
+              std::string::npos)
+        << error_.text;
+}
+
 TEST_F(SceneFile, FoamNeedsWaves) {
     std::string text = tests::sampleScene();
     const size_t from = text.find("[water.waves]"), to = text.find("[water.foam]");
@@ -599,8 +611,11 @@ TEST_F(SceneFile, EveryNumberHoldsItsRange) {
     for (const Place& place : everyField()) {
         if (!isNumber(place)) continue;
         const Field& field = *place.field;
-        // A scene has water or a floor, not both.
-        tests::writeAll(file(), place.path.starts_with("floor.") ? tests::sampleFloorScene() : fullSample());
+        // A scene has water or a floor, not both, and on a planet the open sea alone.
+        const bool floor = place.path.starts_with("floor."), open = place.path == "water.planet_radius_m";
+        tests::writeAll(file(), floor  ? tests::sampleFloorScene()
+                                : open ? tests::sampleScene()
+                                       : fullSample());
         ASSERT_TRUE(std::isfinite(field.least) && std::isfinite(field.most) && field.least < field.most)
             << place.path;
         const auto written = [&](double value) {

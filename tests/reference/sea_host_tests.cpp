@@ -128,6 +128,26 @@ TEST(SeaOfTheHost, SeesNearWavesHideTheSun) {
     EXPECT_LT(off, 7.7);
 }
 
+/// From an aeroplane at 10 km the horizon of the Earth's sea dips by 3.2 degrees, on a tenth of this picture.
+TEST(SeaOfTheHost, LiesOnTheGlobeOfTheTracedOne) {
+    Scene scene = sea();
+    scene.cameras.front().positionM = {0, 1e4, 0};
+    scene.cameras.front().targetM = {1, 9999.9, 0};
+    scene.water->waves.reset();
+    scene.water->foam.reset();
+    Error error;
+    const std::unique_ptr<Host> host = Host::create({}, error);
+    ASSERT_TRUE(host) << error.text;
+    const Picture flat = render(*host, scene);
+    scene.water->planetRadiusM = 6.371e6;
+    const Picture traced = trace(scene);
+    const double off = difference(render(*host, scene), traced, scene.exposureEv);
+    const double offWhereFlat = difference(flat, traced, scene.exposureEv);
+    std::printf("off by %.2f of 255, by %.2f on a plane\n", off, offWhereFlat);
+    EXPECT_LT(off, 0.5);
+    EXPECT_GT(offWhereFlat, 5);
+}
+
 /// Of the green light in the lower half, by blocks of 40 x 30 pixels: mean share by which one picture's is
 /// off.
 double offByBlocks(const Picture& drawn, const Picture& traced) {

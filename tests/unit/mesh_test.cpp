@@ -320,4 +320,50 @@ TEST(WaveDetail, IsLostAsCellsWiden) {
     EXPECT_LT(waves.lostBetween(0.01), 0.01 * deviation);
 }
 
+TEST(Globe, FallsAwayAsABall) {
+    constexpr long double radius = 6.371e6L;
+    const Globe globe{1 / static_cast<double>(radius)};
+    for (const long double away : {1.0L, 1e3L, 1e5L, 1e6L, 6e6L}) {
+        const long double drop = radius - std::sqrt(radius * radius - away * away);
+        const double ratio = globe.dropAt(static_cast<double>(away * away)) / static_cast<double>(drop);
+        EXPECT_NEAR(ratio, 1, away < 10 ? 1e-4 : 1e-8);
+    }
+    EXPECT_GT(globe.dropAt(1e20), 6e6) << "beyond the ball it only goes on falling";
+    EXPECT_EQ(Globe{}.dropAt(1e20), 0);
+    for (const double height : {0.0, 2.0, 1e4, 1e5}) {
+        const double away = globe.horizonFrom(height);
+        const double dip = std::acos(static_cast<double>(radius) / (static_cast<double>(radius) + height));
+        EXPECT_NEAR(height + globe.dropAt(away * away), away * std::tan(dip), 1e-6 * height);
+    }
+}
+
+TEST(Mesh, OfAGlobeEndsBehindItsHorizon) {
+    for (const double height : {2.0, 1e3, 1e5}) {
+        MeshView view = withWaves(allAround({0, 0}, height));
+        const size_t flat = patchesFor(view).size();
+        view.globe.curvature = 1 / 6.371e6;
+        const std::vector<MeshPatch> patches = patchesFor(view);
+        const double away = view.globe.horizonFrom(height) + view.globe.horizonFrom(view.displacement);
+        for (double turn = 0; turn < 6.28; turn += 0.1)
+            EXPECT_EQ(cover(patches, away * std::cos(turn), away * std::sin(turn)), 1) << height;
+        EXPECT_LT(patches.size(), flat) << height;
+    }
+}
+
+TEST(Mesh, OfAGlobeShowsNoCorners) {
+    const WaveDetail none;
+    MeshView view = allAround({0, 0}, 1e5);
+    view.waves = &none;
+    view.pixel = 1e-3;
+    view.globe.curvature = 1 / 6.371e6;
+    std::vector<MeshPatch> patches;
+    const uint32_t cells = selectPatches(view, cell, range, patches);
+    for (const MeshPatch& p : patches) {
+        const glm::dvec2 low(p.corner[0], p.corner[1]);
+        const glm::dvec2 near = glm::clamp(glm::dvec2(0), low, low + cells * double{p.cell});
+        const double away = glm::length(glm::dvec3(near, view.eyeHeight));
+        EXPECT_LT(view.globe.bulgeOver(double{p.cell}), 0.32 * view.pixel * away) << p.cell;
+    }
+}
+
 } // namespace

@@ -73,6 +73,11 @@ enum class ExtentShape : uint32_t {
 struct ExtentDesc {
     ExtentShape shape = ExtentShape::unbounded; ///< says which fields below are read
 
+    /// Of `unbounded`: the sea falls away as on a ball of this radius [m], 1e6..1e9, Earth's 6.371e6; 0:
+    /// flat. The ball touches `plane` at the foot of each view's eye: d metres from there the sea lies d^2 /
+    /// (R + sqrt(R^2 - d^2)) lower, by which the host lowers far things of its own.
+    double planetRadius = 0;
+
     double center[2] = {0, 0}; ///< of `rectangle`: its middle
     double size[2] = {0, 0};   ///< likewise, along its own u and v [m], each 0.01..1e6
     double yaw = 0;            ///< likewise, of its own u, from +u towards +v [rad]
