@@ -18,8 +18,14 @@ if(SEAGLASS_FFTW)
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/seaglass)
 endif()
 
+# What a host's own shaders include to look reflections up.
+set(glsl_dir ${CMAKE_INSTALL_DATADIR}/seaglass/glsl)
+foreach(name blur info source texels)
+  install(FILES ${seaglass_GLSL_DIR}/reflection_${name}.glsl DESTINATION ${glsl_dir})
+endforeach()
+
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/seaglassConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/seaglassConfig.cmake INSTALL_DESTINATION ${package_dir})
+  ${PROJECT_BINARY_DIR}/seaglassConfig.cmake INSTALL_DESTINATION ${package_dir} PATH_VARS glsl_dir)
 # Until 1.0 any minor version may break (SemVer).
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/seaglassConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/seaglassConfig.cmake ${PROJECT_BINARY_DIR}/seaglassConfigVersion.cmake
