@@ -33,6 +33,12 @@ const char* badField(const SunShadow& shadow) {
     return nullptr;
 }
 
+bool canBeIrradiance(const float (&values)[3]) {
+    for (const float value : values)
+        if (!(value >= 0 && std::isfinite(value))) return false;
+    return true;
+}
+
 } // namespace
 
 const char* badField(const LightingDesc& lighting) {
@@ -41,9 +47,10 @@ const char* badField(const LightingDesc& lighting) {
     double squared = 0;
     for (const double value : lighting.toSun) squared += value * value;
     if (!(std::abs(squared - 1) < 1e-3)) return "LightingDesc.toSun is not a unit vector";
-    for (int i = 0; i < 3; ++i)
-        if (!(lighting.sunIrradiance[i] >= 0) || !(lighting.skyIrradiance[i] >= 0))
-            return "LightingDesc irradiance is negative or NaN";
+    if (!canBeIrradiance(lighting.sunIrradiance))
+        return "LightingDesc.sunIrradiance is negative or not finite";
+    if (!canBeIrradiance(lighting.skyIrradiance))
+        return "LightingDesc.skyIrradiance is negative or not finite";
     return lighting.shadow ? badField(*lighting.shadow) : nullptr;
 }
 

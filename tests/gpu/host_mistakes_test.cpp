@@ -118,6 +118,30 @@ TEST_F(Mistakes, NullsAreNamed) {
     EXPECT_EQ(estimate(nullptr, &reflectionDesc, {4, 4}, &costs), Status::invalidArgument);
 }
 
+TEST_F(Mistakes, LightThatMeansNothingIsNamed) {
+    const auto expectRefused = [&](const char* text, auto&& spoil) {
+        LightingDesc bad = lighting;
+        spoil(bad);
+        recordOnly([&](VkCommandBuffer commands) {
+            spiedCalls().clear();
+            EXPECT_EQ(draw(commands, target, &body, 1, &view, &bad), Status::invalidArgument) << text;
+            EXPECT_EQ(spiedCalls().size(), 0u) << text;
+        });
+        expectMessage(text);
+    };
+    expectRefused("LightingDesc.skyCube is null", [](LightingDesc& l) { l.skyCube = VK_NULL_HANDLE; });
+    expectRefused("LightingDesc.skyCubeMipLevels is 0", [](LightingDesc& l) { l.skyCubeMipLevels = 0; });
+    for (const double bad : {0.0, 1.1, double{NAN}, double{INFINITY}})
+        expectRefused("LightingDesc.toSun", [&](LightingDesc& l) { l.toSun[1] = bad; });
+    for (const float bad : {-1.0f, NAN, INFINITY})
+        for (int channel = 0; channel < 3; ++channel) {
+            expectRefused("LightingDesc.sunIrradiance",
+                          [&](LightingDesc& l) { l.sunIrradiance[channel] = bad; });
+            expectRefused("LightingDesc.skyIrradiance",
+                          [&](LightingDesc& l) { l.skyIrradiance[channel] = bad; });
+        }
+}
+
 TEST_F(Mistakes, TargetsThatTheDeviceCannotDrawAreRefused) {
     const auto expectRefused = [&](Status status, const char* field, auto&& spoil) {
         TargetDesc desc = targetDesc;

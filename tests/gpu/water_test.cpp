@@ -1369,7 +1369,6 @@ TEST_F(Water, TheEstimateIsWhatIsAllocated) {
 TEST_F(Water, BadDescriptionsAreNamedAndLeaveNothing) {
     SeaDesc waves = breeze();
     FoamDesc foam;
-    RefractionDesc refraction;
     ReflectionDesc reflection;
     const auto refused = [&](auto&& spoil) {
         BodyDesc desc;
@@ -1401,11 +1400,19 @@ TEST_F(Water, BadDescriptionsAreNamedAndLeaveNothing) {
                           d.wavesBackend = fftwWaves();
                       }),
                       "samples"));
-    EXPECT_TRUE(names(refused([&](BodyDesc& d) {
-                          refraction.absorption[1] = -1;
-                          d.refraction = &refraction;
-                      }),
-                      "absorption"));
+    for (const float bad : {-1.0f, NAN, INFINITY})
+        for (int channel = 0; channel < 3; ++channel) {
+            RefractionDesc refraction;
+            refraction.absorption[channel] = bad;
+            const auto useIt = [&](BodyDesc& d) { d.refraction = &refraction; };
+            EXPECT_TRUE(names(refused(useIt), "RefractionDesc.absorption")) << bad << ' ' << channel;
+            refraction = {};
+            refraction.backscatter[channel] = bad;
+            EXPECT_TRUE(names(refused(useIt), "RefractionDesc.backscatter")) << bad << ' ' << channel;
+            refraction = {};
+            refraction.scattering = bad;
+            EXPECT_TRUE(names(refused(useIt), "RefractionDesc.scattering")) << bad;
+        }
     EXPECT_TRUE(names(refused([&](BodyDesc& d) {
                           reflection.edgeFade = 2;
                           d.reflection = &reflection;

@@ -170,8 +170,8 @@ struct SunShadow {
 /// Where light comes from.
 struct LightingDesc {
     double toSun[3] = {0, 1, 0};          ///< unit, world, from the surface towards the sun
-    float sunIrradiance[3] = {0, 0, 0};   ///< on a plane facing the sun
-    float skyIrradiance[3] = {0, 0, 0};   ///< on the water's plane, from the whole sky without the sun
+    float sunIrradiance[3] = {0, 0, 0};   ///< on a plane facing the sun; each finite, 0 or more
+    float skyIrradiance[3] = {0, 0, 0};   ///< likewise; on the water's plane, from the sky without the sun
     VkImageView skyCube = VK_NULL_HANDLE; ///< radiance without the sun: a cube and all its mips, +Y up
     VkImageLayout skyCubeLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; ///< when sampled
     uint32_t skyCubeMipLevels = 1;                                          ///< of skyCube, at least 1
