@@ -1,9 +1,12 @@
 // A scene pays for what it uses: each feature that is off takes its memory, pipelines, dispatches and texture
 // reads with it, and estimate() says what is left to pay.
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "tests/gpu/host_shape.h"
 #include "tests/gpu/rig.h"
+#include "tests/gpu/shader_work.h"
 #include "tests/gpu/spy.h"
 
 namespace {
@@ -19,6 +22,8 @@ struct Water {
         reflection.temporal = 0.9f;
         reflection.edgeStretch = 0.5f;
         reflection.edgeReach = 0.2f;
+        reflection.roofLooks = 3;
+        refraction.scattering = 0.25f;
         extent.shape = ExtentShape::rectangle;
         extent.size[0] = extent.size[1] = 60;
         desc.waves = &sea;
@@ -30,9 +35,27 @@ struct Water {
         desc.caustics = &caustics;
         desc.bed = &bed;
         desc.extent = extent;
+        desc.motion = true;
+        desc.shading.slopeLooks = 2;
+        desc.shading.waveShadowSteps = 8;
+        desc.shading.relief = true;
+        shape.sunShadow = true;
+        // 3 m around (20, -20), where the eye is not.
+        rooms = {{{{1, 0, 0, -23}, {-1, 0, 0, 17}, {0, 0, 1, 17}, {0, 0, -1, -23}, {0, -1, 0, -2}}}};
     }
     Water(const Water&) = delete;
     Water& operator=(const Water&) = delete;
+
+    /// Which takes relief away: it has none over a shore's bed.
+    void addShore() {
+        shore.bed = heights.data();
+        shore.samples[0] = shore.samples[1] = 16;
+        shore.spacing = 8;
+        shore.origin[0] = shore.origin[1] = -64;
+        for (size_t i = 0; i < heights.size(); ++i) heights[i] = -4 + 0.4f * static_cast<float>(i % 16);
+        sea.shore = &shore;
+        desc.shading.relief = false;
+    }
 
     SeaDesc sea;
     FoamDesc foam;
@@ -42,15 +65,39 @@ struct Water {
     CausticsDesc caustics;
     BedDesc bed;
     ExtentDesc extent;
+    std::array<float, 256> heights{};
+    ShoreDesc shore;
+    std::vector<DryRoom> rooms;
     BodyDesc desc;
+    HostShape shape;
 };
 
 /// What a first frame asks of Vulkan.
 struct Cost {
     VkDeviceSize bytes = 0;
     size_t allocations = 0, images = 0, computePipelines = 0, drawPipelines = 0, dispatches = 0, draws = 0;
-    size_t sampled = 0; ///< images, by all pipelines together
+    size_t sampled = 0; ///< images that layouts name, by all pipelines together
+    ShaderWork work;    ///< likewise
+    size_t depthWriters = 0;
 };
+
+struct Part {
+    const char* name;
+    size_t (*of)(const Cost&);
+};
+
+constexpr Part memory{"KiB", [](const Cost& c) { return static_cast<size_t>(c.bytes >> 10); }};
+constexpr Part objects{"images and allocations", [](const Cost& c) { return c.images + c.allocations; }};
+constexpr Part computes{"compute pipelines", [](const Cost& c) { return c.computePipelines; }};
+constexpr Part dispatches{"dispatches", [](const Cost& c) { return c.dispatches; }};
+constexpr Part pipelines{"pipelines that draw", [](const Cost& c) { return c.drawPipelines; }};
+constexpr Part draws{"draws", [](const Cost& c) { return c.draws; }};
+constexpr Part bound{"images bound", [](const Cost& c) { return c.sampled; }};
+constexpr Part reads{"reads of images", [](const Cost& c) { return c.work.reads; }};
+constexpr Part code{"instructions", [](const Cost& c) { return c.work.instructions; }};
+constexpr Part depthWriters{"pipelines that write depth", [](const Cost& c) { return c.depthWriters; }};
+constexpr const Part* parts[] = {&memory, &objects, &computes, &dispatches, &pipelines,
+                                 &draws,  &bound,   &reads,    &code,       &depthWriters};
 
 class Features : public testing::Test {
   protected:
@@ -64,11 +111,10 @@ class Features : public testing::Test {
         return camera;
     }
 
-    Cost costOf(const BodyDesc& body, bool sunShadow = true) {
-        HostShape shape;
-        shape.sunShadow = sunShadow;
+    Cost costOf(const BodyDesc& body, const HostShape& shape = {}, const std::vector<DryRoom>& rooms = {}) {
         spiedCalls().clear();
         ShapedHost host(device(), shape, true, {}, [&](BodyDesc& desc) { desc = body; });
+        EXPECT_EQ(setDryRooms(host.body(), rooms.data(), static_cast<uint32_t>(rooms.size())), Status::ok);
         host.picture(atTheWaterline());
         Cost cost;
         cost.bytes = bytesSpied();
@@ -78,12 +124,21 @@ class Features : public testing::Test {
         cost.drawPipelines = countSpied("CreateGraphicsPipelines");
         cost.dispatches = countSpied("CmdDispatch") + countSpied("CmdDispatchIndirect");
         cost.draws = countSpied("CmdDraw") + countSpied("CmdDrawIndexed");
-        for (const SpiedCall& call : spiedCalls()) cost.sampled += call.sampled;
+        for (const SpiedCall& call : spiedCalls()) {
+            cost.sampled += call.sampled;
+            cost.depthWriters += call.writesDepth;
+            for (const SpiedStage& stage : call.stages) {
+                const ShaderWork work = workOf(stage.spirv, stage.constants);
+                cost.work.reads += work.reads;
+                cost.work.instructions += work.instructions;
+            }
+        }
         const Camera camera = atTheWaterline();
         EXPECT_EQ(estimate(host.context(), &body, {camera.width, camera.height}, &estimated_), Status::ok)
             << host.message();
         return cost;
     }
+    Cost costOf(const Water& water) { return costOf(water.desc, water.shape, water.rooms); }
     const Estimate& estimated() const { return estimated_; }
 
   private:
@@ -91,26 +146,28 @@ class Features : public testing::Test {
     Estimate estimated_;
 };
 
+/// Takes a feature away.
+using Switch = void (*)(Water&);
+
 TEST_F(Features, ThatAreOffAreGone) {
-    const Cost all = [&] {
-        const Water water;
-        return costOf(water.desc);
-    }();
-    struct Switch {
+    const Cost all = costOf(Water());
+    struct Feature {
         const char* name;
-        void (*off)(Water&);
-        bool memory, computes, dispatches, draws, samples; ///< what must become less
-        bool sunShadow = true;
+        Switch off;
+        std::vector<const Part*> gone; ///< what becomes less; nothing becomes more
+        Switch on = nullptr;           ///< what it takes beside all the rest
     };
-    const Switch switches[] = {
+    const Feature features[] = {
         {"waves",
          [](Water& w) {
              w.desc.waves = nullptr;
              w.desc.foam = nullptr;
              w.desc.caustics = nullptr;
          },
-         true, true, true, true, true},
-        {"foam", [](Water& w) { w.desc.foam = nullptr; }, true, true, true, false, true},
+         {&memory, &objects, &computes, &dispatches, &pipelines, &draws, &bound, &reads, &code}},
+        {"foam",
+         [](Water& w) { w.desc.foam = nullptr; },
+         {&memory, &objects, &computes, &dispatches, &bound, &reads, &code}},
         {"refraction",
          [](Water& w) {
              w.desc.refraction = nullptr;
@@ -118,53 +175,79 @@ TEST_F(Features, ThatAreOffAreGone) {
              w.desc.underwater = nullptr;
              w.desc.caustics = nullptr;
          },
-         true, false, false, true, true},
-        {"reflection", [](Water& w) { w.desc.reflection = nullptr; }, true, true, true, false, true},
-        {"temporal", [](Water& w) { w.reflection.temporal = 0; }, true, true, true, false, true},
-        {"edge reach", [](Water& w) { w.reflection.edgeReach = 0; }, false, true, true, false, true},
-        {"edge stretch", [](Water& w) { w.reflection.edgeStretch = 0; }, false, true, true, false, false},
-        {"blur", [](Water& w) { w.reflection.blurLevels = 0; }, true, true, true, false, false},
-        {"underwater", [](Water& w) { w.desc.underwater = nullptr; }, false, false, false, true, true},
-        {"caustics", [](Water& w) { w.desc.caustics = nullptr; }, true, true, true, true, true},
+         {&memory, &objects, &pipelines, &draws, &bound, &reads, &code}},
+        {"light through crests", [](Water& w) { w.refraction.scattering = 0; }, {&reads, &code}},
+        {"reflection",
+         [](Water& w) { w.desc.reflection = nullptr; },
+         {&memory, &objects, &computes, &dispatches, &bound, &reads, &code}},
+        {"roofs", [](Water& w) { w.reflection.roofLooks = 0; }, {&reads, &code}},
+        {"temporal",
+         [](Water& w) { w.reflection.temporal = 0; },
+         {&memory, &objects, &computes, &dispatches, &bound, &reads, &code}},
+        {"edge reach",
+         [](Water& w) { w.reflection.edgeReach = 0; },
+         {&computes, &dispatches, &bound, &reads, &code}},
+        {"edge stretch", [](Water& w) { w.reflection.edgeStretch = 0; }, {&computes, &dispatches, &code}},
+        {"blur",
+         [](Water& w) { w.reflection.blurLevels = 0; },
+         {&memory, &computes, &dispatches, &reads, &code}},
+        {"underwater",
+         [](Water& w) { w.desc.underwater = nullptr; },
+         {&pipelines, &draws, &bound, &reads, &code}},
+        {"meniscus",
+         [](Water& w) { w.underwater.meniscus = 0; },
+         {&pipelines, &draws, &bound, &reads, &code}},
+        {"caustics",
+         [](Water& w) { w.desc.caustics = nullptr; },
+         {&memory, &objects, &computes, &dispatches, &pipelines, &draws, &bound, &reads, &code}},
         // Its shader's places for the bed's images hold the scene's, and are not read.
-        {"bed", [](Water& w) { w.desc.bed = nullptr; }, true, false, false, false, false},
-        {"sun shadow", [](Water&) {}, false, false, false, false, true, false},
+        {"bed", [](Water& w) { w.desc.bed = nullptr; }, {&memory, &objects, &reads, &code}},
+        {"sun shadow", [](Water& w) { w.shape.sunShadow = false; }, {&bound, &reads, &code}},
+        {"extent", [](Water& w) { w.desc.extent = {}; }, {&code}},
+        {"shore",
+         [](Water& w) { w.sea.shore = nullptr; },
+         {&memory, &objects, &bound, &reads, &code},
+         [](Water& w) { w.addShore(); }},
+        {"motion", [](Water& w) { w.desc.motion = false; }, {&memory, &objects}},
+        {"dry rooms", [](Water& w) { w.rooms.clear(); }, {&code}},
+        {"dry rooms, of the surface alone",
+         [](Water& w) { w.rooms.clear(); },
+         {&code},
+         [](Water& w) { w.desc.caustics = nullptr; }},
+        {"relief", [](Water& w) { w.desc.shading.relief = false; }, {&reads, &code}},
+        // As often as it looks, its loop goes around: one of one round is none.
+        {"looks at slopes", [](Water& w) { w.desc.shading.slopeLooks = 1; }, {&code}},
+        {"waves' shadows", [](Water& w) { w.desc.shading.waveShadowSteps = 0; }, {&reads, &code}},
+        {"tilt", [](Water& w) { w.desc.plane[0] = 0; }, {&code}, [](Water& w) { w.desc.plane[0] = 1e-3; }},
+        {"depth write", [](Water& w) { w.shape.depthWrite = false; }, {&depthWriters}},
     };
-    for (const Switch& feature : switches) {
+    for (const Feature& feature : features) {
         SCOPED_TRACE(feature.name);
         Water water;
+        if (feature.on) feature.on(water);
+        const Cost with = feature.on ? costOf(water) : all;
         feature.off(water);
-        const Cost cost = costOf(water.desc, feature.sunShadow);
-        std::printf(
-            "%-12s %8zu KiB of %zu, %zu of %zu compute pipelines, %zu of %zu dispatches, %zu of %zu draws, "
-            "%zu of %zu images sampled\n",
-            feature.name, static_cast<size_t>(cost.bytes >> 10), static_cast<size_t>(all.bytes >> 10),
-            cost.computePipelines, all.computePipelines, cost.dispatches, all.dispatches, cost.draws,
-            all.draws, cost.sampled, all.sampled);
-        const auto compare = [](bool less, size_t with, size_t without, const char* what) {
-            EXPECT_LE(without, with) << what;
-            if (less) {
-                EXPECT_LT(without, with) << what;
+        const Cost without = costOf(water);
+        std::printf("%s:\n", feature.name);
+        for (const Part* const part : parts) {
+            const size_t before = part->of(with), after = part->of(without);
+            if (after != before) std::printf("    %zu of %zu %s\n", after, before, part->name);
+            EXPECT_LE(after, before) << part->name;
+            if (std::ranges::find(feature.gone, part) != feature.gone.end()) {
+                EXPECT_LT(after, before) << part->name;
             }
-        };
-        compare(feature.memory, all.bytes, cost.bytes, "bytes");
-        compare(false, all.images + all.allocations, cost.images + cost.allocations, "objects");
-        compare(feature.computes, all.computePipelines, cost.computePipelines, "compute pipelines");
-        compare(feature.dispatches, all.dispatches, cost.dispatches, "dispatches");
-        compare(feature.draws, all.drawPipelines, cost.drawPipelines, "pipelines that draw");
-        compare(feature.draws, all.draws, cost.draws, "draws");
-        compare(feature.samples, all.sampled, cost.sampled, "sampled images");
+        }
     }
 }
 
 TEST_F(Features, EachAddsWhatTheEstimateSays) {
     // What every body costs, and its frame slot.
-    const Cost none = costOf({});
+    const Cost none = costOf(BodyDesc());
     EXPECT_EQ(estimated().bytes + estimated().bytesPerView, 0u);
     EXPECT_EQ(none.dispatches + none.computePipelines + none.images, 0u);
     const auto holds = [&](const char* name, const Water& water) {
         SCOPED_TRACE(name);
-        const Cost cost = costOf(water.desc);
+        const Cost cost = costOf(water);
         const VkDeviceSize expected = none.bytes + estimated().bytes + estimated().bytesPerView;
         std::printf("%-12s estimated %zu KiB, allocated %zu KiB\n", name, static_cast<size_t>(expected >> 10),
                     static_cast<size_t>(cost.bytes >> 10));
@@ -197,13 +280,14 @@ TEST_F(Features, EachAddsWhatTheEstimateSays) {
 }
 
 TEST_F(Features, AMirrorPondHasNothingOfASea) {
-    const Cost none = costOf({});
+    const Cost none = costOf(BodyDesc());
     Water water;
     water.desc.waves = nullptr;
     water.desc.foam = nullptr;
     water.desc.caustics = nullptr;
     water.desc.underwater = nullptr;
-    const Cost pond = costOf(water.desc);
+    water.rooms.clear();
+    const Cost pond = costOf(water);
     EXPECT_EQ(estimated().bytes, 0u) << "of waves";
     EXPECT_EQ(pond.dispatches, estimated().dispatchesPerView);
     EXPECT_EQ(countSpied("CmdBlitImage") + countSpied("CmdCopyBufferToImage"), 0u);

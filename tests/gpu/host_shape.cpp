@@ -233,6 +233,7 @@ void ShapedHost::createWater(bool reversedDepth, const std::function<void(seagla
     if (shape_.stencilAttached && !shape_.renderPass) targetDesc.stencilFormat = shape_.depth;
     targetDesc.samples = shape_.samples;
     targetDesc.reversedDepth = reversedDepth;
+    targetDesc.depthWrite = shape_.depthWrite;
     targetDesc.renderPass = renderPass_.get();
     targetDesc.viewMask = viewMask(viewsAtOnce);
     EXPECT_EQ(seaglass::createTarget(context_, &targetDesc, &target_), Status::ok) << message_;

@@ -24,6 +24,7 @@ struct HostShape {
     bool flipped = false;    ///< y up in clip space, and a viewport of negative height
     bool multiview = false;  ///< all cameras of a frame in one pass
     bool sunShadow = false;  ///< hands in a shadow map, of a sun that nothing hides
+    bool depthWrite = true;  ///< by the water
 };
 
 /// Whether the tests' device has its formats and samples.
@@ -46,6 +47,7 @@ class ShapedHost {
     ShapedHost& operator=(const ShapedHost&) = delete;
 
     seaglass::Context* context() const { return context_; }
+    seaglass::Body* body() const { return body_; }
     const std::string& message() const { return message_; }
 
     /// Records a frame of one view for each camera and submits it. The slot's frame before was fetched.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 
 namespace tests {
 
@@ -63,12 +64,29 @@ VkResult VKAPI_CALL spiedAllocate(VkDevice device, const VkMemoryAllocateInfo* i
     return vkAllocateMemory(device, info, allocator, memory);
 }
 
+/// Handles come again: of each what it was made of last.
+std::map<VkShaderModule, std::vector<uint32_t>>& modules() {
+    static std::map<VkShaderModule, std::vector<uint32_t>> made;
+    return made;
+}
+
+SpiedStage spiedStage(const VkPipelineShaderStageCreateInfo& info) {
+    SpiedStage stage{modules().at(info.module), {}};
+    if (const VkSpecializationInfo* const constants = info.pSpecializationInfo) {
+        const auto* const words = static_cast<const uint32_t*>(constants->pData);
+        stage.constants.assign(words, words + constants->dataSize / sizeof(uint32_t));
+    }
+    return stage;
+}
+
 VkResult VKAPI_CALL spiedShaderModule(VkDevice device, const VkShaderModuleCreateInfo* info,
                                       const VkAllocationCallbacks* allocator, VkShaderModule* module) {
     SpiedCall call{"CreateShaderModule"};
     call.spirv.assign(info->pCode, info->pCode + info->codeSize / sizeof(uint32_t));
+    const VkResult result = vkCreateShaderModule(device, info, allocator, module);
+    if (result == VK_SUCCESS) modules()[*module] = call.spirv;
     spiedCalls().push_back(std::move(call));
-    return vkCreateShaderModule(device, info, allocator, module);
+    return result;
 }
 
 VkResult VKAPI_CALL spiedGraphics(VkDevice device, VkPipelineCache cache, uint32_t count,
@@ -76,12 +94,10 @@ VkResult VKAPI_CALL spiedGraphics(VkDevice device, VkPipelineCache cache, uint32
                                   const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
     SpiedCall call{"CreateGraphicsPipelines"};
     call.cache = cache;
-    const VkSpecializationInfo* const constants = infos->pStages[infos->stageCount - 1].pSpecializationInfo;
-    if (constants) {
-        const auto* const words = static_cast<const uint32_t*>(constants->pData);
-        call.constants.assign(words, words + constants->dataSize / sizeof(uint32_t));
-    }
-    spiedCalls().push_back(call);
+    for (uint32_t i = 0; i < infos->stageCount; ++i) call.stages.push_back(spiedStage(infos->pStages[i]));
+    call.constants = call.stages.back().constants;
+    call.writesDepth = infos->pDepthStencilState->depthWriteEnable;
+    spiedCalls().push_back(std::move(call));
     return vkCreateGraphicsPipelines(device, cache, count, infos, allocator, pipelines);
 }
 
@@ -90,7 +106,8 @@ VkResult VKAPI_CALL spiedCompute(VkDevice device, VkPipelineCache cache, uint32_
                                  const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
     SpiedCall call{"CreateComputePipelines"};
     call.cache = cache;
-    spiedCalls().push_back(call);
+    call.stages.push_back(spiedStage(infos->stage));
+    spiedCalls().push_back(std::move(call));
     return vkCreateComputePipelines(device, cache, count, infos, allocator, pipelines);
 }
 

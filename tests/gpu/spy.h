@@ -9,6 +9,12 @@
 
 namespace tests {
 
+/// Of a pipeline.
+struct SpiedStage {
+    std::vector<uint32_t> spirv;
+    std::vector<uint32_t> constants; ///< words from number 0 on
+};
+
 struct SpiedCall {
     std::string name;          ///< without "vk"
     VkAccessFlags2 source = 0; ///< of a barrier: all its source accesses together
@@ -18,6 +24,8 @@ struct SpiedCall {
     VkPipelineCache cache = VK_NULL_HANDLE; ///< of pipelines
     uint32_t sampled = 0;                   ///< images that shaders of a descriptor set layout sample
     std::vector<uint32_t> constants;        ///< of a graphics pipeline's last stage, words from number 0 on
+    std::vector<SpiedStage> stages;         ///< of a pipeline
+    bool writesDepth = false;               ///< of a graphics pipeline
 };
 
 /// The calls since clear(). One list for the program: tests run one at a time.
