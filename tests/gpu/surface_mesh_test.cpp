@@ -112,34 +112,83 @@ TEST_F(SurfaceMesh, LevelsTakeOverWithoutAJump) {
     EXPECT_LT(worst, 2);
 }
 
-TEST_F(SurfaceMesh, SixteenJitteredFramesAverageToTheUnjittered) {
-    Body* body = wavyBody();
-    Camera c = camera(6);
-    lighting.toSun[0] = 0;
-    lighting.toSun[1] = std::sqrt(0.5f);
-    lighting.toSun[2] = -std::sqrt(0.5f);
-    for (float& irradiance : lighting.sunIrradiance) irradiance = 0.5f;
-    const WaterPicture still = picture({body}, c, 5);
-    std::vector<double> sum(still.color.size());
-    std::vector<int> covered(still.depth.size());
-    for (int i = 0; i < 16; ++i) {
-        c.jitter = {(i % 4 + 0.5) / 4 - 0.5, (i / 4 + 0.5) / 4 - 0.5};
-        const WaterPicture p = picture({body}, c, 5);
-        for (size_t k = 0; k < sum.size(); ++k) sum[k] += double{p.color[k]} / 16;
-        for (size_t k = 0; k < covered.size(); ++k) covered[k] += p.covered(k);
+/// A pale bed 3 m down, and a wall of another colour that stands in the water 40 m away.
+SceneBehind bedAndWall(const Camera& camera) {
+    return drawnOver(camera, planeBelow(camera, -3, 1), 2, [&](const glm::dvec3& ray) {
+        const double distance = (-40 - camera.eye.z) / ray.z, height = camera.eye.y + distance * ray.y;
+        return height < -3 || height > 4 ? -1 : distance;
+    });
+}
+
+class Jittered : public SurfaceMesh {
+  protected:
+    Jittered() {
+        lighting.toSun[0] = 0;
+        lighting.toSun[1] = std::sqrt(0.5f);
+        lighting.toSun[2] = -std::sqrt(0.5f);
+        for (float& irradiance : lighting.sunIrradiance) irradiance = 0.5f;
+        for (float& irradiance : lighting.skyIrradiance) irradiance = 2;
     }
-    // The sky's radiance is 3 in blue: as white as a picture gets.
-    double total = 0;
-    size_t count = 0;
-    for (size_t i = 0; i < covered.size(); ++i) {
-        if (covered[i] != 16 || !still.covered(i)) continue;
-        for (size_t k = 0; k < 3; ++k) total += std::abs(sum[i * 4 + k] - double{still.color[i * 4 + k]}) / 3;
-        count += 3;
+
+    void expectTheMeanIsTheUnjittered(Body* body, SceneBehind (*sceneOf)(const Camera&)) {
+        Camera c = camera(6);
+        const WaterPicture still = picture({body}, c, 5, SurfaceOutput::shaded, sceneOf(c));
+        std::vector<double> sum(still.color.size());
+        std::vector<int> covered(still.depth.size());
+        for (int i = 0; i < 16; ++i) {
+            c.jitter = {(i % 4 + 0.5) / 4 - 0.5, (i / 4 + 0.5) / 4 - 0.5};
+            const WaterPicture p = picture({body}, c, 5, SurfaceOutput::shaded, sceneOf(c));
+            for (size_t k = 0; k < sum.size(); ++k) sum[k] += double{p.color[k]} / 16;
+            for (size_t k = 0; k < covered.size(); ++k) covered[k] += p.covered(k);
+        }
+        // The sky's radiance is 3 in blue: as white as a picture gets.
+        double total = 0;
+        size_t count = 0;
+        for (size_t i = 0; i < covered.size(); ++i) {
+            if (covered[i] != 16 || !still.covered(i)) continue;
+            for (size_t k = 0; k < 3; ++k)
+                total += std::abs(sum[i * 4 + k] - double{still.color[i * 4 + k]}) / 3;
+            count += 3;
+        }
+        const double mean = total / static_cast<double>(count);
+        std::printf("mean difference %.2f / 255 over %zu values\n", mean * 255, count);
+        EXPECT_GT(count, 30000u);
+        EXPECT_LT(mean, 2.0 / 255);
     }
-    const double mean = total / static_cast<double>(count);
-    std::printf("mean difference %.2f / 255 over %zu values\n", mean * 255, count);
-    EXPECT_GT(count, 30000u);
-    EXPECT_LT(mean, 2.0 / 255);
+};
+
+TEST_F(Jittered, SixteenFramesOfWavesAverageToTheUnjittered) {
+    expectTheMeanIsTheUnjittered(wavyBody(), nothingBehind);
+}
+
+TEST_F(Jittered, SixteenFramesOfFoamAverageToTheUnjittered) {
+    const SeaDesc sea = breeze();
+    const FoamDesc foam{.bias = 0.1f};
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.wavesBackend = fftwWaves();
+    desc.foam = &foam;
+    expectTheMeanIsTheUnjittered(makeBody(desc), nothingBehind);
+}
+
+TEST_F(Jittered, SixteenFramesOfABedAverageToTheUnjittered) {
+    const SeaDesc sea = breeze();
+    const RefractionDesc refraction = {{0.3f, 0.1f, 0.05f}, {0.01f, 0.01f, 0.01f}, 1};
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.wavesBackend = fftwWaves();
+    desc.refraction = &refraction;
+    expectTheMeanIsTheUnjittered(makeBody(desc), bedAndWall);
+}
+
+TEST_F(Jittered, SixteenFramesOfWhatIsMirroredAverageToTheUnjittered) {
+    const SeaDesc sea = breeze();
+    const ReflectionDesc reflection;
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.wavesBackend = fftwWaves();
+    desc.reflection = &reflection;
+    expectTheMeanIsTheUnjittered(makeBody(desc), bedAndWall);
 }
 
 } // namespace

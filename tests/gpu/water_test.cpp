@@ -819,23 +819,82 @@ TEST_F(Water, SaysWhereTheReflectionIsTakenFrom) {
         }
 }
 
-TEST_F(Water, IsTheSamePictureAMillionMetresAway) {
-    SeaDesc desc = breeze();
-    desc.cascades = 1;
-    desc.largestPatch = 64;
-    Body* body = wavyBody(desc);
-    const Camera near = seaCamera();
-    Camera far = near;
-    const glm::dvec3 whole(64.0 * 15625, 0, -64.0 * 15625);
-    far.eye += whole;
-    far.target += whole;
-    const WaterPicture a = picture({body}, near, 3);
-    const WaterPicture b = picture({body}, far, 3);
-    double worst = 0;
-    for (size_t i = 0; i < a.color.size(); ++i)
-        if (a.covered(i / 4) && b.covered(i / 4))
+/// A bed and a wall before it, in squares of the picture: what is looked up beside its place differs.
+SceneBehind chequeredBedAndWall(const Camera& camera) {
+    SceneBehind behind = drawnOver(camera, planeBelow(camera, -3, 1), 2, [&](const glm::dvec3& ray) {
+        const double distance = (-20 - camera.eye.z) / ray.z, height = camera.eye.y + distance * ray.y;
+        return height < -3 || height > 3 ? -1 : distance;
+    });
+    for (uint32_t y = 0; y < camera.height; ++y)
+        for (uint32_t x = 0; x < camera.width; ++x)
+            if ((x / 4 + y / 4) % 2)
+                for (size_t c = 0; c < 3; ++c) behind.color[(size_t{y} * camera.width + x) * 4 + c] *= 0.25f;
+    return behind;
+}
+
+/// A sea of one cascade, which repeats every 60 m, and its foam's lace every 384: both do after 1920.
+class WaterAMillionMetresAway : public Water {
+  protected:
+    WaterAMillionMetresAway() {
+        sea_ = breeze();
+        sea_.cascades = 1;
+        sea_.largestPatch = 60;
+        desc_.waves = &sea_;
+        desc_.wavesBackend = fftwWaves();
+        for (float& channel : lighting.skyIrradiance) channel = 1;
+        for (float& channel : lighting.sunIrradiance) channel = 1;
+        near_.eye += glm::dvec3(0.137, 0, 0.291); // floats have no such places far off
+        near_.target += glm::dvec3(0.137, 0, 0.291);
+    }
+
+    void expectTheSamePicture(const SceneBehind& behind = {}) {
+        Body* const body = makeBody(desc_);
+        Camera far = near_;
+        const glm::dvec3 whole(1920.0 * 521, 0, -1920.0 * 521);
+        far.eye += whole;
+        far.target += whole;
+        const WaterPicture a = picture({body}, near_, 3, SurfaceOutput::shaded, behind);
+        const WaterPicture b = picture({body}, far, 3, SurfaceOutput::shaded, behind);
+        double worst = 0;
+        size_t count = 0;
+        for (size_t i = 0; i < a.color.size(); ++i) {
+            if (!a.covered(i / 4) || !b.covered(i / 4)) continue;
             worst = std::max(worst, std::abs(double{a.color[i]} - double{b.color[i]}));
-    EXPECT_LT(worst, 3.0 / 255); // the sky's radiance goes up to 3
+            ++count;
+        }
+        std::printf("differs by %.4f / 255 at most\n", worst * 255);
+        EXPECT_GT(count, 50000u);
+        EXPECT_LT(worst, 1.0 / 255); // and the sky's radiance goes up to 3
+    }
+
+    SeaDesc sea_;
+    BodyDesc desc_;
+    Camera near_ = seaCamera();
+};
+
+TEST_F(WaterAMillionMetresAway, WavesAreTheSamePicture) {
+    expectTheSamePicture();
+}
+
+TEST_F(WaterAMillionMetresAway, FoamIsTheSamePicture) {
+    const FoamDesc foam{.bias = 0.2f};
+    desc_.foam = &foam;
+    expectTheSamePicture();
+}
+
+TEST_F(WaterAMillionMetresAway, ABedIsTheSamePicture) {
+    const RefractionDesc refraction = {{0.3f, 0.1f, 0.05f}, {0.01f, 0.01f, 0.01f}, 1};
+    desc_.refraction = &refraction;
+    expectTheSamePicture(chequeredBedAndWall(near_));
+}
+
+TEST_F(WaterAMillionMetresAway, WhatIsMirroredIsTheSamePicture) {
+    for (const ReflectionTechnique technique : {ReflectionTechnique::sspr, ReflectionTechnique::hybrid}) {
+        ReflectionDesc reflection;
+        reflection.technique = technique;
+        desc_.reflection = &reflection;
+        expectTheSamePicture(chequeredBedAndWall(near_));
+    }
 }
 
 TEST_F(Water, TheSameTimeGivesTheSameBits) {
