@@ -39,6 +39,7 @@ constexpr Part parts[] = {
     {"sky alone", [](WaterDesc& water) { water.reflection.reset(); }},
     {"no caustics", [](WaterDesc& water) { water.caustics.reset(); }},
     {"still", takeWaves},
+    {"still, opaque", [](WaterDesc& water) { takeRefraction(water), takeWaves(water); }},
     {"still, sky alone, opaque",
      [](WaterDesc& water) { takeRefraction(water), takeWaves(water), water.reflection.reset(); }},
 };
