@@ -6,11 +6,16 @@
 #include <limits>
 
 #include "measure/picture_error.h"
+#include "spirv/miss_no_w_at_far_ends.comp.h"
 #include "spirv/resolve_far_keys.comp.h"
 #include "spirv/resolve_no_half_texel.comp.h"
+#include "spirv/resolve_no_w_at_far_ends.comp.h"
+#include "spirv/resolve_no_w_in_scatter.comp.h"
 #include "spirv/resolve_racy_keys.comp.h"
 #include "spirv/scatter_far_keys.comp.h"
 #include "spirv/scatter_no_half_texel.comp.h"
+#include "spirv/scatter_no_w_at_far_ends.comp.h"
+#include "spirv/scatter_no_w_in_scatter.comp.h"
 #include "spirv/scatter_racy_keys.comp.h"
 #include "tests/gpu/mirrored_depths.h"
 #include "tests/gpu/traced_scene.h"
@@ -74,8 +79,7 @@ class Defects : public WaterTest {
         camera_.target = {-0.5, 1.2, 0};
         camera_.width = 320;
         camera_.height = 180;
-        traced_ = Tracer(camera_, harbourOfBoxes()).run();
-        behind_ = {traced_.color, traced_.depth};
+        look(harbourOfBoxes());
         reflection_.edgeFade = 0; // a fade is no defect, but it is an error
         BodyDesc desc;
         desc.reflection = &reflection_;
@@ -96,8 +100,27 @@ class Defects : public WaterTest {
         return found.value_or(PictureError{});
     }
 
-    /// SSPR with these shaders from here on.
-    void replaceShaders(std::span<const uint32_t> scatter, std::span<const uint32_t> resolve) {
+    void look(const std::vector<Box>& boxes) {
+        traced_ = Tracer(camera_, boxes).run();
+        behind_ = {traced_.color, traced_.depth};
+    }
+
+    /// Keys that are not the nearest mirrored depths.
+    size_t wrongKeys(const std::vector<Box>& boxes) {
+        look(boxes);
+        measured();
+        const std::vector<MirroredDepth> expected = mirroredDepths(camera_, traced_);
+        const std::vector<uint32_t> keys =
+            downloadWords(body_->reflector->views[0].sspr.keys.handle(), expected.size());
+        size_t wrong = 0;
+        for (size_t i = 0; i < keys.size(); ++i)
+            wrong += expected[i].differsFrom(std::bit_cast<float>(keys[i]));
+        return wrong;
+    }
+
+    /// SSPR with these shaders from here on. Without one for misses, that stays.
+    void replaceShaders(std::span<const uint32_t> scatter, std::span<const uint32_t> resolve,
+                        std::span<const uint32_t> miss = {}) {
         constexpr VkDescriptorType uniforms = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                                    buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                                    sampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
@@ -112,6 +135,9 @@ class Defects : public WaterTest {
         ASSERT_EQ(kernels.resolve->create(context), Status::ok) << message();
         ASSERT_EQ(kernels.scatter->kernel.create(context.device, scatter, ofScatter, "scatter"), Status::ok);
         ASSERT_EQ(kernels.resolve->kernel.create(context.device, resolve, ofResolve, "resolve"), Status::ok);
+        if (miss.empty()) return;
+        constexpr VkDescriptorType ofMiss[] = {uniforms, buffer, sampled, storage};
+        ASSERT_EQ(kernels.resolve->miss.create(context.device, miss, ofMiss, "miss"), Status::ok);
     }
 
     Camera camera_;
@@ -165,24 +191,41 @@ TEST_F(Defects, FarKeysWinningAreSeenInPlaceAndColor) {
 // to the same pixel; rolled to all sides, so that the last is not the nearest throughout.
 TEST_F(Defects, ARacyWriteIsSeenInTheKeys) {
     camera_.eye = {0, 4, 8};
-    const auto wrongKeys = [&] {
+    const auto wrongInAllRolls = [&] {
         size_t wrong = 0;
         for (const double roll : {0.0, 90.0, 180.0, -90.0}) {
             camera_.rollDegrees = roll;
-            traced_ = Tracer(camera_, {{{-6, -1, -2}, {6, 1.5, 0}, -1.5}}).run();
-            behind_ = {traced_.color, traced_.depth};
-            measured();
-            const std::vector<MirroredDepth> expected = mirroredDepths(camera_, traced_);
-            const std::vector<uint32_t> keys =
-                downloadWords(body_->reflector->views[0].sspr.keys.handle(), expected.size());
-            for (size_t i = 0; i < keys.size(); ++i)
-                wrong += expected[i].differsFrom(std::bit_cast<float>(keys[i]));
+            wrong += wrongKeys({{{-6, -1, -2}, {6, 1.5, 0}, -1.5}});
         }
         return wrong;
     };
-    EXPECT_EQ(wrongKeys(), 0u);
+    EXPECT_EQ(wrongInAllRolls(), 0u);
     replaceShaders(scatter_racy_keys_comp, resolve_racy_keys_comp);
-    EXPECT_GT(wrongKeys(), 20u);
+    EXPECT_GT(wrongInAllRolls(), 20u);
+}
+
+// An eye at the foot of a tower looks up. What is high is mirrored behind the eye, and a division by its
+// negative w puts it into the sky. No mirror is there: points behind the eye that fell on one would lie above
+// it. So only keys tell.
+TEST_F(Defects, PointsMirroredBehindTheEyeAreSeenInTheKeys) {
+    camera_.eye = {0, 2, 0};
+    camera_.target = {0, 3.4, -1};
+    camera_.fovDegrees = 120;
+    const std::vector<Box> tower = {{{-4, -1, -12}, {4, 40, -8}}};
+    EXPECT_EQ(wrongKeys(tower), 0u);
+    replaceShaders(scatter_no_w_in_scatter_comp, resolve_no_w_in_scatter_comp);
+    EXPECT_GT(wrongKeys(tower), 100u);
+}
+
+// An eye that looks straight down between water and a roof. The rays that the water mirrors end behind the
+// eye; a division by their negative w takes them to where they come from, and no depth is there, either.
+TEST_F(Defects, RaysThatEndBehindTheEyeAreSeenInSkyOnGeometry) {
+    camera_.eye = {0, 3, 0};
+    camera_.target = {0, 0, 0};
+    look({{{-40, 6, -40}, {40, 6.5, 40}}, {{0.5, -1, -0.4}, {1.1, 0.6, 0.4}}});
+    EXPECT_LT(measured().skyOnGeometry.value(), 0.005);
+    replaceShaders(scatter_no_w_at_far_ends_comp, resolve_no_w_at_far_ends_comp, miss_no_w_at_far_ends_comp);
+    EXPECT_GT(measured().skyOnGeometry.value(), 0.5);
 }
 
 TEST_F(Defects, APlaneTooHighIsSeenInPlaceAndColor) {
