@@ -16,7 +16,8 @@ float borderDistance(vec2 q, vec2 source) {
 
 // By the pixels that are left to where it has faded out.
 float confidenceWithin(float left) {
-    float x = clamp(left / max(edgeFadePixels, 1e-6), 0.0, 1.0);
+    // Of no width, nothing fades, nor what rounding puts on the border.
+    float x = edgeFadePixels > 0.0 ? clamp(left / edgeFadePixels, 0.0, 1.0) : 1.0;
     return x * x * x * (x * (x * 6.0 - 15.0) + 10.0);
 }
 

@@ -295,4 +295,67 @@ TEST_F(Stretch, OutOfRangeIsNamed) {
     EXPECT_TRUE(names(refused([](ReflectionDesc& d) { d.blurLevels = 7; }), "blurLevels"));
 }
 
+class EdgeFade : public ReflectionTest {};
+
+/// From where a mirrored point is seen to the border, going on from the pixel that mirrors it [pixel].
+double pixelsToBorder(const TracedView& traced, size_t mirror) {
+    const glm::dvec2 pixel(double(mirror % traced.width) + 0.5, double(mirror / traced.width) + 0.5);
+    const glm::dvec2 source = traced.source[mirror];
+    const glm::dvec2 along = glm::normalize(source - pixel);
+    const double x = along.x > 0 ? traced.width - source.x : source.x;
+    const double y = along.y > 0 ? traced.height - source.y : source.y;
+    return std::min(x / std::max(std::abs(along.x), 1e-9), y / std::max(std::abs(along.y), 1e-9));
+}
+
+TEST_F(EdgeFade, IsASmootherStepOverItsWidthBeforeTheBorder) {
+    const Box wall{{-60, -1, -9}, {60, 60, -8}};
+    for (const ReflectionTechnique technique : {ReflectionTechnique::sspr, ReflectionTechnique::ssr})
+        for (const double roll : {0.0, 35.0, 90.0})
+            for (const float edgeFade : {0.3f, 0.5f}) {
+                Camera camera = testCamera();
+                camera.rollDegrees = roll;
+                const TracedView traced = Tracer(camera, {wall}).run();
+                ReflectorDesc desc = with(technique);
+                desc.reflection.edgeFade = edgeFade;
+                const Reflected result = reflectScene(camera, traced, desc);
+                const double width = double{edgeFade} * camera.height;
+                size_t atBorder = 0, halfway = 0, beyond = 0;
+                for (size_t i = 0; i < result.info.size(); ++i) {
+                    if (traced.truth[i] != Truth::recoverable || !(result.info[i] > 0)) continue;
+                    const double x = pixelsToBorder(traced, i) / width;
+                    const double confidence = double{result.color[i * 4 + 3]};
+                    const double t = std::min(x, 1.0);
+                    ASSERT_NEAR(confidence, t * t * t * (t * (6 * t - 15) + 10), 0.02)
+                        << "rolled " << roll << ", width " << width << ", share of it " << x;
+                    if (x < 0.03) {
+                        ++atBorder;
+                        EXPECT_LT(confidence, 0.001);
+                    } else if (std::abs(x - 0.5) < 0.02) {
+                        ++halfway;
+                        EXPECT_NEAR(confidence, 0.5, 0.05);
+                    } else if (x > 1) {
+                        ++beyond;
+                        EXPECT_GT(confidence, 0.999);
+                    }
+                }
+                EXPECT_GT(atBorder, 50u) << roll << ", " << width;
+                EXPECT_GT(halfway, 50u) << roll << ", " << width;
+                EXPECT_GT(beyond, 1000u) << roll << ", " << width;
+            }
+}
+
+TEST_F(EdgeFade, OfNoWidthFadesNothing) {
+    const TracedView traced = Tracer(testCamera(), {{{-60, -1, -9}, {60, 60, -8}}}).run();
+    ReflectorDesc desc;
+    desc.reflection.edgeFade = 0;
+    const Reflected result = reflectScene(testCamera(), traced, desc);
+    size_t hits = 0;
+    for (size_t i = 0; i < result.info.size(); ++i) {
+        if (!(result.info[i] > 0)) continue;
+        ++hits;
+        EXPECT_EQ(result.color[i * 4 + 3], 1);
+    }
+    EXPECT_GT(hits, 10000u);
+}
+
 } // namespace
