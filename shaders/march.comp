@@ -57,7 +57,8 @@ layout(set = 0, binding = AFTER_CELLS) uniform sampler2D surfaceNormals;
 // Kept above the plane, as what shades the surface keeps it.
 vec3 mirroredBySurface(vec2 q, vec3 direction) {
     vec3 normal = texelFetch(surfaceNormals, region.xy + ivec2(q), 0).xyz;
-    if (!hasNormals || !(dot(normal, normal) > 0.01)) return reflect(direction, plane.xyz);
+    float squared = dot(normal, normal);
+    if (!hasNormals || !(squared > 0.01) || isinf(squared)) return reflect(direction, plane.xyz);
     vec3 r = reflect(direction, normalize(normal));
     float up = dot(r, plane.xyz);
     return normalize(r + plane.xyz * (max(abs(up), 1e-3) - up));

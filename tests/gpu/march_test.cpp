@@ -1,6 +1,8 @@
 // Techniques that follow rays over the picture, against a traced truth.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -376,6 +378,34 @@ TEST_F(Ssr, NoNormalsAreThePlanes) {
     const Reflected with0 = reflectView(traced, view, with(ReflectionTechnique::ssr));
     EXPECT_EQ(without.color, with0.color);
     EXPECT_EQ(without.info, with0.info);
+}
+
+TEST_F(Ssr, NormalsThatAreNotFiniteAreThePlanes) {
+    const TracedView traced = Tracer(testCamera(), harbourOfBoxes()).run();
+    ViewDesc view = viewDesc(testCamera());
+    const auto reflected = [&](const std::vector<float>& normals) {
+        const demos::Image image = uploadFloats(traced.width, traced.height, 4, normals);
+        const Image handed = asSeaglass(image);
+        view.surfaceNormals = &handed;
+        return reflectView(traced, view, with(ReflectionTechnique::ssr));
+    };
+    std::vector<float> normals(traced.depth.size() * 4, 0.0f);
+    for (size_t i = 0; i < normals.size(); i += 4) {
+        normals[i] = 0.06f;
+        normals[i + 1] = 1;
+    }
+    std::vector<float> broken = normals;
+    for (size_t pixel = 0, kind = 0; pixel < traced.depth.size(); pixel += 7, ++kind) {
+        std::fill_n(&normals[pixel * 4], 3, 0.0f); // the plane's
+        broken[pixel * 4 + kind / 3 % 3] =
+            std::array{std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                       -std::numeric_limits<float>::infinity()}[kind % 3];
+    }
+    const Reflected expected = reflected(normals), found = reflected(broken);
+    EXPECT_TRUE(allFinite(found.color));
+    EXPECT_TRUE(allFinite(found.info));
+    EXPECT_EQ(found.color, expected.color);
+    EXPECT_EQ(found.info, expected.info);
 }
 
 TEST_F(Ssr, SaysWhetherNormalsHaveBentIt) {

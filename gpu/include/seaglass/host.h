@@ -133,8 +133,8 @@ struct ViewDesc {
     uint32_t viewIndex = 0; ///< 0..7: which view of this frame, so that each keeps its own images
     /// Optional: unit normals of the surface in the world (x, y, z of RGBA16F, RGBA32F or RGBA8_SNORM) at the
     /// same pixels, made visible to compute shaders like the scene's images; (0, 0, 0) stands for the
-    /// plane's. The technique ssr then follows each pixel's own mirrored ray; others leave normals to whoever
-    /// shades.
+    /// plane's, as does what is not finite. The technique ssr then follows each pixel's own mirrored ray;
+    /// others leave normals to whoever shades.
     const Image* surfaceNormals = nullptr;
     /// By how much `projection` moves the picture in this frame, right and down [pixel], -16..16. Read by
     /// ReflectionDesc::temporal, which averages over it, and SurfaceOutput::motion, which leaves it out.
