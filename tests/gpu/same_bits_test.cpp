@@ -1,9 +1,14 @@
-// The same bits from the same input, time after time. Prints a hash of what each technique leaves, so that
-// processes with other numbers of threads can be compared: tests/gpu/same_bits.cmake. SEAGLASS_REPEATS says
-// how often, else 10.
+// The same bits from the same input, time after time. Prints a hash of what each technique or option leaves,
+// so that processes with other numbers of threads can be compared: tests/gpu/same_bits.cmake.
+// SEAGLASS_REPEATS says how often, else 10.
 #include <cstdlib>
 #include <cstring>
+#include <optional>
+#include <ostream>
 
+#include <glm/gtc/packing.hpp>
+
+#include "tests/gpu/drawn_view.h"
 #include "tests/gpu/poses.h"
 #include "tests/gpu/reflection_rig.h"
 
@@ -27,29 +32,101 @@ uint64_t hashed(const std::vector<float>& values, uint64_t hash) {
     return hash;
 }
 
-class SameBits : public ReflectionTest, public testing::WithParamInterface<ReflectionTechnique> {};
+struct Case {
+    const char* name;
+    ReflectionTechnique technique;
+    void (*change)(ReflectionDesc&) = [](ReflectionDesc&) {};
+};
+
+void PrintTo(const Case& some, std::ostream* out) {
+    *out << some.name;
+}
+
+class SameBits : public ReflectionTest, public testing::WithParamInterface<Case> {
+  protected:
+    /// What the last of some frames leaves, each jittered otherwise, or of one where frames are not reused.
+    Reflected reflected(const Camera& camera, const TracedView& traced) {
+        ReflectorDesc desc = with(GetParam().technique);
+        GetParam().change(desc.reflection);
+        Reflector* reflector = nullptr;
+        EXPECT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
+        const int frames = desc.reflection.temporal > 0 ? 3 : 1;
+        ViewDesc of;
+        const SceneOnDevice scene = upload(traced, of);
+        for (int i = 0; i < frames; ++i) {
+            Camera jittered = camera;
+            jittered.jitter = {0.3 * i, -0.2 * i};
+            ViewDesc view = viewDesc(jittered);
+            view.sceneDepth = of.sceneDepth;
+            view.sceneColor = of.sceneColor;
+            view.jitter[0] = jittered.jitter.x;
+            view.jitter[1] = jittered.jitter.y;
+            reflectOnce(reflector, view, traced);
+        }
+        const ReflectionImages images = reflectionImages(reflector, 0);
+        Reflected result{download(images.colorImage, VK_FORMAT_R16G16B16A16_SFLOAT, images.extent),
+                         download(images.infoImage, VK_FORMAT_R16_SFLOAT, images.extent)};
+        destroyReflector(reflector);
+        // Both slots come round, so that the reflector is gone before its images are.
+        frame([](VkCommandBuffer) {});
+        frame([](VkCommandBuffer) {});
+        return result;
+    }
+
+  private:
+    void reflectOnce(Reflector* reflector, const ViewDesc& view, const TracedView& traced) {
+        const bool drawn = GetParam().technique == ReflectionTechnique::planar;
+        PlanarView mirrored;
+        std::optional<DrawnBuffers> buffers;
+        if (drawn) {
+            EXPECT_EQ(planarView(reflector, &view, &mirrored), Status::ok) << message();
+            buffers.emplace(asDrawn(traced));
+        }
+        frame([&](VkCommandBuffer commands) {
+            if (drawn) recordDrawing(commands, mirrored, *buffers);
+            EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
+        });
+    }
+
+    /// As if the mirrored camera saw what the other does.
+    static Drawn asDrawn(const TracedView& traced) {
+        Drawn drawn{traced.depth, {}};
+        for (size_t i = 0; i < traced.depth.size(); ++i) {
+            const float* const c = &traced.color[i * 4];
+            drawn.color.push_back(glm::packHalf4x16({c[0], c[1], c[2], c[3]}));
+        }
+        return drawn;
+    }
+};
 
 TEST_P(SameBits, EachTime) {
     uint64_t hash = 0xcbf29ce484222325u;
     for (const Pose& pose : poses()) {
         const TracedView traced = Tracer(pose.camera, harbourOfBoxes()).run();
-        ReflectorDesc desc;
-        desc.reflection.technique = GetParam();
-        const Reflected first = reflectScene(pose.camera, traced, desc);
+        const Reflected first = reflected(pose.camera, traced);
         for (int i = 1; i < repeats(); ++i) {
-            const Reflected again = reflectScene(pose.camera, traced, desc);
+            const Reflected again = reflected(pose.camera, traced);
             ASSERT_EQ(first.color, again.color) << pose.name << ", repeat " << i;
             ASSERT_EQ(first.info, again.info) << pose.name << ", repeat " << i;
         }
         hash = hashed(first.info, hashed(first.color, hash));
     }
-    std::printf("bits of technique %u: %016llx\n", static_cast<uint32_t>(GetParam()),
-                static_cast<unsigned long long>(hash));
+    std::printf("bits of %s: %016llx\n", GetParam().name, static_cast<unsigned long long>(hash));
 }
 
-INSTANTIATE_TEST_SUITE_P(, SameBits,
-                         testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::ssr,
-                                         ReflectionTechnique::hybrid),
-                         nameOf);
+constexpr Case cases[] = {
+    {"Sspr", ReflectionTechnique::sspr},
+    {"Ssr", ReflectionTechnique::ssr},
+    {"Hybrid", ReflectionTechnique::hybrid},
+    {"Planar", ReflectionTechnique::planar},
+    {"CoarseKeys", ReflectionTechnique::sspr, [](ReflectionDesc& d) { d.coarseKeys = true; }},
+    {"Roofs", ReflectionTechnique::hybrid, [](ReflectionDesc& d) { d.roofLooks = 6; }},
+    {"EdgeReach", ReflectionTechnique::hybrid, [](ReflectionDesc& d) { d.edgeReach = 0.2f; }},
+    {"EdgeStretch", ReflectionTechnique::sspr, [](ReflectionDesc& d) { d.edgeStretch = 2; }},
+    {"Temporal", ReflectionTechnique::hybrid, [](ReflectionDesc& d) { d.temporal = 0.9f; }},
+};
+
+INSTANTIATE_TEST_SUITE_P(, SameBits, testing::ValuesIn(cases),
+                         [](const testing::TestParamInfo<Case>& info) { return info.param.name; });
 
 } // namespace
