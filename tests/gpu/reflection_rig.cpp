@@ -15,6 +15,7 @@ seaglass::ReflectorDesc with(seaglass::ReflectionTechnique technique) {
 
 std::string nameOf(const testing::TestParamInfo<seaglass::ReflectionTechnique>& info) {
     if (info.param == seaglass::ReflectionTechnique::sspr) return "Sspr";
+    if (info.param == seaglass::ReflectionTechnique::planar) return "Planar";
     return info.param == seaglass::ReflectionTechnique::ssr ? "Ssr" : "Hybrid";
 }
 

@@ -17,7 +17,7 @@ struct SceneOnDevice {
 };
 
 seaglass::ReflectorDesc with(seaglass::ReflectionTechnique technique);
-/// Of a test that is repeated for the techniques that read the screen.
+/// Of a test that is repeated for techniques.
 std::string nameOf(const testing::TestParamInfo<seaglass::ReflectionTechnique>& info);
 
 class ReflectionTest : public GpuTest {
