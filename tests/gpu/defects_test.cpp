@@ -11,11 +11,13 @@
 #include "spirv/resolve_no_half_texel.comp.h"
 #include "spirv/resolve_no_w_at_far_ends.comp.h"
 #include "spirv/resolve_no_w_in_scatter.comp.h"
+#include "spirv/resolve_open_holes.comp.h"
 #include "spirv/resolve_racy_keys.comp.h"
 #include "spirv/scatter_far_keys.comp.h"
 #include "spirv/scatter_no_half_texel.comp.h"
 #include "spirv/scatter_no_w_at_far_ends.comp.h"
 #include "spirv/scatter_no_w_in_scatter.comp.h"
+#include "spirv/scatter_open_holes.comp.h"
 #include "spirv/scatter_racy_keys.comp.h"
 #include "tests/gpu/mirrored_depths.h"
 #include "tests/gpu/traced_scene.h"
@@ -226,6 +228,21 @@ TEST_F(Defects, RaysThatEndBehindTheEyeAreSeenInSkyOnGeometry) {
     EXPECT_LT(measured().skyOnGeometry.value(), 0.005);
     replaceShaders(scatter_no_w_at_far_ends_comp, resolve_no_w_at_far_ends_comp, miss_no_w_at_far_ends_comp);
     EXPECT_GT(measured().skyOnGeometry.value(), 0.5);
+}
+
+// A flaring hull is mirrored larger than it is seen: rows of its keys lie apart, and between them a wall
+// shows.
+TEST_F(Defects, HolesLeftOpenAreSeenInCoverageAndColor) {
+    camera_.eye = {0, 1.6, 4};
+    camera_.target = {0, 0.9, 0};
+    camera_.fovDegrees = 70;
+    look({{{-6, -1, -2}, {6, 0.7, 0}, 1.2}, {{-9, -1, -12}, {9, 9, -11}}});
+    const PictureError sound = measured();
+    EXPECT_GT(sound.coverage.value(), 0.97);
+    replaceShaders(scatter_open_holes_comp, resolve_open_holes_comp);
+    const PictureError error = measured();
+    EXPECT_LT(error.coverage.value(), sound.coverage.value() - 0.1);
+    EXPECT_LT(error.psnrDb.value(), sound.psnrDb.value() - 6);
 }
 
 TEST_F(Defects, APlaneTooHighIsSeenInPlaceAndColor) {
