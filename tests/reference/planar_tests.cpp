@@ -1,8 +1,9 @@
-// Flat water mirrors in the reference what the host draws from behind the mirror: two ways to one truth that
-// share neither matrices nor rays.
+// Flat water, and a floor, mirror in the reference what the host draws from behind the mirror: two ways to
+// one truth that share neither matrices nor rays.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "host/supersample.h"
 #include "metrics/psnr.h"
@@ -60,16 +61,21 @@ double psnr(const Mirrored& mirrored, double exposureEv, size_t& count) {
     return psnrDb(squares / (3 * static_cast<double>(count)), 255);
 }
 
-TEST(Planar, MirrorsWhatTheReferenceMirrors) {
+class Planar : public testing::TestWithParam<std::string> {};
+
+TEST_P(Planar, MirrorsWhatTheReferenceMirrors) {
     Error error;
     // Without the sun: its shadows are filtered maps here and rays there, which leaves 34 dB, mirrored or
     // not.
-    std::optional<Scene> scene = loadScene(
-        tests::demoScene("harbour"), {"water.reflection.technique=planar", "sun.irradiance=[0,0,0]"}, error);
+    const std::string surface = GetParam() == "floor" ? "floor" : "water";
+    std::optional<Scene> scene =
+        loadScene(tests::demoScene(GetParam()),
+                  {surface + ".reflection.technique=planar", "sun.irradiance=[0,0,0]"}, error);
     ASSERT_TRUE(scene) << error.text;
-    takeWaves(*scene->water);
+    if (scene->water) takeWaves(*scene->water);
     for (const CameraDesc& camera : scene->cameras) {
-        if (camera.name != "level" && camera.name != "high" && camera.name != "grazing") continue;
+        // From the air, and each once.
+        if (camera.name == "below" || camera.name == "straddle" || camera.name == "far") continue;
         Mirrored mirrored;
         ASSERT_TRUE(mirror(*scene, camera, mirrored, error)) << error.text;
         size_t count = 0;
@@ -79,5 +85,8 @@ TEST(Planar, MirrorsWhatTheReferenceMirrors) {
         EXPECT_GE(db, 45) << camera.name;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(, Planar, testing::Values("harbour", "floor"),
+                         [](const testing::TestParamInfo<std::string>& info) { return info.param; });
 
 } // namespace
