@@ -708,8 +708,7 @@ TEST_P(Marching, AtHalfResolutionNothingElseChanges) {
             // Four pixels of the view meet in the middle of one of these.
             glm::dvec2 source(0);
             bool all = true;
-            for (const size_t i :
-                 {0, 1, static_cast<int>(traced.width), static_cast<int>(traced.width) + 1}) {
+            for (const uint32_t i : {0u, 1u, traced.width, traced.width + 1}) {
                 const size_t at = 2 * y * traced.width + 2 * x + i;
                 all = all && traced.truth[at] == Truth::recoverable;
                 source += 0.25 * traced.source[at];
