@@ -54,8 +54,7 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
 Status Body::createReflector(const BodyDesc& desc) {
     ReflectorDesc reflectorDesc;
     std::memcpy(reflectorDesc.plane, desc.plane, sizeof desc.plane);
-    reflectorDesc.reflection = *desc.reflection;
-    if (!waves) reflectorDesc.reflection.distortion = 0; // nothing bends it
+    reflectorDesc.reflection = reflectionOf(*desc.reflection, waves.has_value());
     if (outline) {
         const double level = -plane.w, d = displacement();
         const double low[] = {outline->low.x, level - d, outline->low.y};

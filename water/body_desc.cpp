@@ -102,6 +102,14 @@ const char* badField(const BodyDesc& desc) {
     return badField(desc.mesh);
 }
 
+ReflectionDesc reflectionOf(const ReflectionDesc& desc, bool hasWaves) {
+    ReflectionDesc seen = desc;
+    if (hasWaves) return seen;
+    seen.distortion = 0;
+    if (seen.scatter == 0) seen.blurLevels = 0;
+    return seen;
+}
+
 const WavesBackend* chosenBackend(const gpu::Device& device, const BodyDesc& desc) {
     const bool onCpu = desc.wavesOn == WavesOn::cpu ||
                        (desc.wavesOn == WavesOn::automatic && device.type() == VK_PHYSICAL_DEVICE_TYPE_CPU);

@@ -227,7 +227,8 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.relief,
                                   variant.features.bedDownscale,
                                   variant.features.schlick,
-                                  variant.features.globe};
+                                  variant.features.globe,
+                                  variant.features.sharpDownscale};
     return createDrawPipeline(
         device, target,
         {vertexShader(variant.features, target.viewMask != 0), fragmentShader(variant.features), constants},

@@ -38,6 +38,7 @@ struct SurfaceFeatures {
     bool sunShadow = false;       ///< a shadow map of the host's
     bool tilted = false;          ///< its axes are not the world's
     bool globe = false;           ///< it lies on one; only of the shape `plane`
+    uint32_t sharpDownscale = 0;  ///< of a reflection without mips, only without waves
     uint32_t bedDownscale = 0;    ///< only with refraction: of the bed's picture it looks at; 0: at none
     bool schlick = false;         ///< in place of the exact formula
     bool motion = false;          ///< beside it waves, shore, shape and dryRooms alone

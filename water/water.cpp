@@ -26,11 +26,12 @@ Status createBody(Context* context, const BodyDesc* desc, Body** out) {
 
 namespace {
 
-Status addWaves(Context& context, const BodyDesc& desc, VkExtent2D extent, Estimate& out) {
+Status addWaves(Context& context, const BodyDesc& desc, VkExtent2D extent, Estimate& out, bool& hasWaves) {
     SeaError error;
     const std::unique_ptr<Sea, SeaDeleter> sea(createSea(desc.waves, &error));
     if (!sea) return context.device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
-    if (cascadeCount(*sea) == 0) return Status::ok;
+    hasWaves = cascadeCount(*sea) > 0;
+    if (!hasWaves) return Status::ok;
     const WavesBackend* backend = chosenBackend(context.device, desc);
     out.bytes += Waves::bytes(context, *sea, backend) + (desc.motion ? Waves::lastBytes(*sea) : 0);
     if (sea->shore) out.bytes += ShoreMap::bytes(*sea->shore);
@@ -52,17 +53,23 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
     if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
     if (const char* bad = badField(samples)) return context->device.fail(Status::invalidArgument, "%s", bad);
     return gpu::guarded([&] {
-        Estimate sum;
-        if (desc->reflection)
-            if (const Status s = estimate(context, desc->reflection, extent, &sum, samples); s != Status::ok)
+        Estimate waves, sum;
+        bool hasWaves = false;
+        if (desc->waves)
+            if (const Status s = addWaves(*context, *desc, extent, waves, hasWaves); s != Status::ok)
                 return s;
+        if (desc->reflection) {
+            const ReflectionDesc reflection = reflectionOf(*desc->reflection, hasWaves);
+            if (const Status s = estimate(context, &reflection, extent, &sum, samples); s != Status::ok)
+                return s;
+        }
         if (desc->refraction) {
             sum.bytesPerSharedView = SingleSampledScene::bytes(extent, samples);
             sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
         }
         if (desc->bed) sum.bytesPerView += Bed::bytes(*desc->bed, desc->shading.bedDownscale, extent);
-        if (desc->waves)
-            if (const Status s = addWaves(*context, *desc, extent, sum); s != Status::ok) return s;
+        sum.bytesPerView += waves.bytesPerView;
+        sum.bytes += waves.bytes;
         sum.bytes += HostMesh::bytes(desc->extent);
         *out = sum;
         return Status::ok;

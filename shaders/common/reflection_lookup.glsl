@@ -10,6 +10,8 @@
 #include "reflection_blur.glsl"
 #include "reflection_texels.glsl"
 
+layout(constant_id = 15) const int sharpDownscale = 0;   // of still water that nothing blurs: pixels to a texel; 0: of other
+
 const float farAway = 1e5;
 const float endlesslyFar = 1e9;   // the eye of parallel lines of sight [m]
 
@@ -156,6 +158,11 @@ float heldInside(inout vec2 pixel, bool intoWater) {
 // Radiance times confidence, and confidence. Rays within the pixel spread by `spread` radians [standard deviation]; the
 // farther they go, the more of the reflection they meet. `hit` is how far that is [m]: from a ray beside it, to the next.
 vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
+    if (sharpDownscale > 0) {
+        vec2 here = (gl_FragCoord.xy - vec2(region.xy)) / float(sharpDownscale);
+        vec4 texel = sharpDownscale > 1 ? knownBetween(here) : texelFetch(reflectionColor, ivec2(here), 0);
+        return reflectionLook.z > 0.0 ? texel * shareOfScene(hit, reflectionLook) : texel;
+    }
     BentPoint point = bentPoint(from, direction, hit, 1);
     hit = point.distance;
     float inside = heldInside(point.pixel, direction.y < 0.0);

@@ -19,6 +19,7 @@ float sunDensity(SurfacePoint s, vec3 halfway, float gap) {
     return slopeDensity(slopeOf(halfway) - s.slope, covariance, bounded);
 }
 
+#ifdef WAVES
 // Radiance of the sun's mirror image, spread by the slopes within the pixel (Bruneton, Neyret and Holzschuch 2010,
 // eq. 14) and by its own disc; as a share of its irradiance, before what waves hide of it.
 float sunGlint(SurfacePoint s, vec3 toEye) {
@@ -32,7 +33,6 @@ float sunGlint(SurfacePoint s, vec3 toEye) {
     return sunSeen * fresnel * density / (4.0 * up2 * up2 * visibleArea(visibleSlopes(s, toEye), toEye));
 }
 
-#ifdef WAVES
 WavesAhead wavesBeforeTheSun(SurfacePoint s) {
     return wavesAhead(s, horizontal(toSun.xyz), toSun.y / max(length(toSun.xz), 1e-6));
 }
@@ -40,5 +40,13 @@ WavesAhead wavesBeforeTheSun(SurfacePoint s) {
 // From facets of this slope.
 float sunClear(vec2 slope, WavesAhead ahead) {
     return clearShare(max(toSun.y, 1e-3), dot(slope, horizontal(toSun.xyz)), ahead);
+}
+#else
+// Still water mirrors the disc as it is. Likewise a share.
+float sunGlint(SurfacePoint s, vec3 toEye) {
+    const float squaredRadius = 2.16e-5;   // of 0.00465 rad
+    vec3 off = vec3(-toEye.x, toEye.y, -toEye.z) - toSun.xyz;
+    if (toSun.y <= 0.0 || dot(off, off) > squaredRadius) return 0.0;
+    return sunSeen * mirroredShare(toEye.y) / (pi * squaredRadius);
 }
 #endif

@@ -183,7 +183,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     vec3 direction = keptAbove(vec3(-toEye.x, toEye.y, -toEye.z));
     vec4 found = mirroredScene(direction, 0.0, hit);
     vec3 mirrored = found.rgb;
-    if (found.a < 0.999) mirrored += (1.0 - found.a) * skyAt(direction, 0.0);
+    if (found.a < 0.999) mirrored += (1.0 - found.a) * textureLod(skyCube, inWorld(direction), 0.0).rgb;
     return Reflection(fresnel * mirrored, fresnel, 0.0);
 }
 #endif

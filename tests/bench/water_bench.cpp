@@ -40,6 +40,8 @@ constexpr Part parts[] = {
     {"no caustics", [](WaterDesc& water) { water.caustics.reset(); }},
     {"still", takeWaves},
     {"still, opaque", [](WaterDesc& water) { takeRefraction(water), takeWaves(water); }},
+    {"medium, still, opaque",
+     [](WaterDesc& water) { setQuality("medium", water), takeRefraction(water), takeWaves(water); }},
     {"still, sky alone, opaque",
      [](WaterDesc& water) { takeRefraction(water), takeWaves(water), water.reflection.reset(); }},
 };

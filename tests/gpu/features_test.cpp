@@ -204,6 +204,13 @@ TEST_F(Features, ThatAreOffAreGone) {
         {"bed", [](Water& w) { w.desc.bed = nullptr; }, {&memory, &objects, &reads, &code}},
         {"sun shadow", [](Water& w) { w.shape.sunShadow = false; }, {&bound, &reads, &code}},
         {"extent", [](Water& w) { w.desc.extent = {}; }, {&code}},
+        {"globe",
+         [](Water& w) { w.desc.extent.planetRadius = 0; },
+         {&code},
+         [](Water& w) {
+             w.desc.extent = {};
+             w.desc.extent.planetRadius = 6.371e6;
+         }},
         {"shore",
          [](Water& w) { w.sea.shore = nullptr; },
          {&memory, &objects, &bound, &reads, &code},
@@ -301,6 +308,7 @@ TEST_F(Features, AMirrorPondHasNothingOfASea) {
     ASSERT_EQ(createContext(&deviceSaid, &context), Status::ok) << text;
     ReflectorDesc reflectorDesc;
     reflectorDesc.reflection = water.reflection;
+    reflectorDesc.reflection.blurLevels = 0; // nothing blurs what still water mirrors
     Reflector* reflector = nullptr;
     ASSERT_EQ(createReflector(context, &reflectorDesc, &reflector), Status::ok) << text;
     EXPECT_EQ(countSpied("CreateComputePipelines"), ofPond);
