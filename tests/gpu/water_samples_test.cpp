@@ -162,7 +162,8 @@ TEST_F(WaterSamples, ViewsThatDoNotSeeTheWaterTakeNone) {
 }
 
 TEST_F(WaterSamples, TheEstimateOfABodyHasThoseOfItsReflection) {
-    const ReflectionDesc reflection;
+    ReflectionDesc reflection;
+    reflection.blurLevels = 0; // of which still water has none
     BodyDesc desc;
     desc.reflection = &reflection;
     Estimate body, reflector;

@@ -436,6 +436,61 @@ TEST_F(Water, FlatWaterShowsTheTracedReflection) {
     EXPECT_GT(static_cast<double>(skyRight), 0.98 * static_cast<double>(skyPixels));
 }
 
+/// What a picture shows, at an offset in a larger one of nothing but sky.
+SceneBehind placedIn(const Camera& larger, const TracedView& traced, uint32_t left, uint32_t top) {
+    const size_t pixels = size_t{larger.width} * larger.height;
+    SceneBehind placed{std::vector<float>(pixels * 4, 9.0f), std::vector<float>(pixels, 0.0f)};
+    for (uint32_t y = 0; y < traced.height; ++y) {
+        const size_t from = size_t{y} * traced.width, to = size_t{y + top} * larger.width + left;
+        std::copy_n(&traced.color[from * 4], size_t{traced.width} * 4, &placed.color[to * 4]);
+        std::copy_n(&traced.depth[from], traced.width, &placed.depth[to]);
+    }
+    return placed;
+}
+
+TEST_F(Water, FlatWaterShowsTheSameReflectionWithinALargerPicture) {
+    Camera alone = seaCamera();
+    alone.eye = {-1, 2.2, 9};
+    alone.target = {-0.5, 1.2, 0};
+    alone.width = 200;
+    alone.height = 120;
+    Camera larger = alone;
+    larger.width = 248;
+    larger.height = 144;
+    constexpr uint32_t left = 40, top = 16;
+    const TracedView traced = Tracer(alone, harbourOfBoxes()).run();
+    for (const uint32_t downscale : {1u, 2u}) {
+        ReflectionDesc reflection;
+        reflection.downscale = downscale;
+        BodyDesc desc;
+        desc.reflection = &reflection;
+        Body* body = makeBody(desc);
+        changeView = nullptr;
+        const WaterPicture expected =
+            picture({body}, alone, 0, SurfaceOutput::reflection, {traced.color, traced.depth});
+        changeView = [&](ViewDesc& view) {
+            view.viewport = {left, top, 200, 120, 0, 1};
+            copyMatrix(projectionMatrix(alone), view.projection);
+        };
+        const WaterPicture found = picture({makeBody(desc)}, larger, 0, SurfaceOutput::reflection,
+                                           placedIn(larger, traced, left, top));
+        size_t water = 0;
+        double worst = 0;
+        for (uint32_t y = 0; y < alone.height; ++y)
+            for (uint32_t x = 0; x < alone.width; ++x) {
+                const size_t a = size_t{y} * alone.width + x, b = size_t{y + top} * larger.width + x + left;
+                ASSERT_EQ(expected.covered(a), found.covered(b));
+                if (!expected.covered(a)) continue;
+                ++water;
+                for (size_t c = 0; c < 3; ++c)
+                    worst = std::max(
+                        worst, std::abs(double{expected.color[a * 4 + c]} - double{found.color[b * 4 + c]}));
+            }
+        EXPECT_GT(water, 10000u);
+        EXPECT_LT(worst, 1e-3) << "downscale " << downscale;
+    }
+}
+
 /// The boxes over flat water, and what the reflection image knows of each pixel.
 struct Mirrored {
     std::vector<float> color; ///< RGBA, before Fresnel
