@@ -109,7 +109,8 @@ struct BodyDesc {
     const WavesBackend* wavesBackend = nullptr; ///< of the CPU, e.g. fftwWaves(); null: the GPU alone
     const FoamDesc* foam = nullptr;             ///< needs `waves`
     const RefractionDesc* refraction = nullptr; ///< null: opaque, draw() reads no scene images
-    const ReflectionDesc* reflection = nullptr; ///< null: the sky cube alone
+    /// Null: the sky cube alone. Without waves and `scatter` nothing blurs it, and it has no `blurLevels`.
+    const ReflectionDesc* reflection = nullptr;
     const UnderwaterDesc* underwater = nullptr; ///< needs `refraction`; null: seen from above alone
     const CausticsDesc* caustics = nullptr;     ///< needs `waves` and `refraction`; null: even light
     const BedDesc* bed = nullptr; ///< needs `refraction`; null: bent rays see what the view's picture shows
