@@ -27,8 +27,7 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
         return owner.device.fail(Status::invalidArgument, "%s", bad);
     frame = BodyFrame::of(glm::dvec3(plane));
     plane = {0, 1, 0, plane.w};
-    if (desc.extent.shape == ExtentShape::unbounded && desc.extent.planetRadius != 0)
-        globe.curvature = 1 / desc.extent.planetRadius;
+    if (desc.extent.shape == ExtentShape::unbounded) globe = Globe::of(desc.extent.planetRadius);
     mesh = desc.mesh;
     shading = desc.shading;
     if (desc.waves)

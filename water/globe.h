@@ -10,6 +10,9 @@ namespace seaglass {
 struct Globe {
     double curvature = 0; ///< 1 / radius [1/m]; 0: flat
 
+    /// Of a radius [m]; 0: flat.
+    static Globe of(double radius) { return {radius > 0 ? 1 / radius : 0}; }
+
     bool flat() const { return curvature == 0; }
 
     /// How far below the plane it lies, by the squared distance from the eye's foot along the plane; as

@@ -61,7 +61,7 @@ void setPlane(const WaterDesc& water, World& out) {
     const auto [x, y, z, d] = waterPlane(water);
     out.frame = seaglass::BodyFrame::of({x, y, z});
     out.levelM = -d;
-    out.globe.curvature = water.planetRadiusM > 0 ? 1 / water.planetRadiusM : 0;
+    out.globe = seaglass::Globe::of(water.planetRadiusM);
 }
 
 } // namespace

@@ -161,7 +161,7 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
     if (sharpDownscale > 0) {
         vec2 here = (gl_FragCoord.xy - vec2(region.xy)) / float(sharpDownscale);
         vec4 texel = sharpDownscale > 1 ? knownBetween(here) : texelFetch(reflectionColor, ivec2(here), 0);
-        return reflectionLook.z > 0.0 ? texel * shareOfScene(hit, reflectionLook) : texel;
+        return texel * shareOfScene(hit, reflectionLook);
     }
     BentPoint point = bentPoint(from, direction, hit, 1);
     hit = point.distance;

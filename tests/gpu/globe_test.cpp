@@ -3,7 +3,6 @@
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/water_rig.h"
-#include "water/globe.h"
 
 namespace {
 
@@ -81,7 +80,7 @@ TEST_F(SeaOnAGlobe, IsLevelEverywhere) {
     const Camera c = camera(1e5, 0);
     const WaterPicture heights = picture({body}, c, 0, SurfaceOutput::height);
     const WaterPicture normals = picture({body}, c, 0, SurfaceOutput::normal);
-    const glm::dvec3 middle = c.eye - glm::dvec3(0, c.eye.y + earth, 0);
+    const glm::dvec3 from(0, c.eye.y + earth, 0); // the ball's middle to the eye
     double highest = 0, leaning = 0;
     for (size_t pixel = 0; pixel < heights.depth.size(); ++pixel) {
         if (!heights.covered(pixel)) continue;
@@ -89,7 +88,6 @@ TEST_F(SeaOnAGlobe, IsLevelEverywhere) {
         const auto x = static_cast<uint32_t>(pixel % c.width), y = static_cast<uint32_t>(pixel / c.width);
         if (angleBelowHorizon(c, x, y) - dip(1e5) < 0.02) continue; // where a pixel spans much of the globe
         const glm::dvec3 ray = rayThrough(c, x, y);
-        const glm::dvec3 from = c.eye - middle;
         const double along = glm::dot(from, ray);
         const double gap = std::max(along * along - glm::dot(from, from) + earth * earth, 0.0);
         const glm::dvec3 up = glm::normalize(from - ray * (along + std::sqrt(gap)));

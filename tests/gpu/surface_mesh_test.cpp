@@ -128,9 +128,12 @@ class Jittered : public SurfaceMesh {
         lighting.toSun[2] = -std::sqrt(0.5f);
         for (float& irradiance : lighting.sunIrradiance) irradiance = 0.5f;
         for (float& irradiance : lighting.skyIrradiance) irradiance = 2;
+        desc_.waves = &sea_;
+        desc_.wavesBackend = fftwWaves();
     }
 
-    void expectTheMeanIsTheUnjittered(Body* body, SceneBehind (*sceneOf)(const Camera&)) {
+    void expectTheMeanIsTheUnjittered(SceneBehind (*sceneOf)(const Camera&)) {
+        Body* const body = makeBody(desc_);
         Camera c = camera(6);
         const WaterPicture still = picture({body}, c, 5, SurfaceOutput::shaded, sceneOf(c));
         std::vector<double> sum(still.color.size());
@@ -155,40 +158,31 @@ class Jittered : public SurfaceMesh {
         EXPECT_GT(count, 30000u);
         EXPECT_LT(mean, 2.0 / 255);
     }
+
+    const SeaDesc sea_ = breeze();
+    BodyDesc desc_;
 };
 
 TEST_F(Jittered, SixteenFramesOfWavesAverageToTheUnjittered) {
-    expectTheMeanIsTheUnjittered(wavyBody(), nothingBehind);
+    expectTheMeanIsTheUnjittered(nothingBehind);
 }
 
 TEST_F(Jittered, SixteenFramesOfFoamAverageToTheUnjittered) {
-    const SeaDesc sea = breeze();
     const FoamDesc foam{.bias = 0.1f};
-    BodyDesc desc;
-    desc.waves = &sea;
-    desc.wavesBackend = fftwWaves();
-    desc.foam = &foam;
-    expectTheMeanIsTheUnjittered(makeBody(desc), nothingBehind);
+    desc_.foam = &foam;
+    expectTheMeanIsTheUnjittered(nothingBehind);
 }
 
 TEST_F(Jittered, SixteenFramesOfABedAverageToTheUnjittered) {
-    const SeaDesc sea = breeze();
     const RefractionDesc refraction = {{0.3f, 0.1f, 0.05f}, {0.01f, 0.01f, 0.01f}, 1};
-    BodyDesc desc;
-    desc.waves = &sea;
-    desc.wavesBackend = fftwWaves();
-    desc.refraction = &refraction;
-    expectTheMeanIsTheUnjittered(makeBody(desc), bedAndWall);
+    desc_.refraction = &refraction;
+    expectTheMeanIsTheUnjittered(bedAndWall);
 }
 
 TEST_F(Jittered, SixteenFramesOfWhatIsMirroredAverageToTheUnjittered) {
-    const SeaDesc sea = breeze();
     const ReflectionDesc reflection;
-    BodyDesc desc;
-    desc.waves = &sea;
-    desc.wavesBackend = fftwWaves();
-    desc.reflection = &reflection;
-    expectTheMeanIsTheUnjittered(makeBody(desc), bedAndWall);
+    desc_.reflection = &reflection;
+    expectTheMeanIsTheUnjittered(bedAndWall);
 }
 
 } // namespace

@@ -322,7 +322,7 @@ TEST(WaveDetail, IsLostAsCellsWiden) {
 
 TEST(Globe, FallsAwayAsABall) {
     constexpr long double radius = 6.371e6L;
-    const Globe globe{1 / static_cast<double>(radius)};
+    const Globe globe = Globe::of(static_cast<double>(radius));
     for (const long double away : {1.0L, 1e3L, 1e5L, 1e6L, 6e6L}) {
         const long double drop = radius - std::sqrt(radius * radius - away * away);
         const double ratio = globe.dropAt(static_cast<double>(away * away)) / static_cast<double>(drop);
@@ -341,7 +341,7 @@ TEST(Mesh, OfAGlobeEndsBehindItsHorizon) {
     for (const double height : {2.0, 1e3, 1e5}) {
         MeshView view = withWaves(allAround({0, 0}, height));
         const size_t flat = patchesFor(view).size();
-        view.globe.curvature = 1 / 6.371e6;
+        view.globe = Globe::of(6.371e6);
         const std::vector<MeshPatch> patches = patchesFor(view);
         const double away = view.globe.horizonFrom(height) + view.globe.horizonFrom(view.displacement);
         for (double turn = 0; turn < 6.28; turn += 0.1)
@@ -355,7 +355,7 @@ TEST(Mesh, OfAGlobeShowsNoCorners) {
     MeshView view = allAround({0, 0}, 1e5);
     view.waves = &none;
     view.pixel = 1e-3;
-    view.globe.curvature = 1 / 6.371e6;
+    view.globe = Globe::of(6.371e6);
     std::vector<MeshPatch> patches;
     const uint32_t cells = selectPatches(view, cell, range, patches);
     for (const MeshPatch& p : patches) {
