@@ -42,6 +42,7 @@ bool gpu::supported(const InstanceTable& vk, VkPhysicalDevice physicalDevice, ch
     vk.GetPhysicalDeviceFeatures2(physicalDevice, &features);
     const char* missing = nullptr;
     if (!features13.synchronization2) missing = "the feature synchronization2";
+    if (!features13.shaderDemoteToHelperInvocation) missing = "the feature shaderDemoteToHelperInvocation";
     if (!features.features.shaderStorageImageExtendedFormats)
         missing = "the feature shaderStorageImageExtendedFormats";
     for (const FormatNeed& need : formatNeeds) {
@@ -60,6 +61,7 @@ void requirements(Requirements* out) {
     out->features.shaderStorageImageExtendedFormats = VK_TRUE;
     out->features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
     out->features13.synchronization2 = VK_TRUE;
+    out->features13.shaderDemoteToHelperInvocation = VK_TRUE;
 }
 
 Status checkSupport(VkInstance instance, VkPhysicalDevice physicalDevice,

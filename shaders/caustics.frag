@@ -1,6 +1,7 @@
 // What the waves make of the sunlight on the opaque scene below them, as a factor on its colour.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_demote_to_helper_invocation : require
 #include "surface_uniforms.glsl"
 #include "optics.glsl"
 #include "caustic_light.glsl"
@@ -50,7 +51,7 @@ void main() {
     vec3 normal = across * (dot(across, sightTo(at)) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);
     float depth = -(at.y + plane.w);
     bool beside = any(lessThan(at.xz, covered.xy)) || any(greaterThan(at.xz, covered.zw));
-    if (!shown || beside) discard;
+    if (!shown || beside) demote;
     vec3 factor = vec3(1.0);
     const float leastSeen = 0.004;   // a step of eight bits, where light gathers to twice its mean
     vec3 straight = caustics.x * straightOn(depth);

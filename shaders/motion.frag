@@ -1,6 +1,7 @@
 // How far the water at a pixel has come in the picture since the last frame.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_demote_to_helper_invocation : require
 #include "surface.glsl"
 
 layout(location = 0) in vec2 calmPosition;
@@ -16,12 +17,12 @@ layout(constant_id = 5) const uint dryRooms = 0;   // water/dry_rooms.h: roomsPa
 #include "dry_rooms.glsl"
 
 void main() {
-    if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) discard;   // as in surface.frag
+    if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) demote;   // as in surface.frag
     loadSurface();
 #ifdef OUTLINE
-    if (!isWithin(calmPosition, edgeRange)) discard;
+    if (!isWithin(calmPosition, edgeRange)) demote;
 #endif
-    if (isDry(position)) discard;
+    if (isDry(position)) demote;
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
     vec2 moved = lastPixel.w > 0.0 ? here - lastPixel.xy / lastPixel.w : vec2(0.0);   // it was behind the eye
     outColor = vec4(moved, 0.0, 1.0);

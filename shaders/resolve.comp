@@ -153,6 +153,8 @@ uint beyond(ScreenRay ray, float mirroredDepth) {
     return keyFromDepth(clamp(mirroredDepth - depthSign * quarterPixel, 0.0, 1.0));
 }
 
+const int keysAroundCell = 9;
+
 // The nearest key in and around the cell first: where a near surface is mirrored larger than it is seen, its keys leave
 // holes, and what shows through them would prove itself as well. The first that does counts.
 Hit nearestHit(ivec2 cell, ScreenRay ray) {
@@ -160,11 +162,12 @@ Hit nearestHit(ivec2 cell, ScreenRay ray) {
     KeysAround around = keysAround(cell);
     uint own = around.level.y;
     uint key = nextKey(around, ~0u);
+    int left = keysAroundCell;
     if (key != noKey) {
         do {
             hit = refined(key > own && own != noKey ? withinPixel : besidePixel, ray, depthFromKey(key));
-            key = nextKey(around, beyond(ray, depthFromKey(key)));
-        } while (key != noKey && !hit.valid);
+            key = nextKey(around, min(key, beyond(ray, depthFromKey(key))));
+        } while (--left > 0 && key != noKey && !hit.valid);
     }
     return hit;
 }

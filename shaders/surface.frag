@@ -1,6 +1,7 @@
 // Shades the water's surface: what it mirrors, what shines through, the sun's glint and foam.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_demote_to_helper_invocation : require
 #extension GL_EXT_control_flow_attributes : require
 #include "surface.glsl"
 #include "optics.glsl"
@@ -162,7 +163,7 @@ void main() {
     float side = isSeenFromWater ? -1.0 : 1.0;
     quadIsAlike = abs(meanOfQuad(vec4(shows ? side : 0.0)).x) == 1.0;
 #endif
-    if (!shows) discard;
+    if (!shows) demote;   // `discard` would leave derivatives from here on undefined
     pixelLength = calmPixelWidth();
 #ifdef SHORE
     shoreHere = shoreWave(meshCalm, pixelLength);

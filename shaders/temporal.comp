@@ -187,13 +187,13 @@ Place lastPlace(SightLine sight, float distance, bool sought) {
         place.texel = lastTexel(image);
         SightLine then = lastSightLine(place.texel);
         place.distanceThen = dot(image - then.onPlane, then.direction);
-        if (left-- == 0) break;
+        if (left == 0) break;
         ivec2 at = ivec2(floor(place.texel));
         bool inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThanEqual(at, lastPixel));
         float info = inside ? texelFetch(lastInfo, at, 0).r : infoUnknown;
         place.found = infoIsHit(info);
         place.distance = max(dot(then.onPlane + then.direction * info - sight.onPlane, sight.direction), 0.0);
-    } while (place.found);
+    } while (--left >= 0 && place.found);
     return place;
 }
 

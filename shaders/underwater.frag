@@ -1,6 +1,7 @@
 // The water before the opaque scene, where the line of sight begins in it.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_demote_to_helper_invocation : require
 #include "surface_uniforms.glsl"
 #include "optics.glsl"
 #include "water_light.glsl"
@@ -31,7 +32,7 @@ int cascades = stored.cascades;
 void main() {
     loadSurface();
     vec3 start = onNearPlane(gl_FragCoord.xy - vec2(region.xy));
-    if (straddles && heightAboveSurface(start) > 0.0) discard;
+    if (straddles && heightAboveSurface(start) > 0.0) demote;
     vec3 view = normalize(sightTo(start));
     float depth = depthOfSight(start);
     ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -1,6 +1,7 @@
 // The line that the water draws where it climbs the eye's lens.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_demote_to_helper_invocation : require
 #include "surface_uniforms.glsl"
 #include "optics.glsl"
 #include "water_light.glsl"
@@ -30,7 +31,7 @@ void main() {
 #ifdef SHORE
     // Looked for at the next pixels anew: CPU devices read no buffer for those that derivatives alone ask.
     vec3 right = dFdx(start), down = dFdy(start);
-    if (abs(height) > 4.0 * within.y) discard;
+    if (abs(height) > 4.0 * within.y) demote;
     vec2 change = vec2(heightAboveSurface(start + right), heightAboveSurface(start + down)) - height;
 #else
     vec2 change = vec2(dFdx(height), dFdy(height));
@@ -40,6 +41,6 @@ void main() {
     float distance = abs(height) / perPixel * length(dFdy(start));
     // A wedge of water bends what lies behind it out of sight: dark at its edge below, thinning upwards.
     float share = 1.0 - smoothstep(0.0, within.y, distance);
-    if (share <= 0.0) discard;
+    if (share <= 0.0) demote;
     outColor = vec4(deepWater(), 0.75 * share);
 }

@@ -1,7 +1,9 @@
-// Where a mirrored ray runs behind what is seen. Needs screen_ray.glsl and scene_depth.glsl.
+// Where a mirrored ray runs behind what is seen. Needs screen_ray.glsl, scene_depth.glsl and look_before.glsl.
 
 const float backPixels = 64.0;   // that a ray is followed back to the side by which it went in
-const float hiddenStride = 8.0;   // to begin with: narrower gaps may be passed over
+const int strideHalvings = 3;
+const int hiddenStride = 1 << strideHalvings;   // [pixels], to begin with: narrower gaps may be passed over
+const int mostStrides = (firstLook << mostRoofLooks) / hiddenStride;
 
 // Two pixels of the scene whose surfaces a ray may meet.
 struct Guesses {
@@ -29,19 +31,21 @@ float hiddenPixels(ScreenRay ray, vec2 from, vec2 step, float pixels) {
     float perPixel = (rayDepthAt(ray, from + pixels * step) - depth) / max(pixels, 1.0);
     float hidden = 0.0;
     float shown = 0.0;
+    int strides = mostStrides;
     do {
-        float next = min(hidden + hiddenStride, pixels);
+        float next = min(hidden + float(hiddenStride), pixels);
         bool still = hides(from + next * step, depth + next * perPixel);
         hidden = still ? next : hidden;
         shown = still ? 0.0 : next;
-    } while (shown == 0.0 && hidden < pixels);
-    float less = 0.5 * hiddenStride;
+    } while (--strides > 0 && shown == 0.0 && hidden < pixels);
+    int less = hiddenStride / 2;
+    int halvings = strideHalvings;
     do {
-        float next = hidden + less;
+        float next = hidden + float(less);
         bool still = next < shown && hides(from + next * step, depth + next * perPixel);
         hidden = still ? next : hidden;
-        less *= 0.5;
-    } while (less >= 1.0);
+        less /= 2;
+    } while (--halvings > 0);
     return hidden;
 }
 

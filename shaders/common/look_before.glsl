@@ -3,6 +3,7 @@
 // What hangs lower than it is wide leaves keys in at least as many cells as lie between them and what it hides: looks may lie
 // as far apart as they have gone.
 const int firstLook = 3;   // [cells]
+const int mostRoofLooks = 8;   // that ReflectionDesc::roofLooks may ask for
 
 float farthest(vec2 apart) {
     return max(abs(apart.x), abs(apart.y));

@@ -20,7 +20,7 @@ const int falseAlarms = 12;   // crossings that may be turned down before the ra
 // What each look at the scene needs, loaded once: CPU devices load uniforms anew in each turn of a loop.
 struct Scene {
     ivec2 origin;
-    vec2 lastPixel;
+    ivec2 lastPixel;
     float depthSign;
     float far;               // signed depth
     vec4 aboveRow;           // positive for (x, y, depth, 1) above the plane by more than is told apart
@@ -29,7 +29,7 @@ struct Scene {
 };
 
 Scene loadedScene() {
-    return Scene(region.xy, vec2(region.zw) - 0.5, depthSign, depthSign * farDepth,
+    return Scene(region.xy, region.zw - 1, depthSign, depthSign * farDepth,
                  aboveRow(), thickness, depthSign * weightRow.z);
 }
 
@@ -122,7 +122,7 @@ Seen seenAt(Scene scene, ivec2 pixel) {
 }
 
 ivec2 pixelAt(Scene scene, vec2 point) {
-    return ivec2(min(point, scene.lastPixel));
+    return texelAt(point, scene.lastPixel);
 }
 
 // Whether of two signed depths, where a ray is at the depth `ray`, one is at most `thickness` behind the other. Both distances

@@ -8,6 +8,7 @@ Progress atStart(Track track, float noise) {
 // Squares of pixels that a track crosses one after the other (Amanatides and Woo 1987).
 struct Walk {
     ivec2 square;
+    ivec2 last;     // square of the picture
     ivec2 step;
     vec2 borders;   // the shares at which it crosses the square's own, in x and y
     vec2 edge;      // shares from one border to the next
@@ -18,22 +19,30 @@ Walk walkFrom(Track track, float reached, int shift) {
     vec2 perPixel = 1.0 / along;
     // What lies this close before a border is beyond it: rounding would catch a track that runs along one.
     vec2 point = trackPoint(track, reached).xy + 0.01 * sign(along);
-    ivec2 square = ivec2(clamp(point, vec2(0.0), vec2(region.zw) - 0.5)) >> shift;
+    ivec2 square = pixelAt(track.scene, point) >> shift;
     vec2 next = vec2(square + ivec2(step(vec2(0.0), along))) * float(1 << shift);
-    return Walk(square, ivec2(sign(along)), (next - track.first.xy) * perPixel, abs(perPixel) * float(1 << shift));
+    return Walk(square, track.scene.lastPixel >> shift, ivec2(sign(along)), (next - track.first.xy) * perPixel,
+                abs(perPixel) * float(1 << shift));
 }
 
 float leavesAt(Walk walk) {
     return min(min(walk.borders.x, walk.borders.y), 1.0);
 }
 
+// Rounding may lead over the picture's border before the track ends there.
 void goOn(inout Walk walk) {
     bool sideways = walk.borders.x < walk.borders.y;
-    walk.square += sideways ? ivec2(walk.step.x, 0) : ivec2(0, walk.step.y);
+    walk.square = clamp(walk.square + (sideways ? ivec2(walk.step.x, 0) : ivec2(0, walk.step.y)), ivec2(0), walk.last);
     walk.borders += sideways ? vec2(walk.edge.x, 0.0) : vec2(0.0, walk.edge.y);
 }
 
-// Passes over squares until one, before `until`, holds something that the ray may be behind; says where that one ends.
+// A track crosses no more squares than that.
+int mostSquares(int shift) {
+    return squaresAcross(shift) + squaresDown(shift);
+}
+
+// Passes over squares until one, before `until`, holds something that the ray may be behind; says where that one ends. That is
+// beyond `reached`: a square in which rounding leaves nothing of the way is passed over, too.
 bool meetsSquare(Track track, int shift, float until, inout float reached, inout float ends) {
     int across = squaresAcross(shift);
     int first = firstSquare(shift);
@@ -42,16 +51,17 @@ bool meetsSquare(Track track, int shift, float until, inout float reached, inout
     uint flipped = toDepth > 0.0 ? 0u : ~0u;   // as keyFromDepth() does
     bool receding = track.along.z < 0.0;
     bool meets = false;
+    int left = mostSquares(shift);
     if (reached < until) {
         do {
             ends = leavesAt(walk);
             float farthest = track.first.z + (receding ? ends : reached) * track.along.z;
             uint key = floatBitsToUint(clamp(toDepth * farthest, 0.0, 1.0)) ^ flipped;
-            meets = cells[first + walk.square.y * across + walk.square.x] >= key;
+            meets = ends > reached && cells[first + walk.square.y * across + walk.square.x] >= key;
             if (meets) break;
             reached = max(ends, reached);
             goOn(walk);
-        } while (reached < until);
+        } while (--left > 0 && reached < until);
     }
     return meets;
 }
@@ -104,10 +114,12 @@ bool staysCovered(Track track, float from, float until, inout Cover cover) {
     return stays;
 }
 
+// A round comes to the end of a block, or takes a look at a pixel of a cell.
 Crossing nextCrossing(Track track, inout Progress at) {
     Crossing crossing = noCrossing;
     float end = 1.0 - 0.02 * track.halfPixel;   // not beyond the picture by rounding
     if (at.looks > 0 && at.reached < end) {
+        int rounds = at.looks + mostSquares(blockShift);
         do {
             float before = at.reached;
             float blockEnds = 0.0;
@@ -122,7 +134,7 @@ Crossing nextCrossing(Track track, inout Progress at) {
                 at.looks -= 2;
             }
             crossing = crossedPixel(track, covered ? 0.0 : until, at);
-        } while (at.looks > 0 && at.reached < end && !crossing.found);
+        } while (--rounds > 0 && at.looks > 0 && at.reached < end && !crossing.found);
     }
     at.reached = at.reached < end ? at.reached : 1.0;
     return crossing;

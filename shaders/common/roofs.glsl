@@ -4,6 +4,7 @@
 const float leastHeight = 3.0;   // of its edge above the mirror [pixels]: what floats hangs nowhere
 const float levelWithin = 0.15;  // of its thickness
 const float steepestTop = 0.2;   // its rise for each metre of the way between two pixels
+const int mostTries = 16;        // at a level top, each twice as far off: more than any picture holds
 
 // What left a key nearer than what shows here, nearer to the eye on the mirror: on the screen, it hides the ray before that
 // comes to what shows here.
@@ -52,14 +53,14 @@ bool isLevel(vec2 point, vec2 away, float edgeHeight) {
 // stand on it.
 bool levelPoint(vec2 from, vec2 end, vec2 away, float edgeHeight, out vec2 point) {
     float most = farthest(end - from);
-    float pixels = 0.0;
     bool level, last;
+    int i = 0;
     do {
-        last = pixels > most;
+        float pixels = float((1 << i) - 1);
+        last = !(pixels <= most) || i == mostTries;
         point = last ? end : from + pixels * away;
         level = isLevel(point, away, edgeHeight);
-        pixels = 2.0 * pixels + 1.0;
-    } while (!level && !last);
+    } while (++i <= mostTries && !level && !last);
     return level;
 }
 

@@ -318,7 +318,7 @@ TEST_F(Mistakes, CallsTwiceOrTooLateInAFrameAreNamed) {
 /// A device that is told less than it has.
 struct Pretended {
     static inline uint32_t version = 0;
-    static inline bool synchronization2 = true, extendedFormats = true;
+    static inline bool synchronization2 = true, demotes = true, extendedFormats = true;
     static void VKAPI_CALL properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* out) {
         vkGetPhysicalDeviceProperties(physical, out);
         out->apiVersion = version;
@@ -326,7 +326,9 @@ struct Pretended {
     static void VKAPI_CALL features(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* out) {
         vkGetPhysicalDeviceFeatures2(physical, out);
         out->features.shaderStorageImageExtendedFormats = extendedFormats;
-        static_cast<VkPhysicalDeviceVulkan13Features*>(out->pNext)->synchronization2 = synchronization2;
+        auto* const features13 = static_cast<VkPhysicalDeviceVulkan13Features*>(out->pNext);
+        features13->synchronization2 = synchronization2;
+        features13->shaderDemoteToHelperInvocation = demotes;
     }
     static PFN_vkVoidFunction VKAPI_CALL loader(VkInstance instance, const char* name) {
         if (!std::strcmp(name, "vkGetPhysicalDeviceProperties"))
@@ -357,6 +359,9 @@ TEST_F(Mistakes, DevicesThatLackSomethingAreRefusedByItsName) {
     Pretended::synchronization2 = false;
     expectRefused("synchronization2");
     Pretended::synchronization2 = true;
+    Pretended::demotes = false;
+    expectRefused("shaderDemoteToHelperInvocation");
+    Pretended::demotes = true;
     Pretended::extendedFormats = false;
     expectRefused("shaderStorageImageExtendedFormats");
     Pretended::extendedFormats = true;

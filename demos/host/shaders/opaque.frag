@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_demote_to_helper_invocation : require
 #include "frame.glsl"
 #include "draw.glsl"
 #include "sunlight.glsl"
@@ -34,7 +35,7 @@ vec3 facetNormal(vec3 across, vec3 smoothed) {
 void main() {
     const vec3 across = cross(dFdx(inFromEye), dFdy(inFromEye));   // before any pixel of the quad is left
     const vec4 base = draw.baseColor * inColor * texture(baseColorMap, inUv);
-    if (masked && base.a < draw.emissive.w) discard;
+    if (masked && base.a < draw.emissive.w) demote;   // the next look wants the whole quad
     const vec4 mr = texture(metallicRoughnessMap, inUv);
     // What metal mirrors in water is the water and the bed around it, no sky: as bright as what is matte and of its colour.
     const bool inWater = isSunBent(inFromEye);

@@ -14,6 +14,7 @@ layout(location = 2) in vec3 inFromEye;
 
 void main() {
     const int casts = int(draw.surface.w);
-    if (casts != castsAll && isSunBent(inFromEye) != (casts == castsBent)) discard;
-    if (masked && draw.baseColor.a * inAlpha * texture(baseColorMap, inUv).a < draw.emissive.w) discard;
+    // The texture's mip level comes from the whole quad, so it is read before any of its pixels is left.
+    const bool cutOut = masked && draw.baseColor.a * inAlpha * texture(baseColorMap, inUv).a < draw.emissive.w;
+    if (cutOut || casts != castsAll && isSunBent(inFromEye) != (casts == castsBent)) discard;
 }
