@@ -57,7 +57,9 @@ TEST_P(Multisampled, ScenesAreReflectedAsExactlyAsSingleSampledOnes) {
             EXPECT_LE(s.medianPixels, single.medianPixels + 0.11) << pose.name;
             EXPECT_LE(s.p95Pixels, single.p95Pixels + (rays ? 0.6 : 0.15)) << pose.name;
             EXPECT_LE(s.misplaced, single.misplaced + 0.008) << pose.name;
-            EXPECT_LE(s.falseOnSky, single.falseOnSky + 0.004) << pose.name;
+            // Of two samples the first lies farther from the middle than any of four.
+            EXPECT_LE(s.falseOnSky, single.falseOnSky + (GetParam() == VK_SAMPLE_COUNT_2_BIT ? 0.006 : 0.004))
+                << pose.name;
             EXPECT_LE(s.skyOnGeometry, single.skyOnGeometry + 0.013) << pose.name;
 
             view.sceneColor = asSeaglass(scene.resolved);

@@ -72,6 +72,10 @@ demos::Device& device() {
     return *made;
 }
 
+double limitOnDriver(double lavapipe, double others) {
+    return device().info().driver.starts_with("llvmpipe") ? lavapipe : others;
+}
+
 seaglass::DeviceDesc deviceDesc(std::string* message) {
     seaglass::DeviceDesc desc;
     desc.instance = device().instance();

@@ -18,6 +18,10 @@ namespace tests {
 /// The device is made once for a program: a validated instance takes long to start.
 demos::Device& device();
 
+/// A limit that lavapipe meets, and a wider one for drivers that round as Vulkan lets them. Why stands where
+/// it is asked for.
+double limitOnDriver(double lavapipe, double others);
+
 /// Every test that uses it fails on a validation message, unless it says how many it expects.
 class GpuTest : public testing::Test {
   protected:

@@ -108,7 +108,8 @@ float colorError(VkFormat format) {
         return 0x1p-6f; // ten bits of blue keep five of the mantissa, and packing may cut instead of round
     case VK_FORMAT_R8G8B8A8_UNORM:
     case VK_FORMAT_B8G8R8A8_UNORM:
-        return 0.5f / 255;
+        // Vulkan prefers the nearest of the two values around, and takes either.
+        return static_cast<float>(limitOnDriver(0.5, 1)) / 255;
     case VK_FORMAT_R8G8B8A8_SRGB:
     case VK_FORMAT_B8G8R8A8_SRGB:
         return 2.3f * 0.5f / 255; // the curve is steepest at white

@@ -36,7 +36,7 @@ class WaterTest : public GpuTest {
     void useDepth(bool reversed);
     /// From here on, water leaves the depth alone.
     void leaveDepth();
-    seaglass::Body* makeBody(const seaglass::BodyDesc& desc);
+    seaglass::Body* makeBody(seaglass::BodyDesc desc);
     /// A frame: simulate at `time`, reflect, draw.
     WaterPicture picture(const std::vector<seaglass::Body*>& bodies, const Camera& camera, double time = 0,
                          seaglass::SurfaceOutput output = seaglass::SurfaceOutput::shaded,
