@@ -95,6 +95,7 @@ bool bedAt(ivec2 pixel, out vec3 at) {
 void leave(vec2 pixel, float amount) {
     ivec2 size = lightSize();
     vec2 at = pixel / float(rayStep) - 0.5;
+    if (!(all(greaterThan(at, vec2(-1.0))) && all(lessThan(at, vec2(size))))) return;
     ivec2 first = ivec2(floor(at));
     vec2 past = at - vec2(first);
     for (int i = 0; i < 4; ++i) {
@@ -102,7 +103,7 @@ void leave(vec2 pixel, float amount) {
         ivec2 texel = first + corner;
         if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size))) continue;
         vec2 share = mix(1.0 - past, past, vec2(corner));
-        atomicAdd(sums[texel.y * rowLength + texel.x], uint(amount * share.x * share.y + 0.5));
+        atomicAdd(sums[texel.y * rowLength + texel.x], uint(min(amount * share.x * share.y, mostOfRay) + 0.5));
     }
 }
 

@@ -48,7 +48,7 @@ vec2 insideOf(Exit at, float pixels) {
 
 // From infinity; none of the sky and of what lies below the plane.
 float nearnessAt(vec2 point) {
-    ivec2 pixel = ivec2(point);
+    ivec2 pixel = texelAt(point, region.zw - 1);
     float depth = depthAt(pixel);
     return solid(pixel, depth) ? depthSign * (depth - infinityDepth) : 0.0;
 }
@@ -119,7 +119,7 @@ void reachBeyond(ivec2 texel) {
     bool goesOn = infoIsHit(info) && abs(info - distance) <= sameDistance * distance && confidence > known.a;
     if (!goesOn && (infoIsHit(info) || meeting.beyond < 0.0)) return;
     // Beyond the border a plane looks as it does as far inside.
-    vec3 light = texelFetch(sceneColor, region.xy + ivec2(insideOf(at, abs(meeting.beyond))), 0).rgb;
+    vec3 light = texelFetch(sceneColor, region.xy + texelAt(insideOf(at, abs(meeting.beyond)), region.zw - 1), 0).rgb;
     bool hasColor = goesOn && known.a > leastColor;
     imageStore(reflectionColor, texel, (hasColor ? known / known.a : vec4(light, 1.0)) * confidence);
     imageStore(reflectionInfo, texel, vec4(goesOn ? info : distance, 0.0, 0.0, 0.0));

@@ -7,7 +7,6 @@
 #include "reflection_info.glsl"
 #include "tiles.glsl"
 #include "sight_line.glsl"
-#include "texel_at.glsl"
 #include "march.glsl"
 
 layout(set = 0, binding = 3) uniform sampler2D sceneColor;

@@ -49,7 +49,8 @@ float bandShade(float metres) {
 }
 
 vec3 distanceColor(float metres) {
-    float at = clamp(log2(max(metres, 1e-6)) * 0.30103 + 1.0, 0.0, 3.999);
+    metres = clamp(metres, 1e-6, 1e9);
+    float at = clamp(log2(metres) * 0.30103 + 1.0, 0.0, 3.999);
     return mix(decades[int(at)], decades[int(at) + 1], fract(at)) * bandShade(metres);
 }
 

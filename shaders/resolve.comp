@@ -191,8 +191,8 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
     bvec2 keysBeside = bvec2(false);
     int i = 1;
     do {
-        ivec2 next = ivec2(floor(cell + float(i) * step));
-        ivec2 last = ivec2(floor(cell - float(i) * step));
+        ivec2 next = texelAt(cell + float(i) * step, lastCell);
+        ivec2 last = texelAt(cell - float(i) * step, lastCell);
         uint nextKey = keyAt(next);
         uint lastKey = keyAt(last);
         keysBeside = bvec2(keysBeside.x || nextKey != noKey, keysBeside.y || lastKey != noKey);

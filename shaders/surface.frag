@@ -5,6 +5,8 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "surface.glsl"
 #include "optics.glsl"
+#include "texel_at.glsl"
+#include "turns.glsl"
 #include "slopes.glsl"
 #include "surface_fresnel.glsl"
 

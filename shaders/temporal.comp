@@ -146,7 +146,7 @@ Remembered rememberedAt(vec2 texel, vec2 distances, bool sky) {
         ivec2 off = ivec2(i - 3 * row - 4, row);
         vec2 place = nearest + vec2(off);
         bool inside = all(greaterThanEqual(place, vec2(0.0))) && all(lessThanEqual(place, vec2(lastPixel)));
-        ivec2 from = clamp(ivec2(place), ivec2(0), lastPixel);
+        ivec2 from = texelAt(place, lastPixel);
         float info = texelFetch(lastInfo, from, 0).r;
         vec4 color = texelFetch(lastColor, from, 0);
         bool hit = infoIsHit(info);
@@ -188,8 +188,8 @@ Place lastPlace(SightLine sight, float distance, bool sought) {
         SightLine then = lastSightLine(place.texel);
         place.distanceThen = dot(image - then.onPlane, then.direction);
         if (left == 0) break;
-        ivec2 at = ivec2(floor(place.texel));
-        bool inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThanEqual(at, lastPixel));
+        ivec2 at = texelAt(place.texel, lastPixel);
+        bool inside = all(greaterThanEqual(place.texel, vec2(0.0))) && all(lessThan(place.texel, vec2(lastPixel + 1)));
         float info = inside ? texelFetch(lastInfo, at, 0).r : infoUnknown;
         place.found = infoIsHit(info);
         place.distance = max(dot(then.onPlane + then.direction * info - sight.onPlane, sight.direction), 0.0);

@@ -6,6 +6,7 @@ int rowLength = stored.causticGrid.z;   // texels in the buffer, of which the vi
 int firstRow = stored.causticGrid.w;    // of texels, that may show what is below the horizon: in the margin too
 
 const float lightUnit = 4096.0;   // of a texel as bright as under calm water
+const float mostOfRay = 1e6;      // so that a sum of them stays within 32 bits
 
 ivec2 lightSize() {
     return (region.zw + rayStep - 1) / rayStep;

@@ -61,9 +61,9 @@ struct FoamPart {
 };
 
 FoamPart foamPartOf(vec2 place) {
-    vec2 turn = 2.0 * pi / foamRepeat * place;
-    float index = 4.0 + 1.1 * (sin(7.0 * turn.x + 3.0 * turn.y) + sin(9.0 * turn.y - 5.0 * turn.x + 1.0) +
-                               sin(11.0 * turn.x - 4.0 * turn.y + 2.0));
+    vec2 turn = fract(place / foamRepeat);
+    vec3 turns = vec3(7.0 * turn.x + 3.0 * turn.y, 9.0 * turn.y - 5.0 * turn.x, 11.0 * turn.x - 4.0 * turn.y);
+    float index = 4.0 + 1.1 * dot(sin(withinHalfTurn(turns + vec3(0.0, 0.1591549, 0.3183099))), vec3(1.0));
     const vec2 spread = foamTile * vec2(0.7548777, 0.5698403);   // over the tile, evenly (Roberts 2018)
     float part = floor(index + 0.5);
     float off = index - part;

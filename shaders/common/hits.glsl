@@ -20,5 +20,5 @@ struct LineKey {
 ivec2 sourceOf(LineKey from) {
     if (from.key == noKey) return nowhere;
     vec4 p = sceneFromPixel * vec4((vec2(from.cell) + 0.5) * float(1 << keyShift), depthFromKey(from.key), 1.0);
-    return clamp(ivec2(p.xy / p.w), ivec2(0), region.zw - 1);
+    return texelAt(p.xy / p.w, region.zw - 1);
 }

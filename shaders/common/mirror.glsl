@@ -1,5 +1,7 @@
 // The screen mirror of reflection/mirror.h. A "screen point" is (x, y, depth, 1) in pixels of the view's region.
 
+#include "texel_at.glsl"
+
 // Loaded once, by loadMirror(): CPU devices load uniforms anew at each use and in each turn of a loop.
 mat4 screenMirror;   // to where the plane shows a screen point of the scene, w <= 0 behind the camera
 mat4 sceneFromPixel; // its inverse

@@ -24,8 +24,8 @@ vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
 }
 
 float infoAt(vec2 pixel) {
-    if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, vec2(region.zw)))) return infoUnknown;
-    return texelFetch(reflectionInfo, ivec2(pixel / reflectionScale), 0).x;
+    bool inside = all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(region.zw)));
+    return inside ? texelFetch(reflectionInfo, ivec2(pixel / reflectionScale), 0).x : infoUnknown;
 }
 
 struct BentPoint {

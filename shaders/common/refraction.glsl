@@ -1,4 +1,4 @@
-// What shines through the surface from below it.
+// What shines through the surface from below it. Needs texel_at.glsl and turns.glsl.
 
 #ifdef REFRACTION
 layout(constant_id = 8) const int refractionLooks = 6;   // 1: straight through
@@ -19,7 +19,7 @@ Behind shownAt(vec2 pixel, float depth, mat4 relativeFromPixels) {
 
 // What the host's opaque scene shows at a pixel of the region.
 Behind behindAt(vec2 pixel) {
-    ivec2 p = clamp(ivec2(pixel + sceneShift), ivec2(0), region.zw - 1);
+    ivec2 p = texelAt(pixel + sceneShift, region.zw - 1);
     return shownAt(vec2(p), texelFetch(sceneDepth, region.xy + p, 0).r, relativeFromPixel);
 }
 
@@ -39,7 +39,7 @@ vec4 bedPixelOf(vec4 relative) {
 
 Behind bedAt(vec2 pixel) {
     if (!looksAtBed) return behindAt(pixel);
-    vec2 p = clamp(pixel, vec2(0.0), vec2(bedSize) - 0.5);
+    vec2 p = pointWithin(pixel, bedSize);
     return shownAt(p, texelFetch(bedDepth, ivec2(p), 0).r, relativeFromBed);
 }
 
@@ -164,8 +164,7 @@ float nearerBy(vec4 pixel, vec3 at, Behind b) {
 vec2 placeAround(int look, int looks) {
     const float radii[4] = float[](0.540, 1.013, 1.463, 2.131);
     float radius = looks == 1 ? 1.25 : radii[look];   // four places alone blur more than a Gaussian
-    float turn = 0.4 + 1.9635 * float(look) + dot(partOfQuad(), vec4(0.0, 0.5, 1.0, 1.5)) * pi;
-    return radius * vec2(cos(turn), sin(turn));
+    return radius * cosineSine(0.0637 + 0.3125 * float(look) + dot(partOfQuad(), vec4(0.0, 0.25, 0.5, 0.75)));
 }
 
 // How far a deviation of the slopes within the pixel moves what is seen of a bed `drop` metres below, and one aside of that

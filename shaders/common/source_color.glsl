@@ -9,7 +9,7 @@ vec3 texelColor(ivec2 pixel) {
 // a plane. Else the one texel that the point falls in, since what does not belong together is not blended. `nearness` is
 // the ray's depth from infinityDepth.
 vec3 sourceColor(vec2 source, float nearness) {
-    ivec2 corner = min(max(ivec2(floor(source + 0.5)), 1), region.zw - 1);
+    ivec2 corner = max(texelAt(source + 0.5, region.zw - 1), 1);
     vec2 beyond = clamp(source + 0.5 - vec2(corner), 0.0, 1.0);
     vec4 seen = depthsAround(corner, perDepthTexel()) - infinityDepth;
     vec2 rows = mix(seen.wx, seen.zy, beyond.x);
@@ -18,7 +18,7 @@ vec3 sourceColor(vec2 source, float nearness) {
     float least = min(min(seen.x, seen.y), min(seen.z, seen.w));
     float most = max(max(seen.x, seen.y), max(seen.z, seen.w));
     float rounding = 4e-6 * abs(nearness + infinityDepth) + 2.0 * depthStep;
-    vec3 nearest = texelColor(ivec2(source));
+    vec3 nearest = texelColor(texelAt(source, region.zw - 1));
     if (max(off, twist) > 0.05 * (most - least) + rounding) return nearest;
     vec3 upper = mix(texelColor(corner - 1), texelColor(corner - ivec2(0, 1)), beyond.x);
     vec3 lower = mix(texelColor(corner - ivec2(1, 0)), texelColor(corner), beyond.x);

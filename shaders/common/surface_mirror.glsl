@@ -105,7 +105,7 @@ float sharedInQuad(SurfacePoint s, SlopeSpread seen, float spread, float hit) {
 vec4 meanFound(vec4 own, float share) {
     vec4 mean = meanOfQuad(own);
     // Where a triangle ends, the quad's other pixels lie on what it would go on as.
-    bool sound = all(greaterThanEqual(mean, vec4(0.0))) && mean.a < 1.001;
+    bool sound = share > 0.0 && all(greaterThanEqual(mean, vec4(0.0))) && mean.a < 1.001;
     return sound ? mix(own, mean, share * (2.0 - share)) : own;
 }
 

@@ -1,0 +1,10 @@
+// Sines of angles that may be large. Vulkan bounds the error of sin and cos for half a turn either way alone.
+
+vec3 withinHalfTurn(vec3 turns) {
+    return 6.2831853 * (turns - round(turns));
+}
+
+vec2 cosineSine(float turns) {
+    float angle = withinHalfTurn(vec3(turns)).x;
+    return vec2(cos(angle), sin(angle));
+}
