@@ -46,6 +46,7 @@ function(seaglass_shaders target)
       COMMENT "SPIR-V ${name}"
       VERBATIM)
     target_sources(${target} PRIVATE ${header})
+    set_property(GLOBAL APPEND PROPERTY SEAGLASS_SPIRV ${header})
   endforeach()
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated)
 endfunction()
