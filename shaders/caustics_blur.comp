@@ -68,7 +68,7 @@ vec2 lightAround(vec2 pixel, Spread spread) {
     float most = length(ellipse.longer), least = max(length(ellipse.shorter), 1.6 * 0.41 * texel);
     float lod = log2(least / (0.41 * texel));
     const int mostLooks = 4;
-    int looks = clamp(int(ceil(most / least)), 1, mostLooks);
+    int looks = int(clamp(ceil(most / least), 1.0, float(mostLooks)));
     // Of an even row from end to end the deviation is 0.29 of its length.
     vec2 row = ellipse.longer * sqrt(max(most * most - least * least, 0.0)) / (0.29 * max(most, 1e-6));
     vec2 size = texel * vec2(textureSize(gathered, 0));

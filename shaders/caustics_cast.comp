@@ -103,7 +103,7 @@ void leave(vec2 pixel, float amount) {
         ivec2 texel = first + corner;
         if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size))) continue;
         vec2 share = mix(1.0 - past, past, vec2(corner));
-        atomicAdd(sums[texel.y * rowLength + texel.x], uint(min(amount * share.x * share.y, mostOfRay) + 0.5));
+        atomicAdd(sums[texel.y * rowLength + texel.x], uint(amount > 0.0 ? min(amount * share.x * share.y, mostOfRay) + 0.5 : 0.0));
     }
 }
 

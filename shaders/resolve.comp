@@ -235,8 +235,7 @@ Hit metBetween(Hit one, Hit other) {
 
 // How near what is seen at a point is, of how near something else is.
 float nearnessAt(vec2 point, float than) {
-    vec2 inside = clamp(point, vec2(0.5), vec2(region.zw) - 0.5);
-    return (depthAt(ivec2(inside)) - infinityDepth) / than;
+    return (depthAt(texelAt(point, region.zw - 1)) - infinityDepth) / than;
 }
 
 // Where the ray meets, out of sight, the plane of what shows beside: that is hidden from there on, and does not end; and goes on

@@ -19,7 +19,8 @@ ivec2 pixelOfTexel(ivec2 texel) {
 
 // Over what slopes are taken together for a ray to `at` [m].
 float rayWidth(vec3 at) {
-    return max(1.5 * float(rayStep) * pixelWidth(at), 1e-3);
+    float width = 1.5 * float(rayStep) * pixelWidth(at);
+    return width > 1e-3 ? width : 1e-3;   // of a point at infinity it is no number
 }
 
 // Whether the scene shows something under the calm surface at a pixel of the region, and where.

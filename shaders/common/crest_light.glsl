@@ -76,7 +76,7 @@ vec3 sunScattered(CrestSide side, vec2 calm, vec3 along) {
 // Along which the eye looks into the water, through the facets that it sees.
 vec3 intoWater(SurfacePoint s, vec3 toEye) {
     vec2 towards = horizontal(toEye);
-    float deviation = sqrt(varianceAlong(towards, s.covariance) + 1e-8);
+    float deviation = sqrt(max(varianceAlong(towards, s.covariance), 0.0) + 1e-8);
     float steepness = toEye.y / max(length(toEye.xz), 1e-3) - dot(s.slope, towards);
     return refract(-toEye, normalOf(s.slope - towards * leansTo(steepness, deviation)), 1.0 / waterIndex);
 }

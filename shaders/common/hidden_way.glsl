@@ -22,7 +22,7 @@ struct Entry {
 };
 
 bool hides(vec2 point, float depth) {
-    return depthSign * (depthAt(ivec2(point)) - infinityDepth - depth) >= 0.0;
+    return depthSign * (depthAt(texelAt(point, region.zw - 1)) - infinityDepth - depth) >= 0.0;
 }
 
 // How many of the next pixels of its way hide a ray, whose depth is linear there: looked for in strides, then in pixels.
@@ -57,7 +57,8 @@ Entry entryBefore(ScreenRay ray, vec2 q, vec2 from, float mostPixels) {
     float pixels = min(floor(way), mostPixels);
     float hidden = hiddenPixels(ray, from, step, pixels);
     vec2 point = from + hidden * step;
-    Guesses between = Guesses(ivec2(point + step), min(ivec2(point), region.zw - 1));
+    ivec2 last = region.zw - 1;
+    Guesses between = Guesses(texelAt(point + step, last), texelAt(point, last));
     return Entry(hidden < pixels ? between : noGuesses, point, rayDepthAt(ray, point));
 }
 

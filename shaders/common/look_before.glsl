@@ -1,4 +1,4 @@
-// Looks over the mirror from one of its pixels towards the eye, for what hangs between. Needs mirror.glsl.
+// Looks over the mirror from one of its pixels towards the eye, for what hangs between. Needs mirror.glsl and keys.glsl.
 
 // What hangs lower than it is wide leaves keys in at least as many cells as lie between them and what it hides: looks may lie
 // as far apart as they have gone.
@@ -18,5 +18,5 @@ vec2 awayFrom(vec2 q) {
 }
 
 ivec2 cellBefore(vec2 q, vec2 away, int look) {
-    return ivec2(floor(q / float(1 << keyShift) - float(firstLook << look) * away));
+    return texelAt(q / float(1 << keyShift) - float(firstLook << look) * away, lastCell);
 }

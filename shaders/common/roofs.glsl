@@ -25,7 +25,7 @@ float heightOf(vec4 point) {
 }
 
 float heightSeenAt(vec2 point) {
-    return heightOf(vec4(point, depthAt(ivec2(point)), 1.0));
+    return heightOf(vec4(point, depthAt(texelAt(point, region.zw - 1)), 1.0));
 }
 
 // The mirrored depth at which a ray is as high.
@@ -45,7 +45,8 @@ bool isLevel(vec2 point, vec2 away, float edgeHeight) {
     float top = heightSeenAt(point);
     vec2 before = clamp(point - away, vec2(0.5), vec2(region.zw) - 0.5);
     float rise = abs(heightSeenAt(before) - top);
-    vec3 way = unprojected(vec3(point, depthAt(ivec2(point)))) - unprojected(vec3(before, depthAt(ivec2(before))));
+    ivec2 last = region.zw - 1;
+    vec3 way = unprojected(vec3(point, depthAt(texelAt(point, last)))) - unprojected(vec3(before, depthAt(texelAt(before, last))));
     return rise < levelWithin * (top - edgeHeight) && rise < steepestTop * length(way);
 }
 

@@ -60,7 +60,8 @@ ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
             vec2 slowness = vec2(alongU[t + 1], alongV[t + 1]);
             float size = max(length(slowness), 1e-4);
             vec2 towards = slowness / size;
-            float row = clamp(here[t + 1] * shoreSignal.x + arrives, 0.0, shoreSignal.z - 1.001);
+            float row = here[t + 1] * shoreSignal.x + arrives;
+            row = row > 0.0 ? min(row, shoreSignal.z - 1.001) : 0.0;   // a map of the host's may hold anything
             int i = rows + 2 * (t * int(shoreSignal.z) + int(row));
             vec4 a = shoreRows[i];
             vec4 b = shoreRows[i + 2];

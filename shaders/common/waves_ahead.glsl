@@ -48,7 +48,7 @@ WavesAhead wavesAhead(SurfacePoint s, vec2 along, float lowest) {
     float horizon = noWave;
     if (held < 1.0) horizon = max(dot(s.slope, along), horizonTowards(calmPosition, along, lowest));
     float alike = mix(alikeInShort, alikeInAll, smoothstep(0.5, 2.0, held));
-    return WavesAhead(horizon, dot(s.slope, along), sqrt(varianceAlong(along, s.covariance)), alike);
+    return WavesAhead(horizon, dot(s.slope, along), sqrt(max(varianceAlong(along, s.covariance), 0.0)), alike);
 }
 
 // Share of the rays that pass above the highest wave.
