@@ -24,7 +24,7 @@ Status Device::init(const DeviceDesc& desc) {
     VkPhysicalDeviceProperties properties{};
     instanceTable_.GetPhysicalDeviceProperties(desc.physicalDevice, &properties);
     limits_ = properties.limits;
-    type_ = properties.deviceType;
+    isCpu_ = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
     instanceTable_.GetPhysicalDeviceMemoryProperties(desc.physicalDevice, &memory_);
     return Status::ok;
 }

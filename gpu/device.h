@@ -18,7 +18,9 @@ class Device {
     const VkAllocationCallbacks* allocator() const { return hasAllocator_ ? &allocator_ : nullptr; }
     VkPipelineCache pipelineCache() const { return pipelineCache_; }
     const VkPhysicalDeviceLimits& limits() const { return limits_; }
-    VkPhysicalDeviceType type() const { return type_; }
+    /// Some things are done another way there: shaders store to images slowly, and clears, copies and blits
+    /// are fast.
+    bool isCpu() const { return isCpu_; }
 
     VkFormatFeatureFlags optimalFeatures(VkFormat format) const;
 
@@ -57,7 +59,7 @@ class Device {
     bool hasAllocator_ = false;
     VkPipelineCache pipelineCache_ = VK_NULL_HANDLE;
     VkPhysicalDeviceLimits limits_{};
-    VkPhysicalDeviceType type_ = VK_PHYSICAL_DEVICE_TYPE_OTHER;
+    bool isCpu_ = false;
     VkPhysicalDeviceMemoryProperties memory_{};
     MemoryCallbacks memoryCallbacks_;
     MessageCallback message_;

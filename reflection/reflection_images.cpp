@@ -36,22 +36,12 @@ VkDeviceSize OwnedReflection::bytes(VkExtent2D extent, uint32_t blurLevels) {
     return gpu::imageBytes(colorDesc(extent, blurLevels)) + gpu::imageBytes(infoDesc(extent));
 }
 
-void OwnedReflection::recordCleared(const gpu::Device& device, VkCommandBuffer commands) const {
-    constexpr gpu::Use cleared = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                  VK_IMAGE_LAYOUT_GENERAL};
-    const gpu::PassScope scope(device, commands, "reflection_clear");
-    const VkImage handles[] = {color.handle(), info.handle()};
-    VkImageMemoryBarrier2 barriers[2];
-    for (int i = 0; i < 2; ++i)
-        barriers[i] = gpu::imageBarrier(handles[i], gpu::discardedAfterSampling, cleared, 0, 1);
-    gpu::recordBarriers(device, commands, barriers, 2);
-    const VkClearColorValue zero{};
-    const VkImageSubresourceRange mip0 = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    for (const VkImage image : handles)
-        device.vk().CmdClearColorImage(commands, image, VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &mip0);
-    for (int i = 0; i < 2; ++i)
-        barriers[i] = gpu::imageBarrier(handles[i], cleared, gpu::storageWritten, 0, 1);
-    gpu::recordBarriers(device, commands, barriers, 2);
+void OwnedReflection::recordDiscarded(const gpu::Device& device, VkCommandBuffer commands,
+                                      const gpu::Use& use) const {
+    const VkImageMemoryBarrier2 before[] = {
+        gpu::imageBarrier(color.handle(), gpu::discardedAfterSampling, use, 0, 1),
+        gpu::imageBarrier(info.handle(), gpu::discardedAfterSampling, use)};
+    gpu::recordBarriers(device, commands, before, 2);
 }
 
 void OwnedReflection::recordToBeChanged(const gpu::Device& device, VkCommandBuffer commands) const {

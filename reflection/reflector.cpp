@@ -70,7 +70,8 @@ const gpu::Buffer& ReflectedView::tiles(ReflectionTechnique technique) const {
     return scatters(technique) ? sspr.tiles : ssr.tiles;
 }
 
-Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent, const SceneSamples& samples) {
+Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExtent2D extent,
+                    const SceneSamples& samples) {
     Estimate estimate;
     if (desc.technique == ReflectionTechnique::sky) return estimate;
     const VkExtent2D scaled = scaledDown(extent, desc.downscale);
@@ -80,15 +81,15 @@ Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent, const SceneSa
     case ReflectionTechnique::sky:
         break;
     case ReflectionTechnique::sspr:
-        estimate.dispatchesPerView = ssprDispatches;
+        estimate.dispatchesPerView = ssprDispatches + unseenTilesDispatches(device);
         break;
     case ReflectionTechnique::ssr:
         estimate.bytesPerView += SsrScratch::bytes(extent, desc);
-        estimate.dispatchesPerView = ssrDispatches;
+        estimate.dispatchesPerView = ssrDispatches + unseenTilesDispatches(device);
         break;
     case ReflectionTechnique::hybrid:
         estimate.bytesPerView += HybridScratch::bytes(extent, desc);
-        estimate.dispatchesPerView = hybridDispatches(desc);
+        estimate.dispatchesPerView = hybridDispatches(desc) + unseenTilesDispatches(device);
         break;
     case ReflectionTechnique::planar:
         estimate.bytesPerView += PlanarScratch::bytes(scaled);
@@ -104,7 +105,7 @@ Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent, const SceneSa
     if (desc.edgeStretch > 0) estimate.dispatchesPerView += stretchDispatches;
     if (desc.temporal > 0) {
         estimate.bytesPerView += TemporalScratch::bytes(scaled, desc);
-        estimate.dispatchesPerView += temporalDispatches;
+        estimate.dispatchesPerView += temporalDispatches + unseenTilesDispatches(device);
     }
     return estimate;
 }
@@ -315,7 +316,7 @@ Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent,
     if (extent.width == 0 || extent.height == 0)
         return context->device.fail(Status::invalidArgument, "estimate: the extent is empty");
     if (const char* bad = badField(samples)) return context->device.fail(Status::invalidArgument, "%s", bad);
-    *out = estimateOf(*desc, extent, samples);
+    *out = estimateOf(context->device, *desc, extent, samples);
     return Status::ok;
 }
 

@@ -41,7 +41,8 @@ struct ReflectedView {
 };
 
 /// Of a reflector with a usable description.
-Estimate estimateOf(const ReflectionDesc& desc, VkExtent2D extent, const SceneSamples& samples);
+Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExtent2D extent,
+                    const SceneSamples& samples);
 
 /// Null when the description is usable, else what is wrong with it.
 const char* badField(const ReflectionDesc& desc);

@@ -23,8 +23,10 @@ Status createResolve(Context& context, std::span<const uint32_t> shader, Resolve
     if (const Status s = out.kernel.create(context.device, shader, resolveBindings, "resolve pipeline");
         s != Status::ok)
         return s;
-    constexpr VkDescriptorType missBindings[] = {uniforms, buffer, sampled, storage};
-    return out.miss.create(context.device, miss_comp, missBindings, "miss pipeline");
+    if (const Status s = shareUnseenTiles(context, out.unseen); s != Status::ok) return s;
+    constexpr VkDescriptorType missBindings[] = {uniforms, buffer, sampled, storage, storage};
+    const uint32_t colorIsCleared[] = {out.unseen ? 0u : 1u};
+    return out.miss.create(context.device, miss_comp, missBindings, "miss pipeline", colorIsCleared);
 }
 
 } // namespace
@@ -57,7 +59,8 @@ Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, cons
         gpu::storageImage(images.info.view()),
     };
     const gpu::Resource missResources[] = {mirror, gpu::storageBuffer(tiles.handle()), sceneDepth,
-                                           gpu::storageImage(images.info.view())};
+                                           gpu::storageImage(images.info.view()),
+                                           gpu::storageImage(images.color.firstMipView())};
     VkDescriptorSet resolveSet = VK_NULL_HANDLE;
     VkDescriptorSet missSet = VK_NULL_HANDLE;
     if (const Status s =
@@ -69,7 +72,8 @@ Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, cons
         return s;
 
     const VkCommandBuffer commands = pass.commands;
-    images.recordCleared(device, commands);
+    if (const Status s = recordUnseenTiles(pass, resolve.unseen.get(), tiles, images); s != Status::ok)
+        return s;
     const gpu::PassScope scope(device, commands, "sspr_resolve");
     resolve.kernel.dispatchIndirect(commands, resolveSet, tiles.handle(),
                                     offsetof(TileHeader, resolveGroups));

@@ -4,12 +4,14 @@
 #include "gpu/kernel.h"
 #include "reflection/reflect_pass.h"
 #include "reflection/reflection_images.h"
+#include "reflection/unseen_tiles.h"
 
 namespace seaglass {
 
 struct ResolveKernel {
     gpu::Kernel kernel;
     gpu::Kernel miss; ///< for tiles that no key is near
+    std::shared_ptr<UnseenTilesKernel> unseen;
     Status create(Context& context);
 };
 
@@ -19,8 +21,8 @@ struct RoofsResolveKernel {
     Status create(Context& context);
 };
 
-/// Writes both images, which come from any layout, where `tiles` lists tiles, and clears them elsewhere.
-/// `info` is left to be sampled by shaders, mip 0 of `color` as gpu::storageWritten says.
+/// Writes both images, which come from any layout, where `tiles` lists tiles, and leaves nothing in them
+/// elsewhere. `info` is left to be sampled by shaders, mip 0 of `color` as gpu::storageWritten says.
 Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, const gpu::Buffer& keys,
                      const gpu::Buffer& tiles, const OwnedReflection& images);
 

@@ -24,7 +24,7 @@ struct SsprScratch {
     static VkDeviceSize bytes(VkExtent2D extent, const ReflectionDesc& desc);
 };
 
-/// Scatter, tiles, and a resolve for each list.
+/// Scatter, tiles, and a resolve for each list; besides those of tiles that are not looked up.
 constexpr uint32_t ssprDispatches = 4;
 
 /// Writes mip 0 of `images.color`, left as gpu::storageWritten says, and `images.info`, left to be sampled.

@@ -5,6 +5,7 @@ namespace seaglass {
 Status SsrKernels::create(Context& context, const ReflectionDesc& desc) {
     if (const Status s = context.share(cells); s != Status::ok) return s;
     if (const Status s = context.share(seenTiles); s != Status::ok) return s;
+    if (const Status s = shareUnseenTiles(context, unseen); s != Status::ok) return s;
     return shareMarch(context, desc.marchCells, false, march);
 }
 
@@ -27,7 +28,9 @@ Status recordSsr(const ReflectPass& pass, const SsrKernels& kernels, const SsrSc
     if (const Status s = recordCells(pass, *kernels.cells, scratch.cells, scratch.tiles); s != Status::ok)
         return s;
     if (const Status s = recordSeenTiles(pass, *kernels.seenTiles, scratch.tiles); s != Status::ok) return s;
-    images.recordCleared(device, pass.commands);
+    if (const Status s = recordUnseenTiles(pass, kernels.unseen.get(), scratch.tiles, images);
+        s != Status::ok)
+        return s;
     images.recordInfoSampled(device, pass.commands);
     return recordMarch(pass, *kernels.march, scratch.tiles, pass.desc.marchCells ? &scratch.cells : nullptr,
                        images);

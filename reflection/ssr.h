@@ -5,12 +5,14 @@
 #include "reflection/cells.h"
 #include "reflection/march.h"
 #include "reflection/open_tiles.h"
+#include "reflection/unseen_tiles.h"
 
 namespace seaglass {
 
 struct SsrKernels {
     std::shared_ptr<CellsKernel> cells;
     std::shared_ptr<SeenTilesKernel> seenTiles;
+    std::shared_ptr<UnseenTilesKernel> unseen;
     std::shared_ptr<MarchKernel> march;
     Status create(Context& context, const ReflectionDesc& desc);
 };
@@ -23,6 +25,7 @@ struct SsrScratch {
     static VkDeviceSize bytes(VkExtent2D extent, const ReflectionDesc& desc);
 };
 
+/// Besides those of tiles that are not looked up.
 constexpr uint32_t ssrDispatches = cellsDispatches + 1 + marchDispatches;
 
 /// Writes mip 0 of `images.color`, left as gpu::storageWritten says, and `images.info`, left to be sampled.

@@ -68,6 +68,7 @@ Status TemporalKernel::create(Context& context) {
         VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
     if (const Status s = columns.create(context); s != Status::ok) return s;
+    if (const Status s = shareUnseenTiles(context, unseen); s != Status::ok) return s;
     return kernel.create(context.device, temporal_comp, bindings, "temporal pipeline");
 }
 
@@ -119,7 +120,8 @@ Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, c
     if (const Status s = context.frame().allocateSet(temporal.kernel.layout().set(), resources, set);
         s != Status::ok)
         return s;
-    images.recordCleared(context.device, pass.commands);
+    if (const Status s = recordUnseenTiles(pass, temporal.unseen.get(), tiles, images); s != Status::ok)
+        return s;
     const gpu::PassScope scope(context.device, pass.commands, "reflection_temporal");
     if (const Status s = recordSeenColumns(pass, temporal.columns, tiles); s != Status::ok) return s;
     const VkImageMemoryBarrier2 read =

@@ -7,11 +7,13 @@
 #include "reflection/open_tiles.h"
 #include "reflection/reflect_pass.h"
 #include "reflection/reflection_images.h"
+#include "reflection/unseen_tiles.h"
 
 namespace seaglass {
 
 struct TemporalKernel {
     SeenColumnsKernel columns;
+    std::shared_ptr<UnseenTilesKernel> unseen;
     gpu::Kernel kernel;
     Status create(Context& context);
 };
@@ -37,6 +39,7 @@ struct TemporalScratch {
     static VkDeviceSize bytes(VkExtent2D extent, const ReflectionDesc& desc);
 };
 
+/// Besides those of tiles that are not looked up.
 constexpr uint32_t temporalDispatches = 2;
 
 /// From scratch.found, as techniques leave it, to `images`, left alike, whose own history becomes

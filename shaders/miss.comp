@@ -1,5 +1,5 @@
-// SSPR where no key is near: sky, or nothing known. Colour is left as it was cleared. An invocation takes a column of a
-// tile, so that what is the same for all pixels is made ready once.
+// SSPR where no key is near: sky, or nothing known. An invocation takes a column of a tile, so that what is the same for
+// all pixels is made ready once.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
@@ -12,6 +12,9 @@ layout(set = 0, binding = 1, std430) readonly buffer Tiles {
 };
 layout(set = 0, binding = 2) uniform sampler2D sceneDepth;
 layout(set = 0, binding = 3, r16f) uniform writeonly image2D reflectionInfo;
+layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D reflectionColor;
+
+layout(constant_id = 0) const uint colorIsCleared = 0;
 
 #include "scene_depth.glsl"
 #include "miss.glsl"
@@ -26,6 +29,7 @@ void main() {
     FarEnd perRow = farEndPerRow(float(1 << pixelShift));
     int row = 0;
     do {
+        if (colorIsCleared == 0) imageStore(reflectionColor, pixel, vec4(0.0));
         imageStore(reflectionInfo, pixel, vec4(infoOfFarEnd(end), 0.0, 0.0, 0.0));
         end.point += perRow.point;
         end.ahead += perRow.ahead;

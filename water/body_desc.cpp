@@ -111,8 +111,7 @@ ReflectionDesc reflectionOf(const ReflectionDesc& desc, bool hasWaves) {
 }
 
 const WavesBackend* chosenBackend(const gpu::Device& device, const BodyDesc& desc) {
-    const bool onCpu = desc.wavesOn == WavesOn::cpu ||
-                       (desc.wavesOn == WavesOn::automatic && device.type() == VK_PHYSICAL_DEVICE_TYPE_CPU);
+    const bool onCpu = desc.wavesOn == WavesOn::cpu || (desc.wavesOn == WavesOn::automatic && device.isCpu());
     return onCpu ? desc.wavesBackend : nullptr;
 }
 

@@ -114,12 +114,8 @@ constexpr gpu::BufferUse shaderWritten = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
 constexpr gpu::BufferUse copyRead = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
 constexpr gpu::BufferUse modesCopied = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
 
-bool copiesMaps(const gpu::Device& device) {
-    return device.type() == VK_PHYSICAL_DEVICE_TYPE_CPU;
-}
-
 const gpu::Use& mapsFilled(const gpu::Device& device) {
-    return copiesMaps(device) ? gpu::copyWritten : gpu::storageWritten;
+    return device.isCpu() ? gpu::copyWritten : gpu::storageWritten;
 }
 
 /// What the rows' kernel stores a map to: the image, or its part of the buffer that is copied.
@@ -141,7 +137,7 @@ Status WaveKernels::get(const gpu::Device& device, uint32_t samples, const Pair*
     Pair& pair = entry->second;
     Status s = pair.columns.create(device, waves_columns_comp, std::array{uniform, buffer, buffer, buffer},
                                    "waves columns pipeline", constants);
-    const bool copies = copiesMaps(device);
+    const bool copies = device.isCpu();
     const VkDescriptorType map = copies ? buffer : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
     const std::span<const uint32_t> stores(waves_rows_comp), isCopied(waves_rows_copied_comp);
     if (s == Status::ok)
@@ -152,12 +148,12 @@ Status WaveKernels::get(const gpu::Device& device, uint32_t samples, const Pair*
 }
 
 VkImageUsageFlags ComputedWaves::mapUsage(const gpu::Device& device) {
-    return copiesMaps(device) ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_IMAGE_USAGE_STORAGE_BIT;
+    return device.isCpu() ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_IMAGE_USAGE_STORAGE_BIT;
 }
 
 VkDeviceSize ComputedWaves::bytes(const gpu::Device& device, const Sea& sea) {
     return 2 * modeBytes(sea) + columnBytes(sea) +
-           (copiesMaps(device) ? WaveMaps::mip0Bytes(sea.desc.samples, sea.count) : 0);
+           (device.isCpu() ? WaveMaps::mip0Bytes(sea.desc.samples, sea.count) : 0);
 }
 
 Status ComputedWaves::create(Context& context, const Sea& sea) {
@@ -177,7 +173,7 @@ Status ComputedWaves::create(Context& context, const Sea& sea) {
         s != Status::ok)
         return s;
     writeModes(sea, static_cast<std::byte*>(staging_.mapped()));
-    if (copiesMaps(context.device))
+    if (context.device.isCpu())
         if (const Status s = copied_.create(
                 context.device, WaveMaps::mip0Bytes(sea.desc.samples, sea.count),
                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "wave map buffer");
@@ -248,7 +244,7 @@ Status ComputedWaves::recordMaps(Context& context, VkCommandBuffer commands, con
         gpu::recordBarrier(device, commands, shaderWritten, shaderRead);
         kernels->rows.dispatch(commands, sets.rows, groups(maps.samples), cascades);
     }
-    if (copiesMaps(device)) {
+    if (device.isCpu()) {
         const gpu::PassScope pass(device, commands, "waves_copy");
         gpu::recordBarrier(device, commands, shaderWritten, copyRead);
         maps.recordCopy(device, commands, copied_.handle(), cascades);

@@ -11,9 +11,9 @@ struct Column {
 Column columnToVisit() {
     uint group = gl_WorkGroupID.y * groupsPerRow + gl_WorkGroupID.x;
     uint n = group * tilesPerColumnGroup + (gl_LocalInvocationID.x >> tileShift);
-    if (n >= header.columnGroups.w) return Column(ivec2(0), 0);
-    ivec2 tile = unpackedTile(tiles[uint(2 * tilesAcross() * tilesDown()) - 1u - n]);
+    if (n >= min(header.columnGroups.w, tileCount())) return Column(ivec2(0), 0);
+    ivec2 tile = unpackedTile(tiles[2u * tileCount() - 1u - n]);
     ivec2 top = tile * tileEdge + ivec2(gl_LocalInvocationID.x & (tileEdge - 1), 0);
     ivec2 size = imageSize();
-    return Column(top, top.x < size.x ? min(tileEdge, size.y - top.y) : 0);
+    return Column(top, top.x < size.x ? clamp(size.y - top.y, 0, tileEdge) : 0);
 }

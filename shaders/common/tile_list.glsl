@@ -7,8 +7,7 @@ const ivec2 noPixel = ivec2(-1);
 // noPixel beyond the image and beyond the list's end.
 ivec2 pixelToResolve() {
     uint n = gl_WorkGroupID.y * groupsPerRow + gl_WorkGroupID.x;
-    if (n >= header.resolveGroups.w) return noPixel;
-    uint entry = uint(tilesAcross() * tilesDown()) + n;
-    ivec2 pixel = unpackedTile(tiles[entry]) * tileEdge + ivec2(gl_LocalInvocationID.xy);
+    if (n >= min(header.resolveGroups.w, tileCount())) return noPixel;
+    ivec2 pixel = unpackedTile(tiles[tileCount() + n]) * tileEdge + ivec2(gl_LocalInvocationID.xy);
     return all(lessThan(pixel, imageSize())) ? pixel : noPixel;
 }

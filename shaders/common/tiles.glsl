@@ -24,6 +24,10 @@ int tilesDown() {
     return (imageSize().y + tileEdge - 1) >> tileShift;
 }
 
+uint tileCount() {
+    return uint(tilesAcross() * tilesDown());
+}
+
 int tileAt(ivec2 tile) {
     return tile.y * tilesAcross() + tile.x;
 }

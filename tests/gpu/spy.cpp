@@ -142,6 +142,7 @@ PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char
 #define SPY(function)                                                                                        \
     if (!std::strcmp(name, "vk" #function)) return spyOn<&vk##function>(#function, vk##function);
     SPY(CmdBlitImage)
+    SPY(CmdClearColorImage)
     SPY(CmdCopyBuffer)
     SPY(CmdCopyBufferToImage)
     SPY(CmdDispatch)
