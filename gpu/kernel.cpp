@@ -73,10 +73,10 @@ void Kernel::bind(VkCommandBuffer commands, VkDescriptorSet set) const {
                              nullptr);
 }
 
-void Kernel::dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t groupsX,
-                      uint32_t groupsY) const {
+void Kernel::dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t groupsX, uint32_t groupsY,
+                      uint32_t groupsZ) const {
     bind(commands, set);
-    device_->vk().CmdDispatch(commands, groupsX, groupsY, 1);
+    device_->vk().CmdDispatch(commands, groupsX, groupsY, groupsZ);
 }
 
 void Kernel::dispatchOver(VkCommandBuffer commands, VkDescriptorSet set, VkExtent2D pixels) const {

@@ -21,7 +21,8 @@ class Kernel {
 
     const Layout& layout() const { return layout_; }
     /// Binds pipeline and set, then dispatches.
-    void dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t groupsX, uint32_t groupsY) const;
+    void dispatch(VkCommandBuffer commands, VkDescriptorSet set, uint32_t groupsX, uint32_t groupsY,
+                  uint32_t groupsZ = 1) const;
     /// A group for each 8 x 8 pixels.
     void dispatchOver(VkCommandBuffer commands, VkDescriptorSet set, VkExtent2D pixels) const;
     /// A group for each 64 invocations in a row.

@@ -1,7 +1,11 @@
 #include "gpu/mip_chain.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
+
+#include "spirv/mip_chain_rg16f.comp.h"
+#include "spirv/mip_chain_rgba32f.comp.h"
 
 namespace seaglass::gpu {
 
@@ -48,16 +52,10 @@ class Barriers {
     std::vector<VkImageMemoryBarrier2> list_;
 };
 
-} // namespace
-
-void recordMipChain(const Device& device, VkCommandBuffer commands, std::span<const OwnedImage* const> images,
-                    const Use& written) {
+void recordBlits(const Device& device, VkCommandBuffer commands, std::span<const OwnedImage* const> images,
+                 const Use& written) {
     const uint32_t mips = images.front()->desc().mipLevels;
     Barriers barriers(images);
-    if (mips == 1) {
-        barriers.add(written, sampledByShaders, 0, 1).record(device, commands);
-        return;
-    }
     barriers.add(written, blitRead, 0, 1)
         .add(discardedAfterSampling, blitWritten, 1, mips - 1)
         .record(device, commands);
@@ -67,6 +65,120 @@ void recordMipChain(const Device& device, VkCommandBuffer commands, std::span<co
     }
     barriers.add(blitRead, sampledByShaders, 0, mips - 1).add(blitWritten, sampledByShaders, mips - 1, 1);
     barriers.record(device, commands);
+}
+
+constexpr uint32_t halvings = 5; // of a dispatch
+constexpr uint32_t groupEdge = 1 << halvings;
+
+/// The std140 block of shaders/mip_chain.comp.
+struct MipUniforms {
+    uint32_t levels = 0;
+    uint32_t padding[3] = {};
+};
+
+uint32_t imagesOf(VkFormat format) {
+    return format == VK_FORMAT_R32G32B32A32_SFLOAT ? 3 : 1;
+}
+
+Status createKernel(Context& context, VkFormat format, std::span<const uint32_t> spirv, Kernel& out) {
+    const uint32_t images = imagesOf(format);
+    std::vector<VkDescriptorType> bindings = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER};
+    bindings.insert(bindings.end(), images, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+    bindings.insert(bindings.end(), size_t{images} * halvings, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    return out.create(context.device, spirv, bindings, "mips pipeline");
+}
+
+/// Five mips of three images at once are more than Vulkan promises.
+bool byKernel(const Device& device) {
+    return !device.isCpu() && device.limits().maxPerStageDescriptorStorageImages >= 3 * halvings;
+}
+
+/// A type for each format, for Context::share().
+struct WideMipKernel {
+    MipKernel mips;
+    Status create(Context& context) {
+        return createKernel(context, VK_FORMAT_R32G32B32A32_SFLOAT, mip_chain_rgba32f_comp, mips.kernel);
+    }
+};
+struct NarrowMipKernel {
+    MipKernel mips;
+    Status create(Context& context) {
+        return createKernel(context, VK_FORMAT_R16G16_SFLOAT, mip_chain_rg16f_comp, mips.kernel);
+    }
+};
+
+template<typename Variant>
+Status shareVariant(Context& context, std::shared_ptr<MipKernel>& out) {
+    std::shared_ptr<Variant> variant;
+    if (const Status s = context.share(variant); s != Status::ok) return s;
+    out = std::shared_ptr<MipKernel>(variant, &variant->mips);
+    return Status::ok;
+}
+
+/// From `base`, ready to be sampled, to the mips after it, as many as one dispatch halves.
+Status recordHalvings(Context& context, VkCommandBuffer commands, const Kernel& kernel,
+                      std::span<const OwnedImage* const> images, uint32_t base) {
+    const ImageDesc& desc = images.front()->desc();
+    const uint32_t last = std::min(base + halvings, desc.mipLevels - 1);
+    Slice slice;
+    if (const Status s = context.frame().upload(MipUniforms{last - base}, slice); s != Status::ok) return s;
+    std::vector<Resource> resources = {uniformBuffer(slice.buffer, slice.offset, sizeof(MipUniforms))};
+    for (const OwnedImage* image : images)
+        resources.push_back(sampledImage(context.samplers.nearestClamp(), image->mipView(base)));
+    // What nothing is stored to needs something to point at.
+    for (const OwnedImage* image : images)
+        for (uint32_t mip = base + 1; mip <= base + halvings; ++mip)
+            resources.push_back(storageImage(image->mipView(std::min(mip, last))));
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(kernel.layout().set(), resources, set); s != Status::ok)
+        return s;
+    const auto groups = [&](uint32_t size) {
+        return (std::max(size >> base, 1u) + groupEdge - 1) / groupEdge;
+    };
+    kernel.dispatch(commands, set, groups(desc.extent.width), groups(desc.extent.height),
+                    desc.layers * static_cast<uint32_t>(images.size()));
+    return Status::ok;
+}
+
+Status recordKernels(Context& context, VkCommandBuffer commands, const Kernel& kernel,
+                     std::span<const OwnedImage* const> images, const Use& written) {
+    const Device& device = context.device;
+    const uint32_t mips = images.front()->desc().mipLevels;
+    Barriers barriers(images);
+    barriers.add(written, sampledByShaders, 0, 1)
+        .add(discardedAfterSampling, storageWritten, 1, mips - 1)
+        .record(device, commands);
+    for (uint32_t base = 0; base + 1 < mips; base += halvings) {
+        if (const Status s = recordHalvings(context, commands, kernel, images, base); s != Status::ok)
+            return s;
+        const uint32_t made = std::min(halvings, mips - 1 - base);
+        barriers.add(storageWritten, sampledByShaders, base + 1, made).record(device, commands);
+    }
+    return Status::ok;
+}
+
+} // namespace
+
+Status MipChain::create(Context& context, VkFormat format) {
+    if (!byKernel(context.device)) return Status::ok;
+    return format == VK_FORMAT_R32G32B32A32_SFLOAT ? shareVariant<WideMipKernel>(context, kernel_)
+                                                   : shareVariant<NarrowMipKernel>(context, kernel_);
+}
+
+VkImageUsageFlags MipChain::usage(const Device& device) {
+    return byKernel(device) ? VK_IMAGE_USAGE_STORAGE_BIT
+                            : VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+}
+
+Status MipChain::record(Context& context, VkCommandBuffer commands, std::span<const OwnedImage* const> images,
+                        const Use& written) const {
+    if (images.front()->desc().mipLevels == 1)
+        Barriers(images).add(written, sampledByShaders, 0, 1).record(context.device, commands);
+    else if (kernel_)
+        return recordKernels(context, commands, kernel_->kernel, images, written);
+    else
+        recordBlits(context.device, commands, images, written);
+    return Status::ok;
 }
 
 } // namespace seaglass::gpu

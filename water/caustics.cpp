@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/mip_chain.h"
 #include "reflection/tiles.h"
 #include "spirv/caustics_blur.comp.h"
 #include "spirv/caustics_blur_h.comp.h"
@@ -26,6 +25,7 @@ constexpr VkDescriptorType uniforms = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType sampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 
+constexpr VkFormat lightFormat = VK_FORMAT_R16G16_SFLOAT;
 constexpr uint32_t mostMips = 6;          // blurs as wide as 64 texels
 constexpr uint32_t reach = 1 << mostMips; // of looks beyond a view, in texels: two of the last mip
 
@@ -36,18 +36,25 @@ VkExtent2D over(const glm::ivec2& pixels, int step) {
 
 gpu::ImageDesc blurredDesc(VkExtent2D texels) {
     gpu::ImageDesc desc;
-    desc.format = VK_FORMAT_R16G16_SFLOAT;
+    desc.format = lightFormat;
     desc.extent = texels;
     desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     return desc;
 }
 
-gpu::ImageDesc gatheredDesc(VkExtent2D texels) {
+gpu::ImageDesc gatheredDesc(const gpu::Device& device, VkExtent2D texels) {
     gpu::ImageDesc desc = blurredDesc(texels);
-    desc.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    desc.usage |= gpu::MipChain::usage(device);
     const auto mips = static_cast<uint32_t>(std::bit_width(std::max(texels.width, texels.height)));
     desc.mipLevels = std::min(mips, mostMips);
     return desc;
+}
+
+/// Of a picture that holds so many: kernels halve without rest.
+VkExtent2D pictureExtent(const gpu::Device& device, VkExtent2D texels) {
+    if (device.isCpu()) return texels;
+    constexpr uint32_t last = 1 << (mostMips - 1);
+    return {(texels.width + last - 1) / last * last, (texels.height + last - 1) / last * last};
 }
 
 VkDeviceSize sumBytes(VkExtent2D texels) {
@@ -194,12 +201,14 @@ Status Caustics::create(Context& context, const Sea& sea, const CausticsDesc& de
     lostSlopes_ = lostSlopesOf(sea);
     if (const Status s = context.share(gather_); s != Status::ok) return s;
     if (const Status s = context.share(blur_); s != Status::ok) return s;
+    if (const Status s = mips_.create(context, lightFormat); s != Status::ok) return s;
     return sea.shore ? context.share(castOnShore_) : context.share(cast_);
 }
 
 Status Caustics::fit(Context& context, VkExtent2D texels, Picture& picture) const {
     const VkExtent2D held = picture.gathered.handle() ? picture.gathered.desc().extent : VkExtent2D{0, 0};
-    const VkExtent2D wanted = {std::max(texels.width, held.width), std::max(texels.height, held.height)};
+    const VkExtent2D wanted = pictureExtent(
+        context.device, {std::max(texels.width, held.width), std::max(texels.height, held.height)});
     if (picture.gathered.isOf(wanted)) return Status::ok;
     Picture fresh;
     constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
@@ -207,7 +216,8 @@ Status Caustics::fit(Context& context, VkExtent2D texels, Picture& picture) cons
     if (const Status s = fresh.sums.create(context.device, sumBytes(wanted), usage, "caustics' sums");
         s != Status::ok)
         return s;
-    if (const Status s = fresh.gathered.create(context.device, gatheredDesc(wanted), "caustics' light");
+    if (const Status s =
+            fresh.gathered.create(context.device, gatheredDesc(context.device, wanted), "caustics' light");
         s != Status::ok)
         return s;
     if (const Status s = fresh.blurred.create(context.device, blurredDesc(wanted), "caustics' blur");
@@ -256,8 +266,7 @@ Status Caustics::recordGather(Context& context, VkCommandBuffer commands, const 
     gather_->kernel.dispatchOver(commands, set, texels);
     recordCopied(context.device, commands, in, picture.sums, picture.gathered, 0, texels);
     const gpu::OwnedImage* const images[] = {&picture.gathered};
-    gpu::recordMipChain(context.device, commands, images, gpu::copyWritten);
-    return Status::ok;
+    return mips_.record(context, commands, images, gpu::copyWritten);
 }
 
 Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const CausticInputs& in,
@@ -305,15 +314,16 @@ VkImageView Caustics::lightOf(const Context& context, uint32_t viewIndex, const 
     return cast ? picture.blurred.view() : VK_NULL_HANDLE;
 }
 
-VkDeviceSize Caustics::bytes(const BodyDesc& desc, VkExtent2D view) {
+VkDeviceSize Caustics::bytes(const gpu::Device& device, const BodyDesc& desc, VkExtent2D view) {
     VkExtent2D largest = view;
     if (desc.bed) {
         const VkExtent2D bed = Bed::pictureExtent(*desc.bed, desc.shading.bedDownscale, view);
         largest = {std::max(view.width, bed.width), std::max(view.height, bed.height)};
     }
     const glm::ivec2 region(static_cast<int>(largest.width), static_cast<int>(largest.height));
-    const VkExtent2D texels = over(region, static_cast<int>(desc.shading.causticStep));
-    return sumBytes(texels) + gpu::imageBytes(gatheredDesc(texels)) + gpu::imageBytes(blurredDesc(texels));
+    const VkExtent2D texels = pictureExtent(device, over(region, static_cast<int>(desc.shading.causticStep)));
+    return sumBytes(texels) + gpu::imageBytes(gatheredDesc(device, texels)) +
+           gpu::imageBytes(blurredDesc(texels));
 }
 
 } // namespace seaglass

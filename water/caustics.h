@@ -12,6 +12,7 @@
 #include "gpu/context.h"
 #include "gpu/image.h"
 #include "gpu/kernel.h"
+#include "gpu/mip_chain.h"
 #include "reflection/limits.h"
 #include "reflection/view.h"
 #include "seaglass/water.h"
@@ -93,7 +94,7 @@ class Caustics {
 
     static constexpr uint32_t dispatches = 3;
     /// Of one view, and of its bed where the body has one.
-    static VkDeviceSize bytes(const BodyDesc& desc, VkExtent2D view);
+    static VkDeviceSize bytes(const gpu::Device& device, const BodyDesc& desc, VkExtent2D view);
 
   private:
     struct Picture {
@@ -118,6 +119,7 @@ class Caustics {
     std::shared_ptr<GatherKernel> gather_;
     std::shared_ptr<CausticBlurKernel> blur_;
     std::shared_ptr<ShadowedCausticBlurKernel> blurInShadow_; ///< from the first shadow map on
+    gpu::MipChain mips_;
     std::array<Picture, maxViews> views_;
 };
 

@@ -14,7 +14,7 @@ Status Foam::create(Context& context, const Sea& sea, const FoamDesc& foam, cons
     albedo_ = foam.albedo;
     const VkImageUsageFlags filledBy = waves.uploaded() ? UploadedFoam::imageUsage : ComputedFoam::imageUsage;
     if (const Status s =
-            image_.create(context.device, cascade(sea, 0).samples, breakingOf(sea, foam).count, filledBy);
+            image_.create(context, cascade(sea, 0).samples, breakingOf(sea, foam).count, filledBy);
         s != Status::ok)
         return s;
     if (waves.uploaded()) return source_.emplace<UploadedFoam>().create(context, sea, foam);
@@ -34,8 +34,7 @@ Status Foam::record(Context& context, VkCommandBuffer commands, Waves& waves, do
 Status Foam::recordSteps(Context& context, VkCommandBuffer commands, Waves& waves, int64_t step) {
     if (auto* computed = std::get_if<ComputedFoam>(&source_))
         return computed->record(context, commands, *waves.computed(), waves.maps(), image_, step);
-    std::get<UploadedFoam>(source_).record(context, commands, *waves.uploaded(), image_, step);
-    return Status::ok;
+    return std::get<UploadedFoam>(source_).record(context, commands, *waves.uploaded(), image_, step);
 }
 
 } // namespace seaglass

@@ -53,7 +53,7 @@ Status ComputedFoam::record(Context& context, VkCommandBuffer commands, Computed
             s != Status::ok)
             return s;
     }
-    foam.recordMips(context.device, commands, gpu::storageWritten);
+    if (const Status s = foam.recordMips(context, commands, gpu::storageWritten); s != Status::ok) return s;
     newest_ = steps.last;
     return Status::ok;
 }

@@ -2,8 +2,6 @@
 
 #include <bit>
 
-#include "gpu/mip_chain.h"
-
 namespace seaglass {
 
 namespace {
@@ -12,8 +10,7 @@ gpu::ImageDesc imageDesc(uint32_t samples, uint32_t cascades) {
     gpu::ImageDesc desc;
     desc.format = VK_FORMAT_R16G16_SFLOAT;
     desc.extent = {samples, samples};
-    desc.usage =
-        VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     desc.mipLevels = static_cast<uint32_t>(std::bit_width(samples));
     desc.layers = cascades;
     desc.arrayView = true;
@@ -26,17 +23,16 @@ VkDeviceSize FoamImage::bytes(uint32_t samples, uint32_t cascades) {
     return gpu::imageBytes(imageDesc(samples, cascades));
 }
 
-Status FoamImage::create(const gpu::Device& device, uint32_t samples, uint32_t cascades,
-                         VkImageUsageFlags filledBy) {
+Status FoamImage::create(Context& context, uint32_t samples, uint32_t cascades, VkImageUsageFlags filledBy) {
     gpu::ImageDesc desc = imageDesc(samples, cascades);
-    desc.usage |= filledBy;
-    return image.create(device, desc, "foam history");
+    desc.usage |= gpu::MipChain::usage(context.device) | filledBy;
+    if (const Status s = image.create(context.device, desc, "foam history"); s != Status::ok) return s;
+    return mips.create(context, desc.format);
 }
 
-void FoamImage::recordMips(const gpu::Device& device, VkCommandBuffer commands,
-                           const gpu::Use& written) const {
+Status FoamImage::recordMips(Context& context, VkCommandBuffer commands, const gpu::Use& written) const {
     const gpu::OwnedImage* const images[] = {&image};
-    gpu::recordMipChain(device, commands, images, written);
+    return mips.record(context, commands, images, written);
 }
 
 } // namespace seaglass

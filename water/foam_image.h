@@ -5,17 +5,19 @@
 
 #include "gpu/context.h"
 #include "gpu/image.h"
+#include "gpu/mip_chain.h"
 
 namespace seaglass {
 
 struct FoamImage {
     gpu::OwnedImage image;
+    gpu::MipChain mips;
 
     /// `filledBy` is the usage that whoever fills mip 0 needs.
-    Status create(const gpu::Device& device, uint32_t samples, uint32_t cascades, VkImageUsageFlags filledBy);
+    Status create(Context& context, uint32_t samples, uint32_t cascades, VkImageUsageFlags filledBy);
     static VkDeviceSize bytes(uint32_t samples, uint32_t cascades);
     /// From mip 0 `written` to all mips readable by shaders.
-    void recordMips(const gpu::Device& device, VkCommandBuffer commands, const gpu::Use& written) const;
+    Status recordMips(Context& context, VkCommandBuffer commands, const gpu::Use& written) const;
 };
 
 } // namespace seaglass

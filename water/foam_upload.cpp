@@ -35,8 +35,8 @@ void UploadedFoam::write(void* staging) const {
     }
 }
 
-void UploadedFoam::record(Context& context, VkCommandBuffer commands, const UploadedWaves& waves,
-                          const FoamImage& foam, int64_t step) {
+Status UploadedFoam::record(Context& context, VkCommandBuffer commands, const UploadedWaves& waves,
+                            const FoamImage& foam, int64_t step) {
     history_->advance(waves.backend(), waves.state(), step);
     const gpu::Buffer& staging = staging_[context.slot];
     write(staging.mapped());
@@ -51,7 +51,7 @@ void UploadedFoam::record(Context& context, VkCommandBuffer commands, const Uplo
     region.imageExtent = {desc.extent.width, desc.extent.height, 1};
     context.device.vk().CmdCopyBufferToImage(commands, staging.handle(), foam.image.handle(),
                                              VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    foam.recordMips(context.device, commands, gpu::copyWritten);
+    return foam.recordMips(context, commands, gpu::copyWritten);
 }
 
 } // namespace seaglass

@@ -17,8 +17,8 @@ class UploadedFoam {
     /// `sea` breaks, and outlives the foam.
     Status create(Context& context, const Sea& sea, const FoamDesc& foam);
     /// Sets the image to `step` and the one after it.
-    void record(Context& context, VkCommandBuffer commands, const UploadedWaves& waves, const FoamImage& foam,
-                int64_t step);
+    Status record(Context& context, VkCommandBuffer commands, const UploadedWaves& waves,
+                  const FoamImage& foam, int64_t step);
 
     static VkDeviceSize bytes(uint32_t samples, uint32_t cascades, uint32_t framesInFlight);
 

@@ -35,7 +35,7 @@ Status addWaves(Context& context, const BodyDesc& desc, VkExtent2D extent, Estim
     const WavesBackend* backend = chosenBackend(context.device, desc);
     out.bytes += Waves::bytes(context, *sea, backend) + (desc.motion ? Waves::lastBytes(*sea) : 0);
     if (sea->shore) out.bytes += ShoreMap::bytes(*sea->shore);
-    if (desc.caustics) out.bytesPerView += Caustics::bytes(desc, extent);
+    if (desc.caustics) out.bytesPerView += Caustics::bytes(context.device, desc, extent);
     if (desc.foam && breakingOf(*sea, *desc.foam).count > 0)
         out.bytes += FoamPattern::bytes() + Foam::bytes(*sea, *desc.foam, backend, context.frameCount);
     return Status::ok;

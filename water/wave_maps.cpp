@@ -2,8 +2,6 @@
 
 #include <bit>
 
-#include "gpu/mip_chain.h"
-
 namespace seaglass {
 
 namespace {
@@ -11,13 +9,11 @@ namespace {
 constexpr const char* mapNames[waveMapCount] = {"wave displacement map", "wave derivative map",
                                                 "wave moment map"};
 
-gpu::ImageDesc mapDesc(uint32_t samples, uint32_t cascades, VkImageUsageFlags filledBy = 0) {
+gpu::ImageDesc mapDesc(uint32_t samples, uint32_t cascades, VkImageUsageFlags usage = 0) {
     gpu::ImageDesc desc;
     desc.format = waveMapFormat;
     desc.extent = {samples, samples};
-    // Mips are blitted.
-    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
-                 VK_IMAGE_USAGE_TRANSFER_SRC_BIT | filledBy;
+    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | usage;
     desc.mipLevels = static_cast<uint32_t>(std::bit_width(samples));
     desc.layers = cascades;
     desc.arrayView = true;
@@ -30,15 +26,16 @@ VkDeviceSize WaveMaps::bytes(uint32_t samplesAcross, uint32_t cascadeCount) {
     return gpu::imageBytes(mapDesc(samplesAcross, cascadeCount)) * waveMapCount;
 }
 
-Status WaveMaps::create(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount,
+Status WaveMaps::create(Context& context, uint32_t samplesAcross, uint32_t cascadeCount,
                         VkImageUsageFlags filledBy) {
+    const gpu::Device& device = context.device;
     samples = samplesAcross;
     cascades = cascadeCount;
-    const gpu::ImageDesc desc = mapDesc(samples, cascades, filledBy);
+    const gpu::ImageDesc desc = mapDesc(samples, cascades, gpu::MipChain::usage(device) | filledBy);
     mipLevels = desc.mipLevels;
     for (uint32_t i = 0; i < waveMapCount; ++i)
         if (const Status s = images[i].create(device, desc, mapNames[i]); s != Status::ok) return s;
-    return Status::ok;
+    return mips.create(context, waveMapFormat);
 }
 
 void WaveMaps::recordBegin(const gpu::Device& device, VkCommandBuffer commands,
@@ -79,11 +76,10 @@ void WaveMaps::recordNoMips(const gpu::Device& device, VkCommandBuffer commands,
     gpu::recordBarriers(device, commands, barriers.data(), 2 * waveMapCount);
 }
 
-void WaveMaps::recordMips(const gpu::Device& device, VkCommandBuffer commands,
-                          const gpu::Use& written) const {
-    const gpu::PassScope pass(device, commands, "waves_mips");
+Status WaveMaps::recordMips(Context& context, VkCommandBuffer commands, const gpu::Use& written) const {
+    const gpu::PassScope pass(context.device, commands, "waves_mips");
     const gpu::OwnedImage* const all[waveMapCount] = {&images[0], &images[1], &images[2]};
-    gpu::recordMipChain(device, commands, all, written);
+    return mips.record(context, commands, all, written);
 }
 
 } // namespace seaglass

@@ -7,6 +7,7 @@
 
 #include "gpu/context.h"
 #include "gpu/image.h"
+#include "gpu/mip_chain.h"
 
 namespace seaglass {
 
@@ -18,9 +19,10 @@ struct WaveMaps {
     uint32_t samples = 0;
     uint32_t cascades = 0;
     uint32_t mipLevels = 0;
+    gpu::MipChain mips;
 
     /// `filledBy` is the usage that whoever fills mip 0 needs.
-    Status create(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount,
+    Status create(Context& context, uint32_t samplesAcross, uint32_t cascadeCount,
                   VkImageUsageFlags filledBy);
     static VkDeviceSize bytes(uint32_t samplesAcross, uint32_t cascadeCount);
     /// Makes mip 0 ready to be `written`, its former content lost; readers of earlier frames are waited for.
@@ -31,7 +33,7 @@ struct WaveMaps {
                     uint32_t count) const;
     static VkDeviceSize mip0Bytes(uint32_t samplesAcross, uint32_t cascadeCount);
     /// From mip 0 `written` to all mips readable by shaders.
-    void recordMips(const gpu::Device& device, VkCommandBuffer commands, const gpu::Use& written) const;
+    Status recordMips(Context& context, VkCommandBuffer commands, const gpu::Use& written) const;
     /// From mip 0 `written` to mip 0 readable by shaders, with nothing in the others.
     void recordNoMips(const gpu::Device& device, VkCommandBuffer commands, const gpu::Use& written) const;
 };

@@ -13,7 +13,7 @@ VkDeviceSize Waves::bytes(const Context& context, const Sea& sea, const WavesBac
 Status Waves::create(Context& context, const Sea& sea, const WavesBackend* backend) {
     const VkImageUsageFlags filledBy =
         backend ? UploadedWaves::mapUsage : ComputedWaves::mapUsage(context.device);
-    if (const Status s = maps_.create(context.device, cascade(sea, 0).samples, cascadeCount(sea), filledBy);
+    if (const Status s = maps_.create(context, cascade(sea, 0).samples, cascadeCount(sea), filledBy);
         s != Status::ok)
         return s;
     if (backend) return source_.emplace<UploadedWaves>().create(context, sea, *backend);

@@ -213,8 +213,7 @@ void ComputedWaves::recordUpload(Context& context, VkCommandBuffer commands) {
 
 Status ComputedWaves::record(Context& context, VkCommandBuffer commands, const WaveMaps& maps, double time) {
     if (const Status s = recordMaps(context, commands, maps, sea_->count, time); s != Status::ok) return s;
-    maps.recordMips(context.device, commands, mapsFilled(context.device));
-    return Status::ok;
+    return maps.recordMips(context, commands, mapsFilled(context.device));
 }
 
 Status ComputedWaves::recordFirst(Context& context, VkCommandBuffer commands, const WaveMaps& maps,

@@ -41,8 +41,7 @@ Status UploadedWaves::record(Context& context, VkCommandBuffer commands, const W
         maps.recordBegin(context.device, commands, gpu::copyWritten);
         maps.recordCopy(context.device, commands, staging.handle(), maps.cascades);
     }
-    maps.recordMips(context.device, commands, gpu::copyWritten);
-    return Status::ok;
+    return maps.recordMips(context, commands, gpu::copyWritten);
 }
 
 } // namespace seaglass
