@@ -131,13 +131,9 @@ void main() {
     if (column.rows == 0) return;
     int row = 0;
     do {
-        // Over what is whole at once: what stands under a condition runs for all.
-        bool cut;
-        ivec2 texel;
-        do {
-            texel = column.top + ivec2(0, row);
-            cut = isCut(texel);
-        } while (++row < column.rows && !cut);
-        if (cut) reachBeyond(texel);
-    } while (row < column.rows);
+        // Over what is whole at once: what stands under a condition runs for all. Nothing but the count leaves the inner loop:
+        // llvmpipe spoils other values for columns that have left it.
+        while (row < column.rows && !isCut(column.top + ivec2(0, row))) ++row;
+        if (row < column.rows) reachBeyond(column.top + ivec2(0, row));
+    } while (++row < column.rows);
 }

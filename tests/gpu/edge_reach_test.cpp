@@ -152,6 +152,26 @@ TEST_P(EdgeReach, WhatTheBorderCutsOffIsAllThatChanges) {
     }
 }
 
+// The order in which tiles are listed varies, and so does who works on them.
+TEST_P(EdgeReach, IsTheSameInEveryFrame) {
+    Camera camera = testCamera();
+    camera.eye.x = -0.4;
+    camera.target.y = 0.8;
+    camera.rollDegrees = 35;
+    camera.width = 243;
+    camera.height = 139;
+    const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
+    ReflectorDesc desc = reaching(GetParam(), share);
+    desc.reflection.downscale = 2;
+    const std::vector<ReflectorDesc> many(maxReflectors, desc);
+    const Reflected first = reflectView(traced, viewDesc(camera), desc);
+    for (int frames = 0; frames < 4; ++frames)
+        for (const Reflected& result : reflectTogether(traced, viewDesc(camera), many)) {
+            EXPECT_EQ(result.color, first.color);
+            EXPECT_EQ(result.info, first.info);
+        }
+}
+
 TEST_P(EdgeReach, CostsTwoDispatches) {
     const ReflectorDesc on = reaching(GetParam(), share), off = with(GetParam());
     const Estimate with = expectEstimateHolds(on, {256, 144}), without = expectEstimateHolds(off, {256, 144});
