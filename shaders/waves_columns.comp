@@ -3,6 +3,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
+#define SIXTY_FOURS 1
+layout(local_size_x = 64) in;
 #include "fft.glsl"
 #include "wave_fields.glsl"
 
@@ -30,6 +32,14 @@ vec2 heightNow(uint mode) {
     return vec2(a.x * turn.x - a.w * turn.y, a.y * turn.x + a.z * turn.y);
 }
 
+// What a field is, of h.
+float factorOf(uint field, float kv, float d) {
+    if (field == 0u) return 1.0;
+    if (field == 1u) return d;
+    if (field == 2u) return kv * d;
+    return kv * (field == 3u ? 1.0 - kv * d : 1.0 + kv * d);
+}
+
 void main() {
     uint line = gl_LocalInvocationID.x / team;
     uint place = gl_LocalInvocationID.x % team;
@@ -51,27 +61,18 @@ void main() {
     }
     MODE(0) MODE(1) MODE(2) MODE(3) MODE(4) MODE(5) MODE(6) MODE(7)
 
-#define POINTS(F) F(0, 0) F(1, 1) F(2, 2) F(3, 3) F(12, 4) F(13, 5) F(14, 6) F(15, 7)
+#define POINT(r, j) x[r] = factorOf(field, kv[j], d[j]) * h[j];
 #define STORE(r) columns[columnPoint(column, field, place + team * uint(r))] = x[r];
-#define FIELD(number, factor)                                                                                          \
-    {                                                                                                                  \
-        const uint field = number;                                                                                     \
-        vec2 x[16];                                                                                                    \
-        POINTS(factor)                                                                                                 \
-        fourier16OfEnds(x);                                                                                            \
-        finishLine(x, line, place);                                                                                    \
-        if (held) {                                                                                                    \
-            EACH(STORE)                                                                                                \
-        }                                                                                                              \
+    // Each has a workgroup of its own, for as many at once; a CPU device computes a column's waves once for all.
+    const uint fields = onCpu ? columnFields : 1u;
+    for (uint f = 0u; f < fields; ++f) {
+        uint field = gl_WorkGroupID.y * fields + f;
+        vec2 x[16];
+        POINT(0, 0) POINT(1, 1) POINT(2, 2) POINT(3, 3) POINT(12, 4) POINT(13, 5) POINT(14, 6) POINT(15, 7)
+        fourier16OfEnds(x);
+        finishLine(x, line, place);
+        if (held) {
+            EACH(STORE)
+        }
     }
-#define HEIGHT(r, j) x[r] = h[j];
-#define SHIFT(r, j) x[r] = d[j] * h[j];
-#define SHIFT_V(r, j) x[r] = (kv[j] * d[j]) * h[j];
-#define SLOPE_LESS(r, j) x[r] = (kv[j] * (1.0 - kv[j] * d[j])) * h[j];
-#define SLOPE_MORE(r, j) x[r] = (kv[j] * (1.0 + kv[j] * d[j])) * h[j];
-    FIELD(0u, HEIGHT)
-    FIELD(1u, SHIFT)
-    FIELD(2u, SHIFT_V)
-    FIELD(3u, SLOPE_LESS)
-    FIELD(4u, SLOPE_MORE)
 }

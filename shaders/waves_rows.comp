@@ -3,6 +3,13 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
+#ifdef COPIED
+#define SIXTY_FOURS 1
+layout(local_size_x = 64) in;
+#else
+#define SIXTY_FOURS 2
+layout(local_size_x = 128) in;
+#endif
 #include "fft.glsl"
 #include "wave_fields.glsl"
 
@@ -43,61 +50,101 @@ vec2 conjugate(vec2 z) {
     return vec2(z.x, -z.y);
 }
 
+// A line of a cascade's rows.
+struct Row {
+    Cascade cascade;
+    uint row;
+    uint slot;    // of the workgroup's lines
+    uint place;
+};
+
+vec2 column(Row at, uint m, uint field) {
+    return m < at.cascade.columns ? columns[columnPoint(at.cascade.firstColumn + m, field, at.row)] : vec2(0.0);
+}
+
+// One of the complex fields of water/wave_fields.h, s the cascade's packing:
+//   0: Dx + i s dDx/du, from d h         1: Dz + i s dDx/dv, from kv d h
+//   2: h + i s dh/du, from h             3: dh/dv + i dDz/dv, from kv (1 -+ kv d) h
+void transform(Row at, uint pair, out vec2 x[16]) {
+    uint fieldAhead = pair == 0u ? 1u : pair == 1u ? 2u : pair == 2u ? 0u : 3u;
+    uint fieldBehind = pair == 3u ? 4u : fieldAhead;
+    float s = at.cascade.packing;
+    // Column m of the points 0 to 3, and -m of the points 12 to 15.
+#define AHEAD(r)                                                                                                       \
+    {                                                                                                                  \
+        uint m = at.place + team * uint(r);                                                                            \
+        float ku = at.cascade.dk * float(m);                                                                           \
+        float scale = pair == 3u ? 1.0 : (pair == 0u ? ku : 1.0) * (1.0 - s * ku);                                     \
+        vec2 z = column(at, m, fieldAhead);                                                                            \
+        x[r] = scale * (pair == 2u ? z : timesI(z));                                                                   \
+    }
+#define BEHIND(r)                                                                                                      \
+    {                                                                                                                  \
+        uint m = team * (16u - uint(r)) - at.place;                                                                    \
+        float ku = at.cascade.dk * float(m);                                                                           \
+        float scale = pair == 3u ? 1.0 : (pair == 0u ? ku : 1.0) * (1.0 + s * ku);                                     \
+        vec2 z = conjugate(column(at, m, fieldBehind));                                                                \
+        x[r] = scale * (pair == 2u ? z : -timesI(z));                                                                  \
+    }
+    AHEAD(0) AHEAD(1) AHEAD(2) AHEAD(3) BEHIND(12) BEHIND(13) BEHIND(14) BEHIND(15)
+#undef AHEAD
+#undef BEHIND
+    fourier16OfEnds(x);
+    finishLine(x, at.slot, at.place);
+}
+
+void storePoint(Row at, uint r, vec2 shiftU, vec2 shiftV, vec2 height, vec2 slopeV) {
+    float unpack = 1.0 / at.cascade.packing;   // exact
+    vec2 slope = vec2(height.y * unpack, slopeV.x);
+    float shear = shiftV.y * unpack;
+    storeTexel(uvec3(at.place + team * r, at.row, gl_WorkGroupID.y), vec4(shiftU.x, height.x, shiftV.x, shear),
+               vec4(slope, shiftU.y * unpack, slopeV.y), vec4(slope * slope, slope.x * slope.y, shear));
+}
+
 void main() {
-    uint line = gl_LocalInvocationID.x / team;
-    uint place = gl_LocalInvocationID.x % team;
+    bool second = gl_LocalInvocationID.x >= 64u;
+    uint member = gl_LocalInvocationID.x % 64u;
+    uint line = member / team;
     uint row = gl_WorkGroupID.x * lines + line;
     bool held = row < samples;
-    row = min(row, samples - 1u);
-    Cascade cascade = cascades[gl_WorkGroupID.y];
-    float s = cascade.packing;
+    Row at = Row(cascades[gl_WorkGroupID.y], min(row, samples - 1u), (second ? lines : 0u) + line, member % team);
 
-    // Column m of the points 0 to 3, and -m of the points 12 to 15.
-    uint m[16];
-    float ku[16];
-#define AHEAD(r) m[r] = place + team * uint(r); ku[r] = cascade.dk * float(m[r]);
-#define BEHIND(r) m[r] = team * (16u - uint(r)) - place; ku[r] = cascade.dk * float(m[r]);
-#define AHEADS(F) F(0) F(1) F(2) F(3)
-#define BEHINDS(F) F(12) F(13) F(14) F(15)
-    AHEADS(AHEAD) BEHINDS(BEHIND)
-
-#define COLUMN(field, r)                                                                                               \
-    (m[r] < cascade.columns ? columns[columnPoint(cascade.firstColumn + m[r], field, row)] : vec2(0.0))
-#define PAIR(x, ahead, behind)                                                                                         \
-    vec2 x[16];                                                                                                        \
-    {                                                                                                                  \
-        AHEADS(ahead)                                                                                                  \
-        BEHINDS(behind)                                                                                                \
-        fourier16OfEnds(x);                                                                                            \
-        finishLine(x, line, place);                                                                                    \
-    }
-    // Dx + i s dDx/du, from d h.
-#define X_AHEAD(r) shiftU[r] = (ku[r] * (1.0 - s * ku[r])) * timesI(COLUMN(1u, r));
-#define X_BEHIND(r) shiftU[r] = (-ku[r] * (1.0 + s * ku[r])) * timesI(conjugate(COLUMN(1u, r)));
-    PAIR(shiftU, X_AHEAD, X_BEHIND)
-    // h + i s dh/du, from h.
-#define H_AHEAD(r) height[r] = (1.0 - s * ku[r]) * COLUMN(0u, r);
-#define H_BEHIND(r) height[r] = (1.0 + s * ku[r]) * conjugate(COLUMN(0u, r));
-    PAIR(height, H_AHEAD, H_BEHIND)
-    // Dz + i s dDx/dv, from kv d h.
-#define Z_AHEAD(r) shiftV[r] = (1.0 - s * ku[r]) * timesI(COLUMN(2u, r));
-#define Z_BEHIND(r) shiftV[r] = (-1.0 - s * ku[r]) * timesI(conjugate(COLUMN(2u, r)));
-    PAIR(shiftV, Z_AHEAD, Z_BEHIND)
-    // dh/dv + i dDz/dv, from kv (1 -+ kv d) h.
-#define V_AHEAD(r) slopeV[r] = timesI(COLUMN(3u, r));
-#define V_BEHIND(r) slopeV[r] = -timesI(conjugate(COLUMN(4u, r)));
-    PAIR(slopeV, V_AHEAD, V_BEHIND)
-
+#ifdef COPIED
+    vec2 shiftU[16], shiftV[16], height[16], slopeV[16];
+    transform(at, 0u, shiftU);
+    transform(at, 2u, height);
+    transform(at, 1u, shiftV);
+    transform(at, 3u, slopeV);
     if (!held) return;
-    float unpack = 1.0 / s;   // exact
+#define STORE(r) storePoint(at, uint(r), shiftU[r], shiftV[r], height[r], slopeV[r]);
+    EACH(STORE)
+#else
+    // The first 64 invocations transform the pairs 0 and 2, the others 1 and 3. In a loop, since a compiler that sees
+    // both transforms at once keeps the turns of one for the other, in twice the registers. Then the first store the
+    // points 0 to 7, the others 8 to 15.
+    vec2 shift[16], slope[16];
+#define CLEAR(r) slope[r] = vec2(0.0);
+    EACH(CLEAR)
+    for (uint pair = 0u; pair < 4u; pair += 2u) {
+        shift = slope;
+        transform(at, pair + (second ? 1u : 0u), slope);
+    }
+#define EIGHT(F) F(0) F(1) F(2) F(3) F(4) F(5) F(6) F(7)
+#define GIVE(r)                                                                                                        \
+    exchange[128 * r + gl_LocalInvocationID.x] = second ? shift[r] : shift[r + 8];                                     \
+    exchange[128 * (r + 8) + gl_LocalInvocationID.x] = second ? slope[r] : slope[r + 8];
+    barrier();
+    EIGHT(GIVE)
+    barrier();
+    if (!held) return;
+    uint other = gl_LocalInvocationID.x ^ 64u;
 #define STORE(r)                                                                                                       \
     {                                                                                                                  \
-        vec2 slope = vec2(height[r].y * unpack, slopeV[r].x);                                                          \
-        vec2 stretch = vec2(shiftU[r].y * unpack, slopeV[r].y);                                                        \
-        float shear = shiftV[r].y * unpack;                                                                            \
-        storeTexel(uvec3(place + team * uint(r), row, gl_WorkGroupID.y),                                               \
-                   vec4(shiftU[r].x, height[r].x, shiftV[r].x, shear), vec4(slope, stretch),                           \
-                   vec4(slope * slope, slope.x * slope.y, shear));                                                     \
+        vec2 ownShift = second ? shift[r + 8] : shift[r], ownSlope = second ? slope[r + 8] : slope[r];                 \
+        vec2 givenShift = exchange[128 * r + other], givenSlope = exchange[128 * (r + 8) + other];                     \
+        storePoint(at, uint(r) + (second ? 8u : 0u), second ? givenShift : ownShift, second ? ownShift : givenShift,   \
+                   second ? givenSlope : ownSlope, second ? ownSlope : givenSlope);                                    \
     }
-    EACH(STORE)
+    EIGHT(STORE)
+#endif
 }

@@ -114,6 +114,11 @@ constexpr gpu::BufferUse shaderWritten = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
 constexpr gpu::BufferUse copyRead = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
 constexpr gpu::BufferUse modesCopied = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
 
+/// Of a column's fields, how many a workgroup transforms: waves_columns.comp.
+uint32_t fieldsAtOnce(const gpu::Device& device) {
+    return device.isCpu() ? waveColumnFields : 1;
+}
+
 const gpu::Use& mapsFilled(const gpu::Device& device) {
     return device.isCpu() ? gpu::copyWritten : gpu::storageWritten;
 }
@@ -133,7 +138,7 @@ Status WaveKernels::get(const gpu::Device& device, uint32_t samples, const Pair*
     if (!fresh) return Status::ok;
     constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     constexpr VkDescriptorType buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    const uint32_t constants[] = {samples};
+    const uint32_t constants[] = {samples, device.isCpu()};
     Pair& pair = entry->second;
     Status s = pair.columns.create(device, waves_columns_comp, std::array{uniform, buffer, buffer, buffer},
                                    "waves columns pipeline", constants);
@@ -238,7 +243,8 @@ Status ComputedWaves::recordMaps(Context& context, VkCommandBuffer commands, con
         const gpu::PassScope pass(device, commands, "waves");
         const gpu::BufferUse lastRead = {shaderRead.stage | copyRead.stage, VK_ACCESS_2_NONE};
         gpu::recordBarrier(device, commands, lastRead, shaderWritten);
-        kernels->columns.dispatch(commands, sets.columns, groups(allColumns(*sea_, cascades)), 1);
+        kernels->columns.dispatch(commands, sets.columns, groups(allColumns(*sea_, cascades)),
+                                  waveColumnFields / fieldsAtOnce(device));
         maps.recordBegin(device, commands, mapsFilled(device));
         gpu::recordBarrier(device, commands, shaderWritten, shaderRead);
         kernels->rows.dispatch(commands, sets.rows, groups(maps.samples), cascades);

@@ -1,6 +1,6 @@
 // Waves by compute shaders: spectrum and columns in one dispatch, rows and maps in another. Where the device
 // is a CPU, whose stores to images cost several times those to buffers, maps are copied from a buffer.
-// Everything stays within what Vulkan guarantees of any device: 64 invocations a group, 9 KiB they share.
+// Everything stays within what Vulkan guarantees of any device: 128 invocations a group, 16 KiB they share.
 #pragma once
 
 #include <array>

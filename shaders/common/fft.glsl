@@ -1,18 +1,17 @@
 // Inverse Fourier transforms, unnormalised, of lines of `samples` points: Stockham's autosort (Govindaraju et al. 2008)
 // in steps of 16, then one of 2, 4 or 8 if there is need. A team of samples / 16 invocations holds a line, 16 points
-// each, and 64 invocations hold 1024 points, whatever the samples. Arrays are indexed by literals alone, so that they
-// stay in registers.
+// each, and 64 invocations hold 1024 points, whatever the samples; SIXTY_FOURS says how many of those a workgroup has.
+// Arrays are indexed by literals alone, so that they stay in registers.
 #extension GL_GOOGLE_include_directive : require
 #include "phase.glsl"
 
-layout(local_size_x = 64) in;
 layout(constant_id = 0) const uint samples = 256u;   // 16..1024, a power of two
+layout(constant_id = 1) const bool onCpu = false;
 
 const uint team = samples / 16u;
-const uint lines = 64u / team;   // a workgroup
+const uint lines = 64u / team;   // of 64 invocations
 
-// Every 16 points one is left out, which keeps invocations off each other's banks.
-shared vec2 exchange[1024 + 64];
+shared vec2 exchange[1024 * SIXTY_FOURS];
 
 vec2 times(vec2 a, vec2 b) {
     return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
@@ -125,8 +124,9 @@ void turn16(inout vec2 x[16], uint phase) {
     x[15] = times(x[15], times(w12, w3));
 }
 
+// Keeps invocations off each other's banks; a CPU device has none.
 uint spread(uint point) {
-    return point + point / 16u;
+    return onCpu ? point : point ^ (point / 16u % 16u);
 }
 
 // Points leave as `first + step r` and come back as `place + team r`, both within the team's line.
