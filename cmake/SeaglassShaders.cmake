@@ -6,6 +6,17 @@ find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang REQUIRED)
 # SPIR-V 1.6 states group sizes by id, which needs the feature maintenance4; 1.5 serves and asks for nothing.
 set(SEAGLASS_GLSLANG_FLAGS --quiet -V --target-env vulkan1.2)
 
+# For tests: shaders whose arithmetic is as unlike a CPU device's as Vulkan lets it be.
+set(SEAGLASS_HOSTILE_ARITHMETIC "" CACHE STRING "Of NaN, min and max give the \"other\" operand, or \"nan\"; see tests/spirv/hostile_arithmetic.py")
+set(seaglass_hostile "")
+if(SEAGLASS_HOSTILE_ARITHMETIC)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  find_program(SPIRV_OPT spirv-opt REQUIRED)
+  set(seaglass_hostile_script ${PROJECT_SOURCE_DIR}/tests/spirv/hostile_arithmetic.py)
+  set(seaglass_hostile COMMAND ${Python3_EXECUTABLE} -B ${seaglass_hostile_script} ${SEAGLASS_HOSTILE_ARITHMETIC} ${SPIRV_OPT})
+  add_compile_definitions(SEAGLASS_HOSTILE_ARITHMETIC)
+endif()
+
 # For SEAGLASS_SHADER_RELOAD: the header that is included tells the library by what name it may be given other words than
 # those of `words`; the global property SEAGLASS_SHADERS holds how each is compiled.
 function(seaglass_name_shader header words name symbol source defines)
@@ -37,11 +48,16 @@ function(seaglass_shaders target)
       seaglass_name_shader(${header} ${words} ${name} ${symbol} ${source} "${arg_DEFINES}")
       set(header ${words})
     endif()
+    set(hostile ${seaglass_hostile})
+    if(hostile)
+      list(APPEND hostile ${header})
+    endif()
     add_custom_command(
       OUTPUT ${header}
       COMMAND ${GLSLANG_VALIDATOR} ${SEAGLASS_GLSLANG_FLAGS} -I${PROJECT_SOURCE_DIR}/shaders/common
               ${arg_DEFINES} --depfile ${header}.d --vn ${symbol} -o ${header} ${source}
-      DEPENDS ${source}
+      ${hostile}
+      DEPENDS ${source} ${seaglass_hostile_script}
       DEPFILE ${header}.d
       COMMENT "SPIR-V ${name}"
       VERBATIM)

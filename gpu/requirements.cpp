@@ -59,6 +59,9 @@ void requirements(Requirements* out) {
     *out = {};
     out->apiVersion = VK_API_VERSION_1_3;
     out->features.shaderStorageImageExtendedFormats = VK_TRUE;
+#ifdef SEAGLASS_HOSTILE_ARITHMETIC
+    out->features.shaderFloat64 = VK_TRUE; // in which a fused multiply-add is made
+#endif
     out->features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
     out->features13.synchronization2 = VK_TRUE;
     out->features13.shaderDemoteToHelperInvocation = VK_TRUE;

@@ -23,11 +23,15 @@ class Op(IntEnum):
     CompositeConstruct, CompositeExtract, CompositeInsert, CopyObject = 80, 81, 82, 83
     Bitcast = 124
     IAdd, ISub = 128, 130
-    FAdd, FSub, FMul = 129, 131, 133
+    FAdd, FSub, FMul, FDiv = 129, 131, 133, 136
+    VectorTimesScalar, MatrixTimesVector, Dot = 142, 145, 148
+    IsNan = 156
     LogicalOr, LogicalAnd, LogicalNot, Select = 166, 167, 168, 169
     IEqual, INotEqual = 170, 171
     UGreaterThan, SGreaterThan, UGreaterThanEqual, SGreaterThanEqual = 172, 173, 174, 175
     ULessThan, SLessThan, ULessThanEqual, SLessThanEqual = 176, 177, 178, 179
+    FOrdLessThan, FOrdGreaterThan, FOrdLessThanEqual, FOrdGreaterThanEqual = 184, 186, 188, 190
+    BitwiseAnd = 199
     Phi, LoopMerge, SelectionMerge, Label, Branch, BranchConditional, Switch = 245, 246, 247, 248, 249, 250, 251
     Kill, Return, ReturnValue, Unreachable = 252, 253, 254, 255
 
