@@ -72,3 +72,15 @@ def read(path):
 def text(words):
     """A literal string."""
     return b"".join(word.to_bytes(4, "little") for word in words).split(b"\0")[0].decode()
+
+
+def files(arguments):
+    """Those named, and those listed in files that are named with an @."""
+    paths = []
+    for argument in arguments:
+        if argument.startswith("@"):
+            with open(argument[1:]) as file:
+                paths += file.read().split()
+        else:
+            paths.append(argument)
+    return paths

@@ -1,4 +1,4 @@
-"""bounded_loops.py names every function of planted/endless.comp that loops, and none of planted/bounded.comp.
+"""What is planted is named, and what only looks like it is not: functions of planted/ are either all at fault, or none of them.
 
     planted_test.py GLSLANG
 """
@@ -7,26 +7,32 @@ import subprocess
 import sys
 import tempfile
 
-from bounded_loops import Shader, unbounded_loops
-from module import read
+from bounded_loops import unbounded_loops
+from defined_derivatives import undefined_derivatives
+from module import Op, read, text
 
 PLANTED = pathlib.Path(__file__).parent / "planted"
+# Which look for faults, and those that the functions but for these have.
+FILES = [
+    ("endless.comp", lambda path: unbounded_loops(path)[1], {"main", "look", "moveIt"}),
+    ("bounded.comp", lambda path: unbounded_loops(path)[1], None),
+    ("undefined.frag", undefined_derivatives, {"main", "stop"}),
+    ("defined.frag", undefined_derivatives, None),
+]
 
 
 def main(glslang):
     failed = []
     with tempfile.TemporaryDirectory() as folder:
-        for name, endless in (("endless", True), ("bounded", False)):
-            built = f"{folder}/{name}.spv"
-            subprocess.run([glslang, "--quiet", "-V", "--target-env", "vulkan1.2", "-o", built, PLANTED / f"{name}.comp"], check=True)
-            shader = Shader(read(built))
-            expected = {shader.name(function.id) for function in shader.functions.values() if function.loops and endless}
-            count, lines = unbounded_loops(built)
-            named = {line.split(": ")[1].split("()")[0] for line in lines}
-            if count < 15:
-                failed.append(f"{name}.comp: {count} loops found, expected 15 or more")
-            failed += [f"{name}.comp: {function}() is not named, expected to be" for function in sorted(expected - named)]
-            failed += [f"{name}.comp: {function}() is named, expected not to be" for function in sorted(named - expected)]
+        for file, faults, but in FILES:
+            built = f"{folder}/{file}.spv"
+            subprocess.run([glslang, "--quiet", "-V", "--target-env", "vulkan1.2", "-o", built, PLANTED / file], check=True)
+            instructions = read(built).instructions
+            names = {i[1]: text(i[2:]).split("(")[0] for i in instructions if i[0] == Op.Name}
+            expected = {names[i[2]] for i in instructions if i[0] == Op.Function} - but if but else set()
+            named = {line.split(": ")[1].split("()")[0] for line in faults(built)}
+            failed += [f"{file}: {function}() is not named, expected to be" for function in sorted(expected - named)]
+            failed += [f"{file}: {function}() is named, expected not to be" for function in sorted(named - expected)]
     print("\n".join(failed))
     return 1 if failed else 0
 

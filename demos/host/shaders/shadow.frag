@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_demote_to_helper_invocation : require
 #include "frame.glsl"
 #include "draw.glsl"
 #include "bent_sun.glsl"
@@ -16,5 +17,5 @@ void main() {
     const int casts = int(draw.surface.w);
     // The texture's mip level comes from the whole quad, so it is read before any of its pixels is left.
     const bool cutOut = masked && draw.baseColor.a * inAlpha * texture(baseColorMap, inUv).a < draw.emissive.w;
-    if (cutOut || casts != castsAll && isSunBent(inFromEye) != (casts == castsBent)) discard;
+    if (cutOut || casts != castsAll && isSunBent(inFromEye) != (casts == castsBent)) demote;
 }

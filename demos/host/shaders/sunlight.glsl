@@ -23,7 +23,7 @@ float filteredShadow(int cascade, vec3 at, vec2 slope) {
         for (int i = 0; i < 2; ++i) {
             const vec2 tap = (base - 0.5 + vec2(pu[i], pv[j])) * texel;
             const float depth = at.z + dot(slope, tap - at.xy);
-            sum += wu[i] * wv[j] * texture(shadowMap, vec3(corner + 0.5 * tap, depth));
+            sum += wu[i] * wv[j] * textureLod(shadowMap, vec3(corner + 0.5 * tap, depth), 0.0);
         }
     return sum / 16.0;
 }
@@ -86,7 +86,7 @@ float scatteredShadow(int cascade, vec3 at, float depth, float hard) {
     for (int i = 0; i < taps; ++i) {
         const vec2 off = spiral(i, sqrt(-2.0 * log(1.0 - (float(i) + 0.5) / float(taps))));
         const vec3 tap = at + height * (off.x * along + off.y * aside) - vec3(0.0, 0.0, least * height / heightPerDepth);
-        lit += texture(shadowMap, vec3(corner + 0.5 * clamp(tap.xy, 0.0, 1.0), tap.z));
+        lit += textureLod(shadowMap, vec3(corner + 0.5 * clamp(tap.xy, 0.0, 1.0), tap.z), 0.0);
     }
     const float blurred = height * frame.sunStrays[0].w / frame.shadowTexelM[cascade];   // texels
     return mix(hard, lit / float(taps), smoothstep(0.5, 1.5, blurred));
