@@ -27,6 +27,7 @@ EXPECTED = {"compare": {0, 1}}
 EXCUSED = {
     "scripts/demo": "builds, and renders at full size for minutes",
     "scripts/test": "runs this test",
+    "scripts/gpu_check": "wants a GPU; tests/scripts runs it without",
     "scripts/setup --nightly": "installs packages",
     "ctest --preset release -L nightly": "takes hours",
     "seaglass=build/release/bin/seaglass": "names the program, which the test is told",

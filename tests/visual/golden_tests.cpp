@@ -15,8 +15,16 @@ namespace fs = std::filesystem;
 
 struct Golden {
     std::string scene, camera, size;
+    std::string quality, samples; // empty where goldens.txt ends before them
 
-    std::string name() const { return scene + "_" + camera; }
+    std::string name() const { return scene + "_" + camera + (quality.empty() ? "" : "_" + quality); }
+
+    std::vector<std::string> options() const {
+        std::vector<std::string> all = {"--camera", camera, "--size", size};
+        if (!samples.empty()) all.insert(all.end(), {"--supersample", samples});
+        if (!quality.empty() && quality != "own") all.insert(all.end(), {"--quality", quality});
+        return all;
+    }
 };
 
 void PrintTo(const Golden& golden, std::ostream* out) {
@@ -30,6 +38,7 @@ std::vector<Golden> listGoldens() {
         std::istringstream words(line);
         Golden golden;
         if (line.starts_with('#') || !(words >> golden.scene >> golden.camera >> golden.size)) continue;
+        words >> golden.quality >> golden.samples;
         goldens.push_back(golden);
     }
     return goldens;
@@ -56,10 +65,11 @@ TEST_P(GoldenPicture, IsAsApproved) {
 
     // lavapipe, because it is everywhere: another device's pictures are as good, but not the same.
     const std::string scene = SEAGLASS_SOURCE "/demos/scenes/" + golden.scene + ".toml";
-    const tests::Outcome outcome =
-        tests::run(SEAGLASS_PROGRAM,
-                   {{"render", scene, "--camera", golden.camera, "--size", golden.size, "-o",
-                     actualPng.string(), "-o", actualExr.string(), "--device", "llvmpipe", "--validation"}});
+    std::vector<std::string> command = {"render",           scene,      "-o",       actualPng.string(), "-o",
+                                        actualExr.string(), "--device", "llvmpipe", "--validation"};
+    const std::vector<std::string> options = golden.options();
+    command.insert(command.end(), options.begin(), options.end());
+    const tests::Outcome outcome = tests::run(SEAGLASS_PROGRAM, {command});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
 
