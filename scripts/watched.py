@@ -28,8 +28,9 @@ class Running:
         self.process = subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=self.file,
                                         stderr=subprocess.STDOUT, env=environment, start_new_session=True)
 
-    def output(self):
-        return os.pread(self.file.fileno(), os.fstat(self.file.fileno()).st_size, 0).decode(errors="replace")
+    def output(self, since=0):
+        """What it printed, as bytes, behind the first `since`."""
+        return os.pread(self.file.fileno(), os.fstat(self.file.fileno()).st_size - since, since)
 
     def kill(self):
         """False where it stays: in a driver that waits for a GPU that hangs, no signal reaches it."""
@@ -58,7 +59,7 @@ def limited(command, seconds, environment=None):
     except BaseException:
         running.kill()
         raise
-    return Ended(code, running.output(), time.monotonic() - running.started, gone)
+    return Ended(code, running.output().decode(errors="replace"), time.monotonic() - running.started, gone)
 
 
 def how(ended):
@@ -72,8 +73,8 @@ def how(ended):
 
 
 def tests_of(program, gtest_filter="*", environment=None):
-    """The names of a GoogleTest program's tests; None, and why, where it does not tell."""
-    ended = limited([program, "--gtest_list_tests", f"--gtest_filter={gtest_filter}"], 60, environment)
+    """The names of a GoogleTest program's tests; None, and why, where it does not tell. `program` is the words that start it."""
+    ended = limited([*program, "--gtest_list_tests", f"--gtest_filter={gtest_filter}"], 60, environment)
     if ended.code != 0:
         return None, how(ended)
     names, suite = [], ""
@@ -103,11 +104,12 @@ class Reader:
         self.program, self.read, self.test, self.said, self.at = program, 0, None, [], time.monotonic()
         self.lost = False
 
-    def outcomes(self, output):
+    def outcomes(self, running):
         """Of the tests that ended since the last call."""
-        end = output.rfind("\n") + 1
-        lines, self.read = output[self.read:end].splitlines(), max(end, self.read)
-        for line in lines:
+        new = running.output(self.read)
+        whole = new[:new.rfind(b"\n") + 1]
+        self.read += len(whole)
+        for line in whole.decode(errors="replace").splitlines():
             if line.startswith("[ RUN      ] "):
                 self.test, self.said, self.at = line[13:].strip(), [], time.monotonic()
                 continue
@@ -123,20 +125,20 @@ class Reader:
                 self.said.append(line)
 
 
-def run_tests(path, tests, seconds_each, environment=None, deadline=float("inf"), answers=lambda: True):
+def run_tests(program, tests, seconds_each, environment=None, deadline=float("inf"), answers=lambda: True):
     """Yields an Outcome for each of `tests`. They share a process until one hangs or crashes, which ends that process and
     no more: those that are left share the next. `answers` says then whether the device still works; if not, no more run."""
-    program, left = os.path.basename(str(path)), list(tests)
+    name, left = os.path.basename(str(program[-1])), list(tests)
     while left:
         if time.monotonic() >= deadline:
-            yield from (Outcome(program, test, "not run", "out of time") for test in left)
+            yield from (Outcome(name, test, "not run", "out of time") for test in left)
             return
-        running, reader, bad = Running([path, "--gtest_filter=" + ":".join(left)], environment), Reader(program), ""
+        running, reader, bad = Running([*program, "--gtest_filter=" + ":".join(left)], environment), Reader(name), ""
         before = len(left)
         try:
             while True:
                 ended = running.process.poll() is not None
-                for outcome in reader.outcomes(running.output()):
+                for outcome in reader.outcomes(running):
                     left.remove(outcome.test)
                     yield outcome
                 now = time.monotonic()
@@ -153,17 +155,17 @@ def run_tests(path, tests, seconds_each, environment=None, deadline=float("inf")
             left.remove(reader.test)
             detail = {"timed out": f"did not end in {seconds_each:.0f} s", "not run": "out of time"}.get(
                 bad, how(Ended(code, "", 0, gone)))
-            yield Outcome(program, reader.test, bad or "crashed", detail)
+            yield Outcome(name, reader.test, bad or "crashed", detail)
         elif bad == "timed out" or (len(left) == before and not reader.lost and not bad):
             # Not a test's doing: nothing that is left will fare better.
-            ended = Ended(None if bad else code, running.output(), seconds_each, gone)
-            yield Outcome(program, "(the program itself)", bad or "crashed", how(ended))
-            yield from (Outcome(program, test, "not run", "its program does not run") for test in left)
+            ended = Ended(None if bad else code, running.output().decode(errors="replace"), seconds_each, gone)
+            yield Outcome(name, "(the program itself)", bad or "crashed", how(ended))
+            yield from (Outcome(name, test, "not run", "its program does not run") for test in left)
             return
         elif not left and not reader.lost and code not in (0, 1):
-            yield Outcome(program, "(the program itself)", "crashed", f"behind its tests: {how(Ended(code, '', 0, gone))}")
+            yield Outcome(name, "(the program itself)", "crashed", f"behind its tests: {how(Ended(code, '', 0, gone))}")
         if not gone or ((bad == "timed out" or reader.lost or not bad and left) and not answers()):
-            yield from (Outcome(program, test, "not run", "the device no longer answers") for test in left)
+            yield from (Outcome(name, test, "not run", "the device no longer answers") for test in left)
             return
 
 

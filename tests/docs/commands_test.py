@@ -29,6 +29,8 @@ EXCUSED = {
     "scripts/test": "runs this test",
     "scripts/gpu_check": "wants a GPU; tests/scripts runs it without",
     "scripts/setup --nightly": "installs packages",
+    "scripts/drivers": "takes hours",
+    "scripts/drivers swiftshader": "takes an hour",
     "ctest --preset release -L nightly": "takes hours",
     "seaglass=build/release/bin/seaglass": "names the program, which the test is told",
 }
