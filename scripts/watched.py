@@ -8,7 +8,7 @@ import time
 from collections import namedtuple
 
 # What became of a program: its exit code, a negative signal, or None where it was ended at its limit; whether it then went.
-Ended = namedtuple("Ended", "code output seconds gone")
+Ended = namedtuple("Ended", "code output errors seconds gone")
 # What became of a test. `verdict` is one of VERDICTS; `detail` is one line for a reader.
 Outcome = namedtuple("Outcome", "program test verdict detail")
 VERDICTS = ("passed", "failed", "skipped", "timed out", "crashed", "not run")
@@ -20,17 +20,22 @@ SECONDS_TO_DIE = 10
 
 
 class Running:
-    """A process of its own group, whose output a file takes: a pipe would block a reader behind a process that cannot die."""
+    """A process of its own group, whose output files take: a pipe would block a reader behind a process that cannot die."""
 
     def __init__(self, command, environment):
-        self.file = tempfile.TemporaryFile()
+        self.files = tempfile.TemporaryFile(), tempfile.TemporaryFile()
         self.started = time.monotonic()
-        self.process = subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=self.file,
-                                        stderr=subprocess.STDOUT, env=environment, start_new_session=True)
+        self.process = subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=self.files[0],
+                                        stderr=self.files[1], env=environment, start_new_session=True)
 
-    def output(self, since=0):
-        """What it printed, as bytes, behind the first `since`."""
-        return os.pread(self.file.fileno(), os.fstat(self.file.fileno()).st_size - since, since)
+    def printed(self, since=0):
+        """On its standard output, as bytes, behind the first `since`."""
+        file = self.files[0].fileno()
+        return os.pread(file, os.fstat(file).st_size - since, since)
+
+    def ended(self, code, gone):
+        output, errors = (os.pread(file.fileno(), os.fstat(file.fileno()).st_size, 0).decode(errors="replace") for file in self.files)
+        return Ended(code, output, errors, time.monotonic() - self.started, gone)
 
     def kill(self):
         """False where it stays: in a driver that waits for a GPU that hangs, no signal reaches it."""
@@ -50,7 +55,7 @@ def limited(command, seconds, environment=None):
     try:
         running = Running(command, environment)
     except OSError as why:
-        return Ended(127, f"it cannot be run: {why.strerror}", 0, True)
+        return Ended(127, "", f"it cannot be run: {why.strerror}", 0, True)
     code, gone = None, True
     try:
         code = running.process.wait(max(seconds, 0.1))
@@ -59,7 +64,7 @@ def limited(command, seconds, environment=None):
     except BaseException:
         running.kill()
         raise
-    return Ended(code, running.output().decode(errors="replace"), time.monotonic() - running.started, gone)
+    return running.ended(code, gone)
 
 
 def how(ended):
@@ -68,7 +73,7 @@ def how(ended):
         return f"did not end in {ended.seconds:.0f} s"
     if ended.code < 0:
         return f"ended by {signal.Signals(-ended.code).name}"
-    lines = [line.strip() for line in ended.output.splitlines() if line.strip()]
+    lines = [line.strip() for line in (ended.errors.strip() or ended.output).splitlines() if line.strip()]
     return f"exit {ended.code}: {lines[-1][:200] if lines else 'it said nothing'}"
 
 
@@ -106,7 +111,7 @@ class Reader:
 
     def outcomes(self, running):
         """Of the tests that ended since the last call."""
-        new = running.output(self.read)
+        new = running.printed(self.read)
         whole = new[:new.rfind(b"\n") + 1]
         self.read += len(whole)
         for line in whole.decode(errors="replace").splitlines():
@@ -137,12 +142,12 @@ def run_tests(program, tests, seconds_each, environment=None, deadline=float("in
         before = len(left)
         try:
             while True:
-                ended = running.process.poll() is not None
+                over = running.process.poll() is not None
                 for outcome in reader.outcomes(running):
                     left.remove(outcome.test)
                     yield outcome
                 now = time.monotonic()
-                if ended or reader.lost:
+                if over or reader.lost:
                     break
                 if now - reader.at > seconds_each or now > deadline:
                     bad = "timed out" if now <= deadline else "not run"
@@ -150,20 +155,18 @@ def run_tests(program, tests, seconds_each, environment=None, deadline=float("in
                 time.sleep(0.02)
         finally:
             gone = running.kill()
-        code = running.process.returncode
+        ended = running.ended(None if bad else running.process.returncode, gone)
         if reader.test:
             left.remove(reader.test)
-            detail = {"timed out": f"did not end in {seconds_each:.0f} s", "not run": "out of time"}.get(
-                bad, how(Ended(code, "", 0, gone)))
+            detail = {"timed out": f"did not end in {seconds_each:.0f} s", "not run": "out of time"}.get(bad, how(ended))
             yield Outcome(name, reader.test, bad or "crashed", detail)
         elif bad == "timed out" or (len(left) == before and not reader.lost and not bad):
             # Not a test's doing: nothing that is left will fare better.
-            ended = Ended(None if bad else code, running.output().decode(errors="replace"), seconds_each, gone)
             yield Outcome(name, "(the program itself)", bad or "crashed", how(ended))
             yield from (Outcome(name, test, "not run", "its program does not run") for test in left)
             return
-        elif not left and not reader.lost and code not in (0, 1):
-            yield Outcome(name, "(the program itself)", "crashed", f"behind its tests: {how(Ended(code, '', 0, gone))}")
+        elif not left and not reader.lost and ended.code not in (0, 1):
+            yield Outcome(name, "(the program itself)", "crashed", f"behind its tests: {how(ended)}")
         if not gone or ((bad == "timed out" or reader.lost or not bad and left) and not answers()):
             yield from (Outcome(name, test, "not run", "the device no longer answers") for test in left)
             return
