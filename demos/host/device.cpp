@@ -7,6 +7,7 @@
 #include <cstring>
 #include <ctime>
 
+#include "host/pass_clock.h"
 #include "seaglass/host.h"
 
 namespace demos {
@@ -159,6 +160,12 @@ int rank(VkPhysicalDeviceType type) {
     }
 }
 
+/// Seconds after which a submission is taken for one that will not end. Drivers of GPUs give up sooner as a
+/// rule; a CPU device may need minutes for a large frame.
+uint64_t patienceS(VkPhysicalDeviceType type) {
+    return type == VK_PHYSICAL_DEVICE_TYPE_CPU ? 3600 : 30;
+}
+
 uint32_t graphicsFamily(VkPhysicalDevice physical, uint32_t& timestampBits, uint32_t passedOver = 0) {
     uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
@@ -259,15 +266,15 @@ std::vector<DeviceInfo> listDevices(Error& error) {
 
 std::unique_ptr<Device> Device::create(const HostDesc& desc, Error& error, const DeviceShape& shape) {
     std::unique_ptr<Device> device(new Device);
-    device->processorTimes_ = desc.processorTimes;
     if (!device->createInstance(desc, error) || !device->choosePhysical(desc.device, error) ||
-        !device->createDevice(!desc.windowExtensions.empty(), shape, error))
+        !device->createDevice(desc, shape, error))
         return nullptr;
     return device;
 }
 
 Device::~Device() {
     if (device_) vkDeviceWaitIdle(device_);
+    passes_ = {};
     fence_.reset();
     pool_.reset();
     if (device_) vkDestroyDevice(device_, nullptr);
@@ -314,7 +321,7 @@ bool Device::choosePhysical(const std::string& wanted, Error& error) {
     return false;
 }
 
-bool Device::createDevice(bool presents, const DeviceShape& shape, Error& error) {
+bool Device::createDevice(const HostDesc& desc, const DeviceShape& shape, Error& error) {
     seaglass::Requirements needs;
     seaglass::requirements(&needs);
     VkPhysicalDeviceVulkan11Features features11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES};
@@ -337,8 +344,6 @@ bool Device::createDevice(bool presents, const DeviceShape& shape, Error& error)
         error.text = "the device has no further queue family that draws and computes";
         return false;
     }
-    const bool timestamps = timestampBits > 0 && !processorTimes_;
-    timestampNs_ = timestamps ? static_cast<double>(properties_.limits.timestampPeriod) : 0;
     const float priority = 1;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
     queue.queueFamilyIndex = queueFamily_;
@@ -350,7 +355,7 @@ bool Device::createDevice(bool presents, const DeviceShape& shape, Error& error)
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
     const char* const swapchain = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
-    info.enabledExtensionCount = presents ? 1 : 0;
+    info.enabledExtensionCount = desc.windowExtensions.empty() ? 0 : 1;
     info.ppEnabledExtensionNames = &swapchain;
     const VkResult created = vkCreateDevice(physical_, &info, nullptr, &device_);
     if (created == VK_ERROR_EXTENSION_NOT_PRESENT) {
@@ -376,7 +381,15 @@ bool Device::createDevice(bool presents, const DeviceShape& shape, Error& error)
     VkFence fence = VK_NULL_HANDLE;
     if (!succeeded(vkCreateFence(device_, &fenceInfo, nullptr, &fence), "vkCreateFence", error)) return false;
     fence_ = UniqueFence(device_, fence);
-    return true;
+    return createTimer(desc.clock, timestampBits, error);
+}
+
+bool Device::createTimer(PassClock wanted, uint32_t timestampBits, Error& error) {
+    hasTimestamps_ = timestampBits > 0;
+    clock_ = clockOf(wanted, properties_.deviceType, hasTimestamps_);
+    const double tickNs = hasTimestamps_ ? static_cast<double>(properties_.limits.timestampPeriod) : 0;
+    return passes_.create(device_, tickNs, timestampBits,
+                          properties_.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU, error);
 }
 
 uint32_t Device::memoryType(uint32_t allowed, VkMemoryPropertyFlags required,
@@ -404,25 +417,42 @@ VkDeviceSize Device::largestHeap() const {
 }
 
 bool Device::run(const std::function<bool(VkCommandBuffer, Error&)>& record, Error& error) {
-    if (!succeeded(vkResetCommandPool(device_, pool_.get(), 0), "vkResetCommandPool", error)) return false;
+    if (!checked(vkResetCommandPool(device_, pool_.get(), 0), "vkResetCommandPool", error)) return false;
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     if (!succeeded(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer", error)) return false;
+    passes_.begin(commands_);
     const bool recorded = record(commands_, error);
+    passes_.end();
     const VkResult ended = vkEndCommandBuffer(commands_);
-    if (!recorded || !succeeded(ended, "vkEndCommandBuffer", error)) return false;
+    return recorded && succeeded(ended, "vkEndCommandBuffer", error) && submit(error);
+}
 
+bool Device::submit(Error& error) {
     VkCommandBufferSubmitInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
     buffer.commandBuffer = commands_;
     VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
     submit.commandBufferInfoCount = 1;
     submit.pCommandBufferInfos = &buffer;
-    const double start = nowMs(processorTimes_);
-    if (!succeeded(vkQueueSubmit2(queue_, 1, &submit, fence_.get()), "vkQueueSubmit2", error)) return false;
-    const VkResult waited = vkWaitForFences(device_, 1, &fence_.get(), VK_TRUE, UINT64_MAX);
-    lastRunMs_ = nowMs(processorTimes_) - start;
-    if (!succeeded(waited, "vkWaitForFences", error)) return false;
-    return succeeded(vkResetFences(device_, 1, &fence_.get()), "vkResetFences", error);
+    const bool processor = clock_ == PassClock::processor;
+    const double start = nowMs(processor);
+    if (!checked(vkQueueSubmit2(queue_, 1, &submit, fence_.get()), "vkQueueSubmit2", error)) return false;
+    const VkResult waited = vkWaitForFences(device_, 1, &fence_.get(), VK_TRUE,
+                                            1'000'000'000 * patienceS(properties_.deviceType));
+    lastRunMs_ = nowMs(processor) - start;
+    return checked(waited, "vkWaitForFences", error) &&
+           succeeded(vkResetFences(device_, 1, &fence_.get()), "vkResetFences", error);
+}
+
+bool Device::checked(VkResult result, const char* what, Error& error) {
+    lost_ |= result == VK_ERROR_DEVICE_LOST || result == VK_TIMEOUT;
+    if (!lost_) return succeeded(result, what, error);
+    const std::string pass = passes_.unfinished();
+    error.text = info_.name + (result == VK_TIMEOUT ? " hung" : " was lost") + " in " +
+                 (pass.empty() ? "no pass that is known" : pass);
+    if (result == VK_TIMEOUT)
+        error.text += ": not done after " + std::to_string(patienceS(properties_.deviceType)) + " s";
+    return false;
 }
 
 } // namespace demos

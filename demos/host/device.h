@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "host/host.h"
+#include "host/pass_timer.h"
 #include "host/vk_handle.h"
 
 namespace demos {
@@ -32,8 +33,13 @@ class Device {
     const VkPhysicalDeviceProperties& properties() const { return properties_; }
     const DeviceInfo& info() const { return info_; }
     bool anisotropy() const { return anisotropy_; }
-    /// Nanoseconds a timestamp tick, 0 where the queue has no timestamps or HostDesc wants none.
-    double timestampNs() const { return timestampNs_; }
+    PassClock clock() const { return clock_; }
+    /// Whether compute passes alone in their submission are timed by timestamps.
+    bool timesComputePasses() const { return hasTimestamps_ && clock_ != PassClock::processor; }
+    /// Hears the passes of what run() records.
+    PassTimer& passes() { return passes_; }
+    /// Whether run() found the device lost, or did not see the end of its work.
+    bool lost() const { return lost_; }
     uint32_t validationMessages() const { return validationMessages_; }
 
     /// The index of a memory type with all of `required`, preferring one with `preferred` too; UINT32_MAX
@@ -44,16 +50,21 @@ class Device {
     VkDeviceSize largestHeap() const;
     VkDeviceSize maxAllocation() const { return maxAllocation_; }
 
-    /// Records with `record`, submits and waits. False with `error` set when recording or the device fails.
+    /// Records with `record`, submits and waits. False with `error` set when recording or the device fails;
+    /// where it is lost or hangs, `error` names the pass.
     bool run(const std::function<bool(VkCommandBuffer, Error&)>& record, Error& error);
-    /// Milliseconds from submission to fence of the last run(), by the clock that HostDesc names.
+    /// Milliseconds from submission to fence of the last run(), by clock() where that is of the processors.
     double lastRunMs() const { return lastRunMs_; }
 
   private:
     Device() = default;
     bool createInstance(const HostDesc& desc, Error& error);
     bool choosePhysical(const std::string& wanted, Error& error);
-    bool createDevice(bool presents, const DeviceShape& shape, Error& error);
+    bool createDevice(const HostDesc& desc, const DeviceShape& shape, Error& error);
+    bool createTimer(PassClock wanted, uint32_t timestampBits, Error& error);
+    bool submit(Error& error);
+    /// Of what tells that the device is lost.
+    bool checked(VkResult result, const char* what, Error& error);
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
@@ -66,10 +77,12 @@ class Device {
     VkDeviceSize maxAllocation_ = 0;
     DeviceInfo info_;
     bool anisotropy_ = false;
-    bool processorTimes_ = false;
-    double timestampNs_ = 0;
+    PassClock clock_ = PassClock::fence;
+    bool hasTimestamps_ = false;
+    bool lost_ = false;
     double lastRunMs_ = 0;
     std::atomic<uint32_t> validationMessages_ = 0;
+    PassTimer passes_;
     UniqueCommandPool pool_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     UniqueFence fence_;

@@ -24,10 +24,9 @@ bool hasBed(const SurfaceDesc& desc) {
 
 bool FrameRecorder::create(Device& device, const HostDesc& desc, Error& error) {
     device_ = &device;
-    mirror_.create(device, layouts_, desc.framesInFlight, timer_);
+    mirror_.create(device, layouts_, desc.framesInFlight);
     return createLayouts(device, layouts_, error) && shadow_.create(device, layouts_, error) &&
-           opaque_.create(device, layouts_, error) && timer_.create(device, error) &&
-           water_.create(device, desc, timer_, error);
+           opaque_.create(device, layouts_, error) && water_.create(device, desc, error);
 }
 
 bool FrameRecorder::createFrameSet(const Sky& sky, FrameSet& out, Error& error) {
@@ -231,7 +230,26 @@ bool FrameRecorder::recordOverlay(VkCommandBuffer commands, Error& error) {
     return drawn;
 }
 
-bool FrameRecorder::record(VkCommandBuffer commands, Stage stage, Error& error) {
+bool FrameRecorder::record(VkCommandBuffer commands, const StageName& stage, Heard heard, Error& error) {
+    PassTimer& passes = device_->passes();
+    passes.separate(heard == Heard::timed && stage.compute);
+    passes.mark(commands, stage.name, true);
+    const bool recorded = recordCommands(commands, stage.stage, error);
+    passes.mark(commands, stage.name, false);
+    passes.separate(false);
+    return recorded;
+}
+
+bool FrameRecorder::recordFrame(VkCommandBuffer commands, Heard heard, Error& error) {
+    PassTimer& passes = device_->passes();
+    passes.mark(commands, frameName, true);
+    for (const StageName& stage : stages)
+        if (needed(stage.stage) && !record(commands, stage, heard, error)) return false;
+    passes.mark(commands, frameName, false);
+    return true;
+}
+
+bool FrameRecorder::recordCommands(VkCommandBuffer commands, Stage stage, Error& error) {
     switch (stage) {
     case Stage::simulate:
         return water_.simulate(commands, *water(), frame_.timeS, cpuSimulateMs_, error);

@@ -38,7 +38,7 @@ enum class Stage { simulate, shadow, opaque, caustics, copy, mirrored, bed, refl
 struct StageName {
     Stage stage;
     const char* name;
-    bool compute; ///< its passes can be timed by timestamps
+    bool compute; ///< it is in no rendering, so that its passes can be timed on any device
 };
 
 constexpr StageName stages[] = {
@@ -49,6 +49,19 @@ constexpr StageName stages[] = {
     {Stage::water, "water_draw", false},   {Stage::mirror, "mirror_draw", false},
     {Stage::overlay, "overlay", true},
 };
+
+constexpr const char* nameOf(Stage stage) {
+    for (const StageName& named : stages)
+        if (named.stage == stage) return named.name;
+    return "";
+}
+
+/// The pass around all stages of a frame.
+constexpr const char* frameName = "frame";
+
+/// How passes are marked: such that those of compute stages can be timed on a device that takes timestamps
+/// late, or without anything of a frame being changed.
+enum class Heard { timed, always };
 
 class FrameRecorder {
   public:
@@ -64,14 +77,16 @@ class FrameRecorder {
     bool begin(const LoadedScene& scene, const FrameDesc& frame, Error& error);
     /// Whether a stage has anything to record.
     bool needed(Stage stage) const;
-    bool record(VkCommandBuffer commands, Stage stage, Error& error);
+    /// As a pass by its name, around those of the library.
+    bool record(VkCommandBuffer commands, const StageName& stage, Heard heard, Error& error);
+    /// All stages that are needed.
+    bool recordFrame(VkCommandBuffer commands, Heard heard, Error& error);
 
     /// What the host itself holds on the device for the frame's surface to mirror the scene.
     uint64_t hostBytes() const;
 
     const FrameTargets& targets() const { return targets_; }
     const Camera& camera() const { return camera_; }
-    PassTimer& timer() { return timer_; }
     double cpuSimulateMs() const { return cpuSimulateMs_; }
 
   private:
@@ -84,6 +99,7 @@ class FrameRecorder {
     void recordAgain(VkCommandBuffer commands, const FrameSet& frame, const seaglass::PlanarView& view);
     bool recordMirrored(VkCommandBuffer commands, Error& error);
     bool recordBed(VkCommandBuffer commands, Error& error);
+    bool recordCommands(VkCommandBuffer commands, Stage stage, Error& error);
     bool recordOverlay(VkCommandBuffer commands, Error& error);
     /// The frame's, or null; a water without a body where the scene has no surface.
     const WaterBody* water() const;
@@ -93,7 +109,6 @@ class FrameRecorder {
     Layouts layouts_;
     ShadowPass shadow_;
     OpaquePass opaque_;
-    PassTimer timer_;
     WaterPass water_;
     MirrorPass mirror_;
     FrameTargets targets_;

@@ -31,10 +31,20 @@ std::unique_ptr<Host> Host::create(const HostDesc& desc, Error& error) {
 }
 
 Host::Host(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Host::~Host() = default;
+Host::~Host() {
+    if (lost()) static_cast<void>(impl_.release());
+}
 
 DeviceInfo Host::device() const {
     return impl_->device->info();
+}
+
+PassClock Host::clock() const {
+    return impl_->device->clock();
+}
+
+bool Host::lost() const {
+    return impl_->device->lost();
 }
 
 double Host::resolvedShare() const {
@@ -98,17 +108,11 @@ bool Host::Impl::ready(Error& error) const {
     return scene != nullptr;
 }
 
-bool Host::Impl::recordFrame(VkCommandBuffer commands, Error& error) {
-    for (const StageName& stage : stages)
-        if (recorder->needed(stage.stage) && !recorder->record(commands, stage.stage, error)) return false;
-    return true;
-}
-
 bool Host::Impl::draw(const FrameDesc& frame, const AfterFrame& then, Error& error) {
     if (!ready(error) || !recorder->begin(*scene, frame, error)) return false;
     return device->run(
         [&](VkCommandBuffer commands, Error& problem) {
-            if (!recordFrame(commands, problem)) return false;
+            if (!recorder->recordFrame(commands, Heard::always, problem)) return false;
             then(commands, pictureOf(recorder->targets(), frame.aov));
             return true;
         },

@@ -31,6 +31,18 @@ struct DeviceInfo {
 /// there is no loader or no driver.
 std::vector<DeviceInfo> listDevices(Error& error);
 
+/// What times are taken by.
+enum class PassClock {
+    automatic,  ///< timestamps; on CPU devices, which take wrong ones around draws, fence
+    timestamps, ///< the device's own, in frames that are recorded whole
+    fence,      ///< each stage alone in its submission, until its fence; compute passes by timestamps
+    processor,  ///< as fence, of what this process had of the processors; on devices that are no CPU
+                ///< timestamps
+};
+const char* toString(PassClock clock);
+/// In words, for people.
+const char* describe(PassClock clock);
+
 struct HostDesc {
     std::string device; ///< part of a device's name, case ignored; empty takes the best
     bool validation =
@@ -38,9 +50,7 @@ struct HostDesc {
     uint32_t framesInFlight = 2;
     const seaglass::WavesBackend* wavesBackend =
         nullptr; ///< of the CPU; null: what the program was built with
-    /// Times are what this process had of the processors, whole submissions each: on a CPU device steadier
-    /// than the clock while other programs run, elsewhere they say nothing.
-    bool processorTimes = false;
+    PassClock clock = PassClock::automatic;
     /// What the surface of a window needs of the instance; the device then has VK_KHR_swapchain. Empty: none.
     std::vector<std::string> windowExtensions = {};
 };
@@ -97,20 +107,34 @@ struct PassTime {
     double spreadMs = 0; ///< interquartile range
 };
 
+/// What costs are given as multiples of.
+struct YardstickTimes {
+    /// A compute copy of RGBA16F colour and R32F depth of the frame's size.
+    PassTime floor;
+    /// A triangle over the whole picture, whose pixels are read from a copy of it: what drawing can cost at
+    /// least.
+    PassTime fullScreen;
+};
+
 struct FrameTimes {
-    double frameMs = 0;       ///< median of a whole frame, submit to fence
+    PassClock clock = PassClock::fence;
+    double frameMs = 0; ///< median of a whole frame, submit to fence
+    std::optional<double>
+        gpuFrameMs;           ///< from its first timestamp to its last, by PassClock::timestamps alone
     double cpuSimulateMs = 0; ///< median CPU time inside seaglass::simulate
     uint32_t runs = 0;
-    std::vector<PassTime> passes; ///< in order; compute by timestamps, drawing by submit and fence alone
+    YardstickTimes yardsticks;
+    std::vector<PassTime> passes; ///< stages in order, each before its passes
 };
 
 /// What one surface takes of frames in which surfaces take turns.
 struct SurfaceTimes {
     /// What the reflection's passes take together, and what the host draws for them alone; 0 where there are
-    /// none. Drawing by submit and fence, and all of it on a device without timestamps.
+    /// none.
     PassTime reflection;
     PassTime ofFloor; ///< the same over the floor of the same round: no milliseconds, but a ratio
     double cpuSimulateMs = 0;
+    std::optional<double> gpuFrameMs; ///< as FrameTimes has it
     /// What the host itself holds on the device for the surface to mirror the scene: the copies of its colour
     /// and depth where those are read, and what draws it a second time. The images that a planar reflection
     /// is drawn into are the library's.
@@ -124,11 +148,7 @@ struct SurfaceTimes {
 };
 
 struct ComparedTimes {
-    /// A compute copy of RGBA16F colour and R32F depth of the frame's size, between the same frames.
-    PassTime floor;
-    /// A triangle over the whole picture, whose pixels are read from a copy of it: what drawing can cost at
-    /// least. By submit and fence.
-    PassTime fullScreen;
+    YardstickTimes yardsticks;          ///< between the same frames; by timestamps in the same submissions
     std::vector<SurfaceTimes> surfaces; ///< none when it was stopped
 };
 
@@ -142,6 +162,10 @@ class Host {
     ~Host();
 
     DeviceInfo device() const;
+    /// What times are taken by: what HostDesc::clock comes to on the device.
+    PassClock clock() const;
+    /// Whether the device was lost or hung. Nothing of it is destroyed or waited for then.
+    bool lost() const;
     /// Loads the sky and the meshes of a scene and creates its surface; replaces the scene before it, or
     /// leaves it as it was on an error.
     bool load(const Scene& scene, Error& error);
@@ -157,7 +181,7 @@ class Host {
                                             Error& error);
     /// Draws one frame and waits for it.
     std::optional<Picture> render(const FrameDesc& frame, Error& error);
-    /// What a frame takes, the median of `runs`, where one like it has been drawn already.
+    /// What a frame takes by clock(), whole, the median of `runs`, where one like it has been drawn already.
     std::optional<double> frameMs(const FrameDesc& frame, uint32_t runs, Error& error);
     /// Draws the frame `runs` times after a warm-up and gives medians by pass.
     std::optional<FrameTimes> measure(const FrameDesc& frame, uint32_t runs, Error& error);

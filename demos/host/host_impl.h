@@ -13,9 +13,8 @@ struct Host::Impl {
     using AfterFrame = std::function<void(VkCommandBuffer, const Image& picture)>;
 
     bool ready(Error& error) const;
-    bool recordFrame(VkCommandBuffer commands, Error& error);
-    /// Draws one frame and waits for it: from submission to fence.
-    bool timeFrame(const FrameDesc& frame, double& ms, Error& error);
+    /// Draws one frame and waits for it: from submission to fence, and by timestamps, 0 where there are none.
+    bool timeFrame(const FrameDesc& frame, double& fenceMs, double& gpuMs, Error& error);
     /// Draws one frame, then what `then` records, and waits for both.
     bool draw(const FrameDesc& frame, const AfterFrame& then, Error& error);
 

@@ -45,16 +45,15 @@ bool reflectionOfFloor(const FloorDesc& desc, seaglass::ReflectionDesc& out, Err
 
 } // namespace
 
-void MirrorPass::create(Device& device, const Layouts& layouts, uint32_t framesInFlight, PassTimer& timer) {
+void MirrorPass::create(Device& device, const Layouts& layouts, uint32_t framesInFlight) {
     device_ = &device;
     layouts_ = &layouts;
     framesInFlight_ = framesInFlight;
-    timer_ = &timer;
 }
 
 bool MirrorPass::createOnce(Error& error) {
     return context_.exists() ||
-           (createLayout(error) && context_.create(*device_, framesInFlight_, "floor", *timer_, error));
+           (createLayout(error) && context_.create(*device_, framesInFlight_, "floor", error));
 }
 
 VkPipeline MirrorPass::pipelineOf(const MirrorSurface& surface, Aov aov, Error& error) {

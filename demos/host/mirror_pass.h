@@ -54,7 +54,7 @@ class MirrorPass {
     MirrorPass& operator=(const MirrorPass&) = delete;
 
     /// Nothing is made before the first floor is.
-    void create(Device& device, const Layouts& layouts, uint32_t framesInFlight, PassTimer& timer);
+    void create(Device& device, const Layouts& layouts, uint32_t framesInFlight);
     /// `alike` may have the texture already, or be null.
     bool createSurface(const FloorDesc& desc, const MirrorSurface* alike, MirrorSurface& out, Error& error);
 
@@ -87,7 +87,6 @@ class MirrorPass {
 
     Device* device_ = nullptr;
     const Layouts* layouts_ = nullptr;
-    PassTimer* timer_ = nullptr;
     SeaglassContext context_;
     UniqueDescriptorSetLayout setLayout_;
     UniquePipelineLayout layout_;

@@ -1,35 +1,65 @@
-// GPU times of the passes that announce themselves, by timestamps.
+// The passes of a command buffer as the device went through them, by timestamps: how long each took, and
+// which one it did not come back from.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "host/device.h"
+#include "host/host.h"
+#include "host/vk_handle.h"
 
 namespace demos {
 
-/// Timestamps are right around compute passes; around draws a tiling or software device makes them up, so
-/// passes are heard only while listening.
+struct TimedPass {
+    std::string name;
+    std::string within; ///< the pass around it, if there is one
+    double ms = 0;
+};
+
+/// 0 where it was not heard. A pass that is within no other, if `within` is empty.
+double msOf(const std::vector<TimedPass>& passes, const std::string& name, const std::string& within = "");
+
+/// Of the passes directly within one.
+double sumWithin(const std::vector<TimedPass>& passes, const std::string& within);
+
+/// Timestamps are right around compute passes; around draws a software device makes them up.
 class PassTimer {
   public:
-    bool create(const Device& device, Error& error);
-    /// Recorded at the start of a command buffer; passes are heard until stop().
-    void listen(VkCommandBuffer commands);
-    void stop() { listening_ = false; }
+    /// `tickNs` 0 is a queue without timestamps: nothing is marked then. `late` devices take a timestamp when
+    /// the commands behind it may have begun.
+    bool create(VkDevice device, double tickNs, uint32_t validBits, bool late, Error& error);
+    /// Forgets what was marked, and from here on hears what is recorded into this command buffer alone.
+    void begin(VkCommandBuffer commands);
+    void end() { commands_ = VK_NULL_HANDLE; }
     void mark(VkCommandBuffer commands, const char* pass, bool begins);
-    /// The passes since listen(), in milliseconds, once the GPU has finished. Repeats are summed.
-    std::vector<PassTime> collect() const;
+    /// Whether passes are kept from beginning before their timestamps where the device takes them late: by
+    /// barriers, so outside of renderings alone.
+    void separate(bool on) { separate_ = on && late_; }
+    /// Milliseconds of the passes since begin(), once the device has finished. Repeats within the same pass
+    /// are summed.
+    bool collect(std::vector<TimedPass>& out, Error& error) const;
+    /// The pass that has begun and not ended, while the device works or when it never will have finished:
+    /// "ssr_march (reflect)". Empty where that cannot be told.
+    std::string unfinished() const;
 
   private:
-    static constexpr uint32_t capacity = 256;
+    static constexpr uint32_t capacity = 512;
+    static constexpr size_t none = SIZE_MAX;
 
-    const Device* device_ = nullptr;
-    UniqueQueryPool pool_;
-    bool listening_ = false;
     struct Span {
         std::string name;
+        size_t around = none; ///< of spans_
         uint32_t begin = 0, end = UINT32_MAX;
     };
+
+    VkDevice device_ = VK_NULL_HANDLE;
+    double tickNs_ = 0;
+    uint64_t validTicks_ = 0;
+    bool late_ = false, separate_ = false, full_ = false;
+    UniqueQueryPool pool_;
+    VkCommandBuffer commands_ = VK_NULL_HANDLE;
     std::vector<Span> spans_;
+    size_t open_ = none; ///< the innermost span that has not ended
     uint32_t used_ = 0;
 };
 

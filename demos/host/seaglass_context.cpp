@@ -6,8 +6,7 @@ SeaglassContext::~SeaglassContext() {
     if (context_) seaglass::destroyContext(context_);
 }
 
-bool SeaglassContext::create(const Device& device, uint32_t framesInFlight, const char* surface,
-                             PassTimer& timer, Error& error) {
+bool SeaglassContext::create(Device& device, uint32_t framesInFlight, const char* surface, Error& error) {
     surface_ = surface;
     framesInFlight_ = framesInFlight;
     seaglass::DeviceDesc desc;
@@ -18,7 +17,7 @@ bool SeaglassContext::create(const Device& device, uint32_t framesInFlight, cons
     desc.framesInFlight = framesInFlight_;
     desc.message.user = &message_;
     desc.message.function = [](void* user, const char* text) { *static_cast<std::string*>(user) = text; };
-    desc.pass.user = &timer;
+    desc.pass.user = &device.passes();
     desc.pass.function = [](void* user, VkCommandBuffer commands, const char* pass, bool begins) {
         static_cast<PassTimer*>(user)->mark(commands, pass, begins);
     };

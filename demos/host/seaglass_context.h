@@ -2,7 +2,6 @@
 #pragma once
 
 #include "host/device.h"
-#include "host/pass_timer.h"
 #include "seaglass/reflection.h"
 
 namespace demos {
@@ -14,9 +13,8 @@ class SeaglassContext {
     SeaglassContext& operator=(const SeaglassContext&) = delete;
     ~SeaglassContext();
 
-    /// `surface` is whose context it is, for errors: "water". Passes are marked with `timer`.
-    bool create(const Device& device, uint32_t framesInFlight, const char* surface, PassTimer& timer,
-                Error& error);
+    /// `surface` is whose context it is, for errors: "water".
+    bool create(Device& device, uint32_t framesInFlight, const char* surface, Error& error);
     bool exists() const { return context_ != nullptr; }
     seaglass::Context* get() const { return context_; }
 

@@ -59,9 +59,9 @@ WaterPass::~WaterPass() {
         if (target) seaglass::destroyTarget(target);
 }
 
-bool WaterPass::create(const Device& device, const HostDesc& hostDesc, PassTimer& timer, Error& error) {
+bool WaterPass::create(Device& device, const HostDesc& hostDesc, Error& error) {
     wavesBackend_ = hostDesc.wavesBackend ? hostDesc.wavesBackend : wavesBackend();
-    if (!context_.create(device, hostDesc.framesInFlight, "water", timer, error)) return false;
+    if (!context_.create(device, hostDesc.framesInFlight, "water", error)) return false;
     seaglass::TargetDesc target;
     target.colorFormat = FrameTargets::colorFormat;
     target.depthFormat = FrameTargets::depthFormat;

@@ -46,7 +46,7 @@ class WaterPass {
     WaterPass& operator=(const WaterPass&) = delete;
     ~WaterPass();
 
-    bool create(const Device& device, const HostDesc& desc, PassTimer& timer, Error& error);
+    bool create(Device& device, const HostDesc& desc, Error& error);
     bool createBody(const WaterDesc& desc, WaterBody& out, Error& error);
 
     /// What the library says that a water's reflection holds for one view of this size.

@@ -18,7 +18,7 @@ std::string line(const Entry& entry) {
     std::optional<double> megabytes;
     if (cost.bytes) megabytes = static_cast<double>(*cost.bytes) * 1e-6;
     return "| " + entry.camera + " | " + entry.technique + " | " + entry.quality + " |" +
-           cell(" %.2f |", cost.reflection.ms) + cell(" %.2f |", cost.reflection.spreadMs) +
+           cell(" %.3f |", cost.reflection.ms) + cell(" %.3f |", cost.reflection.spreadMs) +
            cell(" %.2f |", cost.xFloor) + cell(" %.1f |", cost.surfaceMs) + cell(" %.1f |", cost.xTrivial) +
            cell(" %.1f |", megabytes) + cell(" %.4f |", error.flip) + cell(" %.1f |", error.wrongShare, 100) +
            cell(" %.2f |", error.psnrDb) + cell(" %.2f |", error.psnrExactDb) +
@@ -37,9 +37,9 @@ constexpr const char* head =
 } // namespace
 
 std::string tradeoffMarkdown(const Tradeoff& tradeoff) {
-    char about[160];
-    std::snprintf(about, sizeof(about), "; %ux%u, medians of %u, floor %.2f ms%s.\n", tradeoff.width,
-                  tradeoff.height, tradeoff.runs, tradeoff.floorMs().value_or(0),
+    char about[256];
+    std::snprintf(about, sizeof(about), "; %ux%u, medians of %u by %s, floor %.3f ms%s.\n", tradeoff.width,
+                  tradeoff.height, tradeoff.runs, describe(tradeoff.clock), tradeoff.floorMs().value_or(0),
                   tradeoff.flat ? ", the water stilled" : "");
     std::string text = tradeoff.device + ", " + tradeoff.driver + about;
     const std::string* scene = nullptr;

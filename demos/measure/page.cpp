@@ -39,8 +39,8 @@ img { display: block; width: 100%; }
 constexpr const char* notes =
     R"html(<p class="note">Cost is that of the reflection's own passes; the surface's drawing is given beside it, and the whole surface: its waves, its
 reflection and its drawing, also as a multiple of a trivial pass, a full-screen triangle that copies a picture. The
-floor is a compute copy of the frame's colour (RGBA16F) and depth (R32F), timed between the same frames. &plusmn; is
-the interquartile range. FLIP and wrong (the share that is off by more than 5 % of white in some channel) compare the
+floor is a compute copy of the frame's colour (RGBA16F) and depth (R32F), timed between the same frames, or in their
+submissions where whole frames are timed. &plusmn; is the interquartile range. FLIP and wrong (the share that is off by more than 5 % of white in some channel) compare the
 tone-mapped picture with the ray-traced one over the pixels of the surface that mirrors, water or polished floor. What is
 mirrored can be recovered where it is seen elsewhere in the picture: PSNR is that of the reflection there, before Fresnel;
 found is the share that the technique found, and off by how far from the mirrored point it was then taken. Sky as solid
@@ -106,9 +106,10 @@ std::string base64(const std::string& bytes) {
 } // namespace
 
 std::string tradeoffPage(const Tradeoff& tradeoff, const std::vector<SheetFiles>& files) {
-    char size[128];
-    std::snprintf(size, sizeof(size), "%u &times; %u, medians of %u, floor %s ms", tradeoff.width,
-                  tradeoff.height, tradeoff.runs, print("%.3f", tradeoff.floorMs()).c_str());
+    char size[256];
+    std::snprintf(size, sizeof(size), "%u &times; %u, medians of %u by %s, floor %s ms", tradeoff.width,
+                  tradeoff.height, tradeoff.runs, describe(tradeoff.clock),
+                  print("%.3f", tradeoff.floorMs()).c_str());
     std::string html = head;
     html += "<p>" + escaped(tradeoff.device) + ", " + escaped(tradeoff.driver) + "; " + size +
             (tradeoff.flat ? ", the water stilled" : "") + "</p>\n" + notes;

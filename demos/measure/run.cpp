@@ -102,13 +102,14 @@ class View {
     static Cost costOf(const SurfaceTimes& times, const ComparedTimes& all) {
         Cost cost;
         cost.reflection = times.reflection;
-        cost.floor = all.floor;
-        if (all.floor.ms > 0) {
+        cost.floor = all.yardsticks.floor;
+        if (all.yardsticks.floor.ms > 0) {
             cost.xFloor = times.ofFloor.ms;
             cost.xFloorSpread = times.ofFloor.spreadMs;
         }
         cost.surfaceMs = times.surfaceMs();
-        if (all.fullScreen.ms > 0) cost.xTrivial = cost.surfaceMs / all.fullScreen.ms;
+        if (all.yardsticks.fullScreen.ms > 0) cost.xTrivial = cost.surfaceMs / all.yardsticks.fullScreen.ms;
+        cost.gpuFrameMs = times.gpuFrameMs;
         cost.hostBytes = times.hostBytes;
         cost.passes = times.passes;
         return cost;

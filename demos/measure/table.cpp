@@ -25,6 +25,7 @@ Json costJson(const Cost& cost) {
     json["floor_spread_ms"] = cost.floor.spreadMs;
     json["surface_ms"] = cost.surfaceMs;
     json["surface_x_trivial"] = orNull(cost.xTrivial);
+    json["gpu_frame_ms"] = orNull(cost.gpuFrameMs);
     json["bytes"] = orNull(cost.bytes);
     json["host_bytes"] = cost.hostBytes;
     json["passes"] = Json::array();
@@ -82,6 +83,7 @@ std::string tradeoffJson(const Tradeoff& tradeoff) {
     Json json;
     json["device"] = tradeoff.device;
     json["driver"] = tradeoff.driver;
+    json["clock"] = toString(tradeoff.clock);
     json["size"] = {tradeoff.width, tradeoff.height};
     json["runs"] = tradeoff.runs;
     json["reference_samples"] = tradeoff.samples;

@@ -12,14 +12,15 @@ namespace demos::measure {
 
 struct Cost {
     PassTime reflection; ///< the reflection's own passes; the surface's drawing is among `passes`
-    PassTime floor;      ///< measured between the same frames
+    PassTime floor;      ///< measured between the same frames, or in them
     std::optional<double> xFloor, xFloorSpread;
     std::optional<uint64_t> bytes; ///< of the reflection on the device, for one view
     double surfaceMs = 0;          ///< all that a frame has for the surface, its waves and its drawing too
     /// The same in trivial passes, of a full screen that is copied, as they were in the same rounds.
     std::optional<double> xTrivial;
-    uint64_t hostBytes = 0;       ///< what the host holds for it beside, as SurfaceTimes says
-    std::vector<PassTime> passes; ///< of the whole frame
+    std::optional<double> gpuFrameMs; ///< of the whole frame, from its first timestamp to its last
+    uint64_t hostBytes = 0;           ///< what the host holds for it beside, as SurfaceTimes says
+    std::vector<PassTime> passes;     ///< of the whole frame
 };
 
 /// Shares are 0..1. What has no pixel to be measured on is not there.
@@ -67,6 +68,7 @@ struct Sheet {
 
 struct Tradeoff {
     std::string device, driver;
+    PassClock clock = PassClock::fence; ///< by which costs were taken
     uint32_t width = 0, height = 0;
     uint32_t runs = 0;
     uint32_t samples = 1;       ///< of the reference's colour, a pixel

@@ -75,10 +75,11 @@ bool canBeLoaded(Host& host, const std::vector<measure::Subject>& subjects, Prog
     return true;
 }
 
-measure::Tradeoff emptyTradeoff(const MeasureOptions& options, const DeviceInfo& device) {
+measure::Tradeoff emptyTradeoff(const MeasureOptions& options, const Host& host) {
     measure::Tradeoff tradeoff;
-    tradeoff.device = device.name;
-    tradeoff.driver = device.driver;
+    tradeoff.device = host.device().name;
+    tradeoff.driver = host.device().driver;
+    tradeoff.clock = host.clock();
     tradeoff.width = options.size.width;
     tradeoff.height = options.size.height;
     tradeoff.runs = options.rounds;
@@ -95,8 +96,8 @@ std::string text(const char* format, const std::optional<double>& value) {
 }
 
 void summarise(const measure::Tradeoff& tradeoff) {
-    std::printf("%s, %ux%u, floor %s ms\n", tradeoff.device.c_str(), tradeoff.width, tradeoff.height,
-                text("%.3f", tradeoff.floorMs()).c_str());
+    std::printf("%s, %ux%u, by %s, floor %s ms\n", tradeoff.device.c_str(), tradeoff.width, tradeoff.height,
+                describe(tradeoff.clock), text("%.3f", tradeoff.floorMs()).c_str());
     std::printf("%-18s %9s %9s %8s %8s %9s %8s  %s\n", "technique", "ms", "x floor", "FLIP", "PSNR dB",
                 "coverage", "off px", "camera");
     for (const measure::Entry& entry : tradeoff.entries)
@@ -129,7 +130,7 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
         explainNoDevice(error);
         return badInput;
     }
-    TradeoffFiles files(options.folder, emptyTradeoff(options, host->device()));
+    TradeoffFiles files(options.folder, emptyTradeoff(options, *host));
     if (!fitsDevice(options.size, options.supersample, host->device(), error) ||
         !canBeLoaded(*host, *subjects, progress, error) || !files.makeFolder(error))
         return badInput;

@@ -15,9 +15,13 @@ std::string statsJson(const DeviceInfo& device, const Size& size, const Scene& s
     json["size"] = {size.width, size.height};
     json["scene"] = scene.file.string();
     json["camera"] = camera.name;
+    json["clock"] = toString(times.clock);
     json["frame_ms"] = times.frameMs;
+    json["gpu_frame_ms"] = times.gpuFrameMs ? nlohmann::ordered_json(*times.gpuFrameMs) : nullptr;
     json["cpu_simulate_ms"] = times.cpuSimulateMs;
     json["runs"] = times.runs;
+    json["floor_ms"] = times.yardsticks.floor.ms;
+    json["full_screen_ms"] = times.yardsticks.fullScreen.ms;
     json["passes"] = nlohmann::ordered_json::array();
     for (const PassTime& pass : times.passes) {
         json["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}, {"spread_ms", pass.spreadMs}});
@@ -43,9 +47,12 @@ std::string statsTable(const FrameTimes& times) {
     };
     row("pass", "ms", "spread ms");
     for (const PassTime& pass : times.passes) row(pass.name, number(pass.ms), number(pass.spreadMs));
+    for (const PassTime* const pass : {&times.yardsticks.floor, &times.yardsticks.fullScreen})
+        row(pass->name, number(pass->ms), number(pass->spreadMs));
     row("simulate (CPU)", number(times.cpuSimulateMs), "");
+    if (times.gpuFrameMs) row("frame (GPU)", number(*times.gpuFrameMs), "");
     row("frame", number(times.frameMs), "");
-    return table;
+    return table + "by " + describe(times.clock) + "\n";
 }
 
 } // namespace demos

@@ -250,10 +250,12 @@ void layOutCosts(const FrameTimes& costs) {
         ImGui::TableNextColumn();
         ImGui::Text("%8.3f ms", ms);
     };
-    row("frame", costs.frameMs);
+    if (costs.gpuFrameMs) row("frame, on the GPU", *costs.gpuFrameMs);
+    row("frame, until its fence", costs.frameMs);
     row("simulate, on the CPU", costs.cpuSimulateMs);
     for (const PassTime& pass : costs.passes) row(pass.name.c_str(), pass.ms);
     ImGui::EndTable();
+    ImGui::TextWrapped("by %s", describe(costs.clock));
 }
 
 void layOutButtons(const PanelInfo& info, PanelWishes& wishes) {

@@ -39,7 +39,7 @@ class Bench {
   public:
     Bench() {
         HostDesc desc;
-        desc.processorTimes = true;
+        desc.clock = PassClock::processor;
         device_ = Device::create(desc, error_);
         require(device_ != nullptr, error_);
         require(createBuffer(*device_, invocations * sizeof(float), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
@@ -59,14 +59,14 @@ class Bench {
         leastMs_.assign(pipelines_.size(), 1e9);
     }
 
-    const char* deviceName() const { return device_->info().name.c_str(); }
+    const Device& device() const { return *device_; }
 
     void round() {
         for (size_t i = 0; i < pipelines_.size(); ++i) {
             require(
                 device_->run([&](VkCommandBuffer commands, Error&) { return dispatch(commands, i); }, error_),
                 error_);
-            leastMs_[i] = std::min(leastMs_[i], device_->lastRunMs());
+            leastMs_[i] = std::min(leastMs_[i], runMs());
         }
     }
 
@@ -91,12 +91,21 @@ class Bench {
         return made;
     }
 
-    bool dispatch(VkCommandBuffer commands, size_t pipeline) const {
+    bool dispatch(VkCommandBuffer commands, size_t pipeline) {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_[pipeline].get());
         vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_.get(), 0, 1, &set_, 0,
                                 nullptr);
+        device_->passes().mark(commands, forms[pipeline / entering.size()], true);
         vkCmdDispatch(commands, invocations / 64, 1, 1);
+        device_->passes().mark(commands, forms[pipeline / entering.size()], false);
         return true;
+    }
+
+    double runMs() {
+        if (device_->clock() != PassClock::timestamps) return device_->lastRunMs();
+        std::vector<TimedPass> passes;
+        require(device_->passes().collect(passes, error_), error_);
+        return passes.front().ms;
     }
 
     Error error_;
@@ -120,8 +129,8 @@ int main(int count, char** arguments) {
     }
     Bench bench;
     for (int i = 0; i < rounds; ++i) bench.round();
-    std::printf("%s, %d rounds\n%-34s%8s%8s%8s\n", bench.deviceName(), rounds, "entered by", "all", "10 %",
-                "none");
+    std::printf("%s, %d rounds by %s\n%-34s%8s%8s%8s\n", bench.device().info().name.c_str(), rounds,
+                describe(bench.device().clock()), "entered by", "all", "10 %", "none");
     const double plain = bench.leastMs(1, 0);
     for (size_t form = 0; form < forms.size(); ++form) {
         std::printf("%-34s", forms[form]);

@@ -1,7 +1,8 @@
 // What a reflection costs on this device, as multiples of the floor: a compute copy of the frame's colour and
 // depth; and how much of the traced truth it finds. Floor and reflection alternate, so that both see the same
-// machine; medians over the rounds. The first multiple is of time, the second of what this process had of the
-// processors: on CPU devices it is the steadier one while other programs run, elsewhere it says nothing.
+// machine, and stand in one submission where the device is no CPU; medians over the rounds. The first
+// multiple is of time. On CPU devices there is a second, of what this process had of the processors, which is
+// the steadier one while other programs run.
 //
 //   seaglass_bench_reflection [WIDTHxHEIGHT [ROUNDS [POSE [SETTING]]]]   settings whose names begin so
 #include <algorithm>
@@ -11,8 +12,7 @@
 #include <map>
 #include <string_view>
 
-#include "host/floor_pass.h"
-#include "host/pass_timer.h"
+#include "host/timed_floor.h"
 #include "seaglass/reflection.h"
 #include "tests/gpu/poses.h"
 #include "tests/gpu/reflection_score.h"
@@ -108,14 +108,8 @@ class Bench {
     Bench(uint32_t width, uint32_t height, uint32_t rounds, std::vector<Setting> settings)
         : rounds_(rounds), settings_(std::move(settings)) {
         demos::Error error;
-        DeviceDesc desc = tests::deviceDesc(&message_);
-        desc.pass = {[](void* user, VkCommandBuffer commands, const char* pass, bool begins) {
-                         static_cast<demos::PassTimer*>(user)->mark(commands, pass, begins);
-                     },
-                     &timer_};
-        require(timer_.create(tests::device(), error) &&
-                    floor_.create(tests::device(), {width, height}, error),
-                error.text);
+        const DeviceDesc desc = tests::deviceDesc(&message_);
+        require(floor_.create(tests::device(), {width, height}, error), error.text);
         require(createContext(&desc, &context_) == Status::ok, message_);
     }
     ~Bench() { destroyContext(context_); }
@@ -144,27 +138,30 @@ class Bench {
         constexpr uint32_t warmUps = 2;
         for (uint32_t round = 0; round < warmUps + rounds_; ++round) {
             const bool counts = round >= warmUps;
-            floorOnce(counts ? &floors : nullptr);
+            if (!whole_) floorOnce(counts ? &floors : nullptr);
             // As antialiasing moves a projection; only temporal reuse looks at it.
             view.jitter[0] = round % 2 ? 0.25 : -0.25;
             view.jitter[1] = -view.jitter[0];
             for (size_t i = 0; i < all.size(); ++i) {
                 const double before = processorMs();
-                double sum = 0;
-                for (const demos::PassTime& pass : reflectOnce(reflectors[i], view)) {
-                    if (counts) passes[i][pass.name].push_back(pass.ms);
-                    sum += pass.ms;
-                }
+                const std::vector<demos::TimedPass> timed = reflectOnce(reflectors[i], view);
+                const double beside = floor_.recordedMs(timed);
                 if (!counts) continue;
-                sums[i].ms.push_back(sum);
+                if (whole_) floors.ms.push_back(beside);
+                sums[i].ms.push_back(whole_ ? demos::msOf(timed, reflectName)
+                                            : demos::sumWithin(timed, reflectName));
                 sums[i].processorMs.push_back(processorMs() - before);
+                for (const demos::TimedPass& pass : timed)
+                    if (pass.within == reflectName) passes[i][pass.name].push_back(pass.ms);
             }
         }
         const double floor = median(floors.ms);
-        std::printf("  floor %.2f ms\n", floor);
+        std::printf("  floor %.3f ms\n", floor);
         for (size_t i = 0; i < all.size(); ++i) {
-            std::printf("  %-20s %7.2f ms %6.2f %6.2f x floor:", all[i].name, median(sums[i].ms),
-                        median(sums[i].ms) / floor, median(sums[i].processorMs) / median(floors.processorMs));
+            std::printf("  %-20s %8.3f ms %6.2f", all[i].name, median(sums[i].ms),
+                        median(sums[i].ms) / floor);
+            if (!whole_) std::printf(" %6.2f", median(sums[i].processorMs) / median(floors.processorMs));
+            std::printf(" x floor:");
             for (const auto& [name, ms] : passes[i])
                 std::printf("  %s %.2f", name.c_str(), median(ms) / floor);
             std::printf("\n");
@@ -188,35 +185,38 @@ class Bench {
     }
     void floorOnce(Samples* samples) {
         const double before = processorMs();
-        run([&](VkCommandBuffer commands) {
-            timer_.listen(commands);
-            floor_.record(commands); // once unseen, to wake the device
-            timer_.mark(commands, "floor", true);
-            floor_.record(commands);
-            timer_.mark(commands, "floor", false);
-            timer_.stop();
-        });
-        const double ms = timer_.collect().front().ms;
+        double ms = 0;
+        demos::Error error;
+        require(floor_.time(ms, error), error.text);
         if (!samples) return;
         samples->ms.push_back(ms);
-        samples->processorMs.push_back((processorMs() - before) / 2);
+        samples->processorMs.push_back((processorMs() - before) / 2); // of two copies, one of them unseen
     }
-    std::vector<demos::PassTime> reflectOnce(Reflector* reflector, const ViewDesc& view) {
+    std::vector<demos::TimedPass> reflectOnce(Reflector* reflector, const ViewDesc& view) {
         require(beginFrame(context_, slot_ ^= 1) == Status::ok, message_);
+        demos::PassTimer& timer = tests::device().passes();
         run([&](VkCommandBuffer commands) {
-            timer_.listen(commands);
+            if (whole_) floor_.wake(commands);
+            timer.separate(true);
+            timer.mark(commands, reflectName, true);
             require(reflect(commands, &reflector, 1, &view) == Status::ok, message_);
-            timer_.stop();
+            timer.mark(commands, reflectName, false);
+            if (whole_) floor_.record(commands);
         });
-        return timer_.collect();
+        std::vector<demos::TimedPass> passes;
+        demos::Error error;
+        require(timer.collect(passes, error), error.text);
+        return passes;
     }
 
+    static constexpr const char* reflectName = "reflect";
+    /// Reflection and floor in one submission.
+    const bool whole_ = tests::device().clock() == demos::PassClock::timestamps;
     uint32_t rounds_;
     std::vector<Setting> settings_;
     uint32_t slot_ = 0;
     std::string message_;
-    demos::PassTimer timer_;
-    demos::FloorPass floor_;
+    demos::TimedFloor floor_;
     Context* context_ = nullptr;
 };
 
@@ -229,7 +229,8 @@ int main(int count, char** arguments) {
         return 2;
     }
     if (count > 2) rounds = static_cast<uint32_t>(std::max(std::atoi(arguments[2]), 1));
-    std::printf("%s, %u x %u, medians of %u\n", tests::device().info().name.c_str(), width, height, rounds);
+    std::printf("%s, %u x %u, medians of %u by %s\n", tests::device().info().name.c_str(), width, height,
+                rounds, describe(tests::device().clock()));
     std::vector<Setting> chosen = settings();
     if (count > 4)
         std::erase_if(chosen,

@@ -1,7 +1,7 @@
 // What a scene's water costs on this device, whole and by quality and with a part left out: multiples of a
 // trivial pass (a full-screen triangle that copies the frame's colour) and of the floor (a compute copy of
-// the frame's colour and depth). All take turns over the same picture of the scene, medians over the rounds,
-// of what this process had of the processors: for CPU devices alone.
+// the frame's colour and depth). All take turns, medians over the rounds: of timestamps in whole frames, or
+// on CPU devices of what this process had of the processors, over the same picture of the scene.
 //
 //   seaglass_bench_water SCENE [WIDTHxHEIGHT [ROUNDS [CAMERA [PATH=VALUE...]]]]
 #include <cstdio>
@@ -51,11 +51,11 @@ void print(const char* name, const SurfaceTimes& times, const ComparedTimes& all
     std::string shares;
     for (const PassTime& pass : times.surfacePasses()) {
         char text[64];
-        std::snprintf(text, sizeof text, "  %s %.2f", pass.name.c_str(), pass.ms / all.floor.ms);
+        std::snprintf(text, sizeof text, "  %s %.2f", pass.name.c_str(), pass.ms / all.yardsticks.floor.ms);
         shares += text;
     }
-    std::printf("%-26s %6.2f x trivial, %6.2f x floor:%s\n", name, sum / all.fullScreen.ms,
-                sum / all.floor.ms, shares.c_str());
+    std::printf("%-26s %6.2f x trivial, %6.2f x floor:%s\n", name, sum / all.yardsticks.fullScreen.ms,
+                sum / all.yardsticks.floor.ms, shares.c_str());
 }
 
 } // namespace
@@ -78,7 +78,7 @@ int main(int count, char** arguments) {
     frame.timeS = scene->timeS;
 
     HostDesc desc;
-    desc.processorTimes = true;
+    desc.clock = PassClock::processor;
     const std::unique_ptr<Host> host = Host::create(desc, error);
     if (!host || !host->load(*scene, error)) stop(error.text);
     for (const Part& part : parts) {
@@ -88,9 +88,9 @@ int main(int count, char** arguments) {
     }
     const std::optional<ComparedTimes> times = host->measureSurfaces(frame, rounds, {}, error);
     if (!times) stop(error.text);
-    std::printf("%s, %s, %ux%u, floor %.2f ms of processors, trivial pass %.2f\n",
-                host->device().name.c_str(), frame.camera.name.c_str(), frame.width, frame.height,
-                times->floor.ms, times->fullScreen.ms);
+    std::printf("%s, %s, %ux%u, by %s: floor %.3f ms, trivial pass %.3f\n", host->device().name.c_str(),
+                frame.camera.name.c_str(), frame.width, frame.height, describe(host->clock()),
+                times->yardsticks.floor.ms, times->yardsticks.fullScreen.ms);
     for (size_t i = 0; i < std::size(parts); ++i) print(parts[i].name, times->surfaces[i], *times);
     return 0;
 }

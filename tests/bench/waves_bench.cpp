@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-#include "host/pass_timer.h"
+#include "host/timed_floor.h"
 #include "seaglass/water.h"
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/rig.h"
@@ -119,12 +119,8 @@ class DeviceWaves {
   public:
     explicit DeviceWaves(const SeaDesc& sea) {
         demos::Error error;
-        require(timer_.create(tests::device(), error), error.text);
-        DeviceDesc device = tests::deviceDesc(&message_);
-        device.pass = {[](void* user, VkCommandBuffer commands, const char* pass, bool begins) {
-                           static_cast<demos::PassTimer*>(user)->mark(commands, pass, begins);
-                       },
-                       &timer_};
+        require(floor_.create(tests::device(), {1280, 720}, error), error.text);
+        const DeviceDesc device = tests::deviceDesc(&message_);
         require(createContext(&device, &context_) == Status::ok, message_);
         BodyDesc desc;
         desc.waves = &sea;
@@ -138,24 +134,31 @@ class DeviceWaves {
     DeviceWaves(const DeviceWaves&) = delete;
     DeviceWaves& operator=(const DeviceWaves&) = delete;
 
-    std::vector<demos::PassTime> run(double time) {
+    /// Its passes, and all of them as one, "whole".
+    std::vector<demos::TimedPass> run(double time) {
         require(beginFrame(context_, slot_ ^= 1) == Status::ok, message_);
         demos::Error error;
-        const bool done = tests::device().run(
+        demos::Device& device = tests::device();
+        const bool done = device.run(
             [&](VkCommandBuffer commands, demos::Error&) {
-                timer_.listen(commands);
+                if (device.clock() == demos::PassClock::timestamps) floor_.wake(commands);
+                device.passes().separate(true);
+                device.passes().mark(commands, "whole", true);
                 require(simulate(commands, &body_, 1, time) == Status::ok, message_);
-                timer_.stop();
+                device.passes().mark(commands, "whole", false);
+                if (device.clock() == demos::PassClock::timestamps) floor_.record(commands);
                 return true;
             },
             error);
-        require(done, error.text);
-        return timer_.collect();
+        std::vector<demos::TimedPass> passes;
+        require(done && device.passes().collect(passes, error), error.text);
+        floor_.recordedMs(passes);
+        return passes;
     }
 
   private:
     std::string message_;
-    demos::PassTimer timer_;
+    demos::TimedFloor floor_; ///< which tells how many copies wake the device
     Context* context_ = nullptr;
     Body* body_ = nullptr;
     uint32_t slot_ = 0;
@@ -216,6 +219,7 @@ int main(int count, char** arguments) {
     const BareFftw bare(desc.samples, pairs * desc.cascades);
     CpuWaves cpu(*sea, 1), cpuTwo(*sea, 2);
     DeviceWaves gpu(desc);
+    const demos::PassClock clock = tests::device().clock();
     const std::unique_ptr<HeightGrid, void (*)(HeightGrid*)> grid(createHeightGrid(*sea, 0),
                                                                   destroyHeightGrid);
     require(grid != nullptr, "out of memory");
@@ -233,18 +237,18 @@ int main(int count, char** arguments) {
         add("fftwWaves(1), whole update", millisecondsOf([&] { cpu.run(time); }));
         add("fftwWaves(2), whole update", millisecondsOf([&] { cpuTwo.run(time); }));
         const double before = processorMilliseconds();
-        const std::vector<demos::PassTime> passes = gpu.run(time);
+        const std::vector<demos::TimedPass> passes = gpu.run(time);
         const double used = processorMilliseconds() - before;
-        for (const demos::PassTime& pass : passes) add("compute shaders: " + pass.name, pass.ms);
-        add("compute shaders: all processors", used);
+        for (const demos::TimedPass& pass : passes) add("compute shaders: " + pass.name, pass.ms);
+        if (clock != demos::PassClock::timestamps) add("compute shaders: all processors", used);
         add("setTime() of a height grid", millisecondsOf([&] { setTime(*grid, time); }));
         if (round < warmUps) continue;
         timesOf(queries, "grid, 4096 points within 100 m").push_back(hulls.onGrid(*grid));
         timesOf(queries, "grid, 4096 points within 100 km").push_back(anywhere.onGrid(*grid));
         timesOf(queries, "modes, 4 points").push_back(few.ofModes(*sea, time));
     }
-    std::printf("%s, %u cascades of %u^2, %u rounds\n", tests::device().info().name.c_str(), desc.cascades,
-                desc.samples, rounds);
+    std::printf("%s, %u cascades of %u^2, %u rounds, shaders by %s\n", tests::device().info().name.c_str(),
+                desc.cascades, desc.samples, rounds, describe(clock));
     const std::vector<double> one = timesOf(rows, "bare FFTW, one thread");
     std::printf("%-34s %21s   %s\n", "", "median, x bare", "least, x bare");
     for (const Row& row : rows)

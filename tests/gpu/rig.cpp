@@ -34,6 +34,11 @@ void submit(const std::function<void(VkCommandBuffer)>& record) {
             return true;
         },
         error);
+    if (device().lost()) {
+        std::fprintf(stderr, "%s\n", error.text.c_str());
+        std::fflush(stdout);
+        std::_Exit(1); // no other test can run, and to destroy it would be to wait for it
+    }
     ASSERT_TRUE(done) << error.text;
 }
 
@@ -87,6 +92,10 @@ seaglass::DeviceDesc deviceDesc(std::string* message) {
     desc.device = device().handle();
     desc.getInstanceProcAddr = spiedGetInstanceProcAddr;
     desc.message = {[](void* user, const char* text) { *static_cast<std::string*>(user) = text; }, message};
+    desc.pass = {[](void* user, VkCommandBuffer commands, const char* pass, bool begins) {
+                     static_cast<demos::PassTimer*>(user)->mark(commands, pass, begins);
+                 },
+                 &device().passes()};
     return desc;
 }
 

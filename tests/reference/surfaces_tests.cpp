@@ -17,7 +17,18 @@ std::optional<double> passOf(const SurfaceTimes& times, const std::string& name)
     return std::nullopt;
 }
 
-TEST(Surfaces, WatersTakeTurnsOverOneScene) {
+/// By either clock, whatever the device is.
+class Surfaces : public testing::TestWithParam<PassClock> {
+  protected:
+    static std::unique_ptr<Host> host(Error& error) {
+        HostDesc desc;
+        desc.validation = true;
+        desc.clock = GetParam();
+        return Host::create(desc, error);
+    }
+};
+
+TEST_P(Surfaces, WatersTakeTurnsOverOneScene) {
     Error error;
     const std::optional<Scene> scene =
         loadScene(tests::demoScene("harbour"), {"water.waves.samples=64"}, error);
@@ -27,7 +38,7 @@ TEST(Surfaces, WatersTakeTurnsOverOneScene) {
     flat.reflection->technique = "sky";
     WaterDesc planar = flat;
     planar.reflection->technique = "planar";
-    const std::unique_ptr<Host> host = Host::create({{}, true}, error);
+    const std::unique_ptr<Host> host = Surfaces::host(error);
     ASSERT_TRUE(host) << error.text;
     ASSERT_TRUE(host->load(*scene, error) && host->addSurface(flat, error) && host->addSurface(planar, error))
         << error.text;
@@ -38,7 +49,8 @@ TEST(Surfaces, WatersTakeTurnsOverOneScene) {
     const std::optional<ComparedTimes> times = host->measureSurfaces(frame, 3, count, error);
     ASSERT_TRUE(times) << error.text;
     EXPECT_EQ(rounds, 5u) << "with two to warm up";
-    EXPECT_GT(times->floor.ms, 0);
+    EXPECT_GT(times->yardsticks.floor.ms, 0);
+    EXPECT_GT(times->yardsticks.fullScreen.ms, 0);
     ASSERT_EQ(times->surfaces.size(), 3u);
     EXPECT_GT(times->surfaces[0].reflection.ms, 0);
     EXPECT_GT(times->surfaces[0].ofFloor.ms, 0);
@@ -77,11 +89,11 @@ TEST(Surfaces, WatersTakeTurnsOverOneScene) {
     EXPECT_EQ(host->validationMessages(), 0u);
 }
 
-TEST(Surfaces, FloorsTakeTurnsOverOneScene) {
+TEST_P(Surfaces, FloorsTakeTurnsOverOneScene) {
     Error error;
     const std::optional<Scene> scene = loadScene(tests::demoScene("floor"), {}, error);
     ASSERT_TRUE(scene) << error.text;
-    const std::unique_ptr<Host> host = Host::create({{}, true}, error);
+    const std::unique_ptr<Host> host = Surfaces::host(error);
     ASSERT_TRUE(host) << error.text;
     // The first reads nothing of the scene, and must not leave the others without it.
     std::vector<FloorDesc> floors(3, *scene->floor);
@@ -136,5 +148,8 @@ TEST(Surfaces, FloorsTakeTurnsOverOneScene) {
     }
     EXPECT_EQ(host->validationMessages(), 0u);
 }
+
+INSTANTIATE_TEST_SUITE_P(ByEitherClock, Surfaces, testing::Values(PassClock::fence, PassClock::timestamps),
+                         [](const auto& info) { return std::string(toString(info.param)); });
 
 } // namespace
