@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/compile_watch.h"
 #ifdef SEAGLASS_SHADER_RELOAD
 #include "gpu/shader_reload.h"
 #endif
@@ -61,6 +62,7 @@ Status Kernel::create(const Device& device, std::span<const uint32_t> spirv,
                                               constants.size_bytes(), constants.data()};
     info.stage.pSpecializationInfo = &specialization;
     info.layout = layout_.pipeline();
+    const CompileWatch watch(device, what);
     return device.check(device.vk().CreateComputePipelines(device.handle(), device.pipelineCache(), 1, &info,
                                                            device.allocator(), &pipeline_),
                         what);

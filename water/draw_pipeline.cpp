@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "gpu/compile_watch.h"
 #include "gpu/kernel.h"
 
 namespace seaglass {
@@ -123,6 +124,7 @@ Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, c
     info.layout = out.layout.pipeline();
     info.renderPass = target.renderPass;
     info.subpass = target.subpass;
+    const gpu::CompileWatch watch(device, what);
     return device.check(device.vk().CreateGraphicsPipelines(device.handle(), device.pipelineCache(), 1, &info,
                                                             device.allocator(), &out.handle),
                         what);

@@ -273,6 +273,7 @@ std::unique_ptr<Device> Device::create(const HostDesc& desc, Error& error, const
 }
 
 Device::~Device() {
+    if (lost_) return; // to destroy it is to wait for it
     if (device_) vkDeviceWaitIdle(device_);
     passes_ = {};
     fence_.reset();

@@ -1,5 +1,7 @@
 #include "host/seaglass_context.h"
 
+#include <cstdio>
+
 namespace demos {
 
 SeaglassContext::~SeaglassContext() {
@@ -38,7 +40,11 @@ bool SeaglassContext::estimate(const seaglass::ReflectionDesc& reflection, VkExt
 }
 
 bool SeaglassContext::ok(seaglass::Status status, Error& error) {
-    if (status == seaglass::Status::ok) return true;
+    if (status == seaglass::Status::ok) {
+        if (!message_.empty()) std::fprintf(stderr, "warning: %s: %s\n", surface_, message_.c_str());
+        message_.clear();
+        return true;
+    }
     error.text = std::string(surface_) + ": " + (message_.empty() ? seaglass::toString(status) : message_);
     message_.clear();
     return false;

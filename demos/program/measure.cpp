@@ -7,6 +7,7 @@
 #include "measure/run.h"
 #include "program/device_limit.h"
 #include "program/interrupt.h"
+#include "program/lost_device.h"
 #include "program/memory.h"
 #include "program/no_device.h"
 #include "program/progress.h"
@@ -109,9 +110,10 @@ void summarise(const measure::Tradeoff& tradeoff) {
                     fs::path(entry.scene).filename().string().c_str());
 }
 
-void sayInterrupted(const TradeoffFiles& files, size_t views, Error& error) {
+/// `why` it ended early.
+void sayWhatIsDone(const std::string& why, const TradeoffFiles& files, size_t views, Error& error) {
     const size_t done = files.tradeoff().sheets.size();
-    error.text = "interrupted: " + std::to_string(done) + " of " + std::to_string(views) + " views measured";
+    error.text = why + ": " + std::to_string(done) + " of " + std::to_string(views) + " views measured";
     if (done > 0) error.text += ", see " + fs::absolute(files.page()).lexically_normal().string();
 }
 
@@ -132,8 +134,10 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
     }
     TradeoffFiles files(options.folder, emptyTradeoff(options, *host));
     if (!fitsDevice(options.size, options.supersample, host->device(), error) ||
-        !canBeLoaded(*host, *subjects, progress, error) || !files.makeFolder(error))
+        !canBeLoaded(*host, *subjects, progress, error) || !files.makeFolder(error)) {
+        endIfLost(*host, error);
         return badInput;
+    }
 
     const Interrupt interrupt;
     const auto say = [&](const std::string& what, uint32_t done, uint32_t all) {
@@ -152,9 +156,12 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
         case measure::RunResult::ok:
             break;
         case measure::RunResult::failed:
+            progress.clear();
+            if (host->lost()) sayWhatIsDone(error.text, files, views, error);
+            endIfLost(*host, error);
             return runFailed;
         case measure::RunResult::stopped:
-            sayInterrupted(files, views, error);
+            sayWhatIsDone("interrupted", files, views, error);
             return interrupted;
         }
     }

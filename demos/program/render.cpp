@@ -8,6 +8,7 @@
 #include "host/supersample.h"
 #include "metrics/finite.h"
 #include "program/device_limit.h"
+#include "program/lost_device.h"
 #include "program/lost_waves.h"
 #include "program/memory.h"
 #include "program/no_device.h"
@@ -168,6 +169,7 @@ ExitCode renderScene(const RenderOptions& options, Error& error) {
     if (!fitsDevice(options.size, options.supersample, host->device(), error)) return badInput;
     progress.say("loading " + scene->file.filename().string());
     if (!host->load(*scene, error)) {
+        endIfLost(*host, error);
         addPlace(*scene, error);
         return badInput;
     }
@@ -175,8 +177,12 @@ ExitCode renderScene(const RenderOptions& options, Error& error) {
     warnOfLostWaves(host->resolvedShare(), leastResolvedInPictures, scene->file.filename().string() + ": ",
                     "water.waves.largest_patch_m", "water.waves.samples and water.waves.cascades");
     Run run(options, *scene, *camera, *host);
-    if (!run.all(progress, error)) return runFailed;
+    const bool done = run.all(progress, error);
     progress.clear();
+    if (!done) {
+        endIfLost(*host, error);
+        return runFailed;
+    }
     run.summarise();
     return judgeValidation(*host, error);
 }

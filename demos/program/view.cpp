@@ -2,6 +2,7 @@
 
 #include "host/image_file.h"
 #include "program/device_limit.h"
+#include "program/lost_device.h"
 #include "program/memory.h"
 #include "program/no_device.h"
 #include "program/output.h"
@@ -64,6 +65,7 @@ std::unique_ptr<Host> openHost(const ViewOptions& options, const Scene& scene, E
     }
     if (!fitsDevice(options.picture.size, 1, host->device(), error)) return nullptr;
     if (!host->load(scene, error)) {
+        endIfLost(*host, error);
         addPlace(scene, error);
         return nullptr;
     }
@@ -102,7 +104,10 @@ ExitCode viewScene(const ViewOptions& options, Error& error) {
         const std::unique_ptr<Viewer> viewer =
             Viewer::create(*window, *host, *state, {options.stepS, options.referenceSamples}, error);
         if (!viewer) return badInput;
-        if (!show(options, *window, *viewer, error)) return runFailed;
+        if (!show(options, *window, *viewer, error)) {
+            endIfLost(*host, error);
+            return runFailed;
+        }
     }
     return judgeValidation(*host, error);
 }

@@ -82,6 +82,11 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     EXPECT_FALSE(found["driver"].get<std::string>().empty());
     EXPECT_EQ(found["size"], json({96, 54}));
     EXPECT_GT(found["floor_ms"].get<double>(), 0);
+    EXPECT_TRUE(found["clock"] == "fence" || found["clock"] == "timestamps") << found["clock"];
+    for (const char* const file : {"index.html", "tradeoff.md"}) {
+        const std::string text = tests::readAll(path("new/tradeoff") / file);
+        EXPECT_NE(text.find(" by " + found["clock"].get<std::string>()), std::string::npos) << file;
+    }
     ASSERT_EQ(found["entries"].size(), techniques);
     std::map<std::string, json> entries;
     for (const json& entry : found["entries"]) {

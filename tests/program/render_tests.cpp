@@ -237,6 +237,12 @@ TEST_F(Render, StatsAreJson) {
     EXPECT_EQ(stats.at("scene"), (folder_.path() / "scene.toml").string());
     EXPECT_EQ(stats.at("camera"), "level");
     EXPECT_GT(stats.at("frame_ms").get<double>(), 0);
+    // Only what timestamps took has a time on the device alone.
+    EXPECT_TRUE(stats.at("clock") == "fence" || stats.at("clock") == "timestamps") << stats.at("clock");
+    EXPECT_EQ(stats.at("gpu_frame_ms").is_null(), stats.at("clock") == "fence");
+    EXPECT_NE(outcome.out.find(stats.at("clock").get<std::string>()), std::string::npos) << outcome.out;
+    EXPECT_GT(stats.at("floor_ms").get<double>(), 0);
+    EXPECT_GT(stats.at("full_screen_ms").get<double>(), 0);
     EXPECT_GT(stats.at("runs").get<int>(), 1);
     ASSERT_FALSE(stats.at("passes").empty());
     for (const nlohmann::json& pass : stats.at("passes")) {

@@ -26,7 +26,7 @@ enum class [[nodiscard]] Status : int32_t{
 /// The name of a status, for logs. Never null.
 const char* toString(Status status);
 
-/// Receives one line per error. May be called from any thread that calls Seaglass.
+/// Receives one line per error or warning. May be called from any thread that calls Seaglass.
 struct MessageCallback {
     void (*function)(void* user, const char* text) = nullptr; ///< null: nobody is told
     void* user = nullptr;                                     ///< handed back to it
