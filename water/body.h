@@ -106,6 +106,9 @@ struct Body : Held {
     Status castCaustics(VkCommandBuffer commands, const ViewDesc& view, const LightingDesc& lighting);
     Status drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                         const LightingDesc& lighting);
+    /// By which the pipelines of draw() are chosen; and those of SurfaceOutput::motion.
+    SurfaceFeatures features(const ReflectionImages& images, const LightingDesc& lighting) const;
+    SurfaceFeatures motionFeatures() const;
     /// Of an eye in the water: before the surfaces of all bodies, or after. Records nothing for other eyes.
     Status drawUnderwater(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                           const LightingDesc& lighting, UnderwaterPass pass);
@@ -138,8 +141,6 @@ struct Body : Held {
     Status createWaves(const BodyDesc& desc);
     Status createFoam(const FoamDesc& desc);
     Status createReflector(const BodyDesc& desc);
-    SurfaceFeatures features(const ReflectionImages& images, const LightingDesc& lighting) const;
-    SurfaceFeatures motionFeatures() const;
     /// The last frame's pixels of points relative to this frame's eye; this frame is the next one's last.
     glm::mat4 lastPixelFromRelative(const ViewDesc& view, const ViewGeometry& geometry);
     /// The most that waves move a point in any axis [m].

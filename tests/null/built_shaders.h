@@ -1,0 +1,21 @@
+// The SPIR-V that is built into the libraries, by the names of its files.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace tests {
+
+struct BuiltShader {
+    std::string_view name; ///< such as "surface_wf.frag"
+    std::span<const uint32_t> words;
+};
+
+std::span<const BuiltShader> builtShaders();
+
+/// Of these words; "?" where no library has them built in.
+std::string builtShaderName(std::span<const uint32_t> words);
+
+} // namespace tests

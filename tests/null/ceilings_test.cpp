@@ -1,0 +1,105 @@
+// What shaders may take of a GPU's vector registers: the more each takes, the fewer waves hide each other's
+// waiting. A unit of RDNA 2 holds 8 waves of 64 lanes of them at 128 registers each, 16 at 64.
+#include <algorithm>
+#include <map>
+
+#include "tests/null/compiles.h"
+
+namespace tests {
+
+namespace {
+
+using seaglass::Quality;
+
+/// Those that Mesa 22.3 gave, which come in eights, and eight more.
+struct Ceiling {
+    const char* shader;
+    uint64_t registers;
+};
+
+constexpr Ceiling kernels[] = {
+    {"blur.comp", 32},
+    {"caustics_blur.comp", 32},
+    {"caustics_blur_h.comp", 48},
+    {"caustics_cast.comp", 40},
+    {"caustics_cast_shore.comp", 56},
+    {"caustics_gather.comp", 16},
+    {"cells.comp", 32},
+    {"edge_reach.comp", 40},
+    {"foam.comp", 24},
+    {"march_cells.comp", 72},
+    {"march_cells_open.comp", 72},
+    {"march_strides.comp", 80},
+    {"march_strides_open.comp", 80},
+    {"miss.comp", 24},
+    {"open_tiles.comp", 24},
+    {"overlay.comp", 24},
+    {"planar.comp", 24},
+    {"resolve.comp", 56},
+    {"resolve_roofs.comp", 56},
+    {"scatter.comp", 40},
+    {"scatter_coarse.comp", 48},
+    {"seen_columns.comp", 24},
+    {"seen_tiles.comp", 24},
+    {"single_sample_color.comp", 16},
+    {"single_sample_depth.comp", 16},
+    {"stretch.comp", 32},
+    {"temporal.comp", 104},
+    {"tiles.comp", 24},
+    {"tiles_roofs.comp", 48},
+    {"waves_columns.comp", 120},
+    {"waves_rows.comp", 120},
+};
+
+struct SurfaceCeiling {
+    const char* letters;
+    Quality quality;
+    uint64_t registers;
+};
+
+constexpr SurfaceCeiling surfaces[] = {
+    {"lr", Quality::medium, 72},   {"w", Quality::highest, 72},     {"wl", Quality::highest, 136},
+    {"wlr", Quality::medium, 120}, {"wflr", Quality::low, 128},     {"wflr", Quality::medium, 128},
+    {"wflr", Quality::high, 136},  {"wflr", Quality::highest, 136}, {"wfslroh", Quality::highest, 176},
+};
+
+class Ceilings : public Compiles {
+  protected:
+    void SetUp() override {
+        Compiles::SetUp();
+        if (water_ && water_->nullDevice().name().find("Mesa 22.3") == std::string::npos)
+            GTEST_SKIP() << "registers are Mesa 22.3's, and this is " << water_->nullDevice().name();
+    }
+};
+
+/// That no register of lanes is spilled to memory either.
+void expectWithin(uint64_t ceiling, const CompiledStage& stage) {
+    EXPECT_LE(stage.costs.vectorRegisters, ceiling) << stage.shader;
+    EXPECT_EQ(stage.costs.spilledVectors, 0u) << stage.shader;
+}
+
+TEST_F(Ceilings, OfKernels) {
+    for (const CompiledPipeline& pipeline : water_->kernels()) {
+        ASSERT_EQ(pipeline.result, VK_SUCCESS);
+        const CompiledStage& stage = pipeline.last();
+        const auto* const found = std::ranges::find(kernels, stage.shader, &Ceiling::shader);
+        ASSERT_NE(found, std::end(kernels))
+            << stage.shader << " has no ceiling; it takes " << stage.costs.vectorRegisters;
+        expectWithin(found->registers, stage);
+    }
+}
+
+TEST_F(Ceilings, OfSurfaces) {
+    for (const SurfaceCeiling& ceiling : surfaces) {
+        SCOPED_TRACE(std::string(ceiling.letters) + ", quality " +
+                     std::to_string(static_cast<int>(ceiling.quality)));
+        const std::vector<CompiledPipeline> made = water_->surface({ceiling.letters, ceiling.quality});
+        ASSERT_EQ(made.size(), 1u) << water_->message();
+        expectWithin(ceiling.registers, made.front().last());
+        expectWithin(64, made.front().stages.front());
+    }
+}
+
+} // namespace
+
+} // namespace tests

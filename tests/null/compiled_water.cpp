@@ -1,0 +1,216 @@
+#include "tests/null/compiled_water.h"
+
+#include <array>
+#include <tuple>
+
+#include "reflection/blur.h"
+#include "reflection/cells.h"
+#include "reflection/edge_reach.h"
+#include "reflection/march.h"
+#include "reflection/open_tiles.h"
+#include "reflection/overlay.h"
+#include "reflection/planar.h"
+#include "reflection/resolve.h"
+#include "reflection/scatter.h"
+#include "reflection/single_sample.h"
+#include "reflection/stretch.h"
+#include "reflection/temporal.h"
+#include "reflection/tiles.h"
+#include "tests/null/built_shaders.h"
+#include "water/body.h"
+#include "water/caustics.h"
+#include "water/foam_gpu.h"
+#include "water/waves_gpu.h"
+
+namespace tests {
+
+namespace {
+
+using namespace seaglass;
+
+/// A body of a choice's features.
+class Chosen {
+  public:
+    explicit Chosen(const SurfaceChoice& choice) {
+        const auto has = [&](char letter) { return hasLetter(choice.letters, letter); };
+        sea_.windSpeed = 7;
+        sea_.samples = 64;
+        refraction_.scattering = 0.25f;
+        if (has('w')) desc_.waves = &sea_;
+        if (has('f')) desc_.foam = &foam_;
+        if (has('s')) addShore();
+        if (has('l')) desc_.reflection = &reflection_;
+        if (has('r')) desc_.refraction = &refraction_;
+        if (has('r')) desc_.bed = &bed_;
+        if (has('o')) addOutline();
+        if (choice.hostMesh) addMesh();
+        desc_.motion = has('w');
+        setQuality(choice.quality, &desc_, &reflection_);
+        // Which a shore's bed has none of.
+        if (has('s')) desc_.shading.relief = false;
+    }
+    Chosen(const Chosen&) = delete;
+    Chosen& operator=(const Chosen&) = delete;
+
+    const BodyDesc& desc() const { return desc_; }
+
+  private:
+    void addShore() {
+        shore_.bed = heights_.data();
+        shore_.samples[0] = shore_.samples[1] = 16;
+        shore_.spacing = 8;
+        shore_.origin[0] = shore_.origin[1] = -64;
+        for (size_t i = 0; i < heights_.size(); ++i) heights_[i] = -4 + 0.4f * static_cast<float>(i % 16);
+        sea_.shore = &shore_;
+    }
+    void addOutline() {
+        desc_.extent.shape = ExtentShape::rectangle;
+        desc_.extent.size[0] = desc_.extent.size[1] = 60;
+    }
+    void addMesh() {
+        desc_.extent.shape = ExtentShape::mesh;
+        desc_.extent.points = corners_.data();
+        desc_.extent.pointCount = 3;
+        desc_.extent.indices = triangle_.data();
+        desc_.extent.indexCount = 3;
+    }
+
+    SeaDesc sea_;
+    FoamDesc foam_;
+    RefractionDesc refraction_;
+    ReflectionDesc reflection_;
+    BedDesc bed_;
+    std::array<float, 256> heights_{};
+    ShoreDesc shore_;
+    std::array<double, 6> corners_ = {-30, -30, 30, -30, 0, 30};
+    std::array<uint32_t, 3> triangle_ = {0, 1, 2};
+    BodyDesc desc_;
+};
+
+TargetDesc targetDesc(bool multiview) {
+    TargetDesc desc;
+    desc.colorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+    desc.depthFormat = VK_FORMAT_D32_SFLOAT;
+    desc.viewMask = multiview ? 3 : 0;
+    return desc;
+}
+
+SurfaceVariant variantOf(const Body& body, const SurfaceChoice& choice) {
+    if (choice.output == SurfaceOutput::motion) return {body.motionFeatures(), choice.output, choice.sides};
+    ReflectionImages images;
+    // Asked for nothing but whether it is there.
+    if (body.reflector) images.color = reinterpret_cast<VkImageView>(uintptr_t{1});
+    const SunShadow shadow;
+    LightingDesc lighting;
+    if (hasLetter(choice.letters, 'h')) lighting.shadow = &shadow;
+    SurfaceFeatures features = body.features(images, lighting);
+    if (choice.sides == SidesSeen::below) features.bedDownscale = 0;
+    return {features, choice.output, choice.sides};
+}
+
+/// What is made anew for each is compiled anew.
+template<typename... Kernels>
+void shareEach(Context& context) {
+    std::tuple<std::shared_ptr<Kernels>...> kernels;
+    std::apply([&](auto&... each) { (void)std::array{context.share(each)...}; }, kernels);
+}
+
+/// Of one target, without the cache of those that it has.
+template<typename Variant>
+void build(const gpu::Device& device, const TargetDesc& target, const Variant& variant) {
+    DrawPipeline pipeline;
+    (void)buildPipeline(device, target, variant, pipeline);
+    device.vk().DestroyPipeline(device.handle(), pipeline.handle, device.allocator());
+}
+
+} // namespace
+
+bool hasLetter(const std::string& letters, char letter) {
+    return letters.find(letter) != std::string::npos;
+}
+
+std::vector<std::string> surfaceLetters() {
+    constexpr std::string_view prefix = "surface", suffix = ".frag";
+    std::vector<std::string> all;
+    for (const BuiltShader& shader : builtShaders()) {
+        if (!shader.name.starts_with(prefix) || !shader.name.ends_with(suffix)) continue;
+        const std::string_view middle =
+            shader.name.substr(prefix.size(), shader.name.size() - prefix.size() - suffix.size());
+        all.emplace_back(middle.empty() ? middle : middle.substr(1));
+    }
+    return all;
+}
+
+std::unique_ptr<CompiledWater> CompiledWater::create(std::string& whyNot) {
+    std::unique_ptr<CompiledWater> made(new CompiledWater);
+    demos::Error error;
+    made->device_ = demos::Device::create({}, error);
+    if (!made->device_) {
+        whyNot = error.text;
+        return nullptr;
+    }
+    made->null_ = NullDevice::create(whyNot);
+    if (!made->null_) return nullptr;
+    compileTwice(made->null_.get());
+    DeviceDesc desc;
+    desc.instance = made->device_->instance();
+    desc.physicalDevice = made->device_->physical();
+    desc.device = made->device_->handle();
+    desc.getInstanceProcAddr = compiledTwiceGetInstanceProcAddr;
+    desc.message = {[](void* user, const char* text) { *static_cast<std::string*>(user) = text; },
+                    &made->message_};
+    if (createContext(&desc, &made->context_) != Status::ok) {
+        whyNot = made->message_;
+        return nullptr;
+    }
+    return made;
+}
+
+CompiledWater::~CompiledWater() {
+    destroyContext(context_);
+    compileTwice(nullptr);
+}
+
+std::vector<CompiledPipeline> CompiledWater::kernels() {
+    compiledPipelines().clear();
+    makeKernels();
+    return std::move(compiledPipelines());
+}
+
+void CompiledWater::makeKernels() {
+    shareEach<ScatterKernel, CoarseScatterKernel, TilesKernel, RoofsTilesKernel, ResolveKernel,
+              RoofsResolveKernel, CellsKernel, SeenTilesKernel, SeenColumnsKernel, OpenTilesKernel,
+              BlurKernel, StretchKernel, EdgeReachKernel, TemporalKernel, PlanarKernel, OverlayKernel,
+              DepthSampleKernel, ColorSampleKernel, FoamKernel, CastKernel, CastOnShoreKernel, GatherKernel,
+              CausticBlurKernel, ShadowedCausticBlurKernel>(*context_);
+    for (const bool cells : {false, true})
+        for (const bool open : {false, true}) {
+            std::shared_ptr<MarchKernel> march;
+            (void)shareMarch(*context_, cells, open, march);
+        }
+    WaveKernels waves;
+    for (uint32_t samples = 16; samples <= 1024; samples *= 2) {
+        const WaveKernels::Pair* pair = nullptr;
+        (void)waves.get(context_->device, samples, pair);
+    }
+}
+
+std::vector<CompiledPipeline> CompiledWater::surface(const SurfaceChoice& choice) {
+    // Takes back what the bodies before held.
+    (void)beginFrame(context_, slot_ ^= 1);
+    const Chosen chosen(choice);
+    Body* body = nullptr;
+    if (createBody(context_, &chosen.desc(), &body) != Status::ok) return {};
+    compiledPipelines().clear();
+    build(context_->device, targetDesc(choice.multiview), variantOf(*body, choice));
+    destroyBody(body);
+    return std::move(compiledPipelines());
+}
+
+std::vector<CompiledPipeline> CompiledWater::overView(const UnderwaterVariant& variant, bool multiview) {
+    compiledPipelines().clear();
+    build(context_->device, targetDesc(multiview), variant);
+    return std::move(compiledPipelines());
+}
+
+} // namespace tests

@@ -1,0 +1,59 @@
+// The libraries' pipelines, made without a frame, and compiled on a null device as well.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/device.h"
+#include "seaglass/water.h"
+#include "tests/null/compiled_twice.h"
+#include "water/surface.h"
+#include "water/underwater.h"
+
+namespace tests {
+
+/// Which of the surface's pipelines.
+struct SurfaceChoice {
+    /// Features by the letters of water/CMakeLists.txt, as in the fragment shader's name.
+    std::string letters;
+    seaglass::Quality quality = seaglass::Quality::medium;
+    seaglass::SurfaceOutput output = seaglass::SurfaceOutput::shaded;
+    seaglass::SidesSeen sides = seaglass::SidesSeen::above;
+    bool hostMesh = false;
+    bool multiview = false;
+};
+
+class CompiledWater {
+  public:
+    /// Null with `whyNot` set where there is no null device, or none for the library itself.
+    static std::unique_ptr<CompiledWater> create(std::string& whyNot);
+    ~CompiledWater();
+    CompiledWater(const CompiledWater&) = delete;
+    CompiledWater& operator=(const CompiledWater&) = delete;
+
+    const NullDevice& nullDevice() const { return *null_; }
+    /// What the library said last.
+    const std::string& message() const { return message_; }
+
+    // What these make; less than was asked for where the library fails, which then says why.
+    std::vector<CompiledPipeline> kernels(); ///< those of compute, waves at each number of samples
+    std::vector<CompiledPipeline> surface(const SurfaceChoice& choice);
+    std::vector<CompiledPipeline> overView(const seaglass::UnderwaterVariant& variant, bool multiview);
+
+  private:
+    CompiledWater() = default;
+    void makeKernels();
+
+    std::unique_ptr<NullDevice> null_;
+    std::unique_ptr<demos::Device> device_;
+    std::string message_;
+    seaglass::Context* context_ = nullptr;
+    uint32_t slot_ = 0;
+};
+
+/// The letters of each of the surface's fragment shaders.
+std::vector<std::string> surfaceLetters();
+bool hasLetter(const std::string& letters, char letter);
+
+} // namespace tests

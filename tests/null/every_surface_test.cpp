@@ -1,0 +1,47 @@
+// AMD's compiler takes all that is drawn: every combination of the surface's features at every quality, and
+// at one each side, output, mesh and pass. Some ten minutes of one processor.
+#include "tests/null/compiles.h"
+
+namespace tests {
+
+namespace {
+
+using seaglass::Quality;
+using seaglass::SidesSeen;
+using seaglass::SurfaceOutput;
+using seaglass::UnderwaterPass;
+
+TEST_F(Compiles, EverythingDrawn) {
+    for (const std::string& letters : surfaceLetters()) {
+        for (const Quality quality : {Quality::low, Quality::medium, Quality::high, Quality::highest})
+            expectCompiled(water_->surface({letters, quality}));
+        for (const SidesSeen sides : {SidesSeen::below, SidesSeen::either})
+            if (hasLetter(letters, 'r'))
+                expectCompiled(water_->surface({letters, Quality::medium, SurfaceOutput::shaded, sides}));
+    }
+    for (uint32_t output = 0; output <= static_cast<uint32_t>(SurfaceOutput::motion); ++output)
+        for (const char* const letters : {"lroh", "wfslroh"})
+            expectCompiled(water_->surface({letters, Quality::medium, static_cast<SurfaceOutput>(output)}));
+    for (const char* const letters : {"", "w", "ws", "o", "wo", "wso"})
+        for (const SurfaceOutput output : {SurfaceOutput::shaded, SurfaceOutput::motion})
+            for (const bool hostMesh : {false, true})
+                for (const bool multiview : {false, true})
+                    if (!hostMesh || !hasLetter(letters, 'o'))
+                        expectCompiled(water_->surface(
+                            {letters, Quality::medium, output, SidesSeen::above, hostMesh, multiview}));
+    for (const UnderwaterPass pass :
+         {UnderwaterPass::water, UnderwaterPass::waterline, UnderwaterPass::caustics})
+        for (const bool multiview : {false, true}) {
+            expectCompiled(water_->overView({.pass = pass}, multiview));
+            for (const bool shore : {false, true})
+                if (pass != UnderwaterPass::caustics)
+                    expectCompiled(water_->overView(
+                        {.pass = pass, .straddles = true, .waves = true, .shore = shore}, multiview));
+        }
+    expectAllWith(".frag");
+    expectAllWith(".vert");
+}
+
+} // namespace
+
+} // namespace tests
