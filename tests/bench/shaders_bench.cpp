@@ -69,7 +69,6 @@ void printJson(const std::string& device, const std::vector<Row>& rows) {
                         {"vgprs", r.costs.vectorRegisters},
                         {"sgprs", r.costs.scalarRegisters},
                         {"waves", r.costs.waves},
-                        {"lanes", r.costs.lanes},
                         {"spilled_vgprs", r.costs.spilledVectors},
                         {"spilled_sgprs", r.costs.spilledScalars},
                         {"lds_bytes", r.costs.sharedBytes},

@@ -23,7 +23,7 @@ UNTESTED = {
 }
 # Options in the prose that are not the program's.
 OTHERS = {"--preset", "--build", "--install", "--prefix", "--config", "--cflags", "--libs", "--parallel", "--target",
-          "--gtest_filter", "--no-install", "--check", "--bless", "--label-exclude", "--overlay-ports",
+          "--gtest_filter", "--json", "--no-install", "--check", "--bless", "--label-exclude", "--overlay-ports",
           "--variable"}
 
 

@@ -1,5 +1,5 @@
 // What shaders may take of a GPU's vector registers: the more each takes, the fewer waves hide each other's
-// waiting. A unit of RDNA 2 holds 8 waves of 64 lanes of them at 128 registers each, 16 at 64.
+// waiting. A SIMD unit of RDNA 2 holds 32 waves of 32 registers each, 8 of 128.
 #include <algorithm>
 #include <map>
 

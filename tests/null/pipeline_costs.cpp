@@ -43,7 +43,6 @@ std::vector<StageCosts> costsOf(const NullDevice& device, VkPipeline pipeline) {
     for (uint32_t i = 0; i < count; ++i) {
         StageCosts& c = costs[i];
         c.stages = executables[i].stages;
-        c.lanes = executables[i].subgroupSize;
         const Statistics all = statisticsOf(device, pipeline, i);
         const bool told = add(all, "Instructions", c.instructions) && add(all, "VGPRs", c.vectorRegisters) &&
                           add(all, "SGPRs", c.scalarRegisters) &&
