@@ -200,12 +200,14 @@ class Analysis:
             return None
         if sign < 0 and b.symbol == a.symbol:
             return Int(0, a.low - b.high, a.high - b.low)
-        if b.symbol == 0:
-            low, high = (b.low, b.high) if sign > 0 else (-b.high, -b.low)
-            return Int(a.symbol, a.low + low, a.high + high)
         if a.symbol == 0 and sign > 0:
-            return Int(b.symbol, a.low + b.low, a.high + b.high)
-        return None
+            a, b = b, a
+        if b.symbol != 0:
+            return None
+        if a.symbol and b.low == b.high >= 1 << 31:
+            b = Int(0, b.low - (1 << 32), b.high - (1 << 32))    # of an unsigned, it is less that is added
+        low, high = (b.low, b.high) if sign > 0 else (-b.high, -b.low)
+        return Int(a.symbol, a.low + low, a.high + high)
 
     def pure(self, key, operands, shape):
         """Of the same operands the same: no loop changes what it does not change in them."""

@@ -140,6 +140,12 @@ uint unequal() {
     return i;
 }
 
+uint downByAddition() {
+    uint i = 1u;
+    while (i < 100u) i += 0xffffffffu;
+    return i;
+}
+
 int eitherWillDo(float x) {
     int i = 0;
     do {
@@ -216,6 +222,6 @@ void main() {
     int i = byData(0) + byDataThatIsCompared(0) + inOneBranch(x) + passedOver(x) + toAndFro(x) + theWrongWay() + downTheWrongWay();
     i += byNothing() + byWhatIsAsked(i) + withABoundThatMoves() + withABoundThatIsRead() + toTheLargest() + eitherWillDo(x);
     i += orElseAFloat(x) + broughtBack(x) + byAGlobal() + byTheInnerOne(x) + halved(i);
-    uint u = belowNothing() + overNothing() + unequal();
+    uint u = belowNothing() + overNothing() + unequal() + downByAddition();
     values[gl_GlobalInvocationID.x] = x + float(i) + float(u);
 }
