@@ -35,6 +35,7 @@ COMPARISONS = {
     Op.UGreaterThan: (">", False), Op.SGreaterThan: (">", True), Op.UGreaterThanEqual: (">=", False),
     Op.SGreaterThanEqual: (">=", True), Op.ULessThan: ("<", False), Op.SLessThan: ("<", True),
     Op.ULessThanEqual: ("<=", False), Op.SLessThanEqual: ("<=", True)}
+# Conversions from floats, arithmetic but division, shifts and bits.
 PURE = {109, 110} | set(range(126, 136)) | set(range(137, 143)) | set(range(194, 206)) | {Op.SpecConstantOp}
 MINIMA, MAXIMA, CLAMPS = {38, 39}, {41, 42}, {44, 45}    # UMin and so on, of GLSL.std.450
 
@@ -416,12 +417,11 @@ class Analysis:
         """Through a whole function; the state and the value where it returns."""
         edges, returns = {(None, function.sorted[0]): state.copy()}, []
         self.region(function, function.sorted, None, context, edges, returns)
-        values = [value for _, value in returns]
         merged = self.merged([after for after, _ in returns], (context, "return"))
         live = [(after, value) for after, value in returns if after.facts is not EVERYTHING]
         if merged is None:
             return None, None
-        return merged, self.join([value for _, value in live], [after.facts for after, _ in live], (context, "returned")) if values else None
+        return merged, self.join([value for _, value in live], [after.facts for after, _ in live], (context, "returned"))
 
     def region(self, function, blocks, head, context, edges, returns):
         done = set()

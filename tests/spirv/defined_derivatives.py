@@ -15,6 +15,7 @@ import sys
 from module import files, read
 from shader import READ_ONLY, Op, Shader
 
+# dFdx and its like, and looks with an implicit level or for it.
 DERIVATIVES = set(range(207, 216)) | {87, 89, 91, 93, 105}
 ENDINGS = {Op.Kill, 4416}
 FRAGMENT, ENTRY_POINT, INPUT = 4, 15, 1
@@ -87,8 +88,7 @@ class Divergence:
                 self.values.add(operands[1])
         elif len(operands) > 1 and operands[0] in self.shader.types:
             skipped = 4 if op == Op.ExtInst else 2
-            read = [operand for operand in operands[skipped:]]
-            if self.differs(read) or op == Op.Load and self.roots.get(operands[2], operands[2]) in self.values or op in DERIVATIVES:
+            if self.differs(operands[skipped:]) or op == Op.Load and self.roots.get(operands[2], operands[2]) in self.values or op in DERIVATIVES:
                 self.values.add(operands[1])
 
     def branch(self, function, label):
@@ -130,7 +130,7 @@ def undefined_derivatives(path):
                 if instruction[0] in ENDINGS:
                     lines.append(f"{path}: {name}() discards, expected `demote`")
                 if instruction[0] in DERIVATIVES and (function.id, label) in divergence.blocks and name not in EXCEPT:
-                    lines.append(f"{path}: {name}() takes a derivative, or looks without a level, where pixels may have gone different ways")
+                    lines.append(f"{path}: {name}() takes a derivative, or looks without a level, where pixels may go different ways")
     return list(dict.fromkeys(lines))
 
 

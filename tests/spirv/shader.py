@@ -4,6 +4,7 @@ from module import Op, text
 PRIVATE = 6
 READ_ONLY = {0, 1, 9}    # UniformConstant, Input, PushConstant
 UNIFORM, STORAGE_BUFFER = 2, 12
+NON_WRITABLE, BUFFER_BLOCK = 24, 3    # decorations
 
 
 class Function:
@@ -27,11 +28,11 @@ class Shader:
                 self.names[instruction[1]] = text(instruction[2:])
             elif op == Op.MemberName:
                 self.names[instruction[1], instruction[2]] = text(instruction[3:])
-            elif op == Op.Decorate and instruction[2] == 24:
+            elif op == Op.Decorate and instruction[2] == NON_WRITABLE:
                 self.unwritable.add(instruction[1])
-            elif op == Op.Decorate and instruction[2] == 3:
+            elif op == Op.Decorate and instruction[2] == BUFFER_BLOCK:
                 self.buffer_blocks.add(instruction[1])
-            elif op == Op.MemberDecorate and instruction[3] == 24:
+            elif op == Op.MemberDecorate and instruction[3] == NON_WRITABLE:
                 self.unwritable.add((instruction[1], instruction[2]))
             elif Op.TypeVoid <= op <= Op.TypeFunction:
                 self.types[instruction[1]] = instruction
