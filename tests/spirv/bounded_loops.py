@@ -35,7 +35,7 @@ COMPARISONS = {
     Op.UGreaterThan: (">", False), Op.SGreaterThan: (">", True), Op.UGreaterThanEqual: (">=", False),
     Op.SGreaterThanEqual: (">=", True), Op.ULessThan: ("<", False), Op.SLessThan: ("<", True),
     Op.ULessThanEqual: ("<=", False), Op.SLessThanEqual: ("<=", True)}
-# Conversions from floats, arithmetic but division, shifts and bits.
+# Conversions from floats, arithmetic, shifts and bits.
 PURE = {109, 110} | set(range(126, 136)) | set(range(137, 143)) | set(range(194, 206)) | {Op.SpecConstantOp}
 MINIMA, MAXIMA, CLAMPS = {38, 39}, {41, 42}, {44, 45}    # UMin and so on, of GLSL.std.450
 
