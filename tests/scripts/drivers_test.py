@@ -15,7 +15,7 @@ class Drivers(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        for name in ("reflection_gpu_tests", "water_gpu_tests", "host_gpu_tests", "defects_gpu_tests"):
+        for name in ("reflection_gpu_tests", "water_gpu_tests", "host_gpu_tests", "defects_gpu_tests", "null_tests", "every_surface"):
             (self.folder / name).write_text(f"#!/bin/sh\nexec {sys.executable} -B {HERE / 'fake_tests.py'} \"$@\"\n")
             (self.folder / name).chmod(0o755)
 
@@ -69,6 +69,11 @@ class Drivers(unittest.TestCase):
         code, said = self.drivers("lavapipe", tests="")
         self.assertEqual(code, 2)
         self.assertIn("no test matches --filter '*'", said)
+
+    def test_what_only_compiles_has_tests_of_its_own(self):
+        code, said = self.drivers("amd")
+        self.assertEqual(code, 0)
+        self.assertEqual([line.split()[:3] for line in said.splitlines()[1:-1]], [["amd", "null_tests", "1"], ["amd", "every_surface", "1"]])
 
     def test_the_list_names_all(self):
         code, said = self.drivers("--list")
