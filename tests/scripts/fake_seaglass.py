@@ -29,7 +29,7 @@ elif command == "render":
     pathlib.Path(after("-o")).write_text("a picture")
     if after("--stats"):
         pathlib.Path(after("--stats")).write_text(json.dumps({
-            "frame_ms": 1.5, "clock": "timestamps", "more": [],
+            "frame_ms": 9.5, "gpu_frame_ms": 1.5, "clock": "timestamps", "floor_ms": 0.0625, "more": [],
             "passes": [{"name": "surface", "ms": 0.25, "spread_ms": 0, "also": 1}]}))
     print(f"{name}: {after('--size')}, 1.0 ms a frame, {after('-o')}")
 elif command == "compare":

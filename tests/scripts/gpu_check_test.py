@@ -57,6 +57,7 @@ class GpuCheck(unittest.TestCase):
         self.assertIn("| harbour |  | 1.500 | 1.500 | 1.500 | 1.500 |", page)
         self.assertIn("| floor | 1.500 |  |  |  |  |", page)
         self.assertIn("| harbour | surface |  | 0.250 | 0.250 | 0.250 | 0.250 |", page)
+        self.assertIn("| harbour | (floor) |  | 0.062 | 0.062 | 0.062 | 0.062 |", page)
         self.assertIn("Clock: timestamps.", page)
         self.assertIn("seaglass_bench_waves 256 3 60", page)
         self.assertNotIn("not finished", page)
