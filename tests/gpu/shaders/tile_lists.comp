@@ -1,0 +1,53 @@
+// Lists tiles, or with TILES or COLUMNS visits those that are listed, whatever the header holds.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+// In place of mirror.glsl's.
+const int pixelShift = 0;
+const ivec4 shown = ivec4(0);
+const bool bent = false;
+
+ivec2 imageSize() {
+    return ivec2(80, 44);
+}
+#include "tiles.glsl"
+
+layout(set = 0, binding = 0, std430) buffer Tiles {
+    TileHeader header;
+    uint tiles[];
+};
+layout(set = 0, binding = 1, std430) buffer Visits {
+    uint visited[];   // of each pixel how often; then those elsewhere
+};
+
+void visit(ivec2 pixel) {
+    bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, imageSize()));
+    atomicAdd(visited[inside ? pixel.y * imageSize().x + pixel.x : imageSize().x * imageSize().y], 1u);
+}
+
+#ifdef TILES
+#include "tile_list.glsl"
+
+void main() {
+    ivec2 pixel = pixelToResolve();
+    if (pixel != noPixel) visit(pixel);
+}
+#elif defined(COLUMNS)
+#include "tile_columns.glsl"
+
+void main() {
+    Column column = columnToVisit();
+    if (column.rows == 0) return;
+    int row = 0;
+    do visit(column.top + ivec2(0, row)); while (++row < column.rows);
+}
+#else
+#include "list_tile.glsl"
+layout(local_size_x = 64) in;
+
+void main() {
+    ivec2 tile = ivec2(gl_GlobalInvocationID.x % uint(tilesAcross()), gl_GlobalInvocationID.x / uint(tilesAcross()));
+    listTile(tile);
+    listTileOfColumns(tile);
+}
+#endif
