@@ -2,6 +2,27 @@
 
 namespace seaglass::gpu {
 
+namespace {
+
+VkBufferCreateInfo createInfo(VkDeviceSize size, VkBufferUsageFlags usage) {
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = size;
+    info.usage = usage;
+    return info;
+}
+
+} // namespace
+
+VkDeviceSize heldBytes(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage) {
+    if (size == 0) return 0;
+    const VkBufferCreateInfo info = createInfo(size, usage);
+    VkDeviceBufferMemoryRequirements buffer{VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS};
+    buffer.pCreateInfo = &info;
+    VkMemoryRequirements2 needs{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
+    device.vk().GetDeviceBufferMemoryRequirements(device.handle(), &buffer, &needs);
+    return needs.memoryRequirements.size;
+}
+
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
     if (this == &other) return *this;
     release();
@@ -25,9 +46,7 @@ Status Buffer::allocate(const Device& device, VkDeviceSize size, VkBufferUsageFl
     device_ = &device;
     buffer_ = VK_NULL_HANDLE;
     size_ = size;
-    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
-    info.size = size;
-    info.usage = usage;
+    const VkBufferCreateInfo info = createInfo(size, usage);
     const DeviceTable& vk = device.vk();
     if (const Status s =
             device.check(vk.CreateBuffer(device.handle(), &info, device.allocator(), &buffer_), what);

@@ -7,6 +7,9 @@
 
 namespace seaglass::gpu {
 
+/// Of the memory that this device wants for a buffer; none for one of no size, which is not made.
+VkDeviceSize heldBytes(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage);
+
 class Buffer {
   public:
     Buffer() = default;

@@ -54,6 +54,8 @@
     X(DestroyShaderModule)                                                                                   \
     X(FreeMemory)                                                                                            \
     X(GetBufferMemoryRequirements)                                                                           \
+    X(GetDeviceBufferMemoryRequirements)                                                                     \
+    X(GetDeviceImageMemoryRequirements)                                                                      \
     X(GetImageMemoryRequirements)                                                                            \
     X(MapMemory)                                                                                             \
     X(ResetDescriptorPool)                                                                                   \

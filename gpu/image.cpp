@@ -21,6 +21,19 @@ VkDeviceSize texelBytes(VkFormat format) {
     }
 }
 
+VkImageCreateInfo createInfo(const ImageDesc& desc) {
+    VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+    info.imageType = VK_IMAGE_TYPE_2D;
+    info.format = desc.format;
+    info.extent = {desc.extent.width, desc.extent.height, 1};
+    info.mipLevels = desc.mipLevels;
+    info.arrayLayers = desc.layers;
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = desc.usage;
+    return info;
+}
+
 } // namespace
 
 VkDeviceSize imageBytes(const ImageDesc& desc) {
@@ -29,6 +42,15 @@ VkDeviceSize imageBytes(const ImageDesc& desc) {
         texels +=
             VkDeviceSize{std::max(desc.extent.width >> mip, 1u)} * std::max(desc.extent.height >> mip, 1u);
     return texels * desc.layers * texelBytes(desc.format);
+}
+
+VkDeviceSize heldBytes(const Device& device, const ImageDesc& desc) {
+    const VkImageCreateInfo info = createInfo(desc);
+    VkDeviceImageMemoryRequirements image{VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS};
+    image.pCreateInfo = &info;
+    VkMemoryRequirements2 needs{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
+    device.vk().GetDeviceImageMemoryRequirements(device.handle(), &image, &needs);
+    return needs.memoryRequirements.size;
 }
 
 OwnedImage& OwnedImage::operator=(OwnedImage&& other) noexcept {
@@ -61,15 +83,7 @@ Status OwnedImage::create(const Device& device, const ImageDesc& desc, const cha
     release();
     device_ = &device;
     desc_ = desc;
-    VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
-    info.imageType = VK_IMAGE_TYPE_2D;
-    info.format = desc.format;
-    info.extent = {desc.extent.width, desc.extent.height, 1};
-    info.mipLevels = desc.mipLevels;
-    info.arrayLayers = desc.layers;
-    info.samples = VK_SAMPLE_COUNT_1_BIT;
-    info.tiling = VK_IMAGE_TILING_OPTIMAL;
-    info.usage = desc.usage;
+    const VkImageCreateInfo info = createInfo(desc);
     const DeviceTable& vk = device.vk();
     if (const Status s =
             device.check(vk.CreateImage(device.handle(), &info, device.allocator(), &image_), what);

@@ -24,6 +24,8 @@ inline bool isSame(VkExtent2D a, VkExtent2D b) {
 
 /// Of all mips and layers, as tightly as the format allows.
 VkDeviceSize imageBytes(const ImageDesc& desc);
+/// Of the memory that this device wants for it.
+VkDeviceSize heldBytes(const Device& device, const ImageDesc& desc);
 
 class OwnedImage {
   public:

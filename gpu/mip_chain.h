@@ -25,7 +25,8 @@ class MipChain {
 
     /// Fills every mip of each image from its mip 0, which `written` has left, all layers, and leaves all of
     /// them to be sampled by shaders. What the other mips held is lost. All images are of one size and have
-    /// as many mips. Each mip is the linear filter's mean of the one before; extents halve without rest.
+    /// as many mips, and views that are arrays. Each mip is the linear filter's mean of the one before;
+    /// extents halve without rest.
     Status record(Context& context, VkCommandBuffer commands, std::span<const OwnedImage* const> images,
                   const Use& written) const;
 

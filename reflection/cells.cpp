@@ -15,10 +15,20 @@ uint32_t countOf(VkExtent2D extent, uint32_t edge) {
     return ((extent.width + edge - 1) / edge) * ((extent.height + edge - 1) / edge);
 }
 
+constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+
+VkDeviceSize bytesOf(VkExtent2D extent) {
+    return (VkDeviceSize{countOf(extent, cellEdge)} + countOf(extent, blockEdge)) * sizeof(uint32_t);
+}
+
 } // namespace
 
-VkDeviceSize cellBufferBytes(VkExtent2D extent) {
-    return (VkDeviceSize{countOf(extent, cellEdge)} + countOf(extent, blockEdge)) * sizeof(uint32_t);
+Status createCells(const gpu::Device& device, VkExtent2D extent, const char* what, gpu::Buffer& out) {
+    return out.create(device, bytesOf(extent), usage, what);
+}
+
+VkDeviceSize heldByCells(const gpu::Device& device, VkExtent2D extent) {
+    return gpu::heldBytes(device, bytesOf(extent), usage);
 }
 
 Status CellsKernel::create(Context& context) {

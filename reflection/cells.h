@@ -13,11 +13,9 @@ struct CellsKernel {
     Status create(Context& context);
 };
 
-constexpr VkBufferUsageFlags cellBufferUsage =
-    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-
 /// `extent`: of the view's region.
-VkDeviceSize cellBufferBytes(VkExtent2D extent);
+Status createCells(const gpu::Device& device, VkExtent2D extent, const char* what, gpu::Buffer& out);
+VkDeviceSize heldByCells(const gpu::Device& device, VkExtent2D extent);
 
 constexpr uint32_t cellsDispatches = 1;
 

@@ -9,18 +9,15 @@ Status HybridKernels::create(Context& context, const ReflectionDesc& desc) {
     return shareMarch(context, desc.marchCells, true, march);
 }
 
-VkDeviceSize HybridScratch::bytes(VkExtent2D extent, const ReflectionDesc& desc) {
-    return (desc.marchCells ? cellBufferBytes(extent) : 0) +
-           tileBufferBytes(scaledDown(extent, desc.downscale));
+VkDeviceSize HybridScratch::bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    return (desc.marchCells ? heldByCells(device, extent) : 0) +
+           heldByTiles(device, scaledDown(extent, desc.downscale));
 }
 
 Status HybridScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
     if (desc.marchCells)
-        if (const Status s = cells.create(device, cellBufferBytes(extent), cellBufferUsage, "hybrid's cells");
-            s != Status::ok)
-            return s;
-    return open.create(device, tileBufferBytes(scaledDown(extent, desc.downscale)), tileBufferUsage,
-                       "hybrid's open tiles");
+        if (const Status s = createCells(device, extent, "hybrid's cells", cells); s != Status::ok) return s;
+    return createTiles(device, scaledDown(extent, desc.downscale), "hybrid's open tiles", open);
 }
 
 uint32_t hybridDispatches(const ReflectionDesc& desc) {

@@ -20,7 +20,7 @@ struct HybridScratch {
     gpu::Buffer cells; ///< empty without ReflectionDesc::marchCells
     gpu::Buffer open;
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
-    static VkDeviceSize bytes(VkExtent2D extent, const ReflectionDesc& desc);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
 };
 
 uint32_t hybridDispatches(const ReflectionDesc& desc);

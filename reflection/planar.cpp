@@ -67,8 +67,8 @@ Status PlanarScratch::create(const gpu::Device& device, VkExtent2D extent) {
     return depth.create(device, drawnDepthDesc(extent), "mirrored depth");
 }
 
-VkDeviceSize PlanarScratch::bytes(VkExtent2D extent) {
-    return gpu::imageBytes(drawnDepthDesc(extent));
+VkDeviceSize PlanarScratch::bytes(const gpu::Device& device, VkExtent2D extent) {
+    return gpu::heldBytes(device, drawnDepthDesc(extent));
 }
 
 MirroredCamera mirroredCamera(const ViewDesc& view, const ViewGeometry& geometry,

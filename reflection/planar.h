@@ -24,7 +24,7 @@ struct PlanarScratch {
     gpu::OwnedImage depth;
     bool handedOut = false; ///< the host was told what to draw since the last reflect()
     Status create(const gpu::Device& device, VkExtent2D extent);
-    static VkDeviceSize bytes(VkExtent2D extent);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent);
 };
 
 constexpr uint32_t planarDispatches = 1;

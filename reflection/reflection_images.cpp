@@ -15,10 +15,11 @@ gpu::ImageDesc infoDesc(VkExtent2D extent) {
     return desc;
 }
 
-gpu::ImageDesc colorDesc(VkExtent2D extent, uint32_t blurLevels) {
+gpu::ImageDesc colorDesc(VkExtent2D extent, uint32_t blurLevels, bool drawnInto) {
     gpu::ImageDesc desc = infoDesc(extent);
     desc.format = VK_FORMAT_R16G16B16A16_SFLOAT;
     desc.mipLevels = blurMipLevels(extent, blurLevels);
+    if (drawnInto) desc.usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     return desc;
 }
 
@@ -26,14 +27,15 @@ gpu::ImageDesc colorDesc(VkExtent2D extent, uint32_t blurLevels) {
 
 Status OwnedReflection::create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels,
                                bool drawnInto) {
-    gpu::ImageDesc desc = colorDesc(extent, blurLevels);
-    if (drawnInto) desc.usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    const gpu::ImageDesc desc = colorDesc(extent, blurLevels, drawnInto);
     if (const Status s = color.create(device, desc, "reflection colour"); s != Status::ok) return s;
     return info.create(device, infoDesc(extent), "reflection info");
 }
 
-VkDeviceSize OwnedReflection::bytes(VkExtent2D extent, uint32_t blurLevels) {
-    return gpu::imageBytes(colorDesc(extent, blurLevels)) + gpu::imageBytes(infoDesc(extent));
+VkDeviceSize OwnedReflection::bytes(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels,
+                                    bool drawnInto) {
+    return gpu::heldBytes(device, colorDesc(extent, blurLevels, drawnInto)) +
+           gpu::heldBytes(device, infoDesc(extent));
 }
 
 void OwnedReflection::recordDiscarded(const gpu::Device& device, VkCommandBuffer commands,

@@ -18,7 +18,8 @@ struct OwnedReflection {
 
     /// `drawnInto`: mip 0 of the colour is an attachment too.
     Status create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels, bool drawnInto);
-    static VkDeviceSize bytes(VkExtent2D extent, uint32_t blurLevels);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels,
+                              bool drawnInto);
     /// Mip 0 of both, which come from any layout, for `use` to write; what they held is lost.
     void recordDiscarded(const gpu::Device& device, VkCommandBuffer commands, const gpu::Use& use) const;
     /// Mip 0 of both, as techniques leave them, for a kernel to read and write.

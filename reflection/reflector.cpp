@@ -75,8 +75,10 @@ Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExt
     Estimate estimate;
     if (desc.technique == ReflectionTechnique::sky) return estimate;
     const VkExtent2D scaled = scaledDown(extent, desc.downscale);
-    estimate.bytesPerView = OwnedReflection::bytes(scaled, desc.blurLevels);
-    if (scatters(desc.technique)) estimate.bytesPerView += SsprScratch::bytes(extent, desc);
+    const bool drawn = desc.technique == ReflectionTechnique::planar;
+    estimate.bytesPerView =
+        OwnedReflection::bytes(device, scaled, desc.blurLevels, drawn && desc.temporal == 0);
+    if (scatters(desc.technique)) estimate.bytesPerView += SsprScratch::bytes(device, extent, desc);
     switch (desc.technique) {
     case ReflectionTechnique::sky:
         break;
@@ -84,27 +86,27 @@ Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExt
         estimate.dispatchesPerView = ssprDispatches + unseenTilesDispatches(device);
         break;
     case ReflectionTechnique::ssr:
-        estimate.bytesPerView += SsrScratch::bytes(extent, desc);
+        estimate.bytesPerView += SsrScratch::bytes(device, extent, desc);
         estimate.dispatchesPerView = ssrDispatches + unseenTilesDispatches(device);
         break;
     case ReflectionTechnique::hybrid:
-        estimate.bytesPerView += HybridScratch::bytes(extent, desc);
+        estimate.bytesPerView += HybridScratch::bytes(device, extent, desc);
         estimate.dispatchesPerView = hybridDispatches(desc) + unseenTilesDispatches(device);
         break;
     case ReflectionTechnique::planar:
-        estimate.bytesPerView += PlanarScratch::bytes(scaled);
+        estimate.bytesPerView += PlanarScratch::bytes(device, scaled);
         estimate.dispatchesPerView = planarDispatches;
         break;
     }
-    if (desc.technique != ReflectionTechnique::planar) {
-        estimate.bytesPerSharedView = SingleSampledScene::bytes(extent, samples);
+    if (!drawn) {
+        estimate.bytesPerSharedView = SingleSampledScene::bytes(device, extent, samples);
         estimate.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
     }
     estimate.dispatchesPerView += blurMipLevels(scaled, desc.blurLevels) - 1;
     if (reachesBeyond(desc)) estimate.dispatchesPerView += edgeReachDispatches;
     if (desc.edgeStretch > 0) estimate.dispatchesPerView += stretchDispatches;
     if (desc.temporal > 0) {
-        estimate.bytesPerView += TemporalScratch::bytes(scaled, desc);
+        estimate.bytesPerView += TemporalScratch::bytes(device, scaled, desc, drawn);
         estimate.dispatchesPerView += temporalDispatches + unseenTilesDispatches(device);
     }
     return estimate;

@@ -122,10 +122,11 @@ Status SingleSampledScene::create(const gpu::Device& device, const ViewDesc& vie
     return color.create(device, colorDesc(view.sceneColor.extent), what);
 }
 
-VkDeviceSize SingleSampledScene::bytes(VkExtent2D extent, const SceneSamples& samples) {
+VkDeviceSize SingleSampledScene::bytes(const gpu::Device& device, VkExtent2D extent,
+                                       const SceneSamples& samples) {
     if (samples.depth == VK_SAMPLE_COUNT_1_BIT) return 0;
     const bool both = samples.color != VK_SAMPLE_COUNT_1_BIT;
-    return gpu::imageBytes(depthDesc(extent)) + (both ? gpu::imageBytes(colorDesc(extent)) : 0);
+    return gpu::heldBytes(device, depthDesc(extent)) + (both ? gpu::heldBytes(device, colorDesc(extent)) : 0);
 }
 
 uint32_t SingleSampledScene::dispatches(const SceneSamples& samples) {

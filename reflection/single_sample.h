@@ -33,7 +33,7 @@ struct SingleSampledScene {
     /// Gives `view` these images for its own multisampled ones, to be sampled.
     void standIn(ViewDesc& view) const;
     Status create(const gpu::Device& device, const ViewDesc& view);
-    static VkDeviceSize bytes(VkExtent2D extent, const SceneSamples& samples);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const SceneSamples& samples);
     static uint32_t dispatches(const SceneSamples& samples);
 };
 

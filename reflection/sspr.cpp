@@ -11,9 +11,8 @@ VkDeviceSize keyBytes(VkExtent2D extent, const ReflectionDesc& desc) {
     return VkDeviceSize{grid.width} * grid.height * sizeof(uint32_t);
 }
 
-VkDeviceSize tileBytes(VkExtent2D extent, const ReflectionDesc& desc) {
-    return tileBufferBytes(scaledDown(extent, desc.downscale));
-}
+constexpr VkBufferUsageFlags keyUsage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
 
 template<typename Variant, typename Kernel>
 Status shareVariant(Context& context, Kernel Variant::*of, std::shared_ptr<Kernel>& out) {
@@ -45,8 +44,9 @@ Status SsprKernels::create(Context& context, const ReflectionDesc& desc) {
     return shareResolve(context, desc, resolve);
 }
 
-VkDeviceSize SsprScratch::bytes(VkExtent2D extent, const ReflectionDesc& desc) {
-    return keyBytes(extent, desc) + tileBytes(extent, desc);
+VkDeviceSize SsprScratch::bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    return gpu::heldBytes(device, keyBytes(extent, desc), keyUsage) +
+           heldByTiles(device, scaledDown(extent, desc.downscale));
 }
 
 Status SsprScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
@@ -56,10 +56,8 @@ Status SsprScratch::create(const gpu::Device& device, VkExtent2D extent, const R
                            "reflect: %u x %u pixels need a storage buffer of %llu bytes, the device has %u",
                            extent.width, extent.height, static_cast<unsigned long long>(wanted),
                            device.limits().maxStorageBufferRange);
-    const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                                     VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
-    if (const Status s = keys.create(device, wanted, usage, "SSPR keys"); s != Status::ok) return s;
-    return tiles.create(device, tileBytes(extent, desc), tileBufferUsage, "SSPR tiles");
+    if (const Status s = keys.create(device, wanted, keyUsage, "SSPR keys"); s != Status::ok) return s;
+    return createTiles(device, scaledDown(extent, desc.downscale), "SSPR tiles", tiles);
 }
 
 Status recordSspr(const ReflectPass& pass, const SsprKernels& kernels, const SsprScratch& scratch,

@@ -21,7 +21,7 @@ struct SsprScratch {
     gpu::Buffer keys;
     gpu::Buffer tiles;
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
-    static VkDeviceSize bytes(VkExtent2D extent, const ReflectionDesc& desc);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
 };
 
 /// Scatter, tiles, and a resolve for each list; besides those of tiles that are not looked up.

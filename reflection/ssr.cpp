@@ -9,16 +9,13 @@ Status SsrKernels::create(Context& context, const ReflectionDesc& desc) {
     return shareMarch(context, desc.marchCells, false, march);
 }
 
-VkDeviceSize SsrScratch::bytes(VkExtent2D extent, const ReflectionDesc& desc) {
-    return cellBufferBytes(extent) + tileBufferBytes(scaledDown(extent, desc.downscale));
+VkDeviceSize SsrScratch::bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    return heldByCells(device, extent) + heldByTiles(device, scaledDown(extent, desc.downscale));
 }
 
 Status SsrScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
-    if (const Status s = cells.create(device, cellBufferBytes(extent), cellBufferUsage, "SSR cells");
-        s != Status::ok)
-        return s;
-    return tiles.create(device, tileBufferBytes(scaledDown(extent, desc.downscale)), tileBufferUsage,
-                        "SSR tiles");
+    if (const Status s = createCells(device, extent, "SSR cells", cells); s != Status::ok) return s;
+    return createTiles(device, scaledDown(extent, desc.downscale), "SSR tiles", tiles);
 }
 
 Status recordSsr(const ReflectPass& pass, const SsrKernels& kernels, const SsrScratch& scratch,

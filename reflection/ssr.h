@@ -22,7 +22,7 @@ struct SsrScratch {
     gpu::Buffer cells;
     gpu::Buffer tiles;
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
-    static VkDeviceSize bytes(VkExtent2D extent, const ReflectionDesc& desc);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
 };
 
 /// Besides those of tiles that are not looked up.

@@ -76,16 +76,15 @@ Status TemporalScratch::create(const gpu::Device& device, VkExtent2D extent, con
                                bool drawnInto) {
     if (const Status s = found.create(device, extent, 0, drawnInto); s != Status::ok) return s;
     if (drawnInto)
-        if (const Status s = tiles.create(device, tileBufferBytes(extent), tileBufferUsage, "temporal tiles");
-            s != Status::ok)
-            return s;
+        if (const Status s = createTiles(device, extent, "temporal tiles", tiles); s != Status::ok) return s;
     return other.create(device, extent, desc.blurLevels, false);
 }
 
-VkDeviceSize TemporalScratch::bytes(VkExtent2D extent, const ReflectionDesc& desc) {
-    const bool drawnInto = desc.technique == ReflectionTechnique::planar;
-    return OwnedReflection::bytes(extent, 0) + OwnedReflection::bytes(extent, desc.blurLevels) +
-           (drawnInto ? tileBufferBytes(extent) : 0);
+VkDeviceSize TemporalScratch::bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc,
+                                    bool drawnInto) {
+    return OwnedReflection::bytes(device, extent, 0, drawnInto) +
+           OwnedReflection::bytes(device, extent, desc.blurLevels, false) +
+           (drawnInto ? heldByTiles(device, extent) : 0);
 }
 
 Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, const glm::dvec4& worldPlane,

@@ -36,7 +36,8 @@ struct TemporalScratch {
     gpu::Buffer tiles;
     LastFrame last;
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc, bool drawnInto);
-    static VkDeviceSize bytes(VkExtent2D extent, const ReflectionDesc& desc);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc,
+                              bool drawnInto);
 };
 
 /// Besides those of tiles that are not looked up.

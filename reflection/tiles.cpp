@@ -13,6 +13,13 @@ uint32_t tileCount(VkExtent2D extent) {
     return ((extent.width + tileEdge - 1) / tileEdge) * ((extent.height + tileEdge - 1) / tileEdge);
 }
 
+constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                     VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+
+VkDeviceSize bytesOf(VkExtent2D extent) {
+    return sizeof(TileHeader) + VkDeviceSize{tileCount(extent)} * 2 * sizeof(uint32_t);
+}
+
 constexpr uint32_t tileSeesPlane = 1; // of shaders/common/tiles.glsl
 
 void recordFilled(const gpu::Device& device, VkCommandBuffer commands,
@@ -30,8 +37,12 @@ void recordFilled(const gpu::Device& device, VkCommandBuffer commands,
 
 } // namespace
 
-VkDeviceSize tileBufferBytes(VkExtent2D extent) {
-    return sizeof(TileHeader) + VkDeviceSize{tileCount(extent)} * 2 * sizeof(uint32_t);
+Status createTiles(const gpu::Device& device, VkExtent2D extent, const char* what, gpu::Buffer& out) {
+    return out.create(device, bytesOf(extent), usage, what);
+}
+
+VkDeviceSize heldByTiles(const gpu::Device& device, VkExtent2D extent) {
+    return gpu::heldBytes(device, bytesOf(extent), usage);
 }
 
 void recordBuffersCleared(const gpu::Device& device, VkCommandBuffer commands,

@@ -23,11 +23,9 @@ struct TileHeader {
 };
 static_assert(sizeof(TileHeader) == 32);
 
-VkDeviceSize tileBufferBytes(VkExtent2D extent);
-
-constexpr VkBufferUsageFlags tileBufferUsage =
-    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
-    VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+/// For a reflection of `extent` pixels.
+Status createTiles(const gpu::Device& device, VkExtent2D extent, const char* what, gpu::Buffer& out);
+VkDeviceSize heldByTiles(const gpu::Device& device, VkExtent2D extent);
 
 /// Clears the first `bytes` of buffers that the view's previous frame may still read or dispatch from; leaves
 /// them to compute shaders.

@@ -12,10 +12,14 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2) uniform sampler2D gathered;
+layout(set = 0, binding = 2) uniform sampler2DArray gathered;   // of one layer
+#ifdef COPIED
 layout(set = 0, binding = 3, std430) writeonly buffer Blurred {
-    uint blurred[];   // halves
+    uint blurred[];   // halves, to be copied
 };
+#else
+layout(set = 0, binding = 3, rg16f) uniform writeonly image2D blurred;
+#endif
 #ifdef SUN_SHADOW
 #define SUN_SHADOW_BINDING 4
 #include "sun_shadow.glsl"
@@ -71,14 +75,14 @@ vec2 lightAround(vec2 pixel, Spread spread) {
     int looks = int(clamp(ceil(most / least), 1.0, float(mostLooks)));
     // Of an even row from end to end the deviation is 0.29 of its length.
     vec2 row = ellipse.longer * sqrt(max(most * most - least * least, 0.0)) / (0.29 * max(most, 1e-6));
-    vec2 size = texel * vec2(textureSize(gathered, 0));
+    vec2 size = texel * vec2(textureSize(gathered, 0).xy);
     // From there the widest look, of the last mip, ends 48 texels on: where what has been gathered does, `reach` of water/caustics.cpp.
     vec2 last = texel * (vec2(lightSize()) + 16.0);
     vec2 sum = vec2(0.0);
     int i = 0;
     do {
         vec2 look = pixel + row * ((float(i) + 0.5) / float(looks) - 0.5);
-        sum += textureLod(gathered, min(look, last) / size, lod).xy;
+        sum += textureLod(gathered, vec3(min(look, last) / size, 0.0), lod).xy;
     } while (++i < looks);
     return sum / float(looks);
 }
@@ -124,5 +128,9 @@ void main() {
     loadSurface();
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, max(firstRow, 0));
     if (any(greaterThanEqual(texel, lightSize()))) return;
+#ifdef COPIED
     blurred[texel.y * rowLength + texel.x] = packHalf2x16(lightOn(texel));
+#else
+    imageStore(blurred, texel, vec4(lightOn(texel), 0.0, 0.0));
+#endif
 }

@@ -1,4 +1,5 @@
-// What rays left of light on each texel, and how much they would have under calm water: in the place of their sums.
+// What rays left of light on each texel, and how much they would have under calm water; with COPIED in the place of their
+// sums, from where it is copied.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "surface_uniforms.glsl"
@@ -8,8 +9,20 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
 layout(set = 0, binding = 2, std430) buffer Sums {
-    uint sums[];   // then halves: light, and 1 where there is a bed for it
+    uint sums[];
 };
+#ifndef COPIED
+layout(set = 0, binding = 3, rg16f) uniform writeonly image2DArray gathered;
+#endif
+
+// Light, and 1 where there is a bed for it.
+void leave(ivec2 texel, int i, vec2 light) {
+#ifdef COPIED
+    sums[i] = packHalf2x16(light);
+#else
+    if (all(lessThan(texel, imageSize(gathered).xy))) imageStore(gathered, ivec3(texel, 0), vec4(light, 0.0, 0.0));
+#endif
+}
 
 void main() {
     loadSurface();
@@ -19,5 +32,5 @@ void main() {
     bool lit = false;
     vec3 at;
     if (all(lessThan(texel, lightSize()))) lit = bedShownAt(sceneDepth, min(pixelOfTexel(texel), region.zw - 1), at);
-    sums[i] = packHalf2x16(vec2(float(sums[i]) / lightUnit, float(lit)));
+    leave(texel, i, vec2(float(sums[i]) / lightUnit, float(lit)));
 }

@@ -163,9 +163,9 @@ VkExtent2D Bed::pictureExtent(const BedDesc& desc, uint32_t downscale, VkExtent2
     return {static_cast<uint32_t>(pixels.x), static_cast<uint32_t>(pixels.y)};
 }
 
-VkDeviceSize Bed::bytes(const BedDesc& desc, uint32_t downscale, VkExtent2D view) {
+VkDeviceSize Bed::bytes(const gpu::Device& device, const BedDesc& desc, uint32_t downscale, VkExtent2D view) {
     const VkExtent2D extent = pictureExtent(desc, downscale, view);
-    return gpu::imageBytes(colorDesc(extent)) + gpu::imageBytes(drawnDepthDesc(extent));
+    return gpu::heldBytes(device, colorDesc(extent)) + gpu::heldBytes(device, drawnDepthDesc(extent));
 }
 
 } // namespace seaglass

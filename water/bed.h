@@ -42,7 +42,8 @@ struct Bed {
     const BedPicture* of(const Context& context, uint32_t viewIndex) const;
     /// Of its picture.
     static VkExtent2D pictureExtent(const BedDesc& desc, uint32_t downscale, VkExtent2D view);
-    static VkDeviceSize bytes(const BedDesc& desc, uint32_t downscale, VkExtent2D view);
+    static VkDeviceSize bytes(const gpu::Device& device, const BedDesc& desc, uint32_t downscale,
+                              VkExtent2D view);
 };
 
 } // namespace seaglass

@@ -8,10 +8,13 @@
 
 #include "reflection/tiles.h"
 #include "spirv/caustics_blur.comp.h"
+#include "spirv/caustics_blur_copied.comp.h"
 #include "spirv/caustics_blur_h.comp.h"
+#include "spirv/caustics_blur_h_copied.comp.h"
 #include "spirv/caustics_cast.comp.h"
 #include "spirv/caustics_cast_shore.comp.h"
 #include "spirv/caustics_gather.comp.h"
+#include "spirv/caustics_gather_copied.comp.h"
 #include "water/bed.h"
 #include "water/sea.h"
 #include "water/surface_uniforms.h"
@@ -24,6 +27,7 @@ namespace {
 constexpr VkDescriptorType uniforms = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType sampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+constexpr VkDescriptorType stored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 
 constexpr VkFormat lightFormat = VK_FORMAT_R16G16_SFLOAT;
 constexpr uint32_t mostMips = 6;          // blurs as wide as 64 texels
@@ -34,19 +38,26 @@ VkExtent2D over(const glm::ivec2& pixels, int step) {
             static_cast<uint32_t>((pixels.y + step - 1) / step)};
 }
 
-gpu::ImageDesc blurredDesc(VkExtent2D texels) {
+/// How kernels' light has come to the images.
+const gpu::Use& lightLeft(const gpu::Device& device) {
+    return device.isCpu() ? gpu::copyWritten : gpu::storageWritten;
+}
+
+gpu::ImageDesc blurredDesc(const gpu::Device& device, VkExtent2D texels) {
     gpu::ImageDesc desc;
     desc.format = lightFormat;
     desc.extent = texels;
-    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT |
+                 (device.isCpu() ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_IMAGE_USAGE_STORAGE_BIT);
     return desc;
 }
 
 gpu::ImageDesc gatheredDesc(const gpu::Device& device, VkExtent2D texels) {
-    gpu::ImageDesc desc = blurredDesc(texels);
+    gpu::ImageDesc desc = blurredDesc(device, texels);
     desc.usage |= gpu::MipChain::usage(device);
     const auto mips = static_cast<uint32_t>(std::bit_width(std::max(texels.width, texels.height)));
     desc.mipLevels = std::min(mips, mostMips);
+    desc.arrayView = true; // as gpu::MipChain takes it
     return desc;
 }
 
@@ -56,6 +67,9 @@ VkExtent2D pictureExtent(const gpu::Device& device, VkExtent2D texels) {
     constexpr uint32_t last = 1 << (mostMips - 1);
     return {(texels.width + last - 1) / last * last, (texels.height + last - 1) / last * last};
 }
+
+constexpr VkBufferUsageFlags sumUsage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
 
 VkDeviceSize sumBytes(VkExtent2D texels) {
     return VkDeviceSize{texels.width + reach} * (texels.height + reach) * sizeof(uint32_t);
@@ -67,9 +81,18 @@ VkExtent2D lookedAt(const CausticInputs& in, const gpu::OwnedImage& picture) {
     return {std::min(view.width + reach, all.width), std::min(view.height + reach, all.height)};
 }
 
-/// What a kernel has left in the buffer, to mip 0.
+/// Mip 0, which a kernel stores to but on CPU devices.
+void recordToBeStored(const gpu::Device& device, VkCommandBuffer commands, const gpu::OwnedImage& to) {
+    if (device.isCpu()) return;
+    const VkImageMemoryBarrier2 before =
+        gpu::imageBarrier(to.handle(), gpu::discardedAfterSampling, gpu::storageWritten, 0, 1);
+    gpu::recordBarriers(device, commands, &before, 1);
+}
+
+/// What a kernel has left in the buffer, to mip 0; on CPU devices, where storing to images is slow.
 void recordCopied(const gpu::Device& device, VkCommandBuffer commands, const CausticInputs& in,
                   const gpu::Buffer& from, const gpu::OwnedImage& to, uint32_t firstRow, VkExtent2D texels) {
+    if (!device.isCpu()) return;
     gpu::recordBarrier(device, commands,
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
                        {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT});
@@ -182,18 +205,25 @@ Status CastOnShoreKernel::create(Context& context) {
 }
 
 Status GatherKernel::create(Context& context) {
-    constexpr std::array bindings{uniforms, sampled, storage};
-    return kernel.create(context.device, caustics_gather_comp, bindings, "caustics pipeline");
+    constexpr std::array bindings{uniforms, sampled, storage, stored};
+    if (!context.device.isCpu())
+        return kernel.create(context.device, caustics_gather_comp, bindings, "caustics pipeline");
+    return kernel.create(context.device, caustics_gather_copied_comp, std::span(bindings).first<3>(),
+                         "caustics pipeline");
 }
 
 Status CausticBlurKernel::create(Context& context) {
-    constexpr std::array bindings{uniforms, sampled, sampled, storage};
-    return kernel.create(context.device, caustics_blur_comp, bindings, "caustics pipeline");
+    const bool copied = context.device.isCpu();
+    const std::array bindings{uniforms, sampled, sampled, copied ? storage : stored};
+    const std::span<const uint32_t> stores(caustics_blur_comp), isCopied(caustics_blur_copied_comp);
+    return kernel.create(context.device, copied ? isCopied : stores, bindings, "caustics pipeline");
 }
 
 Status ShadowedCausticBlurKernel::create(Context& context) {
-    constexpr std::array bindings{uniforms, sampled, sampled, storage, sampled};
-    return kernel.create(context.device, caustics_blur_h_comp, bindings, "caustics pipeline");
+    const bool copied = context.device.isCpu();
+    const std::array bindings{uniforms, sampled, sampled, copied ? storage : stored, sampled};
+    const std::span<const uint32_t> stores(caustics_blur_h_comp), isCopied(caustics_blur_h_copied_comp);
+    return kernel.create(context.device, copied ? isCopied : stores, bindings, "caustics pipeline");
 }
 
 Status Caustics::create(Context& context, const Sea& sea, const CausticsDesc& desc) {
@@ -211,16 +241,15 @@ Status Caustics::fit(Context& context, VkExtent2D texels, Picture& picture) cons
         context.device, {std::max(texels.width, held.width), std::max(texels.height, held.height)});
     if (picture.gathered.isOf(wanted)) return Status::ok;
     Picture fresh;
-    constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                         VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
-    if (const Status s = fresh.sums.create(context.device, sumBytes(wanted), usage, "caustics' sums");
+    if (const Status s = fresh.sums.create(context.device, sumBytes(wanted), sumUsage, "caustics' sums");
         s != Status::ok)
         return s;
     if (const Status s =
             fresh.gathered.create(context.device, gatheredDesc(context.device, wanted), "caustics' light");
         s != Status::ok)
         return s;
-    if (const Status s = fresh.blurred.create(context.device, blurredDesc(wanted), "caustics' blur");
+    if (const Status s =
+            fresh.blurred.create(context.device, blurredDesc(context.device, wanted), "caustics' blur");
         s != Status::ok)
         return s;
     context.frame().retire(std::exchange(picture, std::move(fresh)));
@@ -256,17 +285,19 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
 
 Status Caustics::recordGather(Context& context, VkCommandBuffer commands, const CausticInputs& in,
                               const Picture& picture) const {
-    const gpu::Resource resources[] = {uniformsOf(in), depthOf(context, in),
-                                       gpu::storageBuffer(picture.sums.handle())};
+    std::vector<gpu::Resource> resources = {uniformsOf(in), depthOf(context, in),
+                                            gpu::storageBuffer(picture.sums.handle())};
+    if (!context.device.isCpu()) resources.push_back(gpu::storageImage(picture.gathered.firstMipView()));
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(gather_->kernel.layout().set(), resources, set);
         s != Status::ok)
         return s;
     const VkExtent2D texels = lookedAt(in, picture.gathered);
+    recordToBeStored(context.device, commands, picture.gathered);
     gather_->kernel.dispatchOver(commands, set, texels);
     recordCopied(context.device, commands, in, picture.sums, picture.gathered, 0, texels);
     const gpu::OwnedImage* const images[] = {&picture.gathered};
-    return mips_.record(context, commands, images, gpu::copyWritten);
+    return mips_.record(context, commands, images, lightLeft(context.device));
 }
 
 Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const CausticInputs& in,
@@ -277,7 +308,8 @@ Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const Ca
     std::vector<gpu::Resource> resources = {
         uniformsOf(in), depthOf(context, in),
         gpu::sampledImage(context.samplers.trilinearClamp(), picture.gathered.view()),
-        gpu::storageBuffer(picture.sums.handle())};
+        context.device.isCpu() ? gpu::storageBuffer(picture.sums.handle())
+                               : gpu::storageImage(picture.blurred.view())};
     if (in.shadow) resources.push_back(sampledTexels(context, in.shadow->map));
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.layout().set(), resources, set); s != Status::ok)
@@ -286,10 +318,11 @@ Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const Ca
     const uint32_t firstRow = static_cast<uint32_t>(std::max(in.grid.firstRow, 0));
     const uint32_t endRow = std::min(static_cast<uint32_t>(in.grid.endRow), view.height);
     const VkExtent2D texels = {view.width, endRow - firstRow};
+    recordToBeStored(context.device, commands, picture.blurred);
     kernel.dispatchOver(commands, set, texels);
     recordCopied(context.device, commands, in, picture.sums, picture.blurred, firstRow, texels);
     const VkImageMemoryBarrier2 after =
-        gpu::imageBarrier(picture.blurred.handle(), gpu::copyWritten, gpu::sampledByShaders);
+        gpu::imageBarrier(picture.blurred.handle(), lightLeft(context.device), gpu::sampledByShaders);
     gpu::recordBarriers(context.device, commands, &after, 1);
     return Status::ok;
 }
@@ -322,8 +355,9 @@ VkDeviceSize Caustics::bytes(const gpu::Device& device, const BodyDesc& desc, Vk
     }
     const glm::ivec2 region(static_cast<int>(largest.width), static_cast<int>(largest.height));
     const VkExtent2D texels = pictureExtent(device, over(region, static_cast<int>(desc.shading.causticStep)));
-    return sumBytes(texels) + gpu::imageBytes(gatheredDesc(device, texels)) +
-           gpu::imageBytes(blurredDesc(texels));
+    return gpu::heldBytes(device, sumBytes(texels), sumUsage) +
+           gpu::heldBytes(device, gatheredDesc(device, texels)) +
+           gpu::heldBytes(device, blurredDesc(device, texels));
 }
 
 } // namespace seaglass

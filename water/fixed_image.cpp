@@ -5,11 +5,25 @@
 
 namespace seaglass {
 
-Status FixedImage::create(Context& context, gpu::ImageDesc desc, const char* what) {
+namespace {
+
+constexpr VkBufferUsageFlags stagingUsage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+
+gpu::ImageDesc uploadable(gpu::ImageDesc desc) {
     desc.usage |= VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    if (const Status s = image_.create(context.device, desc, what); s != Status::ok) return s;
-    return staging_.createMapped(context.device, gpu::imageBytes(desc), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                 what);
+    return desc;
+}
+
+} // namespace
+
+VkDeviceSize FixedImage::bytes(const gpu::Device& device, const gpu::ImageDesc& desc) {
+    return gpu::heldBytes(device, uploadable(desc)) +
+           gpu::heldBytes(device, gpu::imageBytes(desc), stagingUsage);
+}
+
+Status FixedImage::create(Context& context, const gpu::ImageDesc& desc, const char* what) {
+    if (const Status s = image_.create(context.device, uploadable(desc), what); s != Status::ok) return s;
+    return staging_.createMapped(context.device, gpu::imageBytes(desc), stagingUsage, what);
 }
 
 void FixedImage::recordUpload(const gpu::Device& device, VkCommandBuffer commands) {

@@ -11,10 +11,10 @@ class FixedImage {
   public:
     /// `desc.usage` is added to. Its texels are to be written to texels(), mip by mip and in each layer by
     /// layer.
-    Status create(Context& context, gpu::ImageDesc desc, const char* what);
+    Status create(Context& context, const gpu::ImageDesc& desc, const char* what);
     std::byte* texels() const { return static_cast<std::byte*>(staging_.mapped()); }
     /// The image and its staging.
-    static VkDeviceSize bytes(const gpu::ImageDesc& desc) { return 2 * gpu::imageBytes(desc); }
+    static VkDeviceSize bytes(const gpu::Device& device, const gpu::ImageDesc& desc);
     /// Uploads on its first call, does nothing after.
     void recordUpload(const gpu::Device& device, VkCommandBuffer commands);
     VkImageView view() const { return image_.view(); }

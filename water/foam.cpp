@@ -2,19 +2,26 @@
 
 namespace seaglass {
 
-VkDeviceSize Foam::bytes(const Sea& sea, const FoamDesc& foam, const WavesBackend* backend,
-                         uint32_t framesInFlight) {
+namespace {
+
+VkImageUsageFlags imageUsage(bool uploaded) {
+    return uploaded ? UploadedFoam::imageUsage : ComputedFoam::imageUsage;
+}
+
+} // namespace
+
+VkDeviceSize Foam::bytes(const Context& context, const Sea& sea, const FoamDesc& foam,
+                         const WavesBackend* backend) {
     const uint32_t samples = cascade(sea, 0).samples, cascades = breakingOf(sea, foam).count;
-    return FoamImage::bytes(samples, cascades) +
-           (backend ? UploadedFoam::bytes(samples, cascades, framesInFlight) : 0);
+    return FoamImage::bytes(context.device, samples, cascades, imageUsage(backend)) +
+           (backend ? UploadedFoam::bytes(context, samples, cascades) : 0);
 }
 
 Status Foam::create(Context& context, const Sea& sea, const FoamDesc& foam, const Waves& waves) {
     loopPeriod_ = description(sea).loopPeriod;
     albedo_ = foam.albedo;
-    const VkImageUsageFlags filledBy = waves.uploaded() ? UploadedFoam::imageUsage : ComputedFoam::imageUsage;
-    if (const Status s =
-            image_.create(context, cascade(sea, 0).samples, breakingOf(sea, foam).count, filledBy);
+    if (const Status s = image_.create(context, cascade(sea, 0).samples, breakingOf(sea, foam).count,
+                                       imageUsage(waves.uploaded()));
         s != Status::ok)
         return s;
     if (waves.uploaded()) return source_.emplace<UploadedFoam>().create(context, sea, foam);

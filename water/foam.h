@@ -18,8 +18,8 @@ class Foam {
     /// Brings the history to `time` where it has passed a step. May leave the wave maps at another time.
     Status record(Context& context, VkCommandBuffer commands, Waves& waves, double time);
 
-    static VkDeviceSize bytes(const Sea& sea, const FoamDesc& foam, const WavesBackend* backend,
-                              uint32_t framesInFlight);
+    static VkDeviceSize bytes(const Context& context, const Sea& sea, const FoamDesc& foam,
+                              const WavesBackend* backend);
     VkImageView view() const { return image_.image.view(); }
     VkImage image() const { return image_.image.handle(); }
     uint32_t cascades() const { return image_.image.desc().layers; }

@@ -6,11 +6,13 @@ namespace seaglass {
 
 namespace {
 
-gpu::ImageDesc imageDesc(uint32_t samples, uint32_t cascades) {
+gpu::ImageDesc imageDesc(const gpu::Device& device, uint32_t samples, uint32_t cascades,
+                         VkImageUsageFlags filledBy) {
     gpu::ImageDesc desc;
     desc.format = VK_FORMAT_R16G16_SFLOAT;
     desc.extent = {samples, samples};
-    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | gpu::MipChain::usage(device) |
+                 filledBy;
     desc.mipLevels = static_cast<uint32_t>(std::bit_width(samples));
     desc.layers = cascades;
     desc.arrayView = true;
@@ -19,13 +21,13 @@ gpu::ImageDesc imageDesc(uint32_t samples, uint32_t cascades) {
 
 } // namespace
 
-VkDeviceSize FoamImage::bytes(uint32_t samples, uint32_t cascades) {
-    return gpu::imageBytes(imageDesc(samples, cascades));
+VkDeviceSize FoamImage::bytes(const gpu::Device& device, uint32_t samples, uint32_t cascades,
+                              VkImageUsageFlags filledBy) {
+    return gpu::heldBytes(device, imageDesc(device, samples, cascades, filledBy));
 }
 
 Status FoamImage::create(Context& context, uint32_t samples, uint32_t cascades, VkImageUsageFlags filledBy) {
-    gpu::ImageDesc desc = imageDesc(samples, cascades);
-    desc.usage |= gpu::MipChain::usage(context.device) | filledBy;
+    const gpu::ImageDesc desc = imageDesc(context.device, samples, cascades, filledBy);
     if (const Status s = image.create(context.device, desc, "foam history"); s != Status::ok) return s;
     return mips.create(context, desc.format);
 }

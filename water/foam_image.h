@@ -15,7 +15,8 @@ struct FoamImage {
 
     /// `filledBy` is the usage that whoever fills mip 0 needs.
     Status create(Context& context, uint32_t samples, uint32_t cascades, VkImageUsageFlags filledBy);
-    static VkDeviceSize bytes(uint32_t samples, uint32_t cascades);
+    static VkDeviceSize bytes(const gpu::Device& device, uint32_t samples, uint32_t cascades,
+                              VkImageUsageFlags filledBy);
     /// From mip 0 `written` to all mips readable by shaders.
     Status recordMips(Context& context, VkCommandBuffer commands, const gpu::Use& written) const;
 };

@@ -227,8 +227,8 @@ FoamStreak foamStreakOf(const SeaDesc& sea) {
     return {length * std::cos(direction), length * std::sin(direction)};
 }
 
-VkDeviceSize FoamPattern::bytes() {
-    return FixedImage::bytes(imageDesc());
+VkDeviceSize FoamPattern::bytes(const gpu::Device& device) {
+    return FixedImage::bytes(device, imageDesc());
 }
 
 Status FoamPattern::create(Context& context) {

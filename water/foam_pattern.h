@@ -44,7 +44,7 @@ std::vector<std::vector<FoamTexel>> foamPattern();
 class FoamPattern {
   public:
     Status create(Context& context);
-    static VkDeviceSize bytes();
+    static VkDeviceSize bytes(const gpu::Device& device);
     /// Uploads on its first call, does nothing after.
     void recordUpload(const gpu::Device& device, VkCommandBuffer commands) {
         image_.recordUpload(device, commands);

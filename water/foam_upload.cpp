@@ -10,10 +10,12 @@ VkDeviceSize stagingBytes(uint32_t samples, uint32_t cascades) {
     return VkDeviceSize{samples} * samples * cascades * sizeof(uint32_t);
 }
 
+constexpr VkBufferUsageFlags stagingUsage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+
 } // namespace
 
-VkDeviceSize UploadedFoam::bytes(uint32_t samples, uint32_t cascades, uint32_t framesInFlight) {
-    return stagingBytes(samples, cascades) * framesInFlight;
+VkDeviceSize UploadedFoam::bytes(const Context& context, uint32_t samples, uint32_t cascades) {
+    return gpu::heldBytes(context.device, stagingBytes(samples, cascades), stagingUsage) * context.frameCount;
 }
 
 Status UploadedFoam::create(Context& context, const Sea& sea, const FoamDesc& foam) {
@@ -21,7 +23,7 @@ Status UploadedFoam::create(Context& context, const Sea& sea, const FoamDesc& fo
     for (uint32_t slot = 0; slot < context.frameCount; ++slot)
         if (const Status s = staging_[slot].createMapped(
                 context.device, stagingBytes(cascade(sea, 0).samples, history_->breaking().count),
-                VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "foam history staging buffer");
+                stagingUsage, "foam history staging buffer");
             s != Status::ok)
             return s;
     return Status::ok;

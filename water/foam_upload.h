@@ -20,7 +20,7 @@ class UploadedFoam {
     Status record(Context& context, VkCommandBuffer commands, const UploadedWaves& waves,
                   const FoamImage& foam, int64_t step);
 
-    static VkDeviceSize bytes(uint32_t samples, uint32_t cascades, uint32_t framesInFlight);
+    static VkDeviceSize bytes(const Context& context, uint32_t samples, uint32_t cascades);
 
   private:
     void write(void* staging) const;

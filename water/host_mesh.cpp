@@ -73,6 +73,17 @@ class WaysFromBorder {
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
 };
 
+constexpr VkBufferUsageFlags vertexUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+constexpr VkBufferUsageFlags indexUsage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
+
+VkDeviceSize vertexBytes(const ExtentDesc& desc) {
+    return size_t{desc.pointCount} * sizeof(HostVertex);
+}
+
+VkDeviceSize indexBytes(const ExtentDesc& desc) {
+    return size_t{desc.indexCount} * sizeof(uint32_t);
+}
+
 } // namespace
 
 std::vector<HostVertex> hostVertices(const ExtentDesc& desc, const glm::dvec2& origin) {
@@ -100,24 +111,22 @@ Status HostMesh::create(const gpu::Device& device, const ExtentDesc& desc, const
     origin = (outline.low + outline.high) / 2.0;
     indexCount = desc.indexCount;
     const std::vector<HostVertex> made = hostVertices(desc, origin);
-    const VkDeviceSize vertexBytes = made.size() * sizeof(HostVertex);
-    const VkDeviceSize indexBytes = size_t{indexCount} * sizeof(uint32_t);
-    if (const Status s = vertices.createMapped(device, vertexBytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                               "extent vertex buffer");
-        s != Status::ok)
-        return s;
     if (const Status s =
-            indices.createMapped(device, indexBytes, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "extent index buffer");
+            vertices.createMapped(device, vertexBytes(desc), vertexUsage, "extent vertex buffer");
         s != Status::ok)
         return s;
-    std::memcpy(vertices.mapped(), made.data(), vertexBytes);
-    std::memcpy(indices.mapped(), desc.indices, indexBytes);
+    if (const Status s = indices.createMapped(device, indexBytes(desc), indexUsage, "extent index buffer");
+        s != Status::ok)
+        return s;
+    std::memcpy(vertices.mapped(), made.data(), vertexBytes(desc));
+    std::memcpy(indices.mapped(), desc.indices, indexBytes(desc));
     return Status::ok;
 }
 
-VkDeviceSize HostMesh::bytes(const ExtentDesc& desc) {
+VkDeviceSize HostMesh::bytes(const gpu::Device& device, const ExtentDesc& desc) {
     if (desc.shape != ExtentShape::mesh) return 0;
-    return size_t{desc.pointCount} * sizeof(HostVertex) + size_t{desc.indexCount} * sizeof(uint32_t);
+    return gpu::heldBytes(device, vertexBytes(desc), vertexUsage) +
+           gpu::heldBytes(device, indexBytes(desc), indexUsage);
 }
 
 } // namespace seaglass

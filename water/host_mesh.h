@@ -25,7 +25,7 @@ struct HostMesh {
     glm::dvec2 origin{0}; ///< (u, v)
 
     Status create(const gpu::Device& device, const ExtentDesc& desc, const Outline& outline);
-    static VkDeviceSize bytes(const ExtentDesc& desc);
+    static VkDeviceSize bytes(const gpu::Device& device, const ExtentDesc& desc);
 };
 
 } // namespace seaglass

@@ -31,8 +31,8 @@ std::array<Texel, shoreLayers> texelsOf(const ShorePlace& place) {
 
 } // namespace
 
-VkDeviceSize ShoreMap::bytes(const Shore& shore) {
-    return FixedImage::bytes(imageDesc(shore));
+VkDeviceSize ShoreMap::bytes(const gpu::Device& device, const Shore& shore) {
+    return FixedImage::bytes(device, imageDesc(shore));
 }
 
 Status ShoreMap::create(Context& context, const Shore& shore) {

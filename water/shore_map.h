@@ -9,7 +9,7 @@ namespace seaglass {
 class ShoreMap {
   public:
     Status create(Context& context, const Shore& shore);
-    static VkDeviceSize bytes(const Shore& shore);
+    static VkDeviceSize bytes(const gpu::Device& device, const Shore& shore);
     /// The map on its first call, and the trains at `time`.
     void record(const gpu::Device& device, VkCommandBuffer commands, const Shore& shore, double time,
                 double decayTime);

@@ -33,11 +33,12 @@ Status addWaves(Context& context, const BodyDesc& desc, VkExtent2D extent, Estim
     hasWaves = cascadeCount(*sea) > 0;
     if (!hasWaves) return Status::ok;
     const WavesBackend* backend = chosenBackend(context.device, desc);
-    out.bytes += Waves::bytes(context, *sea, backend) + (desc.motion ? Waves::lastBytes(*sea) : 0);
-    if (sea->shore) out.bytes += ShoreMap::bytes(*sea->shore);
+    out.bytes += Waves::bytes(context, *sea, backend) +
+                 (desc.motion ? Waves::lastBytes(context.device, *sea, backend) : 0);
+    if (sea->shore) out.bytes += ShoreMap::bytes(context.device, *sea->shore);
     if (desc.caustics) out.bytesPerView += Caustics::bytes(context.device, desc, extent);
     if (desc.foam && breakingOf(*sea, *desc.foam).count > 0)
-        out.bytes += FoamPattern::bytes() + Foam::bytes(*sea, *desc.foam, backend, context.frameCount);
+        out.bytes += FoamPattern::bytes(context.device) + Foam::bytes(context, *sea, *desc.foam, backend);
     return Status::ok;
 }
 
@@ -64,13 +65,14 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
                 return s;
         }
         if (desc->refraction) {
-            sum.bytesPerSharedView = SingleSampledScene::bytes(extent, samples);
+            sum.bytesPerSharedView = SingleSampledScene::bytes(context->device, extent, samples);
             sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
         }
-        if (desc->bed) sum.bytesPerView += Bed::bytes(*desc->bed, desc->shading.bedDownscale, extent);
+        if (desc->bed)
+            sum.bytesPerView += Bed::bytes(context->device, *desc->bed, desc->shading.bedDownscale, extent);
         sum.bytesPerView += waves.bytesPerView;
         sum.bytes += waves.bytes;
-        sum.bytes += HostMesh::bytes(desc->extent);
+        sum.bytes += HostMesh::bytes(context->device, desc->extent);
         *out = sum;
         return Status::ok;
     });

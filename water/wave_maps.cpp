@@ -9,11 +9,13 @@ namespace {
 constexpr const char* mapNames[waveMapCount] = {"wave displacement map", "wave derivative map",
                                                 "wave moment map"};
 
-gpu::ImageDesc mapDesc(uint32_t samples, uint32_t cascades, VkImageUsageFlags usage = 0) {
+gpu::ImageDesc mapDesc(const gpu::Device& device, uint32_t samples, uint32_t cascades,
+                       VkImageUsageFlags filledBy) {
     gpu::ImageDesc desc;
     desc.format = waveMapFormat;
     desc.extent = {samples, samples};
-    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | usage;
+    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | gpu::MipChain::usage(device) |
+                 filledBy;
     desc.mipLevels = static_cast<uint32_t>(std::bit_width(samples));
     desc.layers = cascades;
     desc.arrayView = true;
@@ -22,8 +24,9 @@ gpu::ImageDesc mapDesc(uint32_t samples, uint32_t cascades, VkImageUsageFlags us
 
 } // namespace
 
-VkDeviceSize WaveMaps::bytes(uint32_t samplesAcross, uint32_t cascadeCount) {
-    return gpu::imageBytes(mapDesc(samplesAcross, cascadeCount)) * waveMapCount;
+VkDeviceSize WaveMaps::bytes(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount,
+                             VkImageUsageFlags filledBy) {
+    return gpu::heldBytes(device, mapDesc(device, samplesAcross, cascadeCount, filledBy)) * waveMapCount;
 }
 
 Status WaveMaps::create(Context& context, uint32_t samplesAcross, uint32_t cascadeCount,
@@ -31,7 +34,7 @@ Status WaveMaps::create(Context& context, uint32_t samplesAcross, uint32_t casca
     const gpu::Device& device = context.device;
     samples = samplesAcross;
     cascades = cascadeCount;
-    const gpu::ImageDesc desc = mapDesc(samples, cascades, gpu::MipChain::usage(device) | filledBy);
+    const gpu::ImageDesc desc = mapDesc(device, samples, cascades, filledBy);
     mipLevels = desc.mipLevels;
     for (uint32_t i = 0; i < waveMapCount; ++i)
         if (const Status s = images[i].create(device, desc, mapNames[i]); s != Status::ok) return s;
@@ -47,9 +50,8 @@ void WaveMaps::recordBegin(const gpu::Device& device, VkCommandBuffer commands,
 }
 
 VkDeviceSize WaveMaps::mip0Bytes(uint32_t samplesAcross, uint32_t cascadeCount) {
-    gpu::ImageDesc desc = mapDesc(samplesAcross, cascadeCount);
-    desc.mipLevels = 1;
-    return gpu::imageBytes(desc) * waveMapCount;
+    constexpr VkDeviceSize texelBytes = 4 * sizeof(float);
+    return VkDeviceSize{samplesAcross} * samplesAcross * cascadeCount * texelBytes * waveMapCount;
 }
 
 void WaveMaps::recordCopy(const gpu::Device& device, VkCommandBuffer commands, VkBuffer source,

@@ -24,7 +24,8 @@ struct WaveMaps {
     /// `filledBy` is the usage that whoever fills mip 0 needs.
     Status create(Context& context, uint32_t samplesAcross, uint32_t cascadeCount,
                   VkImageUsageFlags filledBy);
-    static VkDeviceSize bytes(uint32_t samplesAcross, uint32_t cascadeCount);
+    static VkDeviceSize bytes(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount,
+                              VkImageUsageFlags filledBy);
     /// Makes mip 0 ready to be `written`, its former content lost; readers of earlier frames are waited for.
     void recordBegin(const gpu::Device& device, VkCommandBuffer commands, const gpu::Use& written) const;
     /// Fills mip 0 of the first `count` cascades, ready for copies, from a buffer that holds map after map,

@@ -4,16 +4,26 @@
 
 namespace seaglass {
 
+namespace {
+
+VkImageUsageFlags mapUsage(const gpu::Device& device, const WavesBackend* backend) {
+    return backend ? UploadedWaves::mapUsage : ComputedWaves::mapUsage(device);
+}
+
+VkDeviceSize mapBytes(const gpu::Device& device, const Sea& sea, const WavesBackend* backend) {
+    return WaveMaps::bytes(device, cascade(sea, 0).samples, cascadeCount(sea), mapUsage(device, backend));
+}
+
+} // namespace
+
 VkDeviceSize Waves::bytes(const Context& context, const Sea& sea, const WavesBackend* backend) {
-    return WaveMaps::bytes(cascade(sea, 0).samples, cascadeCount(sea)) +
-           (backend ? UploadedWaves::bytes(sea, context.frameCount)
-                    : ComputedWaves::bytes(context.device, sea));
+    return mapBytes(context.device, sea, backend) +
+           (backend ? UploadedWaves::bytes(context, sea) : ComputedWaves::bytes(context.device, sea));
 }
 
 Status Waves::create(Context& context, const Sea& sea, const WavesBackend* backend) {
-    const VkImageUsageFlags filledBy =
-        backend ? UploadedWaves::mapUsage : ComputedWaves::mapUsage(context.device);
-    if (const Status s = maps_.create(context, cascade(sea, 0).samples, cascadeCount(sea), filledBy);
+    if (const Status s = maps_.create(context, cascade(sea, 0).samples, cascadeCount(sea),
+                                      mapUsage(context.device, backend));
         s != Status::ok)
         return s;
     if (backend) return source_.emplace<UploadedWaves>().create(context, sea, *backend);
@@ -24,8 +34,8 @@ Status Waves::keepLast(const gpu::Device& device) {
     return last_.create(device, maps_.images[0].desc(), "last wave displacement map");
 }
 
-VkDeviceSize Waves::lastBytes(const Sea& sea) {
-    return WaveMaps::bytes(cascade(sea, 0).samples, cascadeCount(sea)) / waveMapCount;
+VkDeviceSize Waves::lastBytes(const gpu::Device& device, const Sea& sea, const WavesBackend* backend) {
+    return mapBytes(device, sea, backend) / waveMapCount;
 }
 
 void Waves::turnOver() {

@@ -22,7 +22,7 @@ class Waves {
     const WaveMaps& maps() const { return maps_; }
     /// Keeps the displacement of the time before.
     Status keepLast(const gpu::Device& device);
-    static VkDeviceSize lastBytes(const Sea& sea);
+    static VkDeviceSize lastBytes(const gpu::Device& device, const Sea& sea, const WavesBackend* backend);
     /// Before each time but the first: what maps() has is the last displacement from here on.
     void turnOver();
     VkImageView lastDisplacement() const;

@@ -59,6 +59,17 @@ VkDeviceSize columnBytes(const Sea& sea) {
     return VkDeviceSize{allColumns(sea, sea.count)} * waveColumnFields * sea.desc.samples * 2 * sizeof(float);
 }
 
+VkDeviceSize copiedBytes(const Sea& sea) {
+    return WaveMaps::mip0Bytes(sea.desc.samples, sea.count);
+}
+
+constexpr VkBufferUsageFlags modeUsage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+constexpr VkBufferUsageFlags stagingUsage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+constexpr VkBufferUsageFlags columnUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+constexpr VkBufferUsageFlags copiedUsage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+
 /// h0(k) and conj(h0(-k)) of any k with m >= 0; in the half plane that is not stored they change places.
 struct Amplitudes {
     std::complex<float> forward, backward;
@@ -157,8 +168,11 @@ VkImageUsageFlags ComputedWaves::mapUsage(const gpu::Device& device) {
 }
 
 VkDeviceSize ComputedWaves::bytes(const gpu::Device& device, const Sea& sea) {
-    return 2 * modeBytes(sea) + columnBytes(sea) +
-           (device.isCpu() ? WaveMaps::mip0Bytes(sea.desc.samples, sea.count) : 0);
+    const VkDeviceSize copied = device.isCpu() ? copiedBytes(sea) : 0;
+    return gpu::heldBytes(device, modeBytes(sea), modeUsage) +
+           gpu::heldBytes(device, modeBytes(sea), stagingUsage) +
+           gpu::heldBytes(device, columnBytes(sea), columnUsage) +
+           gpu::heldBytes(device, copied, copiedUsage);
 }
 
 Status ComputedWaves::create(Context& context, const Sea& sea) {
@@ -168,24 +182,18 @@ Status ComputedWaves::create(Context& context, const Sea& sea) {
     const WaveKernels::Pair* built = nullptr;
     if (const Status s = kernels_->get(context.device, sea.desc.samples, built); s != Status::ok) return s;
     const VkDeviceSize bytes = modeBytes(sea);
-    if (const Status s = modes_.create(context.device, bytes,
-                                       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                       "wave modes");
-        s != Status::ok)
+    if (const Status s = modes_.create(context.device, bytes, modeUsage, "wave modes"); s != Status::ok)
         return s;
-    if (const Status s = staging_.createMapped(context.device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                               "wave modes staging buffer");
+    if (const Status s =
+            staging_.createMapped(context.device, bytes, stagingUsage, "wave modes staging buffer");
         s != Status::ok)
         return s;
     writeModes(sea, static_cast<std::byte*>(staging_.mapped()));
     if (context.device.isCpu())
-        if (const Status s = copied_.create(
-                context.device, WaveMaps::mip0Bytes(sea.desc.samples, sea.count),
-                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "wave map buffer");
+        if (const Status s = copied_.create(context.device, copiedBytes(sea), copiedUsage, "wave map buffer");
             s != Status::ok)
             return s;
-    return columns_.create(context.device, columnBytes(sea), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                           "wave columns");
+    return columns_.create(context.device, columnBytes(sea), columnUsage, "wave columns");
 }
 
 Status ComputedWaves::describe(Context& context, const WaveMaps& maps, const WaveKernels::Pair& kernels,

@@ -8,10 +8,12 @@ VkDeviceSize stagingBytes(const Sea& sea) {
     return WaveMaps::mip0Bytes(cascade(sea, 0).samples, cascadeCount(sea));
 }
 
+constexpr VkBufferUsageFlags stagingUsage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+
 } // namespace
 
-VkDeviceSize UploadedWaves::bytes(const Sea& sea, uint32_t framesInFlight) {
-    return stagingBytes(sea) * framesInFlight;
+VkDeviceSize UploadedWaves::bytes(const Context& context, const Sea& sea) {
+    return gpu::heldBytes(context.device, stagingBytes(sea), stagingUsage) * context.frameCount;
 }
 
 Status UploadedWaves::create(Context& context, const Sea& sea, const WavesBackend& backend) {
@@ -20,8 +22,8 @@ Status UploadedWaves::create(Context& context, const Sea& sea, const WavesBacken
     if (!state_)
         return context.device.fail(Status::outOfHostMemory, "waves backend %s: out of memory", backend.name);
     for (uint32_t slot = 0; slot < context.frameCount; ++slot)
-        if (const Status s = staging_[slot].createMapped(
-                context.device, stagingBytes(sea), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "wave staging buffer");
+        if (const Status s = staging_[slot].createMapped(context.device, stagingBytes(sea), stagingUsage,
+                                                         "wave staging buffer");
             s != Status::ok)
             return s;
     return Status::ok;

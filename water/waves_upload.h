@@ -26,7 +26,7 @@ class UploadedWaves {
     const WavesBackend& backend() const { return *backend_; }
     void* state() const { return state_.get(); }
 
-    static VkDeviceSize bytes(const Sea& sea, uint32_t framesInFlight);
+    static VkDeviceSize bytes(const Context& context, const Sea& sea);
 
   private:
     const WavesBackend* backend_ = nullptr;

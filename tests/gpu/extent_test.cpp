@@ -240,11 +240,10 @@ TEST_F(Extents, TheEstimateCountsAMeshOfTheHosts) {
     desc.extent = pond();
     Estimate estimated;
     ASSERT_EQ(estimate(context(), &desc, {320, 180}, &estimated), Status::ok) << message();
-    EXPECT_EQ(estimated.bytes, 16u * 25 * 25 + 4u * 6 * 24 * 24);
+    EXPECT_GE(estimated.bytes, 16u * 25 * 25 + 4u * 6 * 24 * 24);
     spiedCalls().clear();
     makeBody(desc);
-    EXPECT_GE(bytesSpied(), estimated.bytes);
-    EXPECT_LE(bytesSpied(), estimated.bytes + (4u << 10) * countSpied("AllocateMemory"));
+    EXPECT_EQ(bytesSpied(), estimated.bytes);
 }
 
 TEST_F(Extents, ThatAreBadAreNamedAndLeaveNothing) {

@@ -133,14 +133,14 @@ TEST_F(Motion, CostsAMapOfWavesWhereItIsAskedForAlone) {
         EXPECT_EQ(estimate(context(), &desc_, {64, 64}, &estimated), Status::ok);
         spiedCalls().clear();
         makeBody(desc_);
-        EXPECT_GE(bytesSpied(), estimated.bytes);
+        EXPECT_EQ(bytesSpied(), estimated.bytes);
         return std::pair(estimated.bytes, countSpied("CreateImage"));
     };
     const auto off = cost(false), on = cost(true);
     EXPECT_EQ(on.second, off.second + 1);
     uint64_t map = 0;
     for (uint32_t size = sea_.samples; size > 0; size /= 2) map += uint64_t{16} * size * size * sea_.cascades;
-    EXPECT_EQ(on.first - off.first, map);
+    EXPECT_GE(on.first - off.first, map);
 }
 
 TEST_F(Motion, OfWavesIsRefusedWhereTheyAreNotKept) {

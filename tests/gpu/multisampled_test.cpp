@@ -184,13 +184,13 @@ TEST_P(Multisampled, ReflectorsOfOneCallShareTheScene) {
         bytes += estimated.bytesPerView;
     }
     EXPECT_EQ(estimated.dispatchesPerSharedView, 2u);
-    EXPECT_EQ(estimated.bytesPerSharedView, VkDeviceSize{camera.width} * camera.height * 12);
+    EXPECT_GE(estimated.bytesPerSharedView, VkDeviceSize{camera.width} * camera.height * 12);
     spiedCalls().clear();
     const std::vector<Reflected> together = reflectTogether(view, descs);
     EXPECT_EQ(countSpied("CmdDispatch") + countSpied("CmdDispatchIndirect"),
               dispatches + estimated.dispatchesPerSharedView);
     EXPECT_EQ(countSpied("CreateImage"), 2 * descs.size() + 2);
-    EXPECT_GE(bytesSpied(), bytes + estimated.bytesPerSharedView);
+    EXPECT_EQ(bytesSpied(), bytes + estimated.bytesPerSharedView);
     for (size_t i = 0; i < descs.size(); ++i) {
         EXPECT_EQ(together[i].info, alone[i].info) << i;
         EXPECT_EQ(together[i].color, alone[i].color) << i;

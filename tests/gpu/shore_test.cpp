@@ -399,8 +399,7 @@ TEST_F(ShoreOnGpu, ASeaWithoutABedHasNothingOfIt) {
         spiedCalls().clear();
         Body* const body = makeBody(desc_);
         images = countSpied("CreateImage");
-        EXPECT_GE(bytesSpied(), estimated.bytes);
-        EXPECT_LE(bytesSpied(), estimated.bytes + (4u << 10) * countSpied("AllocateMemory"));
+        EXPECT_EQ(bytesSpied(), estimated.bytes);
         EXPECT_EQ(body->shore.has_value(), shore != nullptr);
         EXPECT_EQ(sea(body)->shore.has_value(), shore != nullptr);
     };
@@ -410,7 +409,7 @@ TEST_F(ShoreOnGpu, ASeaWithoutABedHasNothingOfIt) {
     costs(&shore_, with, dear);
     costs(nullptr, without, cheap);
     EXPECT_EQ(with, without + 1);
-    EXPECT_EQ(dear.bytes - cheap.bytes, 2u * 104 * 301 * 48);
+    EXPECT_GE(dear.bytes - cheap.bytes, 2u * 104 * 301 * 48);
 }
 
 } // namespace

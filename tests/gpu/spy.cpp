@@ -127,6 +127,36 @@ void VKAPI_CALL pretendedProperties(VkPhysicalDevice device, VkPhysicalDevicePro
     if (pretendedType != VK_PHYSICAL_DEVICE_TYPE_MAX_ENUM) properties->deviceType = pretendedType;
 }
 
+VkDeviceSize pretendedAlignment = 0;
+
+void pretend(VkMemoryRequirements& needs) {
+    if (pretendedAlignment == 0) return;
+    needs.alignment = std::max(needs.alignment, pretendedAlignment);
+    needs.size = (needs.size + pretendedAlignment - 1) / pretendedAlignment * pretendedAlignment;
+}
+
+void VKAPI_CALL pretendedImageNeeds(VkDevice device, VkImage image, VkMemoryRequirements* needs) {
+    vkGetImageMemoryRequirements(device, image, needs);
+    pretend(*needs);
+}
+
+void VKAPI_CALL pretendedBufferNeeds(VkDevice device, VkBuffer buffer, VkMemoryRequirements* needs) {
+    vkGetBufferMemoryRequirements(device, buffer, needs);
+    pretend(*needs);
+}
+
+void VKAPI_CALL pretendedImageNeedsBefore(VkDevice device, const VkDeviceImageMemoryRequirements* info,
+                                          VkMemoryRequirements2* needs) {
+    vkGetDeviceImageMemoryRequirements(device, info, needs);
+    pretend(needs->memoryRequirements);
+}
+
+void VKAPI_CALL pretendedBufferNeedsBefore(VkDevice device, const VkDeviceBufferMemoryRequirements* info,
+                                           VkMemoryRequirements2* needs) {
+    vkGetDeviceBufferMemoryRequirements(device, info, needs);
+    pretend(needs->memoryRequirements);
+}
+
 PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char* name) {
     if (!std::strcmp(name, "vkCmdPipelineBarrier2"))
         return reinterpret_cast<PFN_vkVoidFunction>(&spiedBarrier);
@@ -139,6 +169,13 @@ PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char
         return reinterpret_cast<PFN_vkVoidFunction>(&spiedCompute);
     if (!std::strcmp(name, "vkCreateDescriptorSetLayout"))
         return reinterpret_cast<PFN_vkVoidFunction>(&spiedSetLayout);
+#define PRETEND(function, by)                                                                                \
+    if (!std::strcmp(name, "vk" #function)) return reinterpret_cast<PFN_vkVoidFunction>(&by);
+    PRETEND(GetImageMemoryRequirements, pretendedImageNeeds)
+    PRETEND(GetBufferMemoryRequirements, pretendedBufferNeeds)
+    PRETEND(GetDeviceImageMemoryRequirements, pretendedImageNeedsBefore)
+    PRETEND(GetDeviceBufferMemoryRequirements, pretendedBufferNeedsBefore)
+#undef PRETEND
 #define SPY(function)                                                                                        \
     if (!std::strcmp(name, "vk" #function)) return spyOn<&vk##function>(#function, vk##function);
     SPY(CmdBlitImage)
@@ -160,6 +197,10 @@ PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char
 
 void pretendDeviceType(VkPhysicalDeviceType type) {
     pretendedType = type;
+}
+
+void pretendAlignment(VkDeviceSize bytes) {
+    pretendedAlignment = bytes;
 }
 
 PFN_vkVoidFunction VKAPI_CALL spiedGetInstanceProcAddr(VkInstance instance, const char* name) {

@@ -37,6 +37,10 @@ VkDeviceSize bytesSpied();
 /// What contexts are told that the device is; VK_PHYSICAL_DEVICE_TYPE_MAX_ENUM, as at first, for the truth.
 void pretendDeviceType(VkPhysicalDeviceType type);
 
+/// All that wants memory is told to want whole multiples of `bytes`, aligned so; 0, as at first, for the
+/// truth.
+void pretendAlignment(VkDeviceSize bytes);
+
 /// To be handed to a context as its loader.
 PFN_vkVoidFunction VKAPI_CALL spiedGetInstanceProcAddr(VkInstance instance, const char* name);
 

@@ -113,8 +113,7 @@ TEST_F(WaterSamples, OnlyViewsThatHaveManyMakeImages) {
         spiedCalls().clear();
         picture(bodies, camera);
         EXPECT_EQ(countSpied("CreateImage"), resolved ? 1u : 2u);
-        EXPECT_GE(bytesSpied(), estimated.bytesPerSharedView);
-        EXPECT_LE(bytesSpied(), estimated.bytesPerSharedView + (4u << 10) * countSpied("AllocateMemory"));
+        EXPECT_EQ(bytesSpied(), estimated.bytesPerSharedView);
         EXPECT_EQ(countSpied("CmdDispatch"), estimated.dispatchesPerSharedView);
         spiedCalls().clear();
         picture(bodies, camera);
@@ -170,7 +169,7 @@ TEST_F(WaterSamples, TheEstimateOfABodyHasThoseOfItsReflection) {
     ASSERT_EQ(estimate(context(), &desc, {320, 180}, &body, {many, many}), Status::ok) << message();
     ASSERT_EQ(estimate(context(), &reflection, {320, 180}, &reflector, {many, many}), Status::ok);
     EXPECT_EQ(body.bytesPerView, reflector.bytesPerView);
-    EXPECT_EQ(body.bytesPerSharedView, VkDeviceSize{320} * 180 * 12);
+    EXPECT_GE(body.bytesPerSharedView, VkDeviceSize{320} * 180 * 12);
     EXPECT_EQ(body.bytesPerSharedView, reflector.bytesPerSharedView);
     EXPECT_EQ(body.dispatchesPerSharedView, 2u);
     // Refraction reads the same.

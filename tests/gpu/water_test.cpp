@@ -1460,8 +1460,7 @@ TEST_F(Water, TheEstimateIsWhatIsAllocated) {
         ASSERT_EQ(estimate(context(), &desc, {320, 180}, &estimated), Status::ok) << message();
         spiedCalls().clear();
         makeBody(desc);
-        EXPECT_GE(bytesSpied(), estimated.bytes) << what;
-        EXPECT_LE(bytesSpied(), estimated.bytes + (4u << 10) * countSpied("AllocateMemory")) << what;
+        EXPECT_EQ(bytesSpied(), estimated.bytes) << what;
     };
     agrees("flat");
     desc.waves = &waves;

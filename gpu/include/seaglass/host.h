@@ -144,8 +144,8 @@ struct ViewDesc {
     bool cut = false;
 };
 
-/// What something costs, known before it is made. Memory is that of its images and buffers; drivers round
-/// each up, on most devices to some KiB. Pipelines and the frame slots' small uniform blocks are left out.
+/// What something costs, known before it is made. Memory is that of its images and buffers, as much as this
+/// device wants for each. Pipelines and the frame slots' small uniform blocks are left out.
 struct Estimate {
     uint64_t bytes = 0;             ///< device memory held once
     uint64_t bytesPerView = 0;      ///< device memory held for each view index that is used
