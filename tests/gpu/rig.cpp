@@ -85,6 +85,10 @@ double limitOnDriver([[maybe_unused]] double lavapipe, double others) {
 #endif
 }
 
+double limitOnGrid(double fine, double coarse) {
+    return device().properties().limits.subPixelPrecisionBits >= 8 ? fine : coarse;
+}
+
 seaglass::DeviceDesc deviceDesc(std::string* message) {
     seaglass::DeviceDesc desc;
     desc.instance = device().instance();

@@ -22,6 +22,10 @@ demos::Device& device();
 /// it is asked for.
 double limitOnDriver(double lavapipe, double others);
 
+/// A limit where vertices are snapped to 1/256 of a pixel or finer, as on lavapipe and on GPUs, and a wider
+/// one for coarser grids: Vulkan asks for 1/16, which is SwiftShader's.
+double limitOnGrid(double fine, double coarse);
+
 /// Every test that uses it fails on a validation message, unless it says how many it expects.
 class GpuTest : public testing::Test {
   protected:

@@ -83,7 +83,8 @@ TEST_F(Water, FlatWaterCoversAllBelowTheHorizon) {
                     above += angle < 0 && covered;
                 }
             EXPECT_EQ(holes, 0u) << "eye at " << height << " m, roll " << roll;
-            EXPECT_EQ(above, 0u) << "eye at " << height << " m, roll " << roll;
+            EXPECT_LE(static_cast<double>(above), limitOnGrid(0, 6)) // where the horizon passes their centres
+                << "eye at " << height << " m, roll " << roll;
         }
 }
 
