@@ -132,6 +132,7 @@ TEST_F(Motion, LeavesJitterOutAndBeginsAnewAfterACut) {
 }
 
 TEST_F(Motion, CostsAMapOfWavesWhereItIsAskedForAlone) {
+    makeBody({}); // what all bodies share
     addWaves();
     const auto cost = [&](bool motion) {
         desc_.motion = motion;

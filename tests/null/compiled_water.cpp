@@ -3,6 +3,7 @@
 #include <array>
 #include <tuple>
 
+#include "gpu/mip_chain.h"
 #include "reflection/blur.h"
 #include "reflection/cells.h"
 #include "reflection/edge_reach.h"
@@ -16,6 +17,7 @@
 #include "reflection/stretch.h"
 #include "reflection/temporal.h"
 #include "reflection/tiles.h"
+#include "reflection/unseen_tiles.h"
 #include "tests/null/built_shaders.h"
 #include "water/body.h"
 #include "water/caustics.h"
@@ -182,7 +184,11 @@ void CompiledWater::makeKernels() {
               RoofsResolveKernel, CellsKernel, SeenTilesKernel, SeenColumnsKernel, OpenTilesKernel,
               BlurKernel, StretchKernel, EdgeReachKernel, TemporalKernel, PlanarKernel, OverlayKernel,
               DepthSampleKernel, ColorSampleKernel, FoamKernel, CastKernel, CastOnShoreKernel, GatherKernel,
-              CausticBlurKernel, ShadowedCausticBlurKernel>(*context_);
+              CausticBlurKernel, ShadowedCausticBlurKernel, UnseenTilesKernel>(*context_);
+    for (const VkFormat format : {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16_SFLOAT}) {
+        gpu::MipChain chain;
+        (void)chain.create(*context_, format);
+    }
     for (const bool cells : {false, true})
         for (const bool open : {false, true}) {
             std::shared_ptr<MarchKernel> march;
