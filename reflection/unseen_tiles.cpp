@@ -58,7 +58,8 @@ Status recordUnseenTiles(const ReflectPass& pass, const UnseenTilesKernel* kerne
         s != Status::ok)
         return s;
     images.recordDiscarded(context.device, pass.commands, gpu::storageWritten);
-    kernel->kernel.dispatchOver(pass.commands, set, images.color.desc().extent);
+    const VkExtent2D extent = images.color.desc().extent;
+    kernel->kernel.dispatchAlong(pass.commands, set, extent.width, (extent.height + tileEdge - 1) / tileEdge);
     return Status::ok;
 }
 

@@ -207,6 +207,7 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
 Hit hitOnThin(ScreenRay ray, Entry entry) {
     if (entry.between == noGuesses) return noHit;
     float depth = depthAt(entry.between.other);
+    if (isFar(depth)) return noHit;
     vec4 seen = relativeFromPixel * vec4(entry.hidden, depth, 1.0);
     vec4 beside = seen + relativeFromPixel[0];
     vec4 hidden = seen + relativeFromPixel[2] * (entry.depth + infinityDepth - depth);
@@ -241,14 +242,15 @@ float nearnessAt(vec2 point, float than) {
 // Where the ray meets, out of sight, the plane of what shows beside: that is hidden from there on, and does not end; and goes on
 // to the other side, too, as rails and ropes do not.
 Hit unseen(ScreenRay ray, ivec2 pixel, Hit hit) {
-    vec2 shown = vec2(hit.valid ? pixel : ivec2(0)) + 0.5;
+    if (!hit.valid) return hit;
+    vec2 shown = vec2(pixel) + 0.5;
     float nearness = depthAt(ivec2(shown)) - infinityDepth;
     vec2 way = hit.source - shown;
     vec2 step = way / max(farthest(way), 1.0);
     float next = min(nearnessAt(shown + step, nearness), nearnessAt(shown + min(2.0, farthest(way)) * step, nearness));
     float beyond = nearnessAt(shown - 0.5 * unseenPixels * step, nearness);
     bool goesOn = next > 0.9 && beyond > 0.9 && beyond < 1.1;
-    hit.valid = hit.valid && hit.front && goesOn && hides(hit.source, rayDepthAt(ray, hit.source));
+    hit.valid = hit.front && goesOn && hides(hit.source, rayDepthAt(ray, hit.source));
     hit.source = shown;
     return hit;
 }

@@ -5,7 +5,8 @@
 #include "reflection_info.glsl"
 #include "tiles.glsl"
 
-layout(local_size_x = tileEdge, local_size_y = tileEdge) in;
+// An invocation takes a column of a tile: a GPU takes longer to begin groups than to store what theirs would be.
+layout(local_size_x = tileEdge * tilesPerColumnGroup, local_size_y = 1) in;
 
 layout(set = 0, binding = 1, std430) readonly buffer Tiles {
     TileHeader header;
@@ -16,9 +17,13 @@ layout(set = 0, binding = 3, r16f) uniform writeonly image2D reflectionInfo;
 
 void main() {
     loadMirror();
-    ivec2 tile = ivec2(gl_WorkGroupID.xy);
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, imageSize())) || lookedUp(tile, tiles[tileAt(tile)])) return;
-    imageStore(reflectionColor, pixel, vec4(0.0));
-    imageStore(reflectionInfo, pixel, vec4(infoUnknown, 0.0, 0.0, 0.0));
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, tileEdge);
+    ivec2 tile = pixel >> tileShift;
+    ivec2 size = imageSize();
+    if (pixel.x >= size.x || lookedUp(tile, tiles[tileAt(tile)])) return;
+    for (int rows = min(tileEdge, size.y - pixel.y); rows > 0; --rows) {
+        imageStore(reflectionColor, pixel, vec4(0.0));
+        imageStore(reflectionInfo, pixel, vec4(infoUnknown, 0.0, 0.0, 0.0));
+        ++pixel.y;
+    }
 }

@@ -14,7 +14,8 @@ struct Behind {
 
 Behind shownAt(vec2 pixel, float depth, mat4 relativeFromPixels) {
     vec4 q = relativeFromPixels * vec4(floor(pixel) + 0.5, depth, 1.0);
-    return Behind(pixel, q.xyz / q.w, depthSign * (depth - farDepth) <= 0.0);
+    const float leastWeight = 1e-12;   // what is infinitely far is taken to be very far, so that differences are numbers
+    return Behind(pixel, q.xyz / max(q.w, leastWeight), depthSign * (depth - farDepth) <= 0.0);
 }
 
 // What the host's opaque scene shows at a pixel of the region.

@@ -40,10 +40,15 @@ float metresPerPixel(vec4 point) {
     return distance(p.xyz / p.w, beside.xyz / beside.w);
 }
 
+bool showsFar(vec2 point) {
+    return isFar(depthAt(texelAt(point, region.zw - 1)));
+}
+
 // Whether a top is level there, as a rail or a wall is not.
 bool isLevel(vec2 point, vec2 away, float edgeHeight) {
-    float top = heightSeenAt(point);
     vec2 before = clamp(point - away, vec2(0.5), vec2(region.zw) - 0.5);
+    if (showsFar(point) || showsFar(before)) return false;
+    float top = heightSeenAt(point);
     float rise = abs(heightSeenAt(before) - top);
     ivec2 last = region.zw - 1;
     vec3 way = unprojected(vec3(point, depthAt(texelAt(point, last)))) - unprojected(vec3(before, depthAt(texelAt(before, last))));
@@ -73,7 +78,7 @@ Hit hitUnderTop(vec2 q, ScreenRay ray, float height, float depth, float top) {
     vec2 source = above.xy / above.w;
     bool shows = top > height && above.w > 0.0 && insideRegion(source);
     vec2 middle = floor(shows ? source : vec2(0.0)) + 0.5;
-    bool level = abs(heightSeenAt(middle) - top) < levelWithin * (top - height);
+    bool level = !showsFar(middle) && abs(heightSeenAt(middle) - top) < levelWithin * (top - height);
     return Hit(shows && level, false, middle, 0.0, depth);
 }
 
@@ -86,17 +91,17 @@ Hit underRoof(vec2 q, ScreenRay ray, Hit shown) {
     Hit hit = noHit;
     if (roof != nowhere && first) {
         Entry entry = entryBefore(ray, q, from, mostPixels);
-        vec4 edge = vec4(entry.hidden, depthAt(max(entry.between.other, ivec2(0))), 1.0);
+        if (entry.between == noGuesses) return noHit;
+        vec4 edge = vec4(entry.hidden, depthAt(entry.between.other), 1.0);
+        if (isFar(edge.z)) return noHit;
         float height = heightOf(edge);
         float depth = depthAtHeight(q, height);
-        bool above = entry.between != noGuesses && height > leastHeight * metresPerPixel(edge);
+        bool above = height > leastHeight * metresPerPixel(edge);
         bool before = !shown.valid || depthSign * (depth - shown.depth) > 0.0;
         if (above && before) {
             vec2 end = exitAfter(ray, from, away, mostPixels);
             vec2 on;
-            bool level = levelPoint(from, end, away, height, on);
-            hit = hitUnderTop(q, ray, height, depth, heightSeenAt(on));
-            hit.valid = hit.valid && level;
+            if (levelPoint(from, end, away, height, on)) hit = hitUnderTop(q, ray, height, depth, heightSeenAt(on));
         }
     }
     return hit;

@@ -135,10 +135,11 @@ TEST_F(Blur, OffMakesNothing) {
         bytes[levels > 0] = estimated.bytesPerView;
         expectEstimateHolds(desc, {480, 272});
     }
-    EXPECT_EQ(pipelines[0], 3u); // its cells', its tiles' and its rays'
-    EXPECT_EQ(pipelines[1], 4u);
+    // Its cells', its tiles' and its rays'; a GPU's for tiles that nobody looks at.
+    EXPECT_EQ(pipelines[0], 3 + onGpus(1));
+    EXPECT_EQ(pipelines[1], pipelines[0] + 1);
     EXPECT_EQ(dispatches[0] + 3, dispatches[1]);
-    EXPECT_LT(bytes[0], VkDeviceSize{480} * 272 * 41 / 4); // a first mip would take 2 a pixel
+    EXPECT_GE(bytes[1] - bytes[0], VkDeviceSize{480} * 272 * 2); // that the first mip takes
 }
 
 class Stretch : public ReflectionTest {};

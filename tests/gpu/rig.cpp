@@ -89,6 +89,12 @@ double limitOnGrid(double fine, double coarse) {
     return device().properties().limits.subPixelPrecisionBits >= 8 ? fine : coarse;
 }
 
+size_t onGpus(size_t count) {
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device().physical(), &properties);
+    return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 0 : count;
+}
+
 seaglass::DeviceDesc deviceDesc(std::string* message) {
     seaglass::DeviceDesc desc;
     desc.instance = device().instance();

@@ -26,6 +26,13 @@ double limitOnDriver(double lavapipe, double others);
 /// one for coarser grids: Vulkan asks for 1/16, which is SwiftShader's.
 double limitOnGrid(double fine, double coarse);
 
+/// How often something is done that is done on devices alone that are no CPU.
+size_t onGpus(size_t count);
+/// Dispatches that make the mips of all maps of waves there.
+inline size_t wavesMips() {
+    return onGpus(2);
+}
+
 /// Every test that uses it fails on a validation message, unless it says how many it expects.
 class GpuTest : public testing::Test {
   protected:

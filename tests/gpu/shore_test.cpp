@@ -393,6 +393,7 @@ TEST_F(ShoreOnGpu, ABedThatFallsAwayOutOfSightIsSeenThroughTheWater) {
 
 TEST_F(ShoreOnGpu, ASeaWithoutABedHasNothingOfIt) {
     desc_.foam = &foam_;
+    desc_.wavesOn = WavesOn::cpu;
     const auto costs = [&](const ShoreDesc* shore, size_t& images, Estimate& estimated) {
         sea_.shore = shore;
         EXPECT_EQ(estimate(context(), &desc_, {320, 180}, &estimated), Status::ok) << message();

@@ -174,7 +174,7 @@ TEST_P(Temporal, WithoutItNothingIsMadeOrDispatched) {
     EXPECT_EQ(none.images, 2u);
     EXPECT_EQ(some.pipelines, 2u); // those of the technique are there already
     EXPECT_EQ(some.images, none.images + 4);
-    EXPECT_EQ(some.dispatches, none.dispatches + 2);
+    EXPECT_EQ(some.dispatches, none.dispatches + 2 + onGpus(1)); // what nobody looks at
     EXPECT_GT(some.bytes, none.bytes);
     expectEstimateHolds(with(GetParam(), 0), {240, 136});
     expectEstimateHolds(with(GetParam(), 0.9f), {240, 136});

@@ -212,8 +212,10 @@ void Tilts::drawMirrored(VkCommandBuffer commands, const PlanarView& view) {
 /// Of pixels beside an edge a followed ray may hit or miss: of whole rows, where the far island's edges lie
 /// along them.
 constexpr double followedRays = 1.5e-3;
+constexpr double followedRaysElsewhere = 2.5e-3; // where multiply-adds are fused
 
 TEST_P(Tilts, StillWaterIsAsLevelWaterIs) {
+    const double strays = limitOnDriver(followedRays, followedRaysElsewhere);
     expectSame(both(0, SurfaceOutput::shaded, scene()), "sky");
     desc_.reflection = &reflection_;
     for (const auto& [technique, name] : {std::pair(ReflectionTechnique::sspr, "sspr"),
@@ -221,13 +223,13 @@ TEST_P(Tilts, StillWaterIsAsLevelWaterIs) {
                                           {ReflectionTechnique::hybrid, "hybrid"}}) {
         reflection_.technique = technique;
         expectSame(both(0, SurfaceOutput::shaded, scene()), name,
-                   technique == ReflectionTechnique::sspr ? 0 : followedRays);
+                   technique == ReflectionTechnique::sspr ? 0 : strays);
     }
     reflection_.technique = ReflectionTechnique::sspr;
     for (const auto& [output, name] : {std::pair(SurfaceOutput::reflection, "reflection"),
                                        {SurfaceOutput::reflectionClass, "class"},
                                        {SurfaceOutput::reflectionSource, "source"}})
-        expectSame(both(0, output, scene()), name, followedRays);
+        expectSame(both(0, output, scene()), name, strays);
 }
 
 TEST_P(Tilts, WavesAreAsOnLevelWater) {

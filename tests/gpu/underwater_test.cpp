@@ -271,7 +271,7 @@ TEST_F(Underwater, CostsNothingWhereItIsNotAskedForOrNotSeen) {
         spiedCalls().clear();
         picture({body}, level(height));
         EXPECT_EQ(countSpied("CreateImage"), 0u);
-        EXPECT_EQ(countSpied("CmdDispatch"), 0u);
+        EXPECT_EQ(countSpied("CmdDispatch"), wavesMips());
         return countSpied("CmdDraw");
     };
     for (const double height : {5.0, 0.0, -5.0}) picture({asked}, level(height)); // what contexts make once

@@ -83,8 +83,10 @@ TEST_F(Ceilings, OfKernels) {
         ASSERT_EQ(pipeline.result, VK_SUCCESS);
         const CompiledStage& stage = pipeline.last();
         const auto* const found = std::ranges::find(kernels, stage.shader, &Ceiling::shader);
-        ASSERT_NE(found, std::end(kernels))
-            << stage.shader << " has no ceiling; it takes " << stage.costs.vectorRegisters;
+        if (found == std::end(kernels)) {
+            ADD_FAILURE() << stage.shader << " has no ceiling; it takes " << stage.costs.vectorRegisters;
+            continue;
+        }
         expectWithin(found->registers, stage);
     }
 }

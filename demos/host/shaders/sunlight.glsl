@@ -56,7 +56,8 @@ vec2 slopeOfPlane(mat4 clipFromEye, vec3 normal, float cosine) {
 
 // In a spiral from the middle, so that no two are near each other (Vogel 1979).
 vec2 spiral(int tap, float radius) {
-    const float turn = 2.39996323 * float(tap);
+    const float turns = 0.381966 * float(tap);
+    const float turn = 6.2831853 * (turns - round(turns));   // sin and cos have bounds for half a turn either way
     return radius * vec2(cos(turn), sin(turn));
 }
 
@@ -76,7 +77,7 @@ float scatteredShadow(int cascade, vec3 at, float depth, float hard) {
         const float astray = farthest * (float(i) + 0.5) / float(taps);
         const vec2 off = spiral(i, astray);
         const vec3 tap = at + depth * (off.x * along + off.y * aside);
-        const float seen = texelFetch(shadowDepth, ivec2((2.0 * corner + clamp(tap.xy, 0.0, 1.0)) / frame.shadow.x), 0).r;
+        const float seen = texelFetch(shadowDepth, ivec2((2.0 * corner + clamp(tap.xy, 0.0, 1.0 - 0.5 * frame.shadow.x)) / frame.shadow.x), 0).r;
         const float height = min((tap.z - seen) * heightPerDepth, depth);
         if (farthest * height > astray * depth) sum += vec2(height, 1.0);
     }
