@@ -5,6 +5,10 @@
 find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang REQUIRED)
 # SPIR-V 1.6 states group sizes by id, which needs the feature maintenance4; 1.5 serves and asks for nothing.
 set(SEAGLASS_GLSLANG_FLAGS --quiet -V --target-env vulkan1.2)
+option(SEAGLASS_SHADER_LINES "Shaders know their files and lines" OFF)
+if(SEAGLASS_SHADER_LINES)
+  list(APPEND SEAGLASS_GLSLANG_FLAGS -g)
+endif()
 
 # For tests: shaders whose arithmetic is as unlike a CPU device's as Vulkan lets it be.
 set(SEAGLASS_HOSTILE_ARITHMETIC "" CACHE STRING "Of NaN, min and max give the \"other\" operand, or \"nan\"; see tests/spirv/hostile_arithmetic.py")

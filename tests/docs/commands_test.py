@@ -33,6 +33,8 @@ EXCUSED = {
     "scripts/drivers swiftshader": "takes an hour",
     "ctest --preset release -L nightly": "takes hours",
     "seaglass=build/release/bin/seaglass": "names the program, which the test is told",
+    "export VK_ADD_LAYER_PATH=$PWD/build/release/tests/checked/layers": "tests/checked does so",
+    "export VK_INSTANCE_LAYERS=VK_LAYER_SEAGLASS_checked_shaders": "tests/checked does so",
 }
 
 
