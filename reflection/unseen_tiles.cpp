@@ -1,6 +1,7 @@
 #include "reflection/unseen_tiles.h"
 
 #include "reflection/mirror.h"
+#include "reflection/tiles.h"
 #include "spirv/unseen_tiles.comp.h"
 
 namespace seaglass {

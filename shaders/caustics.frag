@@ -50,7 +50,8 @@ void main() {
     at = shown ? at : vec3(0.0);
     vec3 across = cross(dFdx(at), dFdy(at));   // the side it shows, which depth tells between pixels
     float shows = shown ? 1.0 : 0.0;
-    if (dFdx(shows) != 0.0 || dFdy(shows) != 0.0) across = vec3(0.0, 1.0, 0.0);   // beside the bed's end none is told
+    vec2 ends = vec2(dFdx(shows), dFdy(shows));
+    if (ends != vec2(0.0)) across = vec3(0.0, 1.0, 0.0);   // beside the bed's end none is told
     vec3 normal = across * (dot(across, sightTo(at)) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);
     float depth = -(at.y + plane.w);
     bool beside = any(lessThan(at.xz, covered.xy)) || any(greaterThan(at.xz, covered.zw));

@@ -31,6 +31,8 @@ constexpr Ceiling kernels[] = {
     {"march_cells_open.comp", 72},
     {"march_strides.comp", 80},
     {"march_strides_open.comp", 80},
+    {"mip_chain_rg16f.comp", 40},
+    {"mip_chain_rgba32f.comp", 32},
     {"miss.comp", 24},
     {"open_tiles.comp", 24},
     {"overlay.comp", 24},
@@ -47,6 +49,7 @@ constexpr Ceiling kernels[] = {
     {"temporal.comp", 104},
     {"tiles.comp", 24},
     {"tiles_roofs.comp", 48},
+    {"unseen_tiles.comp", 16},
     {"waves_columns.comp", 120},
     {"waves_rows.comp", 120},
 };
