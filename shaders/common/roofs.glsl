@@ -24,8 +24,9 @@ float heightOf(vec4 point) {
     return dot(heightRow, point) / dot(weightRow, point);
 }
 
-float heightSeenAt(vec2 point) {
-    return heightOf(vec4(point, depthAt(texelAt(point, region.zw - 1)), 1.0));
+// What is seen at a point, as a screen point.
+vec4 seenPoint(vec2 point) {
+    return vec4(point, depthAt(texelAt(point, region.zw - 1)), 1.0);
 }
 
 // The mirrored depth at which a ray is as high.
@@ -40,18 +41,14 @@ float metresPerPixel(vec4 point) {
     return distance(p.xyz / p.w, beside.xyz / beside.w);
 }
 
-bool showsFar(vec2 point) {
-    return isFar(depthAt(texelAt(point, region.zw - 1)));
-}
-
 // Whether a top is level there, as a rail or a wall is not.
 bool isLevel(vec2 point, vec2 away, float edgeHeight) {
-    vec2 before = clamp(point - away, vec2(0.5), vec2(region.zw) - 0.5);
-    if (showsFar(point) || showsFar(before)) return false;
-    float top = heightSeenAt(point);
-    float rise = abs(heightSeenAt(before) - top);
-    ivec2 last = region.zw - 1;
-    vec3 way = unprojected(vec3(point, depthAt(texelAt(point, last)))) - unprojected(vec3(before, depthAt(texelAt(before, last))));
+    vec4 here = seenPoint(point);
+    vec4 before = seenPoint(clamp(point - away, vec2(0.5), vec2(region.zw) - 0.5));
+    if (isFar(here.z) || isFar(before.z)) return false;
+    float top = heightOf(here);
+    float rise = abs(heightOf(before) - top);
+    vec3 way = unprojected(here.xyz) - unprojected(before.xyz);
     return rise < levelWithin * (top - edgeHeight) && rise < steepestTop * length(way);
 }
 
@@ -78,7 +75,8 @@ Hit hitUnderTop(vec2 q, ScreenRay ray, float height, float depth, float top) {
     vec2 source = above.xy / above.w;
     bool shows = top > height && above.w > 0.0 && insideRegion(source);
     vec2 middle = floor(shows ? source : vec2(0.0)) + 0.5;
-    bool level = !showsFar(middle) && abs(heightSeenAt(middle) - top) < levelWithin * (top - height);
+    vec4 seen = seenPoint(middle);
+    bool level = !isFar(seen.z) && abs(heightOf(seen) - top) < levelWithin * (top - height);
     return Hit(shows && level, false, middle, 0.0, depth);
 }
 
@@ -101,7 +99,7 @@ Hit underRoof(vec2 q, ScreenRay ray, Hit shown) {
         if (above && before) {
             vec2 end = exitAfter(ray, from, away, mostPixels);
             vec2 on;
-            if (levelPoint(from, end, away, height, on)) hit = hitUnderTop(q, ray, height, depth, heightSeenAt(on));
+            if (levelPoint(from, end, away, height, on)) hit = hitUnderTop(q, ray, height, depth, heightOf(seenPoint(on)));
         }
     }
     return hit;
