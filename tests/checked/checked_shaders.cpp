@@ -7,10 +7,8 @@
 #include <memory>
 #include <mutex>
 
-#include <vulkan/vk_layer.h>
-#include <vulkan/vulkan.h>
-
 #include "tests/checked/checked_shader.h"
+#include "tests/layer_link.h"
 
 namespace {
 
@@ -177,20 +175,10 @@ Info* chained(const void* next, VkStructureType type) {
     return reinterpret_cast<Info*>(at);
 }
 
-/// Of the loader's links to the layers below, which each layer moves on for the next.
-template<class Info>
-auto takeLink(const void* next, VkStructureType type) {
-    auto* info = chained<Info>(next, type);
-    while (info && info->function != VK_LAYER_LINK_INFO) info = chained<Info>(info->pNext, type);
-    auto* const link = info ? info->u.pLayerInfo : nullptr;
-    if (link) info->u.pLayerInfo = link->pNext;
-    return link;
-}
-
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info,
                                               const VkAllocationCallbacks* allocator, VkInstance* out) {
-    const auto* const link =
-        takeLink<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+    const auto* const link = tests::takeLink<VkLayerInstanceCreateInfo>(
+        info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
     if (!link) return VK_ERROR_INITIALIZATION_FAILED;
     nextInstanceProcAddr = link->pfnNextGetInstanceProcAddr;
     const auto create =
@@ -227,7 +215,7 @@ bool load(NextDevice& next, VkDevice device, PFN_vkGetDeviceProcAddr procAddr) {
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* out) {
     const auto* const link =
-        takeLink<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+        tests::takeLink<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
     if (!link) return VK_ERROR_INITIALIZATION_FAILED;
     // The application's own structs are written to: a chain cannot hold a second of a kind.
     VkDeviceCreateInfo more = *info;
@@ -316,9 +304,5 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceProcAddr(VkInstance instance, c
 
 extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
 vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* negotiation) {
-    negotiation->loaderLayerInterfaceVersion = 2;
-    negotiation->pfnGetInstanceProcAddr = instanceProcAddr;
-    negotiation->pfnGetDeviceProcAddr = deviceProcAddr;
-    negotiation->pfnGetPhysicalDeviceProcAddr = nullptr;
-    return VK_SUCCESS;
+    return tests::negotiate(negotiation, instanceProcAddr, deviceProcAddr);
 }

@@ -9,8 +9,7 @@
 #include <filesystem>
 #include <thread>
 
-#include <vulkan/vk_layer.h>
-#include <vulkan/vulkan.h>
+#include "tests/layer_link.h"
 
 namespace {
 
@@ -35,22 +34,12 @@ Function below(const char* name) {
     return reinterpret_cast<Function>(nextOfDevice(device, name));
 }
 
-/// The loader's own struct for a layer, which each layer moves on for the one below.
-template<class Link>
-Link* linkOf(const void* chain, VkStructureType type) {
-    auto* link = static_cast<const Link*>(chain);
-    while (link && (link->sType != type || link->function != VK_LAYER_LINK_INFO))
-        link = static_cast<const Link*>(link->pNext);
-    return const_cast<Link*>(link);
-}
-
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info,
                                               const VkAllocationCallbacks* allocator, VkInstance* out) {
-    auto* const link =
-        linkOf<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+    const auto* const link = tests::takeLink<VkLayerInstanceCreateInfo>(
+        info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
     if (!link) return VK_ERROR_INITIALIZATION_FAILED;
-    next = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    next = link->pfnNextGetInstanceProcAddr;
     const auto create = reinterpret_cast<PFN_vkCreateInstance>(next(VK_NULL_HANDLE, "vkCreateInstance"));
     const VkResult result = create(info, allocator, out);
     if (result == VK_SUCCESS) instance = *out;
@@ -59,12 +48,11 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info,
 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* out) {
-    auto* const link =
-        linkOf<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    const auto* const link =
+        tests::takeLink<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
     if (!link) return VK_ERROR_INITIALIZATION_FAILED;
-    const PFN_vkGetInstanceProcAddr ofInstance = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    nextOfDevice = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const PFN_vkGetInstanceProcAddr ofInstance = link->pfnNextGetInstanceProcAddr;
+    nextOfDevice = link->pfnNextGetDeviceProcAddr;
     const auto create = reinterpret_cast<PFN_vkCreateDevice>(ofInstance(instance, "vkCreateDevice"));
     const VkResult result = create(physical, info, allocator, out);
     if (result == VK_SUCCESS) device = *out;
@@ -153,9 +141,5 @@ PFN_vkVoidFunction VKAPI_CALL procAddr(VkInstance of, const char* name) {
 
 extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
 vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* negotiation) {
-    negotiation->loaderLayerInterfaceVersion = 2;
-    negotiation->pfnGetInstanceProcAddr = procAddr;
-    negotiation->pfnGetDeviceProcAddr = deviceProcAddr;
-    negotiation->pfnGetPhysicalDeviceProcAddr = nullptr;
-    return VK_SUCCESS;
+    return tests::negotiate(negotiation, procAddr, deviceProcAddr);
 }

@@ -2,8 +2,7 @@
 // asks for.
 #include <cstring>
 
-#include <vulkan/vk_layer.h>
-#include <vulkan/vulkan.h>
+#include "tests/layer_link.h"
 
 namespace {
 
@@ -25,14 +24,10 @@ void makeSmall(VkPhysicalDeviceLimits& limits) {
 
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info,
                                               const VkAllocationCallbacks* allocator, VkInstance* out) {
-    const auto* link = static_cast<const VkLayerInstanceCreateInfo*>(info->pNext);
-    while (link && (link->sType != VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO ||
-                    link->function != VK_LAYER_LINK_INFO))
-        link = static_cast<const VkLayerInstanceCreateInfo*>(link->pNext);
+    const auto* const link = tests::takeLink<VkLayerInstanceCreateInfo>(
+        info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
     if (!link) return VK_ERROR_INITIALIZATION_FAILED;
-    next = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    // The loader's own struct, which each layer moves on for the one below.
-    const_cast<VkLayerInstanceCreateInfo*>(link)->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    next = link->pfnNextGetInstanceProcAddr;
     PFN_vkCreateInstance create = nullptr;
     find(VK_NULL_HANDLE, "vkCreateInstance", create);
     const VkResult result = create(info, allocator, out);
@@ -67,9 +62,5 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL procAddr(VkInstance of, const char* nam
 
 extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
 vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* negotiation) {
-    negotiation->loaderLayerInterfaceVersion = 2;
-    negotiation->pfnGetInstanceProcAddr = procAddr;
-    negotiation->pfnGetDeviceProcAddr = nullptr;
-    negotiation->pfnGetPhysicalDeviceProcAddr = nullptr;
-    return VK_SUCCESS;
+    return tests::negotiate(negotiation, procAddr, nullptr);
 }
