@@ -8,6 +8,7 @@ Layout& Layout::operator=(Layout&& other) noexcept {
     if (this == &other) return *this;
     release();
     device_ = std::exchange(other.device_, nullptr);
+    what_ = std::move(other.what_);
     set_ = std::exchange(other.set_, VK_NULL_HANDLE);
     pipeline_ = std::exchange(other.pipeline_, VK_NULL_HANDLE);
     return *this;
@@ -26,14 +27,16 @@ Status Layout::create(const Device& device, std::span<const VkDescriptorType> bi
                       VkShaderStageFlags stages, uint32_t pushConstantBytes, const char* what) {
     release();
     device_ = &device;
+    what_ = what;
     std::vector<VkDescriptorSetLayoutBinding> list(bindings.size());
     for (uint32_t i = 0; i < list.size(); ++i) list[i] = {i, bindings[i], 1, stages, nullptr};
     VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     setInfo.bindingCount = static_cast<uint32_t>(list.size());
     setInfo.pBindings = list.data();
     const DeviceTable& vk = device.vk();
-    if (const Status s = device.check(
-            vk.CreateDescriptorSetLayout(device.handle(), &setInfo, device.allocator(), &set_), what);
+    if (const Status s =
+            device.made(vk.CreateDescriptorSetLayout(device.handle(), &setInfo, device.allocator(), &set_),
+                        VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, set_, what);
         s != Status::ok)
         return s;
     const VkPushConstantRange push{stages, 0, pushConstantBytes};
@@ -42,8 +45,8 @@ Status Layout::create(const Device& device, std::span<const VkDescriptorType> bi
     info.pSetLayouts = &set_;
     info.pushConstantRangeCount = pushConstantBytes ? 1 : 0;
     info.pPushConstantRanges = &push;
-    return device.check(vk.CreatePipelineLayout(device.handle(), &info, device.allocator(), &pipeline_),
-                        what);
+    return device.made(vk.CreatePipelineLayout(device.handle(), &info, device.allocator(), &pipeline_),
+                       VK_OBJECT_TYPE_PIPELINE_LAYOUT, pipeline_, what);
 }
 
 } // namespace seaglass::gpu

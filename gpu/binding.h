@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "gpu/device.h"
@@ -41,6 +42,8 @@ class Layout {
 
     VkDescriptorSetLayout set() const { return set_; }
     VkPipelineLayout pipeline() const { return pipeline_; }
+    /// Whose it is, for messages and debuggers.
+    const char* what() const { return what_.c_str(); }
 
   private:
     void release();
@@ -48,6 +51,7 @@ class Layout {
     const Device* device_ = nullptr;
     VkDescriptorSetLayout set_ = VK_NULL_HANDLE;
     VkPipelineLayout pipeline_ = VK_NULL_HANDLE;
+    std::string what_;
 };
 
 } // namespace seaglass::gpu

@@ -48,8 +48,8 @@ Status Buffer::allocate(const Device& device, VkDeviceSize size, VkBufferUsageFl
     size_ = size;
     const VkBufferCreateInfo info = createInfo(size, usage);
     const DeviceTable& vk = device.vk();
-    if (const Status s =
-            device.check(vk.CreateBuffer(device.handle(), &info, device.allocator(), &buffer_), what);
+    if (const Status s = device.made(vk.CreateBuffer(device.handle(), &info, device.allocator(), &buffer_),
+                                     VK_OBJECT_TYPE_BUFFER, buffer_, what);
         s != Status::ok)
         return s;
     VkMemoryRequirements needs{};

@@ -20,7 +20,12 @@ Status Device::init(const DeviceDesc& desc) {
     if (const char* missing = load(instanceTable_, desc.instance, desc.getInstanceProcAddr))
         return fail(Status::unsupported, "the Vulkan loader has no %s", missing);
     if (const char* missing = load(table_, desc.device, instanceTable_.GetDeviceProcAddr))
-        return fail(Status::unsupported, "the device has no %s; Vulkan 1.3 is needed", missing);
+        // checkSupport() has seen that the device itself is of Vulkan 1.3.
+        return fail(Status::unsupported,
+                    "the device has no %s: its instance was made for an earlier Vulkan, expected "
+                    "VkApplicationInfo::apiVersion of 1.3 or later",
+                    missing);
+    names_.load(desc.instance, desc.getInstanceProcAddr);
     VkPhysicalDeviceProperties properties{};
     instanceTable_.GetPhysicalDeviceProperties(desc.physicalDevice, &properties);
     limits_ = properties.limits;
@@ -53,7 +58,8 @@ Status Device::allocateOwn(const VkMemoryRequirements& needs, VkMemoryPropertyFl
     info.allocationSize = needs.size;
     info.memoryTypeIndex = memoryType(needs.memoryTypeBits, wanted);
     if (info.memoryTypeIndex == ~0u) return fail(Status::unsupported, "%s: no fitting memory type", what);
-    if (const Status s = check(table_.AllocateMemory(device_, &info, allocator(), &out.memory), what);
+    if (const Status s = made(table_.AllocateMemory(device_, &info, allocator(), &out.memory),
+                              VK_OBJECT_TYPE_DEVICE_MEMORY, out.memory, what);
         s != Status::ok)
         return s;
     if (!(wanted & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT)) return Status::ok;
@@ -130,11 +136,13 @@ Status Device::check(VkResult result, const char* what) const {
 }
 
 void Device::passBegins(VkCommandBuffer commands, const char* pass) const {
+    names_.beginPass(commands, pass);
     if (pass_.function) pass_.function(pass_.user, commands, pass, true);
 }
 
 void Device::passEnds(VkCommandBuffer commands, const char* pass) const {
     if (pass_.function) pass_.function(pass_.user, commands, pass, false);
+    names_.endPass(commands);
 }
 
 } // namespace seaglass::gpu

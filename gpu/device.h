@@ -3,6 +3,7 @@
 
 #include <cstdarg>
 
+#include "gpu/debug_names.h"
 #include "gpu/dispatch.h"
 #include "seaglass/host.h"
 
@@ -37,6 +38,13 @@ class Device {
     [[gnu::format(printf, 2, 3)]] Status misused(const char* format, ...) const;
     /// VK_SUCCESS is ok; anything else is reported as the failure of `what`.
     Status check(VkResult result, const char* what) const;
+    /// As check() of what made `handle`, which debuggers then know as `what`.
+    template<typename Handle>
+    Status made(VkResult result, VkObjectType type, const Handle& handle, const char* what) const {
+        const Status s = check(result, what);
+        if (s == Status::ok) names_.name(device_, type, handle, what);
+        return s;
+    }
 
     void passBegins(VkCommandBuffer commands, const char* pass) const;
     void passEnds(VkCommandBuffer commands, const char* pass) const;
@@ -64,9 +72,10 @@ class Device {
     MemoryCallbacks memoryCallbacks_;
     MessageCallback message_;
     PassCallback pass_;
+    DebugNames names_;
 };
 
-/// Brackets the commands of one pass for the host's PassCallback.
+/// Brackets the commands of one pass for the host's PassCallback and for debuggers.
 class PassScope {
   public:
     PassScope(const Device& device, VkCommandBuffer commands, const char* pass)

@@ -45,30 +45,33 @@ Status Frame::addPool() {
     info.poolSizeCount = static_cast<uint32_t>(std::size(sizes));
     info.pPoolSizes = sizes;
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    if (const Status s = device_->check(
+    if (const Status s = device_->made(
             device_->vk().CreateDescriptorPool(device_->handle(), &info, device_->allocator(), &pool),
-            "frame descriptors");
+            VK_OBJECT_TYPE_DESCRIPTOR_POOL, pool, "frame descriptors");
         s != Status::ok)
         return s;
     pools_.push_back(pool);
     return Status::ok;
 }
 
-Status Frame::allocateSet(VkDescriptorSetLayout layout, std::span<const Resource> resources,
-                          VkDescriptorSet& out) {
+Status Frame::allocateSet(const Layout& layout, std::span<const Resource> resources, VkDescriptorSet& out) {
     const DeviceTable& vk = device_->vk();
     VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
     info.descriptorSetCount = 1;
-    info.pSetLayouts = &layout;
+    const VkDescriptorSetLayout set = layout.set();
+    info.pSetLayouts = &set;
     for (;; ++poolInUse_) {
         const bool fresh = poolInUse_ == pools_.size();
         if (fresh)
             if (const Status s = addPool(); s != Status::ok) return s;
         info.descriptorPool = pools_[poolInUse_];
         const VkResult result = vk.AllocateDescriptorSets(device_->handle(), &info, &out);
-        if (result == VK_SUCCESS) break;
         const bool full = result == VK_ERROR_OUT_OF_POOL_MEMORY || result == VK_ERROR_FRAGMENTED_POOL;
-        if (!full || fresh) return device_->check(result, "frame descriptors");
+        if (full && !fresh) continue;
+        if (const Status s = device_->made(result, VK_OBJECT_TYPE_DESCRIPTOR_SET, out, layout.what());
+            s != Status::ok)
+            return s;
+        break;
     }
     std::vector<VkWriteDescriptorSet> writes(resources.size(), {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET});
     for (uint32_t i = 0; i < writes.size(); ++i) {

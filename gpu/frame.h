@@ -29,8 +29,7 @@ class Frame {
     /// Takes back everything handed out and lets go of retired objects.
     Status begin();
 
-    Status allocateSet(VkDescriptorSetLayout layout, std::span<const Resource> resources,
-                       VkDescriptorSet& out);
+    Status allocateSet(const Layout& layout, std::span<const Resource> resources, VkDescriptorSet& out);
     /// Uniform or storage memory, written by the CPU.
     Status allocate(VkDeviceSize size, Slice& out);
     /// A uniform block.

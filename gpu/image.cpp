@@ -85,8 +85,8 @@ Status OwnedImage::create(const Device& device, const ImageDesc& desc, const cha
     desc_ = desc;
     const VkImageCreateInfo info = createInfo(desc);
     const DeviceTable& vk = device.vk();
-    if (const Status s =
-            device.check(vk.CreateImage(device.handle(), &info, device.allocator(), &image_), what);
+    if (const Status s = device.made(vk.CreateImage(device.handle(), &info, device.allocator(), &image_),
+                                     VK_OBJECT_TYPE_IMAGE, image_, what);
         s != Status::ok)
         return s;
     VkMemoryRequirements needs{};
@@ -103,8 +103,8 @@ Status OwnedImage::create(const Device& device, const ImageDesc& desc, const cha
     view.viewType = desc.layers > 1 || desc.arrayView ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
     view.format = desc.format;
     view.subresourceRange = {desc.aspect, 0, desc.mipLevels, 0, desc.layers};
-    if (const Status s =
-            device.check(vk.CreateImageView(device.handle(), &view, device.allocator(), &view_), what);
+    if (const Status s = device.made(vk.CreateImageView(device.handle(), &view, device.allocator(), &view_),
+                                     VK_OBJECT_TYPE_IMAGE_VIEW, view_, what);
         s != Status::ok)
         return s;
     if (desc.mipLevels == 1 || !(desc.usage & VK_IMAGE_USAGE_STORAGE_BIT)) return Status::ok;
@@ -113,7 +113,8 @@ Status OwnedImage::create(const Device& device, const ImageDesc& desc, const cha
         view.subresourceRange.baseMipLevel = mip;
         VkImageView& made = mipViews_.emplace_back(VK_NULL_HANDLE);
         if (const Status s =
-                device.check(vk.CreateImageView(device.handle(), &view, device.allocator(), &made), what);
+                device.made(vk.CreateImageView(device.handle(), &view, device.allocator(), &made),
+                            VK_OBJECT_TYPE_IMAGE_VIEW, made, what);
             s != Status::ok)
             return s;
     }

@@ -20,8 +20,9 @@ Status ShaderModule::create(std::span<const uint32_t> spirv, const char* what) {
     VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     info.codeSize = spirv.size_bytes();
     info.pCode = spirv.data();
-    return device_.check(
-        device_.vk().CreateShaderModule(device_.handle(), &info, device_.allocator(), &module_), what);
+    return device_.made(
+        device_.vk().CreateShaderModule(device_.handle(), &info, device_.allocator(), &module_),
+        VK_OBJECT_TYPE_SHADER_MODULE, module_, what);
 }
 
 Kernel& Kernel::operator=(Kernel&& other) noexcept {
@@ -63,9 +64,9 @@ Status Kernel::create(const Device& device, std::span<const uint32_t> spirv,
     info.stage.pSpecializationInfo = &specialization;
     info.layout = layout_.pipeline();
     const CompileWatch watch(device, what);
-    return device.check(device.vk().CreateComputePipelines(device.handle(), device.pipelineCache(), 1, &info,
-                                                           device.allocator(), &pipeline_),
-                        what);
+    return device.made(device.vk().CreateComputePipelines(device.handle(), device.pipelineCache(), 1, &info,
+                                                          device.allocator(), &pipeline_),
+                       VK_OBJECT_TYPE_PIPELINE, pipeline_, what);
 }
 
 void Kernel::bind(VkCommandBuffer commands, VkDescriptorSet set) const {

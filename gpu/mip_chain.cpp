@@ -130,7 +130,7 @@ Status recordHalvings(Context& context, VkCommandBuffer commands, const Kernel& 
         for (uint32_t mip = base + 1; mip <= base + halvings; ++mip)
             resources.push_back(storageImage(image->mipView(std::min(mip, last))));
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(kernel.layout().set(), resources, set); s != Status::ok)
+    if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;
     const auto groups = [&](uint32_t size) {
         return (std::max(size >> base, 1u) + groupEdge - 1) / groupEdge;

@@ -16,8 +16,8 @@ Status make(const Device& device, VkFilter filter, VkSamplerMipmapMode mips, VkS
     info.addressModeV = address;
     info.addressModeW = address;
     info.maxLod = VK_LOD_CLAMP_NONE;
-    return device.check(device.vk().CreateSampler(device.handle(), &info, device.allocator(), &out),
-                        "sampler");
+    return device.made(device.vk().CreateSampler(device.handle(), &info, device.allocator(), &out),
+                       VK_OBJECT_TYPE_SAMPLER, out, "sampler");
 }
 
 } // namespace

@@ -32,7 +32,7 @@ Status recordBlur(Context& context, VkCommandBuffer commands, const BlurKernel* 
             gpu::sampledImage(context.samplers.trilinearClamp(), color.mipView(mip - 1)),
             gpu::storageImage(color.mipView(mip))};
         VkDescriptorSet set = VK_NULL_HANDLE;
-        if (const Status s = context.frame().allocateSet(blur->kernel.layout().set(), resources, set);
+        if (const Status s = context.frame().allocateSet(blur->kernel.layout(), resources, set);
             s != Status::ok)
             return s;
         const VkExtent2D halved = {std::max(desc.extent.width >> mip, 1u),

@@ -21,7 +21,7 @@ Status allocateDepthScan(const ReflectPass& pass, const gpu::Kernel& kernel, con
         gpu::storageBuffer(found.handle()),
         gpu::storageBuffer(tiles.handle()),
     };
-    return pass.context.frame().allocateSet(kernel.layout().set(), resources, out);
+    return pass.context.frame().allocateSet(kernel.layout(), resources, out);
 }
 
 void recordScanned(const ReflectPass& pass) {

@@ -47,8 +47,7 @@ Status recordEdgeReach(const ReflectPass& pass, const EdgeReachKernel& reach, co
         gpu::storageBuffer(tiles.handle()),
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(reach.kernel.layout().set(), resources, set);
-        s != Status::ok)
+    if (const Status s = context.frame().allocateSet(reach.kernel.layout(), resources, set); s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "reflection_edge_reach");
     if (const Status s = recordSeenColumns(pass, reach.columns, tiles); s != Status::ok) return s;

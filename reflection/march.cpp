@@ -89,7 +89,7 @@ Status allocateSet(const ReflectPass& pass, const MarchKernel& march, const gpu:
         const Image& normals = pass.view.surfaceNormals ? *pass.view.surfaceNormals : color;
         resources.add(gpu::sampledImage(nearest, normals.view, normals.layout));
     }
-    return frame.allocateSet(march.kernel.layout().set(), resources, out);
+    return frame.allocateSet(march.kernel.layout(), resources, out);
 }
 
 } // namespace

@@ -22,8 +22,7 @@ Status recordByOwnFlags(const ReflectPass& pass, const gpu::Kernel& kernel, cons
     const gpu::Resource resources[] = {mirrorOf(pass), gpu::storageBuffer(tiles.handle()),
                                        gpu::storageBuffer(tiles.handle())};
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = pass.context.frame().allocateSet(kernel.layout().set(), resources, set);
-        s != Status::ok)
+    if (const Status s = pass.context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;
     recordTileLists(pass, kernel, set);
     return Status::ok;
@@ -62,8 +61,7 @@ Status recordOpenTiles(const ReflectPass& pass, const OpenTilesKernel& kernel, c
         mirrorOf(pass), gpu::storageBuffer(sorted.handle()), gpu::storageBuffer(open.handle()),
         gpu::sampledImage(context.samplers.nearestClamp(), images.info.view())};
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(kernel.kernel.layout().set(), resources, set);
-        s != Status::ok)
+    if (const Status s = context.frame().allocateSet(kernel.kernel.layout(), resources, set); s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "hybrid_open_tiles");
     recordBuffersCleared(context.device, pass.commands, {open.handle()}, sizeof(TileHeader));

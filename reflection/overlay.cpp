@@ -73,7 +73,7 @@ Status recordOverlay(const ReflectPass& pass, const OverlayKernel& overlay, cons
         gpu::storageImage(desc.target.view),
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(overlay.kernel.layout().set(), resources, set);
+    if (const Status s = context.frame().allocateSet(overlay.kernel.layout(), resources, set);
         s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "reflection_overlay");

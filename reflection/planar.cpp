@@ -126,8 +126,7 @@ Status recordPlanar(const ReflectPass& pass, const PlanarKernel& planar, const P
         gpu::storageImage(images.info.view()),
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(planar.kernel.layout().set(), resources, set);
-        s != Status::ok)
+    if (const Status s = context.frame().allocateSet(planar.kernel.layout(), resources, set); s != Status::ok)
         return s;
 
     const VkCommandBuffer commands = pass.commands;

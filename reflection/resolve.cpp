@@ -63,11 +63,10 @@ Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, cons
                                            gpu::storageImage(images.color.firstMipView())};
     VkDescriptorSet resolveSet = VK_NULL_HANDLE;
     VkDescriptorSet missSet = VK_NULL_HANDLE;
-    if (const Status s =
-            context.frame().allocateSet(resolve.kernel.layout().set(), resolveResources, resolveSet);
+    if (const Status s = context.frame().allocateSet(resolve.kernel.layout(), resolveResources, resolveSet);
         s != Status::ok)
         return s;
-    if (const Status s = context.frame().allocateSet(resolve.miss.layout().set(), missResources, missSet);
+    if (const Status s = context.frame().allocateSet(resolve.miss.layout(), missResources, missSet);
         s != Status::ok)
         return s;
 

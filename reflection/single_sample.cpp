@@ -60,7 +60,7 @@ Status recordImage(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu
         gpu::storageImage(to.view()),
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(kernel.layout().set(), resources, set); s != Status::ok)
+    if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;
     const VkImageMemoryBarrier2 before =
         gpu::imageBarrier(to.handle(), gpu::discardedAfterSampling, gpu::storageWritten);

@@ -56,7 +56,7 @@ Status recordStretch(const ReflectPass& pass, const StretchKernel& stretch, cons
         gpu::storageImage(images.info.view()),
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(stretch.kernel.layout().set(), resources, set);
+    if (const Status s = context.frame().allocateSet(stretch.kernel.layout(), resources, set);
         s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "reflection_stretch");

@@ -116,7 +116,7 @@ Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, c
         gpu::storageBuffer(tiles.handle()),
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(temporal.kernel.layout().set(), resources, set);
+    if (const Status s = context.frame().allocateSet(temporal.kernel.layout(), resources, set);
         s != Status::ok)
         return s;
     if (const Status s = recordUnseenTiles(pass, temporal.unseen.get(), tiles, images); s != Status::ok)

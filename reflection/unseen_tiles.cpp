@@ -55,7 +55,7 @@ Status recordUnseenTiles(const ReflectPass& pass, const UnseenTilesKernel* kerne
         gpu::storageImage(images.info.view()),
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(kernel->kernel.layout().set(), resources, set);
+    if (const Status s = context.frame().allocateSet(kernel->kernel.layout(), resources, set);
         s != Status::ok)
         return s;
     images.recordDiscarded(context.device, pass.commands, gpu::storageWritten);

@@ -269,8 +269,7 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
         resources.push_back(in.shoreRows);
     }
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(castKernel().layout().set(), resources, set);
-        s != Status::ok)
+    if (const Status s = context.frame().allocateSet(castKernel().layout(), resources, set); s != Status::ok)
         return s;
     recordBuffersCleared(device, commands, {picture.sums.handle()});
     const uint32_t across = over(in.region + 2 * in.grid.margin, in.grid.step).width;
@@ -289,7 +288,7 @@ Status Caustics::recordGather(Context& context, VkCommandBuffer commands, const 
                                             gpu::storageBuffer(picture.sums.handle())};
     if (!context.device.isCpu()) resources.push_back(gpu::storageImage(picture.gathered.firstMipView()));
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(gather_->kernel.layout().set(), resources, set);
+    if (const Status s = context.frame().allocateSet(gather_->kernel.layout(), resources, set);
         s != Status::ok)
         return s;
     const VkExtent2D texels = lookedAt(in, picture.gathered);
@@ -312,7 +311,7 @@ Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const Ca
                                : gpu::storageImage(picture.blurred.view())};
     if (in.shadow) resources.push_back(sampledTexels(context, in.shadow->map));
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(kernel.layout().set(), resources, set); s != Status::ok)
+    if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;
     const VkExtent2D view = over(in.region, in.grid.step);
     const uint32_t firstRow = static_cast<uint32_t>(std::max(in.grid.firstRow, 0));

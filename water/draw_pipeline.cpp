@@ -125,9 +125,9 @@ Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, c
     info.renderPass = target.renderPass;
     info.subpass = target.subpass;
     const gpu::CompileWatch watch(device, what);
-    return device.check(device.vk().CreateGraphicsPipelines(device.handle(), device.pipelineCache(), 1, &info,
-                                                            device.allocator(), &out.handle),
-                        what);
+    return device.made(device.vk().CreateGraphicsPipelines(device.handle(), device.pipelineCache(), 1, &info,
+                                                           device.allocator(), &out.handle),
+                       VK_OBJECT_TYPE_PIPELINE, out.handle, what);
 }
 
 } // namespace seaglass

@@ -74,7 +74,7 @@ Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, cons
                                gpu::sampledImage(context.samplers.nearestClamp(), maps.images[1].view()),
                                gpu::storageImage(foam.image.firstMipView())};
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(kernel_->kernel.layout().set(), resources, set);
+    if (const Status s = context.frame().allocateSet(kernel_->kernel.layout(), resources, set);
         s != Status::ok)
         return s;
 

@@ -239,8 +239,7 @@ Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipel
                      SurfaceFeatures features, const SurfaceInputs& inputs) {
     const std::vector<gpu::Resource> list = resources(context, features, inputs);
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(pipeline.layout.set(), list, set); s != Status::ok)
-        return s;
+    if (const Status s = context.frame().allocateSet(pipeline.layout, list, set); s != Status::ok) return s;
     const gpu::PassScope pass(context.device, commands, "surface");
     const gpu::DeviceTable& vk = context.device.vk();
     bindDraw(context.device, commands, pipeline, set, inputs.view->viewIndex);

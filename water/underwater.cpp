@@ -102,7 +102,7 @@ Status recordUnderwater(Context& context, VkCommandBuffer commands, UnderwaterPi
     if (const Status s = pipelines.get(variant, pipeline); s != Status::ok) return s;
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s =
-            context.frame().allocateSet(pipeline->layout.set(), resources(context, variant, inputs), set);
+            context.frame().allocateSet(pipeline->layout, resources(context, variant, inputs), set);
         s != Status::ok)
         return s;
     const gpu::PassScope pass(context.device, commands, infoOf(variant).name);

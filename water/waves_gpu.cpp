@@ -209,10 +209,10 @@ Status ComputedWaves::describe(Context& context, const WaveMaps& maps, const Wav
                                gpu::storageBuffer(modes_.handle(), split, modes_.size() - split), columns};
     const std::array ofRows{uniform, columns, mapResource(maps, 0, copied_), mapResource(maps, 1, copied_),
                             mapResource(maps, 2, copied_)};
-    if (const Status s = context.frame().allocateSet(kernels.columns.layout().set(), ofColumns, out.columns);
+    if (const Status s = context.frame().allocateSet(kernels.columns.layout(), ofColumns, out.columns);
         s != Status::ok)
         return s;
-    return context.frame().allocateSet(kernels.rows.layout().set(), ofRows, out.rows);
+    return context.frame().allocateSet(kernels.rows.layout(), ofRows, out.rows);
 }
 
 void ComputedWaves::recordUpload(Context& context, VkCommandBuffer commands) {

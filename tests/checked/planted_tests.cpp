@@ -107,7 +107,7 @@ void Planted::compute(bool violating) {
                                            gpu::storageImage(stored.view()),
                                            gpu::storageImage(counted.view())};
         VkDescriptorSet set = VK_NULL_HANDLE;
-        if (made->frame().allocateSet(kernel.layout().set(), resources, set) != Status::ok) return false;
+        if (made->frame().allocateSet(kernel.layout(), resources, set) != Status::ok) return false;
         kernel.dispatch(commands, set, 1, 1);
         return true;
     };

@@ -367,6 +367,44 @@ TEST_F(Mistakes, DevicesThatLackSomethingAreRefusedByItsName) {
     Pretended::extendedFormats = true;
 }
 
+TEST_F(Mistakes, InstancesOfAnEarlierVulkanAreNamedAsTheCause) {
+    VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+    application.apiVersion = VK_API_VERSION_1_2;
+    VkInstanceCreateInfo instanceInfo{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+    instanceInfo.pApplicationInfo = &application;
+    VkInstance instance = VK_NULL_HANDLE;
+    ASSERT_EQ(vkCreateInstance(&instanceInfo, nullptr, &instance), VK_SUCCESS);
+    // volk's own are of the tests' instance.
+    const auto function = [&]<typename F>(const char* name, F) {
+        return reinterpret_cast<F>(vkGetInstanceProcAddr(instance, name));
+    };
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    uint32_t count = 1;
+    function("vkEnumeratePhysicalDevices", vkEnumeratePhysicalDevices)(instance, &count, &physical);
+    const float priority = 1;
+    VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+    VkDeviceCreateInfo deviceInfo{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    deviceInfo.queueCreateInfoCount = 1;
+    deviceInfo.pQueueCreateInfos = &queue;
+    VkDevice made = VK_NULL_HANDLE;
+    ASSERT_EQ(function("vkCreateDevice", vkCreateDevice)(physical, &deviceInfo, nullptr, &made), VK_SUCCESS);
+
+    std::string text;
+    DeviceDesc desc = deviceDesc(&text);
+    desc.instance = instance;
+    desc.physicalDevice = physical;
+    desc.device = made;
+    desc.getInstanceProcAddr = vkGetInstanceProcAddr; // spied functions are always there
+    Context* context = nullptr;
+    EXPECT_EQ(createContext(&desc, &context), Status::unsupported);
+    EXPECT_EQ(context, nullptr);
+    EXPECT_NE(text.find("VkApplicationInfo::apiVersion"), std::string::npos) << text;
+    function("vkDestroyDevice", vkDestroyDevice)(made, nullptr);
+    function("vkDestroyInstance", vkDestroyInstance)(instance, nullptr);
+}
+
 TEST_F(Mistakes, DrawingOutsideAPassIsHeardByValidation) {
     expectValidationMessages();
     const uint32_t before = device().validationMessages();
@@ -407,7 +445,7 @@ TEST_F(Mistakes, GpuAssistedValidationHearsAWriteBeyondTheEnd) {
     frame([&](VkCommandBuffer commands) {
         const gpu::Resource resources[] = {gpu::storageBuffer(words.handle())};
         VkDescriptorSet set = VK_NULL_HANDLE;
-        ASSERT_EQ(context()->frame().allocateSet(kernel.layout().set(), resources, set), Status::ok);
+        ASSERT_EQ(context()->frame().allocateSet(kernel.layout(), resources, set), Status::ok);
         kernel.dispatch(commands, set, 1, 1);
     });
     EXPECT_GT(device().validationMessages(), before);

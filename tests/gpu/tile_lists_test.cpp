@@ -48,7 +48,7 @@ class TileLists : public GpuTest {
             const gpu::Resource resources[] = {gpu::storageBuffer(buffer.handle()),
                                                gpu::storageBuffer(visits.handle())};
             VkDescriptorSet set = VK_NULL_HANDLE;
-            EXPECT_EQ(context()->frame().allocateSet(kernel.layout().set(), resources, set), Status::ok);
+            EXPECT_EQ(context()->frame().allocateSet(kernel.layout(), resources, set), Status::ok);
             kernel.dispatch(commands, set, groups, 1);
             gpu::recordBarrier(device, commands,
                                {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
