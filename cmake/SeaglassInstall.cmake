@@ -58,8 +58,17 @@ endif()
 if(TARGET seaglass)
   install(TARGETS seaglass)
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
-  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# The pages, and the demos that build against what is installed, where the README's links find them.
+foreach(page LICENSE README.md CHANGELOG.md CONTRIBUTING.md)
+  install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  FILES_MATCHING PATTERN *.md PATTERN images/*)
+foreach(folder demos/minimal demos/tutorial demos/scenes textures)
+  cmake_path(GET folder PARENT_PATH parent)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${parent}
+    PATTERN __pycache__ EXCLUDE)
+endforeach()
 
 if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_PACKAGE_NAME seaglass)

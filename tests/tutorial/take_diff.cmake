@@ -1,4 +1,4 @@
-# Installs Seaglass, and builds demos/tutorial against it as docs/integrating.md has it: before, as it is, with water.diff, and
+# Installs Seaglass, and builds its demos/tutorial against it as docs/integrating.md has it: before, as it is, with water.diff, and
 # after mirrors.diff besides.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
@@ -13,7 +13,7 @@ set(before)
 set(first water.diff)
 set(after water.diff mirrors.diff)
 foreach(state before first after)
-  file(COPY ${seaglass_source}/demos/tutorial/ DESTINATION ${work}/${state})
+  file(COPY ${work}/prefix/share/doc/seaglass/demos/tutorial/ DESTINATION ${work}/${state})
   foreach(diff ${${state}})
     run(${patch} --batch --fuzz=0 -p1 --directory ${work}/${state} --input ${work}/${state}/${diff})
   endforeach()
