@@ -160,6 +160,10 @@ int rank(VkPhysicalDeviceType type) {
     }
 }
 
+constexpr uint64_t nsInS = 1'000'000'000;
+/// Between two looks at which pass the device is in. Drivers of GPUs wait for a hung pass for seconds.
+constexpr uint64_t betweenLooksNs = nsInS / 4;
+
 /// Seconds after which a submission is taken for one that will not end. Drivers of GPUs give up sooner as a
 /// rule; a CPU device may need minutes for a large frame.
 uint64_t patienceS(VkPhysicalDeviceType type) {
@@ -438,22 +442,42 @@ bool Device::submit(Error& error) {
     const bool processor = clock_ == PassClock::processor;
     const double start = nowMs(processor);
     if (!checked(vkQueueSubmit2(queue_, 1, &submit, fence_.get()), "vkQueueSubmit2", error)) return false;
-    const VkResult waited = vkWaitForFences(device_, 1, &fence_.get(), VK_TRUE,
-                                            1'000'000'000 * patienceS(properties_.deviceType));
+    const bool done = waitFor(fence_.get(), error);
     lastRunMs_ = nowMs(processor) - start;
+    return done;
+}
+
+// Of a lost device queries may be out of reach, so they are read while it still works.
+bool Device::waitFor(VkFence fence, Error& error) {
+    seenIn_.clear();
+    VkResult waited = VK_TIMEOUT;
+    for (uint64_t ns = 0; waited == VK_TIMEOUT && ns < patienceNs(); ns += betweenLooksNs) {
+        waited = vkWaitForFences(device_, 1, &fence, VK_TRUE, betweenLooksNs);
+        if (waited == VK_TIMEOUT) seenIn_ = passes_.unfinished().value_or(seenIn_);
+    }
     return checked(waited, "vkWaitForFences", error) &&
-           succeeded(vkResetFences(device_, 1, &fence_.get()), "vkResetFences", error);
+           succeeded(vkResetFences(device_, 1, &fence), "vkResetFences", error);
+}
+
+uint64_t Device::patienceNs() const {
+    return nsInS * patienceS(properties_.deviceType);
 }
 
 bool Device::checked(VkResult result, const char* what, Error& error) {
     lost_ |= result == VK_ERROR_DEVICE_LOST || result == VK_TIMEOUT;
     if (!lost_) return succeeded(result, what, error);
-    const std::string pass = passes_.unfinished();
-    error.text = info_.name + (result == VK_TIMEOUT ? " hung" : " was lost") + " in " +
-                 (pass.empty() ? "no pass that is known" : pass);
+    error.text = info_.name + (result == VK_TIMEOUT ? " hung" : " was lost") + " in " + whereItStopped();
     if (result == VK_TIMEOUT)
         error.text += ": not done after " + std::to_string(patienceS(properties_.deviceType)) + " s";
     return false;
+}
+
+std::string Device::whereItStopped() const {
+    constexpr const char* unknown = "no pass that is known";
+    if (const std::optional<std::string> pass = passes_.unfinished()) return pass->empty() ? unknown : *pass;
+    if (!seenIn_.empty()) return seenIn_ + ", where it was last seen";
+    const std::string submitted = passes_.outermost();
+    return submitted.empty() ? unknown : submitted + "; the device no longer tells in which pass of it";
 }
 
 } // namespace demos

@@ -38,7 +38,7 @@ class Device {
     bool timesComputePasses() const { return hasTimestamps_ && clock_ != PassClock::processor; }
     /// Hears the passes of what run() records.
     PassTimer& passes() { return passes_; }
-    /// Whether run() found the device lost, or did not see the end of its work.
+    /// Whether the device was found lost, or the end of its work was not seen.
     bool lost() const { return lost_; }
     uint32_t validationMessages() const { return validationMessages_; }
 
@@ -53,6 +53,12 @@ class Device {
     /// Records with `record`, submits and waits. False with `error` set when recording or the device fails;
     /// where it is lost or hangs, `error` names the pass.
     bool run(const std::function<bool(VkCommandBuffer, Error&)>& record, Error& error);
+    /// Waits for the end of what signals `fence`, and resets that. False as run().
+    bool waitFor(VkFence fence, Error& error);
+    /// How long waitFor() waits; longer is taken for never.
+    uint64_t patienceNs() const;
+    /// True on VK_SUCCESS; otherwise `error` says what failed, or in which pass the device was lost or hangs.
+    bool checked(VkResult result, const char* what, Error& error);
     /// Milliseconds from submission to fence of the last run(), by clock() where that is of the processors.
     double lastRunMs() const { return lastRunMs_; }
 
@@ -63,8 +69,7 @@ class Device {
     bool createDevice(const HostDesc& desc, const DeviceShape& shape, Error& error);
     bool createTimer(PassClock wanted, uint32_t timestampBits, Error& error);
     bool submit(Error& error);
-    /// Of what tells that the device is lost.
-    bool checked(VkResult result, const char* what, Error& error);
+    std::string whereItStopped() const;
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
@@ -83,6 +88,7 @@ class Device {
     double lastRunMs_ = 0;
     std::atomic<uint32_t> validationMessages_ = 0;
     PassTimer passes_;
+    std::string seenIn_; ///< the pass in which waitFor() saw it last, if in any
     UniqueCommandPool pool_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     UniqueFence fence_;

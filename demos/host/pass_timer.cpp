@@ -41,7 +41,7 @@ bool PassTimer::create(VkDevice device, double tickNs, uint32_t validBits, bool 
     if (tickNs == 0) return true;
     VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
     info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    info.queryCount = capacity;
+    info.queryCount = 2 * capacity;
     VkQueryPool pool = VK_NULL_HANDLE;
     if (!succeeded(vkCreateQueryPool(device, &info, nullptr, &pool), "vkCreateQueryPool", error))
         return false;
@@ -55,7 +55,8 @@ void PassTimer::begin(VkCommandBuffer commands) {
     used_ = 0;
     full_ = separate_ = false;
     commands_ = pool_ ? commands : VK_NULL_HANDLE;
-    if (pool_) vkCmdResetQueryPool(commands, pool_.get(), 0, capacity);
+    first_ = capacity - first_;
+    if (pool_) vkCmdResetQueryPool(commands, pool_.get(), 0, 2 * capacity);
 }
 
 void PassTimer::mark(VkCommandBuffer commands, const char* pass, bool begins) {
@@ -74,7 +75,7 @@ void PassTimer::mark(VkCommandBuffer commands, const char* pass, bool begins) {
     }
     // A pass begins when all before it has ended: at the top of the pipe its time would hold theirs, or they
     // its.
-    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_.get(), used_++);
+    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_.get(), first_ + used_++);
     // lavapipe takes the time at its next flush: without a barrier here that can be after the pass's first
     // dispatch.
     if (begins && separate_) waitForAll(commands);
@@ -88,10 +89,8 @@ bool PassTimer::collect(std::vector<TimedPass>& out, Error& error) const {
     }
     if (used_ == 0) return true;
     std::vector<uint64_t> ticks(used_);
-    const VkResult read =
-        vkGetQueryPoolResults(device_, pool_.get(), 0, used_, used_ * sizeof(uint64_t), ticks.data(),
-                              sizeof(uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
-    if (!succeeded(read, "vkGetQueryPoolResults", error)) return false;
+    const VkResult got = read(ticks.data(), sizeof(uint64_t), VK_QUERY_RESULT_WAIT_BIT);
+    if (!succeeded(got, "vkGetQueryPoolResults", error)) return false;
     for (const Span& span : spans_) {
         if (span.end == UINT32_MAX) continue;
         const uint64_t passed = (ticks[span.end] - ticks[span.begin]) & validTicks_;
@@ -108,21 +107,24 @@ bool PassTimer::collect(std::vector<TimedPass>& out, Error& error) const {
     return true;
 }
 
-std::string PassTimer::unfinished() const {
-    if (used_ == 0) return {};
+VkResult PassTimer::read(void* into, size_t bytesEach, VkQueryResultFlags flags) const {
+    return vkGetQueryPoolResults(device_, pool_.get(), first_, used_, used_ * bytesEach, into, bytesEach,
+                                 VK_QUERY_RESULT_64_BIT | flags);
+}
+
+std::optional<std::string> PassTimer::unfinished() const {
+    if (used_ == 0) return "";
     struct Query {
         uint64_t ticks, available;
     };
     std::vector<Query> queries(used_, {0, 0});
-    const VkResult read =
-        vkGetQueryPoolResults(device_, pool_.get(), 0, used_, used_ * sizeof(Query), queries.data(),
-                              sizeof(Query), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WITH_AVAILABILITY_BIT);
-    if (read != VK_SUCCESS && read != VK_NOT_READY) return {};
+    const VkResult got = read(queries.data(), sizeof(Query), VK_QUERY_RESULT_WITH_AVAILABILITY_BIT);
+    if (got != VK_SUCCESS && got != VK_NOT_READY) return std::nullopt;
     const auto runs = std::find_if(spans_.rbegin(), spans_.rend(), [&](const Span& span) {
         const bool ended = span.end != UINT32_MAX && queries[span.end].available != 0;
         return queries[span.begin].available != 0 && !ended;
     });
-    if (runs == spans_.rend()) return {};
+    if (runs == spans_.rend()) return "";
     return runs->around == none ? runs->name : runs->name + " (" + spans_[runs->around].name + ")";
 }
 

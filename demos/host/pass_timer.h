@@ -2,6 +2,7 @@
 // which one it did not come back from.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,11 +40,13 @@ class PassTimer {
     /// are summed.
     bool collect(std::vector<TimedPass>& out, Error& error) const;
     /// The pass that has begun and not ended, while the device works or when it never will have finished:
-    /// "ssr_march (reflect)". Empty where that cannot be told.
-    std::string unfinished() const;
+    /// "ssr_march (reflect)". Empty where there is none; nullopt where the device does not tell.
+    std::optional<std::string> unfinished() const;
+    /// The first pass that is within no other; empty where nothing was marked.
+    std::string outermost() const { return spans_.empty() ? "" : spans_.front().name; }
 
   private:
-    static constexpr uint32_t capacity = 512;
+    static constexpr uint32_t capacity = 512; ///< of a submission
     static constexpr size_t none = SIZE_MAX;
 
     struct Span {
@@ -51,6 +54,9 @@ class PassTimer {
         size_t around = none; ///< of spans_
         uint32_t begin = 0, end = UINT32_MAX;
     };
+
+    /// All that were written, `bytesEach` apart.
+    VkResult read(void* into, size_t bytesEach, VkQueryResultFlags flags) const;
 
     VkDevice device_ = VK_NULL_HANDLE;
     double tickNs_ = 0;
@@ -60,6 +66,9 @@ class PassTimer {
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     std::vector<Span> spans_;
     size_t open_ = none; ///< the innermost span that has not ended
+    /// Of the pool: two submissions take its halves by turns. So what is read before the device has come to
+    /// the reset is of no earlier one.
+    uint32_t first_ = 0;
     uint32_t used_ = 0;
 };
 

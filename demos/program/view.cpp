@@ -79,12 +79,11 @@ bool keep(Viewer& viewer, const std::filesystem::path& file, Error& error) {
 }
 
 bool show(const ViewOptions& options, Window& window, Viewer& viewer, Error& error) {
-    uint32_t shown = 0;
-    for (; (options.endless || shown < options.frames) && !window.shouldClose(); ++shown)
+    while ((options.endless || viewer.shown() < options.frames) && !window.shouldClose())
         if (!viewer.step(error)) return false;
     if (options.screenshot.empty()) return true;
-    if (shown == options.frames) return keep(viewer, options.screenshot, error);
-    error.text = "the window was closed after " + std::to_string(shown) + " frames, expected " +
+    if (viewer.shown() == options.frames) return keep(viewer, options.screenshot, error);
+    error.text = "the window was closed after " + std::to_string(viewer.shown()) + " frames, expected " +
                  std::to_string(options.frames) + " for --screenshot";
     return false;
 }

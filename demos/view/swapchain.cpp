@@ -107,7 +107,7 @@ bool Swapchain::resize(VkExtent2D wanted, Error& error) {
     info.clipped = VK_TRUE;
     info.oldSwapchain = swapchain_.get();
     // What was presented last may still be read.
-    vkDeviceWaitIdle(device_->handle());
+    if (!device_->checked(vkDeviceWaitIdle(device_->handle()), "vkDeviceWaitIdle", error)) return false;
     VkSwapchainKHR made = VK_NULL_HANDLE;
     if (!succeeded(vkCreateSwapchainKHR(device_->handle(), &info, nullptr, &made), "vkCreateSwapchainKHR",
                    error))
@@ -120,15 +120,15 @@ bool Swapchain::resize(VkExtent2D wanted, Error& error) {
                      "vkGetSwapchainImagesKHR", error);
 }
 
-bool Swapchain::acquire(bool& stale, Error& error) {
-    const VkResult result = vkAcquireNextImageKHR(device_->handle(), swapchain_.get(), UINT64_MAX,
-                                                  VK_NULL_HANDLE, acquired_.get(), &image_);
-    stale = result == VK_ERROR_OUT_OF_DATE_KHR;
-    if (stale) return true;
-    if (result != VK_SUBOPTIMAL_KHR && !succeeded(result, "vkAcquireNextImageKHR", error)) return false;
-    return succeeded(vkWaitForFences(device_->handle(), 1, &acquired_.get(), VK_TRUE, UINT64_MAX),
-                     "vkWaitForFences", error) &&
-           succeeded(vkResetFences(device_->handle(), 1, &acquired_.get()), "vkResetFences", error);
+bool Swapchain::acquire(uint64_t waitNs, Acquired& acquired, Error& error) {
+    const VkResult result = vkAcquireNextImageKHR(device_->handle(), swapchain_.get(), waitNs, VK_NULL_HANDLE,
+                                                  acquired_.get(), &image_);
+    acquired = result == VK_ERROR_OUT_OF_DATE_KHR               ? Acquired::stale
+               : result == VK_TIMEOUT || result == VK_NOT_READY ? Acquired::none
+                                                                : Acquired::image;
+    if (acquired != Acquired::image) return true;
+    return (result == VK_SUBOPTIMAL_KHR || device_->checked(result, "vkAcquireNextImageKHR", error)) &&
+           device_->waitFor(acquired_.get(), error);
 }
 
 void Swapchain::record(VkCommandBuffer commands, const Image& picture) const {
@@ -158,7 +158,7 @@ bool Swapchain::present(bool& stale, Error& error) {
     info.pImageIndices = &image_;
     const VkResult result = vkQueuePresentKHR(device_->queue(), &info);
     stale = result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR;
-    return stale || succeeded(result, "vkQueuePresentKHR", error);
+    return stale || device_->checked(result, "vkQueuePresentKHR", error);
 }
 
 } // namespace demos

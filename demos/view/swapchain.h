@@ -21,8 +21,12 @@ class Swapchain {
     bool resize(VkExtent2D wanted, Error& error);
     VkExtent2D extent() const { return extent_; }
 
-    /// Waits for an image to fill. It may find that the window has changed: `stale` then, and no image.
-    bool acquire(bool& stale, Error& error);
+    enum class Acquired {
+        image, ///< to fill
+        none,  ///< within the time: the display may show nothing of the window
+        stale  ///< the window has changed
+    };
+    bool acquire(uint64_t waitNs, Acquired& acquired, Error& error);
     /// Copies a picture, which is a transfer's source, into the image.
     void record(VkCommandBuffer commands, const Image& picture) const;
     /// Shows the image once what fills it is done.

@@ -19,6 +19,8 @@ namespace demos {
 namespace {
 
 constexpr uint32_t measuredRuns = 5;
+/// After which a window that is given no image is heard again.
+constexpr uint64_t momentNs = 100'000'000;
 
 } // namespace
 
@@ -40,18 +42,16 @@ class Viewer::Impl {
 
     bool step(Error& error) {
         window_.listen();
+        const bool minimised = window_.width() == 0 || window_.height() == 0;
+        bool acquired = false;
+        if (!minimised && (!fit(error) || !acquire(acquired, error))) return false;
         const double seconds = clock_.passed();
         hear(seconds);
-        if (window_.width() == 0 || window_.height() == 0) return true; // minimised
-        bool stale = false;
-        if (!fit(error)) return false;
-#ifdef SEAGLASS_SHADER_RELOAD
-        reloadShaders();
-#endif
-        if (!layOut(seconds, error) || !swapchain_.acquire(stale, error)) return false;
-        if (!stale && (!draw(error) || !finish(error) || !swapchain_.present(stale, error))) return false;
-        fitted_ = !stale;
-        return true;
+        return !acquired || drawNext(seconds, error);
+    }
+
+    uint32_t shown() const {
+        return shown_;
     }
 
     const ViewState& state() const {
@@ -76,6 +76,32 @@ class Viewer::Impl {
   private:
     Device& device() {
         return *host_.inside().device;
+    }
+
+    /// By fixed steps no frame is left out.
+    bool acquire(bool& acquired, Error& error) {
+        using Acquired = Swapchain::Acquired;
+        Acquired got = Acquired::none;
+        const uint64_t waitNs = clock_.fixed() ? device().patienceNs() : momentNs;
+        if (!swapchain_.acquire(waitNs, got, error)) return false;
+        acquired = got == Acquired::image;
+        if (got == Acquired::stale) fitted_ = false;
+        if (got != Acquired::none || !clock_.fixed()) return true;
+        error.text =
+            "the display took no frame of the window for " + std::to_string(waitNs / 1'000'000'000) + " s";
+        return false;
+    }
+
+    bool drawNext(double seconds, Error& error) {
+#ifdef SEAGLASS_SHADER_RELOAD
+        reloadShaders();
+#endif
+        bool stale = false;
+        if (!layOut(seconds, error) || !draw(error) || !finish(error) || !swapchain_.present(stale, error))
+            return false;
+        fitted_ = !stale;
+        ++shown_;
+        return true;
     }
 
     void hear(double seconds) {
@@ -304,6 +330,7 @@ class Viewer::Impl {
     TracedView traces_;            ///< what was seen in the last frame
     Image traced_;
     std::optional<uint32_t> tracedSamples_; ///< of each pixel of `traced_`, if there is one
+    uint32_t shown_ = 0;                    ///< frames
     bool fitted_ = false;
     bool follows_ = false; ///< a frame of this size and scene before the next
     bool savesPicture_ = false;
@@ -321,6 +348,10 @@ Viewer::~Viewer() = default;
 
 bool Viewer::step(Error& error) {
     return impl_->step(error);
+}
+
+uint32_t Viewer::shown() const {
+    return impl_->shown();
 }
 
 bool Viewer::change(const ViewState& state, const PanelWishes& wishes, Error& error) {

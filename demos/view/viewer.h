@@ -30,8 +30,11 @@ class Viewer {
                                           const ViewerDesc& desc, Error& error);
     ~Viewer();
 
-    /// Hears what happened in the window, draws one frame and shows it.
+    /// Hears what happened in the window, draws one frame and shows it. By the clock it draws none while the
+    /// display takes none, as of a hidden window.
     bool step(Error& error);
+    /// Frames so far.
+    uint32_t shown() const;
     const ViewState& state() const;
     /// What the panel shows beside it.
     const PanelInfo& info() const;

@@ -1,12 +1,15 @@
 // A Vulkan layer whose device goes wrong once a file is there: it takes no timestamp of that command buffer
-// from a certain one on, as if it had stopped in the pass before it, and waiting for it says that it is lost
-// or has not come back. From then on whoever waits for it or destroys it is ended. Or its driver takes eleven
-// seconds for the first compute pipeline.
+// from a certain one on, as if it had stopped in the pass before it. SEAGLASS_LOST_HOW says what waiting for
+// it comes to: `lost`; `mute`, lost and its queries cannot be read; `hung`, it has not come back; or `later`,
+// it has not come back and is mute in the end. From then on whoever waits without a limit or destroys it is
+// ended. SEAGLASS_NO_IMAGE: no image of a window is free. SEAGLASS_SLOW_DRIVER: the first compute pipeline
+// takes eleven seconds.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 #include <thread>
 
 #include "tests/layer_link.h"
@@ -20,9 +23,14 @@ VkInstance instance = VK_NULL_HANDLE;
 VkDevice device = VK_NULL_HANDLE;
 
 struct State {
-    bool stops = false, stopped = false, slept = false;
+    bool stops = false, stopped = false, mute = false, slept = false;
     uint32_t timestamps = 0; ///< of the command buffer
+    uint64_t waitedNs = 0;   ///< for one that has stopped
 } state;
+
+constexpr uint64_t nsInS = 1'000'000'000;
+constexpr uint64_t longestNs = 4000 * nsInS; ///< that the program should ever wait
+constexpr uint64_t lostAfterNs = 2 * nsInS;  ///< where it is lost later
 
 const char* setting(const char* name) {
     const char* const value = std::getenv(name);
@@ -75,11 +83,35 @@ VKAPI_ATTR void VKAPI_CALL writeTimestamp(VkCommandBuffer commands, VkPipelineSt
 
 VKAPI_ATTR VkResult VKAPI_CALL waitForFences(VkDevice of, uint32_t count, const VkFence* fences, VkBool32 all,
                                              uint64_t timeout) {
-    if (state.stopped) std::abort();
-    const VkResult result = below<PFN_vkWaitForFences>("vkWaitForFences")(of, count, fences, all, timeout);
-    if (!state.stops || state.timestamps == 0) return result;
+    // What was submitted before it is awaited whole.
+    if (!state.stopped) {
+        const VkResult result =
+            below<PFN_vkWaitForFences>("vkWaitForFences")(of, count, fences, all, UINT64_MAX);
+        if (!state.stops || state.timestamps == 0) return result;
+    }
     state.stopped = true;
-    return std::strcmp(setting("SEAGLASS_LOST_HOW"), "hung") ? VK_ERROR_DEVICE_LOST : VK_TIMEOUT;
+    const std::string_view how = setting("SEAGLASS_LOST_HOW");
+    if (state.mute || timeout > longestNs - state.waitedNs) std::abort();
+    state.waitedNs += timeout;
+    if (how == "hung" || (how == "later" && state.waitedNs < lostAfterNs)) return VK_TIMEOUT;
+    state.mute = how != "lost";
+    return VK_ERROR_DEVICE_LOST;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL getResults(VkDevice of, VkQueryPool pool, uint32_t first, uint32_t count,
+                                          size_t size, void* data, VkDeviceSize stride,
+                                          VkQueryResultFlags flags) {
+    if (state.mute) return VK_ERROR_DEVICE_LOST;
+    return below<PFN_vkGetQueryPoolResults>("vkGetQueryPoolResults")(of, pool, first, count, size, data,
+                                                                     stride, flags);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL acquireImage(VkDevice of, VkSwapchainKHR swapchain, uint64_t timeout,
+                                            VkSemaphore semaphore, VkFence fence, uint32_t* image) {
+    if (state.stopped || (*setting("SEAGLASS_NO_IMAGE") && timeout > longestNs)) std::abort();
+    if (*setting("SEAGLASS_NO_IMAGE")) return VK_TIMEOUT;
+    return below<PFN_vkAcquireNextImageKHR>("vkAcquireNextImageKHR")(of, swapchain, timeout, semaphore, fence,
+                                                                     image);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL waitIdle(VkDevice of) {
@@ -121,7 +153,8 @@ PFN_vkVoidFunction ownFunction(const char* name) {
         own("vkCreateInstance", createInstance),    own("vkCreateDevice", createDevice),
         own("vkBeginCommandBuffer", beginCommands), own("vkCmdWriteTimestamp2", writeTimestamp),
         own("vkWaitForFences", waitForFences),      own("vkDeviceWaitIdle", waitIdle),
-        own("vkDestroyDevice", destroyDevice),      own("vkCreateComputePipelines", createCompute)};
+        own("vkDestroyDevice", destroyDevice),      own("vkCreateComputePipelines", createCompute),
+        own("vkGetQueryPoolResults", getResults),   own("vkAcquireNextImageKHR", acquireImage)};
     const auto* const found = std::find_if(std::begin(all), std::end(all),
                                            [&](const Own& one) { return !std::strcmp(one.name, name); });
     return found == std::end(all) ? nullptr : found->function;

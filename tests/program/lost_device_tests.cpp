@@ -53,6 +53,15 @@ TEST_F(LostDevice, AHungOneIsNotWaitedFor) {
     EXPECT_EQ(tests::namesIn(folder_.path() / "out"), std::vector<std::string>{"a_0000.png"});
 }
 
+TEST_F(LostDevice, AHungOneThatIsLostInTheEndIsNamedByWhereItWasSeen) {
+    expectFailed(render(lostAfter("3", "later")),
+                 {" was lost in waves", " (simulate), where it was last seen"});
+}
+
+TEST_F(LostDevice, WhereNothingIsToldTheSubmissionIsNamed) {
+    expectFailed(render(lostAfter("3", "mute")), {" was lost in frame; the device no longer tells in which"});
+}
+
 TEST_F(LostDevice, WithoutATimestampNoPassIsNamed) {
     expectFailed(render(lostAfter("0", "lost")), {" was lost in no pass that is known"});
 }

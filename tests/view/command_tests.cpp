@@ -20,11 +20,12 @@ class View : public testing::Test {
   protected:
     View() { tests::writeSample(folder_.path()); }
 
-    Outcome run(const std::string& command, const Names& more, const std::string& display = "") {
+    Outcome run(const std::string& command, const Names& more, const std::string& display = "",
+                std::map<std::string, std::string> settings = {}) {
         Names arguments = {command, "scene.toml"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        return tests::run(SEAGLASS_PROGRAM,
-                          {arguments, {{"DISPLAY", display}, {"WAYLAND_DISPLAY", ""}}, folder_.path()});
+        settings.merge(std::map<std::string, std::string>{{"DISPLAY", display}, {"WAYLAND_DISPLAY", ""}});
+        return tests::run(SEAGLASS_PROGRAM, {arguments, settings, folder_.path()});
     }
     fs::path out(const std::string& name) const { return folder_.path() / "out" / name; }
 
@@ -40,6 +41,18 @@ class ViewOnDisplay : public View {
         Names arguments = {"--size", "160x90", "--no-ui", "--validation"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return run("view", arguments, xvfb_.display());
+    }
+
+    /// On a device that goes wrong.
+    void expectEnds(std::map<std::string, std::string> settings, const std::string& words) {
+        settings["VK_LAYER_PATH"] = SEAGLASS_LAYERS;
+        settings["VK_INSTANCE_LAYERS"] = "VK_LAYER_SEAGLASS_lost_device";
+        const Outcome outcome =
+            run("view", {"--size", "32x18", "--no-ui", "--frames", "2", "--dt", "0.25", "--no-validation"},
+                xvfb_.display(), settings);
+        EXPECT_EQ(outcome.code, 1) << outcome.err;
+        EXPECT_EQ(tests::countLines(outcome.err), 1u) << outcome.err;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
     }
 
     /// The greatest difference of any channel of any pixel of some columns, in 255ths.
@@ -127,6 +140,18 @@ TEST_F(ViewOnDisplay, PausedItStandsStill) {
     ASSERT_EQ(shown("1", "out/one.png"), 0);
     ASSERT_EQ(shown("4", "out/four.png"), 0);
     EXPECT_EQ(difference("one.png", "four.png"), 0);
+}
+
+TEST_F(ViewOnDisplay, AHungPassIsNamedAndNotWaitedFor) {
+    REQUIRE_DISPLAY(xvfb_);
+    const std::string there = (folder_.path() / "scene.toml").string();
+    expectEnds({{"SEAGLASS_LOST_ONCE", there}, {"SEAGLASS_LOST_AFTER", "2"}, {"SEAGLASS_LOST_HOW", "hung"}},
+               " hung in simulate (frame): not done after ");
+}
+
+TEST_F(ViewOnDisplay, ADisplayThatTakesNoFrameIsNotWaitedForForEver) {
+    REQUIRE_DISPLAY(xvfb_);
+    expectEnds({{"SEAGLASS_NO_IMAGE", "1"}}, "the display took no frame of the window for ");
 }
 
 TEST_F(View, WithoutADisplayItNamesRender) {
