@@ -47,7 +47,8 @@ bool FrameRecorder::createFrameSet(const Sky& sky, FrameSet& out, Error& error) 
 bool FrameRecorder::load(const Scene& scene, LoadedScene& out, Error& error) {
     if (!loadSky(*device_, scene.sky, scene.sun, out.sky, error) ||
         !loadMeshes(*device_, layouts_, scene.meshes, out.meshes, error) ||
-        !createFrameSet(out.sky, out.frame, error))
+        !opaque_.prepare(*device_, layouts_, out.meshes, error) ||
+        !shadow_.prepare(*device_, layouts_, out.meshes, error) || !createFrameSet(out.sky, out.frame, error))
         return false;
     out.bounds = worldBounds(out.meshes);
     const std::optional<SurfaceDesc> surface = surfaceOf(scene);

@@ -65,6 +65,11 @@ bool Host::load(const Scene& scene, Error& error) {
     return true;
 }
 
+const std::vector<std::string>& Host::leftOut() const {
+    static const std::vector<std::string> nothing;
+    return impl_->scene ? impl_->scene->meshes.leftOut : nothing;
+}
+
 bool Host::addSurface(const SurfaceDesc& surface, Error& error) {
     return impl_->ready(error) && impl_->recorder->addSurface(surface, *impl_->scene, error);
 }

@@ -169,6 +169,8 @@ class Host {
     /// Loads the sky and the meshes of a scene and creates its surface; replaces the scene before it, or
     /// leaves it as it was on an error.
     bool load(const Scene& scene, Error& error);
+    /// What the scene's meshes hold and their pictures do not show: Mesh::leftOut, behind the file's name.
+    const std::vector<std::string>& leftOut() const;
     /// Another surface for the scene that is loaded: FrameDesc::surface counts them in this order.
     bool addSurface(const SurfaceDesc& surface, Error& error);
     /// Another surface in the place of one, which stays on an error.

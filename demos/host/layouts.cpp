@@ -1,5 +1,9 @@
 #include "host/layouts.h"
 
+#include <iterator>
+
+#include "host/mesh_file.h"
+
 namespace demos {
 
 bool createSetLayout(const Device& device, std::span<const VkDescriptorType> types,
@@ -46,7 +50,8 @@ bool createLayouts(const Device& device, Layouts& out, Error& error) {
     constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     constexpr VkDescriptorType texture = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     constexpr VkDescriptorType frame[] = {uniform, texture, texture, texture, texture};
-    constexpr VkDescriptorType material[] = {texture, texture};
+    constexpr VkDescriptorType material[] = {texture, texture, texture, texture, texture};
+    static_assert(std::size(material) == textureSlots);
     if (!createSetLayout(device, frame, out.frame, error) ||
         !createSetLayout(device, material, out.material, error))
         return false;

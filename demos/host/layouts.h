@@ -38,7 +38,10 @@ struct DrawConstants {
     glm::vec4 baseColor;
     glm::vec4 emissive;
     glm::vec4 surface;
+    glm::vec4 specular;
+    glm::vec4 maps;
 };
+static_assert(sizeof(DrawConstants) <= 128, "the least that every device has");
 
 struct Layouts {
     UniqueDescriptorSetLayout frame, material;

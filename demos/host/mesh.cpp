@@ -31,8 +31,14 @@ bool uploadTexture(Device& device, const MeshTexture& texture, GpuMesh& mesh, Er
     SamplerDesc sampler;
     sampler.u = addressMode(texture.wrapU);
     sampler.v = addressMode(texture.wrapV);
+    const auto filter = [](Filter f) { return f == Filter::nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR; };
+    sampler.larger = filter(texture.larger);
+    sampler.smaller = filter(texture.smaller);
+    if (texture.mips != Mips::linear) sampler.mips = VK_SAMPLER_MIPMAP_MODE_NEAREST;
+    sampler.largestMipAlone = texture.mips == Mips::none;
     // On a CPU it costs more than all other shading together, for a barely sharper ground.
-    sampler.anisotropic = device.info().type != "cpu";
+    sampler.anisotropic =
+        device.info().type != "cpu" && texture.smaller == Filter::linear && texture.larger == Filter::linear;
     return createSampledImage(device, desc, {&level, 1}, mesh.images.emplace_back(), error) &&
            createSampler(device, sampler, mesh.samplers.emplace_back(), error);
 }
@@ -40,7 +46,7 @@ bool uploadTexture(Device& device, const MeshTexture& texture, GpuMesh& mesh, Er
 bool createMaterials(const Device& device, const Layouts& layouts, const Mesh& source, const MeshSet& set,
                      GpuMesh& mesh, Error& error) {
     const auto count = static_cast<uint32_t>(source.materials.size());
-    const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * count};
+    const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, textureSlots * count};
     VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     poolInfo.maxSets = count;
     poolInfo.poolSizeCount = 1;
@@ -55,7 +61,9 @@ bool createMaterials(const Device& device, const Layouts& layouts, const Mesh& s
         made.constants.baseColor = material.baseColor;
         made.constants.emissive = glm::vec4(material.emissive, material.alphaCutoff);
         made.constants.surface = glm::vec4(material.metallic, material.roughness, 0, 0);
-        made.masked = material.alphaCutoff > 0;
+        made.constants.specular = glm::vec4(material.specular.value_or(glm::vec3(0)), 0);
+        made.constants.maps = glm::vec4(material.normalScale, material.occlusion, 0, 0);
+        made.features = material.features();
         made.doubleSided = material.doubleSided;
         VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
         info.descriptorPool = pool;
@@ -71,8 +79,7 @@ bool createMaterials(const Device& device, const Layouts& layouts, const Mesh& s
             else
                 writeTexture(device, made.textures, binding, set.white.view.get(), set.whiteSampler.get());
         };
-        point(0, material.baseTexture);
-        point(1, material.metallicRoughnessTexture);
+        for (uint32_t slot = 0; slot < textureSlots; ++slot) point(slot, material.textures[slot]);
         mesh.materials.push_back(made);
     }
     return true;
@@ -85,7 +92,10 @@ bool uploadMesh(Device& device, const Layouts& layouts, const Mesh& source, cons
     mesh.parts = source.parts;
     mesh.low = source.low;
     mesh.high = source.high;
+    const bool others = !source.otherUvs.empty();
     return createMaterials(device, layouts, source, set, mesh, error) &&
+           (!others || createFilledBuffer(device, std::as_bytes(std::span(source.otherUvs)),
+                                          VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, mesh.otherUvs, error)) &&
            createFilledBuffer(device, std::as_bytes(std::span(source.vertices)),
                               VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, mesh.vertices, error) &&
            createFilledBuffer(device, std::as_bytes(std::span(source.indices)),
@@ -147,6 +157,8 @@ bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDe
         if (fresh) {
             const std::optional<Mesh> mesh = readMesh(desc.file, error);
             if (!mesh) return false;
+            for (const std::string& line : mesh->leftOut)
+                out.leftOut.push_back(desc.file.string() + ": " + line);
             if (!uploadMesh(device, layouts, *mesh, out, entry->second, error)) {
                 error.text = desc.file.string() + ": " + error.text;
                 return false;
@@ -158,6 +170,31 @@ bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDe
         out.instances.push_back(instance);
     }
     return true;
+}
+
+bool FeaturePipelines::make(const Device& device, VkPipelineLayout layout, const PipelineDesc& desc,
+                            const std::set<uint32_t>& features, Error& error) {
+    for (const uint32_t all : features) {
+        const uint32_t own = all & toldApart;
+        if (byFeatures.contains(own)) continue;
+        PipelineDesc special = desc;
+        uint32_t constants[materialFeatures];
+        for (uint32_t i = 0; i < materialFeatures; ++i) constants[i] = own >> i & 1;
+        special.constants = constants;
+        special.otherUvs = (own & otherUvsFeature) != 0;
+        if (!createPipeline(device, layout, special, byFeatures[own], error)) {
+            byFeatures.erase(own);
+            return false;
+        }
+    }
+    return true;
+}
+
+std::set<uint32_t> featuresOf(const MeshSet& meshes) {
+    std::set<uint32_t> features;
+    for (const auto& [file, mesh] : meshes.meshes)
+        for (const MeshPart& part : mesh.parts) features.insert(mesh.materials[part.material].features);
+    return features;
 }
 
 std::vector<Box> worldBounds(const MeshSet& meshes) {
@@ -177,14 +214,16 @@ void drawMeshes(VkCommandBuffer commands, const Layouts& layouts, const MeshSet&
         const glm::dmat4 eyeFromMesh = glm::translate(glm::dmat4(1), -eye) * instance.worldFromMesh;
         const VkDeviceSize offset = 0;
         vkCmdBindVertexBuffers(commands, 0, 1, &mesh.vertices.buffer.get(), &offset);
+        if (const VkBuffer others = mesh.otherUvs.buffer.get())
+            vkCmdBindVertexBuffers(commands, 1, 1, &others, &offset);
         vkCmdBindIndexBuffer(commands, mesh.indices.buffer.get(), 0, VK_INDEX_TYPE_UINT32);
         for (const MeshPart& part : mesh.parts) {
             const Cast cast = castBy(part, instance.worldFromMesh, pipelines);
             if (!cast.drawn || outside(part, pipelines.clipFromEye * eyeFromMesh)) continue;
             const GpuMaterial& material = mesh.materials[part.material];
-            const VkPipeline wanted = material.masked ? pipelines.masked
-                                      : cast.cut      ? pipelines.cut
-                                                      : pipelines.opaque;
+            const bool whole = (material.features & (maskedFeature | ditheredFeature)) == 0;
+            const VkPipeline wanted =
+                whole && cast.cut ? pipelines.cut : pipelines.pipelines->of(material.features);
             if (wanted != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, wanted);
             bound = wanted;
             vkCmdSetCullMode(commands, pipelines.cullBack && !material.doubleSided ? VK_CULL_MODE_BACK_BIT
@@ -192,6 +231,8 @@ void drawMeshes(VkCommandBuffer commands, const Layouts& layouts, const MeshSet&
             vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layouts.pipeline.get(), 1, 1,
                                     &material.textures, 0, nullptr);
             DrawConstants constants = material.constants;
+            if (material.features & ditheredFeature)
+                constants.emissive.w = static_cast<float>((&part - mesh.parts.data()) % 64);
             constants.surface.z = static_cast<float>(pipelines.cascade);
             constants.surface.w = static_cast<float>(cast.casts);
             for (int row = 0; row < 3; ++row)

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "host/bent_sun.h"
 #include "host/layouts.h"
 #include "host/mesh_file.h"
+#include "host/pipeline.h"
 
 namespace demos {
 
@@ -17,12 +19,13 @@ struct Box {
 
 struct GpuMaterial {
     DrawConstants constants; ///< the transform is filled in when drawing
-    bool masked = false, doubleSided = false;
+    uint32_t features = 0;   ///< MaterialFeature
+    bool doubleSided = false;
     VkDescriptorSet textures = VK_NULL_HANDLE;
 };
 
 struct GpuMesh {
-    Buffer vertices, indices;
+    Buffer vertices, otherUvs, indices;
     std::vector<Image> images;
     std::vector<UniqueSampler> samplers;
     std::vector<GpuMaterial> materials;
@@ -41,18 +44,33 @@ struct MeshSet {
     UniqueSampler whiteSampler;
     std::map<std::filesystem::path, GpuMesh> meshes; ///< each file once
     std::vector<MeshInstance> instances;
+    std::vector<std::string> leftOut; ///< Mesh::leftOut, behind the file's name
 };
 
 bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDesc>& descs, MeshSet& out,
                 Error& error);
+
+/// Of all materials that are drawn.
+std::set<uint32_t> featuresOf(const MeshSet& meshes);
 
 std::vector<Box> worldBounds(const MeshSet& meshes);
 
 /// What of a mesh casts a shadow, as in shaders/draw.glsl.
 enum class Casts { all, straight, bent };
 
+/// One pipeline for each combination of features that a pass tells apart.
+struct FeaturePipelines {
+    uint32_t toldApart = 0; ///< MaterialFeature
+    std::map<uint32_t, UniquePipeline> byFeatures;
+
+    VkPipeline of(uint32_t features) const { return byFeatures.at(features & toldApart).get(); }
+    /// Makes those that are missing.
+    bool make(const Device& device, VkPipelineLayout layout, const PipelineDesc& desc,
+              const std::set<uint32_t>& features, Error& error);
+};
+
 struct MeshPipelines {
-    VkPipeline opaque = VK_NULL_HANDLE, masked = VK_NULL_HANDLE;
+    const FeaturePipelines* pipelines = nullptr;
     bool cullBack = true;      ///< back faces of materials that have none
     uint32_t cascade = 0;      ///< of the shadow map
     glm::dmat4 clipFromEye{1}; ///< parts outside its clip volume, depth aside, are not drawn

@@ -8,17 +8,16 @@
 namespace demos {
 
 bool OpaquePass::create(const Device& device, const Layouts& layouts, Error& error) {
+    return sky_.create(device, layouts, FrameTargets::colorFormat, FrameTargets::depthFormat, error);
+}
+
+bool OpaquePass::prepare(const Device& device, const Layouts& layouts, const MeshSet& meshes, Error& error) {
     PipelineDesc desc;
     desc.vertex = opaque_vert;
     desc.fragment = opaque_frag;
     desc.colorFormat = FrameTargets::colorFormat;
     desc.depthFormat = FrameTargets::depthFormat;
-    PipelineDesc masked = desc;
-    const uint32_t isMasked[] = {VK_TRUE};
-    masked.constants = isMasked;
-    return createPipeline(device, layouts.pipeline.get(), desc, opaque_, error) &&
-           createPipeline(device, layouts.pipeline.get(), masked, masked_, error) &&
-           sky_.create(device, layouts, desc.colorFormat, desc.depthFormat, error);
+    return pipelines_.make(device, layouts.pipeline.get(), desc, featuresOf(meshes), error);
 }
 
 void OpaquePass::record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,

@@ -20,13 +20,24 @@ bool createModule(const Device& device, std::span<const uint32_t> code, UniqueSh
     return true;
 }
 
-constexpr VkVertexInputBindingDescription meshBinding = {0, sizeof(MeshVertex), VK_VERTEX_INPUT_RATE_VERTEX};
-constexpr VkVertexInputAttributeDescription meshAttributes[] = {
-    {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(MeshVertex, position)},
-    {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(MeshVertex, normal)},
-    {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(MeshVertex, uv)},
-    {3, 0, VK_FORMAT_R16G16B16A16_UNORM, offsetof(MeshVertex, color)},
+constexpr VkVertexInputBindingDescription meshBindings[] = {
+    {0, sizeof(MeshVertex), VK_VERTEX_INPUT_RATE_VERTEX},
+    {1, sizeof(OtherUvs), VK_VERTEX_INPUT_RATE_VERTEX},
 };
+
+std::vector<VkVertexInputAttributeDescription> meshAttributes(bool otherUvs) {
+    std::vector<VkVertexInputAttributeDescription> attributes = {
+        {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(MeshVertex, position)},
+        {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(MeshVertex, normal)},
+        {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(MeshVertex, uv)},
+        {3, 0, VK_FORMAT_R16G16B16A16_UNORM, offsetof(MeshVertex, color)},
+    };
+    for (uint32_t i = 0; i < std::tuple_size_v<OtherUvs>; ++i)
+        attributes.push_back({4 + i, otherUvs ? 1u : 0u, VK_FORMAT_R32G32_SFLOAT,
+                              otherUvs ? i * static_cast<uint32_t>(sizeof(glm::vec2))
+                                       : static_cast<uint32_t>(offsetof(MeshVertex, uv))});
+    return attributes;
+}
 
 } // namespace
 
@@ -53,11 +64,12 @@ bool createPipeline(const Device& device, VkPipelineLayout layout, const Pipelin
 
     VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     if (desc.vertices) input = *desc.vertices;
+    const std::vector<VkVertexInputAttributeDescription> attributes = meshAttributes(desc.otherUvs);
     if (desc.meshVertices) {
-        input.vertexBindingDescriptionCount = 1;
-        input.pVertexBindingDescriptions = &meshBinding;
-        input.vertexAttributeDescriptionCount = 4;
-        input.pVertexAttributeDescriptions = meshAttributes;
+        input.vertexBindingDescriptionCount = desc.otherUvs ? 2 : 1;
+        input.pVertexBindingDescriptions = meshBindings;
+        input.vertexAttributeDescriptionCount = static_cast<uint32_t>(attributes.size());
+        input.pVertexAttributeDescriptions = attributes.data();
     }
     VkPipelineInputAssemblyStateCreateInfo assembly{
         VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};

@@ -11,6 +11,7 @@ struct PipelineDesc {
     std::span<const uint32_t> vertex;
     std::span<const uint32_t> fragment; ///< empty: depth alone
     bool meshVertices = true;           ///< fed with MeshVertex, or by vertex index alone
+    bool otherUvs = false;              ///< and with OtherUvs at binding 1, or each as MeshVertex::uv
     const VkPipelineVertexInputStateCreateInfo* vertices = nullptr; ///< other ones, without meshVertices
     bool blends = false; ///< over what is there, by the fragment's alpha
     VkFormat colorFormat = VK_FORMAT_UNDEFINED;

@@ -279,12 +279,14 @@ void transferToHost(VkCommandBuffer commands) {
 
 bool createSampler(const Device& device, const SamplerDesc& desc, UniqueSampler& out, Error& error) {
     VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
-    info.magFilter = info.minFilter = VK_FILTER_LINEAR;
-    info.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+    info.magFilter = desc.larger;
+    info.minFilter = desc.smaller;
+    info.mipmapMode = desc.mips;
     info.addressModeU = desc.u;
     info.addressModeV = desc.v;
     info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-    info.maxLod = VK_LOD_CLAMP_NONE;
+    // A quarter tells larger from smaller, and rounds to the first (glTF's filters without mips).
+    info.maxLod = desc.largestMipAlone ? 0.25f : VK_LOD_CLAMP_NONE;
     info.anisotropyEnable = desc.anisotropic && device.anisotropy();
     info.maxAnisotropy = std::min(8.0f, device.properties().limits.maxSamplerAnisotropy);
     info.compareEnable = desc.compare;

@@ -67,6 +67,9 @@ void transferToHost(VkCommandBuffer commands);
 struct SamplerDesc {
     VkSamplerAddressMode u = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     VkSamplerAddressMode v = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    VkFilter larger = VK_FILTER_LINEAR, smaller = VK_FILTER_LINEAR; ///< than texels; smaller
+    VkSamplerMipmapMode mips = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+    bool largestMipAlone = false;
     bool anisotropic = false;
     bool compare = false; ///< less or equal, white outside
 };

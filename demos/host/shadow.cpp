@@ -16,6 +16,7 @@ namespace {
 /// more.
 constexpr double firstReachM = 14, leastFactor = 2.9;
 constexpr VkExtent2D mapExtent = {2 * ShadowPass::cascadeSize, 2 * ShadowPass::cascadeSize};
+constexpr VkFormat mapFormat = VK_FORMAT_D32_SFLOAT;
 
 struct Range {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
@@ -148,6 +149,15 @@ void setTile(VkCommandBuffer commands, uint32_t cascade) {
     vkCmdSetScissor(commands, 0, 1, &scissor);
 }
 
+PipelineDesc shadowPipeline() {
+    PipelineDesc desc;
+    desc.vertex = shadow_vert;
+    desc.depthFormat = mapFormat;
+    desc.depthCompare = VK_COMPARE_OP_LESS_OR_EQUAL;
+    desc.slopeBias = 1.25f;
+    return desc;
+}
+
 } // namespace
 
 ShadowFits fitShadows(const std::vector<Box>& boxes, const Camera& camera, const glm::dvec3& toSun,
@@ -174,26 +184,24 @@ ShadowFits fitShadows(const std::vector<Box>& boxes, const Camera& camera, const
 
 bool ShadowPass::create(const Device& device, const Layouts& layouts, Error& error) {
     ImageDesc image;
-    image.format = VK_FORMAT_D32_SFLOAT;
+    image.format = mapFormat;
     image.extent = mapExtent;
     image.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
     SamplerDesc sampler;
     sampler.compare = true;
-    PipelineDesc desc;
-    desc.vertex = shadow_vert;
-    desc.depthFormat = image.format;
-    desc.depthCompare = VK_COMPARE_OP_LESS_OR_EQUAL;
-    desc.slopeBias = 1.25f;
-    PipelineDesc cut = desc;
+    PipelineDesc cut = shadowPipeline();
     cut.fragment = shadow_frag;
-    PipelineDesc masked = cut;
-    const uint32_t isMasked[] = {VK_TRUE};
-    masked.constants = isMasked;
     return createImage(device, image, map_, error) && createArrayView(device, map_, arrayView_, error) &&
            createSampler(device, sampler, sampler_, error) &&
-           createPipeline(device, layouts.pipeline.get(), desc, opaque_, error) &&
-           createPipeline(device, layouts.pipeline.get(), masked, masked_, error) &&
            createPipeline(device, layouts.pipeline.get(), cut, cut_, error);
+}
+
+bool ShadowPass::prepare(const Device& device, const Layouts& layouts, const MeshSet& meshes, Error& error) {
+    const PipelineDesc whole = shadowPipeline();
+    PipelineDesc pierced = whole;
+    pierced.fragment = shadow_frag;
+    return pipelines_.make(device, layouts.pipeline.get(), whole, {0}, error) &&
+           pipelines_.make(device, layouts.pipeline.get(), pierced, featuresOf(meshes), error);
 }
 
 void ShadowPass::record(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
@@ -211,7 +219,7 @@ void ShadowPass::record(VkCommandBuffer commands, const Layouts& layouts, const 
     for (uint32_t i = 0; i < shadowCascades; ++i) {
         if (!fits[i].enabled) continue;
         setTile(commands, i);
-        MeshPipelines pipelines = {opaque_.get(), masked_.get(), false, i, glm::dmat4(fits[i].clipFromEye)};
+        MeshPipelines pipelines = {&pipelines_, false, i, glm::dmat4(fits[i].clipFromEye)};
         if (bent.bends) {
             pipelines.cut = cut_.get();
             pipelines.sun = &bent;

@@ -26,6 +26,8 @@ class ShadowPass {
     static constexpr uint32_t cascadeSize = 2048;
 
     bool create(const Device& device, const Layouts& layouts, Error& error);
+    /// Makes what the materials of a scene want.
+    bool prepare(const Device& device, const Layouts& layouts, const MeshSet& meshes, Error& error);
     VkImageView map() const { return map_.view.get(); }
     /// The same, as an array of one layer.
     VkImageView mapAsArray() const { return arrayView_.get(); }
@@ -40,7 +42,8 @@ class ShadowPass {
     Image map_;
     UniqueImageView arrayView_;
     UniqueSampler sampler_;
-    UniquePipeline opaque_, masked_, cut_;
+    FeaturePipelines pipelines_{maskedFeature | ditheredFeature, {}};
+    UniquePipeline cut_;
 };
 
 void setShadowUniforms(const ShadowFits& fits, FrameUniforms& uniforms);

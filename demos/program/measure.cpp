@@ -7,6 +7,7 @@
 #include "measure/run.h"
 #include "program/device_limit.h"
 #include "program/interrupt.h"
+#include "program/left_out.h"
 #include "program/lost_device.h"
 #include "program/memory.h"
 #include "program/no_device.h"
@@ -65,13 +66,16 @@ double bytesAPixel(const std::vector<measure::Subject>& subjects, uint32_t super
 }
 
 /// All of them before any is measured: what cannot be read is bad input, and leaves nothing behind.
-bool canBeLoaded(Host& host, const std::vector<measure::Subject>& subjects, Progress& progress,
+bool canBeLoaded(Host& host, const std::vector<measure::Subject>& subjects, bool strict, Progress& progress,
                  Error& error) {
     for (const measure::Subject& subject : subjects) {
         progress.say("loading " + subject.file);
-        if (host.load(subject.scene, error)) continue;
-        addPlace(subject.scene, error);
-        return false;
+        if (!host.load(subject.scene, error)) {
+            addPlace(subject.scene, error);
+            return false;
+        }
+        progress.clear();
+        if (!sayLeftOut(host.leftOut(), subject.scene, strict, error)) return false;
     }
     return true;
 }
@@ -134,7 +138,7 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
     }
     TradeoffFiles files(options.folder, emptyTradeoff(options, *host));
     if (!fitsDevice(options.size, options.supersample, host->device(), error) ||
-        !canBeLoaded(*host, *subjects, progress, error) || !files.makeFolder(error)) {
+        !canBeLoaded(*host, *subjects, options.strict, progress, error) || !files.makeFolder(error)) {
         endIfLost(*host, error);
         return badInput;
     }

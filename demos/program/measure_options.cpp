@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/scene_options.h"
 #include "scene/random_camera.h"
 
 namespace demos {
@@ -81,6 +82,7 @@ void describeMeasure(CLI::App& command, RawMeasure& raw) {
     command
         .add_option("--rounds", raw.rounds, "Costs are medians of so many, 20 if not given, 5 with --quick")
         ->type_name("N");
+    describeStrict(command, raw.strict);
     command.add_flag("--quick", raw.quick, "Each scene's first camera alone");
     command.add_option("--device", raw.device, "Part of a device's name; the best device if not given")
         ->type_name("NAME");
@@ -105,6 +107,7 @@ std::optional<MeasureOptions> checkMeasure(const RawMeasure& raw, Error& error) 
     }
     options.overrides = raw.overrides;
     options.flat = raw.flat;
+    options.strict = raw.strict;
     if (raw.quick) {
         options.size = quickSize;
         options.rounds = quickRounds;

@@ -26,14 +26,15 @@ struct MeasureOptions {
     std::vector<std::string> overrides;
     bool firstCameraOnly = false;
     bool flat = false;
-    std::string device; ///< part of its name; empty takes the best
+    bool strict = false; ///< what is not drawn as a mesh's file says it is an error
+    std::string device;  ///< part of its name; empty takes the best
 };
 
 /// What the line says, before any of it is checked.
 struct RawMeasure {
     std::vector<std::string> scenes, techniques, cameras, overrides;
     std::string folder, size, rounds, samples, supersample, randomCameras, device;
-    bool quick = false, flat = false;
+    bool quick = false, flat = false, strict = false;
 };
 
 void describeMeasure(CLI::App& command, RawMeasure& raw);

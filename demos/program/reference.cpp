@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "host/image_file.h"
+#include "program/left_out.h"
 #include "program/output.h"
 #include "program/progress.h"
 #include "program/scene_input.h"
@@ -86,6 +87,8 @@ ExitCode renderReference(const ReferenceOptions& options, Error& error) {
         addPlace(*scene, error);
         return badInput;
     }
+    progress.clear();
+    if (!sayLeftOut(world.leftOut, *scene, picture.strict, error)) return badInput;
     const bool withTruth = !options.truth.empty() || !options.mirrored.empty();
     const reference::Pictures pictures =
         reference::renderReference(frame, withTruth, [&](uint32_t done, uint32_t all) {

@@ -8,6 +8,7 @@
 #include "host/supersample.h"
 #include "metrics/finite.h"
 #include "program/device_limit.h"
+#include "program/left_out.h"
 #include "program/lost_device.h"
 #include "program/lost_waves.h"
 #include "program/memory.h"
@@ -174,6 +175,7 @@ ExitCode renderScene(const RenderOptions& options, Error& error) {
         return badInput;
     }
     progress.clear();
+    if (!sayLeftOut(host->leftOut(), *scene, options.strict, error)) return badInput;
     warnOfLostWaves(host->resolvedShare(), leastResolvedInPictures, scene->file.filename().string() + ": ",
                     "water.waves.largest_patch_m", "water.waves.samples and water.waves.cascades");
     Run run(options, *scene, *camera, *host);

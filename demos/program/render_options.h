@@ -27,6 +27,7 @@ struct RenderOptions {
     std::string quality;        ///< of the water; empty leaves it as the scene has it
     std::filesystem::path sky;  ///< instead of the scene's; empty keeps it
     std::filesystem::path mesh; ///< instead of the scene's; empty keeps them
+    bool strict = false;        ///< what is not drawn as a mesh's file says it is an error
     std::filesystem::path stats;
     std::string device;
     bool validation = false;

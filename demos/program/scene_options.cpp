@@ -15,6 +15,11 @@ void describeQuality(CLI::App& command, RawScene& raw) {
         ->type_name("NAME");
 }
 
+void describeStrict(CLI::App& command, bool& strict) {
+    command.add_flag("--strict", strict,
+                     "An error where a mesh's file says what is not drawn so, instead of a warning");
+}
+
 void describeScene(CLI::App& command, RawScene& raw) {
     // Required ones are checked by hand, for errors that say what is expected.
     command.add_option("SCENE", raw.scene, "Scene file (TOML)");
@@ -33,6 +38,7 @@ void describeScene(CLI::App& command, RawScene& raw) {
         ->allow_extra_args(false)
         ->type_name("PATH=VALUE");
     command.add_option("--sky", raw.sky, "Lat-long HDR or EXR instead of the scene's sky")->type_name("FILE");
+    describeStrict(command, raw.strict);
     command.add_option("--mesh", raw.mesh, "glTF at the origin instead of the scene's meshes")
         ->type_name("FILE");
 }
@@ -58,6 +64,7 @@ bool checkScene(const RawScene& raw, const char* expected, RenderOptions& out, E
     out.overrides = raw.overrides;
     out.sky = raw.sky;
     out.mesh = raw.mesh;
+    out.strict = raw.strict;
     return true;
 }
 

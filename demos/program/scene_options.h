@@ -16,8 +16,10 @@ namespace demos {
 struct RawScene {
     std::string scene, size, time, camera, sky, mesh, quality;
     std::vector<std::string> overrides;
+    bool strict = false;
 };
 
+void describeStrict(CLI::App& command, bool& strict);
 void describeScene(CLI::App& command, RawScene& raw);
 /// For those that draw it with the library.
 void describeQuality(CLI::App& command, RawScene& raw);

@@ -2,6 +2,7 @@
 
 #include "host/image_file.h"
 #include "program/device_limit.h"
+#include "program/left_out.h"
 #include "program/lost_device.h"
 #include "program/memory.h"
 #include "program/no_device.h"
@@ -69,6 +70,7 @@ std::unique_ptr<Host> openHost(const ViewOptions& options, const Scene& scene, E
         addPlace(scene, error);
         return nullptr;
     }
+    if (!sayLeftOut(host->leftOut(), scene, options.picture.strict, error)) return nullptr;
     return host;
 }
 

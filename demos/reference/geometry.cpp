@@ -1,7 +1,10 @@
 #include "reference/geometry.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+
+#include "reference/random.h"
 
 namespace demos::reference {
 namespace {
@@ -25,17 +28,25 @@ glm::vec3 crossOf(const glm::vec3* positions, uint32_t a, uint32_t b, uint32_t c
     return glm::cross(positions[b] - positions[a], positions[c] - positions[a]);
 }
 
+/// Where the texture of a slot lies at a corner of a triangle.
+glm::vec2 cornerUv(const OpaquePart& part, TextureSlot slot, uint32_t triangle, uint32_t corner) {
+    const Mesh& mesh = part.model->mesh;
+    const bool other = slot != baseSlot && mesh.materials[part.materials[triangle]].otherUvs;
+    return other ? mesh.otherUvs[corner][slot - 1] : mesh.vertices[corner].uv;
+}
+
 struct Uv {
     glm::vec2 at, right, below;
 };
 
 /// Texture coordinates, and what they change by to where the neighbouring pixels meet the triangle's plane.
-Uv uvAt(const OpaquePart& part, uint32_t triangle, const glm::vec3& weights, const glm::vec3& position,
-        const Footprint& footprint) {
+Uv uvAt(const OpaquePart& part, TextureSlot slot, uint32_t triangle, const glm::vec3& weights,
+        const glm::vec3& position, const Footprint& footprint) {
     const Corners c = cornersOf(part, triangle);
-    const MeshVertex* const v = part.model->mesh.vertices.data();
     const glm::vec3* const p = part.positions;
-    const glm::vec2 uv0 = v[c.index[0]].uv, uv1 = v[c.index[1]].uv, uv2 = v[c.index[2]].uv;
+    const glm::vec2 uv0 = cornerUv(part, slot, triangle, c.index[0]),
+                    uv1 = cornerUv(part, slot, triangle, c.index[1]),
+                    uv2 = cornerUv(part, slot, triangle, c.index[2]);
     const glm::vec3 e1 = p[c.index[1]] - p[c.index[0]], e2 = p[c.index[2]] - p[c.index[0]];
     const glm::vec3 n = glm::cross(e1, e2);
     const float squared = std::max(glm::dot(n, n), 1e-30f);
@@ -48,11 +59,25 @@ Uv uvAt(const OpaquePart& part, uint32_t triangle, const glm::vec3& weights, con
     return {weights.x * uv0 + weights.y * uv1 + weights.z * uv2, change(spread.right), change(spread.below)};
 }
 
-glm::vec4 textureAt(const OpaquePart& part, const std::optional<uint32_t>& texture, uint32_t triangle,
-                    const glm::vec3& weights, const glm::vec3& position, const Footprint& footprint) {
+/// White where there is none.
+glm::vec4 textureAt(const OpaquePart& part, TextureSlot slot, uint32_t triangle, const glm::vec3& weights,
+                    const glm::vec3& position, const Footprint& footprint) {
+    const MeshMaterial& material = part.model->mesh.materials[part.materials[triangle]];
+    const std::optional<uint32_t>& texture = material.textures[slot];
     if (!texture) return glm::vec4(1);
-    const Uv uv = uvAt(part, triangle, weights, position, footprint);
+    const Uv uv = uvAt(part, slot, triangle, weights, position, footprint);
     return part.model->textures[*texture].sample(uv.at, uv.right, uv.below);
+}
+
+/// A number of 0 to 1 that is a ray's and a triangle's own: in the mean of many rays what blends is as clear
+/// as it is said to be.
+float chanceOf(const RTCFilterFunctionNArguments* args, uint32_t triangle) {
+    uint32_t bits = hash(triangle);
+    for (const float value : {RTCRayN_dir_x(args->ray, args->N, 0), RTCRayN_dir_y(args->ray, args->N, 0),
+                              RTCRayN_dir_z(args->ray, args->N, 0), RTCRayN_org_x(args->ray, args->N, 0),
+                              RTCRayN_org_y(args->ray, args->N, 0), RTCRayN_org_z(args->ray, args->N, 0)})
+        bits = hash(bits + std::bit_cast<uint32_t>(value));
+    return unitOf(bits);
 }
 
 /// Takes hits on back faces and in cut-outs back. Embree asks for every hit on the way.
@@ -72,15 +97,15 @@ void filter(const RTCFilterFunctionNArguments* args) {
             return;
         }
     }
-    if (material.alphaCutoff <= 0) return;
+    if (material.alphaCutoff <= 0 && !material.blends) return;
     const float u = RTCHitN_u(args->hit, args->N, 0), v = RTCHitN_v(args->hit, args->N, 0);
     const glm::vec3 weights(1 - u - v, u, v);
     const Corners c = cornersOf(part, triangle);
     const glm::vec3 position = weights.x * part.positions[c.index[0]] +
                                weights.y * part.positions[c.index[1]] +
                                weights.z * part.positions[c.index[2]];
-    if (baseColorAt(part, triangle, weights, position, *context.footprint).a < material.alphaCutoff)
-        args->valid[0] = 0;
+    const float least = material.blends ? chanceOf(args, triangle) : material.alphaCutoff;
+    if (baseColorAt(part, triangle, weights, position, *context.footprint).a < least) args->valid[0] = 0;
 }
 
 /// Takes hits on the back of the surface back.
@@ -259,13 +284,58 @@ glm::vec4 baseColorAt(const OpaquePart& part, uint32_t triangle, const glm::vec3
             vertexColor[i] += weights[corner] * static_cast<float>(vertex.color[i]) / 65535;
     }
     return material.baseColor * vertexColor *
-           textureAt(part, material.baseTexture, triangle, weights, position, footprint);
+           textureAt(part, baseSlot, triangle, weights, position, footprint);
 }
 
-glm::vec4 metallicRoughnessAt(const OpaquePart& part, uint32_t triangle, const glm::vec3& weights,
-                              const glm::vec3& position, const Footprint& footprint) {
-    const MeshMaterial& material = part.model->mesh.materials[part.materials[triangle]];
-    return textureAt(part, material.metallicRoughnessTexture, triangle, weights, position, footprint);
+Look lookAt(const Hit& hit, const Footprint& footprint) {
+    const OpaquePart& part = *hit.part;
+    const MeshMaterial& material = part.model->mesh.materials[part.materials[hit.triangle]];
+    const auto map = [&](TextureSlot slot) {
+        return textureAt(part, slot, hit.triangle, hit.weights, hit.position, footprint);
+    };
+    const glm::vec3 base(baseColorAt(part, hit.triangle, hit.weights, hit.position, footprint));
+    Look look;
+    look.unlit = material.unlit;
+    look.base = look.diffuse = base;
+    if (material.unlit) {
+        look.emissive = base;
+        return look;
+    }
+    look.emissive = material.emissive * glm::vec3(map(emissiveSlot));
+    look.open = glm::mix(1.0f, map(occlusionSlot).r, material.occlusion);
+    const glm::vec4 surface = map(surfaceSlot);
+    if (material.specular) {
+        look.mirrored = *material.specular * glm::vec3(surface);
+        look.roughness = glm::clamp(1 - (1 - material.roughness) * surface.a, 0.06f, 1.0f);
+        look.base = look.diffuse = base * (1 - std::max({look.mirrored.r, look.mirrored.g, look.mirrored.b}));
+        return look;
+    }
+    const float metallic = material.metallic * surface.b;
+    look.roughness = glm::clamp(material.roughness * surface.g, 0.06f, 1.0f);
+    look.mirrored = glm::mix(glm::vec3(0.04f), base, metallic);
+    look.diffuse = base * (1 - metallic);
+    return look;
+}
+
+glm::vec3 mappedNormal(const Hit& hit, const glm::vec3& normal, const Footprint& footprint) {
+    const OpaquePart& part = *hit.part;
+    const MeshMaterial& material = part.model->mesh.materials[part.materials[hit.triangle]];
+    if (!material.textures[normalSlot]) return normal;
+    const Corners c = cornersOf(part, hit.triangle);
+    const glm::vec3* const p = part.positions;
+    const auto uv = [&](int corner) { return cornerUv(part, normalSlot, hit.triangle, c.index[corner]); };
+    const glm::vec3 first = p[c.index[1]] - p[c.index[0]], second = p[c.index[2]] - p[c.index[0]];
+    const glm::vec2 firstUv = uv(1) - uv(0), secondUv = uv(2) - uv(0);
+    const glm::vec3 fromFirst = glm::cross(second, normal), fromSecond = glm::cross(normal, first);
+    const float side = glm::dot(glm::cross(first, second), normal) < 0 ? -1.0f : 1.0f;
+    const glm::vec3 alongU = side * (fromFirst * firstUv.x + fromSecond * secondUv.x);
+    const glm::vec3 alongV = side * (fromFirst * firstUv.y + fromSecond * secondUv.y);
+    const float longest = std::max(glm::dot(alongU, alongU), glm::dot(alongV, alongV));
+    if (longest <= 0) return normal;
+    const glm::vec4 texel = textureAt(part, normalSlot, hit.triangle, hit.weights, hit.position, footprint);
+    const glm::vec3 lean = 2.0f * glm::vec3(texel) - 1.0f;
+    const float scale = material.normalScale / std::sqrt(longest);
+    return glm::normalize(scale * (lean.x * alongU - lean.y * alongV) + std::max(lean.z, 0.05f) * normal);
 }
 
 float clearanceAt(const glm::vec3& position) {

@@ -100,9 +100,19 @@ class Geometry {
 /// Colour and alpha of an opaque surface before light, with what `footprint` blurs in its texture.
 glm::vec4 baseColorAt(const OpaquePart& part, uint32_t triangle, const glm::vec3& weights,
                       const glm::vec3& position, const Footprint& footprint);
-/// Metalness in blue, roughness in green, as glTF has them, factors left out.
-glm::vec4 metallicRoughnessAt(const OpaquePart& part, uint32_t triangle, const glm::vec3& weights,
-                              const glm::vec3& position, const Footprint& footprint);
+/// What a surface makes of light.
+struct Look {
+    glm::vec3 base{1};         ///< what would scatter, were it no metal
+    glm::vec3 diffuse{1};      ///< share of the light that it scatters
+    glm::vec3 mirrored{0.04f}; ///< and mirrors, seen straight on
+    float roughness = 1;
+    glm::vec3 emissive{0};
+    float open = 1;     ///< share of the surroundings that its occlusion map leaves
+    bool unlit = false; ///< only `emissive` leaves it
+};
+Look lookAt(const Hit& hit, const Footprint& footprint);
+/// A unit normal as the material's normal map turns it, as opaque.frag does.
+glm::vec3 mappedNormal(const Hit& hit, const glm::vec3& normal, const Footprint& footprint);
 /// How far to step off a surface so that a ray does not meet it again [m].
 float clearanceAt(const glm::vec3& position);
 

@@ -50,8 +50,10 @@ Sunlit sunlitOf(const Frame& frame, const Bed& bed, const Hit& hit, const glm::v
 
 glm::vec3 shadeBed(const Frame& frame, const Ray& ray, const Hit& hit, Random* random) {
     const Light& light = frame.world->light;
-    const MeshMaterial& material = hit.part->model->mesh.materials[hit.part->materials[hit.triangle]];
-    const Bed bed = {lightLeavesFrom(hit), normalAt(hit), std::max(-frame.heightOf(hit.position), 0.0f),
+    const Look look = lookAt(hit, ray.footprint);
+    if (look.unlit) return look.emissive;
+    const glm::vec3 normal = mappedNormal(hit, normalAt(hit), ray.footprint);
+    const Bed bed = {lightLeavesFrom(hit), normal, std::max(-frame.heightOf(hit.position), 0.0f),
                      waterLightOf(frame).extinction()};
     const glm::vec3 toSun = light.toSun();
     const Beam sun = enteringBeam(toSun, light.sunIrradiance() * std::max(toSun.y, 0.0f));
@@ -62,17 +64,17 @@ glm::vec3 shadeBed(const Frame& frame, const Ray& ray, const Hit& hit, Random* r
         around *= sunlit.evenly;
     }
     for (const Beam& beam : frame.sky) {
-        const glm::vec3 sky = received(bed, beam);
+        const glm::vec3 sky = look.open * received(bed, beam);
         irradiance += sky;
         around += sky;
     }
 
-    const glm::vec3 albedo(baseColorAt(*hit.part, hit.triangle, hit.weights, hit.position, ray.footprint));
+    const glm::vec3 albedo = look.base;
     // Of diffuse light 0.066 is turned back from above, and so 1 - 0.934 / n^2 from below.
     constexpr float turnedBack = 1 - 0.934f / (waterIndex * waterIndex);
     // Flatter than the critical angle light goes 3 m a metre of depth in the mean, up and down.
     const glm::vec3 again = turnedBack * albedo * glm::exp(-6 * bed.depth * bed.extinction);
-    return material.emissive + albedo / pi * (irradiance - around + around / (1.0f - again));
+    return look.emissive + albedo / pi * (irradiance - around + around / (1.0f - again));
 }
 
 glm::vec3 bedInWater(const Frame& frame, const Ray& ray, const Hit& hit, Random* random) {

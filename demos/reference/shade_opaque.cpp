@@ -45,21 +45,17 @@ glm::vec3 lightLeavesFrom(const Hit& hit) {
 
 glm::vec3 shadeOpaque(const Geometry& geometry, const Light& light, const Ray& ray, const Hit& hit,
                       const glm::vec3& towardsSun) {
-    const MeshMaterial& material = hit.part->model->mesh.materials[hit.part->materials[hit.triangle]];
-    const glm::vec3 base(baseColorAt(*hit.part, hit.triangle, hit.weights, hit.position, ray.footprint));
-    const glm::vec4 mr =
-        metallicRoughnessAt(*hit.part, hit.triangle, hit.weights, hit.position, ray.footprint);
-    const float metallic = material.metallic * mr.b;
-    const float roughness = glm::clamp(material.roughness * mr.g, 0.06f, 1.0f);
-    const glm::vec3 f0 = glm::mix(glm::vec3(0.04f), base, metallic);
-    const glm::vec3 diffuse = base * (1 - metallic);
+    const Look look = lookAt(hit, ray.footprint);
+    if (look.unlit) return look.emissive;
+    const float roughness = look.roughness;
+    const glm::vec3 f0 = look.mirrored, diffuse = look.diffuse;
 
-    const glm::vec3 n = normalAt(hit);
+    const glm::vec3 n = mappedNormal(hit, normalAt(hit), ray.footprint);
     const glm::vec3 v = -ray.direction;
     const glm::vec3 l = light.toSun();
     const float nDotL = glm::dot(n, l), nDotV = std::max(std::abs(glm::dot(n, v)), 1e-3f);
 
-    glm::vec3 radiance = material.emissive;
+    glm::vec3 radiance = look.emissive;
     const bool lit = nDotL > 0 && light.sunIrradiance() != glm::vec3(0);
     if (lit && !geometry.occluded(lightLeavesFrom(hit), towardsSun, Kind::opaque, ray.footprint)) {
         radiance += light.sunIrradiance() * nDotL *
@@ -71,7 +67,7 @@ glm::vec3 shadeOpaque(const Geometry& geometry, const Light& light, const Ray& r
     const auto lastMip = static_cast<float>(cube.mips.size() - 1);
     const float mip = std::log2(static_cast<float>(cube.faceSize) * roughness * roughness * 2.449f);
     const glm::vec3 mirrored = light.cube(glm::reflect(-v, n), glm::clamp(mip, 0.0f, lastMip - 1));
-    radiance += diffuse / pi * light.irradiance(n) * (1.0f - ambient) + mirrored * ambient;
+    radiance += look.open * (diffuse / pi * light.irradiance(n) * (1.0f - ambient) + mirrored * ambient);
     return glm::min(radiance, glm::vec3(60000));
 }
 

@@ -22,7 +22,9 @@ size_t wrapped(int64_t i, uint32_t size, Wrap wrap) {
 
 } // namespace
 
-Texture::Texture(const MeshTexture& source) : wrapU_(source.wrapU), wrapV_(source.wrapV) {
+Texture::Texture(const MeshTexture& source)
+    : wrapU_(source.wrapU), wrapV_(source.wrapV), larger_(source.larger), smaller_(source.smaller),
+      mips_(source.mips) {
     Level level{source.width, source.height, {}};
     level.texels.resize(size_t(level.width) * level.height);
     for (size_t i = 0; i < level.texels.size(); ++i)
@@ -60,15 +62,26 @@ glm::vec4 Texture::bilinear(const Level& level, const glm::vec2& uv) const {
     return glm::mix(glm::mix(at(i, j), at(i + 1, j), fx), glm::mix(at(i, j + 1), at(i + 1, j + 1), fx), fy);
 }
 
+glm::vec4 Texture::nearest(const Level& level, const glm::vec2& uv) const {
+    const auto i = static_cast<int64_t>(std::floor(double{uv.x} * level.width));
+    const auto j = static_cast<int64_t>(std::floor(double{uv.y} * level.height));
+    return level.texels[wrapped(j, level.height, wrapV_) * level.width + wrapped(i, level.width, wrapU_)];
+}
+
 glm::vec4 Texture::sample(const glm::vec2& uv, const glm::vec2& right, const glm::vec2& below) const {
     const glm::vec2 size(static_cast<float>(levels_[0].width), static_cast<float>(levels_[0].height));
     const float texels = std::max(glm::length(right * size), glm::length(below * size));
     const auto last = static_cast<float>(levels_.size() - 1);
-    const float mip = std::clamp(std::log2(std::max(texels, 1e-6f)), 0.0f, last);
+    const float detail = std::log2(std::max(texels, 1e-6f));
+    const float mip = mips_ == Mips::none ? 0.0f : std::clamp(detail, 0.0f, last);
+    const Filter filter = detail <= 0 ? larger_ : smaller_;
+    const auto at = [&](size_t level) {
+        return filter == Filter::nearest ? nearest(levels_[level], uv) : bilinear(levels_[level], uv);
+    };
+    if (mips_ != Mips::linear) return at(static_cast<size_t>(mip + 0.5f));
     const auto level = static_cast<size_t>(mip);
     const size_t next = std::min(level + 1, levels_.size() - 1);
-    return glm::mix(bilinear(levels_[level], uv), bilinear(levels_[next], uv),
-                    mip - static_cast<float>(level));
+    return glm::mix(at(level), at(next), mip - static_cast<float>(level));
 }
 
 } // namespace demos::reference

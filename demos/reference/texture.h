@@ -20,8 +20,11 @@ class Texture {
         std::vector<glm::vec4> texels;
     };
     glm::vec4 bilinear(const Level& level, const glm::vec2& uv) const;
+    glm::vec4 nearest(const Level& level, const glm::vec2& uv) const;
 
     Wrap wrapU_, wrapV_;
+    Filter larger_, smaller_;
+    Mips mips_;
     std::vector<Level> levels_;
 };
 

@@ -17,6 +17,8 @@ bool loadWorld(const Scene& scene, World& out, Error& error) {
         if (known == out.models.end()) {
             std::optional<Mesh> mesh = readMesh(desc.file, error);
             if (!mesh) return false;
+            for (const std::string& line : mesh->leftOut)
+                out.leftOut.push_back(desc.file.string() + ": " + line);
             known = out.models.emplace(desc.file, Model(std::move(*mesh))).first;
         }
         Instance instance{&known->second, glm::dmat4(1)};

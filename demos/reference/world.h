@@ -24,6 +24,7 @@ struct Floor {
 struct World {
     std::map<std::filesystem::path, Model> models; ///< each file once
     std::vector<Instance> instances;
+    std::vector<std::string> leftOut; ///< Mesh::leftOut, behind the file's name
     Light light;
     std::optional<WaterDesc> water;
     seaglass::BodyFrame frame; ///< of the water: all is traced in its axes, in which it is level

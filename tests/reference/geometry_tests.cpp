@@ -33,7 +33,7 @@ Mesh square(bool doubleSided, bool masked) {
         texture.rgba = {255, 255, 255, 0, 255, 255, 255, 255};
         texture.wrapU = texture.wrapV = Wrap::clamp;
         mesh.textures.push_back(texture);
-        material.baseTexture = 0;
+        material.textures[baseSlot] = 0;
         material.alphaCutoff = 0.5f;
     }
     mesh.materials.push_back(material);

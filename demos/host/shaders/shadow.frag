@@ -6,6 +6,7 @@
 #include "bent_sun.glsl"
 
 layout(constant_id = 0) const bool masked = false;
+layout(constant_id = 1) const bool dithered = false;
 
 layout(set = 1, binding = 0) uniform sampler2D baseColorMap;
 
@@ -16,6 +17,10 @@ layout(location = 2) in vec3 inFromEye;
 void main() {
     const int casts = int(draw.surface.w);
     // The texture's mip level comes from the whole quad, so it is read before any of its pixels is left.
-    const bool cutOut = masked && draw.baseColor.a * inAlpha * texture(baseColorMap, inUv).a < draw.emissive.w;
+    bool cutOut = false;
+    if (masked || dithered) {
+        const float least = dithered ? ditherThreshold(gl_FragCoord.xy, draw.emissive.w, dot(frame.toSun.xyz, inFromEye)) : draw.emissive.w;
+        cutOut = draw.baseColor.a * inAlpha * texture(baseColorMap, inUv).a < least;
+    }
     if (cutOut || casts != castsAll && isSunBent(inFromEye) != (casts == castsBent)) demote;
 }

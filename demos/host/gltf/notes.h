@@ -1,0 +1,28 @@
+// What of a file changes its picture and is not drawn so: one line for each kind, however often it is met.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "host/gltf/json.h"
+
+namespace demos::gltf {
+
+class Notes {
+  public:
+    void add(const std::string& where, const std::string& what);
+    /// The extensions of a part of the file but for those that are read.
+    void addExtensions(const std::string& where, const Json& object,
+                       std::initializer_list<const char*> read = {});
+    std::vector<std::string> lines() const;
+
+  private:
+    struct Note {
+        std::string where, what; ///< where it was met first
+        std::vector<std::string> others;
+    };
+    std::vector<Note> notes_;
+};
+
+} // namespace demos::gltf

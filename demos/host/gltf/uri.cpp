@@ -1,0 +1,108 @@
+#include "host/gltf/uri.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string_view>
+
+#include "host/gltf/document.h"
+
+namespace demos::gltf {
+namespace {
+
+std::optional<uint8_t> hexOf(char c) {
+    if (c >= '0' && c <= '9') return static_cast<uint8_t>(c - '0');
+    const char lower = static_cast<char>(c | 0x20);
+    if (lower >= 'a' && lower <= 'f') return static_cast<uint8_t>(lower - 'a' + 10);
+    return std::nullopt;
+}
+
+std::string percentDecoded(std::string_view text) {
+    std::string decoded;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const std::optional<uint8_t> high = i + 2 < text.size() ? hexOf(text[i + 1]) : std::nullopt,
+                                     low = i + 2 < text.size() ? hexOf(text[i + 2]) : std::nullopt;
+        if (text[i] != '%' || !high || !low) {
+            decoded += text[i];
+            continue;
+        }
+        decoded += static_cast<char>(*high << 4 | *low);
+        i += 2;
+    }
+    return decoded;
+}
+
+/// RFC 4648; the padding may be missing.
+bool decodeBase64(std::string_view text, std::vector<uint8_t>& out) {
+    while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+    out.reserve(text.size() / 4 * 3 + 3);
+    uint32_t bits = 0;
+    int held = 0;
+    for (const char c : text) {
+        uint32_t six = 0;
+        if (c >= 'A' && c <= 'Z')
+            six = static_cast<uint32_t>(c - 'A');
+        else if (c >= 'a' && c <= 'z')
+            six = static_cast<uint32_t>(c - 'a') + 26;
+        else if (c >= '0' && c <= '9')
+            six = static_cast<uint32_t>(c - '0') + 52;
+        else if (c == '+' || c == '-')
+            six = 62;
+        else if (c == '/' || c == '_')
+            six = 63;
+        else
+            return false;
+        bits = bits << 6 | six;
+        held += 6;
+        if (held < 8) continue;
+        held -= 8;
+        out.push_back(static_cast<uint8_t>(bits >> held));
+    }
+    return true;
+}
+
+bool readData(std::string_view uri, uint64_t most, std::vector<uint8_t>& out, std::string& problem) {
+    const size_t comma = uri.find(',');
+    problem = "a data URI that is not to be decoded";
+    if (comma == std::string_view::npos) return false;
+    const std::string_view body = uri.substr(comma + 1);
+    if (uri.substr(0, comma).ends_with(";base64")) {
+        if (!decodeBase64(body, out)) return false;
+    } else {
+        const std::string decoded = percentDecoded(body);
+        out.assign(decoded.begin(), decoded.end());
+    }
+    if (out.size() <= most) return true;
+    problem = "a data URI of over " + std::to_string(most) + " bytes";
+    return false;
+}
+
+/// A scheme of two letters at least: one is a drive's.
+bool hasScheme(const std::string& uri) {
+    const size_t colon = uri.find(':');
+    return colon != std::string::npos && colon > 1 &&
+           std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon),
+                       [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-' || c == '.'; });
+}
+
+} // namespace
+
+bool readUri(const std::filesystem::path& folder, const std::string& uri, uint64_t most,
+             std::vector<uint8_t>& out, std::string& problem) {
+    if (uri.starts_with("data:")) return readData(uri, most, out, problem);
+    const std::string decoded = percentDecoded(uri);
+    std::string slashed = decoded;
+    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    for (const std::string& name : {decoded, uri, slashed}) {
+        std::error_code ignored;
+        if (name.find('\0') != std::string::npos || !std::filesystem::is_regular_file(folder / name, ignored))
+            continue;
+        if (readBytes(folder / name, most, out, problem)) return true;
+        problem = quoted(name) + " " + problem;
+        return false;
+    }
+    problem = quoted(decoded) + (hasScheme(decoded) ? ": only files are read" : ": no such file");
+    return false;
+}
+
+} // namespace demos::gltf
