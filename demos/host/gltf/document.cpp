@@ -12,7 +12,7 @@ namespace {
 constexpr uint64_t maxFileBytes = uint64_t{1} << 30;
 constexpr size_t maxTextBytes = size_t{1} << 28;
 constexpr size_t maxNesting = 64;
-constexpr size_t maxValues = 4'000'000;
+constexpr size_t maxValues = 2'000'000;
 
 constexpr const char* extensionsRead[] = {
     "EXT_mesh_gpu_instancing", "EXT_texture_webp",       "KHR_materials_emissive_strength",
@@ -90,7 +90,7 @@ bool isModest(std::string_view text, std::string& problem) {
         }
     }
     if (deepest > maxNesting) problem = "nests its JSON over 64 levels deep";
-    if (values > maxValues) problem = "has over 4 million values in its JSON";
+    if (values > maxValues) problem = "has over 2 million values in its JSON";
     return deepest <= maxNesting && values <= maxValues;
 }
 
