@@ -131,6 +131,46 @@ TEST_F(SeaCommand, ReadsATable) {
                          {"spectrumTable[1].frequency is", "more than"});
 }
 
+TEST_F(SeaCommand, TablesAreReadAsOtherProgramsWriteThem) {
+    const auto found = [&](const std::string& text) {
+        tests::writeAll(folder_.path() / "buoy.csv", text);
+        return figures({"--wind", "10", "--samples", "64", "--spectrum", "table", "--table", "buoy.csv"});
+    };
+    const json plain = found("0.05,0\n0.1,4\n0.2,1\n0.4,0\n");
+    for (const std::string text :
+         {"\xEF\xBB\xBF"
+          "0.05,0\n0.1,4\n0.2,1\n0.4,0\n",
+          "frequency_Hz,S_m2_per_Hz\n0.05,0\n0.1,4\n0.2,1\n0.4,0", "0.05,1e-63\n0.1,4\n0.2,1\n0.4,1e-4000\n",
+          "# a\n\n0.05,0\r\n0.1,4\r\n0.2,1\r\n0.4,0\r\n", "0.05,0\r0.1,4\r0.2,1\r0.4,0\r",
+          "\"Hz\",\"S\"\n\"0.05\",\"0\"\n\"0.1\",\"+4\"\n0.2,1\n0.4,1e-40\n"})
+        EXPECT_EQ(found(text), plain) << text;
+}
+
+TEST_F(SeaCommand, TablesOfSomethingElseAreNamed) {
+    const auto expect = [&](const std::string& text, const std::vector<std::string>& words) {
+        tests::writeAll(folder_.path() / "buoy.csv", text);
+        tests::expectRefused(sea({"--wind", "10", "--spectrum", "table", "--table", "buoy.csv"}), words);
+    };
+    expect("0.05,0\n0.1,999\n0.2,1\n", {"buoy.csv:2: density is 999", "missing"});
+    expect("0.05,0\n0.1,999.00\n0.2,1\n", {"buoy.csv:2: density is 999.00", "missing"});
+    expect("0.05,0\n0.1,MM\n0.2,1\n", {"buoy.csv:2: density is MM", "missing"});
+    expect("0.05;0\n0.1;4\n", {"buoy.csv:1: '0.05;0' has a semicolon"});
+    expect("0,05;0\n0,1;4\n", {"buoy.csv:1: '0,05;0' has a semicolon"});
+    expect("0.05\t0\n0.1\t4\n", {"buoy.csv:1:", "has a tab"});
+    expect("0,05,0,1\n", {"buoy.csv:1: '0,05,0,1' has more than one comma", "decimal points"});
+    expect("Hz,S\nHz,S\n0.1,4\n", {"buoy.csv:2: 'Hz,S', expected two numbers"});
+    expect("0.05,1e400\n0.1,4\n", {"buoy.csv:1: '0.05,1e400'"});
+    expect("0.05,nan\n0.1,4\n", {"spectrumTable[0].density is nan"});
+    expect("0.05,0\n0.1,-4\n", {"spectrumTable[1].density is -4"});
+    expect("0.1,0\n0.1,4\n", {"spectrumTable[1].frequency is", "more than"});
+    expect("", {"buoy.csv: no spectrum"});
+    expect(std::string("0.05,0\n\0\0", 9), {"buoy.csv:2: a zero byte"});
+    expect("\xFF\xFE"
+           "0",
+           {"buoy.csv: is UTF-16"});
+    expect(std::string((size_t(1) << 20) + 1, '\0'), {"buoy.csv: is over 1 MiB"});
+}
+
 TEST_F(SeaCommand, PlotsTheSpectrum) {
     const Outcome outcome = sea({"--wind", "10", "--samples", "64", "-o", "sea.svg"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
