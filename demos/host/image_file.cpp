@@ -7,11 +7,12 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include "host/image_source.h"
+
 namespace demos {
 namespace {
 
-constexpr int maxSide = 16384;
-constexpr int64_t maxPixels = int64_t(1) << 27;
+constexpr size_t maxPixels = size_t(1) << 25;
 
 /// A name beside `file` that no other process uses, with the same ending so that the format is found by it.
 std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
@@ -90,37 +91,38 @@ bool writeExr(const std::filesystem::path& file, const Picture& picture, Error& 
     return writeWhole(file, "openexr", spec, OIIO::TypeDesc::FLOAT, picture.rgba.data(), error);
 }
 
-std::optional<Picture> readPicture(const std::filesystem::path& file, Error& error) {
-    const auto fail = [&](const std::string& what) {
-        error.text = file.string() + ": " + what;
+std::optional<PictureFile> readPictureFile(const std::filesystem::path& file, const LayerChoice& choice,
+                                           Error& error) {
+    std::optional<ImageSource> source = ImageSource::open(file, choice, error);
+    if (!source) return std::nullopt;
+    PictureFile out{{}, source->header()};
+    const size_t width = out.header.width, height = out.header.height;
+    if (width * height > maxPixels) {
+        error.text = file.string() + ": is " + std::to_string(width) + "x" + std::to_string(height) +
+                     ", expected at most 2^25 pixels, as 8192x4096";
         return std::nullopt;
-    };
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) return fail("no such file");
-    OIIO::ImageSpec hints;
-    hints.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(file.string(), &hints);
-    if (!input) return fail(OIIO::geterror());
-    const OIIO::ImageSpec spec = input->spec();
-    if (spec.deep || spec.depth > 1 || spec.nchannels < 1) return fail("is no flat picture");
-    if (spec.width < 1 || spec.height < 1 || spec.width > maxSide || spec.height > maxSide ||
-        int64_t(spec.width) * spec.height > maxPixels)
-        return fail("is " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
-                    ", expected 1 to 16384 each way and at most 2^27 pixels");
-    const int channels = std::min(spec.nchannels, 4);
-    Picture picture;
-    picture.width = static_cast<uint32_t>(spec.width);
-    picture.height = static_cast<uint32_t>(spec.height);
-    const size_t count = size_t(picture.width) * picture.height;
-    picture.rgba.assign(count * 4, 1.0f);
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, picture.rgba.data(), 4 * sizeof(float)))
-        return fail(input->geterror());
-    for (size_t i = 0; i < count; ++i) {
-        float* const pixel = &picture.rgba[4 * i];
-        if (channels == 2) pixel[3] = pixel[1];
-        if (channels <= 2) pixel[1] = pixel[2] = pixel[0];
     }
-    return picture;
+    Picture& picture = out.picture;
+    picture.width = out.header.width;
+    picture.height = out.header.height;
+    picture.rgba.assign(width * height * 4, 0.0f);
+    const bool read = source->read(
+        [&picture](const ImageRow& row) {
+            int x = row.x, y = row.y;
+            for (const glm::vec4& pixel : row.rgba) {
+                const size_t at = 4 * (static_cast<size_t>(y) * picture.width + static_cast<size_t>(x));
+                for (int i = 0; i < 4; ++i) picture.rgba[at + static_cast<size_t>(i)] = pixel[i];
+                x += row.stepX;
+                y += row.stepY;
+            }
+        },
+        error);
+    return read ? std::optional(std::move(out)) : std::nullopt;
+}
+
+std::optional<Picture> readPicture(const std::filesystem::path& file, Error& error) {
+    std::optional<PictureFile> read = readPictureFile(file, {"", "a file"}, error);
+    return read ? std::optional(std::move(read->picture)) : std::nullopt;
 }
 
 } // namespace demos

@@ -7,6 +7,8 @@
 #include <span>
 
 #include "host/host.h"
+#include "host/image_header.h"
+#include "host/image_layers.h"
 
 namespace demos {
 
@@ -16,8 +18,17 @@ bool writePng(const std::filesystem::path& file, uint32_t width, uint32_t height
 /// Float RGBA, zip-compressed.
 bool writeExr(const std::filesystem::path& file, const Picture& picture, Error& error);
 
-/// Reads PNG, EXR or HDR of up to 16384 pixels each way and 2^27 in all. Grey is spread to RGB; a missing
-/// alpha is 1. PNG stays display-encoded, 0..1.
+/// A picture and what its file says of it.
+struct PictureFile {
+    Picture picture;
+    ImageHeader header;
+};
+
+/// Reads PNG, EXR or HDR of up to 16384 pixels each way and 2^25 in all. Grey is spread to RGB; a missing
+/// alpha is 1; light is of Rec. 709. Integers stay as they are encoded, 0..1.
+std::optional<PictureFile> readPictureFile(const std::filesystem::path& file, const LayerChoice& choice,
+                                           Error& error);
+/// The same of a file whose picture need not be asked for by name.
 std::optional<Picture> readPicture(const std::filesystem::path& file, Error& error);
 
 } // namespace demos

@@ -47,10 +47,8 @@ bool loadSky(Device& device, const SkyDesc& desc, const SunDesc& sun, Sky& out, 
         error.text = "the sky's rotation must be finite and its intensity 0 to 1e6";
         return false;
     }
-    std::optional<SkyImage> image = readSkyImage(desc.file, error);
-    if (!image) return false;
-    const ImageSun inImage = takeOutSun(*image);
-    if (!chooseSun(desc, sun, inImage, out.sun, error)) return false;
+    std::optional<SkyImage> image = readSkyImage(desc, error);
+    if (!image || !chooseSun(desc, sun, *image, out.sun, error)) return false;
     const SkyLight light = filterSky(*image, desc.rotationDeg, desc.intensity);
     out.irradianceSh = light.irradianceSh;
     out.irradianceUp = light.irradianceUp;

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <OpenImageIO/imageio.h>
 #include <OpenImageIO/parallel.h>
+
+#include "host/image_source.h"
 
 namespace demos {
 namespace {
@@ -42,22 +43,25 @@ glm::vec3 cleaned(glm::vec3 pixel, const glm::vec3& last) {
     return pixel;
 }
 
-bool checkSpec(const OIIO::ImageSpec& spec, const std::string& name, Error& error) {
+bool checkHeader(const ImageHeader& header, const std::string& name, Error& error) {
     const auto fail = [&](const std::string& what) {
         error.text = name + ": " + what;
         return false;
     };
-    if (spec.deep) return fail("is a deep image, expected a flat lat-long sky");
-    if (!spec.format.is_floating_point()) return fail("has integer pixels, expected HDR or EXR");
-    if (spec.nchannels < 1) return fail("has no channels");
-    if (spec.depth > 1) return fail("is a volume, expected a lat-long sky");
-    if (spec.width < 4 || spec.height < 2 || spec.width > static_cast<int>(maxWidth) ||
-        spec.height > static_cast<int>(maxWidth / 2))
-        return fail("is " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
-                    ", expected 4x2 to 16384x8192");
-    if (std::abs(spec.width - 2 * spec.height) > 1)
-        return fail("is " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
-                    ", expected twice as wide as high");
+    const std::string size = std::to_string(header.width) + "x" + std::to_string(header.height);
+    if (header.integer) return fail("has integer pixels, expected HDR or EXR");
+    if (header.cubeMap) return fail("is a cube map, expected a lat-long sky");
+    if (header.width < 4 || header.height < 2 || header.height > maxWidth / 2)
+        return fail("is " + size + ", expected 4x2 to 16384x8192");
+    if (std::abs(int64_t(header.width) - 2 * int64_t(header.height)) > 1)
+        return fail("is " + size + ", expected twice as wide as high");
+    if (std::abs(header.pixelAspect - 1) > 0.01)
+        return fail("has pixels of an aspect of " + std::to_string(header.pixelAspect) + ", expected 1");
+    const ImageWindow &data = header.data, &all = header.display;
+    if (data.x > all.x || data.y > all.y || data.x + data.width < all.x + all.width ||
+        data.y + data.height < all.y + all.height)
+        return fail("its data window is " + toText(data) + ", expected to cover its display window, " +
+                    toText(all));
     return true;
 }
 
@@ -70,14 +74,17 @@ class RowAverager {
         image_.radiance.assign(size_t(image_.width) * image_.height, glm::vec3(0));
         counts_.assign(image_.radiance.size(), 0);
     }
-    void add(uint32_t y, const float* row, int channels) {
-        const size_t target = size_t(uint64_t(y) * image_.height / sourceHeight_) * image_.width;
+    void add(const ImageRow& row) {
         glm::vec3 last(0);
-        for (uint32_t x = 0; x < sourceWidth_; ++x, row += channels) {
-            last = cleaned(channels >= 3 ? glm::vec3(row[0], row[1], row[2]) : glm::vec3(row[0]), last);
-            const size_t i = target + size_t(uint64_t(x) * image_.width / sourceWidth_);
+        auto x = static_cast<uint64_t>(row.x), y = static_cast<uint64_t>(row.y);
+        for (const glm::vec4& pixel : row.rgba) {
+            last = cleaned(glm::vec3(pixel), last);
+            const size_t i = size_t(y * image_.height / sourceHeight_) * image_.width +
+                             size_t(x * image_.width / sourceWidth_);
             image_.radiance[i] += last;
             ++counts_[i];
+            x += static_cast<uint64_t>(row.stepX);
+            y += static_cast<uint64_t>(row.stepY);
         }
     }
     SkyImage finish() {
@@ -91,27 +98,6 @@ class RowAverager {
     SkyImage image_;
     std::vector<uint32_t> counts_;
 };
-
-bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, RowAverager& out) {
-    const int channels = std::min(spec.nchannels, 3);
-    const int band = spec.tile_height > 0 ? spec.tile_height : 64;
-    std::vector<float> rows(size_t(spec.width) * static_cast<size_t>(std::min(band, spec.height)) *
-                            static_cast<size_t>(channels));
-    const size_t stride = size_t(spec.width) * static_cast<size_t>(channels);
-    for (int y = 0; y < spec.height; y += band) {
-        const int end = std::min(y + band, spec.height);
-        const int y0 = spec.y + y, y1 = spec.y + end;
-        const bool ok =
-            spec.tile_width > 0
-                ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, y0, y1, spec.z, spec.z + 1, 0, channels,
-                                   OIIO::TypeDesc::FLOAT, rows.data())
-                : input.read_scanlines(0, 0, y0, y1, spec.z, 0, channels, OIIO::TypeDesc::FLOAT, rows.data());
-        if (!ok) return false;
-        for (int i = y; i < end; ++i)
-            out.add(static_cast<uint32_t>(i), rows.data() + static_cast<size_t>(i - y) * stride, channels);
-    }
-    return true;
-}
 
 /// Direction of a point on a cube face, s and t from -1 to 1 and a little beyond (Vulkan 1.3, "Cube Map Face
 /// Selection", solved for the direction).
@@ -290,31 +276,20 @@ glm::vec3 sampleCube(const SkyCube& cube, const glm::dvec3& direction, float mip
     return glm::mix(fromLevel(level), fromLevel(next), kept - static_cast<float>(level));
 }
 
-std::optional<SkyImage> readSkyImage(const std::filesystem::path& file, Error& error) {
-    const std::string name = file.string();
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) {
-        error.text = name + ": no such file";
-        return std::nullopt;
-    }
-    const auto input = OIIO::ImageInput::open(name);
-    if (!input) {
-        error.text = name + ": " + OIIO::geterror();
-        return std::nullopt;
-    }
-    const OIIO::ImageSpec spec = input->spec();
-    if (!checkSpec(spec, name, error)) return std::nullopt;
-    RowAverager rows(static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height));
-    if (!readRows(*input, spec, rows)) {
-        error.text = name + ": " + input->geterror();
-        return std::nullopt;
-    }
+std::optional<SkyImage> readSkyImage(const SkyDesc& sky, Error& error) {
+    std::optional<ImageSource> source = ImageSource::open(sky.file, {sky.layer, "sky.layer"}, error);
+    if (!source || !checkHeader(source->header(), sky.file.string(), error)) return std::nullopt;
+    RowAverager rows(source->header().width, source->header().height);
+    if (!source->read([&rows](const ImageRow& row) { rows.add(row); }, error)) return std::nullopt;
     return rows.finish();
 }
 
 ImageSun takeOutSun(SkyImage& image) {
+    // The upper half alone: what shines from below lights nothing as a sun, and stays in the image.
+    const auto horizon =
+        image.radiance.begin() + static_cast<std::ptrdiff_t>(size_t(image.height) / 2 * image.width);
     const auto brightest =
-        std::max_element(image.radiance.begin(), image.radiance.end(),
+        std::max_element(image.radiance.begin(), horizon,
                          [](const glm::vec3& a, const glm::vec3& b) { return luminance(a) < luminance(b); });
     const auto index = static_cast<size_t>(brightest - image.radiance.begin());
     ImageSun sun;
@@ -344,7 +319,7 @@ ImageSun takeOutSun(SkyImage& image) {
     glm::dvec3 weighted(0);
     forPixelsWithin(disc, [&](glm::vec3& pixel, const glm::dvec3& d, double, double solidAngle) {
         const float bright = luminance(pixel);
-        if (bright <= limit) return;
+        if (bright <= limit || d.y <= 0) return;
         const glm::vec3 kept = pixel * (limit / bright);
         sun.irradiance += glm::dvec3(pixel - kept) * solidAngle;
         weighted += d * (static_cast<double>(bright - limit) * solidAngle);

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -43,11 +42,11 @@ struct SkyLight {
 
 /// Reads an HDR or EXR of up to 16384 pixels' width, averaged down to at most 4096. NaN takes its left
 /// neighbour's value, infinities and negative pixels are clamped.
-std::optional<SkyImage> readSkyImage(const std::filesystem::path& file, Error& error);
+std::optional<SkyImage> readSkyImage(const SkyDesc& sky, Error& error);
 
-/// Cuts the sun's disc out of the image: around the brightest pixel, what exceeds the brightest pixel of the
-/// ring just outside the disc is taken away. Its irradiance is returned, so that image plus sun keep the
-/// energy they had.
+/// Cuts the sun's disc out of the image: around the brightest pixel above the horizon, what exceeds the
+/// brightest pixel of the ring just outside the disc is taken away. Its irradiance is returned, so that image
+/// plus sun keep the energy they had.
 ImageSun takeOutSun(SkyImage& image);
 
 /// Radiance from a direction of the image's own frame, bilinear.

@@ -6,8 +6,9 @@
 
 namespace demos {
 
-bool chooseSun(const SkyDesc& sky, const SunDesc& desc, const ImageSun& inImage, Sun& out, Error& error) {
+bool chooseSun(const SkyDesc& sky, const SunDesc& desc, SkyImage& image, Sun& out, Error& error) {
     if (desc.fromSky) {
+        const ImageSun inImage = takeOutSun(image);
         const double angle = glm::radians(sky.rotationDeg), c = std::cos(angle), s = std::sin(angle);
         const glm::dvec3& d = inImage.direction;
         out.direction = {c * d.x - s * d.z, d.y, s * d.x + c * d.z};

@@ -14,8 +14,8 @@ struct Sun {
     glm::dvec3 irradiance{0};
 };
 
-/// `inImage` is what takeOutSun() found in the sky's image.
-bool chooseSun(const SkyDesc& sky, const SunDesc& desc, const ImageSun& inImage, Sun& out, Error& error);
+/// A sun from the sky is taken out of its image, which otherwise stays as it is: nothing is lost.
+bool chooseSun(const SkyDesc& sky, const SunDesc& desc, SkyImage& image, Sun& out, Error& error);
 
 /// Half the width of the soft edge that the background's disc is drawn with [rad], for pixels of an angle
 /// [rad].

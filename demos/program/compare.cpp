@@ -7,6 +7,7 @@
 #include <new>
 
 #include "host/image_file.h"
+#include "program/compare_notes.h"
 #include "program/measures.h"
 #include "program/output.h"
 #include "program/quiet.h"
@@ -18,33 +19,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<PictureKind> kindOf(const fs::path& file, Error& error) {
+bool checkExtension(const fs::path& file, Error& error) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension == ".png") return PictureKind::display;
-    if (extension == ".exr" || extension == ".hdr") return PictureKind::linear;
+    if (extension == ".png" || extension == ".exr" || extension == ".hdr") return true;
     error.text = file.string() + ": '" + file.extension().string() +
                  "' is no known extension, expected .png, .exr or .hdr";
-    return std::nullopt;
+    return false;
 }
 
-/// Null as well when the pictures are of two kinds.
-std::optional<PictureKind> commonKind(const CompareOptions& options, Error& error) {
-    const std::optional<PictureKind> reference = kindOf(options.reference, error);
-    if (!reference) return std::nullopt;
-    const std::optional<PictureKind> test = kindOf(options.test, error);
-    if (!test) return std::nullopt;
-    if (*reference != *test) {
+/// By what the files hold, whatever their names. Null as well when the pictures are of two kinds.
+std::optional<PictureKind> commonKind(const CompareOptions& options, const ImageHeader& reference,
+                                      const ImageHeader& test, Error& error) {
+    if (reference.integer != test.integer) {
         error.text = options.reference.string() + " and " + options.test.string() +
                      ": a PNG is display-encoded, an EXR or HDR linear, expected two of a kind";
         return std::nullopt;
     }
-    if (options.exposureEv && *reference == PictureKind::display) {
+    if (options.exposureEv && reference.integer) {
         error.text = "--exposure is given for PNG, which needs none, expected EXR or HDR";
         return std::nullopt;
     }
-    return reference;
+    return reference.integer ? PictureKind::display : PictureKind::linear;
 }
 
 bool checkOutputs(const CompareOptions& options, Error& error) {
@@ -52,10 +49,12 @@ bool checkOutputs(const CompareOptions& options, Error& error) {
     return options.report.empty() || checkReport(options, error);
 }
 
-std::optional<Picture> read(const fs::path& file, Error& error) {
+std::optional<PictureFile> read(const fs::path& file, const std::string& layer, Error& error) {
     const QuietStderr quiet;
-    std::optional<Picture> picture = readPicture(file, error);
-    if (!picture) error.text += ", expected a PNG, EXR or HDR picture";
+    std::optional<PictureFile> picture = readPictureFile(file, {layer, "--layer"}, error);
+    // Most errors say what was expected; the libraries' own do not.
+    if (!picture && error.text.find(", expected ") == std::string::npos)
+        error.text += ", expected a PNG, EXR or HDR picture";
     return picture;
 }
 
@@ -68,26 +67,31 @@ Image view(const Picture& picture) {
 }
 
 ExitCode judge(const CompareOptions& options, Error& error) {
-    const std::optional<PictureKind> kind = commonKind(options, error);
-    if (!kind || !checkOutputs(options, error)) return badInput;
-    const std::optional<Picture> reference = read(options.reference, error);
-    if (!reference) return badInput;
-    const std::optional<Picture> test = read(options.test, error);
-    if (!test) return badInput;
-    if (reference->width != test->width || reference->height != test->height) {
-        error.text = options.reference.string() + " is " + sizeOf(*reference) + " and " +
-                     options.test.string() + " is " + sizeOf(*test) + ", expected one size";
+    if (!checkExtension(options.reference, error) || !checkExtension(options.test, error) ||
+        !checkOutputs(options, error))
+        return badInput;
+    const std::optional<PictureFile> first = read(options.reference, options.referenceLayer, error);
+    if (!first) return badInput;
+    const std::optional<PictureFile> second = read(options.test, options.testLayer, error);
+    if (!second) return badInput;
+    const std::optional<PictureKind> kind = commonKind(options, first->header, second->header, error);
+    if (!kind) return badInput;
+    const Picture &reference = first->picture, &test = second->picture;
+    if (reference.width != test.width || reference.height != test.height) {
+        error.text = options.reference.string() + " is " + sizeOf(reference) + " and " +
+                     options.test.string() + " is " + sizeOf(test) + ", expected one size";
         return badInput;
     }
 
-    const Comparison comparison = compare(view(*reference), view(*test), *kind, options.limits);
+    const Comparison comparison = compare(view(reference), view(test), *kind, options.limits);
+    std::fputs(compareNotes(first->header, second->header).c_str(), stdout);
     std::fputs(measuresTable(measures(comparison, *kind, options.limits)).c_str(), stdout);
     if (!options.json.empty() &&
-        !writeText(options.json, measuresJson(comparison, *kind, options, view(*reference)), error)) {
+        !writeText(options.json, measuresJson(comparison, *kind, options, view(reference)), error)) {
         return badInput;
     }
     if (!options.report.empty()) {
-        if (!writeReport(options, *kind, *reference, *test, comparison, error)) return badInput;
+        if (!writeReport(options, *kind, reference, test, comparison, error)) return badInput;
         std::printf("report: %s\n", fs::absolute(options.report / "index.html").c_str());
     }
     const std::vector<std::string> found = objections(comparison, options.limits);

@@ -10,7 +10,8 @@ namespace {
 
 constexpr const char* footer =
     R"(Without a limit, any difference of colour is one too many. A mean forgives a spot: give --max-diff
-and --max-share beside --max-flip. NaN or infinity in either picture always fails.
+and --max-share beside --max-flip. NaN or infinity in either picture always fails. Only colour is compared:
+of an EXR its unnamed layer, or the one of a beauty pass' name; what else it holds is listed.
 
 Examples:
   seaglass compare golden.png mine.png --max-flip 0.02 --max-diff 0.1 --max-share 0.001
@@ -44,6 +45,12 @@ void describeCompare(CLI::App& command, RawCompare& raw) {
                     "The share P of pixels, 0 to 1, may differ by more, 0 if only --max-diff is given")
         ->type_name("P");
     command
+        .add_option("--layer", raw.layers,
+                    "Of EXRs with several layers of colour; given twice, the reference's and the test's")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    command
         .add_option(
             "--report", raw.report,
             "Write a page with both pictures and the FLIP map: DIR/index.html; DIR is made if need be")
@@ -67,6 +74,15 @@ std::optional<CompareOptions> checkCompare(const RawCompare& raw, Error& error) 
     options.test = raw.test;
     options.report = raw.report;
     options.json = raw.json;
+    if (raw.layers.size() > 2) {
+        error.text = "--layer is given " + std::to_string(raw.layers.size()) +
+                     " times, expected one for both pictures, or the reference's and the test's";
+        return std::nullopt;
+    }
+    if (!raw.layers.empty()) {
+        options.referenceLayer = raw.layers.front();
+        options.testLayer = raw.layers.back();
+    }
     std::optional<double> over, share;
     if (!checkNumber("--max-flip", raw.maxFlip, 1, "a mean FLIP, 0 to 1", options.limits.flipMean, error) ||
         !checkNumber("--max-diff", raw.maxDiff, 1e9, "a difference, 0 to 1e9", over, error) ||

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "metrics/compare.h"
 #include "scene/scene.h"
@@ -16,6 +17,7 @@ namespace demos {
 
 struct CompareOptions {
     std::filesystem::path reference, test;
+    std::string referenceLayer, testLayer; ///< of EXRs with several; empty: the one that is the picture
     Limits limits;
     std::filesystem::path report, json; ///< empty: none
     std::optional<double> exposureEv;   ///< of the report's pictures of linear light
@@ -24,6 +26,7 @@ struct CompareOptions {
 /// What the line says, before any of it is checked.
 struct RawCompare {
     std::string reference, test, maxFlip, maxDiff, maxShare, report, exposure, json;
+    std::vector<std::string> layers;
 };
 
 void describeCompare(CLI::App& command, RawCompare& raw);

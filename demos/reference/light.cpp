@@ -16,8 +16,7 @@ bool makeLight(SkyImage image, const SkyDesc& sky, const SunDesc& sun, Light& ou
         return false;
     }
     out.image = std::move(image);
-    const ImageSun inImage = takeOutSun(out.image);
-    if (!chooseSun(sky, sun, inImage, out.sun, error)) return false;
+    if (!chooseSun(sky, sun, out.image, out.sun, error)) return false;
     out.rotationDeg = sky.rotationDeg;
     out.intensity = sky.intensity;
     out.filtered = filterSky(out.image, sky.rotationDeg, sky.intensity);

@@ -10,7 +10,7 @@
 namespace demos::reference {
 
 bool loadWorld(const Scene& scene, World& out, Error& error) {
-    std::optional<SkyImage> image = readSkyImage(scene.sky.file, error);
+    std::optional<SkyImage> image = readSkyImage(scene.sky, error);
     if (!image || !makeLight(std::move(*image), scene.sky, scene.sun, out.light, error)) return false;
     for (const MeshDesc& desc : scene.meshes) {
         auto known = out.models.find(desc.file);

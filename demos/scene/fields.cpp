@@ -74,6 +74,7 @@ constexpr std::array<std::string_view, 5> techniques = {"sky", "sspr", "ssr", "h
 
 constexpr std::array skyFields = {
     Field{"file", at<&SkyDesc::file>, 0, 0, "", "lat-long HDR or EXR file", required},
+    Field{"layer", at<&SkyDesc::layer>, 0, 0, "", "of an EXR with several, or empty"},
     Field{"rotation_deg", at<&SkyDesc::rotationDeg>, -turn, turn, "degrees", "turn about +Y"},
     Field{"intensity", at<&SkyDesc::intensity>, 0, 1e6, "", "scale of the radiance"},
 };

@@ -23,14 +23,16 @@ struct Error {
 
 struct SkyDesc {
     std::filesystem::path file; ///< lat-long HDR or EXR, absolute
+    std::string layer = {};     ///< of an EXR with several; empty: the one that is the picture
     double rotationDeg = 0;     ///< turns it about +Y
     double intensity = 1;       ///< radiance scale
     std::string where = {};     ///< of `file` in the scene, for errors: "harbour.toml:9: sky.file"
 };
 
 struct SunDesc {
-    bool fromSky =
-        false; ///< take direction and irradiance from the brightest spot of the sky, ignoring the rest here
+    /// Take direction and irradiance from the brightest spot of the sky, and that spot out of the sky; the
+    /// rest here is ignored. Otherwise the sky stays as it is.
+    bool fromSky = false;
     double azimuthDeg = 0;    ///< of the sun, from +X towards +Z
     double elevationDeg = 30; ///< above the horizon
     Vec3 irradiance = {3, 3, 3};

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -55,6 +56,21 @@ class Compare : public testing::Test {
         demos::Error error;
         ASSERT_TRUE(demos::writePng(folder_.path() / name, picture.width, picture.height, rgb, error))
             << error.text;
+    }
+
+    /// A file of any format and channels, 4 x 3.
+    void writeChannels(const std::string& name, OIIO::TypeDesc type, const std::vector<std::string>& channels,
+                       const std::vector<float>& pixel, int dataRows = 3) const {
+        OIIO::ImageSpec spec(4, dataRows, static_cast<int>(channels.size()), type);
+        spec.full_height = 3;
+        spec.channelnames = channels;
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+        std::vector<float> pixels;
+        for (int i = 0; i < 4 * dataRows; ++i) pixels.insert(pixels.end(), pixel.begin(), pixel.end());
+        const std::string file = (folder_.path() / name).string();
+        const auto output = OIIO::ImageOutput::create(file);
+        ASSERT_TRUE(output && output->open(file, spec) &&
+                    output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close());
     }
 
     nlohmann::json json(const std::string& name) const {
@@ -134,6 +150,54 @@ TEST_F(Compare, NanInEitherPictureIsADifferenceWhateverTheLimits) {
     expectDifferent(with({"a.exr", "nan.exr"}), "NaN or infinity in 2 pixels of the test");
     expectDifferent(with({"nan.exr", "a.exr"}), "NaN or infinity in 2 pixels of the reference");
     expectDifferent(with({"nan.exr", "nan.exr"}), "NaN or infinity");
+}
+
+TEST_F(Compare, OneValueInEightAndSixteenBitsIsTheSame) {
+    for (int value = 0; value < 256; ++value) {
+        const auto level = static_cast<float>(value) / 255;
+        writeChannels("a.png", OIIO::TypeDesc::UINT8, {"R", "G", "B"}, {level, 1, 0});
+        writeChannels("b.png", OIIO::TypeDesc::UINT16, {"R", "G", "B"}, {level, 1, 0});
+        demos::Error error;
+        const std::optional<Picture> a = demos::readPicture(folder_.path() / "a.png", error);
+        const std::optional<Picture> b = demos::readPicture(folder_.path() / "b.png", error);
+        ASSERT_TRUE(a && b) << error.text;
+        EXPECT_EQ(a->rgba, b->rgba) << value;
+    }
+    expectSame(compare({"a.png", "b.png"}));
+}
+
+TEST_F(Compare, NamesWhatItComparesAndWhatNot) {
+    const OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
+    writeChannels("plain.exr", type, {"R", "G", "B"}, {4, 5, 6});
+    writeChannels("deep.exr", type, {"R", "G", "B", "A", "Z"}, {4, 5, 6, 1, 9});
+    writeChannels("short.exr", type, {"R", "G", "B"}, {4, 5, 6}, 2);
+    EXPECT_TRUE(compare({"plain.exr", "plain.exr"}).out.starts_with("NaN")) << "nothing to name";
+    EXPECT_TRUE(compare({"deep.exr", "deep.exr"}).out.starts_with("both: R G B; not compared: A Z\n"));
+    EXPECT_TRUE(compare({"plain.exr", "deep.exr"})
+                    .out.starts_with("reference: R G B\ntest: R G B; not compared: A Z\n"));
+    const Outcome cropped = compare({"plain.exr", "short.exr"});
+    EXPECT_NE(cropped.out.find("test: R G B; data window 4x2+0+0 of 4x3+0+0\n"), std::string::npos)
+        << cropped.out;
+    expectDifferent(cropped, "share");
+}
+
+TEST_F(Compare, LayersAreToldApartOrChosen) {
+    const OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
+    const std::vector<std::string> render = {"V.AO.R",       "V.AO.G",       "V.AO.B",
+                                             "V.Combined.R", "V.Combined.G", "V.Combined.B"};
+    writeChannels("a.exr", type, render, {1, 1, 1, 4, 5, 6});
+    writeChannels("b.exr", type, render, {1, 1, 1, 4, 5, 7});
+    writeChannels("plain.exr", type, {"R", "G", "B"}, {4, 5, 6});
+    expectDifferent(compare({"a.exr", "b.exr"}), "share");
+    expectSame(compare({"a.exr", "b.exr", "--layer", "AO"}));
+    expectSame(compare({"plain.exr", "a.exr"}));
+    expectDifferent(compare({"a.exr", "b.exr", "--layer", "Combined", "--layer", "AO"}), "share");
+    writeChannels("c.exr", type, {"x.R", "x.G", "x.B", "y.R", "y.G", "y.B"}, {1, 1, 1, 2, 2, 2});
+    tests::expectRefused(compare({"c.exr", "c.exr"}),
+                         {"c.exr: ", "several layers", "--layer with one of x, y"});
+    tests::expectRefused(compare({"c.exr", "c.exr", "--layer", "z"}), {"c.exr: has no layer 'z'"});
+    tests::expectRefused(compare({"c.exr", "c.exr", "--layer", "x", "--layer", "x", "--layer", "x"}),
+                         {"--layer is given 3 times"});
 }
 
 TEST_F(Compare, JsonHoldsTheMeasuresAndTheVerdict) {
