@@ -1,5 +1,7 @@
 #include "program/scene_input.h"
 
+#include <algorithm>
+
 #include "host/quality.h"
 #include "program/output.h"
 
@@ -16,6 +18,12 @@ bool isRegularFile(const std::string& option, const fs::path& file, const std::s
     const std::string why = fs::is_directory(file, code) ? "is a folder" : "no such file";
     error.text = option + " " + file.string() + ": " + why + ", expected " + expected;
     return false;
+}
+
+bool setsSun(const std::vector<std::string>& overrides) {
+    return std::any_of(overrides.begin(), overrides.end(), [](const std::string& text) {
+        return text.starts_with("sun.") || text.starts_with("sun=");
+    });
 }
 
 /// What the quality sets, to go before the overrides that are given by hand.
@@ -40,6 +48,9 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
     if (sky) {
         if (!isRegularFile("--sky", options.sky, "a lat-long HDR or EXR file", error)) return std::nullopt;
         overrides.push_back("sky.file=" + fs::absolute(options.sky).string());
+        overrides.push_back("sky.layer=''");
+        // The scene's sun is that of the scene's sky.
+        if (!setsSun(options.overrides)) overrides.push_back("sun.from_sky=true");
     }
     if (mesh) {
         if (!isRegularFile("--mesh", options.mesh, "a glTF file", error)) return std::nullopt;

@@ -37,7 +37,11 @@ void describeScene(CLI::App& command, RawScene& raw) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false)
         ->type_name("PATH=VALUE");
-    command.add_option("--sky", raw.sky, "Lat-long HDR or EXR instead of the scene's sky")->type_name("FILE");
+    command
+        .add_option("--sky", raw.sky,
+                    "Lat-long HDR or EXR instead of the scene's sky, and its brightest spot instead of the "
+                    "scene's sun, unless --set says one of sun.*")
+        ->type_name("FILE");
     describeStrict(command, raw.strict);
     command.add_option("--mesh", raw.mesh, "glTF at the origin instead of the scene's meshes")
         ->type_name("FILE");

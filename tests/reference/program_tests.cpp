@@ -72,6 +72,25 @@ TEST_F(Reference, SeedTimeAndSamplesShow) {
         EXPECT_FALSE(pictures[i] == pictures[0]) << variants[i].back();
 }
 
+TEST_F(Reference, AnotherSkyBringsItsOwnSun) {
+    // One bright pixel in a dim sky.
+    std::string sky = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
+    for (int i = 0; i < 64 * 32; ++i) sky += i == 10 * 64 + 50 ? "\x80\x80\x80\x88" : "\x40\x40\x40\x7c";
+    tests::writeAll(folder_.path() / "mine.hdr", sky);
+    const auto traced = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"-o", "out/a.exr", "--spp", "2"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = trace(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return tests::readAll(out("a.exr"));
+    };
+    const std::string own = traced({"--sky", "mine.hdr"});
+    EXPECT_TRUE(own == traced({"--sky", "mine.hdr", "--set", "sun.from_sky=true"}));
+    EXPECT_FALSE(own == traced({"--sky", "mine.hdr", "--set", "sun.from_sky=false"}))
+        << "the line's goes first";
+    EXPECT_FALSE(own == traced({"--sky", "mine.hdr", "--set", "sun.elevation_deg=20"}));
+}
+
 TEST_F(Reference, BadInputIsNamed) {
     const auto expect = [&](const std::vector<std::string>& arguments, const std::string& said) {
         const Outcome outcome = trace(arguments);
