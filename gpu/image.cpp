@@ -28,7 +28,7 @@ VkImageCreateInfo createInfo(const ImageDesc& desc) {
     info.extent = {desc.extent.width, desc.extent.height, 1};
     info.mipLevels = desc.mipLevels;
     info.arrayLayers = desc.layers;
-    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.samples = desc.samples;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = desc.usage;
     return info;

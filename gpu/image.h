@@ -14,8 +14,9 @@ struct ImageDesc {
     VkImageUsageFlags usage = 0;
     uint32_t mipLevels = 1;
     uint32_t layers = 1;
-    bool arrayView = false; ///< view as an array even with one layer
-    VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
+    bool arrayView = false;                                ///< view as an array even with one layer
+    VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT; ///< of its view
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 
 inline bool isSame(VkExtent2D a, VkExtent2D b) {
@@ -86,7 +87,7 @@ constexpr Use drawnColor = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
                             VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
 constexpr Use drawnDepth = {
     VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT,
-    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL};
+    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
 
 /// A barrier on mip levels [firstMip, firstMip + mips) of a colour image, all layers.
 VkImageMemoryBarrier2 imageBarrier(VkImage image, const Use& before, const Use& after, uint32_t firstMip = 0,

@@ -1,10 +1,15 @@
 #include "reflection/planar.h"
 
+#include <span>
+
 #include <glm/matrix.hpp>
 
 #include "reflection/mirror.h"
 #include "reflection/oblique.h"
 #include "spirv/planar.comp.h"
+#include "spirv/planar_apart.comp.h"
+#include "spirv/planar_multisampled.comp.h"
+#include "spirv/planar_resolved.comp.h"
 
 namespace seaglass {
 
@@ -14,6 +19,8 @@ namespace {
 struct PlanarUniforms {
     glm::vec4 heightRow{0};
     glm::vec4 weightRow{0};
+    uint32_t samples = 1; ///< of the depth
+    uint32_t padding[3] = {};
 };
 
 /// Without its translation: what the view does to points relative to the eye.
@@ -24,51 +31,78 @@ glm::dmat4 turned(const glm::dmat4& view) {
 }
 
 void recordBarriers(const ReflectPass& pass, const PlanarScratch& scratch, const OwnedReflection& images) {
-    VkImageMemoryBarrier2 before[] = {
-        gpu::imageBarrier(images.color.handle(), gpu::drawnColor, gpu::storageChanged, 0, 1),
-        gpu::imageBarrier(scratch.depth.handle(), gpu::drawnDepth, gpu::sampledByShaders),
-        gpu::imageBarrier(images.info.handle(), gpu::discardedAfterSampling, gpu::storageWritten)};
-    before[1].subresourceRange.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
-    gpu::recordBarriers(pass.context.device, pass.commands, before, 3);
+    const bool apart = scratch.color.handle();
+    const VkImageMemoryBarrier2 before[] = {
+        colorDrawn(scratch.drawnColor(images), apart ? gpu::sampledByShaders : gpu::storageChanged),
+        depthDrawn(scratch.depth),
+        gpu::imageBarrier(images.info.handle(), gpu::discardedAfterSampling, gpu::storageWritten),
+        gpu::imageBarrier(images.color.handle(), gpu::discardedAfterSampling, gpu::storageWritten, 0, 1)};
+    gpu::recordBarriers(pass.context.device, pass.commands, before, apart ? 4 : 3);
 }
 
 } // namespace
 
-gpu::ImageDesc drawnDepthDesc(VkExtent2D extent) {
-    gpu::ImageDesc desc;
-    desc.format = VK_FORMAT_D32_SFLOAT;
-    desc.extent = extent;
-    desc.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                 VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    desc.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
-    return desc;
+PlanarForm planarForm(const DrawnDesc& drawn) {
+    if (drawn.samples.color != VK_SAMPLE_COUNT_1_BIT) return PlanarForm::multisampled;
+    if (drawn.samples.depth != VK_SAMPLE_COUNT_1_BIT) return PlanarForm::resolved;
+    return drawn.colorFormat == reflectionColorFormat ? PlanarForm::inPlace : PlanarForm::apart;
 }
 
-void setImages(const gpu::OwnedImage& color, const gpu::OwnedImage& depth, double farDepth, PlanarView& out) {
-    out.extent = color.desc().extent;
-    out.colorImage = color.handle();
-    out.color = color.firstMipView();
-    out.colorFormat = color.desc().format;
-    out.depthImage = depth.handle();
-    out.depth = depth.view();
-    out.depthFormat = depth.desc().format;
-    out.clearDepth = static_cast<float>(farDepth);
-}
-
-Status PlanarKernel::create(Context& context) {
+template<PlanarForm form>
+Status PlanarKernelOf<form>::create(Context& context) {
     constexpr VkDescriptorType bindings[] = {
-        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
-    return kernel.create(context.device, planar_comp, bindings, "planar pipeline");
+        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
+    using Shader = std::span<const uint32_t>;
+    const Shader shaders[] = {planar_comp, planar_apart_comp, planar_resolved_comp, planar_multisampled_comp};
+    return kernel.create(context.device, shaders[static_cast<size_t>(form)],
+                         std::span(bindings).first(form == PlanarForm::inPlace ? 5 : 6), "planar pipeline");
 }
 
-Status PlanarScratch::create(const gpu::Device& device, VkExtent2D extent) {
-    return depth.create(device, drawnDepthDesc(extent), "mirrored depth");
+template struct PlanarKernelOf<PlanarForm::inPlace>;
+template struct PlanarKernelOf<PlanarForm::apart>;
+template struct PlanarKernelOf<PlanarForm::resolved>;
+template struct PlanarKernelOf<PlanarForm::multisampled>;
+
+namespace {
+
+template<PlanarForm form>
+Status shareForm(Context& context, std::shared_ptr<PlanarKernel>& out) {
+    std::shared_ptr<PlanarKernelOf<form>> shared;
+    const Status s = context.share(shared);
+    out = shared;
+    return s;
 }
 
-VkDeviceSize PlanarScratch::bytes(const gpu::Device& device, VkExtent2D extent) {
-    return gpu::heldBytes(device, drawnDepthDesc(extent));
+} // namespace
+
+Status sharePlanar(Context& context, const DrawnDesc& drawn, std::shared_ptr<PlanarKernel>& out) {
+    switch (planarForm(drawn)) {
+    case PlanarForm::inPlace:
+        break;
+    case PlanarForm::apart:
+        return shareForm<PlanarForm::apart>(context, out);
+    case PlanarForm::resolved:
+        return shareForm<PlanarForm::resolved>(context, out);
+    case PlanarForm::multisampled:
+        return shareForm<PlanarForm::multisampled>(context, out);
+    }
+    return shareForm<PlanarForm::inPlace>(context, out);
+}
+
+Status PlanarScratch::create(const gpu::Device& device, const DrawnDesc& drawn, VkExtent2D extent) {
+    if (planarForm(drawn) != PlanarForm::inPlace)
+        if (const Status s = color.create(device, drawnColorDesc(drawn, extent), "mirrored colour");
+            s != Status::ok)
+            return s;
+    return depth.create(device, drawnDepthDesc(drawn, extent), "mirrored depth");
+}
+
+VkDeviceSize PlanarScratch::bytes(const gpu::Device& device, const DrawnDesc& drawn, VkExtent2D extent) {
+    const bool apart = planarForm(drawn) != PlanarForm::inPlace;
+    return gpu::heldBytes(device, drawnDepthDesc(drawn, extent)) +
+           (apart ? gpu::heldBytes(device, drawnColorDesc(drawn, extent)) : 0);
 }
 
 MirroredCamera mirroredCamera(const ViewDesc& view, const ViewGeometry& geometry,
@@ -107,7 +141,7 @@ PlanarView describe(const MirroredCamera& camera, const ViewDesc& view, const Vi
                     view.viewport.height / scale,
                     0,
                     1};
-    setImages(images.color, scratch.depth, geometry.farDepth, out);
+    setImages(scratch.drawnColor(images), scratch.depth, geometry.farDepth, out);
     return out;
 }
 
@@ -115,7 +149,8 @@ Status recordPlanar(const ReflectPass& pass, const PlanarKernel& planar, const P
                     const glm::dvec4& worldPlane, const OwnedReflection& images) {
     Context& context = pass.context;
     const MirroredCamera camera = mirroredCamera(pass.view, pass.geometry, worldPlane);
-    const PlanarUniforms uniforms{glm::vec4(camera.heightRow), glm::vec4(camera.weightRow)};
+    const PlanarUniforms uniforms{
+        glm::vec4(camera.heightRow), glm::vec4(camera.weightRow), scratch.depth.desc().samples, {}};
     gpu::Slice slice;
     if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
     const gpu::Resource resources[] = {
@@ -124,9 +159,13 @@ Status recordPlanar(const ReflectPass& pass, const PlanarKernel& planar, const P
         gpu::sampledImage(context.samplers.nearestClamp(), scratch.depth.view()),
         gpu::storageImage(images.color.firstMipView()),
         gpu::storageImage(images.info.view()),
+        gpu::sampledImage(context.samplers.nearestClamp(), scratch.color.view()),
     };
+    const size_t bound = scratch.color.handle() ? 6 : 5;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(planar.kernel.layout(), resources, set); s != Status::ok)
+    if (const Status s =
+            context.frame().allocateSet(planar.kernel.layout(), std::span(resources).first(bound), set);
+        s != Status::ok)
         return s;
 
     const VkCommandBuffer commands = pass.commands;

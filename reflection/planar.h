@@ -3,28 +3,45 @@
 #pragma once
 
 #include "gpu/kernel.h"
+#include "reflection/drawn_images.h"
 #include "reflection/reflect_pass.h"
 #include "reflection/reflection_images.h"
 
 namespace seaglass {
 
-struct PlanarKernel {
-    gpu::Kernel kernel;
-    Status create(Context& context);
+/// Where the host's colour is, by the samples of a pixel.
+enum class PlanarForm {
+    inPlace,      ///< in the reflection's own colour, depth with one sample
+    apart,        ///< in an image of its own, both with one sample
+    resolved,     ///< likewise, depth with many
+    multisampled, ///< likewise, both with many
 };
 
-/// A depth image that a host draws into and shaders sample.
-gpu::ImageDesc drawnDepthDesc(VkExtent2D extent);
+PlanarForm planarForm(const DrawnDesc& drawn);
+/// The host draws into mip 0 of what the technique leaves.
+inline bool drawnInPlace(const ReflectionDesc& desc) {
+    return desc.technique == ReflectionTechnique::planar && planarForm(desc.drawn) == PlanarForm::inPlace;
+}
 
-/// Says in `out` what a host is to draw into.
-void setImages(const gpu::OwnedImage& color, const gpu::OwnedImage& depth, double farDepth, PlanarView& out);
+struct PlanarKernel {
+    gpu::Kernel kernel;
+};
+template<PlanarForm form>
+struct PlanarKernelOf : PlanarKernel {
+    Status create(Context& context);
+};
+Status sharePlanar(Context& context, const DrawnDesc& drawn, std::shared_ptr<PlanarKernel>& out);
 
 /// What planar reflection needs for one view besides its images.
 struct PlanarScratch {
+    gpu::OwnedImage color; ///< empty where the host draws in place
     gpu::OwnedImage depth;
     bool handedOut = false; ///< the host was told what to draw since the last reflect()
-    Status create(const gpu::Device& device, VkExtent2D extent);
-    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent);
+    Status create(const gpu::Device& device, const DrawnDesc& drawn, VkExtent2D extent);
+    static VkDeviceSize bytes(const gpu::Device& device, const DrawnDesc& drawn, VkExtent2D extent);
+    const gpu::OwnedImage& drawnColor(const OwnedReflection& images) const {
+        return color.handle() ? color : images.color;
+    }
 };
 
 constexpr uint32_t planarDispatches = 1;

@@ -17,7 +17,7 @@ gpu::ImageDesc infoDesc(VkExtent2D extent) {
 
 gpu::ImageDesc colorDesc(VkExtent2D extent, uint32_t blurLevels, bool drawnInto) {
     gpu::ImageDesc desc = infoDesc(extent);
-    desc.format = VK_FORMAT_R16G16B16A16_SFLOAT;
+    desc.format = reflectionColorFormat;
     desc.mipLevels = blurMipLevels(extent, blurLevels);
     if (drawnInto) desc.usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     return desc;

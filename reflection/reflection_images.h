@@ -12,6 +12,8 @@ constexpr VkExtent2D scaledDown(VkExtent2D extent, uint32_t scale) {
     return {(extent.width + scale - 1) / scale, (extent.height + scale - 1) / scale};
 }
 
+constexpr VkFormat reflectionColorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+
 struct OwnedReflection {
     gpu::OwnedImage color; ///< RGBA16F, premultiplied by confidence, with the pyramid's mips
     gpu::OwnedImage info;  ///< R16F, see shaders/common/reflection_info.glsl

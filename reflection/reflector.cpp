@@ -50,10 +50,9 @@ const char* badLook(const ReflectionDesc& desc) {
 
 Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
     region = extent;
-    const bool drawn = desc.technique == ReflectionTechnique::planar;
     const VkExtent2D scaled = scaledDown(extent, desc.downscale);
-    if (drawn)
-        if (const Status s = planar.create(device, scaled); s != Status::ok) return s;
+    if (desc.technique == ReflectionTechnique::planar)
+        if (const Status s = planar.create(device, desc.drawn, scaled); s != Status::ok) return s;
     if (scatters(desc.technique))
         if (const Status s = sspr.create(device, extent, desc); s != Status::ok) return s;
     if (desc.technique == ReflectionTechnique::hybrid)
@@ -61,8 +60,8 @@ Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const
     if (desc.technique == ReflectionTechnique::ssr)
         if (const Status s = ssr.create(device, extent, desc); s != Status::ok) return s;
     if (desc.temporal > 0)
-        if (const Status s = temporal.create(device, scaled, desc, drawn); s != Status::ok) return s;
-    return images.create(device, scaled, desc.blurLevels, drawn && desc.temporal == 0);
+        if (const Status s = temporal.create(device, scaled, desc); s != Status::ok) return s;
+    return images.create(device, scaled, desc.blurLevels, drawnInPlace(desc) && desc.temporal == 0);
 }
 
 const gpu::Buffer& ReflectedView::tiles(ReflectionTechnique technique) const {
@@ -77,7 +76,7 @@ Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExt
     const VkExtent2D scaled = scaledDown(extent, desc.downscale);
     const bool drawn = desc.technique == ReflectionTechnique::planar;
     estimate.bytesPerView =
-        OwnedReflection::bytes(device, scaled, desc.blurLevels, drawn && desc.temporal == 0);
+        OwnedReflection::bytes(device, scaled, desc.blurLevels, drawnInPlace(desc) && desc.temporal == 0);
     if (scatters(desc.technique)) estimate.bytesPerView += SsprScratch::bytes(device, extent, desc);
     switch (desc.technique) {
     case ReflectionTechnique::sky:
@@ -94,7 +93,7 @@ Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExt
         estimate.dispatchesPerView = hybridDispatches(desc) + unseenTilesDispatches(device);
         break;
     case ReflectionTechnique::planar:
-        estimate.bytesPerView += PlanarScratch::bytes(device, scaled);
+        estimate.bytesPerView += PlanarScratch::bytes(device, desc.drawn, scaled);
         estimate.dispatchesPerView = planarDispatches;
         break;
     }
@@ -106,7 +105,7 @@ Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExt
     if (reachesBeyond(desc)) estimate.dispatchesPerView += edgeReachDispatches;
     if (desc.edgeStretch > 0) estimate.dispatchesPerView += stretchDispatches;
     if (desc.temporal > 0) {
-        estimate.bytesPerView += TemporalScratch::bytes(device, scaled, desc, drawn);
+        estimate.bytesPerView += TemporalScratch::bytes(device, scaled, desc);
         estimate.dispatchesPerView += temporalDispatches + unseenTilesDispatches(device);
     }
     return estimate;
@@ -130,6 +129,12 @@ const char* badField(const ReflectionDesc& desc) {
     return badMarch(desc);
 }
 
+Status check(const gpu::Device& device, const ReflectionDesc& desc) {
+    if (const char* bad = badField(desc)) return device.fail(Status::invalidArgument, "%s", bad);
+    if (desc.technique != ReflectionTechnique::planar) return Status::ok;
+    return checkDrawn(device, desc.drawn, "ReflectionDesc");
+}
+
 const char* badField(const SceneSamples& samples) {
     if (hasSamplePlace(samples.depth) && hasSamplePlace(samples.color)) return nullptr;
     return "estimate: SceneSamples holds a count that is none of 1, 2, 4, 8 and 16";
@@ -142,7 +147,7 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
         return owner.device.fail(Status::invalidArgument, "ReflectorDesc: %s", bad);
     if (const char* bad = readBounds(description.boundsLow, description.boundsHigh, bounds))
         return owner.device.fail(Status::invalidArgument, "ReflectorDesc: %s", bad);
-    if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
+    if (const Status s = check(owner.device, desc); s != Status::ok) return s;
     if (scatters(desc.technique))
         if (const Status s = sspr.create(owner, desc); s != Status::ok) return s;
     if (desc.technique == ReflectionTechnique::sky) return Status::ok;
@@ -156,7 +161,7 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
         if (const Status s = owner.share(temporal); s != Status::ok) return s;
     if (desc.technique == ReflectionTechnique::ssr) return ssr.create(owner, desc);
     if (desc.technique == ReflectionTechnique::hybrid) return hybrid.create(owner, desc);
-    if (desc.technique == ReflectionTechnique::planar) return owner.share(planar);
+    if (desc.technique == ReflectionTechnique::planar) return sharePlanar(owner, desc.drawn, planar);
     return Status::ok;
 }
 
@@ -314,7 +319,7 @@ Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent,
         s != Status::ok)
         return s;
     *out = {};
-    if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    if (const Status s = check(context->device, *desc); s != Status::ok) return s;
     if (extent.width == 0 || extent.height == 0)
         return context->device.fail(Status::invalidArgument, "estimate: the extent is empty");
     if (const char* bad = badField(samples)) return context->device.fail(Status::invalidArgument, "%s", bad);

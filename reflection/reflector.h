@@ -47,6 +47,8 @@ Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExt
 /// Null when the description is usable, else what is wrong with it.
 const char* badField(const ReflectionDesc& desc);
 const char* badField(const SceneSamples& samples);
+/// The same, said, and what this device cannot do.
+Status check(const gpu::Device& device, const ReflectionDesc& desc);
 
 struct Reflector : Held {
     glm::dvec4 plane{0}; ///< world, unit normal

@@ -40,6 +40,11 @@ bool holdsNormals(VkFormat format) {
            format == VK_FORMAT_R8G8B8A8_SNORM;
 }
 
+bool holdsStencil(VkFormat format) {
+    return format == VK_FORMAT_D16_UNORM_S8_UINT || format == VK_FORMAT_D24_UNORM_S8_UINT ||
+           format == VK_FORMAT_D32_SFLOAT_S8_UINT;
+}
+
 bool sampledIn(VkImageLayout layout) {
     switch (layout) {
     case VK_IMAGE_LAYOUT_GENERAL:

@@ -13,6 +13,8 @@ namespace seaglass {
 bool holdsColor(VkFormat format);
 bool holdsDepth(VkFormat format);
 bool holdsNormals(VkFormat format);
+/// Beside a depth.
+bool holdsStencil(VkFormat format);
 
 /// What is said of a `field` that holdsDepth() refuses; zero-terminated.
 template<size_t size>

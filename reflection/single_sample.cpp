@@ -29,14 +29,6 @@ gpu::ImageDesc imageDesc(VkExtent2D extent, VkFormat format) {
     return desc;
 }
 
-gpu::ImageDesc depthDesc(VkExtent2D extent) {
-    return imageDesc(extent, VK_FORMAT_R32_SFLOAT);
-}
-
-gpu::ImageDesc colorDesc(VkExtent2D extent) {
-    return imageDesc(extent, VK_FORMAT_R16G16B16A16_SFLOAT);
-}
-
 Status prepare(Context& context, SingleSamples& samples, const ViewDesc& view) {
     if (!samples.depth)
         if (const Status s = context.share(samples.depth); s != Status::ok) return s;
@@ -52,24 +44,7 @@ Status prepare(Context& context, SingleSamples& samples, const ViewDesc& view) {
 
 Status recordImage(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::OwnedImage& to,
                    const Image& image) {
-    Context& context = pass.context;
-    const gpu::Device& device = context.device;
-    const gpu::Resource resources[] = {
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
-        gpu::sampledImage(context.samplers.nearestClamp(), image.view, image.layout),
-        gpu::storageImage(to.view()),
-    };
-    VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
-        return s;
-    const VkImageMemoryBarrier2 before =
-        gpu::imageBarrier(to.handle(), gpu::discardedAfterSampling, gpu::storageWritten);
-    gpu::recordBarriers(device, pass.commands, &before, 1);
-    kernel.dispatchOver(pass.commands, set, pass.extent());
-    const VkImageMemoryBarrier2 after =
-        gpu::imageBarrier(to.handle(), gpu::storageWritten, gpu::sampledByShaders);
-    gpu::recordBarriers(device, pass.commands, &after, 1);
-    return Status::ok;
+    return recordFirstSample(pass.context, pass.commands, kernel, pass.mirror, pass.extent(), to, image);
 }
 
 void replace(Image& image, const gpu::OwnedImage& by) {
@@ -96,6 +71,36 @@ Status recordSingleSample(const ReflectPass& pass, SingleSamples& samples, ViewD
 
 } // namespace
 
+gpu::ImageDesc firstDepthDesc(VkExtent2D extent) {
+    return imageDesc(extent, VK_FORMAT_R32_SFLOAT);
+}
+
+gpu::ImageDesc firstColorDesc(VkExtent2D extent) {
+    return imageDesc(extent, VK_FORMAT_R16G16B16A16_SFLOAT);
+}
+
+Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::Kernel& kernel,
+                         const gpu::Slice& mirror, VkExtent2D region, const gpu::OwnedImage& to,
+                         const Image& image) {
+    const gpu::Device& device = context.device;
+    const gpu::Resource resources[] = {
+        gpu::uniformBuffer(mirror.buffer, mirror.offset, sizeof(MirrorUniforms)),
+        gpu::sampledImage(context.samplers.nearestClamp(), image.view, image.layout),
+        gpu::storageImage(to.view()),
+    };
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
+        return s;
+    const VkImageMemoryBarrier2 before =
+        gpu::imageBarrier(to.handle(), gpu::discardedAfterSampling, gpu::storageWritten);
+    gpu::recordBarriers(device, commands, &before, 1);
+    kernel.dispatchOver(commands, set, region);
+    const VkImageMemoryBarrier2 after =
+        gpu::imageBarrier(to.handle(), gpu::storageWritten, gpu::sampledByShaders);
+    gpu::recordBarriers(device, commands, &after, 1);
+    return Status::ok;
+}
+
 Status DepthSampleKernel::create(Context& context) {
     return createKernel(context, single_sample_depth_comp, kernel);
 }
@@ -116,17 +121,18 @@ void SingleSampledScene::standIn(ViewDesc& view) const {
 
 Status SingleSampledScene::create(const gpu::Device& device, const ViewDesc& view) {
     constexpr const char* what = "single-sampled scene";
-    if (const Status s = depth.create(device, depthDesc(view.sceneDepth.extent), what); s != Status::ok)
+    if (const Status s = depth.create(device, firstDepthDesc(view.sceneDepth.extent), what); s != Status::ok)
         return s;
     if (!hasManySamples(view.sceneColor)) return Status::ok;
-    return color.create(device, colorDesc(view.sceneColor.extent), what);
+    return color.create(device, firstColorDesc(view.sceneColor.extent), what);
 }
 
 VkDeviceSize SingleSampledScene::bytes(const gpu::Device& device, VkExtent2D extent,
                                        const SceneSamples& samples) {
     if (samples.depth == VK_SAMPLE_COUNT_1_BIT) return 0;
     const bool both = samples.color != VK_SAMPLE_COUNT_1_BIT;
-    return gpu::heldBytes(device, depthDesc(extent)) + (both ? gpu::heldBytes(device, colorDesc(extent)) : 0);
+    return gpu::heldBytes(device, firstDepthDesc(extent)) +
+           (both ? gpu::heldBytes(device, firstColorDesc(extent)) : 0);
 }
 
 uint32_t SingleSampledScene::dispatches(const SceneSamples& samples) {

@@ -58,6 +58,15 @@ inline bool isMultisampled(const ViewDesc& view) {
     return view.sceneDepth.samples != VK_SAMPLE_COUNT_1_BIT;
 }
 
+/// Sample 0 of `image`, within the region of `mirror`, to be sampled from `to`; `kernel` is of what it holds.
+Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::Kernel& kernel,
+                         const gpu::Slice& mirror, VkExtent2D region, const gpu::OwnedImage& to,
+                         const Image& image);
+
+/// What that writes.
+gpu::ImageDesc firstDepthDesc(VkExtent2D extent);
+gpu::ImageDesc firstColorDesc(VkExtent2D extent);
+
 /// For all who read the scene of a call: the first fills the region of its view's single-sampled images and
 /// leaves them to be sampled in `scene.read`. `samples` is what the reader holds of them, null until a view
 /// has many.

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "reflection/mirror.h"
+#include "reflection/planar.h"
 #include "spirv/temporal.comp.h"
 
 namespace seaglass {
@@ -72,19 +73,19 @@ Status TemporalKernel::create(Context& context) {
     return kernel.create(context.device, temporal_comp, bindings, "temporal pipeline");
 }
 
-Status TemporalScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc,
-                               bool drawnInto) {
-    if (const Status s = found.create(device, extent, 0, drawnInto); s != Status::ok) return s;
-    if (drawnInto)
+Status TemporalScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    if (const Status s = found.create(device, extent, 0, drawnInPlace(desc)); s != Status::ok) return s;
+    if (desc.technique == ReflectionTechnique::planar)
         if (const Status s = createTiles(device, extent, "temporal tiles", tiles); s != Status::ok) return s;
     return other.create(device, extent, desc.blurLevels, false);
 }
 
-VkDeviceSize TemporalScratch::bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc,
-                                    bool drawnInto) {
-    return OwnedReflection::bytes(device, extent, 0, drawnInto) +
+VkDeviceSize TemporalScratch::bytes(const gpu::Device& device, VkExtent2D extent,
+                                    const ReflectionDesc& desc) {
+    const bool planar = desc.technique == ReflectionTechnique::planar;
+    return OwnedReflection::bytes(device, extent, 0, drawnInPlace(desc)) +
            OwnedReflection::bytes(device, extent, desc.blurLevels, false) +
-           (drawnInto ? heldByTiles(device, extent) : 0);
+           (planar ? heldByTiles(device, extent) : 0);
 }
 
 Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, const glm::dvec4& worldPlane,

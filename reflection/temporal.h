@@ -35,9 +35,8 @@ struct TemporalScratch {
     /// Where the host draws what is mirrored; techniques over the picture know where it is looked up.
     gpu::Buffer tiles;
     LastFrame last;
-    Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc, bool drawnInto);
-    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc,
-                              bool drawnInto);
+    Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
 };
 
 /// Besides those of tiles that are not looked up.

@@ -11,10 +11,24 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 1, std140) uniform MirroredView {
     vec4 mirroredHeightRow; // with the mirrored projection's own depth
     vec4 mirroredWeightRow;
+    uint depthSamples; // a pixel
 };
+#ifdef MANY_DEPTHS
+layout(set = 0, binding = 2) uniform sampler2DMS mirroredDepth;
+#else
 layout(set = 0, binding = 2) uniform sampler2D mirroredDepth;
-layout(set = 0, binding = 3, rgba16f) uniform image2D reflectionColor;
+#endif
 layout(set = 0, binding = 4, r16f) uniform writeonly image2D reflectionInfo;
+#ifdef APART
+layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D reflectionColor;
+#ifdef MANY_COLORS
+layout(set = 0, binding = 5) uniform sampler2DMS mirroredColor;
+#else
+layout(set = 0, binding = 5) uniform sampler2D mirroredColor;
+#endif
+#else
+layout(set = 0, binding = 3, rgba16f) uniform image2D reflectionColor; // what the host has drawn
+#endif
 
 // Of what lies under the plane, drawn only where the oblique plane could not clip it: no more than this counts [m].
 const float contact = 1e-3;
@@ -32,12 +46,57 @@ float infoOfDrawn(vec2 q, float depth) {
     return height > -contact ? infoOfHit(height / towardsPlane) : infoUnknown;
 }
 
+float depthAt(ivec2 pixel, int i) {
+    return texelFetch(mirroredDepth, pixel, i).r; // the mip, where there is one sample
+}
+
+vec3 colorAt(ivec2 pixel, int i) {
+#ifdef APART
+    return texelFetch(mirroredColor, pixel, i).rgb;
+#else
+    return imageLoad(reflectionColor, pixel).rgb;
+#endif
+}
+
+struct Mirrored {
+    float info;
+    vec4 color; // times the share of the pixel that was drawn
+};
+
+#ifdef MANY_DEPTHS
+// Where an edge crosses the pixel the sky shows beside it. What is farther than one hit, and nearer than another, lies nowhere:
+// the first tells how far it is.
+Mirrored mirroredBy(ivec2 pixel) {
+    Mirrored m = Mirrored(infoUnknown, vec4(0.0));
+    int count = int(depthSamples);
+    for (int i = 0; i < count; ++i) {
+        float info = infoOfDrawn(middleOf(pixel), depthAt(pixel, i));
+        bool hit = infoIsHit(info);
+        if (!infoIsHit(m.info) && (hit || i == 0)) m.info = info;
+#ifdef MANY_COLORS
+        if (hit) m.color.rgb += colorAt(pixel, i);
+#endif
+        if (hit) m.color.a += 1.0;
+    }
+    m.color /= float(count);
+#ifndef MANY_COLORS
+    // Resolved over black, and so times that share already.
+    if (m.color.a > 0.0) m.color.rgb = colorAt(pixel, 0);
+#endif
+    return m;
+}
+#else
+Mirrored mirroredBy(ivec2 pixel) {
+    float info = infoOfDrawn(middleOf(pixel), depthAt(pixel, 0));
+    return Mirrored(info, infoIsHit(info) ? vec4(colorAt(pixel, 0), 1.0) : vec4(0.0));
+}
+#endif
+
 void main() {
     loadMirror();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize()))) return;
-    float info = infoOfDrawn(middleOf(pixel), texelFetch(mirroredDepth, pixel, 0).r);
-    vec3 drawn = imageLoad(reflectionColor, pixel).rgb;
-    imageStore(reflectionColor, pixel, infoIsHit(info) ? vec4(drawn, 1.0) : vec4(0.0));
-    imageStore(reflectionInfo, pixel, vec4(info, 0.0, 0.0, 0.0));
+    Mirrored m = mirroredBy(pixel);
+    imageStore(reflectionColor, pixel, m.color);
+    imageStore(reflectionInfo, pixel, vec4(m.info, 0.0, 0.0, 0.0));
 }

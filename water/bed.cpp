@@ -10,21 +10,14 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "reflection/drawn_images.h"
+#include "reflection/mirror.h"
 #include "reflection/oblique.h"
-#include "reflection/planar.h"
+#include "reflection/scene_formats.h"
 
 namespace seaglass {
 
 namespace {
-
-gpu::ImageDesc colorDesc(VkExtent2D extent) {
-    gpu::ImageDesc desc;
-    desc.format = VK_FORMAT_R16G16B16A16_SFLOAT;
-    desc.extent = extent;
-    desc.usage =
-        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    return desc;
-}
 
 /// Whole pixels, so that a point of the surface has the same place in its pixel in both pictures.
 glm::ivec2 marginOf(const BedDesc& desc, const glm::ivec2& size) {
@@ -105,9 +98,24 @@ bool cutAbove(ViewDesc& view, bool reversedDepth, const glm::dvec4& plane) {
 
 } // namespace
 
-Status BedPicture::create(const gpu::Device& device, VkExtent2D extent) {
-    if (const Status s = color.create(device, colorDesc(extent), "bed"); s != Status::ok) return s;
-    return depth.create(device, drawnDepthDesc(extent), "bed's depth");
+Status BedPicture::create(const gpu::Device& device, const DrawnDesc& drawn, VkExtent2D extent) {
+    if (const Status s = color.create(device, drawnColorDesc(drawn, extent), "bed"); s != Status::ok)
+        return s;
+    if (const Status s = depth.create(device, drawnDepthDesc(drawn, extent), "bed's depth"); s != Status::ok)
+        return s;
+    if (drawn.samples.depth == VK_SAMPLE_COUNT_1_BIT) return Status::ok;
+    if (const Status s = firstDepth.create(device, firstDepthDesc(extent), "bed's depth"); s != Status::ok)
+        return s;
+    if (drawn.samples.color == VK_SAMPLE_COUNT_1_BIT) return Status::ok;
+    return firstColor.create(device, firstColorDesc(extent), "bed");
+}
+
+Status Bed::create(Context& context, Bed& made) {
+    const DrawnDesc& drawn = made.desc.drawn;
+    if (const Status s = checkDrawn(context.device, drawn, "BedDesc"); s != Status::ok) return s;
+    if (drawn.samples.depth != VK_SAMPLE_COUNT_1_BIT)
+        if (const Status s = context.share(made.firstDepth); s != Status::ok) return s;
+    return drawn.samples.color == VK_SAMPLE_COUNT_1_BIT ? Status::ok : context.share(made.firstColor);
 }
 
 Status Bed::handOut(Context& context, const ViewDesc& view, const ViewGeometry& geometry,
@@ -125,9 +133,10 @@ Status Bed::handOut(Context& context, const ViewDesc& view, const ViewGeometry& 
     const VkExtent2D extent = extentOf(camera);
     if (!picture.color.isOf(extent)) {
         BedPicture fresh;
-        if (const Status s = fresh.create(device, extent); s != Status::ok) return s;
+        if (const Status s = fresh.create(device, desc.drawn, extent); s != Status::ok) return s;
         context.frame().retire(std::exchange(picture, std::move(fresh)));
     }
+    camera.sceneShift = glm::dvec2(0.5) - samplePlace(desc.drawn.samples.depth);
     picture.camera = camera;
     picture.handedOut = true;
 
@@ -139,16 +148,35 @@ Status Bed::handOut(Context& context, const ViewDesc& view, const ViewGeometry& 
     return Status::ok;
 }
 
-void Bed::take(Context& context, VkCommandBuffer commands, uint32_t viewIndex) {
-    if (viewIndex >= maxViews) return;
+Status Bed::take(Context& context, VkCommandBuffer commands, uint32_t viewIndex) {
+    if (viewIndex >= maxViews) return Status::ok;
     BedPicture& picture = views[viewIndex];
-    if (!std::exchange(picture.handedOut, false)) return;
-    picture.taken = context.frameNumber;
-    VkImageMemoryBarrier2 barriers[] = {
-        gpu::imageBarrier(picture.color.handle(), gpu::drawnColor, gpu::sampledByShaders),
-        gpu::imageBarrier(picture.depth.handle(), gpu::drawnDepth, gpu::sampledByShaders)};
-    barriers[1].subresourceRange.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
+    if (!std::exchange(picture.handedOut, false)) return Status::ok;
+    const VkImageMemoryBarrier2 barriers[] = {colorDrawn(picture.color, gpu::sampledByShaders),
+                                              depthDrawn(picture.depth)};
     gpu::recordBarriers(context.device, commands, barriers, 2);
+    if (firstDepth)
+        if (const Status s = takeFirstSamples(context, commands, picture); s != Status::ok) return s;
+    picture.taken = context.frameNumber;
+    return Status::ok;
+}
+
+Status Bed::takeFirstSamples(Context& context, VkCommandBuffer commands, const BedPicture& picture) const {
+    const ViewGeometry& camera = picture.camera;
+    gpu::Slice mirror;
+    if (const Status s = context.frame().upload(
+            mirrorUniforms(camera, {0, 1, 0, 0}, {}, {0, 0, camera.regionSize}), mirror);
+        s != Status::ok)
+        return s;
+    const gpu::PassScope scope(context.device, commands, "bed_single_sample");
+    const auto take = [&](const gpu::Kernel& kernel, const gpu::OwnedImage& to, const gpu::OwnedImage& from) {
+        const Image image = {from.view(), from.desc().format, from.desc().extent,
+                             gpu::sampledByShaders.layout, from.desc().samples};
+        return recordFirstSample(context, commands, kernel, mirror, extentOf(camera), to, image);
+    };
+    const Status s = take(firstDepth->kernel, picture.firstDepth, picture.depth);
+    if (s != Status::ok || !firstColor) return s;
+    return take(firstColor->kernel, picture.firstColor, picture.color);
 }
 
 const BedPicture* Bed::of(const Context& context, uint32_t viewIndex) const {
@@ -165,7 +193,9 @@ VkExtent2D Bed::pictureExtent(const BedDesc& desc, uint32_t downscale, VkExtent2
 
 VkDeviceSize Bed::bytes(const gpu::Device& device, const BedDesc& desc, uint32_t downscale, VkExtent2D view) {
     const VkExtent2D extent = pictureExtent(desc, downscale, view);
-    return gpu::heldBytes(device, colorDesc(extent)) + gpu::heldBytes(device, drawnDepthDesc(extent));
+    return gpu::heldBytes(device, drawnColorDesc(desc.drawn, extent)) +
+           gpu::heldBytes(device, drawnDepthDesc(desc.drawn, extent)) +
+           SingleSampledScene::bytes(device, extent, desc.drawn.samples);
 }
 
 } // namespace seaglass

@@ -36,7 +36,12 @@ Status Body::create(Context& owner, const BodyDesc& desc) {
         if (const Status s = createFoam(*desc.foam); s != Status::ok) return s;
     if (desc.refraction) refraction = *desc.refraction;
     if (desc.bed)
-        bed.emplace(Bed{*desc.bed, desc.shading.bedDownscale, double{desc.refraction->distortion}, {}});
+        if (const Status s =
+                Bed::create(owner, bed.emplace(Bed{.desc = *desc.bed,
+                                                   .downscale = desc.shading.bedDownscale,
+                                                   .distortion = double{refraction->distortion}}));
+            s != Status::ok)
+            return s;
     if (desc.underwater) underwater = *desc.underwater;
     if (desc.caustics && waves)
         if (const Status s = caustics.emplace().create(owner, *sea, *desc.caustics); s != Status::ok)
@@ -140,7 +145,8 @@ Status Body::bedView(const ViewDesc& view, PlanarView& out) {
 }
 
 Status Body::reflect(VkCommandBuffer commands, SceneOfCall& scene) {
-    if (bed) bed->take(*context, commands, scene.given.viewIndex);
+    if (bed)
+        if (const Status s = bed->take(*context, commands, scene.given.viewIndex); s != Status::ok) return s;
     if (!isMultisampled(scene.given))
         dropSamples(*context, singleSamples.get(), scene.given.viewIndex);
     else if (refraction)

@@ -195,8 +195,8 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
                 gpu::sampledImage(s, in.view->sceneDepth.view, in.view->sceneDepth.layout);
             // Without a bed its shader does not look at it.
             if (f.bedDownscale == 0) return std::array{color, depth, color, depth};
-            return std::array{color, depth, gpu::sampledImage(s, in.bed->color.view()),
-                              gpu::sampledImage(s, in.bed->depth.view())};
+            return std::array{color, depth, gpu::sampledImage(s, in.bed->colorRead()),
+                              gpu::sampledImage(s, in.bed->depthRead())};
         },
         [&] {
             return gpu::sampledImage(samplers.nearestClamp(), light.shadow->map.view,

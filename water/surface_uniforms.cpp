@@ -85,7 +85,7 @@ void setDryRooms(SurfaceUniforms& u, const std::vector<DryPlanes>& rooms, const 
 void setBed(SurfaceUniforms& u, const BedPicture& bed, const glm::dvec3& eye) {
     glm::dmat4 moved(1);
     moved[3] = glm::dvec4(eye - bed.camera.eye, 1);
-    const glm::dmat4 pixelFromRelative = bed.camera.pixelFromRelative * moved;
+    const glm::dmat4 pixelFromRelative = scenePixelFromRelative(bed.camera) * moved;
     u.bedFromRelative = glm::mat4(pixelFromRelative);
     u.relativeFromBed = glm::mat4(glm::inverse(pixelFromRelative));
     u.bedSize = bed.camera.regionSize;

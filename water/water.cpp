@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "gpu/guard.h"
+#include "reflection/drawn_images.h"
 #include "water/body.h"
 #include "water/body_desc.h"
 #include "water/sea.h"
@@ -68,8 +69,12 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
             sum.bytesPerSharedView = SingleSampledScene::bytes(context->device, extent, samples);
             sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
         }
-        if (desc->bed)
+        if (desc->bed) {
+            if (const Status s = checkDrawn(context->device, desc->bed->drawn, "BedDesc"); s != Status::ok)
+                return s;
+            sum.dispatchesPerView += Bed::dispatches(*desc->bed);
             sum.bytesPerView += Bed::bytes(context->device, *desc->bed, desc->shading.bedDownscale, extent);
+        }
         sum.bytesPerView += waves.bytesPerView;
         sum.bytes += waves.bytes;
         sum.bytes += HostMesh::bytes(context->device, desc->extent);

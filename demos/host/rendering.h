@@ -5,7 +5,7 @@
 
 namespace demos {
 
-/// Colour is cleared to zero, depth to `clearDepth`; both are kept. Depth in another layout is only read.
+/// Colour is cleared to zero, depth to `clearDepth`; both are kept. Depth in a layout to read is only read.
 /// Viewport and scissor are set to all of it.
 inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageView color,
                            VkAttachmentLoadOp colorLoad, VkImageView depth, VkAttachmentLoadOp depthLoad,
@@ -20,8 +20,9 @@ inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageV
     depthInfo.imageView = depth;
     depthInfo.imageLayout = depthLayout;
     depthInfo.loadOp = depthLoad;
-    depthInfo.storeOp = depthLayout == VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL ? VK_ATTACHMENT_STORE_OP_STORE
-                                                                                : VK_ATTACHMENT_STORE_OP_NONE;
+    depthInfo.storeOp = depthLayout == VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
+                            ? VK_ATTACHMENT_STORE_OP_NONE
+                            : VK_ATTACHMENT_STORE_OP_STORE;
     depthInfo.clearValue.depthStencil.depth = clearDepth;
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     info.renderArea.extent = extent;

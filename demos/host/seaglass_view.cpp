@@ -35,7 +35,8 @@ seaglass::ViewDesc viewOf(const seaglass::PlanarView& drawn) {
     view.viewport = drawn.viewport;
     view.sceneColor = {drawn.color, drawn.colorFormat, drawn.extent,
                        VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-    view.sceneDepth = {drawn.depth, drawn.depthFormat, drawn.extent, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL};
+    view.sceneDepth = {drawn.depth, drawn.depthFormat, drawn.extent,
+                       VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL};
     return view;
 }
 

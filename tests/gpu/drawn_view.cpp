@@ -3,6 +3,7 @@
 #include <span>
 
 #include "host/rendering.h"
+#include "seaglass/record.h"
 #include "tests/gpu/rig.h"
 
 namespace tests {
@@ -38,7 +39,7 @@ constexpr Uses attached = {
     {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
      VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL},
     {VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
-     VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL}};
+     VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL}};
 
 VkImageMemoryBarrier2 barrierOf(VkImage image, VkImageAspectFlags aspect, const Use& from, const Use& to) {
     VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
@@ -90,9 +91,11 @@ void recordDrawing(VkCommandBuffer commands, const seaglass::PlanarView& view, c
 }
 
 void beginDrawing(VkCommandBuffer commands, const seaglass::PlanarView& view) {
-    recordBarriers(commands, view, discarded, attached);
+    using seaglass::DrawnUse;
+    seaglass::recordDrawnUse(commands, view, DrawnUse::sampled, DrawnUse::attached);
     demos::beginRendering(commands, view.extent, view.color, VK_ATTACHMENT_LOAD_OP_CLEAR, view.depth,
-                          VK_ATTACHMENT_LOAD_OP_CLEAR, view.clearDepth);
+                          VK_ATTACHMENT_LOAD_OP_CLEAR, view.clearDepth,
+                          VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
 }
 
 } // namespace tests

@@ -182,7 +182,9 @@ std::vector<CompiledPipeline> CompiledWater::kernels() {
 void CompiledWater::makeKernels() {
     shareEach<ScatterKernel, CoarseScatterKernel, TilesKernel, RoofsTilesKernel, ResolveKernel,
               RoofsResolveKernel, CellsKernel, SeenTilesKernel, SeenColumnsKernel, OpenTilesKernel,
-              BlurKernel, StretchKernel, EdgeReachKernel, TemporalKernel, PlanarKernel, OverlayKernel,
+              BlurKernel, StretchKernel, EdgeReachKernel, TemporalKernel, OverlayKernel,
+              PlanarKernelOf<PlanarForm::inPlace>, PlanarKernelOf<PlanarForm::apart>,
+              PlanarKernelOf<PlanarForm::resolved>, PlanarKernelOf<PlanarForm::multisampled>,
               DepthSampleKernel, ColorSampleKernel, FoamKernel, CastKernel, CastOnShoreKernel, GatherKernel,
               CausticBlurKernel, ShadowedCausticBlurKernel, UnseenTilesKernel>(*context_);
     for (const VkFormat format : {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16_SFLOAT}) {

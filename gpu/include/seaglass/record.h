@@ -1,9 +1,10 @@
-// Commands that hosts record beside Seaglass's: copies of the scene for it to read, and a sky of one colour.
+// Commands that hosts record beside Seaglass's: copies of the scene for it to read, what its images of
+// planarView() and bedView() go through while the host draws into them, and a sky of one colour.
 // Apart: no other header includes it, and nothing in the libraries was compiled with it. Vulkan's functions
 // are called by their names: include what declares them (vulkan.h, volk.h) before.
 #pragma once
 
-#include "seaglass/host.h"
+#include "seaglass/reflection.h"
 
 namespace seaglass {
 
@@ -84,6 +85,55 @@ inline void recordSceneCopy(VkCommandBuffer commands, const SceneCopy& copy) {
     to.dstAccessMask = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
     recordBarrier(commands, from);
     recordBarrier(commands, to);
+}
+
+/// What the images that planarView() or bedView() handed out are used for.
+enum class DrawnUse : uint32_t {
+    sampled = 0, ///< by what used them last, in an earlier frame; what they held is lost
+    attached,    ///< to be drawn into; as reflect() takes them over
+    /// Of a bed, for castCaustics() and drawCaustics() over it: the colour attached, the depth sampled and
+    /// attached in VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL.
+    depthRead,
+};
+
+/// Outside any pass: from `sampled` to `attached`, then the host's pass, then reflect(). Over a bed with
+/// caustics on to `depthRead` between them, and back.
+inline void recordDrawnUse(VkCommandBuffer commands, const PlanarView& drawn, DrawnUse before,
+                           DrawnUse after) {
+    constexpr VkPipelineStageFlags2 shaders =
+        VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    constexpr VkPipelineStageFlags2 attached = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT |
+                                               VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
+                                               VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+    constexpr VkAccessFlags2 drawnInto =
+        VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
+        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
+    const auto stage = [](DrawnUse use) {
+        if (use == DrawnUse::sampled) return shaders;
+        return use == DrawnUse::attached ? attached : attached | shaders;
+    };
+    const auto access = [](DrawnUse use) -> VkAccessFlags2 {
+        if (use == DrawnUse::sampled) return VK_ACCESS_2_NONE;
+        return use == DrawnUse::attached ? drawnInto : drawnInto | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
+    };
+    const auto depthLayout = [](DrawnUse use) {
+        if (use == DrawnUse::sampled) return VK_IMAGE_LAYOUT_UNDEFINED;
+        return use == DrawnUse::attached ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
+                                         : VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
+    };
+    const VkImageLayout colorBefore =
+        before == DrawnUse::sampled ? VK_IMAGE_LAYOUT_UNDEFINED : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    VkImageMemoryBarrier2 barriers[] = {
+        imageBarrier(drawn.colorImage, VK_IMAGE_ASPECT_COLOR_BIT, 1, colorBefore,
+                     VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL),
+        imageBarrier(drawn.depthImage, drawn.depthAspects, 1, depthLayout(before), depthLayout(after))};
+    for (VkImageMemoryBarrier2& barrier : barriers) {
+        barrier.srcStageMask = stage(before);
+        barrier.srcAccessMask = access(before);
+        barrier.dstStageMask = stage(after);
+        barrier.dstAccessMask = access(after);
+        recordBarrier(commands, barrier);
+    }
 }
 
 /// For LightingDesc::skyCube of a scene with a sky of one colour: fills a cube of one mip, of any size and

@@ -21,6 +21,22 @@ enum class ReflectionTechnique : uint32_t {
     planar = 4, ///< the host draws its scene once more, as planarView() says
 };
 
+/// Samples a pixel of a view's scene; see ViewDesc::sceneDepth.
+struct SceneSamples {
+    VkSampleCountFlagBits depth = VK_SAMPLE_COUNT_1_BIT; ///< of ViewDesc::sceneDepth
+    VkSampleCountFlagBits color = VK_SAMPLE_COUNT_1_BIT; ///< of ViewDesc::sceneColor
+};
+
+/// What the host draws its scene into once more, as planarView() and bedView() say: as the pipelines of its
+/// main pass want it. What it draws is linear once sampled, as ViewDesc::sceneColor is.
+struct DrawnDesc {
+    VkFormat colorFormat = VK_FORMAT_R16G16B16A16_SFLOAT; ///< one of those of ViewDesc::sceneColor
+    VkFormat depthFormat = VK_FORMAT_D32_SFLOAT; ///< D16, X8_D24 or D32, each with stencil or without
+    /// Of the depth 1 to 16 a pixel. Of the colour as many; or 1, which the host resolves into from a
+    /// multisampled image of its own, cleared to black.
+    SceneSamples samples;
+};
+
 /// How a plane mirrors.
 struct ReflectionDesc {
     ReflectionTechnique technique = ReflectionTechnique::sspr; ///< how what is mirrored is found
@@ -50,6 +66,7 @@ struct ReflectionDesc {
     /// then shimmer less, and keep for a while what this frame alone does not know. About 1 / (1 - this)
     /// frames are averaged; 0.9 suits most. See ViewDesc::jitter and ViewDesc::cut.
     float temporal = 0;
+    DrawnDesc drawn; ///< planar: what the host draws into
 
     // Of techniques that follow rays over the picture.
     /// Rays pass at once over cells of 8 x 8 pixels in which nothing is as near as they are, and look at
@@ -75,12 +92,6 @@ struct ReflectorDesc {
 };
 
 constexpr uint32_t maxReflectors = 16; ///< of one call of reflect()
-
-/// Samples a pixel of a view's scene; see ViewDesc::sceneDepth.
-struct SceneSamples {
-    VkSampleCountFlagBits depth = VK_SAMPLE_COUNT_1_BIT; ///< of ViewDesc::sceneDepth
-    VkSampleCountFlagBits color = VK_SAMPLE_COUNT_1_BIT; ///< of ViewDesc::sceneColor
-};
 
 /// What such a reflector costs for views of `extent` pixels, in images of that size. Creates nothing.
 Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out,
@@ -126,11 +137,12 @@ inline ReflectionClass reflectionClass(float info) {
 /// the sky and without whatever lies in the plane itself.
 ///
 /// Before drawing, the host takes mip 0 of the colour and the depth from VK_IMAGE_LAYOUT_UNDEFINED, waiting
-/// for fragment and compute shaders that may still sample what was in them; it clears the depth to
-/// `clearDepth` and need not clear the colour. It leaves them in VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL and
-/// VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, last written by attachment output and depth tests; reflect()
-/// does the rest. Alpha may hold anything. Depth runs as in the host's own projection: same compare, same
-/// pipelines.
+/// for fragment and compute shaders that may still sample what was in them: recordDrawnUse() of record.h. It
+/// clears the depth to `clearDepth` and need not clear the colour, unless it resolves into that. It leaves
+/// them in VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL and VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
+/// last written by attachment output and depth tests; reflect() does the rest. Alpha may hold anything. Depth
+/// runs as in the host's own projection: same compare, and same pipelines where DrawnDesc has their formats
+/// and samples.
 struct PlanarView {
     /// False where the view does not see the reflector: nothing need be drawn, and nothing else is said.
     bool visible = true;
@@ -144,10 +156,14 @@ struct PlanarView {
     VkExtent2D extent = {0, 0};                 ///< of both images [pixel]
     VkImage colorImage = VK_NULL_HANDLE;        ///< of `color`
     VkImageView color = VK_NULL_HANDLE;         ///< mip 0 alone; linear radiance as in ViewDesc::sceneColor
-    VkFormat colorFormat = VK_FORMAT_UNDEFINED; ///< RGBA16F
+    VkFormat colorFormat = VK_FORMAT_UNDEFINED; ///< DrawnDesc's
     VkImage depthImage = VK_NULL_HANDLE;        ///< of `depth`
-    VkImageView depth = VK_NULL_HANDLE;         ///< to be attached, and cleared to clearDepth
-    VkFormat depthFormat = VK_FORMAT_UNDEFINED; ///< D32
+    /// To be attached, of a format with stencil for that too, and cleared to clearDepth. Shaders sample its
+    /// depth.
+    VkImageView depth = VK_NULL_HANDLE;
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED; ///< DrawnDesc's
+    VkImageAspectFlags depthAspects = 0;        ///< of barriers on depthImage
+    SceneSamples samples;                       ///< DrawnDesc's
     float clearDepth = 0; ///< of the far plane: where nothing was drawn the sky is mirrored
 };
 

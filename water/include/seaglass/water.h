@@ -37,6 +37,7 @@ struct CausticsDesc {
 /// what the view's picture ends before, or hides behind a pool's edge. For an eye above the water.
 struct BedDesc {
     float margin = 0.1f; ///< by which it is larger on each side, as a share of the view's size, 0..1
+    DrawnDesc drawn;     ///< what the host draws it into
 };
 
 /// How finely the surface is meshed; by parallel lines of sight as from where 45 degrees see as much.
