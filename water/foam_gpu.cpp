@@ -38,32 +38,34 @@ Status ComputedFoam::create(Context& context, const Sea& sea, const FoamDesc& fo
 
 Status ComputedFoam::record(Context& context, VkCommandBuffer commands, ComputedWaves& waves,
                             const WaveMaps& maps, const FoamImage& foam, int64_t step) {
-    const FoamSteps steps = stepsUntil(newest_, step, fading_);
-    newest_.reset(); // until all of it is recorded
+    const FoamSteps steps = stepsUntil(known_, step, fading_);
+    known_ = {}; // until all of it is recorded
     const gpu::PassScope pass(context.device, commands, "foam");
     const VkImage image = foam.image.handle();
     const VkImageMemoryBarrier2 before = gpu::imageBarrier(
         image, steps.anew ? gpu::discardedAfterSampling : gpu::sampledByShaders, gpu::storageChanged, 0, 1);
     gpu::recordBarriers(context.device, commands, &before, 1);
-    for (int64_t next = steps.first; next <= steps.last; ++next) {
-        if (const Status s = waves.recordFirst(context, commands, maps, breaking_.count, foamStepTime(next));
+    for (int64_t i = 1; i <= steps.count; ++i) {
+        if (const Status s =
+                waves.recordFirst(context, commands, maps, breaking_.count, foamStepTime(steps.at(i)));
             s != Status::ok)
             return s;
-        if (const Status s = recordStep(context, commands, maps, foam, steps.anew && next == steps.first);
+        if (const Status s = recordStep(context, commands, maps, foam, fading_.over(steps.fadings(i)),
+                                        steps.anew && i == 1);
             s != Status::ok)
             return s;
     }
     if (const Status s = foam.recordMips(context, commands, gpu::storageWritten); s != Status::ok) return s;
-    newest_ = steps.last;
+    known_ = {steps.last, steps.caughtUp};
     return Status::ok;
 }
 
 Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, const WaveMaps& maps,
-                                const FoamImage& foam, bool anew) {
+                                const FoamImage& foam, float fade, bool anew) {
     FoamUniforms uniforms;
     for (uint32_t c = 0; c < breaking_.count; ++c)
         uniforms.bands[c] = {breaking_.threshold[c], 1 / breaking_.softness[c], {}};
-    uniforms.fade = fading_.fade;
+    uniforms.fade = fade;
     uniforms.floor = fading_.floor;
     uniforms.anew = anew;
     gpu::Slice slice;

@@ -28,12 +28,12 @@ class ComputedFoam {
 
   private:
     Status recordStep(Context& context, VkCommandBuffer commands, const WaveMaps& maps, const FoamImage& foam,
-                      bool anew);
+                      float fade, bool anew);
 
     std::shared_ptr<FoamKernel> kernel_;
     Breaking breaking_;
     FoamFading fading_;
-    std::optional<int64_t> newest_; ///< the later step that the image holds
+    FoamKnown known_; ///< its newest step is the later that the image holds
 };
 
 } // namespace seaglass

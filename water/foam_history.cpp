@@ -18,11 +18,18 @@ FoamFading fadingOf(const FoamDesc& foam) {
     return fading;
 }
 
-FoamSteps stepsUntil(std::optional<int64_t> newest, int64_t step, const FoamFading& fading) {
+FoamSteps stepsUntil(const FoamKnown& known, int64_t step, const FoamFading& fading) {
     const int64_t last = step + 1;
-    const bool near = newest && last >= *newest && last - *newest <= fading.steps;
-    if (near) return {false, *newest + 1, last};
-    return {true, last - fading.steps, last};
+    const bool forward = known.newest && last >= *known.newest;
+    const bool near = forward && last - *known.newest <= fading.steps;
+    FoamSteps steps;
+    steps.anew = !near;
+    steps.before = near ? *known.newest : last - fading.steps - 1;
+    steps.last = last;
+    const int64_t all = last - steps.before;
+    steps.caughtUp = all > mostFoamSteps;
+    steps.count = forward && known.caughtUp ? std::min(all, mostFoamSteps) : all;
+    return steps;
 }
 
 FoamTime foamTimeOf(double time, double loopPeriod) {
@@ -45,9 +52,11 @@ FoamHistory::FoamHistory(const Sea& sea, const FoamDesc& foam)
 }
 
 void FoamHistory::advance(const WavesBackend& backend, void* state, int64_t step) {
-    const FoamSteps steps = stepsUntil(newest_, step, fading_);
+    const FoamSteps steps = stepsUntil(known_, step, fading_);
     if (steps.anew) clear();
-    for (int64_t next = steps.first; next <= steps.last; ++next) stepTo(backend, state, next);
+    for (int64_t i = 1; i <= steps.count; ++i)
+        stepTo(backend, state, steps.at(i), fading_.over(steps.fadings(i)));
+    known_ = {steps.last, steps.caughtUp};
 }
 
 void FoamHistory::clear() {
@@ -57,7 +66,7 @@ void FoamHistory::clear() {
     }
 }
 
-void FoamHistory::stepTo(const WavesBackend& backend, void* state, int64_t step) {
+void FoamHistory::stepTo(const WavesBackend& backend, void* state, int64_t step, float fade) {
     const double time = foamStepTime(step);
     for (uint32_t c = 0; c < breaking_.count; ++c) {
         backend.evaluate(state, c, time, {maps_[0].data(), maps_[1].data(), maps_[2].data()});
@@ -68,11 +77,10 @@ void FoamHistory::stepTo(const WavesBackend& backend, void* state, int64_t step)
             const float shear = maps_[0][4 * i + 3];
             const float jacobian = (1 + maps_[1][4 * i + 2]) * (1 + maps_[1][4 * i + 3]) - shear * shear;
             const float breaks = std::min((threshold - jacobian) * perJacobian, 1.0f);
-            const float faded = (band.now[i] + fading_.floor) * fading_.fade - fading_.floor;
+            const float faded = (band.now[i] + fading_.floor) * fade - fading_.floor;
             band.next[i] = std::max(std::max(faded, breaks), 0.0f);
         }
     }
-    newest_ = step;
 }
 
 } // namespace seaglass

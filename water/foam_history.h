@@ -6,6 +6,8 @@
 // times. A history that begins a lifetime before is therefore the same as one without a beginning.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -21,6 +23,8 @@ struct FoamFading {
     float fade = 0; ///< of F + floor, a step
     float floor = 0;
     int64_t steps = 0; ///< after which any foam has gone
+    /// Of several steps at once.
+    float over(int64_t count) const { return count == 1 ? fade : std::pow(fade, static_cast<float>(count)); }
 };
 
 FoamFading fadingOf(const FoamDesc& foam);
@@ -30,16 +34,37 @@ constexpr double foamStepTime(int64_t step) {
     return static_cast<double>(step) / foamStepsPerSecond;
 }
 
-/// What is to be computed for a step and the one after it to be known. From a step shortly before only what
-/// lies between; on the first call, backwards or after a gap a whole lifetime, from nothing.
-struct FoamSteps {
-    bool anew = false;
-    int64_t first = 0;
-    int64_t last = 0; ///< before `first` when nothing is to be done
+/// That a call computes which finds more to catch up than that, right after another that did. Else a device
+/// whose frames take longer than what they catch up has ever more to do.
+constexpr int64_t mostFoamSteps = 8;
+
+/// How far a history is.
+struct FoamKnown {
+    std::optional<int64_t> newest; ///< the latest step that is known
+    bool caughtUp = false;         ///< the call before had more than mostFoamSteps to compute
 };
 
-/// `newest` is the latest step that is known.
-FoamSteps stepsUntil(std::optional<int64_t> newest, int64_t step, const FoamFading& fading);
+/// What is to be computed for a step and the one after it to be known. From a step shortly before only what
+/// lies between; on the first call, backwards or after a gap a whole lifetime, from nothing. A call that
+/// comes late after one that had to catch up takes mostFoamSteps at even distances instead of them all.
+struct FoamSteps {
+    bool anew = false;
+    bool caughtUp = false; ///< for FoamKnown
+    int64_t before = 0;    ///< the step that the first is computed from, or that lies a step before all
+    int64_t last = 0;
+    int64_t count = 0; ///< to be computed, `last` among them
+
+    /// Of 0 to `count`: `before`, then what is computed.
+    int64_t at(int64_t i) const {
+        if (i == count) return last;
+        const int64_t parts = std::max<int64_t>(count - 1, 1);
+        return before + (i * (last - before - 1) + parts - 1) / parts;
+    }
+    /// Of what is computed: how many steps' fading lies before it.
+    int64_t fadings(int64_t i) const { return at(i) - at(i - 1); }
+};
+
+FoamSteps stepsUntil(const FoamKnown& known, int64_t step, const FoamFading& fading);
 
 /// Where `time` lies between steps.
 struct FoamTime {
@@ -68,13 +93,13 @@ class FoamHistory {
         std::vector<float> next;
     };
     void clear();
-    void stepTo(const WavesBackend& backend, void* state, int64_t step);
+    void stepTo(const WavesBackend& backend, void* state, int64_t step, float fade);
 
     Breaking breaking_;
     FoamFading fading_;
     std::vector<Band> bands_;
-    std::vector<float> maps_[3];    ///< scratch
-    std::optional<int64_t> newest_; ///< the step that `next` holds
+    std::vector<float> maps_[3]; ///< scratch
+    FoamKnown known_;            ///< its newest step is what `next` holds
 };
 
 } // namespace seaglass

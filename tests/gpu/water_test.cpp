@@ -1200,6 +1200,27 @@ double partly(const std::vector<double>& white) {
     return static_cast<double>(std::ranges::count_if(white, between)) / static_cast<double>(white.size());
 }
 
+// A first frame has a lifetime to catch up, and slow frames after it two seconds at most.
+TEST_F(WaterFoam, OfAHostThatFallsBehindTakesNoMoreThanEightSteps) {
+    Body* body = foamyBody(WavesOn::gpu);
+    const auto dispatches = [&](double time) {
+        spiedCalls().clear();
+        frame([&](VkCommandBuffer commands) {
+            EXPECT_EQ(simulate(commands, &body, 1, time), Status::ok) << message();
+        });
+        return countSpied("CmdDispatch");
+    };
+    const size_t first = dispatches(100);
+    const size_t none = dispatches(100.1), one = dispatches(100.3);
+    const size_t aStep = one - none;
+    EXPECT_GT(aStep, 2u);
+    EXPECT_GT(first, none + 45 * aStep);
+    EXPECT_EQ(dispatches(150), first) << "a single gap is made up for";
+    for (const double time : {155.0, 161.0, 400.0, 403.0})
+        EXPECT_LE(dispatches(time), one + 7 * aStep) << time;
+    EXPECT_EQ(dispatches(404), one + 3 * aStep);
+}
+
 TEST_F(WaterFoam, IsTheSamePictureWhateverWasDrawnBefore) {
     Camera camera = above();
     camera.width = 96;

@@ -90,6 +90,59 @@ TEST(FoamHistory, JumpsAndTimeRunningBackwardsStartAnew) {
         EXPECT_TRUE(std::ranges::all_of(foam.at(time), [](float f) { return f >= 0 && f <= 1; })) << time;
 }
 
+// A frame takes as long as what it computes, and the next one has that to catch up.
+TEST(FoamHistory, SlowFramesDoNotFeedOnThemselves) {
+    const FoamFading fading = fadingOf({});
+    for (const double secondsAStep : {0.0, 0.01, 0.1, 0.2, 0.3, 1.0, 20.0})
+        for (const double secondsAFrame : {0.016, 0.5, 4.0, 60.0}) {
+            FoamKnown known;
+            double time = 7;
+            for (int frame = 0; frame < 60; ++frame) {
+                const int64_t step = foamTimeOf(time, 4096).step;
+                const FoamSteps steps = stepsUntil(known, step, fading);
+                // One that is late by little after one that was not is made up for.
+                if (frame > 0) {
+                    EXPECT_LE(steps.count, mostFoamSteps + 2)
+                        << secondsAStep << ' ' << secondsAFrame << ' ' << frame;
+                }
+                known = {steps.last, steps.caughtUp};
+                time += secondsAFrame + secondsAStep * static_cast<double>(steps.count);
+            }
+        }
+}
+
+TEST(FoamHistory, StepsThatAreLeftOutStillFade) {
+    const FoamFading fading = fadingOf({});
+    for (const int64_t late : {1, 2, 8, 9, 10, 23, 50, 51, 52, 1000}) {
+        const FoamSteps steps = stepsUntil({500, true}, 500 + late - 1, fading);
+        EXPECT_EQ(steps.count, std::min(late, mostFoamSteps));
+        EXPECT_EQ(steps.at(steps.count), 500 + late);
+        EXPECT_EQ(steps.anew, late > fading.steps);
+        EXPECT_EQ(steps.at(0), steps.anew ? 500 + late - fading.steps - 1 : 500);
+        int64_t faded = 0;
+        for (int64_t i = 1; i <= steps.count; ++i) {
+            EXPECT_GE(steps.fadings(i), 1);
+            EXPECT_LE(steps.fadings(i), (fading.steps + 6) / 7);
+            faded += steps.fadings(i);
+        }
+        EXPECT_EQ(steps.fadings(steps.count), 1) << "the image holds a step and the one after it";
+        EXPECT_EQ(faded, steps.last - steps.at(0));
+    }
+}
+
+// The first call has a lifetime to catch up, so that a late one after it takes fewer steps: nearly as much
+// foam, and all of it a lifetime later.
+TEST(FoamHistory, AfterALateFrameIsSoonAsEver) {
+    const auto sea = makeSea(roughSea());
+    Foam late(*sea), exact(*sea);
+    late.at(100);
+    const std::vector<float> few = late.at(107), all = exact.at(107);
+    EXPECT_NE(few, all);
+    EXPECT_NEAR(mean(few), mean(all), 0.4 * mean(all));
+    for (double time = 107.5; time < 121; time += 0.5) late.at(time);
+    EXPECT_EQ(late.at(121), Foam(*sea).at(121));
+}
+
 TEST(FoamHistory, StepsLieAtWholeMultiplesWhateverTheFrame) {
     for (const double time : {0.0, 0.1, 12.3, 86400.0 * 365, -3.21}) {
         const FoamTime at = foamTimeOf(time, 4096);

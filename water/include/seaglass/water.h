@@ -164,7 +164,8 @@ void destroyTarget(Target* target);                                          ///
 
 /// Sets the bodies' surfaces to `time` and records the upload or dispatches; a CPU backend works here.
 /// Outside any render pass, once a frame. Foam takes the sea at up to 4 more times a second; on the first
-/// frame, backwards and after a gap, at 4 times a second of three decay times before.
+/// frame, backwards and after a gap, at 4 times a second of three decay times before. A call more than 2 s
+/// ahead of one that had to catch up by more than 2 s takes it at 8 times: slow frames make none slower.
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time);
 
 /// What to draw for a body whose reflection is `planar`; as planarView() for reflectors.
