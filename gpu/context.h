@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <unordered_map>
 
 #include "gpu/device.h"
@@ -31,9 +32,10 @@ struct Context {
     gpu::Frame& frame() { return frames[slot]; }
 
     /// One T for all who ask for it while any of them lives: pipelines that several bodies use. T has
-    /// `Status create(Context&)`.
+    /// `Status create(Context&)`, which may share others. Any thread: who asks meanwhile waits.
     template<typename T>
     Status share(std::shared_ptr<T>& out) {
+        const std::lock_guard sharing(sharing_);
         std::weak_ptr<void>& known = shared_[&tag<T>];
         out = std::static_pointer_cast<T>(known.lock());
         if (out) return Status::ok;
@@ -47,6 +49,7 @@ struct Context {
   private:
     template<typename T>
     static constexpr char tag = 0;
+    std::recursive_mutex sharing_;
     std::unordered_map<const void*, std::weak_ptr<void>> shared_;
 };
 

@@ -103,6 +103,10 @@ struct Body : Held {
     Status reflect(VkCommandBuffer commands, SceneOfCall& scene);
     Status draw(VkCommandBuffer commands, Target& target, const ViewDesc& view, const LightingDesc& lighting,
                 SurfaceOutput output);
+    /// What draw() and its like would make for such a view and lighting, which may be null. Beside calls that
+    /// record on another thread: reads nothing that they write.
+    Status prepare(Target& target, const ViewDesc* view, const LightingDesc* lighting,
+                   SurfaceOutput output) const;
     Status castCaustics(VkCommandBuffer commands, const ViewDesc& view, const LightingDesc& lighting);
     Status drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                         const LightingDesc& lighting);
@@ -128,6 +132,9 @@ struct Body : Held {
     const char* readTurned(const ViewDesc& turned, bool seesScene, ViewGeometry& out) const;
     /// `read`: the view with a scene that shaders sample.
     Status readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out, ViewDesc& read);
+    Status prepareSurface(Target& target, const LightingDesc& lighting, SurfaceOutput output) const;
+    Status prepareOverView(Target& target) const;
+    Status prepareKernels(Target& target, const ViewDesc* view, const LightingDesc& lighting) const;
     /// Where refraction sees a multisampled scene, which draw() cannot make single-sampled inside a pass.
     Status takeScene(VkCommandBuffer commands, SceneOfCall& scene);
     /// What a shore's shaders read: nothing without one. `moves`: of the last frame, too.

@@ -92,7 +92,7 @@ SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDes
             images.color != VK_NULL_HANDLE,
             shore.has_value(),
             shape,
-            waves ? waves->maps().cascades : 0,
+            waves ? cascadeCount(*sea) : 0,
             foam ? foam->cascades() : 0,
             waves && refraction && refraction->scattering > 0,
             roomsPacked(dryRooms),
@@ -114,7 +114,7 @@ SurfaceFeatures Body::motionFeatures() const {
     wanted.waves = waves.has_value();
     wanted.shore = shore.has_value();
     wanted.shape = features({}, {}).shape;
-    wanted.cascades = waves ? waves->maps().cascades : 0;
+    wanted.cascades = waves ? cascadeCount(*sea) : 0;
     wanted.dryRooms = roomsPacked(dryRooms);
     wanted.globe = !globe.flat();
     wanted.motion = true;

@@ -1,10 +1,10 @@
 // Graphics pipelines that draw into a host's pass.
 #pragma once
 
-#include <map>
 #include <span>
 
 #include "gpu/binding.h"
+#include "gpu/made_once.h"
 #include "seaglass/water.h"
 
 namespace seaglass {
@@ -46,14 +46,16 @@ void bindDraw(const gpu::Device& device, VkCommandBuffer commands, const DrawPip
 Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, const DrawShaders& shaders,
                           Drawing drawing, const char* what, DrawPipeline& out);
 
-/// Those of one target, each made when it is first asked for, by the buildPipeline() of its variants.
+/// Those of one target, each made when it is first asked for, by the buildPipeline() of its variants. Any
+/// thread may ask.
 template<typename Variant>
 class DrawPipelines {
   public:
     DrawPipelines() = default;
     ~DrawPipelines() {
-        for (auto& [variant, pipeline] : pipelines_)
+        pipelines_.forEach([&](const DrawPipeline& pipeline) {
             device_->vk().DestroyPipeline(device_->handle(), pipeline.handle, device_->allocator());
+        });
     }
     DrawPipelines(const DrawPipelines&) = delete;
     DrawPipelines& operator=(const DrawPipelines&) = delete;
@@ -64,20 +66,15 @@ class DrawPipelines {
     }
 
     Status get(const Variant& variant, const DrawPipeline*& out) {
-        const auto [entry, fresh] = pipelines_.try_emplace(variant);
-        if (fresh)
-            if (const Status s = buildPipeline(*device_, target_, variant, entry->second); s != Status::ok) {
-                pipelines_.erase(entry);
-                return s;
-            }
-        out = &entry->second;
-        return Status::ok;
+        return pipelines_.get(
+            variant, [&](DrawPipeline& made) { return buildPipeline(*device_, target_, variant, made); },
+            out);
     }
 
   private:
     const gpu::Device* device_ = nullptr;
     TargetDesc target_;
-    std::map<Variant, DrawPipeline> pipelines_;
+    gpu::MadeOnce<Variant, DrawPipeline> pipelines_;
 };
 
 } // namespace seaglass

@@ -213,6 +213,20 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
     return surfaces == Status::ok ? underwater(UnderwaterPass::waterline) : surfaces;
 }
 
+Status prepare(Target* target, Body* body, const ViewDesc* view, const LightingDesc* lighting,
+               SurfaceOutput output) {
+    const Context* context = target ? target->context : gpu::contextOf(&body, 1);
+    if (const Status s = gpu::refuseNull(context, "prepare", {{"target", !target}, {"body", !body}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseDestroyed("prepare", "target", *target); s != Status::ok) return s;
+    if (const Status s = gpu::refuseDestroyed("prepare", "body", *body); s != Status::ok) return s;
+    if (body->context != target->context)
+        return context->device.fail(Status::invalidArgument,
+                                    "prepare: the body and the target are of different contexts");
+    return gpu::guarded([&] { return body->prepare(*target, view, lighting, output); });
+}
+
 Status castCaustics(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
                     const LightingDesc* lighting) {
     if (const Status s = refuseUnusable("castCaustics", nullptr, commands, bodies, count,

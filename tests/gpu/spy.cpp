@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <mutex>
+#include <utility>
 
 namespace tests {
 
@@ -24,12 +26,23 @@ VkDeviceSize bytesSpied() {
 
 namespace {
 
+/// Pipelines are made on several threads.
+std::mutex& spying() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+void note(SpiedCall call) {
+    const std::lock_guard lock(spying());
+    spiedCalls().push_back(std::move(call));
+}
+
 /// Forwards to the function that volk loaded under the same name.
 template<auto* real, class Result, class... Arguments>
 struct Spy {
     static inline const char* name = nullptr;
     static Result VKAPI_CALL call(Arguments... arguments) {
-        spiedCalls().push_back({name});
+        note({name});
         return (*real)(arguments...);
     }
 };
@@ -52,7 +65,7 @@ void VKAPI_CALL spiedBarrier(VkCommandBuffer commands, const VkDependencyInfo* i
     add(info->pMemoryBarriers, info->memoryBarrierCount);
     add(info->pBufferMemoryBarriers, info->bufferMemoryBarrierCount);
     add(info->pImageMemoryBarriers, info->imageMemoryBarrierCount);
-    spiedCalls().push_back(call);
+    note(call);
     vkCmdPipelineBarrier2(commands, info);
 }
 
@@ -60,7 +73,7 @@ VkResult VKAPI_CALL spiedAllocate(VkDevice device, const VkMemoryAllocateInfo* i
                                   const VkAllocationCallbacks* allocator, VkDeviceMemory* memory) {
     SpiedCall call{"AllocateMemory"};
     call.bytes = info->allocationSize;
-    spiedCalls().push_back(call);
+    note(call);
     return vkAllocateMemory(device, info, allocator, memory);
 }
 
@@ -71,6 +84,7 @@ std::map<VkShaderModule, std::vector<uint32_t>>& modules() {
 }
 
 SpiedStage spiedStage(const VkPipelineShaderStageCreateInfo& info) {
+    const std::lock_guard lock(spying());
     SpiedStage stage{modules().at(info.module), {}};
     if (const VkSpecializationInfo* const constants = info.pSpecializationInfo) {
         const auto* const words = static_cast<const uint32_t*>(constants->pData);
@@ -84,8 +98,11 @@ VkResult VKAPI_CALL spiedShaderModule(VkDevice device, const VkShaderModuleCreat
     SpiedCall call{"CreateShaderModule"};
     call.spirv.assign(info->pCode, info->pCode + info->codeSize / sizeof(uint32_t));
     const VkResult result = vkCreateShaderModule(device, info, allocator, module);
-    if (result == VK_SUCCESS) modules()[*module] = call.spirv;
-    spiedCalls().push_back(std::move(call));
+    if (result == VK_SUCCESS) {
+        const std::lock_guard lock(spying());
+        modules()[*module] = call.spirv;
+    }
+    note(std::move(call));
     return result;
 }
 
@@ -97,7 +114,7 @@ VkResult VKAPI_CALL spiedGraphics(VkDevice device, VkPipelineCache cache, uint32
     for (uint32_t i = 0; i < infos->stageCount; ++i) call.stages.push_back(spiedStage(infos->pStages[i]));
     call.constants = call.stages.back().constants;
     call.writesDepth = infos->pDepthStencilState->depthWriteEnable;
-    spiedCalls().push_back(std::move(call));
+    note(std::move(call));
     return vkCreateGraphicsPipelines(device, cache, count, infos, allocator, pipelines);
 }
 
@@ -107,7 +124,7 @@ VkResult VKAPI_CALL spiedCompute(VkDevice device, VkPipelineCache cache, uint32_
     SpiedCall call{"CreateComputePipelines"};
     call.cache = cache;
     call.stages.push_back(spiedStage(infos->stage));
-    spiedCalls().push_back(std::move(call));
+    note(std::move(call));
     return vkCreateComputePipelines(device, cache, count, infos, allocator, pipelines);
 }
 
@@ -116,7 +133,7 @@ VkResult VKAPI_CALL spiedSetLayout(VkDevice device, const VkDescriptorSetLayoutC
     SpiedCall call{"CreateDescriptorSetLayout"};
     for (uint32_t i = 0; i < info->bindingCount; ++i)
         call.sampled += info->pBindings[i].descriptorType == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    spiedCalls().push_back(call);
+    note(call);
     return vkCreateDescriptorSetLayout(device, info, allocator, layout);
 }
 

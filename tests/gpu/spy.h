@@ -28,7 +28,8 @@ struct SpiedCall {
     bool writesDepth = false;               ///< of a graphics pipeline
 };
 
-/// The calls since clear(). One list for the program: tests run one at a time.
+/// The calls since clear(), of all threads; read while only one calls. One list for the program: tests run
+/// one at a time.
 std::vector<SpiedCall>& spiedCalls();
 size_t countSpied(const std::string& name);
 /// Device memory asked for.

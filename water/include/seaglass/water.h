@@ -216,6 +216,17 @@ enum class SurfaceOutput : uint32_t {
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
+/// Makes now what draw(), drawCaustics() and castCaustics() make when they first need it: the pipelines of
+/// the body for the target, for every place of the eye. `view` and `lighting` are such as those will be
+/// given, of which only what images they have is looked at, not their pixels or matrices; null: a scene of
+/// one sample, and no shadow map. What is made already costs nothing.
+///
+/// On any thread, beside calls for other targets and bodies, and for these all but those that change or
+/// destroy them (setDryRooms()): draw() of what is in the making waits, others do not. Messages come on that
+/// thread, which is done before any of the three is destroyed.
+Status prepare(Target* target, Body* body, const ViewDesc* view = nullptr,
+               const LightingDesc* lighting = nullptr, SurfaceOutput output = SurfaceOutput::shaded);
+
 /// Casts the sun's rays through the waves of the bodies with `caustics` on what `view` shows below them, for
 /// drawCaustics() of the same view, the next of its index. Outside any render pass, after the opaque scene.
 /// Reads view.sceneDepth and LightingDesc::shadow in compute shaders; a depth of many samples is

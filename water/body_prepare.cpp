@@ -1,0 +1,73 @@
+// The pipelines that a body will ask a target for, made ahead of its first draw.
+#include <cstdint>
+
+#include "reflection/single_sample.h"
+#include "water/body.h"
+#include "water/target.h"
+
+namespace seaglass {
+
+Status Body::prepareSurface(Target& target, const LightingDesc& lighting, SurfaceOutput output) const {
+    const auto prepared = [&](SidesSeen sides) {
+        SurfaceFeatures wanted;
+        if (output == SurfaceOutput::motion) {
+            wanted = motionFeatures();
+        } else {
+            ReflectionImages images;
+            // Asked for nothing but whether it is there.
+            if (reflector) images.color = reinterpret_cast<VkImageView>(uintptr_t{1});
+            wanted = features(images, lighting);
+        }
+        if (sides == SidesSeen::below) wanted.bedDownscale = 0;
+        const DrawPipeline* pipeline = nullptr;
+        return target.pipelines.get({wanted, output, sides}, pipeline);
+    };
+    if (const Status s = prepared(SidesSeen::above); s != Status::ok) return s;
+    if (!underwater || output == SurfaceOutput::motion) return Status::ok;
+    if (const Status s = prepared(SidesSeen::below); s != Status::ok) return s;
+    return prepared(SidesSeen::either);
+}
+
+Status Body::prepareOverView(Target& target) const {
+    const auto prepared = [&](const UnderwaterVariant& variant) {
+        const DrawPipeline* pipeline = nullptr;
+        return target.underwater.get(variant, pipeline);
+    };
+    if (caustics && holdsFloats(target.desc.colorFormat))
+        if (const Status s = prepared({.pass = UnderwaterPass::caustics, .dryRooms = roomsPacked(dryRooms)});
+            s != Status::ok)
+            return s;
+    if (!underwater) return Status::ok;
+    UnderwaterVariant over = {.pass = UnderwaterPass::water};
+    if (const Status s = prepared(over); s != Status::ok) return s;
+    over.straddles = true;
+    over.waves = waves.has_value();
+    over.shore = shore.has_value();
+    if (const Status s = prepared(over); s != Status::ok || underwater->meniscus <= 0) return s;
+    over.pass = UnderwaterPass::waterline;
+    return prepared(over);
+}
+
+Status Body::prepareKernels(Target& target, const ViewDesc* view, const LightingDesc& lighting) const {
+    if (caustics && lighting.shadow)
+        if (const Status s = target.prepared.keep<ShadowedCausticBlurKernel>(*context); s != Status::ok)
+            return s;
+    const bool readsScene =
+        refraction || (reflector && reflector->desc.technique != ReflectionTechnique::planar);
+    if (!view || !readsScene || !isMultisampled(*view)) return Status::ok;
+    if (const Status s = target.prepared.keep<DepthSampleKernel>(*context); s != Status::ok) return s;
+    return view->sceneColor.samples == VK_SAMPLE_COUNT_1_BIT
+               ? Status::ok
+               : target.prepared.keep<ColorSampleKernel>(*context);
+}
+
+Status Body::prepare(Target& target, const ViewDesc* view, const LightingDesc* lighting,
+                     SurfaceOutput output) const {
+    const LightingDesc usual;
+    const LightingDesc& lights = lighting ? *lighting : usual;
+    if (const Status s = prepareKernels(target, view, lights); s != Status::ok) return s;
+    if (const Status s = prepareSurface(target, lights, output); s != Status::ok) return s;
+    return output == SurfaceOutput::shaded ? prepareOverView(target) : Status::ok;
+}
+
+} // namespace seaglass
