@@ -85,7 +85,8 @@ class PictureFile : public testing::Test {
     }
 
     static std::vector<float> first(const demos::PictureFile& file) {
-        return {file.picture.rgba.begin(), file.picture.rgba.begin() + 3};
+        const std::vector<float>& rgba = file.picture.rgba;
+        return {rgba.begin(), rgba.begin() + (rgba.empty() ? 0 : 3)};
     }
 
     const tests::TemporaryFolder folder_;
@@ -169,7 +170,7 @@ TEST_F(PictureFile, IsItsDisplayWindowWhateverTheDataWindow) {
     EXPECT_EQ(reds(file), (Floats{0, 0, 0, 0, 1, 2}));
     EXPECT_EQ(demos::toText(file.header.data), "2x1+11+21");
     EXPECT_EQ(demos::toText(file.header.display), "3x2+10+20");
-    Part beyond = numbered(4, 3);
+    Part beyond = numbered(4, 4);
     beyond.spec.x = -1;
     beyond.spec.y = -1;
     beyond.spec.full_width = 2;
