@@ -139,6 +139,61 @@ TEST_F(Caustics, AreTheSameInALargerPicture) {
             ASSERT_NEAR(small[y * 256 + x], large[(y + 128) * 512 + x + 128], 0.01) << x << ' ' << y;
 }
 
+/// A GPU stores light to images and halves them by a kernel; on CPU devices it is copied and blitted.
+class CausticsOnBothDevices : public Caustics {
+  protected:
+    void TearDown() override {
+        Caustics::TearDown();
+        pretendDeviceType(VK_PHYSICAL_DEVICE_TYPE_MAX_ENUM);
+    }
+    /// On a context of its own, view after view.
+    std::vector<std::vector<double>> factorsOn(VkPhysicalDeviceType type,
+                                               const std::vector<Camera>& cameras) {
+        Caustics::TearDown();
+        pretendDeviceType(type);
+        Caustics::SetUp();
+        Body* const body = makeBody(desc_);
+        spiedCalls().clear();
+        std::vector<std::vector<double>> seen;
+        for (const Camera& camera : cameras) seen.push_back(factors(body, camera, -1.5));
+        return seen;
+    }
+};
+
+// Of pictures that halve without rest: a GPU's are rounded up to such, a CPU device's are not.
+TEST_F(CausticsOnBothDevices, AreTheSame) {
+    Camera aslant;
+    aslant.eye = {3, 4, 7};
+    aslant.target = {5, 0, 3};
+    aslant.width = 256;
+    aslant.height = 192;
+    aslant.rollDegrees = 20;
+    Camera smaller = aslant; // in the larger one's picture
+    smaller.width = 150;
+    smaller.height = 75;
+    for (const uint32_t step : {1u, 2u}) {
+        desc_.shading.causticStep = step;
+        const auto copied = factorsOn(VK_PHYSICAL_DEVICE_TYPE_CPU, {aslant, smaller});
+        const size_t copies = countSpied("CmdCopyBufferToImage");
+        EXPECT_GT(countSpied("CmdBlitImage"), 0u);
+        const auto stored = factorsOn(VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, {aslant, smaller});
+        EXPECT_EQ(countSpied("CmdCopyBufferToImage") + 4, copies) << "two a view";
+        EXPECT_EQ(countSpied("CmdBlitImage"), 0u);
+        for (size_t view = 0; view < copied.size(); ++view) {
+            ASSERT_EQ(copied[view].size(), stored[view].size());
+            double most = 0; // of the brighter one
+            for (size_t i = 0; i < copied[view].size(); ++i) {
+                const double off = std::abs(copied[view][i] - stored[view][i]);
+                most = std::max(most, off / std::max({copied[view][i], stored[view][i], 1.0}));
+            }
+            std::printf("step %u, view %zu: apart by %.1e, deviation %.2f\n", step, view, most,
+                        deviationOf(copied[view]));
+            EXPECT_GT(deviationOf(copied[view]), 0.1);
+            EXPECT_LT(most, 2e-3) << "four roundings to halves";
+        }
+    }
+}
+
 // The pass leaves out what lines of sight show that do not point down.
 TEST_F(Caustics, ReachAsFarAsTheBedIsSeenHoweverTheCameraIsTurned) {
     Body* const body = makeBody(desc_);

@@ -105,8 +105,8 @@ void WaterTest::makeTarget() {
 }
 
 void WaterTest::TearDown() {
-    for (seaglass::Body* body : bodies_) seaglass::destroyBody(body);
-    seaglass::destroyTarget(target_);
+    for (seaglass::Body* body : std::exchange(bodies_, {})) seaglass::destroyBody(body);
+    seaglass::destroyTarget(std::exchange(target_, nullptr));
     GpuTest::TearDown();
 }
 
