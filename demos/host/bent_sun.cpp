@@ -14,6 +14,8 @@ constexpr double waterIndex = 1.333;
 constexpr double leastCosine = 1e-3;
 /// By which walls may stand in what the water covers [m].
 constexpr double margin = 0.1;
+/// Of a sea's significant height: three deviations.
+constexpr double troughDepth = 0.75;
 
 bool boxOf(const ExtentDesc& desc, BentSun& out, Error& error) {
     SceneExtent extent;
@@ -85,7 +87,7 @@ glm::vec4 scaledAxis(const glm::dvec3& axis, double middle, double half, const g
 
 } // namespace
 
-bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, double slopeVariance, BentSun& out,
+bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, const BendingWaves& waves, BentSun& out,
                Error& error) {
     const Plane plane = waterPlane(water);
     BentSun sun;
@@ -97,7 +99,8 @@ bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, double slopeVari
     sun.bends = toSun.y > 0 && cosine > leastCosine;
     if (sun.bends) {
         sun.shear = shearOf(sun.normal, toSun, cosine);
-        sun.strays = straysOf(sun, toSun, slopeVariance);
+        sun.strays = straysOf(sun, toSun, waves.slopeVariance);
+        sun.troughs = troughDepth * waves.height;
     }
     out = sun;
     return true;
@@ -133,7 +136,7 @@ void setBentUniforms(const BentSun& sun, const glm::dvec3& eye, FrameUniforms& u
     uniforms.waterPlane = glm::vec4(glm::dvec4(sun.normal, -sun.depthOf(eye)));
     uniforms.waterAcross = scaledAxis(sun.across, sun.middle.x, sun.half.x, eye);
     uniforms.waterAlong = scaledAxis(sun.along, sun.middle.y, sun.half.y, eye);
-    uniforms.sunShear = glm::vec4(glm::vec3(sun.shear), 0);
+    uniforms.sunShear = glm::vec4(glm::vec3(sun.shear), static_cast<float>(sun.troughs));
     for (size_t i = 0; i < 2; ++i)
         uniforms.sunStrays[i] = glm::vec4(glm::dvec4(sun.strays[i], glm::length(sun.strays[i])));
 }

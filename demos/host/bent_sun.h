@@ -11,6 +11,12 @@
 
 namespace demos {
 
+/// Of a sea; of calm water all 0.
+struct BendingWaves {
+    double slopeVariance = 0; ///< both axes together
+    double height = 0;        ///< significant [m]
+};
+
 /// Where in the world it is bent, and how. Of one water: a frame has no other.
 struct BentSun {
     bool bends = false;
@@ -19,16 +25,16 @@ struct BentSun {
     glm::dvec3 shear{0}; ///< of a point on each metre of its depth, along the surface
     /// Along the surface, two deviations of where its slopes send rays on each metre of depth.
     std::array<glm::dvec3, 2> strays{};
-    glm::dvec3 across{1, 0, 0}, along{0, 0, 1};               ///< axes of u and v
-    glm::dvec2 middle{0};                                     ///< in u and v, of the box that the water fills
+    double troughs = 0;                         ///< depth to which something may stand out of the water [m]
+    glm::dvec3 across{1, 0, 0}, along{0, 0, 1}; ///< axes of u and v
+    glm::dvec2 middle{0};                       ///< in u and v, of the box that the water fills
     glm::dvec2 half{std::numeric_limits<double>::infinity()}; ///< of that box's sides
 
     double depthOf(const glm::dvec3& p) const { return -(glm::dot(normal, p) + offset); }
 };
 
 /// False with `error` set when the file of an extent cannot be read.
-/// `slopeVariance` is that of its waves, both axes together.
-bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, double slopeVariance, BentSun& out,
+bool bentSunOf(const WaterDesc& water, const glm::dvec3& toSun, const BendingWaves& waves, BentSun& out,
                Error& error);
 
 /// How much of a box lies where rays are bent.

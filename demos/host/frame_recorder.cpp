@@ -60,9 +60,11 @@ bool FrameRecorder::createSurface(const WaterDesc& desc, LoadedScene& scene, Err
     if (!water_.createBody(desc, body, error)) return false;
     BentSun sun;
     const seaglass::Sea* const sea = seaglass::sea(body.get());
-    const double slopes =
-        sea ? seaglass::resolvedSlopeVariance(*sea) + seaglass::unresolvedSlopeVariance(*sea) : 0;
-    if (!bentSunOf(desc, scene.sky.sun.direction, slopes, sun, error)) return false;
+    BendingWaves waves;
+    if (sea)
+        waves = {seaglass::resolvedSlopeVariance(*sea) + seaglass::unresolvedSlopeVariance(*sea),
+                 seaglass::significantWaveHeight(*sea)};
+    if (!bentSunOf(desc, scene.sky.sun.direction, waves, sun, error)) return false;
     scene.surfaces.push_back({std::move(body), sun});
     return true;
 }

@@ -15,9 +15,14 @@ layout(constant_id = 15) const int sharpDownscale = 0;   // of still water that 
 const float farAway = 1e5;
 const float endlesslyFar = 1e9;   // the eye of parallel lines of sight [m]
 
+// A ray from a trough may meet what stands there lower than the mirror's plane: the image begins with what is just above that.
 vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
     vec3 p = from + direction * t;
-    p.y -= 2.0 * (p.y + plane.w);
+    float above = p.y + plane.w;
+#ifdef WAVES
+    if (direction.y > 0.0) above = max(above, clamp(-plane.w - from.y, 0.0, 2.5 * reflectionScale * pixelWidth(from)));
+#endif
+    p.y = -plane.w - above;
     vec4 pixel = pixelOf(p);
     // Behind the camera: outside of every image.
     return pixel.w > 0.0 ? pixel.xy : vec2(-1e4);
@@ -90,6 +95,8 @@ const float overNear = 0.4;
 BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
 #ifdef WAVES
+    // From a trough what a flat mirror shows here lies nearer than it is to that mirror.
+    if (direction.y > 0.0 && from.y < -plane.w && t < farAway) t = min(t, towardsShown(from, direction, here, t));
     vec2 pixel = mirroredPixel(from, direction, t);
     for (int i = 0; i < rounds; ++i) {
         t = towardsShown(from, direction, pixel, t);

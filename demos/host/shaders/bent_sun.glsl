@@ -9,6 +9,13 @@ bool isSunBent(vec3 fromEye) {
     return depthInWater(fromEye) > 0.0 && abs(dot(frame.waterAcross, p)) < 1.0 && abs(dot(frame.waterAlong, p)) < 1.0;
 }
 
+// How far a point is lit as what lies in water: 0 as deep as troughs are, since there it may stand out of it.
+float shareInWater(vec3 fromEye) {
+    if (!isSunBent(fromEye)) return 0.0;
+    const float troughs = frame.sunShear.w;
+    return troughs > 0.0 ? smoothstep(troughs, 1.6 * troughs, depthInWater(fromEye)) : 1.0;
+}
+
 vec3 sheared(vec3 fromEye) {
     return fromEye + depthInWater(fromEye) * frame.sunShear.xyz;
 }

@@ -15,7 +15,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 waterPlane;        // whose calm surface bends the sun: height over it; 0: none
     vec4 waterAcross;       // along the surface: -1 to 1 where there is water
     vec4 waterAlong;        // across that
-    vec4 sunShear;          // on each metre of depth
+    vec4 sunShear;          // on each metre of depth; how deep troughs are [m]
     vec4 sunStrays[2];      // along the surface, a deviation of where waves send rays on each metre of depth; w: their length
     vec4 sight;             // where lines of sight are parallel their direction, and 0; else 0, and 1
 } frame;

@@ -77,8 +77,8 @@ void main() {
     }
     const vec4 mr = texture(surfaceMap, uvOf(1));
     // What metal mirrors in water is the water and the bed around it, no sky: as bright as what is matte and of its colour.
-    const bool inWater = isSunBent(inFromEye);
-    const float metallic = inWater ? 0.0 : draw.surface.x * mr.b;
+    const float inWater = shareInWater(inFromEye);
+    const float metallic = (1.0 - inWater) * draw.surface.x * mr.b;
     float roughness = clamp(draw.surface.y * mr.g, 0.06, 1.0);
     vec3 f0 = mix(vec3(0.04), base.rgb, metallic);
     vec3 diffuse = base.rgb * (1.0 - metallic);
@@ -96,7 +96,7 @@ void main() {
     const float nDotL = facingSun(inFromEye, n), nDotV = max(abs(dot(n, v)), 1e-3);
 
     // Of index 1.5, which mirrors a tenth as much in water as in air.
-    const float mirrors = inWater ? 0.087 : 1.0;
+    const float mirrors = mix(1.0, 0.087, inWater);
 
     vec3 radiance = draw.emissive.rgb;
     if (hasEmissiveMap) radiance *= texture(emissiveMap, uvOf(2)).rgb;
@@ -108,7 +108,9 @@ void main() {
     // The mip whose texels are as large as the lobe: solid angles 4 pi alpha^2 and 4 pi / (6 size^2).
     const float mip = log2(frame.sky.w * roughness * roughness * 2.449);
     const vec3 mirror = reflect(-v, n);
-    const vec3 mirrored = inWater ? facingSky(inFromEye, mirror) / pi : textureLod(skyCube, mirror, clamp(mip, 0.0, frame.sky.z - 1.0)).rgb;
+    vec3 mirrored = vec3(0.0);
+    if (inWater < 1.0) mirrored += (1.0 - inWater) * textureLod(skyCube, mirror, clamp(mip, 0.0, frame.sky.z - 1.0)).rgb;
+    if (inWater > 0.0) mirrored += inWater * facingSky(inFromEye, mirror) / pi;
     const vec3 around = diffuse / pi * facingSky(inFromEye, n) * (1.0 - ambient) + mirrored * ambient;
     radiance += hasOcclusionMap ? around * mix(1.0, texture(occlusionMap, uvOf(4)).r, draw.maps.y) : around;
     outColor = vec4(min(radiance, vec3(60000.0)), 1.0);

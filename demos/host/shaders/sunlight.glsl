@@ -31,7 +31,7 @@ float filteredShadow(int cascade, vec3 at, vec2 slope) {
 // Cosine of the sun's ray to a side with that unit normal. Under water it is the bent ray's over its own to the surface,
 // times the straight one's: what comes in is the water's to say.
 float facingSun(vec3 fromEye, vec3 normal) {
-    return dot(isSunBent(fromEye) ? shearedNormal(normal) : normal, frame.toSun.xyz);
+    return dot(mix(normal, shearedNormal(normal), shareInWater(fromEye)), frame.toSun.xyz);
 }
 
 // Irradiance from the sky on a side with that unit normal. Under water all of it comes from within 49 degrees of straight
@@ -39,11 +39,12 @@ float facingSun(vec3 fromEye, vec3 normal) {
 // that leans the other way. What comes in is the water's to say.
 vec3 facingSky(vec3 fromEye, vec3 normal) {
     const vec3 inAir = skyIrradiance(normal);
-    if (!isSunBent(fromEye)) return inAir;
+    const float inWater = shareInWater(fromEye);
+    if (inWater == 0.0) return inAir;
     const vec3 up = frame.waterPlane.xyz;
     const float upwards = dot(up, normal);
     const vec3 more = inAir - skyIrradiance(2.0 * upwards * up - normal);
-    return skyIrradiance(up) * pow(max(upwards + 0.66, 0.0) / 1.66, 1.75) + max(more, 0.0) / 6.0;
+    return mix(inAir, skyIrradiance(up) * pow(max(upwards + 0.66, 0.0) / 1.66, 1.75) + max(more, 0.0) / 6.0, inWater);
 }
 
 // By a point's place in the cascade's clip space, with depth's slope over uv on a plane of that unit normal.
