@@ -100,40 +100,37 @@ enum class DrawnUse : uint32_t {
 /// caustics on to `depthRead` between them, and back.
 inline void recordDrawnUse(VkCommandBuffer commands, const PlanarView& drawn, DrawnUse before,
                            DrawnUse after) {
+    struct Use {
+        VkPipelineStageFlags2 stage;
+        VkAccessFlags2 access;
+        VkImageLayout layout;
+    };
     constexpr VkPipelineStageFlags2 shaders =
         VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-    constexpr VkPipelineStageFlags2 attached = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT |
-                                               VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
-                                               VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
-    constexpr VkAccessFlags2 drawnInto =
-        VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
-        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
-    const auto stage = [](DrawnUse use) {
-        if (use == DrawnUse::sampled) return shaders;
-        return use == DrawnUse::attached ? attached : attached | shaders;
-    };
-    const auto access = [](DrawnUse use) -> VkAccessFlags2 {
-        if (use == DrawnUse::sampled) return VK_ACCESS_2_NONE;
-        return use == DrawnUse::attached ? drawnInto : drawnInto | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
-    };
-    const auto depthLayout = [](DrawnUse use) {
-        if (use == DrawnUse::sampled) return VK_IMAGE_LAYOUT_UNDEFINED;
-        return use == DrawnUse::attached ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
-                                         : VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
-    };
-    const VkImageLayout colorBefore =
-        before == DrawnUse::sampled ? VK_IMAGE_LAYOUT_UNDEFINED : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    VkImageMemoryBarrier2 barriers[] = {
-        imageBarrier(drawn.colorImage, VK_IMAGE_ASPECT_COLOR_BIT, 1, colorBefore,
-                     VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL),
-        imageBarrier(drawn.depthImage, drawn.depthAspects, 1, depthLayout(before), depthLayout(after))};
-    for (VkImageMemoryBarrier2& barrier : barriers) {
-        barrier.srcStageMask = stage(before);
-        barrier.srcAccessMask = access(before);
-        barrier.dstStageMask = stage(after);
-        barrier.dstAccessMask = access(after);
+    constexpr VkPipelineStageFlags2 tests =
+        VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+    constexpr Use lost = {shaders, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED};
+    constexpr Use color = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                           VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+                           VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+    constexpr Use depth = {
+        tests, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+        VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
+    constexpr Use read = {shaders | tests,
+                          VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT,
+                          VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL};
+    constexpr Use colors[] = {lost, color, color}, depths[] = {lost, depth, read};
+    const auto record = [&](VkImage image, VkImageAspectFlags aspects, const Use* uses) {
+        const Use &from = uses[static_cast<uint32_t>(before)], &to = uses[static_cast<uint32_t>(after)];
+        VkImageMemoryBarrier2 barrier = imageBarrier(image, aspects, 1, from.layout, to.layout);
+        barrier.srcStageMask = from.stage;
+        barrier.srcAccessMask = from.access;
+        barrier.dstStageMask = to.stage;
+        barrier.dstAccessMask = to.access;
         recordBarrier(commands, barrier);
-    }
+    };
+    record(drawn.colorImage, VK_IMAGE_ASPECT_COLOR_BIT, colors);
+    record(drawn.depthImage, drawn.depthAspects, depths);
 }
 
 /// For LightingDesc::skyCube of a scene with a sky of one colour: fills a cube of one mip, of any size and
