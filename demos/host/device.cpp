@@ -56,11 +56,12 @@ VkBool32 VKAPI_PTR onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtil
     return VK_FALSE;
 }
 
-VkDebugUtilsMessengerCreateInfoEXT messengerInfo(std::atomic<uint32_t>* counter) {
+VkDebugUtilsMessengerCreateInfoEXT messengerInfo(std::atomic<uint32_t>* counter, bool bestPractices) {
     VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
     info.messageSeverity =
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
     info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
+    if (bestPractices) info.messageType |= VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
     info.pfnUserCallback = onMessage;
     info.pUserData = counter;
     return info;
@@ -77,8 +78,8 @@ bool layerInstalled(const char* wanted) {
 }
 
 /// Makes an instance of Vulkan 1.3; counts validation messages in `messages` where that is not null.
-VkInstance makeInstance(std::atomic<uint32_t>* messages, const std::vector<std::string>& windowExtensions,
-                        Error& error) {
+VkInstance makeInstance(std::atomic<uint32_t>* messages, bool bestPractices,
+                        const std::vector<std::string>& windowExtensions, Error& error) {
     if (volkInitialize() != VK_SUCCESS) {
         error.text = "no Vulkan loader: libvulkan.so.1 was not found";
         return VK_NULL_HANDLE;
@@ -96,11 +97,12 @@ VkInstance makeInstance(std::atomic<uint32_t>* messages, const std::vector<std::
     application.apiVersion = VK_API_VERSION_1_3;
 
     const VkValidationFeatureEnableEXT enabled[] = {
-        VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+        VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT,
+        VK_VALIDATION_FEATURE_ENABLE_BEST_PRACTICES_EXT};
     VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
-    features.enabledValidationFeatureCount = 1;
+    features.enabledValidationFeatureCount = bestPractices ? 2 : 1;
     features.pEnabledValidationFeatures = enabled;
-    const VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(messages);
+    const VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(messages, bestPractices);
     features.pNext = &messenger; // hears what happens in vkCreateInstance and vkDestroyInstance
 
     const char* const layers[] = {validationLayer};
@@ -258,7 +260,7 @@ bool succeeded(VkResult result, const char* what, Error& error) {
 }
 
 std::vector<DeviceInfo> listDevices(Error& error) {
-    const VkInstance instance = makeInstance(nullptr, {}, error);
+    const VkInstance instance = makeInstance(nullptr, false, {}, error);
     if (!instance) return {};
     std::vector<DeviceInfo> infos;
     for (const VkPhysicalDevice physical : physicalDevices(instance))
@@ -288,10 +290,11 @@ Device::~Device() {
 }
 
 bool Device::createInstance(const HostDesc& desc, Error& error) {
-    instance_ = makeInstance(desc.validation ? &validationMessages_ : nullptr, desc.windowExtensions, error);
+    instance_ = makeInstance(desc.validation ? &validationMessages_ : nullptr, desc.bestPractices,
+                             desc.windowExtensions, error);
     if (!instance_) return false;
     if (!desc.validation) return true;
-    const VkDebugUtilsMessengerCreateInfoEXT info = messengerInfo(&validationMessages_);
+    const VkDebugUtilsMessengerCreateInfoEXT info = messengerInfo(&validationMessages_, desc.bestPractices);
     return succeeded(vkCreateDebugUtilsMessengerEXT(instance_, &info, nullptr, &messenger_),
                      "vkCreateDebugUtilsMessengerEXT", error);
 }

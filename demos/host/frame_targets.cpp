@@ -66,16 +66,21 @@ Picture emptyPicture(VkExtent2D extent) {
     return {extent.width, extent.height, std::vector<float>(size_t(extent.width) * extent.height * 4)};
 }
 
+/// By a copy, of an attachment in this layout.
+VkAccessFlags2 writtenByCopy(VkImageLayout from) {
+    return from == VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL ? VK_ACCESS_2_NONE : VK_ACCESS_2_TRANSFER_WRITE_BIT;
+}
+
 } // namespace
 
 void FrameTargets::colorToAttachment(VkCommandBuffer commands, VkImageLayout from) const {
     imageBarrier(commands, color, from, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, transfer | colorOutput,
-                 VK_ACCESS_2_TRANSFER_WRITE_BIT, colorOutput, colorAccess);
+                 writtenByCopy(from), colorOutput, colorAccess);
 }
 
 void FrameTargets::depthToAttachment(VkCommandBuffer commands, VkImageLayout from) const {
     imageBarrier(commands, depth, from, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, transfer | depthTests,
-                 VK_ACCESS_2_TRANSFER_WRITE_BIT, depthTests, depthAccess);
+                 writtenByCopy(from), depthTests, depthAccess);
 }
 
 void FrameTargets::toAttachments(VkCommandBuffer commands, VkImageLayout from) const {

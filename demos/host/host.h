@@ -47,6 +47,7 @@ struct HostDesc {
     std::string device; ///< part of a device's name, case ignored; empty takes the best
     bool validation =
         false; ///< core and synchronisation validation; messages are counted and printed to stderr
+    bool bestPractices = false; ///< with `validation`: what Vulkan allows and the layers advise against, too
     uint32_t framesInFlight = 2;
     const seaglass::WavesBackend* wavesBackend =
         nullptr; ///< of the CPU; null: what the program was built with
