@@ -24,6 +24,7 @@
     X(CmdClearColorImage)                                                                                    \
     X(CmdCopyBuffer)                                                                                         \
     X(CmdCopyBufferToImage)                                                                                  \
+    X(CmdCopyImage)                                                                                          \
     X(CmdDispatch)                                                                                           \
     X(CmdDispatchIndirect)                                                                                   \
     X(CmdDraw)                                                                                               \

@@ -54,17 +54,17 @@ bool gpu::supported(const InstanceTable& vk, VkPhysicalDevice physicalDevice, ch
     return !missing;
 }
 
-void requirements(Requirements* out) {
-    if (!out) return;
-    *out = {};
-    out->apiVersion = VK_API_VERSION_1_3;
-    out->features.shaderStorageImageExtendedFormats = VK_TRUE;
+Requirements requirements() {
+    Requirements out;
+    out.apiVersion = VK_API_VERSION_1_3;
+    out.features.shaderStorageImageExtendedFormats = VK_TRUE;
 #ifdef SEAGLASS_HOSTILE_ARITHMETIC
-    out->features.shaderFloat64 = VK_TRUE; // in which a fused multiply-add is made
+    out.features.shaderFloat64 = VK_TRUE; // in which a fused multiply-add is made
 #endif
-    out->features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-    out->features13.synchronization2 = VK_TRUE;
-    out->features13.shaderDemoteToHelperInvocation = VK_TRUE;
+    out.features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    out.features13.synchronization2 = VK_TRUE;
+    out.features13.shaderDemoteToHelperInvocation = VK_TRUE;
+    return out;
 }
 
 Status checkSupport(VkInstance instance, VkPhysicalDevice physicalDevice,

@@ -330,8 +330,7 @@ bool Device::choosePhysical(const std::string& wanted, Error& error) {
 }
 
 bool Device::createDevice(const HostDesc& desc, const DeviceShape& shape, Error& error) {
-    seaglass::Requirements needs;
-    seaglass::requirements(&needs);
+    seaglass::Requirements needs = seaglass::requirements();
     VkPhysicalDeviceVulkan11Features features11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES};
     if (shape.multiview) {
         features11.multiview = VK_TRUE;

@@ -204,7 +204,8 @@ bool FrameRecorder::recordMirrored(VkCommandBuffer commands, Error& error) {
     const bool known = floor() ? mirror_.planarView(*floor(), camera_, targets_, view, error)
                                : water_.planarView(*water(), camera_, targets_, view, error);
     if (!known) return false;
-    if (view.visible) recordAgain(commands, scene_->mirrored, view);
+    if (view.visible)
+        recordAgain(floor() ? mirror_.context() : water_.context(), commands, scene_->mirrored, view);
     return true;
 }
 
@@ -212,17 +213,17 @@ bool FrameRecorder::recordBed(VkCommandBuffer commands, Error& error) {
     seaglass::PlanarView view;
     if (!water_.bedView(*water(), camera_, targets_, view, error)) return false;
     if (!view.visible) return true;
-    recordAgain(commands, scene_->bed, view);
+    recordAgain(water_.context(), commands, scene_->bed, view);
     return !water()->parts().caustics || water_.drawCaustics(commands, *water(), view, lighting_, error);
 }
 
-void FrameRecorder::recordAgain(VkCommandBuffer commands, const FrameSet& frame,
+void FrameRecorder::recordAgain(seaglass::Context* context, VkCommandBuffer commands, const FrameSet& frame,
                                 const seaglass::PlanarView& view) {
     const OtherEye eye = otherEye(view);
     const FrameUniforms uniforms = otherUniforms(uniforms_, camera_, eye);
     std::memcpy(frame.uniforms.mapped, &uniforms, sizeof(uniforms));
     bindFrameSet(commands, frame);
-    recordSceneAgain(commands, layouts_, scene_->meshes, opaque_, eye, view);
+    recordSceneAgain(context, commands, layouts_, scene_->meshes, opaque_, eye, view);
 }
 
 bool FrameRecorder::recordOverlay(VkCommandBuffer commands, Error& error) {

@@ -96,7 +96,8 @@ class FrameRecorder {
     bool createSurface(const WaterDesc& desc, LoadedScene& scene, Error& error);
     bool createSurface(const FloorDesc& desc, LoadedScene& scene, Error& error);
     /// With a frame set of its own.
-    void recordAgain(VkCommandBuffer commands, const FrameSet& frame, const seaglass::PlanarView& view);
+    void recordAgain(seaglass::Context* context, VkCommandBuffer commands, const FrameSet& frame,
+                     const seaglass::PlanarView& view);
     bool recordMirrored(VkCommandBuffer commands, Error& error);
     bool recordBed(VkCommandBuffer commands, Error& error);
     bool recordCommands(VkCommandBuffer commands, Stage stage, Error& error);

@@ -61,6 +61,7 @@ class MirrorPass {
     /// What the library says that a floor's reflection holds for one view of this size.
     bool estimateReflection(const FloorDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error);
 
+    seaglass::Context* context() const { return context_.get(); }
     bool beginFrame(Error& error) { return !context_.exists() || context_.beginFrame(error); }
     /// What to draw for a planar reflection, before reflect().
     bool planarView(const MirrorSurface& surface, const Camera& camera, const FrameTargets& targets,

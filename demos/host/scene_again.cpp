@@ -9,6 +9,16 @@ namespace demos {
 
 using seaglass::DrawnUse;
 
+namespace {
+
+/// Of images that Seaglass has just handed out, so nothing of it can be wrong.
+void become(seaglass::Context* context, VkCommandBuffer commands, const seaglass::PlanarView& view,
+            DrawnUse before, DrawnUse after) {
+    static_cast<void>(seaglass::recordDrawnUse(context, commands, view, before, after));
+}
+
+} // namespace
+
 OtherEye otherEye(const seaglass::PlanarView& view) {
     OtherEye eye;
     glm::dmat4 rotation = glm::make_mat4(view.view);
@@ -27,9 +37,10 @@ FrameUniforms otherUniforms(const FrameUniforms& frame, const Camera& camera, co
     return uniforms;
 }
 
-void recordSceneAgain(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
-                      const OpaquePass& opaque, const OtherEye& eye, const seaglass::PlanarView& view) {
-    recordDrawnUse(commands, view, DrawnUse::sampled, DrawnUse::attached);
+void recordSceneAgain(seaglass::Context* context, VkCommandBuffer commands, const Layouts& layouts,
+                      const MeshSet& meshes, const OpaquePass& opaque, const OtherEye& eye,
+                      const seaglass::PlanarView& view) {
+    become(context, commands, view, DrawnUse::sampled, DrawnUse::attached);
     beginRendering(commands, view.extent, view.color, VK_ATTACHMENT_LOAD_OP_DONT_CARE, view.depth,
                    VK_ATTACHMENT_LOAD_OP_CLEAR, view.clearDepth,
                    VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
@@ -39,8 +50,8 @@ void recordSceneAgain(VkCommandBuffer commands, const Layouts& layouts, const Me
     vkCmdEndRendering(commands);
 }
 
-void readBedDepth(VkCommandBuffer commands, const seaglass::PlanarView& view) {
-    recordDrawnUse(commands, view, DrawnUse::attached, DrawnUse::depthRead);
+void readBedDepth(seaglass::Context* context, VkCommandBuffer commands, const seaglass::PlanarView& view) {
+    become(context, commands, view, DrawnUse::attached, DrawnUse::depthRead);
 }
 
 void beginOverBed(VkCommandBuffer commands, const seaglass::PlanarView& view) {
@@ -48,9 +59,9 @@ void beginOverBed(VkCommandBuffer commands, const seaglass::PlanarView& view) {
                    VK_ATTACHMENT_LOAD_OP_LOAD, 0, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);
 }
 
-void endOverBed(VkCommandBuffer commands, const seaglass::PlanarView& view) {
+void endOverBed(seaglass::Context* context, VkCommandBuffer commands, const seaglass::PlanarView& view) {
     vkCmdEndRendering(commands);
-    recordDrawnUse(commands, view, DrawnUse::depthRead, DrawnUse::attached);
+    become(context, commands, view, DrawnUse::depthRead, DrawnUse::attached);
 }
 
 } // namespace demos

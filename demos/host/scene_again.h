@@ -21,13 +21,14 @@ OtherEye otherEye(const seaglass::PlanarView& view);
 FrameUniforms otherUniforms(const FrameUniforms& frame, const Camera& camera, const OtherEye& eye);
 
 /// Needs set 0 bound, with those uniforms. Leaves the view's images as Seaglass takes them over.
-void recordSceneAgain(VkCommandBuffer commands, const Layouts& layouts, const MeshSet& meshes,
-                      const OpaquePass& opaque, const OtherEye& eye, const seaglass::PlanarView& view);
+void recordSceneAgain(seaglass::Context* context, VkCommandBuffer commands, const Layouts& layouts,
+                      const MeshSet& meshes, const OpaquePass& opaque, const OtherEye& eye,
+                      const seaglass::PlanarView& view);
 
 /// Shaders read the depth of a bed's picture from here on; then a pass over it. Between recordSceneAgain()
 /// and what Seaglass does next.
-void readBedDepth(VkCommandBuffer commands, const seaglass::PlanarView& view);
+void readBedDepth(seaglass::Context* context, VkCommandBuffer commands, const seaglass::PlanarView& view);
 void beginOverBed(VkCommandBuffer commands, const seaglass::PlanarView& view);
-void endOverBed(VkCommandBuffer commands, const seaglass::PlanarView& view);
+void endOverBed(seaglass::Context* context, VkCommandBuffer commands, const seaglass::PlanarView& view);
 
 } // namespace demos

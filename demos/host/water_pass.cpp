@@ -201,11 +201,11 @@ bool WaterPass::drawCaustics(VkCommandBuffer commands, const WaterBody& body, co
                              const seaglass::LightingDesc& lighting, Error& error) {
     seaglass::Body* const bodies[] = {body.get()};
     const seaglass::ViewDesc view = viewOf(bed);
-    readBedDepth(commands, bed);
+    readBedDepth(context_.get(), commands, bed);
     if (!context_.ok(seaglass::castCaustics(commands, bodies, 1, &view, &lighting), error)) return false;
     beginOverBed(commands, bed);
     const seaglass::Status status = seaglass::drawCaustics(commands, target_, bodies, 1, &view, &lighting);
-    endOverBed(commands, bed);
+    endOverBed(context_.get(), commands, bed);
     return context_.ok(status, error);
 }
 

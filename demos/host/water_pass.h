@@ -52,6 +52,7 @@ class WaterPass {
     /// What the library says that a water's reflection holds for one view of this size.
     bool estimateReflection(const WaterDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error);
 
+    seaglass::Context* context() const { return context_.get(); }
     bool beginFrame(Error& error) { return context_.beginFrame(error); }
     /// Milliseconds on the CPU go to `cpuMs`.
     bool simulate(VkCommandBuffer commands, const WaterBody& body, double timeS, double& cpuMs, Error& error);

@@ -34,8 +34,7 @@ Gpu createGpuForWater() {
             chosen = devices[i];
     minimal::check(chosen != VK_NULL_HANDLE, "finding a device");
     // The features that Seaglass needs switched on, and what the renderer needs itself.
-    seaglass::Requirements needs;
-    seaglass::requirements(&needs);
+    seaglass::Requirements needs = seaglass::requirements();
     needs.features13.dynamicRendering = VK_TRUE;
     return createGpu(instance, chosen,
                      {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &needs.features13, needs.features});

@@ -4,8 +4,7 @@
 
 int main() {
     using seaglass::Status;
-    seaglass::Requirements needed;
-    seaglass::requirements(&needed);
+    const seaglass::Requirements needed = seaglass::requirements();
     seaglass::Context* context = nullptr;
     seaglass::Reflector* reflector = nullptr;
     const seaglass::DeviceDesc device;

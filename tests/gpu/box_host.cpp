@@ -57,7 +57,6 @@ demos::Unique<VkShaderModule, &vkDestroyShaderModule> moduleOf(std::span<const u
 
 BoxHost::BoxHost(const seaglass::DrawnDesc& drawn, bool renderPass, std::vector<Box> boxes)
     : drawn_(drawn), boxes_(std::move(boxes)) {
-    if (seaglass::holdsStencil(drawn.depthFormat)) depthAspects_ |= VK_IMAGE_ASPECT_STENCIL_BIT;
     if (renderPass) {
         main_ = createPass(many());
         again_ = createPass(many() && drawn.samples.color == VK_SAMPLE_COUNT_1_BIT);
@@ -166,13 +165,10 @@ demos::Image BoxHost::createImage(VkFormat format, VkExtent2D extent, VkSampleCo
     return image;
 }
 
-void BoxHost::toAttachment(VkCommandBuffer commands, const demos::Image& image, VkImageAspectFlags aspects,
-                           VkImageLayout layout) const {
-    VkImageMemoryBarrier2 barrier =
-        seaglass::imageBarrier(image.image.get(), aspects, 1, VK_IMAGE_LAYOUT_UNDEFINED, layout);
-    barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT;
-    barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
-    seaglass::recordBarrier(commands, barrier);
+void BoxHost::toAttachment(VkCommandBuffer commands, const demos::Image& image, VkImageLayout layout) const {
+    demos::imageBarrier(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, layout, VK_PIPELINE_STAGE_2_NONE,
+                        VK_ACCESS_2_NONE, VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT,
+                        VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
 }
 
 void BoxHost::drawMain(VkCommandBuffer commands, const Camera& camera) {
@@ -182,12 +178,12 @@ void BoxHost::drawMain(VkCommandBuffer commands, const Camera& camera) {
         createImage(drawn_.colorFormat, extent, drawn_.samples.depth, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
     inUse.depth = createImage(drawn_.depthFormat, extent, drawn_.samples.depth,
                               VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
-    toAttachment(commands, inUse.color, VK_IMAGE_ASPECT_COLOR_BIT, colorLayout);
-    toAttachment(commands, inUse.depth, depthAspects_, depthLayout);
+    toAttachment(commands, inUse.color, colorLayout);
+    toAttachment(commands, inUse.depth, depthLayout);
     if (many()) {
         inUse.resolved = createImage(drawn_.colorFormat, extent, VK_SAMPLE_COUNT_1_BIT,
                                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
-        toAttachment(commands, inUse.resolved, VK_IMAGE_ASPECT_COLOR_BIT, colorLayout);
+        toAttachment(commands, inUse.resolved, colorLayout);
     }
     const Attachments into = {extent, inUse.color.view.get(), inUse.depth.view.get(),
                               inUse.resolved.view.get()};
@@ -196,18 +192,20 @@ void BoxHost::drawMain(VkCommandBuffer commands, const Camera& camera) {
     inUse_.push_back(std::move(inUse));
 }
 
-void BoxHost::drawAgain(VkCommandBuffer commands, const seaglass::PlanarView& view) {
+void BoxHost::drawAgain(seaglass::Context* context, VkCommandBuffer commands,
+                        const seaglass::PlanarView& view) {
     using seaglass::DrawnUse;
     InUse inUse;
     Attachments into = {view.extent, view.color, view.depth, VK_NULL_HANDLE};
     if (many() && view.samples.color == VK_SAMPLE_COUNT_1_BIT) {
         inUse.color = createImage(drawn_.colorFormat, view.extent, drawn_.samples.depth,
                                   VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
-        toAttachment(commands, inUse.color, VK_IMAGE_ASPECT_COLOR_BIT, colorLayout);
+        toAttachment(commands, inUse.color, colorLayout);
         into.color = inUse.color.view.get();
         into.resolved = view.color;
     }
-    seaglass::recordDrawnUse(commands, view, DrawnUse::sampled, DrawnUse::attached);
+    EXPECT_EQ(seaglass::recordDrawnUse(context, commands, view, DrawnUse::sampled, DrawnUse::attached),
+              seaglass::Status::ok);
     draw(commands, into, again_.get(), view.viewport, matrix(view.projection) * matrix(view.view),
          view.clearDepth, view.windingFlipped, inUse);
     inUse_.push_back(std::move(inUse));
@@ -259,7 +257,7 @@ void BoxHost::begin(VkCommandBuffer commands, const Attachments& into, VkRenderP
     info.colorAttachmentCount = 1;
     info.pColorAttachments = &color;
     info.pDepthAttachment = &depth;
-    if (depthAspects_ & VK_IMAGE_ASPECT_STENCIL_BIT) info.pStencilAttachment = &depth;
+    if (seaglass::holdsStencil(drawn_.depthFormat)) info.pStencilAttachment = &depth;
     vkCmdBeginRendering(commands, &info);
 }
 

@@ -18,7 +18,7 @@ class BoxHost {
     /// Into images of its own.
     void drawMain(VkCommandBuffer commands, const Camera& camera);
     /// From images that were sampled to what reflect() takes over.
-    void drawAgain(VkCommandBuffer commands, const seaglass::PlanarView& view);
+    void drawAgain(seaglass::Context* context, VkCommandBuffer commands, const seaglass::PlanarView& view);
     /// What was recorded has been done.
     void finished() { inUse_.clear(); }
 
@@ -39,8 +39,7 @@ class BoxHost {
     void createPipeline();
     demos::Image createImage(VkFormat format, VkExtent2D extent, VkSampleCountFlagBits samples,
                              VkImageUsageFlags usage) const;
-    void toAttachment(VkCommandBuffer commands, const demos::Image& image, VkImageAspectFlags aspects,
-                      VkImageLayout layout) const;
+    void toAttachment(VkCommandBuffer commands, const demos::Image& image, VkImageLayout layout) const;
     void draw(VkCommandBuffer commands, const Attachments& into, VkRenderPass pass,
               const VkViewport& viewport, const glm::dmat4& clipFromWorld, float clearDepth, bool mirrored,
               InUse& inUse);
@@ -50,7 +49,6 @@ class BoxHost {
 
     seaglass::DrawnDesc drawn_;
     std::vector<Box> boxes_;
-    VkImageAspectFlags depthAspects_ = VK_IMAGE_ASPECT_DEPTH_BIT;
     Pass main_;  ///< null by dynamic rendering
     Pass again_; ///< compatible with it
     demos::UniquePipelineLayout layout_;

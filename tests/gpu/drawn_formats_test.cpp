@@ -88,10 +88,10 @@ class Drawn : public WaterTest {
             EXPECT_EQ(wanted.depthFormat, drawn.depthFormat);
             EXPECT_EQ(wanted.samples.depth, drawn.samples.depth);
             EXPECT_EQ(wanted.samples.color, drawn.samples.color);
-            host.drawAgain(commands, wanted);
+            host.drawAgain(context(), commands, wanted);
             ASSERT_EQ(bedView(body, &view, &wanted), Status::ok) << message();
             EXPECT_EQ(wanted.samples.color, drawn.samples.color);
-            host.drawAgain(commands, wanted);
+            host.drawAgain(context(), commands, wanted);
         };
         // Nothing of the scene's own picture shows: its bed and its mirror image are drawn.
         const WaterPicture first = picture({body}, from, 0, SurfaceOutput::shaded, nothingBehind(from));
@@ -161,8 +161,8 @@ TEST_P(DrawnIn, CostsWhatTheEstimateSays) {
         ASSERT_EQ(bedView(body, &view, &below), Status::ok) << message();
         EXPECT_EQ(bytesSpied(), estimated.bytesPerView);
         frame([&](VkCommandBuffer commands) {
-            host.drawAgain(commands, mirrored);
-            host.drawAgain(commands, below);
+            host.drawAgain(context(), commands, mirrored);
+            host.drawAgain(context(), commands, below);
             spiedCalls().clear();
             EXPECT_EQ(reflect(commands, &body, 1, &view), Status::ok) << message();
         });
@@ -188,7 +188,7 @@ TEST_F(Drawn, EdgesAreCoveredByShares) {
         frame([&](VkCommandBuffer commands) {
             PlanarView mirrored;
             ASSERT_EQ(planarView(reflector, &view, &mirrored), Status::ok) << message();
-            host.drawAgain(commands, mirrored);
+            host.drawAgain(context(), commands, mirrored);
             ASSERT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
         });
         const ReflectionImages images = reflectionImages(reflector, 0);

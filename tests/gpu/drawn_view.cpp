@@ -90,9 +90,10 @@ void recordDrawing(VkCommandBuffer commands, const seaglass::PlanarView& view, c
     recordBarriers(commands, view, filled, attached);
 }
 
-void beginDrawing(VkCommandBuffer commands, const seaglass::PlanarView& view) {
+void beginDrawing(seaglass::Context* context, VkCommandBuffer commands, const seaglass::PlanarView& view) {
     using seaglass::DrawnUse;
-    seaglass::recordDrawnUse(commands, view, DrawnUse::sampled, DrawnUse::attached);
+    EXPECT_EQ(seaglass::recordDrawnUse(context, commands, view, DrawnUse::sampled, DrawnUse::attached),
+              seaglass::Status::ok);
     demos::beginRendering(commands, view.extent, view.color, VK_ATTACHMENT_LOAD_OP_CLEAR, view.depth,
                           VK_ATTACHMENT_LOAD_OP_CLEAR, view.clearDepth,
                           VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);

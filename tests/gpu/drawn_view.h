@@ -28,6 +28,6 @@ struct DrawnBuffers {
 void recordDrawing(VkCommandBuffer commands, const seaglass::PlanarView& view, const DrawnBuffers& drawn);
 
 /// Begins rendering to the view's images, which it clears.
-void beginDrawing(VkCommandBuffer commands, const seaglass::PlanarView& view);
+void beginDrawing(seaglass::Context* context, VkCommandBuffer commands, const seaglass::PlanarView& view);
 
 } // namespace tests

@@ -4,6 +4,7 @@
 
 #include "gpu/context.h"
 #include "gpu/kernel.h"
+#include "seaglass/record.h"
 #include "spirv/beyond_the_end.comp.h"
 #include "tests/gpu/host_shape.h"
 #include "tests/gpu/rig.h"
@@ -66,9 +67,11 @@ class Mistakes : public GpuTest {
     ViewDesc view;
     LightingDesc lighting;
 
+    demos::Image color_, depth_;
+
   private:
     demos::ImageDesc cube_;
-    demos::Image color_, depth_, sky_;
+    demos::Image sky_;
 };
 
 TEST_F(Mistakes, NullsAreNamed) {
@@ -365,6 +368,41 @@ TEST_F(Mistakes, DevicesThatLackSomethingAreRefusedByItsName) {
     Pretended::extendedFormats = false;
     expectRefused("shaderStorageImageExtendedFormats");
     Pretended::extendedFormats = true;
+}
+
+TEST_F(Mistakes, WhatCannotBeCopiedIsRefusedByItsName) {
+    SceneCopy right;
+    right.from = color_.image.get();
+    right.to = depth_.image.get();
+    right.layout = VK_IMAGE_LAYOUT_GENERAL;
+    right.extent = {8, 8};
+    const auto expectRefused = [&](const SceneCopy& copy, const char* named) {
+        recordOnly([&](VkCommandBuffer commands) {
+            EXPECT_EQ(recordSceneCopy(context(), commands, copy), Status::invalidArgument);
+            EXPECT_NE(message().find(named), std::string::npos) << message();
+        });
+    };
+    SceneCopy wrong = right;
+    wrong.from = VK_NULL_HANDLE;
+    expectRefused(wrong, "SceneCopy.from");
+    wrong = right;
+    wrong.to = VK_NULL_HANDLE;
+    expectRefused(wrong, "SceneCopy.to");
+    wrong = right;
+    wrong.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    expectRefused(wrong, "SceneCopy.layout");
+    wrong = right;
+    wrong.aspect = VK_IMAGE_ASPECT_STENCIL_BIT;
+    expectRefused(wrong, "SceneCopy.aspect");
+    wrong = right;
+    wrong.extent = {8, 0};
+    expectRefused(wrong, "SceneCopy.extent");
+    EXPECT_EQ(recordSceneCopy(nullptr, VK_NULL_HANDLE, right), Status::invalidArgument);
+    recordOnly([&](VkCommandBuffer commands) {
+        EXPECT_EQ(recordDrawnUse(context(), commands, {}, DrawnUse::sampled, DrawnUse::attached),
+                  Status::invalidArgument);
+        EXPECT_NE(message().find("PlanarView"), std::string::npos) << message();
+    });
 }
 
 TEST_F(Mistakes, InstancesOfAnEarlierVulkanAreNamedAsTheCause) {

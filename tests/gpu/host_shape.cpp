@@ -423,15 +423,15 @@ void ShapedHost::record(Slot& slot, const Targets* targets,
 void ShapedHost::clearBed(VkCommandBuffer commands, const seaglass::ViewDesc& view) {
     seaglass::PlanarView bed;
     EXPECT_EQ(seaglass::bedView(body_, &view, &bed), Status::ok) << message_;
-    beginDrawing(commands, bed);
+    beginDrawing(context_, commands, bed);
     vkCmdEndRendering(commands);
     if (!caustics_) return;
-    demos::readBedDepth(commands, bed);
+    demos::readBedDepth(context_, commands, bed);
     seaglass::ViewDesc over = demos::viewOf(bed);
     over.viewIndex = view.viewIndex;
     EXPECT_EQ(seaglass::castCaustics(commands, &body_, 1, &over, &lighting_), Status::ok) << message_;
     demos::beginOverBed(commands, bed); // a target of the bed's formats would draw them
-    demos::endOverBed(commands, bed);
+    demos::endOverBed(context_, commands, bed);
 }
 
 void ShapedHost::beginPass(VkCommandBuffer commands, const Targets& targets, float clearDepth) {

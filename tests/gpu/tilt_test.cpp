@@ -196,7 +196,7 @@ class Tilts : public WaterTest, public testing::WithParamInterface<Turn> {
 };
 
 void Tilts::drawMirrored(VkCommandBuffer commands, const PlanarView& view) {
-    beginDrawing(commands, view);
+    beginDrawing(context(), commands, view);
     VkClearAttachment clears[2] = {{VK_IMAGE_ASPECT_COLOR_BIT, 0, {}}, {VK_IMAGE_ASPECT_DEPTH_BIT, 0, {}}};
     clears[0].clearValue.color = {{9, 4, 2, 1}};
     clears[1].clearValue.depthStencil.depth = 0.02f;

@@ -94,8 +94,7 @@ bool NullDevice::createDevice(std::string& whyNot) {
     VkPhysicalDeviceVulkan11Features features11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES,
                                                 &statistics};
     features11.multiview = VK_TRUE;
-    seaglass::Requirements needs;
-    seaglass::requirements(&needs);
+    seaglass::Requirements needs = seaglass::requirements();
     needs.features13.dynamicRendering = VK_TRUE;
     needs.features13.pNext = &features11;
     const VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &needs.features13,

@@ -80,7 +80,7 @@ struct Requirements {
 };
 
 /// Says what Seaglass needs switched on, before the device exists. Any thread.
-void requirements(Requirements* out);
+Requirements requirements();
 
 /// Checks a physical device against requirements(), formats and limits included. On `unsupported`, the first
 /// thing missing is named through `message`. Any thread.
