@@ -119,6 +119,7 @@ MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldP
     out.infinityDepth = static_cast<float>(view.infinityDepth);
     out.depthSign = view.reversedDepth ? 1.0f : -1.0f;
     out.edgeFadePixels = desc.edgeFade * static_cast<float>(view.regionSize.y);
+    out.edgeFadeApart = desc.edgeFadeAround ? 0 : 1e9f;
     out.bent = desc.distortion > 0 ? 1 : 0;
     out.pixelShift = std::countr_zero(desc.downscale);
     out.keyShift = std::countr_zero(keyScale(desc));

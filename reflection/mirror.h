@@ -66,8 +66,10 @@ struct MirrorUniforms {
     uint32_t followed = 0;    ///< whether rays are followed afterwards where nothing is proven
     float undersideLight = 0; ///< of the top that is seen
     uint32_t roofLooks = 0;
+    float edgeFadeApart = 0; ///< by which borders that are not ahead are taken to be farther away [pixel]
+    float padding[3] = {};
 };
-static_assert(sizeof(MirrorUniforms) == 384);
+static_assert(sizeof(MirrorUniforms) == 400);
 
 /// Pixels of the view to one SSPR key, each way.
 uint32_t keyScale(const ReflectionDesc& desc);

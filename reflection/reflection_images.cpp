@@ -25,6 +25,17 @@ gpu::ImageDesc colorDesc(VkExtent2D extent, uint32_t blurLevels, bool drawnInto)
 
 } // namespace
 
+ReflectionDesc sizedFor(const ReflectionDesc& desc, VkExtent2D extent) {
+    ReflectionDesc sized = desc;
+    if (desc.height == 0) return sized;
+    // By ratio: from one power of two to the next where the height is passed by the root of 2.
+    sized.downscale = 1;
+    const uint64_t twice = 2 * uint64_t{desc.height} * desc.height, rows = extent.height;
+    while (sized.downscale < 8 && rows * rows > twice * sized.downscale * sized.downscale)
+        sized.downscale *= 2;
+    return sized;
+}
+
 Status OwnedReflection::create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels,
                                bool drawnInto) {
     const gpu::ImageDesc desc = colorDesc(extent, blurLevels, drawnInto);

@@ -50,6 +50,7 @@ const char* badLook(const ReflectionDesc& desc) {
 
 Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
     region = extent;
+    downscale = desc.downscale;
     const VkExtent2D scaled = scaledDown(extent, desc.downscale);
     if (desc.technique == ReflectionTechnique::planar)
         if (const Status s = planar.create(device, desc.drawn, scaled); s != Status::ok) return s;
@@ -69,8 +70,9 @@ const gpu::Buffer& ReflectedView::tiles(ReflectionTechnique technique) const {
     return scatters(technique) ? sspr.tiles : ssr.tiles;
 }
 
-Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExtent2D extent,
+Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& given, VkExtent2D extent,
                     const SceneSamples& samples) {
+    const ReflectionDesc desc = sizedFor(given, extent);
     Estimate estimate;
     if (desc.technique == ReflectionTechnique::sky) return estimate;
     const VkExtent2D scaled = scaledDown(extent, desc.downscale);
@@ -116,6 +118,8 @@ const char* badField(const ReflectionDesc& desc) {
         return "ReflectionDesc.technique is none of ReflectionTechnique";
     if (desc.downscale != 1 && desc.downscale != 2 && desc.downscale != 4 && desc.downscale != 8)
         return "ReflectionDesc.downscale is out of range, expected 1, 2, 4 or 8";
+    if (desc.height != 0 && (desc.height < 8 || desc.height > 16384))
+        return "ReflectionDesc.height is out of range, expected 0 or 8 to 16384";
     if (!(desc.edgeFade >= 0 && desc.edgeFade <= 0.5f))
         return "ReflectionDesc.edgeFade is out of range, expected 0 to 0.5";
     if (!(desc.edgeReach >= 0 && desc.edgeReach <= 1))
@@ -168,7 +172,8 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
 Status Reflector::prepare(ReflectedView& view, VkExtent2D extent) {
     if (view.isOf(extent)) return Status::ok;
     ReflectedView fresh;
-    if (const Status s = fresh.create(context->device, extent, desc); s != Status::ok) return s;
+    if (const Status s = fresh.create(context->device, extent, sizedFor(desc, extent)); s != Status::ok)
+        return s;
     context->frame().retire(std::exchange(view, std::move(fresh)));
     return Status::ok;
 }
@@ -187,7 +192,7 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
     if (!out.visible) return Status::ok;
     if (const Status s = prepare(reflected, extentOf(geometry)); s != Status::ok) return s;
     const MirroredCamera camera = mirroredCamera(view, geometry, plane);
-    out = describe(camera, view, geometry, desc.downscale, reflected.planar, reflected.found(desc));
+    out = describe(camera, view, geometry, reflected.downscale, reflected.planar, reflected.found(desc));
     reflected.planar.handedOut = true;
     reflected.reflected = false;
     return Status::ok;
@@ -222,7 +227,7 @@ Status Reflector::recordReuse(const ReflectPass& pass, ReflectedView& view) {
 
 Status Reflector::uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
                                gpu::Slice& out) {
-    MirrorUniforms uniforms = mirrorUniforms(geometry, plane, desc, shown);
+    MirrorUniforms uniforms = mirrorUniforms(geometry, plane, sizedFor(desc, extentOf(geometry)), shown);
     // A surface with normals of its own stands where the flat plane is not seen.
     if (view.surfaceNormals) uniforms.bent = 1;
     return context->frame().upload(uniforms, out);
@@ -248,7 +253,8 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
 
     gpu::Slice slice;
     if (const Status s = uploadMirror(view, geometry, shown, slice); s != Status::ok) return s;
-    const ReflectPass pass{*context, commands, scene.read, geometry, desc, slice};
+    const ReflectionDesc sized = sizedFor(desc, extent);
+    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice};
     if (!drawn)
         if (const Status s = takeSamples(pass, singleSamples, scene); s != Status::ok) return s;
     const OwnedReflection& found = reflected.found(desc);
@@ -264,6 +270,8 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     if (const Status s = recordBlur(*context, commands, blur.get(), reflected.images.color); s != Status::ok)
         return s;
     reflected.reflected = true;
+    reflected.frame = context->frameNumber;
+    toValues(toMatrix(view.projection) * toMatrix(view.view), reflected.clipFromWorld);
     return Status::ok;
 }
 
@@ -285,7 +293,8 @@ Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
         s != Status::ok)
         return s;
     SceneOfCall scene(view);
-    const ReflectPass pass{*context, commands, scene.read, geometry, desc, slice};
+    const ReflectionDesc sized = sizedFor(desc, extentOf(geometry));
+    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice};
     if (const Status s = takeSamples(pass, singleSamples, scene); s != Status::ok) return s;
     return recordOverlay(pass, *overlay, images(view.viewIndex), overlayDesc);
 }
@@ -293,7 +302,11 @@ Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
 ReflectionImages Reflector::images(uint32_t viewIndex) const {
     if (viewIndex >= maxViews) return {};
     ReflectionImages images = views[viewIndex].images.handles();
-    images.bent = views[viewIndex].bent;
+    const ReflectedView& view = views[viewIndex];
+    images.bent = view.bent;
+    images.downscale = view.downscale;
+    images.age = static_cast<uint32_t>(std::min<uint64_t>(context->frameNumber - view.frame, UINT32_MAX));
+    std::ranges::copy(view.clipFromWorld, images.clipFromWorld);
     return images;
 }
 

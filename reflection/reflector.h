@@ -28,10 +28,13 @@ struct ReflectedView {
     SsrScratch ssr;
     HybridScratch hybrid;
     PlanarScratch planar;
-    TemporalScratch temporal;   ///< empty without temporal reuse
-    bool reflected = false;     ///< the images hold what reflect() has left
-    bool bent = false;          ///< by the view's own normals
-    VkExtent2D region = {0, 0}; ///< the view's, in pixels
+    TemporalScratch temporal;      ///< empty without temporal reuse
+    bool reflected = false;        ///< the images hold what reflect() has left
+    bool bent = false;             ///< by the view's own normals
+    VkExtent2D region = {0, 0};    ///< the view's, in pixels
+    uint32_t downscale = 1;        ///< of the images
+    uint64_t frame = 0;            ///< Context::frameNumber of the last reflect()
+    double clipFromWorld[16] = {}; ///< of the view then
     bool isOf(VkExtent2D extent) const { return gpu::isSame(region, extent); }
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
     /// What techniques write.
@@ -71,6 +74,8 @@ struct Reflector : Held {
     Status record(VkCommandBuffer commands, SceneOfCall& scene);
     Status drawOverlay(VkCommandBuffer commands, const ViewDesc& view, const OverlayDesc& overlayDesc);
     ReflectionImages images(uint32_t viewIndex) const;
+    /// How soon it is to be renewed for a view; 0: never.
+    uint64_t urgency(const ViewGeometry& geometry, uint32_t viewIndex) const;
 
   private:
     /// Makes what a view of this size needs, where it is not there yet.

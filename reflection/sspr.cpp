@@ -22,9 +22,13 @@ Status shareVariant(Context& context, Kernel Variant::*of, std::shared_ptr<Kerne
     return Status::ok;
 }
 
-Status shareScatter(Context& context, const ReflectionDesc& desc, std::shared_ptr<ScatterKernel>& out) {
-    return keyScale(desc) == 1 ? context.share(out)
-                               : shareVariant(context, &CoarseScatterKernel::scatter, out);
+/// Where the reflection's height is given, a view's size says which it takes.
+Status shareScatter(Context& context, const ReflectionDesc& desc, SsprKernels& out) {
+    const bool either = desc.height > 0 && !desc.coarseKeys, coarse = keyScale(desc) > 1;
+    if (either || !coarse)
+        if (const Status s = context.share(out.scatter); s != Status::ok) return s;
+    if (!either && !coarse) return Status::ok;
+    return shareVariant(context, &CoarseScatterKernel::scatter, out.coarseScatter);
 }
 
 Status shareTiles(Context& context, const ReflectionDesc& desc, std::shared_ptr<TilesKernel>& out) {
@@ -39,7 +43,7 @@ Status shareResolve(Context& context, const ReflectionDesc& desc, std::shared_pt
 } // namespace
 
 Status SsprKernels::create(Context& context, const ReflectionDesc& desc) {
-    if (const Status s = shareScatter(context, desc, scatter); s != Status::ok) return s;
+    if (const Status s = shareScatter(context, desc, *this); s != Status::ok) return s;
     if (const Status s = shareTiles(context, desc, tiles); s != Status::ok) return s;
     return shareResolve(context, desc, resolve);
 }
@@ -62,8 +66,8 @@ Status SsprScratch::create(const gpu::Device& device, VkExtent2D extent, const R
 
 Status recordSspr(const ReflectPass& pass, const SsprKernels& kernels, const SsprScratch& scratch,
                   const OwnedReflection& images) {
-    if (const Status s = recordScatter(pass, *kernels.scatter, scratch.keys, scratch.tiles); s != Status::ok)
-        return s;
+    const ScatterKernel& scatter = keyScale(pass.desc) > 1 ? *kernels.coarseScatter : *kernels.scatter;
+    if (const Status s = recordScatter(pass, scatter, scratch.keys, scratch.tiles); s != Status::ok) return s;
     if (const Status s = recordTiles(pass, *kernels.tiles, scratch.keys, scratch.tiles); s != Status::ok)
         return s;
     return recordResolve(pass, *kernels.resolve, scratch.keys, scratch.tiles, images);

@@ -9,7 +9,7 @@
 namespace seaglass {
 
 struct SsprKernels {
-    std::shared_ptr<ScatterKernel> scatter;
+    std::shared_ptr<ScatterKernel> scatter, coarseScatter; ///< null where no view needs it
     std::shared_ptr<TilesKernel> tiles;
     std::shared_ptr<ResolveKernel> resolve;
     /// Those that `desc` needs, shared with all who need them.

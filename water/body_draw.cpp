@@ -104,7 +104,7 @@ SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDes
             lighting.shadow != nullptr,
             frame.tilted,
             !globe.flat(),
-            !waves && reflector && reflector->desc.blurLevels == 0 ? reflector->desc.downscale : 0,
+            !waves && reflector && reflector->desc.blurLevels == 0 ? images.downscale : 0,
             bed ? bed->downscale : 0,
             shading.fresnel == Fresnel::schlick};
 }

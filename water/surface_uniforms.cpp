@@ -113,7 +113,7 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
     u.reflectionDistortion = body.reflectionDistortion;
     if (body.reflector) {
         const ReflectionDesc& reflection = body.reflector->desc;
-        u.reflectionScale = static_cast<float>(reflection.downscale);
+        u.reflectionScale = static_cast<float>(sizedFor(reflection, extentOf(geometry)).downscale);
         u.reflectionLook = {reflection.clearDistance, reflection.scatter, reflection.skyFadeDistance, 0};
     }
     if (body.waves) setWaves(u, *body.sea, body.waves->maps(), geometry.eye);

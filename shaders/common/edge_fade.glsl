@@ -21,6 +21,8 @@ float confidenceWithin(float left) {
     return x * x * x * (x * (x * 6.0 - 15.0) + 10.0);
 }
 
+// Of the border ahead, or of any: the others are moved `edgeFadeApart` farther away.
 float edgeConfidence(vec2 q, vec2 source) {
-    return confidenceWithin(borderDistance(q, source));
+    vec2 aside = min(source, vec2(region.zw) - source);
+    return confidenceWithin(min(borderDistance(q, source), min(aside.x, aside.y) + edgeFadeApart));
 }

@@ -25,6 +25,7 @@ float contactPerMetre;   // see onOrBelowPlane()
 float depthStep;         // scene depths closer than this may be held as one
 float undersideLight;    // share of the top's colour that stands for what lies under it
 uint roofLooks;          // for what hangs over the mirror
+float edgeFadeApart;     // see edgeConfidence()
 bool followed;           // rays are followed afterwards where nothing is proven
 
 layout(set = 0, binding = 0, std140) uniform Mirror {
@@ -50,6 +51,7 @@ layout(set = 0, binding = 0, std140) uniform Mirror {
     bool followed;
     float undersideLight;
     uint roofLooks;
+    float edgeFadeApart;
 } stored;
 
 // Before anything else.
@@ -76,6 +78,7 @@ void loadMirror() {
     followed = stored.followed;
     undersideLight = stored.undersideLight;
     roofLooks = stored.roofLooks;
+    edgeFadeApart = stored.edgeFadeApart;
 }
 
 // The reflection's pixels, and its keys'.

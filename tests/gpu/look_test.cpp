@@ -345,6 +345,35 @@ TEST_F(EdgeFade, IsASmootherStepOverItsWidthBeforeTheBorder) {
             }
 }
 
+/// From where a mirrored point is seen to the nearest border [pixel].
+double pixelsToNearestBorder(const TracedView& traced, size_t mirror) {
+    const glm::dvec2 source = traced.source[mirror];
+    return std::min({source.x, source.y, traced.width - source.x, traced.height - source.y});
+}
+
+TEST_F(EdgeFade, MayBeOfAllFourBorders) {
+    const Box wall{{-60, -1, -9}, {60, 60, -8}};
+    for (const ReflectionTechnique technique : {ReflectionTechnique::sspr, ReflectionTechnique::ssr}) {
+        const Camera camera = testCamera();
+        const TracedView traced = Tracer(camera, {wall}).run();
+        ReflectorDesc desc = with(technique);
+        desc.reflection.edgeFade = 0.3f;
+        desc.reflection.edgeFadeAround = true;
+        const Reflected result = reflectScene(camera, traced, desc);
+        const double width = 0.3 * camera.height;
+        size_t atSides = 0, inside = 0;
+        for (size_t i = 0; i < result.info.size(); ++i) {
+            if (traced.truth[i] != Truth::recoverable || !(result.info[i] > 0)) continue;
+            const double t = std::min(pixelsToNearestBorder(traced, i) / width, 1.0);
+            ASSERT_NEAR(double{result.color[i * 4 + 3]}, t * t * t * (t * (6 * t - 15) + 10), 0.02) << t;
+            if (t < 0.5 && pixelsToBorder(traced, i) > width) ++atSides;
+            if (t == 1) ++inside;
+        }
+        EXPECT_GT(atSides, 300u);
+        EXPECT_GT(inside, 1000u);
+    }
+}
+
 TEST_F(EdgeFade, OfNoWidthFadesNothing) {
     const TracedView traced = Tracer(testCamera(), {{{-60, -1, -9}, {60, 60, -8}}}).run();
     ReflectorDesc desc;

@@ -101,7 +101,10 @@ SurfaceVariant variantOf(const Body& body, const SurfaceChoice& choice) {
     if (choice.output == SurfaceOutput::motion) return {body.motionFeatures(), choice.output, choice.sides};
     ReflectionImages images;
     // Asked for nothing but whether it is there.
-    if (body.reflector) images.color = reinterpret_cast<VkImageView>(uintptr_t{1});
+    if (body.reflector) {
+        images.color = reinterpret_cast<VkImageView>(uintptr_t{1});
+        images.downscale = body.reflector->desc.downscale;
+    }
     const SunShadow shadow;
     LightingDesc lighting;
     if (hasLetter(choice.letters, 'h')) lighting.shadow = &shadow;

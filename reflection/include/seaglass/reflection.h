@@ -41,9 +41,16 @@ struct DrawnDesc {
 struct ReflectionDesc {
     ReflectionTechnique technique = ReflectionTechnique::sspr; ///< how what is mirrored is found
     uint32_t downscale = 1; ///< pixels of the view to one of the reflection, each way: 1, 2, 4 or 8
+    /// Of the reflection [pixel], whatever the view's size, 8..16384: in the place of `downscale`, which is
+    /// not read then, that of 1, 2, 4 and 8 which brings it nearest by ratio; the larger of two as near. The
+    /// width follows. 0: by `downscale`.
+    uint32_t height = 0;
     /// SSPR scatters one key for 2 x 2 pixels: a quarter of their memory. Looking steeply down it finds less.
     bool coarseKeys = false;
     float edgeFade = 0.08f; ///< share of the height over which borrowed pixels fade at the border, 0..0.5
+    /// They fade at whichever of the four borders is nearest; else at the one towards which they are
+    /// borrowed, which alone can cut a reflection off. Not of `planar`.
+    bool edgeFadeAround = false;
     /// How far beyond the picture's border what reaches it is taken to go on, as a share of the height, 0..1:
     /// what is a plane for twice as long inside, as walls are. It fades out at the end of that instead. 0
     /// costs nothing; else two dispatches. Not of `planar`, nor of views with `surfaceNormals`.
@@ -118,6 +125,11 @@ struct ReflectionImages {
     /// True: the surface's normals have bent `color` and `info` already (ViewDesc::surfaceNormals), and a
     /// lookup takes its own pixel. False: they show a flat mirror, and lookups bend.
     bool bent = false;
+    uint32_t downscale = 1; ///< pixels of the view to one of them, each way
+    uint32_t age = 0;       ///< frames since this view was reflected: 0, in this one; see chooseReflectors()
+    /// Of the view then. Where it has moved since, look up where this puts the mirror's point, not in its
+    /// pixel.
+    double clipFromWorld[16] = {};
 };
 
 /// What is known of a pixel of the mirror.
@@ -173,12 +185,24 @@ struct PlanarView {
 Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out);
 
 /// Records the reflection of `view` for each of at most maxReflectors, whose planes may differ: what one
-/// shows does not depend on the others. Those that the view does not see are passed over; what
-/// reflectionImages() has of them is of some frame before. Outside any render pass. Reads view.sceneColor and
-/// view.sceneDepth in compute shaders: the host has made them visible there
+/// shows does not depend on the others. Of more, chooseReflectors() says which. Those that the view does not
+/// see are passed over; what reflectionImages() has of them is of some frame before. Outside any render pass.
+/// Reads view.sceneColor and view.sceneDepth in compute shaders: the host has made them visible there
 /// (VK_ACCESS_2_SHADER_SAMPLED_READ). Allocates when a view's size changes. With technique `sky` nothing is
 /// recorded; with `planar` the scene's images are not read, but what was drawn since planarView().
 Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t count, const ViewDesc* view);
+
+/// Of many reflectors those to renew in this frame, `most` of them, 1..maxReflectors: their indices go to
+/// `chosen`, which has room for that many, in rising order, and their number to `chosenCount`. Records
+/// nothing. planarView() and reflect() are then called for those alone, with the same view; the others keep
+/// the images that they have, as they are: nothing moves or fades them.
+///
+/// First come those that have none of this view's size, then those that cover most: pixels of the box around
+/// the surface times the frames since it was reflected, so that each gets its turn, those that show most
+/// nearly in each frame. Of equals the one of the lower index. Those that the view does not see, and those
+/// whose technique is `sky`, are not chosen. No clock, nothing random: the same calls choose the same.
+Status chooseReflectors(Reflector* const* reflectors, uint32_t count, const ViewDesc* view, uint32_t most,
+                        uint32_t* chosen, uint32_t* chosenCount);
 
 /// The images of a view index, null handles where it has not been reflected.
 ReflectionImages reflectionImages(const Reflector* reflector, uint32_t viewIndex);
