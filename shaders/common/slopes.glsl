@@ -26,9 +26,11 @@ float varianceAlong(vec2 towards, vec3 covariance) {
     return dot(towards * towards, covariance.xy) + 2.0 * towards.x * towards.y * covariance.z;
 }
 
-// Of the unit Gaussian what lies below e, within 1.4e-4 (Page 1977).
+// Of the unit Gaussian what lies below e, within 1.4e-4 (Page 1977). Below -6 lies less than 2e-11; the power of e would
+// overflow.
 float gaussianBelow(float e) {
-    return 1.0 / (1.0 + exp(-e * (1.5976 + 0.070566 * e * e)));
+    float within = max(e, -6.0);
+    return 1.0 / (1.0 + exp(-within * (1.5976 + 0.070566 * within * within)));
 }
 
 // Below what deviation a share of the unit Gaussian lies, within 3e-3 (Hastings 1955, sheet 67).

@@ -23,7 +23,9 @@ enum : uint32_t {
     Acos = 17,
     Atan2 = 25,
     Pow = 26,
+    Exp = 27,
     Log = 28,
+    Exp2 = 29,
     Log2 = 30,
     Sqrt = 31,
     InverseSqrt = 32,
@@ -43,6 +45,8 @@ constexpr uint32_t bitsOfOne = 0x3f800000, bitsOf2To31 = 0x4f000000, bitsOf2To32
 constexpr uint32_t bitsOfInfinity = 0x7f800000, signBit = 0x80000000;
 // Of pi and a ten-thousandth: what is folded to pi rounds a little beyond it.
 constexpr uint32_t bitsOfPi = 0x40491500;
+/// The powers of e and of 2 that a float just holds, or does no longer.
+constexpr uint32_t bitsOfLargestExp = 0x42b17217, bitsOfExp2Beyond = 0x43000000;
 
 const char* stageName(uint32_t model) {
     constexpr std::array names = {
@@ -206,6 +210,13 @@ void Checker::function(const Instruction& i) {
         return place(
             "pow is of a negative base, NaN, or zero to the power of zero or less",
             either(isNegativeOrNan(x[0]), both(isZero(x[0]), either(isNegativeOrNan(x[1]), isZero(x[1])))));
+    // As an integer a negative float is one.
+    case glsl::Exp:
+        return place("exp is of more than 88.7, or NaN",
+                     than(op::SGreaterThan, bits(x[0]), bitsOfLargestExp));
+    case glsl::Exp2:
+        return place("exp2 is of 128 or more, or NaN",
+                     than(op::SGreaterThanEqual, bits(x[0]), bitsOfExp2Beyond));
     case glsl::Log:
     case glsl::Log2:
         return place("log is of zero, a negative number or NaN", either(isNegativeOrNan(x[0]), isZero(x[0])));

@@ -185,6 +185,8 @@ const ViolationsByFunction plantedInCompute = {
     {"atanOfZeros", {"atan is of zero and zero"}},
     {"powOfNegative", {power}},
     {"powOfZeros", {power}},
+    {"expOfMuch", {"exp is of more than 88.7, or NaN"}},
+    {"exp2OfMuch", {"exp2 is of 128 or more, or NaN"}},
     {"logOfZero", {logarithm}},
     {"log2OfNegative", {logarithm}},
     {"sqrtOfNegative", {"sqrt is of a negative number or NaN"}},

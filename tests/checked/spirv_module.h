@@ -81,6 +81,7 @@ enum : uint32_t {
     UGreaterThan = 172,
     SGreaterThan = 173,
     UGreaterThanEqual = 174,
+    SGreaterThanEqual = 175,
     ULessThan = 176,
     FOrdEqual = 180,
     FOrdGreaterThan = 186,

@@ -53,6 +53,8 @@ void acosOfMuch() { use(acos(either(-1.0, -1.0000001))); }
 void atanOfZeros() { use(atan(either(1e-6, -0.0), 0.0)); }
 void powOfNegative() { use(pow(either(0.0, -1e-6), 2.0)); }
 void powOfZeros() { use(pow(0.0, either(1e-6, 0.0))); }
+void expOfMuch() { use(exp(either(88.7, 88.8))); }
+void exp2OfMuch() { use(exp2(either(127.9, 128.0))); }
 void logOfZero() { use(log(either(1e-6, 0.0))); }
 void log2OfNegative() { use(log2(either(1e-6, -1e-6))); }
 void sqrtOfNegative() { use(sqrt(either(-0.0, -1e-6))); }
@@ -111,6 +113,8 @@ void main() {
     atanOfZeros();
     powOfNegative();
     powOfZeros();
+    expOfMuch();
+    exp2OfMuch();
     logOfZero();
     log2OfNegative();
     sqrtOfNegative();
