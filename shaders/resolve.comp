@@ -97,17 +97,24 @@ vec2 besides(vec2 middle, vec2 point) {
     return middle + (abs(off.x) > abs(off.y) ? vec2(sign(off.x), 0.0) : vec2(0.0, sign(off.y)));
 }
 
+// A point that was met, or where the pixel by which it was met is nearest to it: beside that the sky may show, or the bed.
+vec2 shownIn(vec2 source, vec2 middle) {
+    ivec2 pixel = texelAt(source, region.zw - 1);
+    return solid(pixel, depthAt(pixel)) ? source : clamp(source, middle - 0.49, middle + 0.49);
+}
+
 Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
     vec4 p = ray.origin + mirroredDepth * ray.along;
     if (!(p.w > 0.0)) return noHit;
     Hit hit = Hit(false, false, p.xy / p.w, 0.0, mirroredDepth);
+    vec2 middle;
     bool movedOver = false;
     int left = refinements;
     do {
         if (!insideRegion(hit.source)) return noHit;
         ivec2 pixel = ivec2(hit.source);
         Surface seen = surfaceAt(pixel);
-        vec2 middle = vec2(pixel) + 0.5;
+        middle = vec2(pixel) + 0.5;
         if (!solid(pixel, seen.depth)) {
             if (movedOver) return noHit;
             movedOver = true;
@@ -116,7 +123,9 @@ Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
             hit = metWithin(accepted, ray, middle, seen);
         }
     } while (--left > 0 && !hit.valid);
-    return hit.valid ? hit : noHit;
+    if (!hit.valid) return noHit;
+    hit.source = shownIn(hit.source, middle);
+    return hit;
 }
 
 // The keys in and around a cell, loaded once.
@@ -207,7 +216,7 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
 Hit hitOnThin(ScreenRay ray, Entry entry) {
     if (entry.between == noGuesses) return noHit;
     float depth = depthAt(entry.between.other);
-    if (isFar(depth)) return noHit;
+    if (!solid(entry.between.other, depth)) return noHit;
     vec4 seen = relativeFromPixel * vec4(entry.hidden, depth, 1.0);
     vec4 beside = seen + relativeFromPixel[0];
     vec4 hidden = seen + relativeFromPixel[2] * (entry.depth + infinityDepth - depth);
@@ -224,13 +233,15 @@ Hit metAt(ScreenRay ray, ivec2 pixel) {
     return hit;
 }
 
-Hit metBetween(Hit one, Hit other) {
+Hit metBetween(Guesses guesses, Hit one, Hit other) {
     one.valid = one.valid && one.off <= betweenPixels;
     other.valid = other.valid && other.off <= betweenPixels;
     bool alike = one.front == other.front;
     bool agree = one.valid && other.valid && alike && farthest(one.source - other.source) <= betweenPixels;
-    Hit best = one.valid && (!other.valid || (alike ? one.off <= other.off : one.front)) ? one : other;
+    bool isOne = one.valid && (!other.valid || (alike ? one.off <= other.off : one.front));
+    Hit best = isOne ? one : other;
     best.valid = best.valid && (agree || best.front && best.off <= besidePixel);
+    if (best.valid) best.source = shownIn(best.source, vec2(isOne ? guesses.one : guesses.other) + 0.5);
     return best;
 }
 
@@ -292,7 +303,7 @@ void main() {
         if (!hit.front) {
             Hit one = metAt(ray, guesses.one);
             Hit other = metAt(ray, guesses.other);
-            Hit met = metBetween(one, other);
+            Hit met = metBetween(guesses, one, other);
             // Where rays are followed they tell better.
             bool tells = !comesOut || met.front && (!followed || met.off <= withinPixel);
             if (met.valid && tells) hit = met;

@@ -177,7 +177,7 @@ Slope slopeAlong(vec2 pixel, vec2 step, float here) {
 struct Crossing {
     bool found;
     float share;    // at which the ray meets that
-    float shown;    // and at which that shows
+    vec3 shown;     // where that shows: pixel, and the ray's signed depth there
     float begins;   // as shares
     float ends;
     bool close;     // the ray is no farther behind it than things are thick
@@ -186,7 +186,7 @@ struct Crossing {
 };
 
 const float inSight = 2.0;
-const Crossing noCrossing = Crossing(false, 0.0, 0.0, 0.0, 0.0, false, false, inSight);
+const Crossing noCrossing = Crossing(false, 0.0, vec3(0.0), 0.0, 0.0, false, false, inSight);
 
 // Whether the ray, a pixel before, was in front of something by less than it may be behind it: at an edge it met the one
 // face, and the pixel shows the other.
@@ -222,9 +222,10 @@ bool staysHidden(Track track, float share, float pixels) {
 }
 
 // Whether what is seen at a pixel goes on as a plane as far as another.
-bool goesOn(vec2 pixel, float seen, vec2 slope, vec2 other) {
+bool goesOn(Scene scene, vec2 pixel, float seen, vec2 slope, vec2 other) {
     float rise = dot(slope, other - pixel);
-    return abs(signedDepthAt(other) - seen - rise) <= 0.1 * abs(rise) + 2.0 * roundingAt(seen);
+    Seen there = seenAt(scene, pixelAt(scene, other));
+    return there.counts && abs(there.depth - seen - rise) <= 0.1 * abs(rise) + 2.0 * roundingAt(seen);
 }
 
 // Whether what is seen goes on for two pixels along the ray, as rails and ropes do not.
@@ -235,13 +236,21 @@ bool isBroad(Track track, float share, float seen) {
     return within(track, after, point.z, min(there, seen), max(there, seen));
 }
 
+// Where the ray is within a pixel: beside it something else may show, such as the sky.
+vec3 shownIn(Track track, float share, vec2 middle) {
+    vec3 point = trackPoint(track, share);
+    return vec3(clamp(point.xy, middle - 0.49, middle + 0.49), point.z);
+}
+
 // Moves a crossing to where the ray meets the plane through what is seen: while it was hidden before, too. Where the ray
 // leaves that plane towards the eye instead, what shows is the far side of what it met before: an underside where the plane
 // goes on as far as that.
 int settled(Track track, inout Crossing crossing) {
     vec3 point = trackPoint(track, crossing.share);
     vec2 middle = floor(min(point.xy, vec2(region.zw) - 0.5)) + 0.5;
-    float seen = signedDepthAt(middle);
+    Seen here = seenAt(track.scene, ivec2(middle));
+    if (!here.counts) return refused;
+    float seen = here.depth;
     Slope x = slopeAlong(middle, vec2(1.0, 0.0), seen);
     Slope y = slopeAlong(middle, vec2(0.0, 1.0), seen);
     vec2 slope = vec2(x.perPixel, y.perPixel);
@@ -256,7 +265,7 @@ int settled(Track track, inout Crossing crossing) {
     // Only while it was hidden can it have met what shows beside, since before it was seen not to.
     bool covered = meets >= crossing.coveredFrom && meets <= crossing.begins;
     if (covered && perShare < -rounding && isBroad(track, crossing.share, seen)) {
-        crossing.shown = crossing.share;
+        crossing.shown = shownIn(track, crossing.share, middle);
         crossing.share = meets;
         return crossing.close ? closely : unseen;
     }
@@ -264,13 +273,14 @@ int settled(Track track, inout Crossing crossing) {
     bool cameClose = cameCloseTo(track, crossing.begins);
     bool leaves = leaving > rounding && !cameClose;
     crossing.share = clamp(meets, max(crossing.begins, 0.0), min(crossing.ends, 1.0));
-    crossing.shown = crossing.share;
+    crossing.shown = shownIn(track, crossing.share, middle);
     float beside = abs(meets - crossing.share);
     if (leaves && beside <= 3.0 * track.halfPixel) return underside;
     if (leaves && wide) {
-        if (meets > 1.0 || !goesOn(middle, seen, slope, floor(trackPoint(track, meets).xy) + 0.5)) return refused;
-        crossing.share = crossing.shown = meets;
-        return underside;
+        if (meets > 1.0) return refused;
+        crossing.share = meets;
+        crossing.shown = trackPoint(track, meets);
+        return goesOn(track.scene, middle, seen, slope, floor(crossing.shown.xy) + 0.5) ? underside : refused;
     }
     // Half a pixel beside, since an edge falls anywhere in its pixel.
     if (beside <= track.halfPixel) return met;

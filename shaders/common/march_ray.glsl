@@ -9,7 +9,7 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
     Progress at = atStart(track, noise);
     // The share at which something is met, or else where the ray first passes behind something; and where that shows.
     float share = 0.0;
-    float shown = 0.0;
+    vec3 shown = vec3(0.0);
     int found = refused;
     bool thin = false;
     // Invocations stay together: all look for a crossing, then all settle theirs.
@@ -29,9 +29,8 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
         }
     } while (++alarms <= falseAlarms && found < underside && at.looks > 0 && at.reached < 1.0);
     if (found != refused) {
-        vec3 source = trackPoint(track, shown);
-        source.z = depthSign * source.z - infinityDepth;
-        return March(infoOfHit(trackMetres(track, share)), source, found);
+        shown.z = depthSign * shown.z - infinityDepth;
+        return March(infoOfHit(trackMetres(track, share)), shown, found);
     }
     bool sky = at.reached >= 1.0 && !at.hidden && !track.leavesPicture && reachesSky(track, perMetre);
     return March(sky ? infoSky : infoUnknown, vec3(0.0), found);

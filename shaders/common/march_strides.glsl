@@ -28,7 +28,7 @@ Crossing bisected(Track track, float low, float high, bool inFront, bool leaves)
         hidden = leaves ? low : high;
         inFront = inFront || !isBehind;
     } while (++i <= bisections);
-    return Crossing(close, hidden, hidden, hidden - track.halfPixel, hidden + track.halfPixel, close, false, inSight);
+    return Crossing(close, hidden, vec3(0.0), hidden - track.halfPixel, hidden + track.halfPixel, close, false, inSight);
 }
 
 // The next stride on which the ray may cross what is seen, or come out of it. The interval of depth that the ray has over
@@ -60,7 +60,7 @@ Crossing nextCrossing(Track track, inout Progress at) {
         } while (at.looks > 0 && at.reached < 1.0);
     }
     if (ends && !candidate)
-        return Crossing(true, at.reached, at.reached, at.reached - track.halfPixel, at.reached + track.halfPixel, false, false,
+        return Crossing(true, at.reached, vec3(0.0), at.reached - track.halfPixel, at.reached + track.halfPixel, false, false,
                         at.cover.from);
     if (!candidate) return noCrossing;
     return bisected(track, max(last, 0.0), at.reached, wasInFront, leaves);

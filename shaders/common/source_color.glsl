@@ -11,7 +11,8 @@ vec3 texelColor(ivec2 pixel) {
 vec3 sourceColor(vec2 source, float nearness) {
     ivec2 corner = max(texelAt(source + 0.5, region.zw - 1), 1);
     vec2 beyond = clamp(source + 0.5 - vec2(corner), 0.0, 1.0);
-    vec4 seen = depthsAround(corner, perDepthTexel()) - infinityDepth;
+    vec4 depths = depthsAround(corner, perDepthTexel());
+    vec4 seen = depths - infinityDepth;
     vec2 rows = mix(seen.wx, seen.zy, beyond.x);
     float off = abs(mix(rows.x, rows.y, beyond.y) - nearness);
     float twist = abs(seen.x + seen.z - seen.y - seen.w);
@@ -19,7 +20,9 @@ vec3 sourceColor(vec2 source, float nearness) {
     float most = max(max(seen.x, seen.y), max(seen.z, seen.w));
     float rounding = 4e-6 * abs(nearness + infinityDepth) + 2.0 * depthStep;
     vec3 nearest = texelColor(texelAt(source, region.zw - 1));
-    if (max(off, twist) > 0.05 * (most - least) + rounding) return nearest;
+    vec4 signedDepths = depthSign * depths;
+    float farthest = min(min(signedDepths.x, signedDepths.y), min(signedDepths.z, signedDepths.w));
+    if (max(off, twist) > 0.05 * (most - least) + rounding || isFar(depthSign * farthest)) return nearest;
     vec3 upper = mix(texelColor(corner - 1), texelColor(corner - ivec2(0, 1)), beyond.x);
     vec3 lower = mix(texelColor(corner - ivec2(1, 0)), texelColor(corner), beyond.x);
     vec3 blend = mix(upper, lower, beyond.y);

@@ -62,6 +62,48 @@ TEST_P(SourceColor, ThingsAreNotBlended) {
     EXPECT_EQ(mixed, 0u);
 }
 
+/// A box in the air over water that nothing lies under, from the height of an eye, rolled, from above and by
+/// parallel lines of sight.
+std::vector<Camera> aroundTheBox() {
+    Camera near;
+    near.eye = {0.3, 4, 7};
+    near.target = {0.1, 0.3, 0};
+    near.width = 256;
+    near.height = 192;
+    Camera rolled = near;
+    rolled.rollDegrees = 33;
+    Camera high = near;
+    high.eye = {-1, 9, 3};
+    Camera parallel = near;
+    parallel.parallelHeight = 6;
+    parallel.far = 40;
+    return {near, rolled, high, parallel};
+}
+
+// Beside the pixel by which something is met the far plane may show, whose colour no mirrored ray has met.
+TEST_P(SourceColor, IsNotThatOfTheFarPlane) {
+    size_t hits = 0, far = 0;
+    for (const Camera& camera : aroundTheBox())
+        for (const bool cells : {true, false}) {
+            TracedView traced = Tracer(camera, {{{-0.5, 0.5, -0.5}, {0.5, 1.5, 0.5}}}).run();
+            for (size_t i = 0; i < traced.depth.size(); ++i) {
+                const float isFar = traced.depth[i] == 0 ? 1 : 0;
+                const float color[] = {isFar, 0, 1 - isFar, 1};
+                std::ranges::copy(color, traced.color.begin() + static_cast<ptrdiff_t>(i * 4));
+            }
+            ReflectorDesc desc = with(GetParam());
+            desc.reflection.marchCells = cells;
+            const Reflected result = reflectScene(camera, traced, desc);
+            for (size_t i = 0; i < result.info.size(); ++i) {
+                hits += reflectionClass(result.info[i]) == ReflectionClass::hit;
+                far += result.color[i * 4] > 0;
+            }
+        }
+    std::printf("%zu hits, %zu of them on the far plane\n", hits, far);
+    EXPECT_GT(hits, 4000u);
+    EXPECT_EQ(far, 0u);
+}
+
 // A texel that is not finite is mirrored where one alone would be, and not beside it.
 TEST_P(SourceColor, WhatIsNotFiniteDoesNotSpread) {
     const Camera camera = testCamera();
