@@ -98,6 +98,13 @@ Status Device::fail(Status status, const char* format, ...) const {
     return status;
 }
 
+void Device::warn(const char* format, ...) const {
+    va_list arguments;
+    va_start(arguments, format);
+    say(format, arguments);
+    va_end(arguments);
+}
+
 Status Device::misused(const char* format, ...) const {
     va_list arguments;
     va_start(arguments, format);

@@ -33,6 +33,8 @@ class Device {
     /// Sends one line to the host and gives `status` back, so that a failing call reads `return
     /// device.fail(...)`.
     [[gnu::format(printf, 3, 4)]] Status fail(Status status, const char* format, ...) const;
+    /// Sends one line of what is as the host asks, but hardly as it means.
+    [[gnu::format(printf, 2, 3)]] void warn(const char* format, ...) const;
     /// As fail() with invalidArgument, of a call that breaks a rule of docs/contract.md in when or of what it
     /// is made. Debug builds end there.
     [[gnu::format(printf, 2, 3)]] Status misused(const char* format, ...) const;

@@ -45,15 +45,16 @@ bool holdsStencil(VkFormat format) {
            format == VK_FORMAT_D32_SFLOAT_S8_UINT;
 }
 
-bool sampledIn(VkImageLayout layout) {
+bool sampledIn(VkImageLayout layout, bool depth) {
     switch (layout) {
     case VK_IMAGE_LAYOUT_GENERAL:
     case VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL:
     case VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL:
+        return true;
     case VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL:
     case VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL:
     case VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_STENCIL_ATTACHMENT_OPTIMAL:
-        return true;
+        return depth;
     default:
         return false;
     }

@@ -26,8 +26,8 @@ constexpr auto noDepthIn(const char (&field)[size]) {
     return text;
 }
 
-/// Whether images are sampled in this layout.
-bool sampledIn(VkImageLayout layout);
+/// Whether images, of depth or of colour, are sampled in this layout.
+bool sampledIn(VkImageLayout layout, bool depth);
 
 /// Where in a pixel sample 0 lies: the standard locations of Vulkan 1.3, 28.3.
 bool hasSamplePlace(VkSampleCountFlagBits samples);

@@ -55,7 +55,7 @@ struct SceneOfCall {
 
 /// What single-sampled hosts never pay for.
 inline bool isMultisampled(const ViewDesc& view) {
-    return view.sceneDepth.samples != VK_SAMPLE_COUNT_1_BIT;
+    return hasScene(view) && view.sceneDepth.samples != VK_SAMPLE_COUNT_1_BIT;
 }
 
 /// Sample 0 of `image`, within the region of `mirror`, to be sampled from `to`; `kernel` is of what it holds.

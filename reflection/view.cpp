@@ -24,10 +24,51 @@ bool isSingular(const Matrix& m) {
     return !(std::abs(glm::determinant(m)) > 1e-12 * lengths);
 }
 
-/// Depth grows towards the viewer when d(depth)/dz > 0; z/w is a Moebius function of view-space z, so one
-/// determinant tells, for perspective, infinite and orthographic matrices alike.
+/// Which way along the view's z the camera looks: where w grows. Parallel lines do not tell.
+double aheadAlongZ(const glm::dmat4& p) {
+    return p[2][3] > 0 ? 1 : -1;
+}
+
+/// Depth falls ahead; z/w is a Moebius function of view-space z, so one determinant tells, for perspective,
+/// infinite and orthographic matrices alike.
 bool depthIsReversed(const glm::dmat4& p) {
-    return p[2][2] * p[3][3] - p[3][2] * p[2][3] > 0;
+    return aheadAlongZ(p) * (p[2][2] * p[3][3] - p[3][2] * p[2][3]) < 0;
+}
+
+const char* badViewMatrix(const glm::dmat4& m) {
+    if (!allFinite(m)) return "ViewDesc.view is not finite";
+    if (isSingular(glm::dmat3(m))) return "ViewDesc.view is singular";
+    // To within what an inverse in float leaves there.
+    if (glm::distance(glm::row(m, 3), glm::dvec4(0, 0, 0, 1)) > 1e-4)
+        return "ViewDesc.view has a last row other than 0, 0, 0, 1, expected it column-major";
+    constexpr double drift = 0.01; // of what is turned again and again in float
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 axis(m[i]), next(m[(i + 1) % 3]);
+        if (!(std::abs(glm::length(axis) - 1) < drift))
+            return "ViewDesc.view scales, expected 1: for units other than metres see seaglass/world.h";
+        if (!(std::abs(glm::dot(axis, next)) < drift))
+            return "ViewDesc.view shears, expected it to turn and move alone";
+    }
+    return nullptr;
+}
+
+bool parallelLines(const glm::dmat4& p) {
+    return p[0][3] == 0 && p[1][3] == 0 && p[2][3] == 0;
+}
+
+const char* badProjection(const glm::dmat4& p) {
+    if (!allFinite(p)) return "ViewDesc.projection is not finite";
+    if (isSingular(p)) return "ViewDesc.projection is singular";
+    if (parallelLines(p)) return nullptr;
+    // Where x, y and w are nothing, lines of sight meet: in the eye, or beside it as some have two eyes' lie.
+    constexpr double farthest = 0.5; // [m]
+    const glm::dmat4 rows = glm::transpose(p);
+    const glm::dmat3 linear = glm::transpose(glm::dmat3(rows[0], rows[1], rows[3]));
+    const glm::dvec3 centre = -glm::inverse(linear) * glm::dvec3(p[3].x, p[3].y, p[3].w);
+    if (!(glm::length(centre) < farthest))
+        return "ViewDesc.projection has its centre beside the eye, expected view to clip, of last row 0, 0, "
+               "-1, 0 or the like: is it times the view?";
+    return nullptr;
 }
 
 /// What is demanded of one of a view's images, and what is said when it is not met.
@@ -74,7 +115,7 @@ constexpr ImageRules normalsRules = {
 const char* badImage(const Image& image, const VkViewport& viewport, const ImageRules& rules) {
     if (!image.view) return rules.isNull;
     if (!rules.holds(image.format)) return rules.isOfOtherFormat;
-    if (!sampledIn(image.layout)) return rules.isInOtherLayout;
+    if (!sampledIn(image.layout, rules.holds == holdsDepth)) return rules.isInOtherLayout;
     if (!hasSamplePlace(image.samples)) return rules.hasOtherSamples;
     const double right = std::max(viewport.x, viewport.x + viewport.width);
     const double bottom = std::max(viewport.y, viewport.y + viewport.height);
@@ -147,13 +188,8 @@ const char* readView(const ViewDesc& view, ViewGeometry& out) {
 const char* readCamera(const ViewDesc& view, ViewGeometry& out) {
     const glm::dmat4 viewMatrix = toMatrix(view.view);
     const glm::dmat4 projection = toMatrix(view.projection);
-    if (!allFinite(viewMatrix)) return "ViewDesc.view is not finite";
-    if (!allFinite(projection)) return "ViewDesc.projection is not finite";
-    if (isSingular(glm::dmat3(viewMatrix))) return "ViewDesc.view is singular";
-    // To within what an inverse in float leaves there.
-    if (glm::distance(glm::row(viewMatrix, 3), glm::dvec4(0, 0, 0, 1)) > 1e-4)
-        return "ViewDesc.view has a last row other than 0, 0, 0, 1, expected it column-major";
-    if (isSingular(projection)) return "ViewDesc.projection is singular";
+    if (const char* bad = badViewMatrix(viewMatrix)) return bad;
+    if (const char* bad = badProjection(projection)) return bad;
     if (const char* bad = badViewport(view.viewport)) return bad;
     if (view.viewIndex >= maxViews) return "ViewDesc.viewIndex is out of range, expected 0 to 7";
 
@@ -164,14 +200,14 @@ const char* readCamera(const ViewDesc& view, ViewGeometry& out) {
     const glm::dmat4 worldFromView = glm::inverse(viewMatrix);
     if (!allFinite(worldFromView)) return "ViewDesc.view is singular";
     out.eye = glm::dvec3(worldFromView[3]);
-    out.forward = -glm::normalize(glm::dvec3(worldFromView[2]));
+    out.forward = aheadAlongZ(projection) * glm::normalize(glm::dvec3(worldFromView[2]));
 
     glm::dmat4 rotation = viewMatrix;
     rotation[3] = glm::dvec4(0, 0, 0, 1);
     out.clipFromRelative = projection * rotation;
     out.reversedDepth = depthIsReversed(projection);
     out.farDepth = out.reversedDepth ? 0.0 : 1.0;
-    out.parallel = projection[0][3] == 0 && projection[1][3] == 0 && projection[2][3] == 0;
+    out.parallel = parallelLines(projection);
     out.infinityDepth = out.parallel ? out.farDepth : projection[2][2] / projection[2][3];
 
     const VkViewport& v = view.viewport;

@@ -43,6 +43,11 @@ inline glm::dvec4 row(const glm::dmat4& m, int index) {
     return {m[0][index], m[1][index], m[2][index], m[3][index]};
 }
 
+/// Whether either of the scene's images is there: then both must be.
+inline bool hasScene(const ViewDesc& view) {
+    return view.sceneColor.view || view.sceneDepth.view;
+}
+
 /// Null when `view` is usable, else what is wrong with it. Fills `out`.
 const char* readView(const ViewDesc& view, ViewGeometry& out);
 

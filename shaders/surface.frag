@@ -43,6 +43,7 @@ float calmPixelWidth() {
 layout(constant_id = 4) const bool lightsCrests = false;
 layout(constant_id = 5) const uint dryRooms = 0;   // water/dry_rooms.h: roomsPacked()
 layout(constant_id = 10) const bool tilted = false;
+layout(constant_id = 16) const bool skyHasColors = false;   // in place of the cube, which is then not read
 #include "globe.glsl"
 
 // Of what is level at the pixel. On a globe light is reckoned in these, the sky's too, which is that of each place; the eye,
@@ -73,7 +74,7 @@ vec3 inWorld(vec3 direction) {
 #include "sun_glint.glsl"
 #include "water_light.glsl"
 #include "refraction.glsl"
-#if defined(REFRACTION) && defined(WAVES)
+#ifdef WAVES
 #include "crest_light.glsl"
 #endif
 #ifdef REFRACTION
@@ -207,6 +208,8 @@ void main() {
     vec3 through = refracted(s, normal, toEye, path, blurred);
 #if defined(REFRACTION) && defined(WAVES)
     through = meanFound(vec4(through, 1.0), quadIsAlike ? smoothstep(1.0, 3.0, blurred / sharpBed) : 0.0).rgb;
+#endif
+#ifdef WAVES
     through = throughCrest(through, s, toEye, path);
 #endif
     vec3 radiance = mirror.radiance + entering * through;

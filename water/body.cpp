@@ -6,8 +6,22 @@
 #include "reflection/mirror.h"
 #include "water/body_desc.h"
 #include "water/sea.h"
+#include "water/spectrum.h"
 
 namespace seaglass {
+
+namespace {
+
+/// Whether a bottom would take much of the wind sea's energy that its model leaves there. What a table says
+/// was measured over it.
+bool isTooHighForItsDepth(const SeaDesc& desc) {
+    constexpr double much = 0.1;
+    if (desc.spectrum == SpectrumModel::tma || desc.spectrum == SpectrumModel::table) return false;
+    if (!(desc.windSpeed > 0) || !(desc.depth > 0) || !std::isfinite(desc.depth)) return false;
+    return kitaigorodskii(makeSpectrum(desc).peak, double{desc.depth}) < 1 - much;
+}
+
+} // namespace
 
 Status PatchIndices::create(Context& context) {
     const std::vector<uint16_t> indices = patchIndices();
@@ -79,6 +93,11 @@ Status Body::createWaves(const BodyDesc& desc) {
     if (!made) return context->device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
     if (cascadeCount(*made) == 0) return Status::ok; // Wind 0 is a flat body, by branch.
     sea = std::move(made);
+    if (isTooHighForItsDepth(*desc.waves))
+        context->device.warn(
+            "BodyDesc.waves: SeaDesc.depth of %.3g m slows these waves and leaves them as high as "
+            "over deep water; SpectrumModel::tma lowers them too",
+            double{desc.waves->depth});
     detail = WaveDetail(*sea);
     if (sea->shore)
         if (const Status s = shore.emplace().create(*context, *sea->shore); s != Status::ok) return s;

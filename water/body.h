@@ -76,6 +76,7 @@ struct Body : Held {
     std::unique_ptr<Sea, SeaDeleter> sea; ///< null when flat
     std::optional<Waves> waves;
     WaveDetail detail;
+    bool warnedOfEye = false; ///< that it is under water
     bool simulated = false;   ///< the maps hold something
     std::optional<Foam> foam; ///< only where waves break
     std::optional<FoamPattern> foamPattern;
@@ -111,7 +112,9 @@ struct Body : Held {
     Status drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                         const LightingDesc& lighting);
     /// By which the pipelines of draw() are chosen; and those of SurfaceOutput::motion.
-    SurfaceFeatures features(const ReflectionImages& images, const LightingDesc& lighting) const;
+    /// `seesScene`: the view has the scene's images.
+    SurfaceFeatures features(const ReflectionImages& images, const LightingDesc& lighting,
+                             bool seesScene = true) const;
     SurfaceFeatures motionFeatures() const;
     /// Of an eye in the water: before the surfaces of all bodies, or after. Records nothing for other eyes.
     Status drawUnderwater(VkCommandBuffer commands, Target& target, const ViewDesc& view,
@@ -130,9 +133,16 @@ struct Body : Held {
   private:
     /// Of a view in the body's axes. Null, or what is wrong with it.
     const char* readTurned(const ViewDesc& turned, bool seesScene, ViewGeometry& out) const;
-    /// `read`: the view with a scene that shaders sample.
-    Status readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out, ViewDesc& read);
-    Status prepareSurface(Target& target, const LightingDesc& lighting, SurfaceOutput output) const;
+    /// `read`: the view with a scene that shaders sample; it may have none unless it is `wanted` by name.
+    Status readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out, ViewDesc& read,
+                       const char* wanted);
+    /// An eye under water that the body is not made for: refused where the view must be another matrix than
+    /// is asked for, else warned of once.
+    Status checkEye(const ViewDesc& view, const ViewGeometry& geometry);
+    /// What of the body cannot do without the scene's images, by its field; null: nothing.
+    const char* needsScene() const;
+    Status prepareSurface(Target& target, const ViewDesc* view, const LightingDesc& lighting,
+                          SurfaceOutput output) const;
     Status prepareOverView(Target& target) const;
     Status prepareKernels(Target& target, const ViewDesc* view, const LightingDesc& lighting) const;
     /// Where refraction sees a multisampled scene, which draw() cannot make single-sampled inside a pass.

@@ -82,13 +82,21 @@ bool Body::mayShow(const ViewGeometry& geometry) {
     return !patches.empty();
 }
 
-SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDesc& lighting) const {
+const char* Body::needsScene() const {
+    if (underwater) return "BodyDesc.underwater";
+    return bed ? "BodyDesc.bed" : nullptr;
+}
+
+SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDesc& lighting,
+                               bool seesScene) const {
+    // Without it the water is endlessly deep: its colour is in the uniforms.
+    const bool seesThrough = refraction && seesScene;
     const SurfaceShape shape = hostMesh  ? SurfaceShape::hostMesh
                                : outline ? SurfaceShape::outlined
                                          : SurfaceShape::plane;
     return {waves.has_value(),
             foam.has_value(),
-            refraction.has_value(),
+            seesThrough,
             images.color != VK_NULL_HANDLE,
             shore.has_value(),
             shape,
@@ -97,7 +105,7 @@ SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDes
             waves && refraction && refraction->scattering > 0,
             roomsPacked(dryRooms),
             waves ? shading.mirrorLooks : 0,
-            refraction ? shading.refractionLooks : 0,
+            seesThrough || (waves && refraction && refraction->scattering > 0) ? shading.refractionLooks : 0,
             waves ? shading.slopeLooks : 0,
             waves ? shading.waveShadowSteps : 0,
             waves && !shore && shading.relief,
@@ -106,17 +114,19 @@ SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDes
             !globe.flat(),
             !waves && reflector && reflector->desc.blurLevels == 0 ? images.downscale : 0,
             bed ? bed->downscale : 0,
-            shading.fresnel == Fresnel::schlick};
+            shading.fresnel == Fresnel::schlick,
+            lighting.skyCube == VK_NULL_HANDLE};
 }
 
 SurfaceFeatures Body::motionFeatures() const {
     SurfaceFeatures wanted;
     wanted.waves = waves.has_value();
     wanted.shore = shore.has_value();
-    wanted.shape = features({}, {}).shape;
+    wanted.shape = features({}, {}, false).shape;
     wanted.cascades = waves ? cascadeCount(*sea) : 0;
     wanted.dryRooms = roomsPacked(dryRooms);
     wanted.globe = !globe.flat();
+    wanted.skyColors = true; // a motion draw looks at no sky
     wanted.motion = true;
     return wanted;
 }
@@ -196,11 +206,16 @@ const char* Body::readTurned(const ViewDesc& turned, bool seesScene, ViewGeometr
 }
 
 Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
-                         ViewDesc& read) {
+                         ViewDesc& read, const char* wanted) {
     const gpu::Device& device = context->device;
     const ViewDesc turned = frame.fromWorld(view);
-    if (const char* bad = readTurned(turned, refraction.has_value(), out))
+    const bool seesScene = refraction && hasScene(view);
+    if (const char* bad = readTurned(turned, seesScene, out))
         return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (wanted && !seesScene)
+        return device.fail(Status::invalidArgument,
+                           "draw: ViewDesc.sceneColor.view and sceneDepth.view are null, and %s reads them",
+                           wanted);
     if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
     if (waves && !simulated)
         return device.misused("draw: the body has waves but simulate() was never called");
@@ -230,7 +245,7 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
                             const LightingDesc& lighting, UnderwaterPass pass) {
     ViewGeometry geometry;
     ViewDesc read;
-    if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
+    if (const Status s = readForDraw(view, lighting, geometry, read, needsScene()); s != Status::ok) return s;
     const SidesSeen sides = sidesSeen(geometry);
     const bool straddles = sides == SidesSeen::either;
     const bool wanted =
@@ -249,7 +264,8 @@ Status Body::castCaustics(VkCommandBuffer commands, const ViewDesc& view, const 
             "castCaustics: ViewDesc.sceneDepth.samples is not 1: nothing has taken one sample of each yet");
     ViewGeometry geometry;
     ViewDesc read;
-    if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
+    if (const Status s = readForDraw(view, lighting, geometry, read, "BodyDesc.caustics"); s != Status::ok)
+        return s;
     if (toSun(lighting).y <= 0) return Status::ok;
     CausticInputs inputs;
     inputs.view = &read;
@@ -273,7 +289,8 @@ Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDe
             "drawCaustics: TargetDesc.colorFormat holds no floats, and light that is gathered exceeds 1");
     ViewGeometry geometry;
     ViewDesc read;
-    if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
+    if (const Status s = readForDraw(view, lighting, geometry, read, "BodyDesc.caustics"); s != Status::ok)
+        return s;
     if (toSun(lighting).y <= 0) return Status::ok;
     if (!caustics->lightOf(*context, view.viewIndex, geometry.regionSize))
         return device.misused(
@@ -314,12 +331,38 @@ Status Body::recordOverView(VkCommandBuffer commands, Target& target, const View
     return recordUnderwater(*context, commands, target.underwater, variant, inputs);
 }
 
+Status Body::checkEye(const ViewDesc& view, const ViewGeometry& geometry) {
+    if (underwater || geometry.parallel) return Status::ok;
+    const glm::dvec3& eye = geometry.eye;
+    const double depth = -heightOf(eye);
+    const bool isOver = !outline || outline->contains({eye.x, eye.z});
+    if (depth <= displacement() || !isOver || isDry(dryRooms, eye)) return Status::ok;
+    // In a camera-to-world matrix the camera stands in the last column, and most often its right is level.
+    // The inverse, taken for it, looks rolled and, where it stands over the water, lies under it. Along the x
+    // axis a rolled camera would look the same.
+    const double(&m)[16] = view.view;
+    const glm::dvec3 other = frame.fromWorld(glm::dvec3(m[12], m[13], m[14]));
+    const bool isRolled = std::abs(m[4]) > 1e-3;
+    const bool otherIsNot = std::abs(m[1]) < 1e-6 && std::abs(m[0]) > 1e-6 && m[5] > 0;
+    if (heightOf(other) > 0 && isRolled && otherIsNot)
+        return context->device.fail(
+            Status::invalidArgument,
+            "draw: ViewDesc.view takes the camera to the world, expected world to view: its inverse");
+    if (std::exchange(warnedOfEye, true)) return Status::ok;
+    context->device.warn(
+        "draw: the eye is %.3g m under a body without BodyDesc.underwater, which is made to be "
+        "seen from above; is ViewDesc.view world to view, of a world with y up?",
+        depth);
+    return Status::ok;
+}
+
 Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                   const LightingDesc& lighting, SurfaceOutput output) {
     const gpu::Device& device = context->device;
     ViewGeometry geometry;
     ViewDesc read;
-    if (const Status s = readForDraw(view, lighting, geometry, read); s != Status::ok) return s;
+    if (const Status s = readForDraw(view, lighting, geometry, read, needsScene()); s != Status::ok) return s;
+    if (const Status s = checkEye(view, geometry); s != Status::ok) return s;
     if (geometry.reversedDepth != target.desc.reversedDepth)
         return device.fail(
             Status::invalidArgument,
@@ -345,7 +388,8 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
         recorded.mirroring[view.viewIndex] = context->frameNumber;
     }
     if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
-    SurfaceFeatures wanted = motion ? motionFeatures() : features(inputs.reflection, lighting);
+    SurfaceFeatures wanted =
+        motion ? motionFeatures() : features(inputs.reflection, lighting, hasScene(view));
     const SidesSeen sides = motion ? SidesSeen::above : sidesSeen(geometry);
     if (sides == SidesSeen::below) wanted.bedDownscale = 0;
     if (wanted.bedDownscale != 0) {

@@ -7,7 +7,8 @@
 
 namespace seaglass {
 
-Status Body::prepareSurface(Target& target, const LightingDesc& lighting, SurfaceOutput output) const {
+Status Body::prepareSurface(Target& target, const ViewDesc* view, const LightingDesc& lighting,
+                            SurfaceOutput output) const {
     const auto prepared = [&](SidesSeen sides) {
         SurfaceFeatures wanted;
         if (output == SurfaceOutput::motion) {
@@ -16,7 +17,7 @@ Status Body::prepareSurface(Target& target, const LightingDesc& lighting, Surfac
             ReflectionImages images;
             // Asked for nothing but whether it is there.
             if (reflector) images.color = reinterpret_cast<VkImageView>(uintptr_t{1});
-            wanted = features(images, lighting);
+            wanted = features(images, lighting, !view || hasScene(*view));
         }
         if (sides == SidesSeen::below) wanted.bedDownscale = 0;
         const DrawPipeline* pipeline = nullptr;
@@ -54,7 +55,7 @@ Status Body::prepareKernels(Target& target, const ViewDesc* view, const Lighting
             return s;
     const bool readsScene =
         refraction || (reflector && reflector->desc.technique != ReflectionTechnique::planar);
-    if (!view || !readsScene || !isMultisampled(*view)) return Status::ok;
+    if (!view || !readsScene || !hasScene(*view) || !isMultisampled(*view)) return Status::ok;
     if (const Status s = target.prepared.keep<DepthSampleKernel>(*context); s != Status::ok) return s;
     return view->sceneColor.samples == VK_SAMPLE_COUNT_1_BIT
                ? Status::ok
@@ -63,10 +64,12 @@ Status Body::prepareKernels(Target& target, const ViewDesc* view, const Lighting
 
 Status Body::prepare(Target& target, const ViewDesc* view, const LightingDesc* lighting,
                      SurfaceOutput output) const {
-    const LightingDesc usual;
+    LightingDesc usual;
+    // Asked for nothing but whether it is there.
+    usual.skyCube = reinterpret_cast<VkImageView>(uintptr_t{1});
     const LightingDesc& lights = lighting ? *lighting : usual;
     if (const Status s = prepareKernels(target, view, lights); s != Status::ok) return s;
-    if (const Status s = prepareSurface(target, lights, output); s != Status::ok) return s;
+    if (const Status s = prepareSurface(target, view, lights, output); s != Status::ok) return s;
     return output == SurfaceOutput::shaded ? prepareOverView(target) : Status::ok;
 }
 

@@ -72,6 +72,11 @@ VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, const gpu::Sh
     return info;
 }
 
+Status create(gpu::ShaderModule& module, std::span<const uint32_t> spirv, uint32_t unread, const char* what) {
+    if (unread == gpu::allBindings) return module.create(spirv, what);
+    return module.create(gpu::withoutBinding(spirv, unread), what);
+}
+
 } // namespace
 
 Status createDrawLayout(const gpu::Device& device, const TargetDesc& target,
@@ -96,8 +101,8 @@ Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, c
                           Drawing drawing, const char* what, DrawPipeline& out) {
     gpu::ShaderModule vertex(device);
     gpu::ShaderModule fragment(device);
-    if (const Status s = vertex.create(shaders.vertex, what); s != Status::ok) return s;
-    if (const Status s = fragment.create(shaders.fragment, what); s != Status::ok) return s;
+    if (const Status s = create(vertex, shaders.vertex, shaders.unread, what); s != Status::ok) return s;
+    if (const Status s = create(fragment, shaders.fragment, shaders.unread, what); s != Status::ok) return s;
 
     std::vector<VkSpecializationMapEntry> entries(shaders.constants.size());
     for (uint32_t i = 0; i < shaders.constants.size(); ++i)

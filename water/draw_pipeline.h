@@ -5,6 +5,7 @@
 
 #include "gpu/binding.h"
 #include "gpu/made_once.h"
+#include "gpu/without_binding.h"
 #include "seaglass/water.h"
 
 namespace seaglass {
@@ -32,6 +33,7 @@ struct DrawShaders {
     std::span<const uint32_t> vertex;
     std::span<const uint32_t> fragment;
     std::span<const uint32_t> constants; ///< of both shaders, number 0 first
+    uint32_t unread = gpu::allBindings;  ///< of an image that is never read: withoutBinding()
 };
 
 /// Of the descriptors that shaders read, and of the view that is drawn where a pass has several.

@@ -23,7 +23,7 @@ constexpr auto badMapFormat = noDepthIn("SunShadow.map.format");
 const char* badField(const SunShadow& shadow) {
     if (!shadow.map.view) return "SunShadow.map.view is null";
     if (!holdsDepth(shadow.map.format)) return badMapFormat.data();
-    if (!sampledIn(shadow.map.layout))
+    if (!sampledIn(shadow.map.layout, true))
         return "SunShadow.map.layout is none to sample from, expected GENERAL or one that is read-only";
     if (shadow.map.samples != VK_SAMPLE_COUNT_1_BIT) return "SunShadow.map.samples is not 1";
     if (shadow.cascadeCount < 1 || shadow.cascadeCount > maxShadowCascades)
@@ -33,24 +33,40 @@ const char* badField(const SunShadow& shadow) {
     return nullptr;
 }
 
-bool canBeIrradiance(const float (&values)[3]) {
+bool canBeLight(const float (&values)[3]) {
     for (const float value : values)
         if (!(value >= 0 && std::isfinite(value))) return false;
     return true;
 }
 
+/// Of the largest cubes that devices have, of 32768 texels an edge.
+constexpr uint32_t mostCubeMips = 16;
+
+/// Of a sky from a cube, or of one from colours: what is not read may hold anything.
+const char* badSky(const LightingDesc& lighting) {
+    if (lighting.skyCube) {
+        if (lighting.skyCubeMipLevels < 1 || lighting.skyCubeMipLevels > mostCubeMips)
+            return "LightingDesc.skyCubeMipLevels is out of range, expected 1 to 16";
+        return sampledIn(lighting.skyCubeLayout, false)
+                   ? nullptr
+                   : "LightingDesc.skyCubeLayout is none to sample from, expected GENERAL or one that is "
+                     "read-only";
+    }
+    if (!canBeLight(lighting.skyZenith)) return "LightingDesc.skyZenith is negative or not finite";
+    if (!canBeLight(lighting.skyHorizon)) return "LightingDesc.skyHorizon is negative or not finite";
+    if (!canBeLight(lighting.skyGround)) return "LightingDesc.skyGround is negative or not finite";
+    return nullptr;
+}
+
 } // namespace
 
 const char* badField(const LightingDesc& lighting) {
-    if (!lighting.skyCube) return "LightingDesc.skyCube is null";
-    if (lighting.skyCubeMipLevels == 0) return "LightingDesc.skyCubeMipLevels is 0";
+    if (const char* bad = badSky(lighting)) return bad;
     double squared = 0;
     for (const double value : lighting.toSun) squared += value * value;
     if (!(std::abs(squared - 1) < 1e-3)) return "LightingDesc.toSun is not a unit vector";
-    if (!canBeIrradiance(lighting.sunIrradiance))
-        return "LightingDesc.sunIrradiance is negative or not finite";
-    if (!canBeIrradiance(lighting.skyIrradiance))
-        return "LightingDesc.skyIrradiance is negative or not finite";
+    if (!canBeLight(lighting.sunIrradiance)) return "LightingDesc.sunIrradiance is negative or not finite";
+    if (!canBeLight(lighting.skyIrradiance)) return "LightingDesc.skyIrradiance is negative or not finite";
     return lighting.shadow ? badField(*lighting.shadow) : nullptr;
 }
 

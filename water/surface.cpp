@@ -141,7 +141,9 @@ std::vector<Item> byFeature(const SurfaceFeatures& f, std::initializer_list<Item
 std::vector<VkDescriptorType> bindings(const SurfaceFeatures& f) {
     constexpr VkDescriptorType image = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     return byFeature<VkDescriptorType>(
-        f, {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, image},
+        f,
+        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+         f.skyColors ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : image},
         [] {
             return std::array{image, image, image};
         },
@@ -165,10 +167,14 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
                                      const SurfaceInputs& in) {
     const gpu::Samplers& samplers = context.samplers;
     const LightingDesc& light = *in.lighting;
+    const gpu::Resource uniforms =
+        gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms));
+    // In the cube's place there is what nobody reads.
+    const gpu::Resource sky =
+        f.skyColors ? uniforms
+                    : gpu::sampledImage(samplers.trilinearClamp(), light.skyCube, light.skyCubeLayout);
     return byFeature<gpu::Resource>(
-        f,
-        {gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms)), in.patches,
-         gpu::sampledImage(samplers.trilinearClamp(), light.skyCube, light.skyCubeLayout)},
+        f, {uniforms, in.patches, sky},
         [&] {
             const VkSampler s = samplers.trilinearRepeat();
             return std::array{gpu::sampledImage(s, in.waveMaps[0]), gpu::sampledImage(s, in.waveMaps[1]),
@@ -206,6 +212,9 @@ std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatur
 
 } // namespace
 
+/// Of shaders/common/surface.glsl.
+constexpr uint32_t skyCubeBinding = 2;
+
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SurfaceVariant& variant,
                      DrawPipeline& out) {
     constexpr VkShaderStageFlags stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
@@ -228,11 +237,13 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.bedDownscale,
                                   variant.features.schlick,
                                   variant.features.globe,
-                                  variant.features.sharpDownscale};
-    return createDrawPipeline(
-        device, target,
-        {vertexShader(variant.features, target.viewMask != 0), fragmentShader(variant.features), constants},
-        Drawing::solid, "surface pipeline", out);
+                                  variant.features.sharpDownscale,
+                                  variant.features.skyColors};
+    return createDrawPipeline(device, target,
+                              {vertexShader(variant.features, target.viewMask != 0),
+                               fragmentShader(variant.features), constants,
+                               variant.features.skyColors ? skyCubeBinding : gpu::allBindings},
+                              Drawing::solid, "surface pipeline", out);
 }
 
 Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,

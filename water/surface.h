@@ -41,6 +41,7 @@ struct SurfaceFeatures {
     uint32_t sharpDownscale = 0;  ///< of a reflection without mips, only without waves
     uint32_t bedDownscale = 0;    ///< only with refraction: of the bed's picture it looks at; 0: at none
     bool schlick = false;         ///< in place of the exact formula
+    bool skyColors = false;       ///< in place of the sky's cube
     bool motion = false;          ///< beside it waves, shore, shape and dryRooms alone
     auto operator<=>(const SurfaceFeatures&) const = default;
 };

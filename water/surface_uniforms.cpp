@@ -10,6 +10,7 @@
 #include "water/body.h"
 #include "water/lighting.h"
 #include "water/sea.h"
+#include "water/sky_colors.h"
 
 namespace seaglass {
 
@@ -102,7 +103,12 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
     u.toSun = glm::vec4(glm::vec3(body.toSun(lighting)), 0);
     u.worldFromBody = glm::mat3x4(body.frame.worldFromBody);
     u.sunIrradiance = color(lighting.sunIrradiance);
-    u.skyIrradiance = color(lighting.skyIrradiance);
+    u.skyIrradiance = glm::vec4(glm::vec3(skyIrradiance(lighting, body.frame.worldFromBody[1])), 0);
+    if (!lighting.skyCube) {
+        u.skyZenith = color(lighting.skyZenith);
+        u.skyHorizon = color(lighting.skyHorizon);
+        u.skyGround = color(lighting.skyGround);
+    }
     const bool sunShines = u.toSun.y > 0 && glm::vec3(u.sunIrradiance) != glm::vec3(0);
     if (lighting.shadow && sunShines) setSunShadow(u, *lighting.shadow, body.frame, geometry.eye);
     u.skyMips = static_cast<float>(lighting.skyCubeMipLevels);

@@ -76,6 +76,9 @@ struct SurfaceUniforms {
     glm::mat4 relativeFromBed{1};
     glm::ivec2 bedSize{0}; ///< of that picture [pixel]
     float bedPadding[2] = {};
+    glm::vec4 skyZenith{0}; ///< radiance of a sky without a cube
+    glm::vec4 skyHorizon{0};
+    glm::vec4 skyGround{0};
 };
 
 struct BedPicture;

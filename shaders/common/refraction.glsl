@@ -1,7 +1,8 @@
 // What shines through the surface from below it. Needs texel_at.glsl and turns.glsl.
 
-#ifdef REFRACTION
 layout(constant_id = 8) const int refractionLooks = 6;   // 1: straight through
+
+#ifdef REFRACTION
 layout(constant_id = 12) const int bedDownscale = 0;   // of the bed's picture of its own: water/bed.h
 const bool hasBed = bedDownscale > 0;
 bool looksAtBed = hasBed;   // not where a surface is seen from the water: what it mirrors is looked for in the scene

@@ -2,18 +2,38 @@
 // Fresnel term and weighted by its visible area. Without it the mean normal makes the far sea a mirror of the horizon.
 
 #include "quad.glsl"
+#include "sky_colors.glsl"
 #ifdef REFLECTION
 #include "reflection_lookup.glsl"
 #endif
 
+// Functions of their own: where the sky has colours they are cut out of the shader (water/surface.cpp).
+vec3 cubeAt(vec3 direction, float mip) {
+    return textureLod(skyCube, direction, mip).rgb;
+}
+
+// A host may say more than its view has.
+float cubeMips() {
+    return min(skyMips, float(textureQueryLevels(skyCube)));
+}
+
 // `spread` is the standard deviation of the mirrored direction [rad]. A texel of a cube's mip, read linearly, spreads by
 // 0.65 of its width where each mip is a smooth half of the last (by 0.5 after a box), and is 2 / edge wide amid a face.
 vec3 skyAt(vec3 direction, float spread) {
-    vec3 size = abs(inWorld(direction));
-    float texel = 2.0 * max(max(size.x, size.y), size.z) / exp2(skyMips - 1.0);
-    float mip = clamp(log2(max(spread / (0.65 * texel), 1.0)), 0.0, max(skyMips - 2.0, 0.0));
     // No mirrored ray comes from below the plane, so neither may the blur.
-    return textureLod(skyCube, inWorld(vec3(direction.x, max(direction.y, spread), direction.z)), mip).rgb;
+    vec3 kept = inWorld(vec3(direction.x, max(direction.y, spread), direction.z));
+    if (skyHasColors) return skyOfColors(kept, spread);
+    vec3 size = abs(inWorld(direction));
+    float mips = cubeMips();
+    float texel = 2.0 * max(max(size.x, size.y), size.z) / exp2(mips - 1.0);
+    float mip = clamp(log2(max(spread / (0.65 * texel), 1.0)), 0.0, max(mips - 2.0, 0.0));
+    return cubeAt(kept, mip);
+}
+
+// Without a blur.
+vec3 skyAlong(vec3 direction) {
+    if (skyHasColors) return skyOfColors(inWorld(direction), 0.0);
+    return cubeAt(inWorld(direction), 0.0);
 }
 
 vec3 keptAbove(vec3 direction) {
@@ -183,7 +203,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     vec3 direction = keptAbove(vec3(-toEye.x, toEye.y, -toEye.z));
     vec4 found = mirroredScene(direction, 0.0, hit);
     vec3 mirrored = found.rgb;
-    if (found.a < 0.999) mirrored += (1.0 - found.a) * textureLod(skyCube, inWorld(direction), 0.0).rgb;
+    if (found.a < 0.999) mirrored += (1.0 - found.a) * skyAlong(direction);
     return Reflection(fresnel * mirrored, fresnel, 0.0);
 }
 #endif

@@ -38,6 +38,9 @@ mat3 worldFromBody;   // of directions
 mat4 bedFromRelative;   // to pixels of the bed's picture
 mat4 relativeFromBed;
 ivec2 bedSize;   // of that picture
+vec3 skyZenith;   // radiance of a sky without a cube
+vec3 skyHorizon;
+vec3 skyGround;
 
 float sunSeen = 1.0;   // share of the sun's light that reaches the surface here
 
@@ -91,6 +94,9 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     mat4 bedFromRelative;
     mat4 relativeFromBed;
     ivec2 bedSize;
+    vec3 skyZenith;
+    vec3 skyHorizon;
+    vec3 skyGround;
 } stored;
 
 // Before anything else.
@@ -131,6 +137,9 @@ void loadSurface() {
     bedFromRelative = stored.bedFromRelative;
     relativeFromBed = stored.relativeFromBed;
     bedSize = stored.bedSize;
+    skyZenith = stored.skyZenith;
+    skyHorizon = stored.skyHorizon;
+    skyGround = stored.skyGround;
 }
 
 // To a point along the line of sight on which it lies, of any length.

@@ -132,8 +132,22 @@ TEST_F(Mistakes, LightThatMeansNothingIsNamed) {
         });
         expectMessage(text);
     };
-    expectRefused("LightingDesc.skyCube is null", [](LightingDesc& l) { l.skyCube = VK_NULL_HANDLE; });
-    expectRefused("LightingDesc.skyCubeMipLevels is 0", [](LightingDesc& l) { l.skyCubeMipLevels = 0; });
+    for (const uint32_t bad : {0u, 17u})
+        expectRefused("LightingDesc.skyCubeMipLevels", [&](LightingDesc& l) { l.skyCubeMipLevels = bad; });
+    for (const VkImageLayout bad :
+         {VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+          VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL})
+        expectRefused("LightingDesc.skyCubeLayout", [&](LightingDesc& l) { l.skyCubeLayout = bad; });
+    float(LightingDesc::*const skyColors[])[3] = {&LightingDesc::skyZenith, &LightingDesc::skyHorizon,
+                                                  &LightingDesc::skyGround};
+    const char* const skyNames[] = {"LightingDesc.skyZenith", "LightingDesc.skyHorizon",
+                                    "LightingDesc.skyGround"};
+    for (int i = 0; i < 3; ++i)
+        for (const float bad : {-1.0f, NAN, INFINITY})
+            expectRefused(skyNames[i], [&](LightingDesc& l) {
+                l.skyCube = VK_NULL_HANDLE;
+                (l.*skyColors[i])[1] = bad;
+            });
     for (const double bad : {0.0, 1.1, double{NAN}, double{INFINITY}})
         expectRefused("LightingDesc.toSun", [&](LightingDesc& l) { l.toSun[1] = bad; });
     for (const float bad : {-1.0f, NAN, INFINITY})

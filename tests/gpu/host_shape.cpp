@@ -1,5 +1,6 @@
 #include "tests/gpu/host_shape.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -204,9 +205,12 @@ void ShapedHost::createLight() {
     std::vector<float> faces;
     for (int face = 0; face < 6; ++face) faces.insert(faces.end(), {0.3f, 0.5f, 0.8f, 1});
     skyCube_ = uploaded(device_, VK_FORMAT_R32G32B32A32_SFLOAT, {1, 1}, true, faces);
-    lighting_.skyCube = skyCube_.view.get();
-    lighting_.toSun[0] = 0.6;
-    lighting_.toSun[1] = 0.8;
+    if (shape_.skyCube) lighting_.skyCube = skyCube_.view.get();
+    for (float(*color)[3] : {&lighting_.skyZenith, &lighting_.skyHorizon, &lighting_.skyGround})
+        std::copy_n(faces.begin(), 3, *color);
+    const glm::dvec3 toSun = glm::normalize(toHost(shape_.world, {0.6, 0.8, 0}));
+    for (int i = 0; i < 3; ++i) lighting_.toSun[i] = toSun[i];
+    worldFrom(shape_.world.world, &lighting_);
     for (float& value : lighting_.sunIrradiance) value = 0.5f;
     for (float& value : lighting_.skyIrradiance) value = 0.5f;
     if (shape_.sunShadow) createSunShadow();
@@ -366,6 +370,10 @@ const ShapedHost::Scene& ShapedHost::sceneOf(const Camera& camera) {
     std::vector<Box> boxes = harbourOfBoxes();
     boxes.push_back({{-60, -2.5, -100}, {60, -2, 40}}); // a bed
     TracedView traced = Tracer(camera, boxes).run();
+    if (shape_.scene == SceneGiven::nothing) {
+        std::ranges::fill(traced.color, 0.0f);
+        std::ranges::fill(traced.depth, camera.reversed ? 0.0f : 1.0f);
+    }
     auto made = std::make_unique<Scene>();
     made->camera = camera;
     const VkExtent2D extent = {camera.width, camera.height};
@@ -377,11 +385,16 @@ const ShapedHost::Scene& ShapedHost::sceneOf(const Camera& camera) {
 
 seaglass::ViewDesc ShapedHost::viewOf(const Camera& camera, uint32_t index) {
     seaglass::ViewDesc view = viewDesc(camera);
+    copyMatrix(hostView(shape_.world, camera), view.view);
+    copyMatrix(hostProjection(shape_.world, camera), view.projection);
+    worldFrom(shape_.world.world, &view);
     if (shape_.flipped) {
         for (int column = 0; column < 4; ++column) view.projection[column * 4 + 1] *= -1;
         view.viewport.y = view.viewport.height;
         view.viewport.height *= -1;
     }
+    view.viewIndex = index;
+    if (shape_.scene == SceneGiven::noImages) return view;
     const Scene& scene = sceneOf(camera);
     const auto as = [&](const demos::Image& image) {
         return seaglass::Image{image.view.get(), image.format, image.extent,
@@ -389,7 +402,6 @@ seaglass::ViewDesc ShapedHost::viewOf(const Camera& camera, uint32_t index) {
     };
     view.sceneColor = as(scene.color);
     view.sceneDepth = as(scene.depth);
-    view.viewIndex = index;
     return view;
 }
 

@@ -9,9 +9,12 @@
 #include "host/device.h"
 #include "host/resources.h"
 #include "seaglass/water.h"
-#include "tests/unit/cameras.h"
+#include "tests/unit/host_worlds.h"
 
 namespace tests {
+
+/// What a host hands over of its scene.
+enum class SceneGiven { traced, nothing /*but sky*/, noImages };
 
 struct HostShape {
     const char* name = "Plain";
@@ -25,6 +28,9 @@ struct HostShape {
     bool multiview = false;  ///< all cameras of a frame in one pass
     bool sunShadow = false;  ///< hands in a shadow map, of a sun that nothing hides
     bool depthWrite = true;  ///< by the water
+    bool skyCube = true;     ///< else colours
+    SceneGiven scene = SceneGiven::traced;
+    HostWorld world = everyWorld().front(); ///< in which its cameras and its sun are
 };
 
 /// Whether the tests' device has its formats and samples.

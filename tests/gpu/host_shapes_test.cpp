@@ -142,6 +142,18 @@ HostShape withSunShadow() {
     return shape;
 }
 
+HostShape withSkyColors() {
+    HostShape shape = named("SkyOfColors");
+    shape.skyCube = false;
+    return shape;
+}
+
+HostShape inWorld(size_t index, const char* name) {
+    HostShape shape = named(name);
+    shape.world = everyWorld()[index];
+    return shape;
+}
+
 std::vector<Case> cases() {
     const HostShape depthAndStencil = withDepth(VK_FORMAT_D32_SFLOAT_S8_UINT, true, "D32AndStencil");
     // Sampled at other places; means along edges.
@@ -177,11 +189,35 @@ std::vector<Case> cases() {
         {named("ForwardDepth"), rounding, 0.004f, false, 0},
         {named("ForwardDepthFiniteFar"), rounding, 0.004f, false, 500},
         {named("ReversedDepthFiniteFar"), rounding, 0.004f, true, 500},
+        {withSkyColors(), rounding, 0.004f},
+        {inPass(withSkyColors(), "RenderPassSkyOfColors"), rounding, 0.004f},
+        {inWorld(1, "LeftHanded"), rounding, 0.004f},
+        {inWorld(2, "YDown"), rounding, 0.004f},
+        {inPass(inWorld(2, ""), "RenderPassYDown"), rounding, 0.004f},
+        {inWorld(3, "YDownLeftHanded"), rounding, 0.004f, false, 500},
+        {inWorld(4, "ZUp"), rounding, 0.004f},
+        {inWorld(5, "ZUpLeftHanded"), rounding, 0.004f},
+        {inWorld(6, "ZUpLeftHandedCentimetres"), rounding, 0.004f},
     };
 }
 
 INSTANTIATE_TEST_SUITE_P(, HostsOfShape, testing::ValuesIn(cases()),
                          [](const auto& info) { return std::string(info.param.shape.name); });
+
+// Endlessly deep water, as over a scene that is nowhere nearer than the far plane.
+TEST_F(HostShapes, HandOverNoSceneImages) {
+    const auto mirrorsTheSky = [](BodyDesc& desc) { desc.reflection = nullptr; };
+    const auto picture = [&](SceneGiven scene, bool renderPass) {
+        HostShape shape;
+        shape.scene = scene;
+        shape.renderPass = renderPass;
+        return ShapedHost(device(), shape, true, {}, mirrorsTheSky).picture(shoreCamera());
+    };
+    const Picture far = picture(SceneGiven::nothing, false);
+    expectAPicture(far);
+    for (const bool renderPass : {false, true})
+        EXPECT_LT(apart(far, picture(SceneGiven::noImages, renderPass), 0.002f), 0.001);
+}
 
 TEST_F(HostShapes, HaveOneToFourFramesInFlight) {
     const Camera camera = shoreCamera();

@@ -107,6 +107,7 @@ SurfaceVariant variantOf(const Body& body, const SurfaceChoice& choice) {
     }
     const SunShadow shadow;
     LightingDesc lighting;
+    lighting.skyCube = reinterpret_cast<VkImageView>(uintptr_t{1});
     if (hasLetter(choice.letters, 'h')) lighting.shadow = &shadow;
     SurfaceFeatures features = body.features(images, lighting);
     if (choice.sides == SidesSeen::below) features.bedDownscale = 0;

@@ -1,6 +1,7 @@
 // seaglass/glm.h: what goes in comes out where the plain arrays say it is.
 #include <seaglass/glm.h>
 #include <seaglass/reflection.h>
+#include <seaglass/water.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -47,6 +48,14 @@ TEST(Glm, LightOfThreeVectors) {
         EXPECT_EQ(light.sunIrradiance[i], static_cast<float>(1 + i));
         EXPECT_EQ(light.skyIrradiance[i], static_cast<float>(4 + i));
     }
+}
+
+TEST(Glm, APlaneThroughAPoint) {
+    seaglass::BodyDesc body;
+    seaglass::assignPlane(body.plane, glm::vec3(3, 2, 1), glm::vec3(0, 2, 0));
+    EXPECT_EQ(body.plane[0], 0);
+    EXPECT_EQ(body.plane[1], 2);
+    EXPECT_EQ(body.plane[3], -4); // water 2 m up
 }
 
 TEST(Glm, VectorsOfEitherPrecision) {

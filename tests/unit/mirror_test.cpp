@@ -202,6 +202,52 @@ TEST(View, ANegativeHeightFlips) {
     EXPECT_NEAR(glm::length(pixelOf(geometry, world) - pixelOf(geometryOf(camera), world)), 0, 1e-9);
 }
 
+/// As left-handed hosts look, and such with y down: along their view's z.
+TEST(View, MayLookAlongPlusZ) {
+    for (const bool reversed : {true, false}) {
+        Camera camera;
+        camera.reversed = reversed;
+        camera.far = reversed ? 0 : 300;
+        ViewDesc turned = describedView(camera);
+        for (int i = 2; i < 16; i += 4) turned.view[i] *= -1;
+        for (int i = 8; i < 12; ++i) turned.projection[i] *= -1;
+        ViewGeometry geometry;
+        ASSERT_EQ(readView(turned, geometry), nullptr);
+        const ViewGeometry truth = geometryOf(camera);
+        EXPECT_EQ(geometry.reversedDepth, reversed);
+        EXPECT_EQ(geometry.infinityDepth, truth.infinityDepth);
+        EXPECT_NEAR(glm::length(geometry.forward - truth.forward), 0, 1e-12);
+        EXPECT_NEAR(glm::length(geometry.eye - truth.eye), 0, 1e-12);
+        const glm::dvec3 world(0.5, 1.2, 0);
+        EXPECT_NEAR(glm::length(pixelOf(geometry, world) - pixelOf(truth, world)), 0, 1e-9);
+    }
+}
+
+TEST(View, TakesProjectionsFromTheEyeAlone) {
+    const auto read = [](const Camera& camera, const auto& change) {
+        ViewDesc view = describedView(camera);
+        glm::dmat4 projection = tests::projectionMatrix(camera);
+        change(projection);
+        tests::copyMatrix(projection, view.projection);
+        ViewGeometry geometry;
+        const char* text = readView(view, geometry);
+        return std::string(text ? text : "");
+    };
+    std::vector<Camera> cameras = everyKindOfCamera();
+    cameras.emplace_back().eye = {0, 2, 0}; // level, over the origin
+    cameras.back().target = {0, 2, -3};
+    for (const Camera& camera : cameras) {
+        EXPECT_EQ(read(camera, [](glm::dmat4&) {}), "");
+        // Turned by a quarter on the screen; of one eye of two; of a display that is canted.
+        const glm::dmat4 quarter = glm::rotate(glm::dmat4(1), 0.5 * std::numbers::pi, glm::dvec3(0, 0, 1));
+        EXPECT_EQ(read(camera, [&](glm::dmat4& p) { p = quarter * p; }), "");
+        EXPECT_EQ(read(camera, [](glm::dmat4& p) { p = glm::translate(p, glm::dvec3(0.04, 0, 0.01)); }), "");
+        EXPECT_EQ(read(camera, [](glm::dmat4& p) { p = glm::rotate(p, 0.1, glm::dvec3(0, 1, 0)); }), "");
+        const std::string refused = read(camera, [&](glm::dmat4& p) { p = p * tests::viewMatrix(camera); });
+        EXPECT_NE(refused.find("ViewDesc.projection"), std::string::npos) << camera.eye.y;
+    }
+}
+
 TEST(View, NamesWhatIsWrong) {
     const auto refused = [](auto&& spoil) {
         ViewDesc view = describedView(Camera{});
@@ -213,6 +259,18 @@ TEST(View, NamesWhatIsWrong) {
     EXPECT_NE(refused([](ViewDesc& v) { v.view[5] = NAN; }).find("view"), std::string::npos);
     EXPECT_NE(refused([](ViewDesc& v) { v.projection[0] = INFINITY; }).find("projection"), std::string::npos);
     EXPECT_NE(refused([](ViewDesc& v) { v.projection[0] = 0; }).find("singular"), std::string::npos);
+    EXPECT_NE(refused([](ViewDesc& v) {
+                  for (int i = 0; i < 15; ++i) v.view[i] *= i % 4 < 3 ? 100 : 1;
+              }).find("view scales"),
+              std::string::npos);
+    EXPECT_NE(refused([](ViewDesc& v) {
+                  for (int i = 0; i < 3; ++i) v.view[i] = std::sqrt(0.5) * (v.view[i] + v.view[4 + i]);
+              }).find("view shears"),
+              std::string::npos);
+    EXPECT_NE(refused([](ViewDesc& v) {
+                  v.sceneColor.layout = VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL;
+              }).find("sceneColor.layout"),
+              std::string::npos);
     EXPECT_NE(refused([](ViewDesc& v) { v.viewport.width = 0; }).find("viewport"), std::string::npos);
     EXPECT_NE(refused([](ViewDesc& v) { v.viewport.maxDepth = 0.5f; }).find("depth range"),
               std::string::npos);

@@ -29,6 +29,16 @@ void assign(double (&out)[4], const glm::vec<4, T, Q>& vector) {
     for (glm::length_t i = 0; i < 4; ++i) out[i] = static_cast<double>(vector[i]);
 }
 
+/// The plane through a point, of a normal of any length: BodyDesc::plane.
+template<typename T, glm::qualifier Q>
+void assignPlane(double (&out)[4], const glm::vec<3, T, Q>& point, const glm::vec<3, T, Q>& normal) {
+    out[3] = 0;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        out[i] = static_cast<double>(normal[i]);
+        out[3] -= out[i] * static_cast<double>(point[i]);
+    }
+}
+
 /// A camera over the whole of an attachment, y as the projection has it. The scene's images are to follow.
 template<typename T, glm::qualifier Q>
 ViewDesc viewDesc(const glm::mat<4, 4, T, Q>& view, const glm::mat<4, 4, T, Q>& projection,
@@ -49,6 +59,12 @@ LightingDesc lightingDesc(const glm::vec<3, T, Q>& toSun, const glm::vec<3, T, Q
     assign(out.sunIrradiance, sunIrradiance);
     assign(out.skyIrradiance, skyIrradiance);
     return out;
+}
+
+/// Light under a sky of colours: LightingDesc's own, or the three that are assigned then.
+template<typename T, glm::qualifier Q>
+LightingDesc lightingDesc(const glm::vec<3, T, Q>& toSun, const glm::vec<3, T, Q>& sunIrradiance) {
+    return lightingDesc(toSun, sunIrradiance, glm::vec<3, T, Q>(0));
 }
 
 /// The matrices of PlanarView, as `T`: float or double.

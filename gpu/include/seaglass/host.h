@@ -1,8 +1,9 @@
 // What a host renderer hands to Seaglass: its device, its images, its camera. Plain data, no owned memory:
 // every struct is copied before the call that takes it returns.
 //
-// World: right-handed, metres. Matrices are column-major and multiply column vectors; they are double because
-// a float matrix 100 km from the origin steps by 8 mm. Colours are linear, HDR, in the host's own scale.
+// World: right-handed, +Y up, metres; seaglass/world.h turns others. Matrices are column-major and multiply
+// column vectors; they are double because a float matrix 100 km from the origin steps by 8 mm. Colours are
+// linear, HDR, in the host's own scale.
 #pragma once
 
 #include "seaglass/version.h"
@@ -116,11 +117,14 @@ struct Image {
 
 /// One camera in one frame.
 struct ViewDesc {
-    double view[16] = {};       ///< world to view
-    double projection[16] = {}; ///< view to clip. Depth direction, near, far and infinity are read from it
-    VkViewport viewport = {};   ///< as set for drawing, in pixels; a negative height flips; depth range 0..1
+    double view[16] = {}; ///< world to view: turns and moves, and may mirror; seaglass/world.h for others
+    /// View to clip, looking along the view's z either way. Depth direction, near, far and infinity are read
+    /// from it. By parallel lines of sight it looks along -z.
+    double projection[16] = {};
+    VkViewport viewport = {}; ///< as set for drawing, in pixels; a negative height flips; depth range 0..1
     /// Opaque scene colour, linear once sampled: RGBA16F, RGBA32F, B10G11R11_UFLOAT, or RGBA8 and BGRA8 as
-    /// UNORM or SRGB (A8B8G8R8 packed too). Alpha is not read.
+    /// UNORM or SRGB (A8B8G8R8 packed too). Alpha is not read. Null with `sceneDepth`: there is no scene, for
+    /// water that needs none.
     Image sceneColor;
     /// Opaque scene depth of the same pixels: D16, X8_D24, D32, each with stencil or without, or a copy of it
     /// as R16_UNORM or R32_SFLOAT. What the format cannot tell apart from the plane counts as lying on it.
@@ -169,13 +173,30 @@ struct SunShadow {
 
 /// Where light comes from.
 struct LightingDesc {
-    double toSun[3] = {0, 1, 0};          ///< unit, world, from the surface towards the sun
-    float sunIrradiance[3] = {0, 0, 0};   ///< on a plane facing the sun; each finite, 0 or more
-    float skyIrradiance[3] = {0, 0, 0};   ///< likewise; on the water's plane, from the sky without the sun
-    VkImageView skyCube = VK_NULL_HANDLE; ///< radiance without the sun: a cube and all its mips, +Y up
+    double toSun[3] = {0, 1, 0};        ///< unit, world, from the surface towards the sun
+    float sunIrradiance[3] = {0, 0, 0}; ///< on a plane facing the sun; each finite, 0 or more
+    /// Likewise; on the water's plane, from the sky without the sun. Zeros with a null `skyCube`: that of the
+    /// colours below.
+    float skyIrradiance[3] = {0, 0, 0};
+    /// Radiance without the sun: a cube and all its mips, +Y up. Null: the colours below.
+    VkImageView skyCube = VK_NULL_HANDLE;
     VkImageLayout skyCubeLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; ///< when sampled
-    uint32_t skyCubeMipLevels = 1;                                          ///< of skyCube, at least 1
+    uint32_t skyCubeMipLevels = 1;     ///< of skyCube, 1..16; no more are read than its view has
     const SunShadow* shadow = nullptr; ///< of what hides the sun from the water; null: nothing does
+    /// Of a null `skyCube`: radiance straight up, at the horizon and straight down, each finite, 0 or more.
+    /// A direction that rises by y, -1..1, has the share |y| (2 - |y|) of the way from the horizon's to one
+    /// of the others: skyRadiance(). These: a clear day in which white in the sun is about 1.
+    float skyZenith[3] = {0.08f, 0.16f, 0.32f};
+    float skyHorizon[3] = {0.40f, 0.50f, 0.60f}; ///< likewise; all three alike: a sky of one colour
+    float skyGround[3] = {0.15f, 0.15f, 0.13f};  ///< likewise
 };
+
+/// What the sky of a null LightingDesc::skyCube sends from a unit direction, for hosts that draw it.
+inline void skyRadiance(const LightingDesc& lighting, const double (&direction)[3], float (&out)[3]) {
+    const double y = direction[1], rises = y < 0 ? -y : y;
+    const float(&end)[3] = y < 0 ? lighting.skyGround : lighting.skyZenith;
+    const auto share = static_cast<float>(rises * (2 - rises));
+    for (int i = 0; i < 3; ++i) out[i] = lighting.skyHorizon[i] + (end[i] - lighting.skyHorizon[i]) * share;
+}
 
 } // namespace seaglass

@@ -11,7 +11,8 @@
 
 namespace seaglass {
 
-/// Light that enters the water. Coefficients are per metre, red, green, blue.
+/// Light that enters the water. Coefficients are per metre, red, green, blue. Where a view has no scene
+/// images the water is endlessly deep, and has their colour.
 struct RefractionDesc {
     /// WaterType::clearOcean, at 650, 550, 450 nm. 0..100.
     float absorption[3] = {0.345f, 0.0622f, 0.0253f};
@@ -206,8 +207,9 @@ enum class SurfaceOutput : uint32_t {
 /// Draws the bodies into the pass that the host has begun: a colour attachment and a depth attachment with
 /// test and write, of the target's formats. Reads view.sceneColor and view.sceneDepth in fragment shaders, so
 /// they must not be the attachments written (a copy of the colour; depth may be a read-only attachment or a
-/// copy). Leaves pipeline, descriptor sets, push constants and index buffer bound to its own; the viewport
-/// and scissor are set from the view. Of a multisampled scene refraction wants reflect() before.
+/// copy). Both may be null unless a body has `underwater` or `bed`; see RefractionDesc. Leaves pipeline,
+/// descriptor sets, push constants and index buffer bound to its own; the viewport and scissor are set from
+/// the view. Of a multisampled scene refraction wants reflect() before.
 ///
 /// For an eye, or a near plane of parallel lines of sight, in a body with `underwater` each pixel whose line
 /// begins in the water first becomes sceneColor as it looks through it, then surfaces are drawn as ever, then
@@ -219,7 +221,7 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
 /// Makes now what draw(), drawCaustics() and castCaustics() make when they first need it: the pipelines of
 /// the body for the target, for every place of the eye. `view` and `lighting` are such as those will be
 /// given, of which only what images they have is looked at, not their pixels or matrices; null: a scene of
-/// one sample, and no shadow map. What is made already costs nothing.
+/// one sample, a sky cube and no shadow map. What is made already costs nothing.
 ///
 /// On any thread, beside calls for other targets and bodies, and for these all but those that change or
 /// destroy them (setDryRooms()): draw() of what is in the making waits, others do not. Messages come on that
