@@ -26,8 +26,9 @@ struct Context {
     std::array<gpu::Frame, 4> frames;
     uint32_t frameCount = 0;
     uint32_t slot = 0;
-    uint64_t frameNumber = 0; ///< of the frame that was begun last, from 1; 0: none was
-    uint32_t inUse = 0;       ///< bodies, reflectors and targets that the host holds
+    uint64_t frameNumber = 0;    ///< of the frame that was begun last, from 1; 0: none was
+    uint32_t inUse = 0;          ///< bodies, reflectors and targets that the host holds
+    bool toldOfEncoding = false; ///< that a format without a word about it is taken for linear
 
     gpu::Frame& frame() { return frames[slot]; }
 

@@ -25,10 +25,10 @@ Status EdgeReachKernel::create(Context& context) {
         VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
     if (const Status s = columns.create(context); s != Status::ok) return s;
-    return kernel.create(context.device, edge_reach_comp, bindings, "edge reach pipeline");
+    return kernel.create(context, edge_reach_comp, bindings, "edge reach pipeline");
 }
 
-Status recordEdgeReach(const ReflectPass& pass, const EdgeReachKernel& reach, const gpu::Buffer& tiles,
+Status recordEdgeReach(const ReflectPass& pass, EdgeReachKernel& reach, const gpu::Buffer& tiles,
                        const OwnedReflection& images) {
     Context& context = pass.context;
     const EdgeReachUniforms uniforms{pass.desc.edgeReach * static_cast<float>(pass.extent().height)};
@@ -46,13 +46,15 @@ Status recordEdgeReach(const ReflectPass& pass, const EdgeReachKernel& reach, co
         gpu::storageImage(images.info.view()),
         gpu::storageBuffer(tiles.handle()),
     };
+    const gpu::Kernel* kernel = nullptr;
+    if (const Status s = reach.kernel.of(context, color, kernel); s != Status::ok) return s;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(reach.kernel.layout(), resources, set); s != Status::ok)
+    if (const Status s = context.frame().allocateSet(kernel->layout(), resources, set); s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "reflection_edge_reach");
     if (const Status s = recordSeenColumns(pass, reach.columns, tiles); s != Status::ok) return s;
     images.recordToBeChanged(context.device, pass.commands);
-    reach.kernel.dispatchIndirect(pass.commands, set, tiles.handle(), offsetof(TileHeader, columnGroups));
+    kernel->dispatchIndirect(pass.commands, set, tiles.handle(), offsetof(TileHeader, columnGroups));
     images.recordInfoSampled(context.device, pass.commands);
     return Status::ok;
 }

@@ -2,7 +2,7 @@
 // plane that it is inside.
 #pragma once
 
-#include "gpu/kernel.h"
+#include "reflection/encoding.h"
 #include "reflection/open_tiles.h"
 #include "reflection/reflect_pass.h"
 #include "reflection/reflection_images.h"
@@ -11,7 +11,7 @@ namespace seaglass {
 
 struct EdgeReachKernel {
     SeenColumnsKernel columns;
-    gpu::Kernel kernel;
+    ColorKernel kernel;
     Status create(Context& context);
 };
 
@@ -19,7 +19,7 @@ constexpr uint32_t edgeReachDispatches = 2;
 
 /// Both images come and go as techniques leave them. `tiles` tell where the plane is seen, and list columns
 /// afterwards.
-Status recordEdgeReach(const ReflectPass& pass, const EdgeReachKernel& reach, const gpu::Buffer& tiles,
+Status recordEdgeReach(const ReflectPass& pass, EdgeReachKernel& reach, const gpu::Buffer& tiles,
                        const OwnedReflection& images);
 
 } // namespace seaglass

@@ -64,8 +64,9 @@ Status shareVariant(Context& context, std::shared_ptr<MarchKernel>& out) {
     return Status::ok;
 }
 
-Status allocateSet(const ReflectPass& pass, const MarchKernel& march, const gpu::Buffer& tiles,
-                   const gpu::Buffer* cells, const OwnedReflection& images, VkDescriptorSet& out) {
+Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, bool takesNormals,
+                   const gpu::Buffer& tiles, const gpu::Buffer* cells, const OwnedReflection& images,
+                   VkDescriptorSet& out) {
     gpu::Frame& frame = pass.context.frame();
     const MarchUniforms uniforms = marchUniforms(pass);
     gpu::Slice settings;
@@ -84,12 +85,12 @@ Status allocateSet(const ReflectPass& pass, const MarchKernel& march, const gpu:
     resources.add(gpu::storageImage(images.info.view()));
     resources.add(gpu::storageBuffer(tiles.handle()));
     if (cells) resources.add(gpu::storageBuffer(cells->handle()));
-    if (march.takesNormals) {
+    if (takesNormals) {
         // The colour stands in for normals that nobody reads.
         const Image& normals = pass.view.surfaceNormals ? *pass.view.surfaceNormals : color;
         resources.add(gpu::sampledImage(nearest, normals.view, normals.layout));
     }
-    return frame.allocateSet(march.kernel.layout(), resources, out);
+    return frame.allocateSet(kernel.layout(), resources, out);
 }
 
 } // namespace
@@ -106,7 +107,7 @@ Status MarchKernel::create(Context& context, bool cells, bool open) {
     bindings.add(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     if (cells) bindings.add(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     if (takesNormals) bindings.add(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
-    return kernel.create(context.device, spirvOf(cells, open), bindings, "march pipeline");
+    return kernel.create(context, spirvOf(cells, open), bindings, "march pipeline");
 }
 
 Status shareMarch(Context& context, bool cells, bool open, std::shared_ptr<MarchKernel>& out) {
@@ -114,17 +115,22 @@ Status shareMarch(Context& context, bool cells, bool open, std::shared_ptr<March
     return open ? shareVariant<false, true>(context, out) : shareVariant<false, false>(context, out);
 }
 
-Status recordMarch(const ReflectPass& pass, const MarchKernel& march, const gpu::Buffer& tiles,
+Status recordMarch(const ReflectPass& pass, MarchKernel& march, const gpu::Buffer& tiles,
                    const gpu::Buffer* cells, const OwnedReflection& images) {
+    const gpu::Kernel* kernel = nullptr;
+    if (const Status s = march.kernel.of(pass.context, pass.view.sceneColor, kernel); s != Status::ok)
+        return s;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = allocateSet(pass, march, tiles, cells, images, set); s != Status::ok) return s;
+    if (const Status s = allocateSet(pass, *kernel, march.takesNormals, tiles, cells, images, set);
+        s != Status::ok)
+        return s;
     const gpu::Device& device = pass.context.device;
     const gpu::PassScope scope(device, pass.commands, march.takesNormals ? "ssr_march" : "hybrid_march");
     const VkImageMemoryBarrier2 before[] = {
         gpu::imageBarrier(images.color.handle(), gpu::storageWritten, gpu::storageWritten, 0, 1),
         gpu::imageBarrier(images.info.handle(), gpu::sampledByShaders, gpu::storageChanged)};
     gpu::recordBarriers(device, pass.commands, before, 2);
-    march.kernel.dispatchIndirect(pass.commands, set, tiles.handle(), offsetof(TileHeader, resolveGroups));
+    kernel->dispatchIndirect(pass.commands, set, tiles.handle(), offsetof(TileHeader, resolveGroups));
     images.recordInfoSampled(device, pass.commands);
     return Status::ok;
 }

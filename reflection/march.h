@@ -4,14 +4,14 @@
 #include <memory>
 
 #include "gpu/buffer.h"
-#include "gpu/kernel.h"
+#include "reflection/encoding.h"
 #include "reflection/reflect_pass.h"
 #include "reflection/reflection_images.h"
 
 namespace seaglass {
 
 struct MarchKernel {
-    gpu::Kernel kernel;
+    ColorKernel kernel;
     bool takesNormals = false;
     Status create(Context& context, bool cells, bool open);
 };
@@ -32,7 +32,7 @@ constexpr uint32_t marchDispatches = 1;
 
 /// Completes both images in the resolve list of `tiles`. They come and go with `info` to be sampled by
 /// shaders, mip 0 of `color` as gpu::storageWritten says. `cells`: null for a kernel that does without.
-Status recordMarch(const ReflectPass& pass, const MarchKernel& march, const gpu::Buffer& tiles,
+Status recordMarch(const ReflectPass& pass, MarchKernel& march, const gpu::Buffer& tiles,
                    const gpu::Buffer* cells, const OwnedReflection& images);
 
 } // namespace seaglass

@@ -56,7 +56,7 @@ Status PlanarKernelOf<form>::create(Context& context) {
         VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
     using Shader = std::span<const uint32_t>;
     const Shader shaders[] = {planar_comp, planar_apart_comp, planar_resolved_comp, planar_multisampled_comp};
-    return kernel.create(context.device, shaders[static_cast<size_t>(form)],
+    return kernel.create(context, shaders[static_cast<size_t>(form)],
                          std::span(bindings).first(form == PlanarForm::inPlace ? 5 : 6), "planar pipeline");
 }
 
@@ -145,7 +145,7 @@ PlanarView describe(const MirroredCamera& camera, const ViewDesc& view, const Vi
     return out;
 }
 
-Status recordPlanar(const ReflectPass& pass, const PlanarKernel& planar, const PlanarScratch& scratch,
+Status recordPlanar(const ReflectPass& pass, PlanarKernel& planar, const PlanarScratch& scratch,
                     const glm::dvec4& worldPlane, const OwnedReflection& images) {
     Context& context = pass.context;
     const MirroredCamera camera = mirroredCamera(pass.view, pass.geometry, worldPlane);
@@ -162,16 +162,20 @@ Status recordPlanar(const ReflectPass& pass, const PlanarKernel& planar, const P
         gpu::sampledImage(context.samplers.nearestClamp(), scratch.color.view()),
     };
     const size_t bound = scratch.color.handle() ? 6 : 5;
+    Image drawn = pass.view.sceneColor;
+    if (scratch.color.handle() && appliesSrgb(scratch.color.desc().format)) drawn.encoding = Encoding::linear;
+    const gpu::Kernel* kernel = nullptr;
+    if (const Status s = planar.kernel.of(context, drawn, kernel); s != Status::ok) return s;
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s =
-            context.frame().allocateSet(planar.kernel.layout(), std::span(resources).first(bound), set);
+            context.frame().allocateSet(kernel->layout(), std::span(resources).first(bound), set);
         s != Status::ok)
         return s;
 
     const VkCommandBuffer commands = pass.commands;
     const gpu::PassScope scope(context.device, commands, "planar_resolve");
     recordBarriers(pass, scratch, images);
-    planar.kernel.dispatchOver(commands, set, images.color.desc().extent);
+    kernel->dispatchOver(commands, set, images.color.desc().extent);
     images.recordInfoSampled(context.device, commands);
     return Status::ok;
 }

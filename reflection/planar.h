@@ -2,8 +2,8 @@
 // class and hit distance.
 #pragma once
 
-#include "gpu/kernel.h"
 #include "reflection/drawn_images.h"
+#include "reflection/encoding.h"
 #include "reflection/reflect_pass.h"
 #include "reflection/reflection_images.h"
 
@@ -24,7 +24,7 @@ inline bool drawnInPlace(const ReflectionDesc& desc) {
 }
 
 struct PlanarKernel {
-    gpu::Kernel kernel;
+    ColorKernel kernel;
 };
 template<PlanarForm form>
 struct PlanarKernelOf : PlanarKernel {
@@ -65,7 +65,7 @@ PlanarView describe(const MirroredCamera& camera, const ViewDesc& view, const Vi
 
 /// Takes mip 0 of `images.color` and the depth from attachments, as the host has left them. Leaves the images
 /// as recordSspr() does.
-Status recordPlanar(const ReflectPass& pass, const PlanarKernel& planar, const PlanarScratch& scratch,
+Status recordPlanar(const ReflectPass& pass, PlanarKernel& planar, const PlanarScratch& scratch,
                     const glm::dvec4& worldPlane, const OwnedReflection& images);
 
 } // namespace seaglass

@@ -1,6 +1,7 @@
 #include "reflection/reflector.h"
 
 #include "gpu/guard.h"
+#include "reflection/encoding.h"
 #include "reflection/mirror.h"
 #include "reflection/scene_formats.h"
 
@@ -240,6 +241,7 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     ViewGeometry geometry;
     if (const char* bad = drawn ? readCamera(view, geometry) : readView(view, geometry))
         return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
+    if (!drawn) tellUnspecified(*context, view.sceneColor);
     ReflectedView& reflected = views[view.viewIndex];
     const glm::ivec4 shown = pixelsThatMayShow(bounds, geometry);
     if (isEmpty(shown)) {

@@ -20,7 +20,7 @@ constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 Status createResolve(Context& context, std::span<const uint32_t> shader, ResolveKernel& out) {
     constexpr VkDescriptorType resolveBindings[] = {uniforms, buffer,  sampled, buffer,
                                                     sampled,  storage, storage};
-    if (const Status s = out.kernel.create(context.device, shader, resolveBindings, "resolve pipeline");
+    if (const Status s = out.kernel.create(context, shader, resolveBindings, "resolve pipeline");
         s != Status::ok)
         return s;
     if (const Status s = shareUnseenTiles(context, out.unseen); s != Status::ok) return s;
@@ -39,7 +39,7 @@ Status RoofsResolveKernel::create(Context& context) {
     return createResolve(context, resolve_roofs_comp, resolve);
 }
 
-Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, const gpu::Buffer& keys,
+Status recordResolve(const ReflectPass& pass, ResolveKernel& resolve, const gpu::Buffer& keys,
                      const gpu::Buffer& tiles, const OwnedReflection& images) {
     Context& context = pass.context;
     const gpu::Device& device = context.device;
@@ -61,9 +61,11 @@ Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, cons
     const gpu::Resource missResources[] = {mirror, gpu::storageBuffer(tiles.handle()), sceneDepth,
                                            gpu::storageImage(images.info.view()),
                                            gpu::storageImage(images.color.firstMipView())};
+    const gpu::Kernel* kernel = nullptr;
+    if (const Status s = resolve.kernel.of(context, color, kernel); s != Status::ok) return s;
     VkDescriptorSet resolveSet = VK_NULL_HANDLE;
     VkDescriptorSet missSet = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(resolve.kernel.layout(), resolveResources, resolveSet);
+    if (const Status s = context.frame().allocateSet(kernel->layout(), resolveResources, resolveSet);
         s != Status::ok)
         return s;
     if (const Status s = context.frame().allocateSet(resolve.miss.layout(), missResources, missSet);
@@ -74,8 +76,7 @@ Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, cons
     if (const Status s = recordUnseenTiles(pass, resolve.unseen.get(), tiles, images); s != Status::ok)
         return s;
     const gpu::PassScope scope(device, commands, "sspr_resolve");
-    resolve.kernel.dispatchIndirect(commands, resolveSet, tiles.handle(),
-                                    offsetof(TileHeader, resolveGroups));
+    kernel->dispatchIndirect(commands, resolveSet, tiles.handle(), offsetof(TileHeader, resolveGroups));
     resolve.miss.dispatchIndirect(commands, missSet, tiles.handle(), offsetof(TileHeader, columnGroups));
     images.recordInfoSampled(device, commands);
     return Status::ok;

@@ -1,7 +1,7 @@
 // SSPR's second pass: from mirrored depths to colour, class and hit distance.
 #pragma once
 
-#include "gpu/kernel.h"
+#include "reflection/encoding.h"
 #include "reflection/reflect_pass.h"
 #include "reflection/reflection_images.h"
 #include "reflection/unseen_tiles.h"
@@ -9,7 +9,7 @@
 namespace seaglass {
 
 struct ResolveKernel {
-    gpu::Kernel kernel;
+    ColorKernel kernel;
     gpu::Kernel miss; ///< for tiles that no key is near
     std::shared_ptr<UnseenTilesKernel> unseen;
     Status create(Context& context);
@@ -23,7 +23,7 @@ struct RoofsResolveKernel {
 
 /// Writes both images, which come from any layout, where `tiles` lists tiles, and leaves nothing in them
 /// elsewhere. `info` is left to be sampled by shaders, mip 0 of `color` as gpu::storageWritten says.
-Status recordResolve(const ReflectPass& pass, const ResolveKernel& resolve, const gpu::Buffer& keys,
+Status recordResolve(const ReflectPass& pass, ResolveKernel& resolve, const gpu::Buffer& keys,
                      const gpu::Buffer& tiles, const OwnedReflection& images);
 
 } // namespace seaglass

@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
+#include "reflection/encoding.h"
 #include "reflection/limits.h"
 #include "reflection/scene_formats.h"
 
@@ -173,6 +174,8 @@ const char* readView(const ViewDesc& view, ViewGeometry& out) {
     if (const char* bad = readCamera(view, out)) return bad;
     if (const char* bad = badImage(view.sceneDepth, view.viewport, depthRules)) return bad;
     if (const char* bad = badImage(view.sceneColor, view.viewport, colorRules)) return bad;
+    if (isEncoded(view.sceneColor) && appliesSrgb(view.sceneColor.format))
+        return "ViewDesc.sceneColor.encoding is srgb, which ViewDesc.sceneColor.format applies by itself";
     const VkSampleCountFlagBits samples = view.sceneColor.samples;
     if (samples != VK_SAMPLE_COUNT_1_BIT && samples != view.sceneDepth.samples)
         return "ViewDesc.sceneColor.samples is neither 1 nor that of ViewDesc.sceneDepth";
@@ -192,6 +195,7 @@ const char* readCamera(const ViewDesc& view, ViewGeometry& out) {
     if (const char* bad = badProjection(projection)) return bad;
     if (const char* bad = badViewport(view.viewport)) return bad;
     if (view.viewIndex >= maxViews) return "ViewDesc.viewIndex is out of range, expected 0 to 7";
+    if (view.sceneColor.encoding > Encoding::srgb) return "ViewDesc.sceneColor.encoding is none of Encoding";
 
     for (const double pixels : view.jitter)
         if (!(std::abs(pixels) <= 16)) return "ViewDesc.jitter is out of range, expected -16 to 16";

@@ -3,6 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
 #include "surface_uniforms.glsl"
+#define TARGET_ENCODING 3
+#include "encoding.glsl"
 #include "optics.glsl"
 #include "caustic_light.glsl"
 
@@ -64,5 +66,8 @@ void main() {
         vec2 light = lightHere();
         factor += straight * sunShare(normal, light.y) * light.x;
     }
-    outColor = vec4(factor, dot(factor, vec3(1.0 / 3.0)));
+    float mean = dot(factor, vec3(1.0 / 3.0));
+    outColor = vec4(factor, mean);
+    // Blending doubles it, for what unsigned bytes hold ends at 1.
+    if (targetIsEncoded) outColor = vec4(0.5 * heldGrowth(factor), min(mean / mostGathered, leastUntold - 0.004));
 }

@@ -3,6 +3,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
+#define SCENE_ENCODING 0
+#include "encoding.glsl"
 #include "edge_fade.glsl"
 #include "reflection_info.glsl"
 #include "tiles.glsl"
@@ -119,7 +121,8 @@ void reachBeyond(ivec2 texel) {
     bool goesOn = infoIsHit(info) && abs(info - distance) <= sameDistance * distance && confidence > known.a;
     if (!goesOn && (infoIsHit(info) || meeting.beyond < 0.0)) return;
     // Beyond the border a plane looks as it does as far inside.
-    vec3 light = texelFetch(sceneColor, region.xy + texelAt(insideOf(at, abs(meeting.beyond)), region.zw - 1), 0).rgb;
+    ivec2 inside = texelAt(insideOf(at, abs(meeting.beyond)), region.zw - 1);
+    vec3 light = linearOf(texelFetch(sceneColor, region.xy + inside, 0).rgb);
     bool hasColor = goesOn && known.a > leastColor;
     imageStore(reflectionColor, texel, (hasColor ? known / known.a : vec4(light, 1.0)) * confidence);
     imageStore(reflectionInfo, texel, vec4(goesOn ? info : distance, 0.0, 0.0, 0.0));

@@ -3,6 +3,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
+#define SCENE_ENCODING 0
+#include "encoding.glsl"
 #include "edge_fade.glsl"
 #include "reflection_info.glsl"
 #include "tiles.glsl"

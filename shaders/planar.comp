@@ -3,6 +3,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
+#define SCENE_ENCODING 0
+#include "encoding.glsl"
 #include "reflection_info.glsl"
 #include "sight_line.glsl"
 
@@ -74,7 +76,7 @@ Mirrored mirroredBy(ivec2 pixel) {
         bool hit = infoIsHit(info);
         if (!infoIsHit(m.info) && (hit || i == 0)) m.info = info;
 #ifdef MANY_COLORS
-        if (hit) m.color.rgb += colorAt(pixel, i);
+        if (hit) m.color.rgb += linearOf(colorAt(pixel, i));
 #endif
         if (hit) m.color.a += 1.0;
     }
@@ -82,13 +84,14 @@ Mirrored mirroredBy(ivec2 pixel) {
 #ifndef MANY_COLORS
     // Resolved over black, and so times that share already.
     if (m.color.a > 0.0) m.color.rgb = colorAt(pixel, 0);
+    if (sceneIsEncoded && m.color.a > 0.0) m.color.rgb = linearOf(m.color.rgb / m.color.a) * m.color.a;
 #endif
     return m;
 }
 #else
 Mirrored mirroredBy(ivec2 pixel) {
     float info = infoOfDrawn(middleOf(pixel), depthAt(pixel, 0));
-    return Mirrored(info, infoIsHit(info) ? vec4(colorAt(pixel, 0), 1.0) : vec4(0.0));
+    return Mirrored(info, infoIsHit(info) ? vec4(linearOf(colorAt(pixel, 0)), 1.0) : vec4(0.0));
 }
 #endif
 

@@ -4,6 +4,9 @@
 #extension GL_EXT_demote_to_helper_invocation : require
 #extension GL_EXT_control_flow_attributes : require
 #include "surface.glsl"
+#define SCENE_ENCODING 17
+#define TARGET_ENCODING 18
+#include "encoding.glsl"
 #include "optics.glsl"
 #include "texel_at.glsl"
 #include "turns.glsl"
@@ -148,7 +151,7 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
         return vec4(-1.0, -1.0, 0.0, 1.0);   // the sky
 #endif
     }
-    if (surfaceOutput == outputReflection) return vec4(mirroredRadiance(s, toEye), 1.0);
+    if (surfaceOutput == outputReflection) return vec4(heldOf(mirroredRadiance(s, toEye)), 1.0);
     return vec4(0.0, 0.0, 0.0, 1.0);
 }
 
@@ -197,7 +200,7 @@ void main() {
 #endif
 #ifdef REFRACTION
     if (isSeenFromWater) {
-        outColor = vec4(shadedBelow(s, foamShare), 1.0);
+        outColor = vec4(heldOf(shadedBelow(s, foamShare)), 1.0);
         return;
     }
 #endif
@@ -226,8 +229,8 @@ void main() {
 #endif
 #if defined(SHORE) && defined(REFRACTION)
     // Wet sand dries, and water thins out into it.
-    vec3 dry = texelFetch(sceneColor, ivec2(gl_FragCoord.xy + sceneShift), 0).rgb;
+    vec3 dry = linearOf(texelFetch(sceneColor, ivec2(gl_FragCoord.xy + sceneShift), 0).rgb);
     radiance = mix(dry, radiance, presence());
 #endif
-    outColor = vec4(radiance, 1.0);
+    outColor = vec4(heldOf(radiance), 1.0);
 }

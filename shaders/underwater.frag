@@ -3,6 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
 #include "surface_uniforms.glsl"
+#define SCENE_ENCODING 2
+#define TARGET_ENCODING 3
+#include "encoding.glsl"
 #include "optics.glsl"
 #include "water_light.glsl"
 #include "underwater_light.glsl"
@@ -40,13 +43,13 @@ void main() {
     // To the surface, which is drawn over it, or without an end.
     if (depthSign * (seen - farDepth) <= 0.0) {
         float path = view.y > 0.0 ? depth / view.y : 1e6;
-        outColor = vec4(scatteredIn(depth, view.y, min(path, 1e6)), 1.0);
+        outColor = vec4(heldOf(scatteredIn(depth, view.y, min(path, 1e6))), 1.0);
         return;
     }
     vec4 q = relativeFromPixel * vec4(gl_FragCoord.xy - vec2(region.xy), seen, 1.0);
     vec3 at = q.xyz / q.w;
     float path = max(distanceTo(at) - distanceTo(start), 0.0);
     vec4 color = texelFetch(sceneColor, pixel, 0);
-    vec3 lit = litBelow(color.rgb, -(at.y + plane.w), gatheredIn(color));
-    outColor = vec4(throughWater(lit, depth, view.y, path), 1.0);
+    vec3 lit = litBelow(linearOf(color.rgb), -(at.y + plane.w), gatheredIn(color));
+    outColor = vec4(heldOf(throughWater(lit, depth, view.y, path)), 1.0);
 }

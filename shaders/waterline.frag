@@ -3,6 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
 #include "surface_uniforms.glsl"
+#define TARGET_ENCODING 3
+#include "encoding.glsl"
 #include "optics.glsl"
 #include "water_light.glsl"
 
@@ -42,5 +44,8 @@ void main() {
     // A wedge of water bends what lies behind it out of sight: dark at its edge below, thinning upwards.
     float share = 1.0 - smoothstep(0.0, within.y, distance);
     if (share <= 0.0) demote;
-    outColor = vec4(deepWater(), 0.75 * share);
+    // What shows through dims as light does.
+    float hides = 0.75 * share;
+    if (targetIsEncoded) hides = 1.0 - heldGrowth(vec3(1.0 - hides)).x;
+    outColor = vec4(heldOf(deepWater()), hides);
 }

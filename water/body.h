@@ -143,7 +143,7 @@ struct Body : Held {
     const char* needsScene() const;
     Status prepareSurface(Target& target, const ViewDesc* view, const LightingDesc& lighting,
                           SurfaceOutput output) const;
-    Status prepareOverView(Target& target) const;
+    Status prepareOverView(Target& target, const ViewDesc* view) const;
     Status prepareKernels(Target& target, const ViewDesc* view, const LightingDesc& lighting) const;
     /// Where refraction sees a multisampled scene, which draw() cannot make single-sampled inside a pass.
     Status takeScene(VkCommandBuffer commands, SceneOfCall& scene);

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "reflection/encoding.h"
 #include "water/body.h"
 #include "water/lighting.h"
 #include "water/sea.h"
@@ -220,6 +221,7 @@ Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, Vie
     if (waves && !simulated)
         return device.misused("draw: the body has waves but simulate() was never called");
     recorded.drawn = context->frameNumber;
+    if (refraction) tellUnspecified(*context, view.sceneColor);
     read = view;
     if (!refraction || !isMultisampled(view)) return Status::ok;
     if (!mayShow(out)) return Status::ok; // nothing was taken, and nothing will be drawn
@@ -251,9 +253,12 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
     const bool wanted =
         pass == UnderwaterPass::water ? sides != SidesSeen::above : straddles && underwater->meniscus > 0;
     if (!wanted) return Status::ok;
-    return recordOverView(
-        commands, target, read, lighting, geometry,
-        {.pass = pass, .straddles = straddles, .waves = straddles && waves, .shore = straddles && shore});
+    return recordOverView(commands, target, read, lighting, geometry,
+                          {.pass = pass,
+                           .straddles = straddles,
+                           .waves = straddles && waves,
+                           .shore = straddles && shore,
+                           .sceneEncoded = pass == UnderwaterPass::water && isEncoded(view.sceneColor)});
 }
 
 Status Body::castCaustics(VkCommandBuffer commands, const ViewDesc& view, const LightingDesc& lighting) {
@@ -283,7 +288,7 @@ Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDe
                           const LightingDesc& lighting) {
     if (!caustics) return Status::ok;
     const gpu::Device& device = context->device;
-    if (!holdsFloats(target.desc.colorFormat))
+    if (!holdsFloats(target.desc.colorFormat) && target.desc.encoding != Encoding::srgb)
         return device.fail(
             Status::invalidArgument,
             "drawCaustics: TargetDesc.colorFormat holds no floats, and light that is gathered exceeds 1");
@@ -392,6 +397,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
         motion ? motionFeatures() : features(inputs.reflection, lighting, hasScene(view));
     const SidesSeen sides = motion ? SidesSeen::above : sidesSeen(geometry);
     if (sides == SidesSeen::below) wanted.bedDownscale = 0;
+    wanted.sceneEncoded = wanted.refraction && isEncoded(view.sceneColor);
     if (wanted.bedDownscale != 0) {
         inputs.bed = bed->of(*context, view.viewIndex);
         if (!inputs.bed)

@@ -1,11 +1,21 @@
 // The pipelines that a body will ask a target for, made ahead of its first draw.
 #include <cstdint>
 
+#include "reflection/encoding.h"
 #include "reflection/single_sample.h"
 #include "water/body.h"
 #include "water/target.h"
 
 namespace seaglass {
+
+namespace {
+
+/// Of scene and target alike, unless a view says otherwise.
+bool readsEncoded(const Target& target, const ViewDesc* view) {
+    return view ? isEncoded(view->sceneColor) : target.desc.encoding == Encoding::srgb;
+}
+
+} // namespace
 
 Status Body::prepareSurface(Target& target, const ViewDesc* view, const LightingDesc& lighting,
                             SurfaceOutput output) const {
@@ -18,6 +28,7 @@ Status Body::prepareSurface(Target& target, const ViewDesc* view, const Lighting
             // Asked for nothing but whether it is there.
             if (reflector) images.color = reinterpret_cast<VkImageView>(uintptr_t{1});
             wanted = features(images, lighting, !view || hasScene(*view));
+            wanted.sceneEncoded = wanted.refraction && readsEncoded(target, view);
         }
         if (sides == SidesSeen::below) wanted.bedDownscale = 0;
         const DrawPipeline* pipeline = nullptr;
@@ -29,23 +40,25 @@ Status Body::prepareSurface(Target& target, const ViewDesc* view, const Lighting
     return prepared(SidesSeen::either);
 }
 
-Status Body::prepareOverView(Target& target) const {
+Status Body::prepareOverView(Target& target, const ViewDesc* view) const {
     const auto prepared = [&](const UnderwaterVariant& variant) {
         const DrawPipeline* pipeline = nullptr;
         return target.underwater.get(variant, pipeline);
     };
-    if (caustics && holdsFloats(target.desc.colorFormat))
+    if (caustics && (holdsFloats(target.desc.colorFormat) || target.desc.encoding == Encoding::srgb))
         if (const Status s = prepared({.pass = UnderwaterPass::caustics, .dryRooms = roomsPacked(dryRooms)});
             s != Status::ok)
             return s;
     if (!underwater) return Status::ok;
     UnderwaterVariant over = {.pass = UnderwaterPass::water};
+    over.sceneEncoded = readsEncoded(target, view);
     if (const Status s = prepared(over); s != Status::ok) return s;
     over.straddles = true;
     over.waves = waves.has_value();
     over.shore = shore.has_value();
     if (const Status s = prepared(over); s != Status::ok || underwater->meniscus <= 0) return s;
     over.pass = UnderwaterPass::waterline;
+    over.sceneEncoded = false;
     return prepared(over);
 }
 
@@ -70,7 +83,7 @@ Status Body::prepare(Target& target, const ViewDesc* view, const LightingDesc* l
     const LightingDesc& lights = lighting ? *lighting : usual;
     if (const Status s = prepareKernels(target, view, lights); s != Status::ok) return s;
     if (const Status s = prepareSurface(target, view, lights, output); s != Status::ok) return s;
-    return output == SurfaceOutput::shaded ? prepareOverView(target) : Status::ok;
+    return output == SurfaceOutput::shaded ? prepareOverView(target, view) : Status::ok;
 }
 
 } // namespace seaglass

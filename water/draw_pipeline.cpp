@@ -28,10 +28,12 @@ struct PipelineState {
             const bool scaled = drawing == Drawing::scaled;
             if (!scaled) attachment.colorWriteMask &= ~VkColorComponentFlags(VK_COLOR_COMPONENT_A_BIT);
             attachment.blendEnable = VK_TRUE;
+            const bool doubled = scaled && desc.encoding == Encoding::srgb; // shaders/caustics.frag
             attachment.srcColorBlendFactor = scaled ? VK_BLEND_FACTOR_DST_COLOR : VK_BLEND_FACTOR_SRC_ALPHA;
-            attachment.dstColorBlendFactor =
-                scaled ? VK_BLEND_FACTOR_ZERO : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-            attachment.srcAlphaBlendFactor = VK_BLEND_FACTOR_DST_ALPHA;
+            attachment.dstColorBlendFactor = doubled  ? VK_BLEND_FACTOR_SRC_COLOR
+                                             : scaled ? VK_BLEND_FACTOR_ZERO
+                                                      : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+            attachment.srcAlphaBlendFactor = doubled ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_DST_ALPHA;
         }
         blend.attachmentCount = 1;
         blend.pAttachments = &attachment;

@@ -238,7 +238,9 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.schlick,
                                   variant.features.globe,
                                   variant.features.sharpDownscale,
-                                  variant.features.skyColors};
+                                  variant.features.skyColors,
+                                  variant.features.sceneEncoded,
+                                  target.encoding == Encoding::srgb};
     return createDrawPipeline(device, target,
                               {vertexShader(variant.features, target.viewMask != 0),
                                fragmentShader(variant.features), constants,

@@ -43,6 +43,7 @@ struct SurfaceFeatures {
     bool schlick = false;         ///< in place of the exact formula
     bool skyColors = false;       ///< in place of the sky's cube
     bool motion = false;          ///< beside it waves, shore, shape and dryRooms alone
+    bool sceneEncoded = false;    ///< only with refraction: what is read of the scene
     auto operator<=>(const SurfaceFeatures&) const = default;
 };
 

@@ -1,6 +1,7 @@
 #include "water/target.h"
 
 #include "gpu/guard.h"
+#include "reflection/encoding.h"
 #include "reflection/limits.h"
 
 namespace seaglass {
@@ -13,6 +14,9 @@ const char* badField(const TargetDesc& desc) {
     const auto samples = static_cast<uint32_t>(desc.samples);
     if (samples == 0 || samples > 64 || (samples & (samples - 1)) != 0)
         return "TargetDesc.samples is no sample count";
+    if (desc.encoding > Encoding::srgb) return "TargetDesc.encoding is none of Encoding";
+    if (desc.encoding == Encoding::srgb && appliesSrgb(desc.colorFormat))
+        return "TargetDesc.encoding is srgb, which TargetDesc.colorFormat applies by itself";
     if (desc.viewMask >> maxViews)
         return "TargetDesc.viewMask has views that no ViewDesc.viewIndex names, expected 0 to 255";
     return nullptr;
@@ -33,6 +37,14 @@ const char* notDrawable(const gpu::Device& device, const TargetDesc& desc) {
     if (!(desc.samples & limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts))
         return "TargetDesc.samples is more than this device draws into";
     return nullptr;
+}
+
+void tellUnspecified(Context& context, const TargetDesc& desc) {
+    if (desc.encoding != Encoding::unspecified || !isDisplayFormat(desc.colorFormat)) return;
+    context.toldOfEncoding = true;
+    static_cast<void>(context.device.fail(
+        Status::ok, "TargetDesc.colorFormat is UNORM, and taken for linear, expected TargetDesc.encoding to "
+                    "be linear, or srgb where it holds what displays take"));
 }
 
 } // namespace
@@ -57,6 +69,7 @@ Status createTarget(Context* context, const TargetDesc* desc, Target** out) {
         target->desc = *desc;
         target->pipelines.init(context->device, *desc);
         target->underwater.init(context->device, *desc);
+        tellUnspecified(*context, *desc);
         *out = target.release();
         ++context->inUse;
         return Status::ok;

@@ -89,7 +89,8 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
         s != Status::ok)
         return s;
     const PassInfo info = infoOf(variant);
-    const uint32_t constants[] = {variant.straddles, variant.dryRooms};
+    const uint32_t constants[] = {variant.straddles, variant.dryRooms, variant.sceneEncoded,
+                                  target.encoding == Encoding::srgb};
     const std::span<const uint32_t> vertex[][2] = {{underwater_vert, underwater_views_vert},
                                                    {caustics_vert, caustics_views_vert}};
     return createDrawPipeline(device, target, {vertex[caustics][views], info.shader, constants}, info.drawing,

@@ -17,6 +17,7 @@ struct UnderwaterVariant {
     bool waves = false;     ///< asked for only where it straddles
     uint32_t dryRooms = 0;  ///< of caustics alone: roomsPacked()
     bool shore = false;     ///< only with waves
+    bool sceneEncoded = false;
     auto operator<=>(const UnderwaterVariant&) const = default;
 };
 

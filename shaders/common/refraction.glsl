@@ -25,8 +25,12 @@ Behind behindAt(vec2 pixel) {
     return shownAt(vec2(p), texelFetch(sceneDepth, region.xy + p, 0).r, relativeFromPixel);
 }
 
+vec4 linearTexel(vec4 held) {
+    return vec4(linearOf(held.rgb), held.a);
+}
+
 vec4 colorOf(Behind b) {
-    return texelFetch(sceneColor, region.xy + ivec2(b.pixel), 0);
+    return linearTexel(texelFetch(sceneColor, region.xy + ivec2(b.pixel), 0));
 }
 
 vec3 radianceOf(Behind b) {
@@ -56,7 +60,7 @@ vec4 betweenBedTexels(vec2 pixel) {
     float all = 0.0;
     for (int i = 0; i < 4; ++i) {
         if (weights[i] <= 0.0 || depthSign * (depths[i] - farDepth) <= 0.0) continue;
-        sum += weights[i] * texelFetch(bedColor, clamp(ivec2(corner) + places[i], ivec2(0), bedSize - 1), 0);
+        sum += weights[i] * linearTexel(texelFetch(bedColor, clamp(ivec2(corner) + places[i], ivec2(0), bedSize - 1), 0));
         all += weights[i];
     }
     return sum / max(all, 1e-6);
@@ -64,7 +68,7 @@ vec4 betweenBedTexels(vec2 pixel) {
 
 vec4 bedColorOf(Behind b) {
     if (!looksAtBed) return colorOf(b);
-    return bedDownscale > 1 ? betweenBedTexels(b.pixel) : texelFetch(bedColor, ivec2(b.pixel), 0);
+    return bedDownscale > 1 ? betweenBedTexels(b.pixel) : linearTexel(texelFetch(bedColor, ivec2(b.pixel), 0));
 }
 
 vec3 bedRadiance(Behind b) {

@@ -1,8 +1,8 @@
-// The scene's colour where a ray meets it. Needs mirror.glsl, depth_quads.glsl and sceneColor.
+// The scene's colour where a ray meets it. Needs mirror.glsl, depth_quads.glsl, encoding.glsl and sceneColor.
 
 // Of a picture one pixel wide none lies before the first.
 vec3 texelColor(ivec2 pixel) {
-    return texelFetch(sceneColor, region.xy + max(pixel, 0), 0).rgb;
+    return linearOf(texelFetch(sceneColor, region.xy + max(pixel, 0), 0).rgb);
 }
 
 // Between the four texels around, where these show one plane on which the ray is there: depth is affine on the screen over

@@ -72,6 +72,12 @@ TEST_P(BadInput, InAViewIsRefusedBeforeAnythingIsRecorded) {
                   [](ViewDesc& v) { v.sceneDepth.format = VK_FORMAT_R32_UINT; });
     expectRefused("ViewDesc.sceneColor.format",
                   [](ViewDesc& v) { v.sceneColor.format = VK_FORMAT_R8_UNORM; });
+    expectRefused("ViewDesc.sceneColor.encoding is srgb, which", [](ViewDesc& v) {
+        v.sceneColor.format = VK_FORMAT_B8G8R8A8_SRGB;
+        v.sceneColor.encoding = Encoding::srgb;
+    });
+    expectRefused("ViewDesc.sceneColor.encoding is none",
+                  [](ViewDesc& v) { v.sceneColor.encoding = static_cast<Encoding>(3); });
     expectRefused("ViewDesc.sceneColor.layout",
                   [](ViewDesc& v) { v.sceneColor.layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL; });
     expectRefused("ViewDesc.sceneColor.samples",

@@ -136,7 +136,7 @@ class Defects : public WaterTest {
         kernels.resolve = std::make_shared<ResolveKernel>();
         ASSERT_EQ(kernels.resolve->create(context), Status::ok) << message();
         ASSERT_EQ(kernels.scatter->kernel.create(context.device, scatter, ofScatter, "scatter"), Status::ok);
-        ASSERT_EQ(kernels.resolve->kernel.create(context.device, resolve, ofResolve, "resolve"), Status::ok);
+        ASSERT_EQ(kernels.resolve->kernel.create(context, resolve, ofResolve, "resolve"), Status::ok);
         if (miss.empty()) return;
         constexpr VkDescriptorType ofMiss[] = {uniforms, buffer, sampled, storage, storage};
         ASSERT_EQ(kernels.resolve->miss.create(context.device, miss, ofMiss, "miss"), Status::ok);

@@ -5,12 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/color_space.hpp>
 #include <glm/gtc/packing.hpp>
 
 #include "host/scene_again.h"
 #include "host/seaglass_view.h"
+#include "seaglass/record.h"
 #include "tests/gpu/drawn_view.h"
 #include "tests/gpu/rig.h"
+#include "tests/gpu/scene_images.h"
 #include "tests/gpu/spy.h"
 #include "tests/gpu/traced_scene.h"
 
@@ -110,10 +113,24 @@ constexpr VkImageLayout colorLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 constexpr VkImageLayout depthLayout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
 
 /// A background that every format of colour holds.
-VkClearValue background() {
+VkClearValue background(seaglass::Encoding encoding) {
+    glm::vec3 color(0.25f, 0.5f, 1);
+    if (encoding == seaglass::Encoding::srgb) color = glm::convertLinearToSRGB(color);
     VkClearValue value{};
-    value.color = {{0.25f, 0.5f, 1, 1}};
+    value.color = {{color.r, color.g, color.b, 1}};
     return value;
+}
+
+demos::Image emptyImage(const demos::Device& device, VkFormat format, VkExtent2D extent,
+                        VkImageUsageFlags usage) {
+    demos::ImageDesc desc;
+    desc.format = format;
+    desc.extent = extent;
+    desc.usage = usage;
+    demos::Image image;
+    demos::Error error;
+    EXPECT_TRUE(demos::createImage(device, desc, image, error)) << error.text;
+    return image;
 }
 
 VkClearValue clearOf(float depth) {
@@ -145,6 +162,15 @@ bool canDraw(const HostShape& shape) {
     return has(shape.color, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) &&
            has(shape.depth, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT) &&
            (limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts & shape.samples);
+}
+
+Picture displayed(const Picture& linear) {
+    Picture encoded;
+    for (size_t i = 0; i < linear.size(); i += 4) {
+        const glm::vec3 c = glm::convertLinearToSRGB(glm::vec3(linear[i], linear[i + 1], linear[i + 2]));
+        encoded.insert(encoded.end(), {c.r, c.g, c.b, linear[i + 3]});
+    }
+    return encoded;
 }
 
 Camera shoreCamera() {
@@ -240,6 +266,7 @@ void ShapedHost::createWater(bool reversedDepth, const std::function<void(seagla
     targetDesc.depthWrite = shape_.depthWrite;
     targetDesc.renderPass = renderPass_.get();
     targetDesc.viewMask = viewMask(viewsAtOnce);
+    targetDesc.encoding = shape_.encoding;
     EXPECT_EQ(seaglass::createTarget(context_, &targetDesc, &target_), Status::ok) << message_;
 
     seaglass::SeaDesc sea;
@@ -377,8 +404,17 @@ const ShapedHost::Scene& ShapedHost::sceneOf(const Camera& camera) {
     auto made = std::make_unique<Scene>();
     made->camera = camera;
     const VkExtent2D extent = {camera.width, camera.height};
-    made->color = uploaded(device_, VK_FORMAT_R32G32B32A32_SFLOAT, extent, false, traced.color);
-    made->depth = uploaded(device_, VK_FORMAT_R32_SFLOAT, extent, false, traced.depth);
+    if (shape_.encoding == seaglass::Encoding::srgb)
+        made->color = uploadColor(shape_.color, extent, displayed(traced.color));
+    else
+        made->color = uploaded(device_, VK_FORMAT_R32G32B32A32_SFLOAT, extent, false, traced.color);
+    if (shape_.copiesDepth) {
+        made->drawnDepth = uploadDepth(shape_.depth, extent, traced.depth, VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+        made->depth = emptyImage(device_, shape_.depth, extent,
+                                 VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+    } else {
+        made->depth = uploaded(device_, VK_FORMAT_R32_SFLOAT, extent, false, traced.depth);
+    }
     scenes_.push_back(std::move(made));
     return *scenes_.back();
 }
@@ -401,6 +437,7 @@ seaglass::ViewDesc ShapedHost::viewOf(const Camera& camera, uint32_t index) {
                                VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     };
     view.sceneColor = as(scene.color);
+    view.sceneColor.encoding = shape_.encoding;
     view.sceneDepth = as(scene.depth);
     return view;
 }
@@ -432,6 +469,18 @@ void ShapedHost::record(Slot& slot, const Targets* targets,
     vkCmdExecuteCommands(slot.primary, 1, &own);
 }
 
+void ShapedHost::copyDepth(VkCommandBuffer commands, const Scene& scene) const {
+    if (!shape_.copiesDepth) return;
+    seaglass::SceneCopy copy;
+    copy.from = scene.drawnDepth.image.get();
+    copy.to = scene.depth.image.get();
+    copy.layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    copy.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
+    if (holdsStencil(shape_.depth)) copy.aspect |= VK_IMAGE_ASPECT_STENCIL_BIT;
+    copy.extent = scene.depth.extent;
+    EXPECT_EQ(seaglass::recordSceneCopy(context_, commands, copy), Status::ok) << message_;
+}
+
 void ShapedHost::clearBed(VkCommandBuffer commands, const seaglass::ViewDesc& view) {
     seaglass::PlanarView bed;
     EXPECT_EQ(seaglass::bedView(body_, &view, &bed), Status::ok) << message_;
@@ -451,7 +500,7 @@ void ShapedHost::beginPass(VkCommandBuffer commands, const Targets& targets, flo
     const bool many = shape_.samples != VK_SAMPLE_COUNT_1_BIT;
     const VkClearValue far = clearOf(clearDepth);
     if (shape_.renderPass) {
-        const VkClearValue clears[] = {background(), far, background()};
+        const VkClearValue clears[] = {background(shape_.encoding), far, background(shape_.encoding)};
         VkRenderPassBeginInfo begin{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
         begin.renderPass = renderPass_.get();
         begin.framebuffer = targets.framebuffer.get();
@@ -473,7 +522,7 @@ void ShapedHost::beginPass(VkCommandBuffer commands, const Targets& targets, flo
         return info;
     };
     VkRenderingAttachmentInfo color =
-        attached(many ? targets.manyColors : targets.color, colorLayout, background());
+        attached(many ? targets.manyColors : targets.color, colorLayout, background(shape_.encoding));
     if (many) {
         color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
         color.resolveImageView = targets.color.view.get();
@@ -530,6 +579,7 @@ void ShapedHost::submit(uint32_t slotIndex, std::span<const Camera> cameras, dou
     EXPECT_EQ(seaglass::beginFrame(context_, slotIndex), Status::ok) << message_;
     record(slot, nullptr, [&](VkCommandBuffer commands) {
         EXPECT_EQ(seaglass::simulate(commands, &body_, 1, time), Status::ok) << message_;
+        for (const Camera& camera : cameras) copyDepth(commands, sceneOf(camera));
         for (const seaglass::ViewDesc& view : views)
             if (bed_) clearBed(commands, view);
         for (const seaglass::ViewDesc& view : views)

@@ -30,7 +30,9 @@ struct HostShape {
     bool depthWrite = true;  ///< by the water
     bool skyCube = true;     ///< else colours
     SceneGiven scene = SceneGiven::traced;
-    HostWorld world = everyWorld().front(); ///< in which its cameras and its sun are
+    HostWorld world = everyWorld().front();                   ///< in which its cameras and its sun are
+    seaglass::Encoding encoding = seaglass::Encoding::linear; ///< of scene, pictures and target
+    bool copiesDepth = false; ///< recordSceneCopy() hands the scene's in, of `depth`'s format
 };
 
 /// Whether the tests' device has its formats and samples.
@@ -38,6 +40,9 @@ bool canDraw(const HostShape& shape);
 
 /// RGBA, rows from the top.
 using Picture = std::vector<float>;
+
+/// As displays take it, by the sRGB curve: each colour 0..1.
+Picture displayed(const Picture& linear);
 
 /// From the shore: things on the water and under it, which hide some of it from 20 metres on.
 Camera shoreCamera();
@@ -66,6 +71,7 @@ class ShapedHost {
     struct Scene {
         Camera camera;
         demos::Image color, depth;
+        demos::Image drawnDepth; ///< of hosts that copy it: what `depth` becomes the copy of
     };
     struct Attachment {
         demos::UniqueMemory memory;
@@ -102,6 +108,7 @@ class ShapedHost {
     /// Records in a secondary command buffer where the host has those; else in `primary`. `targets`: within
     /// their pass.
     void record(Slot& slot, const Targets* targets, const std::function<void(VkCommandBuffer)>& commands);
+    void copyDepth(VkCommandBuffer commands, const Scene& scene) const;
     /// Nothing lies there.
     void clearBed(VkCommandBuffer commands, const seaglass::ViewDesc& view);
     void beginPass(VkCommandBuffer commands, const Targets& targets, float clearDepth);

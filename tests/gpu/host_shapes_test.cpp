@@ -77,9 +77,13 @@ TEST_P(HostsOfShape, DrawThePlainPicture) {
     camera.far = test.far;
     Picture expected = plainPicture();
     expectAPicture(expected);
-    if (test.shape.color == VK_FORMAT_R8G8B8A8_UNORM)
+    if (test.shape.encoding == Encoding::srgb)
+        expected = displayed(expected);
+    else if (test.shape.color == VK_FORMAT_R8G8B8A8_UNORM)
         for (float& value : expected) value = std::clamp(value, 0.0f, 1.0f);
-    const Picture drawn = ShapedHost(device(), test.shape, test.reversed).picture(camera);
+    Picture drawn = ShapedHost(device(), test.shape, test.reversed).picture(camera);
+    if (test.shape.encoding == Encoding::srgb)
+        for (float& value : drawn) value = std::min(value, 1.0f); // where a display ends
     // A value may lie in the middle between two that the format holds.
     const float tolerance = test.tolerance + 1.001f * colorError(test.shape.color);
     const double share = apart(expected, drawn, tolerance);
@@ -115,6 +119,18 @@ HostShape withDepth(VkFormat depth, bool stencil, const char* name) {
     shape.name = name;
     shape.depth = depth;
     shape.stencilAttached = stencil;
+    return shape;
+}
+
+HostShape copyingDepth(HostShape shape, const char* name) {
+    shape.name = name;
+    shape.copiesDepth = true;
+    return shape;
+}
+
+HostShape displaying(VkFormat color, const char* name) {
+    HostShape shape = drawnInto(color, name);
+    shape.encoding = Encoding::srgb;
     return shape;
 }
 
@@ -180,6 +196,12 @@ std::vector<Case> cases() {
         {drawnInto(VK_FORMAT_R16G16B16A16_SFLOAT, "RGBA16F"), 0.0005},
         {drawnInto(VK_FORMAT_B10G11R11_UFLOAT_PACK32, "B10G11R11")},
         {drawnInto(VK_FORMAT_R8G8B8A8_UNORM, "RGBA8")},
+        // The scene comes as bytes, too: where its steps are coarse water darkens them to what is finer.
+        {displaying(VK_FORMAT_R8G8B8A8_UNORM, "EncodedRGBA8"), 0, 0.004f},
+        {inPass(displaying(VK_FORMAT_R8G8B8A8_UNORM, ""), "RenderPassEncodedRGBA8"), 0, 0.004f},
+        {displaying(VK_FORMAT_R16G16B16A16_SFLOAT, "EncodedRGBA16F"), 0, 0.001f},
+        {copyingDepth(depthAndStencil, "CopiedD32AndStencil")},
+        {copyingDepth(withDepth(VK_FORMAT_D32_SFLOAT, false, ""), "CopiedD32")},
         {inPass(drawnInto(VK_FORMAT_B10G11R11_UFLOAT_PACK32, ""), "RenderPassB10G11R11")},
         {fourSamples(), edges, 0.02f},
         {inPass(fourSamples(), "RenderPassFourSamples"), edges, 0.02f},

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstring>
 
+#include <glm/common.hpp>
+#include <glm/gtc/color_space.hpp>
 #include <glm/gtc/packing.hpp>
 
 #include "tests/gpu/drawn_view.h"
@@ -177,6 +179,24 @@ TEST_F(Planar, TemporalReuseLeavesWhatStandsStillAsItIs) {
     ViewDesc cut = viewDesc(moved);
     cut.cut = true;
     EXPECT_NE(reflectBoxes(cut).color, after.color);
+}
+
+TEST_F(Planar, HoldsColorAsTheScenesDoes) {
+    ViewDesc view = viewDesc(testCamera());
+    const PlanarView mirrored = handOut(view);
+    Drawn linear = draw(mirrored, matrix(view.projection), harbourOfBoxes()), held = linear;
+    for (size_t i = 0; i < linear.color.size(); ++i) {
+        const glm::vec3 color =
+            glm::min(glm::abs(glm::vec3(glm::unpackHalf4x16(linear.color[i]))) / 20.0f, 1.0f);
+        linear.color[i] = glm::packHalf4x16(glm::vec4(color, 1));
+        held.color[i] = glm::packHalf4x16(glm::vec4(glm::convertLinearToSRGB(color), 1));
+    }
+    const Reflected expected = reflectDrawn(view, mirrored, linear);
+    view.sceneColor.encoding = Encoding::srgb;
+    const Reflected found = reflectDrawn(view, handOut(view), held);
+    EXPECT_EQ(expected.info, found.info);
+    ASSERT_EQ(expected.color.size(), found.color.size());
+    for (size_t i = 0; i < found.color.size(); ++i) ASSERT_NEAR(found.color[i], expected.color[i], 2e-3) << i;
 }
 
 TEST_F(Planar, AgreesWithTheTracedTruth) {

@@ -66,10 +66,11 @@ void appendColor(VkFormat format, glm::vec4 rgba, Bytes& bytes) {
     }
 }
 
-demos::Image upload(VkFormat format, VkExtent2D extent, const Bytes& bytes) {
+demos::Image upload(VkFormat format, VkExtent2D extent, const Bytes& bytes, VkImageUsageFlags usage = 0) {
     demos::ImageDesc desc;
     desc.format = format;
     desc.extent = extent;
+    desc.usage = usage;
     const std::span<const std::byte> level = bytes;
     demos::Image image;
     demos::Error error;
@@ -87,10 +88,11 @@ bool canSample(VkFormat format) {
     return (properties.optimalTilingFeatures & needed) == needed;
 }
 
-demos::Image uploadDepth(VkFormat format, VkExtent2D extent, const std::vector<float>& depth) {
+demos::Image uploadDepth(VkFormat format, VkExtent2D extent, const std::vector<float>& depth,
+                         VkImageUsageFlags usage) {
     Bytes bytes;
     for (const float value : depth) appendDepth(format, value, bytes);
-    return upload(format, extent, bytes);
+    return upload(format, extent, bytes, usage);
 }
 
 demos::Image uploadColor(VkFormat format, VkExtent2D extent, const std::vector<float>& rgba) {

@@ -11,7 +11,8 @@ namespace tests {
 bool canSample(VkFormat format);
 
 /// Of one float a pixel, rounded as rasterisers round. Sampled in SHADER_READ_ONLY_OPTIMAL.
-demos::Image uploadDepth(VkFormat format, VkExtent2D extent, const std::vector<float>& depth);
+demos::Image uploadDepth(VkFormat format, VkExtent2D extent, const std::vector<float>& depth,
+                         VkImageUsageFlags usage = 0);
 
 /// Of four floats a pixel, linear.
 demos::Image uploadColor(VkFormat format, VkExtent2D extent, const std::vector<float>& rgba);

@@ -88,6 +88,11 @@ void WaterTest::useDepth(bool reversed) {
     makeTarget();
 }
 
+void WaterTest::useEncoding(seaglass::Encoding encoding) {
+    encoding_ = encoding;
+    makeTarget();
+}
+
 void WaterTest::leaveDepth() {
     depthWrite_ = false;
     makeTarget();
@@ -101,6 +106,7 @@ void WaterTest::makeTarget() {
     desc.samples = samples_;
     desc.depthWrite = depthWrite_;
     desc.reversedDepth = reversedDepth_;
+    desc.encoding = encoding_;
     ASSERT_EQ(seaglass::createTarget(context(), &desc, &target_), seaglass::Status::ok) << message();
 }
 
@@ -151,6 +157,7 @@ WaterPicture WaterTest::picture(const std::vector<seaglass::Body*>& bodies, cons
 
     seaglass::ViewDesc view = viewDesc(camera);
     view.sceneColor = asSeaglass(sceneColor);
+    view.sceneColor.encoding = encoding_;
     view.sceneDepth = asSeaglass(sceneDepth);
     if (changeView) changeView(view);
     seaglass::ViewDesc reflected = view;

@@ -34,6 +34,8 @@ class WaterTest : public GpuTest {
     void useSamples(VkSampleCountFlagBits samples);
     /// Which way the target's depth runs from here on; reversed before.
     void useDepth(bool reversed);
+    /// How scene and target hold colour from here on; linear before.
+    void useEncoding(seaglass::Encoding encoding);
     /// From here on, water leaves the depth alone.
     void leaveDepth();
     seaglass::Body* makeBody(seaglass::BodyDesc desc);
@@ -65,6 +67,7 @@ class WaterTest : public GpuTest {
 
     seaglass::Target* target_ = nullptr;
     bool depthWrite_ = true, reversedDepth_ = true;
+    seaglass::Encoding encoding_ = seaglass::Encoding::linear;
     VkSampleCountFlagBits samples_ = VK_SAMPLE_COUNT_1_BIT;
     std::vector<seaglass::Body*> bodies_;
 };

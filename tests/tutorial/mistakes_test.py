@@ -45,6 +45,15 @@ DEPTH_COPY = ("    seaglass::recordSceneCopy(commands,\n"
               "                              {depth_.image, depthCopy_.image,\n"
               "                               VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, depthCopy_.aspect, extent_});\n")
 
+# A host that writes colour as displays take it, into a UNORM swapchain.
+ENCODED = (("engine.h", "VK_FORMAT_B8G8R8A8_SRGB", "VK_FORMAT_B8G8R8A8_UNORM"),
+           ("mesh.frag", "outColor = vec4(light, 1);",
+            "outColor = vec4(mix(12.92 * light, 1.055 * pow(light, vec3(1 / 2.4)) - 0.055,\n"
+            "                        greaterThan(light, vec3(0.0031308))), 1);"),
+           ("engine.cpp", "    clears[0].color = {{haze.r, haze.g, haze.b, 1}};",
+            "    const glm::vec3 held = 1.055f * glm::pow(haze, glm::vec3(1 / 2.4f)) - 0.055f;\n"
+            "    clears[0].color = {{held.r, held.g, held.b, 1}};"))
+
 MISTAKES = [
     # What the library says itself.
     Mistake("row_major", ("water.cpp", "viewDesc(camera_.view,", "viewDesc(glm::transpose(camera_.view),"),
@@ -76,6 +85,14 @@ MISTAKES = [
     Mistake("scaled_plane", ("water.cpp", "    body.waves = &breeze;\n",
                              "    body.waves = &breeze;\n    body.plane[1] = 2;\n"),
             shows=lambda right, wrong: right == wrong),
+    Mistake("encoded_target_said", *ENCODED,
+            ("water.cpp", "    target.colorFormat = swapchainFormat;\n",
+             "    target.colorFormat = swapchainFormat;\n    target.encoding = seaglass::Encoding::srgb;\n"),
+            ("water.cpp", "    view.sceneDepth =", "    view.sceneColor.encoding = seaglass::Encoding::srgb;\n    view.sceneDepth ="),
+            shows=lambda right, wrong: share_changed(right, wrong, by=2) == 0),
+    # What is said, and shows.
+    Mistake("encoded_target", *ENCODED, says="TargetDesc.colorFormat is UNORM, and taken for linear",
+            shows=lambda right, wrong: brightness(wrong, NEAR) < brightness(right, NEAR) * 0.7),
     # What shows alone.
     Mistake("y_not_flipped", ("water.cpp", "    seaglass::ViewDesc view = seaglass::viewDesc(camera_.view, camera_.projection, extent_);\n",
                               "    glm::mat4 told = camera_.projection;\n    told[1][1] *= -1;\n"
@@ -84,6 +101,7 @@ MISTAKES = [
     Mistake("srgb_twice", ("water.cpp", "colorCopy_ = createImage(swapchainFormat,",
                            "colorCopy_ = createImage(VK_FORMAT_B8G8R8A8_UNORM,"),
             ("water.cpp", "{colorCopy_.view, swapchainFormat,", "{colorCopy_.view, VK_FORMAT_B8G8R8A8_UNORM,"),
+            says="ViewDesc.sceneColor.format is UNORM, and taken for linear",
             shows=lambda right, wrong: brightness(wrong, NEAR) > brightness(right, NEAR) * 1.2),
     Mistake("black_sky", ("water.cpp", "haze.r, haze.g, haze.b);", "0, 0, 0);"),
             shows=lambda right, wrong: brightness(wrong, NEAR) < brightness(right, NEAR) * 0.8),
@@ -146,9 +164,11 @@ def make(mistake, folder, sources):
 
 
 def judge(mistake, said, picture, right):
-    if mistake.says is not None:
-        return None if mistake.says in said else f"expected it to say '{mistake.says}', it says: {said[:2000]}"
-    if said or picture is None:
+    if mistake.says is not None and mistake.says not in said:
+        return f"expected it to say '{mistake.says}', it says: {said[:2000]}"
+    if mistake.shows is None:
+        return None
+    if (said and mistake.says is None) or picture is None:
         return f"expected a picture and no word, it says: {said[:2000]}"
     return None if mistake.shows(right, picture) else "the picture is not what the page says"
 

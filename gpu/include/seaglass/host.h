@@ -102,6 +102,14 @@ void destroyContext(Context* context);
 /// last used; memory of that time, and objects destroyed then, are taken back now.
 Status beginFrame(Context* context, uint32_t slot);
 
+/// How an image or an attachment holds colour.
+enum class Encoding : uint32_t {
+    /// Linear, and a message where UNORM of 8 or 10 bits makes that unlikely.
+    unspecified = 0,
+    linear, ///< in proportion to light, as sampled and as written; an sRGB format's is, too
+    srgb,   ///< by the sRGB curve (IEC 61966-2-1), which the format does not apply: the shaders do
+};
+
 /// One of the host's images, as a sampled view: made of an image with VK_IMAGE_USAGE_SAMPLED_BIT, type 2D,
 /// its swizzle the identity. Of an image that holds stencil too, the view selects VK_IMAGE_ASPECT_DEPTH_BIT
 /// alone.
@@ -113,6 +121,7 @@ struct Image {
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
     /// Of scene colour and depth: 1 to 16 a pixel, at Vulkan's standard locations. Of anything else 1.
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+    Encoding encoding = Encoding::unspecified; ///< of ViewDesc::sceneColor
 };
 
 /// One camera in one frame.
@@ -122,9 +131,9 @@ struct ViewDesc {
     /// from it. By parallel lines of sight it looks along -z.
     double projection[16] = {};
     VkViewport viewport = {}; ///< as set for drawing, in pixels; a negative height flips; depth range 0..1
-    /// Opaque scene colour, linear once sampled: RGBA16F, RGBA32F, B10G11R11_UFLOAT, or RGBA8 and BGRA8 as
-    /// UNORM or SRGB (A8B8G8R8 packed too). Alpha is not read. Null with `sceneDepth`: there is no scene, for
-    /// water that needs none.
+    /// Opaque scene colour: RGBA16F, RGBA32F, B10G11R11_UFLOAT, or RGBA8 and BGRA8 as UNORM or SRGB (A8B8G8R8
+    /// packed too). Alpha is not read. Its `encoding` is that of planar and bed pictures as well. Null with
+    /// `sceneDepth`: there is no scene, for water that needs none.
     Image sceneColor;
     /// Opaque scene depth of the same pixels: D16, X8_D24, D32, each with stencil or without, or a copy of it
     /// as R16_UNORM or R32_SFLOAT. What the format cannot tell apart from the plane counts as lying on it.

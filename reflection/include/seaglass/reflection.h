@@ -167,7 +167,7 @@ struct PlanarView {
     VkViewport viewport = {};                   ///< within the images below
     VkExtent2D extent = {0, 0};                 ///< of both images [pixel]
     VkImage colorImage = VK_NULL_HANDLE;        ///< of `color`
-    VkImageView color = VK_NULL_HANDLE;         ///< mip 0 alone; linear radiance as in ViewDesc::sceneColor
+    VkImageView color = VK_NULL_HANDLE;         ///< mip 0 alone; held as in ViewDesc::sceneColor
     VkFormat colorFormat = VK_FORMAT_UNDEFINED; ///< DrawnDesc's
     VkImage depthImage = VK_NULL_HANDLE;        ///< of `depth`
     /// To be attached, of a format with stencil for that too, and cleared to clearDepth. Shaders sample its
@@ -189,7 +189,8 @@ Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out);
 /// see are passed over; what reflectionImages() has of them is of some frame before. Outside any render pass.
 /// Reads view.sceneColor and view.sceneDepth in compute shaders: the host has made them visible there
 /// (VK_ACCESS_2_SHADER_SAMPLED_READ). Allocates when a view's size changes. With technique `sky` nothing is
-/// recorded; with `planar` the scene's images are not read, but what was drawn since planarView().
+/// recorded; with `planar` the scene's images are not read, but what was drawn since planarView(), in
+/// view.sceneColor's encoding.
 Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t count, const ViewDesc* view);
 
 /// Of many reflectors those to renew in this frame, `most` of them, 1..maxReflectors: their indices go to

@@ -156,6 +156,9 @@ struct TargetDesc {
     uint32_t subpass = 0;                         ///< of renderPass
     VkFormat stencilFormat = VK_FORMAT_UNDEFINED; ///< of dynamic rendering with a stencil attachment: its own
     uint32_t viewMask = 0; ///< of a multiview pass: each draw() draws its one view ViewDesc::viewIndex
+    /// What is blended is blended as it is held: docs/contract.md. SurfaceOutputs but `shaded` and
+    /// `reflection` are no colours, and written as they are.
+    Encoding encoding = Encoding::unspecified;
 };
 
 struct Target;
@@ -221,7 +224,8 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
 /// Makes now what draw(), drawCaustics() and castCaustics() make when they first need it: the pipelines of
 /// the body for the target, for every place of the eye. `view` and `lighting` are such as those will be
 /// given, of which only what images they have is looked at, not their pixels or matrices; null: a scene of
-/// one sample, a sky cube and no shadow map. What is made already costs nothing.
+/// one sample that is encoded as the target, a sky cube and no shadow map. What is made already costs
+/// nothing.
 ///
 /// On any thread, beside calls for other targets and bodies, and for these all but those that change or
 /// destroy them (setDryRooms()): draw() of what is in the making waits, others do not. Messages come on that
@@ -239,10 +243,10 @@ Status castCaustics(VkCommandBuffer commands, Body* const* bodies, uint32_t coun
 
 /// Multiplies the colour of what lies below the bodies with `caustics`, and its alpha, which should be 1
 /// before, by the sunlight that the waves gather there, 1 in the mean: in a pass over the opaque scene, with
-/// a floating-point colour attachment and a depth attachment of the target's formats (neither tested nor
-/// written), before the colour is copied for reflect() and draw(). Reads view.sceneDepth in fragment shaders,
-/// which must not be the attachment written. Leaves bound what draw() does. Needs castCaustics(), and records
-/// nothing where that did not.
+/// a colour attachment, floating-point or of a target whose `encoding` is srgb, and a depth attachment of the
+/// target's formats (neither tested nor written), before the colour is copied for reflect() and draw(). Reads
+/// view.sceneDepth in fragment shaders, which must not be the attachment written. Leaves bound what draw()
+/// does. Needs castCaustics(), and records nothing where that did not.
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
                     const ViewDesc* view, const LightingDesc* lighting);
 
