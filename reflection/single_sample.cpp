@@ -5,16 +5,18 @@
 #include "reflection/mirror.h"
 #include "spirv/single_sample_color.comp.h"
 #include "spirv/single_sample_depth.comp.h"
+#include "spirv/single_sample_resolved.comp.h"
 
 namespace seaglass {
 
 namespace {
 
-Status createKernel(Context& context, std::span<const uint32_t> spirv, gpu::Kernel& out) {
-    constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-                                             VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                                             VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
-    return out.create(context.device, spirv, bindings, "single sample pipeline");
+Status createKernel(Context& context, std::span<const uint32_t> spirv, bool resolved, gpu::Kernel& out) {
+    constexpr VkDescriptorType bindings[] = {
+        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
+    return out.create(context.device, spirv, std::span(bindings).first(resolved ? 4 : 3),
+                      "single sample pipeline");
 }
 
 bool hasManySamples(const Image& image) {
@@ -32,8 +34,11 @@ gpu::ImageDesc imageDesc(VkExtent2D extent, VkFormat format) {
 Status prepare(Context& context, SingleSamples& samples, const ViewDesc& view) {
     if (!samples.depth)
         if (const Status s = context.share(samples.depth); s != Status::ok) return s;
-    if (!samples.color && hasManySamples(view.sceneColor))
+    const bool many = hasManySamples(view.sceneColor);
+    if (many && !samples.color)
         if (const Status s = context.share(samples.color); s != Status::ok) return s;
+    if (!many && !samples.resolved)
+        if (const Status s = context.share(samples.resolved); s != Status::ok) return s;
     SingleSampledScene& scene = samples.views[view.viewIndex];
     if (scene.fits(view)) return Status::ok;
     SingleSampledScene fresh;
@@ -42,9 +47,11 @@ Status prepare(Context& context, SingleSamples& samples, const ViewDesc& view) {
     return Status::ok;
 }
 
+/// `resolved`: null but for its kernel.
 Status recordImage(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::OwnedImage& to,
-                   const Image& image) {
-    return recordFirstSample(pass.context, pass.commands, kernel, pass.mirror, pass.extent(), to, image);
+                   const Image& image, const Image* resolved = nullptr) {
+    return recordFirstSample(pass.context, pass.commands, kernel, pass.mirror, pass.extent(), to, image,
+                             resolved);
 }
 
 void replace(Image& image, const gpu::OwnedImage& by) {
@@ -61,10 +68,11 @@ Status recordSingleSample(const ReflectPass& pass, SingleSamples& samples, ViewD
     if (const Status s = recordImage(pass, samples.depth->kernel, scene.depth, view.sceneDepth);
         s != Status::ok)
         return s;
-    if (hasManySamples(view.sceneColor))
-        if (const Status s = recordImage(pass, samples.color->kernel, scene.color, view.sceneColor);
-            s != Status::ok)
-            return s;
+    const Status s =
+        hasManySamples(view.sceneColor)
+            ? recordImage(pass, samples.color->kernel, scene.color, view.sceneColor)
+            : recordImage(pass, samples.resolved->kernel, scene.color, view.sceneDepth, &view.sceneColor);
+    if (s != Status::ok) return s;
     scene.standIn(view);
     return Status::ok;
 }
@@ -81,15 +89,20 @@ gpu::ImageDesc firstColorDesc(VkExtent2D extent) {
 
 Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::Kernel& kernel,
                          const gpu::Slice& mirror, VkExtent2D region, const gpu::OwnedImage& to,
-                         const Image& image) {
+                         const Image& image, const Image* resolved) {
     const gpu::Device& device = context.device;
+    const VkSampler nearest = context.samplers.nearestClamp();
+    const Image& last = resolved ? *resolved : image;
     const gpu::Resource resources[] = {
         gpu::uniformBuffer(mirror.buffer, mirror.offset, sizeof(MirrorUniforms)),
-        gpu::sampledImage(context.samplers.nearestClamp(), image.view, image.layout),
+        gpu::sampledImage(nearest, image.view, image.layout),
         gpu::storageImage(to.view()),
+        gpu::sampledImage(nearest, last.view, last.layout),
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
+    if (const Status s =
+            context.frame().allocateSet(kernel.layout(), std::span(resources).first(resolved ? 4 : 3), set);
+        s != Status::ok)
         return s;
     const VkImageMemoryBarrier2 before =
         gpu::imageBarrier(to.handle(), gpu::discardedAfterSampling, gpu::storageWritten);
@@ -102,20 +115,23 @@ Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::
 }
 
 Status DepthSampleKernel::create(Context& context) {
-    return createKernel(context, single_sample_depth_comp, kernel);
+    return createKernel(context, single_sample_depth_comp, false, kernel);
 }
 
 Status ColorSampleKernel::create(Context& context) {
-    return createKernel(context, single_sample_color_comp, kernel);
+    return createKernel(context, single_sample_color_comp, false, kernel);
+}
+
+Status ResolvedColorKernel::create(Context& context) {
+    return createKernel(context, single_sample_resolved_comp, true, kernel);
 }
 
 bool SingleSampledScene::fits(const ViewDesc& view) const {
-    return depth.isOf(view.sceneDepth.extent) &&
-           (!hasManySamples(view.sceneColor) || color.isOf(view.sceneColor.extent));
+    return depth.isOf(view.sceneDepth.extent) && color.isOf(view.sceneColor.extent);
 }
 
 void SingleSampledScene::standIn(ViewDesc& view) const {
-    if (hasManySamples(view.sceneColor)) replace(view.sceneColor, color);
+    replace(view.sceneColor, color);
     replace(view.sceneDepth, depth);
 }
 
@@ -123,21 +139,17 @@ Status SingleSampledScene::create(const gpu::Device& device, const ViewDesc& vie
     constexpr const char* what = "single-sampled scene";
     if (const Status s = depth.create(device, firstDepthDesc(view.sceneDepth.extent), what); s != Status::ok)
         return s;
-    if (!hasManySamples(view.sceneColor)) return Status::ok;
     return color.create(device, firstColorDesc(view.sceneColor.extent), what);
 }
 
 VkDeviceSize SingleSampledScene::bytes(const gpu::Device& device, VkExtent2D extent,
                                        const SceneSamples& samples) {
     if (samples.depth == VK_SAMPLE_COUNT_1_BIT) return 0;
-    const bool both = samples.color != VK_SAMPLE_COUNT_1_BIT;
-    return gpu::heldBytes(device, firstDepthDesc(extent)) +
-           (both ? gpu::heldBytes(device, firstColorDesc(extent)) : 0);
+    return gpu::heldBytes(device, firstDepthDesc(extent)) + gpu::heldBytes(device, firstColorDesc(extent));
 }
 
 uint32_t SingleSampledScene::dispatches(const SceneSamples& samples) {
-    if (samples.depth == VK_SAMPLE_COUNT_1_BIT) return 0;
-    return samples.color == VK_SAMPLE_COUNT_1_BIT ? 1 : 2;
+    return samples.depth == VK_SAMPLE_COUNT_1_BIT ? 0 : 2;
 }
 
 Status takeSamples(const ReflectPass& pass, std::shared_ptr<SingleSamples>& samples, SceneOfCall& scene) {

@@ -1,8 +1,9 @@
 // Multisampled scenes, made single-sampled before a technique reads them: of each pixel sample 0, its depth
-// and its own colour. A mean of depths lies on no surface, and the nearest of a pixel's samples would stand
-// now here, now there in it; one sample throughout keeps planes plane, and is as near to the middle as any.
-// Reading it once and writing it down is cheaper than for each of the techniques to pick it out of a
-// multisampled image, again and again.
+// and its own colour. Of colour that the host has resolved, which along edges is of both sides, that of the
+// least mixed pixel around: else what stands before water wears an outline of what lies behind it. A mean of
+// depths lies on no surface, and the nearest of a pixel's samples would stand now here, now there in it; one
+// sample throughout keeps planes plane, and is as near to the middle as any. Reading it once and writing it
+// down is cheaper than for each of the techniques to pick it out of a multisampled image, again and again.
 #pragma once
 
 #include <array>
@@ -25,6 +26,11 @@ struct ColorSampleKernel {
     Status create(Context& context);
 };
 
+struct ResolvedColorKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+
 /// Of one view, as large as the host's own images; empty where those hold one sample.
 struct SingleSampledScene {
     gpu::OwnedImage depth; ///< R32F
@@ -41,6 +47,7 @@ struct SingleSampledScene {
 struct SingleSamples {
     std::shared_ptr<DepthSampleKernel> depth; ///< null until a view hands in images that need them
     std::shared_ptr<ColorSampleKernel> color;
+    std::shared_ptr<ResolvedColorKernel> resolved;
     std::array<SingleSampledScene, maxViews> views;
     Status create(Context&) { return Status::ok; }
 };
@@ -59,9 +66,10 @@ inline bool isMultisampled(const ViewDesc& view) {
 }
 
 /// Sample 0 of `image`, within the region of `mirror`, to be sampled from `to`; `kernel` is of what it holds.
+/// `resolved`: null but for ResolvedColorKernel, whose `image` is the depth.
 Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::Kernel& kernel,
                          const gpu::Slice& mirror, VkExtent2D region, const gpu::OwnedImage& to,
-                         const Image& image);
+                         const Image& image, const Image* resolved = nullptr);
 
 /// What that writes.
 gpu::ImageDesc firstDepthDesc(VkExtent2D extent);

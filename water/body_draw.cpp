@@ -398,6 +398,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     const SidesSeen sides = motion ? SidesSeen::above : sidesSeen(geometry);
     if (sides == SidesSeen::below) wanted.bedDownscale = 0;
     wanted.sceneEncoded = wanted.refraction && isEncoded(view.sceneColor);
+    wanted.manySamples = wanted.refraction && isMultisampled(view);
     if (wanted.bedDownscale != 0) {
         inputs.bed = bed->of(*context, view.viewIndex);
         if (!inputs.bed)

@@ -29,6 +29,7 @@ Status Body::prepareSurface(Target& target, const ViewDesc* view, const Lighting
             if (reflector) images.color = reinterpret_cast<VkImageView>(uintptr_t{1});
             wanted = features(images, lighting, !view || hasScene(*view));
             wanted.sceneEncoded = wanted.refraction && readsEncoded(target, view);
+            wanted.manySamples = wanted.refraction && view && isMultisampled(*view);
         }
         if (sides == SidesSeen::below) wanted.bedDownscale = 0;
         const DrawPipeline* pipeline = nullptr;
@@ -71,7 +72,7 @@ Status Body::prepareKernels(Target& target, const ViewDesc* view, const Lighting
     if (!view || !readsScene || !hasScene(*view) || !isMultisampled(*view)) return Status::ok;
     if (const Status s = target.prepared.keep<DepthSampleKernel>(*context); s != Status::ok) return s;
     return view->sceneColor.samples == VK_SAMPLE_COUNT_1_BIT
-               ? Status::ok
+               ? target.prepared.keep<ResolvedColorKernel>(*context)
                : target.prepared.keep<ColorSampleKernel>(*context);
 }
 

@@ -240,7 +240,8 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.sharpDownscale,
                                   variant.features.skyColors,
                                   variant.features.sceneEncoded,
-                                  target.encoding == Encoding::srgb};
+                                  target.encoding == Encoding::srgb,
+                                  variant.features.manySamples};
     return createDrawPipeline(device, target,
                               {vertexShader(variant.features, target.viewMask != 0),
                                fragmentShader(variant.features), constants,

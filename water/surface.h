@@ -44,6 +44,7 @@ struct SurfaceFeatures {
     bool skyColors = false;       ///< in place of the sky's cube
     bool motion = false;          ///< beside it waves, shore, shape and dryRooms alone
     bool sceneEncoded = false;    ///< only with refraction: what is read of the scene
+    bool manySamples = false;     ///< only with refraction: of the scene's depth
     auto operator<=>(const SurfaceFeatures&) const = default;
 };
 

@@ -3,6 +3,7 @@
 layout(constant_id = 8) const int refractionLooks = 6;   // 1: straight through
 
 #ifdef REFRACTION
+layout(constant_id = 19) const bool manySamples = false;   // of the scene, of which sample 0 may lie before the surface
 layout(constant_id = 12) const int bedDownscale = 0;   // of the bed's picture of its own: water/bed.h
 const bool hasBed = bedDownscale > 0;
 bool looksAtBed = hasBed;   // not where a surface is seen from the water: what it mirrors is looked for in the scene
@@ -165,6 +166,18 @@ float nearerBy(vec4 pixel, vec3 at, Behind b) {
     return 1.0 / pixel.w - dot(at, sight.xyz) - (b.nothing ? endless : 1.0 / scene - dot(b.seen, sight.xyz));
 }
 
+// Along the edge of what stands before the surface sample 0 of a pixel may be that thing's: the pixel beside it that shows what
+// lies behind.
+vec2 besideWhatHides(vec2 here) {
+    const ivec2 beside[5] = ivec2[](ivec2(0, 0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
+    int i = 0;
+    [[dont_unroll]] do {
+        Behind b = behindAt(here + beside[i]);
+        if (b.nothing || isBelowWater(b)) return here + beside[i];
+    } while (++i < 5);
+    return here;
+}
+
 // Of the places of a Gaussian [deviations] that the pixels of a quad look at together, one of this pixel's `looks`, 1 or 4: for
 // each a square, one corner a pixel, so that their mean is 0, and the variance of 16 is 1 along any axis.
 vec2 placeAround(int look, int looks) {
@@ -240,6 +253,7 @@ vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out floa
     const float wellOff = refractionLooks > 3 ? 0.05 : 0.35;
     vec4 from = bedPixelOf(vec4(position, 1.0));
     vec2 here = looksAtBed ? from.xy / from.w : gl_FragCoord.xy - vec2(region.xy);
+    if (manySamples && !looksAtBed) here = besideWhatHides(here);
     Behind found = bedAt(here);
     path = 1e6;
     blurred = 0.0;

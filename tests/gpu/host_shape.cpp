@@ -12,6 +12,7 @@
 #include "host/seaglass_view.h"
 #include "seaglass/record.h"
 #include "tests/gpu/drawn_view.h"
+#include "tests/gpu/multisampled_scene.h"
 #include "tests/gpu/rig.h"
 #include "tests/gpu/scene_images.h"
 #include "tests/gpu/spy.h"
@@ -159,6 +160,7 @@ bool canDraw(const HostShape& shape) {
         return (properties.optimalTilingFeatures & needed) == needed;
     };
     const VkPhysicalDeviceLimits& limits = device().properties().limits;
+    if (shape.resolvesScene && !canMultisample(VK_SAMPLE_COUNT_4_BIT)) return false;
     return has(shape.color, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) &&
            has(shape.depth, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT) &&
            (limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts & shape.samples);
@@ -404,6 +406,12 @@ const ShapedHost::Scene& ShapedHost::sceneOf(const Camera& camera) {
     auto made = std::make_unique<Scene>();
     made->camera = camera;
     const VkExtent2D extent = {camera.width, camera.height};
+    if (shape_.resolvesScene) {
+        MultisampledScene many = drawMultisampled(camera, boxes, VK_SAMPLE_COUNT_4_BIT);
+        made->color = std::move(many.resolved);
+        made->depth = std::move(many.depth);
+        return *scenes_.emplace_back(std::move(made));
+    }
     if (shape_.encoding == seaglass::Encoding::srgb)
         made->color = uploadColor(shape_.color, extent, displayed(traced.color));
     else
@@ -439,6 +447,10 @@ seaglass::ViewDesc ShapedHost::viewOf(const Camera& camera, uint32_t index) {
     view.sceneColor = as(scene.color);
     view.sceneColor.encoding = shape_.encoding;
     view.sceneDepth = as(scene.depth);
+    if (shape_.resolvesScene) {
+        view.sceneDepth.layout = VK_IMAGE_LAYOUT_GENERAL;
+        view.sceneDepth.samples = VK_SAMPLE_COUNT_4_BIT;
+    }
     return view;
 }
 

@@ -32,7 +32,8 @@ struct HostShape {
     SceneGiven scene = SceneGiven::traced;
     HostWorld world = everyWorld().front();                   ///< in which its cameras and its sun are
     seaglass::Encoding encoding = seaglass::Encoding::linear; ///< of scene, pictures and target
-    bool copiesDepth = false; ///< recordSceneCopy() hands the scene's in, of `depth`'s format
+    bool resolvesScene = false; ///< its depth has four samples a pixel, its colour is their mean
+    bool copiesDepth = false;   ///< recordSceneCopy() hands the scene's in, of `depth`'s format
 };
 
 /// Whether the tests' device has its formats and samples.

@@ -146,6 +146,12 @@ HostShape fourSamples() {
     return shape;
 }
 
+HostShape resolvingScene(HostShape shape, const char* name) {
+    shape.name = name;
+    shape.resolvesScene = true;
+    return shape;
+}
+
 HostShape flipped() {
     HostShape shape = named("Flipped");
     shape.flipped = true;
@@ -206,6 +212,8 @@ std::vector<Case> cases() {
         {fourSamples(), edges, 0.02f},
         {inPass(fourSamples(), "RenderPassFourSamples"), edges, 0.02f},
         {inSecondaries(fourSamples(), "SecondariesFourSamples"), edges, 0.02f},
+        {resolvingScene(fourSamples(), "FourSamplesOfAResolvedScene"), edges, 0.02f},
+        {inPass(resolvingScene(fourSamples(), ""), "RenderPassFourSamplesOfAResolvedScene"), edges, 0.02f},
         {flipped(), rounding, 0.004f},
         {inPass(flipped(), "RenderPassFlipped"), rounding, 0.004f},
         {named("ForwardDepth"), rounding, 0.004f, false, 0},

@@ -1,5 +1,7 @@
 #include "tests/gpu/multisampled_scene.h"
 
+#include <algorithm>
+
 #include "host/layouts.h"
 #include "host/pipeline.h"
 #include "spirv/fill_sample.frag.h"
@@ -163,16 +165,23 @@ bool canMultisample(VkSampleCountFlagBits samples) {
 }
 
 MultisampledScene drawMultisampled(const Camera& camera, const std::vector<Box>& boxes,
-                                   VkSampleCountFlagBits samples) {
+                                   VkSampleCountFlagBits samples, const Radiances* radiances) {
     const VkExtent2D extent = {camera.width, camera.height};
     MultisampledScene scene;
     scene.color = attachment(colorFormat, extent, samples, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
     scene.depth = attachment(depthFormat, extent, samples, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
     SampleFiller filler;
     std::vector<float> mean(size_t{extent.width} * extent.height * 4, 0.0f);
+    scene.things.resize(size_t{extent.width} * extent.height);
     const std::vector<glm::dvec2> places = samplePlaces(samples);
     for (uint32_t i = 0; i < places.size(); ++i) {
-        const TracedView traced = tracedAt(camera, boxes, places[i]);
+        TracedView traced = tracedAt(camera, boxes, places[i]);
+        for (size_t pixel = 0; pixel < traced.depth.size(); ++pixel) {
+            const bool thing = traced.depth[pixel] != (camera.reversed ? 0.0f : 1.0f);
+            scene.things[pixel] += thing;
+            if (radiances)
+                std::fill_n(&traced.color[pixel * 4], 3, thing ? radiances->things : radiances->nothing);
+        }
         filler.fill(scene, samples, i, traced);
         for (size_t c = 0; c < mean.size(); ++c)
             mean[c] += traced.color[c] / static_cast<float>(places.size());

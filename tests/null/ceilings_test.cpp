@@ -48,6 +48,7 @@ constexpr Ceiling kernels[] = {
     {"seen_tiles.comp", 24},
     {"single_sample_color.comp", 16},
     {"single_sample_depth.comp", 16},
+    {"single_sample_resolved.comp", 32},
     {"stretch.comp", 32},
     {"temporal.comp", 104},
     {"tiles.comp", 24},

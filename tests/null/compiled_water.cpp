@@ -189,8 +189,9 @@ void CompiledWater::makeKernels() {
               BlurKernel, StretchKernel, EdgeReachKernel, TemporalKernel, OverlayKernel,
               PlanarKernelOf<PlanarForm::inPlace>, PlanarKernelOf<PlanarForm::apart>,
               PlanarKernelOf<PlanarForm::resolved>, PlanarKernelOf<PlanarForm::multisampled>,
-              DepthSampleKernel, ColorSampleKernel, FoamKernel, CastKernel, CastOnShoreKernel, GatherKernel,
-              CausticBlurKernel, ShadowedCausticBlurKernel, UnseenTilesKernel>(*context_);
+              DepthSampleKernel, ColorSampleKernel, ResolvedColorKernel, FoamKernel, CastKernel,
+              CastOnShoreKernel, GatherKernel, CausticBlurKernel, ShadowedCausticBlurKernel,
+              UnseenTilesKernel>(*context_);
     for (const VkFormat format : {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16_SFLOAT}) {
         gpu::MipChain chain;
         (void)chain.create(*context_, format);

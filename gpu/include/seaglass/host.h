@@ -139,9 +139,9 @@ struct ViewDesc {
     /// as R16_UNORM or R32_SFLOAT. What the format cannot tell apart from the plane counts as lying on it.
     ///
     /// Where it is multisampled, reflections and refraction take sample 0 of each pixel, with that sample's
-    /// colour where the colour is multisampled alike; else the host hands in resolved colour. A view then
-    /// holds 4 bytes a pixel of sceneDepth more, and 8 more for multisampled colour, once for all reflectors
-    /// and bodies of a context.
+    /// colour where the colour is multisampled alike; else the host hands in resolved colour, of which along
+    /// edges the next pixel of the same surface is taken. A view then holds 12 bytes a pixel more, once for
+    /// all reflectors and bodies of a context.
     Image sceneDepth;
     uint32_t viewIndex = 0; ///< 0..7: which view of this frame, so that each keeps its own images
     /// Optional: unit normals of the surface in the world (x, y, z of RGBA16F, RGBA32F or RGBA8_SNORM) at the
