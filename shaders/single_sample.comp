@@ -24,12 +24,13 @@ float nearnessAt(ivec2 pixel, int index) {
 // How many of a pixel's samples lie about as far away: on one surface.
 int samplesBeside(ivec2 pixel, float nearness) {
     const float beside = 0.1;   // of the distance
+    int all = textureSamples(samples);
     int count = 0;
     int i = 0;
     do {
         float there = nearnessAt(pixel, i);
         if (abs(there - nearness) <= beside * max(there, nearness)) ++count;
-    } while (++i < textureSamples(samples));
+    } while (++i < all);
     return count;
 }
 
