@@ -18,10 +18,10 @@ if(SEAGLASS_FFTW)
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/seaglass)
 endif()
 
-# What a host's own shaders include to look reflections up.
+# What a host's own shaders include to look reflections up, and to lie in the water's fog.
 set(glsl_dir ${CMAKE_INSTALL_DATADIR}/seaglass/glsl)
-foreach(name blur info source texels)
-  install(FILES ${seaglass_GLSL_DIR}/reflection_${name}.glsl DESTINATION ${glsl_dir})
+foreach(name medium reflection_blur reflection_info reflection_source reflection_texels)
+  install(FILES ${seaglass_GLSL_DIR}/${name}.glsl DESTINATION ${glsl_dir})
 endforeach()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/seaglassConfig.cmake.in

@@ -46,7 +46,6 @@ float calmPixelWidth() {
 layout(constant_id = 4) const bool lightsCrests = false;
 layout(constant_id = 5) const uint dryRooms = 0;   // water/dry_rooms.h: roomsPacked()
 layout(constant_id = 10) const bool tilted = false;
-layout(constant_id = 16) const bool skyHasColors = false;   // in place of the cube, which is then not read
 #include "globe.glsl"
 
 // Of what is level at the pixel. On a globe light is reckoned in these, the sky's too, which is that of each place; the eye,
@@ -64,6 +63,9 @@ vec3 inWorld(vec3 direction) {
     return tilted ? worldFromBody * direction : direction;
 }
 
+#include "near_plane.glsl"
+#include "sky_seen.glsl"
+#include "surface_fog.glsl"
 #include "footprint.glsl"
 #include "surface_point.glsl"
 #include "visible_slopes.glsl"
@@ -82,7 +84,6 @@ vec3 inWorld(vec3 direction) {
 #endif
 #ifdef REFRACTION
 #include "underwater_light.glsl"
-#include "near_plane.glsl"
 #include "waterline.glsl"
 #include "surface_below.glsl"
 #endif
@@ -157,6 +158,7 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
 
 void main() {
     loadSurface();
+    loadFog();
     heightHere = meshPosition.y + plane.w;
     position = vec3(meshPosition.x, meshPosition.y - globeDrop(meshCalm), meshPosition.z);
     findSideSeen();
@@ -204,6 +206,7 @@ void main() {
         return;
     }
 #endif
+    findAirBefore();
     Reflection mirror = reflected(s, toEye);
     float entering = 1.0 - mirror.fresnel + mirror.swallowed;
     float path;
@@ -227,6 +230,7 @@ void main() {
 #ifdef FOAM
     radiance = withFoam(radiance, white, s, toEye, mirror.radiance, ahead);
 #endif
+    if (hasFog) radiance = fogged(radiance, (1.0 - foamShare) * (mirror.sceneOverFog + entering * bedOverFog));
 #if defined(SHORE) && defined(REFRACTION)
     // Wet sand dries, and water thins out into it.
     vec3 dry = linearOf(texelFetch(sceneColor, ivec2(gl_FragCoord.xy + sceneShift), 0).rgb);

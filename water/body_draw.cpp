@@ -116,7 +116,8 @@ SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDes
             !waves && reflector && reflector->desc.blurLevels == 0 ? images.downscale : 0,
             bed ? bed->downscale : 0,
             shading.fresnel == Fresnel::schlick,
-            lighting.skyCube == VK_NULL_HANDLE};
+            lighting.skyCube == VK_NULL_HANDLE,
+            fogKind(lighting.fog)};
 }
 
 SurfaceFeatures Body::motionFeatures() const {

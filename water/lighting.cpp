@@ -58,6 +58,20 @@ const char* badSky(const LightingDesc& lighting) {
     return nullptr;
 }
 
+const char* badField(const FogDesc& fog) {
+    if (fog.shape < FogShape::linear || fog.shape > FogShape::height) return "FogDesc.shape is no FogShape";
+    if (!(fog.density >= 0 && fog.density <= 1000))
+        return "FogDesc.density is out of range, expected 0 to 1000";
+    if (!(fog.start >= 0 && fog.end <= 1e9f && fog.start < fog.end))
+        return "FogDesc.start and end are no range, expected 0 <= start < end <= 1e9";
+    if (!(fog.falloff >= 0 && fog.falloff <= 10)) return "FogDesc.falloff is out of range, expected 0 to 10";
+    if (!(std::abs(fog.baseHeight) <= 1e6)) return "FogDesc.baseHeight is out of range, expected -1e6 to 1e6";
+    if (!canBeLight(fog.color)) return "FogDesc.color is negative or not finite";
+    if (!(fog.fromSky >= 0 && fog.fromSky <= 1)) return "FogDesc.fromSky is out of range, expected 0 to 1";
+    if (!(fog.most >= 0 && fog.most <= 1)) return "FogDesc.most is out of range, expected 0 to 1";
+    return nullptr;
+}
+
 } // namespace
 
 const char* badField(const LightingDesc& lighting) {
@@ -67,7 +81,14 @@ const char* badField(const LightingDesc& lighting) {
     if (!(std::abs(squared - 1) < 1e-3)) return "LightingDesc.toSun is not a unit vector";
     if (!canBeLight(lighting.sunIrradiance)) return "LightingDesc.sunIrradiance is negative or not finite";
     if (!canBeLight(lighting.skyIrradiance)) return "LightingDesc.skyIrradiance is negative or not finite";
+    if (lighting.fog)
+        if (const char* bad = badField(*lighting.fog)) return bad;
     return lighting.shadow ? badField(*lighting.shadow) : nullptr;
+}
+
+uint32_t fogKind(const FogDesc* fog) {
+    if (!fog) return 0;
+    return static_cast<uint32_t>(fog->shape) | (fog->overSky ? 8u : 0u) | (fog->fromSky > 0 ? 16u : 0u);
 }
 
 void setSunShadow(SurfaceUniforms& uniforms, const SunShadow& shadow, const BodyFrame& frame,

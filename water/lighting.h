@@ -9,6 +9,10 @@ namespace seaglass {
 /// Null, or what is wrong.
 const char* badField(const LightingDesc& lighting);
 
+/// Which code the surface has for it, as shaders/common/surface_fog.glsl reads it: the shape, 8 where it lies
+/// over the sky, 16 where its colour is the sky's. 0: none.
+uint32_t fogKind(const FogDesc* fog);
+
 /// For a body in these axes, and points relative to an `eye` in them.
 void setSunShadow(SurfaceUniforms& uniforms, const SunShadow& shadow, const BodyFrame& frame,
                   const glm::dvec3& eye);

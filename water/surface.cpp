@@ -241,7 +241,8 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                                   variant.features.skyColors,
                                   variant.features.sceneEncoded,
                                   target.encoding == Encoding::srgb,
-                                  variant.features.manySamples};
+                                  variant.features.manySamples,
+                                  variant.features.fog};
     return createDrawPipeline(device, target,
                               {vertexShader(variant.features, target.viewMask != 0),
                                fragmentShader(variant.features), constants,

@@ -42,6 +42,7 @@ struct SurfaceFeatures {
     uint32_t bedDownscale = 0;    ///< only with refraction: of the bed's picture it looks at; 0: at none
     bool schlick = false;         ///< in place of the exact formula
     bool skyColors = false;       ///< in place of the sky's cube
+    uint32_t fog = 0;             ///< fogKind()
     bool motion = false;          ///< beside it waves, shore, shape and dryRooms alone
     bool sceneEncoded = false;    ///< only with refraction: what is read of the scene
     bool manySamples = false;     ///< only with refraction: of the scene's depth

@@ -111,6 +111,7 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
     }
     const bool sunShines = u.toSun.y > 0 && glm::vec3(u.sunIrradiance) != glm::vec3(0);
     if (lighting.shadow && sunShines) setSunShadow(u, *lighting.shadow, body.frame, geometry.eye);
+    if (lighting.fog) u.fog = fogBlock(*lighting.fog, (body.frame.worldFromBody * geometry.eye).y);
     u.skyMips = static_cast<float>(lighting.skyCubeMipLevels);
     u.sceneShift = glm::vec2(geometry.sceneShift);
     u.region = glm::ivec4(geometry.regionOrigin, geometry.regionSize);

@@ -79,6 +79,7 @@ struct SurfaceUniforms {
     glm::vec4 skyZenith{0}; ///< radiance of a sky without a cube
     glm::vec4 skyHorizon{0};
     glm::vec4 skyGround{0};
+    FogBlock fog{};
 };
 
 struct BedPicture;

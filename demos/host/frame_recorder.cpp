@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "host/fog.h"
+#include "host/fog_uniforms.h"
 #include "host/seaglass_view.h"
 
 namespace demos {
@@ -51,6 +53,7 @@ bool FrameRecorder::load(const Scene& scene, LoadedScene& out, Error& error) {
         !shadow_.prepare(*device_, layouts_, out.meshes, error) || !createFrameSet(out.sky, out.frame, error))
         return false;
     out.bounds = worldBounds(out.meshes);
+    if (scene.fog && !fogOf(*scene.fog, out.fog.emplace(), error)) return false;
     const std::optional<SurfaceDesc> surface = surfaceOf(scene);
     return !surface || addSurface(*surface, out, error);
 }
@@ -150,6 +153,7 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
     camera_.toldProjection = mistaken(camera_.projection, frame.mistake);
     shadowFits_ = fitShadows(scene.bounds, camera_, scene.sky.sun.direction, surface_->sun);
     lighting_ = lightingOf(scene.sky);
+    lighting_.fog = scene.fog ? &*scene.fog : nullptr;
     if (sunShadowOf(shadow_, shadowFits_, camera_.eye, sunShadow_)) lighting_.shadow = &sunShadow_;
     writeUniforms();
     return water_.beginFrame(error) && mirror_.beginFrame(error);
@@ -161,6 +165,10 @@ void FrameRecorder::writeUniforms() {
     setSkyUniforms(scene_->sky, camera_, targets_.extent, uniforms_);
     setShadowUniforms(shadowFits_, uniforms_);
     setBentUniforms(surface_->sun, camera_.eye, uniforms_);
+    if (scene_->fog) {
+        const bool hasWater = water() && *water();
+        setFogUniforms(*scene_->fog, camera_, hasWater ? &surface_->sun : nullptr, uniforms_);
+    }
     std::memcpy(scene_->frame.uniforms.mapped, &uniforms_, sizeof(uniforms_));
 }
 

@@ -25,6 +25,7 @@ struct Surface {
 /// A scene as it lies on the device.
 struct LoadedScene {
     Sky sky;
+    std::optional<seaglass::FogDesc> fog;
     MeshSet meshes;
     std::vector<Box> bounds;
     FrameSet frame;

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "host/resources.h"
+#include "seaglass/fog.h"
 
 namespace demos {
 
@@ -27,6 +28,8 @@ struct FrameUniforms {
     glm::vec4 waterPlane, waterAcross, waterAlong, sunShear;
     glm::vec4 sunStrays[2];
     glm::vec4 sight;
+    seaglass::FogBlock fog;
+    glm::vec4 fogEye, fogSight, fogWater;
 };
 
 /// What follows from eye-relative positions' way to clip space, with reversed depth.

@@ -2,6 +2,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "host/fog_uniforms.h"
 #include "host/rendering.h"
 #include "seaglass/record.h"
 
@@ -34,6 +35,7 @@ FrameUniforms otherUniforms(const FrameUniforms& frame, const Camera& camera, co
     const glm::dmat4 toFrame = glm::translate(glm::dmat4(1), eye.position - camera.eye);
     for (glm::mat4& shadow : uniforms.shadowFromEye) shadow = glm::mat4(glm::dmat4(shadow) * toFrame);
     moveBentUniforms(eye.position - camera.eye, uniforms);
+    moveFogUniforms(eye.position - camera.eye, uniforms);
     return uniforms;
 }
 

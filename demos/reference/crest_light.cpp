@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/air.h"
 #include "reference/facet.h"
 #include "reference/optics.h"
 #include "reference/water_light.h"
@@ -59,8 +60,8 @@ glm::vec3 fromSky(const Frame& frame, const glm::vec3& at, const glm::vec3& alon
     const glm::vec3 outward = glm::refract(direction, way.facet.normal, waterIndex);
     const float cosine = glm::dot(direction, along);
     const float counts = scattersForwards(cosine) / phase(cosine) * (1 - fresnel) * way.facet.weight;
-    const glm::vec3 sky =
-        frame.world->light.sky(glm::normalize(glm::vec3(outward.x, std::abs(outward.y), outward.z)));
+    const glm::vec3 up = glm::normalize(glm::vec3(outward.x, std::abs(outward.y), outward.z));
+    const glm::vec3 sky = skyThroughAir(frame, way.hit.position, up, frame.world->light.sky(up));
     return counts * glm::exp(-waterLightOf(frame).extinction() * way.hit.distance) * (sky - behind);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "reference/air.h"
 #include "reference/shade_bed.h"
 #include "reference/shade_floor.h"
 #include "reference/shade_water.h"
@@ -11,12 +12,14 @@ namespace demos::reference {
 
 namespace {
 
-glm::vec3 background(const Frame& frame, const glm::vec3& direction) {
+glm::vec3 background(const Frame& frame, const Ray& ray) {
+    const glm::vec3& direction = ray.direction;
     const Light& light = frame.world->light;
     const auto soft = static_cast<float>(softEdgeOfSun(static_cast<double>(frame.pixelAngle)));
     const glm::vec3 sun =
         light.sunDisc(direction, frame.desc.samples > 1 ? 0.1f * static_cast<float>(sunRadius) : soft);
-    return glm::min(light.sky(direction) + sun, glm::vec3(60000));
+    const glm::vec3 sky = glm::min(light.sky(direction) + sun, glm::vec3(60000));
+    return skyThroughAir(frame, ray.origin + ray.nearest * direction, direction, sky);
 }
 
 } // namespace
@@ -33,14 +36,16 @@ void PixelSum::add(const Frame& frame, uint32_t x, uint32_t y, uint32_t sample) 
     ++count_;
     Hit hit;
     if (!frame.geometry.trace(ray, Kind::everything, hit)) {
-        sum_ += ray.inWater ? endlessWater(frame, ray) : background(frame, ray.direction);
+        sum_ += ray.inWater ? endlessWater(frame, ray) : background(frame, ray);
     } else if (hit.kind == Kind::opaque) {
-        sum_ += ray.inWater ? bedInWater(frame, ray, hit, chance) : shadeHit(frame, ray, hit, chance);
+        sum_ += ray.inWater ? bedInWater(frame, ray, hit, chance)
+                            : throughAirToEye(frame, ray, hit, shadeHit(frame, ray, hit, chance));
     } else if (frame.world->floor) {
-        sum_ += shadeFloor(frame, ray, hit, chance);
+        sum_ += throughAirToEye(frame, ray, hit, shadeFloor(frame, ray, hit, chance));
     } else {
         const WaterRadiance water = shadeWater(frame, ray, hit, mostBounces, chance);
-        waterSum_ += water.radiance;
+        waterSum_ +=
+            ray.inWater ? water.radiance : throughAirToEye(frame, ray, hit, water.radiance, water.weight);
         waterWeight_ += water.weight;
         ++waterCount_;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/air.h"
 #include "reference/ggx.h"
 #include "reference/shade_water.h"
 
@@ -31,9 +32,12 @@ Ray mirroredRay(const Ray& ray, const Hit& hit, const glm::vec3& facet) {
 /// A floor is flat, and never sees itself.
 glm::vec3 radianceOf(const Frame& frame, const Ray& mirrored, bool withSun, Random* random) {
     Hit hit;
-    if (frame.geometry.trace(mirrored, Kind::opaque, hit)) return shadeHit(frame, mirrored, hit, random);
+    if (frame.geometry.trace(mirrored, Kind::opaque, hit))
+        return throughAir(frame, mirrored.origin, mirrored.direction, hit.distance,
+                          shadeHit(frame, mirrored, hit, random));
     const Light& light = frame.world->light;
-    const glm::vec3 sky = light.sky(mirrored.direction);
+    const glm::vec3 sky =
+        skyThroughAir(frame, mirrored.origin, mirrored.direction, light.sky(mirrored.direction));
     constexpr float sharp = 0.1f * static_cast<float>(sunRadius);
     return withSun ? sky + light.sunDisc(mirrored.direction, sharp) : sky;
 }

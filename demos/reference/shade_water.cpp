@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/air.h"
 #include "reference/crest_light.h"
 #include "reference/facet.h"
 #include "reference/foam_pattern.h"
@@ -33,7 +34,8 @@ glm::vec3 mirrored(const Frame& frame, const Ray& ray, const Hit& hit, const Fac
     }
     if (bounces == 0) {
         const glm::mat3 level = frame.levelAt(hit.position);
-        return kept * frame.world->light.sky(keptAbove(direction * level));
+        const glm::vec3 up = keptAbove(direction * level);
+        return kept * skyThroughAir(frame, hit.position, up, frame.world->light.sky(up));
     }
     return kept * radianceAlong(frame, bentRay(ray, hit, facet.up, direction), bounces - 1, random);
 }
@@ -173,17 +175,22 @@ glm::vec3 radianceAlong(const Frame& frame, const Ray& ray, int bounces, Random*
     Hit hit;
     if (!frame.geometry.trace(ray, Kind::everything, hit)) {
         if (ray.inWater) return endlessWater(frame, ray);
-        const glm::vec3 sky = frame.skyFrom(ray.origin, ray.direction);
+        const glm::vec3 sky =
+            skyThroughAir(frame, ray.origin, ray.direction, frame.skyFrom(ray.origin, ray.direction));
         return frame.surface.flat() ? sky + light.sunDisc(ray.direction, 0.1f * static_cast<float>(sunRadius))
                                     : sky;
     }
     if (hit.kind == Kind::opaque) {
-        return ray.inWater ? bedInWater(frame, ray, hit, random) : shadeHit(frame, ray, hit, random);
+        if (ray.inWater) return bedInWater(frame, ray, hit, random);
+        return throughAir(frame, ray.origin, ray.direction, hit.distance, shadeHit(frame, ray, hit, random));
     }
     // Weights are 1 on the mean. What one sample of a bounce may count is bounded, or it would be seen as a
     // spark.
     const WaterRadiance water = shadeWater(frame, ray, hit, bounces, random);
-    return water.radiance / std::max(water.weight, 1.0f);
+    const glm::vec3 radiance = water.radiance / std::max(water.weight, 1.0f);
+    return ray.inWater ? radiance
+                       : throughAir(frame, ray.origin, ray.direction, hit.distance, radiance,
+                                    std::min(water.weight, 1.0f));
 }
 
 } // namespace demos::reference

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/air.h"
 #include "reference/facet.h"
 #include "reference/foam_pattern.h"
 #include "reference/optics.h"
@@ -33,7 +34,8 @@ glm::vec3 aboveWater(const Frame& frame, const Ray& ray, const Hit& hit, const F
     const glm::vec3 direction =
         keptOn(-facet.up, glm::normalize(glm::refract(ray.direction, facet.normal, waterIndex)));
     const Ray out = bentRay(ray, hit, -facet.up, direction);
-    return bounces == 0 ? frame.world->light.sky(direction) : radianceAlong(frame, out, bounces - 1, random);
+    if (bounces > 0) return radianceAlong(frame, out, bounces - 1, random);
+    return skyThroughAir(frame, out.origin, direction, frame.world->light.sky(direction));
 }
 
 /// sunThrough() of shaders/common/surface_below.glsl, of slopes with this mean and covariance: Walter et al.

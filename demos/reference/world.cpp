@@ -3,6 +3,7 @@
 #include "host/dry_rooms.h"
 #include "host/extent.h"
 #include "host/floor_texture.h"
+#include "host/fog.h"
 #include "host/placement.h"
 #include "host/shore.h"
 #include "host/waves.h"
@@ -12,6 +13,7 @@ namespace demos::reference {
 bool loadWorld(const Scene& scene, World& out, Error& error) {
     std::optional<SkyImage> image = readSkyImage(scene.sky, error);
     if (!image || !makeLight(std::move(*image), scene.sky, scene.sun, out.light, error)) return false;
+    if (scene.fog && !fogOf(*scene.fog, out.fog.emplace(), error)) return false;
     for (const MeshDesc& desc : scene.meshes) {
         auto known = out.models.find(desc.file);
         if (known == out.models.end()) {

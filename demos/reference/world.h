@@ -26,6 +26,7 @@ struct World {
     std::vector<Instance> instances;
     std::vector<std::string> leftOut; ///< Mesh::leftOut, behind the file's name
     Light light;
+    std::optional<seaglass::FogDesc> fog;
     std::optional<WaterDesc> water;
     seaglass::BodyFrame frame; ///< of the water: all is traced in its axes, in which it is level
     double levelM = 0;         ///< of the water in them

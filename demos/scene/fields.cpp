@@ -86,6 +86,23 @@ constexpr std::array sunFields = {
     Field{"irradiance", at<&SunDesc::irradiance>, 0, 1e6, "", "red, green, blue"},
 };
 
+constexpr std::array<std::string_view, 4> fogShapes = {"linear", "exponential", "exponential-squared",
+                                                       "height"};
+
+constexpr std::array fogFields = {
+    Field{"shape", at<&FogDesc::shape>, 0, 0, "", "how it grows with distance", false, Rule::none, fogShapes},
+    Field{"density_per_m", at<&FogDesc::densityPerM>, 0, 1000, "1/m",
+          "of all but linear; height: at its base"},
+    Field{"start_m", at<&FogDesc::startM>, 0, 1e8, "m", "linear: where it begins"},
+    Field{"end_m", at<&FogDesc::endM>, 0, 1e9, "m", "linear: where it hides all", false, Rule::positive},
+    Field{"falloff_per_m", at<&FogDesc::falloffPerM>, 0, 10, "1/m", "height: how fast it thins out upwards"},
+    Field{"base_height_m", at<&FogDesc::baseHeightM>, -far, far, "m", "height: where it has its density"},
+    Field{"color", at<&FogDesc::color>, 0, 1e6, "", "radiance: red, green, blue"},
+    Field{"from_sky", at<&FogDesc::fromSky>, 0, 1, "", "share of its colour that is the sky's instead"},
+    Field{"most", at<&FogDesc::most>, 0, 1, "", "share of light that it takes at most"},
+    Field{"over_sky", at<&FogDesc::overSky>, 0, 0, "", "lies before the sky, too"},
+};
+
 constexpr std::array meshFields = {
     Field{"file", at<&MeshDesc::file>, 0, 0, "", "glTF file", required},
     Field{"position_m", at<&MeshDesc::positionM>, -far, far, "m", "of the mesh's origin"},
@@ -279,6 +296,7 @@ constexpr std::array sceneFields = {
 
 constexpr Section sky = {"sky", skyFields, {}, "the light from afar"};
 constexpr Section sun = {"sun", sunFields, {}, "the light from one direction"};
+constexpr Section fog = {"fog", fogFields, {}, "fog in the air; without it there is none"};
 constexpr Section mesh = {"mesh", meshFields, {}, "a glTF model"};
 constexpr Section swells = {"swells", swellFields, {}, "waves from afar, four systems at most"};
 constexpr std::array wavesChildren = {Child{&swells, open<&WavesDesc::swells>, true}};
@@ -326,6 +344,7 @@ constexpr Section camera = {"camera", cameraFields, {}, "a place to look from"};
 constexpr std::array sceneChildren = {
     Child{&sky, open<&Scene::sky>, false, required},
     Child{&sun, open<&Scene::sun>},
+    Child{&fog, open<&Scene::fog>},
     Child{&mesh, open<&Scene::meshes>, true},
     Child{&water, open<&Scene::water>},
     Child{&floor, open<&Scene::floor>},

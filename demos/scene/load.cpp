@@ -513,6 +513,16 @@ bool checkFloor(const Scene& scene, const toml::table& root, Reader& reader) {
                        "floor.normal has no length, expected a direction, such as [0, 1, 0]");
 }
 
+bool checkFog(const Scene& scene, const toml::table& root, Reader& reader) {
+    if (!scene.fog || scene.fog->startM < scene.fog->endM) return true;
+    const toml::table& table = *root["fog"].as_table();
+    const char* const keys[] = {"start_m", "end_m"};
+    const char* const set = firstOf(table, keys);
+    return reader.fail(place(*table.get(set), reader.file()),
+                       std::string("fog.") + set +
+                           " leaves no way from fog.start_m to fog.end_m, expected a start before the end");
+}
+
 /// Where meshes and sky were named, for those who will find out whether they can be read.
 void rememberPlaces(Scene& scene, const toml::table& root, const std::string& file) {
     scene.sky.where = place(*root["sky"]["file"].node(), file) + ": sky.file";
@@ -578,7 +588,8 @@ std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::stri
     if (!reader.read(root, sceneSection(), &scene, "", "")) return std::nullopt;
     if (!checkCameras(scene, root, reader) || !checkWater(scene, root, reader) ||
         !checkRefraction(scene, root, reader) || !checkExtent(scene, root, reader) ||
-        !checkWaves(scene, root, reader) || !checkFloor(scene, root, reader))
+        !checkWaves(scene, root, reader) || !checkFloor(scene, root, reader) ||
+        !checkFog(scene, root, reader))
         return std::nullopt;
     rememberPlaces(scene, root, file.string());
     return scene;

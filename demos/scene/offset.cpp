@@ -29,6 +29,7 @@ void applyOffset(Scene& scene, CameraDesc& camera) {
     if (scene.water && scene.water->shore) move(scene.water->shore->positionM);
     if (scene.water)
         for (DryRoomDesc& room : scene.water->dryRooms) move(room.positionM);
+    if (scene.fog) scene.fog->baseHeightM += offset[1];
     if (scene.floor) move(scene.floor->pointM);
     move(camera.positionM);
     move(camera.targetM);

@@ -38,6 +38,19 @@ struct SunDesc {
     Vec3 irradiance = {3, 3, 3};
 };
 
+/// seaglass::FogDesc, with the host's own of the same.
+struct FogDesc {
+    std::string shape = "exponential"; ///< linear | exponential | exponential-squared | height
+    double densityPerM = 1e-3;         ///< of all but linear; of height at its base
+    double startM = 0, endM = 1000;    ///< of linear
+    double falloffPerM = 0.01;         ///< of height
+    double baseHeightM = 0;            ///< of height
+    Vec3 color = {0.5, 0.5, 0.5};
+    double fromSky = 0; ///< share of its colour that is the sky's
+    double most = 1;    ///< share of light that it takes
+    bool overSky = true;
+};
+
 struct MeshDesc {
     std::filesystem::path file; ///< glTF, absolute
     Vec3 positionM = {0, 0, 0};
@@ -223,6 +236,7 @@ struct Scene {
     double exposureEv = 0; ///< stops added before tone mapping
     SkyDesc sky;
     SunDesc sun;
+    std::optional<FogDesc> fog;
     std::vector<MeshDesc> meshes;
     std::optional<WaterDesc> water;  ///< or
     std::optional<FloorDesc> floor;  ///< but not both

@@ -233,10 +233,14 @@ vec4 bedColorAround(Behind b, mat2 blur, float drop) {
     return sum / weights;
 }
 
+// Of what shines through: overFog().
+vec3 bedOverFog = vec3(0.0);
+
 // A bed of so much light in air, at so much depth.
 vec3 bedThrough(vec3 bed, float depth, float gathered, float path) {
-    bed = litBelow(bed, depth, gathered) / (waterIndex * waterIndex);
-    return bed * exp(-extinction() * path) + waterGlow(vec3(path));
+    vec3 through = litBelow(bed, depth, gathered) / (waterIndex * waterIndex) * exp(-extinction() * path);
+    bedOverFog = overFog(through, through / max(bed, 1e-9));
+    return through + waterGlow(vec3(path));
 }
 
 // What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
@@ -343,10 +347,15 @@ vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out floa
         unknown = bedThrough(bedRadiance(nearest), onMap - position.y - plane.w, gatheredIn(bedColorOf(nearest)),
                              onMap / steepness);
 #endif
+    vec3 unknownOverFog = bedOverFog;
     path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
-    return mix(unknown, bedThrough(bed.rgb, -(found.seen.y + plane.w), gatheredIn(bed), path), known);
+    vec3 through = bedThrough(bed.rgb, -(found.seen.y + plane.w), gatheredIn(bed), path);
+    bedOverFog = mix(unknownOverFog, bedOverFog, known);
+    return mix(unknown, through, known);
 }
 #else
+const vec3 bedOverFog = vec3(0.0);
+
 vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out float blurred) {
     path = 1e6;
     blurred = 0.0;

@@ -2,38 +2,27 @@
 // Fresnel term and weighted by its visible area. Without it the mean normal makes the far sea a mirror of the horizon.
 
 #include "quad.glsl"
-#include "sky_colors.glsl"
 #ifdef REFLECTION
 #include "reflection_lookup.glsl"
 #endif
-
-// Functions of their own: where the sky has colours they are cut out of the shader (water/surface.cpp).
-vec3 cubeAt(vec3 direction, float mip) {
-    return textureLod(skyCube, direction, mip).rgb;
-}
-
-// A host may say more than its view has.
-float cubeMips() {
-    return min(skyMips, float(textureQueryLevels(skyCube)));
-}
 
 // `spread` is the standard deviation of the mirrored direction [rad]. A texel of a cube's mip, read linearly, spreads by
 // 0.65 of its width where each mip is a smooth half of the last (by 0.5 after a box), and is 2 / edge wide amid a face.
 vec3 skyAt(vec3 direction, float spread) {
     // No mirrored ray comes from below the plane, so neither may the blur.
     vec3 kept = inWorld(vec3(direction.x, max(direction.y, spread), direction.z));
-    if (skyHasColors) return skyOfColors(kept, spread);
+    if (skyHasColors) return foggedSky(skyOfColors(kept, spread), direction);
     vec3 size = abs(inWorld(direction));
     float mips = cubeMips();
     float texel = 2.0 * max(max(size.x, size.y), size.z) / exp2(mips - 1.0);
     float mip = clamp(log2(max(spread / (0.65 * texel), 1.0)), 0.0, max(mips - 2.0, 0.0));
-    return cubeAt(kept, mip);
+    return foggedSky(cubeAt(kept, mip), direction);
 }
 
 // Without a blur.
 vec3 skyAlong(vec3 direction) {
-    if (skyHasColors) return skyOfColors(inWorld(direction), 0.0);
-    return cubeAt(inWorld(direction), 0.0);
+    if (skyHasColors) return foggedSky(skyOfColors(inWorld(direction), 0.0), direction);
+    return foggedSky(cubeAt(inWorld(direction), 0.0), direction);
 }
 
 vec3 keptAbove(vec3 direction) {
@@ -44,6 +33,7 @@ struct Reflection {
     vec3 radiance;    // times Fresnel
     float fresnel;
     float swallowed;  // of that, what another wave lets in
+    vec3 sceneOverFog;   // of the radiance: overFog()
 };
 
 // Of the scene, times confidence, and confidence. `hit` is how far away the last ray beside this one met something [m].
@@ -156,7 +146,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     SlopeSpread seen = slopeSpread(v);
     float spread = lookWidth() * seen.deviation + s.slopeStep;   // and from this pixel to the next
     float spreadAside = 2.0 * deviationAcross(s, v.towards) + s.slopeStep;
-    Reflection sum = Reflection(vec3(0.0), 0.0, 0.0);
+    Reflection sum = Reflection(vec3(0.0), 0.0, 0.0, vec3(0.0));
     vec4 met = vec4(0.0);   // rays that meet another wave, times their weight, and that
     vec4 found = vec4(0.0);
     float hit = firstHit();
@@ -182,6 +172,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
         vec3 ray = keptAbove(mix(total.xyz / max(total.w, 1e-6), ofShare, share));
         found = meanFound(mirroredScene(ray, spread, hit), share);
         sum.radiance += clear.w * found.rgb;
+        sum.sceneOverFog += clear.w * overFog(found.rgb, vec3(found.a));
         if (found.a < 0.999 && clear.w > 1e-6)
             sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, max(spreadAside * cosines / max(total.w, 1e-6), skyBlurred * spread));
         sum.fresnel += total.w;
@@ -192,6 +183,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
         vec3 facet = facetMet(direction);
         float keeps = met.w * mirroredShare(dot(-direction, facet));
         sum.radiance += keeps * (found.rgb + (1.0 - found.a) * skyAt(keptAbove(reflect(direction, facet)), 0.5 * spread));
+        sum.sceneOverFog += keeps * overFog(found.rgb, vec3(found.a));
         sum.swallowed = met.w - keeps;
     }
     return sum;
@@ -204,6 +196,6 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     vec4 found = mirroredScene(direction, 0.0, hit);
     vec3 mirrored = found.rgb;
     if (found.a < 0.999) mirrored += (1.0 - found.a) * skyAlong(direction);
-    return Reflection(fresnel * mirrored, fresnel, 0.0);
+    return Reflection(fresnel * mirrored, fresnel, 0.0, fresnel * overFog(found.rgb, vec3(found.a)));
 }
 #endif

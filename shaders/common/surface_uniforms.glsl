@@ -97,6 +97,9 @@ layout(set = 0, binding = 0, std140) uniform Surface {
     vec3 skyZenith;
     vec3 skyHorizon;
     vec3 skyGround;
+    vec4 fogColor;   // SeaglassFog of medium.glsl
+    vec4 fogForm;
+    vec4 fogReach;
 } stored;
 
 // Before anything else.

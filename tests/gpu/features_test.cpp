@@ -40,6 +40,7 @@ struct Water {
         desc.shading.waveShadowSteps = 8;
         desc.shading.relief = true;
         shape.sunShadow = true;
+        shape.fog = true;
         // 3 m around (20, -20), where the eye is not.
         rooms = {{{{1, 0, 0, -23}, {-1, 0, 0, 17}, {0, 0, 1, 17}, {0, 0, -1, -23}, {0, -1, 0, -2}}}};
     }
@@ -203,6 +204,7 @@ TEST_F(Features, ThatAreOffAreGone) {
         // Its shader's places for the bed's images hold the scene's, and are not read.
         {"bed", [](Water& w) { w.desc.bed = nullptr; }, {&memory, &objects, &reads, &code}},
         {"sun shadow", [](Water& w) { w.shape.sunShadow = false; }, {&bound, &reads, &code}},
+        {"fog", [](Water& w) { w.shape.fog = false; }, {&reads, &code}},
         {"extent", [](Water& w) { w.desc.extent = {}; }, {&code}},
         {"globe",
          [](Water& w) { w.desc.extent.planetRadius = 0; },

@@ -242,6 +242,9 @@ void ShapedHost::createLight() {
     for (float& value : lighting_.sunIrradiance) value = 0.5f;
     for (float& value : lighting_.skyIrradiance) value = 0.5f;
     if (shape_.sunShadow) createSunShadow();
+    fog_.shape = seaglass::FogShape::height;
+    fog_.fromSky = 0.5f;
+    if (shape_.fog) lighting_.fog = &fog_;
 }
 
 void ShapedHost::createSunShadow() {

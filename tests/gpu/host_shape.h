@@ -28,6 +28,7 @@ struct HostShape {
     bool multiview = false;  ///< all cameras of a frame in one pass
     bool sunShadow = false;  ///< hands in a shadow map, of a sun that nothing hides
     bool depthWrite = true;  ///< by the water
+    bool fog = false;        ///< before the water, partly of the sky's colour
     bool skyCube = true;     ///< else colours
     SceneGiven scene = SceneGiven::traced;
     HostWorld world = everyWorld().front();                   ///< in which its cameras and its sun are
@@ -127,6 +128,7 @@ class ShapedHost {
     demos::Image skyCube_, shadowMap_;
     demos::UniqueImageView shadowView_;
     seaglass::SunShadow sunShadow_;
+    seaglass::FogDesc fog_;
     seaglass::LightingDesc lighting_;
     demos::Unique<VkRenderPass, &vkDestroyRenderPass> renderPass_;
     std::vector<std::unique_ptr<Scene>> scenes_;

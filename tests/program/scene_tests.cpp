@@ -439,6 +439,26 @@ TEST_F(SceneFile, TheOpenSeaMayLieOnAPlanet) {
         << error_.text;
 }
 
+TEST_F(SceneFile, FogIsReadAndBeginsBeforeItEnds) {
+    const std::optional<Scene> none = load({});
+    ASSERT_TRUE(none) << error_.text;
+    EXPECT_FALSE(none->fog);
+    const std::optional<Scene> foggy =
+        load({"fog.density_per_m=0.02", "fog.shape=height", "fog.over_sky=false"});
+    ASSERT_TRUE(foggy) << error_.text;
+    ASSERT_TRUE(foggy->fog);
+    EXPECT_EQ(foggy->fog->densityPerM, 0.02);
+    EXPECT_EQ(foggy->fog->shape, "height");
+    EXPECT_FALSE(foggy->fog->overSky);
+    EXPECT_NE(
+        problemOf("fog.shape=thick").find("expected linear, exponential, exponential-squared or height"),
+        std::string::npos)
+        << error_.text;
+    EXPECT_NE(problemOf("fog.start_m=1000").find("fog.start_m leaves no way from fog.start_m to fog.end_m"),
+              std::string::npos)
+        << error_.text;
+}
+
 TEST_F(SceneFile, FoamNeedsWaves) {
     std::string text = tests::sampleScene();
     const size_t from = text.find("[water.waves]"), to = text.find("[water.foam]");
@@ -588,7 +608,7 @@ std::string fullSample() {
     return withColour("tint = [0.1, 0.2, 0.1]\nvisibility_m = 6") +
            "[[water.waves.swells]]\n[water.extent]\nsize_m = [25, 10]\n" +
            "[water.shore]\nfile = 'tetra.gltf'\n" +
-           "[[water.dry_rooms]]\npoints_m = [[0, 0], [1, 0], [0, 1]]\n";
+           "[[water.dry_rooms]]\npoints_m = [[0, 0], [1, 0], [0, 1]]\n[fog]\nend_m = 1e9\n";
 }
 
 TEST_F(SceneFile, EveryFieldRefusesADate) {

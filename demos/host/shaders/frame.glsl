@@ -18,6 +18,12 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 sunShear;          // on each metre of depth; how deep troughs are [m]
     vec4 sunStrays[2];      // along the surface, a deviation of where waves send rays on each metre of depth; w: their length
     vec4 sight;             // where lines of sight are parallel their direction, and 0; else 0, and 1
+    vec4 fogColor;          // SeaglassFog; its shape 0: none
+    vec4 fogForm;
+    vec4 fogReach;
+    vec4 fogEye;            // whose lines of sight it lies on; w: their near plane's distance
+    vec4 fogSight;          // likewise, as `sight`
+    vec4 fogWater;          // height over the calm water, of positions relative to that eye; under it there is no fog
 } frame;
 
 // Irradiance from the sky on a plane with unit normal n (Ramamoorthi and Hanrahan 2001).

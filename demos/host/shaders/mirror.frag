@@ -12,6 +12,7 @@ layout(set = 1, binding = 1) uniform sampler2D ground;
 layout(set = 1, binding = 2) uniform sampler2D reflectionColor;
 layout(set = 1, binding = 3) uniform sampler2D reflectionInfo;
 
+#include "air.glsl"
 #include "reflection_blur.glsl"
 #include "reflection_texels.glsl"
 
@@ -98,7 +99,8 @@ void main() {
     const float nDotL = dot(n, l), nDotV = max(dot(n, v), 1e-3);
 
     const vec4 scene = sceneHere(nDotV, roughness);
-    const vec3 mirrored = skyAlong(reflect(-v, n), roughness) * (1.0 - scene.a) + scene.rgb;
+    const vec3 upwards = reflect(-v, n);
+    const vec3 mirrored = foggedSky(skyAlong(upwards, roughness), inFromEye.y, upwards) * (1.0 - scene.a) + scene.rgb;
     if (shownOutput != aovColor) {
         vec3 shown = vec3(0.0);
         if (shownOutput == aovReflection) shown = mirrored;
@@ -117,4 +119,8 @@ void main() {
     const float coat = polished.a * fresnel(f0, roughness, nDotV);
     const vec3 radiance = diffuse / pi * light * (1.0 - coat) + mirrored * coat + glint * polished.a;
     outColor = vec4(min(radiance, vec3(60000.0)), 1.0);
+    if (fogShape() == 0) return;
+    // What the scene's picture shows has the fog before it already: of it only what it differs from that by counts.
+    const vec4 air = airBefore(inFromEye);
+    outColor.rgb = mix(air.rgb + coat * (scene.rgb - scene.a * air.rgb), outColor.rgb, air.a);
 }

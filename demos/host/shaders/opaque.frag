@@ -22,6 +22,8 @@ layout(set = 1, binding = 2) uniform sampler2D emissiveMap;
 layout(set = 1, binding = 3) uniform sampler2D normalMap;
 layout(set = 1, binding = 4) uniform sampler2D occlusionMap;
 
+#include "air.glsl"
+
 layout(location = 0) in vec3 inFromEye;
 layout(location = 1) in vec3 inNormal;
 layout(location = 2) in vec2 inUv;
@@ -72,7 +74,7 @@ void main() {
     if (masked && base.a < draw.emissive.w) demote;   // the next look wants the whole quad
     if (dithered && base.a < ditherThreshold(gl_FragCoord.xy, draw.emissive.w, length(inFromEye))) demote;
     if (unlit) {
-        outColor = vec4(base.rgb, 1.0);
+        outColor = vec4(fogged(base.rgb, inFromEye), 1.0);
         return;
     }
     const vec4 mr = texture(surfaceMap, uvOf(1));
@@ -113,5 +115,5 @@ void main() {
     if (inWater > 0.0) mirrored += inWater * facingSky(inFromEye, mirror) / pi;
     const vec3 around = diffuse / pi * facingSky(inFromEye, n) * (1.0 - ambient) + mirrored * ambient;
     radiance += hasOcclusionMap ? around * mix(1.0, texture(occlusionMap, uvOf(4)).r, draw.maps.y) : around;
-    outColor = vec4(min(radiance, vec3(60000.0)), 1.0);
+    outColor = vec4(fogged(min(radiance, vec3(60000.0)), inFromEye), 1.0);
 }

@@ -2,7 +2,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
 
+layout(set = 0, binding = 1) uniform samplerCube skyCube;
 layout(set = 0, binding = 2) uniform sampler2D skyImage;
+
+#include "air.glsl"
 
 layout(location = 0) in vec3 inDirection;
 layout(location = 0) out vec4 outColor;
@@ -16,5 +19,5 @@ void main() {
     const float soft = frame.sunRadiance.w;
     const float disc = 1.0 - smoothstep(sunRadius - soft, sunRadius + soft, length(d - frame.toSun.xyz));
     radiance += frame.sunRadiance.rgb * (frame.toSun.w * disc * smoothstep(-soft, soft, d.y));
-    outColor = vec4(min(radiance, vec3(60000.0)), 1.0);
+    outColor = vec4(foggedSky(min(radiance, vec3(60000.0)), 0.0, d), 1.0);
 }

@@ -6,6 +6,7 @@
 // linear, HDR, in the host's own scale.
 #pragma once
 
+#include "seaglass/fog.h"
 #include "seaglass/version.h"
 
 #include <cstdint>
@@ -198,6 +199,9 @@ struct LightingDesc {
     float skyZenith[3] = {0.08f, 0.16f, 0.32f};
     float skyHorizon[3] = {0.40f, 0.50f, 0.60f}; ///< likewise; all three alike: a sky of one colour
     float skyGround[3] = {0.15f, 0.15f, 0.13f};  ///< likewise
+    /// In the air between the eye, or the near plane of parallel lines of sight, and the water; null: none.
+    /// ViewDesc::sceneColor holds the host's own fog up to what it shows, and is not fogged again.
+    const FogDesc* fog = nullptr;
 };
 
 /// What the sky of a null LightingDesc::skyCube sends from a unit direction, for hosts that draw it.

@@ -1,0 +1,49 @@
+// Fog between the eye and what it sees, as the host has it: for the water's own shading, and as numbers for
+// the host's shaders, which include medium.glsl.
+#pragma once
+
+#include "seaglass/version.h"
+
+#include <cstdint>
+
+namespace seaglass {
+
+/// What share of light `way` metres of fog let through.
+enum class FogShape : uint32_t {
+    linear = 1,         ///< (end - way) / (end - start), 0..1
+    exponential,        ///< exp(-density way)
+    exponentialSquared, ///< exp(-(density way)^2)
+    height, ///< exp(-the integral of density exp(-falloff (y - baseHeight)) along the way), y of the world
+};
+
+/// Of one frame: LightingDesc::fog. It lies in the air alone.
+struct FogDesc {
+    FogShape shape = FogShape::exponential; ///< says which of the next five are read
+    float density = 1e-3f;                  ///< [1/m], 0..1000; of `height` at baseHeight
+    float start = 0, end = 1000;            ///< of `linear` [m]: 0 <= start < end <= 1e9
+    float falloff = 0.01f;                  ///< of `height` [1/m], 0..10; 0: as `exponential`
+    double baseHeight = 0;                  ///< of `height` [m], -1e6..1e6
+
+    float color[3] = {0, 0, 0}; ///< radiance of endless fog; each finite, 0 or more
+    float fromSky = 0; ///< share of that which is the sky's own instead, where the line of sight ends, 0..1
+    float most = 1;    ///< share of light that it takes at most, 0..1
+    /// The host fogs its sky, as if it were endlessly far away, and LightingDesc::skyCube is without: what
+    /// mirrors the sky gets it, too. False: the cube shows the sky as the host does.
+    bool overSky = true;
+};
+
+/// SeaglassFog of medium.glsl, in std140 and std430.
+struct FogBlock {
+    float color[4]; ///< FogDesc's; fromSky
+    float form[4];  ///< density [1/m], falloff [1/m], falloff times the eye's height above baseHeight, most
+    float reach[4]; ///< end [m]; 1 / (end - start) [1/m]; the FogShape; 1 where it lies over the sky
+};
+
+/// For an eye at that y of the world. Any thread.
+FogBlock fogBlock(const FogDesc& desc, double eyeHeight);
+
+/// What share of light passes along `way` metres from y = `from`, that rise by `rise` [m]; endless ways as
+/// 1e9 m. What medium.glsl computes, in double. Any thread.
+double fogTransmittance(const FogDesc& desc, double from, double rise, double way);
+
+} // namespace seaglass
