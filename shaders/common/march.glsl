@@ -236,9 +236,10 @@ bool isBroad(Track track, float share, float seen) {
     return within(track, after, point.z, min(there, seen), max(there, seen));
 }
 
-// Where the ray is within a pixel: beside it something else may show, such as the sky.
+// Where the ray is, or is nearest to the pixel by which it was met: beside that the sky may show, or the bed.
 vec3 shownIn(Track track, float share, vec2 middle) {
     vec3 point = trackPoint(track, share);
+    if (seenAt(track.scene, pixelAt(track.scene, point.xy)).counts) return point;
     return vec3(clamp(point.xy, middle - 0.49, middle + 0.49), point.z);
 }
 
