@@ -96,12 +96,13 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
 #ifdef WAVES
     // From a trough what a flat mirror shows here lies nearer than it is to that mirror.
-    if (direction.y > 0.0 && from.y < -plane.w && t < farAway) t = min(t, towardsShown(from, direction, here, t));
-    vec2 pixel = mirroredPixel(from, direction, t);
-    for (int i = 0; i < rounds; ++i) {
+    bool inTrough = direction.y > 0.0 && from.y < -plane.w && t < farAway;
+    vec2 pixel = inTrough ? here : mirroredPixel(from, direction, t);
+    int i = inTrough ? -1 : 0;
+    [[dont_unroll]] do {
         t = towardsShown(from, direction, pixel, t);
         pixel = mirroredPixel(from, direction, t);
-    }
+    } while (++i < rounds);
     if (t >= farAway) {
         float nearer = towardsShown(from, direction, mix(here, pixel, overNear), t);
         vec2 near = mirroredPixel(from, direction, nearer);

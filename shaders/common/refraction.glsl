@@ -144,6 +144,15 @@ float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
     return clamp(depth / max(1.0 + dot(slope, perDepth.xz), 0.2), 0.0, 1.5 * (position.y - last.seen.y));
 }
 
+// Where the bed has no picture of its own, the scene's may show it in part, or things that float over none. So the ray is
+// looked for in steps first, of so many pixels at the least. A shore has its map.
+#ifdef SHORE
+const int sceneLooks = 0;
+#else
+const int sceneLooks = hasBed || refractionLooks == 1 ? 0 : 2 * refractionLooks + 4;
+#endif
+const float sceneStride = 2.0;
+
 // As much depth as can be seen through [m].
 float seenAsFarAs() {
     vec3 k = extinction();
@@ -243,6 +252,23 @@ vec3 bedThrough(vec3 bed, float depth, float gathered, float path) {
     return through + waterGlow(vec3(path));
 }
 
+// Whether a ray meets what shows between two depths, where it lies before that and behind it, rather than to pass behind its
+// edge. `found` and `depth` are of the second, and become those of the place.
+bool meetsBetween(vec4 from, vec4 perDepth, vec2 here, float before, inout Behind found, inout float depth) {
+    const int halvings = 5;
+    const float mostOff = 0.04;   // of the depth
+    int i = 0;
+    [[dont_unroll]] do {
+        float middle = 0.5 * (before + depth);
+        Behind b = behindRay(here, from + perDepth * middle);
+        bool isUnder = isBelowWater(b) && position.y - b.seen.y < middle;
+        if (isUnder) found = b;
+        if (isUnder) depth = middle;
+        else before = middle;
+    } while (++i < halvings);
+    return depth - (position.y - found.seen.y) < mostOff * depth + 2.0 * (depth - before);
+}
+
 // What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
 // raised and little water lies before it. Sought is the depth under the surface at which the ray meets what the picture
 // shows where the ray projects: a root, by false position between a place of the screen where the ray is before the scene
@@ -282,14 +308,50 @@ vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out floa
         sought = min(onMap, leaves);
 #endif
     }
-    if (found.nothing) return waterGlow(vec3(path));
+    if (sceneLooks == 0 && found.nothing) return waterGlow(vec3(path));
     Behind nearest = found;
     float deepest = 0.0;            // at which the ray was seen to be above the bed
     Behind last = found;            // of the bed, before the ray leaves the picture or passes behind something
+    bool met = false;
+    if (sceneLooks > 0) {
+        float farthest = sought;
+        Behind end = behindRay(here, from + perDepth * farthest);
+        bool endless = end.nothing;
+        Behind other = last;   // what is seen where the ray does not meet what the line of sight does
+        if (endless || position.y - end.seen.y > 1.1 * farthest) {
+            farthest = min(2.0 * seenAsFarAs(), leaves);
+            other = behindRay(here, from + perDepth * farthest);
+            endless = farthest < leaves || other.nothing;
+            sought = farthest;
+        }
+        vec4 goal = from + perDepth * farthest;
+        int looks = min(int(length(goal.xy / goal.w - here) / sceneStride), sceneLooks);
+        float before = 0.0;
+        bool wasUnder = false;
+        int k = 1;
+        [[dont_unroll]] while (k < looks && !met) {
+            float share = float(k++) / float(looks);
+            float depth = share * farthest * from.w / mix(goal.w, from.w, share);
+            Behind b = behindRay(here, from + perDepth * depth);
+            bool isUnder = isBelowWater(b) && position.y - b.seen.y < depth;
+            if (isUnder && !wasUnder) {
+                found = b;
+                drop = depth;
+                met = meetsBetween(from, perDepth, here, before, found, drop);
+            }
+            wasUnder = isUnder;
+            before = depth;
+        }
+        if (endless && !met) return waterGlow(vec3(path));
+        if (!met) {
+            found = last = other;
+            drop = max(position.y - found.seen.y, 0.0);
+        }
+    }
     float least = 1e9;
     bool left = false;
     int i = 0;
-    if (refractionLooks > 1) {
+    if (refractionLooks > 1 && !met) {
         do {
             vec4 target = from + perDepth * sought;
             Behind b = behindRay(here, target);
@@ -326,9 +388,9 @@ vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out floa
         } while (++i < refractionLooks - 1 && least > 0.01 && !left);
     }
     // What hides the place that the ray meets is as good as it, unless it lies far higher.
-    float known = passedOver && !(left && isBelowWater(last)) ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;
+    float known = passedOver && !met && !(left && isBelowWater(last)) ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;
     bool madeUp = false;
-    bool astray = refractionLooks > 2 && !passedOver && least > wellOff * drop && isBelowWater(found);
+    bool astray = refractionLooks > 2 && !passedOver && !met && least > wellOff * drop && isBelowWater(found);
     if ((left || astray) && isBelowWater(last)) {
         vec2 track = perDepth.xy - perDepth.w * from.xy / from.w;
         drop = max(depthBeyond(last, bent / steepness, track / max(length(track), 1e-6)), deepest);
