@@ -40,18 +40,6 @@ Gpu createGpuForWater() {
                      {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &needs.features13, needs.features});
 }
 
-// Blue above, pale to the sides: faces +X, -X, +Y, -Y, +Z, -Z.
-void paintSky(const Gpu& gpu, const Picture& sky) {
-    become(gpu, sky, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-    for (uint32_t face = 0; face < 6; ++face) {
-        const VkClearColorValue above{{0.15f, 0.3f, 0.6f, 1}}, beside{{0.55f, 0.65f, 0.75f, 1}};
-        const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, face, 1};
-        vkCmdClearColorImage(gpu.commands, sky.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                             face == 2 ? &above : &beside, 1, &range);
-    }
-    become(gpu, sky, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-}
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -65,7 +53,6 @@ int main(int argc, char** argv) {
     const Picture color = createPicture(gpu, colorFormat, size, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | read);
     const Picture depth =
         createPicture(gpu, depthFormat, size, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | read);
-    const Picture sky = createPicture(gpu, colorFormat, {1, 1}, written, 6);
     // Water reads what lies behind and before it while it is drawn over it: from copies.
     const Picture colorCopy = createPicture(gpu, colorFormat, size, written);
     const Picture depthCopy = createPicture(gpu, depthFormat, size, written);
@@ -114,13 +101,14 @@ int main(int argc, char** argv) {
     view.viewport = {0, 0, size.width, size.height, 0, 1};
     view.sceneColor = {colorCopy.view, colorFormat, size, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     view.sceneDepth = {depthCopy.view, depthFormat, size, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-    // The sky where the picture does not tell what is mirrored, and what lights the water from within.
+    // The sky where the picture does not tell what is mirrored, and what lights the water from within: blue
+    // above, as pale as the picture's background at the horizon. A renderer with a sky's cube hands it over.
+    constexpr float blue[3] = {0.15f, 0.3f, 0.6f}, pale[3] = {0.55f, 0.65f, 0.75f};
     seaglass::LightingDesc light;
-    light.skyCube = sky.view;
-    for (float& irradiance : light.skyIrradiance) irradiance = 1;
+    std::memcpy(light.skyZenith, blue, sizeof blue);
+    std::memcpy(light.skyHorizon, pale, sizeof pale);
 
     beginCommands(gpu);
-    paintSky(gpu, sky);
     // This frame's slot, whose last use the GPU is done with; then the waves of this moment, in seconds.
     check(seaglass::beginFrame(context, 0), "beginFrame");
     check(seaglass::simulate(gpu.commands, &pond, 1, 12.5), "simulate");
@@ -145,7 +133,7 @@ int main(int argc, char** argv) {
     seaglass::destroyTarget(target);
     seaglass::destroyContext(context);
     destroyTriangle(gpu, triangle);
-    for (const Picture& picture : {color, depth, sky, colorCopy, depthCopy}) destroyPicture(gpu, picture);
+    for (const Picture& picture : {color, depth, colorCopy, depthCopy}) destroyPicture(gpu, picture);
     destroyGpu(gpu);
     return 0;
 }

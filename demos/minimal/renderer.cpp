@@ -147,17 +147,15 @@ void destroyGpu(const Gpu& gpu) {
     vkDestroyInstance(gpu.instance, nullptr);
 }
 
-Picture createPicture(const Gpu& gpu, VkFormat format, VkExtent2D extent, VkImageUsageFlags usage,
-                      uint32_t layers) {
+Picture createPicture(const Gpu& gpu, VkFormat format, VkExtent2D extent, VkImageUsageFlags usage) {
     Picture picture;
     if (format == depthFormat) picture.aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
     VkImageCreateInfo image{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
-    image.flags = layers == 6 ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
     image.imageType = VK_IMAGE_TYPE_2D;
     image.format = format;
     image.extent = {extent.width, extent.height, 1};
     image.mipLevels = 1;
-    image.arrayLayers = layers;
+    image.arrayLayers = 1;
     image.samples = VK_SAMPLE_COUNT_1_BIT;
     image.usage = usage;
     check(vkCreateImage(gpu.device, &image, nullptr, &picture.image) == VK_SUCCESS, "vkCreateImage");
@@ -169,10 +167,10 @@ Picture createPicture(const Gpu& gpu, VkFormat format, VkExtent2D extent, VkImag
                                      nullptr,
                                      0,
                                      picture.image,
-                                     layers == 6 ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D,
+                                     VK_IMAGE_VIEW_TYPE_2D,
                                      format,
                                      {},
-                                     {picture.aspect, 0, 1, 0, layers}};
+                                     {picture.aspect, 0, 1, 0, 1}};
     check(vkCreateImageView(gpu.device, &view, nullptr, &picture.view) == VK_SUCCESS, "vkCreateImageView");
     return picture;
 }

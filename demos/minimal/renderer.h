@@ -37,9 +37,7 @@ struct Picture {
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
 };
 
-/// Of six layers: a cube.
-Picture createPicture(const Gpu& gpu, VkFormat format, VkExtent2D extent, VkImageUsageFlags usage,
-                      uint32_t layers = 1);
+Picture createPicture(const Gpu& gpu, VkFormat format, VkExtent2D extent, VkImageUsageFlags usage);
 void destroyPicture(const Gpu& gpu, const Picture& picture);
 /// Changes the layout and waits for everything before; a renderer that overlaps frames names stages.
 void become(const Gpu& gpu, const Picture& picture, VkImageLayout from, VkImageLayout to);
