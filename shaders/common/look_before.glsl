@@ -17,6 +17,8 @@ vec2 awayFrom(vec2 q) {
     return away / max(farthest(away), 1e-30);
 }
 
+// Halfway between two such looks lies another: what stands on what hangs hides half of it.
 ivec2 cellBefore(vec2 q, vec2 away, int look) {
-    return texelAt(q / float(1 << keyShift) - float(firstLook << look) * away, lastCell);
+    float cells = 0.5 * float((firstLook * (2 + (look & 1))) << (look >> 1));
+    return texelAt(q / float(1 << keyShift) - cells * away, lastCell);
 }

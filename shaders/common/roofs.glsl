@@ -4,13 +4,14 @@
 const float leastHeight = 3.0;   // of its edge above the mirror [pixels]: what floats hangs nowhere
 const float levelWithin = 0.15;  // of its thickness
 const float steepestTop = 0.2;   // its rise for each metre of the way between two pixels
+const int sideLooks = 9;         // each twice as far aside
 const int mostTries = 16;        // at a level top, each twice as far off: more than any picture holds
 
 // What left a key nearer than what shows here, nearer to the eye on the mirror: on the screen, it hides the ray before that
 // comes to what shows here.
 ivec2 roofBefore(vec2 q, vec2 away, uint here) {
     LineKey roof = LineKey(noKey, ivec2(0));
-    for (int i = 0; i < int(roofLooks); ++i) {
+    for (int i = 0; i < 2 * int(roofLooks); ++i) {
         ivec2 cell = cellBefore(q, away, i);
         uint key = keyAt(cell);
         bool found = roof.key == noKey && key > here;
@@ -67,8 +68,21 @@ bool levelPoint(vec2 from, vec2 end, vec2 away, float edgeHeight, out vec2 point
     return level;
 }
 
+// Whether a top of that height is seen, to one side along the horizon, past what stands on it and hides a point of it: that
+// is seen to be higher all the way.
+bool topShowsBeside(vec2 point, vec2 aside, float top, float within, out vec2 beside) {
+    float height;
+    int i = 1;
+    do {
+        beside = point + float(1 << i) * aside;
+        vec4 seen = seenPoint(beside);
+        height = insideRegion(beside) && !isFar(seen.z) ? heightOf(seen) : -1.0;
+    } while (++i < sideLooks && height > top + within);
+    return abs(height - top) <= within;
+}
+
 // Where the ray is as high as the edge that it goes in under, it meets an underside, provided that straight above a level top
-// is seen, as high as the one by which the ray gets out of sight.
+// is seen, as high as the one by which the ray gets out of sight, or what stands on that.
 Hit hitUnderTop(vec2 q, ScreenRay ray, float height, float depth, float top) {
     vec4 mirrored = vec4(q, depth - infinityDepth, 1.0);
     vec4 above = mix(mirrored, ray.origin + depth * ray.along, 0.5 * (top / height + 1.0));
@@ -76,7 +90,14 @@ Hit hitUnderTop(vec2 q, ScreenRay ray, float height, float depth, float top) {
     bool shows = top > height && above.w > 0.0 && insideRegion(source);
     vec2 middle = floor(shows ? source : vec2(0.0)) + 0.5;
     vec4 seen = seenPoint(middle);
-    bool level = !isFar(seen.z) && abs(heightOf(seen) - top) < levelWithin * (top - height);
+    float within = levelWithin * (top - height);
+    bool level = !isFar(seen.z) && abs(heightOf(seen) - top) < within;
+    if (shows && !isFar(seen.z) && heightOf(seen) > top + within) {
+        vec2 aside = vec2(-heightRow.y, heightRow.x) / max(length(heightRow.xy), 1e-30);
+        vec2 beside;
+        level = topShowsBeside(middle, aside, top, within, beside) || topShowsBeside(middle, -aside, top, within, beside);
+        middle = level ? beside : middle;
+    }
     return Hit(shows && level, false, middle, 0.0, depth);
 }
 
@@ -99,7 +120,10 @@ Hit underRoof(vec2 q, ScreenRay ray, Hit shown) {
         if (above && before) {
             vec2 end = exitAfter(ray, from, away, mostPixels);
             vec2 on;
-            if (levelPoint(from, end, away, height, on)) hit = hitUnderTop(q, ray, height, depth, heightOf(seenPoint(on)));
+            bool level = levelPoint(from, end, away, height, on);
+            // The key may be that of what stands on the top, which shows before its foot.
+            if (!level && (!shown.valid || shown.front)) level = levelPoint(from, entry.hidden, -away, height, on);
+            if (level) hit = hitUnderTop(q, ray, height, depth, heightOf(seenPoint(on)));
         }
     }
     return hit;

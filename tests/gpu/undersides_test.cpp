@@ -227,6 +227,52 @@ TEST_P(Roofs, HideWhatLiesBehindWhatHangs) {
             }
 }
 
+/// Of each pixel whose mirrored ray goes in by the deck's underside, the way to that where a crate that
+/// stands on the deck hides what is straight above; else 0.
+std::vector<double> waysUnderCrate(const Camera& camera, const TracedView& traced,
+                                   const std::vector<Box>& boxes, const Box& crate) {
+    const std::vector<Ray> rays = mirroredRays(camera, traced);
+    std::vector<double> ways(traced.truth.size());
+    for (size_t i = 0; i < ways.size(); ++i) {
+        if (traced.truth[i] == Truth::none) continue;
+        const auto& [on, up] = rays[i];
+        const double way = deck.low.y / up.y;
+        if (std::abs(nearestHit(boxes, on, up) - way) > 1e-9) continue;
+        const glm::dvec3 above = on + up * way + glm::dvec3(0, deck.high.y - deck.low.y + 1e-3, 0);
+        const double seen = glm::length(above - camera.eye);
+        if (hitDistance(crate, camera.eye, (above - camera.eye) / seen) < seen) ways[i] = way;
+    }
+    return ways;
+}
+
+// What stands on a pier hides its top, by which its underside is known: that goes on beside it.
+TEST_P(Roofs, AreWholeUnderWhatStandsOnThem) {
+    const Box crate{{-1.2, 1.1, -3.8}, {0, 2.4, -3}};
+    Camera higher = testCamera();
+    higher.eye.y = 4;
+    Camera aside = higher;
+    aside.eye.x = 4;
+    aside.rollDegrees = 15;
+    for (const Pose& pose : {Pose{"higher", higher}, Pose{"aside", aside}})
+        for (const bool walled : {false, true}) {
+            std::vector<Box> boxes = deckOnPosts(false);
+            boxes.push_back(crate);
+            if (walled) boxes.push_back({{-30, -1, -31}, {30, 12, -30}});
+            const TracedView traced = Tracer(pose.camera, boxes).run();
+            const Reflected result = reflected(pose.camera, traced, 6);
+            const std::vector<double> ways = waysUnderCrate(pose.camera, traced, boxes, crate);
+            size_t undersides = 0, through = 0;
+            for (size_t i = 0; i < ways.size(); ++i) {
+                const float info = result.info[i];
+                undersides += ways[i] > 0;
+                through += ways[i] > 0 && (!(info > 0) || std::abs(double{info} - ways[i]) > 0.25 * ways[i]);
+            }
+            std::printf("%-8s %zu undersides, %zu seen through\n", pose.name, undersides, through);
+            EXPECT_GT(undersides, 150u) << pose.name;
+            EXPECT_LE(static_cast<double>(through), 0.25 * static_cast<double>(undersides)) << pose.name;
+        }
+}
+
 /// What hangs over the mirror and has no top that is seen, or none at all: a board and rails on posts; and
 /// what hangs nowhere: a quay, and a box that floats.
 std::vector<Box> nothingOverhead() {
