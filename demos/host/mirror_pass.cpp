@@ -96,7 +96,6 @@ bool MirrorPass::createReflector(MirrorSurface& out, Error& error) {
     seaglass::Reflector* made = nullptr;
     if (!context_.ok(seaglass::createReflector(context_.get(), &reflector, &made), error)) return false;
     out.reflector.reset(made);
-    out.downscale = static_cast<int>(reflector.reflection.downscale);
     out.planar = reflector.reflection.technique == seaglass::ReflectionTechnique::planar;
     return true;
 }
@@ -161,6 +160,15 @@ bool MirrorPass::overlay(VkCommandBuffer commands, const MirrorSurface& surface,
     return context_.ok(seaglass::recordOverlay(commands, surface.reflector.get(), &view, &desc), error);
 }
 
+namespace {
+
+/// Of the reflection of this frame, where there is one.
+uint32_t downscaleOf(const MirrorSurface& surface) {
+    return surface.reflector ? seaglass::reflectionImages(surface.reflector.get(), 0).downscale : 1;
+}
+
+} // namespace
+
 void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camera, VkExtent2D extent) const {
     const FloorDesc& desc = surface.desc;
     const FloorPlane& plane = surface.plane;
@@ -171,7 +179,7 @@ void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camer
     uniforms.along = with(plane.along * (desc.lengthM / 2), desc.lengthM / 2 / desc.textureM);
     uniforms.normal = with(plane.normal, desc.roughness);
     uniforms.color = with(toGlm(desc.color), extent.height / (2 * camera.tanHalfFovY));
-    uniforms.picture = glm::vec4(extent.width, extent.height, surface.downscale, 0);
+    uniforms.picture = glm::vec4(extent.width, extent.height, downscaleOf(surface), 0);
     if (desc.reflection)
         uniforms.look = glm::dvec4(desc.reflection->clearDistanceM, desc.reflection->scatter,
                                    desc.reflection->skyFadeM, 0);

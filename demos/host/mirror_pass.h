@@ -40,7 +40,6 @@ struct MirrorSurface {
     UniqueDescriptorPool pool;
     VkDescriptorSet set = VK_NULL_HANDLE;
     std::unique_ptr<seaglass::Reflector, ReflectorDeleter> reflector; ///< null when only the sky is mirrored
-    int downscale = 1;   ///< pixels of the frame to one of the reflection
     bool planar = false; ///< whether the scene has to be drawn for it a second time
 
     /// Whether the reflection is made of the picture itself.

@@ -109,8 +109,10 @@ bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::Ref
     }
     out.technique = named->second;
     out.downscale = desc.downscale;
+    out.height = desc.heightPx;
     out.coarseKeys = desc.coarseKeys;
     out.edgeFade = static_cast<float>(desc.edgeFade);
+    out.edgeFadeAround = desc.edgeFadeAround;
     out.undersideLight = static_cast<float>(desc.undersideLight);
     out.roofLooks = desc.roofLooks;
     out.distortion = static_cast<float>(desc.distortion);

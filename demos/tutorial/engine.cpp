@@ -172,7 +172,7 @@ struct MeshPush {
 
 void Engine::createScene() {
     camera_ = lookAtCove(static_cast<float>(extent_.width) / static_cast<float>(extent_.height));
-    for (const std::vector<Vertex>& vertices : buildCove()) {
+    for (const std::vector<Vertex>& vertices : buildTriangle()) {
         const size_t bytes = vertices.size() * sizeof(Vertex);
         const Mesh mesh{createBuffer(bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT),
                         static_cast<uint32_t>(vertices.size())};
@@ -263,7 +263,7 @@ void Engine::createPipeline() {
 
 void Engine::beginPass(VkCommandBuffer commands, VkRenderPass pass, uint32_t image) {
     VkClearValue clears[2]{};
-    clears[0].color = {{haze.r, haze.g, haze.b, 1}};
+    clears[0].color = {{0, 0, 0, 1}};
     clears[1].depthStencil.depth = 1;
     VkRenderPassBeginInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
     info.renderPass = pass;

@@ -100,6 +100,13 @@ Camera lookAtCove(float aspect) {
     return camera;
 }
 
+std::vector<std::vector<Vertex>> buildTriangle() {
+    const glm::vec3 facing(0, 0, 1);
+    return {{{{-9, 0.5f, -14}, facing, {1, 0.1f, 0.1f}},
+             {{-1, 0.5f, -14}, facing, {0.1f, 1, 0.1f}},
+             {{-5, 6.5f, -14}, facing, {0.1f, 0.1f, 1}}}};
+}
+
 std::vector<std::vector<Vertex>> buildCove() {
     return {buildGround(), buildLighthouse(), buildJetty()};
 }

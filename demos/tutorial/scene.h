@@ -1,4 +1,5 @@
-// What is drawn: a cove with a lighthouse and a jetty, in metres, y up.
+// What is drawn, in metres, y up: the triangle that every renderer begins with, or a cove with a lighthouse
+// and a jetty.
 #pragma once
 
 #include <vector>
@@ -19,7 +20,8 @@ const glm::vec3 toSun = glm::normalize(glm::vec3(0.55f, 0.5f, 0.45f));
 const glm::vec3 sunLight(0.62f, 0.56f, 0.48f); ///< that a white surface facing the sun sends back
 const glm::vec3 skyLight(0.26f, 0.31f, 0.38f); ///< the same of the sky, for one that faces up
 
-const glm::vec3 haze(0.6f, 0.69f, 0.78f); ///< of the sky, seen
+const glm::vec3 haze(0.4f, 0.5f, 0.6f); ///< of the sky at the horizon, seen
 
 Camera lookAtCove(float aspect);
+std::vector<std::vector<Vertex>> buildTriangle();
 std::vector<std::vector<Vertex>> buildCove();

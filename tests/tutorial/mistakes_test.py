@@ -40,10 +40,12 @@ def share_changed(right, wrong, box=(0, 0, WIDTH, HEIGHT), by=8):
     return sum(changed) / len(changed)
 
 
-TOLD_LIGHT = "    light.skyCube = sky_.view;\n"
-DEPTH_COPY = ("    seaglass::recordSceneCopy(commands,\n"
-              "                              {depth_.image, depthCopy_.image,\n"
-              "                               VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, depthCopy_.aspect, extent_});\n")
+LIGHT = "    const seaglass::LightingDesc light = seaglass::lightingDesc(toSun, 3.14159f * sunLight);\n"
+CHANGED_LIGHT = LIGHT.replace("const ", "")
+DEPTH_COPY = ("    check(seaglass::recordSceneCopy(context_, commands,\n"
+              "                                    {depth_.image, depthCopy_.image,\n"
+              "                                     VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, depthCopy_.aspect,\n"
+              "                                     extent_}));\n")
 
 # A host that writes colour as displays take it, into a UNORM swapchain.
 ENCODED = (("engine.h", "VK_FORMAT_B8G8R8A8_SRGB", "VK_FORMAT_B8G8R8A8_UNORM"),
@@ -56,58 +58,59 @@ ENCODED = (("engine.h", "VK_FORMAT_B8G8R8A8_SRGB", "VK_FORMAT_B8G8R8A8_UNORM"),
 
 MISTAKES = [
     # What the library says itself.
-    Mistake("row_major", ("water.cpp", "viewDesc(camera_.view,", "viewDesc(glm::transpose(camera_.view),"),
+    Mistake("row_major", ("engine.cpp", "viewDesc(camera_.view,", "viewDesc(glm::transpose(camera_.view),"),
             says="ViewDesc.view has a last row other than 0, 0, 0, 1, expected it column-major"),
-    Mistake("depth_direction", ("water.cpp", "    target.reversedDepth = false;\n", ""),
+    Mistake("depth_direction", ("engine.cpp", "    target.reversedDepth = false;\n", ""),
             says="expected TargetDesc.reversedDepth to be false"),
     Mistake("no_simulate", ("engine.cpp", "    check(seaglass::simulate(commands, &water_, 1, frameNumber_ / 60.0));\n", ""),
             says="simulate() was never called"),
-    Mistake("sky_layout", ("water.cpp", TOLD_LIGHT, TOLD_LIGHT + "    light.skyCubeLayout = VK_IMAGE_LAYOUT_UNDEFINED;\n"),
+    Mistake("sky_layout", ("engine.cpp", LIGHT, CHANGED_LIGHT + "    light.skyCube = colorCopy_.view, light.skyCubeLayout = VK_IMAGE_LAYOUT_UNDEFINED;\n"),
             says="LightingDesc.skyCubeLayout is none to sample from"),
-    Mistake("view_projection", ("water.cpp", "viewDesc(camera_.view, camera_.projection,",
+    Mistake("view_projection", ("engine.cpp", "viewDesc(camera_.view, camera_.projection,",
                                 "viewDesc(camera_.view, camera_.projection * camera_.view,"),
             says="ViewDesc.projection has its centre beside the eye"),
-    Mistake("z_up", ("water.cpp", "    body.waves = &breeze;\n",
-                     "    body.waves = &breeze;\n    body.plane[1] = 0, body.plane[2] = 1;\n"),
+    Mistake("z_up", ("engine.cpp", "    body.waves = &sea;\n",
+                     "    body.waves = &sea;\n    body.plane[1] = 0, body.plane[2] = 1;\n"),
             says="BodyDesc.plane does not face up"),
-    Mistake("attachment_layout", ("water.cpp", "view.sceneDepth = {depthCopy_.view, depthFormat, extent_, read};",
+    Mistake("attachment_layout", ("engine.cpp", "view.sceneDepth = {depthCopy_.view, depthFormat, extent_, read};",
                                   "view.sceneDepth = {depthCopy_.view, depthFormat, extent_, "
                                   "VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};"),
             says="ViewDesc.sceneDepth.layout is none to sample from"),
-    Mistake("long_sun", ("water.cpp", "lightingDesc(toSun,", "lightingDesc(2.0f * toSun,"),
+    Mistake("long_sun", ("engine.cpp", "lightingDesc(toSun,", "lightingDesc(2.0f * toSun,"),
             says="LightingDesc.toSun is not a unit vector"),
     # What Vulkan's validation says.
-    Mistake("depth_not_copied", ("water.cpp", DEPTH_COPY, ""), says="current layout is VK_IMAGE_LAYOUT_UNDEFINED"),
-    Mistake("not_sampled", ("water.cpp", "VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;",
+    Mistake("depth_not_copied", ("engine.cpp", DEPTH_COPY, ""), says="current layout is VK_IMAGE_LAYOUT_UNDEFINED"),
+    Mistake("not_sampled", ("engine.cpp", "VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;",
                             "VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;"), says="VUID"),
     Mistake("features_off", ("engine.cpp", "    deviceInfo.pNext = &needs.features13;\n", ""), says="VUID"),
     # What is no mistake.
-    Mistake("scaled_plane", ("water.cpp", "    body.waves = &breeze;\n",
-                             "    body.waves = &breeze;\n    body.plane[1] = 2;\n"),
+    Mistake("scaled_plane", ("engine.cpp", "    body.waves = &sea;\n",
+                             "    body.waves = &sea;\n    body.plane[1] = 2;\n"),
             shows=lambda right, wrong: right == wrong),
     Mistake("encoded_target_said", *ENCODED,
-            ("water.cpp", "    target.colorFormat = swapchainFormat;\n",
-             "    target.colorFormat = swapchainFormat;\n    target.encoding = seaglass::Encoding::srgb;\n"),
-            ("water.cpp", "    view.sceneDepth =", "    view.sceneColor.encoding = seaglass::Encoding::srgb;\n    view.sceneDepth ="),
+            ("engine.cpp", "    target.reversedDepth = false;\n",
+             "    target.reversedDepth = false;\n    target.encoding = seaglass::Encoding::srgb;\n"),
+            ("engine.cpp", "    view.sceneDepth =", "    view.sceneColor.encoding = seaglass::Encoding::srgb;\n    view.sceneDepth ="),
             shows=lambda right, wrong: share_changed(right, wrong, by=2) == 0),
     # What is said, and shows.
     Mistake("encoded_target", *ENCODED, says="TargetDesc.colorFormat is UNORM, and taken for linear",
             shows=lambda right, wrong: brightness(wrong, NEAR) < brightness(right, NEAR) * 0.7),
     # What shows alone.
-    Mistake("y_not_flipped", ("water.cpp", "    seaglass::ViewDesc view = seaglass::viewDesc(camera_.view, camera_.projection, extent_);\n",
+    Mistake("y_not_flipped", ("engine.cpp", "    seaglass::ViewDesc view = seaglass::viewDesc(camera_.view, camera_.projection, extent_);\n",
                               "    glm::mat4 told = camera_.projection;\n    told[1][1] *= -1;\n"
                               "    seaglass::ViewDesc view = seaglass::viewDesc(camera_.view, told, extent_);\n"),
             shows=lambda right, wrong: share_changed(right, wrong) > 0.3),
-    Mistake("srgb_twice", ("water.cpp", "colorCopy_ = createImage(swapchainFormat,",
+    Mistake("srgb_twice", ("engine.cpp", "colorCopy_ = createImage(swapchainFormat,",
                            "colorCopy_ = createImage(VK_FORMAT_B8G8R8A8_UNORM,"),
-            ("water.cpp", "{colorCopy_.view, swapchainFormat,", "{colorCopy_.view, VK_FORMAT_B8G8R8A8_UNORM,"),
+            ("engine.cpp", "{colorCopy_.view, swapchainFormat,", "{colorCopy_.view, VK_FORMAT_B8G8R8A8_UNORM,"),
             says="ViewDesc.sceneColor.format is UNORM, and taken for linear",
             shows=lambda right, wrong: brightness(wrong, NEAR) > brightness(right, NEAR) * 1.2),
-    Mistake("black_sky", ("water.cpp", "haze.r, haze.g, haze.b);", "0, 0, 0);"),
+    Mistake("black_sky", ("engine.cpp", LIGHT, CHANGED_LIGHT + "    for (int i = 0; i < 3; ++i)\n"
+                          "        light.skyZenith[i] = light.skyHorizon[i] = light.skyGround[i] = 0;\n"),
             shows=lambda right, wrong: brightness(wrong, NEAR) < brightness(right, NEAR) * 0.8),
-    Mistake("no_reflect", ("water.cpp", "    check(seaglass::reflect(commands, &water_, 1, &view));\n", ""),
+    Mistake("no_reflect", ("engine.cpp", "    check(seaglass::reflect(commands, &water_, 1, &view));\n", ""),
             shows=lambda right, wrong: share_changed(right, wrong, MIRROR) > 0.5),
-    Mistake("no_refraction", ("water.cpp", "    body.refraction = &refraction;\n", ""),
+    Mistake("no_refraction", ("engine.cpp", "    body.refraction = &refraction;\n", ""),
             shows=lambda right, wrong: brightness(wrong, NEAR) < brightness(right, NEAR) * 0.8),
     Mistake("sky_not_far", ("engine.cpp", "clears[1].depthStencil.depth = 1;", "clears[1].depthStencil.depth = 0.999f;"),
             shows=lambda right, wrong: share_changed(right, wrong, HORIZON) > 0.5),
@@ -115,8 +118,7 @@ MISTAKES = [
             shows=lambda right, wrong: share_changed(right, wrong, HORIZON) > 0.5),
     Mistake("eye_in_water", ("scene.cpp", "glm::vec3(-1, 2.2f, 6)", "glm::vec3(-1, -0.8f, 6)"),
             shows=lambda right, wrong: share_changed(right, wrong) > 0.5),
-    Mistake("wrong_wind", ("water.cpp", "    breeze.windSpeed = 3;\n    breeze.fetch = 300;\n",
-                            "    breeze.windSpeed = 12;\n    breeze.fetch = 100e3f;\n"),
+    Mistake("wrong_wind", ("engine.cpp", "SpectrumModel::jonswap, 3, 0, 300}", "SpectrumModel::jonswap, 12, 0, 100e3f}"),
             shows=lambda right, wrong: share_changed(right, wrong) > 0.2),
 ]
 
@@ -187,7 +189,7 @@ def main():
     if said or right is None:
         raise SystemExit(f"without any mistake: {said}")
     write_png(out / "right.png", right)
-    for state in ("before", "first"):
+    for state in ("before", "water", "cove", "mirrors", "foam", "dive"):
         said, picture = draw(after.parent / state / "build/tutorial", out / f"{state}.ppm")
         if said or picture is None:
             raise SystemExit(f"{state}: {said}")

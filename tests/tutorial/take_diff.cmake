@@ -1,5 +1,4 @@
-# Installs Seaglass, and builds its demos/tutorial against it as docs/integrating.md has it: before, as it is, with water.diff, and
-# after mirrors.diff besides.
+# Installs Seaglass, and builds its demos/tutorial against it as docs/integrating.md has it: before, and after each of its steps.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(NOT code EQUAL 0)
@@ -9,13 +8,14 @@ endfunction()
 
 file(REMOVE_RECURSE ${work})
 run(${CMAKE_COMMAND} --install ${seaglass_build} --prefix ${work}/prefix)
-set(before)
-set(first water.diff)
-set(after water.diff mirrors.diff)
-foreach(state before first after)
+set(steps)
+foreach(state before water cove mirrors foam dive)
   file(COPY ${work}/prefix/share/doc/seaglass/demos/tutorial/ DESTINATION ${work}/${state})
-  foreach(diff ${${state}})
-    run(${patch} --batch --fuzz=0 -p1 --directory ${work}/${state} --input ${work}/${state}/${diff})
+  if(NOT state STREQUAL "before")
+    list(APPEND steps ${state})
+  endif()
+  foreach(step IN LISTS steps)
+    run(${patch} --batch --fuzz=0 -p1 --directory ${work}/${state} --input ${work}/${state}/${step}.diff)
   endforeach()
   run(${CMAKE_COMMAND} -G ${generator} -S ${work}/${state} -B ${work}/${state}/build -D CMAKE_BUILD_TYPE=Debug
     -D CMAKE_PREFIX_PATH=${work}/prefix -D CMAKE_CXX_FLAGS=-Werror)

@@ -1,4 +1,4 @@
-// demos/tutorial: the renderer before it has water, with water.diff, and after mirrors.diff.
+// demos/tutorial: the renderer before it has water, and after each of its steps.
 #include <gtest/gtest.h>
 
 #include "demos/host/image_file.h"
@@ -12,8 +12,9 @@ namespace fs = std::filesystem;
 
 constexpr uint32_t width = 256, height = 144;
 
-/// Draws under validation, which may have nothing to say.
-std::vector<uint8_t> draw(const fs::path& program) {
+/// Draws a step's picture under validation, which may have nothing to say.
+std::vector<uint8_t> draw(const char* step) {
+    const fs::path program = fs::path(SEAGLASS_STATES) / step / "build/tutorial";
     const tests::TemporaryFolder folder;
     const tests::Outcome outcome = tests::run(
         program, {{"picture.ppm", std::to_string(width), std::to_string(height)},
@@ -49,21 +50,44 @@ demos::Image view(const demos::Picture& picture) {
     return {picture.width, picture.height, picture.rgba};
 }
 
-TEST(Tutorial, GainsWater) {
-    const std::vector<uint8_t> before = draw(SEAGLASS_BEFORE), first = draw(SEAGLASS_FIRST),
-                               after = draw(SEAGLASS_AFTER);
-    const Box sky{10, 5, 60, 20}, bed{60, 110, 200, 140};
-    const auto sand = mean(before, bed), opaque = mean(first, bed), clear = mean(after, bed);
-    EXPECT_GT(sand[0], sand[2] + 20) << "sand is yellow";
-    for (const auto& [drawn, water] : {std::pair(first, opaque), {after, clear}}) {
-        EXPECT_EQ(mean(before, sky), mean(drawn, sky)) << "what is not water stays as it was";
-        EXPECT_GT(water[2], water[0]) << "water is blue";
-    }
-    EXPECT_GT(clear[0], opaque[0] + 10) << "sand shines through what mirrors.diff lets light into";
+constexpr Box sky{10, 5, 60, 20}, near{60, 110, 200, 140}, lighthouse{64, 91, 80, 122};
+
+double brightness(const std::vector<uint8_t>& rgb, const Box& box) {
+    const auto [red, green, blue] = mean(rgb, box);
+    return (red + green + blue) / 3;
+}
+
+/// Mean difference of channels.
+double change(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b, const Box& box) {
+    std::vector<uint8_t> apart(a.size());
+    for (size_t i = 0; i < a.size(); ++i) apart[i] = static_cast<uint8_t>(std::abs(a[i] - b[i]));
+    return brightness(apart, box);
+}
+
+TEST(Tutorial, GainsASeaInItsFirstStep) {
+    const std::vector<uint8_t> before = draw("before"), water = draw("water");
+    EXPECT_EQ(brightness(before, sky), 0) << "a triangle on black";
+    EXPECT_EQ(brightness(before, near), 0);
+    EXPECT_EQ(change(before, water, {80, 45, 90, 55}), 0) << "the triangle stays as it was";
+    const auto sea = mean(water, near);
+    EXPECT_GT(sea[2], sea[0] + 10) << "water is blue";
+    EXPECT_GT(brightness(water, near), 40) << "and not nearly black";
+    EXPECT_LT(brightness(water, near), brightness(water, sky)) << "nor as bright as the sky";
+}
+
+TEST(Tutorial, GainsWhatEachStepSays) {
+    const std::vector<uint8_t> sea = draw("water"), cove = draw("cove"), mirrors = draw("mirrors"),
+                               foam = draw("foam"), dive = draw("dive");
+    EXPECT_EQ(mean(sea, sky), mean(cove, sky)) << "what is not water stays as it was";
+    EXPECT_GT(mean(cove, near)[0], mean(sea, near)[0] + 10) << "sand shines through";
+    EXPECT_GT(change(cove, mirrors, lighthouse), 5) << "the lighthouse is mirrored";
+    EXPECT_EQ(mean(cove, sky), mean(mirrors, sky));
+    EXPECT_GT(change(mirrors, foam, near), 2) << "stronger waves";
+    EXPECT_GT(change(foam, dive, sky), 20) << "the surface from below";
 }
 
 TEST(Tutorial, IsAsApproved) {
-    const std::vector<uint8_t> rgb = draw(SEAGLASS_AFTER);
+    const std::vector<uint8_t> rgb = draw("mirrors");
     const fs::path png = fs::path(SEAGLASS_ACTUAL) / "tutorial_water.png";
     fs::create_directories(SEAGLASS_ACTUAL);
     demos::Error error;
