@@ -214,7 +214,7 @@ TEST_F(ChooseReflectors, PlanarOnesAreDrawnWhereChosen) {
                 for (const uint32_t i : chosen) {
                     PlanarView drawn;
                     EXPECT_EQ(planarView(reflectors_[i], &view, &drawn), Status::ok) << message();
-                    beginDrawing(commands, drawn);
+                    beginDrawing(context(), commands, drawn);
                     vkCmdEndRendering(commands);
                     EXPECT_EQ(reflect(commands, &reflectors_[i], 1, &view), Status::ok) << message();
                 }

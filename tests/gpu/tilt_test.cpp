@@ -129,7 +129,7 @@ class Tilts : public WaterTest, public testing::WithParamInterface<Turn> {
     }
 
     /// As a host would: the sky, and a bright rectangle before it.
-    static void drawMirrored(VkCommandBuffer commands, const PlanarView& view);
+    void drawMirrored(VkCommandBuffer commands, const PlanarView& view) const;
 
     WaterPicture seen(bool inTurned, Body* body, double time, SurfaceOutput output,
                       const SceneBehind& behind) {
@@ -195,7 +195,7 @@ class Tilts : public WaterTest, public testing::WithParamInterface<Turn> {
     BodyDesc desc_;
 };
 
-void Tilts::drawMirrored(VkCommandBuffer commands, const PlanarView& view) {
+void Tilts::drawMirrored(VkCommandBuffer commands, const PlanarView& view) const {
     beginDrawing(context(), commands, view);
     VkClearAttachment clears[2] = {{VK_IMAGE_ASPECT_COLOR_BIT, 0, {}}, {VK_IMAGE_ASPECT_DEPTH_BIT, 0, {}}};
     clears[0].clearValue.color = {{9, 4, 2, 1}};
