@@ -99,10 +99,12 @@ vec2 besides(vec2 middle, vec2 point) {
     return middle + (abs(off.x) > abs(off.y) ? vec2(sign(off.x), 0.0) : vec2(0.0, sign(off.y)));
 }
 
-// A point that was met, or where the pixel by which it was met is nearest to it: beside that the sky may show, or the bed.
+// A point that was met, or where the pixel by which it was met is nearest to it, if what lies under the plane's horizon shows
+// beside that. Sky beside it softens the outline.
 vec2 shownIn(vec2 source, vec2 middle) {
     ivec2 pixel = texelAt(source, region.zw - 1);
-    return solid(pixel, depthAt(pixel)) ? source : clamp(source, middle - 0.49, middle + 0.49);
+    bool below = wellBelowPlane(vec3(vec2(pixel) + 0.5, depthAt(pixel)));
+    return below ? clamp(source, middle - 0.49, middle + 0.49) : source;
 }
 
 Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {

@@ -191,11 +191,25 @@ VkExtent2D Bed::pictureExtent(const BedDesc& desc, uint32_t downscale, VkExtent2
     return {static_cast<uint32_t>(pixels.x), static_cast<uint32_t>(pixels.y)};
 }
 
+namespace {
+
+bool isMany(VkSampleCountFlagBits samples) {
+    return samples != VK_SAMPLE_COUNT_1_BIT;
+}
+
+} // namespace
+
 VkDeviceSize Bed::bytes(const gpu::Device& device, const BedDesc& desc, uint32_t downscale, VkExtent2D view) {
     const VkExtent2D extent = pictureExtent(desc, downscale, view);
-    return gpu::heldBytes(device, drawnColorDesc(desc.drawn, extent)) +
-           gpu::heldBytes(device, drawnDepthDesc(desc.drawn, extent)) +
-           SingleSampledScene::bytes(device, extent, desc.drawn.samples);
+    VkDeviceSize sum = gpu::heldBytes(device, drawnColorDesc(desc.drawn, extent)) +
+                       gpu::heldBytes(device, drawnDepthDesc(desc.drawn, extent));
+    if (isMany(desc.drawn.samples.depth)) sum += gpu::heldBytes(device, firstDepthDesc(extent));
+    if (isMany(desc.drawn.samples.color)) sum += gpu::heldBytes(device, firstColorDesc(extent));
+    return sum;
+}
+
+uint32_t Bed::dispatches(const BedDesc& desc) {
+    return (isMany(desc.drawn.samples.depth) ? 1 : 0) + (isMany(desc.drawn.samples.color) ? 1 : 0);
 }
 
 } // namespace seaglass

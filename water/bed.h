@@ -55,9 +55,7 @@ struct Bed {
     static VkDeviceSize bytes(const gpu::Device& device, const BedDesc& desc, uint32_t downscale,
                               VkExtent2D view);
     /// Of one view.
-    static uint32_t dispatches(const BedDesc& desc) {
-        return SingleSampledScene::dispatches(desc.drawn.samples);
-    }
+    static uint32_t dispatches(const BedDesc& desc);
 
   private:
     Status takeFirstSamples(Context& context, VkCommandBuffer commands, const BedPicture& picture) const;

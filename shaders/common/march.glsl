@@ -236,10 +236,13 @@ bool isBroad(Track track, float share, float seen) {
     return within(track, after, point.z, min(there, seen), max(there, seen));
 }
 
-// Where the ray is, or is nearest to the pixel by which it was met: beside that the sky may show, or the bed.
+// Where the ray is, or is nearest to the pixel by which it was met, if what lies under the plane's horizon shows beside that.
+// Sky beside it softens the outline.
 vec3 shownIn(Track track, float share, vec2 middle) {
     vec3 point = trackPoint(track, share);
-    if (seenAt(track.scene, pixelAt(track.scene, point.xy)).counts) return point;
+    ivec2 pixel = pixelAt(track.scene, point.xy);
+    float depth = texelFetch(sceneDepth, track.scene.origin + pixel, 0).r;
+    if (dot(track.scene.aboveRow, vec4(vec2(pixel) + 0.5, depth, 1.0)) > 0.0) return point;
     return vec3(clamp(point.xy, middle - 0.49, middle + 0.49), point.z);
 }
 

@@ -95,10 +95,13 @@ const float overNear = 0.4;
 BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
 #ifdef WAVES
-    // From a trough what a flat mirror shows here lies nearer than it is to that mirror.
-    bool inTrough = direction.y > 0.0 && from.y < -plane.w && t < farAway;
-    vec2 pixel = inTrough ? here : mirroredPixel(from, direction, t);
-    int i = inTrough ? -1 : 0;
+    vec2 pixel = mirroredPixel(from, direction, t);
+    int i = 0;
+    // From a trough what a flat mirror shows here lies nearer than it is to that mirror: so near that the image may end before.
+    if (direction.y > 0.0 && from.y < -plane.w && t < farAway && !infoIsHit(infoAt(pixel))) {
+        pixel = here;
+        i = -1;
+    }
     [[dont_unroll]] do {
         t = towardsShown(from, direction, pixel, t);
         pixel = mirroredPixel(from, direction, t);

@@ -22,7 +22,9 @@ vec3 sourceColor(vec2 source, float nearness) {
     vec3 nearest = texelColor(texelAt(source, region.zw - 1));
     vec4 signedDepths = depthSign * depths;
     float farthest = min(min(signedDepths.x, signedDepths.y), min(signedDepths.z, signedDepths.w));
-    if (max(off, twist) > 0.05 * (most - least) + rounding || isFar(depthSign * farthest)) return nearest;
+    // Under the plane's horizon the far plane shows what no ray can meet.
+    bool mixesIn = isFar(depthSign * farthest) && wellBelowPlane(vec3(vec2(corner), depthSign * farthest));
+    if (max(off, twist) > 0.05 * (most - least) + rounding || mixesIn) return nearest;
     vec3 upper = mix(texelColor(corner - 1), texelColor(corner - ivec2(0, 1)), beyond.x);
     vec3 lower = mix(texelColor(corner - ivec2(1, 0)), texelColor(corner), beyond.x);
     vec3 blend = mix(upper, lower, beyond.y);

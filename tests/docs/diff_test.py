@@ -1,5 +1,6 @@
 """diff_test.py: docs/integrating.md quotes the diffs of demos/tutorial hunk by hunk: every hunk once, in the diff's order or not,
 word for word. They are as short as the page says."""
+import difflib
 import re
 import sys
 
@@ -12,6 +13,18 @@ MOST_LINES_TO_ALL = 90
 
 def added(text):
     return [line for line in text.splitlines() if re.match(r"[-+](?![-+])", line) and line[1:].strip()]
+
+
+def lines_to_sea():
+    return sum(line.startswith("+") for line in added((SOURCE / "demos/minimal/sea.diff").read_text()))
+
+
+def lines_to_pond():
+    """Of code, beside those of the triangle."""
+    def code(name):
+        lines = (line.strip() for line in (SOURCE / "demos/minimal" / name).read_text().splitlines())
+        return [line for line in lines if line and not line.startswith("//")]
+    return sum(line.startswith("+ ") for line in difflib.ndiff(code("triangle.cpp"), code("pond.cpp")))
 
 
 def main():
@@ -38,6 +51,11 @@ def main():
         problems.append(f"water.diff adds {lines['water.diff']} lines, expected {MOST_LINES_TO_FIRST_WATER} at the most")
     if sum(lines.values()) > MOST_LINES_TO_ALL:
         problems.append(f"all diffs add {sum(lines.values())} lines, expected {MOST_LINES_TO_ALL} at the most")
+    sea, pond = lines_to_sea(), lines_to_pond()
+    if sea > MOST_LINES_TO_FIRST_WATER or f"sea.diff` in {sea} lines" not in page:
+        problems.append(f"demos/minimal/sea.diff adds {sea} lines, which docs/integrating.md is expected to say")
+    if pond > MOST_LINES_TO_ALL or f"pond.cpp` in {pond}" not in page:
+        problems.append(f"demos/minimal/pond.cpp has {pond} lines beside triangle.cpp's, which docs/integrating.md is expected to say")
     print("\n".join(problems))
     return 1 if problems else 0
 

@@ -308,6 +308,16 @@ double pixelsToBorder(const TracedView& traced, size_t mirror) {
     return std::min(x / std::max(std::abs(along.x), 1e-9), y / std::max(std::abs(along.y), 1e-9));
 }
 
+/// Whether the pixel in which a point is seen shows, in its middle, what lies on the plane or under it:
+/// colour is then taken beside the point, where what was met shows.
+bool showsBelow(const Camera& camera, const TracedView& traced, const glm::dvec2& source) {
+    const glm::dvec2 pixel = glm::floor(source), size(traced.width, traced.height);
+    const double depth{traced.depth[static_cast<size_t>(pixel.y * size.x + pixel.x)]};
+    const glm::dvec4 world = glm::inverse(projectionMatrix(camera) * viewMatrix(camera)) *
+                             glm::dvec4(2.0 * (pixel + 0.5) / size - 1.0, depth, 1);
+    return world.y < 0.01 * world.w;
+}
+
 TEST_F(EdgeFade, IsASmootherStepOverItsWidthBeforeTheBorder) {
     const Box wall{{-60, -1, -9}, {60, 60, -8}};
     for (const ReflectionTechnique technique : {ReflectionTechnique::sspr, ReflectionTechnique::ssr})
@@ -323,6 +333,7 @@ TEST_F(EdgeFade, IsASmootherStepOverItsWidthBeforeTheBorder) {
                 size_t atBorder = 0, halfway = 0, beyond = 0;
                 for (size_t i = 0; i < result.info.size(); ++i) {
                     if (traced.truth[i] != Truth::recoverable || !(result.info[i] > 0)) continue;
+                    if (showsBelow(camera, traced, traced.source[i])) continue;
                     const double x = pixelsToBorder(traced, i) / width;
                     const double confidence = double{result.color[i * 4 + 3]};
                     const double t = std::min(x, 1.0);

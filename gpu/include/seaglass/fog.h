@@ -20,7 +20,8 @@ enum class FogShape : uint32_t {
 struct FogDesc {
     FogShape shape = FogShape::exponential; ///< says which of the next five are read
     float density = 1e-3f;                  ///< [1/m], 0..1000; of `height` at baseHeight
-    float start = 0, end = 1000;            ///< of `linear` [m]: 0 <= start < end <= 1e9
+    float start = 0;                        ///< of `linear` [m], 0 or more and less than `end`
+    float end = 1000;                       ///< likewise, up to 1e9
     float falloff = 0.01f;                  ///< of `height` [1/m], 0..10; 0: as `exponential`
     double baseHeight = 0;                  ///< of `height` [m], -1e6..1e6
 
