@@ -98,7 +98,9 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
     vec2 pixel = mirroredPixel(from, direction, t);
     int i = 0;
     // From a trough what a flat mirror shows here lies nearer than it is to that mirror: so near that the image may end before.
-    if (direction.y > 0.0 && from.y < -plane.w && t < farAway && !infoIsHit(infoAt(pixel))) {
+    bool inTrough = direction.y > 0.0 && from.y < -plane.w && t < farAway;
+    bool inside = all(greaterThan(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(region.zw)));
+    if (inTrough && inside && !infoIsHit(infoAt(pixel))) {
         pixel = here;
         i = -1;
     }
