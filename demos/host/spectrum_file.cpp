@@ -61,7 +61,8 @@ bool isHeading(std::string_view line) {
 std::string problemOf(std::string_view line) {
     const std::string quoted = "'" + std::string(line.substr(0, 40)) + "'";
     if (line.find('\0') != line.npos) return "a zero byte, expected a text of UTF-8";
-    if (line.find(';') != line.npos) return quoted + " has a semicolon, expected two numbers and a comma: Hz,m^2/Hz";
+    if (line.find(';') != line.npos)
+        return quoted + " has a semicolon, expected two numbers and a comma: Hz,m^2/Hz";
     if (line.find(',') == line.npos && line.find('\t') != line.npos)
         return quoted + " has a tab, expected two numbers and a comma: Hz,m^2/Hz";
     if (std::count(line.begin(), line.end(), ',') > 1)

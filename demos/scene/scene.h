@@ -124,7 +124,7 @@ struct ReflectionDesc {
     uint32_t heightPx = 0;          ///< of the reflection, in the place of downscale; 0: by that
     bool coarseKeys = false;        ///< sspr: one key for 2 x 2 pixels
     double edgeFade = 0.08;
-    bool edgeFadeAround = false; ///< at all four borders
+    bool edgeFadeAround = false;  ///< at all four borders
     double undersideLight = 0.15; ///< of undersides not seen, as a share of their tops
     uint32_t roofLooks = 0;       ///< sspr, hybrid: for what hangs over the water
     double distortion = 1;

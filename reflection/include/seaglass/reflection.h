@@ -53,7 +53,8 @@ struct ReflectionDesc {
     bool edgeFadeAround = false;
     /// How far beyond the picture's border what reaches it is taken to go on, as a share of the height, 0..1:
     /// what is a plane for twice as long inside, as walls are. It fades out at the end of that instead. 0
-    /// costs nothing, and shows strips of sky beside walls that the border cuts off; else two dispatches. Not of `planar`, nor of views with `surfaceNormals`.
+    /// costs nothing, and shows strips of sky beside walls that the border cuts off; else two dispatches. Not
+    /// of `planar`, nor of views with `surfaceNormals`.
     float edgeReach = 0;
     float undersideLight = 0.15f; ///< of an underside that is not seen, as a share of its top's, 0..1
     uint32_t roofLooks = 0;  ///< sspr, hybrid: for undersides that end unseen, 0..8, 6 for 1080p; 0 is free
