@@ -1,4 +1,5 @@
 // The pipelines that a body will ask a target for, made ahead of its first draw.
+#include <cmath>
 #include <cstdint>
 
 #include "reflection/encoding.h"
@@ -15,6 +16,14 @@ bool readsEncoded(const Target& target, const ViewDesc* view) {
     return view ? isEncoded(view->sceneColor) : target.desc.encoding == Encoding::srgb;
 }
 
+/// Rows in the place of a fraction are those of the view.
+uint32_t preparedDownscale(const ReflectionDesc& desc, const ViewDesc* view) {
+    if (!view || desc.height == 0) return desc.downscale;
+    const VkExtent2D extent = {static_cast<uint32_t>(std::abs(view->viewport.width)),
+                               static_cast<uint32_t>(std::abs(view->viewport.height))};
+    return sizedFor(desc, extent).downscale;
+}
+
 } // namespace
 
 Status Body::prepareSurface(Target& target, const ViewDesc* view, const LightingDesc& lighting,
@@ -27,6 +36,7 @@ Status Body::prepareSurface(Target& target, const ViewDesc* view, const Lighting
             ReflectionImages images;
             // Asked for nothing but whether it is there.
             if (reflector) images.color = reinterpret_cast<VkImageView>(uintptr_t{1});
+            if (reflector) images.downscale = preparedDownscale(reflector->desc, view);
             wanted = features(images, lighting, !view || hasScene(*view));
             wanted.sceneEncoded = wanted.refraction && readsEncoded(target, view);
             wanted.manySamples = wanted.refraction && view && isMultisampled(*view);

@@ -104,6 +104,20 @@ TEST_F(Prepared, TheFirstFramesMakeNoPipeline) {
     EXPECT_EQ(pipelinesMadeByFrames(body), 0u);
 }
 
+TEST_F(Prepared, StillWaterThatMirrorsInFewerPixels) {
+    ReflectionDesc smaller;
+    smaller.downscale = 2;
+    smaller.blurLevels = 0;
+    desc_ = {};
+    desc_.reflection = &smaller;
+    Body* const body = makeBody(desc_);
+    prepareFor(body, &lighting);
+    spiedCalls().clear();
+    const Camera camera = everyPlace().front();
+    picture({body}, camera, time_ += 0.1, output_, planeBelow(camera, -50, 1));
+    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u);
+}
+
 TEST_F(Prepared, OfOtherOutputsToo) {
     desc_.motion = true;
     for (const SurfaceOutput output : {SurfaceOutput::normal, SurfaceOutput::motion}) {
