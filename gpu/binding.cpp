@@ -1,5 +1,6 @@
 #include "gpu/binding.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace seaglass::gpu {
@@ -9,6 +10,7 @@ Layout& Layout::operator=(Layout&& other) noexcept {
     release();
     device_ = std::exchange(other.device_, nullptr);
     what_ = std::move(other.what_);
+    interface_ = std::move(other.interface_);
     set_ = std::exchange(other.set_, VK_NULL_HANDLE);
     pipeline_ = std::exchange(other.pipeline_, VK_NULL_HANDLE);
     return *this;
@@ -23,13 +25,18 @@ void Layout::release() {
     pipeline_ = VK_NULL_HANDLE;
 }
 
-Status Layout::create(const Device& device, std::span<const VkDescriptorType> bindings,
-                      VkShaderStageFlags stages, uint32_t pushConstantBytes, const char* what) {
+Status Layout::create(const Device& device, std::span<const std::span<const uint32_t>> modules,
+                      uint32_t pushConstantBytes, const char* what) {
     release();
     device_ = &device;
     what_ = what;
-    std::vector<VkDescriptorSetLayoutBinding> list(bindings.size());
-    for (uint32_t i = 0; i < list.size(); ++i) list[i] = {i, bindings[i], 1, stages, nullptr};
+    std::optional<ShaderInterface> declared = interfaceOf(modules);
+    if (!declared)
+        return device.misused("%s: its shaders declare a binding in two ways, or of no known type", what);
+    interface_ = std::move(*declared);
+    std::vector<VkDescriptorSetLayoutBinding> list;
+    for (const ShaderBinding& b : interface_.bindings)
+        list.push_back({b.number, b.type, 1, b.stages, nullptr});
     VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     setInfo.bindingCount = static_cast<uint32_t>(list.size());
     setInfo.pBindings = list.data();
@@ -39,14 +46,36 @@ Status Layout::create(const Device& device, std::span<const VkDescriptorType> bi
                         VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, set_, what);
         s != Status::ok)
         return s;
-    const VkPushConstantRange push{stages, 0, pushConstantBytes};
+    const VkPushConstantRange push{interface_.pushedTo, 0, pushConstantBytes};
     VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
     info.setLayoutCount = 1;
     info.pSetLayouts = &set_;
-    info.pushConstantRangeCount = pushConstantBytes ? 1 : 0;
+    info.pushConstantRangeCount = interface_.pushedTo ? 1 : 0;
     info.pPushConstantRanges = &push;
     return device.made(vk.CreatePipelineLayout(device.handle(), &info, device.allocator(), &pipeline_),
                        VK_OBJECT_TYPE_PIPELINE_LAYOUT, pipeline_, what);
+}
+
+const ShaderBinding* Layout::find(uint32_t number) const {
+    const auto found = std::ranges::find(interface_.bindings, number, &ShaderBinding::number);
+    return found == interface_.bindings.end() ? nullptr : &*found;
+}
+
+Status Layout::check(std::span<const Bound> resources) const {
+    for (const Bound& bound : resources) {
+        const ShaderBinding* const declared = find(bound.number);
+        if (!declared)
+            return device_->misused("%s: binding %u is bound, expected none of this number", what(),
+                                    bound.number);
+        if (declared->type != bound.resource.type)
+            return device_->misused("%s: binding %u is of descriptor type %d, expected %d", what(),
+                                    bound.number, bound.resource.type, declared->type);
+    }
+    for (const ShaderBinding& binding : interface_.bindings)
+        if (std::ranges::count(resources, binding.number, &Bound::number) != 1)
+            return device_->misused("%s: binding %u is bound twice or never, expected once", what(),
+                                    binding.number);
+    return Status::ok;
 }
 
 } // namespace seaglass::gpu

@@ -1,4 +1,4 @@
-// Descriptor sets as shaders see them: a list of resources, binding 0 first.
+// Descriptor sets as shaders declare them, and the resources that they are filled with.
 #pragma once
 
 #include <span>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "gpu/spirv_bindings.h"
 
 namespace seaglass::gpu {
 
@@ -29,7 +30,13 @@ inline Resource storageImage(VkImageView view) {
     return {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, {}, {VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL}};
 }
 
-/// One set's layout and the pipeline layout that uses it, with push constants for `stages`.
+/// A resource and the number that shaders know it by.
+struct Bound {
+    uint32_t number = 0;
+    Resource resource;
+};
+
+/// One set's layout and the pipeline layout that uses it.
 class Layout {
   public:
     Layout() = default;
@@ -37,20 +44,30 @@ class Layout {
     Layout(Layout&& other) noexcept { *this = std::move(other); }
     Layout& operator=(Layout&& other) noexcept;
 
-    Status create(const Device& device, std::span<const VkDescriptorType> bindings, VkShaderStageFlags stages,
+    /// Of what a pipeline's modules declare, one a stage. `pushConstantBytes` are of those that have some.
+    Status create(const Device& device, std::span<const std::span<const uint32_t>> modules,
                   uint32_t pushConstantBytes, const char* what);
+
+    /// Whether a shader declares this binding: what none declares is not bound.
+    bool has(uint32_t number) const { return find(number) != nullptr; }
+    /// Refused unless each binding is there once, and nothing else, all of the types that shaders declare.
+    Status check(std::span<const Bound> resources) const;
 
     VkDescriptorSetLayout set() const { return set_; }
     VkPipelineLayout pipeline() const { return pipeline_; }
+    /// Stages that take push constants.
+    VkShaderStageFlags pushedTo() const { return interface_.pushedTo; }
     /// Whose it is, for messages and debuggers.
     const char* what() const { return what_.c_str(); }
 
   private:
+    const ShaderBinding* find(uint32_t number) const;
     void release();
 
     const Device* device_ = nullptr;
     VkDescriptorSetLayout set_ = VK_NULL_HANDLE;
     VkPipelineLayout pipeline_ = VK_NULL_HANDLE;
+    ShaderInterface interface_;
     std::string what_;
 };
 

@@ -54,7 +54,8 @@ Status Frame::addPool() {
     return Status::ok;
 }
 
-Status Frame::allocateSet(const Layout& layout, std::span<const Resource> resources, VkDescriptorSet& out) {
+Status Frame::allocateSet(const Layout& layout, std::span<const Bound> resources, VkDescriptorSet& out) {
+    if (const Status s = layout.check(resources); s != Status::ok) return s;
     const DeviceTable& vk = device_->vk();
     VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
     info.descriptorSetCount = 1;
@@ -76,11 +77,11 @@ Status Frame::allocateSet(const Layout& layout, std::span<const Resource> resour
     std::vector<VkWriteDescriptorSet> writes(resources.size(), {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET});
     for (uint32_t i = 0; i < writes.size(); ++i) {
         writes[i].dstSet = out;
-        writes[i].dstBinding = i;
+        writes[i].dstBinding = resources[i].number;
         writes[i].descriptorCount = 1;
-        writes[i].descriptorType = resources[i].type;
-        writes[i].pBufferInfo = &resources[i].buffer;
-        writes[i].pImageInfo = &resources[i].image;
+        writes[i].descriptorType = resources[i].resource.type;
+        writes[i].pBufferInfo = &resources[i].resource.buffer;
+        writes[i].pImageInfo = &resources[i].resource.image;
     }
     vk.UpdateDescriptorSets(device_->handle(), static_cast<uint32_t>(writes.size()), writes.data(), 0,
                             nullptr);

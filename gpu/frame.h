@@ -29,7 +29,8 @@ class Frame {
     /// Takes back everything handed out and lets go of retired objects.
     Status begin();
 
-    Status allocateSet(const Layout& layout, std::span<const Resource> resources, VkDescriptorSet& out);
+    /// Takes what Layout::check() takes, in any order.
+    Status allocateSet(const Layout& layout, std::span<const Bound> resources, VkDescriptorSet& out);
     /// Uniform or storage memory, written by the CPU.
     Status allocate(VkDeviceSize size, Slice& out);
     /// A uniform block.

@@ -10,16 +10,20 @@
 
 namespace seaglass::gpu {
 
-Status ShaderModule::create(std::span<const uint32_t> spirv, const char* what) {
+Status ShaderModule::create(std::span<const uint32_t> spirv, const char* what, uint32_t unread) {
+    words_ = spirv;
 #ifdef SEAGLASS_SHADER_RELOAD
-    std::vector<uint32_t> reloaded;
-    if (!reloadShader(spirv, reloaded))
+    if (!reloadShader(spirv, changed_))
         return device_.fail(Status::invalidArgument, "%s: its changed shader does not compile", what);
-    if (!reloaded.empty()) spirv = reloaded;
+    if (!changed_.empty()) words_ = changed_;
 #endif
+    if (unread != allBindings) {
+        changed_ = withoutBinding(words_, unread);
+        words_ = changed_;
+    }
     VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-    info.codeSize = spirv.size_bytes();
-    info.pCode = spirv.data();
+    info.codeSize = words_.size_bytes();
+    info.pCode = words_.data();
     return device_.made(
         device_.vk().CreateShaderModule(device_.handle(), &info, device_.allocator(), &module_),
         VK_OBJECT_TYPE_SHADER_MODULE, module_, what);
@@ -41,16 +45,14 @@ void Kernel::release() {
     pipeline_ = VK_NULL_HANDLE;
 }
 
-Status Kernel::create(const Device& device, std::span<const uint32_t> spirv,
-                      std::span<const VkDescriptorType> bindings, const char* what,
+Status Kernel::create(const Device& device, std::span<const uint32_t> spirv, const char* what,
                       std::span<const uint32_t> constants) {
     release();
     device_ = &device;
-    if (const Status s = layout_.create(device, bindings, VK_SHADER_STAGE_COMPUTE_BIT, 0, what);
-        s != Status::ok)
-        return s;
     ShaderModule module(device);
     if (const Status s = module.create(spirv, what); s != Status::ok) return s;
+    const std::span<const uint32_t> modules[] = {module.words()};
+    if (const Status s = layout_.create(device, modules, 0, what); s != Status::ok) return s;
     VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
     info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "gpu/binding.h"
+#include "gpu/without_binding.h"
 
 namespace seaglass::gpu {
 
@@ -15,8 +16,7 @@ class Kernel {
     Kernel& operator=(Kernel&& other) noexcept;
 
     /// `constants` are the specialisation constants, number 0 first.
-    Status create(const Device& device, std::span<const uint32_t> spirv,
-                  std::span<const VkDescriptorType> bindings, const char* what,
+    Status create(const Device& device, std::span<const uint32_t> spirv, const char* what,
                   std::span<const uint32_t> constants = {});
 
     const Layout& layout() const { return layout_; }
@@ -49,11 +49,16 @@ class ShaderModule {
     ShaderModule(const ShaderModule&) = delete;
     ShaderModule& operator=(const ShaderModule&) = delete;
 
-    Status create(std::span<const uint32_t> spirv, const char* what);
+    /// Of words that stay: as built in or as reloaded since, and withoutBinding() `unread`.
+    Status create(std::span<const uint32_t> spirv, const char* what, uint32_t unread = allBindings);
     VkShaderModule handle() const { return module_; }
+    /// What it is made of.
+    std::span<const uint32_t> words() const { return words_; }
 
   private:
     const Device& device_;
+    std::vector<uint32_t> changed_;
+    std::span<const uint32_t> words_;
     VkShaderModule module_ = VK_NULL_HANDLE;
 };
 

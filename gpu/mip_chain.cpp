@@ -76,18 +76,6 @@ struct MipUniforms {
     uint32_t padding[3] = {};
 };
 
-uint32_t imagesOf(VkFormat format) {
-    return format == VK_FORMAT_R32G32B32A32_SFLOAT ? 3 : 1;
-}
-
-Status createKernel(Context& context, VkFormat format, std::span<const uint32_t> spirv, Kernel& out) {
-    const uint32_t images = imagesOf(format);
-    std::vector<VkDescriptorType> bindings = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER};
-    bindings.insert(bindings.end(), images, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
-    bindings.insert(bindings.end(), size_t{images} * halvings, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
-    return out.create(context.device, spirv, bindings, "mips pipeline");
-}
-
 /// Five mips of three images at once are more than Vulkan promises.
 bool byKernel(const Device& device) {
     return !device.isCpu() && device.limits().maxPerStageDescriptorStorageImages >= 3 * halvings;
@@ -97,13 +85,13 @@ bool byKernel(const Device& device) {
 struct WideMipKernel {
     MipKernel mips;
     Status create(Context& context) {
-        return createKernel(context, VK_FORMAT_R32G32B32A32_SFLOAT, mip_chain_rgba32f_comp, mips.kernel);
+        return mips.kernel.create(context.device, mip_chain_rgba32f_comp, "mips pipeline");
     }
 };
 struct NarrowMipKernel {
     MipKernel mips;
     Status create(Context& context) {
-        return createKernel(context, VK_FORMAT_R16G16_SFLOAT, mip_chain_rg16f_comp, mips.kernel);
+        return mips.kernel.create(context.device, mip_chain_rg16f_comp, "mips pipeline");
     }
 };
 
@@ -122,13 +110,14 @@ Status recordHalvings(Context& context, VkCommandBuffer commands, const Kernel& 
     const uint32_t last = std::min(base + halvings, desc.mipLevels - 1);
     Slice slice;
     if (const Status s = context.frame().upload(MipUniforms{last - base}, slice); s != Status::ok) return s;
-    std::vector<Resource> resources = {uniformBuffer(slice.buffer, slice.offset, sizeof(MipUniforms))};
+    std::vector<Bound> resources = {{0, uniformBuffer(slice.buffer, slice.offset, sizeof(MipUniforms))}};
+    uint32_t next = 1;
     for (const OwnedImage* image : images)
-        resources.push_back(sampledImage(context.samplers.nearestClamp(), image->mipView(base)));
+        resources.push_back({next++, sampledImage(context.samplers.nearestClamp(), image->mipView(base))});
     // What nothing is stored to needs something to point at.
     for (const OwnedImage* image : images)
         for (uint32_t mip = base + 1; mip <= base + halvings; ++mip)
-            resources.push_back(storageImage(image->mipView(std::min(mip, last))));
+            resources.push_back({next++, storageImage(image->mipView(std::min(mip, last)))});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;

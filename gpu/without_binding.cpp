@@ -2,32 +2,13 @@
 
 #include <algorithm>
 
+#include "gpu/spirv_words.h"
+
 namespace seaglass::gpu {
 
 namespace {
 
-// Numbers of the SPIR-V specification, 3.
-constexpr uint32_t opName = 5, opEntryPoint = 15, opFunction = 54, opFunctionParameter = 55,
-                   opFunctionEnd = 56, opVariable = 59, opLoad = 61, opDecorate = 71, opLabel = 248,
-                   opUnreachable = 255;
-constexpr uint32_t decorationBinding = 33;
-constexpr size_t headerWords = 5;
-
-using Instruction = std::span<const uint32_t>;
-
-uint32_t opOf(Instruction words) {
-    return words[0] & 0xffffu;
-}
-
-std::vector<Instruction> instructionsOf(std::span<const uint32_t> spirv) {
-    std::vector<Instruction> list;
-    for (size_t at = headerWords; at < spirv.size();) {
-        const size_t count = std::max(spirv[at] >> 16, 1u);
-        list.push_back(spirv.subspan(at, std::min(count, spirv.size() - at)));
-        at += count;
-    }
-    return list;
-}
+using namespace spirv;
 
 /// 0: none, which is no id.
 uint32_t variableAt(std::span<const Instruction> module, uint32_t binding) {

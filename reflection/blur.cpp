@@ -13,9 +13,7 @@ uint32_t blurMipLevels(VkExtent2D extent, uint32_t levels) {
 }
 
 Status BlurKernel::create(Context& context) {
-    constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                                             VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
-    return kernel.create(context.device, blur_comp, bindings, "blur pipeline");
+    return kernel.create(context.device, blur_comp, "blur pipeline");
 }
 
 Status recordBlur(Context& context, VkCommandBuffer commands, const BlurKernel* blur,
@@ -28,9 +26,10 @@ Status recordBlur(Context& context, VkCommandBuffer commands, const BlurKernel* 
         gpu::imageBarrier(image, gpu::discardedAfterSampling, gpu::storageWritten, 1)};
     gpu::recordBarriers(context.device, commands, barriers, desc.mipLevels > 1 ? 2 : 1);
     for (uint32_t mip = 1; mip < desc.mipLevels; ++mip) {
-        const gpu::Resource resources[] = {
-            gpu::sampledImage(context.samplers.trilinearClamp(), color.mipView(mip - 1)),
-            gpu::storageImage(color.mipView(mip))};
+        const gpu::Bound resources[] = {
+            {0, gpu::sampledImage(context.samplers.trilinearClamp(), color.mipView(mip - 1))},
+            {1, gpu::storageImage(color.mipView(mip))},
+        };
         VkDescriptorSet set = VK_NULL_HANDLE;
         if (const Status s = context.frame().allocateSet(blur->kernel.layout(), resources, set);
             s != Status::ok)

@@ -32,7 +32,7 @@ VkDeviceSize heldByCells(const gpu::Device& device, VkExtent2D extent) {
 }
 
 Status CellsKernel::create(Context& context) {
-    return createDepthScan(context, cells_comp, "cells pipeline", kernel);
+    return kernel.create(context.device, cells_comp, "cells pipeline");
 }
 
 Status recordCells(const ReflectPass& pass, const CellsKernel& kernel, const gpu::Buffer& cells,

@@ -10,9 +10,8 @@
 
 namespace seaglass {
 
-/// Bindings: mirror.glsl's block, the scene's depth, the buffer, the tiles.
-Status createDepthScan(Context& context, std::span<const uint32_t> spirv, const char* what, gpu::Kernel& out);
-
+/// Binds mirror.glsl's block, the scene's depth, what is found and the tiles: what the kernel declares of
+/// them.
 Status allocateDepthScan(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::Buffer& found,
                          const gpu::Buffer& tiles, VkDescriptorSet& out);
 

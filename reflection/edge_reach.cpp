@@ -19,13 +19,8 @@ struct EdgeReachUniforms {
 } // namespace
 
 Status EdgeReachKernel::create(Context& context) {
-    constexpr VkDescriptorType bindings[] = {
-        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
     if (const Status s = columns.create(context); s != Status::ok) return s;
-    return kernel.create(context, edge_reach_comp, bindings, "edge reach pipeline");
+    return kernel.create(context, edge_reach_comp, "edge reach pipeline");
 }
 
 Status recordEdgeReach(const ReflectPass& pass, EdgeReachKernel& reach, const gpu::Buffer& tiles,
@@ -37,14 +32,14 @@ Status recordEdgeReach(const ReflectPass& pass, EdgeReachKernel& reach, const gp
     const VkSampler nearest = context.samplers.nearestClamp();
     const Image& depth = pass.view.sceneDepth;
     const Image& color = pass.view.sceneColor;
-    const gpu::Resource resources[] = {
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
-        gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
-        gpu::sampledImage(nearest, depth.view, depth.layout),
-        gpu::sampledImage(nearest, color.view, color.layout),
-        gpu::storageImage(images.color.firstMipView()),
-        gpu::storageImage(images.info.view()),
-        gpu::storageBuffer(tiles.handle()),
+    const gpu::Bound resources[] = {
+        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
+        {1, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms)},
+        {2, gpu::sampledImage(nearest, depth.view, depth.layout)},
+        {3, gpu::sampledImage(nearest, color.view, color.layout)},
+        {4, gpu::storageImage(images.color.firstMipView())},
+        {5, gpu::storageImage(images.info.view())},
+        {6, gpu::storageBuffer(tiles.handle())},
     };
     const gpu::Kernel* kernel = nullptr;
     if (const Status s = reach.kernel.of(context, color, kernel); s != Status::ok) return s;

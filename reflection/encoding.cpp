@@ -30,19 +30,17 @@ void tellUnspecified(Context& context, const Image& sceneColor) {
                     "ViewDesc.sceneColor.encoding to be linear, or srgb where it holds what displays take"));
 }
 
-Status ColorKernel::create(Context& context, std::span<const uint32_t> spirv,
-                           std::span<const VkDescriptorType> bindings, const char* what) {
+Status ColorKernel::create(Context& context, std::span<const uint32_t> spirv, const char* what) {
     spirv_ = spirv;
-    bindings_.assign(bindings.begin(), bindings.end());
     what_ = what;
-    return linear_.create(context.device, spirv, bindings, what);
+    return linear_.create(context.device, spirv, what);
 }
 
 Status ColorKernel::of(const Context& context, const Image& sceneColor, const gpu::Kernel*& out) {
     out = isEncoded(sceneColor) ? &encoded_ : &linear_;
     if (!isEncoded(sceneColor) || hasEncoded_) return Status::ok;
     constexpr uint32_t decodes[] = {1};
-    const Status s = encoded_.create(context.device, spirv_, bindings_, what_, decodes);
+    const Status s = encoded_.create(context.device, spirv_, what_, decodes);
     hasEncoded_ = s == Status::ok;
     return s;
 }

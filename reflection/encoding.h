@@ -1,7 +1,7 @@
 // Colour that a host holds as displays take it: which of its images do, and the kernels that read them.
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "gpu/context.h"
 #include "gpu/kernel.h"
@@ -26,13 +26,11 @@ void tellUnspecified(Context& context, const Image& sceneColor);
 class ColorKernel {
   public:
     /// `spirv` stays.
-    Status create(Context& context, std::span<const uint32_t> spirv,
-                  std::span<const VkDescriptorType> bindings, const char* what);
+    Status create(Context& context, std::span<const uint32_t> spirv, const char* what);
     Status of(const Context& context, const Image& sceneColor, const gpu::Kernel*& out);
 
   private:
     std::span<const uint32_t> spirv_;
-    std::vector<VkDescriptorType> bindings_;
     const char* what_ = nullptr;
     gpu::Kernel linear_, encoded_;
     bool hasEncoded_ = false;

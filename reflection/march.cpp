@@ -1,8 +1,8 @@
 #include "reflection/march.h"
 
-#include <array>
 #include <cstddef>
 #include <cstring>
+#include <vector>
 
 #include "reflection/mirror.h"
 #include "reflection/tiles.h"
@@ -42,15 +42,6 @@ MarchUniforms marchUniforms(const ReflectPass& pass) {
     return out;
 }
 
-/// At most; those that a variant needs.
-template<typename T>
-struct Bindings {
-    std::array<T, 9> values;
-    size_t count = 0;
-    void add(const T& value) { values[count++] = value; }
-    operator std::span<const T>() const { return {values.data(), count}; }
-};
-
 std::span<const uint32_t> spirvOf(bool cells, bool open) {
     if (cells) return open ? std::span<const uint32_t>(march_cells_open_comp) : march_cells_comp;
     return open ? std::span<const uint32_t>(march_strides_open_comp) : march_strides_comp;
@@ -76,19 +67,20 @@ Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, bool take
     const VkSampler nearest = pass.context.samplers.nearestClamp();
     const Image& depth = pass.view.sceneDepth;
     const Image& color = pass.view.sceneColor;
-    Bindings<gpu::Resource> resources;
-    resources.add(gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)));
-    resources.add(gpu::sampledImage(nearest, depth.view, depth.layout));
-    resources.add(gpu::uniformBuffer(settings.buffer, settings.offset, sizeof uniforms));
-    resources.add(gpu::sampledImage(nearest, color.view, color.layout));
-    resources.add(gpu::storageImage(images.color.firstMipView()));
-    resources.add(gpu::storageImage(images.info.view()));
-    resources.add(gpu::storageBuffer(tiles.handle()));
-    if (cells) resources.add(gpu::storageBuffer(cells->handle()));
+    std::vector<gpu::Bound> resources = {
+        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
+        {1, gpu::sampledImage(nearest, depth.view, depth.layout)},
+        {2, gpu::uniformBuffer(settings.buffer, settings.offset, sizeof uniforms)},
+        {3, gpu::sampledImage(nearest, color.view, color.layout)},
+        {4, gpu::storageImage(images.color.firstMipView())},
+        {5, gpu::storageImage(images.info.view())},
+        {6, gpu::storageBuffer(tiles.handle())},
+    };
+    if (cells) resources.push_back({7, gpu::storageBuffer(cells->handle())});
     if (takesNormals) {
         // The colour stands in for normals that nobody reads.
         const Image& normals = pass.view.surfaceNormals ? *pass.view.surfaceNormals : color;
-        resources.add(gpu::sampledImage(nearest, normals.view, normals.layout));
+        resources.push_back({8, gpu::sampledImage(nearest, normals.view, normals.layout)});
     }
     return frame.allocateSet(kernel.layout(), resources, out);
 }
@@ -97,17 +89,7 @@ Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, bool take
 
 Status MarchKernel::create(Context& context, bool cells, bool open) {
     takesNormals = !open;
-    Bindings<VkDescriptorType> bindings;
-    bindings.add(VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
-    bindings.add(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
-    bindings.add(VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
-    bindings.add(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
-    bindings.add(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
-    bindings.add(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
-    bindings.add(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    if (cells) bindings.add(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    if (takesNormals) bindings.add(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
-    return kernel.create(context, spirvOf(cells, open), bindings, "march pipeline");
+    return kernel.create(context, spirvOf(cells, open), "march pipeline");
 }
 
 Status shareMarch(Context& context, bool cells, bool open, std::shared_ptr<MarchKernel>& out) {

@@ -9,18 +9,17 @@ namespace seaglass {
 
 namespace {
 
-constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                                         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                                         VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
-
 gpu::Resource mirrorOf(const ReflectPass& pass) {
     return gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms));
 }
 
 /// By the flags that stand before the lists.
 Status recordByOwnFlags(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::Buffer& tiles) {
-    const gpu::Resource resources[] = {mirrorOf(pass), gpu::storageBuffer(tiles.handle()),
-                                       gpu::storageBuffer(tiles.handle())};
+    const gpu::Bound resources[] = {
+        {0, mirrorOf(pass)},
+        {1, gpu::storageBuffer(tiles.handle())},
+        {2, gpu::storageBuffer(tiles.handle())},
+    };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = pass.context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;
@@ -31,17 +30,15 @@ Status recordByOwnFlags(const ReflectPass& pass, const gpu::Kernel& kernel, cons
 } // namespace
 
 Status SeenTilesKernel::create(Context& context) {
-    return kernel.create(context.device, seen_tiles_comp, std::span(bindings).first<3>(),
-                         "seen tiles pipeline");
+    return kernel.create(context.device, seen_tiles_comp, "seen tiles pipeline");
 }
 
 Status SeenColumnsKernel::create(Context& context) {
-    return kernel.create(context.device, seen_columns_comp, std::span(bindings).first<3>(),
-                         "seen columns pipeline");
+    return kernel.create(context.device, seen_columns_comp, "seen columns pipeline");
 }
 
 Status OpenTilesKernel::create(Context& context) {
-    return kernel.create(context.device, open_tiles_comp, bindings, "open tiles pipeline");
+    return kernel.create(context.device, open_tiles_comp, "open tiles pipeline");
 }
 
 Status recordSeenTiles(const ReflectPass& pass, const SeenTilesKernel& kernel, const gpu::Buffer& tiles) {
@@ -57,9 +54,12 @@ Status recordSeenColumns(const ReflectPass& pass, const SeenColumnsKernel& kerne
 Status recordOpenTiles(const ReflectPass& pass, const OpenTilesKernel& kernel, const gpu::Buffer& sorted,
                        const OwnedReflection& images, const gpu::Buffer& open) {
     Context& context = pass.context;
-    const gpu::Resource resources[] = {
-        mirrorOf(pass), gpu::storageBuffer(sorted.handle()), gpu::storageBuffer(open.handle()),
-        gpu::sampledImage(context.samplers.nearestClamp(), images.info.view())};
+    const gpu::Bound resources[] = {
+        {0, mirrorOf(pass)},
+        {1, gpu::storageBuffer(sorted.handle())},
+        {2, gpu::storageBuffer(open.handle())},
+        {3, gpu::sampledImage(context.samplers.nearestClamp(), images.info.view())},
+    };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.kernel.layout(), resources, set); s != Status::ok)
         return s;

@@ -20,11 +20,7 @@ struct OverlayUniforms {
 } // namespace
 
 Status OverlayKernel::create(Context& context) {
-    constexpr VkDescriptorType bindings[] = {
-        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
-    return kernel.create(context.device, overlay_comp, bindings, "overlay pipeline");
+    return kernel.create(context.device, overlay_comp, "overlay pipeline");
 }
 
 bool showsReflection(OverlayKind kind) {
@@ -64,13 +60,13 @@ Status recordOverlay(const ReflectPass& pass, const OverlayKernel& overlay, cons
     const gpu::Resource sceneDepth = gpu::sampledImage(nearest, depth.view, depth.layout);
     // What a kind does not show needs something to point at.
     const bool shown = showsReflection(desc.kind);
-    const gpu::Resource resources[] = {
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
-        gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
-        sceneDepth,
-        shown ? gpu::sampledImage(nearest, images.color) : sceneDepth,
-        shown ? gpu::sampledImage(nearest, images.info) : sceneDepth,
-        gpu::storageImage(desc.target.view),
+    const gpu::Bound resources[] = {
+        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
+        {1, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms)},
+        {2, sceneDepth},
+        {3, shown ? gpu::sampledImage(nearest, images.color) : sceneDepth},
+        {4, shown ? gpu::sampledImage(nearest, images.info) : sceneDepth},
+        {5, gpu::storageImage(desc.target.view)},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(overlay.kernel.layout(), resources, set);

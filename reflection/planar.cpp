@@ -1,6 +1,7 @@
 #include "reflection/planar.h"
 
 #include <span>
+#include <vector>
 
 #include <glm/matrix.hpp>
 
@@ -50,14 +51,9 @@ PlanarForm planarForm(const DrawnDesc& drawn) {
 
 template<PlanarForm form>
 Status PlanarKernelOf<form>::create(Context& context) {
-    constexpr VkDescriptorType bindings[] = {
-        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
     using Shader = std::span<const uint32_t>;
     const Shader shaders[] = {planar_comp, planar_apart_comp, planar_resolved_comp, planar_multisampled_comp};
-    return kernel.create(context, shaders[static_cast<size_t>(form)],
-                         std::span(bindings).first(form == PlanarForm::inPlace ? 5 : 6), "planar pipeline");
+    return kernel.create(context, shaders[static_cast<size_t>(form)], "planar pipeline");
 }
 
 template struct PlanarKernelOf<PlanarForm::inPlace>;
@@ -153,23 +149,21 @@ Status recordPlanar(const ReflectPass& pass, PlanarKernel& planar, const PlanarS
         glm::vec4(camera.heightRow), glm::vec4(camera.weightRow), scratch.depth.desc().samples, {}};
     gpu::Slice slice;
     if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
-    const gpu::Resource resources[] = {
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
-        gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
-        gpu::sampledImage(context.samplers.nearestClamp(), scratch.depth.view()),
-        gpu::storageImage(images.color.firstMipView()),
-        gpu::storageImage(images.info.view()),
-        gpu::sampledImage(context.samplers.nearestClamp(), scratch.color.view()),
+    std::vector<gpu::Bound> resources = {
+        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
+        {1, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms)},
+        {2, gpu::sampledImage(context.samplers.nearestClamp(), scratch.depth.view())},
+        {3, gpu::storageImage(images.color.firstMipView())},
+        {4, gpu::storageImage(images.info.view())},
     };
-    const size_t bound = scratch.color.handle() ? 6 : 5;
+    if (scratch.color.handle())
+        resources.push_back({5, gpu::sampledImage(context.samplers.nearestClamp(), scratch.color.view())});
     Image drawn = pass.view.sceneColor;
     if (scratch.color.handle() && appliesSrgb(scratch.color.desc().format)) drawn.encoding = Encoding::linear;
     const gpu::Kernel* kernel = nullptr;
     if (const Status s = planar.kernel.of(context, drawn, kernel); s != Status::ok) return s;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s =
-            context.frame().allocateSet(kernel->layout(), std::span(resources).first(bound), set);
-        s != Status::ok)
+    if (const Status s = context.frame().allocateSet(kernel->layout(), resources, set); s != Status::ok)
         return s;
 
     const VkCommandBuffer commands = pass.commands;

@@ -12,21 +12,11 @@ namespace seaglass {
 
 namespace {
 
-constexpr VkDescriptorType uniforms = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-constexpr VkDescriptorType sampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-
 Status createResolve(Context& context, std::span<const uint32_t> shader, ResolveKernel& out) {
-    constexpr VkDescriptorType resolveBindings[] = {uniforms, buffer,  sampled, buffer,
-                                                    sampled,  storage, storage};
-    if (const Status s = out.kernel.create(context, shader, resolveBindings, "resolve pipeline");
-        s != Status::ok)
-        return s;
+    if (const Status s = out.kernel.create(context, shader, "resolve pipeline"); s != Status::ok) return s;
     if (const Status s = shareUnseenTiles(context, out.unseen); s != Status::ok) return s;
-    constexpr VkDescriptorType missBindings[] = {uniforms, buffer, sampled, storage, storage};
     const uint32_t colorIsCleared[] = {out.unseen ? 0u : 1u};
-    return out.miss.create(context.device, miss_comp, missBindings, "miss pipeline", colorIsCleared);
+    return out.miss.create(context.device, miss_comp, "miss pipeline", colorIsCleared);
 }
 
 } // namespace
@@ -49,18 +39,22 @@ Status recordResolve(const ReflectPass& pass, ResolveKernel& resolve, const gpu:
     const gpu::Resource mirror =
         gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms));
     const gpu::Resource sceneDepth = gpu::sampledImage(nearest, depth.view, depth.layout);
-    const gpu::Resource resolveResources[] = {
-        mirror,
-        gpu::storageBuffer(tiles.handle()),
-        sceneDepth,
-        gpu::storageBuffer(keys.handle()),
-        gpu::sampledImage(nearest, color.view, color.layout),
-        gpu::storageImage(images.color.firstMipView()),
-        gpu::storageImage(images.info.view()),
+    const gpu::Bound resolveResources[] = {
+        {0, mirror},
+        {1, gpu::storageBuffer(tiles.handle())},
+        {2, sceneDepth},
+        {3, gpu::storageBuffer(keys.handle())},
+        {4, gpu::sampledImage(nearest, color.view, color.layout)},
+        {5, gpu::storageImage(images.color.firstMipView())},
+        {6, gpu::storageImage(images.info.view())},
     };
-    const gpu::Resource missResources[] = {mirror, gpu::storageBuffer(tiles.handle()), sceneDepth,
-                                           gpu::storageImage(images.info.view()),
-                                           gpu::storageImage(images.color.firstMipView())};
+    const gpu::Bound missResources[] = {
+        {0, mirror},
+        {1, gpu::storageBuffer(tiles.handle())},
+        {2, sceneDepth},
+        {3, gpu::storageImage(images.info.view())},
+        {4, gpu::storageImage(images.color.firstMipView())},
+    };
     const gpu::Kernel* kernel = nullptr;
     if (const Status s = resolve.kernel.of(context, color, kernel); s != Status::ok) return s;
     VkDescriptorSet resolveSet = VK_NULL_HANDLE;

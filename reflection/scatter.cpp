@@ -22,11 +22,11 @@ void recordClear(const gpu::Device& device, VkCommandBuffer commands, const gpu:
 } // namespace
 
 Status ScatterKernel::create(Context& context) {
-    return createDepthScan(context, scatter_comp, "scatter pipeline", kernel);
+    return kernel.create(context.device, scatter_comp, "scatter pipeline");
 }
 
 Status CoarseScatterKernel::create(Context& context) {
-    return createDepthScan(context, scatter_coarse_comp, "scatter pipeline", scatter.kernel);
+    return scatter.kernel.create(context.device, scatter_coarse_comp, "scatter pipeline");
 }
 
 Status recordScatter(const ReflectPass& pass, const ScatterKernel& scatter, const gpu::Buffer& keys,

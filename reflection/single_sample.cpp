@@ -1,6 +1,7 @@
 #include "reflection/single_sample.h"
 
 #include <utility>
+#include <vector>
 
 #include "reflection/mirror.h"
 #include "spirv/single_sample_color.comp.h"
@@ -10,14 +11,6 @@
 namespace seaglass {
 
 namespace {
-
-Status createKernel(Context& context, std::span<const uint32_t> spirv, bool resolved, gpu::Kernel& out) {
-    constexpr VkDescriptorType bindings[] = {
-        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
-    return out.create(context.device, spirv, std::span(bindings).first(resolved ? 4 : 3),
-                      "single sample pipeline");
-}
 
 bool hasManySamples(const Image& image) {
     return image.samples != VK_SAMPLE_COUNT_1_BIT;
@@ -92,17 +85,14 @@ Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::
                          const Image& image, const Image* resolved) {
     const gpu::Device& device = context.device;
     const VkSampler nearest = context.samplers.nearestClamp();
-    const Image& last = resolved ? *resolved : image;
-    const gpu::Resource resources[] = {
-        gpu::uniformBuffer(mirror.buffer, mirror.offset, sizeof(MirrorUniforms)),
-        gpu::sampledImage(nearest, image.view, image.layout),
-        gpu::storageImage(to.view()),
-        gpu::sampledImage(nearest, last.view, last.layout),
+    std::vector<gpu::Bound> resources = {
+        {0, gpu::uniformBuffer(mirror.buffer, mirror.offset, sizeof(MirrorUniforms))},
+        {1, gpu::sampledImage(nearest, image.view, image.layout)},
+        {2, gpu::storageImage(to.view())},
     };
+    if (resolved) resources.push_back({3, gpu::sampledImage(nearest, resolved->view, resolved->layout)});
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s =
-            context.frame().allocateSet(kernel.layout(), std::span(resources).first(resolved ? 4 : 3), set);
-        s != Status::ok)
+    if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;
     const VkImageMemoryBarrier2 before =
         gpu::imageBarrier(to.handle(), gpu::discardedAfterSampling, gpu::storageWritten);
@@ -115,15 +105,15 @@ Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::
 }
 
 Status DepthSampleKernel::create(Context& context) {
-    return createKernel(context, single_sample_depth_comp, false, kernel);
+    return kernel.create(context.device, single_sample_depth_comp, "single sample pipeline");
 }
 
 Status ColorSampleKernel::create(Context& context) {
-    return createKernel(context, single_sample_color_comp, false, kernel);
+    return kernel.create(context.device, single_sample_color_comp, "single sample pipeline");
 }
 
 Status ResolvedColorKernel::create(Context& context) {
-    return createKernel(context, single_sample_resolved_comp, true, kernel);
+    return kernel.create(context.device, single_sample_resolved_comp, "single sample pipeline");
 }
 
 bool SingleSampledScene::fits(const ViewDesc& view) const {

@@ -37,10 +37,7 @@ StretchUniforms uniformsOf(const ReflectPass& pass, VkExtent2D extent) {
 } // namespace
 
 Status StretchKernel::create(Context& context) {
-    constexpr VkDescriptorType bindings[] = {
-        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
-    return kernel.create(context.device, stretch_comp, bindings, "stretch pipeline");
+    return kernel.create(context.device, stretch_comp, "stretch pipeline");
 }
 
 Status recordStretch(const ReflectPass& pass, const StretchKernel& stretch, const OwnedReflection& images) {
@@ -49,11 +46,11 @@ Status recordStretch(const ReflectPass& pass, const StretchKernel& stretch, cons
     const StretchUniforms uniforms = uniformsOf(pass, extent);
     gpu::Slice slice;
     if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
-    const gpu::Resource resources[] = {
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
-        gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
-        gpu::storageImage(images.color.firstMipView()),
-        gpu::storageImage(images.info.view()),
+    const gpu::Bound resources[] = {
+        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
+        {1, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms)},
+        {2, gpu::storageImage(images.color.firstMipView())},
+        {3, gpu::storageImage(images.info.view())},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(stretch.kernel.layout(), resources, set);

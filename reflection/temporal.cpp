@@ -62,15 +62,9 @@ TemporalUniforms uniformsOf(const ReflectPass& pass, const LastFrame& last) {
 } // namespace
 
 Status TemporalKernel::create(Context& context) {
-    constexpr VkDescriptorType bindings[] = {
-        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,         VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,          VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
     if (const Status s = columns.create(context); s != Status::ok) return s;
     if (const Status s = shareUnseenTiles(context, unseen); s != Status::ok) return s;
-    return kernel.create(context.device, temporal_comp, bindings, "temporal pipeline");
+    return kernel.create(context.device, temporal_comp, "temporal pipeline");
 }
 
 Status TemporalScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
@@ -105,16 +99,16 @@ Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, c
     const OwnedReflection& found = scratch.found;
     // What nobody reads needs something to point at.
     const OwnedReflection& last = known ? scratch.other : found;
-    const gpu::Resource resources[] = {
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
-        gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
-        gpu::sampledImage(nearest, found.color.view()),
-        gpu::sampledImage(nearest, found.info.view()),
-        gpu::sampledImage(nearest, last.color.view()),
-        gpu::sampledImage(nearest, last.info.view()),
-        gpu::storageImage(images.color.firstMipView()),
-        gpu::storageImage(images.info.view()),
-        gpu::storageBuffer(tiles.handle()),
+    const gpu::Bound resources[] = {
+        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
+        {1, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms)},
+        {2, gpu::sampledImage(nearest, found.color.view())},
+        {3, gpu::sampledImage(nearest, found.info.view())},
+        {4, gpu::sampledImage(nearest, last.color.view())},
+        {5, gpu::sampledImage(nearest, last.info.view())},
+        {6, gpu::storageImage(images.color.firstMipView())},
+        {7, gpu::storageImage(images.info.view())},
+        {8, gpu::storageBuffer(tiles.handle())},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(temporal.kernel.layout(), resources, set);

@@ -55,11 +55,11 @@ void recordAllSeen(const gpu::Device& device, VkCommandBuffer commands, const gp
 }
 
 Status TilesKernel::create(Context& context) {
-    return createDepthScan(context, tiles_comp, "tiles pipeline", kernel);
+    return kernel.create(context.device, tiles_comp, "tiles pipeline");
 }
 
 Status RoofsTilesKernel::create(Context& context) {
-    return createDepthScan(context, tiles_roofs_comp, "tiles pipeline", tiles.kernel);
+    return tiles.kernel.create(context.device, tiles_roofs_comp, "tiles pipeline");
 }
 
 void recordTileLists(const ReflectPass& pass, const gpu::Kernel& kernel, VkDescriptorSet set) {

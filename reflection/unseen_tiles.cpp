@@ -26,10 +26,7 @@ void recordCleared(const gpu::Device& device, VkCommandBuffer commands, const Ow
 } // namespace
 
 Status UnseenTilesKernel::create(Context& context) {
-    constexpr VkDescriptorType bindings[] = {
-        VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
-    return kernel.create(context.device, unseen_tiles_comp, bindings, "unseen tiles pipeline");
+    return kernel.create(context.device, unseen_tiles_comp, "unseen tiles pipeline");
 }
 
 Status shareUnseenTiles(Context& context, std::shared_ptr<UnseenTilesKernel>& out) {
@@ -48,11 +45,11 @@ Status recordUnseenTiles(const ReflectPass& pass, const UnseenTilesKernel* kerne
         recordCleared(context.device, pass.commands, images);
         return Status::ok;
     }
-    const gpu::Resource resources[] = {
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms)),
-        gpu::storageBuffer(tiles.handle()),
-        gpu::storageImage(images.color.firstMipView()),
-        gpu::storageImage(images.info.view()),
+    const gpu::Bound resources[] = {
+        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
+        {1, gpu::storageBuffer(tiles.handle())},
+        {2, gpu::storageImage(images.color.firstMipView())},
+        {3, gpu::storageImage(images.info.view())},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel->kernel.layout(), resources, set);

@@ -28,10 +28,8 @@ layout(set = 0, binding = 7, std430) readonly buffer Cells {
     uint cells[];
 };
 #include "march_cells.glsl"
-#define AFTER_CELLS 8
 #else
 #include "march_strides.glsl"
-#define AFTER_CELLS 7
 #endif
 #include "march_ray.glsl"
 
@@ -54,7 +52,7 @@ float metresToMarch(ivec2 pixel) {
     return infoIsDoubt(known) ? min(hitOfDoubt(known), longest) : longest;
 }
 #else
-layout(set = 0, binding = AFTER_CELLS) uniform sampler2D surfaceNormals;
+layout(set = 0, binding = 8) uniform sampler2D surfaceNormals;
 
 // Kept above the plane, as what shades the surface keeps it.
 vec3 mirroredBySurface(vec2 q, vec3 direction) {

@@ -24,10 +24,7 @@ namespace seaglass {
 
 namespace {
 
-constexpr VkDescriptorType uniforms = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType sampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-constexpr VkDescriptorType stored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+constexpr const char* what = "caustics pipeline";
 
 constexpr VkFormat lightFormat = VK_FORMAT_R16G16_SFLOAT;
 constexpr uint32_t mostMips = 6;          // blurs as wide as 64 texels
@@ -195,35 +192,26 @@ CausticGrid causticGrid(const ShadingDesc& shading, const ViewGeometry& view, do
 }
 
 Status CastKernel::create(Context& context) {
-    constexpr std::array bindings{uniforms, sampled, sampled, sampled, sampled, storage};
-    return kernel.create(context.device, caustics_cast_comp, bindings, "caustics pipeline");
+    return kernel.create(context.device, caustics_cast_comp, what);
 }
 
 Status CastOnShoreKernel::create(Context& context) {
-    constexpr std::array bindings{uniforms, sampled, sampled, sampled, sampled, storage, sampled, storage};
-    return kernel.create(context.device, caustics_cast_shore_comp, bindings, "caustics pipeline");
+    return kernel.create(context.device, caustics_cast_shore_comp, what);
 }
 
 Status GatherKernel::create(Context& context) {
-    constexpr std::array bindings{uniforms, sampled, storage, stored};
-    if (!context.device.isCpu())
-        return kernel.create(context.device, caustics_gather_comp, bindings, "caustics pipeline");
-    return kernel.create(context.device, caustics_gather_copied_comp, std::span(bindings).first<3>(),
-                         "caustics pipeline");
+    const std::span<const uint32_t> stores(caustics_gather_comp), isCopied(caustics_gather_copied_comp);
+    return kernel.create(context.device, context.device.isCpu() ? isCopied : stores, what);
 }
 
 Status CausticBlurKernel::create(Context& context) {
-    const bool copied = context.device.isCpu();
-    const std::array bindings{uniforms, sampled, sampled, copied ? storage : stored};
     const std::span<const uint32_t> stores(caustics_blur_comp), isCopied(caustics_blur_copied_comp);
-    return kernel.create(context.device, copied ? isCopied : stores, bindings, "caustics pipeline");
+    return kernel.create(context.device, context.device.isCpu() ? isCopied : stores, what);
 }
 
 Status ShadowedCausticBlurKernel::create(Context& context) {
-    const bool copied = context.device.isCpu();
-    const std::array bindings{uniforms, sampled, sampled, copied ? storage : stored, sampled};
     const std::span<const uint32_t> stores(caustics_blur_h_comp), isCopied(caustics_blur_h_copied_comp);
-    return kernel.create(context.device, copied ? isCopied : stores, bindings, "caustics pipeline");
+    return kernel.create(context.device, context.device.isCpu() ? isCopied : stores, what);
 }
 
 Status Caustics::create(Context& context, const Sea& sea, const CausticsDesc& desc) {
@@ -260,13 +248,18 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
                             const Picture& picture) const {
     const gpu::Device& device = context.device;
     const gpu::Samplers& samplers = context.samplers;
-    std::vector<gpu::Resource> resources = {uniformsOf(in), depthOf(context, in)};
-    for (VkImageView map : in.waveMaps)
-        resources.push_back(gpu::sampledImage(samplers.trilinearRepeat(), map));
-    resources.push_back(gpu::storageBuffer(picture.sums.handle()));
+    const VkSampler repeat = samplers.trilinearRepeat();
+    std::vector<gpu::Bound> resources = {
+        {0, uniformsOf(in)},
+        {1, depthOf(context, in)},
+        {2, gpu::sampledImage(repeat, in.waveMaps[0])},
+        {3, gpu::sampledImage(repeat, in.waveMaps[1])},
+        {4, gpu::sampledImage(repeat, in.waveMaps[2])},
+        {5, gpu::storageBuffer(picture.sums.handle())},
+    };
     if (in.shoreMap) {
-        resources.push_back(gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap));
-        resources.push_back(in.shoreRows);
+        resources.push_back({6, gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap)});
+        resources.push_back({7, in.shoreRows});
     }
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(castKernel().layout(), resources, set); s != Status::ok)
@@ -284,9 +277,9 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
 
 Status Caustics::recordGather(Context& context, VkCommandBuffer commands, const CausticInputs& in,
                               const Picture& picture) const {
-    std::vector<gpu::Resource> resources = {uniformsOf(in), depthOf(context, in),
-                                            gpu::storageBuffer(picture.sums.handle())};
-    if (!context.device.isCpu()) resources.push_back(gpu::storageImage(picture.gathered.firstMipView()));
+    std::vector<gpu::Bound> resources = {
+        {0, uniformsOf(in)}, {1, depthOf(context, in)}, {2, gpu::storageBuffer(picture.sums.handle())}};
+    if (!context.device.isCpu()) resources.push_back({3, gpu::storageImage(picture.gathered.firstMipView())});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(gather_->kernel.layout(), resources, set);
         s != Status::ok)
@@ -304,12 +297,13 @@ Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const Ca
     if (in.shadow && !blurInShadow_)
         if (const Status s = context.share(blurInShadow_); s != Status::ok) return s;
     const gpu::Kernel& kernel = in.shadow ? blurInShadow_->kernel : blur_->kernel;
-    std::vector<gpu::Resource> resources = {
-        uniformsOf(in), depthOf(context, in),
-        gpu::sampledImage(context.samplers.trilinearClamp(), picture.gathered.view()),
-        context.device.isCpu() ? gpu::storageBuffer(picture.sums.handle())
-                               : gpu::storageImage(picture.blurred.view())};
-    if (in.shadow) resources.push_back(sampledTexels(context, in.shadow->map));
+    std::vector<gpu::Bound> resources = {
+        {0, uniformsOf(in)},
+        {1, depthOf(context, in)},
+        {2, gpu::sampledImage(context.samplers.trilinearClamp(), picture.gathered.view())},
+        {3, context.device.isCpu() ? gpu::storageBuffer(picture.sums.handle())
+                                   : gpu::storageImage(picture.blurred.view())}};
+    if (in.shadow) resources.push_back({4, sampledTexels(context, in.shadow->map)});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;

@@ -74,20 +74,7 @@ VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, const gpu::Sh
     return info;
 }
 
-Status create(gpu::ShaderModule& module, std::span<const uint32_t> spirv, uint32_t unread, const char* what) {
-    if (unread == gpu::allBindings) return module.create(spirv, what);
-    return module.create(gpu::withoutBinding(spirv, unread), what);
-}
-
 } // namespace
-
-Status createDrawLayout(const gpu::Device& device, const TargetDesc& target,
-                        std::span<const VkDescriptorType> bindings, VkShaderStageFlags stages,
-                        const char* what, DrawPipeline& out) {
-    // Without a view to name, none is pushed.
-    out.pushedTo = target.viewMask ? stages : 0;
-    return out.layout.create(device, bindings, stages, target.viewMask ? sizeof(uint32_t) : 0, what);
-}
 
 void bindDraw(const gpu::Device& device, VkCommandBuffer commands, const DrawPipeline& pipeline,
               VkDescriptorSet set, uint32_t viewIndex) {
@@ -95,16 +82,19 @@ void bindDraw(const gpu::Device& device, VkCommandBuffer commands, const DrawPip
     const VkPipelineLayout layout = pipeline.layout.pipeline();
     vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.handle);
     vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &set, 0, nullptr);
-    if (pipeline.pushedTo)
-        vk.CmdPushConstants(commands, layout, pipeline.pushedTo, 0, sizeof viewIndex, &viewIndex);
+    if (const VkShaderStageFlags stages = pipeline.layout.pushedTo())
+        vk.CmdPushConstants(commands, layout, stages, 0, sizeof viewIndex, &viewIndex);
 }
 
 Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, const DrawShaders& shaders,
                           Drawing drawing, const char* what, DrawPipeline& out) {
     gpu::ShaderModule vertex(device);
     gpu::ShaderModule fragment(device);
-    if (const Status s = create(vertex, shaders.vertex, shaders.unread, what); s != Status::ok) return s;
-    if (const Status s = create(fragment, shaders.fragment, shaders.unread, what); s != Status::ok) return s;
+    if (const Status s = vertex.create(shaders.vertex, what, shaders.unread); s != Status::ok) return s;
+    if (const Status s = fragment.create(shaders.fragment, what, shaders.unread); s != Status::ok) return s;
+    const std::span<const uint32_t> modules[] = {vertex.words(), fragment.words()};
+    if (const Status s = out.layout.create(device, modules, sizeof(uint32_t), what); s != Status::ok)
+        return s;
 
     std::vector<VkSpecializationMapEntry> entries(shaders.constants.size());
     for (uint32_t i = 0; i < shaders.constants.size(); ++i)

@@ -26,7 +26,6 @@ constexpr size_t formFor(bool waves, bool shore) {
 struct DrawPipeline {
     gpu::Layout layout;
     VkPipeline handle = VK_NULL_HANDLE;
-    VkShaderStageFlags pushedTo = 0; ///< of a multiview pass: who is told which view is drawn
 };
 
 struct DrawShaders {
@@ -36,15 +35,11 @@ struct DrawShaders {
     uint32_t unread = gpu::allBindings;  ///< of an image that is never read: withoutBinding()
 };
 
-/// Of the descriptors that shaders read, and of the view that is drawn where a pass has several.
-Status createDrawLayout(const gpu::Device& device, const TargetDesc& target,
-                        std::span<const VkDescriptorType> bindings, VkShaderStageFlags stages,
-                        const char* what, DrawPipeline& out);
-
 void bindDraw(const gpu::Device& device, VkCommandBuffer commands, const DrawPipeline& pipeline,
               VkDescriptorSet set, uint32_t viewIndex);
 
-/// Triangles seen from both sides. `out.layout` is there already.
+/// Triangles seen from both sides. Shaders of multiview passes are told by a push constant which view is
+/// drawn.
 Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, const DrawShaders& shaders,
                           Drawing drawing, const char* what, DrawPipeline& out);
 

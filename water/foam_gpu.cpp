@@ -1,7 +1,5 @@
 #include "water/foam_gpu.h"
 
-#include <array>
-
 #include "spirv/foam.comp.h"
 
 namespace seaglass {
@@ -24,10 +22,7 @@ struct FoamUniforms {
 } // namespace
 
 Status FoamKernel::create(Context& context) {
-    constexpr VkDescriptorType image = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-    constexpr VkDescriptorType map = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    constexpr std::array bindings{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, map, map, image};
-    return kernel.create(context.device, foam_comp, bindings, "foam pipeline");
+    return kernel.create(context.device, foam_comp, "foam pipeline");
 }
 
 Status ComputedFoam::create(Context& context, const Sea& sea, const FoamDesc& foam) {
@@ -71,10 +66,13 @@ Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, cons
     gpu::Slice slice;
     if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
 
-    const std::array resources{gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms),
-                               gpu::sampledImage(context.samplers.nearestClamp(), maps.images[0].view()),
-                               gpu::sampledImage(context.samplers.nearestClamp(), maps.images[1].view()),
-                               gpu::storageImage(foam.image.firstMipView())};
+    const VkSampler nearest = context.samplers.nearestClamp();
+    const gpu::Bound resources[] = {
+        {0, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms)},
+        {1, gpu::sampledImage(nearest, maps.images[0].view())},
+        {2, gpu::sampledImage(nearest, maps.images[1].view())},
+        {3, gpu::storageImage(foam.image.firstMipView())},
+    };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel_->kernel.layout(), resources, set);
         s != Status::ok)

@@ -138,38 +138,13 @@ std::vector<Item> byFeature(const SurfaceFeatures& f, std::initializer_list<Item
     return list;
 }
 
-std::vector<VkDescriptorType> bindings(const SurfaceFeatures& f) {
-    constexpr VkDescriptorType image = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    return byFeature<VkDescriptorType>(
-        f,
-        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-         f.skyColors ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : image},
-        [] {
-            return std::array{image, image, image};
-        },
-        [] {
-            return std::array{image, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
-        },
-        [] { return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER; }, [] { return image; },
-        [] {
-            return std::array{image, image};
-        },
-        [] {
-            return std::array{image, image};
-        },
-        [] {
-            return std::array{image, image, image, image};
-        },
-        [] { return image; });
-}
-
 std::vector<gpu::Resource> resources(const Context& context, const SurfaceFeatures& f,
                                      const SurfaceInputs& in) {
     const gpu::Samplers& samplers = context.samplers;
     const LightingDesc& light = *in.lighting;
     const gpu::Resource uniforms =
         gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms));
-    // In the cube's place there is what nobody reads.
+    // In the cube's place there is what is not bound.
     const gpu::Resource sky =
         f.skyColors ? uniforms
                     : gpu::sampledImage(samplers.trilinearClamp(), light.skyCube, light.skyCubeLayout);
@@ -217,11 +192,6 @@ constexpr uint32_t skyCubeBinding = 2;
 
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SurfaceVariant& variant,
                      DrawPipeline& out) {
-    constexpr VkShaderStageFlags stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-    const std::vector<VkDescriptorType> types = bindings(variant.features);
-    if (const Status s = createDrawLayout(device, target, types, stages, "surface layout", out);
-        s != Status::ok)
-        return s;
     const uint32_t constants[] = {static_cast<uint32_t>(variant.output),
                                   static_cast<uint32_t>(variant.sides),
                                   variant.features.cascades,
@@ -252,7 +222,10 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
 
 Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,
                      SurfaceFeatures features, const SurfaceInputs& inputs) {
-    const std::vector<gpu::Resource> list = resources(context, features, inputs);
+    std::vector<gpu::Bound> list;
+    for (const gpu::Resource& resource : resources(context, features, inputs))
+        list.push_back({static_cast<uint32_t>(list.size()), resource});
+    std::erase_if(list, [&](const gpu::Bound& bound) { return !pipeline.layout.has(bound.number); });
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(pipeline.layout, list, set); s != Status::ok) return s;
     const gpu::PassScope pass(context.device, commands, "surface");

@@ -45,49 +45,35 @@ PassInfo infoOf(const UnderwaterVariant& v) {
 }
 
 /// In the order of the shaders' bindings.
-std::vector<gpu::Resource> resources(const Context& context, const UnderwaterVariant& v,
-                                     const UnderwaterInputs& in) {
+std::vector<gpu::Bound> resources(const Context& context, const UnderwaterVariant& v,
+                                  const UnderwaterInputs& in) {
     const gpu::Samplers& samplers = context.samplers;
     const PassInfo info = infoOf(v);
-    std::vector<gpu::Resource> list = {
-        gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms))};
-    const auto add = [&](const Image& image) {
-        list.push_back(gpu::sampledImage(samplers.nearestClamp(), image.view, image.layout));
+    std::vector<gpu::Bound> list;
+    const auto add = [&](const gpu::Resource& resource) {
+        list.push_back({static_cast<uint32_t>(list.size()), resource});
     };
-    if (info.readsColor) add(in.view->sceneColor);
-    if (info.readsDepth) add(in.view->sceneDepth);
-    if (v.waves) list.push_back(gpu::sampledImage(samplers.trilinearRepeat(), in.waveMap));
+    const auto addOf = [&](const Image& image) {
+        add(gpu::sampledImage(samplers.nearestClamp(), image.view, image.layout));
+    };
+    add(gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms)));
+    if (info.readsColor) addOf(in.view->sceneColor);
+    if (info.readsDepth) addOf(in.view->sceneDepth);
+    if (v.waves) add(gpu::sampledImage(samplers.trilinearRepeat(), in.waveMap));
     if (v.shore) {
-        list.push_back(gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap));
-        list.push_back(in.shoreRows);
+        add(gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap));
+        add(in.shoreRows);
     }
-    if (v.pass == UnderwaterPass::caustics)
-        list.push_back(gpu::sampledImage(samplers.trilinearClamp(), in.light));
+    if (v.pass == UnderwaterPass::caustics) add(gpu::sampledImage(samplers.trilinearClamp(), in.light));
     return list;
-}
-
-std::vector<VkDescriptorType> bindings(const UnderwaterVariant& v) {
-    const PassInfo info = infoOf(v);
-    std::vector<VkDescriptorType> types = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER};
-    constexpr VkDescriptorType image = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    types.insert(types.end(), size_t{info.readsColor} + info.readsDepth + v.waves, image);
-    if (v.shore) types.insert(types.end(), {image, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
-    if (v.pass == UnderwaterPass::caustics) types.push_back(image);
-    return types;
 }
 
 } // namespace
 
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
                      DrawPipeline& out) {
-    const std::vector<VkDescriptorType> types = bindings(variant);
     const bool caustics = variant.pass == UnderwaterPass::caustics;
     const bool views = target.viewMask != 0;
-    const VkShaderStageFlags stages =
-        VK_SHADER_STAGE_FRAGMENT_BIT | (caustics || views ? VK_SHADER_STAGE_VERTEX_BIT : 0);
-    if (const Status s = createDrawLayout(device, target, types, stages, "underwater layout", out);
-        s != Status::ok)
-        return s;
     const PassInfo info = infoOf(variant);
     const uint32_t constants[] = {variant.straddles, variant.dryRooms, variant.sceneEncoded,
                                   target.encoding == Encoding::srgb};

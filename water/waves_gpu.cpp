@@ -147,18 +147,12 @@ Status WaveKernels::get(const gpu::Device& device, uint32_t samples, const Pair*
     const auto [entry, fresh] = kernels_.try_emplace(samples);
     out = &entry->second;
     if (!fresh) return Status::ok;
-    constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    constexpr VkDescriptorType buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     const uint32_t constants[] = {samples, device.isCpu()};
     Pair& pair = entry->second;
-    Status s = pair.columns.create(device, waves_columns_comp, std::array{uniform, buffer, buffer, buffer},
-                                   "waves columns pipeline", constants);
-    const bool copies = device.isCpu();
-    const VkDescriptorType map = copies ? buffer : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    Status s = pair.columns.create(device, waves_columns_comp, "waves columns pipeline", constants);
     const std::span<const uint32_t> stores(waves_rows_comp), isCopied(waves_rows_copied_comp);
     if (s == Status::ok)
-        s = pair.rows.create(device, copies ? isCopied : stores, std::array{uniform, buffer, map, map, map},
-                             "waves rows pipeline", constants);
+        s = pair.rows.create(device, device.isCpu() ? isCopied : stores, "waves rows pipeline", constants);
     if (s != Status::ok) kernels_.erase(entry);
     return s;
 }
@@ -205,10 +199,19 @@ Status ComputedWaves::describe(Context& context, const WaveMaps& maps, const Wav
     const gpu::Resource uniform = gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms);
     const gpu::Resource columns = gpu::storageBuffer(columns_.handle());
     const VkDeviceSize split = amplitudeBytes(*sea_);
-    const std::array ofColumns{uniform, gpu::storageBuffer(modes_.handle(), 0, split),
-                               gpu::storageBuffer(modes_.handle(), split, modes_.size() - split), columns};
-    const std::array ofRows{uniform, columns, mapResource(maps, 0, copied_), mapResource(maps, 1, copied_),
-                            mapResource(maps, 2, copied_)};
+    const gpu::Bound ofColumns[] = {
+        {0, uniform},
+        {1, gpu::storageBuffer(modes_.handle(), 0, split)},
+        {2, gpu::storageBuffer(modes_.handle(), split, modes_.size() - split)},
+        {3, columns},
+    };
+    const gpu::Bound ofRows[] = {
+        {0, uniform},
+        {1, columns},
+        {2, mapResource(maps, 0, copied_)},
+        {3, mapResource(maps, 1, copied_)},
+        {4, mapResource(maps, 2, copied_)},
+    };
     if (const Status s = context.frame().allocateSet(kernels.columns.layout(), ofColumns, out.columns);
         s != Status::ok)
         return s;

@@ -91,21 +91,20 @@ void Planted::compute(bool violating) {
     ASSERT_EQ(
         counted.create(made->device, {VK_FORMAT_R32_UINT, {4, 4}, VK_IMAGE_USAGE_STORAGE_BIT}, "counted"),
         Status::ok);
-    constexpr VkDescriptorType bindings[] = {
-        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-        VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE};
     gpu::Kernel kernel;
-    ASSERT_EQ(kernel.create(made->device, planted_comp, bindings, "planted"), Status::ok);
+    ASSERT_EQ(kernel.create(made->device, planted_comp, "planted"), Status::ok);
     const auto record = [&](VkCommandBuffer commands, demos::Error&) {
         const VkImageMemoryBarrier2 barriers[] = {
             gpu::imageBarrier(sampled.handle(), {}, gpu::sampledByShaders),
             gpu::imageBarrier(stored.handle(), {}, gpu::storageChanged),
             gpu::imageBarrier(counted.handle(), {}, gpu::storageChanged)};
         gpu::recordBarriers(made->device, commands, barriers, 3);
-        const gpu::Resource resources[] = {gpu::storageBuffer(words.handle()),
-                                           gpu::sampledImage(made->samplers.nearestClamp(), sampled.view()),
-                                           gpu::storageImage(stored.view()),
-                                           gpu::storageImage(counted.view())};
+        const gpu::Bound resources[] = {
+            {0, gpu::storageBuffer(words.handle())},
+            {1, gpu::sampledImage(made->samplers.nearestClamp(), sampled.view())},
+            {2, gpu::storageImage(stored.view())},
+            {3, gpu::storageImage(counted.view())},
+        };
         VkDescriptorSet set = VK_NULL_HANDLE;
         if (made->frame().allocateSet(kernel.layout(), resources, set) != Status::ok) return false;
         kernel.dispatch(commands, set, 1, 1);

@@ -491,11 +491,12 @@ TEST_F(Mistakes, GpuAssistedValidationHearsAWriteBeyondTheEnd) {
     gpu::Buffer words;
     ASSERT_EQ(words.create(context()->device, 64, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "words"), Status::ok);
     gpu::Kernel kernel;
-    constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
-    ASSERT_EQ(kernel.create(context()->device, beyond_the_end_comp, bindings, "beyond the end"), Status::ok);
+    ASSERT_EQ(kernel.create(context()->device, beyond_the_end_comp, "beyond the end"), Status::ok);
     const uint32_t before = device().validationMessages();
     frame([&](VkCommandBuffer commands) {
-        const gpu::Resource resources[] = {gpu::storageBuffer(words.handle())};
+        const gpu::Bound resources[] = {
+            {0, gpu::storageBuffer(words.handle())},
+        };
         VkDescriptorSet set = VK_NULL_HANDLE;
         ASSERT_EQ(context()->frame().allocateSet(kernel.layout(), resources, set), Status::ok);
         kernel.dispatch(commands, set, 1, 1);

@@ -34,19 +34,19 @@ class TileLists : public GpuTest {
     /// What is left of `tiles`, and of what was visited.
     Tiles after(std::span<const uint32_t> shader, const Tiles& tiles, uint32_t groups) {
         constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-        constexpr VkDescriptorType bindings[] = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                                                 VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
         const gpu::Device& device = context()->device;
         gpu::Kernel kernel;
         gpu::Buffer buffer, visits;
-        EXPECT_EQ(kernel.create(device, shader, bindings, "tile lists"), Status::ok) << message();
+        EXPECT_EQ(kernel.create(device, shader, "tile lists"), Status::ok) << message();
         EXPECT_EQ(buffer.createMapped(device, sizeof tiles, usage, "tiles"), Status::ok) << message();
         EXPECT_EQ(visits.createMapped(device, sizeof visited_, usage, "visits"), Status::ok) << message();
         std::memcpy(buffer.mapped(), &tiles, sizeof tiles);
         std::memset(visits.mapped(), 0, sizeof visited_);
         frame([&](VkCommandBuffer commands) {
-            const gpu::Resource resources[] = {gpu::storageBuffer(buffer.handle()),
-                                               gpu::storageBuffer(visits.handle())};
+            const gpu::Bound resources[] = {
+                {0, gpu::storageBuffer(buffer.handle())},
+                {1, gpu::storageBuffer(visits.handle())},
+            };
             VkDescriptorSet set = VK_NULL_HANDLE;
             EXPECT_EQ(context()->frame().allocateSet(kernel.layout(), resources, set), Status::ok);
             kernel.dispatch(commands, set, groups, 1);
