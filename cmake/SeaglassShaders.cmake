@@ -58,7 +58,7 @@ function(seaglass_shaders target)
     endif()
     add_custom_command(
       OUTPUT ${header}
-      COMMAND ${GLSLANG_VALIDATOR} ${SEAGLASS_GLSLANG_FLAGS} -I${PROJECT_SOURCE_DIR}/shaders/common
+      COMMAND ${GLSLANG_VALIDATOR} ${SEAGLASS_GLSLANG_FLAGS} -I${PROJECT_SOURCE_DIR}/shaders/common -I${PROJECT_SOURCE_DIR}/shaders/shared
               ${arg_DEFINES} --depfile ${header}.d --vn ${symbol} -o ${header} ${source}
       ${hostile}
       DEPENDS ${source} ${seaglass_hostile_script}

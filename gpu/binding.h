@@ -48,9 +48,9 @@ class Layout {
     Status create(const Device& device, std::span<const std::span<const uint32_t>> modules,
                   uint32_t pushConstantBytes, const char* what);
 
-    /// Whether a shader declares this binding: what none declares is not bound.
+    /// Whether a shader declares this binding.
     bool has(uint32_t number) const { return find(number) != nullptr; }
-    /// Refused unless each binding is there once, and nothing else, all of the types that shaders declare.
+    /// Refused unless each binding is there once, of the type that shaders declare.
     Status check(std::span<const Bound> resources) const;
 
     VkDescriptorSetLayout set() const { return set_; }

@@ -74,14 +74,17 @@ Status Frame::allocateSet(const Layout& layout, std::span<const Bound> resources
             return s;
         break;
     }
-    std::vector<VkWriteDescriptorSet> writes(resources.size(), {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET});
-    for (uint32_t i = 0; i < writes.size(); ++i) {
-        writes[i].dstSet = out;
-        writes[i].dstBinding = resources[i].number;
-        writes[i].descriptorCount = 1;
-        writes[i].descriptorType = resources[i].resource.type;
-        writes[i].pBufferInfo = &resources[i].resource.buffer;
-        writes[i].pImageInfo = &resources[i].resource.image;
+    std::vector<VkWriteDescriptorSet> writes;
+    for (const Bound& bound : resources) {
+        if (!layout.has(bound.number)) continue;
+        VkWriteDescriptorSet& write = writes.emplace_back();
+        write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+        write.dstSet = out;
+        write.dstBinding = bound.number;
+        write.descriptorCount = 1;
+        write.descriptorType = bound.resource.type;
+        write.pBufferInfo = &bound.resource.buffer;
+        write.pImageInfo = &bound.resource.image;
     }
     vk.UpdateDescriptorSets(device_->handle(), static_cast<uint32_t>(writes.size()), writes.data(), 0,
                             nullptr);

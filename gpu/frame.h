@@ -29,7 +29,7 @@ class Frame {
     /// Takes back everything handed out and lets go of retired objects.
     Status begin();
 
-    /// Takes what Layout::check() takes, in any order.
+    /// Takes what Layout::check() takes, in any order; what no shader declares is left out.
     Status allocateSet(const Layout& layout, std::span<const Bound> resources, VkDescriptorSet& out);
     /// Uniform or storage memory, written by the CPU.
     Status allocate(VkDeviceSize size, Slice& out);

@@ -4,25 +4,24 @@
 #include <vector>
 
 #include "gpu/compile_watch.h"
+#include "gpu/specialized.h"
 #ifdef SEAGLASS_SHADER_RELOAD
 #include "gpu/shader_reload.h"
 #endif
 
 namespace seaglass::gpu {
 
-Status ShaderModule::create(std::span<const uint32_t> spirv, const char* what, uint32_t unread) {
-    words_ = spirv;
+Status ShaderModule::create(std::span<const uint32_t> spirv, std::span<const uint32_t> constants,
+                            const char* what) {
 #ifdef SEAGLASS_SHADER_RELOAD
-    if (!reloadShader(spirv, changed_))
+    std::vector<uint32_t> reloaded;
+    if (!reloadShader(spirv, reloaded))
         return device_.fail(Status::invalidArgument, "%s: its changed shader does not compile", what);
-    if (!changed_.empty()) words_ = changed_;
+    if (!reloaded.empty()) spirv = reloaded;
 #endif
-    if (unread != allBindings) {
-        changed_ = withoutBinding(words_, unread);
-        words_ = changed_;
-    }
+    words_ = specialized(spirv, constants);
     VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-    info.codeSize = words_.size_bytes();
+    info.codeSize = words_.size() * sizeof(uint32_t);
     info.pCode = words_.data();
     return device_.made(
         device_.vk().CreateShaderModule(device_.handle(), &info, device_.allocator(), &module_),
@@ -50,7 +49,7 @@ Status Kernel::create(const Device& device, std::span<const uint32_t> spirv, con
     release();
     device_ = &device;
     ShaderModule module(device);
-    if (const Status s = module.create(spirv, what); s != Status::ok) return s;
+    if (const Status s = module.create(spirv, constants, what); s != Status::ok) return s;
     const std::span<const uint32_t> modules[] = {module.words()};
     if (const Status s = layout_.create(device, modules, 0, what); s != Status::ok) return s;
     VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "gpu/binding.h"
-#include "gpu/without_binding.h"
 
 namespace seaglass::gpu {
 
@@ -49,16 +49,15 @@ class ShaderModule {
     ShaderModule(const ShaderModule&) = delete;
     ShaderModule& operator=(const ShaderModule&) = delete;
 
-    /// Of words that stay: as built in or as reloaded since, and withoutBinding() `unread`.
-    Status create(std::span<const uint32_t> spirv, const char* what, uint32_t unread = allBindings);
+    /// Of words that stay, as built in or as reloaded since: specialized() for `constants`.
+    Status create(std::span<const uint32_t> spirv, std::span<const uint32_t> constants, const char* what);
     VkShaderModule handle() const { return module_; }
     /// What it is made of.
     std::span<const uint32_t> words() const { return words_; }
 
   private:
     const Device& device_;
-    std::vector<uint32_t> changed_;
-    std::span<const uint32_t> words_;
+    std::vector<uint32_t> words_;
     VkShaderModule module_ = VK_NULL_HANDLE;
 };
 

@@ -2,18 +2,18 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
+#include "constant.glsl"
+#include "underwater_constants.h"
+#include "water_bindings.h"
 #include "surface_uniforms.glsl"
-#define TARGET_ENCODING 3
 #include "encoding.glsl"
 #include "optics.glsl"
 #include "caustic_light.glsl"
 
-layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2) uniform sampler2D blurred;
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = causticLightBinding) uniform sampler2D blurred;
 
 layout(location = 0) out vec4 outColor;
-
-layout(constant_id = 1) const uint dryRooms = 0;   // water/dry_rooms.h: roomsPacked()
 
 #include "dry_rooms.glsl"
 

@@ -1,6 +1,9 @@
 // One triangle over what may lie below the calm surface: from above it, all that lines of sight show which point down.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "constant.glsl"
+#include "underwater_constants.h"
+#include "water_bindings.h"
 #include "one_view.glsl"
 #include "surface_uniforms.glsl"
 #include "sight_line.glsl"
@@ -11,12 +14,10 @@ float rise(vec2 pixel) {
 }
 
 void main() {
-#ifdef MULTIVIEW
-    if (isOtherView()) {
+    if (inViews && isOtherView()) {
         gl_Position = outOfSight;
         return;
     }
-#endif
     loadSurface();
     const float beyond = 1.5;   // half the picture's diagonal, and more
     vec2 size = vec2(region.zw);

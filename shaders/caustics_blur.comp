@@ -2,6 +2,9 @@
 // eye in the air, the waves that it looks through.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "constant.glsl"
+#include "caustics_constants.h"
+#include "water_bindings.h"
 #include "surface_uniforms.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
@@ -11,19 +14,13 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2) uniform sampler2DArray gathered;   // of one layer
-#ifdef COPIED
-layout(set = 0, binding = 3, std430) writeonly buffer Blurred {
-    uint blurred[];   // halves, to be copied
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = causticLightBinding) uniform sampler2DArray gathered;   // of one layer
+layout(set = 0, binding = causticSumsBinding, std430) writeonly buffer Copied {
+    uint copied[];   // halves, to the image
 };
-#else
-layout(set = 0, binding = 3, rg16f) uniform writeonly image2D blurred;
-#endif
-#ifdef SUN_SHADOW
-#define SUN_SHADOW_BINDING 4
+layout(set = 0, binding = causticBlurredBinding, rg16f) uniform writeonly image2D blurred;
 #include "sun_shadow.glsl"
-#endif
 
 // Deviation along any axis of the slopes that rays do not know of.
 float lostSlope(float width) {
@@ -99,11 +96,7 @@ float shareCast(vec2 pixel, Spread spread) {
 
 // Of the sun's light, what came in where the ray to a point did: what stands in the water hides little of it.
 float sunSeenFrom(vec3 at, float depth) {
-#ifdef SUN_SHADOW
-    return sunSeenAt(at + stored.sunInWater.xyz * (depth / stored.sunInWater.y));
-#else
-    return 1.0;
-#endif
+    return hasSunShadow ? sunSeenAt(at + stored.sunInWater.xyz * (depth / stored.sunInWater.y)) : 1.0;
 }
 
 // By how much of what calm water lets through there is more light, which halves hold most exactly where it is faint, and what
@@ -128,9 +121,7 @@ void main() {
     loadSurface();
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, max(firstRow, 0));
     if (any(greaterThanEqual(texel, lightSize()))) return;
-#ifdef COPIED
-    blurred[texel.y * rowLength + texel.x] = packHalf2x16(lightOn(texel));
-#else
-    imageStore(blurred, texel, vec4(lightOn(texel), 0.0, 0.0));
-#endif
+    vec2 light = lightOn(texel);
+    if (copies) copied[texel.y * rowLength + texel.x] = packHalf2x16(light);
+    else imageStore(blurred, texel, vec4(light, 0.0, 0.0));
 }

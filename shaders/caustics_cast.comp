@@ -2,6 +2,9 @@
 // of each pixel ends in that pixel, so that all are lit alike. Sums of integers do not depend on the order of the invocations.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "constant.glsl"
+#include "caustics_constants.h"
+#include "water_bindings.h"
 #include "surface_uniforms.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
@@ -10,19 +13,15 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2) uniform sampler2DArray waveDisplacement;
-layout(set = 0, binding = 3) uniform sampler2DArray waveDerivatives;
-layout(set = 0, binding = 4) uniform sampler2DArray waveMoments;
-layout(set = 0, binding = 5, std430) buffer Sums {
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDisplacement;
+layout(set = 0, binding = waveDerivativesBinding) uniform sampler2DArray waveDerivatives;
+layout(set = 0, binding = waveMomentsBinding) uniform sampler2DArray waveMoments;
+layout(set = 0, binding = causticSumsBinding, std430) buffer Sums {
     uint sums[];
 };
-#define WAVES
-#ifdef SHORE
-#define SHORE_BINDING 6
-#include "shore.glsl"
-#endif
 int cascades = stored.cascades;
+#include "shore.glsl"
 #include "wave_displacement.glsl"
 
 // How far the sun's ray through a surface of this slope strays sideways on each metre down.
@@ -41,14 +40,13 @@ struct Ray {
 vec2 slopeAt(vec2 calm, float width) {
     vec4 derivatives = vec4(0.0);
     float shear = 0.0;
-#ifdef SHORE
-    ShoreWave shore = shoreWave(calm, width);
-    derivatives = vec4(shore.slope, shore.stretch.xy);
-    shear = shore.stretch.z;
-    vec4 kept = shore.kept;
-#else
-    const vec4 kept = vec4(1.0);
-#endif
+    vec4 kept = vec4(1.0);
+    if (hasShore) {
+        ShoreWave shore = shoreWave(calm, width);
+        derivatives = vec4(shore.slope, shore.stretch.xy);
+        shear = shore.stretch.z;
+        kept = shore.kept;
+    }
     int i = 0;
     do {
         float mip = max(log2(width * cascade[i].w), 0.0);

@@ -1,27 +1,25 @@
-// What rays left of light on each texel, and how much they would have under calm water; with COPIED in the place of their
-// sums, from where it is copied.
+// What rays left of light on each texel, and how much they would have under calm water; where it is copied, in the
+// place of their sums.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "constant.glsl"
+#include "caustics_constants.h"
+#include "water_bindings.h"
 #include "surface_uniforms.glsl"
 #include "caustic_light.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2, std430) buffer Sums {
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = causticSumsBinding, std430) buffer Sums {
     uint sums[];
 };
-#ifndef COPIED
-layout(set = 0, binding = 3, rg16f) uniform writeonly image2DArray gathered;
-#endif
+layout(set = 0, binding = causticLightBinding, rg16f) uniform writeonly image2DArray gathered;
 
 // Light, and 1 where there is a bed for it.
 void leave(ivec2 texel, int i, vec2 light) {
-#ifdef COPIED
-    sums[i] = packHalf2x16(light);
-#else
-    if (all(lessThan(texel, imageSize(gathered).xy))) imageStore(gathered, ivec3(texel, 0), vec4(light, 0.0, 0.0));
-#endif
+    if (copies) sums[i] = packHalf2x16(light);
+    else if (all(lessThan(texel, imageSize(gathered).xy))) imageStore(gathered, ivec3(texel, 0), vec4(light, 0.0, 0.0));
 }
 
 void main() {

@@ -3,11 +3,12 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
-#define SCENE_ENCODING 0
 #include "encoding.glsl"
 #include "edge_fade.glsl"
 #include "reflection_info.glsl"
 #include "tiles.glsl"
+
+layout(constant_id = 0) const bool sceneIsEncoded = false;
 
 layout(set = 0, binding = 1, std140) uniform EdgeReach {
     float reach;   // beyond the border, at most [pixel]
@@ -122,7 +123,7 @@ void reachBeyond(ivec2 texel) {
     if (!goesOn && (infoIsHit(info) || meeting.beyond < 0.0)) return;
     // Beyond the border a plane looks as it does as far inside.
     ivec2 inside = texelAt(insideOf(at, abs(meeting.beyond)), region.zw - 1);
-    vec3 light = linearOf(texelFetch(sceneColor, region.xy + inside, 0).rgb);
+    vec3 light = linearOf(texelFetch(sceneColor, region.xy + inside, 0).rgb, sceneIsEncoded);
     bool hasColor = goesOn && known.a > leastColor;
     imageStore(reflectionColor, texel, (hasColor ? known / known.a : vec4(light, 1.0)) * confidence);
     imageStore(reflectionInfo, texel, vec4(goesOn ? info : distance, 0.0, 0.0, 0.0));

@@ -3,13 +3,14 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
-#define SCENE_ENCODING 0
 #include "encoding.glsl"
 #include "edge_fade.glsl"
 #include "reflection_info.glsl"
 #include "tiles.glsl"
 #include "sight_line.glsl"
 #include "march.glsl"
+
+layout(constant_id = 0) const bool sceneIsEncoded = false;
 
 layout(set = 0, binding = 3) uniform sampler2D sceneColor;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D reflectionColor;

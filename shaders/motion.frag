@@ -6,22 +6,16 @@
 
 layout(location = 0) in vec2 calmPosition;
 layout(location = 1) in vec3 position;
-#ifdef OUTLINE
 layout(location = 2) flat in uvec2 edgeRange;
-#endif
 layout(location = 3) in vec4 lastPixel;
 layout(location = 0) out vec4 outColor;
-
-layout(constant_id = 5) const uint dryRooms = 0;   // water/dry_rooms.h: roomsPacked()
 
 #include "dry_rooms.glsl"
 
 void main() {
     if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) demote;   // as in surface.frag
     loadSurface();
-#ifdef OUTLINE
-    if (!isWithin(calmPosition, edgeRange)) demote;
-#endif
+    if (isOutlined && !isWithin(calmPosition, edgeRange)) demote;
     if (isDry(position)) demote;
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
     vec2 moved = lastPixel.w > 0.0 ? here - lastPixel.xy / lastPixel.w : vec2(0.0);   // it was behind the eye

@@ -3,10 +3,11 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
-#define SCENE_ENCODING 0
 #include "encoding.glsl"
 #include "reflection_info.glsl"
 #include "sight_line.glsl"
+
+layout(constant_id = 0) const bool sceneIsEncoded = false;
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -76,7 +77,7 @@ Mirrored mirroredBy(ivec2 pixel) {
         bool hit = infoIsHit(info);
         if (!infoIsHit(m.info) && (hit || i == 0)) m.info = info;
 #ifdef MANY_COLORS
-        if (hit) m.color.rgb += linearOf(colorAt(pixel, i));
+        if (hit) m.color.rgb += linearOf(colorAt(pixel, i), sceneIsEncoded);
 #endif
         if (hit) m.color.a += 1.0;
     }
@@ -84,14 +85,14 @@ Mirrored mirroredBy(ivec2 pixel) {
 #ifndef MANY_COLORS
     // Resolved over black, and so times that share already.
     if (m.color.a > 0.0) m.color.rgb = colorAt(pixel, 0);
-    if (sceneIsEncoded && m.color.a > 0.0) m.color.rgb = linearOf(m.color.rgb / m.color.a) * m.color.a;
+    if (sceneIsEncoded && m.color.a > 0.0) m.color.rgb = linearOf(m.color.rgb / m.color.a, sceneIsEncoded) * m.color.a;
 #endif
     return m;
 }
 #else
 Mirrored mirroredBy(ivec2 pixel) {
     float info = infoOfDrawn(middleOf(pixel), depthAt(pixel, 0));
-    return Mirrored(info, infoIsHit(info) ? vec4(linearOf(colorAt(pixel, 0)), 1.0) : vec4(0.0));
+    return Mirrored(info, infoIsHit(info) ? vec4(linearOf(colorAt(pixel, 0), sceneIsEncoded), 1.0) : vec4(0.0));
 }
 #endif
 

@@ -5,11 +5,12 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
-#define SCENE_ENCODING 0
 #include "encoding.glsl"
 #include "edge_fade.glsl"
 #include "reflection_info.glsl"
 #include "tiles.glsl"
+
+layout(constant_id = 0) const bool sceneIsEncoded = false;
 
 layout(set = 0, binding = 1, std430) readonly buffer Tiles {
     TileHeader header;

@@ -1,5 +1,5 @@
 // Places the vertices of a patch: glides them onto the next coarser lattice near the end of their level's range
-// (Strugar 2009), then lets the waves displace them. Of a mesh of the host's own (HOST_MESH) they stand where it says.
+// (Strugar 2009), then lets the waves displace them. Of a mesh of the host's own they stand where it says.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "one_view.glsl"
@@ -7,12 +7,8 @@
 
 layout(location = 0) out vec2 calmPosition;   // (u, v) before displacement, relative to the eye
 layout(location = 1) out vec3 position;   // over the plane, as if there were no globe
-#ifdef OUTLINE
-layout(location = 2) flat out uvec2 edgeRange;
-#endif
-#ifdef MOTION
-layout(location = 3) out vec4 lastPixel;   // homogeneous
-#endif
+layout(location = 2) flat out uvec2 edgeRange;   // of an outline
+layout(location = 3) out vec4 lastPixel;   // homogeneous; for motion
 
 const int patchCells = 16;   // that vertices are numbered by; fewer may be drawn
 // A patch may reach past its level's range by its parent's diagonal, 22.6 cells of the coarser level; gliding must end
@@ -23,28 +19,18 @@ const float glideEnds = 0.95;
 #include "wave_displacement.glsl"
 #include "globe.glsl"
 
-#ifdef HOST_MESH
-void main() {
-#ifdef MULTIVIEW
-    if (isOtherView()) {
-        gl_Position = outOfSight;
-        return;
-    }
-#endif
-    loadSurface();
+struct Vertex {
+    vec2 calm;
+    float cell;
+    float loose;   // of its way to the side, how much waves move it
+};
+
+Vertex hostVertex() {
     HostVertex vertex = hostVertices[gl_VertexIndex];
-    vec2 calm = extent.xy + vertex.calm;
-    float cell = vertex.cell;
-#else
-void main() {
-#ifdef MULTIVIEW
-    if (isOtherView()) {
-        gl_Position = outOfSight;
-        return;
-    }
-#endif
-    loadSurface();
-    MeshPatch patch_ = patches[gl_InstanceIndex];
+    return Vertex(extent.xy + vertex.calm, vertex.cell, min(vertex.fromEdge * extent.z, 1.0));
+}
+
+Vertex patchVertex(MeshPatch patch_) {
     ivec2 grid = ivec2(gl_VertexIndex % (patchCells + 1), gl_VertexIndex / (patchCells + 1));
     vec2 calm = patch_.corner + vec2(grid) * patch_.cell;
     float share = (sight.w * length(vec3(calm, plane.w)) + within.w) / abs(patch_.range);
@@ -52,42 +38,49 @@ void main() {
     calm -= vec2(grid & 1) * patch_.cell * glide;
     // Drawn out at its end, so that no corners of patches show against the sky.
     if (patch_.range < 0.0) calm *= 1.0 + 10.0 * smoothstep(0.9, 1.0, share);
-    float cell = patch_.cell * (1.0 + glide);
-#endif
-#ifdef OUTLINE
-    calm = clamp(calm, outlineBox.xy, outlineBox.zw);
-    edgeRange = patch_.edgeRange;
-#endif
+    return Vertex(calm, patch_.cell * (1.0 + glide), 1.0);
+}
 
-    vec3 relative = vec3(calm.x, -plane.w, calm.y);
-#ifdef MOTION
+Vertex outlinedVertex(OutlinedPatch outlined) {
+    Vertex vertex = patchVertex(outlined.patch_);
+    vertex.calm = clamp(vertex.calm, outlineBox.xy, outlineBox.zw);
+    if (hasWaves) vertex.loose = looseness(vertex.calm, outlined.edgeRange);
+    return vertex;
+}
+
+Vertex vertexHere() {
+    if (isHostMesh) return hostVertex();
+    if (isOutlined) return outlinedVertex(outlinedPatches[gl_InstanceIndex]);
+    return patchVertex(patches[gl_InstanceIndex]);
+}
+
+vec3 lastDisplacementOf(Vertex vertex) {
+    if (hasShore) return displacementOver(lastShoreWave(vertex.calm, vertex.cell), lastDisplacement, vertex.calm, vertex.cell);
+    return waveDisplacementAt(lastDisplacement, vertex.calm, vertex.cell, vec4(1.0));
+}
+
+void main() {
+    if (inViews && isOtherView()) {
+        gl_Position = outOfSight;
+        return;
+    }
+    loadSurface();
+    Vertex vertex = vertexHere();
+    if (isOutlined) edgeRange = outlinedPatches[gl_InstanceIndex].edgeRange;
+    vec3 relative = vec3(vertex.calm.x, -plane.w, vertex.calm.y);
     vec3 last = relative;
-#endif
-#ifdef WAVES
-    float loose = 1.0;
-#ifdef OUTLINE
-    loose = looseness(calm, patch_.edgeRange);
-#endif
-#ifdef HOST_MESH
-    loose = min(vertex.fromEdge * extent.z, 1.0);
-#endif
-    vec3 held = vec3(loose, 1.0, loose);
-    relative += held * surfaceDisplacement(waveDisplacement, calm, cell);
-#ifdef MOTION
-#ifdef SHORE
-    last += held * displacementOver(lastShoreWave(calm, cell), lastDisplacement, calm, cell);
-#else
-    last += held * waveDisplacementAt(lastDisplacement, calm, cell, vec4(1.0));
-#endif
-#endif
-#endif
-    calmPosition = calm;
+    if (hasWaves) {
+        vec3 held = vec3(vertex.loose, 1.0, vertex.loose);
+        relative += held * surfaceDisplacement(waveDisplacement, vertex.calm, vertex.cell);
+        if (forMotion) last += held * lastDisplacementOf(vertex);
+    }
+    calmPosition = vertex.calm;
     position = relative;
-    float drop = globeDrop(calm);
+    float drop = globeDrop(vertex.calm);
     relative.y -= drop;
-#ifdef MOTION
-    last.y -= drop;
-    lastPixel = lastPixelFromRelative * vec4(last, 1.0);
-#endif
+    if (forMotion) {
+        last.y -= drop;
+        lastPixel = lastPixelFromRelative * vec4(last, 1.0);
+    }
     gl_Position = clipFromRelative * vec4(relative, 1.0);
 }

@@ -2,42 +2,40 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
+#include "constant.glsl"
+#include "underwater_constants.h"
+#include "water_bindings.h"
 #include "surface_uniforms.glsl"
-#define TARGET_ENCODING 3
 #include "encoding.glsl"
 #include "optics.glsl"
 #include "water_light.glsl"
 
-#ifdef WAVES
-layout(set = 0, binding = 1) uniform sampler2DArray waveDisplacement;
-#endif
-#ifdef SHORE
-#define SHORE_BINDING 2
-#include "shore.glsl"
-#endif
+layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDisplacement;
 
 layout(location = 0) out vec4 outColor;
 
-#include "near_plane.glsl"
-#ifdef WAVES
 int cascades = stored.cascades;
 
+#include "near_plane.glsl"
+#include "shore.glsl"
 #include "wave_displacement.glsl"
-#endif
 #include "waterline.glsl"
+
+// How it changes to the next pixel, right and down.
+vec2 changeOf(float height, vec3 start) {
+    vec2 change = vec2(dFdx(height), dFdy(height));
+    if (!hasShore) return change;
+    // Looked for at the next pixels anew: CPU devices read no buffer for those that derivatives alone ask.
+    vec3 right = dFdx(start), down = dFdy(start);
+    if (abs(height) > 4.0 * within.y) demote;
+    return vec2(heightAboveSurface(start + right), heightAboveSurface(start + down)) - height;
+}
 
 void main() {
     loadSurface();
     vec3 start = onNearPlane(gl_FragCoord.xy - vec2(region.xy));
     float height = heightAboveSurface(start);
-#ifdef SHORE
-    // Looked for at the next pixels anew: CPU devices read no buffer for those that derivatives alone ask.
-    vec3 right = dFdx(start), down = dFdy(start);
-    if (abs(height) > 4.0 * within.y) demote;
-    vec2 change = vec2(heightAboveSurface(start + right), heightAboveSurface(start + down)) - height;
-#else
-    vec2 change = vec2(dFdx(height), dFdy(height));
-#endif
+    vec2 change = changeOf(height, start);
     // Along the near plane, which may lie flat: pixels to the line, times metres a pixel.
     float perPixel = max(length(change), 1e-9);
     float distance = abs(height) / perPixel * length(dFdy(start));
@@ -47,5 +45,5 @@ void main() {
     // What shows through dims as light does.
     float hides = 0.75 * share;
     if (targetIsEncoded) hides = 1.0 - heldGrowth(vec3(1.0 - hides)).x;
-    outColor = vec4(heldOf(deepWater()), hides);
+    outColor = vec4(heldOf(deepWater(), targetIsEncoded), hides);
 }

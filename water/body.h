@@ -64,6 +64,16 @@ struct ShoreRows {
     bool moves = false; ///< those of the last frame are there, too
 };
 
+/// What the pipeline of a surface depends on beside its body and lighting.
+struct SurfaceDraw {
+    SurfaceOutput output = SurfaceOutput::shaded;
+    SidesSeen sides = SidesSeen::above;
+    bool seesScene = true; ///< the view has the scene's images
+    bool sceneIsEncoded = false;
+    bool manySamples = false;         ///< of the scene
+    uint32_t reflectionDownscale = 0; ///< of the reflection image; 0: there is none
+};
+
 /// Whatever is not of a Reflector is in the body's own axes.
 struct Body : Held {
     BodyFrame frame;
@@ -111,11 +121,7 @@ struct Body : Held {
     Status castCaustics(VkCommandBuffer commands, const ViewDesc& view, const LightingDesc& lighting);
     Status drawCaustics(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                         const LightingDesc& lighting);
-    /// By which the pipelines of draw() are chosen; and those of SurfaceOutput::motion.
-    /// `seesScene`: the view has the scene's images.
-    SurfaceFeatures features(const ReflectionImages& images, const LightingDesc& lighting,
-                             bool seesScene = true) const;
-    SurfaceFeatures motionFeatures() const;
+    SurfaceVariant surfaceVariant(const SurfaceDraw& draw, const LightingDesc& lighting) const;
     /// Of an eye in the water: before the surfaces of all bodies, or after. Records nothing for other eyes.
     Status drawUnderwater(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                           const LightingDesc& lighting, UnderwaterPass pass);

@@ -88,49 +88,47 @@ const char* Body::needsScene() const {
     return bed ? "BodyDesc.bed" : nullptr;
 }
 
-SurfaceFeatures Body::features(const ReflectionImages& images, const LightingDesc& lighting,
-                               bool seesScene) const {
-    // Without it the water is endlessly deep: its colour is in the uniforms.
-    const bool seesThrough = refraction && seesScene;
-    const SurfaceShape shape = hostMesh  ? SurfaceShape::hostMesh
-                               : outline ? SurfaceShape::outlined
-                                         : SurfaceShape::plane;
-    return {waves.has_value(),
-            foam.has_value(),
-            seesThrough,
-            images.color != VK_NULL_HANDLE,
-            shore.has_value(),
-            shape,
-            waves ? cascadeCount(*sea) : 0,
-            foam ? foam->cascades() : 0,
-            waves && refraction && refraction->scattering > 0,
-            roomsPacked(dryRooms),
-            waves ? shading.mirrorLooks : 0,
-            seesThrough || (waves && refraction && refraction->scattering > 0) ? shading.refractionLooks : 0,
-            waves ? shading.slopeLooks : 0,
-            waves ? shading.waveShadowSteps : 0,
-            waves && !shore && shading.relief,
-            lighting.shadow != nullptr,
-            frame.tilted,
-            !globe.flat(),
-            !waves && reflector && reflector->desc.blurLevels == 0 ? images.downscale : 0,
-            bed ? bed->downscale : 0,
-            shading.fresnel == Fresnel::schlick,
-            lighting.skyCube == VK_NULL_HANDLE,
-            fogKind(lighting.fog)};
-}
-
-SurfaceFeatures Body::motionFeatures() const {
-    SurfaceFeatures wanted;
-    wanted.waves = waves.has_value();
-    wanted.shore = shore.has_value();
-    wanted.shape = features({}, {}, false).shape;
-    wanted.cascades = waves ? cascadeCount(*sea) : 0;
-    wanted.dryRooms = roomsPacked(dryRooms);
-    wanted.globe = !globe.flat();
-    wanted.skyColors = true; // a motion draw looks at no sky
-    wanted.motion = true;
-    return wanted;
+SurfaceVariant Body::surfaceVariant(const SurfaceDraw& drawn, const LightingDesc& lighting) const {
+    const bool motion = drawn.output == SurfaceOutput::motion;
+    SurfaceVariant v;
+    v.surfaceOutput = static_cast<uint32_t>(drawn.output);
+    v.forMotion = motion;
+    v.hasWaves = waves.has_value();
+    v.hasShore = shore.has_value();
+    const SurfaceShape formed = hostMesh  ? SurfaceShape::hostMesh
+                                : outline ? SurfaceShape::outlined
+                                          : SurfaceShape::plane;
+    v.shape = static_cast<uint32_t>(formed);
+    v.cascades = waves ? static_cast<int>(cascadeCount(*sea)) : 0;
+    v.dryRooms = roomsPacked(dryRooms);
+    v.onGlobe = !globe.flat();
+    if (motion) return v;
+    v.sidesSeen = static_cast<uint32_t>(drawn.sides);
+    v.hasFoam = foam.has_value();
+    v.foamCascades = foam ? static_cast<int>(foam->cascades()) : 0;
+    // Without a scene the water is endlessly deep: its colour is in the uniforms.
+    v.hasRefraction = refraction && drawn.seesScene;
+    v.sceneIsEncoded = v.hasRefraction && drawn.sceneIsEncoded;
+    v.manySamples = v.hasRefraction && drawn.manySamples;
+    v.bedDownscale =
+        bed && v.hasRefraction && drawn.sides != SidesSeen::below ? static_cast<int>(bed->downscale) : 0;
+    v.hasReflection = drawn.reflectionDownscale > 0;
+    if (!waves && reflector && reflector->desc.blurLevels == 0)
+        v.sharpDownscale = static_cast<int>(drawn.reflectionDownscale);
+    v.lightsCrests = waves && refraction && refraction->scattering > 0;
+    if (v.hasRefraction || v.lightsCrests) v.refractionLooks = static_cast<int>(shading.refractionLooks);
+    if (waves) {
+        v.mirrorLooks = static_cast<int>(shading.mirrorLooks);
+        v.slopeLooks = static_cast<int>(shading.slopeLooks);
+        v.waveShadowSteps = static_cast<int>(shading.waveShadowSteps);
+        v.hasRelief = !shore && shading.relief;
+    }
+    v.bySchlick = shading.fresnel == Fresnel::schlick;
+    v.tilted = frame.tilted;
+    v.hasSunShadow = lighting.shadow != nullptr;
+    v.skyHasColors = lighting.skyCube == VK_NULL_HANDLE;
+    v.fogKind = seaglass::fogKind(lighting.fog);
+    return v;
 }
 
 glm::mat4 Body::lastPixelFromRelative(const ViewDesc& view, const ViewGeometry& geometry) {
@@ -257,9 +255,9 @@ Status Body::drawUnderwater(VkCommandBuffer commands, Target& target, const View
     return recordOverView(commands, target, read, lighting, geometry,
                           {.pass = pass,
                            .straddles = straddles,
-                           .waves = straddles && waves,
-                           .shore = straddles && shore,
-                           .sceneEncoded = pass == UnderwaterPass::water && isEncoded(view.sceneColor)});
+                           .hasWaves = straddles && waves,
+                           .hasShore = straddles && shore,
+                           .sceneIsEncoded = pass == UnderwaterPass::water && isEncoded(view.sceneColor)});
 }
 
 Status Body::castCaustics(VkCommandBuffer commands, const ViewDesc& view, const LightingDesc& lighting) {
@@ -328,10 +326,10 @@ Status Body::recordOverView(VkCommandBuffer commands, Target& target, const View
     UnderwaterInputs inputs;
     inputs.view = &view;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
-    if (variant.waves) inputs.waveMap = waves->maps().images[0].view();
+    if (variant.hasWaves) inputs.waveMap = waves->maps().images[0].view();
     if (variant.pass == UnderwaterPass::caustics)
         inputs.light = caustics->lightOf(*context, view.viewIndex, geometry.regionSize);
-    if (variant.shore)
+    if (variant.hasShore)
         if (const Status s = shoreInputs(false, inputs.shoreMap, inputs.shoreRows); s != Status::ok) return s;
     setViewport(context->device, commands, view, geometry);
     return recordUnderwater(*context, commands, target.underwater, variant, inputs);
@@ -389,17 +387,18 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     if (const Status s = place(asMeshed, inputs); s != Status::ok) return s;
     if (inputs.instanceCount == 0) return Status::ok;
 
+    SurfaceDraw drawn = {.output = output,
+                         .sides = motion ? SidesSeen::above : sidesSeen(geometry),
+                         .seesScene = hasScene(view),
+                         .sceneIsEncoded = isEncoded(view.sceneColor),
+                         .manySamples = isMultisampled(view)};
     if (reflector && !motion) {
         inputs.reflection = reflector->images(view.viewIndex);
         recorded.mirroring[view.viewIndex] = context->frameNumber;
+        if (inputs.reflection.color) drawn.reflectionDownscale = inputs.reflection.downscale;
     }
     if (inputs.reflection.bent) uniforms.reflectionDistortion = 0;
-    SurfaceFeatures wanted =
-        motion ? motionFeatures() : features(inputs.reflection, lighting, hasScene(view));
-    const SidesSeen sides = motion ? SidesSeen::above : sidesSeen(geometry);
-    if (sides == SidesSeen::below) wanted.bedDownscale = 0;
-    wanted.sceneEncoded = wanted.refraction && isEncoded(view.sceneColor);
-    wanted.manySamples = wanted.refraction && isMultisampled(view);
+    const SurfaceVariant wanted = surfaceVariant(drawn, lighting);
     if (wanted.bedDownscale != 0) {
         inputs.bed = bed->of(*context, view.viewIndex);
         if (!inputs.bed)
@@ -408,7 +407,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
         setBed(uniforms, *inputs.bed, geometry.eye);
     }
     const DrawPipeline* pipeline = nullptr;
-    if (const Status s = target.pipelines.get({wanted, output, sides}, pipeline); s != Status::ok) return s;
+    if (const Status s = target.pipelines.get(wanted, pipeline); s != Status::ok) return s;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
     inputs.lighting = &lighting;
     inputs.view = &read;
@@ -419,7 +418,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     if (foam) inputs.foamHistory = foam->view();
     if (const Status s = shoreInputs(motion, inputs.shoreMap, inputs.shoreRows); s != Status::ok) return s;
     setViewport(device, commands, view, geometry);
-    return recordSurface(*context, commands, *pipeline, wanted, inputs);
+    return recordSurface(*context, commands, *pipeline, inputs);
 }
 
 } // namespace seaglass

@@ -28,22 +28,15 @@ uint32_t preparedDownscale(const ReflectionDesc& desc, const ViewDesc* view) {
 
 Status Body::prepareSurface(Target& target, const ViewDesc* view, const LightingDesc& lighting,
                             SurfaceOutput output) const {
+    SurfaceDraw drawn = {.output = output,
+                         .seesScene = !view || hasScene(*view),
+                         .sceneIsEncoded = readsEncoded(target, view),
+                         .manySamples = view && isMultisampled(*view)};
+    if (reflector) drawn.reflectionDownscale = preparedDownscale(reflector->desc, view);
     const auto prepared = [&](SidesSeen sides) {
-        SurfaceFeatures wanted;
-        if (output == SurfaceOutput::motion) {
-            wanted = motionFeatures();
-        } else {
-            ReflectionImages images;
-            // Asked for nothing but whether it is there.
-            if (reflector) images.color = reinterpret_cast<VkImageView>(uintptr_t{1});
-            if (reflector) images.downscale = preparedDownscale(reflector->desc, view);
-            wanted = features(images, lighting, !view || hasScene(*view));
-            wanted.sceneEncoded = wanted.refraction && readsEncoded(target, view);
-            wanted.manySamples = wanted.refraction && view && isMultisampled(*view);
-        }
-        if (sides == SidesSeen::below) wanted.bedDownscale = 0;
+        drawn.sides = sides;
         const DrawPipeline* pipeline = nullptr;
-        return target.pipelines.get({wanted, output, sides}, pipeline);
+        return target.pipelines.get(surfaceVariant(drawn, lighting), pipeline);
     };
     if (const Status s = prepared(SidesSeen::above); s != Status::ok) return s;
     if (!underwater || output == SurfaceOutput::motion) return Status::ok;
@@ -62,14 +55,14 @@ Status Body::prepareOverView(Target& target, const ViewDesc* view) const {
             return s;
     if (!underwater) return Status::ok;
     UnderwaterVariant over = {.pass = UnderwaterPass::water};
-    over.sceneEncoded = readsEncoded(target, view);
+    over.sceneIsEncoded = readsEncoded(target, view);
     if (const Status s = prepared(over); s != Status::ok) return s;
     over.straddles = true;
-    over.waves = waves.has_value();
-    over.shore = shore.has_value();
+    over.hasWaves = waves.has_value();
+    over.hasShore = shore.has_value();
     if (const Status s = prepared(over); s != Status::ok || underwater->meniscus <= 0) return s;
     over.pass = UnderwaterPass::waterline;
-    over.sceneEncoded = false;
+    over.sceneIsEncoded = false;
     return prepared(over);
 }
 

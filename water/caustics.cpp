@@ -6,15 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/constants.h"
 #include "reflection/tiles.h"
+#include "shaders/shared/water_bindings.h"
 #include "spirv/caustics_blur.comp.h"
-#include "spirv/caustics_blur_copied.comp.h"
-#include "spirv/caustics_blur_h.comp.h"
-#include "spirv/caustics_blur_h_copied.comp.h"
 #include "spirv/caustics_cast.comp.h"
-#include "spirv/caustics_cast_shore.comp.h"
 #include "spirv/caustics_gather.comp.h"
-#include "spirv/caustics_gather_copied.comp.h"
 #include "water/bed.h"
 #include "water/sea.h"
 #include "water/surface_uniforms.h"
@@ -25,6 +22,11 @@ namespace seaglass {
 namespace {
 
 constexpr const char* what = "caustics pipeline";
+
+struct CausticConstants {
+#define CONSTANTS "shaders/shared/caustics_constants.h"
+#include "gpu/constants.inl"
+};
 
 constexpr VkFormat lightFormat = VK_FORMAT_R16G16_SFLOAT;
 constexpr uint32_t mostMips = 6;          // blurs as wide as 64 texels
@@ -192,26 +194,27 @@ CausticGrid causticGrid(const ShadingDesc& shading, const ViewGeometry& view, do
 }
 
 Status CastKernel::create(Context& context) {
-    return kernel.create(context.device, caustics_cast_comp, what);
+    return kernel.create(context.device, caustics_cast_comp, what, CausticConstants{}.constants());
 }
 
 Status CastOnShoreKernel::create(Context& context) {
-    return kernel.create(context.device, caustics_cast_shore_comp, what);
+    const CausticConstants onShore = {.hasShore = true};
+    return kernel.create(context.device, caustics_cast_comp, what, onShore.constants());
 }
 
 Status GatherKernel::create(Context& context) {
-    const std::span<const uint32_t> stores(caustics_gather_comp), isCopied(caustics_gather_copied_comp);
-    return kernel.create(context.device, context.device.isCpu() ? isCopied : stores, what);
+    const CausticConstants left = {.copies = context.device.isCpu()};
+    return kernel.create(context.device, caustics_gather_comp, what, left.constants());
 }
 
 Status CausticBlurKernel::create(Context& context) {
-    const std::span<const uint32_t> stores(caustics_blur_comp), isCopied(caustics_blur_copied_comp);
-    return kernel.create(context.device, context.device.isCpu() ? isCopied : stores, what);
+    const CausticConstants left = {.copies = context.device.isCpu()};
+    return kernel.create(context.device, caustics_blur_comp, what, left.constants());
 }
 
 Status ShadowedCausticBlurKernel::create(Context& context) {
-    const std::span<const uint32_t> stores(caustics_blur_h_comp), isCopied(caustics_blur_h_copied_comp);
-    return kernel.create(context.device, context.device.isCpu() ? isCopied : stores, what);
+    const CausticConstants shadowed = {.copies = context.device.isCpu(), .hasSunShadow = true};
+    return kernel.create(context.device, caustics_blur_comp, what, shadowed.constants());
 }
 
 Status Caustics::create(Context& context, const Sea& sea, const CausticsDesc& desc) {
@@ -249,18 +252,16 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
     const gpu::Device& device = context.device;
     const gpu::Samplers& samplers = context.samplers;
     const VkSampler repeat = samplers.trilinearRepeat();
-    std::vector<gpu::Bound> resources = {
-        {0, uniformsOf(in)},
-        {1, depthOf(context, in)},
-        {2, gpu::sampledImage(repeat, in.waveMaps[0])},
-        {3, gpu::sampledImage(repeat, in.waveMaps[1])},
-        {4, gpu::sampledImage(repeat, in.waveMaps[2])},
-        {5, gpu::storageBuffer(picture.sums.handle())},
+    const gpu::Bound resources[] = {
+        {bodyBinding, uniformsOf(in)},
+        {sceneDepthBinding, depthOf(context, in)},
+        {waveDisplacementBinding, gpu::sampledImage(repeat, in.waveMaps[0])},
+        {waveDerivativesBinding, gpu::sampledImage(repeat, in.waveMaps[1])},
+        {waveMomentsBinding, gpu::sampledImage(repeat, in.waveMaps[2])},
+        {causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},
+        {shoreMapBinding, gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap)},
+        {shoreSignalBinding, in.shoreRows},
     };
-    if (in.shoreMap) {
-        resources.push_back({6, gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap)});
-        resources.push_back({7, in.shoreRows});
-    }
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(castKernel().layout(), resources, set); s != Status::ok)
         return s;
@@ -277,9 +278,12 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
 
 Status Caustics::recordGather(Context& context, VkCommandBuffer commands, const CausticInputs& in,
                               const Picture& picture) const {
-    std::vector<gpu::Bound> resources = {
-        {0, uniformsOf(in)}, {1, depthOf(context, in)}, {2, gpu::storageBuffer(picture.sums.handle())}};
-    if (!context.device.isCpu()) resources.push_back({3, gpu::storageImage(picture.gathered.firstMipView())});
+    const gpu::Bound resources[] = {
+        {bodyBinding, uniformsOf(in)},
+        {sceneDepthBinding, depthOf(context, in)},
+        {causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},
+        {causticLightBinding, gpu::storageImage(picture.gathered.firstMipView())},
+    };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(gather_->kernel.layout(), resources, set);
         s != Status::ok)
@@ -298,12 +302,13 @@ Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const Ca
         if (const Status s = context.share(blurInShadow_); s != Status::ok) return s;
     const gpu::Kernel& kernel = in.shadow ? blurInShadow_->kernel : blur_->kernel;
     std::vector<gpu::Bound> resources = {
-        {0, uniformsOf(in)},
-        {1, depthOf(context, in)},
-        {2, gpu::sampledImage(context.samplers.trilinearClamp(), picture.gathered.view())},
-        {3, context.device.isCpu() ? gpu::storageBuffer(picture.sums.handle())
-                                   : gpu::storageImage(picture.blurred.view())}};
-    if (in.shadow) resources.push_back({4, sampledTexels(context, in.shadow->map)});
+        {bodyBinding, uniformsOf(in)},
+        {sceneDepthBinding, depthOf(context, in)},
+        {causticLightBinding, gpu::sampledImage(context.samplers.trilinearClamp(), picture.gathered.view())},
+        {causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},
+        {causticBlurredBinding, gpu::storageImage(picture.blurred.view())},
+    };
+    if (in.shadow) resources.push_back({sunShadowMapBinding, sampledTexels(context, in.shadow->map)});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;

@@ -90,8 +90,9 @@ Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, c
                           Drawing drawing, const char* what, DrawPipeline& out) {
     gpu::ShaderModule vertex(device);
     gpu::ShaderModule fragment(device);
-    if (const Status s = vertex.create(shaders.vertex, what, shaders.unread); s != Status::ok) return s;
-    if (const Status s = fragment.create(shaders.fragment, what, shaders.unread); s != Status::ok) return s;
+    if (const Status s = vertex.create(shaders.vertex, shaders.constants, what); s != Status::ok) return s;
+    if (const Status s = fragment.create(shaders.fragment, shaders.constants, what); s != Status::ok)
+        return s;
     const std::span<const uint32_t> modules[] = {vertex.words(), fragment.words()};
     if (const Status s = out.layout.create(device, modules, sizeof(uint32_t), what); s != Status::ok)
         return s;

@@ -5,7 +5,6 @@
 
 #include "gpu/binding.h"
 #include "gpu/made_once.h"
-#include "gpu/without_binding.h"
 #include "seaglass/water.h"
 
 namespace seaglass {
@@ -18,11 +17,6 @@ enum class Drawing {
     scaled,  ///< multiplies the colour; the target's alpha stays
 };
 
-/// Which form of a shader: 0 for calm water, 1 with waves, 2 with those over a shore's bed.
-constexpr size_t formFor(bool waves, bool shore) {
-    return shore ? 2 : waves ? 1 : 0;
-}
-
 struct DrawPipeline {
     gpu::Layout layout;
     VkPipeline handle = VK_NULL_HANDLE;
@@ -32,7 +26,6 @@ struct DrawShaders {
     std::span<const uint32_t> vertex;
     std::span<const uint32_t> fragment;
     std::span<const uint32_t> constants; ///< of both shaders, number 0 first
-    uint32_t unread = gpu::allBindings;  ///< of an image that is never read: withoutBinding()
 };
 
 void bindDraw(const gpu::Device& device, VkCommandBuffer commands, const DrawPipeline& pipeline,

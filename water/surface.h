@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "gpu/constants.h"
 #include "gpu/context.h"
 #include "seaglass/water.h"
 #include "water/bed.h"
@@ -17,46 +18,13 @@ enum class SurfaceShape : uint32_t {
     hostMesh, ///< the host's own
 };
 
-/// What a body's surface has. Each combination is a shader of its own, which declares nothing that it does
-/// not use.
-struct SurfaceFeatures {
-    bool waves = false;
-    bool foam = false; ///< only with waves
-    bool refraction = false;
-    bool reflection = false; ///< a screen-space reflection image
-    bool shore = false;      ///< only with waves
-    SurfaceShape shape = SurfaceShape::plane;
-    uint32_t cascades = 0;
-    uint32_t foamCascades = 0;    ///< that break: the first so many
-    bool crestLight = false;      ///< only with waves and refraction
-    uint32_t dryRooms = 0;        ///< roomsPacked()
-    uint32_t mirrorLooks = 0;     ///< only with waves
-    uint32_t refractionLooks = 0; ///< only with refraction
-    uint32_t slopeLooks = 0;      ///< only with waves
-    uint32_t waveShadowSteps = 0; ///< likewise
-    bool relief = false;          ///< only with waves and without a shore
-    bool sunShadow = false;       ///< a shadow map of the host's
-    bool tilted = false;          ///< its axes are not the world's
-    bool globe = false;           ///< it lies on one; only of the shape `plane`
-    uint32_t sharpDownscale = 0;  ///< of a reflection without mips, only without waves
-    uint32_t bedDownscale = 0;    ///< only with refraction: of the bed's picture it looks at; 0: at none
-    bool schlick = false;         ///< in place of the exact formula
-    bool skyColors = false;       ///< in place of the sky's cube
-    uint32_t fog = 0;             ///< fogKind()
-    bool motion = false;          ///< beside it waves, shore, shape and dryRooms alone
-    bool sceneEncoded = false;    ///< only with refraction: what is read of the scene
-    bool manySamples = false;     ///< only with refraction: of the scene's depth
-    auto operator<=>(const SurfaceFeatures&) const = default;
-};
-
 /// Which sides of it a view may see.
 enum class SidesSeen : uint32_t { above = 0, below, either };
 
-/// A pipeline for each.
+/// A pipeline for each: it declares nothing that its constants leave out.
 struct SurfaceVariant {
-    SurfaceFeatures features;
-    SurfaceOutput output = SurfaceOutput::shaded;
-    SidesSeen sides = SidesSeen::above;
+#define CONSTANTS "shaders/shared/surface_constants.h"
+#include "gpu/constants.inl"
     auto operator<=>(const SurfaceVariant&) const = default;
 };
 
@@ -64,7 +32,7 @@ using SurfacePipelines = DrawPipelines<SurfaceVariant>;
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SurfaceVariant& variant,
                      DrawPipeline& out);
 
-/// What one draw binds. Views that the features do not call for stay null.
+/// What one draw binds. Views that its variant does not call for stay null.
 struct SurfaceInputs {
     gpu::Slice uniforms;
     gpu::Resource patches; ///< one an instance; of a mesh of the host's own, its vertices
@@ -87,6 +55,6 @@ struct SurfaceInputs {
 };
 
 Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,
-                     SurfaceFeatures features, const SurfaceInputs& inputs);
+                     const SurfaceInputs& inputs);
 
 } // namespace seaglass

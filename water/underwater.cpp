@@ -2,17 +2,12 @@
 
 #include <vector>
 
+#include "shaders/shared/water_bindings.h"
 #include "spirv/caustics.frag.h"
 #include "spirv/caustics.vert.h"
-#include "spirv/caustics_views.vert.h"
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
-#include "spirv/underwater_views.vert.h"
-#include "spirv/underwater_waves.frag.h"
-#include "spirv/underwater_waves_shore.frag.h"
 #include "spirv/waterline.frag.h"
-#include "spirv/waterline_waves.frag.h"
-#include "spirv/waterline_waves_shore.frag.h"
 #include "water/surface_uniforms.h"
 
 namespace seaglass {
@@ -21,50 +16,39 @@ namespace {
 
 struct PassInfo {
     const char* name;
-    std::span<const uint32_t> shader;
-    bool readsColor, readsDepth;
+    std::span<const uint32_t> vertex, fragment;
     Drawing drawing;
 };
 
-PassInfo infoOf(const UnderwaterVariant& v) {
-    using Shader = std::span<const uint32_t>;
-    const size_t form = formFor(v.waves, v.shore);
-    switch (v.pass) {
-    case UnderwaterPass::water: {
-        const Shader shaders[] = {underwater_frag, underwater_waves_frag, underwater_waves_shore_frag};
-        return {"underwater", shaders[form], true, true, Drawing::over};
-    }
-    case UnderwaterPass::waterline: {
-        const Shader shaders[] = {waterline_frag, waterline_waves_frag, waterline_waves_shore_frag};
-        return {"waterline", shaders[form], false, false, Drawing::blended};
-    }
+PassInfo infoOf(UnderwaterPass pass) {
+    switch (pass) {
+    case UnderwaterPass::water:
+        return {"underwater", underwater_vert, underwater_frag, Drawing::over};
+    case UnderwaterPass::waterline:
+        return {"waterline", underwater_vert, waterline_frag, Drawing::blended};
     case UnderwaterPass::caustics:
         break;
     }
-    return {"caustics", caustics_frag, false, true, Drawing::scaled};
+    return {"caustics", caustics_vert, caustics_frag, Drawing::scaled};
 }
 
-/// In the order of the shaders' bindings.
-std::vector<gpu::Bound> resources(const Context& context, const UnderwaterVariant& v,
-                                  const UnderwaterInputs& in) {
+/// All that some pipeline's shaders read.
+std::vector<gpu::Bound> resources(const Context& context, const UnderwaterInputs& in) {
     const gpu::Samplers& samplers = context.samplers;
-    const PassInfo info = infoOf(v);
     std::vector<gpu::Bound> list;
-    const auto add = [&](const gpu::Resource& resource) {
-        list.push_back({static_cast<uint32_t>(list.size()), resource});
+    const auto bind = [&](uint32_t number, const gpu::Resource& resource) {
+        list.push_back({number, resource});
     };
-    const auto addOf = [&](const Image& image) {
-        add(gpu::sampledImage(samplers.nearestClamp(), image.view, image.layout));
+    const auto bindImage = [&](uint32_t number, const Image& image) {
+        bind(number, gpu::sampledImage(samplers.nearestClamp(), image.view, image.layout));
     };
-    add(gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms)));
-    if (info.readsColor) addOf(in.view->sceneColor);
-    if (info.readsDepth) addOf(in.view->sceneDepth);
-    if (v.waves) add(gpu::sampledImage(samplers.trilinearRepeat(), in.waveMap));
-    if (v.shore) {
-        add(gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap));
-        add(in.shoreRows);
-    }
-    if (v.pass == UnderwaterPass::caustics) add(gpu::sampledImage(samplers.trilinearClamp(), in.light));
+    bind(bodyBinding, gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms)));
+    bindImage(sceneColorBinding, in.view->sceneColor);
+    bindImage(sceneDepthBinding, in.view->sceneDepth);
+    bind(waveDisplacementBinding, gpu::sampledImage(samplers.trilinearRepeat(), in.waveMap));
+    bind(shoreMapBinding, gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap));
+    bind(shoreSignalBinding, in.shoreRows);
+    bind(causticLightBinding, gpu::sampledImage(samplers.trilinearClamp(), in.light));
     return list;
 }
 
@@ -72,14 +56,11 @@ std::vector<gpu::Bound> resources(const Context& context, const UnderwaterVarian
 
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
                      DrawPipeline& out) {
-    const bool caustics = variant.pass == UnderwaterPass::caustics;
-    const bool views = target.viewMask != 0;
-    const PassInfo info = infoOf(variant);
-    const uint32_t constants[] = {variant.straddles, variant.dryRooms, variant.sceneEncoded,
-                                  target.encoding == Encoding::srgb};
-    const std::span<const uint32_t> vertex[][2] = {{underwater_vert, underwater_views_vert},
-                                                   {caustics_vert, caustics_views_vert}};
-    return createDrawPipeline(device, target, {vertex[caustics][views], info.shader, constants}, info.drawing,
+    UnderwaterVariant drawn = variant;
+    drawn.inViews = target.viewMask != 0;
+    drawn.targetIsEncoded = target.encoding == Encoding::srgb;
+    const PassInfo info = infoOf(variant.pass);
+    return createDrawPipeline(device, target, {info.vertex, info.fragment, drawn.constants()}, info.drawing,
                               "underwater pipeline", out);
 }
 
@@ -88,11 +69,10 @@ Status recordUnderwater(Context& context, VkCommandBuffer commands, UnderwaterPi
     const DrawPipeline* pipeline = nullptr;
     if (const Status s = pipelines.get(variant, pipeline); s != Status::ok) return s;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s =
-            context.frame().allocateSet(pipeline->layout, resources(context, variant, inputs), set);
+    if (const Status s = context.frame().allocateSet(pipeline->layout, resources(context, inputs), set);
         s != Status::ok)
         return s;
-    const gpu::PassScope pass(context.device, commands, infoOf(variant).name);
+    const gpu::PassScope pass(context.device, commands, infoOf(variant.pass).name);
     bindDraw(context.device, commands, *pipeline, set, inputs.view->viewIndex);
     context.device.vk().CmdDraw(commands, 3, 1, 0, 0);
     return Status::ok;

@@ -3,6 +3,7 @@
 // below.
 #pragma once
 
+#include "gpu/constants.h"
 #include "gpu/context.h"
 #include "gpu/frame.h"
 #include "water/draw_pipeline.h"
@@ -13,11 +14,8 @@ enum class UnderwaterPass : uint32_t { water, waterline, caustics };
 
 struct UnderwaterVariant {
     UnderwaterPass pass = UnderwaterPass::water;
-    bool straddles = false; ///< the near plane may be above the water too
-    bool waves = false;     ///< asked for only where it straddles
-    uint32_t dryRooms = 0;  ///< of caustics alone: roomsPacked()
-    bool shore = false;     ///< only with waves
-    bool sceneEncoded = false;
+#define CONSTANTS "shaders/shared/underwater_constants.h"
+#include "gpu/constants.inl"
     auto operator<=>(const UnderwaterVariant&) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include "view/shader_reload.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -84,6 +85,21 @@ ShaderReload::Stamps ShaderReload::stampsNow() const {
     return stamps;
 }
 
+std::vector<fs::path> ShaderReload::folders() const {
+    std::vector<fs::path> all;
+    std::error_code gone;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_, gone))
+        if (entry.is_directory(gone)) all.push_back(entry.path().lexically_relative(folder_));
+    std::ranges::sort(all);
+    return all;
+}
+
+fs::path ShaderReload::including(const std::string& name) const {
+    for (const fs::path& folder : folders())
+        if (fs::exists(folder_ / folder / name)) return folder / name;
+    return name;
+}
+
 void ShaderReload::addIncluded(const fs::path& file, std::set<fs::path>& out) const {
     if (!out.insert(file).second) return;
     std::ifstream in(folder_ / file);
@@ -93,7 +109,7 @@ void ShaderReload::addIncluded(const fs::path& file, std::set<fs::path>& out) co
         if (from == std::string::npos) continue;
         const std::string name = line.substr(from + mark.size(), line.rfind('"') - from - mark.size());
         const fs::path beside = file.parent_path() / name;
-        addIncluded(fs::exists(folder_ / beside) ? beside : fs::path("common") / name, out);
+        addIncluded(fs::exists(folder_ / beside) ? beside : including(name), out);
     }
 }
 
@@ -120,9 +136,10 @@ bool ShaderReload::changed() {
 bool ShaderReload::compile(const std::string& name, Words& out) {
     const Recipe& recipe = recipes_.at(name);
     const fs::path made = fs::temp_directory_path() / ("seaglass-" + std::to_string(getpid()) + ".spv");
-    const std::string command = quoted(SEAGLASS_GLSLANG) + " " SEAGLASS_GLSLANG_FLAGS " -I" +
-                                quoted((folder_ / "common").string()) + recipe.defines + " -o " +
-                                quoted(made.string()) + " " + quoted((folder_ / recipe.source).string());
+    std::string command = quoted(SEAGLASS_GLSLANG) + " " SEAGLASS_GLSLANG_FLAGS;
+    for (const fs::path& folder : folders()) command += " -I" + quoted((folder_ / folder).string());
+    command +=
+        recipe.defines + " -o " + quoted(made.string()) + " " + quoted((folder_ / recipe.source).string());
     std::string said;
     const bool compiled = runs(command, said);
     out = compiled ? readWords(made) : Words{};

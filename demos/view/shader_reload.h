@@ -40,6 +40,9 @@ class ShaderReload {
 
     void readRecipes();
     Stamps stampsNow() const;
+    /// Those within the shaders' folder, in any of which an included file may lie.
+    std::vector<std::filesystem::path> folders() const;
+    std::filesystem::path including(const std::string& name) const;
     /// All files that one includes, itself among them.
     void addIncluded(const std::filesystem::path& file, std::set<std::filesystem::path>& out) const;
     bool compile(const std::string& name, Words& out);

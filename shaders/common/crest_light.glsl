@@ -86,7 +86,7 @@ vec3 throughCrest(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
     const int points = clamp(refractionLooks / 2, 1, 3);
     float scattering = absorption.w;
     float bottom = heightHere + within.z;
-    if (lightsCrests && bottom > 0.0) {
+    if (bottom > 0.0) {
         vec3 along = intoWater(s, toEye);
         vec2 ahead = horizontal(along);
         vec3 lowSky = normalize(vec3(ahead.x, 0.6, ahead.y));

@@ -1,6 +1,6 @@
 // What a body covers of its plane: water/extent.h. The edges of an outline near a patch, (u, v) relative to the eye.
 
-layout(set = 0, binding = EXTENT_BINDING, std430) readonly buffer Extent {
+layout(set = 0, binding = extentBinding, std430) readonly buffer Extent {
     vec4 outlineBox;   // lowest and highest (u, v)
     vec4 edges[];      // (u, v) of both ends
 };

@@ -9,7 +9,6 @@ struct Foam {
     float height;  // of the white's own, -1..1 and 0 in the mean: more light reaches what stands out
 };
 
-#ifdef SHORE
 // What breakers leave, the line at the water's edge, and what stays on the sand as it runs down.
 float shoreFoam() {
     float thick = thickness();
@@ -20,7 +19,6 @@ float shoreFoam() {
     left *= smoothstep(0.0, 0.02, shoreHere.swash);
     return 1.0 - (1.0 - 0.9 * shoreHere.foam) * (1.0 - min(left, 0.9));
 }
-#endif
 
 // Share of the places where a sum of three even distributions, of these widths and of mean 0, is below `x`.
 float shareBelow(float x, vec3 widths) {
@@ -41,14 +39,10 @@ float foamCover(vec2 aside, vec2 bend, float pixelWidth) {
         float mip = log2(max(pixelWidth * texels, 1.0));
         vec2 steps = textureLod(foamHistory, vec3(cascade[i].xy + place * cascade[i].z, i), mip).rg;
         float left = mix(steps.x, steps.y, foam.x);
-#ifdef SHORE
-        left *= shoreHere.kept[i] * shoreHere.kept[i];
-#endif
+        if (hasShore) left *= shoreHere.kept[i] * shoreHere.kept[i];
         clear *= 1.0 - left;
     }
-#ifdef SHORE
-    clear *= 1.0 - shoreFoam();
-#endif
+    if (hasShore) clear *= 1.0 - shoreFoam();
     return 1.0 - clear;
 }
 
@@ -133,9 +127,7 @@ Foam foamAt(vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
 // as wide as such a part at its narrow side, or half its longer one: as wide as all of it, rafts blur into a veil.
 Foam foamHere() {
     vec2 calm = calmPosition;
-#ifdef SHORE
-    calm -= shoreHere.advected;
-#endif
+    if (hasShore) calm -= shoreHere.advected;
     FoamPart here = foamPartOf(foam.zw + drawnOut(calm));
     Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
     vec2 part = pixel.longer / float(slopeLooks);

@@ -1,7 +1,5 @@
 // A sea that falls away as on a ball under the eye's foot: water/globe.h.
 
-layout(constant_id = 14) const bool onGlobe = false;
-
 // Below the plane, at (u, v) from the eye's foot [m].
 float globeDrop(vec2 calm) {
     if (!onGlobe) return 0.0;

@@ -1,5 +1,4 @@
 // A multiview pass runs each draw for all of its views; one of them is meant, and in the others nothing shows.
-#ifdef MULTIVIEW
 #extension GL_EXT_multiview : require
 layout(push_constant) uniform Pushed {
     int drawnView;
@@ -11,4 +10,3 @@ bool isOtherView() {
 
 // Beyond the far plane, whichever that is.
 const vec4 outOfSight = vec4(0.0, 0.0, 2.0, 1.0);
-#endif

@@ -10,8 +10,6 @@
 #include "reflection_blur.glsl"
 #include "reflection_texels.glsl"
 
-layout(constant_id = 15) const int sharpDownscale = 0;   // of still water that nothing blurs: pixels to a texel; 0: of other
-
 const float farAway = 1e5;
 const float endlesslyFar = 1e9;   // the eye of parallel lines of sight [m]
 
@@ -19,9 +17,7 @@ const float endlesslyFar = 1e9;   // the eye of parallel lines of sight [m]
 vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
     vec3 p = from + direction * t;
     float above = p.y + plane.w;
-#ifdef WAVES
-    if (direction.y > 0.0) above = max(above, clamp(-plane.w - from.y, 0.0, 2.5 * reflectionScale * pixelWidth(from)));
-#endif
+    if (hasWaves && direction.y > 0.0) above = max(above, clamp(-plane.w - from.y, 0.0, 2.5 * reflectionScale * pixelWidth(from)));
     p.y = -plane.w - above;
     vec4 pixel = pixelOf(p);
     // Behind the camera: outside of every image.
@@ -67,7 +63,6 @@ float towardsShown(vec3 from, vec3 direction, vec2 pixel, float t) {
     return along > 0.0 ? along : t;
 }
 
-#ifdef WAVES
 // What stands before water hides in the mirror what rays from that water meet: a boat's side, as it is mirrored on this side
 // of it. Then what is shown half as far away from the pixel, or in it, stands for what is hidden.
 BentPoint aheadOf(vec3 from, vec3 direction, BentPoint point) {
@@ -84,7 +79,6 @@ BentPoint aheadOf(vec3 from, vec3 direction, BentPoint point) {
     } while (++i < 2);
     return point;
 }
-#endif
 
 // Of the way from a pixel to where its bent ray vanishes: two thirds as far along as the eye is away.
 const float overNear = 0.4;
@@ -94,7 +88,7 @@ const float overNear = 0.4;
 // last look is for that.
 BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
     vec2 here = gl_FragCoord.xy - vec2(region.xy);
-#ifdef WAVES
+    if (!hasWaves) return BentPoint(here, t);
     vec2 pixel = mirroredPixel(from, direction, t);
     int i = 0;
     // From a trough what a flat mirror shows here lies nearer than it is to that mirror: so near that the image may end before.
@@ -117,12 +111,8 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
         }
     }
     return aheadOf(from, direction, BentPoint(mix(here, pixel, reflectionDistortion), t));
-#else
-    return BentPoint(here, t);
-#endif
 }
 
-#ifdef SHORE
 // What runs up the sand stands above the plane that the image mirrors about, which there lies in the sand: the image shows
 // sand, which no ray from above it meets. Share of what else there is.
 float shareAboveSand(vec3 from, BentPoint point) {
@@ -132,7 +122,6 @@ float shareAboveSand(vec3 from, BentPoint point) {
     float deep = smoothstep(0.1, 0.4, thickness());
     return max(smoothstep(0.05, 0.25, met.y - sand), deep);
 }
-#endif
 
 // A ray that goes on to the sky is looked up far from where it leaves the water, and blurred there: with what other water
 // before it mirrors. Share of what the blur meets that lies ahead of the ray.
@@ -180,15 +169,10 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
     hit = point.distance;
     float inside = heldInside(point.pixel, direction.y < 0.0);
     if (inside <= 0.0) return vec4(0.0);
-#ifdef SHORE
-    inside *= shareAboveSand(from, point);
-#endif
+    if (hasShore) inside *= shareAboveSand(from, point);
     float mip = bundleMip(blurTexels(from, spread, point.distance));
     vec4 texel = reflectionTexel(point.pixel / reflectionScale, mip, reflectionScale);
-#ifdef WAVES
-    if (texel.a > 0.0 && point.distance >= farAway)
-        inside *= shareAhead(from, direction, point.pixel, mip);
-#endif
+    if (hasWaves && texel.a > 0.0 && point.distance >= farAway) inside *= shareAhead(from, direction, point.pixel, mip);
     return texel * (inside * shareOfScene(point.distance, reflectionLook));
 }
 

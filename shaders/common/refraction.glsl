@@ -1,12 +1,12 @@
 // What shines through the surface from below it. Needs texel_at.glsl and turns.glsl.
 
-layout(constant_id = 8) const int refractionLooks = 6;   // 1: straight through
-
-#ifdef REFRACTION
-layout(constant_id = 19) const bool manySamples = false;   // of the scene, of which sample 0 may lie before the surface
-layout(constant_id = 12) const int bedDownscale = 0;   // of the bed's picture of its own: water/bed.h
 const bool hasBed = bedDownscale > 0;
-bool looksAtBed = hasBed;   // not where a surface is seen from the water: what it mirrors is looked for in the scene
+bool seesBed = hasBed;   // not where a surface is seen from the water: what it mirrors is looked for in the scene
+
+bool looksAtBed() {
+    return hasBed && seesBed;
+}
+
 
 struct Behind {
     vec2 pixel;    // of the region
@@ -27,7 +27,7 @@ Behind behindAt(vec2 pixel) {
 }
 
 vec4 linearTexel(vec4 held) {
-    return vec4(linearOf(held.rgb), held.a);
+    return vec4(linearOf(held.rgb, sceneIsEncoded), held.a);
 }
 
 vec4 colorOf(Behind b) {
@@ -41,11 +41,11 @@ vec3 radianceOf(Behind b) {
 // In what follows pixels are the bed's where it has a picture of its own: wider than the region, from a raised
 // eye (water/bed.cpp), and with nothing in it that stands above the water. Else they are the scene's.
 vec4 bedPixelOf(vec4 relative) {
-    return (looksAtBed ? bedFromRelative : pixelFromRelative) * relative;
+    return (looksAtBed() ? bedFromRelative : pixelFromRelative) * relative;
 }
 
 Behind bedAt(vec2 pixel) {
-    if (!looksAtBed) return behindAt(pixel);
+    if (!looksAtBed()) return behindAt(pixel);
     vec2 p = pointWithin(pixel, bedSize);
     return shownAt(p, texelFetch(bedDepth, ivec2(p), 0).r, relativeFromBed);
 }
@@ -68,7 +68,7 @@ vec4 betweenBedTexels(vec2 pixel) {
 }
 
 vec4 bedColorOf(Behind b) {
-    if (!looksAtBed) return colorOf(b);
+    if (!looksAtBed()) return colorOf(b);
     return bedDownscale > 1 ? betweenBedTexels(b.pixel) : linearTexel(texelFetch(bedColor, ivec2(b.pixel), 0));
 }
 
@@ -83,7 +83,7 @@ Behind behindRay(vec2 here, vec4 target) {
 
 // How far a ray from inside the picture goes until it leaves it [m]: where a + t b, homogeneous pixels, passes a border.
 float untilBorder(vec4 a, vec4 b) {
-    vec2 size = vec2(looksAtBed ? bedSize : region.zw);
+    vec2 size = vec2(looksAtBed() ? bedSize : region.zw);
     // Gaps to the borders, times w, and how fast they shrink.
     vec4 gap = vec4(a.xy, size * a.w - a.xy);
     vec4 loss = vec4(-b.xy, b.xy - size * b.w);
@@ -146,11 +146,7 @@ float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
 
 // Where the bed has no picture of its own, the scene's may show it in part, or things that float over none. So the ray is
 // looked for in steps first, of so many pixels at the least. A shore has its map.
-#ifdef SHORE
-const int sceneLooks = 0;
-#else
-const int sceneLooks = hasBed || refractionLooks == 1 ? 0 : 2 * refractionLooks + 4;
-#endif
+const int sceneLooks = hasShore || hasBed || refractionLooks == 1 ? 0 : 2 * refractionLooks + 4;
 const float sceneStride = 2.0;
 
 // As much depth as can be seen through [m].
@@ -159,13 +155,11 @@ float seenAsFarAs() {
     return 2.0 / min(min(k.r, k.g), k.b);
 }
 
-#ifdef SHORE
 // The depth at which a ray meets the bed that the shore's map has.
 float depthOnMap(vec3 perDepth) {
     float depth = heightHere + shoreHere.depth;
     return clamp(depth / max(1.0 + dot(shoreHere.bedSlope, perDepth.xz), 0.2), 0.0, 3.0 * max(depth, 0.0));
 }
-#endif
 
 // How much nearer the ray, which is `at` that pixel, is than the scene behind it: in what is affine on the screen of both,
 // inverse distances from an eye, and distances along parallel lines of sight.
@@ -198,7 +192,7 @@ vec2 placeAround(int look, int looks) {
 // How far a deviation of the slopes within the pixel moves what is seen of a bed `drop` metres below, and one aside of that
 // [pixels].
 mat2 blurOfBed(SurfacePoint s, vec3 toEye, vec3 seen, float drop) {
-#ifdef WAVES
+    if (!hasWaves) return mat2(0.0);
     float u = sqrt(max(s.covariance.x, 1e-12));
     float both = s.covariance.z / u;
     vec2 deviations[2] = vec2[](vec2(u, both), vec2(0.0, sqrt(max(s.covariance.y - both * both, 0.0))));
@@ -211,9 +205,6 @@ mat2 blurOfBed(SurfacePoint s, vec3 toEye, vec3 seen, float drop) {
         blur[i] = there.w > 0.0 ? refractionDistortion * (there.xy / there.w - middle.xy / middle.w) : vec2(0.0);
     }
     return blur;
-#else
-    return mat2(0.0);
-#endif
 }
 
 float widthOf(mat2 blur) {
@@ -223,8 +214,8 @@ float widthOf(mat2 blur) {
 // A mean of what those slopes show of the bed around, or of the pixel alone. Across the border it is as it is inside.
 vec4 bedColorAround(Behind b, mat2 blur, float drop) {
     const int looks = refractionLooks > 3 ? 4 : 1;
-    vec2 size = vec2(looksAtBed ? bedSize : region.zw);
-    vec2 middle = looksAtBed ? b.pixel : b.pixel + 0.5;
+    vec2 size = vec2(looksAtBed() ? bedSize : region.zw);
+    vec2 middle = looksAtBed() ? b.pixel : b.pixel + 0.5;
     bool blurs = widthOf(blur) > sharpBed;
     float weights = blurs ? 1e-3 : 1.0;
     vec4 sum = weights * bedColorOf(b);
@@ -277,13 +268,13 @@ bool meetsBetween(vec4 from, vec4 perDepth, vec2 here, float before, inout Behin
 // its slope. Where the line of sight itself passes over the bed's end, far off, it begins with what lies below at as much
 // depth as can be seen through; over a shore with what its map says, which stands for a bed that falls away out of sight.
 // `path` is how much water lies before it [m], `blurred` over how many pixels slopes too small to be seen spread it.
-vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out float blurred) {
+vec3 refractedBed(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out float blurred) {
     // Of its depth, from what is met; with two looks the nearest is the best there is.
     const float mostOff = refractionLooks > 2 ? 0.35 : 1e9;
     const float wellOff = refractionLooks > 3 ? 0.05 : 0.35;
     vec4 from = bedPixelOf(vec4(position, 1.0));
-    vec2 here = looksAtBed ? from.xy / from.w : gl_FragCoord.xy - vec2(region.xy);
-    if (manySamples && !looksAtBed) here = besideWhatHides(here);
+    vec2 here = looksAtBed() ? from.xy / from.w : gl_FragCoord.xy - vec2(region.xy);
+    if (manySamples && !looksAtBed()) here = besideWhatHides(here);
     Behind found = bedAt(here);
     path = 1e6;
     blurred = 0.0;
@@ -296,17 +287,13 @@ vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out floa
     bool passedOver = found.nothing;
     float drop = max(position.y - found.seen.y, 0.0);
     float sought = min(drop, leaves);
-#ifdef SHORE
-    float onMap = depthOnMap(bent / steepness);
-#endif
+    float onMap = hasShore ? depthOnMap(bent / steepness) : 0.0;
     if (passedOver) {
         sought = min(seenAsFarAs(), leaves);
         found = behindRay(here, from + perDepth * sought);
         drop = max(position.y - found.seen.y, 0.0);
         if (isBelowWater(found)) sought = min(drop, sought);
-#ifdef SHORE
-        sought = min(onMap, leaves);
-#endif
+        if (hasShore) sought = min(onMap, leaves);
     }
     if (sceneLooks == 0 && found.nothing) return waterGlow(vec3(path));
     Behind nearest = found;
@@ -404,23 +391,19 @@ vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out floa
     vec4 bed = bedColorAround(found, madeUp ? mat2(0.0) : blur, drop);
     if (madeUp) bed.rgb = radianceBeyond(found, position + bent / steepness * drop, here, blurred);
     vec3 unknown = waterGlow(vec3(1e6));
-#ifdef SHORE
-    if (passedOver && known < 1.0)
+    if (hasShore && passedOver && known < 1.0)
         unknown = bedThrough(bedRadiance(nearest), onMap - position.y - plane.w, gatheredIn(bedColorOf(nearest)),
                              onMap / steepness);
-#endif
     vec3 unknownOverFog = bedOverFog;
     path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
     vec3 through = bedThrough(bed.rgb, -(found.seen.y + plane.w), gatheredIn(bed), path);
     bedOverFog = mix(unknownOverFog, bedOverFog, known);
     return mix(unknown, through, known);
 }
-#else
-const vec3 bedOverFog = vec3(0.0);
 
 vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out float blurred) {
+    if (hasRefraction) return refractedBed(s, normal, toEye, path, blurred);
     path = 1e6;
     blurred = 0.0;
     return waterGlow(vec3(path));
 }
-#endif

@@ -2,20 +2,14 @@
 // which is too coarse for the short ones (parallax mapping, Kaneko et al. 2001). So waves' near sides are as large as
 // their far sides are small. Needs wave_displacement.glsl.
 
-layout(constant_id = 11) const bool hasRelief = false;
-
 vec2 shownCalm() {
-#if defined(WAVES) && !defined(SHORE)
-    if (hasRelief) {
-        Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
-        float width = max(length(pixel.shorter), length(pixel.longer) / float(slopeLooks));
-        float higher = waveDisplacementAt(waveDisplacement, meshCalm, width, vec4(1.0)).y - heightHere;
-        vec3 across = cross(dFdx(position), dFdy(position));   // of the drawn triangle, up or down
-        vec2 slope = -across.xz / (abs(across.y) > 1e-12 ? across.y : 1e-12);
-        vec3 along = sightTo(position);
-        float rises = abs(along.y - dot(slope, along.xz));   // of the line of sight over the triangle, to the eye
-        return meshCalm - along.xz * (higher / max(rises, 0.02 * length(along.xz)));
-    }
-#endif
-    return meshCalm;
+    if (!hasRelief) return meshCalm;
+    Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
+    float width = max(length(pixel.shorter), length(pixel.longer) / float(slopeLooks));
+    float higher = waveDisplacementAt(waveDisplacement, meshCalm, width, vec4(1.0)).y - heightHere;
+    vec3 across = cross(dFdx(position), dFdy(position));   // of the drawn triangle, up or down
+    vec2 slope = -across.xz / (abs(across.y) > 1e-12 ? across.y : 1e-12);
+    vec3 along = sightTo(position);
+    float rises = abs(along.y - dot(slope, along.xz));   // of the line of sight over the triangle, to the eye
+    return meshCalm - along.xz * (higher / max(rises, 0.02 * length(along.xz)));
 }

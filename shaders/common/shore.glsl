@@ -1,8 +1,8 @@
 // What a bed makes of the sea: water/shore.h. The wave trains that it guides, how much of each cascade it leaves, and the
 // water's edge on the sand.
 
-layout(set = 0, binding = SHORE_BINDING) uniform sampler2DArray shoreMap;
-layout(set = 0, binding = SHORE_BINDING + 1, std430) readonly buffer ShoreSignal {
+layout(set = 0, binding = shoreMapBinding) uniform sampler2DArray shoreMap;
+layout(set = 0, binding = shoreSignalBinding, std430) readonly buffer ShoreSignal {
     vec4 shoreRows[];   // two a row: height, sideways, swash, wet; foam
 };
 
@@ -95,12 +95,10 @@ ShoreWave shoreWave(vec2 calm, float width) {
     return shoreWaveOf(calm, width, 0, shoreSignal.y);
 }
 
-#ifdef MOTION
 // In the last frame.
 ShoreWave lastShoreWave(vec2 calm, float width) {
     return shoreWaveOf(calm, width, 2 * shoreTrains * int(shoreSignal.z), shoreForm.z);
 }
-#endif
 
 // The height above calm water of a film that lies on the sand, or of the surface where that is higher.
 float withFilm(ShoreWave w, float height, float lift) {

@@ -2,7 +2,7 @@
 
 // Of a picture one pixel wide none lies before the first.
 vec3 texelColor(ivec2 pixel) {
-    return linearOf(texelFetch(sceneColor, region.xy + max(pixel, 0), 0).rgb);
+    return linearOf(texelFetch(sceneColor, region.xy + max(pixel, 0), 0).rgb, sceneIsEncoded);
 }
 
 // Between the four texels around, where these show one plane on which the ray is there: depth is affine on the screen over

@@ -19,10 +19,9 @@ float sunDensity(SurfacePoint s, vec3 halfway, float gap) {
     return slopeDensity(slopeOf(halfway) - s.slope, covariance, bounded);
 }
 
-#ifdef WAVES
 // Radiance of the sun's mirror image, spread by the slopes within the pixel (Bruneton, Neyret and Holzschuch 2010,
 // eq. 14) and by its own disc; as a share of its irradiance, before what waves hide of it.
-float sunGlint(SurfacePoint s, vec3 toEye) {
+float glintOfWaves(SurfacePoint s, vec3 toEye) {
     vec3 halfway = toEye + toSun.xyz;
     if (toSun.y <= 0.0 || halfway.y <= 0.0) return 0.0;
     float gap = length(halfway);
@@ -41,12 +40,15 @@ WavesAhead wavesBeforeTheSun(SurfacePoint s) {
 float sunClear(vec2 slope, WavesAhead ahead) {
     return clearShare(max(toSun.y, 1e-3), dot(slope, horizontal(toSun.xyz)), ahead);
 }
-#else
+
 // Still water mirrors the disc as it is. Likewise a share.
-float sunGlint(SurfacePoint s, vec3 toEye) {
+float glintOfStillWater(vec3 toEye) {
     const float squaredRadius = 2.16e-5;   // of 0.00465 rad
     vec3 off = vec3(-toEye.x, toEye.y, -toEye.z) - toSun.xyz;
     if (toSun.y <= 0.0 || dot(off, off) > squaredRadius) return 0.0;
     return sunSeen * mirroredShare(toEye.y) / (pi * squaredRadius);
 }
-#endif
+
+float sunGlint(SurfacePoint s, vec3 toEye) {
+    return hasWaves ? glintOfWaves(s, toEye) : glintOfStillWater(toEye);
+}

@@ -1,6 +1,6 @@
-// How much of the sun the host's shadow map lets through to a point. Needs surface_uniforms.glsl and SUN_SHADOW_BINDING.
+// How much of the sun the host's shadow map lets through to a point. Needs surface_uniforms.glsl.
 
-layout(set = 0, binding = SUN_SHADOW_BINDING) uniform sampler2DArray sunShadowMap;
+layout(set = 0, binding = sunShadowMapBinding) uniform sampler2DArray sunShadowMap;
 
 // Of the four texels around, those that are no nearer to the sun, as a linear look weighs them (percentage-closer
 // filtering: Reeves, Salesin and Cook 1987). What lies beyond the map's far end is as deep as that.

@@ -125,7 +125,6 @@ vec3 shownBelow(vec3 inAir, float share, float depth, float rise, float path) {
     return lit * exp(-extinction() * path) + share * scatteredIn(depth, rise, path);
 }
 
-#ifdef REFLECTION
 // A bed so far along the ray, of so much light in air times confidence, and confidence.
 vec4 bedAlong(vec3 direction, float path, vec4 light, float depth) {
     return vec4(shownBelow(light.rgb, light.a, depth, direction.y, path), light.a);
@@ -220,14 +219,13 @@ vec3 bedBeyond(vec3 direction, vec2 pixel, float depth, vec3 water) {
     bed += (1.0 - bed.a) * seen;
     return bed.rgb + (1.0 - bed.a) * water;
 }
-#endif
 
 // What a facet mirrors of the water below, and of what lies in it.
 vec3 mirroredBy(vec2 slope, vec3 view, float spread) {
     vec3 direction = keptBelow(reflect(view, normalOf(slope)));
     float depth = max(-heightHere, 0.0);
     vec3 radiance = scatteredIn(depth, direction.y, endlessPath);
-#ifdef REFLECTION
+    if (!hasReflection) return radiance;
     BentPoint hit = bentPoint(position, direction, hitHere(), 2);
     vec4 screen = vec4(0.0);
     float along = hit.distance;
@@ -235,11 +233,9 @@ vec3 mirroredBy(vec2 slope, vec3 view, float spread) {
     if (hit.distance < farAway) screen = reflectionAlong(position, direction, spread, along);
     if (screen.a < 0.999 && !infoIsSky(infoAt(hit.pixel))) radiance = bedBeyond(direction, hit.pixel, depth, radiance);
     radiance = radiance * (1.0 - screen.a) + shownBelow(screen.rgb, screen.a, depth, direction.y, hit.distance);
-#endif
     return radiance;
 }
 
-#ifdef WAVES
 // For 1, 2 and 4 looks the means of equal shares of a Gaussian [deviations], along the line of sight.
 const float belowLooks[7] = float[](0.0, -0.8, 0.8, -1.27, -0.325, 0.325, 1.27);
 
@@ -255,7 +251,7 @@ float sideOfShare() {
 
 // The mean over the slopes that are seen, at as many of them as there are looks. Seen from below, where no line of sight
 // that is mirrored is as low as those over water, slopes turn rays aside as much as up and down: twice reflectionAlong()'s blur.
-vec3 mirroredBelow(SurfacePoint s, vec3 view) {
+vec3 mirroredBelowWaves(SurfacePoint s, vec3 view) {
     VisibleSlopes v = visibleSlopes(s, view);
     SlopeSpread seen = slopeSpread(v);
     vec2 aside = vec2(-v.towards.y, v.towards.x) * (0.7 * deviationAcross(s, v.towards));
@@ -270,21 +266,18 @@ vec3 mirroredBelow(SurfacePoint s, vec3 view) {
     } while (++i < mirrorLooks);
     return sum / float(mirrorLooks);
 }
-#else
+
 vec3 mirroredBelow(SurfacePoint s, vec3 view) {
-    return mirroredBy(s.slope, view, s.slopeStep);
+    return hasWaves ? mirroredBelowWaves(s, view) : mirroredBy(s.slope, view, s.slopeStep);
 }
-#endif
 
 vec3 shadedBelow(SurfacePoint s, float foamShare) {
     vec3 view = normalize(sightTo(position));
     float reflectance;
     vec3 radiance = throughWindow(s, view, reflectance);
     radiance += reflectance * mirroredBelow(s, view) + sunThrough(s, view);
-#ifdef FOAM
     // Foam passes on, spread evenly, what it does not send back.
-    radiance = mix(radiance, lightEntering() * (1.0 - foam.y) / pi, foamShare);
-#endif
+    if (hasFoam) radiance = mix(radiance, lightEntering() * (1.0 - foam.y) / pi, foamShare);
     vec3 start = onNearPlane(gl_FragCoord.xy - vec2(region.xy));
     return throughWater(radiance, depthOfSight(start), view.y, max(distanceTo(position) - distanceTo(start), 0.0));
 }

@@ -1,7 +1,6 @@
 // The host's fog in the air before the water, and over the sky that it mirrors. Needs surface_uniforms.glsl, near_plane.glsl, sky_seen.glsl.
 #include "medium.glsl"
 
-layout(constant_id = 20) const uint fogKind = 0;   // water/lighting.h: fogKind()
 const bool hasFog = fogKind != 0;
 const int fogShape = int(fogKind & 7u);
 const bool fogsSky = (fogKind & 8u) != 0;

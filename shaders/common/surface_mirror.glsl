@@ -2,9 +2,7 @@
 // Fresnel term and weighted by its visible area. Without it the mean normal makes the far sea a mirror of the horizon.
 
 #include "quad.glsl"
-#ifdef REFLECTION
 #include "reflection_lookup.glsl"
-#endif
 
 // `spread` is the standard deviation of the mirrored direction [rad]. A texel of a cube's mip, read linearly, spreads by
 // 0.65 of its width where each mip is a smooth half of the last (by 0.5 after a box), and is 2 / edge wide amid a face.
@@ -38,31 +36,16 @@ struct Reflection {
 
 // Of the scene, times confidence, and confidence. `hit` is how far away the last ray beside this one met something [m].
 vec4 mirroredScene(vec3 direction, float spread, inout float hit) {
-#ifdef REFLECTION
-    return reflectionAlong(position, fromLevel(direction), spread, hit);
-#else
-    return vec4(0.0);
-#endif
+    return hasReflection ? reflectionAlong(position, fromLevel(direction), spread, hit) : vec4(0.0);
 }
 
 float texelsBlurred(float spread, float hit) {
-#ifdef REFLECTION
-    return blurTexels(position, spread, hit);
-#else
-    return 0.0;
-#endif
+    return hasReflection ? blurTexels(position, spread, hit) : 0.0;
 }
 
 float firstHit() {
-#ifdef REFLECTION
-    return hitHere();
-#else
-    return 0.0;
-#endif
+    return hasReflection ? hitHere() : 0.0;
 }
-
-#ifdef WAVES
-layout(constant_id = 7) const int mirrorLooks = 2;   // 1, 2 or 4
 
 // The slopes that the eye sees, as offsets from their mean in deviations, of a Gaussian and of Rayleigh's distribution: four,
 // nearly Gauss and Hermite's, for the lopsided fitted to keep the mean, the deviation and, within 2 %, Fresnel's
@@ -140,7 +123,7 @@ vec3 facetMet(vec3 ray) {
 // The scene and the sky are looked up in as many groups of neighbouring slopes as there are looks. Low rays meet another wave
 // before they reach the sky (Smith's masking by all the sea's slopes), which mirrors a higher part of it in turn, or of what
 // the last look found.
-Reflection reflected(SurfacePoint s, vec3 toEye) {
+Reflection reflectedByWaves(SurfacePoint s, vec3 toEye) {
     const int together = slopesSeen / mirrorLooks;
     VisibleSlopes v = visibleSlopes(s, toEye);
     SlopeSpread seen = slopeSpread(v);
@@ -188,8 +171,8 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     }
     return sum;
 }
-#else
-Reflection reflected(SurfacePoint s, vec3 toEye) {
+
+Reflection reflectedByStillWater(vec3 toEye) {
     float hit = firstHit();
     float fresnel = mirroredShare(toEye.y);
     vec3 direction = keptAbove(vec3(-toEye.x, toEye.y, -toEye.z));
@@ -198,4 +181,7 @@ Reflection reflected(SurfacePoint s, vec3 toEye) {
     if (found.a < 0.999) mirrored += (1.0 - found.a) * skyAlong(direction);
     return Reflection(fresnel * mirrored, fresnel, 0.0, fresnel * overFog(found.rgb, vec3(found.a)));
 }
-#endif
+
+Reflection reflected(SurfacePoint s, vec3 toEye) {
+    return hasWaves ? reflectedByWaves(s, toEye) : reflectedByStillWater(toEye);
+}

@@ -8,7 +8,6 @@ struct SurfacePoint {
     float bounded;     // of the covariance, variance along both axes that ends within the pixel
 };
 
-#ifdef SHORE
 ShoreWave shoreHere;
 
 // How high the water that the bed guides stands over it; less than nothing behind the water's edge [m].
@@ -30,19 +29,11 @@ float presence() {
 float onSand() {
     return 1.0 - smoothstep(0.0, 0.04, thickness());
 }
-#endif
 
 // What a shore leaves of each cascade's amplitude here.
 vec4 keptHere() {
-#ifdef SHORE
-    return shoreHere.kept;
-#else
-    return vec4(1.0);
-#endif
+    return hasShore ? shoreHere.kept : vec4(1.0);
 }
-
-#ifdef WAVES
-layout(constant_id = 9) const int slopeLooks = 1;   // 1, 2 or 4
 
 // Derivatives of the waves over the pixel, and their moments: at a grazing angle a pixel is long and narrow, and is taken in
 // as many parts as there are looks.
@@ -69,11 +60,10 @@ void lookAtWaves(vec3 at, float texels, Footprint pixel, out vec4 derivatives, o
 float partOfAWave(float texels) {
     return 1.0 - smoothstep(8.0, 32.0, texels);
 }
-#endif
 
 SurfacePoint surfacePoint() {
     SurfacePoint s = SurfacePoint(vec2(0.0), roughness.xyz, 0.0, 0.0);
-#ifdef WAVES
+    if (!hasWaves) return s;
     Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
     vec4 derivatives = vec4(0.0);
     float shear = 0.0;
@@ -82,11 +72,11 @@ SurfacePoint surfacePoint() {
         vec3 at = vec3(cascade[i].xy + calmPosition * cascade[i].z, i);
         vec4 d, moments;
         lookAtWaves(at, cascade[i].z, pixel, d, moments);
-#ifdef SHORE
-        float kept = shoreHere.kept[i];
-        d *= kept;
-        moments *= vec4(vec3(kept * kept), kept);
-#endif
+        if (hasShore) {
+            float kept = shoreHere.kept[i];
+            d *= kept;
+            moments *= vec4(vec3(kept * kept), kept);
+        }
         derivatives += d;
         shear += moments.w;
         vec3 lost = moments.xyz - vec3(d.xy * d.xy, d.x * d.y);
@@ -94,20 +84,17 @@ SurfacePoint surfacePoint() {
         s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(pixel.longer) * cascade[i].w);
     }
     variance.xy = max(variance.xy, 0.0);
-#ifdef SHORE
-    derivatives += vec4(shoreHere.slope, shoreHere.stretch.xy);
-    shear += shoreHere.stretch.z;
-    float ripples = shoreHere.kept[cascades - 1];
-    s.covariance *= ripples * ripples;
-    variance += shoreHere.covariance;
-#endif
+    if (hasShore) {
+        derivatives += vec4(shoreHere.slope, shoreHere.stretch.xy);
+        shear += shoreHere.stretch.z;
+        float ripples = shoreHere.kept[cascades - 1];
+        s.covariance *= ripples * ripples;
+        variance += shoreHere.covariance;
+    }
     s.slope = slopeOfWaves(derivatives, shear);
     s.covariance += variance;
-#ifdef SHORE
-    s.slope = mix(s.slope, shoreHere.bedSlope, onSand());
-#endif
+    if (hasShore) s.slope = mix(s.slope, shoreHere.bedSlope, onSand());
     vec2 change = max(abs(dFdx(s.slope)), abs(dFdy(s.slope)));
     s.slopeStep = max(change.x, change.y);
-#endif
     return s;
 }

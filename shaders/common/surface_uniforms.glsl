@@ -46,7 +46,7 @@ float sunSeen = 1.0;   // share of the sun's light that reaches the surface here
 
 const uint dryRoomPlanes = 8;
 
-layout(set = 0, binding = 0, std140) uniform Surface {
+layout(set = 0, binding = bodyBinding, std140) uniform Surface {
     mat4 clipFromRelative;
     mat4 pixelFromRelative;
     mat4 relativeFromPixel;

@@ -32,12 +32,10 @@ vec3 waterGlow(vec3 path) {
 // drawCaustics() has multiplied the alpha of a scene's colour too, which was 1. A host that has other things there has no
 // caustics there.
 float gatheredIn(vec4 color) {
-#ifdef SCENE_ENCODING
     if (sceneIsEncoded) {
         bool held = caustics.x > 0.0 && color.a > 0.01 && color.a < leastUntold;
         return held ? mostGathered * color.a : 1.0;
     }
-#endif
     bool told = caustics.x > 0.0 && color.a > 0.05 && color.a < 20.0;
     return told ? color.a : 1.0;
 }

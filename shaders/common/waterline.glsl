@@ -1,19 +1,15 @@
 // Where the near plane of a view that stands in both leaves the water. Needs surface_uniforms.glsl and wave_displacement.glsl.
 
-#ifdef WAVES
 // As the finest cells of the mesh have it.
 vec3 displacementOf(vec2 calm) {
     return surfaceDisplacement(waveDisplacement, calm, within.x);
 }
-#endif
 
 // Of a point above the displaced surface [m]; waves move points sideways too, so what is above it is looked for.
 float heightAboveSurface(vec3 at) {
     float height = at.y + plane.w;
-#ifdef WAVES
+    if (!hasWaves) return height;
     vec2 calm = at.xz;
     for (int i = 0; i < 3; ++i) calm = at.xz - displacementOf(calm).xz;
-    height -= displacementOf(calm).y;
-#endif
-    return height;
+    return height - displacementOf(calm).y;
 }

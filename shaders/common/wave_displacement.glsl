@@ -1,7 +1,6 @@
-// How far the waves move a point of the calm plane, as a mean over `width` metres. Needs surface.glsl, or surface_uniforms.glsl
+// How far the waves move a point of the calm plane, as a mean over `width` metres. Needs surface_uniforms.glsl, shore.glsl
 // and `cascades`.
 
-#ifdef WAVES
 // `kept` is a share of each cascade.
 vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, vec4 kept) {
     vec3 sum = vec3(0.0);
@@ -15,7 +14,6 @@ vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, ve
     return sum;
 }
 
-#ifdef SHORE
 // Over a shore's bed; with the film on its sand.
 vec3 displacementOver(ShoreWave shore, sampler2DArray displacements, vec2 calm, float width) {
     vec3 moved = waveDisplacementAt(displacements, calm, width, shore.kept);
@@ -23,14 +21,9 @@ vec3 displacementOver(ShoreWave shore, sampler2DArray displacements, vec2 calm, 
     moved.y = withFilm(shore, moved.y, filmLift + 0.01 * width);
     return moved;
 }
-#endif
 
 // Of the water's surface, wherever there is a bed or none.
 vec3 surfaceDisplacement(sampler2DArray displacements, vec2 calm, float width) {
-#ifdef SHORE
-    return displacementOver(shoreWave(calm, width), displacements, calm, width);
-#else
+    if (hasShore) return displacementOver(shoreWave(calm, width), displacements, calm, width);
     return waveDisplacementAt(displacements, calm, width, vec4(1.0));
-#endif
 }
-#endif

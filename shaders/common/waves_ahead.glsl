@@ -1,8 +1,6 @@
 // The waves ahead of a point of the surface, which hide low sky, low sun and low things from it. Those that can be told apart
 // are looked for; of the rest, and of all without `waveShadowSteps`, Smith's masking says how many rays get by.
 
-layout(constant_id = 6) const int waveShadowSteps = 0;
-
 struct WavesAhead {
     float horizon;   // tangent of the highest wave ahead
     float slope;     // of the pixel's middle, towards there
@@ -10,7 +8,6 @@ struct WavesAhead {
     float alike;     // correlation of such slopes around a facet with its own
 };
 
-#ifdef WAVES
 const float noWave = -1e3;
 
 // The tangent of the highest wave `from` a place to where none hides what rises by `lowest`: four deviations of height over another
@@ -67,4 +64,3 @@ float clearShare(float rise, float slope, WavesAhead ahead) {
     float deviation = sqrt(1.0 - ahead.alike * ahead.alike) * max(ahead.unseen, 1e-5);
     return pastHorizon(tangent, ahead.horizon) / hiddenPer(max(tangent - around, 0.0) / deviation);
 }
-#endif

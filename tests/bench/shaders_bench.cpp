@@ -25,7 +25,7 @@ struct Row {
     StageCosts costs;
 };
 
-/// More and more of what a surface has: the letters of water/CMakeLists.txt.
+/// More and more of what a surface has: SurfaceChoice::letters.
 constexpr std::array surfaces = {"", "l", "lr", "w", "wl", "wlr", "wflr", "wfslr", "wfslroh"};
 
 /// One for each stage, but for those that an earlier variant of the same shader equals.
@@ -37,7 +37,8 @@ void add(std::vector<Row>& rows, const std::vector<CompiledPipeline>& pipelines,
                           stage.spirvBytes, stage.costs};
             const bool known = std::ranges::any_of(rows, [&](const Row& before) {
                 return before.shader == row.shader && before.costs.instructions == row.costs.instructions &&
-                       before.costs.vectorRegisters == row.costs.vectorRegisters;
+                       before.costs.vectorRegisters == row.costs.vectorRegisters &&
+                       before.spirvBytes == row.spirvBytes;
             });
             if (!known) rows.push_back(row);
         }
@@ -50,13 +51,14 @@ std::vector<Row> measured(CompiledWater& water) {
     for (const UnderwaterPass pass : {UnderwaterPass::water, UnderwaterPass::waterline})
         for (const bool shore : {false, true}) {
             const UnderwaterVariant variant = {
-                .pass = pass, .straddles = true, .waves = true, .shore = shore};
+                .pass = pass, .straddles = true, .hasWaves = true, .hasShore = shore};
             add(rows, water.overView(variant, false), "");
         }
     add(rows, water.overView({.pass = UnderwaterPass::caustics}, false), "");
     for (const char* const letters : surfaces)
         for (size_t q = 0; q < demos::qualities().size(); ++q)
-            add(rows, water.surface({letters, static_cast<Quality>(q)}), std::string(demos::qualities()[q]));
+            add(rows, water.surface({letters, static_cast<Quality>(q)}),
+                std::string(letters) + (*letters ? " " : "") + std::string(demos::qualities()[q]));
     return rows;
 }
 
@@ -78,10 +80,10 @@ void printJson(const std::string& device, const std::vector<Row>& rows) {
 
 void printTable(const std::string& device, const std::vector<Row>& rows) {
     std::printf("%s\n", device.c_str());
-    std::printf("%-32s %-8s %12s %5s %5s %5s %12s %7s %7s\n", "shader", "variant", "instructions", "VGPRs",
+    std::printf("%-32s %-16s %12s %5s %5s %5s %12s %7s %7s\n", "shader", "variant", "instructions", "VGPRs",
                 "SGPRs", "waves", "spilled V, S", "LDS, B", "SPIR-V");
     for (const Row& r : rows)
-        std::printf("%-32s %-8s %12" PRIu64 " %5" PRIu64 " %5" PRIu64 " %5" PRIu64 " %7" PRIu64 ", %3" PRIu64
+        std::printf("%-32s %-16s %12" PRIu64 " %5" PRIu64 " %5" PRIu64 " %5" PRIu64 " %7" PRIu64 ", %3" PRIu64
                     " %7" PRIu64 " %7zu\n",
                     r.shader.c_str(), r.variant.c_str(), r.costs.instructions, r.costs.vectorRegisters,
                     r.costs.scalarRegisters, r.costs.waves, r.costs.spilledVectors, r.costs.spilledScalars,

@@ -123,23 +123,15 @@ class Defects : public WaterTest {
     /// SSPR with these shaders from here on. Without one for misses, that stays.
     void replaceShaders(std::span<const uint32_t> scatter, std::span<const uint32_t> resolve,
                         std::span<const uint32_t> miss = {}) {
-        constexpr VkDescriptorType uniforms = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
-                                   buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                                   sampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                                   storage = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-        constexpr VkDescriptorType ofScatter[] = {uniforms, sampled, buffer, buffer};
-        constexpr VkDescriptorType ofResolve[] = {uniforms, buffer,  sampled, buffer,
-                                                  sampled,  storage, storage};
         Context& context = *body_->context;
         SsprKernels& kernels = body_->reflector->sspr;
         kernels.scatter = std::make_shared<ScatterKernel>();
         kernels.resolve = std::make_shared<ResolveKernel>();
         ASSERT_EQ(kernels.resolve->create(context), Status::ok) << message();
-        ASSERT_EQ(kernels.scatter->kernel.create(context.device, scatter, ofScatter, "scatter"), Status::ok);
-        ASSERT_EQ(kernels.resolve->kernel.create(context, resolve, ofResolve, "resolve"), Status::ok);
+        ASSERT_EQ(kernels.scatter->kernel.create(context.device, scatter, "scatter"), Status::ok);
+        ASSERT_EQ(kernels.resolve->kernel.create(context, resolve, "resolve"), Status::ok);
         if (miss.empty()) return;
-        constexpr VkDescriptorType ofMiss[] = {uniforms, buffer, sampled, storage, storage};
-        ASSERT_EQ(kernels.resolve->miss.create(context.device, miss, ofMiss, "miss"), Status::ok);
+        ASSERT_EQ(kernels.resolve->miss.create(context.device, miss, "miss"), Status::ok);
     }
 
     Camera camera_;

@@ -9,13 +9,13 @@
 namespace tests {
 
 struct BuiltShader {
-    std::string_view name; ///< such as "surface_wf.frag"
+    std::string_view name; ///< such as "surface.frag"
     std::span<const uint32_t> words;
 };
 
 std::span<const BuiltShader> builtShaders();
 
-/// Of these words; "?" where no library has them built in.
+/// Of these words, or of what specialized() leaves of them; "?" where no library has them built in.
 std::string builtShaderName(std::span<const uint32_t> words);
 
 } // namespace tests

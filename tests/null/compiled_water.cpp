@@ -98,20 +98,13 @@ TargetDesc targetDesc(bool multiview) {
 }
 
 SurfaceVariant variantOf(const Body& body, const SurfaceChoice& choice) {
-    if (choice.output == SurfaceOutput::motion) return {body.motionFeatures(), choice.output, choice.sides};
-    ReflectionImages images;
-    // Asked for nothing but whether it is there.
-    if (body.reflector) {
-        images.color = reinterpret_cast<VkImageView>(uintptr_t{1});
-        images.downscale = body.reflector->desc.downscale;
-    }
+    SurfaceDraw drawn = {.output = choice.output, .sides = choice.sides};
+    if (body.reflector) drawn.reflectionDownscale = body.reflector->desc.downscale;
     const SunShadow shadow;
     LightingDesc lighting;
     lighting.skyCube = reinterpret_cast<VkImageView>(uintptr_t{1});
     if (hasLetter(choice.letters, 'h')) lighting.shadow = &shadow;
-    SurfaceFeatures features = body.features(images, lighting);
-    if (choice.sides == SidesSeen::below) features.bedDownscale = 0;
-    return {features, choice.output, choice.sides};
+    return body.surfaceVariant(drawn, lighting);
 }
 
 /// What is made anew for each is compiled anew.
@@ -136,14 +129,12 @@ bool hasLetter(const std::string& letters, char letter) {
 }
 
 std::vector<std::string> surfaceLetters() {
-    constexpr std::string_view prefix = "surface", suffix = ".frag";
     std::vector<std::string> all;
-    for (const BuiltShader& shader : builtShaders()) {
-        if (!shader.name.starts_with(prefix) || !shader.name.ends_with(suffix)) continue;
-        const std::string_view middle =
-            shader.name.substr(prefix.size(), shader.name.size() - prefix.size() - suffix.size());
-        all.emplace_back(middle.empty() ? middle : middle.substr(1));
-    }
+    for (const char* const waves : {"", "w", "wf", "ws", "wfs"})
+        for (const char* const sees : {"", "l", "r", "lr"})
+            for (const char* const outline : {"", "o"})
+                for (const char* const shadow : {"", "h"})
+                    all.push_back(std::string(waves) + sees + outline + shadow);
     return all;
 }
 

@@ -15,7 +15,7 @@ namespace tests {
 
 /// Which of the surface's pipelines.
 struct SurfaceChoice {
-    /// Features by the letters of water/CMakeLists.txt, as in the fragment shader's name.
+    /// Features: w waves, f foam, s a shore, l reflection, r refraction, o an outline, h the host's shadow map.
     std::string letters;
     seaglass::Quality quality = seaglass::Quality::medium;
     seaglass::SurfaceOutput output = seaglass::SurfaceOutput::shaded;
@@ -52,7 +52,7 @@ class CompiledWater {
     uint32_t slot_ = 0;
 };
 
-/// The letters of each of the surface's fragment shaders.
+/// All combinations.
 std::vector<std::string> surfaceLetters();
 bool hasLetter(const std::string& letters, char letter);
 

@@ -36,7 +36,7 @@ TEST_F(Compiles, EverythingDrawn) {
             for (const bool shore : {false, true})
                 if (pass != UnderwaterPass::caustics)
                     expectCompiled(water_->overView(
-                        {.pass = pass, .straddles = true, .waves = true, .shore = shore}, multiview));
+                        {.pass = pass, .straddles = true, .hasWaves = true, .hasShore = shore}, multiview));
         }
     expectAllWith(".frag");
     expectAllWith(".vert");
