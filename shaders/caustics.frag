@@ -5,7 +5,7 @@
 #include "constant.glsl"
 #include "underwater_constants.h"
 #include "water_bindings.h"
-#include "surface_uniforms.glsl"
+#include "body.glsl"
 #include "encoding.glsl"
 #include "optics.glsl"
 #include "caustic_light.glsl"
@@ -20,13 +20,13 @@ layout(location = 0) out vec4 outColor;
 // All that is scattered, forwards too [1/m]: particles send 0.0183 of it back (Petzold 1972), and molecules, which sea
 // water owes this much to (Morel 1974), half.
 vec3 scattering() {
-    vec3 byMolecules = min(backscatter.rgb, vec3(0.00046, 0.00095, 0.00227));
-    return 2.0 * byMolecules + (backscatter.rgb - byMolecules) / 0.0183;
+    vec3 byMolecules = min(water.backscatter.rgb, vec3(0.00046, 0.00095, 0.00227));
+    return 2.0 * byMolecules + (water.backscatter.rgb - byMolecules) / 0.0183;
 }
 
 // By how much of what calm water lets through there is more light, and of the sun what nothing hides.
 vec2 lightHere() {
-    vec2 texel = (gl_FragCoord.xy - vec2(region.xy)) / float(rayStep);
+    vec2 texel = (gl_FragCoord.xy - vec2(water.region.xy)) / float(rayStep);
     // The picture may be larger than the view, and hold anything there: short of the last texel's middle a look has no part
     // of the next.
     vec2 last = vec2(lightSize()) - 0.51;
@@ -35,32 +35,31 @@ vec2 lightHere() {
 
 // Of the sun's light what is not scattered on the way.
 vec3 straightOn(float depth) {
-    return exp(-scattering() * (depth / stored.sunInWater.y));
+    return exp(-scattering() * (depth / water.sunInWater.y));
 }
 
 // Of what lights a point the sun's share, as its side faces the bent ray.
 vec3 sunShare(vec3 normal, float seen) {
-    vec3 from = stored.sunInWater.xyz;
-    vec3 sun = seen * sunIrradiance.rgb * (toSun.y * max(dot(normal, from), 0.0) / from.y);
-    return sun / max(sun + skyIrradiance.rgb, 1e-6);
+    vec3 from = water.sunInWater.xyz;
+    vec3 sun = seen * water.sunIrradiance.rgb * (water.toSun.y * max(dot(normal, from), 0.0) / from.y);
+    return sun / max(sun + water.skyIrradiance.rgb, 1e-6);
 }
 
 void main() {
-    loadSurface();
     vec3 at;
-    bool shown = bedShownAt(sceneDepth, ivec2(gl_FragCoord.xy) - region.xy, at);
+    bool shown = bedShownAt(sceneDepth, ivec2(gl_FragCoord.xy) - water.region.xy, at);
     at = shown ? at : vec3(0.0);
     vec3 across = cross(dFdx(at), dFdy(at));   // the side it shows, which depth tells between pixels
     float shows = shown ? 1.0 : 0.0;
     vec2 ends = vec2(dFdx(shows), dFdy(shows));
     if (ends != vec2(0.0)) across = vec3(0.0, 1.0, 0.0);   // beside the bed's end none is told
     vec3 normal = across * (dot(across, sightTo(at)) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);
-    float depth = -(at.y + plane.w);
-    bool beside = any(lessThan(at.xz, covered.xy)) || any(greaterThan(at.xz, covered.zw));
+    float depth = -(at.y + water.plane.w);
+    bool beside = any(lessThan(at.xz, water.covered.xy)) || any(greaterThan(at.xz, water.covered.zw));
     if (!shown || beside) demote;
     vec3 factor = vec3(1.0);
     const float leastSeen = 0.004;   // a step of eight bits, where light gathers to twice its mean
-    vec3 straight = caustics.x * straightOn(depth);
+    vec3 straight = water.caustics.x * straightOn(depth);
     bool lit = any(greaterThan(straight * sunShare(normal, 1.0), vec3(leastSeen)));
     if (lit && !isDry(at)) {
         vec2 light = lightHere();

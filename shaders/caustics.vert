@@ -5,12 +5,12 @@
 #include "underwater_constants.h"
 #include "water_bindings.h"
 #include "one_view.glsl"
-#include "surface_uniforms.glsl"
+#include "body.glsl"
 #include "sight_line.glsl"
 
 // How much a line of sight rises, in some unit: linear in the pixels.
 float rise(vec2 pixel) {
-    return dot(plane.xyz, alongSight(relativeFromPixel, relativeFromPixel * vec4(pixel, 0.5, 1.0)));
+    return dot(water.plane.xyz, alongSight(water.relativeFromPixel, water.relativeFromPixel * vec4(pixel, 0.5, 1.0), water.depthSign));
 }
 
 void main() {
@@ -18,14 +18,13 @@ void main() {
         gl_Position = outOfSight;
         return;
     }
-    loadSurface();
     const float beyond = 1.5;   // half the picture's diagonal, and more
-    vec2 size = vec2(region.zw);
+    vec2 size = vec2(water.region.zw);
     float right = rise(vec2(size.x, 0.0)), low = rise(vec2(0.0, size.y));
     float middle = 0.5 * (right + low);
     vec2 falls = 0.5 * (vec2(rise(vec2(0.0))) - vec2(right, low));
     float steep = length(falls);
-    bool lineInSight = plane.w > 0.0 && sight.w > 0.0 && abs(middle) < beyond * steep;
+    bool lineInSight = water.plane.w > 0.0 && water.sight.w > 0.0 && abs(middle) < beyond * steep;
     vec2 down = lineInSight ? falls / steep : vec2(0.0, 1.0);
     float from = lineInSight ? middle / steep - 4.0 / min(size.x, size.y) : -beyond;
     // Of the horizon's line to both sides, and down; at three from it, the far side of the picture, still as wide as that is.

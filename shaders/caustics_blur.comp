@@ -5,7 +5,7 @@
 #include "constant.glsl"
 #include "caustics_constants.h"
 #include "water_bindings.h"
-#include "surface_uniforms.glsl"
+#include "body.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
 #include "footprint.glsl"
@@ -26,12 +26,12 @@ layout(set = 0, binding = causticBlurredBinding, rg16f) uniform writeonly image2
 float lostSlope(float width) {
     float place = clamp(log2(width) + 7.0, 0.0, 6.99);
     int i = int(place);
-    return mix(stored.lostSlopes[i >> 2][i & 3], stored.lostSlopes[i + 1 >> 2][i + 1 & 3], fract(place));
+    return mix(water.lostSlopes[i >> 2][i & 3], water.lostSlopes[i + 1 >> 2][i + 1 & 3], fract(place));
 }
 
 // Deviations on each metre down, along the sun's direction and across it.
 vec2 strayed(float slope) {
-    return slope * stored.sunTurned.xy;
+    return slope * water.sunTurned.xy;
 }
 
 // Pixels to the ends of two deviations, which span an ellipse.
@@ -41,10 +41,10 @@ struct Spread {
 
 // Of a metre on a level bed, along the sun's direction and across it.
 Spread pixelsPerMetre(vec3 at) {
-    vec2 towards = horizontal(toSun.xyz);
+    vec2 towards = horizontal(water.toSun.xyz);
     vec4 p = pixelOf(at);
-    vec4 along = pixelFromRelative * vec4(towards.x, 0.0, towards.y, 0.0);
-    vec4 across = pixelFromRelative * vec4(-towards.y, 0.0, towards.x, 0.0);
+    vec4 along = water.pixelFromRelative * vec4(towards.x, 0.0, towards.y, 0.0);
+    vec4 across = water.pixelFromRelative * vec4(-towards.y, 0.0, towards.x, 0.0);
     return Spread((along.xy - p.xy * along.w) / p.w, (across.xy - p.xy * across.w) / p.w);
 }
 
@@ -57,7 +57,7 @@ Spread spreadOf(Spread perMetre, vec2 deviation) {
 vec2 blurPerMetre(vec2 pixel, vec3 at) {
     const float disc = 0.5 * 0.00465 / waterIndex;
     vec2 turned = strayed(lostSlope(rayWidth(at)));
-    float shown = onNearPlane(pixel).y + plane.w > 0.0 ? 0.25 * roughness.w : 0.0;
+    float shown = onNearPlane(pixel).y + water.plane.w > 0.0 ? 0.25 * water.roughness.w : 0.0;
     return sqrt(turned * turned + disc * disc + shown * shown);
 }
 
@@ -88,7 +88,7 @@ vec2 lightAround(vec2 pixel, Spread spread) {
 float shareCast(vec2 pixel, Spread spread) {
     vec2 deviation = max(sqrt(spread.along * spread.along + spread.across * spread.across), 1e-3);
     vec2 before = (pixel + float(margin)) / deviation;
-    vec2 after = (vec2(region.zw) - pixel + float(margin)) / deviation;
+    vec2 after = (vec2(water.region.zw) - pixel + float(margin)) / deviation;
     const float asGoodAsAll = 4.0;
     if (all(greaterThan(min(before, after), vec2(asGoodAsAll)))) return 1.0;
     return (gaussianBelow(before.x) + gaussianBelow(after.x) - 1.0) * (gaussianBelow(before.y) + gaussianBelow(after.y) - 1.0);
@@ -96,7 +96,7 @@ float shareCast(vec2 pixel, Spread spread) {
 
 // Of the sun's light, what came in where the ray to a point did: what stands in the water hides little of it.
 float sunSeenFrom(vec3 at, float depth) {
-    return hasSunShadow ? sunSeenAt(at + stored.sunInWater.xyz * (depth / stored.sunInWater.y)) : 1.0;
+    return hasSunShadow ? sunSeenAt(at + water.sunInWater.xyz * (depth / water.sunInWater.y)) : 1.0;
 }
 
 // By how much of what calm water lets through there is more light, which halves hold most exactly where it is faint, and what
@@ -106,11 +106,11 @@ vec2 lightOn(ivec2 texel) {
     Spread blur = Spread(vec2(0.0), vec2(0.0));
     float elsewhere = 0.0, seen = 1.0;
     vec3 at;
-    if (bedShownAt(sceneDepth, min(pixelOfTexel(texel), region.zw - 1), at)) {
-        float depth = -(at.y + plane.w);
+    if (bedShownAt(sceneDepth, min(pixelOfTexel(texel), water.region.zw - 1), at)) {
+        float depth = -(at.y + water.plane.w);
         Spread perMetre = pixelsPerMetre(at);
         blur = spreadOf(perMetre, depth * blurPerMetre(pixel, at));
-        elsewhere = 1.0 - shareCast(pixel, spreadOf(perMetre, depth * strayed(roughness.w)));
+        elsewhere = 1.0 - shareCast(pixel, spreadOf(perMetre, depth * strayed(water.roughness.w)));
         seen = sunSeenFrom(at, depth);
     }
     vec2 light = lightAround(pixel, blur);
@@ -118,7 +118,6 @@ vec2 lightOn(ivec2 texel) {
 }
 
 void main() {
-    loadSurface();
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, max(firstRow, 0));
     if (any(greaterThanEqual(texel, lightSize()))) return;
     vec2 light = lightOn(texel);

@@ -5,7 +5,7 @@
 #include "constant.glsl"
 #include "caustics_constants.h"
 #include "water_bindings.h"
-#include "surface_uniforms.glsl"
+#include "body.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
 #include "sight_line.glsl"
@@ -20,13 +20,13 @@ layout(set = 0, binding = waveMomentsBinding) uniform sampler2DArray waveMoments
 layout(set = 0, binding = causticSumsBinding, std430) buffer Sums {
     uint sums[];
 };
-int cascades = stored.cascades;
+int cascades = water.seaCascades;
 #include "shore.glsl"
 #include "wave_displacement.glsl"
 
 // How far the sun's ray through a surface of this slope strays sideways on each metre down.
 vec2 strays(vec2 slope) {
-    vec3 ray = refract(-toSun.xyz, normalOf(slope), 1.0 / waterIndex);
+    vec3 ray = refract(-water.toSun.xyz, normalOf(slope), 1.0 / waterIndex);
     return ray.xz / max(-ray.y, 0.1);
 }
 
@@ -49,9 +49,9 @@ vec2 slopeAt(vec2 calm, float width) {
     }
     int i = 0;
     do {
-        float mip = max(log2(width * cascade[i].w), 0.0);
-        if (mip < maxMip) {
-            vec3 at = vec3(cascade[i].xy + calm * cascade[i].z, i);
+        float mip = max(log2(width * water.cascade[i].w), 0.0);
+        if (mip < water.maxMip) {
+            vec3 at = vec3(water.cascade[i].xy + calm * water.cascade[i].z, i);
             derivatives += kept[i] * textureLod(waveDerivatives, at, mip);
             shear += kept[i] * textureLod(waveMoments, at, mip).w;
         }
@@ -64,9 +64,9 @@ Ray rayThrough(vec2 at, float width) {
     vec3 moved = surfaceDisplacement(waveDisplacement, at, width);
     vec2 slope = slopeAt(at - moved.xz, width);
     Ray ray;
-    ray.from = vec3(at.x, moved.y - plane.w, at.y);
+    ray.from = vec3(at.x, moved.y - water.plane.w, at.y);
     ray.strays = strays(slope);
-    ray.light = max(1.0 - dot(slope, toSun.xz) / toSun.y, 0.0);
+    ray.light = max(1.0 - dot(slope, water.toSun.xz) / water.toSun.y, 0.0);
     return ray;
 }
 
@@ -77,11 +77,11 @@ vec3 whereItIs(Ray ray, float height) {
 
 // What is under water at a pixel, which may lie beside the view: the bed at its border goes on level.
 bool bedAt(ivec2 pixel, out vec3 at) {
-    ivec2 inside = clamp(pixel, ivec2(0), region.zw - 1);
+    ivec2 inside = clamp(pixel, ivec2(0), water.region.zw - 1);
     if (!bedShownAt(sceneDepth, inside, at)) return false;
     if (inside == pixel) return true;
-    vec4 p = relativeFromPixel * vec4(vec2(pixel) + 0.5, 0.5, 1.0);
-    vec3 direction = alongSight(relativeFromPixel, p);
+    vec4 p = water.relativeFromPixel * vec4(vec2(pixel) + 0.5, 0.5, 1.0);
+    vec3 direction = alongSight(water.relativeFromPixel, p, water.depthSign);
     vec3 from = p.xyz / p.w;
     vec3 beyond = from + direction * ((at.y - from.y) / direction.y);
     vec3 further = beyond - at;
@@ -106,18 +106,17 @@ void leave(vec2 pixel, float amount) {
 }
 
 void main() {
-    loadSurface();
     ivec2 pixel = pixelOfTexel(ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow)) - ivec2(margin, 0);
-    if (any(greaterThanEqual(pixel, region.zw + margin))) return;
+    if (any(greaterThanEqual(pixel, water.region.zw + margin))) return;
     vec3 at;
     if (!bedAt(pixel, at)) return;
-    vec3 enters = at - stored.sunInWater.xyz * ((at.y + plane.w) / stored.sunInWater.y);
+    vec3 enters = at - water.sunInWater.xyz * ((at.y + water.plane.w) / water.sunInWater.y);
     Ray ray = rayThrough(enters.xz, rayWidth(at));
     // To the height of its own pixel, then to what stands there. What is thin, and what the bed behind it shows beside it, keeps
     // its own light: which of its rays go past it, and which others it stops, the depth does not tell.
     vec3 level = whereItIs(ray, at.y);
     vec4 fallen = pixelOf(level);
-    bool shown = fallen.w > 0.0 && all(greaterThanEqual(fallen.xy, vec2(0.0))) && all(lessThan(fallen.xy, vec2(region.zw)));
+    bool shown = fallen.w > 0.0 && all(greaterThanEqual(fallen.xy, vec2(0.0))) && all(lessThan(fallen.xy, vec2(water.region.zw)));
     if (shown) {
         vec3 there;
         bool bed = bedShownAt(sceneDepth, ivec2(fallen.xy), there);

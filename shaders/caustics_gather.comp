@@ -5,7 +5,7 @@
 #include "constant.glsl"
 #include "caustics_constants.h"
 #include "water_bindings.h"
-#include "surface_uniforms.glsl"
+#include "body.glsl"
 #include "caustic_light.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -23,12 +23,11 @@ void leave(ivec2 texel, int i, vec2 light) {
 }
 
 void main() {
-    loadSurface();
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     int i = texel.y * rowLength + texel.x;
     if (texel.x >= rowLength || i >= sums.length()) return;
     bool lit = false;
     vec3 at;
-    if (all(lessThan(texel, lightSize()))) lit = bedShownAt(sceneDepth, min(pixelOfTexel(texel), region.zw - 1), at);
+    if (all(lessThan(texel, lightSize()))) lit = bedShownAt(sceneDepth, min(pixelOfTexel(texel), water.region.zw - 1), at);
     leave(texel, i, vec2(float(sums[i]) / lightUnit, float(lit)));
 }

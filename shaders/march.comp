@@ -88,7 +88,7 @@ void main() {
     vec4 color = vec4(0.0);
     float info = infoUnknown;
     int worth = refused;
-    SightLine sight = sightLine(relativeFromPixel, q);
+    SightLine sight = sightLine(relativeFromPixel, q, plane, depthSign);
     if (sight.towardsPlane > 0.0) {
         March found = marched(sight.onPlane, mirroredBySurface(q, sight.direction), metresToMarch(pixel),
                               noiseAt(vec2(pixel)));

@@ -76,7 +76,7 @@ vec3 depthColor(vec4 seen) {
 }
 
 float metresToPlane(vec2 pixel) {
-    SightLine sight = sightLine(relativeFromPixel, pixel);
+    SightLine sight = sightLine(relativeFromPixel, pixel, plane, depthSign);
     return dot(sight.onPlane, sight.direction);
 }
 

@@ -42,7 +42,7 @@ float drawnHeight(vec3 screenPoint) {
 }
 
 float infoOfDrawn(vec2 q, float depth) {
-    float towardsPlane = sightLine(relativeFromPixel, q).towardsPlane;
+    float towardsPlane = sightLine(relativeFromPixel, q, plane, depthSign).towardsPlane;
     if (!(towardsPlane > 0.0)) return infoUnknown;
     if (isFar(depth)) return infoSky;
     float height = drawnHeight(vec3(q, depth));

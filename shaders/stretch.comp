@@ -72,7 +72,7 @@ void main() {
         float nearest = infoAt(line, known);
         ivec2 texel = line.border + line.inward * index;
         vec2 q = middleOf(texel);
-        SightLine sight = sightLine(relativeFromPixel, q);
+        SightLine sight = sightLine(relativeFromPixel, q, plane, depthSign);
         float rise = sight.towardsPlane;
         if (!infoIsHit(nearest) || !(rise > 0.0)) continue;
         // What is open for another reason stays so.

@@ -47,11 +47,17 @@ vec3 fromLevel(vec3 direction) {
     return onGlobe ? level * direction : direction;
 }
 
+// Of what is level here.
+vec3 sunDirection() {
+    return onGlobe ? water.toSun.xyz * level : water.toSun.xyz;
+}
+
 float heightHere;   // above the calm water [m]
+float sunSeen = 1.0;   // share of the sun's light that reaches the surface here
 
 // What the host knows of: the sky cube's directions and normals.
 vec3 inWorld(vec3 direction) {
-    return tilted ? worldFromBody * direction : direction;
+    return tilted ? mat3(water.worldFromBody) * direction : direction;
 }
 
 #include "near_plane.glsl"
@@ -121,9 +127,8 @@ vec4 debugOutput(SurfacePoint s, vec3 normal, vec3 toEye) {
 }
 
 void main() {
-    loadSurface();
     loadFog();
-    heightHere = meshPosition.y + plane.w;
+    heightHere = meshPosition.y + water.plane.w;
     position = vec3(meshPosition.x, meshPosition.y - globeDrop(meshCalm), meshPosition.z);
     if (mayBeInWater) showsUnderside = sidesSeen == seenBelow || seenFromBelow();
     // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.
@@ -140,7 +145,6 @@ void main() {
     if (onGlobe) {
         level = levelAt(meshCalm);
         toEye = toEye * level;
-        toSun.xyz = toSun.xyz * level;
     }
     vec3 normal = normalOf(s.slope);
     if (surfaceOutput != outputShaded) {
@@ -167,16 +171,16 @@ void main() {
     float glint = sunGlint(s, toEye);
     WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);
     if (hasWaves) {
-        bool sunShines = sunSeen * dot(sunIrradiance.rgb, vec3(1.0)) > 0.0;
+        bool sunShines = sunSeen * dot(water.sunIrradiance.rgb, vec3(1.0)) > 0.0;
         if (sunShines && (glint > 1e-5 || white.mask > 1e-3)) ahead = wavesBeforeTheSun(s);
-        glint *= sunClear(slopeOf(toEye + toSun.xyz), ahead);
+        glint *= sunClear(slopeOf(toEye + sunDirection()), ahead);
     }
-    radiance += sunIrradiance.rgb * glint;
+    radiance += water.sunIrradiance.rgb * glint;
     if (hasFoam) radiance = withFoam(radiance, white, s, toEye, mirror.radiance, ahead);
     if (hasFog) radiance = fogged(radiance, (1.0 - white.mask) * (mirror.sceneOverFog + entering * bedOverFog));
     if (hasShore && hasRefraction) {
         // Wet sand dries, and water thins out into it.
-        vec3 dry = linearOf(texelFetch(sceneColor, ivec2(gl_FragCoord.xy + sceneShift), 0).rgb, sceneIsEncoded);
+        vec3 dry = linearOf(texelFetch(sceneColor, ivec2(gl_FragCoord.xy + water.sceneShift), 0).rgb, sceneIsEncoded);
         radiance = mix(dry, radiance, presence());
     }
     outColor = vec4(heldOf(radiance, targetIsEncoded), 1.0);

@@ -27,13 +27,13 @@ struct Vertex {
 
 Vertex hostVertex() {
     HostVertex vertex = hostVertices[gl_VertexIndex];
-    return Vertex(extent.xy + vertex.calm, vertex.cell, min(vertex.fromEdge * extent.z, 1.0));
+    return Vertex(water.extent.xy + vertex.calm, vertex.cell, min(vertex.fromEdge * water.extent.z, 1.0));
 }
 
 Vertex patchVertex(MeshPatch patch_) {
     ivec2 grid = ivec2(gl_VertexIndex % (patchCells + 1), gl_VertexIndex / (patchCells + 1));
     vec2 calm = patch_.corner + vec2(grid) * patch_.cell;
-    float share = (sight.w * length(vec3(calm, plane.w)) + within.w) / abs(patch_.range);
+    float share = (water.sight.w * length(vec3(calm, water.plane.w)) + water.within.w) / abs(patch_.range);
     float glide = clamp((share - glideBegins) / (glideEnds - glideBegins), 0.0, 1.0);
     calm -= vec2(grid & 1) * patch_.cell * glide;
     // Drawn out at its end, so that no corners of patches show against the sky.
@@ -64,10 +64,9 @@ void main() {
         gl_Position = outOfSight;
         return;
     }
-    loadSurface();
     Vertex vertex = vertexHere();
     if (isOutlined) edgeRange = outlinedPatches[gl_InstanceIndex].edgeRange;
-    vec3 relative = vec3(vertex.calm.x, -plane.w, vertex.calm.y);
+    vec3 relative = vec3(vertex.calm.x, -water.plane.w, vertex.calm.y);
     vec3 last = relative;
     if (hasWaves) {
         vec3 held = vec3(vertex.loose, 1.0, vertex.loose);
@@ -82,5 +81,5 @@ void main() {
         last.y -= drop;
         lastPixel = lastPixelFromRelative * vec4(last, 1.0);
     }
-    gl_Position = clipFromRelative * vec4(relative, 1.0);
+    gl_Position = water.clipFromRelative * vec4(relative, 1.0);
 }

@@ -110,7 +110,7 @@ vec2 lastTexel(vec3 image) {
 }
 
 SightLine lastSightLine(vec2 texel) {
-    return sightLine(relativeFromLast, texel * float(1 << pixelShift));
+    return sightLine(relativeFromLast, texel * float(1 << pixelShift), plane, depthSign);
 }
 
 struct Remembered {
@@ -242,7 +242,7 @@ Pixel settled(ivec2 pixel, Pixel found, Around around) {
     bool known = found.info != infoUnknown;
     // Sky among sky is the same in all frames.
     if (share == 0.0 || known && around.distances.y == 0.0) return found;
-    SightLine sight = sightLine(relativeFromPixel, middleOf(pixel) + jitter);
+    SightLine sight = sightLine(relativeFromPixel, middleOf(pixel) + jitter, plane, depthSign);
     if (!(sight.towardsPlane > 0.0)) return found;
     // The least distance tells, since the border of what is in front moves with that.
     Place place = lastPlace(sight, around.distances.x, !known);

@@ -5,9 +5,14 @@
 #include "constant.glsl"
 #include "underwater_constants.h"
 #include "water_bindings.h"
-#include "surface_uniforms.glsl"
+#include "body.glsl"
 #include "encoding.glsl"
 #include "optics.glsl"
+
+vec3 sunDirection() {
+    return water.toSun.xyz;
+}
+
 #include "water_light.glsl"
 #include "underwater_light.glsl"
 
@@ -17,7 +22,7 @@ layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDi
 
 layout(location = 0) out vec4 outColor;
 
-int cascades = stored.cascades;
+int cascades = water.seaCascades;
 
 #include "near_plane.glsl"
 #include "shore.glsl"
@@ -25,23 +30,22 @@ int cascades = stored.cascades;
 #include "waterline.glsl"
 
 void main() {
-    loadSurface();
-    vec3 start = onNearPlane(gl_FragCoord.xy - vec2(region.xy));
+    vec3 start = onNearPlane(gl_FragCoord.xy - vec2(water.region.xy));
     if (straddles && heightAboveSurface(start) > 0.0) demote;
     vec3 view = normalize(sightTo(start));
     float depth = depthOfSight(start);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float seen = texelFetch(sceneDepth, pixel, 0).r;
     // To the surface, which is drawn over it, or without an end.
-    if (depthSign * (seen - farDepth) <= 0.0) {
+    if (water.depthSign * (seen - water.farDepth) <= 0.0) {
         float path = view.y > 0.0 ? depth / view.y : 1e6;
         outColor = vec4(heldOf(scatteredIn(depth, view.y, min(path, 1e6)), targetIsEncoded), 1.0);
         return;
     }
-    vec4 q = relativeFromPixel * vec4(gl_FragCoord.xy - vec2(region.xy), seen, 1.0);
+    vec4 q = water.relativeFromPixel * vec4(gl_FragCoord.xy - vec2(water.region.xy), seen, 1.0);
     vec3 at = q.xyz / q.w;
     float path = max(distanceTo(at) - distanceTo(start), 0.0);
     vec4 color = texelFetch(sceneColor, pixel, 0);
-    vec3 lit = litBelow(linearOf(color.rgb, sceneIsEncoded), -(at.y + plane.w), gatheredIn(color));
+    vec3 lit = litBelow(linearOf(color.rgb, sceneIsEncoded), -(at.y + water.plane.w), gatheredIn(color));
     outColor = vec4(heldOf(throughWater(lit, depth, view.y, path), targetIsEncoded), 1.0);
 }

@@ -5,16 +5,21 @@
 #include "constant.glsl"
 #include "underwater_constants.h"
 #include "water_bindings.h"
-#include "surface_uniforms.glsl"
+#include "body.glsl"
 #include "encoding.glsl"
 #include "optics.glsl"
+
+vec3 sunDirection() {
+    return water.toSun.xyz;
+}
+
 #include "water_light.glsl"
 
 layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDisplacement;
 
 layout(location = 0) out vec4 outColor;
 
-int cascades = stored.cascades;
+int cascades = water.seaCascades;
 
 #include "near_plane.glsl"
 #include "shore.glsl"
@@ -27,20 +32,19 @@ vec2 changeOf(float height, vec3 start) {
     if (!hasShore) return change;
     // Looked for at the next pixels anew: CPU devices read no buffer for those that derivatives alone ask.
     vec3 right = dFdx(start), down = dFdy(start);
-    if (abs(height) > 4.0 * within.y) demote;
+    if (abs(height) > 4.0 * water.within.y) demote;
     return vec2(heightAboveSurface(start + right), heightAboveSurface(start + down)) - height;
 }
 
 void main() {
-    loadSurface();
-    vec3 start = onNearPlane(gl_FragCoord.xy - vec2(region.xy));
+    vec3 start = onNearPlane(gl_FragCoord.xy - vec2(water.region.xy));
     float height = heightAboveSurface(start);
     vec2 change = changeOf(height, start);
     // Along the near plane, which may lie flat: pixels to the line, times metres a pixel.
     float perPixel = max(length(change), 1e-9);
     float distance = abs(height) / perPixel * length(dFdy(start));
     // A wedge of water bends what lies behind it out of sight: dark at its edge below, thinning upwards.
-    float share = 1.0 - smoothstep(0.0, within.y, distance);
+    float share = 1.0 - smoothstep(0.0, water.within.y, distance);
     if (share <= 0.0) demote;
     // What shows through dims as light does.
     float hides = 0.75 * share;

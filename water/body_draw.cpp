@@ -9,9 +9,9 @@
 
 #include "reflection/encoding.h"
 #include "water/body.h"
+#include "water/body_block.h"
 #include "water/lighting.h"
 #include "water/sea.h"
-#include "water/surface_uniforms.h"
 #include "water/target.h"
 
 namespace seaglass {
@@ -54,7 +54,7 @@ Status upload(Context& context, gpu::Resource& out, const Blocks&... blocks) {
     return Status::ok;
 }
 
-/// As pixelWidth() of shaders/common/surface_uniforms.glsl has it, amid the picture [rad]; of parallel lines
+/// As pixelWidth() of shaders/common/body.glsl has it, amid the picture [rad]; of parallel lines
 /// of sight [m].
 double pixelStep(const ViewGeometry& geometry) {
     const glm::dmat4 rows = glm::transpose(geometry.pixelFromRelative);
@@ -278,7 +278,7 @@ Status Body::castCaustics(VkCommandBuffer commands, const ViewDesc& view, const 
     inputs.grid = causticGrid(shading, geometry, heightOf(geometry.eye));
     for (size_t i = 0; i < inputs.waveMaps.size(); ++i) inputs.waveMaps[i] = waves->maps().images[i].view();
     if (const Status s = shoreInputs(false, inputs.shoreMap, inputs.shoreRows); s != Status::ok) return s;
-    const SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
+    const BodyBlock uniforms = bodyBlock(*this, geometry, lighting);
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
     return caustics->record(*context, commands, inputs);
 }
@@ -322,7 +322,7 @@ Status Body::shoreInputs(bool moves, VkImageView& map, gpu::Resource& rows) {
 Status Body::recordOverView(VkCommandBuffer commands, Target& target, const ViewDesc& view,
                             const LightingDesc& lighting, const ViewGeometry& geometry,
                             const UnderwaterVariant& variant) {
-    const SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
+    const BodyBlock uniforms = bodyBlock(*this, geometry, lighting);
     UnderwaterInputs inputs;
     inputs.view = &view;
     if (const Status s = context->frame().upload(uniforms, inputs.uniforms); s != Status::ok) return s;
@@ -378,7 +378,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
     const glm::mat4 lastPixel = motion ? lastPixelFromRelative(view, geometry) : glm::mat4(1);
     if (outline && !mayShow(geometry)) return Status::ok;
 
-    SurfaceUniforms uniforms = surfaceUniforms(*this, geometry, lighting);
+    BodyBlock uniforms = bodyBlock(*this, geometry, lighting);
     if (motion) uniforms.relativeFromPixel = lastPixel;
     SurfaceInputs inputs;
     MeshView asMeshed = meshView(geometry);

@@ -13,8 +13,8 @@
 #include "spirv/caustics_cast.comp.h"
 #include "spirv/caustics_gather.comp.h"
 #include "water/bed.h"
+#include "water/body_block.h"
 #include "water/sea.h"
-#include "water/surface_uniforms.h"
 #include "water/wave_octaves.h"
 
 namespace seaglass {
@@ -112,7 +112,7 @@ void recordCopied(const gpu::Device& device, VkCommandBuffer commands, const Cau
 }
 
 gpu::Resource uniformsOf(const CausticInputs& in) {
-    return gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms));
+    return gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(BodyBlock));
 }
 
 gpu::Resource sampledTexels(const Context& context, const Image& image) {

@@ -69,7 +69,7 @@ struct ShadowedCausticBlurKernel {
 };
 
 struct CausticInputs {
-    gpu::Slice uniforms; ///< SurfaceUniforms
+    gpu::Slice uniforms; ///< BodyBlock
     const ViewDesc* view = nullptr;
     const SunShadow* shadow = nullptr;
     glm::ivec2 region{0};

@@ -15,7 +15,7 @@ constexpr glm::dvec4 nothingOutside{0, 0, 0, -1};
 
 const char* readRoom(const DryRoom& room, DryPlanes& out) {
     bool walled = false;
-    for (uint32_t i = 0; i < dryRoomPlanes; ++i) {
+    for (size_t i = 0; i < dryRoomPlanes; ++i) {
         const auto& [x, y, z, d] = room.planes[i];
         const double length = glm::length(glm::dvec3(x, y, z));
         if (!(length < 1e9) || !(std::abs(d) < 1e15)) return "DryRoom.planes are not finite";

@@ -8,11 +8,9 @@
 #include <glm/vec4.hpp>
 
 #include "seaglass/water.h"
+#include "shaders/shared/body_block.h"
 
 namespace seaglass {
-
-constexpr uint32_t maxDryRooms = 8;
-constexpr uint32_t dryRoomPlanes = 8;
 
 /// Unit normals outwards, in the world [m].
 using DryPlanes = std::array<glm::dvec4, dryRoomPlanes>;

@@ -91,7 +91,7 @@ uint32_t fogKind(const FogDesc* fog) {
     return static_cast<uint32_t>(fog->shape) | (fog->overSky ? 8u : 0u) | (fog->fromSky > 0 ? 16u : 0u);
 }
 
-void setSunShadow(SurfaceUniforms& uniforms, const SunShadow& shadow, const BodyFrame& frame,
+void setSunShadow(BodyBlock& uniforms, const SunShadow& shadow, const BodyFrame& frame,
                   const glm::dvec3& eye) {
     const glm::dmat4 worldFromRelative = glm::dmat4(frame.worldFromBody) * glm::translate(glm::dmat4(1), eye);
     for (uint32_t i = 0; i < shadow.cascadeCount; ++i) {

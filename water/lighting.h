@@ -1,8 +1,8 @@
 // What the host says of light, checked and as shaders want it.
 #pragma once
 
+#include "water/body_block.h"
 #include "water/body_frame.h"
-#include "water/surface_uniforms.h"
 
 namespace seaglass {
 
@@ -14,7 +14,7 @@ const char* badField(const LightingDesc& lighting);
 uint32_t fogKind(const FogDesc* fog);
 
 /// For a body in these axes, and points relative to an `eye` in them.
-void setSunShadow(SurfaceUniforms& uniforms, const SunShadow& shadow, const BodyFrame& frame,
+void setSunShadow(BodyBlock& uniforms, const SunShadow& shadow, const BodyFrame& frame,
                   const glm::dvec3& eye);
 
 } // namespace seaglass

@@ -8,7 +8,7 @@
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
 #include "spirv/waterline.frag.h"
-#include "water/surface_uniforms.h"
+#include "water/body_block.h"
 
 namespace seaglass {
 
@@ -42,7 +42,7 @@ std::vector<gpu::Bound> resources(const Context& context, const UnderwaterInputs
     const auto bindImage = [&](uint32_t number, const Image& image) {
         bind(number, gpu::sampledImage(samplers.nearestClamp(), image.view, image.layout));
     };
-    bind(bodyBinding, gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(SurfaceUniforms)));
+    bind(bodyBinding, gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(BodyBlock)));
     bindImage(sceneColorBinding, in.view->sceneColor);
     bindImage(sceneDepthBinding, in.view->sceneDepth);
     bind(waveDisplacementBinding, gpu::sampledImage(samplers.trilinearRepeat(), in.waveMap));

@@ -24,7 +24,7 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                      DrawPipeline& out);
 
 struct UnderwaterInputs {
-    gpu::Slice uniforms; ///< SurfaceUniforms
+    gpu::Slice uniforms; ///< BodyBlock
     const ViewDesc* view = nullptr;
     VkImageView waveMap = VK_NULL_HANDLE; ///< with waves: displacement
     VkImageView shoreMap = VK_NULL_HANDLE;

@@ -34,11 +34,11 @@ float shareBelow(float x, vec3 widths) {
 float foamCover(vec2 aside, vec2 bend, float pixelWidth) {
     float clear = 1.0;
     for (int i = 0; i < foamCascades; ++i) {
-        float texels = cascade[i].w;
+        float texels = water.cascade[i].w;
         vec2 place = calmPosition + aside + bend * min(0.7 / texels, 2.5);
         float mip = log2(max(pixelWidth * texels, 1.0));
-        vec2 steps = textureLod(foamHistory, vec3(cascade[i].xy + place * cascade[i].z, i), mip).rg;
-        float left = mix(steps.x, steps.y, foam.x);
+        vec2 steps = textureLod(foamHistory, vec3(water.cascade[i].xy + place * water.cascade[i].z, i), mip).rg;
+        float left = mix(steps.x, steps.y, water.foam.x);
         if (hasShore) left *= shoreHere.kept[i] * shoreHere.kept[i];
         clear *= 1.0 - left;
     }
@@ -76,7 +76,7 @@ vec4 foamPatternAt(FoamPart part, float tile, float mip) {
 
 // A place's own in the pattern, which passes more slowly along the wind: so wind draws foam out.
 vec2 drawnOut(vec2 calm) {
-    vec2 streak = vec2(foamStreakU, foamStreakV);
+    vec2 streak = water.foamStreak;
     return calm - streak * dot(streak, calm);
 }
 
@@ -128,7 +128,7 @@ Foam foamAt(vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
 Foam foamHere() {
     vec2 calm = calmPosition;
     if (hasShore) calm -= shoreHere.advected;
-    FoamPart here = foamPartOf(foam.zw + drawnOut(calm));
+    FoamPart here = foamPartOf(water.foam.zw + drawnOut(calm));
     Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
     vec2 part = pixel.longer / float(slopeLooks);
     vec2 wide = part * clamp(length(pixel.shorter) / max(length(part), 1e-9), 0.5, 1.0);
@@ -150,7 +150,7 @@ Foam foamHere() {
 
 // Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
 // water mirrors a share shines from it too. `ahead`: towards the sun.
-vec3 withFoam(vec3 water, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored, WavesAhead ahead) {
+vec3 withFoam(vec3 bare, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored, WavesAhead ahead) {
     const float relief = 0.7;
     const float filmVariance = 0.12;   // of the film's slopes
     const float filmShare = 0.4;
@@ -159,10 +159,10 @@ vec3 withFoam(vec3 water, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored,
     vec3 facing = normalOf(film.slope);
     // What leans sees less of the sky, and what lies low less than what stands out.
     float open = (0.5 + 0.5 * facing.y) * (1.0 + 0.4 * white.height);
-    float sun = sunSeen * sunClear(s.slope, ahead) * max(dot(facing, toSun.xyz), 0.0);
+    float sun = sunSeen * sunClear(s.slope, ahead) * max(dot(facing, sunDirection()), 0.0);
     ahead.unseen = sqrt(ahead.unseen * ahead.unseen + filmVariance);
-    float glint = sunGlint(film, toEye) * sunClear(slopeOf(toEye + toSun.xyz), ahead);
-    vec3 light = sunIrradiance.rgb * sun + skyIrradiance.rgb * open;
-    vec3 foamy = light * foam.y / pi + filmShare * (mirrored + sunIrradiance.rgb * glint);
-    return mix(water, foamy, white.mask);
+    float glint = sunGlint(film, toEye) * sunClear(slopeOf(toEye + sunDirection()), ahead);
+    vec3 light = water.sunIrradiance.rgb * sun + water.skyIrradiance.rgb * open;
+    vec3 foamy = light * water.foam.y / pi + filmShare * (mirrored + water.sunIrradiance.rgb * glint);
+    return mix(bare, foamy, white.mask);
 }

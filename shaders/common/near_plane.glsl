@@ -1,13 +1,13 @@
-// Where lines of sight begin. Needs surface_uniforms.glsl.
+// Where lines of sight begin. Needs body.glsl.
 
 // Of the one through a pixel of the region, relative to the eye.
 vec3 onNearPlane(vec2 pixel) {
-    float nearDepth = depthSign > 0.0 ? 1.0 : 0.0;
-    vec4 start = relativeFromPixel * vec4(pixel, nearDepth, 1.0);
+    float nearDepth = water.depthSign > 0.0 ? 1.0 : 0.0;
+    vec4 start = water.relativeFromPixel * vec4(pixel, nearDepth, 1.0);
     return start.xyz / start.w;
 }
 
 // How deep in the water the line of sight begins that leaves the near plane there: at the eye, if there is one [m].
 float depthOfSight(vec3 start) {
-    return max(-(plane.w + (1.0 - sight.w) * start.y), 0.0);
+    return max(-(water.plane.w + (1.0 - water.sight.w) * start.y), 0.0);
 }

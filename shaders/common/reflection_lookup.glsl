@@ -16,17 +16,17 @@ const float endlesslyFar = 1e9;   // the eye of parallel lines of sight [m]
 // A ray from a trough may meet what stands there lower than the mirror's plane: the image begins with what is just above that.
 vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
     vec3 p = from + direction * t;
-    float above = p.y + plane.w;
-    if (hasWaves && direction.y > 0.0) above = max(above, clamp(-plane.w - from.y, 0.0, 2.5 * reflectionScale * pixelWidth(from)));
-    p.y = -plane.w - above;
+    float above = p.y + water.plane.w;
+    if (hasWaves && direction.y > 0.0) above = max(above, clamp(-water.plane.w - from.y, 0.0, 2.5 * water.reflectionScale * pixelWidth(from)));
+    p.y = -water.plane.w - above;
     vec4 pixel = pixelOf(p);
     // Behind the camera: outside of every image.
     return pixel.w > 0.0 ? pixel.xy : vec2(-1e4);
 }
 
 float infoAt(vec2 pixel) {
-    bool inside = all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(region.zw)));
-    return inside ? texelFetch(reflectionInfo, ivec2(pixel / reflectionScale), 0).x : infoUnknown;
+    bool inside = all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(water.region.zw)));
+    return inside ? texelFetch(reflectionInfo, ivec2(pixel / water.reflectionScale), 0).x : infoUnknown;
 }
 
 struct BentPoint {
@@ -36,20 +36,20 @@ struct BentPoint {
 
 // How far away what a flat mirror shows here is [m].
 float hitHere() {
-    float info = infoAt(gl_FragCoord.xy - vec2(region.xy));
+    float info = infoAt(gl_FragCoord.xy - vec2(water.region.xy));
     return infoIsHit(info) ? info : farAway;
 }
 
 Ray rayThrough(vec2 pixel) {
-    vec4 p = relativeFromPixel * vec4(pixel, 0.5, 1.0);
+    vec4 p = water.relativeFromPixel * vec4(pixel, 0.5, 1.0);
     vec3 at = p.xyz / p.w;
-    return Ray((1.0 - sight.w) * at, normalize(sightTo(at)));
+    return Ray((1.0 - water.sight.w) * at, normalize(sightTo(at)));
 }
 
 // What the image shows at a pixel, of which `info` is known.
 vec3 shownBy(vec2 pixel, float info) {
     Ray ray = rayThrough(pixel);
-    return mirroredPoint(ray, ray, info, plane.xyz, plane.w);
+    return mirroredPoint(ray, ray, info, water.plane.xyz, water.plane.w);
 }
 
 // How far along the ray what the image shows at a pixel lies [m], else `t`. Not what `info` says: another place of the
@@ -68,7 +68,7 @@ float towardsShown(vec3 from, vec3 direction, vec2 pixel, float t) {
 BentPoint aheadOf(vec3 from, vec3 direction, BentPoint point) {
     const float leastCosine = 0.5;   // of the angle between the ray and the way to what it is said to meet
     if (direction.y < 0.0) return point;
-    vec2 here = gl_FragCoord.xy - vec2(region.xy);
+    vec2 here = gl_FragCoord.xy - vec2(water.region.xy);
     int i = 0;
     [[dont_unroll]] do {
         float info = infoAt(point.pixel);
@@ -87,13 +87,13 @@ const float overNear = 0.4;
 // along the ray, from `t`. One that starts at the sky jumps over what is near, such as the tail of a buoy's reflection: a
 // last look is for that.
 BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
-    vec2 here = gl_FragCoord.xy - vec2(region.xy);
+    vec2 here = gl_FragCoord.xy - vec2(water.region.xy);
     if (!hasWaves) return BentPoint(here, t);
     vec2 pixel = mirroredPixel(from, direction, t);
     int i = 0;
     // From a trough what a flat mirror shows here lies nearer than it is to that mirror: so near that the image may end before.
-    bool inTrough = direction.y > 0.0 && from.y < -plane.w && t < farAway;
-    bool inside = all(greaterThan(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(region.zw)));
+    bool inTrough = direction.y > 0.0 && from.y < -water.plane.w && t < farAway;
+    bool inside = all(greaterThan(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(water.region.zw)));
     if (inTrough && inside && !infoIsHit(infoAt(pixel))) {
         pixel = here;
         i = -1;
@@ -110,7 +110,7 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
             pixel = near;
         }
     }
-    return aheadOf(from, direction, BentPoint(mix(here, pixel, reflectionDistortion), t));
+    return aheadOf(from, direction, BentPoint(mix(here, pixel, water.reflectionDistortion), t));
 }
 
 // What runs up the sand stands above the plane that the image mirrors about, which there lies in the sand: the image shows
@@ -118,7 +118,7 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
 float shareAboveSand(vec3 from, BentPoint point) {
     vec3 met = shownBy(point.pixel, max(infoAt(point.pixel), 0.0));
     vec2 along = met.xz - from.xz;
-    float sand = -plane.w - shoreHere.depth + dot(shoreHere.bedSlope, along);
+    float sand = -water.plane.w - shoreHere.depth + dot(shoreHere.bedSlope, along);
     float deep = smoothstep(0.1, 0.4, thickness());
     return max(smoothstep(0.05, 0.25, met.y - sand), deep);
 }
@@ -130,7 +130,7 @@ float shareAhead(vec3 from, vec3 direction, vec2 pixel, float mip) {
     vec2 counted = vec2(0.0);
     int i = 0;
     [[dont_unroll]] do {
-        vec2 tap = pixel + taps[i] * exp2(mip) * reflectionScale;
+        vec2 tap = pixel + taps[i] * exp2(mip) * water.reflectionScale;
         float info = infoAt(tap);
         vec3 met = shownBy(tap, info);
         if (infoIsHit(info)) counted += vec2(dot(met.xz - from.xz, direction.xz) > 0.0 ? 1.0 : 0.0, 1.0);
@@ -142,15 +142,15 @@ float shareAhead(vec3 from, vec3 direction, vec2 pixel, float mip) {
 float blurTexels(vec3 from, float spread, float distance) {
     // A quarter: mips blur alike in all directions, but at grazing angles slopes turn the mirrored ray mostly up and down,
     // and a mast must stay a line.
-    float width = bundleWidth(0.25 * spread * reflectionDistortion, distance, reflectionLook);
-    float toEye = length(from) + (1.0 - sight.w) * endlesslyFar;
-    return bundleTexels(width, toEye, distance, toEye / (pixelWidth(from) * reflectionScale));
+    float width = bundleWidth(0.25 * spread * water.reflectionDistortion, distance, water.reflectionLook.xyz);
+    float toEye = length(from) + (1.0 - water.sight.w) * endlesslyFar;
+    return bundleTexels(width, toEye, distance, toEye / (pixelWidth(from) * water.reflectionScale));
 }
 
 // What lies a little beyond the border is as what shows at it, rather than sky; of a bed more is known there. Share of that.
 float heldInside(inout vec2 pixel, bool intoWater) {
     const float reach = 0.05;   // of the picture's size
-    vec2 size = vec2(region.zw);
+    vec2 size = vec2(water.region.zw);
     vec2 held = clamp(pixel, vec2(0.5), size - 0.5);
     vec2 beyond = abs(pixel - held) / (intoWater ? vec2(1.0) : reach * size);
     pixel = held;
@@ -161,9 +161,9 @@ float heldInside(inout vec2 pixel, bool intoWater) {
 // farther they go, the more of the reflection they meet. `hit` is how far that is [m]: from a ray beside it, to the next.
 vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
     if (sharpDownscale > 0) {
-        vec2 here = (gl_FragCoord.xy - vec2(region.xy)) / float(sharpDownscale);
+        vec2 here = (gl_FragCoord.xy - vec2(water.region.xy)) / float(sharpDownscale);
         vec4 texel = sharpDownscale > 1 ? knownBetween(here) : texelFetch(reflectionColor, ivec2(here), 0);
-        return texel * shareOfScene(hit, reflectionLook);
+        return texel * shareOfScene(hit, water.reflectionLook.xyz);
     }
     BentPoint point = bentPoint(from, direction, hit, 1);
     hit = point.distance;
@@ -171,9 +171,9 @@ vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
     if (inside <= 0.0) return vec4(0.0);
     if (hasShore) inside *= shareAboveSand(from, point);
     float mip = bundleMip(blurTexels(from, spread, point.distance));
-    vec4 texel = reflectionTexel(point.pixel / reflectionScale, mip, reflectionScale);
+    vec4 texel = reflectionTexel(point.pixel / water.reflectionScale, mip, water.reflectionScale);
     if (hasWaves && texel.a > 0.0 && point.distance >= farAway) inside *= shareAhead(from, direction, point.pixel, mip);
-    return texel * (inside * shareOfScene(point.distance, reflectionLook));
+    return texel * (inside * shareOfScene(point.distance, water.reflectionLook.xyz));
 }
 
 // What is known where the bent ray leads: of one that meets nothing the image may show what lies behind the ray.
@@ -189,8 +189,8 @@ vec4 reflectionSource(vec3 from, vec3 direction) {
     vec2 pixel = point.pixel;
     float info = infoMet(point);
     if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
-    Ray throughTexel = rayThrough((floor(pixel / reflectionScale) + 0.5) * reflectionScale);
-    vec3 source = mirroredPoint(rayThrough(pixel), throughTexel, info, plane.xyz, plane.w);
+    Ray throughTexel = rayThrough((floor(pixel / water.reflectionScale) + 0.5) * water.reflectionScale);
+    vec3 source = mirroredPoint(rayThrough(pixel), throughTexel, info, water.plane.xyz, water.plane.w);
     vec4 seen = pixelOf(source);
     return seen.w > 0.0 ? vec4(seen.xy, info, 2.0) : vec4(-1.0, -1.0, info, 2.0);
 }

@@ -17,13 +17,13 @@ struct Behind {
 Behind shownAt(vec2 pixel, float depth, mat4 relativeFromPixels) {
     vec4 q = relativeFromPixels * vec4(floor(pixel) + 0.5, depth, 1.0);
     const float leastWeight = 1e-12;   // what is infinitely far is taken to be very far, so that differences are numbers
-    return Behind(pixel, q.xyz / max(q.w, leastWeight), depthSign * (depth - farDepth) <= 0.0);
+    return Behind(pixel, q.xyz / max(q.w, leastWeight), water.depthSign * (depth - water.farDepth) <= 0.0);
 }
 
 // What the host's opaque scene shows at a pixel of the region.
 Behind behindAt(vec2 pixel) {
-    ivec2 p = texelAt(pixel + sceneShift, region.zw - 1);
-    return shownAt(vec2(p), texelFetch(sceneDepth, region.xy + p, 0).r, relativeFromPixel);
+    ivec2 p = texelAt(pixel + water.sceneShift, water.region.zw - 1);
+    return shownAt(vec2(p), texelFetch(sceneDepth, water.region.xy + p, 0).r, water.relativeFromPixel);
 }
 
 vec4 linearTexel(vec4 held) {
@@ -31,7 +31,7 @@ vec4 linearTexel(vec4 held) {
 }
 
 vec4 colorOf(Behind b) {
-    return linearTexel(texelFetch(sceneColor, region.xy + ivec2(b.pixel), 0));
+    return linearTexel(texelFetch(sceneColor, water.region.xy + ivec2(b.pixel), 0));
 }
 
 vec3 radianceOf(Behind b) {
@@ -41,27 +41,27 @@ vec3 radianceOf(Behind b) {
 // In what follows pixels are the bed's where it has a picture of its own: wider than the region, from a raised
 // eye (water/bed.cpp), and with nothing in it that stands above the water. Else they are the scene's.
 vec4 bedPixelOf(vec4 relative) {
-    return (looksAtBed() ? bedFromRelative : pixelFromRelative) * relative;
+    return (looksAtBed() ? water.bedFromRelative : water.pixelFromRelative) * relative;
 }
 
 Behind bedAt(vec2 pixel) {
     if (!looksAtBed()) return behindAt(pixel);
-    vec2 p = pointWithin(pixel, bedSize);
-    return shownAt(p, texelFetch(bedDepth, ivec2(p), 0).r, relativeFromBed);
+    vec2 p = pointWithin(pixel, water.bedSize.xy);
+    return shownAt(p, texelFetch(bedDepth, ivec2(p), 0).r, water.relativeFromBed);
 }
 
 // Linear, of the four around that show something: the others may hold whatever memory held.
 vec4 betweenBedTexels(vec2 pixel) {
     vec2 corner = floor(pixel - 0.5);
     vec2 past = pixel - 0.5 - corner;
-    vec4 depths = textureGather(bedDepth, (corner + 1.0) / vec2(bedSize));
+    vec4 depths = textureGather(bedDepth, (corner + 1.0) / vec2(water.bedSize.xy));
     vec4 weights = vec4(1.0 - past.x, past.x, past.x, 1.0 - past.x) * vec4(past.y, past.y, 1.0 - past.y, 1.0 - past.y);
     const ivec2 places[4] = ivec2[](ivec2(0, 1), ivec2(1, 1), ivec2(1, 0), ivec2(0, 0));
     vec4 sum = vec4(0.0);
     float all = 0.0;
     for (int i = 0; i < 4; ++i) {
-        if (weights[i] <= 0.0 || depthSign * (depths[i] - farDepth) <= 0.0) continue;
-        sum += weights[i] * linearTexel(texelFetch(bedColor, clamp(ivec2(corner) + places[i], ivec2(0), bedSize - 1), 0));
+        if (weights[i] <= 0.0 || water.depthSign * (depths[i] - water.farDepth) <= 0.0) continue;
+        sum += weights[i] * linearTexel(texelFetch(bedColor, clamp(ivec2(corner) + places[i], ivec2(0), water.bedSize.xy - 1), 0));
         all += weights[i];
     }
     return sum / max(all, 1e-6);
@@ -78,12 +78,12 @@ vec3 bedRadiance(Behind b) {
 
 // What shows where a bent ray has come to, `target` in homogeneous pixels, from `here`.
 Behind behindRay(vec2 here, vec4 target) {
-    return bedAt(mix(here, target.xy / target.w, refractionDistortion));
+    return bedAt(mix(here, target.xy / target.w, water.refractionDistortion));
 }
 
 // How far a ray from inside the picture goes until it leaves it [m]: where a + t b, homogeneous pixels, passes a border.
 float untilBorder(vec4 a, vec4 b) {
-    vec2 size = vec2(looksAtBed() ? bedSize : region.zw);
+    vec2 size = vec2(looksAtBed() ? water.bedSize.xy : water.region.zw);
     // Gaps to the borders, times w, and how fast they shrink.
     vec4 gap = vec4(a.xy, size * a.w - a.xy);
     vec4 loss = vec4(-b.xy, b.xy - size * b.w);
@@ -94,7 +94,7 @@ float untilBorder(vec4 a, vec4 b) {
 const float sharpBed = bedDownscale > 1 ? 1.5 : 0.5;   // a blur of so many pixels is none: between texels there is some
 
 bool isBelowWater(Behind b) {
-    return !b.nothing && b.seen.y < min(position.y, -plane.w);
+    return !b.nothing && b.seen.y < min(position.y, -water.plane.w);
 }
 
 // What lies beyond the border nobody knows: a mean of the bed around the place that lies as far inside, over a wider part of
@@ -107,7 +107,7 @@ vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here, float least) {
     vec3 nearby = bedRadiance(inside);
     vec4 p = bedPixelOf(vec4(2.0 * inside.seen - beyond, 1.0));
     if (p.w <= 0.0) return nearby;
-    vec2 middle = mix(here, p.xy / p.w, refractionDistortion);
+    vec2 middle = mix(here, p.xy / p.w, water.refractionDistortion);
     vec4 edge = bedPixelOf(vec4(inside.seen, 1.0));
     float radius = max(length(middle - edge.xy / edge.w), least);
     vec4 sum = vec4(nearby, 1.0) * 1e-3;
@@ -165,8 +165,8 @@ float depthOnMap(vec3 perDepth) {
 // inverse distances from an eye, and distances along parallel lines of sight.
 float nearerBy(vec4 pixel, vec3 at, Behind b) {
     float scene = bedPixelOf(vec4(b.seen, 1.0)).w;
-    float endless = (sight.w - 1.0) * 1e4;
-    return 1.0 / pixel.w - dot(at, sight.xyz) - (b.nothing ? endless : 1.0 / scene - dot(b.seen, sight.xyz));
+    float endless = (water.sight.w - 1.0) * 1e4;
+    return 1.0 / pixel.w - dot(at, water.sight.xyz) - (b.nothing ? endless : 1.0 / scene - dot(b.seen, water.sight.xyz));
 }
 
 // Along the edge of what stands before the surface sample 0 of a pixel may be that thing's: the pixel beside it that shows what
@@ -202,7 +202,7 @@ mat2 blurOfBed(SurfacePoint s, vec3 toEye, vec3 seen, float drop) {
     for (int i = 0; i < 2; ++i) {
         vec3 strays = bentPerDepth(s.slope + deviations[i], toEye) - mean;
         vec4 there = bedPixelOf(vec4(seen + drop * strays, 1.0));
-        blur[i] = there.w > 0.0 ? refractionDistortion * (there.xy / there.w - middle.xy / middle.w) : vec2(0.0);
+        blur[i] = there.w > 0.0 ? water.refractionDistortion * (there.xy / there.w - middle.xy / middle.w) : vec2(0.0);
     }
     return blur;
 }
@@ -214,7 +214,7 @@ float widthOf(mat2 blur) {
 // A mean of what those slopes show of the bed around, or of the pixel alone. Across the border it is as it is inside.
 vec4 bedColorAround(Behind b, mat2 blur, float drop) {
     const int looks = refractionLooks > 3 ? 4 : 1;
-    vec2 size = vec2(looksAtBed() ? bedSize : region.zw);
+    vec2 size = vec2(looksAtBed() ? water.bedSize.xy : water.region.zw);
     vec2 middle = looksAtBed() ? b.pixel : b.pixel + 0.5;
     bool blurs = widthOf(blur) > sharpBed;
     float weights = blurs ? 1e-3 : 1.0;
@@ -273,7 +273,7 @@ vec3 refractedBed(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out f
     const float mostOff = refractionLooks > 2 ? 0.35 : 1e9;
     const float wellOff = refractionLooks > 3 ? 0.05 : 0.35;
     vec4 from = bedPixelOf(vec4(position, 1.0));
-    vec2 here = looksAtBed() ? from.xy / from.w : gl_FragCoord.xy - vec2(region.xy);
+    vec2 here = looksAtBed() ? from.xy / from.w : gl_FragCoord.xy - vec2(water.region.xy);
     if (manySamples && !looksAtBed()) here = besideWhatHides(here);
     Behind found = bedAt(here);
     path = 1e6;
@@ -392,11 +392,11 @@ vec3 refractedBed(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out f
     if (madeUp) bed.rgb = radianceBeyond(found, position + bent / steepness * drop, here, blurred);
     vec3 unknown = waterGlow(vec3(1e6));
     if (hasShore && passedOver && known < 1.0)
-        unknown = bedThrough(bedRadiance(nearest), onMap - position.y - plane.w, gatheredIn(bedColorOf(nearest)),
+        unknown = bedThrough(bedRadiance(nearest), onMap - position.y - water.plane.w, gatheredIn(bedColorOf(nearest)),
                              onMap / steepness);
     vec3 unknownOverFog = bedOverFog;
-    path = mix(length(found.seen - position), drop / steepness, refractionDistortion);
-    vec3 through = bedThrough(bed.rgb, -(found.seen.y + plane.w), gatheredIn(bed), path);
+    path = mix(length(found.seen - position), drop / steepness, water.refractionDistortion);
+    vec3 through = bedThrough(bed.rgb, -(found.seen.y + water.plane.w), gatheredIn(bed), path);
     bedOverFog = mix(unknownOverFog, bedOverFog, known);
     return mix(unknown, through, known);
 }

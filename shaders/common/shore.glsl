@@ -28,9 +28,9 @@ struct ShoreWave {
 // At calm (u, v); `width` is what is seen as one [m]. Of the moment whose rows begin at `rows`, `arrives` the row of what
 // arrives then at the edge.
 ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
-    vec2 at = shorePlace.xy + calm * shorePlace.zw;
-    float spacing = shoreSignal.w;
-    vec2 texel = spacing * shorePlace.zw;
+    vec2 at = water.shorePlace.xy + calm * water.shorePlace.zw;
+    float spacing = water.shoreSignal.w;
+    vec2 texel = spacing * water.shorePlace.zw;
     vec4 here = textureLod(shoreMap, vec3(at, 0.0), 0.0);
     vec4 alongU = (textureLod(shoreMap, vec3(at.x + texel.x, at.y, 0.0), 0.0) - here) / spacing;
     vec4 alongV = (textureLod(shoreMap, vec3(at.x, at.y + texel.y, 0.0), 0.0) - here) / spacing;
@@ -60,17 +60,17 @@ ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
             vec2 slowness = vec2(alongU[t + 1], alongV[t + 1]);
             float size = max(length(slowness), 1e-4);
             vec2 towards = slowness / size;
-            float row = here[t + 1] * shoreSignal.x + arrives;
-            row = row > 0.0 ? min(row, shoreSignal.z - 1.001) : 0.0;   // a map of the host's may hold anything
-            int i = rows + 2 * (t * int(shoreSignal.z) + int(row));
+            float row = here[t + 1] * water.shoreSignal.x + arrives;
+            row = row > 0.0 ? min(row, water.shoreSignal.z - 1.001) : 0.0;   // a map of the host's may hold anything
+            int i = rows + 2 * (t * int(water.shoreSignal.z) + int(row));
             vec4 a = shoreRows[i];
             vec4 b = shoreRows[i + 2];
             vec4 now = mix(a, b, fract(row));
-            vec4 rate = (a - b) * shoreSignal.x;   // rows go back in time
-            float seen = 1.0 - smoothstep(0.15, 0.4, width * size * shoreForm.x);
+            vec4 rate = (a - b) * water.shoreSignal.x;   // rows go back in time
+            float seen = 1.0 - smoothstep(0.15, 0.4, width * size * water.shoreForm.x);
             float height = form.x * seen;
             float sideways = form.z * seen;
-            float lost = form.x * perTrain * size * 6.2832 * shoreForm.x;
+            float lost = form.x * perTrain * size * 6.2832 * water.shoreForm.x;
             w.height += height * now.x;
             w.slope -= height * rate.x * slowness;
             w.covariance += lost * lost * (1.0 - seen * seen) * vec3(towards * towards, towards.x * towards.y);
@@ -80,7 +80,7 @@ ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
             w.move += sideways * (now.y + lean * now.x) * towards;
             float stretches = -sideways * (rate.y + lean * rate.x) * size;
             w.stretch += stretches * vec3(towards * towards, towards.x * towards.y);
-            w.advected += towards * (now.z * form.w * shoreForm.y);
+            w.advected += towards * (now.z * form.w * water.shoreForm.y);
             white += mix(shoreRows[i + 1].x, shoreRows[i + 3].x, fract(row));
         } while (++t < shoreTrains);
         w.height += form.w * max(swash, lowestSwash);
@@ -92,12 +92,12 @@ ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
 }
 
 ShoreWave shoreWave(vec2 calm, float width) {
-    return shoreWaveOf(calm, width, 0, shoreSignal.y);
+    return shoreWaveOf(calm, width, 0, water.shoreSignal.y);
 }
 
 // In the last frame.
 ShoreWave lastShoreWave(vec2 calm, float width) {
-    return shoreWaveOf(calm, width, 2 * shoreTrains * int(shoreSignal.z), shoreForm.z);
+    return shoreWaveOf(calm, width, 2 * shoreTrains * int(water.shoreSignal.z), water.shoreForm.z);
 }
 
 // The height above calm water of a film that lies on the sand, or of the surface where that is higher.

@@ -1,4 +1,4 @@
-// The sky of a host without a cube: LightingDesc::skyZenith. Needs surface_uniforms.glsl, and `tilted`.
+// The sky of a host without a cube: LightingDesc::skyZenith. Needs body.glsl, and `tilted`.
 
 // Means of max(y, 0) and of its square where y has a Gaussian's variance: a square root for the error function, within 2 % of
 // the deviation.
@@ -20,8 +20,8 @@ vec3 skyOfColors(vec3 direction, float spread) {
     float y = normalize(direction).y;
     float variance = strays * (1.0 - y * y);
     y /= 1.0 + strays;   // the mean cosine to the middle
-    vec3 radiance = skyHorizon + (skyZenith - skyHorizon) * shareAbove(y, variance);
+    vec3 radiance = water.skyHorizon.rgb + (water.skyZenith.rgb - water.skyHorizon.rgb) * shareAbove(y, variance);
     // Level water mirrors no ground, nor may the blur.
-    if (tilted) radiance += (skyGround - skyHorizon) * shareAbove(-y, variance);
+    if (tilted) radiance += (water.skyGround.rgb - water.skyHorizon.rgb) * shareAbove(-y, variance);
     return radiance;
 }

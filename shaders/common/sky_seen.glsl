@@ -1,4 +1,4 @@
-// The sky of the host: its cube, or its colours. Needs surface_uniforms.glsl, and `tilted`.
+// The sky of the host: its cube, or its colours. Needs body.glsl, and `tilted`.
 #include "sky_colors.glsl"
 
 vec3 cubeAt(vec3 direction, float mip) {
@@ -7,5 +7,5 @@ vec3 cubeAt(vec3 direction, float mip) {
 
 // A host may say more than its view has.
 float cubeMips() {
-    return min(skyMips, float(textureQueryLevels(skyCube)));
+    return min(water.skyMips, float(textureQueryLevels(skyCube)));
 }

@@ -3,8 +3,8 @@
 // and less in the plane of incidence by the sun's cosine.
 vec3 discOfSlopes(vec3 halfway, float gap) {
     const float discVariance = 5.4e-6;   // of 0.00465 rad, along an axis
-    float cosSun = dot(toSun.xyz, halfway);
-    vec2 inPlane = toSun.xz - cosSun * halfway.xz;
+    float cosSun = dot(sunDirection(), halfway);
+    vec2 inPlane = sunDirection().xz - cosSun * halfway.xz;
     inPlane /= max(length(inPlane), 1e-6);
     float aside = discVariance / (gap * gap);
     float less = aside * (1.0 - cosSun * cosSun);
@@ -22,8 +22,8 @@ float sunDensity(SurfacePoint s, vec3 halfway, float gap) {
 // Radiance of the sun's mirror image, spread by the slopes within the pixel (Bruneton, Neyret and Holzschuch 2010,
 // eq. 14) and by its own disc; as a share of its irradiance, before what waves hide of it.
 float glintOfWaves(SurfacePoint s, vec3 toEye) {
-    vec3 halfway = toEye + toSun.xyz;
-    if (toSun.y <= 0.0 || halfway.y <= 0.0) return 0.0;
+    vec3 halfway = toEye + sunDirection();
+    if (sunDirection().y <= 0.0 || halfway.y <= 0.0) return 0.0;
     float gap = length(halfway);
     halfway /= gap;
     float density = sunDensity(s, halfway, gap);
@@ -33,19 +33,19 @@ float glintOfWaves(SurfacePoint s, vec3 toEye) {
 }
 
 WavesAhead wavesBeforeTheSun(SurfacePoint s) {
-    return wavesAhead(s, horizontal(toSun.xyz), toSun.y / max(length(toSun.xz), 1e-6));
+    return wavesAhead(s, horizontal(sunDirection()), sunDirection().y / max(length(sunDirection().xz), 1e-6));
 }
 
 // From facets of this slope.
 float sunClear(vec2 slope, WavesAhead ahead) {
-    return clearShare(max(toSun.y, 1e-3), dot(slope, horizontal(toSun.xyz)), ahead);
+    return clearShare(max(sunDirection().y, 1e-3), dot(slope, horizontal(sunDirection())), ahead);
 }
 
 // Still water mirrors the disc as it is. Likewise a share.
 float glintOfStillWater(vec3 toEye) {
     const float squaredRadius = 2.16e-5;   // of 0.00465 rad
-    vec3 off = vec3(-toEye.x, toEye.y, -toEye.z) - toSun.xyz;
-    if (toSun.y <= 0.0 || dot(off, off) > squaredRadius) return 0.0;
+    vec3 off = vec3(-toEye.x, toEye.y, -toEye.z) - sunDirection();
+    if (sunDirection().y <= 0.0 || dot(off, off) > squaredRadius) return 0.0;
     return sunSeen * mirroredShare(toEye.y) / (pi * squaredRadius);
 }
 

@@ -1,4 +1,4 @@
-// How much of the sun the host's shadow map lets through to a point. Needs surface_uniforms.glsl.
+// How much of the sun the host's shadow map lets through to a point. Needs body.glsl.
 
 layout(set = 0, binding = sunShadowMapBinding) uniform sampler2DArray sunShadowMap;
 
@@ -7,7 +7,7 @@ layout(set = 0, binding = sunShadowMapBinding) uniform sampler2DArray sunShadowM
 float shareLit(vec3 at, float layer, vec2 size) {
     vec2 corner = at.xy * size - 0.5;
     vec4 depths = textureGather(sunShadowMap, vec3((floor(corner) + 1.0) / size, layer));
-    float sign = stored.shadow.y;
+    float sign = water.shadow.y;
     vec4 lit = step(sign * clamp(at.z, 0.0, 1.0), sign * depths);
     vec2 past = fract(corner);
     return mix(mix(lit.w, lit.z, past.x), mix(lit.x, lit.y, past.x), past.y);
@@ -20,10 +20,10 @@ float sunSeenAt(vec3 point) {
     bool inside;
     vec3 at;
     do {
-        vec4 p = stored.shadowFromRelative[i] * vec4(point, 1.0);
+        vec4 p = water.shadowFromRelative[i] * vec4(point, 1.0);
         at = p.xyz / p.w;
-        vec4 bounds = stored.shadowBounds[i];
+        vec4 bounds = water.shadowBounds[i];
         inside = all(greaterThan(at.xy, bounds.xy + texel)) && all(lessThan(at.xy, bounds.zw - texel));
-    } while (!inside && ++i < int(stored.shadow.x));
-    return inside ? shareLit(at, stored.shadowLayers[i], size) : 1.0;
+    } while (!inside && ++i < int(water.shadow.x));
+    return inside ? shareLit(at, water.shadowLayers[i], size) : 1.0;
 }

@@ -3,7 +3,7 @@
 #include "constant.glsl"
 #include "surface_constants.h"
 #include "water_bindings.h"
-#include "surface_uniforms.glsl"
+#include "body.glsl"
 
 const bool isOutlined = shape == 1u;   // pixels within an outline are kept
 const bool isHostMesh = shape == 2u;
@@ -56,4 +56,4 @@ layout(set = 0, binding = bedDepthBinding) uniform sampler2D bedDepth;
 #include "sun_shadow.glsl"
 
 // A motion draw looks at no scene; in its place is where the last frame showed a point.
-#define lastPixelFromRelative relativeFromPixel
+#define lastPixelFromRelative water.relativeFromPixel

@@ -6,7 +6,7 @@ const float endlessPath = 1e6;   // [m]
 // Where waves fold, or are seen along their sides, far triangles show in slivers before near ones: from the wrong side. So
 // where the line of sight begins has the last word.
 bool seenFromBelow() {
-    return heightAboveSurface(onNearPlane(gl_FragCoord.xy - vec2(region.xy))) <= 0.0;
+    return heightAboveSurface(onNearPlane(gl_FragCoord.xy - vec2(water.region.xy))) <= 0.0;
 }
 
 vec3 keptBelow(vec3 direction) {
@@ -15,7 +15,7 @@ vec3 keptBelow(vec3 direction) {
 
 // Greater where a point lies farther away.
 float farnessOf(vec3 at) {
-    return sight.w * dot(at, at) + dot(at, sight.xyz);
+    return water.sight.w * dot(at, at) + dot(at, water.sight.xyz);
 }
 
 // Whether what the scene shows lies before `at`.
@@ -29,9 +29,9 @@ vec4 sceneAbove(vec3 along) {
     const int steps = 16;
     const int halvings = 4;
     const float atContact = 0.1;   // [m]
-    vec4 start = pixelFromRelative * vec4(position, 1.0);
-    vec4 perMetre = pixelFromRelative * vec4(along, 0.0);
-    if (perMetre.w <= 0.0 && sight.w > 0.0) return vec4(0.0);   // towards the eye's back
+    vec4 start = water.pixelFromRelative * vec4(position, 1.0);
+    vec4 perMetre = water.pixelFromRelative * vec4(along, 0.0);
+    if (perMetre.w <= 0.0 && water.sight.w > 0.0) return vec4(0.0);   // towards the eye's back
     float leaves = perMetre.w > 0.0 ? 0.0 : untilBorder(start, perMetre);   // of parallel lines, which vanish nowhere
     float reached = 0.0;
     for (int i = 1; i < steps; ++i) {
@@ -41,7 +41,7 @@ vec4 sceneAbove(vec3 along) {
         float far = perMetre.w > 0.0 ? share * start.w / ((1.0 - share) * perMetre.w) : share * leaves;
         reached = far;
         vec4 p = start + far * perMetre;
-        if (any(lessThan(p.xy, vec2(0.0))) || any(greaterThanEqual(p.xy, vec2(region.zw) * p.w))) break;
+        if (any(lessThan(p.xy, vec2(0.0))) || any(greaterThanEqual(p.xy, vec2(water.region.zw) * p.w))) break;
         Behind found = behindAt(p.xy / p.w);
         if (!hides(found, position + far * along)) continue;
         for (int j = 0; j < halvings; ++j) {
@@ -57,10 +57,10 @@ vec4 sceneAbove(vec3 along) {
             }
         }
         // What the ray passes behind is not what it meets, nor is what is in the water, but where it leaves that.
-        bool wet = found.seen.y < min(position.y, -plane.w) - atContact;
+        bool wet = found.seen.y < min(position.y, -water.plane.w) - atContact;
         if (wet || length(found.seen - position - far * along) > 0.05 * far + atContact) continue;
         vec2 pixel = p.xy / p.w;
-        vec2 border = min(pixel, vec2(region.zw) - pixel) / (0.06 * float(region.w));
+        vec2 border = min(pixel, vec2(water.region.zw) - pixel) / (0.06 * float(water.region.w));
         float confidence = clamp(min(border.x, border.y), 0.0, 1.0);
         return vec4(radianceOf(found) * confidence, confidence);
     }
@@ -70,17 +70,17 @@ vec4 sceneAbove(vec3 along) {
 // The sun through the surface, spread by the slopes within the pixel and by its own disc (Walter et al. 2007, eq. 16
 // and 21, with n^2 for what refraction gathers).
 vec3 sunThrough(SurfacePoint s, vec3 view) {
-    vec3 halfway = waterIndex * view - toSun.xyz;
-    if (toSun.y <= 0.0 || halfway.y <= 0.0) return vec3(0.0);
+    vec3 halfway = waterIndex * view - sunDirection();
+    if (sunDirection().y <= 0.0 || halfway.y <= 0.0) return vec3(0.0);
     float gap = length(halfway);
     halfway /= gap;
-    float cosSun = dot(toSun.xyz, halfway);
+    float cosSun = dot(sunDirection(), halfway);
     float cosEye = dot(view, halfway);
     if (cosSun <= 0.0 || cosEye <= 0.0) return vec3(0.0);
     float density = sunDensity(s, halfway, gap);
     float up2 = halfway.y * halfway.y;
     float seen = visibleArea(visibleSlopes(s, view), view);
-    return sunSeen * sunIrradiance.rgb * (cosSun * cosEye * waterIndex * waterIndex * (1.0 - mirroredShare(cosSun)) * density /
+    return sunSeen * water.sunIrradiance.rgb * (cosSun * cosEye * waterIndex * waterIndex * (1.0 - mirroredShare(cosSun)) * density /
                                 (up2 * up2 * seen * gap * gap));
 }
 
@@ -133,12 +133,12 @@ vec4 bedAlong(vec3 direction, float path, vec4 light, float depth) {
 // Beyond the reflection the bed goes on, as high as where that ends before `pixel`, and of a mean colour, the wider the farther
 // out. Radiance times confidence, and confidence.
 vec4 bedBeyondReflection(vec3 direction, vec2 pixel, float depth) {
-    vec2 held = clamp(pixel, vec2(0.5), vec2(region.zw) - 0.5);
+    vec2 held = clamp(pixel, vec2(0.5), vec2(water.region.zw) - 0.5);
     float info = infoAt(held);
     vec3 bed = shownBy(held, info);
-    if (!infoIsHit(info) || bed.y > min(position.y, -plane.w)) return vec4(0.0);
-    float mip = log2(1.0 + 0.5 * length(pixel - held) / reflectionScale);
-    vec4 light = reflectionTexel(held / reflectionScale, mip, reflectionScale);
+    if (!infoIsHit(info) || bed.y > min(position.y, -water.plane.w)) return vec4(0.0);
+    float mip = log2(1.0 + 0.5 * length(pixel - held) / water.reflectionScale);
+    vec4 light = reflectionTexel(held / water.reflectionScale, mip, water.reflectionScale);
     return bedAlong(direction, (position.y - bed.y) / -direction.y, light, depth);
 }
 
@@ -165,7 +165,7 @@ ShownBed shownBedAt(vec2 pixel) {
 ShownBed shownBedBeside(vec2 pixel, vec2 nearest) {
     const int taps = 5;
     const float offsets[taps] = float[](0.0, -0.6, 0.6, -1.6, 1.6);
-    vec4 up = pixelFromRelative[1];
+    vec4 up = water.pixelFromRelative[1];
     vec2 level = vec2(up.w * nearest.y - up.y, up.x - up.w * nearest.x);
     level *= distance(pixel, nearest) / max(length(level), 1e-9);   // no way is level straight below
     ShownBed mean = ShownBed(vec3(0.0), 0.0, 0.0, false);
@@ -193,7 +193,7 @@ vec4 bedBeyondScene(vec3 direction, float depth, out bool met) {
     for (int i = 0; i < 4; ++i) {
         vec4 end = pixelOf(position + direction * sought);
         if (end.w <= 0.0) break;
-        vec2 nearest = clamp(end.xy, vec2(0.5), vec2(region.zw) - 0.5);
+        vec2 nearest = clamp(end.xy, vec2(0.5), vec2(water.region.zw) - 0.5);
         bool inside = distance(end.xy, nearest) < 1.0;
         ShownBed there;
         if (inside) there = shownBedAt(nearest);
@@ -211,13 +211,13 @@ vec4 bedBeyondScene(vec3 direction, float depth, out bool met) {
 }
 
 // What a ray that meets nothing known ends at: a bed that the scene shows there; else the one that is mirrored, which to an eye
-// that looks up is all there is; else the one that is seen; else endless `water`.
-vec3 bedBeyond(vec3 direction, vec2 pixel, float depth, vec3 water) {
+// that looks up is all there is; else the one that is seen; else `endless` water.
+vec3 bedBeyond(vec3 direction, vec2 pixel, float depth, vec3 endless) {
     bool met;
     vec4 seen = bedBeyondScene(direction, depth, met);
     vec4 bed = met ? seen : bedBeyondReflection(direction, pixel, depth);
     bed += (1.0 - bed.a) * seen;
-    return bed.rgb + (1.0 - bed.a) * water;
+    return bed.rgb + (1.0 - bed.a) * endless;
 }
 
 // What a facet mirrors of the water below, and of what lies in it.
@@ -277,7 +277,7 @@ vec3 shadedBelow(SurfacePoint s, float foamShare) {
     vec3 radiance = throughWindow(s, view, reflectance);
     radiance += reflectance * mirroredBelow(s, view) + sunThrough(s, view);
     // Foam passes on, spread evenly, what it does not send back.
-    if (hasFoam) radiance = mix(radiance, lightEntering() * (1.0 - foam.y) / pi, foamShare);
-    vec3 start = onNearPlane(gl_FragCoord.xy - vec2(region.xy));
+    if (hasFoam) radiance = mix(radiance, lightEntering() * (1.0 - water.foam.y) / pi, foamShare);
+    vec3 start = onNearPlane(gl_FragCoord.xy - vec2(water.region.xy));
     return throughWater(radiance, depthOfSight(start), view.y, max(distanceTo(position) - distanceTo(start), 0.0));
 }

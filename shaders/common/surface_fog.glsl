@@ -1,4 +1,4 @@
-// The host's fog in the air before the water, and over the sky that it mirrors. Needs surface_uniforms.glsl, near_plane.glsl, sky_seen.glsl.
+// The host's fog in the air before the water, and over the sky that it mirrors. Needs body.glsl, near_plane.glsl, sky_seen.glsl.
 #include "medium.glsl"
 
 const bool hasFog = fogKind != 0;
@@ -9,7 +9,7 @@ const bool fogFromSky = (fogKind & 16u) != 0;
 SeaglassFog airFog;
 
 void loadFog() {
-    if (hasFog) airFog = SeaglassFog(stored.fogColor, stored.fogForm, stored.fogReach);
+    if (hasFog) airFog = SeaglassFog(water.fogColor, water.fogForm, water.fogReach);
 }
 
 // Of a way in the body's axes. On a globe fog lies on the ball: of a point as it was before it sank.
@@ -33,7 +33,7 @@ vec4 airBefore = vec4(vec3(0.0), 1.0);
 
 void findAirBefore() {
     if (!hasFog) return;
-    vec3 start = sight.w > 0.0 ? vec3(0.0) : onNearPlane(gl_FragCoord.xy - vec2(region.xy));
+    vec3 start = water.sight.w > 0.0 ? vec3(0.0) : onNearPlane(gl_FragCoord.xy - vec2(water.region.xy));
     float way = length(position - start);
     vec3 color = airFog.color.rgb;
     if (fogFromSky) {

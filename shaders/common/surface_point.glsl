@@ -62,16 +62,16 @@ float partOfAWave(float texels) {
 }
 
 SurfacePoint surfacePoint() {
-    SurfacePoint s = SurfacePoint(vec2(0.0), roughness.xyz, 0.0, 0.0);
+    SurfacePoint s = SurfacePoint(vec2(0.0), water.roughness.xyz, 0.0, 0.0);
     if (!hasWaves) return s;
     Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
     vec4 derivatives = vec4(0.0);
     float shear = 0.0;
     vec3 variance = vec3(0.0);
     for (int i = 0; i < cascades; ++i) {
-        vec3 at = vec3(cascade[i].xy + calmPosition * cascade[i].z, i);
+        vec3 at = vec3(water.cascade[i].xy + calmPosition * water.cascade[i].z, i);
         vec4 d, moments;
-        lookAtWaves(at, cascade[i].z, pixel, d, moments);
+        lookAtWaves(at, water.cascade[i].z, pixel, d, moments);
         if (hasShore) {
             float kept = shoreHere.kept[i];
             d *= kept;
@@ -81,7 +81,7 @@ SurfacePoint surfacePoint() {
         shear += moments.w;
         vec3 lost = moments.xyz - vec3(d.xy * d.xy, d.x * d.y);
         variance += lost;
-        s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(pixel.longer) * cascade[i].w);
+        s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(pixel.longer) * water.cascade[i].w);
     }
     variance.xy = max(variance.xy, 0.0);
     if (hasShore) {

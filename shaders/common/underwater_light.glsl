@@ -1,4 +1,4 @@
-// Light on its way through the water to an eye in it. Needs surface_uniforms.glsl and water_light.glsl.
+// Light on its way through the water to an eye in it. Needs body.glsl and water_light.glsl.
 
 // What `path` metres of water that begin at `depth` and rise by `rise` a metre scatter into the line of sight. Sources
 // fade with depth as light does on its way down: straight down from the surface this is deepWater() (1 - exp(-2 k path)),

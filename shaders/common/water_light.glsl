@@ -1,24 +1,24 @@
 // Light in the water. The irradiance reflectance of deep water is 0.33 bb/a (Morel and Prieur 1977).
 
 vec3 extinction() {
-    return max(absorption.rgb, 1e-5) + backscatter.rgb;
+    return max(water.absorption.rgb, 1e-5) + water.backscatter.rgb;
 }
 
 const float skyEnters = 0.934;   // 1 - 0.066, diffuse Fresnel reflectance of water
 
 // Irradiance just below the surface.
 vec3 sunEntering() {
-    float up = max(toSun.y, 0.0);
-    return sunIrradiance.rgb * (up * (1.0 - fresnelWater(up)));
+    float up = max(sunDirection().y, 0.0);
+    return water.sunIrradiance.rgb * (up * (1.0 - fresnelWater(up)));
 }
 
 vec3 lightEntering() {
-    return sunEntering() + skyIrradiance.rgb * skyEnters;
+    return sunEntering() + water.skyIrradiance.rgb * skyEnters;
 }
 
 // Radiance of endless water below, seen from just under its surface.
 vec3 deepWater() {
-    return lightEntering() / pi * (0.33 * backscatter.rgb / extinction());
+    return lightEntering() / pi * (0.33 * water.backscatter.rgb / extinction());
 }
 
 // What `path` metres of water send back, as seen above the surface: leaving water thins radiance by n^2 and what Fresnel
@@ -33,10 +33,10 @@ vec3 waterGlow(vec3 path) {
 // caustics there.
 float gatheredIn(vec4 color) {
     if (sceneIsEncoded) {
-        bool held = caustics.x > 0.0 && color.a > 0.01 && color.a < leastUntold;
+        bool held = water.caustics.x > 0.0 && color.a > 0.01 && color.a < leastUntold;
         return held ? mostGathered * color.a : 1.0;
     }
-    bool told = caustics.x > 0.0 && color.a > 0.05 && color.a < 20.0;
+    bool told = water.caustics.x > 0.0 && color.a > 0.05 && color.a < 20.0;
     return told ? color.a : 1.0;
 }
 
@@ -46,10 +46,10 @@ float gatheredIn(vec4 color) {
 // `gathered` in that very place, a factor in the host's radiance. How bright a bed is in how much light says how white.
 vec3 litBelow(vec3 inAir, float depth, float gathered) {
     vec3 k = extinction() * max(depth, 0.0);
-    float up = max(toSun.y, 0.0);
-    vec3 light = sunIrradiance.rgb * up + skyIrradiance.rgb;
+    float up = max(sunDirection().y, 0.0);
+    vec3 light = water.sunIrradiance.rgb * up + water.skyIrradiance.rgb;
     float sunSteepness = sqrt(1.0 - (1.0 - up * up) / (waterIndex * waterIndex));
-    vec3 arriving = sunEntering() * exp(-k / sunSteepness) + skyIrradiance.rgb * skyEnters * exp(-1.2 * k);
+    vec3 arriving = sunEntering() * exp(-k / sunSteepness) + water.skyIrradiance.rgb * skyEnters * exp(-1.2 * k);
     vec3 albedo = min(pi * inAir / max(light * gathered, 1e-9), 1.0);
     const float turnedBack = 1.0 - skyEnters / (waterIndex * waterIndex);
     vec3 again = turnedBack * albedo * exp(-6.0 * k);

@@ -1,13 +1,13 @@
-// Where the near plane of a view that stands in both leaves the water. Needs surface_uniforms.glsl and wave_displacement.glsl.
+// Where the near plane of a view that stands in both leaves the water. Needs body.glsl and wave_displacement.glsl.
 
 // As the finest cells of the mesh have it.
 vec3 displacementOf(vec2 calm) {
-    return surfaceDisplacement(waveDisplacement, calm, within.x);
+    return surfaceDisplacement(waveDisplacement, calm, water.within.x);
 }
 
 // Of a point above the displaced surface [m]; waves move points sideways too, so what is above it is looked for.
 float heightAboveSurface(vec3 at) {
-    float height = at.y + plane.w;
+    float height = at.y + water.plane.w;
     if (!hasWaves) return height;
     vec2 calm = at.xz;
     for (int i = 0; i < 3; ++i) calm = at.xz - displacementOf(calm).xz;

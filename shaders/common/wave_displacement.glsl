@@ -1,4 +1,4 @@
-// How far the waves move a point of the calm plane, as a mean over `width` metres. Needs surface_uniforms.glsl, shore.glsl
+// How far the waves move a point of the calm plane, as a mean over `width` metres. Needs body.glsl, shore.glsl
 // and `cascades`.
 
 // `kept` is a share of each cascade.
@@ -6,10 +6,10 @@ vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, ve
     vec3 sum = vec3(0.0);
     int i = 0;
     do {
-        float mip = max(log2(width * cascade[i].w), 0.0);
+        float mip = max(log2(width * water.cascade[i].w), 0.0);
         // The last mip is the tile's mean, which is zero.
-        if (mip < maxMip)
-            sum += kept[i] * textureLod(displacements, vec3(cascade[i].xy + calm * cascade[i].z, i), mip).xyz;
+        if (mip < water.maxMip)
+            sum += kept[i] * textureLod(displacements, vec3(water.cascade[i].xy + calm * water.cascade[i].z, i), mip).xyz;
     } while (++i < cascades);
     return sum;
 }

@@ -4,7 +4,7 @@
 namespace seaglass {
 #endif
 
-const int bodyBinding = 0; // the block of surface_uniforms.glsl
+const int bodyBinding = 0; // BodyBlock
 const int meshBinding = 1; // patches, or the vertices of a mesh of the host's own
 const int skyCubeBinding = 2;
 const int waveDisplacementBinding = 3;

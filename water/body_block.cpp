@@ -1,4 +1,4 @@
-#include "water/surface_uniforms.h"
+#include "water/body_block.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "water/body.h"
 #include "water/lighting.h"
@@ -27,8 +28,8 @@ double inTile(double position, double tile) {
     return tiles - std::floor(tiles);
 }
 
-void setWaves(SurfaceUniforms& u, const Sea& sea, const WaveMaps& maps, const glm::dvec3& eye) {
-    u.cascades = static_cast<int32_t>(maps.cascades);
+void setWaves(BodyBlock& u, const Sea& sea, const WaveMaps& maps, const glm::dvec3& eye) {
+    u.seaCascades = static_cast<int32_t>(maps.cascades);
     u.maxMip = static_cast<float>(maps.mipLevels - 1);
     const SlopeCovariance rough = roughness(sea);
     const double whole = std::sqrt((resolvedSlopeVariance(sea) + unresolvedSlopeVariance(sea)) / 2);
@@ -42,7 +43,7 @@ void setWaves(SurfaceUniforms& u, const Sea& sea, const WaveMaps& maps, const gl
     }
 }
 
-void setShore(SurfaceUniforms& u, const Shore& shore, const ShoreMap& map, const glm::dvec3& eye) {
+void setShore(BodyBlock& u, const Shore& shore, const ShoreMap& map, const glm::dvec3& eye) {
     const ShoreSignal& signal = map.signal();
     const double spacing = shore.spacing();
     const glm::dvec2 samples(shore.samples()[0], shore.samples()[1]);
@@ -53,17 +54,16 @@ void setShore(SurfaceUniforms& u, const Shore& shore, const ShoreMap& map, const
     u.shoreForm = {shore.peak() / (2 * std::numbers::pi), shore.carried(), map.last().offset, 0};
 }
 
-void setFoam(SurfaceUniforms& u, const Foam& foam, const Sea& sea, const glm::dvec3& eye) {
+void setFoam(BodyBlock& u, const Foam& foam, const Sea& sea, const glm::dvec3& eye) {
     const FoamStreak streak = foamStreakOf(description(sea));
     double placeU = eye.x, placeV = eye.z;
     streak.apply(placeU, placeV);
     u.foam = glm::vec4(foam.past(), foam.albedo(), inTile(placeU, foamRepeat) * foamRepeat,
                        inTile(placeV, foamRepeat) * foamRepeat);
     u.foamStreak = {streak.u, streak.v};
-    u.foamCascades = static_cast<int32_t>(foam.cascades());
 }
 
-void setCaustics(SurfaceUniforms& u, const Caustics& caustics, const CausticGrid& grid) {
+void setCaustics(BodyBlock& u, const Caustics& caustics, const CausticGrid& grid) {
     const SunInWater sun = sunInWater(glm::dvec3(u.toSun));
     u.sunInWater = glm::vec4(glm::vec3(sun.from), 0);
     u.sunTurned = glm::vec4(sun.turnedAlong, sun.turnedAcross, 0, 0);
@@ -73,9 +73,16 @@ void setCaustics(SurfaceUniforms& u, const Caustics& caustics, const CausticGrid
     std::memcpy(u.lostSlopes, caustics.lostSlopes().data(), sizeof u.lostSlopes);
 }
 
-void setDryRooms(SurfaceUniforms& u, const std::vector<DryPlanes>& rooms, const glm::dvec3& eye) {
-    std::fill_n(u.dryPlanes, roomsPacked(rooms) * dryRoomPlanes, glm::vec4(0, 0, 0, 1)); // holding nothing
-    glm::vec4* out = u.dryPlanes;
+void setFog(BodyBlock& u, const FogBlock& fog) {
+    u.fogColor = glm::make_vec4(fog.color);
+    u.fogForm = glm::make_vec4(fog.form);
+    u.fogReach = glm::make_vec4(fog.reach);
+}
+
+void setDryRooms(BodyBlock& u, const std::vector<DryPlanes>& rooms, const glm::dvec3& eye) {
+    std::fill_n(u.dryPlanes, roomsPacked(rooms) * size_t{dryRoomPlanes},
+                glm::vec4(0, 0, 0, 1)); // holding nothing
+    vec4* out = u.dryPlanes;
     for (const DryPlanes& room : rooms)
         for (const glm::dvec4& plane : room)
             *out++ = glm::vec4(glm::vec3(plane), plane.w + glm::dot(glm::dvec3(plane), eye));
@@ -83,18 +90,21 @@ void setDryRooms(SurfaceUniforms& u, const std::vector<DryPlanes>& rooms, const 
 
 } // namespace
 
-void setBed(SurfaceUniforms& u, const BedPicture& bed, const glm::dvec3& eye) {
+void setBed(BodyBlock& u, const BedPicture& bed, const glm::dvec3& eye) {
     glm::dmat4 moved(1);
     moved[3] = glm::dvec4(eye - bed.camera.eye, 1);
     const glm::dmat4 pixelFromRelative = scenePixelFromRelative(bed.camera) * moved;
     u.bedFromRelative = glm::mat4(pixelFromRelative);
     u.relativeFromBed = glm::mat4(glm::inverse(pixelFromRelative));
-    u.bedSize = bed.camera.regionSize;
+    u.bedSize = {bed.camera.regionSize, 0, 0};
 }
 
-SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
-                                const LightingDesc& lighting) {
-    SurfaceUniforms u;
+BodyBlock bodyBlock(const Body& body, const ViewGeometry& geometry, const LightingDesc& lighting) {
+    BodyBlock u{};
+    u.bedFromRelative = u.relativeFromBed = mat4(1);
+    u.sight.w = 1;
+    u.covered = {-1e9f, -1e9f, 1e9f, 1e9f};
+    u.reflectionScale = 1;
     u.clipFromRelative = glm::mat4(geometry.clipFromRelative);
     u.pixelFromRelative = glm::mat4(geometry.pixelFromRelative);
     u.relativeFromPixel = glm::mat4(relativeFromScenePixel(geometry));
@@ -111,7 +121,7 @@ SurfaceUniforms surfaceUniforms(const Body& body, const ViewGeometry& geometry,
     }
     const bool sunShines = u.toSun.y > 0 && glm::vec3(u.sunIrradiance) != glm::vec3(0);
     if (lighting.shadow && sunShines) setSunShadow(u, *lighting.shadow, body.frame, geometry.eye);
-    if (lighting.fog) u.fog = fogBlock(*lighting.fog, (body.frame.worldFromBody * geometry.eye).y);
+    if (lighting.fog) setFog(u, fogBlock(*lighting.fog, (body.frame.worldFromBody * geometry.eye).y));
     u.skyMips = static_cast<float>(lighting.skyCubeMipLevels);
     u.sceneShift = glm::vec2(geometry.sceneShift);
     u.region = glm::ivec4(geometry.regionOrigin, geometry.regionSize);
