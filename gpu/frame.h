@@ -33,9 +33,10 @@ class Frame {
     Status allocateSet(const Layout& layout, std::span<const Bound> resources, VkDescriptorSet& out);
     /// Uniform or storage memory, written by the CPU.
     Status allocate(VkDeviceSize size, Slice& out);
-    /// A uniform block.
+    /// A uniform block of shaders/shared.
     template<typename T>
     Status upload(const T& block, Slice& out) {
+        static_assert(sizeof block % 16 == 0, "std140 fills up to sixteen bytes: pads are written out");
         if (const Status s = allocate(sizeof block, out); s != Status::ok) return s;
         std::memcpy(out.data, &block, sizeof block);
         return Status::ok;

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "shaders/shared/mip_chain_block.h"
 #include "spirv/mip_chain_rg16f.comp.h"
 #include "spirv/mip_chain_rgba32f.comp.h"
 
@@ -70,12 +71,6 @@ void recordBlits(const Device& device, VkCommandBuffer commands, std::span<const
 constexpr uint32_t halvings = 5; // of a dispatch
 constexpr uint32_t groupEdge = 1 << halvings;
 
-/// The std140 block of shaders/mip_chain.comp.
-struct MipUniforms {
-    uint32_t levels = 0;
-    uint32_t padding[3] = {};
-};
-
 /// Five mips of three images at once are more than Vulkan promises.
 bool byKernel(const Device& device) {
     return !device.isCpu() && device.limits().maxPerStageDescriptorStorageImages >= 3 * halvings;
@@ -109,15 +104,18 @@ Status recordHalvings(Context& context, VkCommandBuffer commands, const Kernel& 
     const ImageDesc& desc = images.front()->desc();
     const uint32_t last = std::min(base + halvings, desc.mipLevels - 1);
     Slice slice;
-    if (const Status s = context.frame().upload(MipUniforms{last - base}, slice); s != Status::ok) return s;
-    std::vector<Bound> resources = {{0, uniformBuffer(slice.buffer, slice.offset, sizeof(MipUniforms))}};
-    uint32_t next = 1;
+    if (const Status s = context.frame().upload(MipChainBlock{last - base, 0, 0, 0}, slice); s != Status::ok)
+        return s;
+    std::vector<Bound> resources = {
+        {mipChainBinding, uniformBuffer(slice.buffer, slice.offset, sizeof(MipChainBlock))}};
+    uint32_t source = firstSourceBinding;
     for (const OwnedImage* image : images)
-        resources.push_back({next++, sampledImage(context.samplers.nearestClamp(), image->mipView(base))});
+        resources.push_back({source++, sampledImage(context.samplers.nearestClamp(), image->mipView(base))});
     // What nothing is stored to needs something to point at.
+    uint32_t halved = firstHalvedBinding;
     for (const OwnedImage* image : images)
         for (uint32_t mip = base + 1; mip <= base + halvings; ++mip)
-            resources.push_back({next++, storageImage(image->mipView(std::min(mip, last)))});
+            resources.push_back({halved++, storageImage(image->mipView(std::min(mip, last)))});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/blur.comp.h"
 
 namespace seaglass {
@@ -27,8 +28,8 @@ Status recordBlur(Context& context, VkCommandBuffer commands, const BlurKernel* 
     gpu::recordBarriers(context.device, commands, barriers, desc.mipLevels > 1 ? 2 : 1);
     for (uint32_t mip = 1; mip < desc.mipLevels; ++mip) {
         const gpu::Bound resources[] = {
-            {0, gpu::sampledImage(context.samplers.trilinearClamp(), color.mipView(mip - 1))},
-            {1, gpu::storageImage(color.mipView(mip))},
+            {finerMipBinding, gpu::sampledImage(context.samplers.trilinearClamp(), color.mipView(mip - 1))},
+            {coarserMipBinding, gpu::storageImage(color.mipView(mip))},
         };
         VkDescriptorSet set = VK_NULL_HANDLE;
         if (const Status s = context.frame().allocateSet(blur->kernel.layout(), resources, set);

@@ -2,6 +2,7 @@
 
 #include "reflection/depth_scan.h"
 #include "reflection/tiles.h"
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/cells.comp.h"
 
 namespace seaglass {
@@ -39,7 +40,10 @@ Status recordCells(const ReflectPass& pass, const CellsKernel& kernel, const gpu
                    const gpu::Buffer& tiles) {
     const gpu::Device& device = pass.context.device;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = allocateDepthScan(pass, kernel.kernel, cells, tiles, set); s != Status::ok) return s;
+    if (const Status s = allocateDepthScan(pass, kernel.kernel,
+                                           {cellsBinding, gpu::storageBuffer(cells.handle())}, tiles, set);
+        s != Status::ok)
+        return s;
     const gpu::PassScope scope(device, pass.commands, "ssr_cells");
     recordBuffersCleared(device, pass.commands, {cells.handle()});
     kernel.kernel.dispatchAlong(pass.commands, set, countOf(pass.extent(), cellEdge));

@@ -3,17 +3,19 @@
 #include <vector>
 
 #include "reflection/mirror.h"
+#include "shaders/shared/reflection_bindings.h"
 
 namespace seaglass {
 
-Status allocateDepthScan(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::Buffer& found,
+Status allocateDepthScan(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::Bound& found,
                          const gpu::Buffer& tiles, VkDescriptorSet& out) {
     const Image& depth = pass.view.sceneDepth;
     std::vector<gpu::Bound> resources = {
-        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
-        {1, gpu::sampledImage(pass.context.samplers.nearestClamp(), depth.view, depth.layout)},
-        {2, gpu::storageBuffer(found.handle())},
-        {3, gpu::storageBuffer(tiles.handle())},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
+        {sceneDepthBinding,
+         gpu::sampledImage(pass.context.samplers.nearestClamp(), depth.view, depth.layout)},
+        found,
+        {tilesBinding, gpu::storageBuffer(tiles.handle())},
     };
     std::erase_if(resources, [&](const gpu::Bound& bound) { return !kernel.layout().has(bound.number); });
     return pass.context.frame().allocateSet(kernel.layout(), resources, out);

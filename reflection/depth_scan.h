@@ -12,7 +12,7 @@ namespace seaglass {
 
 /// Binds mirror.glsl's block, the scene's depth, what is found and the tiles: what the kernel declares of
 /// them.
-Status allocateDepthScan(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::Buffer& found,
+Status allocateDepthScan(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::Bound& found,
                          const gpu::Buffer& tiles, VkDescriptorSet& out);
 
 /// After the dispatch: leaves what was found visible to compute shaders.

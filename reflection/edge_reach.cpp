@@ -4,19 +4,11 @@
 
 #include "reflection/mirror.h"
 #include "reflection/tiles.h"
+#include "shaders/shared/edge_reach_block.h"
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/edge_reach.comp.h"
 
 namespace seaglass {
-
-namespace {
-
-/// The std140 block of shaders/edge_reach.comp.
-struct EdgeReachUniforms {
-    float reach = 0;
-    float padding[3] = {};
-};
-
-} // namespace
 
 Status EdgeReachKernel::create(Context& context) {
     if (const Status s = columns.create(context); s != Status::ok) return s;
@@ -26,20 +18,20 @@ Status EdgeReachKernel::create(Context& context) {
 Status recordEdgeReach(const ReflectPass& pass, EdgeReachKernel& reach, const gpu::Buffer& tiles,
                        const OwnedReflection& images) {
     Context& context = pass.context;
-    const EdgeReachUniforms uniforms{pass.desc.edgeReach * static_cast<float>(pass.extent().height)};
+    const EdgeReachBlock block{pass.desc.edgeReach * static_cast<float>(pass.extent().height), 0, 0, 0};
     gpu::Slice slice;
-    if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
+    if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
     const VkSampler nearest = context.samplers.nearestClamp();
     const Image& depth = pass.view.sceneDepth;
     const Image& color = pass.view.sceneColor;
     const gpu::Bound resources[] = {
-        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
-        {1, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms)},
-        {2, gpu::sampledImage(nearest, depth.view, depth.layout)},
-        {3, gpu::sampledImage(nearest, color.view, color.layout)},
-        {4, gpu::storageImage(images.color.firstMipView())},
-        {5, gpu::storageImage(images.info.view())},
-        {6, gpu::storageBuffer(tiles.handle())},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
+        {settingsBinding, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block)},
+        {sceneDepthBinding, gpu::sampledImage(nearest, depth.view, depth.layout)},
+        {sceneColorBinding, gpu::sampledImage(nearest, color.view, color.layout)},
+        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
+        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {tilesBinding, gpu::storageBuffer(tiles.handle())},
     };
     const gpu::Kernel* kernel = nullptr;
     if (const Status s = reach.kernel.of(context, color, kernel); s != Status::ok) return s;

@@ -1,11 +1,12 @@
 #include "reflection/march.h"
 
 #include <cstddef>
-#include <cstring>
 #include <vector>
 
 #include "reflection/mirror.h"
 #include "reflection/tiles.h"
+#include "shaders/shared/march_block.h"
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/march_cells.comp.h"
 #include "spirv/march_cells_open.comp.h"
 #include "spirv/march_strides.comp.h"
@@ -15,23 +16,10 @@ namespace seaglass {
 
 namespace {
 
-/// The std140 block of shaders/common/march.glsl.
-struct MarchUniforms {
-    glm::mat4 pixelFromRelative{1};
-    glm::vec4 forwardRow{0};
-    float thickness = 0;
-    float longest = 0;
-    float jitter = 0;
-    int32_t steps = 0;
-    uint32_t hasNormals = 0;
-    uint32_t padding[3] = {};
-};
-static_assert(sizeof(MarchUniforms) == 112);
-
-MarchUniforms marchUniforms(const ReflectPass& pass) {
+MarchBlock blockOf(const ReflectPass& pass) {
     const ViewGeometry& view = pass.geometry;
     const ReflectionDesc& desc = pass.desc;
-    MarchUniforms out;
+    MarchBlock out{};
     out.pixelFromRelative = glm::mat4(scenePixelFromRelative(view));
     out.forwardRow = glm::vec4(glm::dvec4(view.forward, 0) * relativeFromScenePixel(view));
     out.thickness = desc.marchThickness;
@@ -59,28 +47,28 @@ Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, bool take
                    const gpu::Buffer& tiles, const gpu::Buffer* cells, const OwnedReflection& images,
                    VkDescriptorSet& out) {
     gpu::Frame& frame = pass.context.frame();
-    const MarchUniforms uniforms = marchUniforms(pass);
+    const MarchBlock block = blockOf(pass);
     gpu::Slice settings;
-    if (const Status s = frame.allocate(sizeof uniforms, settings); s != Status::ok) return s;
-    std::memcpy(settings.data, &uniforms, sizeof uniforms);
+    if (const Status s = frame.upload(block, settings); s != Status::ok) return s;
 
     const VkSampler nearest = pass.context.samplers.nearestClamp();
     const Image& depth = pass.view.sceneDepth;
     const Image& color = pass.view.sceneColor;
     std::vector<gpu::Bound> resources = {
-        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
-        {1, gpu::sampledImage(nearest, depth.view, depth.layout)},
-        {2, gpu::uniformBuffer(settings.buffer, settings.offset, sizeof uniforms)},
-        {3, gpu::sampledImage(nearest, color.view, color.layout)},
-        {4, gpu::storageImage(images.color.firstMipView())},
-        {5, gpu::storageImage(images.info.view())},
-        {6, gpu::storageBuffer(tiles.handle())},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
+        {sceneDepthBinding, gpu::sampledImage(nearest, depth.view, depth.layout)},
+        {settingsBinding, gpu::uniformBuffer(settings.buffer, settings.offset, sizeof block)},
+        {sceneColorBinding, gpu::sampledImage(nearest, color.view, color.layout)},
+        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
+        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {tilesBinding, gpu::storageBuffer(tiles.handle())},
     };
-    if (cells) resources.push_back({7, gpu::storageBuffer(cells->handle())});
+    if (cells) resources.push_back({cellsBinding, gpu::storageBuffer(cells->handle())});
     if (takesNormals) {
         // The colour stands in for normals that nobody reads.
         const Image& normals = pass.view.surfaceNormals ? *pass.view.surfaceNormals : color;
-        resources.push_back({8, gpu::sampledImage(nearest, normals.view, normals.layout)});
+        resources.push_back(
+            {surfaceNormalsBinding, gpu::sampledImage(nearest, normals.view, normals.layout)});
     }
     return frame.allocateSet(kernel.layout(), resources, out);
 }

@@ -98,11 +98,11 @@ ScreenMirror screenMirror(const ViewGeometry& view, const glm::dvec4& plane) {
     return mirror;
 }
 
-MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane,
-                              const ReflectionDesc& desc, const glm::ivec4& shown) {
+MirrorBlock mirrorBlock(const ViewGeometry& view, const glm::dvec4& worldPlane, const ReflectionDesc& desc,
+                        const glm::ivec4& shown) {
     const glm::dvec4 plane = planeFacing(worldPlane, view);
     const ScreenMirror mirror = screenMirror(view, plane);
-    MirrorUniforms out;
+    MirrorBlock out{};
     out.screenMirror = glm::mat4(mirror.pixelFromPixel);
     out.sceneFromPixel = glm::mat4(mirror.sceneFromPixel);
     out.relativeFromPixel = glm::mat4(mirror.relativeFromPixel);

@@ -7,12 +7,12 @@
 // 100 km from the origin.
 #pragma once
 
-#include <glm/mat3x4.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
 #include "reflection/view.h"
 #include "seaglass/reflection.h"
+#include "shaders/shared/mirror_block.h"
 
 namespace seaglass {
 
@@ -42,40 +42,11 @@ struct ScreenMirror {
 /// `plane` relative to the eye and facing it.
 ScreenMirror screenMirror(const ViewGeometry& view, const glm::dvec4& plane);
 
-/// The std140 block of shaders/common/mirror.glsl.
-struct MirrorUniforms {
-    glm::mat4 screenMirror{1};
-    glm::mat4 sceneFromPixel{1};
-    glm::mat4 relativeFromPixel{1};
-    glm::mat3x4 skyFromPixel{1};
-    glm::vec4 heightRow{0};
-    glm::vec4 weightRow{0};
-    glm::vec4 depthRow{0};
-    glm::vec4 plane{0};
-    glm::ivec4 region{0};
-    glm::ivec4 shown{0}; ///< pixels of the region that may show the mirror: low, and one past high
-    float farDepth = 0;
-    float depthSign = 1; ///< +1 when nearer is greater
-    float edgeFadePixels = 0;
-    float infinityDepth = 0;
-    uint32_t bent = 0;         ///< whether lookups stray from where the plane is seen
-    int32_t pixelShift = 0;    ///< log2 of the pixels of the region to one of the reflection, each way
-    int32_t keyShift = 0;      ///< and to one key
-    float contactPerMetre = 0; ///< see onOrBelowPlane() of shaders/common/mirror.glsl
-    float depthStep = 0;
-    uint32_t followed = 0;    ///< whether rays are followed afterwards where nothing is proven
-    float undersideLight = 0; ///< of the top that is seen
-    uint32_t roofLooks = 0;
-    float edgeFadeApart = 0; ///< by which borders that are not ahead are taken to be farther away [pixel]
-    float padding[3] = {};
-};
-static_assert(sizeof(MirrorUniforms) == 400);
-
 /// Pixels of the view to one SSPR key, each way.
 uint32_t keyScale(const ReflectionDesc& desc);
 
 /// `shown`: the pixels that may show the mirror.
-MirrorUniforms mirrorUniforms(const ViewGeometry& view, const glm::dvec4& worldPlane,
-                              const ReflectionDesc& desc, const glm::ivec4& shown);
+MirrorBlock mirrorBlock(const ViewGeometry& view, const glm::dvec4& worldPlane, const ReflectionDesc& desc,
+                        const glm::ivec4& shown);
 
 } // namespace seaglass

@@ -1,6 +1,7 @@
 #include "reflection/open_tiles.h"
 
 #include "reflection/mirror.h"
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/open_tiles.comp.h"
 #include "spirv/seen_columns.comp.h"
 #include "spirv/seen_tiles.comp.h"
@@ -10,15 +11,15 @@ namespace seaglass {
 namespace {
 
 gpu::Resource mirrorOf(const ReflectPass& pass) {
-    return gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms));
+    return gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock));
 }
 
 /// By the flags that stand before the lists.
 Status recordByOwnFlags(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::Buffer& tiles) {
     const gpu::Bound resources[] = {
-        {0, mirrorOf(pass)},
-        {1, gpu::storageBuffer(tiles.handle())},
-        {2, gpu::storageBuffer(tiles.handle())},
+        {mirrorBinding, mirrorOf(pass)},
+        {sortedTilesBinding, gpu::storageBuffer(tiles.handle())},
+        {tilesBinding, gpu::storageBuffer(tiles.handle())},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = pass.context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
@@ -55,10 +56,10 @@ Status recordOpenTiles(const ReflectPass& pass, const OpenTilesKernel& kernel, c
                        const OwnedReflection& images, const gpu::Buffer& open) {
     Context& context = pass.context;
     const gpu::Bound resources[] = {
-        {0, mirrorOf(pass)},
-        {1, gpu::storageBuffer(sorted.handle())},
-        {2, gpu::storageBuffer(open.handle())},
-        {3, gpu::sampledImage(context.samplers.nearestClamp(), images.info.view())},
+        {mirrorBinding, mirrorOf(pass)},
+        {sortedTilesBinding, gpu::storageBuffer(sorted.handle())},
+        {tilesBinding, gpu::storageBuffer(open.handle())},
+        {reflectionInfoBinding, gpu::sampledImage(context.samplers.nearestClamp(), images.info.view())},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.kernel.layout(), resources, set); s != Status::ok)

@@ -3,21 +3,11 @@
 #include <algorithm>
 
 #include "reflection/mirror.h"
+#include "shaders/shared/overlay_block.h"
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/overlay.comp.h"
 
 namespace seaglass {
-
-namespace {
-
-/// The std140 block of shaders/overlay.comp.
-struct OverlayUniforms {
-    glm::vec4 forwardRow{0};
-    float contourSpacing = 1;
-    uint32_t kind = 0;
-    uint32_t padding[2] = {};
-};
-
-} // namespace
 
 Status OverlayKernel::create(Context& context) {
     return kernel.create(context.device, overlay_comp, "overlay pipeline");
@@ -48,12 +38,12 @@ Status recordOverlay(const ReflectPass& pass, const OverlayKernel& overlay, cons
                      const OverlayDesc& desc) {
     Context& context = pass.context;
     const ViewGeometry& view = pass.geometry;
-    OverlayUniforms uniforms;
-    uniforms.forwardRow = glm::vec4(glm::dvec4(view.forward, 0) * relativeFromScenePixel(view));
-    uniforms.contourSpacing = desc.contourSpacing;
-    uniforms.kind = static_cast<uint32_t>(desc.kind);
+    OverlayBlock block{};
+    block.forwardRow = glm::vec4(glm::dvec4(view.forward, 0) * relativeFromScenePixel(view));
+    block.contourSpacing = desc.contourSpacing;
+    block.kind = static_cast<int32_t>(desc.kind);
     gpu::Slice slice;
-    if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
+    if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
 
     const VkSampler nearest = context.samplers.nearestClamp();
     const Image& depth = pass.view.sceneDepth;
@@ -61,12 +51,12 @@ Status recordOverlay(const ReflectPass& pass, const OverlayKernel& overlay, cons
     // What a kind does not show needs something to point at.
     const bool shown = showsReflection(desc.kind);
     const gpu::Bound resources[] = {
-        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
-        {1, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms)},
-        {2, sceneDepth},
-        {3, shown ? gpu::sampledImage(nearest, images.color) : sceneDepth},
-        {4, shown ? gpu::sampledImage(nearest, images.info) : sceneDepth},
-        {5, gpu::storageImage(desc.target.view)},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
+        {settingsBinding, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block)},
+        {sceneDepthBinding, sceneDepth},
+        {reflectionColorBinding, shown ? gpu::sampledImage(nearest, images.color) : sceneDepth},
+        {reflectionInfoBinding, shown ? gpu::sampledImage(nearest, images.info) : sceneDepth},
+        {overlayTargetBinding, gpu::storageImage(desc.target.view)},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(overlay.kernel.layout(), resources, set);

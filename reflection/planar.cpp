@@ -7,6 +7,8 @@
 
 #include "reflection/mirror.h"
 #include "reflection/oblique.h"
+#include "shaders/shared/planar_block.h"
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/planar.comp.h"
 #include "spirv/planar_apart.comp.h"
 #include "spirv/planar_multisampled.comp.h"
@@ -15,14 +17,6 @@
 namespace seaglass {
 
 namespace {
-
-/// The std140 block of shaders/planar.comp.
-struct PlanarUniforms {
-    glm::vec4 heightRow{0};
-    glm::vec4 weightRow{0};
-    uint32_t samples = 1; ///< of the depth
-    uint32_t padding[3] = {};
-};
 
 /// Without its translation: what the view does to points relative to the eye.
 glm::dmat4 turned(const glm::dmat4& view) {
@@ -145,19 +139,20 @@ Status recordPlanar(const ReflectPass& pass, PlanarKernel& planar, const PlanarS
                     const glm::dvec4& worldPlane, const OwnedReflection& images) {
     Context& context = pass.context;
     const MirroredCamera camera = mirroredCamera(pass.view, pass.geometry, worldPlane);
-    const PlanarUniforms uniforms{
-        glm::vec4(camera.heightRow), glm::vec4(camera.weightRow), scratch.depth.desc().samples, {}};
+    const PlanarBlock block{
+        glm::vec4(camera.heightRow), glm::vec4(camera.weightRow), scratch.depth.desc().samples, 0, 0, 0};
     gpu::Slice slice;
-    if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
+    if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
     std::vector<gpu::Bound> resources = {
-        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
-        {1, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms)},
-        {2, gpu::sampledImage(context.samplers.nearestClamp(), scratch.depth.view())},
-        {3, gpu::storageImage(images.color.firstMipView())},
-        {4, gpu::storageImage(images.info.view())},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
+        {settingsBinding, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block)},
+        {mirroredDepthBinding, gpu::sampledImage(context.samplers.nearestClamp(), scratch.depth.view())},
+        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
+        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
     };
     if (scratch.color.handle())
-        resources.push_back({5, gpu::sampledImage(context.samplers.nearestClamp(), scratch.color.view())});
+        resources.push_back(
+            {mirroredColorBinding, gpu::sampledImage(context.samplers.nearestClamp(), scratch.color.view())});
     Image drawn = pass.view.sceneColor;
     if (scratch.color.handle() && appliesSrgb(scratch.color.desc().format)) drawn.encoding = Encoding::linear;
     const gpu::Kernel* kernel = nullptr;

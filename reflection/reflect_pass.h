@@ -13,7 +13,7 @@ struct ReflectPass {
     const ViewDesc& view;
     const ViewGeometry& geometry;
     const ReflectionDesc& desc;
-    gpu::Slice mirror; ///< MirrorUniforms
+    gpu::Slice mirror; ///< MirrorBlock
 
     /// Of the view's region [pixel].
     VkExtent2D extent() const { return extentOf(geometry); }

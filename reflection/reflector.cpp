@@ -228,7 +228,7 @@ Status Reflector::recordReuse(const ReflectPass& pass, ReflectedView& view) {
 
 Status Reflector::uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
                                gpu::Slice& out) {
-    MirrorUniforms uniforms = mirrorUniforms(geometry, plane, sizedFor(desc, extentOf(geometry)), shown);
+    MirrorBlock uniforms = mirrorBlock(geometry, plane, sizedFor(desc, extentOf(geometry)), shown);
     // A surface with normals of its own stands where the flat plane is not seen.
     if (view.surfaceNormals) uniforms.bent = 1;
     return context->frame().upload(uniforms, out);

@@ -4,6 +4,7 @@
 
 #include "reflection/mirror.h"
 #include "reflection/tiles.h"
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/miss.comp.h"
 #include "spirv/resolve.comp.h"
 #include "spirv/resolve_roofs.comp.h"
@@ -37,23 +38,23 @@ Status recordResolve(const ReflectPass& pass, ResolveKernel& resolve, const gpu:
     const Image& depth = pass.view.sceneDepth;
     const Image& color = pass.view.sceneColor;
     const gpu::Resource mirror =
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms));
+        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock));
     const gpu::Resource sceneDepth = gpu::sampledImage(nearest, depth.view, depth.layout);
     const gpu::Bound resolveResources[] = {
-        {0, mirror},
-        {1, gpu::storageBuffer(tiles.handle())},
-        {2, sceneDepth},
-        {3, gpu::storageBuffer(keys.handle())},
-        {4, gpu::sampledImage(nearest, color.view, color.layout)},
-        {5, gpu::storageImage(images.color.firstMipView())},
-        {6, gpu::storageImage(images.info.view())},
+        {mirrorBinding, mirror},
+        {tilesBinding, gpu::storageBuffer(tiles.handle())},
+        {sceneDepthBinding, sceneDepth},
+        {keysBinding, gpu::storageBuffer(keys.handle())},
+        {sceneColorBinding, gpu::sampledImage(nearest, color.view, color.layout)},
+        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
+        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
     };
     const gpu::Bound missResources[] = {
-        {0, mirror},
-        {1, gpu::storageBuffer(tiles.handle())},
-        {2, sceneDepth},
-        {3, gpu::storageImage(images.info.view())},
-        {4, gpu::storageImage(images.color.firstMipView())},
+        {mirrorBinding, mirror},
+        {tilesBinding, gpu::storageBuffer(tiles.handle())},
+        {sceneDepthBinding, sceneDepth},
+        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
     };
     const gpu::Kernel* kernel = nullptr;
     if (const Status s = resolve.kernel.of(context, color, kernel); s != Status::ok) return s;

@@ -6,6 +6,7 @@
 #include "reflection/mirror.h"
 #include "reflection/reflection_images.h"
 #include "reflection/tiles.h"
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/scatter.comp.h"
 #include "spirv/scatter_coarse.comp.h"
 
@@ -33,7 +34,10 @@ Status recordScatter(const ReflectPass& pass, const ScatterKernel& scatter, cons
                      const gpu::Buffer& tiles) {
     const gpu::Device& device = pass.context.device;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = allocateDepthScan(pass, scatter.kernel, keys, tiles, set); s != Status::ok) return s;
+    if (const Status s = allocateDepthScan(pass, scatter.kernel,
+                                           {keysBinding, gpu::storageBuffer(keys.handle())}, tiles, set);
+        s != Status::ok)
+        return s;
     recordClear(device, pass.commands, keys, tiles);
 
     const gpu::PassScope scope(device, pass.commands, "sspr_scatter");

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "reflection/mirror.h"
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/single_sample_color.comp.h"
 #include "spirv/single_sample_depth.comp.h"
 #include "spirv/single_sample_resolved.comp.h"
@@ -86,11 +87,12 @@ Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::
     const gpu::Device& device = context.device;
     const VkSampler nearest = context.samplers.nearestClamp();
     std::vector<gpu::Bound> resources = {
-        {0, gpu::uniformBuffer(mirror.buffer, mirror.offset, sizeof(MirrorUniforms))},
-        {1, gpu::sampledImage(nearest, image.view, image.layout)},
-        {2, gpu::storageImage(to.view())},
+        {mirrorBinding, gpu::uniformBuffer(mirror.buffer, mirror.offset, sizeof(MirrorBlock))},
+        {samplesBinding, gpu::sampledImage(nearest, image.view, image.layout)},
+        {chosenBinding, gpu::storageImage(to.view())},
     };
-    if (resolved) resources.push_back({3, gpu::sampledImage(nearest, resolved->view, resolved->layout)});
+    if (resolved)
+        resources.push_back({resolvedBinding, gpu::sampledImage(nearest, resolved->view, resolved->layout)});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;

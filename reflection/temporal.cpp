@@ -9,20 +9,13 @@
 
 #include "reflection/mirror.h"
 #include "reflection/planar.h"
+#include "shaders/shared/reflection_bindings.h"
+#include "shaders/shared/temporal_block.h"
 #include "spirv/temporal.comp.h"
 
 namespace seaglass {
 
 namespace {
-
-/// The std140 block of shaders/temporal.comp.
-struct TemporalUniforms {
-    glm::mat4 lastFromRelative{1};
-    glm::mat4 relativeFromLast{1};
-    glm::vec2 jitter{0};
-    float share = 0;
-    float kept = 0;
-};
 
 glm::dmat4 movedBy(const glm::dvec3& offset) {
     return glm::translate(glm::dmat4(1), offset);
@@ -46,8 +39,8 @@ bool follows(const LastFrame& frame, const LastFrame& last) {
            frame.facing == last.facing;
 }
 
-TemporalUniforms uniformsOf(const ReflectPass& pass, const LastFrame& last) {
-    TemporalUniforms out;
+TemporalBlock blockOf(const ReflectPass& pass, const LastFrame& last) {
+    TemporalBlock out{};
     const glm::dvec3 moved = pass.geometry.eye - last.eye;
     out.lastFromRelative = glm::mat4(last.pixelFromRelative * movedBy(moved));
     out.relativeFromLast = glm::mat4(movedBy(-moved) * glm::inverse(last.pixelFromRelative));
@@ -87,28 +80,28 @@ Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, c
     Context& context = pass.context;
     LastFrame frame = frameOf(pass, worldPlane);
     const bool known = !pass.view.cut && follows(frame, scratch.last);
-    const TemporalUniforms uniforms = known ? uniformsOf(pass, scratch.last) : TemporalUniforms{};
+    const TemporalBlock block = known ? blockOf(pass, scratch.last) : TemporalBlock{};
     if (known) frame.count += std::min(scratch.last.count, 1000u);
     // Until all is recorded there is none.
     scratch.last = {};
     std::swap(scratch.other, images);
 
     gpu::Slice slice;
-    if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
+    if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
     const VkSampler nearest = context.samplers.nearestClamp();
     const OwnedReflection& found = scratch.found;
     // What nobody reads needs something to point at.
     const OwnedReflection& last = known ? scratch.other : found;
     const gpu::Bound resources[] = {
-        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
-        {1, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms)},
-        {2, gpu::sampledImage(nearest, found.color.view())},
-        {3, gpu::sampledImage(nearest, found.info.view())},
-        {4, gpu::sampledImage(nearest, last.color.view())},
-        {5, gpu::sampledImage(nearest, last.info.view())},
-        {6, gpu::storageImage(images.color.firstMipView())},
-        {7, gpu::storageImage(images.info.view())},
-        {8, gpu::storageBuffer(tiles.handle())},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
+        {settingsBinding, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block)},
+        {foundColorBinding, gpu::sampledImage(nearest, found.color.view())},
+        {foundInfoBinding, gpu::sampledImage(nearest, found.info.view())},
+        {lastColorBinding, gpu::sampledImage(nearest, last.color.view())},
+        {lastInfoBinding, gpu::sampledImage(nearest, last.info.view())},
+        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
+        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {tilesBinding, gpu::storageBuffer(tiles.handle())},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(temporal.kernel.layout(), resources, set);

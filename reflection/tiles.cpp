@@ -2,6 +2,7 @@
 
 #include "reflection/depth_scan.h"
 #include "reflection/reflection_images.h"
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/tiles.comp.h"
 #include "spirv/tiles_roofs.comp.h"
 
@@ -19,8 +20,6 @@ constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUF
 VkDeviceSize bytesOf(VkExtent2D extent) {
     return sizeof(TileHeader) + VkDeviceSize{tileCount(extent)} * 2 * sizeof(uint32_t);
 }
-
-constexpr uint32_t tileSeesPlane = 1; // of shaders/common/tiles.glsl
 
 void recordFilled(const gpu::Device& device, VkCommandBuffer commands,
                   std::initializer_list<VkBuffer> buffers, VkDeviceSize bytes, uint32_t value) {
@@ -74,7 +73,10 @@ void recordTileLists(const ReflectPass& pass, const gpu::Kernel& kernel, VkDescr
 Status recordTiles(const ReflectPass& pass, const TilesKernel& kernel, const gpu::Buffer& keys,
                    const gpu::Buffer& tiles) {
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = allocateDepthScan(pass, kernel.kernel, keys, tiles, set); s != Status::ok) return s;
+    if (const Status s = allocateDepthScan(pass, kernel.kernel,
+                                           {keysBinding, gpu::storageBuffer(keys.handle())}, tiles, set);
+        s != Status::ok)
+        return s;
     const gpu::PassScope scope(pass.context.device, pass.commands, "sspr_tiles");
     recordTileLists(pass, kernel.kernel, set);
     return Status::ok;

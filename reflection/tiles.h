@@ -8,20 +8,9 @@
 #include "gpu/buffer.h"
 #include "gpu/kernel.h"
 #include "reflection/reflect_pass.h"
+#include "shaders/shared/tiles_block.h"
 
 namespace seaglass {
-
-constexpr uint32_t tileEdge = 8;
-
-/// The start of the buffer; a flag for each tile and the array of both lists follow. Cleared to zero before
-/// the scatter.
-struct TileHeader {
-    VkDispatchIndirectCommand resolveGroups;
-    uint32_t resolveCount;
-    VkDispatchIndirectCommand columnGroups;
-    uint32_t columnCount; ///< in tiles
-};
-static_assert(sizeof(TileHeader) == 32);
 
 /// For a reflection of `extent` pixels.
 Status createTiles(const gpu::Device& device, VkExtent2D extent, const char* what, gpu::Buffer& out);

@@ -2,6 +2,7 @@
 
 #include "reflection/mirror.h"
 #include "reflection/tiles.h"
+#include "shaders/shared/reflection_bindings.h"
 #include "spirv/unseen_tiles.comp.h"
 
 namespace seaglass {
@@ -46,10 +47,10 @@ Status recordUnseenTiles(const ReflectPass& pass, const UnseenTilesKernel* kerne
         return Status::ok;
     }
     const gpu::Bound resources[] = {
-        {0, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorUniforms))},
-        {1, gpu::storageBuffer(tiles.handle())},
-        {2, gpu::storageImage(images.color.firstMipView())},
-        {3, gpu::storageImage(images.info.view())},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
+        {tilesBinding, gpu::storageBuffer(tiles.handle())},
+        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
+        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel->kernel.layout(), resources, set);

@@ -2,11 +2,13 @@
 // (Burt and Adelson 1983); means of 2 x 2 would show as squares. Colour is premultiplied by confidence, so the mean of a
 // hole and a hit is half a hit, and neither sky nor unknown bleed in.
 #version 450
+#extension GL_GOOGLE_include_directive : require
+#include "reflection_bindings.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 0) uniform sampler2D finer;   // linear
-layout(set = 0, binding = 1, rgba16f) uniform writeonly image2D coarser;
+layout(set = 0, binding = finerMipBinding) uniform sampler2D finer;   // linear
+layout(set = 0, binding = coarserMipBinding, rgba16f) uniform writeonly image2D coarser;
 
 // Linear samples with a texel that is not finite count for nothing: a broken pixel of the host's stays small.
 vec4 finite(vec4 value) {

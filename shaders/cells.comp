@@ -8,11 +8,11 @@
 
 layout(local_size_x = 64, local_size_y = 1) in;
 
-layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2, std430) buffer Cells {
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = cellsBinding, std430) buffer Cells {
     uint cells[];
 };
-layout(set = 0, binding = 3, std430) buffer Tiles {
+layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
@@ -21,10 +21,10 @@ layout(set = 0, binding = 3, std430) buffer Tiles {
 
 // Whether lookups that waves bend may reach what stands before the plane here.
 bool planeBehind(ivec2 first) {
-    ivec2 last = min(first + (1 << cellShift), region.zw);
-    vec4 corner = vec4(vec2(first), infinityDepth, 1.0);
+    ivec2 last = min(first + (1 << cellShift), mirror.region.zw);
+    vec4 corner = vec4(vec2(first), mirror.infinityDepth, 1.0);
     vec2 span = vec2(last - first);
-    return dot(heightRow, corner) + min(heightRow.x * span.x, 0.0) + min(heightRow.y * span.y, 0.0) < 0.0;
+    return dot(mirror.heightRow, corner) + min(mirror.heightRow.x * span.x, 0.0) + min(mirror.heightRow.y * span.y, 0.0) < 0.0;
 }
 
 void main() {
@@ -33,7 +33,7 @@ void main() {
     if (index >= cellCount()) return;
     int across = squaresAcross(cellShift);
     ivec2 first = ivec2(index % across, index / across) << cellShift;
-    ivec2 last = min(first + (1 << cellShift), region.zw);
+    ivec2 last = min(first + (1 << cellShift), mirror.region.zw);
     bool planeSeen = false;
     uint nearest = noKey;
     vec2 perTexel = perDepthTexel();
@@ -46,7 +46,7 @@ void main() {
                 ivec2 pixel = ivec2(x, y) + ivec2(i & 1, i >> 1);
                 if (any(greaterThanEqual(pixel, last))) continue;
                 bool far = isFar(depths[i]);
-                bool onPlane = onOrBelowPlane(vec3(vec2(pixel) + 0.5, far ? infinityDepth : depths[i]));
+                bool onPlane = onOrBelowPlane(vec3(vec2(pixel) + 0.5, far ? mirror.infinityDepth : depths[i]));
                 planeSeen = planeSeen || onPlane;
                 nearest = far || onPlane ? nearest : max(nearest, keyFromDepth(depths[i]));
             }
@@ -57,5 +57,5 @@ void main() {
     cells[index] = nearest;
     ivec2 block = first >> blockShift;
     if (nearest != noKey) atomicMax(cells[firstSquare(blockShift) + block.y * squaresAcross(blockShift) + block.x], nearest);
-    if (planeSeen || bent && planeBehind(first)) atomicOr(tiles[tileAt(first >> (tileShift + pixelShift))], tileSeesPlane);
+    if (planeSeen || mirror.bent != 0u && planeBehind(first)) atomicOr(tiles[tileAt(first >> (tileShift + mirror.pixelShift))], tileSeesPlane);
 }

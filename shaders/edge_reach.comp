@@ -3,6 +3,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
+#include "edge_reach_block.h"
 #include "encoding.glsl"
 #include "edge_fade.glsl"
 #include "reflection_info.glsl"
@@ -10,14 +11,14 @@
 
 layout(constant_id = 0) const bool sceneIsEncoded = false;
 
-layout(set = 0, binding = 1, std140) uniform EdgeReach {
-    float reach;   // beyond the border, at most [pixel]
+layout(set = 0, binding = settingsBinding, std140) uniform EdgeReach {
+    EdgeReachBlock settings;
 };
-layout(set = 0, binding = 2) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 3) uniform sampler2D sceneColor;
-layout(set = 0, binding = 4, rgba16f) uniform image2D reflectionColor;
-layout(set = 0, binding = 5, r16f) uniform image2D reflectionInfo;
-layout(set = 0, binding = 6, std430) readonly buffer Tiles {
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = sceneColorBinding) uniform sampler2D sceneColor;
+layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform image2D reflectionColor;
+layout(set = 0, binding = reflectionInfoBinding, r16f) uniform image2D reflectionInfo;
+layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
@@ -46,14 +47,14 @@ Exit exitOf(vec2 q, vec2 along) {
 }
 
 vec2 insideOf(Exit at, float pixels) {
-    return clamp(at.border - pixels * at.outward, vec2(0.5), vec2(region.zw) - 0.5);
+    return clamp(at.border - pixels * at.outward, vec2(0.5), vec2(mirror.region.zw) - 0.5);
 }
 
 // From infinity; none of the sky and of what lies below the plane.
 float nearnessAt(vec2 point) {
-    ivec2 pixel = texelAt(point, region.zw - 1);
+    ivec2 pixel = texelAt(point, mirror.region.zw - 1);
     float depth = depthAt(pixel);
-    return solid(pixel, depth) ? depthSign * (depth - infinityDepth) : 0.0;
+    return solid(pixel, depth) ? mirror.depthSign * (depth - mirror.infinityDepth) : 0.0;
 }
 
 // What a line's nearness is at the border, and how much more a pixel beyond.
@@ -68,8 +69,8 @@ float nearnessBeyond(Nearness line, float pixels) {
 }
 
 Nearness nearnessOf(ScreenRay ray, Exit at) {
-    float atBorder = depthSign * rayDepthAt(ray, at.border);
-    float inside = depthSign * rayDepthAt(ray, at.border - leastInside * at.outward);
+    float atBorder = mirror.depthSign * rayDepthAt(ray, at.border);
+    float inside = mirror.depthSign * rayDepthAt(ray, at.border - leastInside * at.outward);
     return Nearness(atBorder > 0.0, atBorder, (atBorder - inside) / leastInside);
 }
 
@@ -91,7 +92,7 @@ struct Meeting {
 Meeting meetingOf(Nearness ray, Nearness seen) {
     float closing = seen.perPixel - ray.perPixel;
     float beyond = (ray.atBorder - seen.atBorder) / closing;
-    bool found = seen.known && closing > 0.0 && abs(beyond) <= reach && nearnessBeyond(seen, beyond) > 0.0;
+    bool found = seen.known && closing > 0.0 && abs(beyond) <= settings.reach && nearnessBeyond(seen, beyond) > 0.0;
     return Meeting(found, beyond);
 }
 
@@ -110,20 +111,20 @@ bool isCut(ivec2 texel) {
 void reachBeyond(ivec2 texel) {
     vec2 q = middleOf(texel);
     ScreenRay ray = rayOf(q);
-    Exit at = exitOf(q, -depthSign * (ray.along.xy - q * ray.along.w));
+    Exit at = exitOf(q, -mirror.depthSign * (ray.along.xy - q * ray.along.w));
     Nearness nearness = nearnessOf(ray, at);
     Meeting meeting = meetingBeyond(at, nearness);
     if (!planeAhead(q) || !nearness.known || !meeting.found) return;
     float info = imageLoad(reflectionInfo, texel).r;
     vec4 known = imageLoad(reflectionColor, texel);
-    float confidence = confidenceWithin(reach - meeting.beyond);
+    float confidence = confidenceWithin(settings.reach - meeting.beyond);
     float distance = infoOfHit(distanceToHit(q, depthOn(ray, at.border + meeting.beyond * at.outward)));
     // Hits that faded at the border are seen to go on.
     bool goesOn = infoIsHit(info) && abs(info - distance) <= sameDistance * distance && confidence > known.a;
     if (!goesOn && (infoIsHit(info) || meeting.beyond < 0.0)) return;
     // Beyond the border a plane looks as it does as far inside.
-    ivec2 inside = texelAt(insideOf(at, abs(meeting.beyond)), region.zw - 1);
-    vec3 light = linearOf(texelFetch(sceneColor, region.xy + inside, 0).rgb, sceneIsEncoded);
+    ivec2 inside = texelAt(insideOf(at, abs(meeting.beyond)), mirror.region.zw - 1);
+    vec3 light = linearOf(texelFetch(sceneColor, mirror.region.xy + inside, 0).rgb, sceneIsEncoded);
     bool hasColor = goesOn && known.a > leastColor;
     imageStore(reflectionColor, texel, (hasColor ? known / known.a : vec4(light, 1.0)) * confidence);
     imageStore(reflectionInfo, texel, vec4(goesOn ? info : distance, 0.0, 0.0, 0.0));

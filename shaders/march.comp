@@ -12,10 +12,10 @@
 
 layout(constant_id = 0) const bool sceneIsEncoded = false;
 
-layout(set = 0, binding = 3) uniform sampler2D sceneColor;
-layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D reflectionColor;
-layout(set = 0, binding = 5, r16f) uniform image2D reflectionInfo;
-layout(set = 0, binding = 6, std430) readonly buffer Tiles {
+layout(set = 0, binding = sceneColorBinding) uniform sampler2D sceneColor;
+layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;
+layout(set = 0, binding = reflectionInfoBinding, r16f) uniform image2D reflectionInfo;
+layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
@@ -25,7 +25,7 @@ layout(set = 0, binding = 6, std430) readonly buffer Tiles {
 
 #ifdef CELLS
 #include "cells.glsl"
-layout(set = 0, binding = 7, std430) readonly buffer Cells {
+layout(set = 0, binding = cellsBinding, std430) readonly buffer Cells {
     uint cells[];
 };
 #include "march_cells.glsl"
@@ -37,7 +37,7 @@ layout(set = 0, binding = 7, std430) readonly buffer Cells {
 #ifdef OPEN
 // As all of the picture that it completes.
 vec3 mirroredBySurface(vec2 q, vec3 direction) {
-    return reflect(direction, plane.xyz);
+    return reflect(direction, mirror.plane.xyz);
 }
 
 // One that another technique knew nothing of, that shows it an underside, or sky beside what is mirrored.
@@ -50,19 +50,19 @@ ivec2 pixelToMarch() {
 // What lies beyond an underside does not show.
 float metresToMarch(ivec2 pixel) {
     float known = imageLoad(reflectionInfo, pixel).r;
-    return infoIsDoubt(known) ? min(hitOfDoubt(known), longest) : longest;
+    return infoIsDoubt(known) ? min(hitOfDoubt(known), settings.longest) : settings.longest;
 }
 #else
-layout(set = 0, binding = 8) uniform sampler2D surfaceNormals;
+layout(set = 0, binding = surfaceNormalsBinding) uniform sampler2D surfaceNormals;
 
 // Kept above the plane, as what shades the surface keeps it.
 vec3 mirroredBySurface(vec2 q, vec3 direction) {
-    vec3 normal = texelFetch(surfaceNormals, region.xy + ivec2(q), 0).xyz;
+    vec3 normal = texelFetch(surfaceNormals, mirror.region.xy + ivec2(q), 0).xyz;
     float squared = dot(normal, normal);
-    if (!hasNormals || !(squared > 0.01) || isinf(squared)) return reflect(direction, plane.xyz);
+    if (settings.hasNormals == 0u || !(squared > 0.01) || isinf(squared)) return reflect(direction, mirror.plane.xyz);
     vec3 r = reflect(direction, normalize(normal));
-    float up = dot(r, plane.xyz);
-    return normalize(r + plane.xyz * (max(abs(up), 1e-3) - up));
+    float up = dot(r, mirror.plane.xyz);
+    return normalize(r + mirror.plane.xyz * (max(abs(up), 1e-3) - up));
 }
 
 ivec2 pixelToMarch() {
@@ -70,7 +70,7 @@ ivec2 pixelToMarch() {
 }
 
 float metresToMarch(ivec2 pixel) {
-    return longest;
+    return settings.longest;
 }
 #endif
 
@@ -88,7 +88,7 @@ void main() {
     vec4 color = vec4(0.0);
     float info = infoUnknown;
     int worth = refused;
-    SightLine sight = sightLine(relativeFromPixel, q, plane, depthSign);
+    SightLine sight = sightLine(mirror.relativeFromPixel, q, mirror.plane, mirror.depthSign);
     if (sight.towardsPlane > 0.0) {
         March found = marched(sight.onPlane, mirroredBySurface(q, sight.direction), metresToMarch(pixel),
                               noiseAt(vec2(pixel)));
@@ -96,7 +96,7 @@ void main() {
         worth = found.worth;
         if (infoIsHit(info)) {
             float confidence = edgeConfidence(q, found.source.xy);
-            float light = worth == underside ? confidence * undersideLight : confidence;
+            float light = worth == underside ? confidence * mirror.undersideLight : confidence;
             color = vec4(sourceColor(found.source.xy, found.source.z) * light, confidence);
         }
     }

@@ -1,21 +1,23 @@
 // Up to five halvings of some image arrays at once: means of 2 x 2 texels, which are what a linear filter gives. A group takes
 // a square of 32 x 32 texels and keeps what it has halved in shared memory (after AMD's single pass downsampler).
 #version 450
+#extension GL_GOOGLE_include_directive : require
+#include "mip_chain_block.h"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
-layout(set = 0, binding = 0, std140) uniform MipChain {
-    uint levels;   // of the five
+layout(set = 0, binding = mipChainBinding, std140) uniform MipChain {
+    MipChainBlock settings;
 };
 #define HALVED(binding_, name) layout(set = 0, binding = binding_, FORMAT) uniform writeonly image2DArray name;
 // `i` counts the images.
 #define IMAGE(i, source, a, b, c, d, e)                                                                                \
-    layout(set = 0, binding = 1 + i) uniform sampler2DArray source;                                                    \
-    HALVED(1 + IMAGES + 5 * i, a)                                                                                      \
-    HALVED(2 + IMAGES + 5 * i, b)                                                                                      \
-    HALVED(3 + IMAGES + 5 * i, c)                                                                                      \
-    HALVED(4 + IMAGES + 5 * i, d)                                                                                      \
-    HALVED(5 + IMAGES + 5 * i, e)
+    layout(set = 0, binding = firstSourceBinding + i) uniform sampler2DArray source;                                                    \
+    HALVED(firstHalvedBinding + 5 * i + 0, a)                                                                                      \
+    HALVED(firstHalvedBinding + 5 * i + 1, b)                                                                                      \
+    HALVED(firstHalvedBinding + 5 * i + 2, c)                                                                                      \
+    HALVED(firstHalvedBinding + 5 * i + 3, d)                                                                                      \
+    HALVED(firstHalvedBinding + 5 * i + 4, e)
 IMAGE(0, first, first1, first2, first3, first4, first5)
 #if IMAGES == 3
 IMAGE(1, second, second1, second2, second3, second4, second5)
@@ -46,7 +48,7 @@ vec4 meanOfFour(ivec2 at) {
 
 // All of the group come here, or none: it waits for what it has left in shared memory.
 #define HALVE(level, a, b, c)                                                                                          \
-    if (levels < level) return;                                                                                        \
+    if (settings.levels < level) return;                                                                                        \
     barrier();                                                                                                         \
     edge >>= 1;                                                                                                        \
     takesPart = all(lessThan(local, ivec2(edge)));                                                                     \

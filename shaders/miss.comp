@@ -6,13 +6,13 @@
 #include "reflection_info.glsl"
 #include "tiles.glsl"
 
-layout(set = 0, binding = 1, std430) readonly buffer Tiles {
+layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
-layout(set = 0, binding = 2) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 3, r16f) uniform writeonly image2D reflectionInfo;
-layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D reflectionColor;
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D reflectionInfo;
+layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;
 
 layout(constant_id = 0) const uint colorIsCleared = 0;
 
@@ -26,7 +26,7 @@ void main() {
     if (column.rows == 0) return;
     ivec2 pixel = column.top;
     FarEnd end = farEndOf(middleOf(pixel));
-    FarEnd perRow = farEndPerRow(float(1 << pixelShift));
+    FarEnd perRow = farEndPerRow(float(1 << mirror.pixelShift));
     int row = 0;
     do {
         if (colorIsCleared == 0) imageStore(reflectionColor, pixel, vec4(0.0));

@@ -9,18 +9,18 @@
 
 layout(local_size_x = 64, local_size_y = 1) in;
 
-layout(set = 0, binding = 1, std430) readonly buffer Sorted {
+layout(set = 0, binding = sortedTilesBinding, std430) readonly buffer Sorted {
     TileHeader sortedHeader;
     uint sorted[];
 };
-layout(set = 0, binding = 2, std430) buffer Tiles {
+layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
 #include "list_tile.glsl"
 
 #ifdef HOLES
-layout(set = 0, binding = 3) uniform sampler2D reflectionInfo;
+layout(set = 0, binding = reflectionInfoBinding) uniform sampler2D reflectionInfo;
 
 bool holdsUnknown(ivec2 tile) {
     ivec2 low = tile * tileEdge;

@@ -2,20 +2,19 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
+#include "overlay_block.h"
 #include "reflection_info.glsl"
 #include "sight_line.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 1, std140) uniform Overlay {
-    vec4 forwardRow;       // distance ahead of the eye [m] is forwardRow.p / weightRow.p for p = (x, y, depth, 1)
-    float contourSpacing;  // [m]
-    int kind;              // OverlayKind
+layout(set = 0, binding = settingsBinding, std140) uniform Overlay {
+    OverlayBlock settings;
 };
-layout(set = 0, binding = 2) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 3) uniform sampler2D reflectionColor;
-layout(set = 0, binding = 4) uniform sampler2D reflectionInfo;
-layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D target;
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = reflectionColorBinding) uniform sampler2D reflectionColor;
+layout(set = 0, binding = reflectionInfoBinding) uniform sampler2D reflectionInfo;
+layout(set = 0, binding = overlayTargetBinding, rgba16f) uniform writeonly image2D target;
 
 const int kindDepth = 0;
 const int kindPlane = 1;
@@ -55,8 +54,8 @@ vec3 distanceColor(float metres) {
 }
 
 vec4 seenAt(ivec2 pixel) {
-    ivec2 inside = clamp(pixel, ivec2(0), region.zw - 1);
-    return vec4(vec2(inside) + 0.5, texelFetch(sceneDepth, region.xy + inside, 0).r, 1.0);
+    ivec2 inside = clamp(pixel, ivec2(0), mirror.region.zw - 1);
+    return vec4(vec2(inside) + 0.5, texelFetch(sceneDepth, mirror.region.xy + inside, 0).r, 1.0);
 }
 
 bool isDepth(float depth) {
@@ -65,28 +64,28 @@ bool isDepth(float depth) {
 
 // Whether the plane comes before what was drawn.
 bool mirrorBefore(vec4 seen) {
-    if (isFar(seen.z)) return dot(heightRow, vec4(seen.xy, infinityDepth, 1.0)) < 0.0;
+    if (isFar(seen.z)) return dot(mirror.heightRow, vec4(seen.xy, mirror.infinityDepth, 1.0)) < 0.0;
     return onOrBelowPlane(seen.xyz);
 }
 
 vec3 depthColor(vec4 seen) {
-    float weight = dot(weightRow, seen);
+    float weight = dot(mirror.weightRow, seen);
     if (isFar(seen.z)) return farPlane;
-    return weight > 0.0 ? distanceColor(dot(forwardRow, seen) / weight) : noDepth;
+    return weight > 0.0 ? distanceColor(dot(settings.forwardRow, seen) / weight) : noDepth;
 }
 
 float metresToPlane(vec2 pixel) {
-    SightLine sight = sightLine(relativeFromPixel, pixel, plane, depthSign);
+    SightLine sight = sightLine(mirror.relativeFromPixel, pixel, mirror.plane, mirror.depthSign);
     return dot(sight.onPlane, sight.direction);
 }
 
 float heightOf(vec4 seen) {
-    return dot(heightRow, seen) / dot(weightRow, seen);
+    return dot(mirror.heightRow, seen) / dot(mirror.weightRow, seen);
 }
 
 bool contourBetween(float height, vec4 other) {
     if (isFar(other.z) || mirrorBefore(other)) return false;
-    return floor(height / contourSpacing) != floor(heightOf(other) / contourSpacing);
+    return floor(height / settings.contourSpacing) != floor(heightOf(other) / settings.contourSpacing);
 }
 
 vec3 planeColor(ivec2 pixel, vec4 seen) {
@@ -94,7 +93,7 @@ vec3 planeColor(ivec2 pixel, vec4 seen) {
     if (isFar(seen.z)) return farPlane;
     float height = heightOf(seen);
     bool line = contourBetween(height, seenAt(pixel + ivec2(1, 0))) || contourBetween(height, seenAt(pixel + ivec2(0, 1)));
-    return line ? vec3(0.0) : mix(low, high, clamp(height / (contourSpacing * contoursToHigh), 0.0, 1.0));
+    return line ? vec3(0.0) : mix(low, high, clamp(height / (settings.contourSpacing * contoursToHigh), 0.0, 1.0));
 }
 
 vec3 classColor(float info) {
@@ -109,23 +108,23 @@ vec3 hitDistanceColor(float info) {
 
 vec3 knownColor(ivec2 pixel, vec4 seen) {
     if (!mirrorBefore(seen)) return noMirror;
-    ivec2 texel = pixel >> pixelShift;
+    ivec2 texel = pixel >> mirror.pixelShift;
     float info = texelFetch(reflectionInfo, texel, 0).r;
-    if (kind == kindClasses) return classColor(info);
-    if (kind == kindConfidence) return mix(noConfidence, fullConfidence, texelFetch(reflectionColor, texel, 0).a);
+    if (settings.kind == kindClasses) return classColor(info);
+    if (settings.kind == kindConfidence) return mix(noConfidence, fullConfidence, texelFetch(reflectionColor, texel, 0).a);
     return hitDistanceColor(info);
 }
 
 void main() {
     loadMirror();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, region.zw))) return;
+    if (any(greaterThanEqual(pixel, mirror.region.zw))) return;
     vec4 seen = seenAt(pixel);
     vec3 color = noDepth;
     if (isDepth(seen.z)) {
-        if (kind == kindDepth) color = depthColor(seen);
-        else if (kind == kindPlane) color = planeColor(pixel, seen);
+        if (settings.kind == kindDepth) color = depthColor(seen);
+        else if (settings.kind == kindPlane) color = planeColor(pixel, seen);
         else color = knownColor(pixel, seen);
     }
-    imageStore(target, region.xy + pixel, vec4(color, 1.0));
+    imageStore(target, mirror.region.xy + pixel, vec4(color, 1.0));
 }

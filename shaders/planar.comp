@@ -3,6 +3,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
+#include "planar_block.h"
 #include "encoding.glsl"
 #include "reflection_info.glsl"
 #include "sight_line.glsl"
@@ -11,26 +12,24 @@ layout(constant_id = 0) const bool sceneIsEncoded = false;
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 1, std140) uniform MirroredView {
-    vec4 mirroredHeightRow; // with the mirrored projection's own depth
-    vec4 mirroredWeightRow;
-    uint depthSamples; // a pixel
+layout(set = 0, binding = settingsBinding, std140) uniform MirroredView {
+    PlanarBlock settings;
 };
 #ifdef MANY_DEPTHS
-layout(set = 0, binding = 2) uniform sampler2DMS mirroredDepth;
+layout(set = 0, binding = mirroredDepthBinding) uniform sampler2DMS mirroredDepth;
 #else
-layout(set = 0, binding = 2) uniform sampler2D mirroredDepth;
+layout(set = 0, binding = mirroredDepthBinding) uniform sampler2D mirroredDepth;
 #endif
-layout(set = 0, binding = 4, r16f) uniform writeonly image2D reflectionInfo;
+layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D reflectionInfo;
 #ifdef APART
-layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D reflectionColor;
+layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;
 #ifdef MANY_COLORS
-layout(set = 0, binding = 5) uniform sampler2DMS mirroredColor;
+layout(set = 0, binding = mirroredColorBinding) uniform sampler2DMS mirroredColor;
 #else
-layout(set = 0, binding = 5) uniform sampler2D mirroredColor;
+layout(set = 0, binding = mirroredColorBinding) uniform sampler2D mirroredColor;
 #endif
 #else
-layout(set = 0, binding = 3, rgba16f) uniform image2D reflectionColor; // what the host has drawn
+layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform image2D reflectionColor; // what the host has drawn
 #endif
 
 // Of what lies under the plane, drawn only where the oblique plane could not clip it: no more than this counts [m].
@@ -38,11 +37,11 @@ const float contact = 1e-3;
 
 float drawnHeight(vec3 screenPoint) {
     vec4 p = vec4(screenPoint, 1.0);
-    return dot(mirroredHeightRow, p) / dot(mirroredWeightRow, p);
+    return dot(settings.heightRow, p) / dot(settings.weightRow, p);
 }
 
 float infoOfDrawn(vec2 q, float depth) {
-    float towardsPlane = sightLine(relativeFromPixel, q, plane, depthSign).towardsPlane;
+    float towardsPlane = sightLine(mirror.relativeFromPixel, q, mirror.plane, mirror.depthSign).towardsPlane;
     if (!(towardsPlane > 0.0)) return infoUnknown;
     if (isFar(depth)) return infoSky;
     float height = drawnHeight(vec3(q, depth));
@@ -71,7 +70,7 @@ struct Mirrored {
 // the first tells how far it is.
 Mirrored mirroredBy(ivec2 pixel) {
     Mirrored m = Mirrored(infoUnknown, vec4(0.0));
-    int count = int(depthSamples);
+    int count = int(settings.samples);
     for (int i = 0; i < count; ++i) {
         float info = infoOfDrawn(middleOf(pixel), depthAt(pixel, i));
         bool hit = infoIsHit(info);

@@ -12,17 +12,17 @@
 
 layout(constant_id = 0) const bool sceneIsEncoded = false;
 
-layout(set = 0, binding = 1, std430) readonly buffer Tiles {
+layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
-layout(set = 0, binding = 2) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 3, std430) readonly buffer Keys {
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
     uint keys[];
 };
-layout(set = 0, binding = 4) uniform sampler2D sceneColor;
-layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reflectionColor;
-layout(set = 0, binding = 6, r16f) uniform writeonly image2D reflectionInfo;
+layout(set = 0, binding = sceneColorBinding) uniform sampler2D sceneColor;
+layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;
+layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D reflectionInfo;
 
 #include "scene_depth.glsl"
 #include "miss.glsl"
@@ -69,7 +69,7 @@ Surface surfaceAt(ivec2 pixel) {
     vec4 before = depthsAround(pixel, perTexel);
     vec4 after = depthsAround(pixel + 1, perTexel);
     bvec2 first = equal(pixel, ivec2(0));
-    bvec2 last = equal(pixel, region.zw - 1);
+    bvec2 last = equal(pixel, mirror.region.zw - 1);
     return Surface(after.w, mix(after.w - before.xz, vec2(0.0), first), mix(after.zx - after.w, vec2(0.0), last));
 }
 
@@ -79,18 +79,18 @@ Hit metWithin(float accepted, ScreenRay ray, vec2 middle, Surface seen) {
     float depth = seen.depth;
     vec2 gradient = vec2(edgeAwareStep(seen.before.x, seen.after.x), edgeAwareStep(seen.before.y, seen.after.y));
     // z - depth w - gradient . (xy - middle w) = 0 on the plane.
-    vec4 surface = vec4(-gradient, 1.0, dot(gradient, middle) - (depth - infinityDepth));
+    vec4 surface = vec4(-gradient, 1.0, dot(gradient, middle) - (depth - mirror.infinityDepth));
     float perMet = dot(surface, ray.along);
     float met = -dot(surface, ray.origin) / perMet;
     vec4 p = ray.origin + met * ray.along;
     vec2 source = p.xy / p.w;
     // As far as the depth's last digit moves it.
-    vec2 loose = min(abs(depthStep / perMet * (ray.along.xy - source * ray.along.w)), mostLoose);
+    vec2 loose = min(abs(mirror.depthStep / perMet * (ray.along.xy - source * ray.along.w)), mostLoose);
     vec2 away = abs(source - middle) - loose;
     float off = max(away.x, away.y);
     vec2 across = ray.along.xy - middle * ray.along.w;
-    vec2 most = max(-seen.before * across, -seen.after * across) + depthStep * abs(across);
-    bool front = ray.along.z - (depth - infinityDepth) * ray.along.w + most.x + most.y > 0.0;
+    vec2 most = max(-seen.before * across, -seen.after * across) + mirror.depthStep * abs(across);
+    bool front = ray.along.z - (depth - mirror.infinityDepth) * ray.along.w + most.x + most.y > 0.0;
     return Hit(met > 0.0 && met <= 1.0 && p.w > 0.0 && off <= accepted, front, source, off, met);
 }
 
@@ -103,7 +103,7 @@ vec2 besides(vec2 middle, vec2 point) {
 // A point that was met, or where the pixel by which it was met is nearest to it, if what lies under the plane's horizon shows
 // beside that. Sky beside it softens the outline.
 vec2 shownIn(vec2 source, vec2 middle) {
-    ivec2 pixel = texelAt(source, region.zw - 1);
+    ivec2 pixel = texelAt(source, mirror.region.zw - 1);
     bool below = wellBelowPlane(vec3(vec2(pixel) + 0.5, depthAt(pixel)));
     return below ? clamp(source, middle - 0.49, middle + 0.49) : source;
 }
@@ -164,7 +164,7 @@ uint beyond(ScreenRay ray, float mirroredDepth) {
     vec4 p = ray.origin + mirroredDepth * ray.along;
     vec2 shift = ray.along.xy - p.xy / p.w * ray.along.w;
     float quarterPixel = 0.25 * abs(p.w) / max(length(shift), 1e-30);
-    return keyFromDepth(clamp(mirroredDepth - depthSign * quarterPixel, 0.0, 1.0));
+    return keyFromDepth(clamp(mirroredDepth - mirror.depthSign * quarterPixel, 0.0, 1.0));
 }
 
 const int keysAroundCell = 9;
@@ -199,7 +199,7 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
     vec4 p = ray.origin + 0.5 * ray.along;
     vec2 direction = p.xy / p.w - q;
     vec2 step = direction / max(farthest(direction), 1e-6);
-    vec2 cell = q / float(1 << keyShift);
+    vec2 cell = q / float(1 << mirror.keyShift);
     LineKey ahead = LineKey(noKey, ivec2(0));
     LineKey behind = ahead;
     bvec2 keysBeside = bvec2(false);
@@ -222,9 +222,9 @@ Hit hitOnThin(ScreenRay ray, Entry entry) {
     if (entry.between == noGuesses) return noHit;
     float depth = depthAt(entry.between.other);
     if (!solid(entry.between.other, depth)) return noHit;
-    vec4 seen = relativeFromPixel * vec4(entry.hidden, depth, 1.0);
-    vec4 beside = seen + relativeFromPixel[0];
-    vec4 hidden = seen + relativeFromPixel[2] * (entry.depth + infinityDepth - depth);
+    vec4 seen = mirror.relativeFromPixel * vec4(entry.hidden, depth, 1.0);
+    vec4 beside = seen + mirror.relativeFromPixel[0];
+    vec4 hidden = seen + mirror.relativeFromPixel[2] * (entry.depth + mirror.infinityDepth - depth);
     vec3 at = seen.xyz / seen.w;
     bool thin = distance(hidden.xyz / hidden.w, at) <= 2.0 * distance(beside.xyz / beside.w, at);
     return Hit(thin, thin, entry.hidden, 0.0, depthOn(ray, entry.hidden));
@@ -252,7 +252,7 @@ Hit metBetween(Guesses guesses, Hit one, Hit other) {
 
 // How near what is seen at a point is, of how near something else is.
 float nearnessAt(vec2 point, float than) {
-    return (depthAt(texelAt(point, region.zw - 1)) - infinityDepth) / than;
+    return (depthAt(texelAt(point, mirror.region.zw - 1)) - mirror.infinityDepth) / than;
 }
 
 // Where the ray meets, out of sight, the plane of what shows beside: that is hidden from there on, and does not end; and goes on
@@ -260,7 +260,7 @@ float nearnessAt(vec2 point, float than) {
 Hit unseen(ScreenRay ray, ivec2 pixel, Hit hit) {
     if (!hit.valid) return hit;
     vec2 shown = vec2(pixel) + 0.5;
-    float nearness = depthAt(ivec2(shown)) - infinityDepth;
+    float nearness = depthAt(ivec2(shown)) - mirror.infinityDepth;
     vec2 way = hit.source - shown;
     vec2 step = way / max(farthest(way), 1.0);
     float next = min(nearnessAt(shown + step, nearness), nearnessAt(shown + min(2.0, farthest(way)) * step, nearness));
@@ -279,6 +279,7 @@ Hit metUnseen(ScreenRay ray, Guesses guesses, Hit one, Hit other) {
 
 void main() {
     loadMirror();
+    bool followed = mirror.followed != 0u;
     ivec2 pixel = pixelToResolve();
     if (pixel == noPixel) return;
     loadKeyGrid();
@@ -287,7 +288,7 @@ void main() {
     float info = infoUnknown;
     if (planeAhead(q)) {
         ScreenRay ray = rayOf(q);
-        ivec2 cell = ivec2(q) >> keyShift;
+        ivec2 cell = ivec2(q) >> mirror.keyShift;
         Hit hit = nearestHit(cell, ray);
         bool comesOut = hit.valid && !hit.front;
         bool inHole = false;
@@ -323,7 +324,7 @@ void main() {
 #endif
         if (hit.valid) {
             float confidence = edgeConfidence(q, hit.source);
-            float light = hit.front ? confidence : confidence * undersideLight;
+            float light = hit.front ? confidence : confidence * mirror.undersideLight;
             color = vec4(sourceColor(hit.source, rayDepthAt(ray, hit.source)) * light, confidence);
             info = infoOfHit(distanceToHit(q, hit.depth));
             if (followed && (comesOut || !hit.front)) info = infoOfDoubt(info);

@@ -10,11 +10,11 @@
 // An invocation takes a column of one tile, two pixels wide or a key.
 layout(local_size_x = 64, local_size_y = 1) in;
 
-layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2, std430) buffer Keys {
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = keysBinding, std430) buffer Keys {
     uint keys[];
 };
-layout(set = 0, binding = 3, std430) buffer Tiles {
+layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
@@ -30,9 +30,9 @@ void scatter(vec4 target, bool far) {
     vec3 point = target.xyz / target.w;
     if (far || !(target.w > 0.0) || !(point.z > 0.0 && point.z <= 1.0) || !insideRegion(point.xy)) return;
     ivec2 pixel = ivec2(point.xy);
-    ivec2 cell = pixel >> keyShift;
+    ivec2 cell = pixel >> mirror.keyShift;
     atomicMax(keys[cell.y * keysAcross + cell.x], keyFromDepth(point.z));
-    ivec2 inTile = pixel >> tileShift + pixelShift;
+    ivec2 inTile = pixel >> tileShift + mirror.pixelShift;
     int tile = inTile.y * tilesInRow + inTile.x;
     if (tile != keyTile) atomicOr(tiles[tile], tileHasKeys);
     keyTile = tile;
@@ -40,27 +40,27 @@ void scatter(vec4 target, bool far) {
 
 #ifdef COARSE
 vec4 nearerOf(vec4 a, vec4 b) {
-    return depthSign * b.z > depthSign * a.z ? b : a;
+    return mirror.depthSign * b.z > mirror.depthSign * a.z ? b : a;
 }
 
 vec4 fartherOf(vec4 a, vec4 b) {
-    return depthSign * b.z < depthSign * a.z ? b : a;
+    return mirror.depthSign * b.z < mirror.depthSign * a.z ? b : a;
 }
 
 // Of a cell's pixels the nearest stands for all, since any fixed one would lose what is thin; the farthest tells whether
 // the plane is seen, which goes on behind a far plane.
 bool scatterCells(ivec2 first, int rows) {
     vec4 above = aboveRow();
-    ivec2 last = region.zw - 1;
+    ivec2 last = mirror.region.zw - 1;
     vec2 perTexel = perDepthTexel();
-    int quads = (1 << keyShift) >> 1;
+    int quads = (1 << mirror.keyShift) >> 1;
     bool planeSeen = false;
     int row = 0;
     do {
         vec4 nearest, farthest;
         for (int i = 0; i < quads * quads; ++i) {
             // Past the border, the pixels before it again.
-            ivec2 corner = min(first + 2 * ivec2(i & (quads - 1), i >> (keyShift - 1)), last);
+            ivec2 corner = min(first + 2 * ivec2(i & (quads - 1), i >> (mirror.keyShift - 1)), last);
             vec4 depths = depthsAround(corner + 1, perTexel);
             vec4 own = vec4(vec2(corner) + 0.5, depths.w, 1.0);
             bvec2 goesOn = lessThan(corner, last);
@@ -73,10 +73,10 @@ bool scatterCells(ivec2 first, int rows) {
             farthest = i == 0 ? far : fartherOf(farthest, far);
         }
         bool far = isFar(nearest.z);
-        if (isFar(farthest.z)) farthest.z = infinityDepth;
-        if (far || dot(above, nearest) > 0.0) scatter(screenMirror * nearest, far);
+        if (isFar(farthest.z)) farthest.z = mirror.infinityDepth;
+        if (far || dot(above, nearest) > 0.0) scatter(mirror.screenMirror * nearest, far);
         planeSeen = planeSeen || dot(above, farthest) <= 0.0;
-        first.y += 1 << keyShift;
+        first.y += 1 << mirror.keyShift;
     } while (++row < rows && first.y <= last.y);
     return planeSeen;
 }
@@ -87,21 +87,21 @@ vec4 targetPerDepth;
 // All that a pixel needs is affine in (x, y, depth): only the depth's share is left for the loop.
 bool scatterPixel(vec4 target, float above, float depth) {
     bool far = isFar(depth);
-    bool seesPlane = above + abovePerDepth * (far ? infinityDepth : depth) <= 0.0;
+    bool seesPlane = above + abovePerDepth * (far ? mirror.infinityDepth : depth) <= 0.0;
     if (!seesPlane) scatter(target + targetPerDepth * depth, far);
     return seesPlane;
 }
 
 bool scatterPixels(ivec2 first, int rows) {
     vec4 corner = vec4(vec2(first) + 0.5, 0.0, 1.0);
-    vec4 target = screenMirror * corner;
-    vec4 perColumn = screenMirror[0];
-    vec4 perRow = screenMirror[1];
-    targetPerDepth = screenMirror[2];
+    vec4 target = mirror.screenMirror * corner;
+    vec4 perColumn = mirror.screenMirror[0];
+    vec4 perRow = mirror.screenMirror[1];
+    targetPerDepth = mirror.screenMirror[2];
     vec4 row = aboveRow();
     abovePerDepth = row.z;
     float above = dot(row, corner);
-    ivec2 last = region.zw - 1;
+    ivec2 last = mirror.region.zw - 1;
     bool goesOn = first.x < last.x;
     vec2 perTexel = perDepthTexel();
     bool planeSeen = false;
@@ -127,13 +127,13 @@ void main() {
     loadMirror();
     keysAcross = keyGrid().x;
     tilesInRow = tilesAcross();
-    int rows = (tileEdge << pixelShift) >> keyShift;
-    ivec2 first = ivec2(gl_GlobalInvocationID.x << max(keyShift, 1), int(gl_GlobalInvocationID.y) * rows << keyShift);
-    if (first.x >= region.z || first.y >= region.w) return;
+    int rows = (tileEdge << mirror.pixelShift) >> mirror.keyShift;
+    ivec2 first = ivec2(gl_GlobalInvocationID.x << max(mirror.keyShift, 1), int(gl_GlobalInvocationID.y) * rows << mirror.keyShift);
+    if (first.x >= mirror.region.z || first.y >= mirror.region.w) return;
 #ifdef COARSE
     bool planeSeen = scatterCells(first, rows);
 #else
     bool planeSeen = scatterPixels(first, rows);
 #endif
-    if (planeSeen) atomicOr(tiles[tileAt(first >> (tileShift + pixelShift))], tileSeesPlane);
+    if (planeSeen) atomicOr(tiles[tileAt(first >> (tileShift + mirror.pixelShift))], tileSeesPlane);
 }

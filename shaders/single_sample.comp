@@ -6,19 +6,19 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 1) uniform sampler2DMS samples;   // with RESOLVED the depth's
+layout(set = 0, binding = samplesBinding) uniform sampler2DMS samples;   // with RESOLVED the depth's
 #if defined(COLOR) || defined(RESOLVED)
-layout(set = 0, binding = 2, rgba16f) uniform writeonly image2D chosen;
+layout(set = 0, binding = chosenBinding, rgba16f) uniform writeonly image2D chosen;
 #else
-layout(set = 0, binding = 2, r32f) uniform writeonly image2D chosen;
+layout(set = 0, binding = chosenBinding, r32f) uniform writeonly image2D chosen;
 #endif
 
 #ifdef RESOLVED
-layout(set = 0, binding = 3) uniform sampler2D resolved;
+layout(set = 0, binding = resolvedBinding) uniform sampler2D resolved;
 
 // Inverse distance, to a factor.
 float nearnessAt(ivec2 pixel, int index) {
-    return abs(texelFetch(samples, region.xy + pixel, index).r - infinityDepth);
+    return abs(texelFetch(samples, mirror.region.xy + pixel, index).r - mirror.infinityDepth);
 }
 
 // How many of a pixel's samples lie about as far away: on one surface.
@@ -43,7 +43,7 @@ ivec2 leastMixed(ivec2 pixel) {
     if (most == textureSamples(samples)) return pixel;
     int i = 0;
     do {
-        ivec2 beside = clamp(pixel + around[i], ivec2(0), region.zw - 1);
+        ivec2 beside = clamp(pixel + around[i], ivec2(0), mirror.region.zw - 1);
         int count = samplesBeside(beside, nearness);
         if (count > most) best = beside;
         most = max(most, count);
@@ -55,11 +55,11 @@ ivec2 leastMixed(ivec2 pixel) {
 void main() {
     loadMirror();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, region.zw))) return;
+    if (any(greaterThanEqual(pixel, mirror.region.zw))) return;
 #ifdef RESOLVED
-    vec4 value = texelFetch(resolved, region.xy + leastMixed(pixel), 0);
+    vec4 value = texelFetch(resolved, mirror.region.xy + leastMixed(pixel), 0);
 #else
-    vec4 value = texelFetch(samples, region.xy + pixel, 0);
+    vec4 value = texelFetch(samples, mirror.region.xy + pixel, 0);
 #endif
-    imageStore(chosen, region.xy + pixel, value);
+    imageStore(chosen, mirror.region.xy + pixel, value);
 }

@@ -4,45 +4,34 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
+#include "temporal_block.h"
 #include "reflection_info.glsl"
 #include "sight_line.glsl"
 #include "tiles.glsl"
 
-// Loaded once, as mirror.glsl's are.
-mat4 lastFromRelative;   // to the last frame's pixels, from where this frame's eye is
-mat4 relativeFromLast;   // and back
-vec2 jitter;             // this frame's [pixel]
-float share;             // of the last frame, 0 where there is none
-float kept;              // of the confidence, where only the last frame knows
+layout(set = 0, binding = settingsBinding, std140) uniform Temporal {
+    TemporalBlock storedSettings;
+};
+
+// Loaded once, as mirror.glsl's.
+TemporalBlock settings;
 // Of both frames' images.
 ivec2 lastPixel;
 vec2 perPixel;
 
-layout(set = 0, binding = 1, std140) uniform Temporal {
-    mat4 lastFromRelative;
-    mat4 relativeFromLast;
-    vec2 jitter;
-    float share;
-    float kept;
-} storedTemporal;
-
 void loadTemporal() {
-    lastFromRelative = storedTemporal.lastFromRelative;
-    relativeFromLast = storedTemporal.relativeFromLast;
-    jitter = storedTemporal.jitter;
-    share = storedTemporal.share;
-    kept = storedTemporal.kept;
+    settings = storedSettings;
     lastPixel = imageSize() - 1;
     perPixel = 1.0 / vec2(imageSize());
 }
 
-layout(set = 0, binding = 2) uniform sampler2D foundColor;
-layout(set = 0, binding = 3) uniform sampler2D foundInfo;
-layout(set = 0, binding = 4) uniform sampler2D lastColor;
-layout(set = 0, binding = 5) uniform sampler2D lastInfo;
-layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D reflectionColor;
-layout(set = 0, binding = 7, r16f) uniform writeonly image2D reflectionInfo;
-layout(set = 0, binding = 8, std430) readonly buffer Tiles {
+layout(set = 0, binding = foundColorBinding) uniform sampler2D foundColor;
+layout(set = 0, binding = foundInfoBinding) uniform sampler2D foundInfo;
+layout(set = 0, binding = lastColorBinding) uniform sampler2D lastColor;
+layout(set = 0, binding = lastInfoBinding) uniform sampler2D lastInfo;
+layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;
+layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D reflectionInfo;
+layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
@@ -105,12 +94,12 @@ Row rowAt(ivec2 pixel, vec3 infos) {
 }
 
 vec2 lastTexel(vec3 image) {
-    vec4 p = lastFromRelative * vec4(image, 1.0);
-    return p.w > 0.0 ? p.xy / (p.w * float(1 << pixelShift)) : vec2(-1.0);
+    vec4 p = settings.lastFromRelative * vec4(image, 1.0);
+    return p.w > 0.0 ? p.xy / (p.w * float(1 << mirror.pixelShift)) : vec2(-1.0);
 }
 
 SightLine lastSightLine(vec2 texel) {
-    return sightLine(relativeFromLast, texel * float(1 << pixelShift), plane, depthSign);
+    return sightLine(settings.relativeFromLast, texel * float(1 << mirror.pixelShift), mirror.plane, mirror.depthSign);
 }
 
 struct Remembered {
@@ -214,7 +203,7 @@ vec4 asHalves(vec4 value) {
 
 // Halves would keep a small difference for ever, of which a share is lost in rounding.
 vec4 mixed(vec4 found, vec4 was) {
-    vec4 sum = asHalves(found + share * (was - found));
+    vec4 sum = asHalves(found + settings.share * (was - found));
     return mix(sum, found, equal(sum, asHalves(was)));
 }
 
@@ -233,7 +222,7 @@ Pixel blended(Pixel found, Around around, Remembered last) {
 // Where this frame knows nothing: what the last one knew of some point of the line of sight. That was sought by the distance
 // of one texel; kept from frame to frame, it would lag behind the rest.
 Pixel recalled(Pixel found, Around around, Remembered last, Place place) {
-    vec4 color = kept * (around.most.a > 0.0 ? min(last.color, around.most) : last.color);
+    vec4 color = settings.kept * (around.most.a > 0.0 ? min(last.color, around.most) : last.color);
     if (last.weight < surely || color.a < leastConfidence) return found;
     return Pixel(color, infoOfHit(place.distance + last.distance - place.distanceThen));
 }
@@ -241,8 +230,8 @@ Pixel recalled(Pixel found, Around around, Remembered last, Place place) {
 Pixel settled(ivec2 pixel, Pixel found, Around around) {
     bool known = found.info != infoUnknown;
     // Sky among sky is the same in all frames.
-    if (share == 0.0 || known && around.distances.y == 0.0) return found;
-    SightLine sight = sightLine(relativeFromPixel, middleOf(pixel) + jitter, plane, depthSign);
+    if (settings.share == 0.0 || known && around.distances.y == 0.0) return found;
+    SightLine sight = sightLine(mirror.relativeFromPixel, middleOf(pixel) + settings.jitter, mirror.plane, mirror.depthSign);
     if (!(sight.towardsPlane > 0.0)) return found;
     // The least distance tells, since the border of what is in front moves with that.
     Place place = lastPlace(sight, around.distances.x, !known);

@@ -7,15 +7,15 @@
 
 layout(local_size_x = 64, local_size_y = 1) in;
 
-layout(set = 0, binding = 3, std430) buffer Tiles {
+layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
     TileHeader header;
     uint tiles[];
 };
 #include "list_tile.glsl"
 
 #ifdef ROOFS
-layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2, std430) readonly buffer Keys {
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
     uint keys[];
 };
 #include "keys.glsl"
@@ -29,7 +29,7 @@ layout(set = 0, binding = 2, std430) readonly buffer Keys {
 // What hangs over a mirror may reach farther than any keys are near: here and there in a tile.
 bool hangsOver(ivec2 tile) {
     loadKeyGrid();
-    float pixels = float(tileEdge << pixelShift);
+    float pixels = float(tileEdge << mirror.pixelShift);
     for (int i = 0; i < 4; ++i) {
         vec2 q = (vec2(tile) + vec2(0.25) + 0.5 * vec2(i & 1, i >> 1)) * pixels;
         if (underRoof(q, rayOf(q), noHit).valid) return true;

@@ -164,8 +164,8 @@ Status Bed::take(Context& context, VkCommandBuffer commands, uint32_t viewIndex)
 Status Bed::takeFirstSamples(Context& context, VkCommandBuffer commands, const BedPicture& picture) const {
     const ViewGeometry& camera = picture.camera;
     gpu::Slice mirror;
-    if (const Status s = context.frame().upload(
-            mirrorUniforms(camera, {0, 1, 0, 0}, {}, {0, 0, camera.regionSize}), mirror);
+    if (const Status s =
+            context.frame().upload(mirrorBlock(camera, {0, 1, 0, 0}, {}, {0, 0, camera.regionSize}), mirror);
         s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, commands, "bed_single_sample");

@@ -141,8 +141,8 @@ Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
     if (!mayShow(geometry)) return Status::ok;
     const ReflectionDesc desc;
     gpu::Slice mirror;
-    if (const Status s = context->frame().upload(
-            mirrorUniforms(geometry, plane, desc, {0, 0, geometry.regionSize}), mirror);
+    if (const Status s =
+            context->frame().upload(mirrorBlock(geometry, plane, desc, {0, 0, geometry.regionSize}), mirror);
         s != Status::ok)
         return s;
     return takeSamples({*context, commands, scene.read, geometry, desc, mirror}, singleSamples, scene);

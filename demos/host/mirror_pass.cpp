@@ -104,7 +104,7 @@ bool MirrorPass::createSet(MirrorSurface& surface, Error& error) const {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
                                           {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3}};
     if (!allocateSet(*device_, setLayout_.get(), sizes, surface.pool, surface.set, error)) return false;
-    writeUniformBuffer(*device_, surface.set, surface.uniforms.buffer.get(), sizeof(MirrorUniforms));
+    writeUniformBuffer(*device_, surface.set, surface.uniforms.buffer.get(), sizeof(MirrorBlock));
     writeTexture(*device_, surface.set, textureBinding, surface.texture->image.view.get(),
                  surface.texture->sampler.get());
     // Without a reflection they are not read, and need something to point at.
@@ -127,7 +127,7 @@ bool MirrorPass::createSurface(const FloorDesc& desc, const MirrorSurface* alike
         out.texture = texture;
     }
     return createSampler(*device_, {}, out.reflectionSampler, error) &&
-           createBuffer(*device_, sizeof(MirrorUniforms), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+           createBuffer(*device_, sizeof(MirrorBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                         BufferPlace::upload, out.uniforms, error) &&
            createSet(out, error) && (!isMirrored(desc.reflection) || createReflector(out, error));
 }
@@ -173,7 +173,7 @@ void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camer
     const FloorDesc& desc = surface.desc;
     const FloorPlane& plane = surface.plane;
     const auto with = [](const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w)); };
-    MirrorUniforms uniforms{};
+    MirrorBlock uniforms{};
     uniforms.middle = with(plane.middle - camera.eye, desc.reflectance);
     uniforms.across = with(plane.across * (desc.widthM / 2), desc.widthM / 2 / desc.textureM);
     uniforms.along = with(plane.along * (desc.lengthM / 2), desc.lengthM / 2 / desc.textureM);

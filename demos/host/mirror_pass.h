@@ -15,7 +15,7 @@ struct ReflectorDeleter {
 };
 
 /// As in shaders/mirror.glsl.
-struct MirrorUniforms {
+struct MirrorBlock {
     glm::vec4 middle;  ///< relative to the eye; w: reflectance
     glm::vec4 across;  ///< half the width; w: repeats of the texture in that
     glm::vec4 along;   ///< half the length; w: repeats of the texture in that

@@ -5,11 +5,11 @@ const int cellShift = 3;
 const int blockShift = 6;
 
 int squaresAcross(int shift) {
-    return (region.z + (1 << shift) - 1) >> shift;
+    return (mirror.region.z + (1 << shift) - 1) >> shift;
 }
 
 int squaresDown(int shift) {
-    return (region.w + (1 << shift) - 1) >> shift;
+    return (mirror.region.w + (1 << shift) - 1) >> shift;
 }
 
 int cellCount() {

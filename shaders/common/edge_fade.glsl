@@ -2,7 +2,7 @@
 
 // How many times `along` leads from a point to the border.
 float stepsToBorder(vec2 point, vec2 along) {
-    vec2 room = mix(point, vec2(region.zw) - point, step(0.0, along));
+    vec2 room = mix(point, vec2(mirror.region.zw) - point, step(0.0, along));
     vec2 steps = room / max(abs(along), vec2(1e-6));
     return min(steps.x, steps.y);
 }
@@ -17,12 +17,12 @@ float borderDistance(vec2 q, vec2 source) {
 // By the pixels that are left to where it has faded out.
 float confidenceWithin(float left) {
     // Of no width, nothing fades, nor what rounding puts on the border.
-    float x = edgeFadePixels > 0.0 ? clamp(left / edgeFadePixels, 0.0, 1.0) : 1.0;
+    float x = mirror.edgeFadePixels > 0.0 ? clamp(left / mirror.edgeFadePixels, 0.0, 1.0) : 1.0;
     return x * x * x * (x * (x * 6.0 - 15.0) + 10.0);
 }
 
 // Of the border ahead, or of any: the others are moved `edgeFadeApart` farther away.
 float edgeConfidence(vec2 q, vec2 source) {
-    vec2 aside = min(source, vec2(region.zw) - source);
-    return confidenceWithin(min(borderDistance(q, source), min(aside.x, aside.y) + edgeFadeApart));
+    vec2 aside = min(source, vec2(mirror.region.zw) - source);
+    return confidenceWithin(min(borderDistance(q, source), min(aside.x, aside.y) + mirror.edgeFadeApart));
 }

@@ -22,7 +22,7 @@ struct Entry {
 };
 
 bool hides(vec2 point, float depth) {
-    return depthSign * (depthAt(texelAt(point, region.zw - 1)) - infinityDepth - depth) >= 0.0;
+    return mirror.depthSign * (depthAt(texelAt(point, mirror.region.zw - 1)) - mirror.infinityDepth - depth) >= 0.0;
 }
 
 // How many of the next pixels of its way hide a ray, whose depth is linear there: looked for in strides, then in pixels.
@@ -57,14 +57,14 @@ Entry entryBefore(ScreenRay ray, vec2 q, vec2 from, float mostPixels) {
     float pixels = min(floor(way), mostPixels);
     float hidden = hiddenPixels(ray, from, step, pixels);
     vec2 point = from + hidden * step;
-    ivec2 last = region.zw - 1;
+    ivec2 last = mirror.region.zw - 1;
     Guesses between = Guesses(texelAt(point + step, last), texelAt(point, last));
     return Entry(hidden < pixels ? between : noGuesses, point, rayDepthAt(ray, point));
 }
 
 // The last hidden point of a ray before it is seen again.
 vec2 exitAfter(ScreenRay ray, vec2 from, vec2 step, float mostPixels) {
-    vec2 left = (mix(vec2(0.0), vec2(region.zw), greaterThan(step, vec2(0.0))) - from) / step;
+    vec2 left = (mix(vec2(0.0), vec2(mirror.region.zw), greaterThan(step, vec2(0.0))) - from) / step;
     left = mix(left, vec2(mostPixels), lessThan(abs(step), vec2(1e-3)));
     float pixels = clamp(floor(min(left.x, left.y)) - 1.0, 0.0, mostPixels);
     return from + hiddenPixels(ray, from, step, pixels) * step;

@@ -4,6 +4,6 @@
 float distanceToHit(vec2 q, float mirroredDepth) {
     vec3 end = unprojected(vec3(q, mirroredDepth));
     // Along the line of sight, from the eye or from infinity, whichever way depth runs.
-    vec3 along = depthSign * (end * relativeFromPixel[2].w - relativeFromPixel[2].xyz);
-    return length(along) * (dot(plane.xyz, end) + plane.w) / dot(plane.xyz, along);
+    vec3 along = mirror.depthSign * (end * mirror.relativeFromPixel[2].w - mirror.relativeFromPixel[2].xyz);
+    return length(along) * (dot(mirror.plane.xyz, end) + mirror.plane.w) / dot(mirror.plane.xyz, along);
 }

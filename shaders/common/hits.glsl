@@ -19,6 +19,6 @@ struct LineKey {
 // What left a key in another cell.
 ivec2 sourceOf(LineKey from) {
     if (from.key == noKey) return nowhere;
-    vec4 p = sceneFromPixel * vec4((vec2(from.cell) + 0.5) * float(1 << keyShift), depthFromKey(from.key), 1.0);
-    return texelAt(p.xy / p.w, region.zw - 1);
+    vec4 p = mirror.sceneFromPixel * vec4((vec2(from.cell) + 0.5) * float(1 << mirror.keyShift), depthFromKey(from.key), 1.0);
+    return texelAt(p.xy / p.w, mirror.region.zw - 1);
 }

@@ -11,14 +11,14 @@ float farthest(vec2 apart) {
 
 // On the screen, from a pixel of the mirror to what it shows.
 vec2 awayFrom(vec2 q) {
-    vec4 start = sceneFromPixel * vec4(q, 0.0, 1.0);
-    vec4 along = sceneFromPixel[2];
-    vec2 away = depthSign * (start.xy * along.w - along.xy * start.w);
+    vec4 start = mirror.sceneFromPixel * vec4(q, 0.0, 1.0);
+    vec4 along = mirror.sceneFromPixel[2];
+    vec2 away = mirror.depthSign * (start.xy * along.w - along.xy * start.w);
     return away / max(farthest(away), 1e-30);
 }
 
 // Halfway between two such looks lies another: what stands on what hangs hides half of it.
 ivec2 cellBefore(vec2 q, vec2 away, int look) {
     float cells = 0.5 * float((firstLook * (2 + (look & 1))) << (look >> 1));
-    return texelAt(q / float(1 << keyShift) - cells * away, lastCell);
+    return texelAt(q / float(1 << mirror.keyShift) - cells * away, lastCell);
 }

@@ -4,15 +4,11 @@
 // A point moving along a 3D line is a homogeneous screen point that moves linearly: clipping to the picture and to the
 // depth range is exact, and between two screen points pixel, depth and 1/w are linear (McGuire and Mara 2014).
 
-layout(set = 0, binding = 1) uniform sampler2D sceneDepth;
-layout(set = 0, binding = 2, std140) uniform MarchSettings {
-    mat4 pixelFromRelative;
-    vec4 forwardRow;    // distance ahead of the eye [m] is forwardRow.p / weightRow.p for p = (x, y, depth, 1)
-    float thickness;    // [m]
-    float longest;      // [m] of a ray
-    float jitter;       // share of a stride
-    int steps;
-    bool hasNormals;
+#include "march_block.h"
+
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = settingsBinding, std140) uniform MarchSettings {
+    MarchBlock settings;
 };
 
 const int falseAlarms = 12;   // crossings that may be turned down before the ray is given up
@@ -29,8 +25,8 @@ struct Scene {
 };
 
 Scene loadedScene() {
-    return Scene(region.xy, region.zw - 1, depthSign, depthSign * farDepth,
-                 aboveRow(), thickness, depthSign * weightRow.z);
+    return Scene(mirror.region.xy, mirror.region.zw - 1, mirror.depthSign, mirror.depthSign * mirror.farDepth,
+                 aboveRow(), settings.thickness, mirror.depthSign * mirror.weightRow.z);
 }
 
 // A ray on the screen. All but the metres is linear in the share of its length there; depths are signed so that the nearer
@@ -62,11 +58,11 @@ vec4 screenPoint(vec4 homogeneous) {
 
 // How distance ahead turns with depth at a screen point whose 1/w is `weight`; see within().
 float turnsWithDepth(vec3 point, float weight) {
-    return depthSign * (dot(forwardRow, vec4(point, 1.0)) * weightRow.z - forwardRow.z * weight);
+    return mirror.depthSign * (dot(settings.forwardRow, vec4(point, 1.0)) * mirror.weightRow.z - settings.forwardRow.z * weight);
 }
 
 Track trackOf(vec4 start, vec4 perMetre, float metres) {
-    vec2 size = vec2(region.zw);
+    vec2 size = vec2(mirror.region.zw);
     vec2 picture = vec2(0.0, metres);
     keepWhere(start.x, perMetre.x, picture);
     keepWhere(start.y, perMetre.y, picture);
@@ -75,8 +71,8 @@ Track trackOf(vec4 start, vec4 perMetre, float metres) {
     // Depth runs from the one to the other, one of them the near plane.
     vec2 greatest = vec2(start.w - start.z, perMetre.w - perMetre.z);
     vec2 least = vec2(start.z, perMetre.z);
-    vec2 near = depthSign > 0.0 ? greatest : least;
-    vec2 far = depthSign > 0.0 ? least : greatest;
+    vec2 near = mirror.depthSign > 0.0 ? greatest : least;
+    vec2 far = mirror.depthSign > 0.0 ? least : greatest;
     keepWhere(near.x, near.y, picture);
     Track track;
     track.range = picture;
@@ -84,7 +80,7 @@ Track trackOf(vec4 start, vec4 perMetre, float metres) {
     track.leavesPicture = picture.y < metres && track.range.y >= picture.y;
     vec4 first = screenPoint(start + perMetre * track.range.x);
     vec4 last = screenPoint(start + perMetre * track.range.y);
-    vec3 toSigned = vec3(1.0, 1.0, depthSign);
+    vec3 toSigned = vec3(1.0, 1.0, mirror.depthSign);
     track.first = first.xyz * toSigned;
     track.along = (last.xyz - first.xyz) * toSigned;
     vec2 turns = vec2(turnsWithDepth(first.xyz, first.w), turnsWithDepth(last.xyz, last.w));
@@ -105,7 +101,7 @@ float trackMetres(Track track, float share) {
 }
 
 float depthAt(vec2 pixel) {
-    return texelFetch(sceneDepth, region.xy + ivec2(pixel), 0).r;
+    return texelFetch(sceneDepth, mirror.region.xy + ivec2(pixel), 0).r;
 }
 
 // What a ray can be behind.
@@ -149,7 +145,7 @@ struct Slope {
 
 // How far the difference of two depths may be off.
 float roundingAt(float depth) {
-    return 1e-6 * abs(depth) + depthStep;
+    return 1e-6 * abs(depth) + mirror.depthStep;
 }
 
 Slope slopeOf(float before2, float before, float here, float after, float after2) {
@@ -165,7 +161,7 @@ Slope slopeOf(float before2, float before, float here, float after, float after2
 }
 
 float signedDepthAt(vec2 pixel) {
-    return depthSign * depthAt(clamp(pixel, vec2(0.0), vec2(region.zw) - 0.5));
+    return mirror.depthSign * depthAt(clamp(pixel, vec2(0.0), vec2(mirror.region.zw) - 0.5));
 }
 
 Slope slopeAlong(vec2 pixel, vec2 step, float here) {
@@ -208,7 +204,7 @@ const int met = 5;
 // How far a ray is behind what is seen, in the pixels that so many metres cover there.
 float pixelsBehind(Track track, float share, float ray, float seen) {
     vec2 here = track.weights.xz + share * track.weights.yw;
-    vec3 row = vec3(pixelFromRelative[0].y, pixelFromRelative[1].y, pixelFromRelative[2].y);
+    vec3 row = vec3(settings.pixelFromRelative[0].y, settings.pixelFromRelative[1].y, settings.pixelFromRelative[2].y);
     float deeper = seen - ray;
     return deeper * here.y * length(row) / (here.x + track.scene.weightPerDepth * deeper);
 }
@@ -251,7 +247,7 @@ vec3 shownIn(Track track, float share, vec2 middle) {
 // goes on as far as that.
 int settled(Track track, inout Crossing crossing) {
     vec3 point = trackPoint(track, crossing.share);
-    vec2 middle = floor(min(point.xy, vec2(region.zw) - 0.5)) + 0.5;
+    vec2 middle = floor(min(point.xy, vec2(mirror.region.zw) - 0.5)) + 0.5;
     Seen here = seenAt(track.scene, ivec2(middle));
     if (!here.counts) return refused;
     float seen = here.depth;

@@ -2,7 +2,7 @@
 // ray are passed over at once. Needs march.glsl, cells.glsl and the buffer Cells.
 
 Progress atStart(Track track, float noise) {
-    return Progress(0.0, true, false, noCover, steps);
+    return Progress(0.0, true, false, noCover, settings.steps);
 }
 
 // Squares of pixels that a track crosses one after the other (Amanatides and Woo 1987).

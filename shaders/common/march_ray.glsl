@@ -2,8 +2,8 @@
 
 // From `from` along the unit `direction`, which leads away from the plane, for so many metres. `noise` is 0..1.
 March marched(vec3 from, vec3 direction, float metres, float noise) {
-    vec4 perMetre = pixelFromRelative * vec4(direction, 0.0);
-    Track track = trackOf(pixelFromRelative * vec4(from, 1.0), perMetre, metres);
+    vec4 perMetre = settings.pixelFromRelative * vec4(direction, 0.0);
+    Track track = trackOf(settings.pixelFromRelative * vec4(from, 1.0), perMetre, metres);
     if (!(track.range.x < track.range.y)) return March(infoUnknown, vec3(0.0), refused);
 
     Progress at = atStart(track, noise);
@@ -29,7 +29,7 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
         }
     } while (++alarms <= falseAlarms && found < underside && at.looks > 0 && at.reached < 1.0);
     if (found != refused) {
-        shown.z = depthSign * shown.z - infinityDepth;
+        shown.z = mirror.depthSign * shown.z - mirror.infinityDepth;
         return March(infoOfHit(trackMetres(track, share)), shown, found);
     }
     bool sky = at.reached >= 1.0 && !at.hidden && !track.leavesPicture && reachesSky(track, perMetre);

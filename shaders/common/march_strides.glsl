@@ -3,11 +3,11 @@
 const int bisections = 6;
 
 Progress atStart(Track track, float noise) {
-    float stride = max(2.0 * track.halfPixel, 1.0 / float(steps));
+    float stride = max(2.0 * track.halfPixel, 1.0 / float(settings.steps));
     Seen seen = seenAt(track.scene, pixelAt(track.scene, track.first.xy));
     float halfPixel = track.halfPixel * abs(track.along.z);
     bool isBehind = seen.counts && seen.depth >= track.first.z - halfPixel;
-    return Progress(-jitter * noise * stride, !isBehind, false, noCover, steps + 1);
+    return Progress(-settings.jitter * noise * stride, !isBehind, false, noCover, settings.steps + 1);
 }
 
 // Closes in on where a ray goes behind what is seen between two strides, or where it `leaves`.
@@ -34,7 +34,7 @@ Crossing bisected(Track track, float low, float high, bool inFront, bool leaves)
 // The next stride on which the ray may cross what is seen, or come out of it. The interval of depth that the ray has over
 // a pixel is compared, not its middle: otherwise the last row of every edge is missed.
 Crossing nextCrossing(Track track, inout Progress at) {
-    float stride = max(2.0 * track.halfPixel, 1.0 / float(steps));
+    float stride = max(2.0 * track.halfPixel, 1.0 / float(settings.steps));
     float halfPixel = track.halfPixel * abs(track.along.z);
     float nearer = max(-track.along.z * stride, 0.0) + halfPixel;
     float last = at.reached;

@@ -8,11 +8,11 @@ struct FarEnd {
 };
 
 FarEnd farEndOf(vec2 q) {
-    return FarEnd(skyFromPixel * vec3(q, 1.0), dot(heightRow, vec4(q, infinityDepth, 1.0)));
+    return FarEnd(mirror.skyFromPixel * vec3(q, 1.0), dot(mirror.heightRow, vec4(q, mirror.infinityDepth, 1.0)));
 }
 
 FarEnd farEndPerRow(float pixels) {
-    return FarEnd(pixels * skyFromPixel[1], pixels * heightRow.y);
+    return FarEnd(pixels * mirror.skyFromPixel[1], pixels * mirror.heightRow.y);
 }
 
 // The mirrored ray's far end tells whether the sky it would reach is on the screen.
@@ -27,5 +27,5 @@ float infoOfMiss(vec2 q) {
 }
 
 bool planeAhead(vec2 q) {
-    return dot(heightRow, vec4(q, infinityDepth, 1.0)) < 0.0;
+    return dot(mirror.heightRow, vec4(q, mirror.infinityDepth, 1.0)) < 0.0;
 }

@@ -11,7 +11,7 @@ const int mostTries = 16;        // at a level top, each twice as far off: more 
 // comes to what shows here.
 ivec2 roofBefore(vec2 q, vec2 away, uint here) {
     LineKey roof = LineKey(noKey, ivec2(0));
-    for (int i = 0; i < 2 * int(roofLooks); ++i) {
+    for (int i = 0; i < 2 * int(mirror.roofLooks); ++i) {
         ivec2 cell = cellBefore(q, away, i);
         uint key = keyAt(cell);
         bool found = roof.key == noKey && key > here;
@@ -22,30 +22,30 @@ ivec2 roofBefore(vec2 q, vec2 away, uint here) {
 }
 
 float heightOf(vec4 point) {
-    return dot(heightRow, point) / dot(weightRow, point);
+    return dot(mirror.heightRow, point) / dot(mirror.weightRow, point);
 }
 
 // What is seen at a point, as a screen point.
 vec4 seenPoint(vec2 point) {
-    return vec4(point, depthAt(texelAt(point, region.zw - 1)), 1.0);
+    return vec4(point, depthAt(texelAt(point, mirror.region.zw - 1)), 1.0);
 }
 
 // The mirrored depth at which a ray is as high.
 float depthAtHeight(vec2 q, float height) {
     vec4 start = vec4(q, 0.0, 1.0);
-    return -(dot(heightRow, start) + height * dot(weightRow, start)) / (heightRow.z + height * weightRow.z);
+    return -(dot(mirror.heightRow, start) + height * dot(mirror.weightRow, start)) / (mirror.heightRow.z + height * mirror.weightRow.z);
 }
 
 float metresPerPixel(vec4 point) {
-    vec4 p = relativeFromPixel * point;
-    vec4 beside = p + relativeFromPixel[0];
+    vec4 p = mirror.relativeFromPixel * point;
+    vec4 beside = p + mirror.relativeFromPixel[0];
     return distance(p.xyz / p.w, beside.xyz / beside.w);
 }
 
 // Whether a top is level there, as a rail or a wall is not.
 bool isLevel(vec2 point, vec2 away, float edgeHeight) {
     vec4 here = seenPoint(point);
-    vec4 before = seenPoint(clamp(point - away, vec2(0.5), vec2(region.zw) - 0.5));
+    vec4 before = seenPoint(clamp(point - away, vec2(0.5), vec2(mirror.region.zw) - 0.5));
     if (isFar(here.z) || isFar(before.z)) return false;
     float top = heightOf(here);
     float rise = abs(heightOf(before) - top);
@@ -84,7 +84,7 @@ bool topShowsBeside(vec2 point, vec2 aside, float top, float within, out vec2 be
 // Where the ray is as high as the edge that it goes in under, it meets an underside, provided that straight above a level top
 // is seen, as high as the one by which the ray gets out of sight, or what stands on that.
 Hit hitUnderTop(vec2 q, ScreenRay ray, float height, float depth, float top) {
-    vec4 mirrored = vec4(q, depth - infinityDepth, 1.0);
+    vec4 mirrored = vec4(q, depth - mirror.infinityDepth, 1.0);
     vec4 above = mix(mirrored, ray.origin + depth * ray.along, 0.5 * (top / height + 1.0));
     vec2 source = above.xy / above.w;
     bool shows = top > height && above.w > 0.0 && insideRegion(source);
@@ -93,7 +93,7 @@ Hit hitUnderTop(vec2 q, ScreenRay ray, float height, float depth, float top) {
     float within = levelWithin * (top - height);
     bool level = !isFar(seen.z) && abs(heightOf(seen) - top) < within;
     if (shows && !isFar(seen.z) && heightOf(seen) > top + within) {
-        vec2 aside = vec2(-heightRow.y, heightRow.x) / max(length(heightRow.xy), 1e-30);
+        vec2 aside = vec2(-mirror.heightRow.y, mirror.heightRow.x) / max(length(mirror.heightRow.xy), 1e-30);
         vec2 beside;
         level = topShowsBeside(middle, aside, top, within, beside) || topShowsBeside(middle, -aside, top, within, beside);
         middle = level ? beside : middle;
@@ -106,7 +106,7 @@ Hit underRoof(vec2 q, ScreenRay ray, Hit shown) {
     ivec2 roof = roofBefore(q, away, shown.valid ? keyFromDepth(shown.depth) : noKey);
     vec2 from = vec2(roof) + 0.5;
     bool first = !shown.valid || dot(shown.source - from, away) > 2.0;
-    float mostPixels = float(firstLook << roofLooks);
+    float mostPixels = float(firstLook << mirror.roofLooks);
     Hit hit = noHit;
     if (roof != nowhere && first) {
         Entry entry = entryBefore(ray, q, from, mostPixels);
@@ -116,7 +116,7 @@ Hit underRoof(vec2 q, ScreenRay ray, Hit shown) {
         float height = heightOf(edge);
         float depth = depthAtHeight(q, height);
         bool above = height > leastHeight * metresPerPixel(edge);
-        bool before = !shown.valid || depthSign * (depth - shown.depth) > 0.0;
+        bool before = !shown.valid || mirror.depthSign * (depth - shown.depth) > 0.0;
         if (above && before) {
             vec2 end = exitAfter(ray, from, away, mostPixels);
             vec2 on;

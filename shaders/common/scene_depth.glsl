@@ -1,7 +1,7 @@
 // Needs mirror.glsl and sceneDepth.
 
 float depthAt(ivec2 pixel) {
-    return texelFetch(sceneDepth, region.xy + pixel, 0).r;
+    return texelFetch(sceneDepth, mirror.region.xy + pixel, 0).r;
 }
 
 // Whether what shows at a pixel can be mirrored: neither the far plane nor deeper under the mirror than is told apart.

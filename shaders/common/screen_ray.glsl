@@ -7,10 +7,10 @@ struct ScreenRay {
 };
 
 ScreenRay rayOf(vec2 q) {
-    vec4 origin = sceneFromPixel * vec4(q, 0.0, 1.0);
-    vec4 along = sceneFromPixel[2];
-    origin.z = dot(depthRow, vec4(q, 0.0, 1.0));
-    along.z = depthRow.z;
+    vec4 origin = mirror.sceneFromPixel * vec4(q, 0.0, 1.0);
+    vec4 along = mirror.sceneFromPixel[2];
+    origin.z = dot(mirror.depthRow, vec4(q, 0.0, 1.0));
+    along.z = mirror.depthRow.z;
     return ScreenRay(origin, along);
 }
 

@@ -2,28 +2,28 @@
 
 // Of a picture one pixel wide none lies before the first.
 vec3 texelColor(ivec2 pixel) {
-    return linearOf(texelFetch(sceneColor, region.xy + max(pixel, 0), 0).rgb, sceneIsEncoded);
+    return linearOf(texelFetch(sceneColor, mirror.region.xy + max(pixel, 0), 0).rgb, sceneIsEncoded);
 }
 
 // Between the four texels around, where these show one plane on which the ray is there: depth is affine on the screen over
 // a plane. Else the one texel that the point falls in, since what does not belong together is not blended. `nearness` is
 // the ray's depth from infinityDepth.
 vec3 sourceColor(vec2 source, float nearness) {
-    ivec2 corner = max(texelAt(source + 0.5, region.zw - 1), 1);
+    ivec2 corner = max(texelAt(source + 0.5, mirror.region.zw - 1), 1);
     vec2 beyond = clamp(source + 0.5 - vec2(corner), 0.0, 1.0);
     vec4 depths = depthsAround(corner, perDepthTexel());
-    vec4 seen = depths - infinityDepth;
+    vec4 seen = depths - mirror.infinityDepth;
     vec2 rows = mix(seen.wx, seen.zy, beyond.x);
     float off = abs(mix(rows.x, rows.y, beyond.y) - nearness);
     float twist = abs(seen.x + seen.z - seen.y - seen.w);
     float least = min(min(seen.x, seen.y), min(seen.z, seen.w));
     float most = max(max(seen.x, seen.y), max(seen.z, seen.w));
-    float rounding = 4e-6 * abs(nearness + infinityDepth) + 2.0 * depthStep;
-    vec3 nearest = texelColor(texelAt(source, region.zw - 1));
-    vec4 signedDepths = depthSign * depths;
+    float rounding = 4e-6 * abs(nearness + mirror.infinityDepth) + 2.0 * mirror.depthStep;
+    vec3 nearest = texelColor(texelAt(source, mirror.region.zw - 1));
+    vec4 signedDepths = mirror.depthSign * depths;
     float farthest = min(min(signedDepths.x, signedDepths.y), min(signedDepths.z, signedDepths.w));
     // Under the plane's horizon the far plane shows what no ray can meet.
-    bool mixesIn = isFar(depthSign * farthest) && wellBelowPlane(vec3(vec2(corner), depthSign * farthest));
+    bool mixesIn = isFar(mirror.depthSign * farthest) && wellBelowPlane(vec3(vec2(corner), mirror.depthSign * farthest));
     if (max(off, twist) > 0.05 * (most - least) + rounding || mixesIn) return nearest;
     vec3 upper = mix(texelColor(corner - 1), texelColor(corner - ivec2(0, 1)), beyond.x);
     vec3 lower = mix(texelColor(corner - ivec2(1, 0)), texelColor(corner), beyond.x);

@@ -1,20 +1,6 @@
 // Tiles of 8 x 8 pixels of the reflection: reflection/tiles.h. Needs mirror.glsl.
 
-const int tileShift = 3;
-const int tileEdge = 1 << tileShift;
-const uint tileSeesPlane = 1u;
-const uint tileHasKeys = 2u;
-
-// Lists of tiles are dispatched indirectly, a group a tile or eight tiles with an invocation a column, in rows of groups
-// that every device takes.
-const uint groupsPerRow = 32768u;
-const uint tilesPerColumnGroup = 8u;
-
-// Two lists grow from both ends of one array behind the tiles' flags.
-struct TileHeader {
-    uvec4 resolveGroups;   // a group a tile: VkDispatchIndirectCommand, and how many tiles there are
-    uvec4 columnGroups;    // tilesPerColumnGroup a group
-};
+#include "tiles_block.h"
 
 int tilesAcross() {
     return (imageSize().x + tileEdge - 1) >> tileShift;
@@ -39,10 +25,10 @@ uint packedTile(ivec2 tile) {
 // Whether shading looks a tile with these flags up, or a pixel beside it. What is mirrored behind things that stand before
 // the plane is seen only by rays that waves bend there.
 bool lookedUp(ivec2 tile, uint flags) {
-    ivec2 low = tile * tileEdge - 1 << pixelShift;
-    ivec2 high = (tile + 1) * tileEdge + 1 << pixelShift;
-    bool sees = (flags & (tileSeesPlane | (bent ? tileHasKeys : 0u))) != 0u;
-    return sees && all(lessThan(low, shown.zw)) && all(greaterThan(high, shown.xy));
+    ivec2 low = tile * tileEdge - 1 << mirror.pixelShift;
+    ivec2 high = (tile + 1) * tileEdge + 1 << mirror.pixelShift;
+    bool sees = (flags & (tileSeesPlane | (mirror.bent != 0u ? tileHasKeys : 0u))) != 0u;
+    return sees && all(lessThan(low, mirror.shown.zw)) && all(greaterThan(high, mirror.shown.xy));
 }
 
 ivec2 unpackedTile(uint tile) {

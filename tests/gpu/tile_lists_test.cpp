@@ -74,7 +74,7 @@ class TileLists : public GpuTest {
 Tiles listed() {
     Tiles tiles;
     for (uint32_t i = 0; i < count; ++i) tiles.lists[i] = i % across | i / across << 16;
-    tiles.header.resolveCount = tiles.header.columnCount = ~0u;
+    tiles.header.resolveGroups.w = tiles.header.columnGroups.w = ~0u;
     return tiles; // a reader that goes on beyond meets the first tile again
 }
 
@@ -83,7 +83,7 @@ TEST_F(TileLists, EndWhereTheyMeet) {
     tiles.flags.fill(untouched);
     tiles.behind.fill(untouched);
     for (const uint32_t held : {0u, 7u, count - 1, count, ~0u - 200}) {
-        tiles.header.resolveCount = tiles.header.columnCount = held;
+        tiles.header.resolveGroups.w = tiles.header.columnGroups.w = held;
         const Tiles left = after(tile_lists_comp, tiles, 1); // 64 invocations, more than there are tiles
         EXPECT_EQ(left.flags, tiles.flags) << held;
         EXPECT_EQ(left.behind, tiles.behind) << held;

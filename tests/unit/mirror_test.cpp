@@ -122,7 +122,7 @@ TEST(Mirror, FloatUniformsStayExactFarFromTheOrigin) {
     camera.width = 1920;
     camera.height = 1080;
     const ViewGeometry view = geometryOf(camera);
-    const MirrorUniforms uniforms = mirrorUniforms(view, unitPlane(0, 1, 0, 0), {}, {});
+    const MirrorBlock uniforms = mirrorBlock(view, unitPlane(0, 1, 0, 0), {}, {});
     const glm::dvec3 world = camera.eye + glm::dvec3(1.5, 1, -30);
     const glm::dvec3 image(world.x, -world.y, world.z);
     const glm::vec4 q = uniforms.screenMirror * glm::vec4(glm::vec3(pixelOf(view, world)), 1);
@@ -133,8 +133,8 @@ TEST(Mirror, FloatUniformsStayExactFarFromTheOrigin) {
 
 TEST(Mirror, AScaledPlaneIsTheSameMirror) {
     const ViewGeometry view = geometryOf(Camera{});
-    const MirrorUniforms a = mirrorUniforms(view, unitPlane(0, 1, 0, -0.5), {}, {});
-    const MirrorUniforms b = mirrorUniforms(view, unitPlane(0, 400, 0, -200), {}, {});
+    const MirrorBlock a = mirrorBlock(view, unitPlane(0, 1, 0, -0.5), {}, {});
+    const MirrorBlock b = mirrorBlock(view, unitPlane(0, 400, 0, -200), {}, {});
     EXPECT_EQ(a.screenMirror, b.screenMirror);
     EXPECT_EQ(a.plane, b.plane);
 }

@@ -3,9 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 
 // In place of mirror.glsl's.
-const int pixelShift = 0;
-const ivec4 shown = ivec4(0);
-const bool bent = false;
+#include "mirror_block.h"
+MirrorBlock mirror;   // empty: nobody asks whether a tile is looked up
 
 ivec2 imageSize() {
     return ivec2(80, 44);

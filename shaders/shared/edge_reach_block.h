@@ -1,0 +1,15 @@
+// Of shaders/edge_reach.comp.
+#ifdef __cplusplus
+#pragma once
+#include "gpu/shader_types.h"
+namespace seaglass {
+#endif
+
+struct EdgeReachBlock {
+    float reach; // beyond the border, at most [pixel]
+    float pad0, pad1, pad2;
+};
+
+#ifdef __cplusplus
+}
+#endif
