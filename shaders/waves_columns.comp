@@ -9,26 +9,26 @@ layout(local_size_x = 64) in;
 #include "wave_fields.glsl"
 
 // By column and kv, 0 up to and then -samples / 4 up to -1: sum and difference of h0(k) and conj(h0(-k)).
-layout(set = 0, binding = 1, std430) readonly buffer Amplitudes {
+layout(set = 0, binding = amplitudesBinding, std430) readonly buffer Amplitudes {
     vec4 amplitudes[];
 };
-layout(set = 0, binding = 2, std430) readonly buffer Frequencies {
+layout(set = 0, binding = frequenciesBinding, std430) readonly buffer Frequencies {
     uint frequencies[];
 };
-layout(set = 0, binding = 3, std430) writeonly buffer Columns {
+layout(set = 0, binding = columnsBinding, std430) writeonly buffer Columns {
     vec2 columns[];
 };
 
-Cascade cascadeOf(uint column) {
-    Cascade found = cascades[0];
+WaveBand bandOf(uint column) {
+    WaveBand found = waves.bands[0];
     for (uint c = 1u; c < 4u; ++c)
-        if (column >= cascades[c].firstColumn) found = cascades[c];
+        if (column >= waves.bands[c].firstColumn) found = waves.bands[c];
     return found;
 }
 
 vec2 heightNow(uint mode) {
     vec4 a = amplitudes[mode];
-    vec2 turn = cosineSine(frequencies[mode] * now);
+    vec2 turn = cosineSine(frequencies[mode] * waves.now);
     return vec2(a.x * turn.x - a.w * turn.y, a.y * turn.x + a.z * turn.y);
 }
 
@@ -44,10 +44,10 @@ void main() {
     uint line = gl_LocalInvocationID.x / team;
     uint place = gl_LocalInvocationID.x % team;
     uint column = gl_WorkGroupID.x * lines + line;
-    bool held = column < allColumns;
-    column = min(column, allColumns - 1u);
-    Cascade cascade = cascadeOf(column);
-    float ku = cascade.dk * float(column - cascade.firstColumn);
+    bool held = column < waves.allColumns;
+    column = min(column, waves.allColumns - 1u);
+    WaveBand band = bandOf(column);
+    float ku = band.dk * float(column - band.firstColumn);
 
     vec2 h[8];
     float kv[8], d[8];
@@ -55,16 +55,16 @@ void main() {
     {                                                                                                                  \
         uint n = place + team * uint(r);                                                                                  \
         h[r] = heightNow(column * (samples / 2u) + n);                                                                 \
-        kv[r] = cascade.dk * (r < 4 ? float(n) : float(int(n) - int(samples / 2u)));                                   \
+        kv[r] = band.dk * (r < 4 ? float(n) : float(int(n) - int(samples / 2u)));                                   \
         float k2 = ku * ku + kv[r] * kv[r];                                                                            \
-        d[r] = k2 > 0.0 ? choppiness / sqrt(k2) : 0.0;                                                                 \
+        d[r] = k2 > 0.0 ? waves.choppiness / sqrt(k2) : 0.0;                                                                 \
     }
     MODE(0) MODE(1) MODE(2) MODE(3) MODE(4) MODE(5) MODE(6) MODE(7)
 
 #define POINT(r, j) x[r] = factorOf(field, kv[j], d[j]) * h[j];
 #define STORE(r) columns[columnPoint(column, field, place + team * uint(r))] = x[r];
     // Each has a workgroup of its own, for as many at once; a CPU device computes a column's waves once for all.
-    const uint fields = onCpu ? columnFields : 1u;
+    const uint fields = onCpu ? uint(waveColumnFields) : 1u;
     for (uint f = 0u; f < fields; ++f) {
         uint field = gl_WorkGroupID.y * fields + f;
         vec2 x[16];

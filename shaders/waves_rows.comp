@@ -13,24 +13,24 @@ layout(local_size_x = 128) in;
 #include "fft.glsl"
 #include "wave_fields.glsl"
 
-layout(set = 0, binding = 1, std430) readonly buffer Columns {
+layout(set = 0, binding = columnsBinding, std430) readonly buffer Columns {
     vec2 columns[];
 };
 #ifdef COPIED
 // To be copied to the images, cascade after cascade.
-layout(set = 0, binding = 2, std430) writeonly buffer DisplacementMap {
+layout(set = 0, binding = displacementMapBinding, std430) writeonly buffer DisplacementMap {
     vec4 displacementMap[];
 };
-layout(set = 0, binding = 3, std430) writeonly buffer DerivativeMap {
+layout(set = 0, binding = derivativeMapBinding, std430) writeonly buffer DerivativeMap {
     vec4 derivativeMap[];
 };
-layout(set = 0, binding = 4, std430) writeonly buffer MomentMap {
+layout(set = 0, binding = momentMapBinding, std430) writeonly buffer MomentMap {
     vec4 momentMap[];
 };
 #else
-layout(set = 0, binding = 2, rgba32f) uniform writeonly image2DArray displacementMap;
-layout(set = 0, binding = 3, rgba32f) uniform writeonly image2DArray derivativeMap;
-layout(set = 0, binding = 4, rgba32f) uniform writeonly image2DArray momentMap;
+layout(set = 0, binding = displacementMapBinding, rgba32f) uniform writeonly image2DArray displacementMap;
+layout(set = 0, binding = derivativeMapBinding, rgba32f) uniform writeonly image2DArray derivativeMap;
+layout(set = 0, binding = momentMapBinding, rgba32f) uniform writeonly image2DArray momentMap;
 #endif
 
 void storeTexel(uvec3 texel, vec4 displacement, vec4 derivatives, vec4 moments) {
@@ -50,30 +50,30 @@ vec2 conjugate(vec2 z) {
     return vec2(z.x, -z.y);
 }
 
-// A line of a cascade's rows.
+// A line of a band's rows.
 struct Row {
-    Cascade cascade;
+    WaveBand band;
     uint row;
     uint slot;    // of the workgroup's lines
     uint place;
 };
 
 vec2 column(Row at, uint m, uint field) {
-    return m < at.cascade.columns ? columns[columnPoint(at.cascade.firstColumn + m, field, at.row)] : vec2(0.0);
+    return m < at.band.columns ? columns[columnPoint(at.band.firstColumn + m, field, at.row)] : vec2(0.0);
 }
 
-// One of the complex fields of water/wave_fields.h, s the cascade's packing:
+// One of the complex fields of water/wave_fields.h, s the band's packing:
 //   0: Dx + i s dDx/du, from d h         1: Dz + i s dDx/dv, from kv d h
 //   2: h + i s dh/du, from h             3: dh/dv + i dDz/dv, from kv (1 -+ kv d) h
 void transform(Row at, uint pair, out vec2 x[16]) {
     uint fieldAhead = pair == 0u ? 1u : pair == 1u ? 2u : pair == 2u ? 0u : 3u;
     uint fieldBehind = pair == 3u ? 4u : fieldAhead;
-    float s = at.cascade.packing;
+    float s = at.band.packing;
     // Column m of the points 0 to 3, and -m of the points 12 to 15.
 #define AHEAD(r)                                                                                                       \
     {                                                                                                                  \
         uint m = at.place + team * uint(r);                                                                            \
-        float ku = at.cascade.dk * float(m);                                                                           \
+        float ku = at.band.dk * float(m);                                                                           \
         float scale = pair == 3u ? 1.0 : (pair == 0u ? ku : 1.0) * (1.0 - s * ku);                                     \
         vec2 z = column(at, m, fieldAhead);                                                                            \
         x[r] = scale * (pair == 2u ? z : timesI(z));                                                                   \
@@ -81,7 +81,7 @@ void transform(Row at, uint pair, out vec2 x[16]) {
 #define BEHIND(r)                                                                                                      \
     {                                                                                                                  \
         uint m = team * (16u - uint(r)) - at.place;                                                                    \
-        float ku = at.cascade.dk * float(m);                                                                           \
+        float ku = at.band.dk * float(m);                                                                           \
         float scale = pair == 3u ? 1.0 : (pair == 0u ? ku : 1.0) * (1.0 + s * ku);                                     \
         vec2 z = conjugate(column(at, m, fieldBehind));                                                                \
         x[r] = scale * (pair == 2u ? z : -timesI(z));                                                                  \
@@ -94,7 +94,7 @@ void transform(Row at, uint pair, out vec2 x[16]) {
 }
 
 void storePoint(Row at, uint r, vec2 shiftU, vec2 shiftV, vec2 height, vec2 slopeV) {
-    float unpack = 1.0 / at.cascade.packing;   // exact
+    float unpack = 1.0 / at.band.packing;   // exact
     vec2 slope = vec2(height.y * unpack, slopeV.x);
     float shear = shiftV.y * unpack;
     storeTexel(uvec3(at.place + team * r, at.row, gl_WorkGroupID.y), vec4(shiftU.x, height.x, shiftV.x, shear),
@@ -107,7 +107,7 @@ void main() {
     uint line = member / team;
     uint row = gl_WorkGroupID.x * lines + line;
     bool held = row < samples;
-    Row at = Row(cascades[gl_WorkGroupID.y], min(row, samples - 1u), (second ? lines : 0u) + line, member % team);
+    Row at = Row(waves.bands[gl_WorkGroupID.y], min(row, samples - 1u), (second ? lines : 0u) + line, member % team);
 
 #ifdef COPIED
     vec2 shiftU[16], shiftV[16], height[16], slopeV[16];

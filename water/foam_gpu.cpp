@@ -1,25 +1,10 @@
 #include "water/foam_gpu.h"
 
+#include "shaders/shared/foam_block.h"
+#include "shaders/shared/waves_bindings.h"
 #include "spirv/foam.comp.h"
 
 namespace seaglass {
-
-namespace {
-
-/// As shaders/foam.comp lays it out.
-struct FoamUniforms {
-    struct Band {
-        float threshold = 0;
-        float perJacobian = 0;
-        float padding[2] = {};
-    } bands[maxCascades];
-    float fade = 0;
-    float floor = 0;
-    uint32_t anew = 0;
-    uint32_t padding = 0;
-};
-
-} // namespace
 
 Status FoamKernel::create(Context& context) {
     return kernel.create(context.device, foam_comp, "foam pipeline");
@@ -57,21 +42,22 @@ Status ComputedFoam::record(Context& context, VkCommandBuffer commands, Computed
 
 Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, const WaveMaps& maps,
                                 const FoamImage& foam, float fade, bool anew) {
-    FoamUniforms uniforms;
+    FoamBlock block{};
+    static_assert(std::size(FoamBlock{}.bands) == maxCascades);
     for (uint32_t c = 0; c < breaking_.count; ++c)
-        uniforms.bands[c] = {breaking_.threshold[c], 1 / breaking_.softness[c], {}};
-    uniforms.fade = fade;
-    uniforms.floor = fading_.floor;
-    uniforms.anew = anew;
+        block.bands[c] = {breaking_.threshold[c], 1 / breaking_.softness[c], 0, 0};
+    block.fade = fade;
+    block.floor = fading_.floor;
+    block.anew = anew;
     gpu::Slice slice;
-    if (const Status s = context.frame().upload(uniforms, slice); s != Status::ok) return s;
+    if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
 
     const VkSampler nearest = context.samplers.nearestClamp();
     const gpu::Bound resources[] = {
-        {0, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms)},
-        {1, gpu::sampledImage(nearest, maps.images[0].view())},
-        {2, gpu::sampledImage(nearest, maps.images[1].view())},
-        {3, gpu::storageImage(foam.image.firstMipView())},
+        {foamBinding, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block)},
+        {displacementMapBinding, gpu::sampledImage(nearest, maps.images[0].view())},
+        {derivativeMapBinding, gpu::sampledImage(nearest, maps.images[1].view())},
+        {foamStepsBinding, gpu::storageImage(foam.image.firstMipView())},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel_->kernel.layout(), resources, set);

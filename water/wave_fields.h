@@ -11,11 +11,11 @@
 // and that of 3 the negative conjugate of 4's.
 #pragma once
 
+#include "shaders/shared/wave_columns.h"
 #include "water/modes.h"
 
 namespace seaglass {
 
-constexpr uint32_t waveColumnFields = 5;
 constexpr uint32_t wavePairs = 4;
 
 /// s [m], a power of two: what brings slopes to the size of heights, since the greater of a pair sets the

@@ -2,9 +2,10 @@
 
 #include <array>
 #include <complex>
-#include <cstring>
 #include <numbers>
 
+#include "shaders/shared/waves_bindings.h"
+#include "shaders/shared/waves_block.h"
 #include "spirv/waves_columns.comp.h"
 #include "spirv/waves_rows.comp.h"
 #include "spirv/waves_rows_copied.comp.h"
@@ -18,19 +19,7 @@ namespace {
 
 constexpr uint32_t groupPoints = 1024; ///< of transforms in one workgroup: shaders/common/fft.glsl
 
-/// As shaders/common/wave_fields.glsl lays it out.
-struct WavesUniforms {
-    struct Band {
-        float dk = 0;
-        float packing = 1;
-        uint32_t firstColumn = ~0u;
-        uint32_t columns = 0;
-    } bands[maxCascades];
-    uint32_t now = 0;
-    uint32_t allColumns = 0;
-    float choppiness = 0;
-    uint32_t padding = 0;
-};
+static_assert(std::size(WavesBlock{}.bands) == maxCascades);
 
 uint32_t columnsOf(const Sea& sea, uint32_t band) {
     return static_cast<uint32_t>(sea.modes[band].reach) + 1;
@@ -103,19 +92,20 @@ void writeModes(const Sea& sea, std::byte* out) {
 }
 
 /// Of the first `cascades`.
-WavesUniforms uniformsOf(const Sea& sea, uint32_t cascades, const std::array<float, maxCascades>& packing,
-                         double time) {
-    WavesUniforms u;
-    u.now = loopPhase(time, sea.desc.loopPeriod);
-    u.choppiness = sea.desc.choppiness;
+WavesBlock blockOf(const Sea& sea, uint32_t cascades, const std::array<float, maxCascades>& packing,
+                   double time) {
+    WavesBlock block{};
+    for (WaveBand& band : block.bands) band = {0, 1, ~0u, 0};
+    block.now = loopPhase(time, sea.desc.loopPeriod);
+    block.choppiness = sea.desc.choppiness;
     for (uint32_t c = 0; c < cascades; ++c) {
-        u.bands[c].dk = static_cast<float>(2 * std::numbers::pi / sea.cascades[c].patch);
-        u.bands[c].packing = packing[c];
-        u.bands[c].firstColumn = u.allColumns;
-        u.bands[c].columns = columnsOf(sea, c);
-        u.allColumns += u.bands[c].columns;
+        block.bands[c].dk = static_cast<float>(2 * std::numbers::pi / sea.cascades[c].patch);
+        block.bands[c].packing = packing[c];
+        block.bands[c].firstColumn = block.allColumns;
+        block.bands[c].columns = columnsOf(sea, c);
+        block.allColumns += block.bands[c].columns;
     }
-    return u;
+    return block;
 }
 
 constexpr gpu::BufferUse shaderRead = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
@@ -192,25 +182,24 @@ Status ComputedWaves::create(Context& context, const Sea& sea) {
 
 Status ComputedWaves::describe(Context& context, const WaveMaps& maps, const WaveKernels::Pair& kernels,
                                uint32_t cascades, double time, Sets& out) const {
-    const WavesUniforms uniforms = uniformsOf(*sea_, cascades, packing_, time);
+    const WavesBlock block = blockOf(*sea_, cascades, packing_, time);
     gpu::Slice slice;
-    if (const Status s = context.frame().allocate(sizeof uniforms, slice); s != Status::ok) return s;
-    std::memcpy(slice.data, &uniforms, sizeof uniforms);
-    const gpu::Resource uniform = gpu::uniformBuffer(slice.buffer, slice.offset, sizeof uniforms);
+    if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
+    const gpu::Resource uniform = gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block);
     const gpu::Resource columns = gpu::storageBuffer(columns_.handle());
     const VkDeviceSize split = amplitudeBytes(*sea_);
     const gpu::Bound ofColumns[] = {
-        {0, uniform},
-        {1, gpu::storageBuffer(modes_.handle(), 0, split)},
-        {2, gpu::storageBuffer(modes_.handle(), split, modes_.size() - split)},
-        {3, columns},
+        {wavesBinding, uniform},
+        {amplitudesBinding, gpu::storageBuffer(modes_.handle(), 0, split)},
+        {frequenciesBinding, gpu::storageBuffer(modes_.handle(), split, modes_.size() - split)},
+        {columnsBinding, columns},
     };
     const gpu::Bound ofRows[] = {
-        {0, uniform},
-        {1, columns},
-        {2, mapResource(maps, 0, copied_)},
-        {3, mapResource(maps, 1, copied_)},
-        {4, mapResource(maps, 2, copied_)},
+        {wavesBinding, uniform},
+        {columnsBinding, columns},
+        {displacementMapBinding, mapResource(maps, 0, copied_)},
+        {derivativeMapBinding, mapResource(maps, 1, copied_)},
+        {momentMapBinding, mapResource(maps, 2, copied_)},
     };
     if (const Status s = context.frame().allocateSet(kernels.columns.layout(), ofColumns, out.columns);
         s != Status::ok)
