@@ -1,4 +1,5 @@
-// The screen mirror of reflection/mirror.h, for GLSL and C++ alike. A "screen point" is (x, y, depth, 1) in pixels of the view's region.
+// The screen mirror of reflection/mirror.h, for GLSL and C++ alike. A "screen point" is (x, y, depth, 1) in
+// pixels of the view's region.
 #ifdef __cplusplus
 #pragma once
 #include "gpu/shader_types.h"
@@ -12,7 +13,8 @@ struct MirrorBlock {
     mat3x4 skyFromPixel;    // to where the far end of the mirrored ray shows, w <= 0 nowhere
     vec4 heightRow;         // of a screen point p: height is heightRow.p / weightRow.p
     vec4 weightRow;
-    vec4 depthRow; // of sceneFromPixel: w times depth less infinityDepth, made before the digits they share are rounded
+    vec4 depthRow; // of sceneFromPixel: w times depth less infinityDepth, made before the digits they share
+                   // are rounded
     vec4 plane;    // relative to the eye, facing it
     ivec4 region;  // origin in the scene images, size
     ivec4 shown;   // pixels of the region that may show the mirror: low, and one past high
@@ -20,9 +22,10 @@ struct MirrorBlock {
     float depthSign; // +1 when nearer is greater
     float edgeFadePixels;
     float infinityDepth;
-    uint bent;             // looked up away from where the plane is seen
-    int pixelShift;        // log2 of the pixels of the region to one of the reflection, each way: integers divide slowly
-    int keyShift;          // and to one key
+    uint bent;      // looked up away from where the plane is seen
+    int pixelShift; // log2 of the pixels of the region to one of the reflection, each way: integers divide
+                    // slowly
+    int keyShift;   // and to one key
     float contactPerMetre; // see onOrBelowPlane() of shaders/common/mirror.glsl
     float depthStep;       // scene depths closer than this may be held as one
     uint followed;         // rays are followed afterwards where nothing is proven

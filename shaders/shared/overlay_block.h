@@ -6,7 +6,7 @@ namespace seaglass {
 #endif
 
 struct OverlayBlock {
-    vec4 forwardRow;      // distance ahead of the eye [m] is forwardRow.p / weightRow.p for p = (x, y, depth, 1)
+    vec4 forwardRow; // distance ahead of the eye [m] is forwardRow.p / weightRow.p for p = (x, y, depth, 1)
     float contourSpacing; // [m]
     int kind;             // OverlayKind
     uint pad0, pad1;

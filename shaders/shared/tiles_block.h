@@ -12,8 +12,8 @@ const int tileEdge = 1 << tileShift;
 const uint tileSeesPlane = 1u;
 const uint tileHasKeys = 2u;
 
-// Lists of tiles are dispatched indirectly, a group a tile or eight tiles with an invocation a column, in rows of groups
-// that every device takes.
+// Lists of tiles are dispatched indirectly, a group a tile or eight tiles with an invocation a column, in
+// rows of groups that every device takes.
 const uint groupsPerRow = 32768u;
 const uint tilesPerColumnGroup = 8u;
 
