@@ -34,11 +34,9 @@ demos::Scene loaded(const std::filesystem::path& file) {
     return *scene;
 }
 
+/// Between them these have every part of water but an extent.
 std::vector<Shot> firstCameras() {
-    std::vector<Shot> shots;
-    for (const std::filesystem::path& file : tests::demoScenes())
-        shots.push_back({file.stem().string(), "", loaded(file).water ? "highest" : ""});
-    return shots;
+    return {{"harbour", "", "highest"}, {"shore", "", "highest"}};
 }
 
 std::vector<Shot> everyCamera() {
