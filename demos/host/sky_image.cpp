@@ -14,7 +14,10 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr uint32_t maxWidth = 16384;
 constexpr uint32_t keptWidth = 4096;
-constexpr float maxRadiance = 1e7f;
+/// Above a sun's in candela per square metre, 1.6e9.
+constexpr float maxRadiance = 1e12f;
+/// What infinity is taken for, as of half floats that a sun was too bright for.
+constexpr float overflowed = 1e7f;
 /// What a half float holds, with room for filtering.
 constexpr float maxCubeRadiance = 60000.0f;
 
@@ -38,8 +41,10 @@ double solidAngleOfRow(const SkyImage& image, uint32_t y) {
 
 /// Replaces what is no radiance. `last` is the last good pixel of the row.
 glm::vec3 cleaned(glm::vec3 pixel, const glm::vec3& last) {
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
+        if (std::isinf(pixel[i])) pixel[i] = std::min(pixel[i], overflowed);
         pixel[i] = std::isnan(pixel[i]) ? last[i] : std::clamp(pixel[i], 0.0f, maxRadiance);
+    }
     return pixel;
 }
 
@@ -172,7 +177,7 @@ std::vector<glm::vec3> largestLevel(const SkyImage& image, uint32_t size, double
                         glm::normalize(faceDirection(face, texelCentre(x, size) + ds / size, t + dt / size));
                     sum += sampleSky(image, {c * d.x - s * d.z, d.y, s * d.x + c * d.z});
                 }
-            level[static_cast<size_t>(row) * size + x] = glm::min(sum * (0.25f * intensity), maxCubeRadiance);
+            level[static_cast<size_t>(row) * size + x] = sum * (0.25f * intensity);
         }
     });
     return level;
@@ -338,6 +343,9 @@ SkyLight filterSky(const SkyImage& image, double rotationDeg, double intensity) 
         if (size == 64) integrate(light.cube.mips.back(), size, light);
         light.cube.mips.push_back(nextLevel(light.cube.mips.back(), size));
     }
+    // Only now: irradiance and coarser levels have all the light of a sun that the sky keeps.
+    for (std::vector<glm::vec3>& level : light.cube.mips)
+        for (glm::vec3& texel : level) texel = glm::min(texel, maxCubeRadiance);
     return light;
 }
 

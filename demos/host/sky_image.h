@@ -41,7 +41,7 @@ struct SkyLight {
 };
 
 /// Reads an HDR or EXR of up to 16384 pixels' width, averaged down to at most 4096. NaN takes its left
-/// neighbour's value, infinities and negative pixels are clamped.
+/// neighbour's value, infinity is taken for 1e7, and negative pixels for 0.
 std::optional<SkyImage> readSkyImage(const SkyDesc& sky, Error& error);
 
 /// Cuts the sun's disc out of the image: around the brightest pixel above the horizon, what exceeds the

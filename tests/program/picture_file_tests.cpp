@@ -1,6 +1,7 @@
 // What picture files say of themselves, beyond their numbers, and what is read of them: each is made here by
 // its bytes, or by OpenImageIO.
 #include <cmath>
+#include <limits>
 
 #include <OpenImageIO/deepdata.h>
 #include <OpenImageIO/imageio.h>
@@ -290,6 +291,21 @@ TEST_F(SkyFile, MustBeWholeSquareAndLatLong) {
     EXPECT_EQ(sky->radiance.front(), glm::vec3(4, 5, 6));
 }
 
+TEST_F(SkyFile, KeepsTheLightOfSunsThatAreFarBrighterThanHalvesHold) {
+    Part part = partOf(64, 32, {"R", "G", "B"});
+    const auto set = [&part](size_t x, size_t y, float value) {
+        for (size_t c = 0; c < 3; ++c) part.pixels[3 * (64 * y + x) + c] = value;
+    };
+    const float infinite = std::numeric_limits<float>::infinity();
+    set(20, 8, 1.6e9f); // the sun's, in candela per square metre
+    set(40, 8, infinite);
+    demos::Error error;
+    const std::optional<demos::SkyImage> sky = demos::readSkyImage({write({part})}, error);
+    ASSERT_TRUE(sky) << error.text;
+    EXPECT_EQ(sky->radiance[64 * 8 + 20], glm::vec3(1.6e9f));
+    EXPECT_EQ(sky->radiance[64 * 8 + 40], glm::vec3(1e7f));
+}
+
 /// Even, with one bright pixel.
 demos::SkyImage withLamp(uint32_t x, uint32_t y) {
     demos::SkyImage sky{64, 32, std::vector<glm::vec3>(size_t(64) * 32, glm::vec3(1))};
@@ -301,6 +317,17 @@ double most(const demos::SkyImage& sky) {
     float found = 0;
     for (const glm::vec3& pixel : sky.radiance) found = std::max(found, pixel.g);
     return static_cast<double>(found);
+}
+
+TEST(SkySun, ThatTheSkyKeepsLightsTheSceneInFull) {
+    demos::SkyImage sky = withLamp(20, 8);
+    sky.radiance[64 * 8 + 20] = glm::vec3(1e7f);
+    const demos::SkyLight light = demos::filterSky(sky, 0, 1);
+    const double pi = std::acos(-1.0), top = pi * 8 / 32, bottom = pi * 9 / 32;
+    const double lamp = 1e7 * 2 * pi / 64 * (std::cos(top) - std::cos(bottom)) * std::cos((top + bottom) / 2);
+    EXPECT_NEAR(static_cast<double>(light.irradianceUp.g) / (lamp + pi), 1, 0.02);
+    for (const std::vector<glm::vec3>& level : light.cube.mips)
+        for (const glm::vec3& texel : level) ASSERT_LE(texel.g, 65504) << "halves hold no more";
 }
 
 TEST(SkySun, IsCutOutOnlyToBePutBack) {
