@@ -203,8 +203,8 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
     LineKey ahead = LineKey(noKey, ivec2(0));
     LineKey behind = ahead;
     bvec2 keysBeside = bvec2(false);
-    int i = 1;
-    do {
+    // Not do-while: SwiftShader's invocations that leave one before others lose what its last round loaded.
+    for (int i = 1; i <= holeCells && (ahead.key == noKey || behind.key == noKey); ++i) {
         ivec2 next = texelAt(cell + float(i) * step, lastCell);
         ivec2 last = texelAt(cell - float(i) * step, lastCell);
         uint nextKey = keyAt(next);
@@ -212,7 +212,7 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
         keysBeside = bvec2(keysBeside.x || nextKey != noKey, keysBeside.y || lastKey != noKey);
         if (ahead.key == noKey && nextKey > here) ahead = LineKey(nextKey, next);
         if (behind.key == noKey && lastKey > here) behind = LineKey(lastKey, last);
-    } while (++i <= holeCells && (ahead.key == noKey || behind.key == noKey));
+    }
     return Hole(all(keysBeside), any(keysBeside), Guesses(sourceOf(ahead), sourceOf(behind)));
 }
 
