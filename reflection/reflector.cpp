@@ -4,6 +4,7 @@
 #include "reflection/encoding.h"
 #include "reflection/mirror.h"
 #include "reflection/scene_formats.h"
+#include "seaglass/fields/reflection.h"
 
 namespace seaglass {
 
@@ -16,35 +17,6 @@ bool scatters(ReflectionTechnique technique) {
 /// What is drawn by the host needs no guess.
 bool reachesBeyond(const ReflectionDesc& desc) {
     return desc.edgeReach > 0 && desc.technique != ReflectionTechnique::planar;
-}
-
-const char* badMarch(const ReflectionDesc& desc) {
-    if (desc.marchSteps < 8 || desc.marchSteps > 512)
-        return "ReflectionDesc.marchSteps is out of range, expected 8 to 512";
-    if (!(desc.marchThickness >= 0.001f && desc.marchThickness <= 100))
-        return "ReflectionDesc.marchThickness is out of range, expected 0.001 to 100";
-    if (!(desc.marchDistance >= 0.1f && desc.marchDistance <= 1e6f))
-        return "ReflectionDesc.marchDistance is out of range, expected 0.1 to 1e6";
-    if (!(desc.marchJitter >= 0 && desc.marchJitter <= 1))
-        return "ReflectionDesc.marchJitter is out of range, expected 0 to 1";
-    return nullptr;
-}
-
-const char* badLook(const ReflectionDesc& desc) {
-    if (desc.blurLevels > 6) return "ReflectionDesc.blurLevels is out of range, expected 0 to 6";
-    if (!(desc.clearDistance >= 0 && desc.clearDistance <= 1e6f))
-        return "ReflectionDesc.clearDistance is out of range, expected 0 to 1e6";
-    if (!(desc.scatter >= 0 && desc.scatter <= 1))
-        return "ReflectionDesc.scatter is out of range, expected 0 to 1";
-    if (!(desc.skyFadeDistance >= 0 && desc.skyFadeDistance <= 1e6f))
-        return "ReflectionDesc.skyFadeDistance is out of range, expected 0 to 1e6";
-    if (!(desc.edgeStretch >= 0 && desc.edgeStretch <= 100))
-        return "ReflectionDesc.edgeStretch is out of range, expected 0 to 100";
-    if (!(desc.edgeStretchBand >= 0.01f && desc.edgeStretchBand <= 0.5f))
-        return "ReflectionDesc.edgeStretchBand is out of range, expected 0.01 to 0.5";
-    if (!(desc.temporal >= 0 && desc.temporal <= 0.95f))
-        return "ReflectionDesc.temporal is out of range, expected 0 to 0.95";
-    return nullptr;
 }
 
 } // namespace
@@ -114,28 +86,12 @@ Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& given, VkEx
     return estimate;
 }
 
-const char* badField(const ReflectionDesc& desc) {
-    if (desc.technique > ReflectionTechnique::planar)
-        return "ReflectionDesc.technique is none of ReflectionTechnique";
-    if (desc.downscale != 1 && desc.downscale != 2 && desc.downscale != 4 && desc.downscale != 8)
-        return "ReflectionDesc.downscale is out of range, expected 1, 2, 4 or 8";
-    if (desc.height != 0 && (desc.height < 8 || desc.height > 16384))
-        return "ReflectionDesc.height is out of range, expected 0 or 8 to 16384";
-    if (!(desc.edgeFade >= 0 && desc.edgeFade <= 0.5f))
-        return "ReflectionDesc.edgeFade is out of range, expected 0 to 0.5";
-    if (!(desc.edgeReach >= 0 && desc.edgeReach <= 1))
-        return "ReflectionDesc.edgeReach is out of range, expected 0 to 1";
-    if (!(desc.undersideLight >= 0 && desc.undersideLight <= 1))
-        return "ReflectionDesc.undersideLight is out of range, expected 0 to 1";
-    if (desc.roofLooks > 8) return "ReflectionDesc.roofLooks is out of range, expected 0 to 8";
-    if (!(desc.distortion >= 0 && desc.distortion <= 1))
-        return "ReflectionDesc.distortion is out of range, expected 0 to 1";
-    if (const char* bad = badLook(desc)) return bad;
-    return badMarch(desc);
+FieldError badField(const ReflectionDesc& desc) {
+    return badField(reflectionFields, &desc);
 }
 
 Status check(const gpu::Device& device, const ReflectionDesc& desc) {
-    if (const char* bad = badField(desc)) return device.fail(Status::invalidArgument, "%s", bad);
+    if (const FieldError bad = badField(desc)) return device.fail(Status::invalidArgument, "%s", bad.text());
     if (desc.technique != ReflectionTechnique::planar) return Status::ok;
     return checkDrawn(device, desc.drawn, "ReflectionDesc");
 }

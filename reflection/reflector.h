@@ -7,6 +7,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "gpu/fields.h"
 #include "reflection/blur.h"
 #include "reflection/bounds.h"
 #include "reflection/edge_reach.h"
@@ -47,8 +48,8 @@ struct ReflectedView {
 Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExtent2D extent,
                     const SceneSamples& samples);
 
-/// Null when the description is usable, else what is wrong with it.
-const char* badField(const ReflectionDesc& desc);
+/// What is wrong with a description, if anything is.
+FieldError badField(const ReflectionDesc& desc);
 const char* badField(const SceneSamples& samples);
 /// The same, said, and what this device cannot do.
 Status check(const gpu::Device& device, const ReflectionDesc& desc);

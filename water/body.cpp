@@ -36,7 +36,8 @@ Status PatchIndices::create(Context& context) {
 
 Status Body::create(Context& owner, const BodyDesc& desc) {
     context = &owner;
-    if (const char* bad = badField(desc)) return owner.device.fail(Status::invalidArgument, "%s", bad);
+    if (const FieldError bad = badField(desc))
+        return owner.device.fail(Status::invalidArgument, "%s", bad.text());
     if (const char* bad = readPlane(desc.plane, plane))
         return owner.device.fail(Status::invalidArgument, "%s", bad);
     frame = BodyFrame::of(glm::dvec3(plane));

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "gpu/device.h"
+#include "gpu/fields.h"
 #include "seaglass/water.h"
 
 namespace seaglass {
 
-/// Null when it is usable, else what is wrong with it.
-const char* badField(const BodyDesc& desc);
+/// What is wrong with it, if anything is.
+FieldError badField(const BodyDesc& desc);
 
 /// What is asked for of a reflection, but for what still water would not show: nothing bends it, and nothing
 /// but `scatter` blurs it.

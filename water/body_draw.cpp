@@ -216,7 +216,8 @@ Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, Vie
         return device.fail(Status::invalidArgument,
                            "draw: ViewDesc.sceneColor.view and sceneDepth.view are null, and %s reads them",
                            wanted);
-    if (const char* bad = badField(lighting)) return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (const FieldError bad = badField(lighting))
+        return device.fail(Status::invalidArgument, "draw: %s", bad.text());
     if (waves && !simulated)
         return device.misused("draw: the body has waves but simulate() was never called");
     recorded.drawn = context->frameNumber;

@@ -5,6 +5,7 @@
 #include <glm/ext/matrix_transform.hpp>
 
 #include "reflection/scene_formats.h"
+#include "seaglass/fields/fog.h"
 
 namespace seaglass {
 
@@ -58,23 +59,15 @@ const char* badSky(const LightingDesc& lighting) {
     return nullptr;
 }
 
-const char* badField(const FogDesc& fog) {
-    if (fog.shape < FogShape::linear || fog.shape > FogShape::height) return "FogDesc.shape is no FogShape";
-    if (!(fog.density >= 0 && fog.density <= 1000))
-        return "FogDesc.density is out of range, expected 0 to 1000";
-    if (!(fog.start >= 0 && fog.end <= 1e9f && fog.start < fog.end))
-        return "FogDesc.start and end are no range, expected 0 <= start < end <= 1e9";
-    if (!(fog.falloff >= 0 && fog.falloff <= 10)) return "FogDesc.falloff is out of range, expected 0 to 10";
-    if (!(std::abs(fog.baseHeight) <= 1e6)) return "FogDesc.baseHeight is out of range, expected -1e6 to 1e6";
-    if (!canBeLight(fog.color)) return "FogDesc.color is negative or not finite";
-    if (!(fog.fromSky >= 0 && fog.fromSky <= 1)) return "FogDesc.fromSky is out of range, expected 0 to 1";
-    if (!(fog.most >= 0 && fog.most <= 1)) return "FogDesc.most is out of range, expected 0 to 1";
-    return nullptr;
+FieldError badFog(const FogDesc& fog) {
+    if (const FieldError bad = badField(fogFields, &fog)) return bad;
+    if (fog.start < fog.end) return {};
+    return "FogDesc.start and end are no range, expected 0 <= start < end <= 1e9";
 }
 
 } // namespace
 
-const char* badField(const LightingDesc& lighting) {
+FieldError badField(const LightingDesc& lighting) {
     if (const char* bad = badSky(lighting)) return bad;
     double squared = 0;
     for (const double value : lighting.toSun) squared += value * value;
@@ -82,7 +75,7 @@ const char* badField(const LightingDesc& lighting) {
     if (!canBeLight(lighting.sunIrradiance)) return "LightingDesc.sunIrradiance is negative or not finite";
     if (!canBeLight(lighting.skyIrradiance)) return "LightingDesc.skyIrradiance is negative or not finite";
     if (lighting.fog)
-        if (const char* bad = badField(*lighting.fog)) return bad;
+        if (const FieldError bad = badFog(*lighting.fog)) return bad;
     return lighting.shadow ? badField(*lighting.shadow) : nullptr;
 }
 

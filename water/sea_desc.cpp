@@ -1,23 +1,14 @@
 #include "water/sea_desc.h"
 
-#include <bit>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
-#include <limits>
+
+#include "gpu/fields.h"
+#include "seaglass/fields/sea.h"
 
 namespace seaglass {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Range {
-    const char* field;
-    double value;
-    double low;
-    double high;
-    const char* unit;
-};
 
 [[gnu::format(printf, 2, 3)]] bool fail(SeaError& error, const char* format, ...) {
     va_list values;
@@ -27,25 +18,21 @@ struct Range {
     return false;
 }
 
-bool inRange(const char* owner, const Range& range, SeaError& error) {
-    if (range.value >= range.low && range.value <= range.high) return true;
-    return fail(error, "%s.%s is %.9g; expected %g to %g%s", owner, range.field, range.value, range.low,
-                range.high, range.unit);
+bool inRange(const char* owner, const Field& field, const char* index, double value, SeaError& error) {
+    if (isInRange(field, value)) return true;
+    FieldError expected;
+    addExpected(expected, field);
+    return fail(error, "%s.%s%s is %.9g; expected %s", owner, field.name, index, value, expected.text());
 }
 
-bool isAngle(const char* owner, const char* field, float angle, SeaError& error) {
-    if (std::isfinite(angle)) return true;
-    return fail(error, "%s.%s is %g; expected a finite angle in radians", owner, field,
-                static_cast<double>(angle));
-}
-
-bool validateModels(const SeaDesc& desc, SeaError& error) {
-    const auto spectrum = static_cast<uint32_t>(desc.spectrum);
-    if (spectrum > static_cast<uint32_t>(SpectrumModel::table))
-        return fail(error, "SeaDesc.spectrum is %u; expected a SpectrumModel, 0 to 4", spectrum);
-    const auto spreading = static_cast<uint32_t>(desc.spreading);
-    if (spreading > static_cast<uint32_t>(SpreadingModel::cosine2s))
-        return fail(error, "SeaDesc.spreading is %u; expected a SpreadingModel, 0 to 3", spreading);
+bool inRange(const char* owner, const FieldTable& table, const void* desc, SeaError& error) {
+    for (const Field& field : table) {
+        for (uint32_t i = 0; i < field.count; ++i) {
+            char index[16] = "";
+            if (field.count > 1) std::snprintf(index, sizeof index, "[%u]", i);
+            if (!inRange(owner, field, index, field.get(desc, i), error)) return false;
+        }
+    }
     return true;
 }
 
@@ -60,8 +47,7 @@ bool validateTable(const SeaDesc& desc, SeaError& error) {
         const double frequency = desc.spectrumTable[i].frequency, density = desc.spectrumTable[i].density;
         char owner[48];
         std::snprintf(owner, sizeof owner, "SeaDesc.spectrumTable[%u]", i);
-        if (!inRange(owner, {"frequency", frequency, 0.01f, 50, " Hz"}, error)) return false;
-        if (!inRange(owner, {"density", density, 0, 1e6, " m^2/Hz"}, error)) return false;
+        if (!inRange(owner, spectrumSampleFields, &desc.spectrumTable[i], error)) return false;
         if (!(frequency > last))
             return fail(error, "%s.frequency is %.9g; expected more than %.9g, the one before", owner,
                         frequency, last);
@@ -75,18 +61,9 @@ bool validateTable(const SeaDesc& desc, SeaError& error) {
 
 bool validateSwells(const SeaDesc& desc, SeaError& error) {
     for (uint32_t i = 0; i < maxSwells; ++i) {
-        const SwellDesc& swell = desc.swells[i];
         char owner[32];
         std::snprintf(owner, sizeof owner, "SeaDesc.swells[%u]", i);
-        const Range ranges[] = {
-            {"height", swell.height, 0, 30, " m"},
-            {"peakPeriod", swell.peakPeriod, 1, 30, " s"},
-            {"bandwidth", swell.bandwidth, 0.02f, 0.25f, ""},
-            {"spreading", swell.spreading, 0, 1000, ""},
-        };
-        for (const Range& range : ranges)
-            if (!inRange(owner, range, error)) return false;
-        if (!isAngle(owner, "direction", swell.direction, error)) return false;
+        if (!inRange(owner, swellFields, &desc.swells[i], error)) return false;
     }
     return true;
 }
@@ -95,21 +72,12 @@ bool validateShore(const SeaDesc& desc, SeaError& error) {
     if (!desc.shore) return true;
     const ShoreDesc& shore = *desc.shore;
     if (!shore.bed) return fail(error, "ShoreDesc.bed is null; expected heights");
-    const Range ranges[] = {
-        {"samples[0]", static_cast<double>(shore.samples[0]), 2, 1024, ""},
-        {"samples[1]", static_cast<double>(shore.samples[1]), 2, 1024, ""},
-        {"spacing", shore.spacing, 0.05f, 100, " m"},
-        {"origin[0]", shore.origin[0], -1e6, 1e6, " m"},
-        {"origin[1]", shore.origin[1], -1e6, 1e6, " m"},
-    };
-    for (const Range& range : ranges)
-        if (!inRange("ShoreDesc", range, error)) return false;
+    if (!inRange("ShoreDesc", shoreFields, &shore, error)) return false;
     const size_t count = size_t{shore.samples[0]} * shore.samples[1];
     for (size_t i = 0; i < count; ++i) {
-        char field[32];
-        std::snprintf(field, sizeof field, "bed[%zu]", i);
         if (!(std::fabs(shore.bed[i]) <= 1e4f))
-            return inRange("ShoreDesc", {field, shore.bed[i], -1e4, 1e4, " m"}, error);
+            return fail(error, "ShoreDesc.bed[%zu] is %.9g; expected -10000 to 10000 m", i,
+                        double{shore.bed[i]});
     }
     return true;
 }
@@ -117,29 +85,7 @@ bool validateShore(const SeaDesc& desc, SeaError& error) {
 } // namespace
 
 bool validate(const SeaDesc& desc, SeaError& error) {
-    if (!validateModels(desc, error)) return false;
-    if (!isAngle("SeaDesc", "windDirection", desc.windDirection, error)) return false;
-    const Range ranges[] = {
-        {"windSpeed", desc.windSpeed, 0, 100, " m/s"},
-        {"fetch", desc.fetch, 1, 1e6, " m"},
-        {"peakEnhancement", desc.peakEnhancement, 1, 10, ""},
-        {"depth", desc.depth, 0, infinity, " m"},
-        {"spreadingShape", desc.spreadingShape, 0, 1000, ""},
-        {"swell", desc.swell, 0, 1, ""},
-        {"amplitude", desc.amplitude, 0, 1, ""},
-        {"choppiness", desc.choppiness, 0, 10, ""},
-        {"samples", static_cast<double>(desc.samples), 16, 1024, ", a power of two"},
-        {"cascades", static_cast<double>(desc.cascades), 1, maxCascades, ""},
-        {"loopPeriod", desc.loopPeriod, 16, 1e6, " s"},
-    };
-    for (const Range& range : ranges)
-        if (!inRange("SeaDesc", range, error)) return false;
-    if (!std::has_single_bit(desc.samples))
-        return fail(error, "SeaDesc.samples is %u; expected a power of two from 16 to 1024", desc.samples);
-    const bool chosen = desc.largestPatch == 0;
-    if (!chosen && !(desc.largestPatch >= 1 && desc.largestPatch <= 1e5f))
-        return fail(error, "SeaDesc.largestPatch is %.9g; expected 1 to 100000 m, or 0",
-                    static_cast<double>(desc.largestPatch));
+    if (!inRange("SeaDesc", seaFields, &desc, error)) return false;
     return validateTable(desc, error) && validateSwells(desc, error) && validateShore(desc, error);
 }
 

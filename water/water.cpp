@@ -52,7 +52,8 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
         s != Status::ok)
         return s;
     *out = {};
-    if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    if (const FieldError bad = badField(*desc))
+        return context->device.fail(Status::invalidArgument, "%s", bad.text());
     if (const char* bad = badField(samples)) return context->device.fail(Status::invalidArgument, "%s", bad);
     return gpu::guarded([&] {
         Estimate waves, sum;

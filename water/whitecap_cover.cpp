@@ -1,4 +1,6 @@
 // How much of the simulated sea is white.
+#include "gpu/fields.h"
+#include "seaglass/fields/sea.h"
 #include "water/foam_history.h"
 #include "water/sea.h"
 
@@ -77,7 +79,7 @@ double coverOf(const Sea& sea, const WavesBackend& backend, void* state, const F
 bool whitecapCover(const Sea& sea, const WavesBackend& backend, const FoamDesc& foam, double time,
                    double* cover) {
     *cover = 0;
-    if (badField(foam)) return false;
+    if (badField(foamFields, &foam)) return false;
     if (sea.count == 0) return true;
     const std::unique_ptr<void, void (*)(void*)> state(backend.create(sea), backend.destroy);
     if (!state) return false;

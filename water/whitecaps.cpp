@@ -56,18 +56,7 @@ Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
     return breaking;
 }
 
-bool inRange(float value, float low, float high) {
-    return value >= low && value <= high;
-}
-
 } // namespace
-
-const char* badField(const FoamDesc& desc) {
-    if (!inRange(desc.bias, -1, 1)) return "FoamDesc.bias is out of range, expected -1 to 1";
-    if (!inRange(desc.decayTime, 0.1f, 20)) return "FoamDesc.decayTime is out of range, expected 0.1 to 20 s";
-    if (!inRange(desc.albedo, 0, 1)) return "FoamDesc.albedo is out of range, expected 0 to 1";
-    return nullptr;
-}
 
 Breaking breakingOf(const Sea& sea, const FoamDesc& foam) {
     Breaking breaking;

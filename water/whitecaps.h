@@ -14,7 +14,4 @@ struct Breaking {
 
 Breaking breakingOf(const Sea& sea, const FoamDesc& foam);
 
-/// "FoamDesc.field is ...", or null.
-const char* badField(const FoamDesc& desc);
-
 } // namespace seaglass

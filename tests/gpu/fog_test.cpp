@@ -282,7 +282,7 @@ TEST_F(FogOverWater, ThatIsNoneIsRefused) {
         {"density", [](FogDesc& f) { f.density = -1; }},
         {"density", [](FogDesc& f) { f.density = NAN; }},
         {"start", [](FogDesc& f) { f.start = f.end; }},
-        {"start", [](FogDesc& f) { f.end = INFINITY; }},
+        {"end", [](FogDesc& f) { f.end = INFINITY; }},
         {"falloff", [](FogDesc& f) { f.falloff = 11; }},
         {"baseHeight", [](FogDesc& f) { f.baseHeight = NAN; }},
         {"color", [](FogDesc& f) { f.color[1] = -1; }},

@@ -1,5 +1,7 @@
 #include "water/whitecaps.h"
 
+#include "gpu/fields.h"
+#include "seaglass/fields/sea.h"
 #include "tests/unit/sea_support.h"
 #include "water/foam_history.h"
 
@@ -99,14 +101,15 @@ TEST(Whitecaps, RipplesAloneDoNotFoam) {
 
 TEST(Whitecaps, BadFieldsAreNamed) {
     const auto refused = [](const FoamDesc& foam, const char* field) {
-        const char* bad = badField(foam);
+        const FieldError bad = badField(foamFields, &foam);
         double cover = -1;
         const auto sea = makeSea(tests::oneCascade());
         EXPECT_FALSE(whitecapCover(*sea, tests::builtBackend(), foam, 0, &cover)) << field;
-        return bad && std::string(bad).find(field) != std::string::npos;
+        return std::string(bad.text()).find(field) != std::string::npos;
     };
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(badField(FoamDesc{}), nullptr);
+    const FoamDesc asNew;
+    EXPECT_FALSE(badField(foamFields, &asNew));
     EXPECT_TRUE(refused({.bias = nan}, "bias"));
     EXPECT_TRUE(refused({.bias = 2}, "bias"));
     EXPECT_TRUE(refused({.decayTime = 0}, "decayTime"));

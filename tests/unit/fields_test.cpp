@@ -1,0 +1,187 @@
+// The tables of settings: what they say, and that the library holds to it.
+#include "gpu/fields.h"
+#include "seaglass/fields/fog.h"
+#include "seaglass/fields/reflection.h"
+#include "seaglass/fields/sea.h"
+#include "seaglass/fields/water.h"
+#include "water/body_desc.h"
+#include "water/lighting.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace seaglass;
+
+/// A description that can be spoiled, and who should refuse it then.
+struct Held {
+    const FieldTable* table;
+    void* desc;
+    std::function<std::string()> problem; ///< empty: none
+};
+
+/// Everything that a body is made of, and the light.
+class Tables : public testing::Test {
+  protected:
+    Tables() {
+        body.waves = &sea;
+        body.foam = &foam;
+        body.refraction = &refraction;
+        body.reflection = &reflection;
+        body.underwater = &underwater;
+        body.caustics = &caustics;
+        body.bed = &bed;
+        lighting.fog = &fog;
+        sea.samples = 16;
+        sea.cascades = 1;
+        shore.bed = heights.data();
+        shore.samples[0] = shore.samples[1] = 2;
+    }
+
+    std::string ofBody() const { return badField(body).text(); }
+    std::string ofSea() const {
+        SeaError error;
+        destroySea(createSea(&sea, &error));
+        return error.text;
+    }
+    std::string ofShore() {
+        sea.shore = &shore;
+        const std::string problem = ofSea();
+        sea.shore = nullptr;
+        return problem;
+    }
+
+    std::vector<Held> all() {
+        const auto body_ = [this] { return ofBody(); };
+        return {{&bodyFields, &body, body_},
+                {&meshFields, &body.mesh, body_},
+                {&shadingFields, &body.shading, body_},
+                {&foamFields, &foam, body_},
+                {&refractionFields, &refraction, body_},
+                {&reflectionFields, &reflection, body_},
+                {&underwaterFields, &underwater, body_},
+                {&causticsFields, &caustics, body_},
+                {&bedFields, &bed, body_},
+                {&fogFields, &fog, [this] { return std::string(badField(lighting).text()); }},
+                {&seaFields, &sea, [this] { return ofSea(); }},
+                {&swellFields, &sea.swells[0], [this] { return ofSea(); }},
+                {&shoreFields, &shore, [this] { return ofShore(); }}};
+    }
+
+    SeaDesc sea;
+    ShoreDesc shore;
+    FoamDesc foam;
+    RefractionDesc refraction;
+    ReflectionDesc reflection;
+    UnderwaterDesc underwater;
+    CausticsDesc caustics;
+    BedDesc bed;
+    BodyDesc body;
+    FogDesc fog;
+    LightingDesc lighting;
+    std::vector<float> heights = std::vector<float>(4, -1.0f);
+};
+
+TEST_F(Tables, HoldDescriptionsAsNew) {
+    for (const Held& held : all()) EXPECT_EQ(held.problem(), "") << held.table->desc;
+}
+
+TEST_F(Tables, NameEachFieldOnceAndSayWhatItIs) {
+    for (const Held& held : all()) {
+        std::set<std::string> names;
+        for (const Field& field : *held.table) {
+            SCOPED_TRACE(std::string(held.table->desc) + "." + field.name);
+            EXPECT_TRUE(names.insert(field.name).second);
+            EXPECT_EQ(std::string(field.about).back(), '.');
+            EXPECT_LT(field.low, field.high);
+            EXPECT_EQ(field.choices != nullptr, field.type == FieldType::choice);
+        }
+        EXPECT_FALSE(names.empty());
+    }
+}
+
+/// What a field's type holds beyond an end of its range.
+std::vector<double> justBeyond(const Field& field) {
+    if (field.type == FieldType::boolean) return {};
+    if (field.type == FieldType::integer || field.type == FieldType::choice) {
+        std::vector<double> values = {field.high + 1};
+        if (field.low > 0 && field.rule != FieldRule::zeroOrWithin) values.push_back(field.low - 1);
+        if (field.low > 1 && field.rule == FieldRule::zeroOrWithin) values.push_back(1);
+        if (field.rule == FieldRule::powerOfTwo && field.high > 2) values.push_back(field.high - 1);
+        return values;
+    }
+    std::vector<double> values = {std::numeric_limits<double>::quiet_NaN(), -HUGE_VAL};
+    for (const double end : {field.low, field.high}) {
+        if (std::isinf(end)) continue;
+        const double outwards = end == field.low ? -HUGE_VAL : HUGE_VAL;
+        values.push_back(field.type == FieldType::float32
+                             ? double{std::nextafter(static_cast<float>(end), static_cast<float>(outwards))}
+                             : std::nextafter(end, outwards));
+    }
+    return values;
+}
+
+TEST_F(Tables, AreWhatTheLibraryHoldsTo) {
+    for (const Held& held : all()) {
+        for (const Field& field : *held.table) {
+            for (uint32_t i = 0; i < field.count; ++i) {
+                const double before = field.get(held.desc, i);
+                for (const double beyond : justBeyond(field)) {
+                    field.set(held.desc, i, beyond);
+                    const std::string problem = held.problem();
+                    EXPECT_NE(problem.find(std::string(".") + field.name), std::string::npos)
+                        << held.table->desc << "." << field.name << " = " << beyond << ": " << problem;
+                    EXPECT_NE(problem.find("expected "), std::string::npos) << problem;
+                }
+                field.set(held.desc, i, before);
+                EXPECT_EQ(field.get(held.desc, i), before);
+            }
+        }
+    }
+}
+
+TEST_F(Tables, LetEndsIn) {
+    // Together with others they may be none: a start at the end, a table without samples, waves without a
+    // backend.
+    const std::set<std::string> apart = {"start", "end", "wavesOn", "spectrum", "samples", "cascades"};
+    for (const Held& held : all()) {
+        for (const Field& field : *held.table) {
+            if (apart.count(field.name) > 0) continue;
+            const double before = field.get(held.desc, 0);
+            for (const double end : {field.low, field.high}) {
+                field.set(held.desc, 0, end);
+                EXPECT_EQ(held.problem(), "") << held.table->desc << "." << field.name << " = " << end;
+            }
+            field.set(held.desc, 0, before);
+        }
+    }
+}
+
+std::string expected(const Field& field) {
+    FieldError line;
+    addExpected(line, field);
+    return line.text();
+}
+
+TEST(Field, SaysWhatIsExpected) {
+    EXPECT_EQ(expected(field<&ReflectionDesc::roofLooks>("", 0, 8, "", "")), "0 to 8");
+    EXPECT_EQ(expected(field<&ReflectionDesc::height>("", 8, 16384, "pixel", "").orZero()),
+              "0 or 8 to 16384 pixel");
+    EXPECT_EQ(expected(field<&ReflectionDesc::downscale>("", 1, 8, "", "").powersOfTwo()), "1, 2, 4 or 8");
+    EXPECT_EQ(expected(field<&SeaDesc::samples>("", 16, 1024, "", "").powersOfTwo()),
+              "a power of two, 16 to 1024");
+    EXPECT_EQ(expected(field<&ShadingDesc::fresnel>("", fresnels, "")), "0 to 1: exact or schlick");
+    EXPECT_EQ(expected(field<&FogDesc::shape>("", fogShapes, "", 1)),
+              "1 to 4: linear, exponential, exponential-squared or height");
+    EXPECT_EQ(expected(field<&SeaDesc::windDirection>("", -mostRadians, mostRadians, "rad", "")),
+              "a finite number in rad");
+}
+
+} // namespace

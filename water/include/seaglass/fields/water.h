@@ -1,0 +1,95 @@
+// The settings of water.h as tables: see field.h.
+#pragma once
+
+#include "seaglass/fields/field.h"
+#include "seaglass/water.h"
+
+namespace seaglass {
+
+/// Names of Fresnel.
+inline constexpr const char* fresnels[] = {"exact", "schlick"};
+/// Names of WavesOn.
+inline constexpr const char* wavesOn[] = {"automatic", "gpu", "cpu"};
+
+/// Rows of meshFields.
+inline constexpr Field meshFieldRows[] = {
+    field<&MeshDesc::cellSize>("cellSize", 0.01, 100, "m", "Edge of the finest cells."),
+    field<&MeshDesc::cellsPerLevel>("cellsPerLevel", 128, 1024, "",
+                                    "Cells until a twice coarser level takes over.")
+        .byQuality(128, 128, 192, 256),
+};
+/// Of MeshDesc.
+inline constexpr FieldTable meshFields = fieldTable("MeshDesc", meshFieldRows);
+
+/// Rows of shadingFields.
+inline constexpr Field shadingFieldRows[] = {
+    field<&ShadingDesc::mirrorLooks>("mirrorLooks", 1, 4, "", "At what a pixel's slopes mirror.")
+        .powersOfTwo()
+        .byQuality(1, 2, 2, 4),
+    field<&ShadingDesc::refractionLooks>("refractionLooks", 1, 16, "",
+                                         "For where the bent ray ends; 1: straight through. From 4 on, light "
+                                         "through crests is taken at several points.")
+        .byQuality(2, 3, 6, 8),
+    field<&ShadingDesc::bedDownscale>("bedDownscale", 1, 8, "",
+                                      "Pixels of the view to one of the bed's picture, each way.")
+        .byQuality(4, 4, 1, 1),
+    field<&ShadingDesc::causticStep>("causticStep", 1, 8, "pixel",
+                                     "From one ray of the sun to the next, each way.")
+        .byQuality(4, 2, 1, 1),
+    field<&ShadingDesc::slopeLooks>("slopeLooks", 1, 4, "",
+                                    "Along a pixel's longer side, at its waves, foam and the sun's shadow.")
+        .powersOfTwo()
+        .byQuality(1, 1, 2, 4),
+    field<&ShadingDesc::waveShadowSteps>("waveShadowSteps", 2, 32, "",
+                                         "Looks for the waves that hide low sky and sun; 0: a mean.")
+        .orZero()
+        .byQuality(0, 0, 8, 16),
+    field<&ShadingDesc::relief>("relief", "Shades waves shorter than the mesh's cells at their own height.")
+        .byQuality(false, false, true, true),
+    field<&ShadingDesc::fresnel>("fresnel", fresnels, "What share of light is mirrored."),
+};
+/// Of ShadingDesc.
+inline constexpr FieldTable shadingFields = fieldTable("ShadingDesc", shadingFieldRows);
+
+/// Rows of refractionFields.
+inline constexpr Field refractionFieldRows[] = {
+    field<&RefractionDesc::absorption>("absorption", 0, 100, "1/m", "Red, green, blue."),
+    field<&RefractionDesc::backscatter>("backscatter", 0, 100, "1/m", "Red, green, blue."),
+    field<&RefractionDesc::distortion>("distortion", 0, 1, "", "0: straight through, 1: bent as Snell says."),
+    field<&RefractionDesc::scattering>("scattering", 0, 100, "1/m",
+                                       "By particles: light through crests; 0: none."),
+};
+/// Of RefractionDesc.
+inline constexpr FieldTable refractionFields = fieldTable("RefractionDesc", refractionFieldRows);
+
+/// Rows of underwaterFields.
+inline constexpr Field underwaterFieldRows[] = {
+    field<&UnderwaterDesc::meniscus>("meniscus", 0, 0.1, "m", "Width of the waterline; 0: none."),
+};
+/// Of UnderwaterDesc.
+inline constexpr FieldTable underwaterFields = fieldTable("UnderwaterDesc", underwaterFieldRows);
+
+/// Rows of causticsFields.
+inline constexpr Field causticsFieldRows[] = {
+    field<&CausticsDesc::strength>("strength", 0, 1, "", "Of their contrast; 1: as the waves say."),
+};
+/// Of CausticsDesc.
+inline constexpr FieldTable causticsFields = fieldTable("CausticsDesc", causticsFieldRows);
+
+/// Rows of bedFields.
+inline constexpr Field bedFieldRows[] = {
+    field<&BedDesc::margin>("margin", 0, 1, "",
+                            "By which its picture is larger on each side, as a share of the view's size."),
+};
+/// Of BedDesc.
+inline constexpr FieldTable bedFields = fieldTable("BedDesc", bedFieldRows);
+
+/// Rows of bodyFields.
+inline constexpr Field bodyFieldRows[] = {
+    field<&BodyDesc::wavesOn>("wavesOn", wavesOn, "Where its waves are computed."),
+    field<&BodyDesc::motion>("motion", "Keeps the last waves for SurfaceOutput::motion."),
+};
+/// Of BodyDesc, but its extent, which depends on its shape.
+inline constexpr FieldTable bodyFields = fieldTable("BodyDesc", bodyFieldRows);
+
+} // namespace seaglass
