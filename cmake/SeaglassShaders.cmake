@@ -1,5 +1,5 @@
 # seaglass_shaders(target FILE... [NAME name] [DEFINES NAME...]): compiles each GLSL file to SPIR-V while building and
-# embeds it, so that a program carries its shaders. `shaders/scatter.comp` becomes
+# embeds it, so that a program carries its shaders. `shaders/reflection/sspr/scatter.comp` becomes
 #     #include "spirv/scatter.comp.h"     ->     const uint32_t scatter_comp[] = {...};
 # With DEFINES, one file gives several variants; NAME then replaces the file's name.
 find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang REQUIRED)
@@ -9,6 +9,11 @@ option(SEAGLASS_SHADER_LINES "Shaders know their files and lines" OFF)
 if(SEAGLASS_SHADER_LINES)
   list(APPEND SEAGLASS_GLSLANG_FLAGS -g)
 endif()
+
+# Names of files are their own in all of them, so that an #include is a name alone.
+file(GLOB_RECURSE seaglass_shader_folders LIST_DIRECTORIES true CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/*)
+list(FILTER seaglass_shader_folders EXCLUDE REGEX "\\.[a-z]+$")
+list(TRANSFORM seaglass_shader_folders PREPEND -I OUTPUT_VARIABLE SEAGLASS_SHADER_FOLDERS)
 
 # For tests: shaders whose arithmetic is as unlike a CPU device's as Vulkan lets it be.
 set(SEAGLASS_HOSTILE_ARITHMETIC "" CACHE STRING "Of NaN, min and max give the \"other\" operand, or \"nan\"; see tests/spirv/hostile_arithmetic.py")
@@ -26,7 +31,7 @@ endif()
 function(seaglass_name_shader header words name symbol source defines)
   file(CONFIGURE OUTPUT ${header} CONTENT [[
 #include "@words@"
-#include "gpu/shader_reload.h"
+#include "gpu/pipeline/shader_reload.h"
 namespace { const seaglass::gpu::ShaderName @symbol@_name(@symbol@, "@name@"); }
 ]] @ONLY)
   cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/shaders)
@@ -58,7 +63,7 @@ function(seaglass_shaders target)
     endif()
     add_custom_command(
       OUTPUT ${header}
-      COMMAND ${GLSLANG_VALIDATOR} ${SEAGLASS_GLSLANG_FLAGS} -I${PROJECT_SOURCE_DIR}/shaders/common -I${PROJECT_SOURCE_DIR}/shaders/shared
+      COMMAND ${GLSLANG_VALIDATOR} ${SEAGLASS_GLSLANG_FLAGS} ${SEAGLASS_SHADER_FOLDERS}
               ${arg_DEFINES} --depfile ${header}.d --vn ${symbol} -o ${header} ${source}
       ${hostile}
       DEPENDS ${source} ${seaglass_hostile_script}

@@ -8,7 +8,7 @@
 
 #include "gpu/device.h"
 #include "gpu/frame.h"
-#include "gpu/sampler.h"
+#include "gpu/memory/sampler.h"
 
 namespace seaglass {
 

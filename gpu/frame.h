@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "gpu/binding.h"
-#include "gpu/buffer.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/pipeline/binding.h"
 
 namespace seaglass::gpu {
 

@@ -1,8 +1,8 @@
 #include "host/host.h"
 
-#include "host/frame_recorder.h"
 #include "host/host_impl.h"
 #include "host/seaglass_view.h"
+#include "host/vulkan/frame_recorder.h"
 
 namespace demos {
 

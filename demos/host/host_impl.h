@@ -1,7 +1,7 @@
 // What a Host is made of.
 #pragma once
 
-#include "host/frame_recorder.h"
+#include "host/vulkan/frame_recorder.h"
 
 namespace demos {
 

@@ -6,7 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "host/placement.h"
+#include "host/water/placement.h"
 
 namespace demos {
 namespace {

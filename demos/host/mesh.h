@@ -5,10 +5,10 @@
 #include <map>
 #include <set>
 
-#include "host/bent_sun.h"
-#include "host/layouts.h"
-#include "host/mesh_file.h"
-#include "host/pipeline.h"
+#include "host/files/mesh_file.h"
+#include "host/vulkan/layouts.h"
+#include "host/vulkan/pipeline.h"
+#include "host/water/bent_sun.h"
 
 namespace demos {
 

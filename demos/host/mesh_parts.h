@@ -1,7 +1,7 @@
 // Triangles that lie near each other as parts, small enough to be culled with profit.
 #pragma once
 
-#include "host/mesh_file.h"
+#include "host/files/mesh_file.h"
 
 namespace demos {
 

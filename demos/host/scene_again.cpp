@@ -2,8 +2,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include "host/fog_uniforms.h"
-#include "host/rendering.h"
+#include "host/passes/fog_uniforms.h"
+#include "host/vulkan/rendering.h"
 #include "seaglass/record.h"
 
 namespace demos {

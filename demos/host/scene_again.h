@@ -3,8 +3,8 @@
 #pragma once
 
 #include "host/camera.h"
-#include "host/layouts.h"
-#include "host/opaque.h"
+#include "host/passes/opaque.h"
+#include "host/vulkan/layouts.h"
 #include "seaglass/reflection.h"
 
 namespace demos {

@@ -1,7 +1,7 @@
 // The host's hold on Seaglass: one context, what it last said, and its frame slots in turn.
 #pragma once
 
-#include "host/device.h"
+#include "host/vulkan/device.h"
 #include "seaglass/reflection.h"
 
 namespace demos {

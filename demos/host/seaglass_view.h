@@ -2,9 +2,9 @@
 #pragma once
 
 #include "host/camera.h"
-#include "host/frame_targets.h"
-#include "host/shadow.h"
-#include "host/sky.h"
+#include "host/passes/shadow.h"
+#include "host/passes/sky.h"
+#include "host/vulkan/frame_targets.h"
 #include "seaglass/reflection.h"
 
 namespace demos {

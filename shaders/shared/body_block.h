@@ -1,8 +1,8 @@
-// One view of a body, for GLSL and C++ alike. Positions are metres relative to the eye in the body's axes (water/body_frame.h),
+// One view of a body, for GLSL and C++ alike. Positions are metres relative to the eye in the body's axes (water/body/body_frame.h),
 // +Y up; (u, v) are the calm plane's, x and z.
 #ifdef __cplusplus
 #pragma once
-#include "gpu/shader_types.h"
+#include "gpu/pipeline/shader_types.h"
 namespace seaglass {
 #endif
 
@@ -53,7 +53,7 @@ struct BodyBlock {
     vec4 fogColor; // SeaglassFog of medium.glsl
     vec4 fogForm;
     vec4 fogReach;
-    vec4 sunInWater;    // water/caustics.h: SunInWater::from
+    vec4 sunInWater;    // water/below/caustics.h: SunInWater::from
     vec4 sunTurned;     // likewise: turnedAlong, turnedAcross
     vec4 lostSlopes[2]; // likewise: LostSlopes
     ivec4 causticGrid;  // likewise, CausticGrid: step, margin, rowLength, firstRow

@@ -1,7 +1,7 @@
-// Of shaders/foam.comp.
+// Of shaders/water/foam/foam.comp.
 #ifdef __cplusplus
 #pragma once
-#include "gpu/shader_types.h"
+#include "gpu/pipeline/shader_types.h"
 namespace seaglass {
 #endif
 

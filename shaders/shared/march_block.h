@@ -1,7 +1,7 @@
-// How rays are followed over the picture: shaders/common/march.glsl.
+// How rays are followed over the picture: shaders/reflection/march/march.glsl.
 #ifdef __cplusplus
 #pragma once
-#include "gpu/shader_types.h"
+#include "gpu/pipeline/shader_types.h"
 namespace seaglass {
 #endif
 

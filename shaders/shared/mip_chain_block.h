@@ -1,7 +1,7 @@
-// Of shaders/mip_chain.comp, which halves IMAGES images at once.
+// Of shaders/gpu/mip_chain.comp, which halves IMAGES images at once.
 #ifdef __cplusplus
 #pragma once
-#include "gpu/shader_types.h"
+#include "gpu/pipeline/shader_types.h"
 namespace seaglass {
 #endif
 

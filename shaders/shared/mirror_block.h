@@ -1,8 +1,8 @@
-// The screen mirror of reflection/mirror.h, for GLSL and C++ alike. A "screen point" is (x, y, depth, 1) in
+// The screen mirror of reflection/core/mirror.h, for GLSL and C++ alike. A "screen point" is (x, y, depth, 1) in
 // pixels of the view's region.
 #ifdef __cplusplus
 #pragma once
-#include "gpu/shader_types.h"
+#include "gpu/pipeline/shader_types.h"
 namespace seaglass {
 #endif
 
@@ -26,7 +26,7 @@ struct MirrorBlock {
     int pixelShift; // log2 of the pixels of the region to one of the reflection, each way: integers divide
                     // slowly
     int keyShift;   // and to one key
-    float contactPerMetre; // see onOrBelowPlane() of shaders/common/mirror.glsl
+    float contactPerMetre; // see onOrBelowPlane() of shaders/reflection/core/mirror.glsl
     float depthStep;       // scene depths closer than this may be held as one
     uint followed;         // rays are followed afterwards where nothing is proven
     float undersideLight;  // share of the top's colour that stands for what lies under it

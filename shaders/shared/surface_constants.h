@@ -1,19 +1,19 @@
 // The specialisation constants of a body's surface, for GLSL and C++ alike: CONSTANT(number, type, name, usual value).
 CONSTANT(0, uint, surfaceOutput, 0)
-CONSTANT(1, uint, sidesSeen, 0) // water/surface.h: SidesSeen
+CONSTANT(1, uint, sidesSeen, 0) // water/surface/surface.h: SidesSeen
 CONSTANT(2, bool, hasWaves, false)
 CONSTANT(3, bool, hasShore, false)   // only with waves
 CONSTANT(4, bool, hasFoam, false)    // only with waves
 CONSTANT(5, bool, hasReflection, false) // a screen-space reflection image
 CONSTANT(6, bool, hasRefraction, false)
 CONSTANT(7, bool, hasSunShadow, false) // a shadow map of the host's
-CONSTANT(8, uint, shape, 0)            // water/surface.h: SurfaceShape
+CONSTANT(8, uint, shape, 0)            // water/surface/surface.h: SurfaceShape
 CONSTANT(9, bool, forMotion, false)    // beside it waves, shore, shape and dryRooms alone
 CONSTANT(10, bool, inViews, false)     // of a multiview pass
 CONSTANT(11, int, cascades, 0)
 CONSTANT(12, int, foamCascades, 0)     // that break: the first so many
 CONSTANT(13, bool, lightsCrests, false) // only with waves and refraction
-CONSTANT(14, uint, dryRooms, 0)        // water/dry_rooms.h: roomsPacked()
+CONSTANT(14, uint, dryRooms, 0)        // water/body/dry_rooms.h: roomsPacked()
 CONSTANT(15, int, waveShadowSteps, 0)
 CONSTANT(16, int, mirrorLooks, 1)      // 1, 2 or 4
 CONSTANT(17, int, refractionLooks, 6)  // 1: straight through
@@ -28,4 +28,4 @@ CONSTANT(25, bool, skyHasColors, false) // in place of the cube
 CONSTANT(26, bool, sceneIsEncoded, false)  // only with refraction: what is read of the scene
 CONSTANT(27, bool, targetIsEncoded, false)
 CONSTANT(28, bool, manySamples, false) // only with refraction: of the scene, of which sample 0 may lie before the surface
-CONSTANT(29, uint, fogKind, 0)         // water/lighting.h: fogKind()
+CONSTANT(29, uint, fogKind, 0)         // water/body/lighting.h: fogKind()

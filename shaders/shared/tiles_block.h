@@ -1,7 +1,7 @@
-// Tiles of 8 x 8 pixels of a reflection, and the start of their buffer: reflection/tiles.h.
+// Tiles of 8 x 8 pixels of a reflection, and the start of their buffer: reflection/sspr/tiles.h.
 #ifdef __cplusplus
 #pragma once
-#include "gpu/shader_types.h"
+#include "gpu/pipeline/shader_types.h"
 namespace seaglass {
 #endif
 

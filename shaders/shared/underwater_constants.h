@@ -3,7 +3,7 @@
 CONSTANT(0, bool, straddles, false) // the view's near plane may be above the water too
 CONSTANT(1, bool, hasWaves, false)  // only where it straddles
 CONSTANT(2, bool, hasShore, false)  // only with waves
-CONSTANT(3, uint, dryRooms, 0)      // water/dry_rooms.h: roomsPacked()
+CONSTANT(3, uint, dryRooms, 0)      // water/body/dry_rooms.h: roomsPacked()
 CONSTANT(4, bool, sceneIsEncoded, false)
 CONSTANT(5, bool, targetIsEncoded, false)
 CONSTANT(6, bool, inViews, false) // of a multiview pass

@@ -1,7 +1,7 @@
-// What shaders/waves_columns.comp and waves_rows.comp are told.
+// What shaders/water/waves/waves_columns.comp and waves_rows.comp are told.
 #ifdef __cplusplus
 #pragma once
-#include "gpu/shader_types.h"
+#include "gpu/pipeline/shader_types.h"
 namespace seaglass {
 #endif
 
@@ -14,7 +14,7 @@ struct WaveBand {
 
 struct WavesBlock {
     WaveBand bands[4];
-    uint now; // water/phase.h: loopPhase
+    uint now; // water/sea/phase.h: loopPhase
     uint allColumns;
     float choppiness;
     uint pad0;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "host/device.h"
+#include "host/vulkan/device.h"
 #include "seaglass/water.h"
 
 namespace {

@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "host/layouts.h"
-#include "host/pipeline.h"
+#include "host/vulkan/layouts.h"
+#include "host/vulkan/pipeline.h"
 
 #include "spirv/branches.comp.h"
 

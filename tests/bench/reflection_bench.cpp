@@ -12,11 +12,11 @@
 #include <map>
 #include <string_view>
 
-#include "host/timed_floor.h"
+#include "host/timing/timed_floor.h"
 #include "seaglass/reflection.h"
-#include "tests/gpu/poses.h"
-#include "tests/gpu/reflection_score.h"
-#include "tests/gpu/rig.h"
+#include "tests/gpu/rig/poses.h"
+#include "tests/gpu/rig/reflection_score.h"
+#include "tests/gpu/rig/rig.h"
 
 namespace {
 

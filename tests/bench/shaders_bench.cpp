@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "host/quality.h"
+#include "host/water/quality.h"
 #include "tests/null/compiled_water.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "host/host.h"
-#include "host/quality.h"
+#include "host/water/quality.h"
 #include "scene/camera_choice.h"
 #include "scene/offset.h"
 #include "scene/without.h"

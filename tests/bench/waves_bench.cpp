@@ -17,10 +17,10 @@
 #include <thread>
 #include <vector>
 
-#include "host/timed_floor.h"
+#include "host/timing/timed_floor.h"
 #include "seaglass/water.h"
 #include "seaglass/waves_fftw.h"
-#include "tests/gpu/rig.h"
+#include "tests/gpu/rig/rig.h"
 
 namespace {
 

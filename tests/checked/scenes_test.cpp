@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/scene/scene.h"
+#include "demos/tools/scene/scene.h"
 #include "tests/program/demo_scenes.h"
 #include "tests/program/run.h"
 

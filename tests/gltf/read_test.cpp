@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/mesh_file.h"
+#include "host/files/mesh_file.h"
 #include "tests/gltf/plate.h"
 #include "tests/program/run.h"
 

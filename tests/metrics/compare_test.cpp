@@ -1,4 +1,4 @@
-#include "demos/metrics/compare.h"
+#include "demos/tools/metrics/compare.h"
 
 #include <cmath>
 #include <limits>

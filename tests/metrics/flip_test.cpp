@@ -1,4 +1,4 @@
-#include "demos/metrics/flip.h"
+#include "demos/tools/metrics/flip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/metrics/flip_hdr.h"
+#include "demos/tools/metrics/flip_hdr.h"
 #include "tests/metrics/painted.h"
 
 namespace {

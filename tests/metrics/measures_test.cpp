@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/metrics/difference.h"
-#include "demos/metrics/finite.h"
-#include "demos/metrics/magma.h"
-#include "demos/metrics/psnr.h"
+#include "demos/tools/metrics/difference.h"
+#include "demos/tools/metrics/finite.h"
+#include "demos/tools/metrics/magma.h"
+#include "demos/tools/metrics/psnr.h"
 #include "tests/metrics/painted.h"
 
 namespace {

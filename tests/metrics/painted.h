@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "demos/metrics/image.h"
+#include "demos/tools/metrics/image.h"
 
 namespace tests {
 

@@ -5,17 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "host/device.h"
+#include "host/vulkan/device.h"
 #include "seaglass/water.h"
 #include "tests/null/compiled_twice.h"
-#include "water/surface.h"
-#include "water/underwater.h"
+#include "water/below/underwater.h"
+#include "water/surface/surface.h"
 
 namespace tests {
 
 /// Which of the surface's pipelines.
 struct SurfaceChoice {
-    /// Features: w waves, f foam, s a shore, l reflection, r refraction, o an outline, h the host's shadow map.
+    /// Features: w waves, f foam, s a shore, l reflection, r refraction, o an outline, h the host's shadow
+    /// map.
     std::string letters;
     seaglass::Quality quality = seaglass::Quality::medium;
     seaglass::SurfaceOutput output = seaglass::SurfaceOutput::shaded;

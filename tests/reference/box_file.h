@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/gpu/traced_scene.h"
+#include "tests/gpu/rig/traced_scene.h"
 
 namespace tests {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "reference/reference.h"
-#include "tests/gpu/traced_scene.h"
+#include "tests/gpu/rig/traced_scene.h"
 
 namespace tests {
 

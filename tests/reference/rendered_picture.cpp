@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/supersample.h"
+#include "host/passes/supersample.h"
 
 namespace tests {
 

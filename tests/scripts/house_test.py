@@ -26,11 +26,11 @@ BARS = {
 
 CLEAN = {
     "gpu/include/seaglass/host.h": "#pragma once\nvoid destroyAll(); ///< as a host does\n",
-    "reflection/mirror.h": "#include \"gpu/image.h\"\n",
-    "gpu/image.h": "",
+    "reflection/core/mirror.h": "#include \"gpu/memory/image.h\"\n",
+    "gpu/memory/image.h": "",
     "water/include/seaglass/water.h": "struct ShadingDesc {\n    unsigned slopeLooks = 1; ///< looks\n};\n",
-    "water/quality.cpp": "void f() {\n    reflection.downscale = 2;\n}\n",
-    "water/mirror.cpp": "#include \"gpu/image.h\"\nvoid put(MirrorBlock& block) { block.steepness = 1; }\n",
+    "water/body/quality.cpp": "void f() {\n    reflection.downscale = 2;\n}\n",
+    "water/mirror.cpp": "#include \"gpu/memory/image.h\"\nvoid put(MirrorBlock& block) { block.steepness = 1; }\n",
     "shaders/shared/mirror_block.h": "struct MirrorBlock {\n    float steepness; // none\n    float pad0;\n};\n",
     "shaders/mirror.frag": "uniform Mirror { MirrorBlock mirror; };\nvoid main() {\n    mirror.steepness;\n}\n",
     "tests/unit/one_test.cpp": "",
@@ -114,10 +114,10 @@ class House(unittest.TestCase):
         self.missed("files in a folder of sources", 26, "26 demos/host")
 
     def test_private_headers_of_others(self):
-        self.write("water/look.cpp", '#include "reflection/mirror.h"\n')
-        self.missed("includes of another library's private header", 1, "water/look.cpp includes reflection/mirror.h")
-        self.write("demos/host/look.cpp", '#include "gpu/image.h"\n#include "host/look.h"\n')
-        self.missed("includes of another library's private header", 2, "demos/host/look.cpp includes gpu/image.h")
+        self.write("water/look.cpp", '#include "reflection/core/mirror.h"\n')
+        self.missed("includes of another library's private header", 1, "water/look.cpp includes reflection/core/mirror.h")
+        self.write("demos/host/look.cpp", '#include "gpu/memory/image.h"\n#include "host/look.h"\n')
+        self.missed("includes of another library's private header", 2, "demos/host/look.cpp includes gpu/memory/image.h")
 
     def test_two_ways_to_name_tests(self):
         self.write("tests/unit/three_tests.cpp", "")

@@ -7,7 +7,6 @@ import sys
 from module import Op, files, read, text
 
 UNIFORM = 2
-OTHERS = {"Surface"}    # not in shaders/shared: C++ writes its holes out
 ARRAY_STRIDE, MATRIX_STRIDE, OFFSET = 6, 7, 35
 
 
@@ -82,7 +81,7 @@ class Layout:
 
 def holes_of(path):
     layout = Layout(read(path))
-    blocks = [type for type in layout.blocks.values() if layout.names[type] not in OTHERS]
+    blocks = list(layout.blocks.values())
     return [f"{path}: {line}" for type in blocks for line in layout.holes(type, layout.names[type])]
 
 

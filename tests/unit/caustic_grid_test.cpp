@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/cameras.h"
-#include "water/caustics.h"
+#include "water/below/caustics.h"
 
 namespace {
 

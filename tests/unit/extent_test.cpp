@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 
 #include "tests/unit/mesh_support.h"
-#include "water/extent.h"
-#include "water/host_mesh.h"
-#include "water/mesh.h"
+#include "water/mesh/extent.h"
+#include "water/mesh/host_mesh.h"
+#include "water/mesh/mesh.h"
 
 namespace {
 
@@ -97,7 +97,7 @@ TEST(Extent, WindingDoesNotMatter) {
         for (double z = -60; z < 60; z += 3.1) EXPECT_EQ(a.contains({x, z}), b.contains({x, z}));
 }
 
-/// As shaders/common/extent.glsl does it.
+/// As shaders/water/mesh/extent.glsl does it.
 bool isWithin(const OutlinedPatches& drawn, const OutlinedPatch& patch, const glm::vec2& p) {
     bool within = patch.edgeCount == 0;
     for (uint32_t i = patch.firstEdge; i < patch.firstEdge + patch.edgeCount; ++i) {

@@ -4,8 +4,8 @@
 #include "seaglass/fields/reflection.h"
 #include "seaglass/fields/sea.h"
 #include "seaglass/fields/water.h"
-#include "water/body_desc.h"
-#include "water/lighting.h"
+#include "water/body/body_desc.h"
+#include "water/body/lighting.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "water/foam_pattern.h"
+#include "water/foam/foam_pattern.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ double deviationBetween(const std::vector<FoamTexel>& mip, size_t across) {
     return std::sqrt(squares / looks);
 }
 
-// What shaders/common/foam_cover.glsl relies on, so that a share `cover` is white where the pattern is a
+// What shaders/water/foam/foam_cover.glsl relies on, so that a share `cover` is white where the pattern is a
 // mip's.
 TEST(FoamPattern, IsEvenInEveryMipAndKeepsItsContrast) {
     const auto mips = foamPattern();

@@ -1,7 +1,7 @@
 // Views that meshes are tested from.
 #pragma once
 
-#include "water/mesh.h"
+#include "water/mesh/mesh.h"
 
 namespace tests {
 

@@ -11,7 +11,7 @@
 
 #include "tests/unit/cameras.h"
 #include "tests/unit/mesh_support.h"
-#include "water/mesh.h"
+#include "water/mesh/mesh.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include <glm/matrix.hpp>
 
-#include "reflection/mirror.h"
+#include "reflection/core/mirror.h"
 #include "tests/unit/cameras.h"
 
 namespace {

@@ -8,8 +8,8 @@
 
 #include <glm/matrix.hpp>
 
-#include "reflection/mirror.h"
-#include "reflection/oblique.h"
+#include "reflection/core/mirror.h"
+#include "reflection/planar/oblique.h"
 #include "tests/unit/cameras.h"
 
 namespace {

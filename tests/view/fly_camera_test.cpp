@@ -1,4 +1,4 @@
-#include "demos/view/fly_camera.h"
+#include "demos/tools/view/fly_camera.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/view/viewer.h"
+#include "demos/tools/view/viewer.h"
 #include "tests/program/sample.h"
 #include "tests/view/xvfb.h"
 

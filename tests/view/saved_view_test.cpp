@@ -1,4 +1,4 @@
-#include "demos/view/saved_view.h"
+#include "demos/tools/view/saved_view.h"
 
 #include <gtest/gtest.h>
 

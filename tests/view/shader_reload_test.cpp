@@ -104,12 +104,12 @@ TEST_F(ShaderReload, FollowsWhatShadersInclude) {
     REQUIRE_DISPLAY(xvfb_);
     ASSERT_NO_FATAL_FAILURE(openOver());
     const std::vector<uint8_t> before = shown();
-    const std::string text = read("common/optics.glsl");
-    write("common/optics.glsl", text + "\nbroken\n");
+    const std::string text = read("gpu/optics.glsl");
+    write("gpu/optics.glsl", text + "\nbroken\n");
     stepOn(1);
     expectMessage("optics.glsl:");
     EXPECT_EQ(shown(), before);
-    write("common/optics.glsl", text);
+    write("gpu/optics.glsl", text);
     stepOn(1);
     EXPECT_EQ(message(), "shaders reloaded");
     EXPECT_EQ(shown(), before);

@@ -1,5 +1,5 @@
 // The reference on a thread of its own: what it brings, and what it throws away.
-#include "demos/view/tracer.h"
+#include "demos/tools/view/tracer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "demos/metrics/compare.h"
+#include "demos/tools/metrics/compare.h"
 
 namespace tests {
 

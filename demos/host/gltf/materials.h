@@ -5,10 +5,10 @@
 #include <map>
 #include <string>
 
+#include "host/files/mesh_file.h"
 #include "host/gltf/buffers.h"
 #include "host/gltf/image.h"
 #include "host/gltf/notes.h"
-#include "host/mesh_file.h"
 
 namespace demos::gltf {
 

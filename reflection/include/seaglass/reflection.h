@@ -3,7 +3,7 @@
 //
 // For each view a Reflector gives two images of the view's size, or of a fraction of it: `color`, the scene
 // as the plane mirrors it at each pixel, and `info`, what is known about it. Whoever shades the surface looks
-// them up (see shaders/common/reflection_lookup.glsl) and bends the lookup by its own normals.
+// them up (see shaders/water/surface/reflection_lookup.glsl) and bends the lookup by its own normals.
 #pragma once
 
 #include <math.h>

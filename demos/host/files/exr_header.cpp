@@ -1,0 +1,128 @@
+#include "host/files/exr_header.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+
+namespace demos {
+namespace {
+
+constexpr int64_t maxSide = 16384;
+constexpr int64_t maxTilePixels = int64_t(1) << 24;
+constexpr int64_t maxBlockBytes = int64_t(1) << 29; ///< of rows that are unpacked together
+constexpr size_t longestName = 255;
+constexpr uint32_t multiPart = 0x1000;
+/// Rows that each of OpenEXR's compressions packs together, from NO_COMPRESSION to DWAB_COMPRESSION.
+constexpr std::array<int64_t, 10> rowsOfBlock = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
+
+class Reader {
+  public:
+    explicit Reader(const std::filesystem::path& file) : stream_(file, std::ios::binary) {
+        stream_.seekg(0, std::ios::end);
+        size_ = stream_.tellg();
+        stream_.seekg(0);
+    }
+    int64_t left() { return size_ - stream_.tellg(); }
+    int64_t size() const { return size_; }
+    void skip(int64_t bytes) { stream_.seekg(bytes, std::ios::cur); }
+    bool ok() const { return !stream_.fail(); }
+    /// Little-endian, as the file is.
+    uint32_t word() {
+        std::array<unsigned char, 4> bytes{};
+        stream_.read(reinterpret_cast<char*>(bytes.data()), 4);
+        return bytes[0] | uint32_t(bytes[1]) << 8 | uint32_t(bytes[2]) << 16 | uint32_t(bytes[3]) << 24;
+    }
+    int64_t integer() { return static_cast<int32_t>(word()); }
+    int64_t byte() { return stream_.get(); }
+    std::string name() {
+        std::string text;
+        std::getline(stream_, text, '\0');
+        if (text.size() > longestName) stream_.setstate(std::ios::failbit);
+        return text;
+    }
+
+  private:
+    std::ifstream stream_;
+    int64_t size_ = 0;
+};
+
+struct PartSize {
+    int64_t width = 0, height = 0, rows = 1, channels = 0;
+};
+
+int64_t channelCount(Reader& reader, int64_t bytes) {
+    const int64_t end = reader.left() - bytes;
+    int64_t count = 0;
+    while (reader.ok() && reader.left() > end && !reader.name().empty()) {
+        reader.skip(16); // type, linearity, sampling
+        ++count;
+    }
+    return count;
+}
+
+/// Reads an attribute, and may stop short of its end.
+std::string take(Reader& reader, const std::string& name, int64_t bytes, PartSize& part) {
+    if (name == "channels") part.channels = channelCount(reader, bytes);
+    if (name == "compression") {
+        const auto kind = static_cast<size_t>(reader.byte());
+        if (kind < rowsOfBlock.size()) part.rows = rowsOfBlock[kind];
+    }
+    if (name == "chunkCount" && reader.integer() > reader.size() / 8)
+        return "says that it has more chunks than bytes";
+    if (name == "dataWindow" || name == "displayWindow") {
+        const int64_t left = reader.integer(), top = reader.integer();
+        const int64_t width = reader.integer() - left + 1, height = reader.integer() - top + 1;
+        if (width < 1 || height < 1 || width > maxSide || height > maxSide)
+            return "is " + std::to_string(width) + "x" + std::to_string(height) +
+                   ", expected 1 to 16384 each way";
+        if (name == "dataWindow") part.width = width;
+    }
+    if (name == "tiles") {
+        const int64_t width = reader.word(), height = reader.word();
+        if (width > maxSide || height > maxSide || width * height > maxTilePixels)
+            return "has tiles of " + std::to_string(width) + "x" + std::to_string(height) +
+                   ", expected at most 2^24 pixels";
+    }
+    return "";
+}
+
+/// `more`: whether a part was read, and another may follow.
+std::string partProblem(Reader& reader, bool& more) {
+    PartSize part;
+    more = false;
+    for (std::string name = reader.name(); reader.ok() && !name.empty(); name = reader.name()) {
+        more = true;
+        const std::string type = reader.name();
+        const int64_t bytes = reader.word(), left = reader.left();
+        if (!reader.ok() || bytes > left)
+            return "attribute '" + name + "' is said to hold " + std::to_string(bytes) +
+                   " bytes, expected at most what the file has";
+        const std::string problem = take(reader, name, bytes, part);
+        if (!problem.empty()) return problem;
+        reader.skip(reader.left() - (left - bytes));
+    }
+    if (!reader.ok()) return "its header is cut off, expected a whole file";
+    if (part.width * part.rows * part.channels * 4 > maxBlockBytes)
+        return "has " + std::to_string(part.channels) + " channels in blocks of " +
+               std::to_string(part.width) + "x" + std::to_string(part.rows) + ", expected at most 2^29 bytes";
+    return "";
+}
+
+} // namespace
+
+std::string exrHeaderProblem(const std::filesystem::path& file) {
+    Reader reader(file);
+    reader.skip(4);
+    const uint32_t version = reader.word();
+    std::string problem;
+    bool more = true;
+    while (problem.empty() && more) {
+        problem = partProblem(reader, more);
+        if ((version & multiPart) == 0) break;
+    }
+    return problem;
+}
+
+} // namespace demos

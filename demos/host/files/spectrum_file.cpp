@@ -1,0 +1,137 @@
+#include "host/files/spectrum_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace demos {
+
+namespace {
+
+constexpr size_t mostBytes = size_t(1) << 20;
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blank = " \t\r";
+    const size_t from = text.find_first_not_of(blank);
+    if (from == text.npos) return {};
+    return text.substr(from, text.find_last_not_of(blank) - from + 1);
+}
+
+std::string_view unquoted(std::string_view text) {
+    text = trimmed(text);
+    const bool quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
+    return quoted ? trimmed(text.substr(1, text.size() - 2)) : text;
+}
+
+/// Models of waves end in numbers that no float holds: those become zero.
+std::optional<float> number(std::string_view text) {
+    text = unquoted(text);
+    if (text.size() > 1 && text.front() == '+') text.remove_prefix(1);
+    double value = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end != text.data() + text.size() || text.empty()) return std::nullopt;
+    const bool tiny = text.find("e-") != text.npos || text.find("E-") != text.npos;
+    if (code == std::errc::result_out_of_range && tiny) return 0.0f;
+    if (code != std::errc{}) return std::nullopt;
+    constexpr double greatest = std::numeric_limits<float>::max();
+    return std::isfinite(value) && std::abs(value) > greatest ? std::nullopt
+                                                              : std::optional(static_cast<float>(value));
+}
+
+/// As NDBC marks a density that was not measured, and others after it.
+bool standsForMissing(std::string_view text) {
+    text = unquoted(text);
+    const std::optional<float> value = number(text);
+    return text == "MM" || (value && (*value == 999 || *value == 9999 || *value == -999 || *value == -9999));
+}
+
+bool isHeading(std::string_view line) {
+    const std::string_view first = unquoted(line.substr(0, line.find(',')));
+    return !first.empty() && std::isalpha(static_cast<unsigned char>(first.front())) && !number(first) &&
+           first != "MM";
+}
+
+/// What keeps a line from being two numbers.
+std::string problemOf(std::string_view line) {
+    const std::string quoted = "'" + std::string(line.substr(0, 40)) + "'";
+    if (line.find('\0') != line.npos) return "a zero byte, expected a text of UTF-8";
+    if (line.find(';') != line.npos)
+        return quoted + " has a semicolon, expected two numbers and a comma: Hz,m^2/Hz";
+    if (line.find(',') == line.npos && line.find('\t') != line.npos)
+        return quoted + " has a tab, expected two numbers and a comma: Hz,m^2/Hz";
+    if (std::count(line.begin(), line.end(), ',') > 1)
+        return quoted + " has more than one comma, expected two numbers with decimal points: Hz,m^2/Hz";
+    return quoted + ", expected two numbers: Hz,m^2/Hz";
+}
+
+std::optional<std::string> readText(const std::filesystem::path& file, Error& error) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(mostBytes + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<size_t>(stream.gcount()));
+    if (text.size() > mostBytes) {
+        error.text = file.string() + ": is over 1 MiB, expected at most " +
+                     std::to_string(seaglass::maxSpectrumSamples) + " lines of Hz,m^2/Hz";
+        return std::nullopt;
+    }
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+        error.text = file.string() + ": is UTF-16, expected a text of UTF-8";
+        return std::nullopt;
+    }
+    if (text.starts_with(byteOrderMark)) text.erase(0, byteOrderMark.size());
+    return text;
+}
+
+/// Ends lines as Unix, Windows and old Macintoshes do.
+std::string_view takeLine(std::string_view& rest) {
+    const size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+    const std::string_view line = rest.substr(0, end);
+    const size_t next = end + (rest.substr(end).starts_with("\r\n") ? 2 : 1);
+    rest.remove_prefix(std::min(next, rest.size()));
+    return line;
+}
+
+} // namespace
+
+bool readSpectrum(const std::filesystem::path& file, std::vector<seaglass::SpectrumSample>& out,
+                  Error& error) {
+    out.clear();
+    const std::optional<std::string> text = readText(file, error);
+    if (!text) return false;
+    bool begun = false;
+    std::string_view rest = *text;
+    for (size_t lineNumber = 1; !rest.empty(); ++lineNumber) {
+        const std::string_view line = trimmed(takeLine(rest));
+        if (line.empty() || line.front() == '#') continue;
+        const auto fail = [&](const std::string& problem) {
+            error.text = file.string() + ":" + std::to_string(lineNumber) + ": " + problem;
+            return false;
+        };
+        const bool heading = !begun && isHeading(line);
+        begun = true;
+        if (heading) continue;
+        const size_t comma = line.find(',');
+        if (comma == line.npos) return fail(problemOf(line));
+        const std::string_view second = line.substr(comma + 1);
+        if (standsForMissing(second))
+            return fail("density is " + std::string(unquoted(second)) +
+                        ", which stands for one that is missing; expected such lines to be left out");
+        const std::optional<float> frequency = number(line.substr(0, comma)), density = number(second);
+        if (!frequency || !density) return fail(problemOf(line));
+        if (out.size() == seaglass::maxSpectrumSamples)
+            return fail("one line too many, expected at most " +
+                        std::to_string(seaglass::maxSpectrumSamples));
+        out.push_back({*frequency, *density});
+    }
+    if (!out.empty()) return true;
+    error.text = file.string() + ": no spectrum, expected lines of Hz,m^2/Hz";
+    return false;
+}
+
+} // namespace demos

@@ -1,0 +1,24 @@
+// The least that drawing a whole picture can cost: a triangle over it, whose pixels are read from another
+// one.
+#pragma once
+
+#include "host/vulkan/frame_targets.h"
+
+namespace demos {
+
+class FullScreenPass {
+  public:
+    bool create(const Device& device, Error& error);
+    /// Draws targets.sceneColor over targets.color, both as copyScene() leaves them.
+    void record(const Device& device, VkCommandBuffer commands, const FrameTargets& targets) const;
+
+  private:
+    UniqueSampler sampler_;
+    UniqueDescriptorSetLayout setLayout_;
+    UniqueDescriptorPool pool_;
+    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    UniquePipelineLayout layout_;
+    UniquePipeline pipeline_;
+};
+
+} // namespace demos

@@ -1,0 +1,150 @@
+#include "host/vulkan/pipeline.h"
+
+#include <cstddef>
+
+#include "host/files/mesh_file.h"
+
+namespace demos {
+namespace {
+
+bool createModule(const Device& device, std::span<const uint32_t> code, UniqueShaderModule& out,
+                  Error& error) {
+    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    info.codeSize = code.size_bytes();
+    info.pCode = code.data();
+    VkShaderModule shader = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateShaderModule(device.handle(), &info, nullptr, &shader), "vkCreateShaderModule",
+                   error))
+        return false;
+    out = UniqueShaderModule(device.handle(), shader);
+    return true;
+}
+
+constexpr VkVertexInputBindingDescription meshBindings[] = {
+    {0, sizeof(MeshVertex), VK_VERTEX_INPUT_RATE_VERTEX},
+    {1, sizeof(OtherUvs), VK_VERTEX_INPUT_RATE_VERTEX},
+};
+
+std::vector<VkVertexInputAttributeDescription> meshAttributes(bool otherUvs) {
+    std::vector<VkVertexInputAttributeDescription> attributes = {
+        {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(MeshVertex, position)},
+        {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(MeshVertex, normal)},
+        {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(MeshVertex, uv)},
+        {3, 0, VK_FORMAT_R16G16B16A16_UNORM, offsetof(MeshVertex, color)},
+    };
+    for (uint32_t i = 0; i < std::tuple_size_v<OtherUvs>; ++i)
+        attributes.push_back({4 + i, otherUvs ? 1u : 0u, VK_FORMAT_R32G32_SFLOAT,
+                              otherUvs ? i * static_cast<uint32_t>(sizeof(glm::vec2))
+                                       : static_cast<uint32_t>(offsetof(MeshVertex, uv))});
+    return attributes;
+}
+
+} // namespace
+
+bool createPipeline(const Device& device, VkPipelineLayout layout, const PipelineDesc& desc,
+                    UniquePipeline& out, Error& error) {
+    UniqueShaderModule vertex, fragment;
+    if (!createModule(device, desc.vertex, vertex, error)) return false;
+    if (!desc.fragment.empty() && !createModule(device, desc.fragment, fragment, error)) return false;
+
+    std::vector<VkSpecializationMapEntry> entries;
+    for (uint32_t i = 0; i < desc.constants.size(); ++i)
+        entries.push_back({i, i * static_cast<uint32_t>(sizeof(uint32_t)), sizeof(uint32_t)});
+    const VkSpecializationInfo constants = {static_cast<uint32_t>(entries.size()), entries.data(),
+                                            desc.constants.size_bytes(), desc.constants.data()};
+    VkPipelineShaderStageCreateInfo stages[2] = {{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO},
+                                                 {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO}};
+    stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
+    stages[0].module = vertex.get();
+    stages[0].pName = "main";
+    stages[1].stage = VK_SHADER_STAGE_FRAGMENT_BIT;
+    stages[1].module = fragment.get();
+    stages[1].pName = "main";
+    stages[1].pSpecializationInfo = &constants;
+
+    VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    if (desc.vertices) input = *desc.vertices;
+    const std::vector<VkVertexInputAttributeDescription> attributes = meshAttributes(desc.otherUvs);
+    if (desc.meshVertices) {
+        input.vertexBindingDescriptionCount = desc.otherUvs ? 2 : 1;
+        input.pVertexBindingDescriptions = meshBindings;
+        input.vertexAttributeDescriptionCount = static_cast<uint32_t>(attributes.size());
+        input.pVertexAttributeDescriptions = attributes.data();
+    }
+    VkPipelineInputAssemblyStateCreateInfo assembly{
+        VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+    viewport.viewportCount = 1;
+    viewport.scissorCount = 1;
+    VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    raster.lineWidth = 1;
+    raster.depthBiasEnable = desc.slopeBias != 0;
+    raster.depthBiasSlopeFactor = desc.slopeBias;
+    VkPipelineMultisampleStateCreateInfo multisample{
+        VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    multisample.rasterizationSamples = desc.samples;
+    multisample.pSampleMask = &desc.sampleMask;
+    VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+    depth.depthTestEnable = VK_TRUE;
+    depth.depthWriteEnable = desc.depthWrite;
+    depth.depthCompareOp = desc.depthCompare;
+    VkPipelineColorBlendAttachmentState attachment{};
+    attachment.colorWriteMask = 0xf;
+    attachment.blendEnable = desc.blends;
+    attachment.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+    attachment.dstColorBlendFactor = attachment.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    attachment.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+    blend.attachmentCount = desc.colorFormat == VK_FORMAT_UNDEFINED ? 0 : 1;
+    blend.pAttachments = &attachment;
+    const VkDynamicState dynamics[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                       VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
+    VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+    dynamic.dynamicStateCount = 4;
+    dynamic.pDynamicStates = dynamics;
+    VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+    rendering.colorAttachmentCount = blend.attachmentCount;
+    rendering.pColorAttachmentFormats = &desc.colorFormat;
+    rendering.depthAttachmentFormat = desc.depthFormat;
+
+    VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
+    info.stageCount = desc.fragment.empty() ? 1 : 2;
+    info.pStages = stages;
+    info.pVertexInputState = &input;
+    info.pInputAssemblyState = &assembly;
+    info.pViewportState = &viewport;
+    info.pRasterizationState = &raster;
+    info.pMultisampleState = &multisample;
+    info.pDepthStencilState = &depth;
+    info.pColorBlendState = &blend;
+    info.pDynamicState = &dynamic;
+    info.layout = layout;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+                   "vkCreateGraphicsPipelines", error))
+        return false;
+    out = UniquePipeline(device.handle(), pipeline);
+    return true;
+}
+
+bool createComputePipeline(const Device& device, std::span<const uint32_t> spirv, VkPipelineLayout layout,
+                           const VkSpecializationInfo* constants, UniquePipeline& out, Error& error) {
+    UniqueShaderModule shader;
+    if (!createModule(device, spirv, shader, error)) return false;
+    VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+    info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+    info.stage.module = shader.get();
+    info.stage.pName = "main";
+    info.stage.pSpecializationInfo = constants;
+    info.layout = layout;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    if (!succeeded(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+                   "vkCreateComputePipelines", error))
+        return false;
+    out = UniquePipeline(device.handle(), pipeline);
+    return true;
+}
+
+} // namespace demos

@@ -1,0 +1,78 @@
+#include "host/water/dry_rooms.h"
+
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <string>
+
+namespace demos {
+
+namespace {
+
+constexpr size_t mostWalls = std::size(seaglass::DryRoom{}.planes) - 1; ///< and a bottom
+
+double across(const Vec2& a, const Vec2& b, const Vec2& c) {
+    return (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]);
+}
+
+/// 1 or -1 by the way round, 0 where corners turn both ways or not at all.
+int turningOf(const std::vector<Vec2>& points) {
+    const size_t count = points.size();
+    int turning = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const double turn = across(points[i], points[(i + 1) % count], points[(i + 2) % count]);
+        const int here = turn > 0 ? 1 : -1;
+        if (turn == 0 || (turning != 0 && here != turning)) return 0;
+        turning = here;
+    }
+    return turning;
+}
+
+seaglass::DryRoom roomOf(const DryRoomDesc& desc, int turning) {
+    seaglass::DryRoom room;
+    // A turn about +Y takes +X towards -Z.
+    const double yaw = -desc.yawDeg * std::numbers::pi / 180, c = std::cos(yaw), s = std::sin(yaw);
+    const auto place = [&](const Vec2& point) {
+        return Vec2{desc.positionM[0] + c * point[0] - s * point[1],
+                    desc.positionM[2] + s * point[0] + c * point[1]};
+    };
+    const size_t count = desc.pointsM.size();
+    for (size_t i = 0; i < count; ++i) {
+        const Vec2 from = place(desc.pointsM[i]), to = place(desc.pointsM[(i + 1) % count]);
+        const double x = turning * (to[1] - from[1]), z = -turning * (to[0] - from[0]);
+        const double y = -std::hypot(x, z) * std::tan(desc.flareDeg * std::numbers::pi / 180);
+        double(&wall)[4] = room.planes[i];
+        wall[0] = x;
+        wall[1] = y;
+        wall[2] = z;
+        wall[3] = -x * from[0] - y * desc.positionM[1] - z * from[1];
+    }
+    double(&bottom)[4] = room.planes[mostWalls];
+    bottom[1] = -1;
+    bottom[3] = desc.positionM[1] + desc.bottomM;
+    return room;
+}
+
+} // namespace
+
+bool dryRoomsOf(const std::vector<DryRoomDesc>& rooms, std::vector<seaglass::DryRoom>& out, Error& error) {
+    out.clear();
+    for (const DryRoomDesc& desc : rooms) {
+        const size_t corners = desc.pointsM.size();
+        const std::string name = "water.dry_rooms." + std::to_string(out.size()) + ".points_m ";
+        if (corners < 3 || corners > mostWalls) {
+            error.text =
+                name + "are " + std::to_string(corners) + ", expected 3 to " + std::to_string(mostWalls);
+            return false;
+        }
+        const int turning = turningOf(desc.pointsM);
+        if (turning == 0) {
+            error.text = name + "are no convex outline";
+            return false;
+        }
+        out.push_back(roomOf(desc, turning));
+    }
+    return true;
+}
+
+} // namespace demos

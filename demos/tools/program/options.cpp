@@ -1,0 +1,287 @@
+#include "program/options.h"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <limits>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include <seaglass/version.h>
+
+#include "program/device/device_options.h"
+#include "program/render/aov_names.h"
+#include "program/scene_options.h"
+#include "scene/nearest.h"
+
+namespace demos {
+
+namespace {
+
+constexpr uint32_t mostFrames = 100000;
+
+constexpr std::array<std::pair<std::string_view, Mistake>, 2> mistakes = {{
+    {"flipped_y", Mistake::flippedY},
+    {"forward_depth", Mistake::forwardDepth},
+}};
+
+constexpr const char* footer = R"(Examples:
+  seaglass render demos/scenes/harbour.toml -o harbour.png
+  seaglass render demos/scenes/ocean.toml -o sea.exr --set water.waves.wind_m_s=16 --camera low
+  seaglass render demos/scenes/ocean.toml -o frame%04d.png --frames 240 --fps 24 --quality high
+  seaglass render demos/scenes/ocean.toml -o mine.png --sky my_sky.exr --mesh my_boat.glb
+  seaglass view demos/scenes/harbour.toml
+  seaglass reference demos/scenes/harbour.toml -o truth.exr --spp 64 --truth classes.exr
+
+Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)";
+
+/// What the line says, before any of it is checked.
+struct Raw : RawScene, RawDevice {
+    std::string supersample, frames, fps, aov, mistake, stats, spp, seed, truth, mirrored;
+    std::vector<std::string> outputs;
+};
+
+/// What render and reference have in common.
+void describePicture(CLI::App& command, Raw& raw) {
+    command.footer(footer);
+    // Scripts append to a command line: the last of an option counts, but for those that collect.
+    command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    describeScene(command, raw);
+    command
+        .add_option("-o,--output", raw.outputs,
+                    "PNG (tone-mapped) or EXR (linear); may be given more than once")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false)
+        ->type_name("FILE");
+    command.allow_extras();
+}
+
+void describeReference(CLI::App& reference, Raw& raw) {
+    describePicture(reference, raw);
+    reference.add_option("--spp", raw.spp, "Samples a pixel, 1 (its centre) if not given")->type_name("N");
+    reference.add_option("--seed", raw.seed, "Of the samples, 1 if not given")->type_name("N");
+    reference
+        .add_option("--truth", raw.truth,
+                    "EXR: class of what is mirrored, its pixel (x, y), its distance from the surface")
+        ->type_name("FILE");
+    reference
+        .add_option("--mirrored", raw.mirrored,
+                    "EXR: radiance of what is mirrored, before Fresnel; black where nothing mirrors")
+        ->type_name("FILE");
+}
+
+std::string versionText() {
+    const uint32_t v = seaglass::version();
+    return std::to_string(v >> 22u) + "." + std::to_string(v >> 12u & 0x3ffu) + "." +
+           std::to_string(v & 0xfffu);
+}
+
+void describe(CLI::App& app, CLI::App& render, Raw& raw) {
+    app.set_help_flag("-h,--help", "Print this help");
+    app.set_version_flag("--version", "seaglass " + versionText());
+    app.footer(footer);
+    describePicture(render, raw);
+    describeQuality(render, raw);
+    render
+        .add_option("--supersample", raw.supersample,
+                    "Render N times larger each way and average, 1 to 4, 1 if not given")
+        ->type_name("N");
+    render
+        .add_option("--frames", raw.frames,
+                    "Render so many, numbered in place of %04d or before the extension")
+        ->type_name("N");
+    render.add_option("--fps", raw.fps, "Frames in a second, 30 if not given")->type_name("F");
+    render
+        .add_option(
+            "--aov", raw.aov,
+            "What to draw: color reflection class height normal foam depth reflection_source, or how the "
+            "library understands the frame: overlay_depth overlay_plane overlay_classes "
+            "overlay_confidence overlay_distance")
+        ->type_name("NAME");
+    render
+        .add_option(
+            "--mistake", raw.mistake,
+            "Tell the library a wrong projection, to know what that looks like: flipped_y forward_depth")
+        ->type_name("NAME");
+    render.add_option("--stats", raw.stats, "Measure the frame's passes, print them and write them as JSON")
+        ->type_name("FILE");
+    describeDevice(render, raw);
+    app.allow_extras();
+}
+
+bool fail(const std::string& what, Error& error) {
+    error.text = what;
+    return false;
+}
+
+bool checkExtras(const CLI::App& app, const std::vector<std::string>& extras, Error& error) {
+    if (extras.empty()) return true;
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    const std::string& extra = extras.front();
+    if (extra.starts_with("-") || app.get_parent() == nullptr) {
+        const std::vector<std::string_view> known(names.begin(), names.end());
+        return fail(extra + " is not known, the nearest is " + std::string(nearest(extra, known)), error);
+    }
+    return fail("'" + extra + "' is one word too many, expected options (see seaglass " + app.get_name() +
+                    " --help)",
+                error);
+}
+
+bool check(const Raw& raw, RenderOptions& out, Error& error) {
+    if (!checkScene(raw, "seaglass render SCENE.toml -o OUT.png", out, error)) return false;
+    if (raw.outputs.empty()) return fail("no output, expected -o OUT.png or -o OUT.exr", error);
+    out.outputs.assign(raw.outputs.begin(), raw.outputs.end());
+    if (!raw.supersample.empty()) {
+        const std::optional<uint32_t> factor = parseSupersample(raw.supersample, out.size, error);
+        if (!factor) return false;
+        out.supersample = *factor;
+    }
+    if (!raw.frames.empty()) {
+        const std::optional<uint32_t> frames = parseCount("--frames", raw.frames, mostFrames, error);
+        if (!frames) return false;
+        out.frames = *frames;
+        out.numbered = true;
+    }
+    if (!raw.fps.empty()) {
+        const auto fps = parseNumber("--fps", raw.fps, 1e-3, 1e4, "frames a second, 0.001 to 10000", error);
+        if (!fps) return false;
+        if (!out.numbered) return fail("--fps is given without --frames, expected both", error);
+        out.fps = *fps;
+    }
+    if (!raw.aov.empty()) {
+        const std::optional<Aov> found = parseAov("--aov", raw.aov, error);
+        if (!found) return false;
+        out.aov = *found;
+        if (out.supersample > 1 && out.aov != Aov::color)
+            return fail("--supersample is given with --aov " + raw.aov +
+                            ", expected color, which can be averaged",
+                        error);
+    }
+    if (!raw.mistake.empty()) {
+        const auto* const found =
+            std::ranges::find(mistakes, raw.mistake, &std::pair<std::string_view, Mistake>::first);
+        if (found == mistakes.end())
+            return fail("--mistake is '" + raw.mistake + "', expected flipped_y or forward_depth", error);
+        out.mistake = found->second;
+    }
+    out.stats = raw.stats;
+    return checkDevice(raw, out, error);
+}
+
+bool check(const Raw& raw, ReferenceOptions& out, Error& error) {
+    if (!check(raw, out.picture, error)) return false;
+    if (!raw.spp.empty()) {
+        const std::optional<uint32_t> samples = parseCount("--spp", raw.spp, mostSamples, error);
+        if (!samples) return false;
+        out.samples = *samples;
+    }
+    if (!raw.seed.empty()) {
+        const std::optional<uint32_t> seed =
+            parseCount("--seed", raw.seed, std::numeric_limits<uint32_t>::max(), error);
+        if (!seed) return false;
+        out.seed = *seed;
+    }
+    out.truth = raw.truth;
+    out.mirrored = raw.mirrored;
+    return true;
+}
+
+} // namespace
+
+std::optional<Options> parseOptions(int argc, const char* const* argv, Error& error) {
+    CLI::App app("Water for Vulkan: renders scene files to pictures, and compares pictures.", "seaglass");
+    CLI::App& render = *app.add_subcommand("render", "Render a scene file");
+    CLI::App& view = *app.add_subcommand("view", "Show a scene file in a window");
+    CLI::App& reference = *app.add_subcommand("reference", "Ray-trace a scene file on the CPU");
+    CLI::App& comparison = *app.add_subcommand("compare", "Compare two pictures");
+    CLI::App& measurement =
+        *app.add_subcommand("measure", "Measure cost and error of the techniques side by side");
+    CLI::App& sea = *app.add_subcommand("sea", "Print what a sea is, beside the published tables");
+    CLI::App& devices = *app.add_subcommand("devices", "List the Vulkan devices");
+    devices.allow_extras();
+    Raw raw;
+    describe(app, render, raw);
+    describeReference(reference, raw);
+    RawView rawView;
+    describeView(view, rawView);
+    RawCompare rawCompare;
+    describeCompare(comparison, rawCompare);
+    RawMeasure rawMeasure;
+    describeMeasure(measurement, rawMeasure);
+    RawSea rawSea;
+    describeSea(sea, rawSea);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& problem) {
+        if (problem.get_exit_code() == 0) {
+            app.exit(problem);
+            return Options{};
+        }
+        error.text = problem.what();
+        std::replace(error.text.begin(), error.text.end(), '\n', ' ');
+        return std::nullopt;
+    }
+    if (!checkExtras(app, app.remaining(), error) || !checkExtras(render, render.remaining(), error) ||
+        !checkExtras(view, view.remaining(), error) ||
+        !checkExtras(reference, reference.remaining(), error) ||
+        !checkExtras(comparison, comparison.remaining(), error) ||
+        !checkExtras(measurement, measurement.remaining(), error) ||
+        !checkExtras(sea, sea.remaining(), error) || !checkExtras(devices, devices.remaining(), error)) {
+        return std::nullopt;
+    }
+    Options options;
+    if (devices.parsed()) {
+        options.command = Options::Command::devices;
+        return options;
+    }
+    if (view.parsed()) {
+        std::optional<ViewOptions> checked = checkView(rawView, error);
+        if (!checked) return std::nullopt;
+        options.command = Options::Command::view;
+        options.view = std::move(*checked);
+        return options;
+    }
+    if (reference.parsed()) {
+        options.command = Options::Command::reference;
+        if (!check(raw, options.reference, error)) return std::nullopt;
+        return options;
+    }
+    if (comparison.parsed()) {
+        std::optional<CompareOptions> checked = checkCompare(rawCompare, error);
+        if (!checked) return std::nullopt;
+        options.command = Options::Command::compare;
+        options.compare = std::move(*checked);
+        return options;
+    }
+    if (measurement.parsed()) {
+        std::optional<MeasureOptions> checked = checkMeasure(rawMeasure, error);
+        if (!checked) return std::nullopt;
+        options.command = Options::Command::measure;
+        options.measure = std::move(*checked);
+        return options;
+    }
+    if (sea.parsed()) {
+        std::optional<SeaOptions> checked = checkSea(rawSea, error);
+        if (!checked) return std::nullopt;
+        options.command = Options::Command::sea;
+        options.sea = std::move(*checked);
+        return options;
+    }
+    if (!render.parsed()) {
+        error.text = "no command, expected seaglass render, view, reference, compare, measure, sea or "
+                     "devices (see seaglass --help)";
+        return std::nullopt;
+    }
+    options.command = Options::Command::render;
+    if (!check(raw, options.render, error)) return std::nullopt;
+    return options;
+}
+
+} // namespace demos

@@ -1,0 +1,105 @@
+#include "program/scene_input.h"
+
+#include <algorithm>
+
+#include "host/water/quality.h"
+#include "program/render/output.h"
+
+namespace demos {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool isRegularFile(const std::string& option, const fs::path& file, const std::string& expected,
+                   Error& error) {
+    std::error_code code;
+    if (fs::is_regular_file(file, code)) return true;
+    const std::string why = fs::is_directory(file, code) ? "is a folder" : "no such file";
+    error.text = option + " " + file.string() + ": " + why + ", expected " + expected;
+    return false;
+}
+
+bool setsSun(const std::vector<std::string>& overrides) {
+    return std::any_of(overrides.begin(), overrides.end(), [](const std::string& text) {
+        return text.starts_with("sun.") || text.starts_with("sun=");
+    });
+}
+
+/// What the quality sets, to go before the overrides that are given by hand.
+bool addQuality(const RenderOptions& options, std::vector<std::string>& overrides, Error& error) {
+    if (options.quality.empty()) return true;
+    const std::optional<Scene> plain = loadScene(options.scene, overrides, error);
+    if (!plain) return false;
+    if (!plain->water) {
+        error.text = "--quality " + options.quality + ": " + options.scene.string() + " has no [water]";
+        return false;
+    }
+    for (std::string& setting : qualityOverrides(options.quality, *plain->water))
+        overrides.push_back(std::move(setting));
+    return true;
+}
+
+} // namespace
+
+std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
+    std::vector<std::string> overrides;
+    const bool sky = !options.sky.empty(), mesh = !options.mesh.empty();
+    if (sky) {
+        if (!isRegularFile("--sky", options.sky, "a lat-long HDR or EXR file", error)) return std::nullopt;
+        overrides.push_back("sky.file=" + fs::absolute(options.sky).string());
+        overrides.push_back("sky.layer=''");
+        // The scene's sun is that of the scene's sky.
+        if (!setsSun(options.overrides)) overrides.push_back("sun.from_sky=true");
+    }
+    if (mesh) {
+        if (!isRegularFile("--mesh", options.mesh, "a glTF file", error)) return std::nullopt;
+        overrides.push_back("mesh=[{}]");
+        overrides.push_back("mesh.0.file=" + fs::absolute(options.mesh).string());
+    }
+    if (!addQuality(options, overrides, error)) return std::nullopt;
+    overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
+    std::optional<Scene> scene = loadScene(options.scene, overrides, error);
+    if (scene && sky) scene->sky.where = "--sky";
+    if (scene && mesh && !scene->meshes.empty()) scene->meshes.front().where = "--mesh";
+    return scene;
+}
+
+std::vector<fs::path> sceneFiles(const Scene& scene) {
+    std::vector<fs::path> files = {scene.file, scene.sky.file};
+    for (const MeshDesc& mesh : scene.meshes) files.push_back(mesh.file);
+    if (scene.floor && !scene.floor->texture.empty()) files.push_back(scene.floor->texture);
+    return files;
+}
+
+bool checkPictures(const RenderOptions& options, const Scene& scene, Error& error) {
+    const std::vector<fs::path> inputs = sceneFiles(scene);
+    for (const fs::path& file : options.outputs) {
+        const fs::path first = options.numbered ? numbered(file, 0) : file;
+        if (!checkOutput("-o", first, {".png", ".exr"}, error)) return false;
+        if (!checkApart("-o", first, inputs, error)) return false;
+    }
+    return true;
+}
+
+bool isPng(const fs::path& file) {
+    const std::string extension = file.extension().string();
+    return extension.size() == 4 && (extension[1] == 'p' || extension[1] == 'P');
+}
+
+void addPlace(const Scene& scene, Error& error) {
+    const auto prefix = [&error](const fs::path& file, const std::string& where) {
+        const bool names = error.text.find(file.filename().string()) != std::string::npos;
+        if (!names || where.empty() || error.text.starts_with(where)) return false;
+        error.text = where + ": " + error.text;
+        return true;
+    };
+    if (prefix(scene.sky.file, scene.sky.where)) return;
+    if (scene.floor && !scene.floor->texture.empty() && prefix(scene.floor->texture, scene.floor->where))
+        return;
+    for (const MeshDesc& mesh : scene.meshes) {
+        if (prefix(mesh.file, mesh.where)) return;
+    }
+}
+
+} // namespace demos

@@ -1,0 +1,173 @@
+#include "program/sea/sea_options.h"
+
+#include <bit>
+#include <limits>
+
+#include <CLI/CLI.hpp>
+
+#include "program/compare/values.h"
+#include "program/render/output.h"
+#include "scene/fields.h"
+#include "scene/nearest.h"
+
+namespace demos {
+
+namespace {
+
+constexpr const char* footer =
+    R"(Simulates the sea 16 times, with as many seeds, and prints what its surface has beside what the spectrum
+asks for and what was published: significant wave height, periods, slope variance, cover of whitecaps.
+
+  seaglass sea --wind 10 --fetch 100e3
+  seaglass sea --wind 15 --fetch 300e3 --uncapped --spectrum tma --depth 10 --json
+  seaglass sea --beaufort 8 -o spectrum.svg
+
+Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)";
+
+bool fail(const std::string& what, Error& error) {
+    error.text = what;
+    return false;
+}
+
+bool choose(const std::string& option, const std::string& text, std::string_view path, std::string& out,
+            Error& error) {
+    if (text.empty()) return true;
+    if (!isOneOf(option, text, choicesOf(path), error)) return false;
+    out = text;
+    return true;
+}
+
+struct Number {
+    const char* option;
+    const std::string& text;
+    double& value;
+    double least, most;
+    const char* expected;
+};
+
+bool take(const Number& number, Error& error) {
+    if (number.text.empty()) return true;
+    const std::optional<double> value =
+        parseNumber(number.option, number.text, number.least, number.most, number.expected, error);
+    if (value) number.value = *value;
+    return value.has_value();
+}
+
+bool takeCount(const char* option, const std::string& text, uint32_t most, uint32_t& out, Error& error) {
+    if (text.empty()) return true;
+    const std::optional<uint32_t> value = parseCount(option, text, most, error);
+    if (value) out = *value;
+    return value.has_value();
+}
+
+bool checkWind(const RawSea& raw, WavesDesc& waves, Error& error) {
+    if (raw.beaufort.empty()) {
+        if (raw.wind.empty()) return fail("no wind, expected --wind U [m/s] or --beaufort B", error);
+        return take({"--wind", raw.wind, waves.windMps, 0, 100, "a wind at 10 m, 0 to 100 m/s"}, error) &&
+               take({"--fetch", raw.fetch, waves.fetchM, 1, 1e6, "a fetch, 1 to 1e6 m"}, error);
+    }
+    for (const auto& [option, text] : {std::pair{"--wind", &raw.wind}, {"--fetch", &raw.fetch}})
+        if (!text->empty())
+            return fail(std::string(option) + " is given with --beaufort, which sets it, expected one",
+                        error);
+    double force = 0;
+    if (!take({"--beaufort", raw.beaufort, force, 0, 12, "a force, 0 to 12"}, error)) return false;
+    if (force != std::floor(force))
+        return fail("--beaufort is '" + raw.beaufort + "', expected a whole number, 0 to 12", error);
+    waves.beaufort = static_cast<uint32_t>(force);
+    return true;
+}
+
+bool checkDepth(const RawSea& raw, WavesDesc& waves, Error& error) {
+    if (raw.depth == "inf") return true;
+    return take(
+        {"--depth", raw.depth, waves.depthM, 0, std::numeric_limits<double>::max(), "a depth, 0 to inf m"},
+        error);
+}
+
+bool checkSpectrum(const RawSea& raw, WavesDesc& waves, Error& error) {
+    if (!choose("--spectrum", raw.spectrum, "water.waves.spectrum", waves.spectrum, error)) return false;
+    const bool tabulated = waves.spectrum == "table";
+    if (tabulated && raw.table.empty())
+        return fail("--spectrum is table, expected --table FILE.csv too", error);
+    if (!tabulated && !raw.table.empty())
+        return fail("--table is given without --spectrum table, expected both", error);
+    waves.spectrumTable = raw.table;
+    std::error_code code;
+    if (tabulated && !std::filesystem::is_regular_file(waves.spectrumTable, code))
+        return fail("--table " + raw.table + ": no such file, expected a CSV of Hz,m^2/Hz", error);
+    return true;
+}
+
+bool checkSpreading(const RawSea& raw, WavesDesc& waves, Error& error) {
+    return choose("--spreading", raw.spreading, "water.waves.spreading", waves.spreading, error) &&
+           take({"--shape", raw.shape, waves.spreadingShape, 0, 1000, "s of cos2s, 0 to 1000"}, error) &&
+           take({"--swell", raw.swell, waves.swell, 0, 1, "an elongation, 0 to 1"}, error);
+}
+
+bool checkSamples(const RawSea& raw, WavesDesc& waves, Error& error) {
+    if (!takeCount("--samples", raw.samples, 1024, waves.samples, error) ||
+        !takeCount("--cascades", raw.cascades, 4, waves.cascades, error))
+        return false;
+    if (!take({"--patch", raw.patch, waves.largestPatchM, 1, 1e5, "an edge, 1 to 1e5 m"}, error))
+        return false;
+    if (waves.samples < 16 || !std::has_single_bit(waves.samples))
+        return fail("--samples is '" + raw.samples + "', expected a power of two, 16 to 1024", error);
+    uint32_t seed = 1;
+    if (!takeCount("--seed", raw.seed, std::numeric_limits<uint32_t>::max(), seed, error)) return false;
+    waves.seed = seed;
+    return true;
+}
+
+} // namespace
+
+void describeSea(CLI::App& command, RawSea& raw) {
+    command.footer(footer);
+    command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    command.add_option("--wind", raw.wind, "Wind speed at 10 m")->type_name("M/S");
+    command.add_option("--fetch", raw.fetch, "Open water upwind, 300e3 m if not given")->type_name("M");
+    command.add_option("--beaufort", raw.beaufort, "A force, 0 to 12, in place of wind and fetch")
+        ->type_name("B");
+    command.add_flag("--uncapped", raw.uncapped,
+                     "Let JONSWAP and TMA grow with the fetch past a fully developed sea");
+    command.add_option("--depth", raw.depth, "Of the water, inf if not given")->type_name("M");
+    command
+        .add_option("--spectrum", raw.spectrum,
+                    "jonswap (if not given), pierson-moskowitz, tma, phillips or table")
+        ->type_name("NAME");
+    command.add_option("--table", raw.table, "Of --spectrum table: CSV of Hz,m^2/Hz")->type_name("FILE");
+    command
+        .add_option("--spreading", raw.spreading,
+                    "hasselmann (if not given), mitsuyasu, donelan-banner or cos2s")
+        ->type_name("NAME");
+    command.add_option("--shape", raw.shape, "s of --spreading cos2s, 5 if not given")->type_name("S");
+    command.add_option("--swell", raw.swell, "Elongation of the spreading, 0 to 1, 0 if not given")
+        ->type_name("XI");
+    command.add_option("--samples", raw.samples, "Across each cascade, 256 if not given")->type_name("N");
+    command.add_option("--cascades", raw.cascades, "1 to 4, 4 if not given")->type_name("N");
+    command.add_option("--patch", raw.patch, "Edge of the largest cascade, chosen if not given")
+        ->type_name("M");
+    command.add_option("--seed", raw.seed, "The first of the 16, 1 if not given")->type_name("N");
+    command.add_flag("--json", raw.json, "Print JSON instead of a table");
+    command
+        .add_option("-o,--output", raw.plot,
+                    "SVG: the spectrum asked for and simulated; its gnuplot script is left beside it")
+        ->type_name("FILE");
+    command.allow_extras();
+}
+
+std::optional<SeaOptions> checkSea(const RawSea& raw, Error& error) {
+    SeaOptions options;
+    options.waves.cascades = 4;
+    options.waves.capFetch = !raw.uncapped;
+    if (!checkWind(raw, options.waves, error) || !checkDepth(raw, options.waves, error) ||
+        !checkSpectrum(raw, options.waves, error) || !checkSpreading(raw, options.waves, error) ||
+        !checkSamples(raw, options.waves, error))
+        return std::nullopt;
+    options.json = raw.json;
+    options.plot = raw.plot;
+    if (!raw.plot.empty() && !checkOutput("-o", options.plot, {".svg"}, error)) return std::nullopt;
+    return options;
+}
+
+} // namespace demos

@@ -1,0 +1,20 @@
+// The pattern that foam breaks up into, as shaders/water/foam/foam_cover.glsl draws it.
+#pragma once
+
+#define GLM_FORCE_DEPTH_ZERO_TO_ONE
+#include <glm/glm.hpp>
+
+#include "reference/water_surface.h"
+
+namespace demos::reference {
+
+struct Foam {
+    float mask = 0;     ///< share of the surface that is white
+    glm::vec2 slope{0}; ///< of its own relief
+    float height = 0;   ///< of the white's own, -1..1
+};
+
+/// `pixelWidth` is in metres of calm water.
+Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidth);
+
+} // namespace demos::reference

@@ -1,0 +1,106 @@
+// The sea's displaced surface: the maps that the GPU is given, looked up as it does, and a mesh fine enough
+// to trace.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "host/camera.h"
+#include "reference/geometry.h"
+#include "seaglass/foam.h"
+
+// Not public: there is to be one notion of what an outline encloses, and of what a bed makes of a sea.
+#include "water/mesh/extent.h"
+#include "water/mesh/globe.h"
+#include "water/shore/shore.h"
+
+namespace demos::reference {
+
+struct SeaDeleter {
+    void operator()(seaglass::Sea* sea) const { seaglass::destroySea(sea); }
+};
+using SeaPointer = std::unique_ptr<seaglass::Sea, SeaDeleter>;
+
+/// Positions on the calm plane are (u, v) = world (x, z) in metres. A footprint is the width [m] over which a
+/// value is a mean; 0 gives the maps' own samples. Reading is for any number of threads.
+class WaterSurface {
+  public:
+    /// Evaluates the waves, and their foam if there is any. Flat without a sea, or when the sea is calm.
+    bool create(const seaglass::Sea* sea, const seaglass::FoamDesc* foam, double timeS, Error& error);
+    bool flat() const { return cascades_.empty(); }
+
+    /// Dx, h, Dz.
+    glm::vec3 displacement(const glm::dvec2& calm, double footprint) const;
+
+    struct Slopes {
+        glm::vec2 mean{0};
+        glm::vec3 covariance{0}; ///< uu, vv, uv of what the footprint hides, unresolved waves included
+    };
+    Slopes slopes(const glm::dvec2& calm, double footprint) const;
+    /// Covariance uu, vv, uv of slopes of waves too short for any map.
+    const glm::vec3& roughness() const { return roughness_; }
+
+    /// Share of the footprint that is white, and how the wind draws its pattern out: foamCover() and the
+    /// streak of shaders/water/foam/foam_cover.glsl.
+    float foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const;
+    const glm::dvec2& foamStreak() const { return foamStreak_; }
+
+    /// The water's edge on a shore: as shaders/water/surface/surface_point.glsl and foam_cover.glsl have it.
+    struct Edge {
+        double presence = 1;    ///< share of the surface that is to be seen
+        double onSand = 0;      ///< 1 where it is but a film
+        double foam = 0;        ///< cover, breakers' included
+        glm::dvec2 advected{0}; ///< what the swash has carried foam by [m]
+        glm::dvec2 bedSlope{0};
+    };
+    Edge edge(const glm::dvec2& calm, double footprint) const;
+
+  private:
+    using Level = std::vector<glm::vec4>;
+    struct Cascade {
+        double patch = 0;
+        uint32_t samples = 0;
+        std::vector<Level> displacement, derivatives, moments; ///< by mip
+        std::vector<Level> foam;                               ///< in x; none where the cascade never breaks
+        double texel() const { return patch / samples; }
+    };
+    void addFoam(const seaglass::Sea& sea, const seaglass::FoamDesc& foam,
+                 const seaglass::WavesBackend& backend, void* state, double timeS);
+    static glm::vec4 bilinear(const Cascade& cascade, const std::vector<Level>& map, size_t mip,
+                              const glm::dvec2& calm);
+    static glm::vec4 trilinear(const Cascade& cascade, const std::vector<Level>& map, double mip,
+                               const glm::dvec2& calm);
+
+    seaglass::ShoreWave shoreAt(const glm::dvec2& calm, double footprint) const {
+        return shore_ ? shore_->waveAt(shoreSignal_, calm.x, calm.y, footprint) : seaglass::ShoreWave{};
+    }
+    float kept(const seaglass::ShoreWave& shore, size_t cascade) const {
+        return shore_ ? static_cast<float>(shore.kept[cascade]) : 1.0f;
+    }
+    glm::vec3 displacement(const glm::dvec2& calm, double footprint, const seaglass::ShoreWave& shore) const;
+    Edge edge(const seaglass::ShoreWave& shore) const;
+
+    std::vector<Cascade> cascades_;
+    const seaglass::Shore* shore_ = nullptr;
+    seaglass::ShoreSignal shoreSignal_;
+    glm::vec3 roughness_{0};
+    glm::dvec2 foamStreak_{0};
+};
+
+struct SurfaceMeshDesc {
+    double levelM = 0;
+    seaglass::Globe globe; ///< that it lies on
+    double aspect = 1;
+    uint32_t height = 1;                        ///< pixels
+    double pixelsACell = 1.5;                   ///< edge of a cell as it is seen across the line of sight
+    double mostVertices = 3e6;                  ///< about; beyond, all cells grow alike
+    const seaglass::Outline* outline = nullptr; ///< at which waves do not move points to the side
+    double pinned = 0;                          ///< how near to it they begin to do so less [m]
+};
+
+/// Rings around the eye's foot, close where it looks and wide elsewhere: one grid bent round, so that no
+/// crack opens. Cells grow with distance and what they cannot carry is filtered out of their displacement;
+/// the slopes at a hit do not come from the mesh. It ends where the horizon is less than a pixel away.
+SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc);
+
+} // namespace demos::reference

@@ -1,0 +1,94 @@
+#include "reference/world.h"
+
+#include "host/passes/floor_texture.h"
+#include "host/passes/fog.h"
+#include "host/water/dry_rooms.h"
+#include "host/water/extent.h"
+#include "host/water/placement.h"
+#include "host/water/shore.h"
+#include "host/water/waves.h"
+
+namespace demos::reference {
+
+bool loadWorld(const Scene& scene, World& out, Error& error) {
+    std::optional<SkyImage> image = readSkyImage(scene.sky, error);
+    if (!image || !makeLight(std::move(*image), scene.sky, scene.sun, out.light, error)) return false;
+    if (scene.fog && !fogOf(*scene.fog, out.fog.emplace(), error)) return false;
+    for (const MeshDesc& desc : scene.meshes) {
+        auto known = out.models.find(desc.file);
+        if (known == out.models.end()) {
+            std::optional<Mesh> mesh = readMesh(desc.file, error);
+            if (!mesh) return false;
+            for (const std::string& line : mesh->leftOut)
+                out.leftOut.push_back(desc.file.string() + ": " + line);
+            known = out.models.emplace(desc.file, Model(std::move(*mesh))).first;
+        }
+        Instance instance{&known->second, glm::dmat4(1)};
+        if (!placement(desc, instance.worldFromMesh, error)) return false;
+        out.instances.push_back(instance);
+    }
+    return setFloor(scene.floor, out, error) && setWater(scene.water, out, error);
+}
+
+bool setFloor(const std::optional<FloorDesc>& desc, World& out, Error& error) {
+    out.floor.reset();
+    if (!desc) return true;
+    const std::optional<MeshTexture> texture = readFloorTexture(*desc, error);
+    if (texture) out.floor.emplace(Floor{*desc, floorPlane(*desc), Texture(*texture)});
+    return texture.has_value();
+}
+
+namespace {
+
+bool setOutline(const ExtentDesc& desc, World& out, Error& error) {
+    SceneExtent extent;
+    if (!extentOf(desc, extent, error)) return false;
+    if (const char* const bad = seaglass::badField(extent.desc)) {
+        error.text = std::string("water: ") + bad;
+        return false;
+    }
+    out.outline = seaglass::outlineOf(extent.desc);
+    return true;
+}
+
+bool setDryRooms(const std::vector<DryRoomDesc>& rooms, World& out, Error& error) {
+    std::vector<seaglass::DryRoom> read;
+    if (!dryRoomsOf(rooms, read, error)) return false;
+    const char* const bad =
+        seaglass::readDryRooms(read.data(), static_cast<uint32_t>(read.size()), out.dryRooms);
+    if (bad) error.text = std::string("water: ") + bad;
+    for (seaglass::DryPlanes& room : out.dryRooms) room = out.frame.fromWorld(room);
+    return !bad;
+}
+
+void setPlane(const WaterDesc& water, World& out) {
+    const auto [x, y, z, d] = waterPlane(water);
+    out.frame = seaglass::BodyFrame::of({x, y, z});
+    out.levelM = -d;
+    out.globe = seaglass::Globe::of(water.planetRadiusM);
+}
+
+} // namespace
+
+bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error) {
+    out.water = desc;
+    setPlane(desc.value_or(WaterDesc{}), out);
+    out.light.axes = out.frame.worldFromBody;
+    out.sea.reset();
+    out.outline.reset();
+    out.dryRooms.clear();
+    if (desc && !setDryRooms(desc->dryRooms, out, error)) return false;
+    if (desc && desc->extent && !setOutline(*desc->extent, out, error)) return false;
+    if (!desc || !desc->waves) return true;
+    SceneSea sea;
+    if (!seaOf(*desc->waves, sea, error)) return false;
+    SceneShore shore;
+    if (desc->shore && !shoreOf(*desc->shore, waterPlane(*desc), shore, error)) return false;
+    if (desc->shore) sea.desc.shore = &shore.desc;
+    seaglass::SeaError problem;
+    out.sea.reset(seaglass::createSea(&sea.desc, &problem));
+    if (!out.sea) error.text = std::string("water: BodyDesc.waves: ") + problem.text;
+    return out.sea != nullptr;
+}
+
+} // namespace demos::reference

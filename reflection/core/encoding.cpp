@@ -1,0 +1,48 @@
+#include "reflection/core/encoding.h"
+
+#include <utility>
+
+namespace seaglass {
+
+bool appliesSrgb(VkFormat format) {
+    return format == VK_FORMAT_R8G8B8A8_SRGB || format == VK_FORMAT_B8G8R8A8_SRGB ||
+           format == VK_FORMAT_A8B8G8R8_SRGB_PACK32;
+}
+
+bool isDisplayFormat(VkFormat format) {
+    switch (format) {
+    case VK_FORMAT_R8G8B8A8_UNORM:
+    case VK_FORMAT_B8G8R8A8_UNORM:
+    case VK_FORMAT_A8B8G8R8_UNORM_PACK32:
+    case VK_FORMAT_A2R10G10B10_UNORM_PACK32:
+    case VK_FORMAT_A2B10G10R10_UNORM_PACK32:
+        return true;
+    default:
+        return false;
+    }
+}
+
+void tellUnspecified(Context& context, const Image& sceneColor) {
+    if (sceneColor.encoding != Encoding::unspecified || !isDisplayFormat(sceneColor.format)) return;
+    if (std::exchange(context.toldOfEncoding, true)) return;
+    static_cast<void>(context.device.fail(
+        Status::ok, "ViewDesc.sceneColor.format is UNORM, and taken for linear, expected "
+                    "ViewDesc.sceneColor.encoding to be linear, or srgb where it holds what displays take"));
+}
+
+Status ColorKernel::create(Context& context, std::span<const uint32_t> spirv, const char* what) {
+    spirv_ = spirv;
+    what_ = what;
+    return linear_.create(context.device, spirv, what);
+}
+
+Status ColorKernel::of(const Context& context, const Image& sceneColor, const gpu::Kernel*& out) {
+    out = isEncoded(sceneColor) ? &encoded_ : &linear_;
+    if (!isEncoded(sceneColor) || hasEncoded_) return Status::ok;
+    constexpr uint32_t decodes[] = {1};
+    const Status s = encoded_.create(context.device, spirv_, what_, decodes);
+    hasEncoded_ = s == Status::ok;
+    return s;
+}
+
+} // namespace seaglass

@@ -1,0 +1,355 @@
+#include "reflection/core/reflector.h"
+
+#include "gpu/guard.h"
+#include "reflection/core/encoding.h"
+#include "reflection/core/mirror.h"
+#include "reflection/core/scene_formats.h"
+#include "seaglass/fields/reflection.h"
+
+namespace seaglass {
+
+namespace {
+
+bool scatters(ReflectionTechnique technique) {
+    return technique == ReflectionTechnique::sspr || technique == ReflectionTechnique::hybrid;
+}
+
+/// What is drawn by the host needs no guess.
+bool reachesBeyond(const ReflectionDesc& desc) {
+    return desc.edgeReach > 0 && desc.technique != ReflectionTechnique::planar;
+}
+
+} // namespace
+
+Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    region = extent;
+    downscale = desc.downscale;
+    const VkExtent2D scaled = scaledDown(extent, desc.downscale);
+    if (desc.technique == ReflectionTechnique::planar)
+        if (const Status s = planar.create(device, desc.drawn, scaled); s != Status::ok) return s;
+    if (scatters(desc.technique))
+        if (const Status s = sspr.create(device, extent, desc); s != Status::ok) return s;
+    if (desc.technique == ReflectionTechnique::hybrid)
+        if (const Status s = hybrid.create(device, extent, desc); s != Status::ok) return s;
+    if (desc.technique == ReflectionTechnique::ssr)
+        if (const Status s = ssr.create(device, extent, desc); s != Status::ok) return s;
+    if (desc.temporal > 0)
+        if (const Status s = temporal.create(device, scaled, desc); s != Status::ok) return s;
+    return images.create(device, scaled, desc.blurLevels, drawnInPlace(desc) && desc.temporal == 0);
+}
+
+const gpu::Buffer& ReflectedView::tiles(ReflectionTechnique technique) const {
+    if (technique == ReflectionTechnique::planar) return temporal.tiles;
+    return scatters(technique) ? sspr.tiles : ssr.tiles;
+}
+
+Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& given, VkExtent2D extent,
+                    const SceneSamples& samples) {
+    const ReflectionDesc desc = sizedFor(given, extent);
+    Estimate estimate;
+    if (desc.technique == ReflectionTechnique::sky) return estimate;
+    const VkExtent2D scaled = scaledDown(extent, desc.downscale);
+    const bool drawn = desc.technique == ReflectionTechnique::planar;
+    estimate.bytesPerView =
+        OwnedReflection::bytes(device, scaled, desc.blurLevels, drawnInPlace(desc) && desc.temporal == 0);
+    if (scatters(desc.technique)) estimate.bytesPerView += SsprScratch::bytes(device, extent, desc);
+    switch (desc.technique) {
+    case ReflectionTechnique::sky:
+        break;
+    case ReflectionTechnique::sspr:
+        estimate.dispatchesPerView = ssprDispatches + unseenTilesDispatches(device);
+        break;
+    case ReflectionTechnique::ssr:
+        estimate.bytesPerView += SsrScratch::bytes(device, extent, desc);
+        estimate.dispatchesPerView = ssrDispatches + unseenTilesDispatches(device);
+        break;
+    case ReflectionTechnique::hybrid:
+        estimate.bytesPerView += HybridScratch::bytes(device, extent, desc);
+        estimate.dispatchesPerView = hybridDispatches(desc) + unseenTilesDispatches(device);
+        break;
+    case ReflectionTechnique::planar:
+        estimate.bytesPerView += PlanarScratch::bytes(device, desc.drawn, scaled);
+        estimate.dispatchesPerView = planarDispatches;
+        break;
+    }
+    if (!drawn) {
+        estimate.bytesPerSharedView = SingleSampledScene::bytes(device, extent, samples);
+        estimate.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
+    }
+    estimate.dispatchesPerView += blurMipLevels(scaled, desc.blurLevels) - 1;
+    if (reachesBeyond(desc)) estimate.dispatchesPerView += edgeReachDispatches;
+    if (desc.edgeStretch > 0) estimate.dispatchesPerView += stretchDispatches;
+    if (desc.temporal > 0) {
+        estimate.bytesPerView += TemporalScratch::bytes(device, scaled, desc);
+        estimate.dispatchesPerView += temporalDispatches + unseenTilesDispatches(device);
+    }
+    return estimate;
+}
+
+FieldError badField(const ReflectionDesc& desc) {
+    return badField(reflectionFields, &desc);
+}
+
+Status check(const gpu::Device& device, const ReflectionDesc& desc) {
+    if (const FieldError bad = badField(desc)) return device.fail(Status::invalidArgument, "%s", bad.text());
+    if (desc.technique != ReflectionTechnique::planar) return Status::ok;
+    return checkDrawn(device, desc.drawn, "ReflectionDesc");
+}
+
+const char* badField(const SceneSamples& samples) {
+    if (hasSamplePlace(samples.depth) && hasSamplePlace(samples.color)) return nullptr;
+    return "estimate: SceneSamples holds a count that is none of 1, 2, 4, 8 and 16";
+}
+
+Status Reflector::create(Context& owner, const ReflectorDesc& description) {
+    context = &owner;
+    desc = description.reflection;
+    if (const char* bad = readPlane(description.plane, plane))
+        return owner.device.fail(Status::invalidArgument, "ReflectorDesc: %s", bad);
+    if (const char* bad = readBounds(description.boundsLow, description.boundsHigh, bounds))
+        return owner.device.fail(Status::invalidArgument, "ReflectorDesc: %s", bad);
+    if (const Status s = check(owner.device, desc); s != Status::ok) return s;
+    if (scatters(desc.technique))
+        if (const Status s = sspr.create(owner, desc); s != Status::ok) return s;
+    if (desc.technique == ReflectionTechnique::sky) return Status::ok;
+    if (desc.blurLevels > 0)
+        if (const Status s = owner.share(blur); s != Status::ok) return s;
+    if (desc.edgeStretch > 0)
+        if (const Status s = owner.share(stretch); s != Status::ok) return s;
+    if (reachesBeyond(desc))
+        if (const Status s = owner.share(edgeReach); s != Status::ok) return s;
+    if (desc.temporal > 0)
+        if (const Status s = owner.share(temporal); s != Status::ok) return s;
+    if (desc.technique == ReflectionTechnique::ssr) return ssr.create(owner, desc);
+    if (desc.technique == ReflectionTechnique::hybrid) return hybrid.create(owner, desc);
+    if (desc.technique == ReflectionTechnique::planar) return sharePlanar(owner, desc.drawn, planar);
+    return Status::ok;
+}
+
+Status Reflector::prepare(ReflectedView& view, VkExtent2D extent) {
+    if (view.isOf(extent)) return Status::ok;
+    ReflectedView fresh;
+    if (const Status s = fresh.create(context->device, extent, sizedFor(desc, extent)); s != Status::ok)
+        return s;
+    context->frame().retire(std::exchange(view, std::move(fresh)));
+    return Status::ok;
+}
+
+Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
+    const gpu::Device& device = context->device;
+    if (desc.technique != ReflectionTechnique::planar)
+        return device.fail(Status::invalidArgument,
+                           "planarView: ReflectionDesc.technique is not ReflectionTechnique::planar");
+    ViewGeometry geometry;
+    if (const char* bad = readCamera(view, geometry))
+        return device.fail(Status::invalidArgument, "planarView: %s", bad);
+    ReflectedView& reflected = views[view.viewIndex];
+    out = {};
+    out.visible = !isEmpty(pixelsThatMayShow(bounds, geometry));
+    if (!out.visible) return Status::ok;
+    if (const Status s = prepare(reflected, extentOf(geometry)); s != Status::ok) return s;
+    const MirroredCamera camera = mirroredCamera(view, geometry, plane);
+    out = describe(camera, view, geometry, reflected.downscale, reflected.planar, reflected.found(desc));
+    reflected.planar.handedOut = true;
+    reflected.reflected = false;
+    return Status::ok;
+}
+
+Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view,
+                                  const OwnedReflection& images) {
+    switch (desc.technique) {
+    case ReflectionTechnique::sky:
+        break;
+    case ReflectionTechnique::sspr:
+        return recordSspr(pass, sspr, view.sspr, images);
+    case ReflectionTechnique::ssr:
+        view.bent = pass.view.surfaceNormals != nullptr;
+        return recordSsr(pass, ssr, view.ssr, images);
+    case ReflectionTechnique::hybrid:
+        return recordHybrid(pass, sspr, hybrid, view.sspr, view.hybrid, images);
+    case ReflectionTechnique::planar:
+        view.planar.handedOut = false;
+        return recordPlanar(pass, *planar, view.planar, plane, images);
+    }
+    return Status::ok;
+}
+
+Status Reflector::recordReuse(const ReflectPass& pass, ReflectedView& view) {
+    const gpu::Buffer& tiles = view.tiles(desc.technique);
+    // What the host draws may be looked up anywhere.
+    if (desc.technique == ReflectionTechnique::planar)
+        recordAllSeen(pass.context.device, pass.commands, tiles);
+    return recordTemporal(pass, *temporal, plane, tiles, view.temporal, view.images);
+}
+
+Status Reflector::uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
+                               gpu::Slice& out) {
+    MirrorBlock uniforms = mirrorBlock(geometry, plane, sizedFor(desc, extentOf(geometry)), shown);
+    // A surface with normals of its own stands where the flat plane is not seen.
+    if (view.surfaceNormals) uniforms.bent = 1;
+    return context->frame().upload(uniforms, out);
+}
+
+Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
+    const ViewDesc& view = scene.given;
+    if (desc.technique == ReflectionTechnique::sky) return Status::ok;
+    const bool drawn = desc.technique == ReflectionTechnique::planar;
+    ViewGeometry geometry;
+    if (const char* bad = drawn ? readCamera(view, geometry) : readView(view, geometry))
+        return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
+    if (!drawn) tellUnspecified(*context, view.sceneColor);
+    ReflectedView& reflected = views[view.viewIndex];
+    const glm::ivec4 shown = pixelsThatMayShow(bounds, geometry);
+    if (isEmpty(shown)) {
+        reflected.temporal.last = {};
+        return Status::ok;
+    }
+    const VkExtent2D extent = extentOf(geometry);
+    if (drawn && !(reflected.planar.handedOut && reflected.isOf(extent)))
+        return context->device.misused("reflect: planarView() was not called for this view before");
+    if (const Status s = prepare(reflected, extent); s != Status::ok) return s;
+
+    gpu::Slice slice;
+    if (const Status s = uploadMirror(view, geometry, shown, slice); s != Status::ok) return s;
+    const ReflectionDesc sized = sizedFor(desc, extent);
+    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice};
+    if (!drawn)
+        if (const Status s = takeSamples(pass, singleSamples, scene); s != Status::ok) return s;
+    const OwnedReflection& found = reflected.found(desc);
+    if (const Status s = recordTechnique(pass, reflected, found); s != Status::ok) return s;
+    if (edgeReach && !view.surfaceNormals)
+        if (const Status s = recordEdgeReach(pass, *edgeReach, reflected.tiles(desc.technique), found);
+            s != Status::ok)
+            return s;
+    if (stretch)
+        if (const Status s = recordStretch(pass, *stretch, found); s != Status::ok) return s;
+    if (temporal)
+        if (const Status s = recordReuse(pass, reflected); s != Status::ok) return s;
+    if (const Status s = recordBlur(*context, commands, blur.get(), reflected.images.color); s != Status::ok)
+        return s;
+    reflected.reflected = true;
+    reflected.frame = context->frameNumber;
+    toValues(toMatrix(view.projection) * toMatrix(view.view), reflected.clipFromWorld);
+    return Status::ok;
+}
+
+Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
+                              const OverlayDesc& overlayDesc) {
+    ViewGeometry geometry;
+    const char* bad = readView(view, geometry);
+    if (!bad) bad = badField(overlayDesc, view);
+    if (!bad && showsReflection(overlayDesc.kind)) {
+        const ReflectedView& reflected = views[view.viewIndex];
+        if (!reflected.reflected || !reflected.isOf(extentOf(geometry)))
+            bad = "OverlayDesc.kind shows what reflect() leaves, which was not called for this view before";
+    }
+    if (bad) return context->device.fail(Status::invalidArgument, "recordOverlay: %s", bad);
+    if (!overlay)
+        if (const Status s = context->share(overlay); s != Status::ok) return s;
+    gpu::Slice slice;
+    if (const Status s = uploadMirror(view, geometry, pixelsThatMayShow(bounds, geometry), slice);
+        s != Status::ok)
+        return s;
+    SceneOfCall scene(view);
+    const ReflectionDesc sized = sizedFor(desc, extentOf(geometry));
+    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice};
+    if (const Status s = takeSamples(pass, singleSamples, scene); s != Status::ok) return s;
+    return recordOverlay(pass, *overlay, images(view.viewIndex), overlayDesc);
+}
+
+ReflectionImages Reflector::images(uint32_t viewIndex) const {
+    if (viewIndex >= maxViews) return {};
+    ReflectionImages images = views[viewIndex].images.handles();
+    const ReflectedView& view = views[viewIndex];
+    images.bent = view.bent;
+    images.downscale = view.downscale;
+    images.age = static_cast<uint32_t>(std::min<uint64_t>(context->frameNumber - view.frame, UINT32_MAX));
+    std::ranges::copy(view.clipFromWorld, images.clipFromWorld);
+    return images;
+}
+
+Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** out) {
+    if (out) *out = nullptr;
+    if (const Status s = gpu::refuseNull(context, "createReflector",
+                                         {{"context", !context}, {"desc", !desc}, {"out", !out}});
+        s != Status::ok)
+        return s;
+    return gpu::guarded([&] {
+        auto reflector = std::make_unique<Reflector>();
+        if (const Status s = reflector->create(*context, *desc); s != Status::ok) return s;
+        *out = reflector.release();
+        ++context->inUse;
+        return Status::ok;
+    });
+}
+
+Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out,
+                SceneSamples samples) {
+    if (const Status s =
+            gpu::refuseNull(context, "estimate", {{"context", !context}, {"desc", !desc}, {"out", !out}});
+        s != Status::ok)
+        return s;
+    *out = {};
+    if (const Status s = check(context->device, *desc); s != Status::ok) return s;
+    if (extent.width == 0 || extent.height == 0)
+        return context->device.fail(Status::invalidArgument, "estimate: the extent is empty");
+    if (const char* bad = badField(samples)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    *out = estimateOf(context->device, *desc, extent, samples);
+    return Status::ok;
+}
+
+void destroyReflector(Reflector* reflector) {
+    destroyHeld(reflector, "destroyReflector");
+}
+
+Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out) {
+    if (const Status s = gpu::refuseNull(gpu::contextOf(&reflector, 1), "planarView",
+                                         {{"reflector", !reflector}, {"view", !view}, {"out", !out}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseDestroyed("planarView", "reflector", *reflector); s != Status::ok)
+        return s;
+    return gpu::guarded([&] { return reflector->handOut(*view, *out); });
+}
+
+Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t count, const ViewDesc* view) {
+    if (const Status s =
+            gpu::refuseNull(gpu::contextOf(reflectors, count), "reflect",
+                            {{"commands", !commands}, {"reflectors", count && !reflectors}, {"view", !view}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseUnusable("reflect", "reflectors", reflectors, count); s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(reflectors, count), "reflect");
+        s != Status::ok)
+        return s;
+    return gpu::guarded([&] {
+        if (count > maxReflectors)
+            return reflectors[0]->context->device.fail(
+                Status::invalidArgument, "reflect: count is %u, expected %u at most", count, maxReflectors);
+        SceneOfCall scene(*view);
+        for (uint32_t i = 0; i < count; ++i)
+            if (const Status s = reflectors[i]->record(commands, scene); s != Status::ok) return s;
+        return Status::ok;
+    });
+}
+
+ReflectionImages reflectionImages(const Reflector* reflector, uint32_t viewIndex) {
+    return reflector ? reflector->images(viewIndex) : ReflectionImages{};
+}
+
+Status recordOverlay(VkCommandBuffer commands, Reflector* reflector, const ViewDesc* view,
+                     const OverlayDesc* desc) {
+    if (const Status s = gpu::refuseNull(
+            gpu::contextOf(&reflector, 1), "recordOverlay",
+            {{"commands", !commands}, {"reflector", !reflector}, {"view", !view}, {"desc", !desc}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseDestroyed("recordOverlay", "reflector", *reflector); s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseOutsideFrame(reflector->context, "recordOverlay"); s != Status::ok)
+        return s;
+    return gpu::guarded([&] { return reflector->drawOverlay(commands, *view, *desc); });
+}
+
+} // namespace seaglass

@@ -1,0 +1,91 @@
+// What is behind seaglass::Reflector: one plane, one technique, and the images of each view that looked at
+// it.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include <glm/vec4.hpp>
+
+#include "gpu/fields.h"
+#include "reflection/after/blur.h"
+#include "reflection/after/edge_reach.h"
+#include "reflection/after/stretch.h"
+#include "reflection/after/temporal.h"
+#include "reflection/core/bounds.h"
+#include "reflection/core/limits.h"
+#include "reflection/core/single_sample.h"
+#include "reflection/debug/overlay.h"
+#include "reflection/march/hybrid.h"
+#include "reflection/march/ssr.h"
+#include "reflection/planar/planar.h"
+
+namespace seaglass {
+
+/// What a reflector keeps for one view.
+struct ReflectedView {
+    OwnedReflection images;
+    SsprScratch sspr; ///< empty with techniques that do not scatter
+    SsrScratch ssr;
+    HybridScratch hybrid;
+    PlanarScratch planar;
+    TemporalScratch temporal;      ///< empty without temporal reuse
+    bool reflected = false;        ///< the images hold what reflect() has left
+    bool bent = false;             ///< by the view's own normals
+    VkExtent2D region = {0, 0};    ///< the view's, in pixels
+    uint32_t downscale = 1;        ///< of the images
+    uint64_t frame = 0;            ///< Context::frameNumber of the last reflect()
+    double clipFromWorld[16] = {}; ///< of the view then
+    bool isOf(VkExtent2D extent) const { return gpu::isSame(region, extent); }
+    Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
+    /// What techniques write.
+    OwnedReflection& found(const ReflectionDesc& desc) { return desc.temporal > 0 ? temporal.found : images; }
+    /// Whose flags say where the technique's images are looked up.
+    const gpu::Buffer& tiles(ReflectionTechnique technique) const;
+};
+
+/// Of a reflector with a usable description.
+Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExtent2D extent,
+                    const SceneSamples& samples);
+
+/// What is wrong with a description, if anything is.
+FieldError badField(const ReflectionDesc& desc);
+const char* badField(const SceneSamples& samples);
+/// The same, said, and what this device cannot do.
+Status check(const gpu::Device& device, const ReflectionDesc& desc);
+
+struct Reflector : Held {
+    glm::dvec4 plane{0}; ///< world, unit normal
+    Bounds bounds;
+    ReflectionDesc desc;
+    SsprKernels sspr;                             ///< empty with techniques that do not scatter
+    SsrKernels ssr;                               ///< empty with every other technique
+    HybridKernels hybrid;                         ///< empty with every other technique
+    std::shared_ptr<PlanarKernel> planar;         ///< null with every other technique
+    std::shared_ptr<EdgeReachKernel> edgeReach;   ///< null without edge reach
+    std::shared_ptr<StretchKernel> stretch;       ///< null without edge stretch
+    std::shared_ptr<BlurKernel> blur;             ///< null without blur
+    std::shared_ptr<TemporalKernel> temporal;     ///< null without temporal reuse
+    std::shared_ptr<SingleSamples> singleSamples; ///< null until a view has many
+    std::shared_ptr<OverlayKernel> overlay;       ///< null until it is first asked for
+    std::array<ReflectedView, maxViews> views;
+
+    Status create(Context& owner, const ReflectorDesc& description);
+    Status handOut(const ViewDesc& view, PlanarView& out);
+    Status record(VkCommandBuffer commands, SceneOfCall& scene);
+    Status drawOverlay(VkCommandBuffer commands, const ViewDesc& view, const OverlayDesc& overlayDesc);
+    ReflectionImages images(uint32_t viewIndex) const;
+    /// How soon it is to be renewed for a view; 0: never.
+    uint64_t urgency(const ViewGeometry& geometry, uint32_t viewIndex) const;
+
+  private:
+    /// Makes what a view of this size needs, where it is not there yet.
+    Status prepare(ReflectedView& view, VkExtent2D extent);
+    Status uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
+                        gpu::Slice& out);
+    Status recordTechnique(const ReflectPass& pass, ReflectedView& view, const OwnedReflection& images);
+    /// Of what the technique found and the view's last frame.
+    Status recordReuse(const ReflectPass& pass, ReflectedView& view);
+};
+
+} // namespace seaglass

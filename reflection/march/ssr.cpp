@@ -1,0 +1,36 @@
+#include "reflection/march/ssr.h"
+
+namespace seaglass {
+
+Status SsrKernels::create(Context& context, const ReflectionDesc& desc) {
+    if (const Status s = context.share(cells); s != Status::ok) return s;
+    if (const Status s = context.share(seenTiles); s != Status::ok) return s;
+    if (const Status s = shareUnseenTiles(context, unseen); s != Status::ok) return s;
+    return shareMarch(context, desc.marchCells, false, march);
+}
+
+VkDeviceSize SsrScratch::bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    return heldByCells(device, extent) + heldByTiles(device, scaledDown(extent, desc.downscale));
+}
+
+Status SsrScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    if (const Status s = createCells(device, extent, "SSR cells", cells); s != Status::ok) return s;
+    return createTiles(device, scaledDown(extent, desc.downscale), "SSR tiles", tiles);
+}
+
+Status recordSsr(const ReflectPass& pass, const SsrKernels& kernels, const SsrScratch& scratch,
+                 const OwnedReflection& images) {
+    const gpu::Device& device = pass.context.device;
+    recordBuffersCleared(device, pass.commands, {scratch.tiles.handle()});
+    if (const Status s = recordCells(pass, *kernels.cells, scratch.cells, scratch.tiles); s != Status::ok)
+        return s;
+    if (const Status s = recordSeenTiles(pass, *kernels.seenTiles, scratch.tiles); s != Status::ok) return s;
+    if (const Status s = recordUnseenTiles(pass, kernels.unseen.get(), scratch.tiles, images);
+        s != Status::ok)
+        return s;
+    images.recordInfoSampled(device, pass.commands);
+    return recordMarch(pass, *kernels.march, scratch.tiles, pass.desc.marchCells ? &scratch.cells : nullptr,
+                       images);
+}
+
+} // namespace seaglass

@@ -1,0 +1,80 @@
+#include "reflection/sspr/resolve.h"
+
+#include <cstddef>
+
+#include "reflection/core/mirror.h"
+#include "reflection/sspr/tiles.h"
+#include "shaders/shared/reflection_bindings.h"
+#include "spirv/miss.comp.h"
+#include "spirv/resolve.comp.h"
+#include "spirv/resolve_roofs.comp.h"
+
+namespace seaglass {
+
+namespace {
+
+Status createResolve(Context& context, std::span<const uint32_t> shader, ResolveKernel& out) {
+    if (const Status s = out.kernel.create(context, shader, "resolve pipeline"); s != Status::ok) return s;
+    if (const Status s = shareUnseenTiles(context, out.unseen); s != Status::ok) return s;
+    const uint32_t colorIsCleared[] = {out.unseen ? 0u : 1u};
+    return out.miss.create(context.device, miss_comp, "miss pipeline", colorIsCleared);
+}
+
+} // namespace
+
+Status ResolveKernel::create(Context& context) {
+    return createResolve(context, resolve_comp, *this);
+}
+
+Status RoofsResolveKernel::create(Context& context) {
+    return createResolve(context, resolve_roofs_comp, resolve);
+}
+
+Status recordResolve(const ReflectPass& pass, ResolveKernel& resolve, const gpu::Buffer& keys,
+                     const gpu::Buffer& tiles, const OwnedReflection& images) {
+    Context& context = pass.context;
+    const gpu::Device& device = context.device;
+    const VkSampler nearest = context.samplers.nearestClamp();
+    const Image& depth = pass.view.sceneDepth;
+    const Image& color = pass.view.sceneColor;
+    const gpu::Resource mirror =
+        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock));
+    const gpu::Resource sceneDepth = gpu::sampledImage(nearest, depth.view, depth.layout);
+    const gpu::Bound resolveResources[] = {
+        {mirrorBinding, mirror},
+        {tilesBinding, gpu::storageBuffer(tiles.handle())},
+        {sceneDepthBinding, sceneDepth},
+        {keysBinding, gpu::storageBuffer(keys.handle())},
+        {sceneColorBinding, gpu::sampledImage(nearest, color.view, color.layout)},
+        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
+        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+    };
+    const gpu::Bound missResources[] = {
+        {mirrorBinding, mirror},
+        {tilesBinding, gpu::storageBuffer(tiles.handle())},
+        {sceneDepthBinding, sceneDepth},
+        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
+    };
+    const gpu::Kernel* kernel = nullptr;
+    if (const Status s = resolve.kernel.of(context, color, kernel); s != Status::ok) return s;
+    VkDescriptorSet resolveSet = VK_NULL_HANDLE;
+    VkDescriptorSet missSet = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(kernel->layout(), resolveResources, resolveSet);
+        s != Status::ok)
+        return s;
+    if (const Status s = context.frame().allocateSet(resolve.miss.layout(), missResources, missSet);
+        s != Status::ok)
+        return s;
+
+    const VkCommandBuffer commands = pass.commands;
+    if (const Status s = recordUnseenTiles(pass, resolve.unseen.get(), tiles, images); s != Status::ok)
+        return s;
+    const gpu::PassScope scope(device, commands, "sspr_resolve");
+    kernel->dispatchIndirect(commands, resolveSet, tiles.handle(), offsetof(TileHeader, resolveGroups));
+    resolve.miss.dispatchIndirect(commands, missSet, tiles.handle(), offsetof(TileHeader, columnGroups));
+    images.recordInfoSampled(device, commands);
+    return Status::ok;
+}
+
+} // namespace seaglass

@@ -1,2 +1,0 @@
-// For lists of specialisation constants that C++ reads, too: gpu/constants.inl.
-#define CONSTANT(number, type, name, usual) layout(constant_id = number) const type name = usual;

@@ -1,0 +1,144 @@
+// Edge reach: reflection/after/edge_reach.h. On the screen a mirrored ray is a line along which its nearness is linear, and so is
+// that of a plane that shows there: beyond the border, too, they meet in closed form.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "mirror.glsl"
+#include "edge_reach_block.h"
+#include "encoding.glsl"
+#include "edge_fade.glsl"
+#include "reflection_info.glsl"
+#include "tiles.glsl"
+
+layout(constant_id = 0) const bool sceneIsEncoded = false;
+
+layout(set = 0, binding = settingsBinding, std140) uniform EdgeReach {
+    EdgeReachBlock settings;
+};
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
+layout(set = 0, binding = sceneColorBinding) uniform sampler2D sceneColor;
+layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform image2D reflectionColor;
+layout(set = 0, binding = reflectionInfoBinding, r16f) uniform image2D reflectionInfo;
+layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
+    TileHeader header;
+    uint tiles[];
+};
+
+#include "scene_depth.glsl"
+#include "miss.glsl"
+#include "screen_ray.glsl"
+#include "hit_distance.glsl"
+#include "tile_columns.glsl"
+
+const float leastInside = 8.0;    // pixels inside of the border over which a plane is told
+const float insideShare = 2.0;    // of what it is taken to go on beyond
+const float uneven = 0.02;        // share of its nearness by which a plane may be off, as walls with windows are
+const float leastColor = 0.02;    // confidence by which colour is scaled without loss of digits
+const float sameDistance = 0.05;  // share by which hits on one plane may differ
+
+// Where a line leaves the picture.
+struct Exit {
+    vec2 border;    // its last point
+    vec2 outward;   // a pixel's step
+};
+
+Exit exitOf(vec2 q, vec2 along) {
+    vec2 outward = along / max(max(abs(along.x), abs(along.y)), 1e-30);
+    return Exit(q + outward * (stepsToBorder(q, outward) - 0.5), outward);
+}
+
+vec2 insideOf(Exit at, float pixels) {
+    return clamp(at.border - pixels * at.outward, vec2(0.5), vec2(mirror.region.zw) - 0.5);
+}
+
+// From infinity; none of the sky and of what lies below the plane.
+float nearnessAt(vec2 point) {
+    ivec2 pixel = texelAt(point, mirror.region.zw - 1);
+    float depth = depthAt(pixel);
+    return solid(pixel, depth) ? mirror.depthSign * (depth - mirror.infinityDepth) : 0.0;
+}
+
+// What a line's nearness is at the border, and how much more a pixel beyond.
+struct Nearness {
+    bool known;
+    float atBorder;
+    float perPixel;
+};
+
+float nearnessBeyond(Nearness line, float pixels) {
+    return line.atBorder + pixels * line.perPixel;
+}
+
+Nearness nearnessOf(ScreenRay ray, Exit at) {
+    float atBorder = mirror.depthSign * rayDepthAt(ray, at.border);
+    float inside = mirror.depthSign * rayDepthAt(ray, at.border - leastInside * at.outward);
+    return Nearness(atBorder > 0.0, atBorder, (atBorder - inside) / leastInside);
+}
+
+// Of what shows, if it is one plane for so many pixels inside of the border.
+Nearness nearnessOfPlane(Exit at, float pixels) {
+    float atBorder = nearnessAt(insideOf(at, 0.0));
+    float middle = nearnessAt(insideOf(at, 0.5 * pixels));
+    float last = nearnessAt(insideOf(at, pixels));
+    bool even = abs(middle - 0.5 * (atBorder + last)) <= uneven * atBorder;
+    return Nearness(even && min(min(atBorder, middle), last) > 0.0, atBorder, (atBorder - last) / pixels);
+}
+
+struct Meeting {
+    bool found;
+    float beyond;   // the border [pixel]; inside of it where negative
+};
+
+// The ray must go in behind the plane, and neither be at infinity by then.
+Meeting meetingOf(Nearness ray, Nearness seen) {
+    float closing = seen.perPixel - ray.perPixel;
+    float beyond = (ray.atBorder - seen.atBorder) / closing;
+    bool found = seen.known && closing > 0.0 && abs(beyond) <= settings.reach && nearnessBeyond(seen, beyond) > 0.0;
+    return Meeting(found, beyond);
+}
+
+Meeting meetingBeyond(Exit at, Nearness ray) {
+    Meeting guess = meetingOf(ray, nearnessOfPlane(at, leastInside));
+    if (!guess.found) return guess;
+    return meetingOf(ray, nearnessOfPlane(at, max(insideShare * abs(guess.beyond), leastInside)));
+}
+
+// What the border may have cut off.
+bool isCut(ivec2 texel) {
+    float info = imageLoad(reflectionInfo, texel).r;
+    return !infoIsSky(info) && imageLoad(reflectionColor, texel).a < 1.0;
+}
+
+void reachBeyond(ivec2 texel) {
+    vec2 q = middleOf(texel);
+    ScreenRay ray = rayOf(q);
+    Exit at = exitOf(q, -mirror.depthSign * (ray.along.xy - q * ray.along.w));
+    Nearness nearness = nearnessOf(ray, at);
+    Meeting meeting = meetingBeyond(at, nearness);
+    if (!planeAhead(q) || !nearness.known || !meeting.found) return;
+    float info = imageLoad(reflectionInfo, texel).r;
+    vec4 known = imageLoad(reflectionColor, texel);
+    float confidence = confidenceWithin(settings.reach - meeting.beyond);
+    float distance = infoOfHit(distanceToHit(q, depthOn(ray, at.border + meeting.beyond * at.outward)));
+    // Hits that faded at the border are seen to go on.
+    bool goesOn = infoIsHit(info) && abs(info - distance) <= sameDistance * distance && confidence > known.a;
+    if (!goesOn && (infoIsHit(info) || meeting.beyond < 0.0)) return;
+    // Beyond the border a plane looks as it does as far inside.
+    ivec2 inside = texelAt(insideOf(at, abs(meeting.beyond)), mirror.region.zw - 1);
+    vec3 light = linearOf(texelFetch(sceneColor, mirror.region.xy + inside, 0).rgb, sceneIsEncoded);
+    bool hasColor = goesOn && known.a > leastColor;
+    imageStore(reflectionColor, texel, (hasColor ? known / known.a : vec4(light, 1.0)) * confidence);
+    imageStore(reflectionInfo, texel, vec4(goesOn ? info : distance, 0.0, 0.0, 0.0));
+}
+
+void main() {
+    loadMirror();
+    Column column = columnToVisit();
+    if (column.rows == 0) return;
+    int row = 0;
+    do {
+        // Over what is whole at once: what stands under a condition runs for all. Nothing but the count leaves the inner loop:
+        // llvmpipe spoils other values for columns that have left it.
+        while (row < column.rows && !isCut(column.top + ivec2(0, row))) ++row;
+        if (row < column.rows) reachBeyond(column.top + ivec2(0, row));
+    } while (++row < column.rows);
+}

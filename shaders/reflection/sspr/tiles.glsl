@@ -1,0 +1,36 @@
+// Tiles of 8 x 8 pixels of the reflection: reflection/sspr/tiles.h. Needs mirror.glsl.
+
+#include "tiles_block.h"
+
+int tilesAcross() {
+    return (imageSize().x + tileEdge - 1) >> tileShift;
+}
+
+int tilesDown() {
+    return (imageSize().y + tileEdge - 1) >> tileShift;
+}
+
+uint tileCount() {
+    return uint(tilesAcross() * tilesDown());
+}
+
+int tileAt(ivec2 tile) {
+    return tile.y * tilesAcross() + tile.x;
+}
+
+uint packedTile(ivec2 tile) {
+    return uint(tile.x) | uint(tile.y) << 16;
+}
+
+// Whether shading looks a tile with these flags up, or a pixel beside it. What is mirrored behind things that stand before
+// the plane is seen only by rays that waves bend there.
+bool lookedUp(ivec2 tile, uint flags) {
+    ivec2 low = tile * tileEdge - 1 << mirror.pixelShift;
+    ivec2 high = (tile + 1) * tileEdge + 1 << mirror.pixelShift;
+    bool sees = (flags & (tileSeesPlane | (mirror.bent != 0u ? tileHasKeys : 0u))) != 0u;
+    return sees && all(lessThan(low, mirror.shown.zw)) && all(greaterThan(high, mirror.shown.xy));
+}
+
+ivec2 unpackedTile(uint tile) {
+    return ivec2(tile & 0xffffu, tile >> 16);
+}

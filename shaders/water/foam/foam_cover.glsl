@@ -1,0 +1,168 @@
+// Foam on the surface: its cover from the waves' history, broken up by a pattern, and its light.
+
+const float foamTile = 24.0;             // [m], as in water/foam/foam_pattern.h
+const float foamRepeat = 16.0 * foamTile;
+
+struct Foam {
+    float mask;    // share that is white
+    vec2 slope;    // of its own relief
+    float height;  // of the white's own, -1..1 and 0 in the mean: more light reaches what stands out
+};
+
+// What breakers leave, the line at the water's edge, and what stays on the sand as it runs down.
+float shoreFoam() {
+    float thick = thickness();
+    vec2 x = vec2((thick - 0.03) / 0.03, thick / 0.12);
+    vec2 bells = exp(-x * x);
+    float line = bells.x + 0.4 * bells.y;
+    float left = thick > 0.0 ? line : 0.4 * wetness();
+    left *= smoothstep(0.0, 0.02, shoreHere.swash);
+    return 1.0 - (1.0 - 0.9 * shoreHere.foam) * (1.0 - min(left, 0.9));
+}
+
+// Share of the places where a sum of three even distributions, of these widths and of mean 0, is below `x`.
+float shareBelow(float x, vec3 widths) {
+    float t = max(0.5 * (widths.x + widths.y + widths.z) - abs(x), 0.0);   // from its end
+    vec3 one = max(t - widths, 0.0);
+    vec3 two = max(t - widths - widths.yzx, 0.0);
+    float tail = (t * t * t - dot(one * one, one) + dot(two * two, two)) / (6.0 * widths.x * widths.y * widths.z);
+    return x < 0.0 ? tail : 1.0 - tail;
+}
+
+// Share of the surface that is white: what each cascade's breakers left (water/foam/foam_history.h). `bend`, -1..1, moves
+// the place looked up by as much as hides that the history has samples.
+float foamCover(vec2 aside, vec2 bend, float pixelWidth) {
+    float clear = 1.0;
+    for (int i = 0; i < foamCascades; ++i) {
+        float texels = water.cascade[i].w;
+        vec2 place = calmPosition + aside + bend * min(0.7 / texels, 2.5);
+        float mip = log2(max(pixelWidth * texels, 1.0));
+        vec2 steps = textureLod(foamHistory, vec3(water.cascade[i].xy + place * water.cascade[i].z, i), mip).rg;
+        float left = mix(steps.x, steps.y, water.foam.x);
+        if (hasShore) left *= shoreHere.kept[i] * shoreHere.kept[i];
+        clear *= 1.0 - left;
+    }
+    if (hasShore) clear *= 1.0 - shoreFoam();
+    return 1.0 - clear;
+}
+
+// Where in the pattern a place looks: a tile seen over and over stands in rows, so each place has its own part of it, by an
+// index that changes slowly (Quilez, Texture repetition).
+struct FoamPart {
+    vec2 here;    // [m]
+    vec2 beside;
+    float share;  // of `beside`
+};
+
+FoamPart foamPartOf(vec2 place) {
+    vec2 turn = fract(place / foamRepeat);
+    vec3 turns = vec3(7.0 * turn.x + 3.0 * turn.y, 9.0 * turn.y - 5.0 * turn.x, 11.0 * turn.x - 4.0 * turn.y);
+    float index = 4.0 + 1.1 * dot(sin(withinHalfTurn(turns + vec3(0.0, 0.1591549, 0.3183099))), vec3(1.0));
+    const vec2 spread = foamTile * vec2(0.7548777, 0.5698403);   // over the tile, evenly (Roberts 2018)
+    float part = floor(index + 0.5);
+    float off = index - part;
+    return FoamPart(place + part * spread, place + (part + (off < 0.0 ? -1.0 : 1.0)) * spread, 0.5 * smoothstep(0.38, 0.5, abs(off)));
+}
+
+// Centred on 0. Two parts that meet keep the contrast of one.
+vec4 foamPatternAt(FoamPart part, float tile, float mip) {
+    vec4 texel = textureLod(foamPattern, part.here / tile, mip) - 0.5;
+    if (part.share > 0.0) {
+        vec4 beside = textureLod(foamPattern, part.beside / tile, mip) - 0.5;
+        texel = mix(texel, beside, part.share) / length(vec2(part.share, 1.0 - part.share));
+    }
+    return texel;
+}
+
+// A place's own in the pattern, which passes more slowly along the wind: so wind draws foam out.
+vec2 drawnOut(vec2 calm) {
+    vec2 streak = water.foamStreak;
+    return calm - streak * dot(streak, calm);
+}
+
+// Cover breaks up into rafts and lace where they can be seen, drawn out by the wind, and is a mean where they cannot:
+// white is a share `cover` of the surface either way.
+//
+// One look, `aside` of the pixel's middle on the calm plane. It covers `pixelWidth` there, and `patternWidth` of the pattern [m].
+Foam foamAt(vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
+    const vec3 weights = vec3(0.3, 0.4, 0.3);
+    const vec3 tiles = foamTile / vec3(1.0, 5.0, 17.0);
+    const float patternSamples = 256.0;
+    const float patternMips = 8.0;   // beyond the finest
+    const float patternVariance = dot(weights, weights) / 12.0;   // of even distributions
+    const float softEdges = 0.05;   // share of it, so that rafts' edges fade out over a fifth of a deviation
+    float pattern = 0.0;
+    float variance = 0.0;
+    vec3 widths;
+    vec2 slope = vec2(0.0);
+    float bend[3];
+    for (int i = 0; i < 3; ++i) {
+        float texels = max(patternWidth * patternSamples / tiles[i], 1.0);
+        float mip = log2(texels);
+        vec4 texel = foamPatternAt(part, tiles[i], mip);
+        // The last mip has no contrast, and a byte for it that is not quite the mean.
+        float last = clamp(patternMips - mip, 0.0, 1.0);
+        float kept = weights[i] * last * last * 30.0 / (29.15 + texels);   // keptContrast() of water/foam/foam_pattern.cpp
+        pattern += weights[i] * last * texel.x;
+        variance += kept * kept / 12.0;
+        widths[i] = kept;
+        slope += texel.zw;
+        bend[i] = 2.0 * texel.y;
+    }
+    float cover = foamCover(aside, vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth);
+    // Mips that are looked at between their texels have longer ends than even distributions do.
+    widths = max(widths, 0.15 * (widths.x + widths.y + widths.z) + 1e-3);
+    // As its own distribution function the octaves' sum is even again, so that a share `cover` of it lies below `cover`.
+    // Its ends are kept off 0 and 1, where even no foam at all would show.
+    float even = clamp(shareBelow(pattern, widths), 2e-4, 1.0 - 2e-4);
+    // What the look blurs away is noise to it, as are soft edges: of that noise as much lies below as makes a share `cover` of
+    // all looks white, however little of the pattern is left.
+    float kept2 = (1.0 - softEdges) * variance / patternVariance;
+    float white = gaussianBelow((gaussianQuantile(cover) - sqrt(kept2) * gaussianQuantile(even)) * inversesqrt(1.0 - kept2));
+    // Where white is but likely, where it stands out is no longer told.
+    return Foam(white, slope, kept2 * kept2 * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0));
+}
+
+// A pixel is long and narrow at a grazing angle, and is taken in as many parts as there are looks at its waves. A look is
+// as wide as such a part at its narrow side, or half its longer one: as wide as all of it, rafts blur into a veil.
+Foam foamHere() {
+    vec2 calm = calmPosition;
+    if (hasShore) calm -= shoreHere.advected;
+    FoamPart here = foamPartOf(water.foam.zw + drawnOut(calm));
+    Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
+    vec2 part = pixel.longer / float(slopeLooks);
+    vec2 wide = part * clamp(length(pixel.shorter) / max(length(part), 1e-9), 0.5, 1.0);
+    float width = max(length(wide), length(pixel.shorter));
+    float patternWidth = max(length(drawnOut(wide)), length(drawnOut(pixel.shorter)));
+    Foam sum = Foam(0.0, vec2(0.0), 0.0);
+    int i = 0;
+    do {
+        vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeLooks));
+        vec2 drawn = drawnOut(aside);
+        Foam look = foamAt(aside, FoamPart(here.here + drawn, here.beside + drawn, here.share), width, patternWidth);
+        sum.mask += look.mask;
+        sum.slope += look.slope;
+        sum.height += look.height;
+    } while (++i < slopeLooks);
+    float each = 1.0 / float(slopeLooks);
+    return Foam(each * sum.mask, each * sum.slope, each * sum.height);
+}
+
+// Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
+// water mirrors a share shines from it too. `ahead`: towards the sun.
+vec3 withFoam(vec3 bare, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored, WavesAhead ahead) {
+    const float relief = 0.7;
+    const float filmVariance = 0.12;   // of the film's slopes
+    const float filmShare = 0.4;
+    SurfacePoint film = SurfacePoint(s.slope + relief * white.slope, s.covariance + vec3(filmVariance, filmVariance, 0.0), 0.0,
+                                     s.bounded);
+    vec3 facing = normalOf(film.slope);
+    // What leans sees less of the sky, and what lies low less than what stands out.
+    float open = (0.5 + 0.5 * facing.y) * (1.0 + 0.4 * white.height);
+    float sun = sunSeen * sunClear(s.slope, ahead) * max(dot(facing, sunDirection()), 0.0);
+    ahead.unseen = sqrt(ahead.unseen * ahead.unseen + filmVariance);
+    float glint = sunGlint(film, toEye) * sunClear(slopeOf(toEye + sunDirection()), ahead);
+    vec3 light = water.sunIrradiance.rgb * sun + water.skyIrradiance.rgb * open;
+    vec3 foamy = light * water.foam.y / pi + filmShare * (mirrored + water.sunIrradiance.rgb * glint);
+    return mix(bare, foamy, white.mask);
+}

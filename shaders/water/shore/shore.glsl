@@ -1,0 +1,107 @@
+// What a bed makes of the sea: water/shore/shore.h. The wave trains that it guides, how much of each cascade it leaves, and the
+// water's edge on the sand.
+
+layout(set = 0, binding = shoreMapBinding) uniform sampler2DArray shoreMap;
+layout(set = 0, binding = shoreSignalBinding, std430) readonly buffer ShoreSignal {
+    vec4 shoreRows[];   // two a row: height, sideways, swash, wet; foam
+};
+
+const int shoreTrains = 3;
+const float lowestSwash = -1.2;
+const float filmLift = 0.012;   // of a film over the sand, so that none of its grains hides it [m]
+
+struct ShoreWave {
+    vec4 kept;       // of each cascade's amplitude
+    float depth;     // of calm water
+    vec2 bedSlope;
+    float height;
+    vec2 move;
+    vec2 slope;
+    vec3 stretch;    // dDx/du, dDz/dv, dDx/dv
+    vec3 covariance; // of slopes too narrow to be seen
+    float swash;     // how far the water's edge moves [m]
+    float wetTo;     // height up to which sand is wet
+    vec2 advected;   // what the swash has carried foam by [m]
+    float foam;
+};
+
+// At calm (u, v); `width` is what is seen as one [m]. Of the moment whose rows begin at `rows`, `arrives` the row of what
+// arrives then at the edge.
+ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
+    vec2 at = water.shorePlace.xy + calm * water.shorePlace.zw;
+    float spacing = water.shoreSignal.w;
+    vec2 texel = spacing * water.shorePlace.zw;
+    vec4 here = textureLod(shoreMap, vec3(at, 0.0), 0.0);
+    vec4 alongU = (textureLod(shoreMap, vec3(at.x + texel.x, at.y, 0.0), 0.0) - here) / spacing;
+    vec4 alongV = (textureLod(shoreMap, vec3(at.x, at.y + texel.y, 0.0), 0.0) - here) / spacing;
+    vec4 form = textureLod(shoreMap, vec3(at, 1.0), 0.0);   // height, breaking, sideways, swash
+    ShoreWave w;
+    w.kept = textureLod(shoreMap, vec3(at, 2.0), 0.0);
+    w.depth = here.x;
+    w.bedSlope = -vec2(alongU.x, alongV.x);
+    w.height = 0.0;
+    w.move = vec2(0.0);
+    w.slope = vec2(0.0);
+    w.stretch = vec3(0.0);
+    w.covariance = vec3(0.0);
+    w.swash = form.w;
+    w.wetTo = -1e9;
+    w.advected = vec2(0.0);
+    w.foam = 0.0;
+    if (form.x + form.w > 0.0) {
+        float lean = 0.6 * form.y;
+        float perTrain = inversesqrt(float(shoreTrains));
+        float swash = 0.0;
+        float wet = 0.0;
+        float white = 0.0;
+        vec2 swashSlope = vec2(0.0);
+        int t = 0;
+        do {
+            vec2 slowness = vec2(alongU[t + 1], alongV[t + 1]);
+            float size = max(length(slowness), 1e-4);
+            vec2 towards = slowness / size;
+            float row = here[t + 1] * water.shoreSignal.x + arrives;
+            row = row > 0.0 ? min(row, water.shoreSignal.z - 1.001) : 0.0;   // a map of the host's may hold anything
+            int i = rows + 2 * (t * int(water.shoreSignal.z) + int(row));
+            vec4 a = shoreRows[i];
+            vec4 b = shoreRows[i + 2];
+            vec4 now = mix(a, b, fract(row));
+            vec4 rate = (a - b) * water.shoreSignal.x;   // rows go back in time
+            float seen = 1.0 - smoothstep(0.15, 0.4, width * size * water.shoreForm.x);
+            float height = form.x * seen;
+            float sideways = form.z * seen;
+            float lost = form.x * perTrain * size * 6.2832 * water.shoreForm.x;
+            w.height += height * now.x;
+            w.slope -= height * rate.x * slowness;
+            w.covariance += lost * lost * (1.0 - seen * seen) * vec3(towards * towards, towards.x * towards.y);
+            swash += now.z;
+            wet += now.w;
+            swashSlope -= rate.z * slowness;
+            w.move += sideways * (now.y + lean * now.x) * towards;
+            float stretches = -sideways * (rate.y + lean * rate.x) * size;
+            w.stretch += stretches * vec3(towards * towards, towards.x * towards.y);
+            w.advected += towards * (now.z * form.w * water.shoreForm.y);
+            white += mix(shoreRows[i + 1].x, shoreRows[i + 3].x, fract(row));
+        } while (++t < shoreTrains);
+        w.height += form.w * max(swash, lowestSwash);
+        w.slope += swash > lowestSwash ? form.w * swashSlope : vec2(0.0);
+        w.wetTo = form.w * wet;
+        w.foam = form.y * min(0.5 * white, 1.0);
+    }
+    return w;
+}
+
+ShoreWave shoreWave(vec2 calm, float width) {
+    return shoreWaveOf(calm, width, 0, water.shoreSignal.y);
+}
+
+// In the last frame.
+ShoreWave lastShoreWave(vec2 calm, float width) {
+    return shoreWaveOf(calm, width, 2 * shoreTrains * int(water.shoreSignal.z), water.shoreForm.z);
+}
+
+// The height above calm water of a film that lies on the sand, or of the surface where that is higher.
+float withFilm(ShoreWave w, float height, float lift) {
+    float bed = -w.depth + dot(w.bedSlope, w.move);
+    return w.wetTo > bed ? max(height, bed + lift) : height;
+}

@@ -1,0 +1,409 @@
+// What shines through the surface from below it. Needs texel_at.glsl and turns.glsl.
+
+const bool hasBed = bedDownscale > 0;
+bool seesBed = hasBed;   // not where a surface is seen from the water: what it mirrors is looked for in the scene
+
+bool looksAtBed() {
+    return hasBed && seesBed;
+}
+
+
+struct Behind {
+    vec2 pixel;    // of the region
+    vec3 seen;     // where, relative to the eye
+    bool nothing;  // but the far plane
+};
+
+Behind shownAt(vec2 pixel, float depth, mat4 relativeFromPixels) {
+    vec4 q = relativeFromPixels * vec4(floor(pixel) + 0.5, depth, 1.0);
+    const float leastWeight = 1e-12;   // what is infinitely far is taken to be very far, so that differences are numbers
+    return Behind(pixel, q.xyz / max(q.w, leastWeight), water.depthSign * (depth - water.farDepth) <= 0.0);
+}
+
+// What the host's opaque scene shows at a pixel of the region.
+Behind behindAt(vec2 pixel) {
+    ivec2 p = texelAt(pixel + water.sceneShift, water.region.zw - 1);
+    return shownAt(vec2(p), texelFetch(sceneDepth, water.region.xy + p, 0).r, water.relativeFromPixel);
+}
+
+vec4 linearTexel(vec4 held) {
+    return vec4(linearOf(held.rgb, sceneIsEncoded), held.a);
+}
+
+vec4 colorOf(Behind b) {
+    return linearTexel(texelFetch(sceneColor, water.region.xy + ivec2(b.pixel), 0));
+}
+
+vec3 radianceOf(Behind b) {
+    return colorOf(b).rgb;
+}
+
+// In what follows pixels are the bed's where it has a picture of its own: wider than the region, from a raised
+// eye (water/below/bed.cpp), and with nothing in it that stands above the water. Else they are the scene's.
+vec4 bedPixelOf(vec4 relative) {
+    return (looksAtBed() ? water.bedFromRelative : water.pixelFromRelative) * relative;
+}
+
+Behind bedAt(vec2 pixel) {
+    if (!looksAtBed()) return behindAt(pixel);
+    vec2 p = pointWithin(pixel, water.bedSize.xy);
+    return shownAt(p, texelFetch(bedDepth, ivec2(p), 0).r, water.relativeFromBed);
+}
+
+// Linear, of the four around that show something: the others may hold whatever memory held.
+vec4 betweenBedTexels(vec2 pixel) {
+    vec2 corner = floor(pixel - 0.5);
+    vec2 past = pixel - 0.5 - corner;
+    vec4 depths = textureGather(bedDepth, (corner + 1.0) / vec2(water.bedSize.xy));
+    vec4 weights = vec4(1.0 - past.x, past.x, past.x, 1.0 - past.x) * vec4(past.y, past.y, 1.0 - past.y, 1.0 - past.y);
+    const ivec2 places[4] = ivec2[](ivec2(0, 1), ivec2(1, 1), ivec2(1, 0), ivec2(0, 0));
+    vec4 sum = vec4(0.0);
+    float all = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        if (weights[i] <= 0.0 || water.depthSign * (depths[i] - water.farDepth) <= 0.0) continue;
+        sum += weights[i] * linearTexel(texelFetch(bedColor, clamp(ivec2(corner) + places[i], ivec2(0), water.bedSize.xy - 1), 0));
+        all += weights[i];
+    }
+    return sum / max(all, 1e-6);
+}
+
+vec4 bedColorOf(Behind b) {
+    if (!looksAtBed()) return colorOf(b);
+    return bedDownscale > 1 ? betweenBedTexels(b.pixel) : linearTexel(texelFetch(bedColor, ivec2(b.pixel), 0));
+}
+
+vec3 bedRadiance(Behind b) {
+    return bedColorOf(b).rgb;
+}
+
+// What shows where a bent ray has come to, `target` in homogeneous pixels, from `here`.
+Behind behindRay(vec2 here, vec4 target) {
+    return bedAt(mix(here, target.xy / target.w, water.refractionDistortion));
+}
+
+// How far a ray from inside the picture goes until it leaves it [m]: where a + t b, homogeneous pixels, passes a border.
+float untilBorder(vec4 a, vec4 b) {
+    vec2 size = vec2(looksAtBed() ? water.bedSize.xy : water.region.zw);
+    // Gaps to the borders, times w, and how fast they shrink.
+    vec4 gap = vec4(a.xy, size * a.w - a.xy);
+    vec4 loss = vec4(-b.xy, b.xy - size * b.w);
+    vec4 t = mix(vec4(1e6), gap / loss, greaterThan(loss, gap * 1e-6));
+    return max(min(min(t.x, t.y), min(t.z, t.w)), 0.0);
+}
+
+const float sharpBed = bedDownscale > 1 ? 1.5 : 0.5;   // a blur of so many pixels is none: between texels there is some
+
+bool isBelowWater(Behind b) {
+    return !b.nothing && b.seen.y < min(position.y, -water.plane.w);
+}
+
+// What lies beyond the border nobody knows: a mean of the bed around the place that lies as far inside, over a wider part of
+// it the farther out, and `least` pixels wide. So the bed goes on without a seam, a streak or rocks where there are none. What
+// stands up from the bed is not the bed; what lies lower than the last pixel before the border is, which may show a stone.
+vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here, float least) {
+    const vec2 taps[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
+    // A quad's pixels look at places of their own where they take their mean.
+    vec2 side = least > sharpBed ? 1.0 - 2.0 * placeInQuad() : vec2(1.0);
+    vec3 nearby = bedRadiance(inside);
+    vec4 p = bedPixelOf(vec4(2.0 * inside.seen - beyond, 1.0));
+    if (p.w <= 0.0) return nearby;
+    vec2 middle = mix(here, p.xy / p.w, water.refractionDistortion);
+    vec4 edge = bedPixelOf(vec4(inside.seen, 1.0));
+    float radius = max(length(middle - edge.xy / edge.w), least);
+    vec4 sum = vec4(nearby, 1.0) * 1e-3;
+    int i = 0;
+    [[dont_unroll]] do {
+        vec2 pixel = middle + radius * side * taps[i];
+        Behind b = bedAt(pixel);
+        bool standsUp = b.seen.y - inside.seen.y >= 0.15 * (position.y - inside.seen.y);
+        vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
+        bool flatHere = abs(step.y) < 0.5 * length(step.xz);
+        if (isBelowWater(b) && !standsUp && flatHere) sum += vec4(bedRadiance(b), 1.0);
+    } while (++i < 4);
+    return sum.rgb / sum.a;
+}
+
+// Where the ray that a slope bends goes on each metre down.
+const float shallowest = 0.1;   // of its way
+
+vec3 bentPerDepth(vec2 slope, vec3 toEye) {
+    vec3 bent = refract(-toEye, normalOf(slope), 1.0 / waterIndex);
+    return bent / max(-bent.y, shallowest);
+}
+
+// The depth at which a ray that goes `perDepth` a metre down meets a bed that goes on beyond its last pixel, by its slope
+// there; `track` is the way of such rays on the screen, unit. Steps are no bed, nor are the sides of stones.
+float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
+    vec4 p = bedPixelOf(vec4(last.seen, 1.0));
+    Behind before = bedAt(p.xy / p.w - 4.0 * track);
+    vec3 step = last.seen - before.seen;
+    float across = dot(step.xz, step.xz);
+    bool isSlope = isBelowWater(before) && step.y * step.y < 0.25 * across;
+    vec2 slope = isSlope ? step.xz * (step.y / across) : vec2(0.0);
+    float depth = position.y - last.seen.y - dot(slope, position.xz - last.seen.xz);
+    return clamp(depth / max(1.0 + dot(slope, perDepth.xz), 0.2), 0.0, 1.5 * (position.y - last.seen.y));
+}
+
+// Where the bed has no picture of its own, the scene's may show it in part, or things that float over none. So the ray is
+// looked for in steps first, of so many pixels at the least. A shore has its map.
+const int sceneLooks = hasShore || hasBed || refractionLooks == 1 ? 0 : 2 * refractionLooks + 4;
+const float sceneStride = 2.0;
+
+// As much depth as can be seen through [m].
+float seenAsFarAs() {
+    vec3 k = extinction();
+    return 2.0 / min(min(k.r, k.g), k.b);
+}
+
+// The depth at which a ray meets the bed that the shore's map has.
+float depthOnMap(vec3 perDepth) {
+    float depth = heightHere + shoreHere.depth;
+    return clamp(depth / max(1.0 + dot(shoreHere.bedSlope, perDepth.xz), 0.2), 0.0, 3.0 * max(depth, 0.0));
+}
+
+// How much nearer the ray, which is `at` that pixel, is than the scene behind it: in what is affine on the screen of both,
+// inverse distances from an eye, and distances along parallel lines of sight.
+float nearerBy(vec4 pixel, vec3 at, Behind b) {
+    float scene = bedPixelOf(vec4(b.seen, 1.0)).w;
+    float endless = (water.sight.w - 1.0) * 1e4;
+    return 1.0 / pixel.w - dot(at, water.sight.xyz) - (b.nothing ? endless : 1.0 / scene - dot(b.seen, water.sight.xyz));
+}
+
+// Along the edge of what stands before the surface sample 0 of a pixel may be that thing's: the pixel beside it that shows what
+// lies behind.
+vec2 besideWhatHides(vec2 here) {
+    const ivec2 beside[5] = ivec2[](ivec2(0, 0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
+    int i = 0;
+    [[dont_unroll]] do {
+        Behind b = behindAt(here + beside[i]);
+        if (b.nothing || isBelowWater(b)) return here + beside[i];
+    } while (++i < 5);
+    return here;
+}
+
+// Of the places of a Gaussian [deviations] that the pixels of a quad look at together, one of this pixel's `looks`, 1 or 4: for
+// each a square, one corner a pixel, so that their mean is 0, and the variance of 16 is 1 along any axis.
+vec2 placeAround(int look, int looks) {
+    const float radii[4] = float[](0.540, 1.013, 1.463, 2.131);
+    float radius = looks == 1 ? 1.25 : radii[look];   // four places alone blur more than a Gaussian
+    return radius * cosineSine(0.0637 + 0.3125 * float(look) + dot(partOfQuad(), vec4(0.0, 0.25, 0.5, 0.75)));
+}
+
+// How far a deviation of the slopes within the pixel moves what is seen of a bed `drop` metres below, and one aside of that
+// [pixels].
+mat2 blurOfBed(SurfacePoint s, vec3 toEye, vec3 seen, float drop) {
+    if (!hasWaves) return mat2(0.0);
+    float u = sqrt(max(s.covariance.x, 1e-12));
+    float both = s.covariance.z / u;
+    vec2 deviations[2] = vec2[](vec2(u, both), vec2(0.0, sqrt(max(s.covariance.y - both * both, 0.0))));
+    vec3 mean = bentPerDepth(s.slope, toEye);
+    vec4 middle = bedPixelOf(vec4(seen, 1.0));
+    mat2 blur;
+    for (int i = 0; i < 2; ++i) {
+        vec3 strays = bentPerDepth(s.slope + deviations[i], toEye) - mean;
+        vec4 there = bedPixelOf(vec4(seen + drop * strays, 1.0));
+        blur[i] = there.w > 0.0 ? water.refractionDistortion * (there.xy / there.w - middle.xy / middle.w) : vec2(0.0);
+    }
+    return blur;
+}
+
+float widthOf(mat2 blur) {
+    return sqrt(dot(blur[0], blur[0]) + dot(blur[1], blur[1]));
+}
+
+// A mean of what those slopes show of the bed around, or of the pixel alone. Across the border it is as it is inside.
+vec4 bedColorAround(Behind b, mat2 blur, float drop) {
+    const int looks = refractionLooks > 3 ? 4 : 1;
+    vec2 size = vec2(looksAtBed() ? water.bedSize.xy : water.region.zw);
+    vec2 middle = looksAtBed() ? b.pixel : b.pixel + 0.5;
+    bool blurs = widthOf(blur) > sharpBed;
+    float weights = blurs ? 1e-3 : 1.0;
+    vec4 sum = weights * bedColorOf(b);
+    int i = blurs ? 0 : looks;
+    [[dont_unroll]] while (i < looks) {
+        vec2 off = blur * placeAround(i, looks);
+        vec2 pixel = middle + off;
+        if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, size))) pixel = middle - off;
+        Behind there = bedAt(pixel);
+        ++i;
+        if (!isBelowWater(there) || length(there.seen - b.seen) > 0.5 * drop) continue;
+        sum += bedColorOf(there);
+        weights += 1.0;
+    }
+    return sum / weights;
+}
+
+// Of what shines through: overFog().
+vec3 bedOverFog = vec3(0.0);
+
+// A bed of so much light in air, at so much depth.
+vec3 bedThrough(vec3 bed, float depth, float gathered, float path) {
+    vec3 through = litBelow(bed, depth, gathered) / (waterIndex * waterIndex) * exp(-extinction() * path);
+    bedOverFog = overFog(through, through / max(bed, 1e-9));
+    return through + waterGlow(vec3(path));
+}
+
+// Whether a ray meets what shows between two depths, where it lies before that and behind it, rather than to pass behind its
+// edge. `found` and `depth` are of the second, and become those of the place.
+bool meetsBetween(vec4 from, vec4 perDepth, vec2 here, float before, inout Behind found, inout float depth) {
+    const int halvings = 5;
+    const float mostOff = 0.04;   // of the depth
+    int i = 0;
+    [[dont_unroll]] do {
+        float middle = 0.5 * (before + depth);
+        Behind b = behindRay(here, from + perDepth * middle);
+        bool isUnder = isBelowWater(b) && position.y - b.seen.y < middle;
+        if (isUnder) found = b;
+        if (isUnder) depth = middle;
+        else before = middle;
+    } while (++i < halvings);
+    return depth - (position.y - found.seen.y) < mostOff * depth + 2.0 * (depth - before);
+}
+
+// What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
+// raised and little water lies before it. Sought is the depth under the surface at which the ray meets what the picture
+// shows where the ray projects: a root, by false position between a place of the screen where the ray is before the scene
+// and one where it is behind, which is exact for a plane. (A fixed point it is not: up a wall it would run away.) What
+// stands out of the water is passed over. Where the ray leaves the picture, or passes behind something, the bed goes on by
+// its slope. Where the line of sight itself passes over the bed's end, far off, it begins with what lies below at as much
+// depth as can be seen through; over a shore with what its map says, which stands for a bed that falls away out of sight.
+// `path` is how much water lies before it [m], `blurred` over how many pixels slopes too small to be seen spread it.
+vec3 refractedBed(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out float blurred) {
+    // Of its depth, from what is met; with two looks the nearest is the best there is.
+    const float mostOff = refractionLooks > 2 ? 0.35 : 1e9;
+    const float wellOff = refractionLooks > 3 ? 0.05 : 0.35;
+    vec4 from = bedPixelOf(vec4(position, 1.0));
+    vec2 here = looksAtBed() ? from.xy / from.w : gl_FragCoord.xy - vec2(water.region.xy);
+    if (manySamples && !looksAtBed()) here = besideWhatHides(here);
+    Behind found = bedAt(here);
+    path = 1e6;
+    blurred = 0.0;
+    vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);
+    float steepness = max(-bent.y, shallowest);
+    vec4 perDepth = bedPixelOf(vec4(bent / steepness, 0.0));
+    float leaves = untilBorder(from, perDepth);
+    vec2 above = vec2(0.0, nearerBy(from, position, found));   // a way on the screen, and how much nearer the ray is there
+    vec2 under = vec2(0.0);                            // likewise, where it is not; none while its second is 0
+    bool passedOver = found.nothing;
+    float drop = max(position.y - found.seen.y, 0.0);
+    float sought = min(drop, leaves);
+    float onMap = hasShore ? depthOnMap(bent / steepness) : 0.0;
+    if (passedOver) {
+        sought = min(seenAsFarAs(), leaves);
+        found = behindRay(here, from + perDepth * sought);
+        drop = max(position.y - found.seen.y, 0.0);
+        if (isBelowWater(found)) sought = min(drop, sought);
+        if (hasShore) sought = min(onMap, leaves);
+    }
+    if (sceneLooks == 0 && found.nothing) return waterGlow(vec3(path));
+    Behind nearest = found;
+    float deepest = 0.0;            // at which the ray was seen to be above the bed
+    Behind last = found;            // of the bed, before the ray leaves the picture or passes behind something
+    bool met = false;
+    if (sceneLooks > 0) {
+        float farthest = sought;
+        Behind end = behindRay(here, from + perDepth * farthest);
+        bool endless = end.nothing;
+        Behind other = last;   // what is seen where the ray does not meet what the line of sight does
+        if (endless || position.y - end.seen.y > 1.1 * farthest) {
+            farthest = min(2.0 * seenAsFarAs(), leaves);
+            other = behindRay(here, from + perDepth * farthest);
+            endless = farthest < leaves || other.nothing;
+            sought = farthest;
+        }
+        vec4 goal = from + perDepth * farthest;
+        int looks = min(int(length(goal.xy / goal.w - here) / sceneStride), sceneLooks);
+        float before = 0.0;
+        bool wasUnder = false;
+        int k = 1;
+        [[dont_unroll]] while (k < looks && !met) {
+            float share = float(k++) / float(looks);
+            float depth = share * farthest * from.w / mix(goal.w, from.w, share);
+            Behind b = behindRay(here, from + perDepth * depth);
+            bool isUnder = isBelowWater(b) && position.y - b.seen.y < depth;
+            if (isUnder && !wasUnder) {
+                found = b;
+                drop = depth;
+                met = meetsBetween(from, perDepth, here, before, found, drop);
+            }
+            wasUnder = isUnder;
+            before = depth;
+        }
+        if (endless && !met) return waterGlow(vec3(path));
+        if (!met) {
+            found = last = other;
+            drop = max(position.y - found.seen.y, 0.0);
+        }
+    }
+    float least = 1e9;
+    bool left = false;
+    int i = 0;
+    if (refractionLooks > 1 && !met) {
+        do {
+            vec4 target = from + perDepth * sought;
+            Behind b = behindRay(here, target);
+            float deeper = b.nothing ? max(sought, 1.0) : position.y - b.seen.y - sought;
+            bool isBed = isBelowWater(b);
+            if (isBed && abs(deeper) < min(least, mostOff * sought)) {
+                least = abs(deeper);
+                found = b;
+                drop = sought;
+            }
+            // Its sign is that of what can be told more exactly.
+            float nearer = nearerBy(target, position + bent / steepness * sought, b);
+            vec2 reached = vec2(sought / target.w, deeper > 0.0 ? max(nearer, 1e-9) : min(nearer, -1e-9));
+            vec2 before = above;
+            if (deeper > 0.0) {
+                above = reached;
+                deepest = sought;
+                if (isBed) last = b;
+            } else {
+                if (isBed) nearest = b;
+                // Of what stands before the bed only that it does counts.
+                under = isBed ? reached : vec2(reached.x, -above.y);
+            }
+            left = deeper > 0.01 && sought >= leaves;
+            vec2 other = under.y < 0.0 ? under : before;
+            float apart = other.x - above.x;
+            float slope = abs(apart) > 1e-9 ? (other.y - above.y) / apart : 0.0;
+            float way = above.x - above.y / min(slope, -1e-9);
+            if (under.y < 0.0) way = clamp(way, mix(above.x, under.x, 0.02), mix(above.x, under.x, 0.98));
+            float beyond = 1.0 - way * perDepth.w;
+            // Two looks that lie close together tell the slope no better than texels do.
+            float farthest = i > 0 ? min(4.0 * sought, leaves) : leaves;
+            sought = beyond > 0.0 ? min(way * from.w / beyond, farthest) : farthest;
+        } while (++i < refractionLooks - 1 && least > 0.01 && !left);
+    }
+    // What hides the place that the ray meets is as good as it, unless it lies far higher.
+    float known = passedOver && !met && !(left && isBelowWater(last)) ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;
+    bool madeUp = false;
+    bool astray = refractionLooks > 2 && !passedOver && !met && least > wellOff * drop && isBelowWater(found);
+    if ((left || astray) && isBelowWater(last)) {
+        vec2 track = perDepth.xy - perDepth.w * from.xy / from.w;
+        drop = max(depthBeyond(last, bent / steepness, track / max(length(track), 1e-6)), deepest);
+        found = behindRay(here, from + perDepth * drop);
+        bool met = drop < leaves && isBelowWater(found) && abs(position.y - found.seen.y - drop) < 0.1 * drop;
+        madeUp = !met;
+        if (madeUp) found = last;
+    }
+    mat2 blur = blurOfBed(s, toEye, found.seen, drop);
+    blurred = widthOf(blur);
+    vec4 bed = bedColorAround(found, madeUp ? mat2(0.0) : blur, drop);
+    if (madeUp) bed.rgb = radianceBeyond(found, position + bent / steepness * drop, here, blurred);
+    vec3 unknown = waterGlow(vec3(1e6));
+    if (hasShore && passedOver && known < 1.0)
+        unknown = bedThrough(bedRadiance(nearest), onMap - position.y - water.plane.w, gatheredIn(bedColorOf(nearest)),
+                             onMap / steepness);
+    vec3 unknownOverFog = bedOverFog;
+    path = mix(length(found.seen - position), drop / steepness, water.refractionDistortion);
+    vec3 through = bedThrough(bed.rgb, -(found.seen.y + water.plane.w), gatheredIn(bed), path);
+    bedOverFog = mix(unknownOverFog, bedOverFog, known);
+    return mix(unknown, through, known);
+}
+
+vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out float blurred) {
+    if (hasRefraction) return refractedBed(s, normal, toEye, path, blurred);
+    path = 1e6;
+    blurred = 0.0;
+    return waterGlow(vec3(path));
+}

@@ -1,0 +1,166 @@
+// Hollows that the water stays out of: no surface, no fog and no caustics in them, and all as ever outside.
+#include <cmath>
+
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/host/spy.h"
+#include "tests/gpu/rig/water_rig.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+/// Upright walls around (x, z), from 2 m below the calm water up.
+DryRoom box(double x, double z, double halfX, double halfZ) {
+    return {{{2, 0, 0, -2 * (x + halfX)},
+             {-1, 0, 0, x - halfX},
+             {0, 0, 3, -3 * (z + halfZ)},
+             {0, 0, -1, z - halfZ},
+             {0, -1, 0, -2}}};
+}
+
+class DryRooms : public WaterTest {
+  protected:
+    DryRooms() {
+        camera_.eye = {0, 6, 8};
+        camera_.target = {0, 0, 0};
+        sea_.windSpeed = 4;
+        sea_.fetch = 5e3f;
+        sea_.samples = 64;
+    }
+    static bool isIn(const glm::dvec3& p, double x, double z, double halfX, double halfZ, double margin) {
+        return std::abs(p.x - x) < halfX + margin && std::abs(p.z - z) < halfZ + margin;
+    }
+    void expectDry(Body* body, double x, double z, double halfX, double halfZ) {
+        const WaterPicture whole = picture({makeBody(desc_)}, camera_, 3, SurfaceOutput::height);
+        const WaterPicture p = picture({body}, camera_, 3, SurfaceOutput::height);
+        size_t dry = 0, wet = 0;
+        for (uint32_t j = 0; j < p.height; ++j)
+            for (uint32_t i = 0; i < p.width; ++i) {
+                const size_t pixel = size_t{j} * p.width + i;
+                if (!whole.covered(pixel)) continue;
+                const glm::dvec3 at = worldAt(camera_, whole, i, j);
+                if (isIn(at, x, z, halfX, halfZ, -0.01)) {
+                    EXPECT_FALSE(p.covered(pixel)) << at.x << ' ' << at.z;
+                    ++dry;
+                } else if (!isIn(at, x, z, halfX, halfZ, 0.01)) {
+                    EXPECT_EQ(p.color[pixel * 4], whole.color[pixel * 4]);
+                    ++wet;
+                }
+            }
+        EXPECT_GT(dry, 200u);
+        EXPECT_GT(wet, 2000u);
+    }
+
+    Camera camera_;
+    SeaDesc sea_;
+    BodyDesc desc_;
+};
+
+TEST_F(DryRooms, HaveNoSurface) {
+    desc_.waves = &sea_;
+    desc_.wavesBackend = fftwWaves();
+    Body* const body = makeBody(desc_);
+    const DryRoom first = box(0.5, 0, 1, 2);
+    ASSERT_EQ(setDryRooms(body, &first, 1), Status::ok) << message();
+    expectDry(body, 0.5, 0, 1, 2);
+    const DryRoom moved = box(-2, 1, 1, 0.8);
+    ASSERT_EQ(setDryRooms(body, &moved, 1), Status::ok) << message();
+    expectDry(body, -2, 1, 1, 0.8);
+}
+
+TEST_F(DryRooms, AreEightAtMost) {
+    Body* const body = makeBody(desc_);
+    std::vector<DryRoom> rooms(8, box(300, 300, 1, 1));
+    rooms[7] = box(0, 0, 1, 1);
+    ASSERT_EQ(setDryRooms(body, rooms.data(), 8), Status::ok) << message();
+    expectDry(body, 0, 0, 1, 1);
+    rooms.push_back(rooms[0]);
+    EXPECT_EQ(setDryRooms(body, rooms.data(), 9), Status::invalidArgument);
+    EXPECT_NE(message().find("count"), std::string::npos) << message();
+    expectDry(body, 0, 0, 1, 1); // as before
+}
+
+TEST_F(DryRooms, KeepAnEyeInOneDry) {
+    const RefractionDesc refraction;
+    const UnderwaterDesc underwater;
+    desc_.refraction = &refraction;
+    desc_.underwater = &underwater;
+    Body* const body = makeBody(desc_);
+    camera_.eye = {0, -1, 0};
+    camera_.target = {1, -1, 0};
+    const auto fogged = [&] {
+        spiedCalls().clear();
+        picture({body}, camera_);
+        return countSpied("CmdDraw");
+    };
+    EXPECT_GT(fogged(), 0u);
+    const DryRoom room = box(0, 0, 1, 1);
+    ASSERT_EQ(setDryRooms(body, &room, 1), Status::ok);
+    EXPECT_EQ(fogged(), 0u);
+    camera_.eye.y = -3; // under its bottom
+    EXPECT_GT(fogged(), 0u);
+}
+
+TEST_F(DryRooms, HaveNoCaustics) {
+    const RefractionDesc refraction;
+    const CausticsDesc caustics;
+    desc_.waves = &sea_;
+    desc_.wavesBackend = fftwWaves();
+    desc_.refraction = &refraction;
+    desc_.caustics = &caustics;
+    Body* const body = makeBody(desc_);
+    lighting.sunIrradiance[1] = 1;
+    drawCausticsOf(body);
+    const auto changed = [&] {
+        const WaterPicture p = picture({body}, camera_, 3, SurfaceOutput::shaded, planeBelow(camera_, -1, 1));
+        size_t pixels = 0;
+        for (uint32_t j = 0; j < p.height; ++j)
+            for (uint32_t i = 0; i < p.width; ++i)
+                pixels += p.color[(size_t{j} * p.width + i) * 4 + 1] != WaterPicture::untouched;
+        return pixels;
+    };
+    EXPECT_GT(changed(), 1000u);
+    const DryRoom room = box(0, 0, 500, 500);
+    ASSERT_EQ(setDryRooms(body, &room, 1), Status::ok);
+    EXPECT_EQ(changed(), 0u);
+}
+
+TEST_F(DryRooms, CostNothingWhereThereAreNone) {
+    constexpr size_t hasDryRooms = 5; // shaders/water/surface/surface.frag
+    Body* const body = makeBody(desc_);
+    const auto constant = [&] {
+        spiedCalls().clear();
+        picture({body}, camera_);
+        for (const SpiedCall& call : spiedCalls())
+            if (call.name == "CreateGraphicsPipelines") return call.constants.at(hasDryRooms);
+        return ~0u;
+    };
+    EXPECT_EQ(constant(), 0u);
+    const DryRoom room = box(0, 0, 1, 1);
+    ASSERT_EQ(setDryRooms(body, &room, 1), Status::ok);
+    EXPECT_EQ(constant(), 1u);
+    ASSERT_EQ(setDryRooms(body, nullptr, 0), Status::ok);
+    EXPECT_EQ(constant(), ~0u); // the first again
+}
+
+TEST_F(DryRooms, BadOnesAreNamed) {
+    Body* const body = makeBody(desc_);
+    const auto expectRefused = [&](const DryRoom& room) {
+        EXPECT_EQ(setDryRooms(body, &room, 1), Status::invalidArgument);
+        EXPECT_NE(message().find("DryRoom.planes"), std::string::npos) << message();
+    };
+    expectRefused({});
+    DryRoom room = box(0, 0, 1, 1);
+    room.planes[0][0] = std::nan("");
+    expectRefused(room);
+    room.planes[0][0] = INFINITY;
+    expectRefused(room);
+    room = box(0, 0, 1, 1);
+    room.planes[5][3] = 1; // nothing but a distance
+    expectRefused(room);
+    EXPECT_EQ(setDryRooms(body, nullptr, 1), Status::invalidArgument);
+    EXPECT_EQ(setDryRooms(nullptr, &room, 1), Status::invalidArgument);
+}
+
+} // namespace

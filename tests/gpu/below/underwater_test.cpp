@@ -1,0 +1,314 @@
+// Water seen by an eye in it: Snell's window, the light that water takes and gives, and where the near plane
+// leaves it.
+#include <cmath>
+#include <numbers>
+
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/host/spy.h"
+#include "tests/gpu/rig/fresnel.h"
+#include "tests/gpu/rig/near_plane.h"
+#include "tests/gpu/rig/water_rig.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+constexpr double index = waterIndex;
+constexpr double pi = std::numbers::pi;
+
+class Underwater : public WaterTest {
+  protected:
+    Underwater() {
+        desc_.refraction = &refraction_;
+        desc_.underwater = &underwater_;
+    }
+    Camera upwards() const {
+        Camera camera;
+        camera.eye = {3, -4, 7};
+        camera.target = {3, 0, 7};
+        camera.fovDegrees = 130;
+        camera.width = camera.height = 256;
+        return camera;
+    }
+    /// Level, the eye `height` over the calm surface.
+    static Camera level(double height) {
+        Camera camera;
+        camera.eye = {3, height, 7};
+        camera.target = {3, height, -10};
+        return camera;
+    }
+    SeaDesc ripples() const {
+        SeaDesc sea;
+        sea.windSpeed = 4;
+        sea.fetch = 2e3f;
+        sea.samples = 128;
+        sea.cascades = 3;
+        return sea;
+    }
+
+    RefractionDesc refraction_{{0, 0, 0}, {0, 0, 0}, 1};
+    UnderwaterDesc underwater_;
+    BodyDesc desc_;
+};
+
+class SnellsWindow : public Underwater, public testing::WithParamInterface<Fresnel> {
+  protected:
+    SnellsWindow() { desc_.shading.fresnel = GetParam(); }
+};
+INSTANTIATE_TEST_SUITE_P(Fresnel, SnellsWindow, testing::ValuesIn(formulas), formulaName);
+
+// All light that is beyond the critical angle stays in the water, by either formula.
+TEST_P(SnellsWindow, IsAsWideAsTheorySays) {
+    const Camera camera = upwards();
+    const WaterPicture p = picture({makeBody(desc_)}, camera);
+    double widest = 0, narrowest = pi;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            const double cosine = rayThrough(camera, x, y).y;
+            const double fresnel = reflectanceBelow(cosine, GetParam());
+            const float* seen = &p.color[(size_t{y} * p.width + x) * 4];
+            // Water that scatters nothing shows nothing outside of the window.
+            (seen[0] > 1e-3f ? widest : narrowest) = seen[0] > 1e-3f ? std::max(widest, std::acos(cosine))
+                                                                     : std::min(narrowest, std::acos(cosine));
+            if (std::abs(std::acos(cosine) - std::asin(1 / index)) < 0.02) continue; // steep there
+            for (size_t channel = 0; channel < 3; ++channel) {
+                const double sky = static_cast<double>(channel + 1);
+                EXPECT_NEAR(seen[channel], index * index * (1 - fresnel) * sky, 3e-3 * sky) << x << ' ' << y;
+            }
+        }
+    const double critical = std::asin(1 / index) * 180 / pi;
+    std::printf("window %.2f to %.2f degrees, theory %.2f\n", narrowest * 180 / pi, widest * 180 / pi,
+                critical);
+    EXPECT_NEAR(widest * 180 / pi, critical, 0.4);
+    EXPECT_NEAR(narrowest * 180 / pi, critical, 0.4);
+}
+
+TEST_P(SnellsWindow, LetsInAllLightThatEnters) {
+    const Camera camera = upwards();
+    const WaterPicture p = picture({makeBody(desc_)}, camera);
+    const double perPixel = 2 * std::tan(radians(camera.fovDegrees) / 2) / camera.height;
+    double irradiance = 0;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            const double cosine = rayThrough(camera, x, y).y;
+            const double solidAngle = perPixel * perPixel * cosine * cosine * cosine;
+            irradiance += double{p.color[(size_t{y} * p.width + x) * 4]} * cosine * solidAngle;
+        }
+    // Of an even sky of radiance 1 all enters but the diffuse reflectance, 0.066 or 0.067.
+    EXPECT_NEAR(irradiance, pi * (1 - 0.066), 0.01 * pi);
+}
+
+/// What `path` metres from `depth` on scatter into a ray, by Simpson's rule over its sources.
+double scatteredIn(double absorption, double backscatter, double down, double depth, double rise,
+                   double path) {
+    const double k = absorption + backscatter;
+    const double deep = down / pi * 0.33 * backscatter / k;
+    const int steps = 2000;
+    double sum = 0;
+    for (int i = 0; i <= steps; ++i) {
+        const double s = path * i / steps;
+        const double weight = i == 0 || i == steps ? 1 : i % 2 ? 4 : 2;
+        sum += weight * 2 * k * deep * std::exp(-k * (depth - rise * s)) * std::exp(-k * s);
+    }
+    return sum * path / steps / 3;
+}
+
+TEST_F(Underwater, WhatIsSeenThroughWaterKeepsBeersAndLambertsLaw) {
+    refraction_ = {{0.4f, 0.15f, 0.05f}, {0.01f, 0.02f, 0.03f}, 1};
+    lighting.toSun[0] = 0.6;
+    lighting.toSun[1] = 0.8;
+    lighting.toSun[2] = 0;
+    for (float& channel : lighting.sunIrradiance) channel = 5;
+    for (float& channel : lighting.skyIrradiance) channel = 2;
+    Camera camera = level(-1.5);
+    camera.target = {3, -4, -3};
+    const double bed = -6;
+    constexpr float radiance = 4;
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    const WaterPicture p =
+        picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, planeBelow(camera, bed, radiance));
+    const double sine = 0.6 / index, inside = std::sqrt(1 - sine * sine);
+    const double s = (0.8 - index * inside) / (0.8 + index * inside);
+    const double t = (index * 0.8 - inside) / (index * 0.8 + inside);
+    const double sun = 5 * 0.8 * (1 - (s * s + t * t) / 2), sky = 2 * 0.934, down = sun + sky;
+    size_t checked = 0;
+    for (uint32_t y = 5; y < p.height; y += 9)
+        for (uint32_t x = 3; x < p.width; x += 17) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            if (ray.y > -0.05) continue;
+            const double nearPlane = camera.near / glm::dot(ray, forward);
+            const double path = (bed - camera.eye.y) / ray.y - nearPlane;
+            for (size_t channel = 0; channel < 3; ++channel) {
+                const double a = double{refraction_.absorption[channel]},
+                             b = double{refraction_.backscatter[channel]};
+                // In 5 * 0.8 + 2 of light a white bed sends back no more; in water it has what comes down to
+                // it, and what the surface turns back of its own.
+                const double depth = -(a + b) * -bed;
+                const double arriving = sun * std::exp(depth / inside) + sky * std::exp(1.2 * depth);
+                const double again = (1 - 0.934 / (index * index)) * std::exp(6 * depth);
+                const double lit = radiance * arriving / (5 * 0.8 + 2) / (1 - again);
+                const double expected =
+                    lit * std::exp(-(a + b) * path) + scatteredIn(a, b, down, -camera.eye.y, ray.y, path);
+                EXPECT_NEAR(p.color[(size_t{y} * p.width + x) * 4 + channel], expected, 2e-3 * expected);
+                ++checked;
+            }
+        }
+    EXPECT_GT(checked, 100u);
+}
+
+// The eye looks up a little: what the surface above it mirrors lies below the picture.
+TEST_F(Underwater, TheSurfaceMirrorsABedBeyondThePicture) {
+    const ReflectionDesc reflection;
+    desc_.reflection = &reflection;
+    for (float& channel : lighting.skyIrradiance) channel = 0; // of no light, the bed's is its own
+    Camera camera = level(-1.5);
+    camera.target = camera.eye + glm::dvec3(0, 0.2, -1);
+    constexpr float radiance = 4;
+    const WaterPicture p =
+        picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, planeBelow(camera, -4, radiance));
+    const double critical = std::asin(1 / index);
+    size_t mirrors = 0;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            const double cosine = rayThrough(camera, x, y).y; // to the surface's normal
+            if (cosine < 0.05 || std::acos(cosine) < critical + 0.02) continue;
+            ++mirrors;
+            EXPECT_NEAR(p.color[(size_t{y} * p.width + x) * 4], radiance, 0.02 * radiance) << x << ' ' << y;
+        }
+    EXPECT_GT(mirrors, 20000u);
+}
+
+// Where the picture's lower border shows a bed on the left alone, what is mirrored of the bed beyond it ends
+// by steps, not at an edge that stands in the picture.
+TEST_F(Underwater, ABedBeyondThePictureEndsSoftly) {
+    const ReflectionDesc reflection;
+    desc_.reflection = &reflection;
+    for (float& channel : lighting.skyIrradiance) channel = 0;
+    Camera camera = level(-1.5);
+    camera.target = camera.eye + glm::dvec3(0, 0.2, -1);
+    constexpr float radiance = 4;
+    SceneBehind behind = planeBelow(camera, -4, radiance);
+    for (size_t i = 0; i < behind.depth.size(); ++i)
+        if (i % camera.width >= camera.width / 2) behind.depth[i] = 0; // nothing
+    const WaterPicture p = picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, behind);
+    const auto at = [&](uint32_t x, uint32_t y) { return p.color[(size_t{y} * p.width + x) * 4]; };
+    const double critical = std::asin(1 / index);
+    const double lowest = -rayThrough(camera, p.width / 2, p.height - 1).y;
+    size_t rows = 0;
+    for (uint32_t y = 0; y < p.height / 2; ++y) {
+        const double rises = rayThrough(camera, p.width / 2, y).y;
+        // The bed's point that is mirrored there, 2.5 m below the eye and as far as 1.5 m up and 4 m down
+        // take the ray.
+        const double falls = std::sin(std::atan(2.5 / 5.5 * std::tan(std::asin(rises))));
+        if (std::acos(rises) < critical + 0.02 || falls < lowest + 0.02) continue;
+        ++rows;
+        float steepest = 0;
+        for (uint32_t x = 1; x < p.width; ++x)
+            steepest = std::max(steepest, std::abs(at(x, y) - at(x - 1, y)));
+        EXPECT_LT(steepest, 0.3f * radiance) << y;
+        EXPECT_GT(at(0, y), 0.99f * radiance) << y;
+        EXPECT_LT(at(p.width - 1, y), 0.5f * radiance) << y;
+    }
+    EXPECT_GT(rows, 5u);
+}
+
+// No ray that is nearly level gets out: bright pixels there are far sides of waves, which shone through folds
+// of near ones.
+TEST_F(Underwater, NoFarSideOfAWaveShinesThroughItsNearSide) {
+    const SeaDesc sea = ripples();
+    desc_.waves = &sea;
+    desc_.wavesBackend = fftwWaves();
+    Body* body = makeBody(desc_);
+    size_t checked = 0, bright = 0;
+    for (int moment = 0; moment < 6; ++moment) {
+        const Camera camera = level(-0.15);
+        const WaterPicture p = picture({body}, camera, moment);
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                const size_t pixel = size_t{y} * p.width + x;
+                const double rises = rayThrough(camera, x, y).y;
+                if (!p.covered(pixel) || rises < 0 || rises > 0.1) continue;
+                ++checked;
+                bright += p.color[pixel * 4] > 0.4f; // of the sky's 1
+            }
+    }
+    std::printf("%zu of %zu\n", bright, checked);
+    EXPECT_GT(checked, 20000u);
+    EXPECT_EQ(bright, 0u);
+}
+
+TEST_F(Underwater, TheWaterlineIsWhereTheNearPlaneLeavesTheSurface) {
+    const SeaDesc sea = ripples();
+    desc_.waves = &sea;
+    desc_.wavesBackend = fftwWaves();
+    underwater_.meniscus = 0;
+    Body* body = makeBody(desc_);
+    for (const double roll : {0.0, 35.0, 180.0}) {
+        // Looking up, so that no ray from above meets the water.
+        Camera camera = level(-0.25);
+        camera.target = {3, 12, -10};
+        camera.near = 0.4;
+        camera.fovDegrees = 36;
+        camera.rollDegrees = roll;
+        constexpr double unsure = 0.004; // what the maps' interpolation leaves open
+        const NearPlaneCount count =
+            countNearPlane(picture({body}, camera, 3), camera, *seaglass::sea(body), 3, unsure);
+        EXPECT_GT(count.wet, 200u);
+        EXPECT_GT(count.dry, 200u);
+        EXPECT_EQ(count.wrong, 0u) << "of " << count.wet + count.dry << ", roll " << roll;
+    }
+}
+
+TEST_F(Underwater, CostsNothingWhereItIsNotAskedForOrNotSeen) {
+    const SeaDesc sea = ripples();
+    desc_.waves = &sea;
+    desc_.wavesBackend = fftwWaves();
+    Body* asked = makeBody(desc_);
+    desc_.underwater = nullptr;
+    Body* unasked = makeBody(desc_);
+    const auto draws = [&](Body* body, double height) {
+        spiedCalls().clear();
+        picture({body}, level(height));
+        EXPECT_EQ(countSpied("CreateImage"), 0u);
+        EXPECT_EQ(countSpied("CmdDispatch"), wavesMips());
+        return countSpied("CmdDraw");
+    };
+    for (const double height : {5.0, 0.0, -5.0}) picture({asked}, level(height)); // what contexts make once
+    picture({unasked}, level(5));
+    EXPECT_EQ(draws(asked, 5), 0u);
+    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u);
+    EXPECT_EQ(draws(asked, 0), 2u) << "water, and waterline";
+    EXPECT_EQ(draws(asked, -5), 1u);
+    for (const double height : {5.0, 0.0, -5.0}) {
+        EXPECT_EQ(draws(unasked, height), 0u);
+        EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u) << "the surface's own serves, " << height;
+    }
+    underwater_.meniscus = 0;
+    desc_.underwater = &underwater_;
+    EXPECT_EQ(draws(makeBody(desc_), 0), 1u);
+
+    desc_.underwater = nullptr;
+    Estimate without, with;
+    ASSERT_EQ(estimate(context(), &desc_, {320, 180}, &without), Status::ok);
+    desc_.underwater = &underwater_;
+    ASSERT_EQ(estimate(context(), &desc_, {320, 180}, &with), Status::ok);
+    EXPECT_EQ(with.bytes, without.bytes);
+}
+
+TEST_F(Underwater, BadFieldsAreNamed) {
+    const auto expectRefused = [&](const char* field) {
+        Body* body = nullptr;
+        EXPECT_EQ(createBody(context(), &desc_, &body), Status::invalidArgument) << field;
+        EXPECT_NE(message().find(field), std::string::npos) << message();
+    };
+    for (const float width : {-0.001f, 0.2f, NAN}) {
+        underwater_.meniscus = width;
+        expectRefused("UnderwaterDesc.meniscus");
+    }
+    underwater_.meniscus = 0;
+    desc_.refraction = nullptr;
+    expectRefused("BodyDesc.underwater needs BodyDesc.refraction");
+}
+
+} // namespace

@@ -1,0 +1,114 @@
+// A sea on a globe, as it is seen: how far its horizon dips, from the beach to 100 km up.
+#include <cmath>
+
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/rig/water_rig.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+constexpr double earth = 6.371e6;
+
+class SeaOnAGlobe : public WaterTest {
+  protected:
+    static Camera camera(double height, double roll) {
+        Camera camera;
+        camera.eye = {3, height, 7};
+        camera.target = camera.eye + glm::dvec3(0.3, -0.3, -1);
+        camera.rollDegrees = roll;
+        camera.near = 0.05 * height;
+        camera.width = 240;
+        camera.height = 135;
+        return camera;
+    }
+
+    static BodyDesc onEarth() {
+        BodyDesc desc;
+        desc.extent.planetRadius = earth;
+        return desc;
+    }
+
+    static double dip(double height) { return std::acos(earth / (earth + height)); }
+};
+
+TEST_F(SeaOnAGlobe, EndsWhereItsHorizonDips) {
+    Body* body = makeBody(onEarth());
+    for (const double height : {2.0, 1000.0, 1e4, 1e5})
+        for (const double roll : {0.0, 33.0, 180.0}) {
+            const Camera c = camera(height, roll);
+            const WaterPicture p = picture({body}, c, 0, SurfaceOutput::height);
+            size_t holes = 0, above = 0;
+            for (uint32_t y = 0; y < p.height; ++y)
+                for (uint32_t x = 0; x < p.width; ++x) {
+                    const double angle = angleBelowHorizon(c, x, y) - dip(height);
+                    const bool covered = p.covered(size_t{y} * p.width + x);
+                    holes += angle > 1e-3 && !covered;
+                    above += angle < -1e-3 && covered;
+                }
+            EXPECT_EQ(holes, 0u) << "eye at " << height << " m, roll " << roll;
+            EXPECT_EQ(above, 0u) << "eye at " << height << " m, roll " << roll;
+        }
+}
+
+TEST_F(SeaOnAGlobe, HasNoHolesInItsWaves) {
+    SeaDesc sea;
+    sea.windSpeed = 8;
+    sea.fetch = 50e3f;
+    sea.samples = 128;
+    sea.cascades = 3;
+    BodyDesc desc = onEarth();
+    desc.waves = &sea;
+    desc.wavesBackend = fftwWaves();
+    Body* body = makeBody(desc);
+    for (const double height : {3.0, 5000.0, 1e5}) {
+        const Camera c = camera(height, 120);
+        const WaterPicture p = picture({body}, c, 5);
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                const size_t pixel = size_t{y} * p.width + x;
+                if (angleBelowHorizon(c, x, y) - dip(height) < 0.03) continue;
+                ASSERT_TRUE(p.covered(pixel)) << x << " " << y << " from " << height << " m";
+                ASSERT_TRUE(std::isfinite(p.color[pixel * 4])) << x << " " << y << " from " << height << " m";
+            }
+    }
+}
+
+TEST_F(SeaOnAGlobe, IsLevelEverywhere) {
+    Body* body = makeBody(onEarth());
+    const Camera c = camera(1e5, 0);
+    const WaterPicture heights = picture({body}, c, 0, SurfaceOutput::height);
+    const WaterPicture normals = picture({body}, c, 0, SurfaceOutput::normal);
+    const glm::dvec3 from(0, c.eye.y + earth, 0); // the ball's middle to the eye
+    double highest = 0, leaning = 0;
+    for (size_t pixel = 0; pixel < heights.depth.size(); ++pixel) {
+        if (!heights.covered(pixel)) continue;
+        highest = std::max(highest, std::abs(double{heights.color[pixel * 4]}));
+        const auto x = static_cast<uint32_t>(pixel % c.width), y = static_cast<uint32_t>(pixel / c.width);
+        if (angleBelowHorizon(c, x, y) - dip(1e5) < 0.02) continue; // where a pixel spans much of the globe
+        const glm::dvec3 ray = rayThrough(c, x, y);
+        const double along = glm::dot(from, ray);
+        const double gap = std::max(along * along - glm::dot(from, from) + earth * earth, 0.0);
+        const glm::dvec3 up = glm::normalize(from - ray * (along + std::sqrt(gap)));
+        const glm::dvec3 drawn(normals.color[pixel * 4], normals.color[pixel * 4 + 1],
+                               normals.color[pixel * 4 + 2]);
+        leaning = std::max(leaning, glm::distance(up, drawn));
+    }
+    std::printf("height %.3f m, normals %.5f off\n", highest, leaning);
+    EXPECT_LT(highest, 1) << "of 100 km, in floats";
+    EXPECT_LT(leaning, 5e-3);
+}
+
+TEST_F(SeaOnAGlobe, RefusesABallThatIsNoPlanet) {
+    for (const double radius : {-1.0, 1e5, 1e10, std::nan("")}) {
+        BodyDesc desc;
+        desc.extent.planetRadius = radius;
+        Body* body = nullptr;
+        EXPECT_EQ(createBody(context(), &desc, &body), Status::invalidArgument) << radius;
+        EXPECT_EQ(body, nullptr);
+        EXPECT_EQ(message(), "BodyDesc.extent.planetRadius is out of range, expected 0 or 1e6 to 1e9");
+    }
+}
+
+} // namespace

@@ -1,0 +1,290 @@
+// The dial of quality, and the looks that it turns.
+#include <cmath>
+
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/rig/water_rig.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+constexpr Quality qualities[] = {Quality::low, Quality::medium, Quality::high, Quality::highest};
+
+ReflectionTechnique chosen(Quality quality, ReflectionTechnique before) {
+    ReflectionDesc reflection;
+    reflection.technique = before;
+    setQuality(quality, nullptr, &reflection);
+    return reflection.technique;
+}
+
+TEST(QualityDial, EachStepLooksNoLessThanTheOneBefore) {
+    BodyDesc last;
+    ReflectionDesc lastReflection;
+    setQuality(Quality::low, &last, &lastReflection);
+    for (const Quality quality : qualities) {
+        BodyDesc body;
+        ReflectionDesc reflection;
+        setQuality(quality, &body, &reflection);
+        EXPECT_GE(body.mesh.cellsPerLevel, last.mesh.cellsPerLevel);
+        EXPECT_GE(body.shading.mirrorLooks, last.shading.mirrorLooks);
+        EXPECT_GE(body.shading.refractionLooks, last.shading.refractionLooks);
+        EXPECT_LE(body.shading.bedDownscale, last.shading.bedDownscale);
+        EXPECT_GE(body.shading.slopeLooks, last.shading.slopeLooks);
+        EXPECT_GE(body.shading.waveShadowSteps, last.shading.waveShadowSteps);
+        EXPECT_GE(body.shading.relief, last.shading.relief);
+        EXPECT_LE(reflection.downscale, lastReflection.downscale);
+        EXPECT_GE(reflection.marchSteps, lastReflection.marchSteps);
+        EXPECT_GE(reflection.roofLooks, lastReflection.roofLooks);
+        last = body;
+        lastReflection = reflection;
+    }
+    EXPECT_GT(lastReflection.roofLooks, 0u);
+    EXPECT_NE(chosen(Quality::low, ReflectionTechnique::ssr),
+              chosen(Quality::highest, ReflectionTechnique::ssr));
+}
+
+TEST(QualityDial, HasTheBedDrawnButAtItsLowest) {
+    const BedDesc bed;
+    for (const Quality quality : qualities) {
+        BodyDesc body;
+        setQuality(quality, &body, nullptr);
+        EXPECT_EQ(body.bed, nullptr);
+        body.bed = &bed;
+        setQuality(quality, &body, nullptr);
+        EXPECT_EQ(body.bed, quality == Quality::low ? nullptr : &bed);
+    }
+}
+
+TEST(QualityDial, LeavesWhatIsModelled) {
+    const SeaDesc waves;
+    for (const Quality quality : qualities) {
+        EXPECT_EQ(chosen(quality, ReflectionTechnique::sky), ReflectionTechnique::sky);
+        EXPECT_EQ(chosen(quality, ReflectionTechnique::planar), ReflectionTechnique::planar);
+        BodyDesc body;
+        body.waves = &waves;
+        body.mesh.cellSize = 0.77f;
+        body.shading.fresnel = Fresnel::schlick;
+        ReflectionDesc reflection;
+        reflection.edgeFade = 0.33f;
+        reflection.temporal = 0.5f;
+        setQuality(quality, &body, &reflection);
+        EXPECT_EQ(body.waves, &waves);
+        EXPECT_EQ(body.foam, nullptr);
+        EXPECT_EQ(body.mesh.cellSize, 0.77f);
+        EXPECT_EQ(body.shading.fresnel, Fresnel::schlick);
+        EXPECT_EQ(reflection.edgeFade, 0.33f);
+        EXPECT_EQ(reflection.temporal, 0.5f);
+        setQuality(quality, nullptr, nullptr);
+    }
+}
+
+class Looks : public WaterTest {
+  protected:
+    Body* bodyWith(const ShadingDesc& shading, const RefractionDesc* refraction = nullptr,
+                   const MeshDesc& mesh = {}) {
+        SeaDesc sea;
+        sea.windSpeed = 10;
+        sea.samples = 128;
+        BodyDesc desc;
+        desc.waves = &sea;
+        desc.wavesBackend = fftwWaves();
+        desc.refraction = refraction;
+        desc.shading = shading;
+        desc.mesh = mesh;
+        return makeBody(desc);
+    }
+    /// Seen low over the water, where pixels are long.
+    static Camera low() {
+        Camera camera;
+        camera.eye = {3, 6, 7};
+        camera.target = {3, 3, -30};
+        camera.width = 192;
+        camera.height = 108;
+        return camera;
+    }
+};
+
+/// Means of the squared slopes that pixels show, and of the variance that they keep as roughness.
+struct Slopes {
+    double shown = 0, within = 0;
+};
+
+Slopes slopesOf(const WaterPicture& p) {
+    Slopes sum;
+    double count = 0;
+    for (size_t i = 0; i < p.color.size(); i += 4) {
+        if (!p.covered(i / 4)) continue;
+        sum.shown += std::pow(double{p.color[i]}, 2) + std::pow(double{p.color[i + 1]}, 2);
+        sum.within += double{p.color[i + 2]} + double{p.color[i + 3]};
+        ++count;
+    }
+    return {sum.shown / count, sum.within / count};
+}
+
+// Looks along a long pixel see slopes that one look, as wide as it is long, takes for roughness.
+TEST_F(Looks, AlongAPixelShowMoreSlopesAndLoseNone) {
+    Slopes one, four;
+    for (const uint32_t looks : {1u, 4u}) {
+        Body* const body = bodyWith({.slopeLooks = looks});
+        (looks == 1 ? one : four) = slopesOf(picture({body}, low(), 50, SurfaceOutput::slopes));
+    }
+    std::printf("shown %.5f and within %.5f by one look, %.5f and %.5f by four\n", one.shown, one.within,
+                four.shown, four.within);
+    EXPECT_GT(four.shown, 1.05 * one.shown);
+    EXPECT_NEAR(four.shown + four.within, one.shown + one.within, 0.02 * (one.shown + one.within));
+}
+
+/// Root mean square of how far apart the shown slopes are where both pictures have water.
+double slopesApart(const WaterPicture& a, const WaterPicture& b) {
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < a.color.size(); i += 4) {
+        if (!a.covered(i / 4) || !b.covered(i / 4)) continue;
+        for (const size_t axis : {i, i + 1})
+            sum += std::pow(double{a.color[axis]} - double{b.color[axis]}, 2);
+        ++count;
+    }
+    return std::sqrt(sum / count);
+}
+
+// A mesh whose cells are longer than waves shows their near and far sides as wide as each other. With relief
+// it comes nearer to a mesh that has those waves.
+TEST_F(Looks, ReliefStandsInForAFinerMesh) {
+    Camera camera = low();
+    camera.eye = {0, 18, 0}; // what is near has finer cells than are asked for
+    camera.target = {0, 0, -180};
+    camera.fovDegrees = 5;
+    const auto slopes = [&](const MeshDesc& mesh, bool relief) {
+        Body* const body = bodyWith({.slopeLooks = 4, .relief = relief}, nullptr, mesh);
+        return picture({body}, camera, 50, SurfaceOutput::slopes);
+    };
+    constexpr MeshDesc coarse = {1, 128};
+    const WaterPicture fine = slopes({0.04f, 1024}, false);
+    const double flat = slopesApart(slopes(coarse, false), fine);
+    const double relief = slopesApart(slopes(coarse, true), fine);
+    std::printf("slopes off by %.4f without relief, %.4f with it\n", flat, relief);
+    EXPECT_LT(relief, 0.8 * flat);
+}
+
+double meanOf(const WaterPicture& p) {
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < p.color.size(); i += 4) {
+        if (!p.covered(i / 4)) continue;
+        sum += double{p.color[i]};
+        ++count;
+    }
+    return sum / count;
+}
+
+// Under one sky all slopes mirror the same: only Fresnel's mean may differ by how they are told apart.
+TEST_F(Looks, AtWhatIsMirroredAgreeUnderAnEvenSky) {
+    for (const Fresnel formula : {Fresnel::exact, Fresnel::schlick}) {
+        const double two = meanOf(picture({bodyWith({.fresnel = formula})}, low(), 50));
+        for (const uint32_t looks : {1u, 4u}) {
+            const ShadingDesc shading = {.mirrorLooks = looks, .fresnel = formula};
+            EXPECT_NEAR(meanOf(picture({bodyWith(shading)}, low(), 50)) / two, 1, 0.011) << looks;
+        }
+    }
+}
+
+TEST_F(Looks, OutOfRangeAreNamed) {
+    const auto refused = [&](const ShadingDesc& shading) {
+        BodyDesc desc;
+        desc.shading = shading;
+        Body* body = nullptr;
+        EXPECT_EQ(createBody(context(), &desc, &body), Status::invalidArgument);
+        EXPECT_EQ(body, nullptr);
+        return message();
+    };
+    for (const uint32_t bad : {0u, 3u, 8u}) {
+        EXPECT_NE(refused({.mirrorLooks = bad}).find("ShadingDesc.mirrorLooks"), std::string::npos);
+        EXPECT_NE(refused({.slopeLooks = bad}).find("ShadingDesc.slopeLooks"), std::string::npos);
+    }
+    for (const uint32_t bad : {0u, 17u})
+        EXPECT_NE(refused({.refractionLooks = bad}).find("ShadingDesc.refractionLooks"), std::string::npos);
+    EXPECT_NE(refused({.fresnel = static_cast<Fresnel>(2)}).find("ShadingDesc.fresnel"), std::string::npos);
+}
+
+/// A bed striped along the line of sight, as the picture shows it.
+SceneBehind stripedBed(const Camera& camera, double bed) {
+    SceneBehind behind = planeBelow(camera, bed, 2);
+    for (uint32_t y = 0; y < camera.height; ++y)
+        for (uint32_t x = 0; x < camera.width; ++x) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            const double u = camera.eye.x + (bed - camera.eye.y) / ray.y * ray.x;
+            const float radiance = std::fmod(std::floor(u / 0.35), 2) == 0 ? 1.0f : 3.0f;
+            std::fill_n(&behind.color[(size_t{y} * camera.width + x) * 4], 3, radiance);
+        }
+    return behind;
+}
+
+/// Deviation along a row of the picture.
+double contrastOf(const WaterPicture& p, uint32_t row) {
+    double sum = 0, squares = 0;
+    for (uint32_t x = 0; x < p.width; ++x) {
+        const double value = double{p.color[(size_t{row} * p.width + x) * 4]};
+        sum += value;
+        squares += value * value;
+    }
+    const double mean = sum / p.width;
+    return std::sqrt(std::max(squares / p.width - mean * mean, 0.0)) / mean;
+}
+
+// Where the bent ray leaves the picture, what it would meet is not known: neither the border's pixels drawn
+// out into streaks, nor a mirror image of what lies inside.
+TEST_F(Looks, BeyondTheBorderSeeTheBedsMeanAndNoStreaks) {
+    const RefractionDesc clear = {{0, 0, 0}, {0, 0, 0}, 1};
+    BodyDesc desc;
+    desc.refraction = &clear;
+    Body* const body = makeBody(desc);
+    Camera camera = low();
+    camera.eye = {0, 2.2, 6};
+    camera.target = {0, 1.6, -14};
+    const WaterPicture p = picture({body}, camera, 0, SurfaceOutput::shaded, stripedBed(camera, -3));
+    const double inside = contrastOf(p, camera.height * 2 / 3), beyond = contrastOf(p, camera.height - 1);
+    std::printf("contrast %.3f inside, %.3f beyond\n", inside, beyond);
+    EXPECT_GT(inside, 0.2);
+    EXPECT_LT(beyond, 0.8 * inside);
+}
+
+/// A level bed, and on it round black stones that the picture's lower border cuts off.
+SceneBehind stonesAtTheBorder(const Camera& camera, double bed) {
+    SceneBehind behind = planeBelow(camera, bed, 2);
+    const glm::dvec3 border = rayThrough(camera, camera.width / 2, camera.height - 1);
+    const glm::dvec3 middle = camera.eye + border * ((bed - camera.eye.y) / border.y) + glm::dvec3(0, 0, 1.5);
+    for (int stone = -3; stone <= 3; ++stone) {
+        const glm::dvec3 radii = glm::dvec3(0.7, 1, 1) * (1 + 0.15 * stone);
+        const glm::dvec3 from = (camera.eye - middle - glm::dvec3(2.5 * stone, 0, 0)) / radii;
+        behind = drawnOver(camera, behind, 0, [&](const glm::dvec3& ray) {
+            const glm::dvec3 along = ray / radii;
+            const double half = glm::dot(along, from), squared = glm::dot(along, along);
+            const double root = half * half - squared * (glm::dot(from, from) - 1);
+            return root < 0 ? -1 : (-half - std::sqrt(root)) / squared;
+        });
+    }
+    return behind;
+}
+
+// A stone that the picture's border cuts off is no bed that goes on: it would be drawn out to a dark wall.
+TEST_F(Looks, BeyondTheBorderSeeTheBedAndNoStoneOnIt) {
+    const RefractionDesc absorbing = {{0.3f, 0.3f, 0.3f}, {0, 0, 0}, 1};
+    BodyDesc desc;
+    desc.refraction = &absorbing;
+    Camera camera = low();
+    camera.eye = {0, 2.2, 6};
+    camera.target = {0, 1.6, -14};
+    camera.width = 384;
+    camera.height = 216;
+    Body* const body = makeBody(desc);
+    const WaterPicture bare = picture({body}, camera, 0, SurfaceOutput::shaded, planeBelow(camera, -3, 2));
+    const WaterPicture p = picture({body}, camera, 0, SurfaceOutput::shaded, stonesAtTheBorder(camera, -3));
+    size_t dark = 0;
+    for (uint32_t x = 0; x < p.width; ++x) {
+        const size_t i = (size_t{p.height - 1} * p.width + x) * 4;
+        dark += p.color[i] < 0.9f * bare.color[i];
+    }
+    std::printf("%zu pixels of the lowest row are dark\n", dark);
+    EXPECT_LE(dark, 2u);
+}
+
+} // namespace

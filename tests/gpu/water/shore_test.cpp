@@ -1,0 +1,416 @@
+// Water at a shore as it is drawn: that it stands where the height queries say, from above, for an eye in it,
+// in motion and in the light on the bed; where it is white, and that a sea without a bed knows nothing of it.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/host/spy.h"
+#include "tests/gpu/rig/fresnel.h"
+#include "tests/gpu/rig/near_plane.h"
+#include "tests/gpu/rig/water_rig.h"
+#include "tests/unit/sea/statistics.h"
+#include "water/body/body.h"
+#include "water/sea/sea.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+class ShoreOnGpu : public WaterTest {
+  protected:
+    static constexpr double slope = 1.0 / 20;
+
+    void SetUp() override {
+        WaterTest::SetUp();
+        shore_.samples[0] = 104; // whole rows of 64 bytes: no padding in memory
+        shore_.samples[1] = 301;
+        shore_.origin[0] = -52;
+        shore_.origin[1] = -270;
+        for (uint32_t j = 0; j < shore_.samples[1]; ++j)
+            bed_.insert(bed_.end(), shore_.samples[0], static_cast<float>(slope * (shore_.origin[1] + j)));
+        shore_.bed = bed_.data();
+        sea_.windSpeed = 4;
+        sea_.windDirection = static_cast<float>(std::numbers::pi / 2);
+        sea_.fetch = 3e3f;
+        sea_.swells[0] = {0.5f, 5.0f, sea_.windDirection, 0.1f, 50};
+        sea_.samples = 128;
+        sea_.shore = &shore_;
+        desc_.waves = &sea_;
+        desc_.wavesBackend = fftwWaves();
+        desc_.mesh.cellSize = 0.1f;
+    }
+
+    /// Towards the water's edge from the sea.
+    static Camera camera(double aside = 0) {
+        Camera camera;
+        camera.eye = {aside, 5, -24};
+        camera.target = {0, 0, -8};
+        camera.width = 320;
+        camera.height = 180;
+        return camera;
+    }
+
+    std::vector<float> bed_;
+    ShoreDesc shore_;
+    SeaDesc sea_;
+    FoamDesc foam_;
+    BodyDesc desc_;
+};
+
+TEST_F(ShoreOnGpu, TheSurfaceStandsWhereHeightQueriesSay) {
+    Body* body = makeBody(desc_);
+    const double time = 31.4;
+    const WaterPicture p = picture({body}, camera(), time, SurfaceOutput::height);
+    std::vector<double> points, drawn;
+    for (uint32_t y = 0; y < p.height; y += 5)
+        for (uint32_t x = 0; x < p.width; x += 11) {
+            if (!p.covered(size_t{y} * p.width + x)) continue;
+            const glm::dvec3 world = worldAt(camera(), p, x, y);
+            // What lies on the sand as a film is not water's height.
+            if (glm::length(world - camera().eye) > 22 || world.y < slope * world.z + 0.06) continue;
+            points.insert(points.end(), {world.x, world.z});
+            drawn.push_back(world.y);
+        }
+    ASSERT_GT(drawn.size(), 200u);
+    std::vector<HeightSample> samples(drawn.size());
+    sampleHeights(*sea(body), time, points.data(), samples.size(), samples.data());
+    double worst = 0, highest = 0;
+    for (size_t i = 0; i < drawn.size(); ++i) {
+        worst = std::max(worst, std::abs(drawn[i] - double{samples[i].height}));
+        highest = std::max(highest, drawn[i]);
+    }
+    std::printf("worst difference %.4f m, highest wave %.2f m\n", worst, highest);
+    EXPECT_LT(worst, 0.05);
+    EXPECT_GT(highest, 0.1);
+}
+
+/// In the surf, looking up, so that no ray from above meets the water.
+Camera straddling() {
+    Camera camera;
+    camera.eye = {3, -0.3, -14};
+    camera.target = {3, 30, -2};
+    camera.near = 0.4;
+    camera.fovDegrees = 60;
+    return camera;
+}
+
+TEST_F(ShoreOnGpu, TheWaterlineIsThatOfTheWavesOverTheBed) {
+    const RefractionDesc refraction{{0, 0, 0}, {0, 0, 0}, 1};
+    UnderwaterDesc underwater;
+    underwater.meniscus = 0;
+    desc_.refraction = &refraction;
+    desc_.underwater = &underwater;
+    Body* const body = makeBody(desc_);
+    const Camera camera = straddling();
+    NearPlaneCount all;
+    for (double time = 20; time < 26; time += 0.75) {
+        constexpr double unsure = 0.006; // what the maps' interpolation leaves open
+        const NearPlaneCount now =
+            countNearPlane(picture({body}, camera, time), camera, *sea(body), time, unsure);
+        all.wet += now.wet;
+        all.dry += now.dry;
+        all.wrong += now.wrong;
+    }
+    std::printf("%zu wet, %zu dry, %zu wrong\n", all.wet, all.dry, all.wrong);
+    EXPECT_GT(all.wet, 500u);
+    EXPECT_GT(all.dry, 500u);
+    EXPECT_EQ(all.wrong, 0u);
+}
+
+TEST_F(ShoreOnGpu, TheMeniscusLiesAtTheWaterlineAlone) {
+    const RefractionDesc refraction;
+    UnderwaterDesc underwater;
+    desc_.refraction = &refraction;
+    desc_.underwater = &underwater;
+    const auto drawn = [&](float meniscus) {
+        underwater.meniscus = meniscus;
+        return picture({makeBody(desc_)}, straddling(), 20);
+    };
+    const WaterPicture with = drawn(0.01f), without = drawn(0);
+    size_t drawnAt = 0, astray = 0;
+    const int width = static_cast<int>(with.width), height = static_cast<int>(with.height), apart = 4;
+    const auto covered = [&](int x, int y) { return without.covered(static_cast<size_t>(y * width + x)); };
+    for (int y = apart; y + apart < height; ++y)
+        for (int x = apart; x + apart < width; ++x) {
+            const size_t i = static_cast<size_t>(y * width + x) * 4;
+            if (with.color[i] == without.color[i]) continue;
+            ++drawnAt;
+            astray += covered(x, y - apart) == covered(x, y + apart) &&
+                      covered(x - apart, y) == covered(x + apart, y);
+        }
+    EXPECT_GT(drawnAt, 100u);
+    EXPECT_EQ(astray, 0u);
+}
+
+TEST_F(ShoreOnGpu, MotionIsThatOfTheWavesOverTheBed) {
+    desc_.motion = true;
+    Body* const body = makeBody(desc_);
+    const double before = 31.4, now = 31.45;
+    const Camera seenBy = camera();
+    const auto motionOf = [&](Body* moving) {
+        picture({moving}, seenBy, before, SurfaceOutput::motion);
+        return picture({moving}, seenBy, now, SurfaceOutput::motion);
+    };
+    const WaterPicture p = motionOf(body);
+    const glm::dmat4 clipFromWorld = projectionMatrix(seenBy) * viewMatrix(seenBy);
+    const auto pixelOf = [&](const glm::dvec3& world) {
+        const glm::dvec4 clip = clipFromWorld * glm::dvec4(world, 1);
+        return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(seenBy.width, seenBy.height);
+    };
+    std::vector<double> off;
+    double greatest = 0;
+    for (uint32_t y = 0; y < p.height; y += 5)
+        for (uint32_t x = 0; x < p.width; x += 11) {
+            const size_t i = size_t{y} * p.width + x;
+            if (!p.covered(i)) continue;
+            const glm::dvec3 world = worldAt(seenBy, p, x, y);
+            // What lies on the sand as a film does not move with the water.
+            if (glm::length(world - seenBy.eye) > 22 || world.y < slope * world.z + 0.06) continue;
+            const double point[] = {world.x, world.z};
+            HeightSample sample;
+            sampleHeights(*sea(body), (before + now) / 2, point, 1, &sample);
+            const glm::dvec3 velocity(sample.velocity[0], sample.velocity[1], sample.velocity[2]);
+            const glm::dvec2 expected = pixelOf(world) - pixelOf(world - velocity * (now - before));
+            off.push_back(glm::length(glm::dvec2(p.color[i * 4], p.color[i * 4 + 1]) - expected));
+            greatest = std::max(greatest, glm::length(expected));
+        }
+    ASSERT_GT(off.size(), 200u);
+    std::printf("motion up to %.2f pixels, off by %.3f in the mean and %.3f at most\n", greatest, meanOf(off),
+                *std::ranges::max_element(off));
+    EXPECT_GT(greatest, 0.5);
+    EXPECT_LT(meanOf(off), 0.05 * greatest);
+    EXPECT_LT(*std::ranges::max_element(off), 0.25 * greatest);
+    // And of a body that ends far away.
+    desc_.extent.shape = ExtentShape::rectangle;
+    desc_.extent.size[0] = desc_.extent.size[1] = 400;
+    const WaterPicture outlined = motionOf(makeBody(desc_));
+    double apart = 0;
+    for (size_t i = 0; i < p.depth.size(); ++i)
+        if (p.depth[i] > seenBy.near / 22)
+            apart = std::max(apart, std::abs(double{outlined.color[i * 4]} - double{p.color[i * 4]}));
+    EXPECT_LT(apart, 0.01);
+}
+
+TEST_F(ShoreOnGpu, SunlightGathersBelowTheWavesOverTheBed) {
+    const RefractionDesc refraction{{0, 0, 0}, {0, 0, 0}, 1};
+    const CausticsDesc caustics;
+    sea_.windSpeed = 0; // the swell alone, which the bed changes most
+    desc_.refraction = &refraction;
+    desc_.caustics = &caustics;
+    Body* const body = makeBody(desc_);
+    lighting.toSun[0] = 0;
+    lighting.toSun[1] = 1;
+    lighting.toSun[2] = 0;
+    for (float& channel : lighting.sunIrradiance) channel = 5;
+    for (float& channel : lighting.skyIrradiance) channel = 0;
+    const double time = 31.4, depth = 3;
+    // 16 m from side to side of what lies under the waves that a bed guides.
+    constexpr double side = 16, middle = -20;
+    Camera seenBy;
+    seenBy.eye = {0, 40 - depth, middle};
+    seenBy.target = {0, 0, middle};
+    seenBy.fovDegrees = 2 * std::atan(side / 2 / 40) * 180 / std::numbers::pi;
+    seenBy.width = seenBy.height = 256;
+    drawCausticsOf(body);
+    const WaterPicture p =
+        picture({body}, seenBy, time, SurfaceOutput::shaded, planeBelow(seenBy, -depth, 1));
+    // Photons through the surface on a net, each refracted at the normal there.
+    constexpr int cells = 16, net = 180;
+    constexpr double reach = 20;
+    std::vector<double> points;
+    for (int j = 0; j < net; ++j)
+        for (int i = 0; i < net; ++i)
+            points.insert(points.end(), {(i + 0.5) * reach / net - reach / 2,
+                                         middle + (j + 0.5) * reach / net - reach / 2});
+    std::vector<HeightSample> samples(points.size() / 2);
+    const std::unique_ptr<HeightGrid, void (*)(HeightGrid*)> grid(createHeightGrid(*sea(body), time),
+                                                                  destroyHeightGrid);
+    sampleHeights(*grid, points.data(), samples.size(), samples.data());
+    std::vector<double> fallen(cells * cells), drawn(cells * cells);
+    // Each lights as much of the bed as its part of the net, so that still water lights all of it alike.
+    constexpr double half = cells * reach / net / side / 2;
+    const auto light = [&](double u, double v) {
+        const auto share = [](double c, double cell) {
+            return (std::min(c + half, cell + 1) - std::max(c - half, cell)) / (2 * half);
+        };
+        for (double row = std::floor(v - half); row < v + half; ++row)
+            for (double column = std::floor(u - half); column < u + half; ++column)
+                if (std::min(row, column) >= 0 && std::max(row, column) < cells)
+                    fallen[static_cast<size_t>(row) * cells + static_cast<size_t>(column)] +=
+                        share(u, column) * share(v, row);
+    };
+    for (size_t i = 0; i < samples.size(); ++i) {
+        const glm::dvec3 normal(samples[i].normal[0], samples[i].normal[1], samples[i].normal[2]);
+        const double ratio = 1 / 1.333;
+        const double along = ratio * normal.y - std::sqrt(1 - ratio * ratio * (1 - normal.y * normal.y));
+        const glm::dvec3 ray = glm::dvec3(0, -ratio, 0) + normal * along;
+        const double t = (depth + double{samples[i].height}) / -ray.y;
+        light(((points[2 * i] + ray.x * t) / side + 0.5) * cells,
+              ((points[2 * i + 1] + ray.z * t - middle) / side + 0.5) * cells);
+    }
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x)
+            drawn[(y * cells / p.height) * cells + x * cells / p.width] +=
+                double{p.color[(size_t{y} * p.width + x) * 4 + 1]} / double{WaterPicture::untouched};
+    const double correlation = correlationOf(fallen, drawn);
+    const double contrast = deviationOf(drawn) / meanOf(drawn) / (deviationOf(fallen) / meanOf(fallen));
+    std::printf("correlation with photons %.3f, contrast %.2f of theirs\n", correlation, contrast);
+    EXPECT_GT(correlation, 0.8);
+    EXPECT_NEAR(contrast, 1, 0.3);
+}
+
+TEST_F(ShoreOnGpu, FoamIsWhereTheWaterThinsAndNotWhereItIsDeep) {
+    desc_.foam = &foam_;
+    Body* body = makeBody(desc_);
+    const auto foamAt = [&](const Camera& seenBy, double from, double to) {
+        const WaterPicture p = picture({body}, seenBy, 40, SurfaceOutput::foam);
+        double sum = 0, count = 0;
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                const size_t i = size_t{y} * p.width + x;
+                if (!p.covered(i)) continue;
+                const glm::dvec3 world = worldAt(seenBy, p, x, y);
+                if (world.z < from || world.z > to || std::abs(world.x) > 12) continue;
+                sum += double{p.color[4 * i]};
+                ++count;
+            }
+        EXPECT_GT(count, 200) << from;
+        return sum / count;
+    };
+    const double surf = foamAt(camera(), -16, -2);
+    Camera offshore = camera();
+    offshore.eye.z = -214;
+    offshore.target.z = -200;
+    const double deep = foamAt(offshore, -206, -190);
+    std::printf("cover in the surf %.3f, 10 m deep %.4f\n", surf, deep);
+    EXPECT_GT(surf, 0.1);
+    EXPECT_LT(deep, 0.005);
+    // It lies on the water, whoever looks at it.
+    EXPECT_NEAR(foamAt(camera(3), -16, -2), surf, 0.03);
+}
+
+// The mirror's plane lies in the sand there.
+TEST_F(ShoreOnGpu, WaterOnTheSandMirrorsTheSkyAndNotTheSand) {
+    Body* const ofSkyAlone = makeBody(desc_);
+    const ReflectionDesc reflection;
+    desc_.reflection = &reflection;
+    Body* const body = makeBody(desc_);
+    const Camera seenBy = camera();
+    SceneBehind black = planeBelow(seenBy, 0, 0);
+    for (uint32_t y = 0; y < seenBy.height; ++y)
+        for (uint32_t x = 0; x < seenBy.width; ++x) {
+            const glm::dvec3 ray = rayThrough(seenBy, x, y);
+            const double distance = (slope * seenBy.eye.z - seenBy.eye.y) / (ray.y - slope * ray.z);
+            const double along = distance * glm::dot(ray, glm::normalize(seenBy.target - seenBy.eye));
+            black.depth[size_t{y} * seenBy.width + x] =
+                distance > 0 ? static_cast<float>(seenBy.near / along) : 0;
+        }
+    double sum = 0, ofSky = 0, count = 0;
+    for (const double time : {30.0, 33.0, 36.0}) {
+        const auto mirrored = [&](Body* of) {
+            return picture({of}, seenBy, time, SurfaceOutput::reflection, black);
+        };
+        const WaterPicture p = mirrored(body), sky = mirrored(ofSkyAlone);
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                const size_t i = size_t{y} * p.width + x;
+                if (!p.covered(i)) continue;
+                const glm::dvec3 world = worldAt(seenBy, p, x, y);
+                if (world.y < 0.05 || world.y > slope * world.z + 0.1) continue;
+                sum += double{p.color[4 * i]};
+                ofSky += double{sky.color[4 * i]};
+                ++count;
+            }
+    }
+    std::printf("of the sky's light %.3f\n", sum / ofSky);
+    EXPECT_GT(count, 500);
+    EXPECT_GT(sum, 0.75 * ofSky); // 0.3 with the sand
+}
+
+/// Behind the edge of a shelf, which hides it, the map alone knows of the bed.
+TEST_F(ShoreOnGpu, ABedThatFallsAwayOutOfSightIsSeenThroughTheWater) {
+    constexpr double edge = -60, falls = 0.35, deepest = 30;
+    const auto depthAt = [&](double z) {
+        return z > edge ? -slope * z : std::min(-slope * edge + falls * (edge - z), deepest);
+    };
+    for (uint32_t j = 0; j < shore_.samples[1]; ++j)
+        std::fill_n(bed_.begin() + j * shore_.samples[0], shore_.samples[0],
+                    static_cast<float>(-depthAt(shore_.origin[1] + j)));
+    sea_.windSpeed = 0;
+    sea_.swells[0].height = 0.005f;
+    const float extinction = 0.1f;
+    const RefractionDesc refraction{{extinction, extinction, extinction}, {0, 0, 0}, 1};
+    desc_.refraction = &refraction;
+    Body* const body = makeBody(desc_);
+    Camera seenBy = camera();
+    seenBy.eye = {0, 4, -30};
+    seenBy.target = {0, 0, edge};
+    const glm::dvec3 forward = glm::normalize(seenBy.target - seenBy.eye);
+    // As the host sees it: what lies behind the edge is nowhere in its picture.
+    const auto seen = [&](float radiance) {
+        SceneBehind behind;
+        for (uint32_t y = 0; y < seenBy.height; ++y)
+            for (uint32_t x = 0; x < seenBy.width; ++x) {
+                const glm::dvec3 ray = rayThrough(seenBy, x, y);
+                const double t = (slope * seenBy.eye.z - seenBy.eye.y) / (ray.y - slope * ray.z);
+                const bool hit = t > 0 && seenBy.eye.z + t * ray.z > edge;
+                behind.depth.push_back(
+                    static_cast<float>(hit ? seenBy.near / (t * glm::dot(ray, forward)) : 0));
+                behind.color.insert(behind.color.end(), 4, hit ? radiance : 0);
+            }
+        return picture({body}, seenBy, 20, SurfaceOutput::shaded, behind);
+    };
+    const WaterPicture bright = seen(8), dark = seen(0);
+    size_t checked = 0;
+    double worst = 0;
+    for (uint32_t y = 0; y < bright.height; y += 2)
+        for (uint32_t x = 40; x <= 280; x += 20) {
+            const glm::dvec3 ray = rayThrough(seenBy, x, y);
+            const glm::dvec3 at = seenBy.eye - ray * (seenBy.eye.y / ray.y);
+            if (ray.y > 0 || at.z < edge - 20 || at.z > edge + 20) continue;
+            // Where rays pass the edge itself, the map's slope above is not that of the bed that they meet.
+            if (at.z > edge && at.z < edge + 5) continue;
+            // Snell's law, and where it meets the bed.
+            const glm::dvec3 bent = glm::refract(ray, glm::dvec3(0, 1, 0), 1 / waterIndex);
+            double low = 0, high = 2 * deepest;
+            for (int i = 0; i < 40; ++i) {
+                const double middle = (low + high) / 2;
+                (-bent.y * middle < depthAt(at.z + bent.z * middle) ? low : high) = middle;
+            }
+            const double through = (1 - reflectance(-ray.y, Fresnel::exact)) / (waterIndex * waterIndex);
+            const double expected = 8 * through * std::exp(-double{extinction} * low);
+            const size_t i = (size_t{y} * bright.width + x) * 4 + 1;
+            worst = std::max(worst, std::abs(double{bright.color[i] - dark.color[i]} / expected - 1));
+            ++checked;
+        }
+    std::printf("off by %.3f at most, of %zu\n", worst, checked);
+    EXPECT_GT(checked, 100u);
+    EXPECT_LT(worst, 0.03);
+}
+
+TEST_F(ShoreOnGpu, ASeaWithoutABedHasNothingOfIt) {
+    desc_.foam = &foam_;
+    desc_.wavesOn = WavesOn::cpu;
+    const auto costs = [&](const ShoreDesc* shore, size_t& images, Estimate& estimated) {
+        sea_.shore = shore;
+        EXPECT_EQ(estimate(context(), &desc_, {320, 180}, &estimated), Status::ok) << message();
+        spiedCalls().clear();
+        Body* const body = makeBody(desc_);
+        images = countSpied("CreateImage");
+        EXPECT_EQ(bytesSpied(), estimated.bytes);
+        EXPECT_EQ(body->shore.has_value(), shore != nullptr);
+        EXPECT_EQ(sea(body)->shore.has_value(), shore != nullptr);
+    };
+    makeBody({}); // what all bodies share
+    size_t with = 0, without = 0;
+    Estimate dear, cheap;
+    costs(&shore_, with, dear);
+    costs(nullptr, without, cheap);
+    EXPECT_EQ(with, without + 1);
+    EXPECT_GE(dear.bytes - cheap.bytes, 2u * 104 * 301 * 48);
+}
+
+} // namespace

@@ -1,0 +1,56 @@
+// The bed of a scene's shore, measured over its water's plane.
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <gtest/gtest.h>
+
+#include "host/water/shore.h"
+#include "tests/program/sample.h"
+
+namespace {
+
+/// Samples of a bed, back in the world, lie on the mesh that they were taken of: a tetrahedron.
+TEST(SceneShore, IsMeasuredFromTiltedPlanes) {
+    const tests::TemporaryFolder folder;
+    tests::writeSample(folder.path());
+    const demos::ShoreDesc shore = {folder.path() / "tetra.gltf", {30, 2, -50}, 0.1, "here"};
+    demos::WaterDesc water;
+    water.levelM = 1.5;
+    water.tiltDeg = 20;
+    water.tiltTowardsDeg = 40;
+    const demos::Plane plane = demos::waterPlane(water);
+    demos::SceneShore bed;
+    demos::Error error;
+    ASSERT_TRUE(demos::shoreOf(shore, plane, bed, error)) << error.text;
+    const glm::dvec3 n(plane[0], plane[1], plane[2]);
+    const double share = 1 / (1 + n.y);
+    const glm::dvec3 uAxis(1 - n.x * n.x * share, -n.x, -n.x * n.z * share),
+        vAxis(-n.x * n.z * share, -n.z, 1 - n.z * n.z * share);
+    const glm::dvec3 corners[] = {{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}, {0, 2, 0}};
+    constexpr size_t faces[][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+    const float lowest = *std::ranges::min_element(bed.bed);
+    size_t onMesh = 0;
+    for (uint32_t j = 0; j < bed.desc.samples[1]; ++j)
+        for (uint32_t i = 0; i < bed.desc.samples[0]; ++i) {
+            const float height = bed.bed[size_t{j} * bed.desc.samples[0] + i];
+            if (height <= lowest) continue;
+            const glm::dvec3 world = uAxis * (bed.desc.origin[0] + i * double{bed.desc.spacing}) +
+                                     vAxis * (bed.desc.origin[1] + j * double{bed.desc.spacing}) +
+                                     n * (double{height} - plane[3]);
+            const glm::dvec3 local = world - glm::dvec3(30, 2, -50);
+            double off = 1e9;
+            for (const auto& [a, b, c] : faces) {
+                const glm::dvec3 from = corners[a];
+                const glm::dvec3 normal = glm::cross(corners[b] - from, corners[c] - from);
+                off = std::min(off, std::abs(glm::dot(glm::normalize(normal), local - from)));
+            }
+            EXPECT_LT(off, 1e-4) << i << ' ' << j;
+            EXPECT_LT(glm::length(local - glm::dvec3(0, 0.5, 0)), 1.6);
+            ++onMesh;
+        }
+    EXPECT_GT(onMesh, 100u);
+}
+
+} // namespace

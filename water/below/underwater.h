@@ -1,0 +1,39 @@
+// What is drawn over a whole view. For an eye in the water: the water before the opaque scene, drawn before
+// any surface, and the line where the near plane leaves it, drawn after. For any: caustics on what lies
+// below.
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/frame.h"
+#include "gpu/pipeline/constants.h"
+#include "water/body/draw_pipeline.h"
+
+namespace seaglass {
+
+enum class UnderwaterPass : uint32_t { water, waterline, caustics };
+
+struct UnderwaterVariant {
+    UnderwaterPass pass = UnderwaterPass::water;
+#define CONSTANTS "shaders/shared/underwater_constants.h"
+#include "gpu/pipeline/constants.inl"
+    auto operator<=>(const UnderwaterVariant&) const = default;
+};
+
+using UnderwaterPipelines = DrawPipelines<UnderwaterVariant>;
+Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
+                     DrawPipeline& out);
+
+struct UnderwaterInputs {
+    gpu::Slice uniforms; ///< BodyBlock
+    const ViewDesc* view = nullptr;
+    VkImageView waveMap = VK_NULL_HANDLE; ///< with waves: displacement
+    VkImageView shoreMap = VK_NULL_HANDLE;
+    gpu::Resource shoreRows;
+    VkImageView light = VK_NULL_HANDLE; ///< of caustics: Caustics::lightOf()
+};
+
+/// Viewport and scissor are set.
+Status recordUnderwater(Context& context, VkCommandBuffer commands, UnderwaterPipelines& pipelines,
+                        const UnderwaterVariant& variant, const UnderwaterInputs& inputs);
+
+} // namespace seaglass

@@ -1,0 +1,100 @@
+#include "water/body/lighting.h"
+
+#include <cmath>
+
+#include <glm/ext/matrix_transform.hpp>
+
+#include "reflection/core/scene_formats.h"
+#include "seaglass/fields/fog.h"
+
+namespace seaglass {
+
+namespace {
+
+const char* badCascade(const SunShadow& shadow, uint32_t i) {
+    if (!allFinite(toMatrix(shadow.textureFromWorld[i]))) return "SunShadow.textureFromWorld is not finite";
+    const float(&b)[4] = shadow.bounds[i];
+    if (!(b[0] >= 0 && b[1] >= 0 && b[2] > b[0] && b[3] > b[1] && b[2] <= 1 && b[3] <= 1))
+        return "SunShadow.bounds is no part of a texture, expected 0 <= low < high <= 1";
+    return nullptr;
+}
+
+constexpr auto badMapFormat = noDepthIn("SunShadow.map.format");
+
+const char* badField(const SunShadow& shadow) {
+    if (!shadow.map.view) return "SunShadow.map.view is null";
+    if (!holdsDepth(shadow.map.format)) return badMapFormat.data();
+    if (!sampledIn(shadow.map.layout, true))
+        return "SunShadow.map.layout is none to sample from, expected GENERAL or one that is read-only";
+    if (shadow.map.samples != VK_SAMPLE_COUNT_1_BIT) return "SunShadow.map.samples is not 1";
+    if (shadow.cascadeCount < 1 || shadow.cascadeCount > maxShadowCascades)
+        return "SunShadow.cascadeCount is out of range, expected 1 to 4";
+    for (uint32_t i = 0; i < shadow.cascadeCount; ++i)
+        if (const char* bad = badCascade(shadow, i)) return bad;
+    return nullptr;
+}
+
+bool canBeLight(const float (&values)[3]) {
+    for (const float value : values)
+        if (!(value >= 0 && std::isfinite(value))) return false;
+    return true;
+}
+
+/// Of the largest cubes that devices have, of 32768 texels an edge.
+constexpr uint32_t mostCubeMips = 16;
+
+/// Of a sky from a cube, or of one from colours: what is not read may hold anything.
+const char* badSky(const LightingDesc& lighting) {
+    if (lighting.skyCube) {
+        if (lighting.skyCubeMipLevels < 1 || lighting.skyCubeMipLevels > mostCubeMips)
+            return "LightingDesc.skyCubeMipLevels is out of range, expected 1 to 16";
+        return sampledIn(lighting.skyCubeLayout, false)
+                   ? nullptr
+                   : "LightingDesc.skyCubeLayout is none to sample from, expected GENERAL or one that is "
+                     "read-only";
+    }
+    if (!canBeLight(lighting.skyZenith)) return "LightingDesc.skyZenith is negative or not finite";
+    if (!canBeLight(lighting.skyHorizon)) return "LightingDesc.skyHorizon is negative or not finite";
+    if (!canBeLight(lighting.skyGround)) return "LightingDesc.skyGround is negative or not finite";
+    return nullptr;
+}
+
+FieldError badFog(const FogDesc& fog) {
+    if (const FieldError bad = badField(fogFields, &fog)) return bad;
+    if (fog.start < fog.end) return {};
+    return "FogDesc.start and end are no range, expected 0 <= start < end <= 1e9";
+}
+
+} // namespace
+
+FieldError badField(const LightingDesc& lighting) {
+    if (const char* bad = badSky(lighting)) return bad;
+    double squared = 0;
+    for (const double value : lighting.toSun) squared += value * value;
+    if (!(std::abs(squared - 1) < 1e-3)) return "LightingDesc.toSun is not a unit vector";
+    if (!canBeLight(lighting.sunIrradiance)) return "LightingDesc.sunIrradiance is negative or not finite";
+    if (!canBeLight(lighting.skyIrradiance)) return "LightingDesc.skyIrradiance is negative or not finite";
+    if (lighting.fog)
+        if (const FieldError bad = badFog(*lighting.fog)) return bad;
+    return lighting.shadow ? badField(*lighting.shadow) : nullptr;
+}
+
+uint32_t fogKind(const FogDesc* fog) {
+    if (!fog) return 0;
+    return static_cast<uint32_t>(fog->shape) | (fog->overSky ? 8u : 0u) | (fog->fromSky > 0 ? 16u : 0u);
+}
+
+void setSunShadow(BodyBlock& uniforms, const SunShadow& shadow, const BodyFrame& frame,
+                  const glm::dvec3& eye) {
+    const glm::dmat4 worldFromRelative = glm::dmat4(frame.worldFromBody) * glm::translate(glm::dmat4(1), eye);
+    for (uint32_t i = 0; i < shadow.cascadeCount; ++i) {
+        const int at = static_cast<int>(i);
+        const float(&b)[4] = shadow.bounds[i];
+        uniforms.shadowFromRelative[at] = glm::mat4(toMatrix(shadow.textureFromWorld[i]) * worldFromRelative);
+        uniforms.shadowBounds[at] = {b[0], b[1], b[2], b[3]};
+        uniforms.shadowLayers[at] = static_cast<float>(shadow.layers[i]);
+    }
+    uniforms.shadow = {shadow.cascadeCount, shadow.reversedDepth ? -1 : 1, 0, 0};
+}
+
+} // namespace seaglass

@@ -1,0 +1,83 @@
+#include "water/body/target.h"
+
+#include "gpu/guard.h"
+#include "reflection/core/encoding.h"
+#include "reflection/core/limits.h"
+
+namespace seaglass {
+
+namespace {
+
+const char* badField(const TargetDesc& desc) {
+    if (desc.colorFormat == VK_FORMAT_UNDEFINED) return "TargetDesc.colorFormat is undefined";
+    if (desc.depthFormat == VK_FORMAT_UNDEFINED) return "TargetDesc.depthFormat is undefined";
+    const auto samples = static_cast<uint32_t>(desc.samples);
+    if (samples == 0 || samples > 64 || (samples & (samples - 1)) != 0)
+        return "TargetDesc.samples is no sample count";
+    if (desc.encoding > Encoding::srgb) return "TargetDesc.encoding is none of Encoding";
+    if (desc.encoding == Encoding::srgb && appliesSrgb(desc.colorFormat))
+        return "TargetDesc.encoding is srgb, which TargetDesc.colorFormat applies by itself";
+    if (desc.viewMask >> maxViews)
+        return "TargetDesc.viewMask has views that no ViewDesc.viewIndex names, expected 0 to 255";
+    return nullptr;
+}
+
+/// What the device cannot draw into, or null.
+const char* notDrawable(const gpu::Device& device, const TargetDesc& desc) {
+    const auto lacks = [&](VkFormat format, VkFormatFeatureFlags needed) {
+        return format != VK_FORMAT_UNDEFINED && (device.optimalFeatures(format) & needed) != needed;
+    };
+    if (lacks(desc.colorFormat, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT))
+        return "TargetDesc.colorFormat is none that this device draws into";
+    if (lacks(desc.depthFormat, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
+        return "TargetDesc.depthFormat is none that this device draws depth into";
+    if (lacks(desc.stencilFormat, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
+        return "TargetDesc.stencilFormat is none that this device draws stencil into";
+    const VkPhysicalDeviceLimits& limits = device.limits();
+    if (!(desc.samples & limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts))
+        return "TargetDesc.samples is more than this device draws into";
+    return nullptr;
+}
+
+void tellUnspecified(Context& context, const TargetDesc& desc) {
+    if (desc.encoding != Encoding::unspecified || !isDisplayFormat(desc.colorFormat)) return;
+    context.toldOfEncoding = true;
+    static_cast<void>(context.device.fail(
+        Status::ok, "TargetDesc.colorFormat is UNORM, and taken for linear, expected TargetDesc.encoding to "
+                    "be linear, or srgb where it holds what displays take"));
+}
+
+} // namespace
+
+bool holdsFloats(VkFormat format) {
+    return format == VK_FORMAT_R16G16B16A16_SFLOAT || format == VK_FORMAT_R32G32B32A32_SFLOAT ||
+           format == VK_FORMAT_B10G11R11_UFLOAT_PACK32;
+}
+
+Status createTarget(Context* context, const TargetDesc* desc, Target** out) {
+    if (out) *out = nullptr;
+    if (const Status s =
+            gpu::refuseNull(context, "createTarget", {{"context", !context}, {"desc", !desc}, {"out", !out}});
+        s != Status::ok)
+        return s;
+    if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    if (const char* bad = notDrawable(context->device, *desc))
+        return context->device.fail(Status::unsupported, "%s", bad);
+    return gpu::guarded([&] {
+        auto target = std::make_unique<Target>();
+        target->context = context;
+        target->desc = *desc;
+        target->pipelines.init(context->device, *desc);
+        target->underwater.init(context->device, *desc);
+        tellUnspecified(*context, *desc);
+        *out = target.release();
+        ++context->inUse;
+        return Status::ok;
+    });
+}
+
+void destroyTarget(Target* target) {
+    destroyHeld(target, "destroyTarget");
+}
+
+} // namespace seaglass

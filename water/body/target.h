@@ -1,0 +1,39 @@
+// What is behind seaglass::Target: attachment formats, and the pipelines made for them so far.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "gpu/context.h"
+#include "seaglass/water.h"
+#include "water/below/underwater.h"
+#include "water/surface/surface.h"
+
+namespace seaglass {
+
+/// Kernels that bodies share once they want them, made before.
+struct PreparedKernels {
+    std::mutex adding;
+    std::vector<std::shared_ptr<void>> kept;
+    template<typename Kernel>
+    Status keep(Context& context) {
+        std::shared_ptr<Kernel> kernel;
+        if (const Status s = context.share(kernel); s != Status::ok) return s;
+        const std::lock_guard lock(adding);
+        kept.push_back(std::move(kernel));
+        return Status::ok;
+    }
+};
+
+struct Target : Held {
+    TargetDesc desc;
+    SurfacePipelines pipelines;
+    UnderwaterPipelines underwater;
+    PreparedKernels prepared;
+};
+
+/// Colours of more than 1.
+bool holdsFloats(VkFormat format);
+
+} // namespace seaglass

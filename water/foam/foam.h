@@ -1,0 +1,41 @@
+// A body's foam: the history's image, and who steps it.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "water/foam/foam_gpu.h"
+#include "water/foam/foam_image.h"
+#include "water/foam/foam_upload.h"
+#include "water/waves/waves.h"
+
+namespace seaglass {
+
+class Foam {
+  public:
+    /// `sea` breaks, and outlives the foam; `waves` are its.
+    Status create(Context& context, const Sea& sea, const FoamDesc& foam, const Waves& waves);
+    /// Brings the history to `time` where it has passed a step. May leave the wave maps at another time.
+    Status record(Context& context, VkCommandBuffer commands, Waves& waves, double time);
+
+    static VkDeviceSize bytes(const Context& context, const Sea& sea, const FoamDesc& foam,
+                              const WavesBackend* backend);
+    VkImageView view() const { return image_.image.view(); }
+    VkImage image() const { return image_.image.handle(); }
+    uint32_t cascades() const { return image_.image.desc().layers; }
+    float albedo() const { return albedo_; }
+    /// Share of the way from the image's first step to its second at the time recorded last.
+    float past() const { return past_; }
+
+  private:
+    Status recordSteps(Context& context, VkCommandBuffer commands, Waves& waves, int64_t step);
+
+    double loopPeriod_ = 1;
+    float albedo_ = 0;
+    float past_ = 0;
+    FoamImage image_;
+    std::variant<ComputedFoam, UploadedFoam> source_;
+    std::optional<int64_t> step_; ///< that the image holds
+};
+
+} // namespace seaglass

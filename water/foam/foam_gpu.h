@@ -1,0 +1,39 @@
+// Foam by a compute shader, beside waves that are computed so: each step fills the wave maps for its own time
+// and steps the history in place.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gpu/pipeline/kernel.h"
+#include "water/foam/foam_history.h"
+#include "water/foam/foam_image.h"
+#include "water/waves/waves_gpu.h"
+
+namespace seaglass {
+
+struct FoamKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+
+class ComputedFoam {
+  public:
+    static constexpr VkImageUsageFlags imageUsage = VK_IMAGE_USAGE_STORAGE_BIT;
+
+    Status create(Context& context, const Sea& sea, const FoamDesc& foam);
+    /// Sets the image to `step` and the one after it. Leaves the maps at some step's time.
+    Status record(Context& context, VkCommandBuffer commands, ComputedWaves& waves, const WaveMaps& maps,
+                  const FoamImage& foam, int64_t step);
+
+  private:
+    Status recordStep(Context& context, VkCommandBuffer commands, const WaveMaps& maps, const FoamImage& foam,
+                      float fade, bool anew);
+
+    std::shared_ptr<FoamKernel> kernel_;
+    Breaking breaking_;
+    FoamFading fading_;
+    FoamKnown known_; ///< its newest step is the later that the image holds
+};
+
+} // namespace seaglass
