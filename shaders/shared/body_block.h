@@ -1,5 +1,5 @@
-// One view of a body, for GLSL and C++ alike. Positions are metres relative to the eye in the body's axes (water/body/body_frame.h),
-// +Y up; (u, v) are the calm plane's, x and z.
+// One view of a body, for GLSL and C++ alike. Positions are metres relative to the eye in the body's axes
+// (water/body/body_frame.h), +Y up; (u, v) are the calm plane's, x and z.
 #ifdef __cplusplus
 #pragma once
 #include "gpu/pipeline/shader_types.h"
@@ -13,18 +13,22 @@ const int maxShadowCascades = 4;
 struct BodyBlock {
     mat4 clipFromRelative;
     mat4 pixelFromRelative;
-    mat4 relativeFromPixel; // of the scene's pixels; for motion, the last frame's pixels of points relative to this frame's eye
+    mat4 relativeFromPixel; // of the scene's pixels; for motion, the last frame's pixels of points relative
+                            // to this frame's eye
     vec4 cascade[4];        // eye's (u, v) in the tile, in tiles; 1 / patch; 1 / texel [1/m]
     vec4 plane;             // up, and the eye's height [m]
-    vec4 sight;             // where lines of sight are parallel their direction, and 0; else 0, and 1: they come from the eye
+    vec4 sight; // where lines of sight are parallel their direction, and 0; else 0, and 1: they come from the
+                // eye
     vec4 toSun;
     vec4 sunIrradiance;
     vec4 skyIrradiance;
     vec4 absorption; // and scattering by particles [1/m]
     vec4 backscatter;
     ivec4 region;   // origin in the scene images, size [pixel]
-    vec4 foam;      // share of the way between the history's steps, albedo, the eye's place in the pattern's longest tile [m]
-    vec4 roughness; // slope covariance that no cascade holds: uu, vv, uv; deviation of all slopes, mean of both directions
+    vec4 foam;      // share of the way between the history's steps, albedo, the eye's place in the pattern's
+                    // longest tile [m]
+    vec4 roughness; // slope covariance that no cascade holds: uu, vv, uv; deviation of all slopes, mean of
+                    // both directions
     float refractionDistortion;
     float reflectionDistortion;
     float farDepth;
@@ -33,18 +37,22 @@ struct BodyBlock {
     float maxMip;          // of the waves' maps
     float reflectionScale; // pixels of the region to one of the reflection, each way
     int seaCascades;
-    vec2 foamStreak; // wind's direction, times sqrt(1 - 1/stretch) of the pattern
-    vec2 sceneShift; // to the scene's pixel that shows a point, whose sample may lie off its middle
-    vec4 reflectionLook; // clear distance [m], scatter, distance at which the sky has taken over [m]: reflection_blur.glsl
-    vec4 within;    // edge of the finest cells, half the meniscus, deviation of heights, distance of parallel_view.h [m]
-    vec4 extent;    // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the waves; 1 / globe's radius
-    vec4 caustics;  // strength
-    vec4 covered;   // (u, v) of the box around the body, low and high
+    vec2 foamStreak;     // wind's direction, times sqrt(1 - 1/stretch) of the pattern
+    vec2 sceneShift;     // to the scene's pixel that shows a point, whose sample may lie off its middle
+    vec4 reflectionLook; // clear distance [m], scatter, distance at which the sky has taken over [m]:
+                         // reflection_blur.glsl
+    vec4 within;         // edge of the finest cells, half the meniscus, deviation of heights, distance of
+                         // parallel_view.h [m]
+    vec4 extent;   // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the
+                   // waves; 1 / globe's radius
+    vec4 caustics; // strength
+    vec4 covered;  // (u, v) of the box around the body, low and high
     vec4 shorePlace;  // of the eye on the shore's map, and of a metre
     vec4 shoreSignal; // rows a second, the first one's, their number; the map's spacing [m]
-    vec4 shoreForm;   // 1 / period; how far foam is carried for each metre of swash; the first row in the last frame
-    mat3x4 worldFromBody;  // a column each
-    mat4 bedFromRelative;  // to pixels of the bed's picture
+    vec4 shoreForm; // 1 / period; how far foam is carried for each metre of swash; the first row in the last
+                    // frame
+    mat3x4 worldFromBody; // a column each
+    mat4 bedFromRelative; // to pixels of the bed's picture
     mat4 relativeFromBed;
     ivec4 bedSize;  // of that picture [pixel]
     vec4 skyZenith; // radiance of a sky without a cube
@@ -59,8 +67,8 @@ struct BodyBlock {
     ivec4 causticGrid;  // likewise, CausticGrid: step, margin, rowLength, firstRow
     vec4 shadowLayers;
     vec4 shadow; // cascades; 1, or -1 where what is nearer to the sun is greater
-    mat4 shadowFromRelative[maxShadowCascades]; // to u, v and depth of each cascade
-    vec4 shadowBounds[maxShadowCascades];       // lowest u and v, highest
+    mat4 shadowFromRelative[maxShadowCascades];  // to u, v and depth of each cascade
+    vec4 shadowBounds[maxShadowCascades];        // lowest u and v, highest
     vec4 dryPlanes[maxDryRooms * dryRoomPlanes]; // of each room: outside is positive [m]
 };
 

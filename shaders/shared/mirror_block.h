@@ -1,5 +1,5 @@
-// The screen mirror of reflection/core/mirror.h, for GLSL and C++ alike. A "screen point" is (x, y, depth, 1) in
-// pixels of the view's region.
+// The screen mirror of reflection/core/mirror.h, for GLSL and C++ alike. A "screen point" is (x, y, depth, 1)
+// in pixels of the view's region.
 #ifdef __cplusplus
 #pragma once
 #include "gpu/pipeline/shader_types.h"

@@ -1,9 +1,10 @@
-// The specialisation constants of a body's surface, for GLSL and C++ alike: CONSTANT(number, type, name, usual value).
+// The specialisation constants of a body's surface, for GLSL and C++ alike: CONSTANT(number, type, name,
+// usual value).
 CONSTANT(0, uint, surfaceOutput, 0)
 CONSTANT(1, uint, sidesSeen, 0) // water/surface/surface.h: SidesSeen
 CONSTANT(2, bool, hasWaves, false)
-CONSTANT(3, bool, hasShore, false)   // only with waves
-CONSTANT(4, bool, hasFoam, false)    // only with waves
+CONSTANT(3, bool, hasShore, false)      // only with waves
+CONSTANT(4, bool, hasFoam, false)       // only with waves
 CONSTANT(5, bool, hasReflection, false) // a screen-space reflection image
 CONSTANT(6, bool, hasRefraction, false)
 CONSTANT(7, bool, hasSunShadow, false) // a shadow map of the host's
@@ -11,21 +12,24 @@ CONSTANT(8, uint, shape, 0)            // water/surface/surface.h: SurfaceShape
 CONSTANT(9, bool, forMotion, false)    // beside it waves, shore, shape and dryRooms alone
 CONSTANT(10, bool, inViews, false)     // of a multiview pass
 CONSTANT(11, int, cascades, 0)
-CONSTANT(12, int, foamCascades, 0)     // that break: the first so many
+CONSTANT(12, int, foamCascades, 0)      // that break: the first so many
 CONSTANT(13, bool, lightsCrests, false) // only with waves and refraction
-CONSTANT(14, uint, dryRooms, 0)        // water/body/dry_rooms.h: roomsPacked()
+CONSTANT(14, uint, dryRooms, 0)         // water/body/dry_rooms.h: roomsPacked()
 CONSTANT(15, int, waveShadowSteps, 0)
-CONSTANT(16, int, mirrorLooks, 1)      // 1, 2 or 4
-CONSTANT(17, int, refractionLooks, 6)  // 1: straight through
-CONSTANT(18, int, slopeLooks, 1)       // 1, 2 or 4
-CONSTANT(19, bool, tilted, false)      // its axes are not the world's
-CONSTANT(20, bool, hasRelief, false)   // only with waves and without a shore
-CONSTANT(21, int, bedDownscale, 0)     // only with refraction: of the bed's picture of its own, 0: none is looked at
-CONSTANT(22, bool, bySchlick, false)   // in place of the exact formula
-CONSTANT(23, bool, onGlobe, false)     // only of the shape `plane`
-CONSTANT(24, int, sharpDownscale, 0)   // of still water's reflection without mips: pixels to a texel; 0: of other
-CONSTANT(25, bool, skyHasColors, false) // in place of the cube
-CONSTANT(26, bool, sceneIsEncoded, false)  // only with refraction: what is read of the scene
+CONSTANT(16, int, mirrorLooks, 1)     // 1, 2 or 4
+CONSTANT(17, int, refractionLooks, 6) // 1: straight through
+CONSTANT(18, int, slopeLooks, 1)      // 1, 2 or 4
+CONSTANT(19, bool, tilted, false)     // its axes are not the world's
+CONSTANT(20, bool, hasRelief, false)  // only with waves and without a shore
+CONSTANT(21, int, bedDownscale,
+         0) // only with refraction: of the bed's picture of its own, 0: none is looked at
+CONSTANT(22, bool, bySchlick, false) // in place of the exact formula
+CONSTANT(23, bool, onGlobe, false)   // only of the shape `plane`
+CONSTANT(24, int, sharpDownscale,
+         0) // of still water's reflection without mips: pixels to a texel; 0: of other
+CONSTANT(25, bool, skyHasColors, false)   // in place of the cube
+CONSTANT(26, bool, sceneIsEncoded, false) // only with refraction: what is read of the scene
 CONSTANT(27, bool, targetIsEncoded, false)
-CONSTANT(28, bool, manySamples, false) // only with refraction: of the scene, of which sample 0 may lie before the surface
-CONSTANT(29, uint, fogKind, 0)         // water/body/lighting.h: fogKind()
+CONSTANT(28, bool, manySamples,
+         false) // only with refraction: of the scene, of which sample 0 may lie before the surface
+CONSTANT(29, uint, fogKind, 0) // water/body/lighting.h: fogKind()

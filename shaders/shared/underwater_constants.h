@@ -1,5 +1,5 @@
-// The specialisation constants of the passes over a view of what lies in the water, for GLSL and C++ alike: CONSTANT(number, type,
-// name, usual value).
+// The specialisation constants of the passes over a view of what lies in the water, for GLSL and C++ alike:
+// CONSTANT(number, type, name, usual value).
 CONSTANT(0, bool, straddles, false) // the view's near plane may be above the water too
 CONSTANT(1, bool, hasWaves, false)  // only where it straddles
 CONSTANT(2, bool, hasShore, false)  // only with waves

@@ -1,4 +1,5 @@
-// How the transforms of waves lie between columns and rows, for GLSL and C++ alike: water/waves/wave_fields.h.
+// How the transforms of waves lie between columns and rows, for GLSL and C++ alike:
+// water/waves/wave_fields.h.
 #ifdef __cplusplus
 #pragma once
 namespace seaglass {
