@@ -1,5 +1,5 @@
 # Takes Seaglass into the project beside this file and runs what it builds. way: find_package, pkg_config, deb, vcpkg,
-# add_subdirectory or fetch_content. part: only the program of that part.
+# add_subdirectory or fetch_content. part: only the program of that part, the library of all parts and a host's shaders.
 cmake_minimum_required(VERSION 3.25)
 
 include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
@@ -11,7 +11,7 @@ set(programs reflection_alone sea_alone water_alone)
 set(target all)
 if(part)
   set(programs ${part}_alone)
-  set(target ${programs})
+  set(target ${programs} seaglass_gpu rough_mirror foggy_ground)
 endif()
 if(fftw AND NOT way MATCHES "add|fetch|vcpkg")
   list(APPEND programs fftw_waves)

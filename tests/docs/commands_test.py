@@ -78,7 +78,7 @@ def holds(words):
 
 def read_only(program, words, folder):
     """Scenes, cameras and options are looked at before there is no such device, or no display."""
-    missing = {"measure": "no usable Vulkan device is named", "view": "seaglass render draws"}[words[1]]
+    missing = "seaglass render draws" if words[1] == "view" else "no usable Vulkan device is named"
     command = [program, *words[1:], "--device", "of no such name"]
     environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=environment)
@@ -111,7 +111,7 @@ def main():
             print(block, flush=True)
             for line, words in commands_of(block):
                 ours = words[0] in ("seaglass", "$seaglass")
-                measures = ours and words[1] == "measure"
+                measures = ours and (words[1] == "measure" or "--stats" in words)
                 if which == "long" and not measures:
                     continue
                 if ours:

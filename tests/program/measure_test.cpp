@@ -388,18 +388,31 @@ TEST_F(Measure, WithoutGnuplotOnlyThePlotsAreMissing) {
     EXPECT_EQ(tests::readAll(path("bare/index.html")).find("svg+xml"), std::string::npos);
 }
 
-TEST_F(Measure, TwoRunsFindTheSameErrors) {
-    const auto errors = [&](const std::string& folder) {
-        const Outcome outcome =
-            measure({"scene.toml", "-o", folder, "--quick", "--rounds", "1", "--size", "64x36"});
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
-        const json entries = measured(folder)["entries"];
-        json found = json::array();
-        for (const json& entry : entries) found.push_back(entry["error"]);
-        EXPECT_EQ(found.size(), techniques);
-        return found;
-    };
-    EXPECT_EQ(errors("one"), errors("two"));
+class MeasuredTwice : public Measure {
+  protected:
+    /// Measures so many techniques, or those of a name.
+    void expectTheSameErrors(size_t count, const std::vector<std::string>& named = {}) {
+        const auto errors = [&](const std::string& folder) {
+            std::vector<std::string> line = {"scene.toml", "-o", folder,   "--quick",
+                                             "--rounds",   "1",  "--size", "64x36"};
+            for (const std::string& name : named) line.insert(line.end(), {"--technique", name});
+            const Outcome outcome = measure(line);
+            EXPECT_EQ(outcome.code, 0) << outcome.err;
+            const json entries = measured(folder)["entries"];
+            json found = json::array();
+            for (const json& entry : entries) found.push_back(entry["error"]);
+            EXPECT_EQ(found.size(), count);
+            return found;
+        };
+        EXPECT_EQ(errors("one"), errors("two"));
+    }
+};
+
+TEST_F(MeasuredTwice, HybridHasTheSameErrors) {
+    expectTheSameErrors(5, {"hybrid"});
+}
+TEST_F(MeasuredTwice, AllTechniquesHaveTheSameErrors) {
+    expectTheSameErrors(techniques);
 }
 
 TEST(Plot, JoinsTheFrontAndHasAPlaceForWhatCostsNothing) {

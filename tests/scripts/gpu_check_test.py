@@ -27,7 +27,7 @@ class GpuCheck(unittest.TestCase):
         self.report, self.log = self.folder / "page.md", self.folder / "log"
 
     def program(self, name, fake):
-        (self.bin / name).write_text(f"#!/bin/sh\nexec {sys.executable} -B {fake} \"$@\"\n")
+        (self.bin / name).write_text(f"#!/bin/sh\nexec {sys.executable} -BS {fake} \"$@\"\n")
         (self.bin / name).chmod(0o755)
 
     def check(self, *options, tests="A.Passes", **told):

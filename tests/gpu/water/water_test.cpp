@@ -1273,7 +1273,10 @@ TEST_F(WaterFoam, IsTheSameOnTheGpuAsOnTheCpu) {
 
 // Broken up near by, a mean from afar, white is the share of the sea that is measured without a picture, be
 // it thin or thick.
-TEST_F(WaterFoam, CoversAsMuchFromAnyHeight) {
+class WaterFoamFromAbove : public WaterFoam, public testing::WithParamInterface<float> {};
+
+TEST_P(WaterFoamFromAbove, CoversAsMuchFromAnyHeight) {
+    const float bias = GetParam();
     SeaDesc desc = breeze();
     desc.windSpeed = 15;
     desc.fetch = 300e3f;
@@ -1283,48 +1286,47 @@ TEST_F(WaterFoam, CoversAsMuchFromAnyHeight) {
         int places;
     };
     constexpr Look looks[] = {{40, 1200}, {100, 400}, {400, 100}, {4000, 8}};
-    for (const float bias : {0.0f, 0.03f}) {
-        const FoamDesc foam{.bias = bias};
-        BodyDesc bodyDesc;
-        bodyDesc.waves = &desc;
-        bodyDesc.wavesBackend = fftwWaves();
-        bodyDesc.foam = &foam;
-        Body* body = makeBody(bodyDesc);
-        double expected = 0;
-        ASSERT_TRUE(whitecapCover(*sea(body), *fftwWaves(), foam, foamTime, &expected));
-        EXPECT_GT(expected, bias > 0 ? 0.1 : 0.02);
-        EXPECT_LT(expected, 0.5);
-        const double tile = cascade(*sea(body), 0).patch;
-        for (const Look& look : looks) {
-            std::vector<double> shown, ofPart, ofSamples;
-            for (int place = 0; place < look.places; ++place) {
-                Camera camera = seaCamera();
-                camera.width = camera.height = 64;
-                // Evenly over the largest tile (Roberts 2018).
-                const double u = tile * std::fmod(place * 0.7548776662466927, 1);
-                const double v = tile * std::fmod(place * 0.5698402909980532, 1);
-                camera.eye = {u, look.height, v};
-                camera.target = {u + 0.001 * look.height, 0, v};
-                const std::vector<double> here = white(body, camera);
-                shown.insert(shown.end(), here.begin(), here.end());
-                if (place >= 16) continue;
-                const std::vector<double> samples = whiteOf(body, camera, 8);
-                ofPart.insert(ofPart.end(), here.begin(), here.end());
-                ofSamples.insert(ofSamples.end(), samples.begin(), samples.end());
-            }
-            std::printf(
-                "bias %.2f, from %4.0f m: %.4f white, expected %.4f; partly so %.3f of the pixels, and "
-                "%.3f as means of 64 samples\n",
-                static_cast<double>(bias), look.height, meanOf(shown), expected, partly(ofPart),
-                partly(ofSamples));
-            EXPECT_NEAR(meanOf(shown) / expected, 1, 0.05) << look.height;
-            EXPECT_NEAR(partly(ofPart), partly(ofSamples), 0.2 * partly(ofSamples)) << "a haze, or too hard";
+    const FoamDesc foam{.bias = bias};
+    BodyDesc bodyDesc;
+    bodyDesc.waves = &desc;
+    bodyDesc.wavesBackend = fftwWaves();
+    bodyDesc.foam = &foam;
+    Body* body = makeBody(bodyDesc);
+    double expected = 0;
+    ASSERT_TRUE(whitecapCover(*sea(body), *fftwWaves(), foam, foamTime, &expected));
+    EXPECT_GT(expected, bias > 0 ? 0.1 : 0.02);
+    EXPECT_LT(expected, 0.5);
+    const double tile = cascade(*sea(body), 0).patch;
+    for (const Look& look : looks) {
+        std::vector<double> shown, ofPart, ofSamples;
+        for (int place = 0; place < look.places; ++place) {
+            Camera camera = seaCamera();
+            camera.width = camera.height = 64;
+            // Evenly over the largest tile (Roberts 2018).
+            const double u = tile * std::fmod(place * 0.7548776662466927, 1);
+            const double v = tile * std::fmod(place * 0.5698402909980532, 1);
+            camera.eye = {u, look.height, v};
+            camera.target = {u + 0.001 * look.height, 0, v};
+            const std::vector<double> here = white(body, camera);
+            shown.insert(shown.end(), here.begin(), here.end());
+            if (place >= 16) continue;
+            const std::vector<double> samples = whiteOf(body, camera, 8);
+            ofPart.insert(ofPart.end(), here.begin(), here.end());
+            ofSamples.insert(ofSamples.end(), samples.begin(), samples.end());
         }
+        std::printf("bias %.2f, from %4.0f m: %.4f white, expected %.4f; partly so %.3f of the pixels, and "
+                    "%.3f as means of 64 samples\n",
+                    static_cast<double>(bias), look.height, meanOf(shown), expected, partly(ofPart),
+                    partly(ofSamples));
+        EXPECT_NEAR(meanOf(shown) / expected, 1, 0.05) << look.height;
+        EXPECT_NEAR(partly(ofPart), partly(ofSamples), 0.2 * partly(ofSamples)) << "a haze, or too hard";
     }
-    // Of forty million pixels: where a level of the mesh meets the next, snapped vertices are no longer on
+    // Of twenty million pixels: where a level of the mesh meets the next, snapped vertices are no longer on
     // a line.
     EXPECT_LE(static_cast<double>(holes()), limitOnGrid(0, 50));
 }
+INSTANTIATE_TEST_SUITE_P(, WaterFoamFromAbove, testing::Values(0.0f, 0.03f),
+                         [](const auto& info) { return info.param > 0 ? "Thick" : "Thin"; });
 
 // The pattern repeats every 24 m, across the wind without a bend: from the air its rafts would stand in rows.
 TEST_F(WaterFoam, RaftsStandInNoRows) {

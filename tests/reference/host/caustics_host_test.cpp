@@ -1,5 +1,7 @@
 // Caustics as they are drawn, beside the traced ones.
 #include <cmath>
+#include <ostream>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -85,38 +87,48 @@ Picture tracedOf(const Scene& scene) {
     return tests::traced(scene, {width, height, scene.cameras.front(), scene.timeS, 16}).color;
 }
 
+struct Bath {
+    const char* name;
+    WavesDesc (*waves)();
+    double depth, alike, sunDeg = 55;
+};
+
+void PrintTo(const Bath& bath, std::ostream* out) {
+    *out << bath.name;
+}
+
+class DrawnCaustics : public testing::TestWithParam<Bath> {};
+
 /// Also where rays have crossed, and where a low sun sends them far.
-TEST(DrawnCaustics, LieWhereTheyAreTraced) {
+TEST_P(DrawnCaustics, LieWhereTheyAreTraced) {
     HostDesc desc;
     desc.validation = true;
     Error error;
     const std::unique_ptr<Host> host = Host::create(desc, error);
     ASSERT_TRUE(host) << error.text;
-    struct Case {
-        const char* name;
-        WavesDesc waves;
-        double depth, alike, sunDeg = 55;
-    };
-    for (const Case& c :
-         {Case{"swell", swell(), 1, 0.95}, Case{"swell", swell(), 2, 0.93},
-          Case{"swell", swell(), 1, 0.9, 20}, Case{"pool", ripplesOfThePool(), 0.3, 0.93},
-          Case{"pool", ripplesOfThePool(), 1, 0.95}, Case{"pool", ripplesOfThePool(), 2, 0.95},
-          Case{"pool", ripplesOfThePool(), 1, 0.9, 20}}) {
-        const Scene scene = bath(c.depth, c.waves, c.sunDeg);
-        const Picture drawn = tests::rendered(*host, scene, width, height), traced = tracedOf(scene);
-        for (const size_t side : {size_t{1}, size_t{4}, size_t{8}}) {
-            const Alike a = compare(drawn, traced, side);
-            std::printf("%s, %.1f m, sun at %.0f degrees, means of %zu px: contrast %.3f drawn, %.3f traced, "
-                        "correlation %.3f\n",
-                        c.name, c.depth, c.sunDeg, side, a.drawn, a.traced, a.correlation);
-        }
-        const Alike a = compare(drawn, traced, 4);
-        EXPECT_GT(a.correlation, c.alike) << c.name << " " << c.depth;
-        // Over a pale bed twice as much, were light that the surface turns back taken to come from the spot.
-        EXPECT_NEAR(a.drawn / a.traced, 1, 0.25) << c.name << " " << c.depth;
+    const Bath& c = GetParam();
+    const Scene scene = bath(c.depth, c.waves(), c.sunDeg);
+    const Picture drawn = tests::rendered(*host, scene, width, height), traced = tracedOf(scene);
+    for (const size_t side : {size_t{1}, size_t{4}, size_t{8}}) {
+        const Alike a = compare(drawn, traced, side);
+        std::printf("%s, means of %zu px: contrast %.3f drawn, %.3f traced, correlation %.3f\n", c.name, side,
+                    a.drawn, a.traced, a.correlation);
     }
+    const Alike a = compare(drawn, traced, 4);
+    EXPECT_GT(a.correlation, c.alike);
+    // Over a pale bed twice as much, were light that the surface turns back taken to come from the spot.
+    EXPECT_NEAR(a.drawn / a.traced, 1, 0.25);
     EXPECT_EQ(host->validationMessages(), 0u);
 }
+INSTANTIATE_TEST_SUITE_P(, DrawnCaustics,
+                         testing::Values(Bath{"SwellOverAMetre", swell, 1, 0.95},
+                                         Bath{"SwellOverTwo", swell, 2, 0.93},
+                                         Bath{"SwellInALowSun", swell, 1, 0.9, 20},
+                                         Bath{"PoolOfAFoot", ripplesOfThePool, 0.3, 0.93},
+                                         Bath{"PoolOfAMetre", ripplesOfThePool, 1, 0.95},
+                                         Bath{"PoolOfTwo", ripplesOfThePool, 2, 0.95},
+                                         Bath{"PoolInALowSun", ripplesOfThePool, 1, 0.9, 20}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 TEST(TracedPicture, HasAsMuchLightUnderWavesAsUnderCalmWater) {
     Scene scene = bath(2, ripplesOfThePool());

@@ -70,13 +70,14 @@ TEST_F(UnderwaterHost, LooksAsTheReferenceTracesIt) {
     EXPECT_EQ(host_->validationMessages(), 0u);
 }
 
-TEST_F(UnderwaterHost, CrossingTheSurfaceByMillimetresNeverJumps) {
+class CrossedSurface : public UnderwaterHost, public testing::WithParamInterface<int> {};
+
+TEST_P(CrossedSurface, NeverJumpsByAMillimetre) {
+    const int steps = GetParam();
     Error error;
     ASSERT_TRUE(host_->load(scene_, error)) << error.text;
     CameraDesc camera = cameraOf(scene_, "straddle");
     std::vector<Picture> pictures;
-    constexpr int steps =
-        30; // the near plane is some 8 cm high: through all of it in larger steps after these
     for (int i = -steps; i <= steps; ++i) {
         camera.positionM[1] = 0.001 * i;
         camera.targetM[1] = 0.6 + 0.001 * i;
@@ -93,6 +94,9 @@ TEST_F(UnderwaterHost, CrossingTheSurfaceByMillimetresNeverJumps) {
     std::printf("FLIP of a millimetre: %.4f to %.4f\n", *std::ranges::min_element(changes),
                 *std::ranges::max_element(changes));
 }
+// The near plane is some 8 cm high: through all of it in larger steps after these.
+INSTANTIATE_TEST_SUITE_P(, CrossedSurface, testing::Values(8, 30),
+                         [](const auto& info) { return info.param == 8 ? "Narrowly" : "Widely"; });
 
 /// Ripples that nothing resolves blur what the surface mirrors of the bed: the more so the farther it lies.
 TEST_F(UnderwaterHost, MirrorsTheBedAsSoftlyAsItIsTraced) {
