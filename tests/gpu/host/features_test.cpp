@@ -150,7 +150,12 @@ class Features : public testing::Test {
 /// Takes a feature away.
 using Switch = void (*)(Water&);
 
-TEST_F(Features, ThatAreOffAreGone) {
+/// Tries one of so many.
+class FeaturesOneByOne : public Features, public testing::WithParamInterface<size_t> {};
+INSTANTIATE_TEST_SUITE_P(, FeaturesOneByOne, testing::Values(size_t{1}, size_t{4}),
+                         [](const auto& info) { return info.param == 1 ? "All" : "EveryFourth"; });
+
+TEST_P(FeaturesOneByOne, ThatAreOffAreGone) {
     const Cost all = costOf(Water());
     struct Feature {
         const char* name;
@@ -232,7 +237,8 @@ TEST_F(Features, ThatAreOffAreGone) {
         {"tilt", [](Water& w) { w.desc.plane[0] = 0; }, {&code}, [](Water& w) { w.desc.plane[0] = 1e-3; }},
         {"depth write", [](Water& w) { w.shape.depthWrite = false; }, {&depthWriters}},
     };
-    for (const Feature& feature : features) {
+    for (size_t i = 0; i < std::size(features); i += GetParam()) {
+        const Feature& feature = features[i];
         SCOPED_TRACE(feature.name);
         Water water;
         if (feature.on) feature.on(water);
