@@ -211,6 +211,8 @@ TEST_F(PictureFile, SeveralLayersAreListedAndOneCanBeNamed) {
     EXPECT_EQ(first(read(file, "second")), (Floats{4, 5, 6}));
     EXPECT_EQ(first(read(file, "N")), (Floats{7, 8, 9}));
     expectRefused(file, {"no layer 'third'", "N, V.second, first"}, "third");
+    EXPECT_EQ(first(read(write({partOf(2, 2, {"R", "G", "B", "vel.x", "vel.y"})}), "vel")),
+              (Floats{4, 5, 0}));
     const fs::path views =
         write({partOf(2, 2, {"R", "G", "B"}, "rgba.left"), partOf(2, 2, {"R", "G", "B"}, "rgba.right")});
     expectRefused(views, {"several layers", "rgba.left, rgba.right"});
@@ -221,6 +223,17 @@ TEST_F(PictureFile, WithoutColorIsRefused) {
     expectRefused(write({partOf(2, 2, {"Z"})}), {"no colour, only Z", "expected R, G, B or Y"});
     expectRefused(write({partOf(2, 2, {"N.X", "N.Y", "N.Z"})}), {"no colour, only N.X, N.Y, N.Z"});
     expectRefused(write({partOf(2, 2, {"Y", "RY", "BY"})}), {"luminance and chroma"});
+}
+
+TEST_F(PictureFile, WholeNumbersAreRefusedWhereTheyWouldBeColor) {
+    Part part = partOf(2, 2, {"R", "G", "B", "id.x"});
+    for (size_t i = 0; i < part.pixels.size(); i += 4) part.pixels[i + 3] = 4e9f;
+    part.spec.channelformats = {OIIO::TypeDesc::HALF, OIIO::TypeDesc::HALF, OIIO::TypeDesc::HALF,
+                                OIIO::TypeDesc::UINT32};
+    EXPECT_EQ(first(read(write({part}))), (Floats{1, 2, 3}));
+    expectRefused(write({part}), {"its channel id.x holds whole numbers, expected half or float"}, "id");
+    part.spec.channelformats[1] = OIIO::TypeDesc::UINT32;
+    expectRefused(write({part}), {"its channel G holds whole numbers"});
 }
 
 TEST_F(PictureFile, OfADeepImageIsRefused) {

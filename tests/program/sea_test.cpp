@@ -142,6 +142,10 @@ TEST_F(SeaCommand, TablesAreReadAsOtherProgramsWriteThem) {
           "0.05,0\n0.1,4\n0.2,1\n0.4,0\n",
           "frequency_Hz,S_m2_per_Hz\n0.05,0\n0.1,4\n0.2,1\n0.4,0", "0.05,1e-63\n0.1,4\n0.2,1\n0.4,1e-4000\n",
           "# a\n\n0.05,0\r\n0.1,4\r\n0.2,1\r\n0.4,0\r\n", "0.05,0\r0.1,4\r0.2,1\r0.4,0\r",
+          "f (Hz),S (m^2/Hz)\n0.05,0\n0.1,4\n0.2,1\n0.4,0\n",
+          "# f [1/s],\"S(f) [m\xC2\xB2 s]\"\n0.05,0\n0.1,4\n0.2,1\n0.4,0\n",
+          "Frequency,Density (m2 Hz-1)\n# by a buoy (old), no rad/s (sic) "
+          "here\n0.05,0\n0.1,4\n0.2,1\n0.4,0\n",
           "\"Hz\",\"S\"\n\"0.05\",\"0\"\n\"0.1\",\"+4\"\n0.2,1\n0.4,1e-40\n"})
         EXPECT_EQ(found(text), plain) << text;
 }
@@ -153,11 +157,18 @@ TEST_F(SeaCommand, TablesOfSomethingElseAreNamed) {
     };
     expect("0.05,0\n0.1,999\n0.2,1\n", {"buoy.csv:2: density is 999", "missing"});
     expect("0.05,0\n0.1,999.00\n0.2,1\n", {"buoy.csv:2: density is 999.00", "missing"});
+    for (const std::string missing : {"9999", "99999", "-999", "999.9", "999.99", "9.990e+02"})
+        expect("0.05,0\n0.1," + missing + "\n0.2,1\n", {"density is " + missing, "missing"});
     expect("0.05,0\n0.1,MM\n0.2,1\n", {"buoy.csv:2: density is MM", "missing"});
     expect("0.05;0\n0.1;4\n", {"buoy.csv:1: '0.05;0' has a semicolon"});
     expect("0,05;0\n0,1;4\n", {"buoy.csv:1: '0,05;0' has a semicolon"});
     expect("0.05\t0\n0.1\t4\n", {"buoy.csv:1:", "has a tab"});
     expect("0,05,0,1\n", {"buoy.csv:1: '0,05,0,1' has more than one comma", "decimal points"});
+    for (const std::string heading : {"omega (rad/s),S", "f [mHz],S", "f (kHz),S", "Period,S", "T (s),S",
+                                      "f (1/rad),S", "f,S (cm^2/Hz)", "f,S (m^2 s/rad)", "f,S (J/m^2/Hz)",
+                                      "f,S [m]", "f,S_m2_per_mHz", "f,S (dB)", "f (Hz),S (m^2/Hz/deg)"})
+        expect(heading + "\n0.1,1\n0.2,4\n", {"buoy.csv:1: its heading says '", "expected Hz and m^2/Hz"});
+    expect("# w (rad/s),S (m^2s)\n0.1,1\n0.2,4\n", {"its heading says '# w (rad/s)'"});
     expect("Hz,S\nHz,S\n0.1,4\n", {"buoy.csv:2: 'Hz,S', expected two numbers"});
     expect("0.05,1e400\n0.1,4\n", {"buoy.csv:1: '0.05,1e400'"});
     expect("0.05,nan\n0.1,4\n", {"spectrumTable[0].density is nan"});

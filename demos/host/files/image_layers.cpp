@@ -56,10 +56,10 @@ std::optional<ImageLayer> colorOf(const Group& group) {
     return out;
 }
 
-/// What somebody names need not hold colour: its first three channels then stand for it, or its first.
+/// What somebody names need not hold colour: its first three channels then stand for it, or what it has.
 ImageLayer anyOf(const Group& group) {
     ImageLayer out{group.part, group.label, {-1, -1, -1, -1}};
-    const size_t kept = group.channels.size() < 3 ? 1 : 3;
+    const size_t kept = std::min<size_t>(group.channels.size(), 3);
     for (size_t i = 0; i < kept; ++i) out.channels[i] = group.channels[i].index;
     return out;
 }

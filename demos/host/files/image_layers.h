@@ -21,7 +21,8 @@ struct ImagePart {
 struct ImageLayer {
     int part = 0;
     std::string name; ///< as it is asked for; empty: the file's one unnamed layer
-    /// Channels in their part of red, green, blue and alpha; -1: there is none. Grey has red alone.
+    /// Channels in their part of red, green, blue and alpha; -1: there is none. Grey has red alone, and a
+    /// layer of two channels no blue.
     std::array<int, 4> channels{-1, -1, -1, -1};
 };
 

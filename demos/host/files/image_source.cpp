@@ -133,6 +133,16 @@ glm::ivec2 upright(int orientation, const glm::ivec2& size, const glm::ivec2& p)
     }
 }
 
+/// What floats do not hold would be compared as if it were alike.
+std::string wholeNumbersProblem(const OIIO::ImageSpec& spec, const ImageLayer& layer) {
+    for (size_t i = 0; i < 3; ++i)
+        if (const int channel = layer.channels[i];
+            channel >= 0 && !spec.channelformat(channel).is_floating_point())
+            return "its channel " + std::string(spec.channel_name(channel)) +
+                   " holds whole numbers, expected half or float";
+    return "";
+}
+
 /// The greatest value of an integer format, 0 for others.
 double greatestOf(OIIO::TypeDesc format) {
     if (format.is_floating_point()) return 0;
@@ -226,7 +236,9 @@ bool ImageSource::Opened::find(const std::filesystem::path& file, const LayerCho
     if (int64_t(spec.width) * std::min(spec.tile_height, spec.height) > maxPixelsAtOnce)
         return fail("has tiles of " + std::to_string(spec.tile_width) + "x" +
                     std::to_string(spec.tile_height) + ", expected at most 2^24 pixels in a row of them");
-    const std::string problem = setMeaning(file, *input, meaning);
+    std::string problem = setMeaning(file, *input, meaning);
+    if (problem.empty() && std::string_view(input->format_name()) == "openexr")
+        problem = wholeNumbersProblem(spec, layer);
     if (!problem.empty()) return fail(problem);
     describe();
     nameChannels(parts);
@@ -274,12 +286,14 @@ bool ImageSource::Opened::readBand(int y, int rows, std::vector<glm::vec4>& out)
 
 void ImageSource::Opened::convert(std::span<glm::vec4> pixels) const {
     const bool grey = layer.channels[1] < 0, opaque = layer.channels[3] < 0;
+    const bool ofTwo = !grey && layer.channels[2] < 0;
     const double greatest = greatestOf(spec.channelformat(layer.channels[0]));
     const bool plain = meaning.scale == glm::dvec3(1) && meaning.rec709 == glm::dmat3(1);
     const glm::mat3 matrix(meaning.rec709 *
                            glm::dmat3(meaning.scale.r, 0, 0, 0, meaning.scale.g, 0, 0, 0, meaning.scale.b));
     for (glm::vec4& pixel : pixels) {
         if (grey) pixel.g = pixel.b = pixel.r;
+        if (ofTwo) pixel.b = 0;
         if (opaque) pixel.a = 1;
         // OpenImageIO multiplies by a rounded inverse: then 8 and 16 bits of one value are not the same.
         if (greatest > 0)

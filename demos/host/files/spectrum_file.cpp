@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -44,17 +45,101 @@ std::optional<float> number(std::string_view text) {
                                                               : std::optional(static_cast<float>(value));
 }
 
-/// As NDBC marks a density that was not measured, and others after it.
+/// As NDBC marks a density that was not measured, and others after it: by nines alone.
 bool standsForMissing(std::string_view text) {
     text = unquoted(text);
     const std::optional<float> value = number(text);
-    return text == "MM" || (value && (*value == 999 || *value == 9999 || *value == -999 || *value == -9999));
+    if (!value) return text == "MM";
+    for (const double above : {1e3, 1e4, 1e5})
+        for (const double step : {1.0, 0.1, 0.01})
+            if (std::abs(*value) == static_cast<float>(above - step)) return true;
+    return false;
 }
 
 bool isHeading(std::string_view line) {
     const std::string_view first = unquoted(line.substr(0, line.find(',')));
     return !first.empty() && std::isalpha(static_cast<unsigned char>(first.front())) && !number(first) &&
            first != "MM";
+}
+
+bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Runs of letters, in lower case; what is not ASCII counts as letters.
+std::vector<std::string> wordsOf(std::string_view text) {
+    std::vector<std::string> words;
+    bool within = false;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool letter = std::isalpha(byte) != 0 || byte >= 0x80;
+        if (letter && !within) words.emplace_back();
+        if (letter) words.back() += static_cast<char>(std::tolower(byte));
+        within = letter;
+    }
+    return words;
+}
+
+bool isForeign(const std::string& word) {
+    return word.starts_with("rad") || word.starts_with("deg") ||
+           isOneOf(word, {"mhz", "khz", "omega", "\xCF\x89", "period", "wavenumber", "rpm", "cm", "mm", "ft",
+                          "feet", "db"});
+}
+
+/// What stands in a cell's last brackets, empty without.
+std::string_view unitOf(std::string_view cell) {
+    const size_t to = cell.find_last_of(")]");
+    if (to == cell.npos) return "";
+    const char closes = cell[to], opens = closes == ')' ? '(' : '[';
+    size_t depth = 0;
+    for (size_t from = to + 1; from-- > 0;) {
+        if (cell[from] == closes) ++depth;
+        if (cell[from] == opens && --depth == 0) return cell.substr(from + 1, to - from - 1);
+    }
+    return "";
+}
+
+bool isHertz(std::string_view unit) {
+    const std::vector<std::string> words = wordsOf(unit);
+    const auto named = [](const std::string& word) { return isOneOf(word, {"hz", "hertz", "cps"}); };
+    const auto second = [](const std::string& word) { return isOneOf(word, {"s", "sec", "second"}); };
+    return std::all_of(words.begin(), words.end(), named) ||
+           (words.size() == 1 && second(words[0]) && unit.find('1') != unit.npos);
+}
+
+bool isDensity(std::string_view unit) {
+    const std::vector<std::string> words = wordsOf(unit);
+    if (words.empty()) return true;
+    const bool squared = unit.find('2') != unit.npos || unit.find("\xC2\xB2") != unit.npos;
+    return squared && words[0].starts_with("m") &&
+           std::all_of(words.begin(), words.end(), [](const std::string& word) {
+               return isOneOf(word, {"m", "m\xC2\xB2", "hz", "hertz", "s", "sec", "per"});
+           });
+}
+
+/// The cell of a heading that says another unit than is read, empty where none does.
+std::string_view foreignCell(std::string_view heading) {
+    const size_t comma = std::min(heading.find(','), heading.size());
+    const std::string_view cells[] = {unquoted(heading.substr(0, comma)),
+                                      unquoted(heading.substr(std::min(comma + 1, heading.size())))};
+    for (size_t i = 0; i < 2; ++i) {
+        const std::vector<std::string> words = wordsOf(cells[i]);
+        const std::string_view unit = unitOf(cells[i]);
+        if (std::any_of(words.begin(), words.end(), isForeign) || !(i == 0 ? isHertz(unit) : isDensity(unit)))
+            return cells[i];
+    }
+    return "";
+}
+
+/// Whether a comment is a heading of two cells with their units.
+bool isHeadingInComment(std::string_view line) {
+    const size_t comma = line.find(',');
+    if (comma == line.npos || line.find(',', comma + 1) != line.npos) return false;
+    const auto endsInBracket = [](std::string_view cell) {
+        cell = unquoted(cell);
+        return !cell.empty() && (cell.back() == ')' || cell.back() == ']');
+    };
+    return endsInBracket(line.substr(0, comma)) && endsInBracket(line.substr(comma + 1));
 }
 
 /// What keeps a line from being two numbers.
@@ -108,13 +193,17 @@ bool readSpectrum(const std::filesystem::path& file, std::vector<seaglass::Spect
     std::string_view rest = *text;
     for (size_t lineNumber = 1; !rest.empty(); ++lineNumber) {
         const std::string_view line = trimmed(takeLine(rest));
-        if (line.empty() || line.front() == '#') continue;
+        const bool comment = line.starts_with('#');
+        if (line.empty() || (comment && (begun || !isHeadingInComment(line)))) continue;
         const auto fail = [&](const std::string& problem) {
             error.text = file.string() + ":" + std::to_string(lineNumber) + ": " + problem;
             return false;
         };
-        const bool heading = !begun && isHeading(line);
-        begun = true;
+        const bool heading = !begun && (comment || isHeading(line));
+        begun = begun || !comment;
+        if (const std::string_view foreign = heading ? foreignCell(line) : ""; !foreign.empty())
+            return fail("its heading says '" + std::string(foreign.substr(0, 40)) +
+                        "', expected Hz and m^2/Hz");
         if (heading) continue;
         const size_t comma = line.find(',');
         if (comma == line.npos) return fail(problemOf(line));
