@@ -135,6 +135,10 @@ TEST_F(PictureFile, HdrOfAnotherMeaningIsRefused) {
     expectRefused(writeHdr("FORMAT=32-bit_rle_xyze\n" + size, pixel), {"FORMAT=32-bit_rle_xyze", "rgbe"});
     expectRefused(writeHdr(rgbe + "GAMMA=2.2\n" + size, pixel), {"GAMMA=2.2", "expected 1"});
     expectRefused(writeHdr(rgbe + "EXPOSURE=0\n" + size, pixel), {"EXPOSURE=0", "positive"});
+    for (const std::string power : {"200", "-200"}) {
+        const std::string exposure = "EXPOSURE=1e" + power + "\n";
+        expectRefused(writeHdr(rgbe + exposure + exposure + size, pixel), {"EXPOSURE", "expected 1e-30"});
+    }
     expectRefused(writeHdr(rgbe + "COLORCORR=1 2\n" + size, pixel), {"COLORCORR=1 2", "three"});
     expectRefused(writeHdr(rgbe + "PRIMARIES=.6 .3 .6 .3 .6 .3 .3 .3\n" + size, pixel), {"primaries"});
 }

@@ -81,6 +81,9 @@ std::optional<RadianceHeader> readRadianceHeader(const std::filesystem::path& fi
         if (line.front() == '#' || equals == line.npos) continue;
         problem = take(line.substr(0, equals), line.substr(equals + 1), header);
     }
+    const auto measurable = [](double scale) { return scale >= 1e-30 && scale <= 1e30; };
+    if (problem.empty() && !std::all_of(header.scale.begin(), header.scale.end(), measurable))
+        problem = "its EXPOSURE and COLORCORR multiply to what no light survives, expected 1e-30 to 1e30";
     if (problem.empty() && std::getline(lines, line)) {
         const std::optional<int> orientation = orientationOf(line);
         if (orientation)
