@@ -1,7 +1,5 @@
 #include "reflection/core/depth_scan.h"
 
-#include <vector>
-
 #include "reflection/core/mirror.h"
 #include "shaders/shared/reflection_bindings.h"
 
@@ -10,14 +8,13 @@ namespace seaglass {
 Status allocateDepthScan(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::Bound& found,
                          const gpu::Buffer& tiles, VkDescriptorSet& out) {
     const Image& depth = pass.view.sceneDepth;
-    std::vector<gpu::Bound> resources = {
+    const gpu::Bound resources[] = {
         {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
         {sceneDepthBinding,
          gpu::sampledImage(pass.context.samplers.nearestClamp(), depth.view, depth.layout)},
         found,
         {tilesBinding, gpu::storageBuffer(tiles.handle())},
     };
-    std::erase_if(resources, [&](const gpu::Bound& bound) { return !kernel.layout().has(bound.number); });
     return pass.context.frame().allocateSet(kernel.layout(), resources, out);
 }
 

@@ -2,7 +2,18 @@
 
 #include <utility>
 
+#include "gpu/pipeline/constants.h"
+
 namespace seaglass {
+
+namespace {
+
+struct SceneConstants {
+#define CONSTANTS "shaders/shared/scene_constants.h"
+#include "gpu/pipeline/constants.inl"
+};
+
+} // namespace
 
 bool appliesSrgb(VkFormat format) {
     return format == VK_FORMAT_R8G8B8A8_SRGB || format == VK_FORMAT_B8G8R8A8_SRGB ||
@@ -39,8 +50,9 @@ Status ColorKernel::create(Context& context, std::span<const uint32_t> spirv, co
 Status ColorKernel::of(const Context& context, const Image& sceneColor, const gpu::Kernel*& out) {
     out = isEncoded(sceneColor) ? &encoded_ : &linear_;
     if (!isEncoded(sceneColor) || hasEncoded_) return Status::ok;
-    constexpr uint32_t decodes[] = {1};
-    const Status s = encoded_.create(context.device, spirv_, what_, decodes);
+    SceneConstants scene;
+    scene.sceneIsEncoded = true;
+    const Status s = encoded_.create(context.device, spirv_, what_, scene.constants());
     hasEncoded_ = s == Status::ok;
     return s;
 }

@@ -21,7 +21,7 @@ inline bool isEncoded(const Image& image) {
 /// Once a context, of a scene whose format makes linear unlikely, and where no target was told of.
 void tellUnspecified(Context& context, const Image& sceneColor);
 
-/// A kernel that reads the scene's colour, whose specialisation constant 0 is shaders/gpu/encoding.glsl's.
+/// A kernel that reads the scene's colour, whose constants are those of shaders/shared/scene_constants.h.
 /// That for encoded scenes is made when the first comes.
 class ColorKernel {
   public:

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "gpu/pipeline/constants.h"
 #include "reflection/core/mirror.h"
 #include "reflection/sspr/tiles.h"
 #include "shaders/shared/reflection_bindings.h"
@@ -13,11 +14,17 @@ namespace seaglass {
 
 namespace {
 
+struct MissConstants {
+#define CONSTANTS "shaders/shared/miss_constants.h"
+#include "gpu/pipeline/constants.inl"
+};
+
 Status createResolve(Context& context, std::span<const uint32_t> shader, ResolveKernel& out) {
     if (const Status s = out.kernel.create(context, shader, "resolve pipeline"); s != Status::ok) return s;
     if (const Status s = shareUnseenTiles(context, out.unseen); s != Status::ok) return s;
-    const uint32_t colorIsCleared[] = {out.unseen ? 0u : 1u};
-    return out.miss.create(context.device, miss_comp, "miss pipeline", colorIsCleared);
+    MissConstants miss;
+    miss.colorIsCleared = !out.unseen;
+    return out.miss.create(context.device, miss_comp, "miss pipeline", miss.constants());
 }
 
 } // namespace

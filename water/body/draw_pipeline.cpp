@@ -4,6 +4,7 @@
 
 #include "gpu/pipeline/compile_watch.h"
 #include "gpu/pipeline/kernel.h"
+#include "shaders/shared/one_view_block.h"
 
 namespace seaglass {
 
@@ -83,8 +84,9 @@ void bindDraw(const gpu::Device& device, VkCommandBuffer commands, const DrawPip
     const VkPipelineLayout layout = pipeline.layout.pipeline();
     vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.handle);
     vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1, &set, 0, nullptr);
+    const OneViewBlock pushed{viewIndex};
     if (const VkShaderStageFlags stages = pipeline.layout.pushedTo())
-        vk.CmdPushConstants(commands, layout, stages, 0, sizeof viewIndex, &viewIndex);
+        vk.CmdPushConstants(commands, layout, stages, 0, sizeof pushed, &pushed);
 }
 
 Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, const DrawShaders& shaders,
@@ -95,7 +97,7 @@ Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, c
     if (const Status s = fragment.create(shaders.fragment, shaders.constants, what); s != Status::ok)
         return s;
     const std::span<const uint32_t> modules[] = {vertex.words(), fragment.words()};
-    if (const Status s = out.layout.create(device, modules, sizeof(uint32_t), what); s != Status::ok)
+    if (const Status s = out.layout.create(device, modules, sizeof(OneViewBlock), what); s != Status::ok)
         return s;
 
     std::vector<VkSpecializationMapEntry> entries(shaders.constants.size());

@@ -4,6 +4,7 @@
 #include <complex>
 #include <numbers>
 
+#include "gpu/pipeline/constants.h"
 #include "shaders/shared/waves_bindings.h"
 #include "shaders/shared/waves_block.h"
 #include "spirv/waves_columns.comp.h"
@@ -18,6 +19,11 @@ namespace seaglass {
 namespace {
 
 constexpr uint32_t groupPoints = 1024; ///< of transforms in one workgroup: shaders/water/waves/fft.glsl
+
+struct WavesConstants {
+#define CONSTANTS "shaders/shared/waves_constants.h"
+#include "gpu/pipeline/constants.inl"
+};
 
 static_assert(std::size(WavesBlock{}.bands) == maxCascades);
 
@@ -137,7 +143,10 @@ Status WaveKernels::get(const gpu::Device& device, uint32_t samples, const Pair*
     const auto [entry, fresh] = kernels_.try_emplace(samples);
     out = &entry->second;
     if (!fresh) return Status::ok;
-    const uint32_t constants[] = {samples, device.isCpu()};
+    WavesConstants given;
+    given.samples = samples;
+    given.onCpu = device.isCpu();
+    const auto constants = given.constants();
     Pair& pair = entry->second;
     Status s = pair.columns.create(device, waves_columns_comp, "waves columns pipeline", constants);
     const std::span<const uint32_t> stores(waves_rows_comp), isCopied(waves_rows_copied_comp);

@@ -9,7 +9,8 @@
 #include "reflection_info.glsl"
 #include "tiles.glsl"
 
-layout(constant_id = 0) const bool sceneIsEncoded = false;
+#include "constant.glsl"
+#include "scene_constants.h"
 
 layout(set = 0, binding = settingsBinding, std140) uniform EdgeReach {
     EdgeReachBlock settings;

@@ -10,7 +10,8 @@
 #include "sight_line.glsl"
 #include "march.glsl"
 
-layout(constant_id = 0) const bool sceneIsEncoded = false;
+#include "constant.glsl"
+#include "scene_constants.h"
 
 layout(set = 0, binding = sceneColorBinding) uniform sampler2D sceneColor;
 layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;

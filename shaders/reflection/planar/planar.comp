@@ -8,7 +8,8 @@
 #include "reflection_info.glsl"
 #include "sight_line.glsl"
 
-layout(constant_id = 0) const bool sceneIsEncoded = false;
+#include "constant.glsl"
+#include "scene_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -14,7 +14,8 @@ layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
 layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D reflectionInfo;
 layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;
 
-layout(constant_id = 0) const uint colorIsCleared = 0;
+#include "constant.glsl"
+#include "miss_constants.h"
 
 #include "scene_depth.glsl"
 #include "miss.glsl"
@@ -29,7 +30,7 @@ void main() {
     FarEnd perRow = farEndPerRow(float(1 << mirror.pixelShift));
     int row = 0;
     do {
-        if (colorIsCleared == 0) imageStore(reflectionColor, pixel, vec4(0.0));
+        if (!colorIsCleared) imageStore(reflectionColor, pixel, vec4(0.0));
         imageStore(reflectionInfo, pixel, vec4(infoOfFarEnd(end), 0.0, 0.0, 0.0));
         end.point += perRow.point;
         end.ahead += perRow.ahead;

@@ -1,11 +1,13 @@
 // A multiview pass runs each draw for all of its views; one of them is meant, and in the others nothing shows.
 #extension GL_EXT_multiview : require
+#include "one_view_block.h"
+
 layout(push_constant) uniform Pushed {
-    int drawnView;
+    OneViewBlock pushed;
 };
 
 bool isOtherView() {
-    return gl_ViewIndex != drawnView;
+    return gl_ViewIndex != int(pushed.drawnView);
 }
 
 // Beyond the far plane, whichever that is.

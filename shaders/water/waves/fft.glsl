@@ -5,8 +5,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "phase.glsl"
 
-layout(constant_id = 0) const uint samples = 256u;   // 16..1024, a power of two
-layout(constant_id = 1) const bool onCpu = false;
+#include "constant.glsl"
+#include "waves_constants.h"
 
 const uint team = samples / 16u;
 const uint lines = 64u / team;   // of 64 invocations
