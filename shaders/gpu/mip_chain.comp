@@ -12,11 +12,11 @@ layout(set = 0, binding = mipChainBinding, std140) uniform MipChain {
 #define HALVED(binding_, name) layout(set = 0, binding = binding_, FORMAT) uniform writeonly image2DArray name;
 // `i` counts the images.
 #define IMAGE(i, source, a, b, c, d, e)                                                                                \
-    layout(set = 0, binding = firstSourceBinding + i) uniform sampler2DArray source;                                                    \
-    HALVED(firstHalvedBinding + 5 * i + 0, a)                                                                                      \
-    HALVED(firstHalvedBinding + 5 * i + 1, b)                                                                                      \
-    HALVED(firstHalvedBinding + 5 * i + 2, c)                                                                                      \
-    HALVED(firstHalvedBinding + 5 * i + 3, d)                                                                                      \
+    layout(set = 0, binding = firstSourceBinding + i) uniform sampler2DArray source;                                   \
+    HALVED(firstHalvedBinding + 5 * i + 0, a)                                                                          \
+    HALVED(firstHalvedBinding + 5 * i + 1, b)                                                                          \
+    HALVED(firstHalvedBinding + 5 * i + 2, c)                                                                          \
+    HALVED(firstHalvedBinding + 5 * i + 3, d)                                                                          \
     HALVED(firstHalvedBinding + 5 * i + 4, e)
 IMAGE(0, first, first1, first2, first3, first4, first5)
 #if IMAGES == 3
@@ -48,7 +48,7 @@ vec4 meanOfFour(ivec2 at) {
 
 // All of the group come here, or none: it waits for what it has left in shared memory.
 #define HALVE(level, a, b, c)                                                                                          \
-    if (settings.levels < level) return;                                                                                        \
+    if (settings.levels < level) return;                                                                               \
     barrier();                                                                                                         \
     edge >>= 1;                                                                                                        \
     takesPart = all(lessThan(local, ivec2(edge)));                                                                     \

@@ -42,20 +42,20 @@ struct Exit {
     vec2 outward;   // a pixel's step
 };
 
-Exit exitOf(vec2 q, vec2 along) {
+Exit exitOf(const MirrorBlock mirror, vec2 q, vec2 along) {
     vec2 outward = along / max(max(abs(along.x), abs(along.y)), 1e-30);
-    return Exit(q + outward * (stepsToBorder(q, outward) - 0.5), outward);
+    return Exit(q + outward * (stepsToBorder(mirror, q, outward) - 0.5), outward);
 }
 
-vec2 insideOf(Exit at, float pixels) {
+vec2 insideOf(const MirrorBlock mirror, Exit at, float pixels) {
     return clamp(at.border - pixels * at.outward, vec2(0.5), vec2(mirror.region.zw) - 0.5);
 }
 
 // From infinity; none of the sky and of what lies below the plane.
-float nearnessAt(vec2 point) {
+float nearnessAt(const MirrorBlock mirror, vec2 point) {
     ivec2 pixel = texelAt(point, mirror.region.zw - 1);
-    float depth = depthAt(pixel);
-    return solid(pixel, depth) ? mirror.depthSign * (depth - mirror.infinityDepth) : 0.0;
+    float depth = depthAt(mirror, pixel);
+    return solid(mirror, pixel, depth) ? mirror.depthSign * (depth - mirror.infinityDepth) : 0.0;
 }
 
 // What a line's nearness is at the border, and how much more a pixel beyond.
@@ -69,17 +69,17 @@ float nearnessBeyond(Nearness line, float pixels) {
     return line.atBorder + pixels * line.perPixel;
 }
 
-Nearness nearnessOf(ScreenRay ray, Exit at) {
+Nearness nearnessOf(const MirrorBlock mirror, ScreenRay ray, Exit at) {
     float atBorder = mirror.depthSign * rayDepthAt(ray, at.border);
     float inside = mirror.depthSign * rayDepthAt(ray, at.border - leastInside * at.outward);
     return Nearness(atBorder > 0.0, atBorder, (atBorder - inside) / leastInside);
 }
 
 // Of what shows, if it is one plane for so many pixels inside of the border.
-Nearness nearnessOfPlane(Exit at, float pixels) {
-    float atBorder = nearnessAt(insideOf(at, 0.0));
-    float middle = nearnessAt(insideOf(at, 0.5 * pixels));
-    float last = nearnessAt(insideOf(at, pixels));
+Nearness nearnessOfPlane(const MirrorBlock mirror, Exit at, float pixels) {
+    float atBorder = nearnessAt(mirror, insideOf(mirror, at, 0.0));
+    float middle = nearnessAt(mirror, insideOf(mirror, at, 0.5 * pixels));
+    float last = nearnessAt(mirror, insideOf(mirror, at, pixels));
     bool even = abs(middle - 0.5 * (atBorder + last)) <= uneven * atBorder;
     return Nearness(even && min(min(atBorder, middle), last) > 0.0, atBorder, (atBorder - last) / pixels);
 }
@@ -97,10 +97,10 @@ Meeting meetingOf(Nearness ray, Nearness seen) {
     return Meeting(found, beyond);
 }
 
-Meeting meetingBeyond(Exit at, Nearness ray) {
-    Meeting guess = meetingOf(ray, nearnessOfPlane(at, leastInside));
+Meeting meetingBeyond(const MirrorBlock mirror, Exit at, Nearness ray) {
+    Meeting guess = meetingOf(ray, nearnessOfPlane(mirror, at, leastInside));
     if (!guess.found) return guess;
-    return meetingOf(ray, nearnessOfPlane(at, max(insideShare * abs(guess.beyond), leastInside)));
+    return meetingOf(ray, nearnessOfPlane(mirror, at, max(insideShare * abs(guess.beyond), leastInside)));
 }
 
 // What the border may have cut off.
@@ -109,22 +109,22 @@ bool isCut(ivec2 texel) {
     return !infoIsSky(info) && imageLoad(reflectionColor, texel).a < 1.0;
 }
 
-void reachBeyond(ivec2 texel) {
-    vec2 q = middleOf(texel);
-    ScreenRay ray = rayOf(q);
-    Exit at = exitOf(q, -mirror.depthSign * (ray.along.xy - q * ray.along.w));
-    Nearness nearness = nearnessOf(ray, at);
-    Meeting meeting = meetingBeyond(at, nearness);
-    if (!planeAhead(q) || !nearness.known || !meeting.found) return;
+void reachBeyond(const MirrorBlock mirror, ivec2 texel) {
+    vec2 q = middleOf(mirror, texel);
+    ScreenRay ray = rayOf(mirror, q);
+    Exit at = exitOf(mirror, q, -mirror.depthSign * (ray.along.xy - q * ray.along.w));
+    Nearness nearness = nearnessOf(mirror, ray, at);
+    Meeting meeting = meetingBeyond(mirror, at, nearness);
+    if (!planeAhead(mirror, q) || !nearness.known || !meeting.found) return;
     float info = imageLoad(reflectionInfo, texel).r;
     vec4 known = imageLoad(reflectionColor, texel);
-    float confidence = confidenceWithin(settings.reach - meeting.beyond);
-    float distance = infoOfHit(distanceToHit(q, depthOn(ray, at.border + meeting.beyond * at.outward)));
+    float confidence = confidenceWithin(mirror, settings.reach - meeting.beyond);
+    float distance = infoOfHit(distanceToHit(mirror, q, depthOn(ray, at.border + meeting.beyond * at.outward)));
     // Hits that faded at the border are seen to go on.
     bool goesOn = infoIsHit(info) && abs(info - distance) <= sameDistance * distance && confidence > known.a;
     if (!goesOn && (infoIsHit(info) || meeting.beyond < 0.0)) return;
     // Beyond the border a plane looks as it does as far inside.
-    ivec2 inside = texelAt(insideOf(at, abs(meeting.beyond)), mirror.region.zw - 1);
+    ivec2 inside = texelAt(insideOf(mirror, at, abs(meeting.beyond)), mirror.region.zw - 1);
     vec3 light = linearOf(texelFetch(sceneColor, mirror.region.xy + inside, 0).rgb, sceneIsEncoded);
     bool hasColor = goesOn && known.a > leastColor;
     imageStore(reflectionColor, texel, (hasColor ? known / known.a : vec4(light, 1.0)) * confidence);
@@ -132,14 +132,14 @@ void reachBeyond(ivec2 texel) {
 }
 
 void main() {
-    loadMirror();
-    Column column = columnToVisit();
+    MirrorBlock mirror = storedMirror;
+    Column column = columnToVisit(mirror);
     if (column.rows == 0) return;
     int row = 0;
     do {
         // Over what is whole at once: what stands under a condition runs for all. Nothing but the count leaves the inner loop:
         // llvmpipe spoils other values for columns that have left it.
         while (row < column.rows && !isCut(column.top + ivec2(0, row))) ++row;
-        if (row < column.rows) reachBeyond(column.top + ivec2(0, row));
+        if (row < column.rows) reachBeyond(mirror, column.top + ivec2(0, row));
     } while (++row < column.rows);
 }

@@ -21,8 +21,8 @@ struct Line {
     int texels;
 };
 
-Line lineOf(uvec2 id) {
-    ivec2 size = imageSize();
+Line lineOf(const MirrorBlock mirror, uvec2 id) {
+    ivec2 size = reflectionSize(mirror);
     ivec2 across = settings.along == 0 ? ivec2(0, 1) : ivec2(1, 0);
     ivec2 inward = ivec2(1) - across;
     Line line = Line(across * int(id.x), inward, settings.along == 0 ? size.x : size.y);
@@ -38,7 +38,7 @@ float infoAt(Line line, int index) {
 }
 
 // Whether the picture would have to go on beyond this border to show what is mirrored `distance` metres from the mirror.
-bool beyondBorder(vec2 q, SightLine sight, float distance, bool atEnd) {
+bool beyondBorder(const MirrorBlock mirror, vec2 q, SightLine sight, float distance, bool atEnd) {
     vec3 direction = sight.direction;
     float reach = dot(direction, sight.onPlane) + distance;
     vec4 near = mirror.relativeFromPixel * vec4(q, 0.0, 1.0);
@@ -60,22 +60,22 @@ int unstretched(Line line, int index, float height) {
 }
 
 void main() {
-    loadMirror();
-    ivec2 size = imageSize();
+    MirrorBlock mirror = storedMirror;
+    ivec2 size = reflectionSize(mirror);
     if (int(gl_GlobalInvocationID.x) >= (settings.along == 0 ? size.y : size.x)) return;
-    Line line = lineOf(gl_GlobalInvocationID.xy);
+    Line line = lineOf(mirror, gl_GlobalInvocationID.xy);
     int known = 0;   // the first from here inwards of which something is known
     for (int index = 0; index < settings.band; ++index) {
         known = max(known, index);
         while (known < settings.band && infoAt(line, known) == infoUnknown) ++known;
         float nearest = infoAt(line, known);
         ivec2 texel = line.border + line.inward * index;
-        vec2 q = middleOf(texel);
+        vec2 q = middleOf(mirror, texel);
         SightLine sight = sightLine(mirror.relativeFromPixel, q, mirror.plane, mirror.depthSign);
         float rise = sight.towardsPlane;
         if (!infoIsHit(nearest) || !(rise > 0.0)) continue;
         // What is open for another reason stays so.
-        if (known > index && !beyondBorder(q, sight, nearest, gl_GlobalInvocationID.y == 1u)) continue;
+        if (known > index && !beyondBorder(mirror, q, sight, nearest, gl_GlobalInvocationID.y == 1u)) continue;
         int from = max(unstretched(line, index, nearest * rise), known);
         float info = infoAt(line, from);
         if (infoIsHit(info)) {

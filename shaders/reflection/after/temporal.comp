@@ -13,16 +13,16 @@ layout(set = 0, binding = settingsBinding, std140) uniform Temporal {
     TemporalBlock storedSettings;
 };
 
-// Loaded once, as mirror.glsl's.
+// Loaded once, as the mirror is.
 TemporalBlock settings;
 // Of both frames' images.
 ivec2 lastPixel;
 vec2 perPixel;
 
-void loadTemporal() {
+void loadTemporal(const MirrorBlock mirror) {
     settings = storedSettings;
-    lastPixel = imageSize() - 1;
-    perPixel = 1.0 / vec2(imageSize());
+    lastPixel = reflectionSize(mirror) - 1;
+    perPixel = 1.0 / vec2(reflectionSize(mirror));
 }
 
 layout(set = 0, binding = foundColorBinding) uniform sampler2D foundColor;
@@ -93,12 +93,12 @@ Row rowAt(ivec2 pixel, vec3 infos) {
     return row;
 }
 
-vec2 lastTexel(vec3 image) {
+vec2 lastTexel(const MirrorBlock mirror, vec3 image) {
     vec4 p = settings.lastFromRelative * vec4(image, 1.0);
     return p.w > 0.0 ? p.xy / (p.w * float(1 << mirror.pixelShift)) : vec2(-1.0);
 }
 
-SightLine lastSightLine(vec2 texel) {
+SightLine lastSightLine(const MirrorBlock mirror, vec2 texel) {
     return sightLine(settings.relativeFromLast, texel * float(1 << mirror.pixelShift), mirror.plane, mirror.depthSign);
 }
 
@@ -168,13 +168,13 @@ struct Place {
 
 // Of the point `distance` behind the mirror; where that is `sought`, of one that the last frame knew of, found by fixed-point
 // iteration from there on.
-Place lastPlace(SightLine sight, float distance, bool sought) {
+Place lastPlace(const MirrorBlock mirror, SightLine sight, float distance, bool sought) {
     Place place = Place(vec2(0.0), distance, 0.0, true);
     int left = sought ? 3 : 0;
     do {
         vec3 image = sight.onPlane + sight.direction * place.distance;
-        place.texel = lastTexel(image);
-        SightLine then = lastSightLine(place.texel);
+        place.texel = lastTexel(mirror, image);
+        SightLine then = lastSightLine(mirror, place.texel);
         place.distanceThen = dot(image - then.onPlane, then.direction);
         if (left == 0) break;
         ivec2 at = texelAt(place.texel, lastPixel);
@@ -227,14 +227,15 @@ Pixel recalled(Pixel found, Around around, Remembered last, Place place) {
     return Pixel(color, infoOfHit(place.distance + last.distance - place.distanceThen));
 }
 
-Pixel settled(ivec2 pixel, Pixel found, Around around) {
+Pixel settled(const MirrorBlock mirror, ivec2 pixel, Pixel found, Around around) {
     bool known = found.info != infoUnknown;
     // Sky among sky is the same in all frames.
     if (settings.share == 0.0 || known && around.distances.y == 0.0) return found;
-    SightLine sight = sightLine(mirror.relativeFromPixel, middleOf(pixel) + settings.jitter, mirror.plane, mirror.depthSign);
+    vec2 q = middleOf(mirror, pixel) + settings.jitter;
+    SightLine sight = sightLine(mirror.relativeFromPixel, q, mirror.plane, mirror.depthSign);
     if (!(sight.towardsPlane > 0.0)) return found;
     // The least distance tells, since the border of what is in front moves with that.
-    Place place = lastPlace(sight, around.distances.x, !known);
+    Place place = lastPlace(mirror, sight, around.distances.x, !known);
     if (!place.found) return found;
     vec2 distances = known ? around.distances : vec2(place.distance);
     Remembered last = rememberedOf(place, distances, known && around.sky);
@@ -242,9 +243,9 @@ Pixel settled(ivec2 pixel, Pixel found, Around around) {
 }
 
 void main() {
-    loadMirror();
-    loadTemporal();
-    Column column = columnToVisit();
+    MirrorBlock mirror = storedMirror;
+    loadTemporal(mirror);
+    Column column = columnToVisit(mirror);
     if (column.rows == 0) return;
     Row above, here;
     int y = -1;
@@ -262,7 +263,7 @@ void main() {
             if (row >= 0 && row < column.rows) {
                 Around around = joined(joined(above.around, here.around), below.around);
                 ivec2 at = column.top + ivec2(0, row);
-                Pixel result = settled(at, here.middle, around);
+                Pixel result = settled(mirror, at, here.middle, around);
                 imageStore(reflectionColor, at, result.color);
                 imageStore(reflectionInfo, at, vec4(result.info, 0.0, 0.0, 0.0));
             }

@@ -1,4 +1,4 @@
-// Four depths of the scene at once, which costs devices about as much as one. Needs mirror.glsl and sceneDepth.
+// Four depths of the image sceneDepth at once, which costs devices about as much as one.
 
 vec2 perDepthTexel() {
     return 1.0 / vec2(textureSize(sceneDepth, 0));
@@ -6,6 +6,6 @@ vec2 perDepthTexel() {
 
 // Of the pixels to the lower left, lower right, upper right and upper left of a corner between pixels, y down. Some may lie
 // outside of the region.
-vec4 depthsAround(ivec2 corner, vec2 perTexel) {
+vec4 depthsAround(const MirrorBlock mirror, ivec2 corner, vec2 perTexel) {
     return textureGather(sceneDepth, vec2(mirror.region.xy + corner) * perTexel);
 }

@@ -1,7 +1,7 @@
-// How a reflection fades out where the picture that it borrows from ends. Needs mirror.glsl.
+// How a reflection fades out where the picture that it borrows from ends.
 
 // How many times `along` leads from a point to the border.
-float stepsToBorder(vec2 point, vec2 along) {
+float stepsToBorder(const MirrorBlock mirror, vec2 point, vec2 along) {
     vec2 room = mix(point, vec2(mirror.region.zw) - point, step(0.0, along));
     vec2 steps = room / max(abs(along), vec2(1e-6));
     return min(steps.x, steps.y);
@@ -9,20 +9,20 @@ float stepsToBorder(vec2 point, vec2 along) {
 
 // How far the border is from `source`, going on in the direction in which the mirror borrowed it: an upright camera
 // borrows upwards, so only the top border can cut a reflection off.
-float borderDistance(vec2 q, vec2 source) {
+float borderDistance(const MirrorBlock mirror, vec2 q, vec2 source) {
     vec2 along = source - q;
-    return stepsToBorder(source, along) * length(along);
+    return stepsToBorder(mirror, source, along) * length(along);
 }
 
 // By the pixels that are left to where it has faded out.
-float confidenceWithin(float left) {
+float confidenceWithin(const MirrorBlock mirror, float left) {
     // Of no width, nothing fades, nor what rounding puts on the border.
     float x = mirror.edgeFadePixels > 0.0 ? clamp(left / mirror.edgeFadePixels, 0.0, 1.0) : 1.0;
     return x * x * x * (x * (x * 6.0 - 15.0) + 10.0);
 }
 
 // Of the border ahead, or of any: the others are moved `edgeFadeApart` farther away.
-float edgeConfidence(vec2 q, vec2 source) {
+float edgeConfidence(const MirrorBlock mirror, vec2 q, vec2 source) {
     vec2 aside = min(source, vec2(mirror.region.zw) - source);
-    return confidenceWithin(min(borderDistance(q, source), min(aside.x, aside.y) + mirror.edgeFadeApart));
+    return confidenceWithin(mirror, min(borderDistance(mirror, q, source), min(aside.x, aside.y) + mirror.edgeFadeApart));
 }

@@ -1,8 +1,8 @@
-// How far from the mirror what a pixel shows is. Needs mirror.glsl.
+// How far from the mirror what a pixel shows is.
 
 // From the mirror to what is hit: the mirrored ray is as long below the plane as the way to its end.
-float distanceToHit(vec2 q, float mirroredDepth) {
-    vec3 end = unprojected(vec3(q, mirroredDepth));
+float distanceToHit(const MirrorBlock mirror, vec2 q, float mirroredDepth) {
+    vec3 end = unprojected(mirror, vec3(q, mirroredDepth));
     // Along the line of sight, from the eye or from infinity, whichever way depth runs.
     vec3 along = mirror.depthSign * (end * mirror.relativeFromPixel[2].w - mirror.relativeFromPixel[2].xyz);
     return length(along) * (dot(mirror.plane.xyz, end) + mirror.plane.w) / dot(mirror.plane.xyz, along);

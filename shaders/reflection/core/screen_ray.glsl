@@ -1,4 +1,4 @@
-// Mirrored rays on the screen. Needs mirror.glsl.
+// Mirrored rays on the screen.
 
 // The mirrored ray of a pixel as screen points whose depth counts from infinityDepth: origin + mirroredDepth * along.
 struct ScreenRay {
@@ -6,7 +6,7 @@ struct ScreenRay {
     vec4 along;
 };
 
-ScreenRay rayOf(vec2 q) {
+ScreenRay rayOf(const MirrorBlock mirror, vec2 q) {
     vec4 origin = mirror.sceneFromPixel * vec4(q, 0.0, 1.0);
     vec4 along = mirror.sceneFromPixel[2];
     origin.z = dot(mirror.depthRow, vec4(q, 0.0, 1.0));

@@ -1,17 +1,17 @@
-// The scene's colour where a ray meets it. Needs mirror.glsl, depth_quads.glsl, encoding.glsl and sceneColor.
+// The colour of the image sceneColor where a ray meets it.
 
 // Of a picture one pixel wide none lies before the first.
-vec3 texelColor(ivec2 pixel) {
+vec3 texelColor(const MirrorBlock mirror, ivec2 pixel) {
     return linearOf(texelFetch(sceneColor, mirror.region.xy + max(pixel, 0), 0).rgb, sceneIsEncoded);
 }
 
 // Between the four texels around, where these show one plane on which the ray is there: depth is affine on the screen over
 // a plane. Else the one texel that the point falls in, since what does not belong together is not blended. `nearness` is
 // the ray's depth from infinityDepth.
-vec3 sourceColor(vec2 source, float nearness) {
+vec3 sourceColor(const MirrorBlock mirror, vec2 source, float nearness) {
     ivec2 corner = max(texelAt(source + 0.5, mirror.region.zw - 1), 1);
     vec2 beyond = clamp(source + 0.5 - vec2(corner), 0.0, 1.0);
-    vec4 depths = depthsAround(corner, perDepthTexel());
+    vec4 depths = depthsAround(mirror, corner, perDepthTexel());
     vec4 seen = depths - mirror.infinityDepth;
     vec2 rows = mix(seen.wx, seen.zy, beyond.x);
     float off = abs(mix(rows.x, rows.y, beyond.y) - nearness);
@@ -19,14 +19,15 @@ vec3 sourceColor(vec2 source, float nearness) {
     float least = min(min(seen.x, seen.y), min(seen.z, seen.w));
     float most = max(max(seen.x, seen.y), max(seen.z, seen.w));
     float rounding = 4e-6 * abs(nearness + mirror.infinityDepth) + 2.0 * mirror.depthStep;
-    vec3 nearest = texelColor(texelAt(source, mirror.region.zw - 1));
+    vec3 nearest = texelColor(mirror, texelAt(source, mirror.region.zw - 1));
     vec4 signedDepths = mirror.depthSign * depths;
     float farthest = min(min(signedDepths.x, signedDepths.y), min(signedDepths.z, signedDepths.w));
     // Under the plane's horizon the far plane shows what no ray can meet.
-    bool mixesIn = isFar(mirror.depthSign * farthest) && wellBelowPlane(vec3(vec2(corner), mirror.depthSign * farthest));
+    float depth = mirror.depthSign * farthest;
+    bool mixesIn = isFar(mirror, depth) && wellBelowPlane(mirror, vec3(vec2(corner), depth));
     if (max(off, twist) > 0.05 * (most - least) + rounding || mixesIn) return nearest;
-    vec3 upper = mix(texelColor(corner - 1), texelColor(corner - ivec2(0, 1)), beyond.x);
-    vec3 lower = mix(texelColor(corner - ivec2(1, 0)), texelColor(corner), beyond.x);
+    vec3 upper = mix(texelColor(mirror, corner - 1), texelColor(mirror, corner - ivec2(0, 1)), beyond.x);
+    vec3 lower = mix(texelColor(mirror, corner - ivec2(1, 0)), texelColor(mirror, corner), beyond.x);
     vec3 blend = mix(upper, lower, beyond.y);
     return any(isnan(blend)) || any(isinf(blend)) ? nearest : blend;
 }

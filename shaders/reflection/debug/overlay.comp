@@ -53,7 +53,7 @@ vec3 distanceColor(float metres) {
     return mix(decades[int(at)], decades[int(at) + 1], fract(at)) * bandShade(metres);
 }
 
-vec4 seenAt(ivec2 pixel) {
+vec4 seenAt(const MirrorBlock mirror, ivec2 pixel) {
     ivec2 inside = clamp(pixel, ivec2(0), mirror.region.zw - 1);
     return vec4(vec2(inside) + 0.5, texelFetch(sceneDepth, mirror.region.xy + inside, 0).r, 1.0);
 }
@@ -63,36 +63,37 @@ bool isDepth(float depth) {
 }
 
 // Whether the plane comes before what was drawn.
-bool mirrorBefore(vec4 seen) {
-    if (isFar(seen.z)) return dot(mirror.heightRow, vec4(seen.xy, mirror.infinityDepth, 1.0)) < 0.0;
-    return onOrBelowPlane(seen.xyz);
+bool mirrorBefore(const MirrorBlock mirror, vec4 seen) {
+    if (isFar(mirror, seen.z)) return dot(mirror.heightRow, vec4(seen.xy, mirror.infinityDepth, 1.0)) < 0.0;
+    return onOrBelowPlane(mirror, seen.xyz);
 }
 
-vec3 depthColor(vec4 seen) {
+vec3 depthColor(const MirrorBlock mirror, vec4 seen) {
     float weight = dot(mirror.weightRow, seen);
-    if (isFar(seen.z)) return farPlane;
+    if (isFar(mirror, seen.z)) return farPlane;
     return weight > 0.0 ? distanceColor(dot(settings.forwardRow, seen) / weight) : noDepth;
 }
 
-float metresToPlane(vec2 pixel) {
+float metresToPlane(const MirrorBlock mirror, vec2 pixel) {
     SightLine sight = sightLine(mirror.relativeFromPixel, pixel, mirror.plane, mirror.depthSign);
     return dot(sight.onPlane, sight.direction);
 }
 
-float heightOf(vec4 seen) {
+float heightOf(const MirrorBlock mirror, vec4 seen) {
     return dot(mirror.heightRow, seen) / dot(mirror.weightRow, seen);
 }
 
-bool contourBetween(float height, vec4 other) {
-    if (isFar(other.z) || mirrorBefore(other)) return false;
-    return floor(height / settings.contourSpacing) != floor(heightOf(other) / settings.contourSpacing);
+bool contourBetween(const MirrorBlock mirror, float height, vec4 other) {
+    if (isFar(mirror, other.z) || mirrorBefore(mirror, other)) return false;
+    return floor(height / settings.contourSpacing) != floor(heightOf(mirror, other) / settings.contourSpacing);
 }
 
-vec3 planeColor(ivec2 pixel, vec4 seen) {
-    if (mirrorBefore(seen)) return mirrorSeen * bandShade(metresToPlane(seen.xy));
-    if (isFar(seen.z)) return farPlane;
-    float height = heightOf(seen);
-    bool line = contourBetween(height, seenAt(pixel + ivec2(1, 0))) || contourBetween(height, seenAt(pixel + ivec2(0, 1)));
+vec3 planeColor(const MirrorBlock mirror, ivec2 pixel, vec4 seen) {
+    if (mirrorBefore(mirror, seen)) return mirrorSeen * bandShade(metresToPlane(mirror, seen.xy));
+    if (isFar(mirror, seen.z)) return farPlane;
+    float height = heightOf(mirror, seen);
+    bool line = contourBetween(mirror, height, seenAt(mirror, pixel + ivec2(1, 0))) ||
+                contourBetween(mirror, height, seenAt(mirror, pixel + ivec2(0, 1)));
     return line ? vec3(0.0) : mix(low, high, clamp(height / (settings.contourSpacing * contoursToHigh), 0.0, 1.0));
 }
 
@@ -106,8 +107,8 @@ vec3 hitDistanceColor(float info) {
     return infoIsSky(info) ? farPlane : unknown;
 }
 
-vec3 knownColor(ivec2 pixel, vec4 seen) {
-    if (!mirrorBefore(seen)) return noMirror;
+vec3 knownColor(const MirrorBlock mirror, ivec2 pixel, vec4 seen) {
+    if (!mirrorBefore(mirror, seen)) return noMirror;
     ivec2 texel = pixel >> mirror.pixelShift;
     float info = texelFetch(reflectionInfo, texel, 0).r;
     if (settings.kind == kindClasses) return classColor(info);
@@ -116,15 +117,15 @@ vec3 knownColor(ivec2 pixel, vec4 seen) {
 }
 
 void main() {
-    loadMirror();
+    MirrorBlock mirror = storedMirror;
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, mirror.region.zw))) return;
-    vec4 seen = seenAt(pixel);
+    vec4 seen = seenAt(mirror, pixel);
     vec3 color = noDepth;
     if (isDepth(seen.z)) {
-        if (settings.kind == kindDepth) color = depthColor(seen);
-        else if (settings.kind == kindPlane) color = planeColor(pixel, seen);
-        else color = knownColor(pixel, seen);
+        if (settings.kind == kindDepth) color = depthColor(mirror, seen);
+        else if (settings.kind == kindPlane) color = planeColor(mirror, pixel, seen);
+        else color = knownColor(mirror, pixel, seen);
     }
     imageStore(target, mirror.region.xy + pixel, vec4(color, 1.0));
 }

@@ -20,18 +20,19 @@ layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
 #include "depth_quads.glsl"
 
 // Whether lookups that waves bend may reach what stands before the plane here.
-bool planeBehind(ivec2 first) {
+bool planeBehind(const MirrorBlock mirror, ivec2 first) {
     ivec2 last = min(first + (1 << cellShift), mirror.region.zw);
     vec4 corner = vec4(vec2(first), mirror.infinityDepth, 1.0);
     vec2 span = vec2(last - first);
-    return dot(mirror.heightRow, corner) + min(mirror.heightRow.x * span.x, 0.0) + min(mirror.heightRow.y * span.y, 0.0) < 0.0;
+    vec4 row = mirror.heightRow;
+    return dot(row, corner) + min(row.x * span.x, 0.0) + min(row.y * span.y, 0.0) < 0.0;
 }
 
 void main() {
-    loadMirror();
+    MirrorBlock mirror = storedMirror;
     int index = int(gl_GlobalInvocationID.x);
-    if (index >= cellCount()) return;
-    int across = squaresAcross(cellShift);
+    if (index >= cellCount(mirror)) return;
+    int across = squaresAcross(mirror, cellShift);
     ivec2 first = ivec2(index % across, index / across) << cellShift;
     ivec2 last = min(first + (1 << cellShift), mirror.region.zw);
     bool planeSeen = false;
@@ -41,14 +42,14 @@ void main() {
     do {
         int x = first.x;
         do {
-            vec4 depths = depthsAround(ivec2(x, y) + 1, perTexel).wzxy;
+            vec4 depths = depthsAround(mirror, ivec2(x, y) + 1, perTexel).wzxy;
             for (int i = 0; i < 4; ++i) {
                 ivec2 pixel = ivec2(x, y) + ivec2(i & 1, i >> 1);
                 if (any(greaterThanEqual(pixel, last))) continue;
-                bool far = isFar(depths[i]);
-                bool onPlane = onOrBelowPlane(vec3(vec2(pixel) + 0.5, far ? mirror.infinityDepth : depths[i]));
+                bool far = isFar(mirror, depths[i]);
+                bool onPlane = onOrBelowPlane(mirror, vec3(vec2(pixel) + 0.5, far ? mirror.infinityDepth : depths[i]));
                 planeSeen = planeSeen || onPlane;
-                nearest = far || onPlane ? nearest : max(nearest, keyFromDepth(depths[i]));
+                nearest = far || onPlane ? nearest : max(nearest, keyFromDepth(mirror, depths[i]));
             }
             x += 2;
         } while (x < last.x);
@@ -56,6 +57,8 @@ void main() {
     } while (y < last.y);
     cells[index] = nearest;
     ivec2 block = first >> blockShift;
-    if (nearest != noKey) atomicMax(cells[firstSquare(blockShift) + block.y * squaresAcross(blockShift) + block.x], nearest);
-    if (planeSeen || mirror.bent != 0u && planeBehind(first)) atomicOr(tiles[tileAt(first >> (tileShift + mirror.pixelShift))], tileSeesPlane);
+    int square = firstSquare(mirror, blockShift) + block.y * squaresAcross(mirror, blockShift) + block.x;
+    if (nearest != noKey) atomicMax(cells[square], nearest);
+    int tile = tileAt(mirror, first >> (tileShift + mirror.pixelShift));
+    if (planeSeen || mirror.bent != 0u && planeBehind(mirror, first)) atomicOr(tiles[tile], tileSeesPlane);
 }

@@ -37,13 +37,13 @@ layout(set = 0, binding = cellsBinding, std430) readonly buffer Cells {
 
 #ifdef OPEN
 // As all of the picture that it completes.
-vec3 mirroredBySurface(vec2 q, vec3 direction) {
+vec3 mirroredBySurface(const MirrorBlock mirror, vec2 q, vec3 direction) {
     return reflect(direction, mirror.plane.xyz);
 }
 
 // One that another technique knew nothing of, that shows it an underside, or sky beside what is mirrored.
-ivec2 pixelToMarch() {
-    ivec2 pixel = pixelToResolve();
+ivec2 pixelToMarch(const MirrorBlock mirror) {
+    ivec2 pixel = pixelToResolve(mirror);
     if (pixel == noPixel || !infoIsOpen(imageLoad(reflectionInfo, pixel).r)) return noPixel;
     return pixel;
 }
@@ -57,7 +57,7 @@ float metresToMarch(ivec2 pixel) {
 layout(set = 0, binding = surfaceNormalsBinding) uniform sampler2D surfaceNormals;
 
 // Kept above the plane, as what shades the surface keeps it.
-vec3 mirroredBySurface(vec2 q, vec3 direction) {
+vec3 mirroredBySurface(const MirrorBlock mirror, vec2 q, vec3 direction) {
     vec3 normal = texelFetch(surfaceNormals, mirror.region.xy + ivec2(q), 0).xyz;
     float squared = dot(normal, normal);
     if (settings.hasNormals == 0u || !(squared > 0.01) || isinf(squared)) return reflect(direction, mirror.plane.xyz);
@@ -66,8 +66,8 @@ vec3 mirroredBySurface(vec2 q, vec3 direction) {
     return normalize(r + mirror.plane.xyz * (max(abs(up), 1e-3) - up));
 }
 
-ivec2 pixelToMarch() {
-    return pixelToResolve();
+ivec2 pixelToMarch(const MirrorBlock mirror) {
+    return pixelToResolve(mirror);
 }
 
 float metresToMarch(ivec2 pixel) {
@@ -81,24 +81,24 @@ float noiseAt(vec2 pixel) {
 }
 
 void main() {
-    loadMirror();
-    ivec2 pixel = pixelToMarch();
+    MirrorBlock mirror = storedMirror;
+    ivec2 pixel = pixelToMarch(mirror);
     if (pixel == noPixel) return;
-    vec2 q = middleOf(pixel);
+    vec2 q = middleOf(mirror, pixel);
 
     vec4 color = vec4(0.0);
     float info = infoUnknown;
     int worth = refused;
     SightLine sight = sightLine(mirror.relativeFromPixel, q, mirror.plane, mirror.depthSign);
     if (sight.towardsPlane > 0.0) {
-        March found = marched(sight.onPlane, mirroredBySurface(q, sight.direction), metresToMarch(pixel),
+        March found = marched(mirror, sight.onPlane, mirroredBySurface(mirror, q, sight.direction), metresToMarch(pixel),
                               noiseAt(vec2(pixel)));
         info = found.info;
         worth = found.worth;
         if (infoIsHit(info)) {
-            float confidence = edgeConfidence(q, found.source.xy);
+            float confidence = edgeConfidence(mirror, q, found.source.xy);
             float light = worth == underside ? confidence * mirror.undersideLight : confidence;
-            color = vec4(sourceColor(found.source.xy, found.source.z) * light, confidence);
+            color = vec4(sourceColor(mirror, found.source.xy, found.source.z) * light, confidence);
         }
     }
 #ifdef OPEN

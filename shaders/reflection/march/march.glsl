@@ -1,5 +1,4 @@
-// Follows a ray over the picture. Needs mirror.glsl and reflection_info.glsl, and march_strides.glsl or march_cells.glsl
-// after it, which say where the ray goes behind what is seen.
+// Follows a ray over the picture: march_strides.glsl or march_cells.glsl say where it goes behind what is seen.
 //
 // A point moving along a 3D line is a homogeneous screen point that moves linearly: clipping to the picture and to the
 // depth range is exact, and between two screen points pixel, depth and 1/w are linear (McGuire and Mara 2014).
@@ -24,9 +23,9 @@ struct Scene {
     float weightPerDepth;    // signed
 };
 
-Scene loadedScene() {
+Scene loadedScene(const MirrorBlock mirror) {
     return Scene(mirror.region.xy, mirror.region.zw - 1, mirror.depthSign, mirror.depthSign * mirror.farDepth,
-                 aboveRow(), settings.thickness, mirror.depthSign * mirror.weightRow.z);
+                 aboveRow(mirror), settings.thickness, mirror.depthSign * mirror.weightRow.z);
 }
 
 // A ray on the screen. All but the metres is linear in the share of its length there; depths are signed so that the nearer
@@ -57,11 +56,12 @@ vec4 screenPoint(vec4 homogeneous) {
 }
 
 // How distance ahead turns with depth at a screen point whose 1/w is `weight`; see within().
-float turnsWithDepth(vec3 point, float weight) {
-    return mirror.depthSign * (dot(settings.forwardRow, vec4(point, 1.0)) * mirror.weightRow.z - settings.forwardRow.z * weight);
+float turnsWithDepth(const MirrorBlock mirror, vec3 point, float weight) {
+    vec4 row = settings.forwardRow;
+    return mirror.depthSign * (dot(row, vec4(point, 1.0)) * mirror.weightRow.z - row.z * weight);
 }
 
-Track trackOf(vec4 start, vec4 perMetre, float metres) {
+Track trackOf(const MirrorBlock mirror, vec4 start, vec4 perMetre, float metres) {
     vec2 size = vec2(mirror.region.zw);
     vec2 picture = vec2(0.0, metres);
     keepWhere(start.x, perMetre.x, picture);
@@ -83,11 +83,11 @@ Track trackOf(vec4 start, vec4 perMetre, float metres) {
     vec3 toSigned = vec3(1.0, 1.0, mirror.depthSign);
     track.first = first.xyz * toSigned;
     track.along = (last.xyz - first.xyz) * toSigned;
-    vec2 turns = vec2(turnsWithDepth(first.xyz, first.w), turnsWithDepth(last.xyz, last.w));
+    vec2 turns = vec2(turnsWithDepth(mirror, first.xyz, first.w), turnsWithDepth(mirror, last.xyz, last.w));
     track.weights = vec4(first.w, last.w - first.w, turns.x, turns.y - turns.x);
     float pixels = max(abs(track.along.x), abs(track.along.y));
     track.halfPixel = min(0.5 / max(pixels, 1e-6), 1.0);
-    track.scene = loadedScene();
+    track.scene = loadedScene(mirror);
     return track;
 }
 
@@ -100,7 +100,7 @@ float trackMetres(Track track, float share) {
     return dot(weights, track.range) / (weights.x + weights.y);
 }
 
-float depthAt(vec2 pixel) {
+float depthAt(const MirrorBlock mirror, vec2 pixel) {
     return texelFetch(sceneDepth, mirror.region.xy + ivec2(pixel), 0).r;
 }
 
@@ -144,14 +144,14 @@ struct Slope {
 };
 
 // How far the difference of two depths may be off.
-float roundingAt(float depth) {
+float roundingAt(const MirrorBlock mirror, float depth) {
     return 1e-6 * abs(depth) + mirror.depthStep;
 }
 
-Slope slopeOf(float before2, float before, float here, float after, float after2) {
+Slope slopeOf(const MirrorBlock mirror, float before2, float before, float here, float after, float after2) {
     float left = here - before;
     float right = after - here;
-    float rounding = 2.0 * roundingAt(here);
+    float rounding = 2.0 * roundingAt(mirror, here);
     bool leftSure = abs(left - (before - before2)) <= 0.1 * abs(left) + rounding;
     bool rightSure = abs((after2 - after) - right) <= 0.1 * abs(right) + rounding;
     vec2 steps = vec2(left, right);
@@ -160,13 +160,13 @@ Slope slopeOf(float before2, float before, float here, float after, float after2
     return Slope(left * right > 0.0 || leftSure ? less : 0.0, leftSure, steps);
 }
 
-float signedDepthAt(vec2 pixel) {
-    return mirror.depthSign * depthAt(clamp(pixel, vec2(0.0), vec2(mirror.region.zw) - 0.5));
+float signedDepthAt(const MirrorBlock mirror, vec2 pixel) {
+    return mirror.depthSign * depthAt(mirror, clamp(pixel, vec2(0.0), vec2(mirror.region.zw) - 0.5));
 }
 
-Slope slopeAlong(vec2 pixel, vec2 step, float here) {
-    return slopeOf(signedDepthAt(pixel - 2.0 * step), signedDepthAt(pixel - step), here,
-                   signedDepthAt(pixel + step), signedDepthAt(pixel + 2.0 * step));
+Slope slopeAlong(const MirrorBlock mirror, vec2 pixel, vec2 step, float here) {
+    return slopeOf(mirror, signedDepthAt(mirror, pixel - 2.0 * step), signedDepthAt(mirror, pixel - step), here,
+                   signedDepthAt(mirror, pixel + step), signedDepthAt(mirror, pixel + 2.0 * step));
 }
 
 // A stretch of a track over one pixel, in which the ray goes behind what is seen there.
@@ -218,10 +218,10 @@ bool staysHidden(Track track, float share, float pixels) {
 }
 
 // Whether what is seen at a pixel goes on as a plane as far as another.
-bool goesOn(Scene scene, vec2 pixel, float seen, vec2 slope, vec2 other) {
+bool goesOn(const MirrorBlock mirror, Scene scene, vec2 pixel, float seen, vec2 slope, vec2 other) {
     float rise = dot(slope, other - pixel);
     Seen there = seenAt(scene, pixelAt(scene, other));
-    return there.counts && abs(there.depth - seen - rise) <= 0.1 * abs(rise) + 2.0 * roundingAt(seen);
+    return there.counts && abs(there.depth - seen - rise) <= 0.1 * abs(rise) + 2.0 * roundingAt(mirror, seen);
 }
 
 // Whether what is seen goes on for two pixels along the ray, as rails and ropes do not.
@@ -245,18 +245,18 @@ vec3 shownIn(Track track, float share, vec2 middle) {
 // Moves a crossing to where the ray meets the plane through what is seen: while it was hidden before, too. Where the ray
 // leaves that plane towards the eye instead, what shows is the far side of what it met before: an underside where the plane
 // goes on as far as that.
-int settled(Track track, inout Crossing crossing) {
+int settled(const MirrorBlock mirror, Track track, inout Crossing crossing) {
     vec3 point = trackPoint(track, crossing.share);
     vec2 middle = floor(min(point.xy, vec2(mirror.region.zw) - 0.5)) + 0.5;
     Seen here = seenAt(track.scene, ivec2(middle));
     if (!here.counts) return refused;
     float seen = here.depth;
-    Slope x = slopeAlong(middle, vec2(1.0, 0.0), seen);
-    Slope y = slopeAlong(middle, vec2(0.0, 1.0), seen);
+    Slope x = slopeAlong(mirror, middle, vec2(1.0, 0.0), seen);
+    Slope y = slopeAlong(mirror, middle, vec2(0.0, 1.0), seen);
     vec2 slope = vec2(x.perPixel, y.perPixel);
     float above = point.z - seen - dot(slope, point.xy - middle);
     float perShare = track.along.z - dot(slope, track.along.xy);
-    float rounding = roundingAt(seen) / track.halfPixel;
+    float rounding = roundingAt(mirror, seen) / track.halfPixel;
     bool wide = x.sure && y.sure;
     // By the steps to whichever side.
     vec2 most = max(vec2(x.steps.x, y.steps.x) * track.along.xy, vec2(x.steps.y, y.steps.y) * track.along.xy);
@@ -280,7 +280,7 @@ int settled(Track track, inout Crossing crossing) {
         if (meets > 1.0) return refused;
         crossing.share = meets;
         crossing.shown = trackPoint(track, meets);
-        return goesOn(track.scene, middle, seen, slope, floor(crossing.shown.xy) + 0.5) ? underside : refused;
+        return goesOn(mirror, track.scene, middle, seen, slope, floor(crossing.shown.xy) + 0.5) ? underside : refused;
     }
     // Half a pixel beside, since an edge falls anywhere in its pixel.
     if (beside <= track.halfPixel) return met;
@@ -296,14 +296,14 @@ int settled(Track track, inout Crossing crossing) {
 }
 
 // Whether the far plane shows where the ray was left and where it would end.
-bool reachesSky(Track track, vec4 perMetre) {
+bool reachesSky(const MirrorBlock mirror, Track track, vec4 perMetre) {
     vec3 last = trackPoint(track, 1.0);
     // Where lines of sight are parallel, it ends at the far plane.
     bool parallel = perMetre.w == 0.0;
     if (parallel ? last.z > track.scene.far + 1e-5 : perMetre.w < 0.0) return false;
     vec2 end = parallel ? last.xy : perMetre.xy / perMetre.w;
-    if (!insideRegion(end) || !insideRegion(last.xy)) return false;
-    return isFar(depthAt(end)) && isFar(depthAt(last.xy));
+    if (!insideRegion(mirror, end) || !insideRegion(mirror, last.xy)) return false;
+    return isFar(mirror, depthAt(mirror, end)) && isFar(mirror, depthAt(mirror, last.xy));
 }
 
 // What hides a ray for a while.

@@ -1,5 +1,5 @@
 // Where a ray goes behind what is seen, pixel by pixel: squares of pixels in which all that is seen lies farther than the
-// ray are passed over at once. Needs march.glsl, cells.glsl and the buffer Cells.
+// ray, by the buffer Cells, are passed over at once.
 
 Progress atStart(Track track, float noise) {
     return Progress(0.0, true, false, noCover, settings.steps);
@@ -37,21 +37,21 @@ void goOn(inout Walk walk) {
 }
 
 // A track crosses no more squares than that.
-int mostSquares(int shift) {
-    return squaresAcross(shift) + squaresDown(shift);
+int mostSquares(const MirrorBlock mirror, int shift) {
+    return squaresAcross(mirror, shift) + squaresDown(mirror, shift);
 }
 
 // Passes over squares until one, before `until`, holds something that the ray may be behind; says where that one ends. That is
 // beyond `reached`: a square in which rounding leaves nothing of the way is passed over, too.
-bool meetsSquare(Track track, int shift, float until, inout float reached, inout float ends) {
-    int across = squaresAcross(shift);
-    int first = firstSquare(shift);
+bool meetsSquare(const MirrorBlock mirror, Track track, int shift, float until, inout float reached, inout float ends) {
+    int across = squaresAcross(mirror, shift);
+    int first = firstSquare(mirror, shift);
     Walk walk = walkFrom(track, reached, shift);
     float toDepth = track.scene.depthSign;
     uint flipped = toDepth > 0.0 ? 0u : ~0u;   // as keyFromDepth() does
     bool receding = track.along.z < 0.0;
     bool meets = false;
-    int left = mostSquares(shift);
+    int left = mostSquares(mirror, shift);
     if (reached < until) {
         do {
             ends = leavesAt(walk);
@@ -115,17 +115,17 @@ bool staysCovered(Track track, float from, float until, inout Cover cover) {
 }
 
 // A round comes to the end of a block, or takes a look at a pixel of a cell.
-Crossing nextCrossing(Track track, inout Progress at) {
+Crossing nextCrossing(const MirrorBlock mirror, Track track, inout Progress at) {
     Crossing crossing = noCrossing;
     float end = 1.0 - 0.02 * track.halfPixel;   // not beyond the picture by rounding
     if (at.looks > 0 && at.reached < end) {
-        int rounds = at.looks + mostSquares(blockShift);
+        int rounds = at.looks + mostSquares(mirror, blockShift);
         do {
             float before = at.reached;
             float blockEnds = 0.0;
             float cellEnds = 0.0;
-            bool block = meetsSquare(track, blockShift, end, at.reached, blockEnds);
-            bool cell = meetsSquare(track, cellShift, block ? min(blockEnds, end) : 0.0, at.reached, cellEnds);
+            bool block = meetsSquare(mirror, track, blockShift, end, at.reached, blockEnds);
+            bool cell = meetsSquare(mirror, track, cellShift, block ? min(blockEnds, end) : 0.0, at.reached, cellEnds);
             if (at.reached > before) at.cover = noCover;
             float until = cell ? min(cellEnds, end) : 0.0;
             bool covered = cell && staysCovered(track, at.reached, until, at.cover);

@@ -1,9 +1,9 @@
-// The whole way of a ray. Needs march.glsl and what says where it crosses what is seen.
+// The whole way of a ray.
 
 // From `from` along the unit `direction`, which leads away from the plane, for so many metres. `noise` is 0..1.
-March marched(vec3 from, vec3 direction, float metres, float noise) {
+March marched(const MirrorBlock mirror, vec3 from, vec3 direction, float metres, float noise) {
     vec4 perMetre = settings.pixelFromRelative * vec4(direction, 0.0);
-    Track track = trackOf(settings.pixelFromRelative * vec4(from, 1.0), perMetre, metres);
+    Track track = trackOf(mirror, settings.pixelFromRelative * vec4(from, 1.0), perMetre, metres);
     if (!(track.range.x < track.range.y)) return March(infoUnknown, vec3(0.0), refused);
 
     Progress at = atStart(track, noise);
@@ -15,9 +15,9 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
     // Invocations stay together: all look for a crossing, then all settle theirs.
     int alarms = 0;
     do {
-        Crossing crossing = nextCrossing(track, at);
+        Crossing crossing = nextCrossing(mirror, track, at);
         if (crossing.found) {
-            int worth = settled(track, crossing);
+            int worth = settled(mirror, track, crossing);
             // What is thin has been met: out of it the ray comes.
             if (worth == underside && thin) found = met;
             if (worth > found) {
@@ -32,6 +32,6 @@ March marched(vec3 from, vec3 direction, float metres, float noise) {
         shown.z = mirror.depthSign * shown.z - mirror.infinityDepth;
         return March(infoOfHit(trackMetres(track, share)), shown, found);
     }
-    bool sky = at.reached >= 1.0 && !at.hidden && !track.leavesPicture && reachesSky(track, perMetre);
+    bool sky = at.reached >= 1.0 && !at.hidden && !track.leavesPicture && reachesSky(mirror, track, perMetre);
     return March(sky ? infoSky : infoUnknown, vec3(0.0), found);
 }

@@ -1,4 +1,4 @@
-// Where a ray goes behind what is seen, by strides and bisection. Needs march.glsl.
+// Where a ray goes behind what is seen, by strides and bisection.
 
 const int bisections = 6;
 
@@ -33,7 +33,7 @@ Crossing bisected(Track track, float low, float high, bool inFront, bool leaves)
 
 // The next stride on which the ray may cross what is seen, or come out of it. The interval of depth that the ray has over
 // a pixel is compared, not its middle: otherwise the last row of every edge is missed.
-Crossing nextCrossing(Track track, inout Progress at) {
+Crossing nextCrossing(const MirrorBlock mirror, Track track, inout Progress at) {
     float stride = max(2.0 * track.halfPixel, 1.0 / float(settings.steps));
     float halfPixel = track.halfPixel * abs(track.along.z);
     float nearer = max(-track.along.z * stride, 0.0) + halfPixel;

@@ -22,32 +22,32 @@ layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
 #ifdef HOLES
 layout(set = 0, binding = reflectionInfoBinding) uniform sampler2D reflectionInfo;
 
-bool holdsUnknown(ivec2 tile) {
+bool holdsUnknown(const MirrorBlock mirror, ivec2 tile) {
     ivec2 low = tile * tileEdge;
-    ivec2 high = min(low + tileEdge, imageSize());
+    ivec2 high = min(low + tileEdge, reflectionSize(mirror));
     for (int y = low.y; y < high.y; ++y)
         for (int x = low.x; x < high.x; ++x)
             if (infoIsOpen(texelFetch(reflectionInfo, ivec2(x, y), 0).r)) return true;
     return false;
 }
 #else
-bool holdsUnknown(ivec2 tile) {
+bool holdsUnknown(const MirrorBlock mirror, ivec2 tile) {
     return true;
 }
 #endif
 
 void main() {
-    loadMirror();
-    int count = tilesAcross() * tilesDown();
+    MirrorBlock mirror = storedMirror;
+    int count = tilesAcross(mirror) * tilesDown(mirror);
     int index = int(gl_GlobalInvocationID.x);
     if (index == 0) beginLists();
     if (index >= count) return;
-    ivec2 tile = ivec2(index % tilesAcross(), index / tilesAcross());
-    if (!lookedUp(tile, sorted[index])) return;
-    if (!holdsUnknown(tile)) return;
+    ivec2 tile = ivec2(index % tilesAcross(mirror), index / tilesAcross(mirror));
+    if (!lookedUp(mirror, tile, sorted[index])) return;
+    if (!holdsUnknown(mirror, tile)) return;
 #ifdef COLUMNS
-    listTileOfColumns(tile);
+    listTileOfColumns(mirror, tile);
 #else
-    listTile(tile);
+    listTile(mirror, tile);
 #endif
 }

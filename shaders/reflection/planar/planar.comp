@@ -41,10 +41,10 @@ float drawnHeight(vec3 screenPoint) {
     return dot(settings.heightRow, p) / dot(settings.weightRow, p);
 }
 
-float infoOfDrawn(vec2 q, float depth) {
+float infoOfDrawn(const MirrorBlock mirror, vec2 q, float depth) {
     float towardsPlane = sightLine(mirror.relativeFromPixel, q, mirror.plane, mirror.depthSign).towardsPlane;
     if (!(towardsPlane > 0.0)) return infoUnknown;
-    if (isFar(depth)) return infoSky;
+    if (isFar(mirror, depth)) return infoSky;
     float height = drawnHeight(vec3(q, depth));
     return height > -contact ? infoOfHit(height / towardsPlane) : infoUnknown;
 }
@@ -69,11 +69,11 @@ struct Mirrored {
 #ifdef MANY_DEPTHS
 // Where an edge crosses the pixel the sky shows beside it. What is farther than one hit, and nearer than another, lies nowhere:
 // the first tells how far it is.
-Mirrored mirroredBy(ivec2 pixel) {
+Mirrored mirroredBy(const MirrorBlock mirror, ivec2 pixel) {
     Mirrored m = Mirrored(infoUnknown, vec4(0.0));
     int count = int(settings.samples);
     for (int i = 0; i < count; ++i) {
-        float info = infoOfDrawn(middleOf(pixel), depthAt(pixel, i));
+        float info = infoOfDrawn(mirror, middleOf(mirror, pixel), depthAt(pixel, i));
         bool hit = infoIsHit(info);
         if (!infoIsHit(m.info) && (hit || i == 0)) m.info = info;
 #ifdef MANY_COLORS
@@ -90,17 +90,17 @@ Mirrored mirroredBy(ivec2 pixel) {
     return m;
 }
 #else
-Mirrored mirroredBy(ivec2 pixel) {
-    float info = infoOfDrawn(middleOf(pixel), depthAt(pixel, 0));
+Mirrored mirroredBy(const MirrorBlock mirror, ivec2 pixel) {
+    float info = infoOfDrawn(mirror, middleOf(mirror, pixel), depthAt(pixel, 0));
     return Mirrored(info, infoIsHit(info) ? vec4(linearOf(colorAt(pixel, 0), sceneIsEncoded), 1.0) : vec4(0.0));
 }
 #endif
 
 void main() {
-    loadMirror();
+    MirrorBlock mirror = storedMirror;
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, imageSize()))) return;
-    Mirrored m = mirroredBy(pixel);
+    if (any(greaterThanEqual(pixel, reflectionSize(mirror)))) return;
+    Mirrored m = mirroredBy(mirror, pixel);
     imageStore(reflectionColor, pixel, m.color);
     imageStore(reflectionInfo, pixel, vec4(m.info, 0.0, 0.0, 0.0));
 }

@@ -1,4 +1,4 @@
-// Where a mirrored ray runs behind what is seen. Needs screen_ray.glsl, scene_depth.glsl and look_before.glsl.
+// Where a mirrored ray runs behind what is seen.
 
 const float backPixels = 64.0;   // that a ray is followed back to the side by which it went in
 const int strideHalvings = 3;
@@ -21,12 +21,12 @@ struct Entry {
     float depth;   // of the ray there, from infinityDepth
 };
 
-bool hides(vec2 point, float depth) {
-    return mirror.depthSign * (depthAt(texelAt(point, mirror.region.zw - 1)) - mirror.infinityDepth - depth) >= 0.0;
+bool hides(const MirrorBlock mirror, vec2 point, float depth) {
+    return mirror.depthSign * (depthAt(mirror, texelAt(point, mirror.region.zw - 1)) - mirror.infinityDepth - depth) >= 0.0;
 }
 
 // How many of the next pixels of its way hide a ray, whose depth is linear there: looked for in strides, then in pixels.
-float hiddenPixels(ScreenRay ray, vec2 from, vec2 step, float pixels) {
+float hiddenPixels(const MirrorBlock mirror, ScreenRay ray, vec2 from, vec2 step, float pixels) {
     float depth = rayDepthAt(ray, from);
     float perPixel = (rayDepthAt(ray, from + pixels * step) - depth) / max(pixels, 1.0);
     float hidden = 0.0;
@@ -34,7 +34,7 @@ float hiddenPixels(ScreenRay ray, vec2 from, vec2 step, float pixels) {
     int strides = mostStrides;
     do {
         float next = min(hidden + float(hiddenStride), pixels);
-        bool still = hides(from + next * step, depth + next * perPixel);
+        bool still = hides(mirror, from + next * step, depth + next * perPixel);
         hidden = still ? next : hidden;
         shown = still ? 0.0 : next;
     } while (--strides > 0 && shown == 0.0 && hidden < pixels);
@@ -42,7 +42,7 @@ float hiddenPixels(ScreenRay ray, vec2 from, vec2 step, float pixels) {
     int halvings = strideHalvings;
     do {
         float next = hidden + float(less);
-        bool still = next < shown && hides(from + next * step, depth + next * perPixel);
+        bool still = next < shown && hides(mirror, from + next * step, depth + next * perPixel);
         hidden = still ? next : hidden;
         less /= 2;
     } while (--halvings > 0);
@@ -50,12 +50,12 @@ float hiddenPixels(ScreenRay ray, vec2 from, vec2 step, float pixels) {
 }
 
 // Back towards the mirror from a point at which the ray is hidden.
-Entry entryBefore(ScreenRay ray, vec2 q, vec2 from, float mostPixels) {
+Entry entryBefore(const MirrorBlock mirror, ScreenRay ray, vec2 q, vec2 from, float mostPixels) {
     vec2 back = q - from;
     float way = farthest(back);
     vec2 step = back / max(way, 1e-6);
     float pixels = min(floor(way), mostPixels);
-    float hidden = hiddenPixels(ray, from, step, pixels);
+    float hidden = hiddenPixels(mirror, ray, from, step, pixels);
     vec2 point = from + hidden * step;
     ivec2 last = mirror.region.zw - 1;
     Guesses between = Guesses(texelAt(point + step, last), texelAt(point, last));
@@ -63,9 +63,9 @@ Entry entryBefore(ScreenRay ray, vec2 q, vec2 from, float mostPixels) {
 }
 
 // The last hidden point of a ray before it is seen again.
-vec2 exitAfter(ScreenRay ray, vec2 from, vec2 step, float mostPixels) {
+vec2 exitAfter(const MirrorBlock mirror, ScreenRay ray, vec2 from, vec2 step, float mostPixels) {
     vec2 left = (mix(vec2(0.0), vec2(mirror.region.zw), greaterThan(step, vec2(0.0))) - from) / step;
     left = mix(left, vec2(mostPixels), lessThan(abs(step), vec2(1e-3)));
     float pixels = clamp(floor(min(left.x, left.y)) - 1.0, 0.0, mostPixels);
-    return from + hiddenPixels(ray, from, step, pixels) * step;
+    return from + hiddenPixels(mirror, ray, from, step, pixels) * step;
 }

@@ -1,4 +1,4 @@
-// What a mirrored ray meets of the scene, and the keys that lead there. Needs mirror.glsl and hidden_way.glsl.
+// What a mirrored ray meets of the scene, and the keys that lead there.
 
 struct Hit {
     bool valid;
@@ -17,8 +17,9 @@ struct LineKey {
 };
 
 // What left a key in another cell.
-ivec2 sourceOf(LineKey from) {
+ivec2 sourceOf(const MirrorBlock mirror, LineKey from) {
     if (from.key == noKey) return nowhere;
-    vec4 p = mirror.sceneFromPixel * vec4((vec2(from.cell) + 0.5) * float(1 << mirror.keyShift), depthFromKey(from.key), 1.0);
+    vec2 q = (vec2(from.cell) + 0.5) * float(1 << mirror.keyShift);
+    vec4 p = mirror.sceneFromPixel * vec4(q, depthFromKey(mirror, from.key), 1.0);
     return texelAt(p.xy / p.w, mirror.region.zw - 1);
 }

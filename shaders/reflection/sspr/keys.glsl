@@ -1,10 +1,10 @@
-// The keys that the scatter left. Needs mirror.glsl and the buffer Keys.
+// The keys that the scatter left in the buffer Keys.
 
 // Of keyGrid(), loaded once: CPU devices load uniforms anew in each turn of a loop.
 ivec2 lastCell;
 
-void loadKeyGrid() {
-    lastCell = keyGrid() - 1;
+void loadKeyGrid(const MirrorBlock mirror) {
+    lastCell = keyGrid(mirror) - 1;
 }
 
 // Beyond the border its own keys again, which have had their turn.

@@ -1,4 +1,4 @@
-// Adds tiles to the lists. Needs tiles.glsl and the buffer Tiles.
+// Adds tiles to the lists of the buffer Tiles.
 
 // Of an empty list; by one invocation.
 void beginLists() {
@@ -6,23 +6,23 @@ void beginLists() {
 }
 
 // Each tile is listed once, so that the lists end where they meet; what a header held before must not lead past that.
-bool listHolds(uint n) {
-    return n < tileCount();
+bool listHolds(const MirrorBlock mirror, uint n) {
+    return n < tileCount(mirror);
 }
 
-void listTile(ivec2 tile) {
+void listTile(const MirrorBlock mirror, ivec2 tile) {
     uint n = atomicAdd(header.resolveGroups.w, 1u);
-    if (!listHolds(n)) return;
+    if (!listHolds(mirror, n)) return;
     atomicMax(header.resolveGroups.x, min(n + 1u, groupsPerRow));
     atomicMax(header.resolveGroups.y, n / groupsPerRow + 1u);
-    tiles[tileCount() + n] = packedTile(tile);
+    tiles[tileCount(mirror) + n] = packedTile(tile);
 }
 
-void listTileOfColumns(ivec2 tile) {
+void listTileOfColumns(const MirrorBlock mirror, ivec2 tile) {
     uint n = atomicAdd(header.columnGroups.w, 1u);
-    if (!listHolds(n)) return;
+    if (!listHolds(mirror, n)) return;
     uint group = n / tilesPerColumnGroup;
     atomicMax(header.columnGroups.x, min(group + 1u, groupsPerRow));
     atomicMax(header.columnGroups.y, group / groupsPerRow + 1u);
-    tiles[2u * tileCount() - 1u - n] = packedTile(tile);
+    tiles[2u * tileCount(mirror) - 1u - n] = packedTile(tile);
 }

@@ -1,4 +1,4 @@
-// Looks over the mirror from one of its pixels towards the eye, for what hangs between. Needs mirror.glsl and keys.glsl.
+// Looks over the mirror from one of its pixels towards the eye, for what hangs between.
 
 // What hangs lower than it is wide leaves keys in at least as many cells as lie between them and what it hides: looks may lie
 // as far apart as they have gone.
@@ -10,7 +10,7 @@ float farthest(vec2 apart) {
 }
 
 // On the screen, from a pixel of the mirror to what it shows.
-vec2 awayFrom(vec2 q) {
+vec2 awayFrom(const MirrorBlock mirror, vec2 q) {
     vec4 start = mirror.sceneFromPixel * vec4(q, 0.0, 1.0);
     vec4 along = mirror.sceneFromPixel[2];
     vec2 away = mirror.depthSign * (start.xy * along.w - along.xy * start.w);
@@ -18,7 +18,7 @@ vec2 awayFrom(vec2 q) {
 }
 
 // Halfway between two such looks lies another: what stands on what hangs hides half of it.
-ivec2 cellBefore(vec2 q, vec2 away, int look) {
+ivec2 cellBefore(const MirrorBlock mirror, vec2 q, vec2 away, int look) {
     float cells = 0.5 * float((firstLook * (2 + (look & 1))) << (look >> 1));
     return texelAt(q / float(1 << mirror.keyShift) - cells * away, lastCell);
 }

@@ -22,16 +22,16 @@ layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly ima
 #include "tile_columns.glsl"
 
 void main() {
-    loadMirror();
-    Column column = columnToVisit();
+    MirrorBlock mirror = storedMirror;
+    Column column = columnToVisit(mirror);
     if (column.rows == 0) return;
     ivec2 pixel = column.top;
-    FarEnd end = farEndOf(middleOf(pixel));
-    FarEnd perRow = farEndPerRow(float(1 << mirror.pixelShift));
+    FarEnd end = farEndOf(mirror, middleOf(mirror, pixel));
+    FarEnd perRow = farEndPerRow(mirror, float(1 << mirror.pixelShift));
     int row = 0;
     do {
         if (!colorIsCleared) imageStore(reflectionColor, pixel, vec4(0.0));
-        imageStore(reflectionInfo, pixel, vec4(infoOfFarEnd(end), 0.0, 0.0, 0.0));
+        imageStore(reflectionInfo, pixel, vec4(infoOfFarEnd(mirror, end), 0.0, 0.0, 0.0));
         end.point += perRow.point;
         end.ahead += perRow.ahead;
         ++pixel.y;

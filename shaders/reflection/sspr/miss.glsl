@@ -1,5 +1,4 @@
-// What is known of a mirrored pixel that nothing on the screen was found for. Needs mirror.glsl, reflection_info.glsl and
-// scene_depth.glsl.
+// What is known of a mirrored pixel that nothing on the screen was found for.
 
 // Where the far end of a mirrored ray shows. Affine in the mirror's pixel.
 struct FarEnd {
@@ -7,25 +6,25 @@ struct FarEnd {
     float ahead;   // of the plane's horizon, where it is negative
 };
 
-FarEnd farEndOf(vec2 q) {
+FarEnd farEndOf(const MirrorBlock mirror, vec2 q) {
     return FarEnd(mirror.skyFromPixel * vec3(q, 1.0), dot(mirror.heightRow, vec4(q, mirror.infinityDepth, 1.0)));
 }
 
-FarEnd farEndPerRow(float pixels) {
+FarEnd farEndPerRow(const MirrorBlock mirror, float pixels) {
     return FarEnd(pixels * mirror.skyFromPixel[1], pixels * mirror.heightRow.y);
 }
 
 // The mirrored ray's far end tells whether the sky it would reach is on the screen.
-float infoOfFarEnd(FarEnd end) {
+float infoOfFarEnd(const MirrorBlock mirror, FarEnd end) {
     vec2 pixel = end.point.xy / end.point.w;
-    bool onScreen = end.ahead < 0.0 && end.point.w > 0.0 && insideRegion(pixel);
-    return onScreen && isFar(depthAt(onScreen ? ivec2(pixel) : ivec2(0))) ? infoSky : infoUnknown;
+    bool onScreen = end.ahead < 0.0 && end.point.w > 0.0 && insideRegion(mirror, pixel);
+    return onScreen && isFar(mirror, depthAt(mirror, onScreen ? ivec2(pixel) : ivec2(0))) ? infoSky : infoUnknown;
 }
 
-float infoOfMiss(vec2 q) {
-    return infoOfFarEnd(farEndOf(q));
+float infoOfMiss(const MirrorBlock mirror, vec2 q) {
+    return infoOfFarEnd(mirror, farEndOf(mirror, q));
 }
 
-bool planeAhead(vec2 q) {
+bool planeAhead(const MirrorBlock mirror, vec2 q) {
     return dot(mirror.heightRow, vec4(q, mirror.infinityDepth, 1.0)) < 0.0;
 }

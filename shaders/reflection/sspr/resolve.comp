@@ -65,10 +65,10 @@ struct Surface {
     vec2 after;
 };
 
-Surface surfaceAt(ivec2 pixel) {
+Surface surfaceAt(const MirrorBlock mirror, ivec2 pixel) {
     vec2 perTexel = perDepthTexel();
-    vec4 before = depthsAround(pixel, perTexel);
-    vec4 after = depthsAround(pixel + 1, perTexel);
+    vec4 before = depthsAround(mirror, pixel, perTexel);
+    vec4 after = depthsAround(mirror, pixel + 1, perTexel);
     bvec2 first = equal(pixel, ivec2(0));
     bvec2 last = equal(pixel, mirror.region.zw - 1);
     return Surface(after.w, mix(after.w - before.xz, vec2(0.0), first), mix(after.zx - after.w, vec2(0.0), last));
@@ -76,7 +76,7 @@ Surface surfaceAt(ivec2 pixel) {
 
 // Where the ray meets the plane through a pixel's depth; valid within that pixel. Where the steps to both sides differ, as
 // on what is thin, it has the benefit of the doubt on which side it meets.
-Hit metWithin(float accepted, ScreenRay ray, vec2 middle, Surface seen) {
+Hit metWithin(const MirrorBlock mirror, float accepted, ScreenRay ray, vec2 middle, Surface seen) {
     float depth = seen.depth;
     vec2 gradient = vec2(edgeAwareStep(seen.before.x, seen.after.x), edgeAwareStep(seen.before.y, seen.after.y));
     // z - depth w - gradient . (xy - middle w) = 0 on the plane.
@@ -103,13 +103,13 @@ vec2 besides(vec2 middle, vec2 point) {
 
 // A point that was met, or where the pixel by which it was met is nearest to it, if what lies under the plane's horizon shows
 // beside that. Sky beside it softens the outline.
-vec2 shownIn(vec2 source, vec2 middle) {
+vec2 shownIn(const MirrorBlock mirror, vec2 source, vec2 middle) {
     ivec2 pixel = texelAt(source, mirror.region.zw - 1);
-    bool below = wellBelowPlane(vec3(vec2(pixel) + 0.5, depthAt(pixel)));
+    bool below = wellBelowPlane(mirror, vec3(vec2(pixel) + 0.5, depthAt(mirror, pixel)));
     return below ? clamp(source, middle - 0.49, middle + 0.49) : source;
 }
 
-Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
+Hit refined(const MirrorBlock mirror, float accepted, ScreenRay ray, float mirroredDepth) {
     vec4 p = ray.origin + mirroredDepth * ray.along;
     if (!(p.w > 0.0)) return noHit;
     Hit hit = Hit(false, false, p.xy / p.w, 0.0, mirroredDepth);
@@ -117,20 +117,20 @@ Hit refined(float accepted, ScreenRay ray, float mirroredDepth) {
     bool movedOver = false;
     int left = refinements;
     do {
-        if (!insideRegion(hit.source)) return noHit;
+        if (!insideRegion(mirror, hit.source)) return noHit;
         ivec2 pixel = ivec2(hit.source);
-        Surface seen = surfaceAt(pixel);
+        Surface seen = surfaceAt(mirror, pixel);
         middle = vec2(pixel) + 0.5;
-        if (!solid(pixel, seen.depth)) {
+        if (!solid(mirror, pixel, seen.depth)) {
             if (movedOver) return noHit;
             movedOver = true;
             hit.source = besides(middle, hit.source);
         } else {
-            hit = metWithin(accepted, ray, middle, seen);
+            hit = metWithin(mirror, accepted, ray, middle, seen);
         }
     } while (--left > 0 && !hit.valid);
     if (!hit.valid) return noHit;
-    hit.source = shownIn(hit.source, middle);
+    hit.source = shownIn(mirror, hit.source, middle);
     return hit;
 }
 
@@ -161,18 +161,18 @@ uint nextKey(KeysAround around, uint last) {
 }
 
 // Nearer keys lead to the same place of the picture.
-uint beyond(ScreenRay ray, float mirroredDepth) {
+uint beyond(const MirrorBlock mirror, ScreenRay ray, float mirroredDepth) {
     vec4 p = ray.origin + mirroredDepth * ray.along;
     vec2 shift = ray.along.xy - p.xy / p.w * ray.along.w;
     float quarterPixel = 0.25 * abs(p.w) / max(length(shift), 1e-30);
-    return keyFromDepth(clamp(mirroredDepth - mirror.depthSign * quarterPixel, 0.0, 1.0));
+    return keyFromDepth(mirror, clamp(mirroredDepth - mirror.depthSign * quarterPixel, 0.0, 1.0));
 }
 
 const int keysAroundCell = 9;
 
 // The nearest key in and around the cell first: where a near surface is mirrored larger than it is seen, its keys leave
 // holes, and what shows through them would prove itself as well. The first that does counts.
-Hit nearestHit(ivec2 cell, ScreenRay ray) {
+Hit nearestHit(const MirrorBlock mirror, ivec2 cell, ScreenRay ray) {
     Hit hit = noHit;
     KeysAround around = keysAround(cell);
     uint own = around.level.y;
@@ -180,8 +180,8 @@ Hit nearestHit(ivec2 cell, ScreenRay ray) {
     int left = keysAroundCell;
     if (key != noKey) {
         do {
-            hit = refined(key > own && own != noKey ? withinPixel : besidePixel, ray, depthFromKey(key));
-            key = nextKey(around, min(key, beyond(ray, depthFromKey(key))));
+            hit = refined(mirror, key > own && own != noKey ? withinPixel : besidePixel, ray, depthFromKey(mirror, key));
+            key = nextKey(around, min(key, beyond(mirror, ray, depthFromKey(mirror, key))));
         } while (--left > 0 && key != noKey && !hit.valid);
     }
     return hit;
@@ -196,7 +196,7 @@ struct Hole {
 // What is seen edge on is mirrored many times larger, and its keys lie far apart, but only along the line through a pixel
 // and its source, which is the same for all depths. Between keys on that line a miss may be such a hole, and those nearer
 // than what shows here may have left it.
-Hole holeAround(vec2 q, ScreenRay ray, uint here) {
+Hole holeAround(const MirrorBlock mirror, vec2 q, ScreenRay ray, uint here) {
     vec4 p = ray.origin + 0.5 * ray.along;
     vec2 direction = p.xy / p.w - q;
     vec2 step = direction / max(farthest(direction), 1e-6);
@@ -214,15 +214,15 @@ Hole holeAround(vec2 q, ScreenRay ray, uint here) {
         if (ahead.key == noKey && nextKey > here) ahead = LineKey(nextKey, next);
         if (behind.key == noKey && lastKey > here) behind = LineKey(lastKey, last);
     }
-    return Hole(all(keysBeside), any(keysBeside), Guesses(sourceOf(ahead), sourceOf(behind)));
+    return Hole(all(keysBeside), any(keysBeside), Guesses(sourceOf(mirror, ahead), sourceOf(mirror, behind)));
 }
 
 // Where a ray goes in behind what is seen by no more than two pixels cover: what is too narrow to tell its slope is taken
 // to be about as thick as wide.
-Hit hitOnThin(ScreenRay ray, Entry entry) {
+Hit hitOnThin(const MirrorBlock mirror, ScreenRay ray, Entry entry) {
     if (entry.between == noGuesses) return noHit;
-    float depth = depthAt(entry.between.other);
-    if (!solid(entry.between.other, depth)) return noHit;
+    float depth = depthAt(mirror, entry.between.other);
+    if (!solid(mirror, entry.between.other, depth)) return noHit;
     vec4 seen = mirror.relativeFromPixel * vec4(entry.hidden, depth, 1.0);
     vec4 beside = seen + mirror.relativeFromPixel[0];
     vec4 hidden = seen + mirror.relativeFromPixel[2] * (entry.depth + mirror.infinityDepth - depth);
@@ -231,15 +231,15 @@ Hit hitOnThin(ScreenRay ray, Entry entry) {
     return Hit(thin, thin, entry.hidden, 0.0, depthOn(ray, entry.hidden));
 }
 
-Hit metAt(ScreenRay ray, ivec2 pixel) {
+Hit metAt(const MirrorBlock mirror, ScreenRay ray, ivec2 pixel) {
     if (pixel == nowhere) return noHit;
-    Surface seen = surfaceAt(pixel);
-    Hit hit = metWithin(unseenPixels, ray, vec2(pixel) + 0.5, seen);
-    hit.valid = hit.valid && solid(pixel, seen.depth) && insideRegion(hit.source);
+    Surface seen = surfaceAt(mirror, pixel);
+    Hit hit = metWithin(mirror, unseenPixels, ray, vec2(pixel) + 0.5, seen);
+    hit.valid = hit.valid && solid(mirror, pixel, seen.depth) && insideRegion(mirror, hit.source);
     return hit;
 }
 
-Hit metBetween(Guesses guesses, Hit one, Hit other) {
+Hit metBetween(const MirrorBlock mirror, Guesses guesses, Hit one, Hit other) {
     one.valid = one.valid && one.off <= betweenPixels;
     other.valid = other.valid && other.off <= betweenPixels;
     bool alike = one.front == other.front;
@@ -247,87 +247,88 @@ Hit metBetween(Guesses guesses, Hit one, Hit other) {
     bool isOne = one.valid && (!other.valid || (alike ? one.off <= other.off : one.front));
     Hit best = isOne ? one : other;
     best.valid = best.valid && (agree || best.front && best.off <= besidePixel);
-    if (best.valid) best.source = shownIn(best.source, vec2(isOne ? guesses.one : guesses.other) + 0.5);
+    if (best.valid) best.source = shownIn(mirror, best.source, vec2(isOne ? guesses.one : guesses.other) + 0.5);
     return best;
 }
 
 // How near what is seen at a point is, of how near something else is.
-float nearnessAt(vec2 point, float than) {
-    return (depthAt(texelAt(point, mirror.region.zw - 1)) - mirror.infinityDepth) / than;
+float nearnessAt(const MirrorBlock mirror, vec2 point, float than) {
+    return (depthAt(mirror, texelAt(point, mirror.region.zw - 1)) - mirror.infinityDepth) / than;
 }
 
 // Where the ray meets, out of sight, the plane of what shows beside: that is hidden from there on, and does not end; and goes on
 // to the other side, too, as rails and ropes do not.
-Hit unseen(ScreenRay ray, ivec2 pixel, Hit hit) {
+Hit unseen(const MirrorBlock mirror, ScreenRay ray, ivec2 pixel, Hit hit) {
     if (!hit.valid) return hit;
     vec2 shown = vec2(pixel) + 0.5;
-    float nearness = depthAt(ivec2(shown)) - mirror.infinityDepth;
+    float nearness = depthAt(mirror, ivec2(shown)) - mirror.infinityDepth;
     vec2 way = hit.source - shown;
     vec2 step = way / max(farthest(way), 1.0);
-    float next = min(nearnessAt(shown + step, nearness), nearnessAt(shown + min(2.0, farthest(way)) * step, nearness));
-    float beyond = nearnessAt(shown - 0.5 * unseenPixels * step, nearness);
+    float next = min(nearnessAt(mirror, shown + step, nearness),
+                     nearnessAt(mirror, shown + min(2.0, farthest(way)) * step, nearness));
+    float beyond = nearnessAt(mirror, shown - 0.5 * unseenPixels * step, nearness);
     bool goesOn = next > 0.9 && beyond > 0.9 && beyond < 1.1;
-    hit.valid = hit.front && goesOn && hides(hit.source, rayDepthAt(ray, hit.source));
+    hit.valid = hit.front && goesOn && hides(mirror, hit.source, rayDepthAt(ray, hit.source));
     hit.source = shown;
     return hit;
 }
 
-Hit metUnseen(ScreenRay ray, Guesses guesses, Hit one, Hit other) {
-    one = unseen(ray, guesses.one, one);
-    other = unseen(ray, guesses.other, other);
+Hit metUnseen(const MirrorBlock mirror, ScreenRay ray, Guesses guesses, Hit one, Hit other) {
+    one = unseen(mirror, ray, guesses.one, one);
+    other = unseen(mirror, ray, guesses.other, other);
     return one.valid && (!other.valid || one.off <= other.off) ? one : other;
 }
 
 void main() {
-    loadMirror();
+    MirrorBlock mirror = storedMirror;
     bool followed = mirror.followed != 0u;
-    ivec2 pixel = pixelToResolve();
+    ivec2 pixel = pixelToResolve(mirror);
     if (pixel == noPixel) return;
-    loadKeyGrid();
-    vec2 q = middleOf(pixel);
+    loadKeyGrid(mirror);
+    vec2 q = middleOf(mirror, pixel);
     vec4 color = vec4(0.0);
     float info = infoUnknown;
-    if (planeAhead(q)) {
-        ScreenRay ray = rayOf(q);
+    if (planeAhead(mirror, q)) {
+        ScreenRay ray = rayOf(mirror, q);
         ivec2 cell = ivec2(q) >> mirror.keyShift;
-        Hit hit = nearestHit(cell, ray);
+        Hit hit = nearestHit(mirror, cell, ray);
         bool comesOut = hit.valid && !hit.front;
         bool inHole = false;
         Guesses guesses = noGuesses;
         Hit thin = noHit;
         if (!hit.valid) {
-            Hole hole = holeAround(q, ray, keyAt(cell));
-            if (!hole.inside) info = infoOfMiss(q);
+            Hole hole = holeAround(mirror, q, ray, keyAt(cell));
+            if (!hole.inside) info = infoOfMiss(mirror, q);
             if (followed && hole.beside && info == infoSky) info = infoDoubtedSky;
             guesses = hole.left;
             inHole = hole.inside;
         }
         if (comesOut) {
-            Entry entry = entryBefore(ray, q, hit.source, backPixels);
+            Entry entry = entryBefore(mirror, ray, q, hit.source, backPixels);
             guesses = entry.between;
-            thin = hitOnThin(ray, entry);
+            thin = hitOnThin(mirror, ray, entry);
         }
         if (!hit.front) {
-            Hit one = metAt(ray, guesses.one);
-            Hit other = metAt(ray, guesses.other);
-            Hit met = metBetween(guesses, one, other);
+            Hit one = metAt(mirror, ray, guesses.one);
+            Hit other = metAt(mirror, ray, guesses.other);
+            Hit met = metBetween(mirror, guesses, one, other);
             // Where rays are followed they tell better.
             bool tells = !comesOut || met.front && (!followed || met.off <= withinPixel);
             if (met.valid && tells) hit = met;
             else if (thin.valid) hit = thin;
-            else if (inHole) hit = metUnseen(ray, guesses, one, other);
+            else if (inHole) hit = metUnseen(mirror, ray, guesses, one, other);
         }
 #ifdef ROOFS
         if (!comesOut) {
-            Hit roof = underRoof(q, ray, hit);
+            Hit roof = underRoof(mirror, q, ray, hit);
             if (roof.valid) hit = roof;
         }
 #endif
         if (hit.valid) {
-            float confidence = edgeConfidence(q, hit.source);
+            float confidence = edgeConfidence(mirror, q, hit.source);
             float light = hit.front ? confidence : confidence * mirror.undersideLight;
-            color = vec4(sourceColor(hit.source, rayDepthAt(ray, hit.source)) * light, confidence);
-            info = infoOfHit(distanceToHit(q, hit.depth));
+            color = vec4(sourceColor(mirror, hit.source, rayDepthAt(ray, hit.source)) * light, confidence);
+            info = infoOfHit(distanceToHit(mirror, q, hit.depth));
             if (followed && (comesOut || !hit.front)) info = infoOfDoubt(info);
         }
     }

@@ -26,12 +26,12 @@ int keysAcross;
 int tilesInRow;
 int keyTile = -1;
 
-void scatter(vec4 target, bool far) {
+void scatter(const MirrorBlock mirror, vec4 target, bool far) {
     vec3 point = target.xyz / target.w;
-    if (far || !(target.w > 0.0) || !(point.z > 0.0 && point.z <= 1.0) || !insideRegion(point.xy)) return;
+    if (far || !(target.w > 0.0) || !(point.z > 0.0 && point.z <= 1.0) || !insideRegion(mirror, point.xy)) return;
     ivec2 pixel = ivec2(point.xy);
     ivec2 cell = pixel >> mirror.keyShift;
-    atomicMax(keys[cell.y * keysAcross + cell.x], keyFromDepth(point.z));
+    atomicMax(keys[cell.y * keysAcross + cell.x], keyFromDepth(mirror, point.z));
     ivec2 inTile = pixel >> tileShift + mirror.pixelShift;
     int tile = inTile.y * tilesInRow + inTile.x;
     if (tile != keyTile) atomicOr(tiles[tile], tileHasKeys);
@@ -39,18 +39,18 @@ void scatter(vec4 target, bool far) {
 }
 
 #ifdef COARSE
-vec4 nearerOf(vec4 a, vec4 b) {
+vec4 nearerOf(const MirrorBlock mirror, vec4 a, vec4 b) {
     return mirror.depthSign * b.z > mirror.depthSign * a.z ? b : a;
 }
 
-vec4 fartherOf(vec4 a, vec4 b) {
+vec4 fartherOf(const MirrorBlock mirror, vec4 a, vec4 b) {
     return mirror.depthSign * b.z < mirror.depthSign * a.z ? b : a;
 }
 
 // Of a cell's pixels the nearest stands for all, since any fixed one would lose what is thin; the farthest tells whether
 // the plane is seen, which goes on behind a far plane.
-bool scatterCells(ivec2 first, int rows) {
-    vec4 above = aboveRow();
+bool scatterCells(const MirrorBlock mirror, ivec2 first, int rows) {
+    vec4 above = aboveRow(mirror);
     ivec2 last = mirror.region.zw - 1;
     vec2 perTexel = perDepthTexel();
     int quads = (1 << mirror.keyShift) >> 1;
@@ -61,20 +61,20 @@ bool scatterCells(ivec2 first, int rows) {
         for (int i = 0; i < quads * quads; ++i) {
             // Past the border, the pixels before it again.
             ivec2 corner = min(first + 2 * ivec2(i & (quads - 1), i >> (mirror.keyShift - 1)), last);
-            vec4 depths = depthsAround(corner + 1, perTexel);
+            vec4 depths = depthsAround(mirror, corner + 1, perTexel);
             vec4 own = vec4(vec2(corner) + 0.5, depths.w, 1.0);
             bvec2 goesOn = lessThan(corner, last);
             vec4 right = goesOn.x ? vec4(own.xy + vec2(1.0, 0.0), depths.z, 1.0) : own;
             vec4 below = goesOn.y ? vec4(own.xy + vec2(0.0, 1.0), depths.x, 1.0) : own;
             vec4 across = all(goesOn) ? vec4(own.xy + 1.0, depths.y, 1.0) : own;
-            vec4 near = nearerOf(nearerOf(own, right), nearerOf(below, across));
-            vec4 far = fartherOf(fartherOf(own, right), fartherOf(below, across));
-            nearest = i == 0 ? near : nearerOf(nearest, near);
-            farthest = i == 0 ? far : fartherOf(farthest, far);
+            vec4 near = nearerOf(mirror, nearerOf(mirror, own, right), nearerOf(mirror, below, across));
+            vec4 far = fartherOf(mirror, fartherOf(mirror, own, right), fartherOf(mirror, below, across));
+            nearest = i == 0 ? near : nearerOf(mirror, nearest, near);
+            farthest = i == 0 ? far : fartherOf(mirror, farthest, far);
         }
-        bool far = isFar(nearest.z);
-        if (isFar(farthest.z)) farthest.z = mirror.infinityDepth;
-        if (far || dot(above, nearest) > 0.0) scatter(mirror.screenMirror * nearest, far);
+        bool far = isFar(mirror, nearest.z);
+        if (isFar(mirror, farthest.z)) farthest.z = mirror.infinityDepth;
+        if (far || dot(above, nearest) > 0.0) scatter(mirror, mirror.screenMirror * nearest, far);
         planeSeen = planeSeen || dot(above, farthest) <= 0.0;
         first.y += 1 << mirror.keyShift;
     } while (++row < rows && first.y <= last.y);
@@ -85,20 +85,20 @@ float abovePerDepth;
 vec4 targetPerDepth;
 
 // All that a pixel needs is affine in (x, y, depth): only the depth's share is left for the loop.
-bool scatterPixel(vec4 target, float above, float depth) {
-    bool far = isFar(depth);
+bool scatterPixel(const MirrorBlock mirror, vec4 target, float above, float depth) {
+    bool far = isFar(mirror, depth);
     bool seesPlane = above + abovePerDepth * (far ? mirror.infinityDepth : depth) <= 0.0;
-    if (!seesPlane) scatter(target + targetPerDepth * depth, far);
+    if (!seesPlane) scatter(mirror, target + targetPerDepth * depth, far);
     return seesPlane;
 }
 
-bool scatterPixels(ivec2 first, int rows) {
+bool scatterPixels(const MirrorBlock mirror, ivec2 first, int rows) {
     vec4 corner = vec4(vec2(first) + 0.5, 0.0, 1.0);
     vec4 target = mirror.screenMirror * corner;
     vec4 perColumn = mirror.screenMirror[0];
     vec4 perRow = mirror.screenMirror[1];
     targetPerDepth = mirror.screenMirror[2];
-    vec4 row = aboveRow();
+    vec4 row = aboveRow(mirror);
     abovePerDepth = row.z;
     float above = dot(row, corner);
     ivec2 last = mirror.region.zw - 1;
@@ -107,12 +107,13 @@ bool scatterPixels(ivec2 first, int rows) {
     bool planeSeen = false;
     int i = 0;
     do {
-        vec4 depths = depthsAround(first + 1, perTexel);
-        planeSeen = scatterPixel(target, above, depths.w) || planeSeen;
-        if (goesOn) planeSeen = scatterPixel(target + perColumn, above + row.x, depths.z) || planeSeen;
+        vec4 depths = depthsAround(mirror, first + 1, perTexel);
+        planeSeen = scatterPixel(mirror, target, above, depths.w) || planeSeen;
+        if (goesOn) planeSeen = scatterPixel(mirror, target + perColumn, above + row.x, depths.z) || planeSeen;
         if (first.y < last.y) {
-            planeSeen = scatterPixel(target + perRow, above + row.y, depths.x) || planeSeen;
-            if (goesOn) planeSeen = scatterPixel(target + perRow + perColumn, above + row.y + row.x, depths.y) || planeSeen;
+            planeSeen = scatterPixel(mirror, target + perRow, above + row.y, depths.x) || planeSeen;
+            if (goesOn)
+                planeSeen = scatterPixel(mirror, target + perRow + perColumn, above + row.y + row.x, depths.y) || planeSeen;
         }
         target += 2.0 * perRow;
         above += 2.0 * row.y;
@@ -124,16 +125,17 @@ bool scatterPixels(ivec2 first, int rows) {
 #endif
 
 void main() {
-    loadMirror();
-    keysAcross = keyGrid().x;
-    tilesInRow = tilesAcross();
+    MirrorBlock mirror = storedMirror;
+    keysAcross = keyGrid(mirror).x;
+    tilesInRow = tilesAcross(mirror);
     int rows = (tileEdge << mirror.pixelShift) >> mirror.keyShift;
-    ivec2 first = ivec2(gl_GlobalInvocationID.x << max(mirror.keyShift, 1), int(gl_GlobalInvocationID.y) * rows << mirror.keyShift);
+    ivec2 first = ivec2(gl_GlobalInvocationID.x << max(mirror.keyShift, 1),
+                        int(gl_GlobalInvocationID.y) * rows << mirror.keyShift);
     if (first.x >= mirror.region.z || first.y >= mirror.region.w) return;
 #ifdef COARSE
-    bool planeSeen = scatterCells(first, rows);
+    bool planeSeen = scatterCells(mirror, first, rows);
 #else
-    bool planeSeen = scatterPixels(first, rows);
+    bool planeSeen = scatterPixels(mirror, first, rows);
 #endif
-    if (planeSeen) atomicOr(tiles[tileAt(first >> (tileShift + mirror.pixelShift))], tileSeesPlane);
+    if (planeSeen) atomicOr(tiles[tileAt(mirror, first >> (tileShift + mirror.pixelShift))], tileSeesPlane);
 }

@@ -27,40 +27,40 @@ layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
 #include "roofs.glsl"
 
 // What hangs over a mirror may reach farther than any keys are near: here and there in a tile.
-bool hangsOver(ivec2 tile) {
-    loadKeyGrid();
+bool hangsOver(const MirrorBlock mirror, ivec2 tile) {
+    loadKeyGrid(mirror);
     float pixels = float(tileEdge << mirror.pixelShift);
     for (int i = 0; i < 4; ++i) {
         vec2 q = (vec2(tile) + vec2(0.25) + 0.5 * vec2(i & 1, i >> 1)) * pixels;
-        if (underRoof(q, rayOf(q), noHit).valid) return true;
+        if (underRoof(mirror, q, rayOf(mirror, q), noHit).valid) return true;
     }
     return false;
 }
 #else
-bool hangsOver(ivec2 tile) {
+bool hangsOver(const MirrorBlock mirror, ivec2 tile) {
     return false;
 }
 #endif
 
-bool keysNear(ivec2 tile) {
+bool keysNear(const MirrorBlock mirror, ivec2 tile) {
     ivec2 low = max(tile - 1, ivec2(0));
-    ivec2 high = min(tile + 1, ivec2(tilesAcross(), tilesDown()) - 1);
+    ivec2 high = min(tile + 1, ivec2(tilesAcross(mirror), tilesDown(mirror)) - 1);
     uint flags = 0u;
     for (int y = low.y; y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x) flags |= tiles[tileAt(ivec2(x, y))];
+        for (int x = low.x; x <= high.x; ++x) flags |= tiles[tileAt(mirror, ivec2(x, y))];
     return (flags & tileHasKeys) != 0u;
 }
 
 void main() {
-    loadMirror();
-    int count = tilesAcross() * tilesDown();
+    MirrorBlock mirror = storedMirror;
+    int count = tilesAcross(mirror) * tilesDown(mirror);
     int index = int(gl_GlobalInvocationID.x);
     if (index == 0) beginLists();
     if (index >= count) return;
-    ivec2 tile = ivec2(index % tilesAcross(), index / tilesAcross());
-    if (!lookedUp(tile, tiles[index])) return;
-    if (keysNear(tile) || hangsOver(tile))
-        listTile(tile);
+    ivec2 tile = ivec2(index % tilesAcross(mirror), index / tilesAcross(mirror));
+    if (!lookedUp(mirror, tile, tiles[index])) return;
+    if (keysNear(mirror, tile) || hangsOver(mirror, tile))
+        listTile(mirror, tile);
     else
-        listTileOfColumns(tile);
+        listTileOfColumns(mirror, tile);
 }

@@ -1,21 +1,21 @@
-// Tiles of 8 x 8 pixels of the reflection: reflection/sspr/tiles.h. Needs mirror.glsl.
+// Tiles of 8 x 8 pixels of the reflection: reflection/sspr/tiles.h.
 
 #include "tiles_block.h"
 
-int tilesAcross() {
-    return (imageSize().x + tileEdge - 1) >> tileShift;
+int tilesAcross(const MirrorBlock mirror) {
+    return (reflectionSize(mirror).x + tileEdge - 1) >> tileShift;
 }
 
-int tilesDown() {
-    return (imageSize().y + tileEdge - 1) >> tileShift;
+int tilesDown(const MirrorBlock mirror) {
+    return (reflectionSize(mirror).y + tileEdge - 1) >> tileShift;
 }
 
-uint tileCount() {
-    return uint(tilesAcross() * tilesDown());
+uint tileCount(const MirrorBlock mirror) {
+    return uint(tilesAcross(mirror) * tilesDown(mirror));
 }
 
-int tileAt(ivec2 tile) {
-    return tile.y * tilesAcross() + tile.x;
+int tileAt(const MirrorBlock mirror, ivec2 tile) {
+    return tile.y * tilesAcross(mirror) + tile.x;
 }
 
 uint packedTile(ivec2 tile) {
@@ -24,7 +24,7 @@ uint packedTile(ivec2 tile) {
 
 // Whether shading looks a tile with these flags up, or a pixel beside it. What is mirrored behind things that stand before
 // the plane is seen only by rays that waves bend there.
-bool lookedUp(ivec2 tile, uint flags) {
+bool lookedUp(const MirrorBlock mirror, ivec2 tile, uint flags) {
     ivec2 low = tile * tileEdge - 1 << mirror.pixelShift;
     ivec2 high = (tile + 1) * tileEdge + 1 << mirror.pixelShift;
     bool sees = (flags & (tileSeesPlane | (mirror.bent != 0u ? tileHasKeys : 0u))) != 0u;

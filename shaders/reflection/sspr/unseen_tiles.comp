@@ -16,11 +16,11 @@ layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly ima
 layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D reflectionInfo;
 
 void main() {
-    loadMirror();
+    MirrorBlock mirror = storedMirror;
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) * ivec2(1, tileEdge);
     ivec2 tile = pixel >> tileShift;
-    ivec2 size = imageSize();
-    if (pixel.x >= size.x || lookedUp(tile, tiles[tileAt(tile)])) return;
+    ivec2 size = reflectionSize(mirror);
+    if (pixel.x >= size.x || lookedUp(mirror, tile, tiles[tileAt(mirror, tile)])) return;
     for (int rows = min(tileEdge, size.y - pixel.y); rows > 0; --rows) {
         imageStore(reflectionColor, pixel, vec4(0.0));
         imageStore(reflectionInfo, pixel, vec4(infoUnknown, 0.0, 0.0, 0.0));

@@ -2,12 +2,12 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// In place of mirror.glsl's.
+// In place of mirror.glsl's, of any mirror.
 #include "mirror_block.h"
-MirrorBlock mirror;   // empty: nobody asks whether a tile is looked up
+const ivec2 size = ivec2(80, 44);
 
-ivec2 imageSize() {
-    return ivec2(80, 44);
+ivec2 reflectionSize(const MirrorBlock mirror) {
+    return size;
 }
 #include "tiles.glsl"
 
@@ -20,22 +20,24 @@ layout(set = 0, binding = 1, std430) buffer Visits {
 };
 
 void visit(ivec2 pixel) {
-    bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, imageSize()));
-    atomicAdd(visited[inside ? pixel.y * imageSize().x + pixel.x : imageSize().x * imageSize().y], 1u);
+    bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, size));
+    atomicAdd(visited[inside ? pixel.y * size.x + pixel.x : size.x * size.y], 1u);
 }
 
 #ifdef TILES
 #include "tile_list.glsl"
 
 void main() {
-    ivec2 pixel = pixelToResolve();
+    MirrorBlock mirror;
+    ivec2 pixel = pixelToResolve(mirror);
     if (pixel != noPixel) visit(pixel);
 }
 #elif defined(COLUMNS)
 #include "tile_columns.glsl"
 
 void main() {
-    Column column = columnToVisit();
+    MirrorBlock mirror;
+    Column column = columnToVisit(mirror);
     if (column.rows == 0) return;
     int row = 0;
     do visit(column.top + ivec2(0, row)); while (++row < column.rows);
@@ -45,8 +47,9 @@ void main() {
 layout(local_size_x = 64) in;
 
 void main() {
-    ivec2 tile = ivec2(gl_GlobalInvocationID.x % uint(tilesAcross()), gl_GlobalInvocationID.x / uint(tilesAcross()));
-    listTile(tile);
-    listTileOfColumns(tile);
+    MirrorBlock mirror;
+    ivec2 tile = ivec2(gl_GlobalInvocationID.x % uint(tilesAcross(mirror)), gl_GlobalInvocationID.x / uint(tilesAcross(mirror)));
+    listTile(mirror, tile);
+    listTileOfColumns(mirror, tile);
 }
 #endif
