@@ -267,6 +267,12 @@ std::vector<Case> geometry() {
              p.root["accessors"].back()["normalized"] = true;
          },
          [](const Mesh& mesh) { EXPECT_EQ(mesh.vertices[0].normal.z, -1); }},
+        {"InstancesOfOtherAttributesAlone",
+         [](Plate& p) {
+             p.node()["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["_ID"] =
+                 p.addFloats({1, 2}, "SCALAR");
+         },
+         expectPlate},
         {"HiddenNode",
          [](Plate& p) {
              p.root["nodes"].push_back({{"mesh", 0},
@@ -651,6 +657,29 @@ TEST(Reads, NamesOfImagesAsExportersWriteThem) {
         const std::optional<Mesh> mesh = folder.read(plate.text(), problem);
         ASSERT_TRUE(mesh) << problem;
         EXPECT_TRUE(isRed(*mesh)) << uri;
+    }
+}
+
+TEST(Reads, DataUrisAsProgramsWriteThem) {
+    const auto replaced = [](const std::string& text, const std::string& each, const std::string& with) {
+        std::string out;
+        for (const char c : text) out += each.find(c) == each.npos ? std::string(1, c) : with;
+        return out;
+    };
+    Folder folder;
+    Plate plate;
+    plate.texture("baseColorTexture", tests::png(1, 1, red));
+    const std::string uri = plate.root["images"][0]["uri"], digits = uri.substr(uri.find(',') + 1);
+    ASSERT_NE(digits.find('='), digits.npos) << "padding, to be escaped below";
+    for (const std::string& written :
+         {"data:;base64," + digits, "data:image/png;charset=utf-8;base64," + digits,
+          "DATA:image/png;base64," + digits, "data:image/png;base64," + replaced(digits, "=", "%3D"),
+          "data:image/png;base64," + digits.substr(0, 9) + "\r\n " + digits.substr(9) + "\n"}) {
+        plate.root["images"][0]["uri"] = written;
+        std::string problem;
+        const std::optional<Mesh> mesh = folder.read(plate.text(), problem);
+        ASSERT_TRUE(mesh) << problem;
+        EXPECT_TRUE(isRed(*mesh)) << written;
     }
 }
 

@@ -203,6 +203,8 @@ bool Nodes::readInstances(const Json& node, const std::string& where, const glm:
     };
     if (!read("TRANSLATION", 3, translations) || !read("ROTATION", 4, rotations) || !read("SCALE", 3, scales))
         return false;
+    // Attributes of other names place nothing: all instances then stand where the node does.
+    if (count == 0) out.places = {world};
     instances_ += count;
     if (instances_ > maxInstances) {
         error.text = where + " brings the scene over a million instances";

@@ -32,13 +32,15 @@ std::string percentDecoded(std::string_view text) {
     return decoded;
 }
 
-/// RFC 4648; the padding may be missing.
+/// RFC 4648; the padding may be missing, and lines may be broken.
 bool decodeBase64(std::string_view text, std::vector<uint8_t>& out) {
-    while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+    const auto isSpace = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
+    while (!text.empty() && (text.back() == '=' || isSpace(text.back()))) text.remove_suffix(1);
     out.reserve(text.size() / 4 * 3 + 3);
     uint32_t bits = 0;
     int held = 0;
     for (const char c : text) {
+        if (isSpace(c)) continue;
         uint32_t six = 0;
         if (c >= 'A' && c <= 'Z')
             six = static_cast<uint32_t>(c - 'A');
@@ -67,7 +69,8 @@ bool readData(std::string_view uri, uint64_t most, std::vector<uint8_t>& out, st
     if (comma == std::string_view::npos) return false;
     const std::string_view body = uri.substr(comma + 1);
     if (uri.substr(0, comma).ends_with(";base64")) {
-        if (!decodeBase64(body, out)) return false;
+        const bool escaped = body.find('%') != body.npos;
+        if (!(escaped ? decodeBase64(percentDecoded(body), out) : decodeBase64(body, out))) return false;
     } else {
         const std::string decoded = percentDecoded(body);
         out.assign(decoded.begin(), decoded.end());
@@ -75,6 +78,14 @@ bool readData(std::string_view uri, uint64_t most, std::vector<uint8_t>& out, st
     if (out.size() <= most) return true;
     problem = "a data URI of over " + std::to_string(most) + " bytes";
     return false;
+}
+
+bool isData(std::string_view uri) {
+    constexpr std::string_view scheme = "data:";
+    return uri.size() >= scheme.size() &&
+           std::equal(scheme.begin(), scheme.end(), uri.begin(), [](char lower, char c) {
+               return lower == std::tolower(static_cast<unsigned char>(c));
+           });
 }
 
 /// A scheme of two letters at least: one is a drive's.
@@ -89,7 +100,7 @@ bool hasScheme(const std::string& uri) {
 
 bool readUri(const std::filesystem::path& folder, const std::string& uri, uint64_t most,
              std::vector<uint8_t>& out, std::string& problem) {
-    if (uri.starts_with("data:")) return readData(uri, most, out, problem);
+    if (isData(uri)) return readData(uri, most, out, problem);
     const std::string decoded = percentDecoded(uri);
     std::string slashed = decoded;
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
