@@ -25,6 +25,10 @@ struct ShoreWave {
     float foam;
 };
 
+ShoreWave withoutTrains(vec4 kept, float depth, vec2 bedSlope, float swash) {
+    return ShoreWave(kept, depth, bedSlope, 0.0, vec2(0.0), vec2(0.0), vec3(0.0), vec3(0.0), swash, -1e9, vec2(0.0), 0.0);
+}
+
 // At calm (u, v); `width` is what is seen as one [m]. Of the moment whose rows begin at `rows`, `arrives` the row of what
 // arrives then at the edge.
 ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
@@ -35,19 +39,8 @@ ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
     vec4 alongU = (textureLod(shoreMap, vec3(at.x + texel.x, at.y, 0.0), 0.0) - here) / spacing;
     vec4 alongV = (textureLod(shoreMap, vec3(at.x, at.y + texel.y, 0.0), 0.0) - here) / spacing;
     vec4 form = textureLod(shoreMap, vec3(at, 1.0), 0.0);   // height, breaking, sideways, swash
-    ShoreWave w;
-    w.kept = textureLod(shoreMap, vec3(at, 2.0), 0.0);
-    w.depth = here.x;
-    w.bedSlope = -vec2(alongU.x, alongV.x);
-    w.height = 0.0;
-    w.move = vec2(0.0);
-    w.slope = vec2(0.0);
-    w.stretch = vec3(0.0);
-    w.covariance = vec3(0.0);
-    w.swash = form.w;
-    w.wetTo = -1e9;
-    w.advected = vec2(0.0);
-    w.foam = 0.0;
+    vec4 kept = textureLod(shoreMap, vec3(at, 2.0), 0.0);
+    ShoreWave w = withoutTrains(kept, here.x, -vec2(alongU.x, alongV.x), form.w);
     if (form.x + form.w > 0.0) {
         float lean = 0.6 * form.y;
         float perTrain = inversesqrt(float(shoreTrains));

@@ -260,6 +260,163 @@ bool meetsBetween(vec4 from, vec4 perDepth, vec2 here, float before, inout Behin
     return depth - (position.y - found.seen.y) < mostOff * depth + 2.0 * (depth - before);
 }
 
+// The ray that Snell's law bends, in homogeneous pixels.
+struct BentRay {
+    vec2 here;         // the pixel it leaves the surface at
+    vec4 from;
+    vec4 perDepth;     // on each metre down
+    vec3 direction;    // likewise, in metres
+    float steepness;   // metres down on each of its way
+    float leaves;      // the depth at which it leaves the picture
+    bool passedOver;   // nothing shows where the line of sight goes on
+    float onMap;       // the depth at which it meets the bed of a shore's map
+};
+
+// What has been found of the bed along it.
+struct BedFound {
+    Behind found;
+    float drop;      // depth of `found` under the surface
+    float sought;    // the depth to look at next
+    Behind nearest;  // of the bed, where the ray is under what shows
+    Behind last;     // of the bed, before the ray leaves the picture or passes behind something
+    float deepest;   // at which the ray was seen to be above the bed
+    float least;     // by how much its depth and the bed's differ at `found`
+    bool met;
+    bool left;       // the picture
+};
+
+BentRay bentRay(vec3 normal, vec3 toEye) {
+    BentRay ray;
+    vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);
+    ray.steepness = max(-bent.y, shallowest);
+    ray.direction = bent / ray.steepness;
+    ray.from = bedPixelOf(vec4(position, 1.0));
+    ray.perDepth = bedPixelOf(vec4(ray.direction, 0.0));
+    ray.here = looksAtBed() ? ray.from.xy / ray.from.w : gl_FragCoord.xy - vec2(water.region.xy);
+    if (manySamples && !looksAtBed()) ray.here = besideWhatHides(ray.here);
+    ray.leaves = untilBorder(ray.from, ray.perDepth);
+    ray.onMap = hasShore ? depthOnMap(ray.direction) : 0.0;
+    ray.passedOver = false;
+    return ray;
+}
+
+Behind behindRayAt(BentRay ray, float depth) {
+    return behindRay(ray.here, ray.from + ray.perDepth * depth);
+}
+
+BedFound foundFirst(BentRay ray, Behind straight) {
+    BedFound bed;
+    bed.found = straight;
+    bed.drop = max(position.y - straight.seen.y, 0.0);
+    bed.sought = min(bed.drop, ray.leaves);
+    if (ray.passedOver) {
+        bed.sought = min(seenAsFarAs(), ray.leaves);
+        bed.found = behindRayAt(ray, bed.sought);
+        bed.drop = max(position.y - bed.found.seen.y, 0.0);
+        if (isBelowWater(bed.found)) bed.sought = min(bed.drop, bed.sought);
+        if (hasShore) bed.sought = min(ray.onMap, ray.leaves);
+    }
+    bed.nearest = bed.last = bed.found;
+    bed.deepest = 0.0;
+    bed.least = 1e9;
+    bed.met = bed.left = false;
+    return bed;
+}
+
+// Looks for the ray in the scene in even steps of the screen. False where it meets nothing, and nothing else is seen there.
+bool meetsScene(BentRay ray, inout BedFound bed) {
+    float farthest = bed.sought;
+    Behind end = behindRayAt(ray, farthest);
+    bool endless = end.nothing;
+    Behind other = bed.last;   // what is seen where the ray does not meet what the line of sight does
+    if (endless || position.y - end.seen.y > 1.1 * farthest) {
+        farthest = min(2.0 * seenAsFarAs(), ray.leaves);
+        other = behindRayAt(ray, farthest);
+        endless = farthest < ray.leaves || other.nothing;
+        bed.sought = farthest;
+    }
+    vec4 goal = ray.from + ray.perDepth * farthest;
+    int looks = min(int(length(goal.xy / goal.w - ray.here) / sceneStride), sceneLooks);
+    float before = 0.0;
+    bool wasUnder = false;
+    int k = 1;
+    [[dont_unroll]] while (k < looks && !bed.met) {
+        float share = float(k++) / float(looks);
+        float depth = share * farthest * ray.from.w / mix(goal.w, ray.from.w, share);
+        Behind b = behindRayAt(ray, depth);
+        bool isUnder = isBelowWater(b) && position.y - b.seen.y < depth;
+        if (isUnder && !wasUnder) {
+            bed.found = b;
+            bed.drop = depth;
+            bed.met = meetsBetween(ray.from, ray.perDepth, ray.here, before, bed.found, bed.drop);
+        }
+        wasUnder = isUnder;
+        before = depth;
+    }
+    if (endless && !bed.met) return false;
+    if (!bed.met) {
+        bed.found = bed.last = other;
+        bed.drop = max(position.y - bed.found.seen.y, 0.0);
+    }
+    return true;
+}
+
+// By false position, from what the line of sight shows.
+void findRoot(BentRay ray, float nearerFirst, inout BedFound bed) {
+    // Of its depth, from what is met; with two looks the nearest is the best there is.
+    const float mostOff = refractionLooks > 2 ? 0.35 : 1e9;
+    vec2 above = vec2(0.0, nearerFirst);   // a way on the screen, and how much nearer the ray is there
+    vec2 under = vec2(0.0);                // likewise, where it is not; none while its second is 0
+    int i = 0;
+    do {
+        vec4 target = ray.from + ray.perDepth * bed.sought;
+        Behind b = behindRay(ray.here, target);
+        float deeper = b.nothing ? max(bed.sought, 1.0) : position.y - b.seen.y - bed.sought;
+        bool isBed = isBelowWater(b);
+        if (isBed && abs(deeper) < min(bed.least, mostOff * bed.sought)) {
+            bed.least = abs(deeper);
+            bed.found = b;
+            bed.drop = bed.sought;
+        }
+        // Its sign is that of what can be told more exactly.
+        float nearer = nearerBy(target, position + ray.direction * bed.sought, b);
+        vec2 reached = vec2(bed.sought / target.w, deeper > 0.0 ? max(nearer, 1e-9) : min(nearer, -1e-9));
+        vec2 before = above;
+        if (deeper > 0.0) {
+            above = reached;
+            bed.deepest = bed.sought;
+            if (isBed) bed.last = b;
+        } else {
+            if (isBed) bed.nearest = b;
+            // Of what stands before the bed only that it does counts.
+            under = isBed ? reached : vec2(reached.x, -above.y);
+        }
+        bed.left = deeper > 0.01 && bed.sought >= ray.leaves;
+        vec2 other = under.y < 0.0 ? under : before;
+        float apart = other.x - above.x;
+        float slope = abs(apart) > 1e-9 ? (other.y - above.y) / apart : 0.0;
+        float way = above.x - above.y / min(slope, -1e-9);
+        if (under.y < 0.0) way = clamp(way, mix(above.x, under.x, 0.02), mix(above.x, under.x, 0.98));
+        float beyond = 1.0 - way * ray.perDepth.w;
+        // Two looks that lie close together tell the slope no better than texels do.
+        float farthest = i > 0 ? min(4.0 * bed.sought, ray.leaves) : ray.leaves;
+        bed.sought = beyond > 0.0 ? min(way * ray.from.w / beyond, farthest) : farthest;
+    } while (++i < refractionLooks - 1 && bed.least > 0.01 && !bed.left);
+}
+
+// Where the ray leaves the picture, or passes behind something, the bed goes on by its slope. Whether that had to be made up.
+bool goesOnBeyond(BentRay ray, inout BedFound bed) {
+    const float wellOff = refractionLooks > 3 ? 0.05 : 0.35;
+    bool astray = refractionLooks > 2 && !ray.passedOver && !bed.met && bed.least > wellOff * bed.drop && isBelowWater(bed.found);
+    if (!(bed.left || astray) || !isBelowWater(bed.last)) return false;
+    vec2 track = ray.perDepth.xy - ray.perDepth.w * ray.from.xy / ray.from.w;
+    bed.drop = max(depthBeyond(bed.last, ray.direction, track / max(length(track), 1e-6)), bed.deepest);
+    bed.found = behindRayAt(ray, bed.drop);
+    bool met = bed.drop < ray.leaves && isBelowWater(bed.found) && abs(position.y - bed.found.seen.y - bed.drop) < 0.1 * bed.drop;
+    if (!met) bed.found = bed.last;
+    return !met;
+}
+
 // What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
 // raised and little water lies before it. Sought is the depth under the surface at which the ray meets what the picture
 // shows where the ray projects: a root, by false position between a place of the screen where the ray is before the scene
@@ -269,134 +426,31 @@ bool meetsBetween(vec4 from, vec4 perDepth, vec2 here, float before, inout Behin
 // depth as can be seen through; over a shore with what its map says, which stands for a bed that falls away out of sight.
 // `path` is how much water lies before it [m], `blurred` over how many pixels slopes too small to be seen spread it.
 vec3 refractedBed(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out float blurred) {
-    // Of its depth, from what is met; with two looks the nearest is the best there is.
-    const float mostOff = refractionLooks > 2 ? 0.35 : 1e9;
-    const float wellOff = refractionLooks > 3 ? 0.05 : 0.35;
-    vec4 from = bedPixelOf(vec4(position, 1.0));
-    vec2 here = looksAtBed() ? from.xy / from.w : gl_FragCoord.xy - vec2(water.region.xy);
-    if (manySamples && !looksAtBed()) here = besideWhatHides(here);
-    Behind found = bedAt(here);
     path = 1e6;
     blurred = 0.0;
-    vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);
-    float steepness = max(-bent.y, shallowest);
-    vec4 perDepth = bedPixelOf(vec4(bent / steepness, 0.0));
-    float leaves = untilBorder(from, perDepth);
-    vec2 above = vec2(0.0, nearerBy(from, position, found));   // a way on the screen, and how much nearer the ray is there
-    vec2 under = vec2(0.0);                            // likewise, where it is not; none while its second is 0
-    bool passedOver = found.nothing;
-    float drop = max(position.y - found.seen.y, 0.0);
-    float sought = min(drop, leaves);
-    float onMap = hasShore ? depthOnMap(bent / steepness) : 0.0;
-    if (passedOver) {
-        sought = min(seenAsFarAs(), leaves);
-        found = behindRay(here, from + perDepth * sought);
-        drop = max(position.y - found.seen.y, 0.0);
-        if (isBelowWater(found)) sought = min(drop, sought);
-        if (hasShore) sought = min(onMap, leaves);
-    }
-    if (sceneLooks == 0 && found.nothing) return waterGlow(vec3(path));
-    Behind nearest = found;
-    float deepest = 0.0;            // at which the ray was seen to be above the bed
-    Behind last = found;            // of the bed, before the ray leaves the picture or passes behind something
-    bool met = false;
-    if (sceneLooks > 0) {
-        float farthest = sought;
-        Behind end = behindRay(here, from + perDepth * farthest);
-        bool endless = end.nothing;
-        Behind other = last;   // what is seen where the ray does not meet what the line of sight does
-        if (endless || position.y - end.seen.y > 1.1 * farthest) {
-            farthest = min(2.0 * seenAsFarAs(), leaves);
-            other = behindRay(here, from + perDepth * farthest);
-            endless = farthest < leaves || other.nothing;
-            sought = farthest;
-        }
-        vec4 goal = from + perDepth * farthest;
-        int looks = min(int(length(goal.xy / goal.w - here) / sceneStride), sceneLooks);
-        float before = 0.0;
-        bool wasUnder = false;
-        int k = 1;
-        [[dont_unroll]] while (k < looks && !met) {
-            float share = float(k++) / float(looks);
-            float depth = share * farthest * from.w / mix(goal.w, from.w, share);
-            Behind b = behindRay(here, from + perDepth * depth);
-            bool isUnder = isBelowWater(b) && position.y - b.seen.y < depth;
-            if (isUnder && !wasUnder) {
-                found = b;
-                drop = depth;
-                met = meetsBetween(from, perDepth, here, before, found, drop);
-            }
-            wasUnder = isUnder;
-            before = depth;
-        }
-        if (endless && !met) return waterGlow(vec3(path));
-        if (!met) {
-            found = last = other;
-            drop = max(position.y - found.seen.y, 0.0);
-        }
-    }
-    float least = 1e9;
-    bool left = false;
-    int i = 0;
-    if (refractionLooks > 1 && !met) {
-        do {
-            vec4 target = from + perDepth * sought;
-            Behind b = behindRay(here, target);
-            float deeper = b.nothing ? max(sought, 1.0) : position.y - b.seen.y - sought;
-            bool isBed = isBelowWater(b);
-            if (isBed && abs(deeper) < min(least, mostOff * sought)) {
-                least = abs(deeper);
-                found = b;
-                drop = sought;
-            }
-            // Its sign is that of what can be told more exactly.
-            float nearer = nearerBy(target, position + bent / steepness * sought, b);
-            vec2 reached = vec2(sought / target.w, deeper > 0.0 ? max(nearer, 1e-9) : min(nearer, -1e-9));
-            vec2 before = above;
-            if (deeper > 0.0) {
-                above = reached;
-                deepest = sought;
-                if (isBed) last = b;
-            } else {
-                if (isBed) nearest = b;
-                // Of what stands before the bed only that it does counts.
-                under = isBed ? reached : vec2(reached.x, -above.y);
-            }
-            left = deeper > 0.01 && sought >= leaves;
-            vec2 other = under.y < 0.0 ? under : before;
-            float apart = other.x - above.x;
-            float slope = abs(apart) > 1e-9 ? (other.y - above.y) / apart : 0.0;
-            float way = above.x - above.y / min(slope, -1e-9);
-            if (under.y < 0.0) way = clamp(way, mix(above.x, under.x, 0.02), mix(above.x, under.x, 0.98));
-            float beyond = 1.0 - way * perDepth.w;
-            // Two looks that lie close together tell the slope no better than texels do.
-            float farthest = i > 0 ? min(4.0 * sought, leaves) : leaves;
-            sought = beyond > 0.0 ? min(way * from.w / beyond, farthest) : farthest;
-        } while (++i < refractionLooks - 1 && least > 0.01 && !left);
-    }
+    BentRay ray = bentRay(normal, toEye);
+    Behind straight = bedAt(ray.here);
+    ray.passedOver = straight.nothing;
+    float nearer = nearerBy(ray.from, position, straight);
+    BedFound bed = foundFirst(ray, straight);
+    if (sceneLooks == 0 && bed.found.nothing) return waterGlow(vec3(path));
+    if (sceneLooks > 0 && !meetsScene(ray, bed)) return waterGlow(vec3(path));
+    if (refractionLooks > 1 && !bed.met) findRoot(ray, nearer, bed);
     // What hides the place that the ray meets is as good as it, unless it lies far higher.
-    float known = passedOver && !met && !(left && isBelowWater(last)) ? 1.0 - smoothstep(0.4, 0.9, least / max(drop, 1e-3)) : 1.0;
-    bool madeUp = false;
-    bool astray = refractionLooks > 2 && !passedOver && !met && least > wellOff * drop && isBelowWater(found);
-    if ((left || astray) && isBelowWater(last)) {
-        vec2 track = perDepth.xy - perDepth.w * from.xy / from.w;
-        drop = max(depthBeyond(last, bent / steepness, track / max(length(track), 1e-6)), deepest);
-        found = behindRay(here, from + perDepth * drop);
-        bool met = drop < leaves && isBelowWater(found) && abs(position.y - found.seen.y - drop) < 0.1 * drop;
-        madeUp = !met;
-        if (madeUp) found = last;
-    }
-    mat2 blur = blurOfBed(s, toEye, found.seen, drop);
+    float known = ray.passedOver && !bed.met && !(bed.left && isBelowWater(bed.last))
+        ? 1.0 - smoothstep(0.4, 0.9, bed.least / max(bed.drop, 1e-3)) : 1.0;
+    bool madeUp = goesOnBeyond(ray, bed);
+    mat2 blur = blurOfBed(s, toEye, bed.found.seen, bed.drop);
     blurred = widthOf(blur);
-    vec4 bed = bedColorAround(found, madeUp ? mat2(0.0) : blur, drop);
-    if (madeUp) bed.rgb = radianceBeyond(found, position + bent / steepness * drop, here, blurred);
+    vec4 color = bedColorAround(bed.found, madeUp ? mat2(0.0) : blur, bed.drop);
+    if (madeUp) color.rgb = radianceBeyond(bed.found, position + ray.direction * bed.drop, ray.here, blurred);
     vec3 unknown = waterGlow(vec3(1e6));
-    if (hasShore && passedOver && known < 1.0)
-        unknown = bedThrough(bedRadiance(nearest), onMap - position.y - water.plane.w, gatheredIn(bedColorOf(nearest)),
-                             onMap / steepness);
+    if (hasShore && ray.passedOver && known < 1.0)
+        unknown = bedThrough(bedRadiance(bed.nearest), ray.onMap - position.y - water.plane.w, gatheredIn(bedColorOf(bed.nearest)),
+                             ray.onMap / ray.steepness);
     vec3 unknownOverFog = bedOverFog;
-    path = mix(length(found.seen - position), drop / steepness, water.refractionDistortion);
-    vec3 through = bedThrough(bed.rgb, -(found.seen.y + water.plane.w), gatheredIn(bed), path);
+    path = mix(length(bed.found.seen - position), bed.drop / ray.steepness, water.refractionDistortion);
+    vec3 through = bedThrough(color.rgb, -(bed.found.seen.y + water.plane.w), gatheredIn(color), path);
     bedOverFog = mix(unknownOverFog, bedOverFog, known);
     return mix(unknown, through, known);
 }

@@ -143,6 +143,24 @@ void exchangePoints(inout vec2 x[16], uint line, uint first, uint step, uint pla
 #undef RETURN
 }
 
+const uint sixteenthTurn = 0x10000000u;   // to the next of a team's butterflies
+
+// The last step of 32 or 512 points.
+void finishByTwos(inout vec2 x[16], uint turned) {
+#define BUTTERFLY(b)                                                                                                   \
+    x[b + 8] = times(x[b + 8], cosineSine(turned + uint(b) * sixteenthTurn));                                                    \
+    fourier2(x[b], x[b + 8]);
+    BUTTERFLY(0)
+    BUTTERFLY(1)
+    BUTTERFLY(2)
+    BUTTERFLY(3)
+    BUTTERFLY(4)
+    BUTTERFLY(5)
+    BUTTERFLY(6)
+    BUTTERFLY(7)
+#undef BUTTERFLY
+}
+
 // What is left of a transform after fourier16 or fourier16OfEnds on the points place + team r, r = 0..15. The result
 // lies at the same points.
 void finishLine(inout vec2 x[16], uint line, uint place) {
@@ -155,7 +173,6 @@ void finishLine(inout vec2 x[16], uint line, uint place) {
         fourier16(x);
         exchangePoints(x, line, place / 16u * 256u + within, 16u, place);
     }
-    const uint sixteenthTurn = 0x10000000u;   // to the next of a team's butterflies
     if (samples == 256u) {
         turn16(x, turned);
         fourier16(x);
@@ -191,18 +208,7 @@ void finishLine(inout vec2 x[16], uint line, uint place) {
         BUTTERFLY(2)
         BUTTERFLY(3)
 #undef BUTTERFLY
-    } else {   // 32 or 512
-#define BUTTERFLY(b)                                                                                                   \
-    x[b + 8] = times(x[b + 8], cosineSine(turned + uint(b) * sixteenthTurn));                                                    \
-    fourier2(x[b], x[b + 8]);
-        BUTTERFLY(0)
-        BUTTERFLY(1)
-        BUTTERFLY(2)
-        BUTTERFLY(3)
-        BUTTERFLY(4)
-        BUTTERFLY(5)
-        BUTTERFLY(6)
-        BUTTERFLY(7)
-#undef BUTTERFLY
+    } else {
+        finishByTwos(x, turned);
     }
 }
