@@ -10,7 +10,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/scene.h"
+#include "scene/surroundings.h"
 
 namespace demos {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/vulkan/frame_recorder.h"
+#include "host/host.h"
 
 namespace demos {
 

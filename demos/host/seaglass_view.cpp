@@ -92,43 +92,4 @@ seaglass::OverlayDesc overlayOf(Aov aov, const FrameTargets& targets) {
     return desc;
 }
 
-bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::ReflectionDesc& out,
-                  Error& error) {
-    using seaglass::ReflectionTechnique;
-    using Named = std::pair<std::string_view, ReflectionTechnique>;
-    constexpr Named techniques[] = {{"sky", ReflectionTechnique::sky},
-                                    {"sspr", ReflectionTechnique::sspr},
-                                    {"ssr", ReflectionTechnique::ssr},
-                                    {"hybrid", ReflectionTechnique::hybrid},
-                                    {"planar", ReflectionTechnique::planar}};
-    const auto named = std::ranges::find(techniques, desc.technique, &Named::first);
-    if (named == std::end(techniques)) {
-        error.text = std::string(surface) + ".reflection.technique is \"" + desc.technique +
-                     "\", expected sky, sspr, ssr, hybrid or planar";
-        return false;
-    }
-    out.technique = named->second;
-    out.downscale = desc.downscale;
-    out.height = desc.heightPx;
-    out.coarseKeys = desc.coarseKeys;
-    out.edgeFade = static_cast<float>(desc.edgeFade);
-    out.edgeFadeAround = desc.edgeFadeAround;
-    out.undersideLight = static_cast<float>(desc.undersideLight);
-    out.roofLooks = desc.roofLooks;
-    out.distortion = static_cast<float>(desc.distortion);
-    out.blurLevels = desc.blurLevels;
-    out.clearDistance = static_cast<float>(desc.clearDistanceM);
-    out.scatter = static_cast<float>(desc.scatter);
-    out.skyFadeDistance = static_cast<float>(desc.skyFadeM);
-    out.edgeReach = static_cast<float>(desc.edgeReach);
-    out.edgeStretch = static_cast<float>(desc.edgeStretchPerM);
-    out.temporal = static_cast<float>(desc.temporal);
-    out.marchCells = desc.marchCells;
-    out.marchSteps = desc.marchSteps;
-    out.marchThickness = static_cast<float>(desc.marchThicknessM);
-    out.marchDistance = static_cast<float>(desc.marchDistanceM);
-    out.marchJitter = static_cast<float>(desc.marchJitter);
-    return true;
-}
-
 } // namespace demos

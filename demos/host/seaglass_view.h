@@ -31,8 +31,4 @@ constexpr bool isOverlay(Aov aov) {
 /// Into targets.overlay.
 seaglass::OverlayDesc overlayOf(Aov aov, const FrameTargets& targets);
 
-/// `surface` is whose reflection it is, for errors: "water".
-bool reflectionOf(const ReflectionDesc& desc, const char* surface, seaglass::ReflectionDesc& out,
-                  Error& error);
-
 } // namespace demos

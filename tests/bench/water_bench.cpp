@@ -33,7 +33,7 @@ constexpr Part parts[] = {
     {"medium", [](WaterDesc& water) { setQuality("medium", water); }},
     {"high", [](WaterDesc& water) { setQuality("high", water); }},
     {"highest", [](WaterDesc& water) { setQuality("highest", water); }},
-    {"Schlick", [](WaterDesc& water) { water.fresnel = "schlick"; }},
+    {"Schlick", [](WaterDesc& water) { water.shading.fresnel = seaglass::Fresnel::schlick; }},
     {"no foam", [](WaterDesc& water) { water.foam.reset(); }},
     {"no refraction", takeRefraction},
     {"sky alone", [](WaterDesc& water) { water.reflection.reset(); }},

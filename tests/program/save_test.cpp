@@ -19,6 +19,13 @@ namespace fs = std::filesystem;
 using demos::Error;
 using demos::Scene;
 
+bool same(const auto* a, const auto* b) {
+    return *a == *b;
+}
+bool same(const demos::Setting& a, const demos::Setting& b) {
+    return a.field == b.field && a.get() == b.get();
+}
+
 /// Every field that a scene has, found through the table of fields alone.
 void expectSame(Scene a, Scene b) {
     const std::function<size_t(const demos::Section&, void*, void*, const std::string&)> compare =
@@ -26,8 +33,8 @@ void expectSame(Scene a, Scene b) {
             size_t count = 0;
             for (const demos::Field& field : section.fields) {
                 std::visit(
-                    [&]<class T>(T* value) {
-                        EXPECT_TRUE(*value == *std::get<T*>(field.target(other))) << path << field.key;
+                    [&]<class T>(T value) {
+                        EXPECT_TRUE(same(value, std::get<T>(field.target(other)))) << path << field.key;
                     },
                     field.target(one));
                 ++count;

@@ -181,7 +181,7 @@ TEST_F(SceneFile, AbsentTablesAreAbsentFeatures) {
                  flat->water->reflection || flat->water->underwater || flat->water->caustics);
     const std::optional<Scene> within = loadText(least + "[water.underwater]\nmeniscus_m = 0.01\n");
     ASSERT_TRUE(within && within->water && within->water->underwater) << error_.text;
-    EXPECT_EQ(within->water->underwater->meniscusM, 0.01);
+    EXPECT_EQ(within->water->underwater->meniscus, 0.01f);
     const std::optional<Scene> lit = loadText(least + "[water.caustics]\nstrength = 0.5\n");
     ASSERT_TRUE(lit && lit->water && lit->water->caustics) << error_.text;
     EXPECT_EQ(lit->water->caustics->strength, 0.5);
@@ -513,7 +513,7 @@ TEST_F(SceneFile, OverridesTakeWholeTables) {
     const auto scene = load({"mesh=[]", "water.foam={albedo=0.3}"});
     ASSERT_TRUE(scene) << error_.text;
     EXPECT_TRUE(scene->meshes.empty());
-    EXPECT_EQ(scene->water->foam->albedo, 0.3);
+    EXPECT_EQ(scene->water->foam->albedo, 0.3f);
 }
 
 TEST_F(SceneFile, TheLastOverrideWins) {
@@ -591,8 +591,16 @@ std::vector<Place> everyField() {
     return places;
 }
 
+bool isWhole(const Place& place) {
+    const auto* const setting = std::get_if<demos::Setting>(&place.target);
+    return std::holds_alternative<uint32_t*>(place.target) ||
+           (setting && setting->field->type == seaglass::FieldType::integer);
+}
+
 bool isNumber(const Place& place) {
-    return std::holds_alternative<double*>(place.target) || std::holds_alternative<uint32_t*>(place.target);
+    const auto* const setting = std::get_if<demos::Setting>(&place.target);
+    return std::holds_alternative<double*>(place.target) || isWhole(place) ||
+           (setting && setting->field->type == seaglass::FieldType::float32);
 }
 
 TEST_F(SceneFile, EveryFieldIsInTheTableOnce) {
@@ -639,9 +647,9 @@ TEST_F(SceneFile, EveryNumberHoldsItsRange) {
         ASSERT_TRUE(std::isfinite(field.least) && std::isfinite(field.most) && field.least < field.most)
             << place.path;
         const auto written = [&](double value) {
-            const bool whole = std::holds_alternative<uint32_t*>(place.target);
             return place.path + "=" +
-                   (whole ? std::to_string(static_cast<long>(value)) : testing::PrintToString(value));
+                   (isWhole(place) ? std::to_string(static_cast<long>(value))
+                                   : testing::PrintToString(value));
         };
         const double step = std::max(1.0, std::abs(field.most) * 0.01);
         if (field.rule != demos::Rule::positive) {

@@ -15,7 +15,7 @@ WaterDesc waves() {
     water.waves = WavesDesc{};
     water.waves->samples = 64;
     water.waves->windMps = 9;
-    water.foam = FoamDesc{};
+    water.foam.emplace();
     water.refraction = RefractionDesc{};
     return water;
 }

@@ -39,13 +39,14 @@ TEST(SavedView, IsTheScenesFirstCameraAndTime) {
 TEST(Split, TheRightHalfIsTheSameSurfaceMirroredOtherwise) {
     demos::Scene scene;
     demos::Split split;
-    split.reflection.technique = "planar";
+    split.reflection.technique = seaglass::ReflectionTechnique::planar;
     EXPECT_FALSE(demos::otherSurface(scene, split));
     scene.water.emplace().levelM = 3;
     const std::optional<demos::SurfaceDesc> other = demos::otherSurface(scene, split);
     ASSERT_TRUE(other && std::holds_alternative<demos::WaterDesc>(*other));
     EXPECT_EQ(std::get<demos::WaterDesc>(*other).levelM, 3);
-    EXPECT_EQ(std::get<demos::WaterDesc>(*other).reflection->technique, "planar");
+    EXPECT_EQ(std::get<demos::WaterDesc>(*other).reflection->technique,
+              seaglass::ReflectionTechnique::planar);
     EXPECT_FALSE(scene.water->reflection) << "the left half keeps its own";
 }
 

@@ -2,6 +2,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "scene/fields.h"
 #include "tests/view/in_window.h"
 
 namespace {
@@ -15,7 +16,7 @@ class ShaderReload : public tests::InWindow {
         ASSERT_NO_FATAL_FAILURE(open({tests::stepS, 1, shaders()}));
         demos::ViewState state = viewer_->state();
         state.paused = true;
-        state.scene.water->reflection->technique = technique;
+        state.scene.water->reflection->technique = demos::techniqueNamed(technique);
         ASSERT_TRUE(viewer_->change(state, {.surface = true}, error_)) << error_.text;
         stepOn(1);
     }
@@ -123,7 +124,7 @@ TEST_F(ShaderReload, BrokenShadersThatNothingDrawsWithWaitUntilSomethingDoes) {
     stepOn(1);
     EXPECT_EQ(message(), "shaders reloaded");
     demos::ViewState state = viewer_->state();
-    state.scene.water->reflection->technique = "sspr";
+    state.scene.water->reflection->technique = seaglass::ReflectionTechnique::sspr;
     ASSERT_TRUE(viewer_->change(state, {.surface = true}, error_)) << error_.text;
     stepOn(2);
     expectMessage("scatter.comp:");

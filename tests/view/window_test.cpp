@@ -199,7 +199,7 @@ TEST_F(InWindow, ChangesShowAndWhatCannotBeLeavesTheScene) {
     demos::ViewState state = viewer_->state();
     state.paused = true;
     state.scene.water->waves->beaufort = 7;
-    state.scene.water->reflection->technique = "planar";
+    state.scene.water->reflection->technique = seaglass::ReflectionTechnique::planar;
     ASSERT_TRUE(viewer_->change(state, {.surface = true}, error_)) << error_.text;
     stepOn(1);
     const std::vector<uint8_t> stormy = shown();
@@ -209,7 +209,7 @@ TEST_F(InWindow, ChangesShowAndWhatCannotBeLeavesTheScene) {
     const std::vector<uint8_t> sunny = shown();
     EXPECT_GT(difference(stormy, sunny), 10);
     state.split = demos::Split{};
-    state.split->reflection.technique = "sky";
+    state.split->reflection.technique = seaglass::ReflectionTechnique::sky;
     ASSERT_TRUE(viewer_->change(state, {.split = true, .measure = true}, error_)) << error_.text;
     stepOn(1);
     state.split.reset();

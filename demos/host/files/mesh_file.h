@@ -11,7 +11,7 @@
 #define GLM_FORCE_DEPTH_ZERO_TO_ONE
 #include <glm/glm.hpp>
 
-#include "scene/scene.h"
+#include "scene/surroundings.h"
 
 namespace demos {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "scene/scene.h"
+#include "scene/surroundings.h"
 
 namespace demos {
 

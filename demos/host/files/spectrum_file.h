@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/surroundings.h"
 #include "seaglass/sea.h"
 
 namespace demos {

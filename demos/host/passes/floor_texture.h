@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/files/mesh_file.h"
+#include "scene/floor.h"
 
 namespace demos {
 

@@ -2,24 +2,21 @@
 
 #include <algorithm>
 #include <string_view>
-#include <utility>
+
+#include "seaglass/fields/fog.h"
 
 namespace demos {
 
 bool fogOf(const FogDesc& desc, seaglass::FogDesc& out, Error& error) {
     using seaglass::FogShape;
-    using Named = std::pair<std::string_view, FogShape>;
-    constexpr Named shapes[] = {{"linear", FogShape::linear},
-                                {"exponential", FogShape::exponential},
-                                {"exponential-squared", FogShape::exponentialSquared},
-                                {"height", FogShape::height}};
-    const auto* const named = std::ranges::find(shapes, desc.shape, &Named::first);
-    if (named == std::end(shapes)) {
+    const auto* const named = std::ranges::find(seaglass::fogShapes, std::string_view(desc.shape));
+    if (named == std::end(seaglass::fogShapes)) {
         error.text = "fog.shape is \"" + desc.shape +
                      "\", expected linear, exponential, exponential-squared or height";
         return false;
     }
-    out.shape = named->second;
+    out.shape =
+        static_cast<FogShape>(static_cast<uint32_t>(FogShape::linear) + (named - seaglass::fogShapes));
     out.density = static_cast<float>(desc.densityPerM);
     out.start = static_cast<float>(desc.startM);
     out.end = static_cast<float>(desc.endM);

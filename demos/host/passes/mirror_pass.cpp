@@ -33,14 +33,14 @@ bool createTexture(Device& device, const FloorDesc& desc, FloorTexture& out, Err
            createSampler(device, sampler, out.sampler, error);
 }
 
-bool isMirrored(const std::optional<ReflectionDesc>& desc) {
-    return desc && desc->technique != "sky";
+bool isMirrored(const std::optional<seaglass::ReflectionDesc>& desc) {
+    return desc && desc->technique != seaglass::ReflectionTechnique::sky;
 }
 
-bool reflectionOfFloor(const FloorDesc& desc, seaglass::ReflectionDesc& out, Error& error) {
-    if (!reflectionOf(*desc.reflection, "floor", out, error)) return false;
-    if (desc.roughness == 0 && desc.reflection->scatter == 0) out.blurLevels = 0;
-    return true;
+seaglass::ReflectionDesc reflectionOf(const FloorDesc& desc) {
+    seaglass::ReflectionDesc reflection = *desc.reflection;
+    if (desc.roughness == 0 && reflection.scatter == 0) reflection.blurLevels = 0;
+    return reflection;
 }
 
 } // namespace
@@ -83,7 +83,8 @@ bool MirrorPass::createLayout(Error& error) {
 
 bool MirrorPass::createReflector(MirrorSurface& out, Error& error) {
     seaglass::ReflectorDesc reflector;
-    if (!reflectionOfFloor(out.desc, reflector.reflection, error)) return false;
+    reflector.reflection = reflectionOf(out.desc);
+    reflector.reflection.distortion = 0; // nothing bends it
     for (int i = 0; i < 3; ++i) reflector.plane[i] = out.plane.normal[i];
     reflector.plane[3] = -glm::dot(out.plane.normal, out.plane.middle);
     const glm::dvec3 reach = glm::abs(out.plane.across) * (0.5 * out.desc.widthM) +
@@ -92,7 +93,6 @@ bool MirrorPass::createReflector(MirrorSurface& out, Error& error) {
         reflector.boundsLow[i] = out.plane.middle[i] - reach[i];
         reflector.boundsHigh[i] = out.plane.middle[i] + reach[i];
     }
-    reflector.reflection.distortion = 0; // nothing bends it
     seaglass::Reflector* made = nullptr;
     if (!context_.ok(seaglass::createReflector(context_.get(), &reflector, &made), error)) return false;
     out.reflector.reset(made);
@@ -135,9 +135,7 @@ bool MirrorPass::createSurface(const FloorDesc& desc, const MirrorSurface* alike
 bool MirrorPass::estimateReflection(const FloorDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error) {
     bytes = 0;
     if (!isMirrored(desc.reflection)) return true;
-    seaglass::ReflectionDesc reflection;
-    return createOnce(error) && reflectionOfFloor(desc, reflection, error) &&
-           context_.estimate(reflection, extent, bytes, error);
+    return createOnce(error) && context_.estimate(reflectionOf(desc), extent, bytes, error);
 }
 
 bool MirrorPass::planarView(const MirrorSurface& surface, const Camera& camera, const FrameTargets& targets,
@@ -181,8 +179,8 @@ void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camer
     uniforms.color = with(toGlm(desc.color), extent.height / (2 * camera.tanHalfFovY));
     uniforms.picture = glm::vec4(extent.width, extent.height, downscaleOf(surface), 0);
     if (desc.reflection)
-        uniforms.look = glm::dvec4(desc.reflection->clearDistanceM, desc.reflection->scatter,
-                                   desc.reflection->skyFadeM, 0);
+        uniforms.look = glm::dvec4(desc.reflection->clearDistance, desc.reflection->scatter,
+                                   desc.reflection->skyFadeDistance, 0);
     std::memcpy(surface.uniforms.mapped, &uniforms, sizeof(uniforms));
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/host.h"
+#include "host/host_desc.h"
 #include "host/vulkan/vk_handle.h"
 
 namespace demos {

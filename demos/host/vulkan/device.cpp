@@ -1,4 +1,5 @@
 #include "host/vulkan/device.h"
+#include "host/host.h"
 
 #include <algorithm>
 #include <cctype>

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "host/host.h"
+#include "host/host_desc.h"
 #include "host/timing/pass_timer.h"
 #include "host/vulkan/vk_handle.h"
 

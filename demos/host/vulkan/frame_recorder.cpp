@@ -13,13 +13,16 @@ namespace {
 
 bool isPlanar(const SurfaceDesc& desc) {
     return std::visit(
-        [](const auto& surface) { return surface.reflection && surface.reflection->technique == "planar"; },
+        [](const auto& surface) {
+            return surface.reflection &&
+                   surface.reflection->technique == seaglass::ReflectionTechnique::planar;
+        },
         desc);
 }
 
 bool hasBed(const SurfaceDesc& desc) {
     const auto* const water = std::get_if<WaterDesc>(&desc);
-    return water && water->bed && water->bed->drawn;
+    return water && water->bed && water->bedDrawn;
 }
 
 } // namespace

@@ -1,11 +1,14 @@
 // A frame of the host as stages that can be recorded into one command buffer or into one each.
 #pragma once
 
+#include <variant>
+
 #include "host/passes/mirror_pass.h"
 #include "host/passes/opaque.h"
-#include "host/passes/shadow.h"
 #include "host/scene_again.h"
+#include "host/passes/shadow.h"
 #include "host/water/water_pass.h"
+#include "scene/scene.h"
 
 namespace demos {
 

@@ -1,5 +1,7 @@
 #include "host/water/bent_sun.h"
 
+#include "scene/scene.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -11,6 +11,8 @@
 
 namespace demos {
 
+struct WaterDesc;
+
 /// Of a sea; of calm water all 0.
 struct BendingWaves {
     double slopeVariance = 0; ///< both axes together

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/camera.h"
+#include "scene/floor.h"
 
 namespace demos {
 

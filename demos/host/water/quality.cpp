@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "host/seaglass_view.h"
+#include "scene/save.h"
 #include "seaglass/water.h"
 
 namespace demos {
@@ -16,19 +16,15 @@ seaglass::Quality numbered(std::string_view quality) {
     return static_cast<seaglass::Quality>(std::ranges::find(names, quality) - names.begin());
 }
 
-void setQuality(seaglass::Quality quality, ReflectionDesc& desc) {
-    seaglass::ReflectionDesc reflection;
-    Error unknown; // the names of techniques were checked as the scene was read
-    if (!reflectionOf(desc, "water", reflection, unknown)) return;
-    const seaglass::ReflectionTechnique before = reflection.technique;
-    seaglass::setQuality(quality, nullptr, &reflection);
-    desc.downscale = reflection.downscale;
-    desc.marchSteps = reflection.marchSteps;
-    desc.roofLooks = reflection.roofLooks;
-    desc.marchCells = reflection.marchCells;
-    desc.coarseKeys = reflection.coarseKeys;
-    if (reflection.technique == before) return;
-    desc.technique = reflection.technique == seaglass::ReflectionTechnique::hybrid ? "hybrid" : "sspr";
+/// What quality sets of a section and all that is in it.
+void addGraded(const Section& section, void* owner, const std::string& path,
+               std::vector<std::string>& overrides) {
+    for (const Field& field : section.fields)
+        if (field.row && field.row->graded)
+            overrides.push_back(path + std::string(field.key) + "=" + valueText(field, owner));
+    for (const Child& child : section.children)
+        for (void* const there : child.access.there(owner))
+            addGraded(*child.section, there, path + std::string(child.section->key) + ".", overrides);
 }
 
 } // namespace
@@ -39,48 +35,21 @@ std::span<const std::string_view> qualities() {
 
 void setQuality(std::string_view quality, WaterDesc& water) {
     seaglass::BodyDesc body;
-    const seaglass::BedDesc bed;
-    body.bed = &bed;
-    seaglass::setQuality(numbered(quality), &body, nullptr);
-    water.cellsPerLevel = body.mesh.cellsPerLevel;
-    water.mirrorLooks = body.shading.mirrorLooks;
-    water.refractionLooks = body.shading.refractionLooks;
-    water.slopeLooks = body.shading.slopeLooks;
-    water.waveShadowSteps = body.shading.waveShadowSteps;
-    water.relief = body.shading.relief;
-    if (water.bed) {
-        water.bed->drawn = body.bed;
-        water.bed->downscale = body.shading.bedDownscale;
-    }
-    if (water.caustics) water.caustics->stepPx = body.shading.causticStep;
-    if (water.reflection) setQuality(numbered(quality), *water.reflection);
+    body.mesh = water.mesh;
+    body.shading = water.shading;
+    body.bed = water.bed ? &*water.bed : nullptr;
+    seaglass::setQuality(numbered(quality), &body, water.reflection ? &*water.reflection : nullptr);
+    water.mesh = body.mesh;
+    water.shading = body.shading;
+    if (water.bed) water.bedDrawn = body.bed;
 }
 
 std::vector<std::string> qualityOverrides(std::string_view quality, const WaterDesc& water) {
     WaterDesc set = water;
     setQuality(quality, set);
     std::vector<std::string> overrides;
-    const auto add = [&](const char* field, const std::string& value) {
-        overrides.push_back(std::string("water.") + field + "=" + value);
-    };
-    add("cells_per_level", std::to_string(set.cellsPerLevel));
-    add("mirror_looks", std::to_string(set.mirrorLooks));
-    add("refraction_looks", std::to_string(set.refractionLooks));
-    add("slope_looks", std::to_string(set.slopeLooks));
-    add("wave_shadow_steps", std::to_string(set.waveShadowSteps));
-    add("relief", set.relief ? "true" : "false");
-    if (set.bed) {
-        add("bed.drawn", set.bed->drawn ? "true" : "false");
-        add("bed.downscale", std::to_string(set.bed->downscale));
-    }
-    if (set.caustics) add("caustics.step_px", std::to_string(set.caustics->stepPx));
-    if (!set.reflection) return overrides; // an override would give it one
-    add("reflection.technique", set.reflection->technique);
-    add("reflection.downscale", std::to_string(set.reflection->downscale));
-    add("reflection.march_steps", std::to_string(set.reflection->marchSteps));
-    add("reflection.roof_looks", std::to_string(set.reflection->roofLooks));
-    add("reflection.march_cells", set.reflection->marchCells ? "true" : "false");
-    add("reflection.coarse_keys", set.reflection->coarseKeys ? "true" : "false");
+    if (set.bed) overrides.push_back(set.bedDrawn ? "water.bed.drawn=true" : "water.bed.drawn=false");
+    addGraded(sectionOf("water"), &set, "water.", overrides);
     return overrides;
 }
 

@@ -24,15 +24,6 @@ seaglass::RefractionDesc refractionOf(const RefractionDesc& desc) {
     return refraction;
 }
 
-bool fresnelOf(const WaterDesc& desc, seaglass::Fresnel& out, Error& error) {
-    if (desc.fresnel != "exact" && desc.fresnel != "schlick") {
-        error.text = "water.fresnel is \"" + desc.fresnel + "\", expected exact or schlick";
-        return false;
-    }
-    out = desc.fresnel == "exact" ? seaglass::Fresnel::exact : seaglass::Fresnel::schlick;
-    return true;
-}
-
 seaglass::SurfaceOutput outputOf(Aov aov) {
     switch (aov) {
     case Aov::reflection:
@@ -74,22 +65,12 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     SceneExtent extent;
     SceneSea sea;
     SceneShore shore;
-    seaglass::FoamDesc foam;
     seaglass::RefractionDesc refraction;
-    seaglass::ReflectionDesc reflection;
-    seaglass::UnderwaterDesc underwater;
-    seaglass::CausticsDesc caustics;
-    seaglass::BedDesc bed;
     seaglass::BodyDesc body;
     const Plane plane = waterPlane(desc);
     std::ranges::copy(plane, body.plane);
-    body.mesh.cellSize = static_cast<float>(desc.cellM);
-    body.mesh.cellsPerLevel = desc.cellsPerLevel;
-    const uint32_t bedDownscale = desc.bed ? desc.bed->downscale : 1;
-    const uint32_t causticStep = desc.caustics ? desc.caustics->stepPx : 1;
-    body.shading = {desc.mirrorLooks, desc.refractionLooks, bedDownscale, causticStep,
-                    desc.slopeLooks,  desc.waveShadowSteps, desc.relief};
-    if (!fresnelOf(desc, body.shading.fresnel, error)) return false;
+    body.mesh = desc.mesh;
+    body.shading = desc.shading;
     body.extent.planetRadius = desc.planetRadiusM;
     if (desc.extent) {
         if (!extentOf(*desc.extent, extent, error)) return false;
@@ -102,30 +83,15 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
         body.waves = &sea.desc;
         body.wavesBackend = wavesBackend_;
     }
-    if (desc.foam) {
-        foam = foamOf(*desc.foam);
-        body.foam = &foam;
-    }
+    if (desc.foam) body.foam = &*desc.foam;
     if (desc.refraction) {
         refraction = refractionOf(*desc.refraction);
         body.refraction = &refraction;
     }
-    if (desc.reflection) {
-        if (!reflectionOf(*desc.reflection, "water", reflection, error)) return false;
-        body.reflection = &reflection;
-    }
-    if (desc.underwater) {
-        underwater.meniscus = static_cast<float>(desc.underwater->meniscusM);
-        body.underwater = &underwater;
-    }
-    if (desc.caustics) {
-        caustics.strength = static_cast<float>(desc.caustics->strength);
-        body.caustics = &caustics;
-    }
-    if (desc.bed && desc.bed->drawn) {
-        bed.margin = static_cast<float>(desc.bed->margin);
-        body.bed = &bed;
-    }
+    if (desc.reflection) body.reflection = &*desc.reflection;
+    if (desc.underwater) body.underwater = &*desc.underwater;
+    if (desc.caustics) body.caustics = &*desc.caustics;
+    if (desc.bed && desc.bedDrawn) body.bed = &*desc.bed;
     std::vector<seaglass::DryRoom> rooms;
     if (!dryRoomsOf(desc.dryRooms, rooms, error)) return false;
     seaglass::Body* made = nullptr;
@@ -136,17 +102,15 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
         seaglass::destroyBody(made);
         return false;
     }
-    const bool planar = body.reflection && reflection.technique == seaglass::ReflectionTechnique::planar;
+    const bool planar =
+        body.reflection && body.reflection->technique == seaglass::ReflectionTechnique::planar;
     out = WaterBody(made, {planar, body.caustics != nullptr, body.bed != nullptr});
     return true;
 }
 
 bool WaterPass::estimateReflection(const WaterDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error) {
     bytes = 0;
-    if (!desc.reflection) return true;
-    seaglass::ReflectionDesc reflection;
-    return reflectionOf(*desc.reflection, "water", reflection, error) &&
-           context_.estimate(reflection, extent, bytes, error);
+    return !desc.reflection || context_.estimate(*desc.reflection, extent, bytes, error);
 }
 
 bool WaterPass::simulate(VkCommandBuffer commands, const WaterBody& body, double timeS, double& cpuMs,

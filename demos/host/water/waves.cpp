@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/files/spectrum_file.h"
+#include "seaglass/fields/sea.h"
 
 #ifdef DEMOS_WAVES_FFTW
 #include "seaglass/waves_fftw.h"
@@ -17,7 +18,6 @@ namespace demos {
 namespace {
 
 using seaglass::SpectrumModel;
-using seaglass::SpreadingModel;
 using seaglass::WaterType;
 
 constexpr std::array<std::pair<std::string_view, WaterType>, 4> waterTypes = {{
@@ -27,32 +27,16 @@ constexpr std::array<std::pair<std::string_view, WaterType>, 4> waterTypes = {{
     {"turbid", WaterType::turbid},
 }};
 
-constexpr std::array<std::pair<std::string_view, SpectrumModel>, 5> spectra = {{
-    {"jonswap", SpectrumModel::jonswap},
-    {"pierson-moskowitz", SpectrumModel::piersonMoskowitz},
-    {"tma", SpectrumModel::tma},
-    {"phillips", SpectrumModel::phillips},
-    {"table", SpectrumModel::table},
-}};
-
-constexpr std::array<std::pair<std::string_view, SpreadingModel>, 4> spreadings = {{
-    {"hasselmann", SpreadingModel::hasselmann},
-    {"mitsuyasu", SpreadingModel::mitsuyasu},
-    {"donelan-banner", SpreadingModel::donelanBanner},
-    {"cos2s", SpreadingModel::cosine2s},
-}};
-
-template<class Names, class Model>
+/// The value of an enum whose names these are.
+template<class Model, class Names>
 bool choose(const char* field, const std::string& name, const Names& names, Model& model, Error& error) {
-    std::string known;
-    for (const auto& [candidate, value] : names) {
-        if (candidate == name) {
-            model = value;
-            return true;
-        }
-        known.append(known.empty() ? "" : ", ").append(candidate);
+    const auto* const named = std::ranges::find(names, std::string_view(name));
+    if (named != std::end(names)) {
+        model = static_cast<Model>(named - std::begin(names));
+        return true;
     }
-    error.text = std::string("water.waves.") + field + " is \"" + name + "\", expected one of " + known;
+    error.text = std::string("water.waves.") + field + " is \"" + name + "\", expected one of";
+    for (const char* const known : names) error.text.append(&known == names ? " " : ", ").append(known);
     return false;
 }
 
@@ -124,8 +108,8 @@ bool wavesOnOf(const WavesDesc& waves, seaglass::WavesOn& on, Error& error) {
 bool seaOf(const WavesDesc& waves, SceneSea& out, Error& error) {
     seaglass::SeaDesc& sea = out.desc;
     setWind(waves, sea);
-    if (!choose("spectrum", waves.spectrum, spectra, sea.spectrum, error) ||
-        !choose("spreading", waves.spreading, spreadings, sea.spreading, error))
+    if (!choose("spectrum", waves.spectrum, seaglass::spectrumModels, sea.spectrum, error) ||
+        !choose("spreading", waves.spreading, seaglass::spreadingModels, sea.spreading, error))
         return false;
     if (sea.spectrum == SpectrumModel::table) {
         if (!readSpectrum(waves.spectrumTable, out.table, error)) return false;
@@ -144,10 +128,6 @@ bool seaOf(const WavesDesc& waves, SceneSea& out, Error& error) {
     sea.largestPatch = static_cast<float>(waves.largestPatchM);
     sea.seed = waves.seed;
     return true;
-}
-
-seaglass::FoamDesc foamOf(const FoamDesc& foam) {
-    return {static_cast<float>(foam.bias), static_cast<float>(foam.decayS), static_cast<float>(foam.albedo)};
 }
 
 seaglass::WaterCoefficients coefficientsOf(const RefractionDesc& refraction) {

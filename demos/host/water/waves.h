@@ -28,7 +28,6 @@ struct SceneSea {
 /// False with `error` set when there is no such model, or no table in the file that is named.
 bool seaOf(const WavesDesc& waves, SceneSea& sea, Error& error);
 
-seaglass::FoamDesc foamOf(const FoamDesc& foam);
 /// Of the type that is named, or of the tint, else as they are given.
 seaglass::WaterCoefficients coefficientsOf(const RefractionDesc& refraction);
 

@@ -9,6 +9,8 @@
 #include "program/measure/left_out.h"
 #include "program/render/output.h"
 #include "program/scene_input.h"
+#include "program/device/validation.h"
+#include "scene/fields.h"
 #include "scene/offset.h"
 #include "view/viewer.h"
 
@@ -22,10 +24,10 @@ std::optional<Split> splitOf(const Scene& scene, const std::string& technique, E
         error.text = "--split is '" + technique + "', expected a scene with water or a floor to mirror it";
         return std::nullopt;
     }
-    const std::optional<ReflectionDesc>& own =
+    const std::optional<seaglass::ReflectionDesc>& own =
         scene.water ? scene.water->reflection : scene.floor->reflection;
-    Split split{own.value_or(ReflectionDesc{})};
-    split.reflection.technique = technique;
+    Split split{own.value_or(seaglass::ReflectionDesc{})};
+    split.reflection.technique = techniqueNamed(technique);
     return split;
 }
 

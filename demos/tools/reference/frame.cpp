@@ -52,7 +52,7 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
     }
     if (world.water) {
         const auto& foam = world.water->foam;
-        const seaglass::FoamDesc foamDesc = foam ? foamOf(*foam) : seaglass::FoamDesc{};
+        const seaglass::FoamDesc foamDesc = foam.value_or(seaglass::FoamDesc{});
         if (!out.surface.create(world.sea.get(), foam ? &foamDesc : nullptr, desc.timeS, error)) return false;
         SurfaceMeshDesc mesh;
         mesh.levelM = world.levelM;

@@ -7,6 +7,7 @@
 #include "host/water/floor_plane.h"
 #include "reference/light/light.h"
 #include "reference/water_surface.h"
+#include "scene/scene.h"
 
 // Not public: there is to be one notion of what an outline encloses, and of a tilted body's axes.
 #include "water/body/body_frame.h"

@@ -5,6 +5,11 @@
 #include <charconv>
 
 #include "scene/nearest.h"
+#include "scene/settings.h"
+#include "seaglass/fields/fog.h"
+#include "seaglass/fields/reflection.h"
+#include "seaglass/fields/sea.h"
+#include "seaglass/fields/water.h"
 
 namespace demos {
 
@@ -61,16 +66,38 @@ template<auto member>
 constexpr Access open = {[](void* owner) { return addressOf(of<member>(owner)); },
                          [](void* owner) { return allOf(of<member>(owner)); }};
 
+/// Of a child whose fields live in its owner's other members, too.
+template<auto member>
+constexpr Access beside = {
+    [](void* owner) {
+        of<member>(owner).emplace();
+        return owner;
+    },
+    [](void* owner) { return of<member>(owner) ? std::vector<void*>{owner} : std::vector<void*>{}; }};
+
+/// As a row of a table says, but in a member of the scene's own.
+template<const seaglass::FieldTable& table, auto member>
+consteval Field like(std::string_view name, std::string_view key,
+                     std::span<const std::string_view> choices = {}) {
+    return described(table, rowOf(table, name), key, at<member>, choices);
+}
+
+consteval Field upTo(double most, Field field) {
+    field.most = most;
+    return field;
+}
+
+consteval Field positive(Field field) {
+    field.rule = Rule::positive;
+    return field;
+}
+
 constexpr double far = 1e6; // metres: beyond it a float no longer resolves a wave
 constexpr double turn = 360;
 constexpr bool required = true;
 
-constexpr std::array<std::string_view, 5> spectra = {"jonswap", "pierson-moskowitz", "tma", "phillips",
-                                                     "table"};
-constexpr std::array<std::string_view, 4> spreadings = {"hasselmann", "mitsuyasu", "donelan-banner", "cos2s"};
 constexpr std::array<std::string_view, 3> backends = {"automatic", "gpu", "fftw"};
 constexpr std::array<std::string_view, 4> waterTypes = {"pool", "clear-ocean", "coastal", "turbid"};
-constexpr std::array<std::string_view, 5> techniques = {"sky", "sspr", "ssr", "hybrid", "planar"};
 
 constexpr std::array skyFields = {
     Field{"file", at<&SkyDesc::file>, 0, 0, "", "lat-long HDR or EXR file", required},
@@ -86,21 +113,17 @@ constexpr std::array sunFields = {
     Field{"irradiance", at<&SunDesc::irradiance>, 0, 1e6, "", "red, green, blue"},
 };
 
-constexpr std::array<std::string_view, 4> fogShapes = {"linear", "exponential", "exponential-squared",
-                                                       "height"};
-
 constexpr std::array fogFields = {
-    Field{"shape", at<&FogDesc::shape>, 0, 0, "", "how it grows with distance", false, Rule::none, fogShapes},
-    Field{"density_per_m", at<&FogDesc::densityPerM>, 0, 1000, "1/m",
-          "of all but linear; height: at its base"},
-    Field{"start_m", at<&FogDesc::startM>, 0, 1e8, "m", "linear: where it begins"},
-    Field{"end_m", at<&FogDesc::endM>, 0, 1e9, "m", "linear: where it hides all", false, Rule::positive},
-    Field{"falloff_per_m", at<&FogDesc::falloffPerM>, 0, 10, "1/m", "height: how fast it thins out upwards"},
-    Field{"base_height_m", at<&FogDesc::baseHeightM>, -far, far, "m", "height: where it has its density"},
-    Field{"color", at<&FogDesc::color>, 0, 1e6, "", "radiance: red, green, blue"},
-    Field{"from_sky", at<&FogDesc::fromSky>, 0, 1, "", "share of its colour that is the sky's instead"},
-    Field{"most", at<&FogDesc::most>, 0, 1, "", "share of light that it takes at most"},
-    Field{"over_sky", at<&FogDesc::overSky>, 0, 0, "", "lies before the sky, too"},
+    like<seaglass::fogFields, &FogDesc::shape>("shape", "shape", wordsOf<seaglass::fogShapes>),
+    like<seaglass::fogFields, &FogDesc::densityPerM>("density", "density_per_m"),
+    upTo(1e8, like<seaglass::fogFields, &FogDesc::startM>("start", "start_m")),
+    positive(like<seaglass::fogFields, &FogDesc::endM>("end", "end_m")),
+    like<seaglass::fogFields, &FogDesc::falloffPerM>("falloff", "falloff_per_m"),
+    like<seaglass::fogFields, &FogDesc::baseHeightM>("baseHeight", "base_height_m"),
+    upTo(1e6, like<seaglass::fogFields, &FogDesc::color>("color", "color")),
+    like<seaglass::fogFields, &FogDesc::fromSky>("fromSky", "from_sky"),
+    like<seaglass::fogFields, &FogDesc::most>("most", "most"),
+    like<seaglass::fogFields, &FogDesc::overSky>("overSky", "over_sky"),
 };
 
 constexpr std::array meshFields = {
@@ -111,50 +134,49 @@ constexpr std::array meshFields = {
 };
 
 constexpr std::array wavesFields = {
-    Field{"spectrum", at<&WavesDesc::spectrum>, 0, 0, "", "model of the spectrum", false, Rule::none,
-          spectra},
+    like<seaglass::seaFields, &WavesDesc::spectrum>("spectrum", "spectrum",
+                                                    wordsOf<seaglass::spectrumModels>),
     Field{"spectrum_table", at<&WavesDesc::spectrumTable>, 0, 0, "", "CSV file of Hz and m^2/Hz"},
     Field{"beaufort", at<&WavesDesc::beaufort>, 0, 12, "", "force: wind, fetch and old waves at once"},
-    Field{"wind_m_s", at<&WavesDesc::windMps>, 0, 100, "m/s", "wind speed at 10 m"},
-    Field{"wind_towards_deg", at<&WavesDesc::windTowardsDeg>, -turn, turn, "degrees", "from +X towards +Z"},
-    Field{"fetch_m", at<&WavesDesc::fetchM>, 1, 1e6, "m", "open water upwind"},
-    Field{"cap_fetch", at<&WavesDesc::capFetch>, 0, 0, "", "no further than a fully developed sea"},
-    Field{"depth_m", at<&WavesDesc::depthM>, 0, 1e5, "m", "of the water, for its waves"},
-    Field{"peak_enhancement", at<&WavesDesc::peakEnhancement>, 1, 10, "", "JONSWAP gamma"},
-    Field{"spreading", at<&WavesDesc::spreading>, 0, 0, "", "model of the directions", false, Rule::none,
-          spreadings},
-    Field{"spreading_shape", at<&WavesDesc::spreadingShape>, 0, 1000, "", "s of cos2s"},
-    Field{"swell", at<&WavesDesc::swell>, 0, 1, "", "elongation of the directional spreading"},
-    Field{"amplitude", at<&WavesDesc::amplitude>, 0, 1, "", "scale of the heights, 1 as the wind makes them"},
-    Field{"choppiness", at<&WavesDesc::choppiness>, 0, 10, "", "scale of the horizontal displacement"},
-    Field{"samples", at<&WavesDesc::samples>, 16, 1024, "", "across each cascade", false, Rule::powerOfTwo},
-    Field{"cascades", at<&WavesDesc::cascades>, 1, 4, "", "bands of wavelengths"},
-    Field{"largest_patch_m", at<&WavesDesc::largestPatchM>, 1, 1e5, "m",
-          "edge of the largest cascade, 0 chooses", false, Rule::zeroOrRange},
+    like<seaglass::seaFields, &WavesDesc::windMps>("windSpeed", "wind_m_s"),
+    Field{"wind_towards_deg", at<&WavesDesc::windTowardsDeg>, -turn, turn, "degrees",
+          "where it blows towards, from +X towards +Z"},
+    like<seaglass::seaFields, &WavesDesc::fetchM>("fetch", "fetch_m"),
+    like<seaglass::seaFields, &WavesDesc::capFetch>("capFetch", "cap_fetch"),
+    upTo(1e5, like<seaglass::seaFields, &WavesDesc::depthM>("depth", "depth_m")),
+    like<seaglass::seaFields, &WavesDesc::peakEnhancement>("peakEnhancement", "peak_enhancement"),
+    like<seaglass::seaFields, &WavesDesc::spreading>("spreading", "spreading",
+                                                     wordsOf<seaglass::spreadingModels>),
+    like<seaglass::seaFields, &WavesDesc::spreadingShape>("spreadingShape", "spreading_shape"),
+    like<seaglass::seaFields, &WavesDesc::swell>("swell", "swell"),
+    like<seaglass::seaFields, &WavesDesc::amplitude>("amplitude", "amplitude"),
+    like<seaglass::seaFields, &WavesDesc::choppiness>("choppiness", "choppiness"),
+    like<seaglass::seaFields, &WavesDesc::samples>("samples", "samples"),
+    like<seaglass::seaFields, &WavesDesc::cascades>("cascades", "cascades"),
+    like<seaglass::seaFields, &WavesDesc::largestPatchM>("largestPatch", "largest_patch_m"),
     // TOML's integers are signed.
     Field{"seed", at<&WavesDesc::seed>, 0, 9223372036854774784.0, "", "of the random phases"},
     Field{"backend", at<&WavesDesc::backend>, 0, 0, "", "what computes them", false, Rule::none, backends},
 };
 
 constexpr std::array swellFields = {
-    Field{"height_m", at<&SwellDesc::heightM>, 0, 30, "m", "its own significant wave height"},
-    Field{"period_s", at<&SwellDesc::periodS>, 1, 30, "s", "of its peak"},
-    Field{"towards_deg", at<&SwellDesc::towardsDeg>, -turn, turn, "degrees", "from +X towards +Z"},
-    Field{"bandwidth", at<&SwellDesc::bandwidth>, 0.02, 0.25, "", "of frequency, as a share"},
-    Field{"spreading", at<&SwellDesc::spreading>, 0, 1000, "", "s of cos^2s: greater is straighter"},
+    like<seaglass::swellFields, &SwellDesc::heightM>("height", "height_m"),
+    like<seaglass::swellFields, &SwellDesc::periodS>("peakPeriod", "period_s"),
+    Field{"towards_deg", at<&SwellDesc::towardsDeg>, -turn, turn, "degrees",
+          "where it runs towards, from +X towards +Z"},
+    like<seaglass::swellFields, &SwellDesc::bandwidth>("bandwidth", "bandwidth"),
+    like<seaglass::swellFields, &SwellDesc::spreading>("spreading", "spreading"),
 };
 
 constexpr std::array shoreFields = {
     Field{"file", at<&ShoreDesc::file>, 0, 0, "", "glTF file", required},
     Field{"position_m", at<&ShoreDesc::positionM>, -far, far, "m", "of the mesh's origin"},
-    Field{"spacing_m", at<&ShoreDesc::spacingM>, 0.05, 100, "m", "between the bed's samples"},
+    like<seaglass::shoreFields, &ShoreDesc::spacingM>("spacing", "spacing_m"),
 };
 
-constexpr std::array foamFields = {
-    Field{"bias", at<&FoamDesc::bias>, -1, 1, "", "added to the Jacobian below which waves break"},
-    Field{"decay_s", at<&FoamDesc::decayS>, 0.1, 20, "s", "in which foam fades to 1/e"},
-    Field{"albedo", at<&FoamDesc::albedo>, 0, 1, "", "of full foam"},
-};
+using FoamSettings = Settings<seaglass::foamFields, seaglass::FoamDesc>;
+constexpr std::array foamFields =
+    joined(FoamSettings::allBut<1>({"decayTime"}), std::array{FoamSettings::one("decayTime", "decay_s")});
 
 constexpr std::array refractionFields = {
     Field{"type", at<&RefractionDesc::type>, 0, 0, "", "a real water's coefficients, whatever they are here",
@@ -163,62 +185,31 @@ constexpr std::array refractionFields = {
           "what deep water sends back: linear red, green, blue", false, Rule::positive},
     Field{"visibility_m", at<&RefractionDesc::visibilityM>, 0.05, 1000, "m",
           "with tint: where 5 % of the clearest colour is left"},
-    Field{"absorption_per_m", at<&RefractionDesc::absorptionPerM>, 0, 100, "1/m", "red, green, blue"},
-    Field{"backscatter_per_m", at<&RefractionDesc::backscatterPerM>, 0, 100, "1/m", "red, green, blue"},
-    Field{"distortion", at<&RefractionDesc::distortion>, 0, 1, "", "0 straight, 1 as Snell says"},
-    Field{"scattering_per_m", at<&RefractionDesc::scatteringPerM>, 0, 100, "1/m",
-          "by particles: light through crests, 0 none"},
+    like<seaglass::refractionFields, &RefractionDesc::absorptionPerM>("absorption", "absorption_per_m"),
+    like<seaglass::refractionFields, &RefractionDesc::backscatterPerM>("backscatter", "backscatter_per_m"),
+    like<seaglass::refractionFields, &RefractionDesc::distortion>("distortion", "distortion"),
+    like<seaglass::refractionFields, &RefractionDesc::scatteringPerM>("scattering", "scattering_per_m"),
 };
 
-constexpr std::array underwaterFields = {
-    Field{"meniscus_m", at<&UnderwaterDesc::meniscusM>, 0, 0.1, "m", "width of the waterline, 0 none"},
-};
+using ShadingSettings = Settings<seaglass::shadingFields, WaterDesc, &WaterDesc::shading>;
+using MeshSettings = Settings<seaglass::meshFields, WaterDesc, &WaterDesc::mesh>;
 
-constexpr std::array causticsFields = {
-    Field{"strength", at<&CausticsDesc::strength>, 0, 1, "", "of their contrast, 1 as the waves say"},
-    Field{"step_px", at<&CausticsDesc::stepPx>, 1, 8, "", "from one of the sun's rays to the next, each way"},
-};
+constexpr std::array underwaterFields =
+    Settings<seaglass::underwaterFields, seaglass::UnderwaterDesc>::allBut();
 
-constexpr std::array bedFields = {
-    Field{"drawn", at<&BedDesc::drawn>, 0, 0, "", "false: as without"},
-    Field{"margin", at<&BedDesc::margin>, 0, 1, "", "larger on each side, share of the picture's size"},
-    Field{"downscale", at<&BedDesc::downscale>, 1, 8, "",
-          "pixels of the picture to one of the bed's, each way"},
-};
+constexpr std::array causticsFields =
+    joined(Settings<seaglass::causticsFields, WaterDesc, &WaterDesc::caustics>::allBut(),
+           std::array{ShadingSettings::one("causticStep", "step_px")});
 
-constexpr std::array reflectionFields = {
-    Field{"technique", at<&ReflectionDesc::technique>, 0, 0, "", "where reflections come from", false,
-          Rule::none, techniques},
-    Field{"downscale", at<&ReflectionDesc::downscale>, 1, 8, "", "pixels to one of the reflection, each way",
-          false, Rule::powerOfTwo},
-    Field{"height_px", at<&ReflectionDesc::heightPx>, 8, 16384, "pixels",
-          "of the reflection, in the place of downscale", false, Rule::zeroOrRange},
-    Field{"coarse_keys", at<&ReflectionDesc::coarseKeys>, 0, 0, "", "sspr: one key for 2 x 2 pixels"},
-    Field{"edge_fade", at<&ReflectionDesc::edgeFade>, 0, 0.5, "", "share of the picture's height"},
-    Field{"edge_fade_around", at<&ReflectionDesc::edgeFadeAround>, 0, 0, "", "fade at all four borders"},
-    Field{"underside_light", at<&ReflectionDesc::undersideLight>, 0, 1, "",
-          "of undersides not seen, as a share of their tops"},
-    Field{"roof_looks", at<&ReflectionDesc::roofLooks>, 0, 8, "",
-          "sspr, hybrid: for what hangs over the mirror"},
-    Field{"distortion", at<&ReflectionDesc::distortion>, 0, 1, "", "0 flat mirror, 1 as geometry says"},
-    Field{"blur_levels", at<&ReflectionDesc::blurLevels>, 0, 6, "", "halvings for rough surfaces, 0 sharp"},
-    Field{"clear_distance_m", at<&ReflectionDesc::clearDistanceM>, 0, 1e6, "m", "scattered only beyond"},
-    Field{"scatter", at<&ReflectionDesc::scatter>, 0, 1, "", "how fast reflections widen with distance"},
-    Field{"sky_fade_m", at<&ReflectionDesc::skyFadeM>, 0, 1e6, "m", "where only sky is mirrored, 0 nowhere"},
-    Field{"edge_reach", at<&ReflectionDesc::edgeReach>, 0, 1, "", "share of the picture's height"},
-    Field{"edge_stretch_per_m", at<&ReflectionDesc::edgeStretchPerM>, 0, 100, "1/m",
-          "stretches reflections over the border"},
-    Field{"temporal", at<&ReflectionDesc::temporal>, 0, 0.95, "",
-          "share taken from the frame before, 0 none"},
-    Field{"march_cells", at<&ReflectionDesc::marchCells>, 0, 0, "",
-          "ssr: pixel by pixel over cells, else in strides"},
-    Field{"march_steps", at<&ReflectionDesc::marchSteps>, 8, 512, "", "ssr: looks a ray at most"},
-    Field{"march_thickness_m", at<&ReflectionDesc::marchThicknessM>, 0.001, 100, "m",
-          "ssr: how deep things are behind what is seen of them"},
-    Field{"march_distance_m", at<&ReflectionDesc::marchDistanceM>, 0.1, 1e6, "m", "ssr: of a ray at most"},
-    Field{"march_jitter", at<&ReflectionDesc::marchJitter>, 0, 1, "",
-          "ssr: share of a stride, noise for bands"},
-};
+constexpr std::array bedFields =
+    joined(std::array{Field{"drawn", at<&WaterDesc::bedDrawn>, 0, 0, "", "false: as without"}},
+           Settings<seaglass::bedFields, WaterDesc, &WaterDesc::bed>::allBut(),
+           std::array{ShadingSettings::one("bedDownscale", "downscale")});
+
+using ReflectionSettings = Settings<seaglass::reflectionFields, seaglass::ReflectionDesc>;
+constexpr std::array reflectionFields =
+    joined(ReflectionSettings::allBut<1>({"skyFadeDistance"}),
+           std::array{ReflectionSettings::one("skyFadeDistance", "sky_fade_m")});
 
 constexpr std::array<std::string_view, 3> extentShapes = {"rectangle", "polygon", "mesh"};
 
@@ -241,30 +232,18 @@ constexpr std::array dryRoomFields = {
     Field{"bottom_m", at<&DryRoomDesc::bottomM>, -1e3, 1e3, "m", "height of its bottom"},
 };
 
-constexpr std::array<std::string_view, 2> fresnels = {"exact", "schlick"};
-
-constexpr std::array waterFields = {
+constexpr std::array ownWaterFields = {
     Field{"level_m", at<&WaterDesc::levelM>, -1e5, 1e5, "m", "height of the calm surface, at the origin"},
     Field{"tilt_deg", at<&WaterDesc::tiltDeg>, 0, 80, "degrees", "of the calm surface, 0 level"},
     Field{"tilt_towards_deg", at<&WaterDesc::tiltTowardsDeg>, -turn, turn, "degrees",
           "where it falls to, from +X towards +Z"},
     Field{"planet_radius_m", at<&WaterDesc::planetRadiusM>, 1e6, 1e9, "m",
           "of the ball on which the open sea falls away, 0: flat", false, Rule::zeroOrRange},
-    Field{"cell_m", at<&WaterDesc::cellM>, 0.01, 100, "m", "edge of the finest cells"},
-    Field{"cells_per_level", at<&WaterDesc::cellsPerLevel>, 128, 1024, "",
-          "until twice coarser ones take over"},
-    Field{"mirror_looks", at<&WaterDesc::mirrorLooks>, 1, 4, "", "at what a pixel's slopes mirror", false,
-          Rule::powerOfTwo},
-    Field{"refraction_looks", at<&WaterDesc::refractionLooks>, 1, 16, "",
-          "for where bent light comes from, 1: straight through"},
-    Field{"slope_looks", at<&WaterDesc::slopeLooks>, 1, 4, "", "at the waves along a pixel", false,
-          Rule::powerOfTwo},
-    Field{"wave_shadow_steps", at<&WaterDesc::waveShadowSteps>, 0, 32, "",
-          "looks for the waves that hide low sky and sun, not 1; 0: a mean"},
-    Field{"relief", at<&WaterDesc::relief>, 0, 1, "", "shades short waves at their own height"},
-    Field{"fresnel", at<&WaterDesc::fresnel>, 0, 0, "", "what share of light is mirrored", false, Rule::none,
-          fresnels},
 };
+
+constexpr std::array waterFields = joined(ownWaterFields, MeshSettings::allBut<1>({"cellSize"}),
+                                          std::array{MeshSettings::one("cellSize", "cell_m")},
+                                          ShadingSettings::allBut<2>({"bedDownscale", "causticStep"}));
 
 constexpr std::array floorFields = {
     Field{"point_m", at<&FloorDesc::pointM>, -far, far, "m", "of its middle"},
@@ -333,8 +312,8 @@ constexpr std::array waterChildren = {
     Child{&refraction, open<&WaterDesc::refraction>},
     Child{&reflection, open<&WaterDesc::reflection>},
     Child{&underwater, open<&WaterDesc::underwater>},
-    Child{&caustics, open<&WaterDesc::caustics>},
-    Child{&bed, open<&WaterDesc::bed>},
+    Child{&caustics, beside<&WaterDesc::caustics>},
+    Child{&bed, beside<&WaterDesc::bed>},
     Child{&dryRooms, open<&WaterDesc::dryRooms>, true},
 };
 
@@ -371,6 +350,10 @@ std::string range(const Field& field) {
     return words;
 }
 
+std::string wholeNumber(const Field& field) {
+    return (field.rule == Rule::powerOfTwo ? "a power of two, " : "a whole number, ") + range(field);
+}
+
 struct Expectation {
     const Field& field;
 
@@ -380,10 +363,7 @@ struct Expectation {
         return "pairs of numbers, [[x, z], ...], each " + range(field);
     }
     std::string operator()(const Vec3*) const { return "three numbers, each " + range(field); }
-    std::string operator()(const uint32_t*) const {
-        if (field.rule == Rule::powerOfTwo) return "a power of two, " + range(field);
-        return "a whole number, " + range(field);
-    }
+    std::string operator()(const uint32_t*) const { return wholeNumber(field); }
     std::string operator()(const uint64_t*) const { return "a whole number, 0 to 2^63"; }
     std::string operator()(const bool*) const { return "true or false"; }
     std::string operator()(const std::string*) const {
@@ -392,6 +372,18 @@ struct Expectation {
         return "a text in quotes";
     }
     std::string operator()(const std::filesystem::path*) const { return "a " + std::string(field.about); }
+    std::string operator()(const Setting& setting) const {
+        switch (setting.field->type) {
+        case seaglass::FieldType::boolean:
+            return "true or false";
+        case seaglass::FieldType::choice:
+            return oneOf(field.choices);
+        case seaglass::FieldType::integer:
+            return wholeNumber(field);
+        default:
+            return range(field);
+        }
+    }
 };
 
 } // namespace
@@ -400,19 +392,27 @@ const Section& sceneSection() {
     return scene;
 }
 
-std::span<const std::string_view> choicesOf(std::string_view path) {
+const Section& sectionOf(std::string_view path) {
     const Section* section = &scene;
-    for (size_t dot = path.find('.'); dot != path.npos; dot = path.find('.')) {
-        const auto child =
-            std::find_if(section->children.begin(), section->children.end(),
-                         [&](const Child& c) { return c.section->key == path.substr(0, dot); });
-        if (child == section->children.end()) return {};
-        section = child->section;
-        path.remove_prefix(dot + 1);
+    while (!path.empty()) {
+        const std::string_view key = path.substr(0, path.find('.'));
+        section = std::ranges::find(section->children, key, [](const Child& child) {
+                      return child.section->key;
+                  })->section;
+        path.remove_prefix(std::min(key.size() + 1, path.size()));
     }
-    const auto field = std::find_if(section->fields.begin(), section->fields.end(),
-                                    [&](const Field& f) { return f.key == path; });
-    return field == section->fields.end() ? std::span<const std::string_view>{} : field->choices;
+    return *section;
+}
+
+std::span<const std::string_view> choicesOf(std::string_view path) {
+    const size_t dot = path.rfind('.');
+    const std::span<const Field> fields = sectionOf(path.substr(0, dot)).fields;
+    return std::ranges::find(fields, path.substr(dot + 1), &Field::key)->choices;
+}
+
+seaglass::ReflectionTechnique techniqueNamed(std::string_view name) {
+    const auto* const named = std::ranges::find(seaglass::reflectionTechniques, name);
+    return static_cast<seaglass::ReflectionTechnique>(named - seaglass::reflectionTechniques);
 }
 
 std::string expectation(const Field& field, const Target& target) {

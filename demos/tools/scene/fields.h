@@ -11,12 +11,22 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "seaglass/fields/field.h"
 
 namespace demos {
 
+/// One number of a description of the library's, that its table describes.
+struct Setting {
+    const seaglass::Field* field;
+    void* desc;
+
+    double get() const { return field->get(desc, 0); }
+    void set(double value) const { field->set(desc, 0, value); }
+};
+
 /// Where a field's value lives. The type says what a file may hold there.
 using Target = std::variant<double*, Vec2*, Vec3*, std::vector<Vec2>*, uint32_t*, uint64_t*, bool*,
-                            std::string*, std::filesystem::path*>;
+                            std::string*, std::filesystem::path*, Setting>;
 
 /// What a field may hold beyond its type.
 enum class Rule {
@@ -29,7 +39,7 @@ enum class Rule {
 
 struct Field {
     std::string_view key;
-    Target (*target)(void* owner);
+    Target (*target)(void* owner) = nullptr;
     double least =
         -std::numeric_limits<double>::infinity(); ///< numbers only, ends included; of each component
     double most = std::numeric_limits<double>::infinity();
@@ -38,6 +48,8 @@ struct Field {
     bool required = false;
     Rule rule = Rule::none;
     std::span<const std::string_view> choices = {}; ///< texts only; empty takes any
+    const seaglass::FieldTable* table = nullptr;    ///< of the library, which has
+    const seaglass::Field* row = nullptr;           ///< this row for it; null: it is the scene's alone
 };
 
 struct Section;
@@ -66,8 +78,14 @@ struct Section {
 /// The whole file. Its targets take a Scene*.
 const Section& sceneSection();
 
+/// A table in the file by its path, such as water.reflection, which must be there.
+const Section& sectionOf(std::string_view path);
+
 /// What a field of words may hold, by its path, such as water.reflection.technique; empty when any.
 std::span<const std::string_view> choicesOf(std::string_view path);
+
+/// Of its name, which must be one.
+seaglass::ReflectionTechnique techniqueNamed(std::string_view name);
 
 /// What a field may hold, in words: "0 to 60 m/s". The target is the field's own.
 std::string expectation(const Field& field, const Target& target);

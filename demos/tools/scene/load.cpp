@@ -178,7 +178,7 @@ class Reader {
     }
 
     bool read(const toml::node& node, const Field& field, const Target& target, const std::string& path) {
-        const bool good = std::visit([&](auto* value) { return convert(node, field, *value); }, target);
+        const bool good = std::visit([&](auto value) { return convert(node, field, value); }, target);
         if (!good) return wrong(node, path, expectation(field, target));
         if (const auto* file = std::get_if<fs::path*>(&target)) return findFile(node, **file, field, path);
         return true;
@@ -189,6 +189,40 @@ class Reader {
         if (field.rule == Rule::zeroOrRange && value == 0) return true;
         if (field.rule == Rule::positive && value == field.least) return false;
         return field.least <= value && value <= field.most;
+    }
+
+    template<class Value>
+    static bool convert(const toml::node& node, const Field& field, Value* out) {
+        return convert(node, field, *out);
+    }
+
+    static bool convert(const toml::node& node, const Field& field, const Setting& out) {
+        switch (out.field->type) {
+        case seaglass::FieldType::boolean:
+            return convertTo<bool>(node, field, out);
+        case seaglass::FieldType::integer:
+            return convertTo<uint32_t>(node, field, out);
+        case seaglass::FieldType::choice:
+            return choose(node, field, out);
+        default:
+            return convertTo<double>(node, field, out);
+        }
+    }
+
+    template<class Value>
+    static bool convertTo(const toml::node& node, const Field& field, const Setting& out) {
+        Value value{};
+        if (!convert(node, field, value)) return false;
+        out.set(static_cast<double>(value));
+        return true;
+    }
+
+    static bool choose(const toml::node& node, const Field& field, const Setting& out) {
+        std::string word;
+        if (!convert(node, field, word)) return false;
+        const auto index = std::ranges::find(field.choices, word) - field.choices.begin();
+        out.set(out.field->low + static_cast<double>(index));
+        return true;
     }
 
     static bool convert(const toml::node& node, const Field& field, double& out) {

@@ -28,15 +28,18 @@ std::string tomlString(std::string_view text) {
     return out + "\"";
 }
 
+/// The shortest text that reads back as the same bits.
+template<class Number>
+std::string shortest(Number value) {
+    std::array<char, 32> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
 /// A field's value as TOML.
 struct ValueText {
     const fs::path& folder;
 
-    /// The shortest text that reads back as the same bits.
-    std::string operator()(const double* value) const {
-        std::array<char, 32> text{};
-        return {text.data(), std::to_chars(text.data(), text.data() + text.size(), *value).ptr};
-    }
+    std::string operator()(const double* value) const { return shortest(*value); }
     template<class T, size_t count>
     std::string operator()(const std::array<T, count>* values) const {
         return list(*values);
@@ -48,6 +51,22 @@ struct ValueText {
     std::string operator()(const std::string* value) const { return tomlString(*value); }
     std::string operator()(const fs::path* value) const {
         return tomlString(value->empty() ? "" : value->lexically_proximate(folder).generic_string());
+    }
+
+    std::string operator()(const Setting& setting) const {
+        const double value = setting.get();
+        switch (setting.field->type) {
+        case seaglass::FieldType::boolean:
+            return value != 0 ? "true" : "false";
+        case seaglass::FieldType::choice:
+            return tomlString(setting.field->choices[static_cast<size_t>(value - setting.field->low)]);
+        case seaglass::FieldType::integer:
+            return std::to_string(static_cast<uint32_t>(value));
+        case seaglass::FieldType::float32:
+            return shortest(static_cast<float>(value));
+        default:
+            return shortest(value);
+        }
     }
 
     template<class Values>
@@ -87,6 +106,10 @@ class Writer {
 };
 
 } // namespace
+
+std::string valueText(const Field& field, void* owner) {
+    return std::visit(ValueText{{}}, field.target(owner));
+}
 
 std::string sceneText(Scene scene, const fs::path& folder) {
     Writer writer(folder);

@@ -1,9 +1,12 @@
 // Scenes back into files.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/fields.h"
 
 namespace demos {
+
+/// A field's value, as TOML has it. Files are named as they are.
+std::string valueText(const Field& field, void* owner);
 
 /// TOML that loadScene() reads back as the same scene from a file in `folder`. Files are named from there.
 /// Values that are the defaults are left out.

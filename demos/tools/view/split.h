@@ -11,9 +11,9 @@
 namespace demos {
 
 struct Split {
-    ReflectionDesc reflection; ///< of the right half; the left one's is the scene's own
-    double at = 0.5;           ///< of the width
-    bool reference = false;    ///< the right half is ray traced instead
+    seaglass::ReflectionDesc reflection; ///< of the right half; the left one's is the scene's own
+    double at = 0.5;                     ///< of the width
+    bool reference = false;              ///< the right half is ray traced instead
 };
 
 /// The surface of the right half; none where the scene has nothing that mirrors.

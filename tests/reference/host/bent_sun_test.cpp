@@ -154,7 +154,7 @@ TEST(BentSun, FallsOnWallsAsSteeplyAsInWater) {
 TEST(BentSun, IsBentInAMirroredPicture) {
     Scene scene = calmWater("mirrored", board);
     scene.water->underwater.emplace();
-    scene.water->reflection.emplace().technique = "planar";
+    scene.water->reflection.emplace().technique = seaglass::ReflectionTechnique::planar;
     scene.cameras[0].positionM = {4, -0.6, 0};
     scene.cameras[0].targetM = {1.5, 0, 0};
     scene.cameras[0].verticalFovDeg = 20;

@@ -51,7 +51,7 @@ TEST(CrestLightHost, GainsWhatRaysThroughTheSeaDo) {
     const CameraDesc camera = tests::cameraOf(*scene, "low");
     const glm::dvec3 truth = gain(*scene, camera, traced);
     for (const uint32_t steps : {0u, 16u}) {
-        scene->water->waveShadowSteps = steps;
+        scene->water->shading.waveShadowSteps = steps;
         const glm::dvec3 drawn = gain(*scene, camera, rendered);
         std::printf("%2u steps: gain drawn %.4f %.4f %.4f, by rays %.4f %.4f %.4f\n", steps, drawn.r, drawn.g,
                     drawn.b, truth.r, truth.g, truth.b);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/timing/pass_samples.h"
+#include "scene/fields.h"
 #include "tests/program/demo_scenes.h"
 #include "tests/reference/traced_picture.h"
 
@@ -67,7 +68,7 @@ TEST(FloorOfTheHost, LooksAsTracedWhenDrawnTwice) {
     Error error;
     std::optional<Scene> scene = court(error);
     ASSERT_TRUE(scene) << error.text;
-    scene->floor->reflection->technique = "planar";
+    scene->floor->reflection->technique = seaglass::ReflectionTechnique::planar;
     const std::optional<Both> both = drawBoth(*scene, scene->cameras.front(), Aov::color, error);
     ASSERT_TRUE(both) << error.text;
     EXPECT_LT(differing(*both, {reference::TruthClass::recoverable}, 5000), 0.15);
@@ -137,7 +138,7 @@ TEST(FloorOfTheHost, SaysWhereItsReflectionIsTakenFrom) {
         for (const uint32_t downscale : {1u, 2u}) {
             std::optional<Scene> scene = court(error);
             ASSERT_TRUE(scene) << error.text;
-            scene->floor->reflection->technique = technique;
+            scene->floor->reflection->technique = demos::techniqueNamed(technique);
             scene->floor->reflection->downscale = downscale;
             const std::optional<Both> both =
                 drawBoth(*scene, scene->cameras[1], Aov::reflectionSource, error);
@@ -154,7 +155,7 @@ TEST(FloorOfTheHost, SaysSoOfAMirrorThatLeans) {
     ASSERT_TRUE(scene) << error.text;
     scene->floor->normal = {0.1, 1, 0.05};
     scene->floor->pointM = {0, 0.6, 0};
-    scene->floor->reflection->technique = "planar";
+    scene->floor->reflection->technique = seaglass::ReflectionTechnique::planar;
     const std::optional<Both> both = drawBoth(*scene, scene->cameras.front(), Aov::reflectionSource, error);
     ASSERT_TRUE(both) << error.text;
     const Distances off = distancesOf(*both, 2000);

@@ -77,7 +77,7 @@ TEST_F(FogInScenes, HarbourLooksAsTraced) {
 
 TEST_F(FogInScenes, PlanarReflectionsHaveItOnce) {
     Scene scene = harbour("level");
-    scene.water->reflection->technique = "planar";
+    scene.water->reflection->technique = seaglass::ReflectionTechnique::planar;
     const double clear = flipFromTraced(scene);
     scene.fog = mist;
     EXPECT_LT(flipFromTraced(scene), clear + 0.002);

@@ -75,7 +75,7 @@ TEST(SeaOfTheHost, MirrorsAStripOfSkyAsAPath) {
     const double tracedPath = lightIn(traced, 0.65, 1), tracedAside = lightIn(traced, 0, 0.5);
     EXPECT_GT(tracedPath, 1);
     for (const uint32_t looks : {2u, 4u}) {
-        scene.water->mirrorLooks = looks;
+        scene.water->shading.mirrorLooks = looks;
         const Picture rendered = render(*host, scene);
         const double renderedPath = lightIn(rendered, 0.65, 1), renderedAside = lightIn(rendered, 0, 0.5);
         std::printf("%u looks, path: %.2f traced, %.2f drawn; aside: %.3f traced, %.3f drawn\n", looks,
@@ -103,7 +103,7 @@ TEST(SeaOfTheHost, SeesWhichWavesHideTheSun) {
     const std::unique_ptr<Host> host = Host::create(desc, error);
     ASSERT_TRUE(host) << error.text;
     const Picture traced = trace(scene), mean = render(*host, scene);
-    scene.water->waveShadowSteps = 8;
+    scene.water->shading.waveShadowSteps = 8;
     const Picture looked = render(*host, scene);
     const double without = difference(mean, traced, scene.exposureEv);
     const double with = difference(looked, traced, scene.exposureEv);
@@ -252,7 +252,7 @@ TEST(SeaOfTheHost, SeesNothingHiddenOnACalmLake) {
     const std::unique_ptr<Host> host = Host::create({}, error);
     ASSERT_TRUE(host) << error.text;
     const Picture mean = render(*host, *scene);
-    scene->water->waveShadowSteps = 12;
+    scene->water->shading.waveShadowSteps = 12;
     const double off = difference(render(*host, *scene), mean, scene->exposureEv);
     std::printf("off by %.3f of 255\n", off);
     EXPECT_LT(off, 0.2);

@@ -35,9 +35,9 @@ TEST_P(Surfaces, WatersTakeTurnsOverOneScene) {
     ASSERT_TRUE(scene) << error.text;
     WaterDesc flat = *scene->water;
     takeWaves(flat);
-    flat.reflection->technique = "sky";
+    flat.reflection->technique = seaglass::ReflectionTechnique::sky;
     WaterDesc planar = flat;
-    planar.reflection->technique = "planar";
+    planar.reflection->technique = seaglass::ReflectionTechnique::planar;
     const std::unique_ptr<Host> host = Surfaces::host(error);
     ASSERT_TRUE(host) << error.text;
     ASSERT_TRUE(host->load(*scene, error) && host->addSurface(flat, error) && host->addSurface(planar, error))
@@ -98,8 +98,8 @@ TEST_P(Surfaces, FloorsTakeTurnsOverOneScene) {
     // The first reads nothing of the scene, and must not leave the others without it.
     std::vector<FloorDesc> floors(3, *scene->floor);
     floors[0].reflection.reset();
-    floors[1].reflection->technique = "sspr";
-    floors[2].reflection->technique = "planar";
+    floors[1].reflection->technique = seaglass::ReflectionTechnique::sspr;
+    floors[2].reflection->technique = seaglass::ReflectionTechnique::planar;
     const auto sceneWith = [&](const FloorDesc& floor) {
         Scene changed = *scene;
         changed.floor = floor;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/fields.h"
 #include "tests/program/demo_scenes.h"
 #include "tests/reference/box_file.h"
 #include "tests/reference/rendered_picture.h"
@@ -31,11 +32,11 @@ Scene postsInWaves(const std::string& technique) {
     scene.sun.irradiance = {3, 3, 3};
     scene.meshes.push_back({tests::writeBoxes("posts", posts, 0.7)});
     WaterDesc& water = scene.water.emplace();
-    water.cellM = 0.1;
+    water.mesh.cellSize = 0.1f;
     WavesDesc& waves = water.waves.emplace();
     waves.windMps = 12;
     waves.fetchM = 100e3;
-    water.reflection.emplace().technique = technique;
+    water.reflection.emplace().technique = demos::techniqueNamed(technique);
     scene.cameras.emplace_back();
     scene.cameras[0].positionM = {8, 3.5, 12};
     scene.cameras[0].targetM = {8, 0.5, 0};

@@ -7,6 +7,7 @@
 #include "host/host.h"
 #include "measure/picture_error.h"
 #include "metrics/compare.h"
+#include "scene/fields.h"
 #include "scene/without.h"
 #include "tests/program/demo_scenes.h"
 #include "tests/reference/camera_of.h"
@@ -108,7 +109,7 @@ TEST_F(UnderwaterHost, MirrorsTheBedAsSoftlyAsItIsTraced) {
         return std::span(picture).first(picture.size() / 3);
     };
     for (const auto& [looks, most] : {std::pair{1u, 6.7}, {2u, 6.2}, {4u, 5.7}}) {
-        scene_.water->mirrorLooks = looks;
+        scene_.water->shading.mirrorLooks = looks;
         ASSERT_TRUE(host_->load(scene_, error)) << error.text;
         const std::vector<uint8_t> rendered = toneMap(render(camera), scene_.exposureEv);
         const double off = tests::meanDifference(surface(traced), surface(rendered));
@@ -210,7 +211,7 @@ TEST_F(UnderwaterHost, MirrorsTheBedWhereItIsTraced) {
     const CameraDesc camera = cameraOf(scene_, "below");
     for (const std::string technique : {"sspr", "ssr", "hybrid", "planar"}) {
         Error error;
-        scene_.water->reflection->technique = technique;
+        scene_.water->reflection->technique = demos::techniqueNamed(technique);
         ASSERT_TRUE(host_->load(scene_, error)) << error.text;
         measure::Shots shots;
         ASSERT_TRUE(takeShots(*host_, {width, height, camera, scene_.timeS, Aov::color, 0}, shots, error))

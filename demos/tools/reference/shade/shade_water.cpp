@@ -106,7 +106,7 @@ glm::vec3 foamRadiance(const Frame& frame, const Facet& facet, const Foam& white
     const float open = (0.5f + 0.5f * facing.y) * (1 + 0.4f * white.height);
     const glm::vec3 falls = light.sunIrradiance() * sun + light.filtered.irradianceUp * open;
     const glm::vec3 glint = lit ? meanGlint(frame, film, toEye, toSun) : glm::vec3(0);
-    return falls * (static_cast<float>(frame.world->water->foam->albedo) / pi) + filmShare * (mirror + glint);
+    return falls * (frame.world->water->foam->albedo / pi) + filmShare * (mirror + glint);
 }
 
 /// What is seen where the surface is not.

@@ -85,8 +85,8 @@ WaterRadiance shadeWaterBelow(const Frame& frame, const Ray& ray, const Hit& hit
     }
     if (world.water->foam && !flat) {
         const Foam white = foamAt(frame.surface, frame.calmAt(hit), foamWidth(ray, hit, random));
-        const glm::vec3 foam = waterLightOf(frame).entering *
-                               ((1 - static_cast<float>(world.water->foam->albedo)) / pi * facet.weight);
+        const glm::vec3 foam =
+            waterLightOf(frame).entering * ((1 - world.water->foam->albedo) / pi * facet.weight);
         radiance = glm::mix(radiance, foam, white.mask);
     }
     const float path = std::max(hit.distance - ray.nearest, 0.0f);

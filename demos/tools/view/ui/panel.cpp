@@ -1,6 +1,6 @@
 #include "view/ui/panel.h"
 
-#include <initializer_list>
+#include <algorithm>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -8,7 +8,7 @@
 #include <imgui.h>
 
 #include "host/water/quality.h"
-#include "scene/fields.h"
+#include "view/field_widgets.h"
 
 namespace demos {
 
@@ -20,38 +20,6 @@ bool slider(const char* label, double& value, double least, double most, const c
     ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &most, format,
                         flags | ImGuiSliderFlags_AlwaysClamp);
     return ImGui::IsItemDeactivatedAfterEdit();
-}
-
-bool slider(const char* label, uint32_t& value, uint32_t least, uint32_t most) {
-    ImGui::SliderScalar(label, ImGuiDataType_U32, &value, &least, &most, "%u", ImGuiSliderFlags_AlwaysClamp);
-    return ImGui::IsItemDeactivatedAfterEdit();
-}
-
-/// Side by side. True when another was chosen.
-bool chooseNumber(const char* label, uint32_t& value, std::initializer_list<uint32_t> choices) {
-    const uint32_t before = value;
-    ImGui::TextUnformatted(label);
-    ImGui::PushID(label);
-    for (const uint32_t choice : choices) {
-        ImGui::SameLine();
-        if (ImGui::RadioButton(std::to_string(choice).c_str(), value == choice)) value = choice;
-    }
-    ImGui::PopID();
-    return value != before;
-}
-
-/// True when another was chosen.
-bool choose(const char* label, std::string& value, std::span<const std::string_view> choices) {
-    bool changed = false;
-    if (!ImGui::BeginCombo(label, value.c_str())) return false;
-    for (const std::string_view choice : choices) {
-        const std::string text(choice);
-        if (!ImGui::Selectable(text.c_str(), text == value)) continue;
-        changed = text != value;
-        value = text;
-    }
-    ImGui::EndCombo();
-    return changed;
 }
 
 struct Force {
@@ -88,49 +56,45 @@ bool chooseForce(uint32_t& force) {
     return changed;
 }
 
+/// One of the scene's fields, by its path.
+bool layOutNamed(const char* section, std::string_view key, void* owner, void* asNew) {
+    return layOutField(*std::ranges::find(sectionOf(section).fields, key, &Field::key), owner, asNew);
+}
+
 bool layOutSea(WavesDesc& waves) {
+    WavesDesc asNew;
+    const auto field = [&](std::string_view key) { return layOutNamed("water.waves", key, &waves, &asNew); };
     bool changed = chooseForce(waves.beaufort);
     ImGui::BeginDisabled(waves.beaufort != WavesDesc::noForce);
-    changed |= slider("wind", waves.windMps, 0, 40, "%.1f m/s");
-    changed |= slider("fetch", waves.fetchM, 10, 1e6, "%.0f m", ImGuiSliderFlags_Logarithmic);
+    changed |= field("wind_m_s");
+    changed |= field("fetch_m");
     ImGui::EndDisabled();
-    changed |= slider("towards", waves.windTowardsDeg, -360, 360, "%.0f deg");
-    changed |= slider("amplitude", waves.amplitude, 0, 1, "%.2f");
-    changed |= slider("choppiness", waves.choppiness, 0, 2, "%.2f");
+    changed |= field("wind_towards_deg");
+    changed |= field("amplitude");
+    changed |= field("choppiness");
     return changed;
 }
 
-bool layOutRays(ReflectionDesc& reflection) {
-    bool changed = ImGui::Checkbox("over cells, pixel by pixel", &reflection.marchCells);
-    changed |= slider("steps", reflection.marchSteps, 8, 512);
-    changed |=
-        slider("thickness", reflection.marchThicknessM, 0.001, 10, "%.3f m", ImGuiSliderFlags_Logarithmic);
-    return changed;
+bool layOutReflection(seaglass::ReflectionDesc& reflection) {
+    seaglass::ReflectionDesc asNew;
+    return layOutFields(sectionOf("water.reflection"), &reflection, &asNew);
 }
 
-bool layOutReflection(ReflectionDesc& reflection) {
-    bool changed = choose("technique", reflection.technique, choicesOf("water.reflection.technique"));
-    changed |= chooseNumber("size: 1 /", reflection.downscale, {1, 2, 4, 8});
-    if (reflection.technique == "sspr")
-        changed |= ImGui::Checkbox("one key for 2 x 2 pixels", &reflection.coarseKeys);
-    if (reflection.technique == "sspr" || reflection.technique == "hybrid")
-        changed |= slider("looks for roofs", reflection.roofLooks, 0, 8);
-    if (reflection.technique == "ssr" || reflection.technique == "hybrid") changed |= layOutRays(reflection);
-    changed |= slider("temporal", reflection.temporal, 0, 0.95, "%.2f");
-    changed |= slider("distortion", reflection.distortion, 0, 1, "%.2f");
-    changed |= slider("edge fade", reflection.edgeFade, 0, 0.5, "%.2f");
-    changed |= slider("underside light", reflection.undersideLight, 0, 1, "%.2f");
-    changed |= slider("edge reach", reflection.edgeReach, 0, 1, "%.2f");
-    changed |= slider("edge stretch", reflection.edgeStretchPerM, 0, 10, "%.2f / m");
-    changed |= slider("blur levels", reflection.blurLevels, 0, 6);
-    return changed;
-}
-
-bool layOutMirror(std::optional<ReflectionDesc>& reflection) {
+bool layOutMirror(std::optional<seaglass::ReflectionDesc>& reflection) {
     bool mirrors = reflection.has_value();
     const bool switched = ImGui::Checkbox("mirrors the scene", &mirrors);
-    if (switched) reflection = mirrors ? std::optional(ReflectionDesc{}) : std::nullopt;
+    if (switched) reflection = mirrors ? std::optional(seaglass::ReflectionDesc{}) : std::nullopt;
     return (reflection && layOutReflection(*reflection)) || switched;
+}
+
+/// Under a heading of its own.
+bool layOutSection(const char* heading, const char* path, void* owner, void* asNew) {
+    ImGui::Separator();
+    ImGui::TextUnformatted(heading);
+    ImGui::PushID(heading);
+    const bool changed = layOutFields(sectionOf(path), owner, asNew);
+    ImGui::PopID();
+    return changed;
 }
 
 /// The dial, then what it turned, which can be turned on.
@@ -142,39 +106,35 @@ bool layOutQuality(WaterDesc& water) {
         setQuality(quality, water);
         changed = true;
     }
-    changed |= slider("bent light", water.refractionLooks, 1, 16);
-    if (water.bed) changed |= slider("pixels to one of the bed", water.bed->downscale, 1, 8);
-    changed |= chooseNumber("mirror looks:", water.mirrorLooks, {1, 2, 4});
-    changed |= chooseNumber("slope looks:", water.slopeLooks, {1, 2, 4});
-    bool shadows = water.waveShadowSteps > 0;
-    if (ImGui::Checkbox("waves hide low sun and sky", &shadows)) {
-        water.waveShadowSteps = shadows ? 8 : 0;
-        changed = true;
-    }
-    changed |= ImGui::Checkbox("relief of short waves", &water.relief);
-    changed |= choose("fresnel", water.fresnel, choicesOf("water.fresnel"));
+    WaterDesc asNew;
+    changed |= layOutFields(sectionOf("water"), &water, &asNew);
+    asNew.bed.emplace();
+    asNew.caustics.emplace();
+    if (water.bed) changed |= layOutSection("bed", "water.bed", &water, &asNew);
+    if (water.caustics) changed |= layOutSection("caustics", "water.caustics", &water, &asNew);
     return changed;
 }
 
-std::optional<ReflectionDesc>* reflectionOf(Scene& scene) {
+std::optional<seaglass::ReflectionDesc>* reflectionOf(Scene& scene) {
     if (scene.water) return &scene.water->reflection;
     return scene.floor ? &scene.floor->reflection : nullptr;
 }
 
 bool layOutSun(Scene& scene) {
-    SunDesc& sun = scene.sun;
-    bool changed = ImGui::Checkbox("where the sky is brightest", &sun.fromSky);
-    ImGui::BeginDisabled(sun.fromSky);
-    changed |= slider("azimuth", sun.azimuthDeg, -360, 360, "%.0f deg");
-    changed |= slider("elevation", sun.elevationDeg, -10, 90, "%.1f deg");
+    SunDesc asNew;
+    const auto field = [&](std::string_view key) { return layOutNamed("sun", key, &scene.sun, &asNew); };
+    bool changed = field("from_sky");
+    ImGui::BeginDisabled(scene.sun.fromSky);
+    changed |= field("azimuth_deg");
+    changed |= field("elevation_deg");
     ImGui::EndDisabled();
     return changed;
 }
 
-bool layOutSplit(std::optional<Split>& split, const std::optional<ReflectionDesc>& own) {
+bool layOutSplit(std::optional<Split>& split, const std::optional<seaglass::ReflectionDesc>& own) {
     bool on = split.has_value();
     bool changed = ImGui::Checkbox("split the picture", &on);
-    if (changed) split = on ? std::optional(Split{own.value_or(ReflectionDesc{})}) : std::nullopt;
+    if (changed) split = on ? std::optional(Split{own.value_or(seaglass::ReflectionDesc{})}) : std::nullopt;
     if (!split) return changed;
     slider("at", split->at, 0, 1, "%.2f");
     changed |= ImGui::Checkbox("ray-traced reference", &split->reference);
@@ -273,7 +233,7 @@ void layOutButtons(const PanelInfo& info, PanelWishes& wishes) {
 PanelWishes layOutPanel(ViewState& state, const PanelInfo& info) {
     PanelWishes wishes;
     ImGui::SetNextWindowPos({8, 8}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({310, static_cast<float>(info.height) - 16}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({356, static_cast<float>(info.height) - 16}, ImGuiCond_FirstUseEver);
     ImGui::Begin("seaglass");
     ImGui::PushItemWidth(170);
     ImGui::TextWrapped("%s", info.device.c_str());
@@ -293,10 +253,10 @@ PanelWishes layOutPanel(ViewState& state, const PanelInfo& info) {
     if (state.scene.water && open("Quality")) wishes.surface |= layOutQuality(*state.scene.water);
     if (state.scene.water && state.scene.water->waves && open("Sea"))
         wishes.surface |= layOutSea(*state.scene.water->waves);
-    if (std::optional<ReflectionDesc>* const reflection = reflectionOf(state.scene);
+    if (std::optional<seaglass::ReflectionDesc>* const reflection = reflectionOf(state.scene);
         reflection && open("Reflection"))
         wishes.surface |= layOutMirror(*reflection);
-    if (std::optional<ReflectionDesc>* const reflection = reflectionOf(state.scene);
+    if (std::optional<seaglass::ReflectionDesc>* const reflection = reflectionOf(state.scene);
         reflection && open("Right half", state.split.has_value()))
         wishes.split = layOutSplit(state.split, *reflection);
     if (state.split) drawSplit(*state.split, info.width, info.height);
