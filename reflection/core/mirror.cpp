@@ -126,7 +126,7 @@ MirrorBlock mirrorBlock(const ViewGeometry& view, const glm::dvec4& worldPlane, 
     out.contactPerMetre = static_cast<float>(contactPerMetre(mirror, view.depthStep));
     out.depthStep = static_cast<float>(view.depthStep);
     out.undersideLight = desc.undersideLight;
-    out.roofLooks = desc.roofLooks;
+    out.overhangSamples = desc.overhangSamples;
     out.followed = desc.technique == ReflectionTechnique::hybrid ? 1 : 0;
     return out;
 }

@@ -8,7 +8,7 @@
 #include "shaders/shared/reflection_bindings.h"
 #include "spirv/miss.comp.h"
 #include "spirv/resolve.comp.h"
-#include "spirv/resolve_roofs.comp.h"
+#include "spirv/resolve_overhangs.comp.h"
 
 namespace seaglass {
 
@@ -33,8 +33,8 @@ Status ResolveKernel::create(Context& context) {
     return createResolve(context, resolve_comp, *this);
 }
 
-Status RoofsResolveKernel::create(Context& context) {
-    return createResolve(context, resolve_roofs_comp, resolve);
+Status OverhangsResolveKernel::create(Context& context) {
+    return createResolve(context, resolve_overhangs_comp, resolve);
 }
 
 Status recordResolve(const ReflectPass& pass, ResolveKernel& resolve, const gpu::Buffer& keys,

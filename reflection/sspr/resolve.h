@@ -16,7 +16,7 @@ struct ResolveKernel {
 };
 
 /// Looks for what hangs over the mirror, too.
-struct RoofsResolveKernel {
+struct OverhangsResolveKernel {
     ResolveKernel resolve;
     Status create(Context& context);
 };

@@ -32,12 +32,13 @@ Status shareScatter(Context& context, const ReflectionDesc& desc, SsprKernels& o
 }
 
 Status shareTiles(Context& context, const ReflectionDesc& desc, std::shared_ptr<TilesKernel>& out) {
-    return desc.roofLooks == 0 ? context.share(out) : shareVariant(context, &RoofsTilesKernel::tiles, out);
+    return desc.overhangSamples == 0 ? context.share(out)
+                                     : shareVariant(context, &OverhangsTilesKernel::tiles, out);
 }
 
 Status shareResolve(Context& context, const ReflectionDesc& desc, std::shared_ptr<ResolveKernel>& out) {
-    return desc.roofLooks == 0 ? context.share(out)
-                               : shareVariant(context, &RoofsResolveKernel::resolve, out);
+    return desc.overhangSamples == 0 ? context.share(out)
+                                     : shareVariant(context, &OverhangsResolveKernel::resolve, out);
 }
 
 } // namespace

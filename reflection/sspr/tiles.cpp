@@ -4,7 +4,7 @@
 #include "reflection/core/reflection_images.h"
 #include "shaders/shared/reflection_bindings.h"
 #include "spirv/tiles.comp.h"
-#include "spirv/tiles_roofs.comp.h"
+#include "spirv/tiles_overhangs.comp.h"
 
 namespace seaglass {
 
@@ -57,8 +57,8 @@ Status TilesKernel::create(Context& context) {
     return kernel.create(context.device, tiles_comp, "tiles pipeline");
 }
 
-Status RoofsTilesKernel::create(Context& context) {
-    return tiles.kernel.create(context.device, tiles_roofs_comp, "tiles pipeline");
+Status OverhangsTilesKernel::create(Context& context) {
+    return tiles.kernel.create(context.device, tiles_overhangs_comp, "tiles pipeline");
 }
 
 void recordTileLists(const ReflectPass& pass, const gpu::Kernel& kernel, VkDescriptorSet set) {

@@ -30,7 +30,7 @@ struct TilesKernel {
 };
 
 /// Looks for what hangs over tiles, too.
-struct RoofsTilesKernel {
+struct OverhangsTilesKernel {
     TilesKernel tiles;
     Status create(Context& context);
 };

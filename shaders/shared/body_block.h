@@ -6,8 +6,8 @@
 namespace seaglass {
 #endif
 
-const int maxDryRooms = 8;
-const int dryRoomPlanes = 8;
+const int maxExclusionVolumes = 8;
+const int exclusionVolumePlanes = 8;
 const int maxShadowCascades = 4;
 
 struct BodyBlock {
@@ -67,9 +67,10 @@ struct BodyBlock {
     ivec4 causticGrid;  // likewise, CausticGrid: step, margin, rowLength, firstRow
     vec4 shadowLayers;
     vec4 shadow; // cascades; 1, or -1 where what is nearer to the sun is greater
-    mat4 shadowFromRelative[maxShadowCascades];  // to u, v and depth of each cascade
-    vec4 shadowBounds[maxShadowCascades];        // lowest u and v, highest
-    vec4 dryPlanes[maxDryRooms * dryRoomPlanes]; // of each room: outside is positive [m]
+    mat4 shadowFromRelative[maxShadowCascades]; // to u, v and depth of each cascade
+    vec4 shadowBounds[maxShadowCascades];       // lowest u and v, highest
+    vec4
+        exclusionPlanes[maxExclusionVolumes * exclusionVolumePlanes]; // of each room: outside is positive [m]
 };
 
 #ifdef __cplusplus

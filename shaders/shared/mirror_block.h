@@ -30,7 +30,7 @@ struct MirrorBlock {
     float depthStep;       // scene depths closer than this may be held as one
     uint followed;         // rays are followed afterwards where nothing is proven
     float undersideLight;  // share of the top's colour that stands for what lies under it
-    uint roofLooks;        // for what hangs over the mirror
+    uint overhangSamples;  // for what hangs over the mirror
     float edgeFadeApart;   // by which borders that are not ahead are taken to be farther away [pixel]
     float pad0, pad1, pad2;
 };

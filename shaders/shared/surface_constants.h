@@ -9,18 +9,18 @@ CONSTANT(5, bool, hasReflection, false) // a screen-space reflection image
 CONSTANT(6, bool, hasRefraction, false)
 CONSTANT(7, bool, hasSunShadow, false) // a shadow map of the host's
 CONSTANT(8, uint, shape, 0)            // water/surface/surface.h: SurfaceShape
-CONSTANT(9, bool, forMotion, false)    // beside it waves, shore, shape and dryRooms alone
+CONSTANT(9, bool, forMotion, false)    // beside it waves, shore, shape and exclusionVolumes alone
 CONSTANT(10, bool, inViews, false)     // of a multiview pass
 CONSTANT(11, int, cascades, 0)
-CONSTANT(12, int, foamCascades, 0)      // that break: the first so many
-CONSTANT(13, bool, lightsCrests, false) // only with waves and refraction
-CONSTANT(14, uint, dryRooms, 0)         // water/body/dry_rooms.h: roomsPacked()
+CONSTANT(12, int, foamCascades, 0)                 // that break: the first so many
+CONSTANT(13, bool, hasSubsurfaceScattering, false) // only with waves and refraction
+CONSTANT(14, uint, exclusionVolumes, 0)            // water/body/exclusion_volumes.h: volumesPacked()
 CONSTANT(15, int, waveShadowSteps, 0)
-CONSTANT(16, int, mirrorLooks, 1)     // 1, 2 or 4
-CONSTANT(17, int, refractionLooks, 6) // 1: straight through
-CONSTANT(18, int, slopeLooks, 1)      // 1, 2 or 4
-CONSTANT(19, bool, tilted, false)     // its axes are not the world's
-CONSTANT(20, bool, hasRelief, false)  // only with waves and without a shore
+CONSTANT(16, int, reflectionSamples, 1) // 1, 2 or 4
+CONSTANT(17, int, refractionSamples, 6) // 1: straight through
+CONSTANT(18, int, slopeSamples, 1)      // 1, 2 or 4
+CONSTANT(19, bool, tilted, false)       // its axes are not the world's
+CONSTANT(20, bool, hasParallax, false)  // only with waves and without a shore
 CONSTANT(21, int, bedDownscale,
          0) // only with refraction: of the bed's picture of its own, 0: none is looked at
 CONSTANT(22, bool, bySchlick, false) // in place of the exact formula

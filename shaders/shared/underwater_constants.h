@@ -1,9 +1,9 @@
 // The specialisation constants of the passes over a view of what lies in the water, for GLSL and C++ alike:
 // CONSTANT(number, type, name, usual value).
-CONSTANT(0, bool, straddles, false) // the view's near plane may be above the water too
-CONSTANT(1, bool, hasWaves, false)  // only where it straddles
-CONSTANT(2, bool, hasShore, false)  // only with waves
-CONSTANT(3, uint, dryRooms, 0)      // water/body/dry_rooms.h: roomsPacked()
+CONSTANT(0, bool, straddles, false)    // the view's near plane may be above the water too
+CONSTANT(1, bool, hasWaves, false)     // only where it straddles
+CONSTANT(2, bool, hasShore, false)     // only with waves
+CONSTANT(3, uint, exclusionVolumes, 0) // water/body/exclusion_volumes.h: volumesPacked()
 CONSTANT(4, bool, sceneIsEncoded, false)
 CONSTANT(5, bool, targetIsEncoded, false)
 CONSTANT(6, bool, inViews, false) // of a multiview pass

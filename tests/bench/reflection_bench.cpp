@@ -48,8 +48,8 @@ std::vector<Setting> settings() {
     flat.blurLevels = 0;
     ReflectionDesc coarse = flat;
     coarse.coarseKeys = true;
-    ReflectionDesc roofs = flat;
-    roofs.roofLooks = 6;
+    ReflectionDesc overhangs = flat;
+    overhangs.overhangSamples = 6;
     ReflectionDesc half = flat;
     half.downscale = 2;
     const ReflectionDesc bent;
@@ -65,7 +65,7 @@ std::vector<Setting> settings() {
     hybrid.technique = ReflectionTechnique::hybrid;
     return {{"sspr", flat},
             {"sspr, coarse keys", coarse},
-            {"sspr, roofs", roofs},
+            {"sspr, overhangs", overhangs},
             {"sspr, half", half},
             {"sspr, bent, blurred", bent},
             {"sspr, edge reach", reaching},

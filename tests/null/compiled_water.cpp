@@ -49,7 +49,7 @@ class Chosen {
         desc_.motion = has('w');
         setQuality(choice.quality, &desc_, &reflection_);
         // Which a shore's bed has none of.
-        if (has('s')) desc_.shading.relief = false;
+        if (has('s')) desc_.shading.parallax = false;
     }
     Chosen(const Chosen&) = delete;
     Chosen& operator=(const Chosen&) = delete;
@@ -175,8 +175,8 @@ std::vector<CompiledPipeline> CompiledWater::kernels() {
 }
 
 void CompiledWater::makeKernels() {
-    shareEach<ScatterKernel, CoarseScatterKernel, TilesKernel, RoofsTilesKernel, ResolveKernel,
-              RoofsResolveKernel, CellsKernel, SeenTilesKernel, SeenColumnsKernel, OpenTilesKernel,
+    shareEach<ScatterKernel, CoarseScatterKernel, TilesKernel, OverhangsTilesKernel, ResolveKernel,
+              OverhangsResolveKernel, CellsKernel, SeenTilesKernel, SeenColumnsKernel, OpenTilesKernel,
               BlurKernel, StretchKernel, EdgeReachKernel, TemporalKernel, OverlayKernel,
               PlanarKernelOf<PlanarForm::inPlace>, PlanarKernelOf<PlanarForm::apart>,
               PlanarKernelOf<PlanarForm::resolved>, PlanarKernelOf<PlanarForm::multisampled>,

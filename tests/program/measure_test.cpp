@@ -342,7 +342,7 @@ TEST_F(Measure, FlatWaterIsASceneWithoutWavesAndWhatTheyMake) {
     for (const json& pass : flat["entries"][0]["cost"]["passes"]) EXPECT_NE(pass["name"], "waves_upload");
 }
 
-TEST_F(Measure, TheDialsStepsAreOfWaterAndCostMoreAndMore) {
+TEST_F(Measure, ThePresetsAreOfWaterAndCostMoreAndMore) {
     const Outcome outcome =
         measure({"scene.toml", "-o", "dial", "--quick", "--size", "96x54", "--technique", "water"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;

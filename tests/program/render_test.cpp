@@ -121,10 +121,10 @@ TEST_F(Render, QualitySetsWhatMayBeSetAfterIt) {
     };
     const std::string low = pictureOf({"--quality", "low"}), highest = pictureOf({"--quality", "highest"});
     EXPECT_FALSE(low == highest);
-    const Names asLow = {"--set", "water.cells_per_level=128",    "--set", "water.mirror_looks=1",
-                         "--set", "water.refraction_looks=2",     "--set", "water.slope_looks=1",
+    const Names asLow = {"--set", "water.cells_per_level=128",    "--set", "water.reflection_samples=1",
+                         "--set", "water.refraction_samples=2",   "--set", "water.slope_samples=1",
                          "--set", "water.wave_shadow_steps=0",    "--set", "water.reflection.technique=sspr",
-                         "--set", "water.reflection.downscale=2", "--set", "water.relief=false"};
+                         "--set", "water.reflection.downscale=2", "--set", "water.parallax=false"};
     EXPECT_TRUE(pictureOf(asLow) == low);
     Names after = {"--quality", "highest"};
     after.insert(after.end(), asLow.begin(), asLow.end());

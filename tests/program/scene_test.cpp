@@ -616,7 +616,7 @@ std::string fullSample() {
     return withColour("tint = [0.1, 0.2, 0.1]\nvisibility_m = 6") +
            "[[water.waves.swells]]\n[water.extent]\nsize_m = [25, 10]\n" +
            "[water.shore]\nfile = 'tetra.gltf'\n" +
-           "[[water.dry_rooms]]\npoints_m = [[0, 0], [1, 0], [0, 1]]\n[fog]\nend_m = 1e9\n";
+           "[[water.exclusion_volumes]]\npoints_m = [[0, 0], [1, 0], [0, 1]]\n[fog]\nend_m = 1e9\n";
 }
 
 TEST_F(SceneFile, EveryFieldRefusesADate) {

@@ -28,7 +28,7 @@ CLEAN = {
     "gpu/include/seaglass/host.h": "#pragma once\nvoid destroyAll(); ///< as a host does\n",
     "reflection/core/mirror.h": "#include \"gpu/memory/image.h\"\n",
     "gpu/memory/image.h": "",
-    "water/include/seaglass/water.h": "struct ShadingDesc {\n    unsigned slopeLooks = 1; ///< looks\n};\n",
+    "water/include/seaglass/water.h": "struct ShadingDesc {\n    unsigned slopeSamples = 1; ///< looks\n};\n",
     "water/body/quality.cpp": "void f() {\n    reflection.downscale = 2;\n}\n",
     "water/mirror.cpp": "#include \"gpu/memory/image.h\"\nvoid put(MirrorBlock& block) { block.steepness = 1; }\n",
     "shaders/shared/mirror_block.h": "struct MirrorBlock {\n    float steepness; // none\n    float pad0;\n};\n",
@@ -125,9 +125,9 @@ class House(unittest.TestCase):
 
     def test_a_setting_with_many_homes(self):
         for i in range(5):
-            self.write(f"demos/scene/{i}.cpp", "slope_looks" if i else "slopeLooks")
-        self.write("tests/unit/five_test.cpp", "slopeLooks")
-        self.missed("files that name a quality field, tests aside", 6, "6 slopeLooks")
+            self.write(f"demos/scene/{i}.cpp", "slope_samples" if i else "slopeSamples")
+        self.write("tests/unit/five_test.cpp", "slopeSamples")
+        self.missed("files that name a quality field, tests aside", 6, "6 slopeSamples")
 
     def test_a_uniform_with_many_homes(self):
         self.write("shaders/other.comp", "uniform Other { MirrorBlock other; };\nfloat x = other.steepness;\n")

@@ -171,7 +171,7 @@ std::string expected(const Field& field) {
 }
 
 TEST(Field, SaysWhatIsExpected) {
-    EXPECT_EQ(expected(field<&ReflectionDesc::roofLooks>("", 0, 8, "", "")), "0 to 8");
+    EXPECT_EQ(expected(field<&ReflectionDesc::overhangSamples>("", 0, 8, "", "")), "0 to 8");
     EXPECT_EQ(expected(field<&ReflectionDesc::height>("", 8, 16384, "pixel", "").orZero()),
               "0 or 8 to 16384 pixel");
     EXPECT_EQ(expected(field<&ReflectionDesc::downscale>("", 1, 8, "", "").powersOfTwo()), "1, 2, 4 or 8");

@@ -32,7 +32,7 @@ TEST(FieldWidgets, AreLogarithmicWhereTheDefaultIsNearAnEnd) {
          {"march_thickness_m", "march_distance_m", "edge_stretch_per_m", "clear_distance_m"})
         EXPECT_TRUE(sliderRangeOf(fieldOf("water.reflection", key), &reflection).logarithmic) << key;
     EXPECT_TRUE(sliderRangeOf(fieldOf("water.waves", "fetch_m"), &waves).logarithmic);
-    for (const char* key : {"edge_fade", "temporal", "roof_looks", "march_steps"})
+    for (const char* key : {"edge_fade", "temporal", "overhang_samples", "march_steps"})
         EXPECT_FALSE(sliderRangeOf(fieldOf("water.reflection", key), &reflection).logarithmic) << key;
     EXPECT_FALSE(sliderRangeOf(fieldOf("water.waves", "wind_m_s"), &waves).logarithmic);
     SunDesc sun;
@@ -53,11 +53,11 @@ TEST(FieldWidgets, AreOfWhatTheTechniqueReads) {
     seaglass::ReflectionDesc desc;
     const auto isShown = [&](const char* key) { return isRead(fieldOf("water.reflection", key), &desc); };
     desc.technique = techniqueNamed("sspr");
-    EXPECT_TRUE(isShown("coarse_keys") && isShown("roof_looks") && isShown("edge_fade"));
+    EXPECT_TRUE(isShown("coarse_keys") && isShown("overhang_samples") && isShown("edge_fade"));
     EXPECT_FALSE(isShown("march_steps"));
     desc.technique = techniqueNamed("ssr");
     EXPECT_TRUE(isShown("march_steps") && isShown("edge_fade"));
-    EXPECT_FALSE(isShown("coarse_keys") || isShown("roof_looks"));
+    EXPECT_FALSE(isShown("coarse_keys") || isShown("overhang_samples"));
 }
 
 } // namespace

@@ -20,7 +20,7 @@
 #include "water/below/caustics.h"
 #include "water/below/underwater.h"
 #include "water/body/body_frame.h"
-#include "water/body/dry_rooms.h"
+#include "water/body/exclusion_volumes.h"
 #include "water/foam/foam.h"
 #include "water/foam/foam_pattern.h"
 #include "water/mesh/extent.h"
@@ -100,7 +100,7 @@ struct Body : Held {
     std::unique_ptr<Reflector> reflector; ///< null without a screen-space technique
     std::shared_ptr<SingleSamples> singleSamples; ///< null until refraction sees through a view with many
     float reflectionDistortion = 0;
-    std::vector<DryPlanes> dryRooms;
+    std::vector<ExclusionPlanes> exclusionVolumes;
     bool keepsMotion = false;
     std::map<uint32_t, LastView> lastViews; ///< by index, of those that motion was drawn of
     std::shared_ptr<PatchIndices> indices;

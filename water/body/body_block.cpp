@@ -79,11 +79,11 @@ void setFog(BodyBlock& u, const FogBlock& fog) {
     u.fogReach = glm::make_vec4(fog.reach);
 }
 
-void setDryRooms(BodyBlock& u, const std::vector<DryPlanes>& rooms, const glm::dvec3& eye) {
-    std::fill_n(u.dryPlanes, roomsPacked(rooms) * size_t{dryRoomPlanes},
+void setExclusionVolumes(BodyBlock& u, const std::vector<ExclusionPlanes>& rooms, const glm::dvec3& eye) {
+    std::fill_n(u.exclusionPlanes, volumesPacked(rooms) * size_t{exclusionVolumePlanes},
                 glm::vec4(0, 0, 0, 1)); // holding nothing
-    vec4* out = u.dryPlanes;
-    for (const DryPlanes& room : rooms)
+    vec4* out = u.exclusionPlanes;
+    for (const ExclusionPlanes& room : rooms)
         for (const glm::dvec4& plane : room)
             *out++ = glm::vec4(glm::vec3(plane), plane.w + glm::dot(glm::dvec3(plane), eye));
 }
@@ -152,7 +152,7 @@ BodyBlock bodyBlock(const Body& body, const ViewGeometry& geometry, const Lighti
     if (body.sea) u.within.z = static_cast<float>(significantWaveHeight(*body.sea) / 4);
     if (body.underwater) u.within.y = body.underwater->meniscus / 2;
     if (body.outline) u.covered = body.outline->boxFrom({geometry.eye.x, geometry.eye.z}).packed();
-    setDryRooms(u, body.dryRooms, geometry.eye);
+    setExclusionVolumes(u, body.exclusionVolumes, geometry.eye);
     if (body.caustics)
         setCaustics(u, *body.caustics, causticGrid(body.shading, geometry, body.heightOf(geometry.eye)));
     return u;

@@ -100,7 +100,7 @@ SurfaceVariant Body::surfaceVariant(const SurfaceDraw& drawn, const LightingDesc
                                           : SurfaceShape::plane;
     v.shape = static_cast<uint32_t>(formed);
     v.cascades = waves ? static_cast<int>(cascadeCount(*sea)) : 0;
-    v.dryRooms = roomsPacked(dryRooms);
+    v.exclusionVolumes = volumesPacked(exclusionVolumes);
     v.onGlobe = !globe.flat();
     if (motion) return v;
     v.sidesSeen = static_cast<uint32_t>(drawn.sides);
@@ -115,13 +115,14 @@ SurfaceVariant Body::surfaceVariant(const SurfaceDraw& drawn, const LightingDesc
     v.hasReflection = drawn.reflectionDownscale > 0;
     if (!waves && reflector && reflector->desc.blurLevels == 0)
         v.sharpDownscale = static_cast<int>(drawn.reflectionDownscale);
-    v.lightsCrests = waves && refraction && refraction->scattering > 0;
-    if (v.hasRefraction || v.lightsCrests) v.refractionLooks = static_cast<int>(shading.refractionLooks);
+    v.hasSubsurfaceScattering = waves && refraction && refraction->scattering > 0;
+    if (v.hasRefraction || v.hasSubsurfaceScattering)
+        v.refractionSamples = static_cast<int>(shading.refractionSamples);
     if (waves) {
-        v.mirrorLooks = static_cast<int>(shading.mirrorLooks);
-        v.slopeLooks = static_cast<int>(shading.slopeLooks);
+        v.reflectionSamples = static_cast<int>(shading.reflectionSamples);
+        v.slopeSamples = static_cast<int>(shading.slopeSamples);
         v.waveShadowSteps = static_cast<int>(shading.waveShadowSteps);
-        v.hasRelief = !shore && shading.relief;
+        v.hasParallax = !shore && shading.parallax;
     }
     v.bySchlick = shading.fresnel == Fresnel::schlick;
     v.tilted = frame.tilted;
@@ -236,7 +237,7 @@ SidesSeen Body::sidesSeen(const ViewGeometry& geometry) const {
     if (!underwater) return SidesSeen::above;
     const SightStart start = sightStart(geometry);
     if (outline && !outline->contains({start.middle.x, start.middle.z})) return SidesSeen::above;
-    if (isDry(dryRooms, start.middle)) return SidesSeen::above;
+    if (isDry(exclusionVolumes, start.middle)) return SidesSeen::above;
     const double height = heightOf(start.middle);
     const double reach = displacement() + start.reach;
     if (height > reach) return SidesSeen::above;
@@ -301,7 +302,7 @@ Status Body::drawCaustics(VkCommandBuffer commands, Target& target, const ViewDe
         return device.misused(
             "drawCaustics: castCaustics() was not called for this view before, or for another since");
     UnderwaterVariant variant = {UnderwaterPass::caustics};
-    variant.dryRooms = roomsPacked(dryRooms);
+    variant.exclusionVolumes = volumesPacked(exclusionVolumes);
     return recordOverView(commands, target, read, lighting, geometry, variant);
 }
 
@@ -341,7 +342,7 @@ Status Body::checkEye(const ViewDesc& view, const ViewGeometry& geometry) {
     const glm::dvec3& eye = geometry.eye;
     const double depth = -heightOf(eye);
     const bool isOver = !outline || outline->contains({eye.x, eye.z});
-    if (depth <= displacement() || !isOver || isDry(dryRooms, eye)) return Status::ok;
+    if (depth <= displacement() || !isOver || isDry(exclusionVolumes, eye)) return Status::ok;
     // In a camera-to-world matrix the camera stands in the last column, and most often its right is level.
     // The inverse, taken for it, looks rolled and, where it stands over the water, lies under it. Along the x
     // axis a rolled camera would look the same.

@@ -21,8 +21,8 @@ glm::dvec3 BodyFrame::fromWorld(const glm::dvec3& vector) const {
     return tilted ? vector * worldFromBody : vector;
 }
 
-DryPlanes BodyFrame::fromWorld(const DryPlanes& planes) const {
-    DryPlanes turned = planes;
+ExclusionPlanes BodyFrame::fromWorld(const ExclusionPlanes& planes) const {
+    ExclusionPlanes turned = planes;
     for (glm::dvec4& plane : turned) plane = glm::dvec4(fromWorld(glm::dvec3(plane)), plane.w);
     return turned;
 }

@@ -7,7 +7,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "water/body/dry_rooms.h"
+#include "water/body/exclusion_volumes.h"
 
 namespace seaglass {
 
@@ -20,7 +20,7 @@ struct BodyFrame {
 
     /// Of a direction or, since both have their origin in one place, a point.
     glm::dvec3 fromWorld(const glm::dvec3& vector) const;
-    DryPlanes fromWorld(const DryPlanes& planes) const;
+    ExclusionPlanes fromWorld(const ExclusionPlanes& planes) const;
     /// One from the body's axes to the same picture.
     ViewDesc fromWorld(const ViewDesc& view) const;
 };

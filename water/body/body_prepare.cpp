@@ -50,7 +50,8 @@ Status Body::prepareOverView(Target& target, const ViewDesc* view) const {
         return target.underwater.get(variant, pipeline);
     };
     if (caustics && (holdsFloats(target.desc.colorFormat) || target.desc.encoding == Encoding::srgb))
-        if (const Status s = prepared({.pass = UnderwaterPass::caustics, .dryRooms = roomsPacked(dryRooms)});
+        if (const Status s = prepared(
+                {.pass = UnderwaterPass::caustics, .exclusionVolumes = volumesPacked(exclusionVolumes)});
             s != Status::ok)
             return s;
     if (!underwater) return Status::ok;

@@ -88,12 +88,12 @@ void destroyBody(Body* body) {
     destroyHeld(body, "destroyBody");
 }
 
-Status setDryRooms(Body* body, const DryRoom* rooms, uint32_t count) {
+Status setExclusionVolumes(Body* body, const ExclusionVolume* rooms, uint32_t count) {
     if (!body) return Status::invalidArgument;
     return gpu::guarded([&] {
-        if (const char* bad = readDryRooms(rooms, count, body->dryRooms))
+        if (const char* bad = readExclusionVolumes(rooms, count, body->exclusionVolumes))
             return body->context->device.fail(Status::invalidArgument, "%s", bad);
-        for (DryPlanes& room : body->dryRooms) room = body->frame.fromWorld(room);
+        for (ExclusionPlanes& room : body->exclusionVolumes) room = body->frame.fromWorld(room);
         return Status::ok;
     });
 }

@@ -1,4 +1,4 @@
-// The library's dial of quality, as it turns the settings of a scene's water.
+// The library's quality presets, as it turns the settings of a scene's water.
 #pragma once
 
 #include <span>

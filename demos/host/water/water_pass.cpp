@@ -6,7 +6,7 @@
 #include "host/scene_again.h"
 #include "host/seaglass_view.h"
 #include "host/vulkan/rendering.h"
-#include "host/water/dry_rooms.h"
+#include "host/water/exclusion_volumes.h"
 #include "host/water/extent.h"
 #include "host/water/shore.h"
 #include "host/water/waves.h"
@@ -92,12 +92,12 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     if (desc.underwater) body.underwater = &*desc.underwater;
     if (desc.caustics) body.caustics = &*desc.caustics;
     if (desc.bed && desc.bedDrawn) body.bed = &*desc.bed;
-    std::vector<seaglass::DryRoom> rooms;
-    if (!dryRoomsOf(desc.dryRooms, rooms, error)) return false;
+    std::vector<seaglass::ExclusionVolume> rooms;
+    if (!exclusionVolumesOf(desc.exclusionVolumes, rooms, error)) return false;
     seaglass::Body* made = nullptr;
     if (!context_.ok(seaglass::createBody(context_.get(), &body, &made), error)) return false;
     const seaglass::Status dried =
-        seaglass::setDryRooms(made, rooms.data(), static_cast<uint32_t>(rooms.size()));
+        seaglass::setExclusionVolumes(made, rooms.data(), static_cast<uint32_t>(rooms.size()));
     if (!context_.ok(dried, error)) {
         seaglass::destroyBody(made);
         return false;

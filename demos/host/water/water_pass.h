@@ -3,6 +3,7 @@
 
 #include "host/camera.h"
 #include "host/seaglass_context.h"
+#include "host/vulkan/frame_targets.h"
 #include "scene/scene.h"
 #include "seaglass/water.h"
 

@@ -21,7 +21,7 @@ std::optional<Scene> sceneWith(const Technique& technique, const std::string& su
     // No override takes a part away.
     if (!technique.part && scene->water) scene->water->reflection.reset();
     if (!technique.part && scene->floor) scene->floor->reflection.reset();
-    if (technique.dial) setQuality(technique.quality, *scene->water);
+    if (technique.isPreset) setQuality(technique.quality, *scene->water);
     if (desc.flat && scene->water) takeWaves(*scene->water);
     return scene;
 }
@@ -50,7 +50,7 @@ CameraDesc moved(CameraDesc camera) {
 /// Those that the scene's surface can have.
 std::vector<const Technique*> techniquesFor(const Scene& scene, const std::vector<const Technique*>& asked) {
     std::vector<const Technique*> fitting = asked;
-    if (!scene.water) std::erase_if(fitting, [](const Technique* technique) { return technique->dial; });
+    if (!scene.water) std::erase_if(fitting, [](const Technique* technique) { return technique->isPreset; });
     return fitting;
 }
 

@@ -19,8 +19,8 @@ struct Quality {
 constexpr Quality qualities[] = {
     {"default", nullptr},
     {"coarse keys", "coarse_keys=true", "sspr"},
-    {"no roofs", "roof_looks=0", "sspr"},
-    {"no roofs", "roof_looks=0", "hybrid"},
+    {"no overhangs", "overhang_samples=0", "sspr"},
+    {"no overhangs", "overhang_samples=0", "hybrid"},
     {"half", "downscale=2"},
     {"quarter", "downscale=4"},
     {"temporal", "temporal=0.9"},

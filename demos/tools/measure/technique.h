@@ -13,8 +13,9 @@ namespace demos::measure {
 struct Technique {
     std::string name, quality;
     std::vector<std::string> settings; ///< of the surface's reflection, as --set takes them
-    bool part = true;  ///< whether the surface has a reflection at all; without, it mirrors the sky as well
-    bool dial = false; ///< `quality` is one of the library's, of water as the scene has it: a floor has none
+    bool part = true; ///< whether the surface has a reflection at all; without, it mirrors the sky as well
+    bool isPreset =
+        false; ///< `quality` is one of the library's, of water as the scene has it: a floor has none
 };
 
 std::span<const Technique> techniques();

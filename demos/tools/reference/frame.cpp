@@ -63,12 +63,12 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
             if (world.sea) mesh.pinned = seaglass::pinnedWithin(seaglass::largestDisplacement(*world.sea));
         }
         out.mesh = meshOf(out.surface, out.camera, mesh);
-        if (world.outline || !world.dryRooms.empty())
+        if (world.outline || !world.exclusionVolumes.empty())
             out.mesh.covers = [&out](uint32_t triangle, const glm::vec3& weights) {
                 return out.covers(triangle, weights);
             };
         out.geometry.add(out.mesh);
-        if (world.dryRooms.empty()) out.mesh.positions = {};
+        if (world.exclusionVolumes.empty()) out.mesh.positions = {};
         out.sky = skyBeams(world.light);
     }
     if (!out.geometry.build(error)) return false;
@@ -119,12 +119,12 @@ glm::dvec3 Frame::seenAt(const glm::vec3& position) const {
 
 bool Frame::covers(uint32_t triangle, const glm::vec3& weights) const {
     if (world->outline && !world->outline->contains(calmAt(triangle, weights))) return false;
-    if (world->dryRooms.empty()) return true;
+    if (world->exclusionVolumes.empty()) return true;
     const glm::uvec3 corners = mesh.triangles[triangle];
     glm::dvec3 at = camera.eye;
     for (glm::length_t i = 0; i < 3; ++i)
         at += static_cast<double>(weights[i]) * glm::dvec3(mesh.positions[corners[i]]);
-    return !seaglass::isDry(world->dryRooms, at);
+    return !seaglass::isDry(world->exclusionVolumes, at);
 }
 
 glm::dvec2 Frame::calmAt(const Hit& waterHit) const {

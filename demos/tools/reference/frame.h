@@ -25,7 +25,7 @@ struct Frame {
     float pixelAngle = 0; ///< [rad], as seen from the apex of first rays
     float apexM = 0;      ///< how far that lies behind where they begin
     WaterSurface surface;
-    SurfaceMesh mesh; ///< without its positions, which the geometry holds, but among dry rooms
+    SurfaceMesh mesh; ///< without its positions, which the geometry holds, but among exclusion volumes
     Geometry geometry;
     SkyBeams sky; ///< under water; dark where there is none
     Caustics caustics;

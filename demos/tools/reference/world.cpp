@@ -2,7 +2,7 @@
 
 #include "host/passes/floor_texture.h"
 #include "host/passes/fog.h"
-#include "host/water/dry_rooms.h"
+#include "host/water/exclusion_volumes.h"
 #include "host/water/extent.h"
 #include "host/water/placement.h"
 #include "host/water/shore.h"
@@ -51,13 +51,13 @@ bool setOutline(const ExtentDesc& desc, World& out, Error& error) {
     return true;
 }
 
-bool setDryRooms(const std::vector<DryRoomDesc>& rooms, World& out, Error& error) {
-    std::vector<seaglass::DryRoom> read;
-    if (!dryRoomsOf(rooms, read, error)) return false;
+bool setExclusionVolumes(const std::vector<ExclusionVolumeDesc>& rooms, World& out, Error& error) {
+    std::vector<seaglass::ExclusionVolume> read;
+    if (!exclusionVolumesOf(rooms, read, error)) return false;
     const char* const bad =
-        seaglass::readDryRooms(read.data(), static_cast<uint32_t>(read.size()), out.dryRooms);
+        seaglass::readExclusionVolumes(read.data(), static_cast<uint32_t>(read.size()), out.exclusionVolumes);
     if (bad) error.text = std::string("water: ") + bad;
-    for (seaglass::DryPlanes& room : out.dryRooms) room = out.frame.fromWorld(room);
+    for (seaglass::ExclusionPlanes& room : out.exclusionVolumes) room = out.frame.fromWorld(room);
     return !bad;
 }
 
@@ -76,8 +76,8 @@ bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error) {
     out.light.axes = out.frame.worldFromBody;
     out.sea.reset();
     out.outline.reset();
-    out.dryRooms.clear();
-    if (desc && !setDryRooms(desc->dryRooms, out, error)) return false;
+    out.exclusionVolumes.clear();
+    if (desc && !setExclusionVolumes(desc->exclusionVolumes, out, error)) return false;
     if (desc && desc->extent && !setOutline(*desc->extent, out, error)) return false;
     if (!desc || !desc->waves) return true;
     SceneSea sea;

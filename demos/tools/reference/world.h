@@ -11,7 +11,7 @@
 
 // Not public: there is to be one notion of what an outline encloses, and of a tilted body's axes.
 #include "water/body/body_frame.h"
-#include "water/body/dry_rooms.h"
+#include "water/body/exclusion_volumes.h"
 #include "water/mesh/extent.h"
 
 namespace demos::reference {
@@ -34,7 +34,7 @@ struct World {
     seaglass::Globe globe;     ///< that the water lies on
     SeaPointer sea;            ///< null when flat
     std::optional<seaglass::Outline> outline; ///< of the water; none where it is unbounded
-    std::vector<seaglass::DryPlanes> dryRooms;
+    std::vector<seaglass::ExclusionPlanes> exclusionVolumes;
     std::optional<Floor> floor;
 };
 

@@ -223,13 +223,14 @@ constexpr std::array extentFields = {
     Field{"file", at<&ExtentDesc::file>, 0, 0, "", "glTF file"},
 };
 
-constexpr std::array dryRoomFields = {
-    Field{"position_m", at<&DryRoomDesc::positionM>, -far, far, "m", "of its origin"},
-    Field{"yaw_deg", at<&DryRoomDesc::yawDeg>, -turn, turn, "degrees", "turn about +Y"},
-    Field{"points_m", at<&DryRoomDesc::pointsM>, -1e3, 1e3, "m", "x and z of its outline's corners",
+constexpr std::array exclusionVolumeFields = {
+    Field{"position_m", at<&ExclusionVolumeDesc::positionM>, -far, far, "m", "of its origin"},
+    Field{"yaw_deg", at<&ExclusionVolumeDesc::yawDeg>, -turn, turn, "degrees", "turn about +Y"},
+    Field{"points_m", at<&ExclusionVolumeDesc::pointsM>, -1e3, 1e3, "m", "x and z of its outline's corners",
           required},
-    Field{"flare_deg", at<&DryRoomDesc::flareDeg>, -80, 80, "degrees", "by which its walls lean outwards"},
-    Field{"bottom_m", at<&DryRoomDesc::bottomM>, -1e3, 1e3, "m", "height of its bottom"},
+    Field{"flare_deg", at<&ExclusionVolumeDesc::flareDeg>, -80, 80, "degrees",
+          "by which its walls lean outwards"},
+    Field{"bottom_m", at<&ExclusionVolumeDesc::bottomM>, -1e3, 1e3, "m", "height of its bottom"},
 };
 
 constexpr std::array ownWaterFields = {
@@ -301,8 +302,10 @@ constexpr Section caustics = {
 constexpr Section bed = {
     "bed", bedFields, {}, "the bed drawn once more for refraction; without it, it sees the picture"};
 
-constexpr Section dryRooms = {
-    "dry_rooms", dryRoomFields, {}, "hollows without water, such as a boat's inside, eight at most"};
+constexpr Section exclusionVolumes = {"exclusion_volumes",
+                                      exclusionVolumeFields,
+                                      {},
+                                      "hollows without water, such as a boat's inside, eight at most"};
 
 constexpr std::array waterChildren = {
     Child{&extent, open<&WaterDesc::extent>},
@@ -314,7 +317,7 @@ constexpr std::array waterChildren = {
     Child{&underwater, open<&WaterDesc::underwater>},
     Child{&caustics, beside<&WaterDesc::caustics>},
     Child{&bed, beside<&WaterDesc::bed>},
-    Child{&dryRooms, open<&WaterDesc::dryRooms>, true},
+    Child{&exclusionVolumes, open<&WaterDesc::exclusionVolumes>, true},
 };
 
 constexpr Section water = {"water", waterFields, waterChildren, "the water; without it there is none"};

@@ -79,7 +79,7 @@ struct ShoreDesc {
 };
 
 /// A hollow that the water stays out of, as a boat's inside: walls along a convex outline, down to a bottom.
-struct DryRoomDesc {
+struct ExclusionVolumeDesc {
     Vec3 positionM = {0, 0, 0};
     double yawDeg = 0;         ///< about +Y, as a mesh's
     std::vector<Vec2> pointsM; ///< of the outline, from its position and at its height
@@ -104,7 +104,7 @@ struct WaterDesc {
     std::optional<seaglass::CausticsDesc> caustics;
     std::optional<seaglass::BedDesc> bed; ///< none: refraction sees what the picture shows
     bool bedDrawn = true;                 ///< false: as without a bed
-    std::vector<DryRoomDesc> dryRooms;
+    std::vector<ExclusionVolumeDesc> exclusionVolumes;
 };
 
 struct Scene {

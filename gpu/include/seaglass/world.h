@@ -48,7 +48,7 @@ inline void pointFrom(const World& world, const double (&host)[3], double (&out)
     for (double& value : out) value /= world.unitsPerMetre;
 }
 
-/// Seaglass's plane of the host's, n.p + d = 0 in both: BodyDesc::plane, DryRoom::planes.
+/// Seaglass's plane of the host's, n.p + d = 0 in both: BodyDesc::plane, ExclusionVolume::planes.
 inline void planeFrom(const World& world, const double (&host)[4], double (&out)[4]) {
     const double normal[3] = {host[0], host[1], host[2]};
     double turned[3];

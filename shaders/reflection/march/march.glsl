@@ -330,7 +330,7 @@ struct Progress {
     bool inFront;    // of what is seen there
     bool hidden;     // was behind something
     Cover cover;
-    int looks;       // left
+    int taps;       // left
 };
 
 struct March {

@@ -70,9 +70,9 @@ bool meetsSquare(const MirrorBlock mirror, Track track, int shift, float until, 
 Crossing crossedPixel(Track track, float until, inout Progress at) {
     Crossing crossing = noCrossing;
     Walk walk = walkFrom(track, at.reached, 0);
-    if (at.reached < until && at.looks > 0) {
+    if (at.reached < until && at.taps > 0) {
         do {
-            --at.looks;
+            --at.taps;
             crossing.begins = at.reached;
             crossing.ends = leavesAt(walk);
             Seen seen = seenAt(track.scene, walk.square);
@@ -87,7 +87,7 @@ Crossing crossedPixel(Track track, float until, inout Progress at) {
             crossing.found = crossing.close || ends;
             if (crossing.found) break;
             goOn(walk);
-        } while (at.reached < until && at.looks > 0);
+        } while (at.reached < until && at.taps > 0);
     }
     crossing.share = 0.5 * (crossing.begins + crossing.ends);
     return crossing;
@@ -118,8 +118,8 @@ bool staysCovered(Track track, float from, float until, inout Cover cover) {
 Crossing nextCrossing(const MirrorBlock mirror, Track track, inout Progress at) {
     Crossing crossing = noCrossing;
     float end = 1.0 - 0.02 * track.halfPixel;   // not beyond the picture by rounding
-    if (at.looks > 0 && at.reached < end) {
-        int rounds = at.looks + mostSquares(mirror, blockShift);
+    if (at.taps > 0 && at.reached < end) {
+        int rounds = at.taps + mostSquares(mirror, blockShift);
         do {
             float before = at.reached;
             float blockEnds = 0.0;
@@ -131,10 +131,10 @@ Crossing nextCrossing(const MirrorBlock mirror, Track track, inout Progress at) 
             bool covered = cell && staysCovered(track, at.reached, until, at.cover);
             if (covered) {
                 at.reached = max(until, at.reached);
-                at.looks -= 2;
+                at.taps -= 2;
             }
             crossing = crossedPixel(track, covered ? 0.0 : until, at);
-        } while (--rounds > 0 && at.looks > 0 && at.reached < end && !crossing.found);
+        } while (--rounds > 0 && at.taps > 0 && at.reached < end && !crossing.found);
     }
     at.reached = at.reached < end ? at.reached : 1.0;
     return crossing;

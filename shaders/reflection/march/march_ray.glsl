@@ -27,7 +27,7 @@ March marched(const MirrorBlock mirror, vec3 from, vec3 direction, float metres,
                 shown = crossing.shown;
             }
         }
-    } while (++alarms <= falseAlarms && found < underside && at.looks > 0 && at.reached < 1.0);
+    } while (++alarms <= falseAlarms && found < underside && at.taps > 0 && at.reached < 1.0);
     if (found != refused) {
         shown.z = mirror.depthSign * shown.z - mirror.infinityDepth;
         return March(infoOfHit(trackMetres(track, share)), shown, found);

@@ -42,9 +42,9 @@ Crossing nextCrossing(const MirrorBlock mirror, Track track, inout Progress at) 
     bool candidate = false;
     bool leaves = false;
     bool ends = false;
-    if (at.looks > 0 && at.reached < 1.0) {
+    if (at.taps > 0 && at.reached < 1.0) {
         do {
-            --at.looks;
+            --at.taps;
             last = at.reached;
             wasInFront = at.inFront;
             at.reached = min(at.reached + stride, 1.0);
@@ -57,7 +57,7 @@ Crossing nextCrossing(const MirrorBlock mirror, Track track, inout Progress at) 
             candidate = leaves || isBehind && within(track, at.reached, point.z + nearer, seen.depth);
             ends = coverEnds(track, max(last, 0.0), point.z, seen, isBehind, at.cover);
             if (candidate || ends) break;
-        } while (at.looks > 0 && at.reached < 1.0);
+        } while (at.taps > 0 && at.reached < 1.0);
     }
     if (ends && !candidate)
         return Crossing(true, at.reached, vec3(0.0), at.reached - track.halfPixel, at.reached + track.halfPixel, false, false,

@@ -3,7 +3,7 @@
 // What hangs lower than it is wide leaves keys in at least as many cells as lie between them and what it hides: looks may lie
 // as far apart as they have gone.
 const int firstLook = 3;   // [cells]
-const int mostRoofLooks = 8;   // that ReflectionDesc::roofLooks may ask for
+const int mostOverhangSamples = 8;   // that ReflectionDesc::overhangSamples may ask for
 
 float farthest(vec2 apart) {
     return max(abs(apart.x), abs(apart.y));
@@ -18,7 +18,7 @@ vec2 awayFrom(const MirrorBlock mirror, vec2 q) {
 }
 
 // Halfway between two such looks lies another: what stands on what hangs hides half of it.
-ivec2 cellBefore(const MirrorBlock mirror, vec2 q, vec2 away, int look) {
-    float cells = 0.5 * float((firstLook * (2 + (look & 1))) << (look >> 1));
+ivec2 cellBefore(const MirrorBlock mirror, vec2 q, vec2 away, int tap) {
+    float cells = 0.5 * float((firstLook * (2 + (tap & 1))) << (tap >> 1));
     return texelAt(q / float(1 << mirror.keyShift) - cells * away, lastCell);
 }

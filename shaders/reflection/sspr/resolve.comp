@@ -1,7 +1,7 @@
 // SSPR, second pass: turns mirrored depths into colour. A key says roughly how far along this pixel's mirrored ray
 // something lies; the ray is met there with the plane through the scene's depths, and the key counts only when they meet
 // within the very pixel those depths were taken from. Holes are filled and leaks refused by proof instead of by likeness
-// of colour. With ROOFS, what hangs over the mirror is looked for, too.
+// of colour. With OVERHANGS, what hangs over the mirror is looked for, too.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
@@ -36,8 +36,8 @@ layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D
 #include "hits.glsl"
 #include "source_color.glsl"
 #include "hit_distance.glsl"
-#ifdef ROOFS
-#include "roofs.glsl"
+#ifdef OVERHANGS
+#include "overhangs.glsl"
 #endif
 
 const int refinements = 3;
@@ -318,10 +318,10 @@ void main() {
             else if (thin.valid) hit = thin;
             else if (inHole) hit = metUnseen(mirror, ray, guesses, one, other);
         }
-#ifdef ROOFS
+#ifdef OVERHANGS
         if (!comesOut) {
-            Hit roof = underRoof(mirror, q, ray, hit);
-            if (roof.valid) hit = roof;
+            Hit overhang = underOverhang(mirror, q, ray, hit);
+            if (overhang.valid) hit = overhang;
         }
 #endif
         if (hit.valid) {

@@ -1,4 +1,4 @@
-// Sorts the tiles that are looked up into two lists: those with keys in or around them or, with ROOFS, with something
+// Sorts the tiles that are looked up into two lists: those with keys in or around them or, with OVERHANGS, with something
 // that hangs over them, and the rest. The order within a list is any; what is computed of a tile does not depend on it.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -13,7 +13,7 @@ layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
 };
 #include "list_tile.glsl"
 
-#ifdef ROOFS
+#ifdef OVERHANGS
 layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
 layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
     uint keys[];
@@ -24,7 +24,7 @@ layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
 #include "screen_ray.glsl"
 #include "hidden_way.glsl"
 #include "hits.glsl"
-#include "roofs.glsl"
+#include "overhangs.glsl"
 
 // What hangs over a mirror may reach farther than any keys are near: here and there in a tile.
 bool hangsOver(const MirrorBlock mirror, ivec2 tile) {
@@ -32,7 +32,7 @@ bool hangsOver(const MirrorBlock mirror, ivec2 tile) {
     float pixels = float(tileEdge << mirror.pixelShift);
     for (int i = 0; i < 4; ++i) {
         vec2 q = (vec2(tile) + vec2(0.25) + 0.5 * vec2(i & 1, i >> 1)) * pixels;
-        if (underRoof(mirror, q, rayOf(mirror, q), noHit).valid) return true;
+        if (underOverhang(mirror, q, rayOf(mirror, q), noHit).valid) return true;
     }
     return false;
 }

@@ -15,7 +15,7 @@ layout(set = 0, binding = causticLightBinding) uniform sampler2D blurred;
 
 layout(location = 0) out vec4 outColor;
 
-#include "dry_rooms.glsl"
+#include "exclusion_volumes.glsl"
 
 // All that is scattered, forwards too [1/m]: particles send 0.0183 of it back (Petzold 1972), and molecules, which sea
 // water owes this much to (Morel 1974), half.

@@ -69,7 +69,7 @@ vec2 lightAround(vec2 pixel, Spread spread) {
     float most = length(ellipse.longer), least = max(length(ellipse.shorter), 1.6 * 0.41 * texel);
     float lod = log2(least / (0.41 * texel));
     const int mostLooks = 4;
-    int looks = int(clamp(ceil(most / least), 1.0, float(mostLooks)));
+    int taps = int(clamp(ceil(most / least), 1.0, float(mostLooks)));
     // Of an even row from end to end the deviation is 0.29 of its length.
     vec2 row = ellipse.longer * sqrt(max(most * most - least * least, 0.0)) / (0.29 * max(most, 1e-6));
     vec2 size = texel * vec2(textureSize(gathered, 0).xy);
@@ -78,10 +78,10 @@ vec2 lightAround(vec2 pixel, Spread spread) {
     vec2 sum = vec2(0.0);
     int i = 0;
     do {
-        vec2 look = pixel + row * ((float(i) + 0.5) / float(looks) - 0.5);
-        sum += textureLod(gathered, vec3(min(look, last) / size, 0.0), lod).xy;
-    } while (++i < looks);
-    return sum / float(looks);
+        vec2 tap = pixel + row * ((float(i) + 0.5) / float(taps) - 0.5);
+        sum += textureLod(gathered, vec3(min(tap, last) / size, 0.0), lod).xy;
+    } while (++i < taps);
+    return sum / float(taps);
 }
 
 // Share of the rays that light a pixel which come from where any were cast: fewer by the view's border.

@@ -130,21 +130,21 @@ Foam foamHere() {
     if (hasShore) calm -= shoreHere.advected;
     FoamPart here = foamPartOf(water.foam.zw + drawnOut(calm));
     Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
-    vec2 part = pixel.longer / float(slopeLooks);
+    vec2 part = pixel.longer / float(slopeSamples);
     vec2 wide = part * clamp(length(pixel.shorter) / max(length(part), 1e-9), 0.5, 1.0);
     float width = max(length(wide), length(pixel.shorter));
     float patternWidth = max(length(drawnOut(wide)), length(drawnOut(pixel.shorter)));
     Foam sum = Foam(0.0, vec2(0.0), 0.0);
     int i = 0;
     do {
-        vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeLooks));
+        vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeSamples));
         vec2 drawn = drawnOut(aside);
-        Foam look = foamAt(aside, FoamPart(here.here + drawn, here.beside + drawn, here.share), width, patternWidth);
-        sum.mask += look.mask;
-        sum.slope += look.slope;
-        sum.height += look.height;
-    } while (++i < slopeLooks);
-    float each = 1.0 / float(slopeLooks);
+        Foam tap = foamAt(aside, FoamPart(here.here + drawn, here.beside + drawn, here.share), width, patternWidth);
+        sum.mask += tap.mask;
+        sum.slope += tap.slope;
+        sum.height += tap.height;
+    } while (++i < slopeSamples);
+    float each = 1.0 / float(slopeSamples);
     return Foam(each * sum.mask, each * sum.slope, each * sum.height);
 }
 

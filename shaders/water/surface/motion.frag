@@ -10,7 +10,7 @@ layout(location = 2) flat in uvec2 edgeRange;
 layout(location = 3) in vec4 lastPixel;
 layout(location = 0) out vec4 outColor;
 
-#include "dry_rooms.glsl"
+#include "exclusion_volumes.glsl"
 
 void main() {
     if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) demote;   // as in surface.frag

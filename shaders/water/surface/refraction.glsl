@@ -146,7 +146,7 @@ float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
 
 // Where the bed has no picture of its own, the scene's may show it in part, or things that float over none. So the ray is
 // looked for in steps first, of so many pixels at the least. A shore has its map.
-const int sceneLooks = hasShore || hasBed || refractionLooks == 1 ? 0 : 2 * refractionLooks + 4;
+const int sceneSamples = hasShore || hasBed || refractionSamples == 1 ? 0 : 2 * refractionSamples + 4;
 const float sceneStride = 2.0;
 
 // As much depth as can be seen through [m].
@@ -181,12 +181,12 @@ vec2 besideWhatHides(vec2 here) {
     return here;
 }
 
-// Of the places of a Gaussian [deviations] that the pixels of a quad look at together, one of this pixel's `looks`, 1 or 4: for
+// Of the places of a Gaussian [deviations] that the pixels of a quad look at together, one of this pixel's `taps`, 1 or 4: for
 // each a square, one corner a pixel, so that their mean is 0, and the variance of 16 is 1 along any axis.
-vec2 placeAround(int look, int looks) {
+vec2 placeAround(int tap, int taps) {
     const float radii[4] = float[](0.540, 1.013, 1.463, 2.131);
-    float radius = looks == 1 ? 1.25 : radii[look];   // four places alone blur more than a Gaussian
-    return radius * cosineSine(0.0637 + 0.3125 * float(look) + dot(partOfQuad(), vec4(0.0, 0.25, 0.5, 0.75)));
+    float radius = taps == 1 ? 1.25 : radii[tap];   // four places alone blur more than a Gaussian
+    return radius * cosineSine(0.0637 + 0.3125 * float(tap) + dot(partOfQuad(), vec4(0.0, 0.25, 0.5, 0.75)));
 }
 
 // How far a deviation of the slopes within the pixel moves what is seen of a bed `drop` metres below, and one aside of that
@@ -213,15 +213,15 @@ float widthOf(mat2 blur) {
 
 // A mean of what those slopes show of the bed around, or of the pixel alone. Across the border it is as it is inside.
 vec4 bedColorAround(Behind b, mat2 blur, float drop) {
-    const int looks = refractionLooks > 3 ? 4 : 1;
+    const int taps = refractionSamples > 3 ? 4 : 1;
     vec2 size = vec2(looksAtBed() ? water.bedSize.xy : water.region.zw);
     vec2 middle = looksAtBed() ? b.pixel : b.pixel + 0.5;
     bool blurs = widthOf(blur) > sharpBed;
     float weights = blurs ? 1e-3 : 1.0;
     vec4 sum = weights * bedColorOf(b);
-    int i = blurs ? 0 : looks;
-    [[dont_unroll]] while (i < looks) {
-        vec2 off = blur * placeAround(i, looks);
+    int i = blurs ? 0 : taps;
+    [[dont_unroll]] while (i < taps) {
+        vec2 off = blur * placeAround(i, taps);
         vec2 pixel = middle + off;
         if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, size))) pixel = middle - off;
         Behind there = bedAt(pixel);
@@ -336,12 +336,12 @@ bool meetsScene(BentRay ray, inout BedFound bed) {
         bed.sought = farthest;
     }
     vec4 goal = ray.from + ray.perDepth * farthest;
-    int looks = min(int(length(goal.xy / goal.w - ray.here) / sceneStride), sceneLooks);
+    int taps = min(int(length(goal.xy / goal.w - ray.here) / sceneStride), sceneSamples);
     float before = 0.0;
     bool wasUnder = false;
     int k = 1;
-    [[dont_unroll]] while (k < looks && !bed.met) {
-        float share = float(k++) / float(looks);
+    [[dont_unroll]] while (k < taps && !bed.met) {
+        float share = float(k++) / float(taps);
         float depth = share * farthest * ray.from.w / mix(goal.w, ray.from.w, share);
         Behind b = behindRayAt(ray, depth);
         bool isUnder = isBelowWater(b) && position.y - b.seen.y < depth;
@@ -364,7 +364,7 @@ bool meetsScene(BentRay ray, inout BedFound bed) {
 // By false position, from what the line of sight shows.
 void findRoot(BentRay ray, float nearerFirst, inout BedFound bed) {
     // Of its depth, from what is met; with two looks the nearest is the best there is.
-    const float mostOff = refractionLooks > 2 ? 0.35 : 1e9;
+    const float mostOff = refractionSamples > 2 ? 0.35 : 1e9;
     vec2 above = vec2(0.0, nearerFirst);   // a way on the screen, and how much nearer the ray is there
     vec2 under = vec2(0.0);                // likewise, where it is not; none while its second is 0
     int i = 0;
@@ -401,13 +401,13 @@ void findRoot(BentRay ray, float nearerFirst, inout BedFound bed) {
         // Two looks that lie close together tell the slope no better than texels do.
         float farthest = i > 0 ? min(4.0 * bed.sought, ray.leaves) : ray.leaves;
         bed.sought = beyond > 0.0 ? min(way * ray.from.w / beyond, farthest) : farthest;
-    } while (++i < refractionLooks - 1 && bed.least > 0.01 && !bed.left);
+    } while (++i < refractionSamples - 1 && bed.least > 0.01 && !bed.left);
 }
 
 // Where the ray leaves the picture, or passes behind something, the bed goes on by its slope. Whether that had to be made up.
 bool goesOnBeyond(BentRay ray, inout BedFound bed) {
-    const float wellOff = refractionLooks > 3 ? 0.05 : 0.35;
-    bool astray = refractionLooks > 2 && !ray.passedOver && !bed.met && bed.least > wellOff * bed.drop && isBelowWater(bed.found);
+    const float wellOff = refractionSamples > 3 ? 0.05 : 0.35;
+    bool astray = refractionSamples > 2 && !ray.passedOver && !bed.met && bed.least > wellOff * bed.drop && isBelowWater(bed.found);
     if (!(bed.left || astray) || !isBelowWater(bed.last)) return false;
     vec2 track = ray.perDepth.xy - ray.perDepth.w * ray.from.xy / ray.from.w;
     bed.drop = max(depthBeyond(bed.last, ray.direction, track / max(length(track), 1e-6)), bed.deepest);
@@ -433,9 +433,9 @@ vec3 refractedBed(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out f
     ray.passedOver = straight.nothing;
     float nearer = nearerBy(ray.from, position, straight);
     BedFound bed = foundFirst(ray, straight);
-    if (sceneLooks == 0 && bed.found.nothing) return waterGlow(vec3(path));
-    if (sceneLooks > 0 && !meetsScene(ray, bed)) return waterGlow(vec3(path));
-    if (refractionLooks > 1 && !bed.met) findRoot(ray, nearer, bed);
+    if (sceneSamples == 0 && bed.found.nothing) return waterGlow(vec3(path));
+    if (sceneSamples > 0 && !meetsScene(ray, bed)) return waterGlow(vec3(path));
+    if (refractionSamples > 1 && !bed.met) findRoot(ray, nearer, bed);
     // What hides the place that the ray meets is as good as it, unless it lies far higher.
     float known = ray.passedOver && !bed.met && !(bed.left && isBelowWater(bed.last))
         ? 1.0 - smoothstep(0.4, 0.9, bed.least / max(bed.drop, 1e-3)) : 1.0;

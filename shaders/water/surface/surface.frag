@@ -66,15 +66,15 @@ vec3 inWorld(vec3 direction) {
 #include "footprint.glsl"
 #include "surface_point.glsl"
 #include "visible_slopes.glsl"
-#include "dry_rooms.glsl"
+#include "exclusion_volumes.glsl"
 #include "wave_displacement.glsl"
-#include "relief.glsl"
+#include "parallax.glsl"
 #include "waves_ahead.glsl"
 #include "surface_mirror.glsl"
 #include "sun_glint.glsl"
 #include "water_light.glsl"
 #include "refraction.glsl"
-#include "crest_light.glsl"
+#include "subsurface_scattering.glsl"
 #include "underwater_light.glsl"
 #include "waterline.glsl"
 #include "surface_below.glsl"
@@ -83,14 +83,14 @@ vec3 inWorld(vec3 direction) {
 // A mean over the pixel, by as many looks as its waves get.
 float sunSeenHere() {
     if (!hasWaves) return sunSeenAt(position);
-    vec2 part = footprintOf(dFdx(meshCalm), dFdy(meshCalm)).longer / float(slopeLooks);
+    vec2 part = footprintOf(dFdx(meshCalm), dFdy(meshCalm)).longer / float(slopeSamples);
     float sum = 0.0;
     int i = 0;
     do {
-        vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeLooks));
+        vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeSamples));
         sum += sunSeenAt(position + vec3(aside.x, 0.0, aside.y));
-    } while (++i < slopeLooks);
-    return sum / float(slopeLooks);
+    } while (++i < slopeSamples);
+    return sum / float(slopeSamples);
 }
 
 const bool mayBeInWater = hasRefraction && sidesSeen != seenAbove;
@@ -166,7 +166,7 @@ void main() {
     vec3 through = refracted(s, normal, toEye, path, blurred);
     if (hasRefraction && hasWaves)
         through = meanFound(vec4(through, 1.0), quadIsAlike ? smoothstep(1.0, 3.0, blurred / sharpBed) : 0.0).rgb;
-    if (lightsCrests) through = throughCrest(through, s, toEye, path);
+    if (hasSubsurfaceScattering) through = throughScattering(through, s, toEye, path);
     vec3 radiance = mirror.radiance + entering * through;
     float glint = sunGlint(s, toEye);
     WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);

@@ -237,11 +237,11 @@ vec3 mirroredBy(vec2 slope, vec3 view, float spread) {
 }
 
 // For 1, 2 and 4 looks the means of equal shares of a Gaussian [deviations], along the line of sight.
-const float belowLooks[7] = float[](0.0, -0.8, 0.8, -1.27, -0.325, 0.325, 1.27);
+const float belowSamples[7] = float[](0.0, -0.8, 0.8, -1.27, -0.325, 0.325, 1.27);
 
 // Aside each lies to one side or the other, so that along and aside do not depend on each other.
-float sideOf(int look) {
-    return mirrorLooks == 1 ? 0.0 : (look & 1) == (look >> 1) ? 1.0 : -1.0;
+float sideOf(int tap) {
+    return reflectionSamples == 1 ? 0.0 : (tap & 1) == (tap >> 1) ? 1.0 : -1.0;
 }
 
 float sideOfShare() {
@@ -255,16 +255,16 @@ vec3 mirroredBelowWaves(SurfacePoint s, vec3 view) {
     VisibleSlopes v = visibleSlopes(s, view);
     SlopeSpread seen = slopeSpread(v);
     vec2 aside = vec2(-v.towards.y, v.towards.x) * (0.7 * deviationAcross(s, v.towards));
-    float spread = 2.0 * lookWidth() * seen.deviation + s.slopeStep;
+    float spread = 2.0 * tapWidth() * seen.deviation + s.slopeStep;
     float share = sharedInQuad(s, seen, spread, firstHit());
     vec3 sum = vec3(0.0);
     int i = 0;
     do {
-        float offset = mix(belowLooks[mirrorLooks - 1 + i], dot(levelShares[mirrorLooks - 1 + i], partOfQuad()), share);
+        float offset = mix(belowSamples[reflectionSamples - 1 + i], dot(levelShares[reflectionSamples - 1 + i], partOfQuad()), share);
         vec2 slope = s.slope + v.towards * (seen.mean + offset * seen.deviation) + aside * mix(sideOf(i), sideOfShare(), share);
         sum += meanFound(vec4(mirroredBy(slope, view, spread), 1.0), share).rgb;
-    } while (++i < mirrorLooks);
-    return sum / float(mirrorLooks);
+    } while (++i < reflectionSamples);
+    return sum / float(reflectionSamples);
 }
 
 vec3 mirroredBelow(SurfacePoint s, vec3 view) {

@@ -1,5 +1,5 @@
 // The share of light that the surface mirrors, by the formula that ShadingDesc::fresnel names; the rest goes through it. What
-// enters the water for all that lies in it is the exact formula's: water_light.glsl and crest_light.glsl.
+// enters the water for all that lies in it is the exact formula's: water_light.glsl and subsurface_scattering.glsl.
 
 float mirroredShare(float cosIncidence) {
     return bySchlick ? fresnelSchlick(cosIncidence) : fresnelWater(cosIncidence);

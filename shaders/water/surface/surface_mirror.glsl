@@ -50,7 +50,7 @@ float firstHit() {
 // The slopes that the eye sees, as offsets from their mean in deviations, of a Gaussian and of Rayleigh's distribution: four,
 // nearly Gauss and Hermite's, for the lopsided fitted to keep the mean, the deviation and, within 2 %, Fresnel's
 // mean; or the means of eight equal shares, which tell edges better apart. None of them is seen from behind.
-const int slopesSeen = mirrorLooks == 4 ? 8 : 4;
+const int slopesSeen = reflectionSamples == 4 ? 8 : 4;
 const float fourLevel[4] = float[](-2.2, -0.7875, 0.7875, 2.2);
 const float fourEdgeOn[4] = float[](-2.85, -0.68, 0.78, 1.8);
 const float fourShares[4] = float[](0.045, 0.455, 0.455, 0.045);
@@ -58,12 +58,12 @@ const float eightLevel[8] = float[](-1.694, -0.921, -0.505, -0.162, 0.162, 0.505
 const float eightEdgeOn[8] = float[](-1.884, -0.916, -0.431, -0.053, 0.283, 0.609, 0.959, 1.433);
 
 float slopeSeen(int i, SlopeSpread seen) {
-    float offset = mirrorLooks == 4 ? mix(eightLevel[i], eightEdgeOn[i], seen.skew) : mix(fourLevel[i], fourEdgeOn[i], seen.skew);
+    float offset = reflectionSamples == 4 ? mix(eightLevel[i], eightEdgeOn[i], seen.skew) : mix(fourLevel[i], fourEdgeOn[i], seen.skew);
     return seen.mean + offset * seen.deviation;
 }
 
 float shareOfSlope(int i) {
-    return mirrorLooks == 4 ? 0.125 : fourShares[i];
+    return reflectionSamples == 4 ? 0.125 : fourShares[i];
 }
 
 // For looks of one, of two and of four, the means of four equal shares of each one's slopes.
@@ -79,8 +79,8 @@ const vec4 edgeOnShares[7] = vec4[](
     vec4(0.198, 0.358, 0.518, 0.680), vec4(0.850, 1.036, 1.252, 1.567));
 
 // The slope that stands for this pixel's share of a look's, as an offset from what is in the middle of the pixel.
-float slopeOfShare(int look, SlopeSpread seen) {
-    int shares = mirrorLooks - 1 + look;
+float slopeOfShare(int tap, SlopeSpread seen) {
+    int shares = reflectionSamples - 1 + tap;
     return seen.mean + dot(mix(levelShares[shares], edgeOnShares[shares], seen.skew), partOfQuad()) * seen.deviation;
 }
 
@@ -103,13 +103,13 @@ vec4 meanFound(vec4 own, float share) {
 }
 
 // Deviation of the mirrored directions that one look stands for, in those of all slopes: mirroring doubles angles.
-float lookWidth() {
-    return mirrorLooks == 1 ? 1.7 : mirrorLooks == 2 ? 1.0 : 0.5;
+float tapWidth() {
+    return reflectionSamples == 1 ? 1.7 : reflectionSamples == 2 ? 1.0 : 0.5;
 }
 
 // Of a look's spread, what the sky is blurred by at the least. Slopes spread rays up and down, but a cube's mips blur alike in
 // all directions: by more, the glow around a low sun would show far to its sides. Fewer looks need more, or they show as such.
-const float skyBlurred = mirrorLooks == 4 ? 0.35 : 0.5;
+const float skyBlurred = reflectionSamples == 4 ? 0.35 : 0.5;
 
 // What a ray meets of another wave: of the facets that show themselves to it, which rises, the one that mirrors as much as
 // they do in the mean. It leans by a third of a deviation less than their mean, by which Fresnel's term is off by 0.035 at
@@ -124,23 +124,23 @@ vec3 facetMet(vec3 ray) {
 // before they reach the sky (Smith's masking by all the sea's slopes), which mirrors a higher part of it in turn, or of what
 // the last look found.
 Reflection reflectedByWaves(SurfacePoint s, vec3 toEye) {
-    const int together = slopesSeen / mirrorLooks;
+    const int together = slopesSeen / reflectionSamples;
     VisibleSlopes v = visibleSlopes(s, toEye);
     SlopeSpread seen = slopeSpread(v);
-    float spread = lookWidth() * seen.deviation + s.slopeStep;   // and from this pixel to the next
+    float spread = tapWidth() * seen.deviation + s.slopeStep;   // and from this pixel to the next
     float spreadAside = 2.0 * deviationAcross(s, v.towards) + s.slopeStep;
     Reflection sum = Reflection(vec3(0.0), 0.0, 0.0, vec3(0.0));
     vec4 met = vec4(0.0);   // rays that meet another wave, times their weight, and that
     vec4 found = vec4(0.0);
     float hit = firstHit();
     WavesAhead ahead = wavesAhead(s, -v.towards, 0.0);
-    int look = 0;
+    int tap = 0;
     do {
         vec4 total = vec4(0.0);
         vec4 clear = vec4(0.0);   // rays that meet none
         float cosines = 0.0;
         for (int j = 0; j < together; ++j) {
-            int i = look * together + j;
+            int i = tap * together + j;
             vec2 slope = s.slope + v.towards * slopeSeen(i, seen);
             vec3 normal = normalOf(slope);
             vec3 direction = reflect(-toEye, normal);
@@ -151,7 +151,7 @@ Reflection reflectedByWaves(SurfacePoint s, vec3 toEye) {
             clear += clearShare(direction.y, -dot(slope, v.towards), ahead) * mirrored;
         }
         float share = sharedInQuad(s, seen, spread, hit);
-        vec3 ofShare = reflect(-toEye, normalOf(s.slope + v.towards * slopeOfShare(look, seen)));
+        vec3 ofShare = reflect(-toEye, normalOf(s.slope + v.towards * slopeOfShare(tap, seen)));
         vec3 ray = keptAbove(mix(total.xyz / max(total.w, 1e-6), ofShare, share));
         found = meanFound(mirroredScene(ray, spread, hit), share);
         sum.radiance += clear.w * found.rgb;
@@ -160,7 +160,7 @@ Reflection reflectedByWaves(SurfacePoint s, vec3 toEye) {
             sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, max(spreadAside * cosines / max(total.w, 1e-6), skyBlurred * spread));
         sum.fresnel += total.w;
         met += total - clear;
-    } while (++look < mirrorLooks);
+    } while (++tap < reflectionSamples);
     if (met.w > 1e-3 * sum.fresnel) {
         vec3 direction = normalize(met.xyz);
         vec3 facet = facetMet(direction);

@@ -37,23 +37,23 @@ vec4 keptHere() {
 
 // Derivatives of the waves over the pixel, and their moments: at a grazing angle a pixel is long and narrow, and is taken in
 // as many parts as there are looks.
-void lookAtWaves(vec3 at, float texels, Footprint pixel, out vec4 derivatives, out vec4 moments) {
-    if (slopeLooks == 1) {
+void sampleWaves(vec3 at, float texels, Footprint pixel, out vec4 derivatives, out vec4 moments) {
+    if (slopeSamples == 1) {
         derivatives = texture(waveDerivatives, at);
         moments = texture(waveMoments, at);
         return;
     }
     derivatives = vec4(0.0);
     moments = vec4(0.0);
-    vec2 part = pixel.longer * texels / float(slopeLooks);
+    vec2 part = pixel.longer * texels / float(slopeSamples);
     vec2 across = pixel.shorter * texels;
-    for (int i = 0; i < slopeLooks; ++i) {
-        vec3 there = at + vec3(part * (float(i) + 0.5 - 0.5 * float(slopeLooks)), 0.0);
+    for (int i = 0; i < slopeSamples; ++i) {
+        vec3 there = at + vec3(part * (float(i) + 0.5 - 0.5 * float(slopeSamples)), 0.0);
         derivatives += textureGrad(waveDerivatives, there, part, across);
         moments += textureGrad(waveMoments, there, part, across);
     }
-    derivatives /= float(slopeLooks);
-    moments /= float(slopeLooks);
+    derivatives /= float(slopeSamples);
+    moments /= float(slopeSamples);
 }
 
 // 1 where a pixel of so many texels shows a part of one of a cascade's waves, 0 where it shows many.
@@ -71,7 +71,7 @@ SurfacePoint surfacePoint() {
     for (int i = 0; i < cascades; ++i) {
         vec3 at = vec3(water.cascade[i].xy + calmPosition * water.cascade[i].z, i);
         vec4 d, moments;
-        lookAtWaves(at, water.cascade[i].z, pixel, d, moments);
+        sampleWaves(at, water.cascade[i].z, pixel, d, moments);
         if (hasShore) {
             float kept = shoreHere.kept[i];
             d *= kept;

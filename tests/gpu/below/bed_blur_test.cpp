@@ -17,7 +17,7 @@ class BedBlur : public WaterTest, public testing::WithParamInterface<uint32_t> {
     BedBlur() {
         for (float& channel : lighting.skyIrradiance) channel = 0; // of no light, the bed's is its own
         desc_.refraction = &refraction_;
-        desc_.shading.refractionLooks = GetParam();
+        desc_.shading.refractionSamples = GetParam();
     }
 
     static Camera straightDown() {

@@ -67,7 +67,7 @@ class Beds : public WaterTest {
         WaterTest::SetUp();
         desc_.refraction = &refraction_;
         desc_.bed = &bed_;
-        desc_.shading.refractionLooks = 16;
+        desc_.shading.refractionSamples = 16;
         camera_.eye = {1, 2.5, 6};
         camera_.target = {0.5, -0.5, 0};
         camera_.width = 120;
@@ -196,7 +196,7 @@ TEST_F(Beds, ShowThereOnASlope) {
 TEST_F(Beds, ShowThereFromAfar) {
     lookFromAfar();
     for (const uint32_t looks : {6u, 8u, 16u}) {
-        desc_.shading.refractionLooks = looks;
+        desc_.shading.refractionSamples = looks;
         for (const double slope : {0.05, 0.1, 0.2}) expectTruth({{0, 1, slope, 2}});
     }
 }

@@ -22,7 +22,7 @@ struct Water {
         reflection.temporal = 0.9f;
         reflection.edgeStretch = 0.5f;
         reflection.edgeReach = 0.2f;
-        reflection.roofLooks = 3;
+        reflection.overhangSamples = 3;
         refraction.scattering = 0.25f;
         extent.shape = ExtentShape::rectangle;
         extent.size[0] = extent.size[1] = 60;
@@ -36,9 +36,9 @@ struct Water {
         desc.bed = &bed;
         desc.extent = extent;
         desc.motion = true;
-        desc.shading.slopeLooks = 2;
+        desc.shading.slopeSamples = 2;
         desc.shading.waveShadowSteps = 8;
-        desc.shading.relief = true;
+        desc.shading.parallax = true;
         shape.sunShadow = true;
         shape.fog = true;
         // 3 m around (20, -20), where the eye is not.
@@ -47,7 +47,7 @@ struct Water {
     Water(const Water&) = delete;
     Water& operator=(const Water&) = delete;
 
-    /// Which takes relief away: it has none over a shore's bed.
+    /// Which takes parallax away: it has none over a shore's bed.
     void addShore() {
         shore.bed = heights.data();
         shore.samples[0] = shore.samples[1] = 16;
@@ -55,7 +55,7 @@ struct Water {
         shore.origin[0] = shore.origin[1] = -64;
         for (size_t i = 0; i < heights.size(); ++i) heights[i] = -4 + 0.4f * static_cast<float>(i % 16);
         sea.shore = &shore;
-        desc.shading.relief = false;
+        desc.shading.parallax = false;
     }
 
     SeaDesc sea;
@@ -68,7 +68,7 @@ struct Water {
     ExtentDesc extent;
     std::array<float, 256> heights{};
     ShoreDesc shore;
-    std::vector<DryRoom> rooms;
+    std::vector<ExclusionVolume> rooms;
     BodyDesc desc;
     HostShape shape;
 };
@@ -112,10 +112,12 @@ class Features : public testing::Test {
         return camera;
     }
 
-    Cost costOf(const BodyDesc& body, const HostShape& shape = {}, const std::vector<DryRoom>& rooms = {}) {
+    Cost costOf(const BodyDesc& body, const HostShape& shape = {},
+                const std::vector<ExclusionVolume>& rooms = {}) {
         spiedCalls().clear();
         ShapedHost host(device(), shape, true, {}, [&](BodyDesc& desc) { desc = body; });
-        EXPECT_EQ(setDryRooms(host.body(), rooms.data(), static_cast<uint32_t>(rooms.size())), Status::ok);
+        EXPECT_EQ(setExclusionVolumes(host.body(), rooms.data(), static_cast<uint32_t>(rooms.size())),
+                  Status::ok);
         host.picture(atTheWaterline());
         Cost cost;
         cost.bytes = bytesSpied();
@@ -187,7 +189,7 @@ TEST_P(FeaturesOneByOne, ThatAreOffAreGone) {
         {"reflection",
          [](Water& w) { w.desc.reflection = nullptr; },
          {&memory, &objects, &computes, &dispatches, &bound, &reads, &code}},
-        {"roofs", [](Water& w) { w.reflection.roofLooks = 0; }, {&reads, &code}},
+        {"overhangs", [](Water& w) { w.reflection.overhangSamples = 0; }, {&reads, &code}},
         {"temporal",
          [](Water& w) { w.reflection.temporal = 0; },
          {&memory, &objects, &computes, &dispatches, &bound, &reads, &code}},
@@ -225,14 +227,14 @@ TEST_P(FeaturesOneByOne, ThatAreOffAreGone) {
          {&memory, &objects, &bound, &reads, &code},
          [](Water& w) { w.addShore(); }},
         {"motion", [](Water& w) { w.desc.motion = false; }, {&memory, &objects}},
-        {"dry rooms", [](Water& w) { w.rooms.clear(); }, {&code}},
-        {"dry rooms, of the surface alone",
+        {"exclusion volumes", [](Water& w) { w.rooms.clear(); }, {&code}},
+        {"exclusion volumes, of the surface alone",
          [](Water& w) { w.rooms.clear(); },
          {&code},
          [](Water& w) { w.desc.caustics = nullptr; }},
-        {"relief", [](Water& w) { w.desc.shading.relief = false; }, {&reads, &code}},
+        {"parallax", [](Water& w) { w.desc.shading.parallax = false; }, {&reads, &code}},
         // As often as it looks, its loop goes around: one of one round is none.
-        {"looks at slopes", [](Water& w) { w.desc.shading.slopeLooks = 1; }, {&code}},
+        {"looks at slopes", [](Water& w) { w.desc.shading.slopeSamples = 1; }, {&code}},
         {"waves' shadows", [](Water& w) { w.desc.shading.waveShadowSteps = 0; }, {&reads, &code}},
         {"tilt", [](Water& w) { w.desc.plane[0] = 0; }, {&code}, [](Water& w) { w.desc.plane[0] = 1e-3; }},
         {"depth write", [](Water& w) { w.shape.depthWrite = false; }, {&depthWriters}},

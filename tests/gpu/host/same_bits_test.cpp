@@ -120,7 +120,7 @@ constexpr Case cases[] = {
     {"Hybrid", ReflectionTechnique::hybrid},
     {"Planar", ReflectionTechnique::planar},
     {"CoarseKeys", ReflectionTechnique::sspr, [](ReflectionDesc& d) { d.coarseKeys = true; }},
-    {"Roofs", ReflectionTechnique::hybrid, [](ReflectionDesc& d) { d.roofLooks = 6; }},
+    {"Overhangs", ReflectionTechnique::hybrid, [](ReflectionDesc& d) { d.overhangSamples = 6; }},
     {"EdgeReach", ReflectionTechnique::hybrid, [](ReflectionDesc& d) { d.edgeReach = 0.2f; }},
     {"EdgeStretch", ReflectionTechnique::sspr, [](ReflectionDesc& d) { d.edgeStretch = 2; }},
     {"Temporal", ReflectionTechnique::hybrid, [](ReflectionDesc& d) { d.temporal = 0.9f; }},

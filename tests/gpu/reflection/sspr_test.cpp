@@ -397,8 +397,8 @@ TEST_F(Sspr, BadDescriptionsAreNamedAndLeaveNothing) {
                   }).find("undersideLight is out of range, expected 0 to 1"),
                   std::string::npos);
     EXPECT_NE(refused([](ReflectorDesc& d) {
-                  d.reflection.roofLooks = 9;
-              }).find("roofLooks is out of range, expected 0 to 8"),
+                  d.reflection.overhangSamples = 9;
+              }).find("overhangSamples is out of range, expected 0 to 8"),
               std::string::npos);
     EXPECT_NE(refused([](ReflectorDesc& d) { d.reflection.distortion = NAN; }).find("distortion"),
               std::string::npos);

@@ -149,11 +149,11 @@ TEST_P(Undersides, AreNotSidesThatAreSeen) {
     EXPECT_LE(static_cast<double>(dark), most * static_cast<double>(seen));
 }
 
-class Roofs : public ReflectionTest, public testing::WithParamInterface<ReflectionTechnique> {
+class Overhangs : public ReflectionTest, public testing::WithParamInterface<ReflectionTechnique> {
   protected:
     Reflected reflected(const Camera& camera, const TracedView& traced, uint32_t looks) {
         ReflectorDesc desc = with(GetParam());
-        desc.reflection.roofLooks = looks;
+        desc.reflection.overhangSamples = looks;
         return reflectScene(camera, traced, desc);
     }
 };
@@ -194,7 +194,7 @@ struct Wrong {
 };
 
 // Nothing of what lies behind a pier shines through its underside, be it things or sky.
-TEST_P(Roofs, HideWhatLiesBehindWhatHangs) {
+TEST_P(Overhangs, HideWhatLiesBehindWhatHangs) {
     Camera higher = testCamera();
     higher.eye.y = 4;
     for (const Pose& pose : {poses()[0], Pose{"higher", higher}})
@@ -246,7 +246,7 @@ std::vector<double> waysUnderCrate(const Camera& camera, const TracedView& trace
 }
 
 // What stands on a pier hides its top, by which its underside is known: that goes on beside it.
-TEST_P(Roofs, AreWholeUnderWhatStandsOnThem) {
+TEST_P(Overhangs, AreWholeUnderWhatStandsOnThem) {
     const Box crate{{-1.2, 1.1, -3.8}, {0, 2.4, -3}};
     Camera higher = testCamera();
     higher.eye.y = 4;
@@ -286,7 +286,7 @@ std::vector<Box> nothingOverhead() {
     return boxes;
 }
 
-TEST_P(Roofs, AreNotSeenWhereNothingHangs) {
+TEST_P(Overhangs, AreNotSeenWhereNothingHangs) {
     for (const Pose& pose : posesAboveThePlate()) {
         const TracedView traced = Tracer(pose.camera, nothingOverhead()).run();
         const Reflected with6 = reflected(pose.camera, traced, 6);
@@ -302,7 +302,7 @@ TEST_P(Roofs, AreNotSeenWhereNothingHangs) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(, Roofs, testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::hybrid),
+INSTANTIATE_TEST_SUITE_P(, Overhangs, testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::hybrid),
                          nameOf);
 
 class FollowedUndersides : public ReflectionTest {};

@@ -140,7 +140,7 @@ TEST_F(UnseenTiles, HoldTheSameOnEveryDevice) {
                 desc.reflection.downscale = variant == 1 ? 2 : 1;
                 desc.reflection.edgeReach = variant == 1 ? 0.2f : 0.0f;
                 desc.reflection.edgeStretch = variant == 1 ? 0.5f : 0.0f;
-                desc.reflection.roofLooks = variant == 0 ? 6 : 0;
+                desc.reflection.overhangSamples = variant == 0 ? 6 : 0;
                 Camera camera = poses()[variant].camera;
                 camera.width = 243; // tiles hang over both borders
                 camera.height = 139;

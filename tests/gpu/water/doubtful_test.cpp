@@ -64,9 +64,10 @@ TEST_F(Doubtful, AnEyeUnderABodyMadeToBeSeenFromAbove) {
     EXPECT_TRUE(contains(first.text, "the eye is 2 m under a body without BodyDesc.underwater"))
         << first.text;
     EXPECT_EQ(draw(body, view).text, ""); // once
-    const DryRoom hull = {{{1, 0, 0, -3}, {-1, 0, 0, -3}, {0, 0, 1, -3}, {0, 0, -1, -3}, {0, -1, 0, -3}}};
+    const ExclusionVolume hull = {
+        {{1, 0, 0, -3}, {-1, 0, 0, -3}, {0, 0, 1, -3}, {0, 0, -1, -3}, {0, -1, 0, -3}}};
     Body* const boat = makeBody({});
-    EXPECT_EQ(setDryRooms(boat, &hull, 1), Status::ok) << message();
+    EXPECT_EQ(setExclusionVolumes(boat, &hull, 1), Status::ok) << message();
     EXPECT_EQ(draw(boat, view).text, "");
 }
 

@@ -94,7 +94,7 @@ TEST_F(Encodings, OfSceneAndTargetAreUndoneAndDone) {
          {ReflectionTechnique::sspr, ReflectionTechnique::ssr, ReflectionTechnique::hybrid}) {
         reflection_.technique = technique;
         reflection_.edgeReach = technique == ReflectionTechnique::hybrid ? 0.3f : 0;
-        reflection_.roofLooks = technique == ReflectionTechnique::hybrid ? 4 : 0;
+        reflection_.overhangSamples = technique == ReflectionTechnique::hybrid ? 4 : 0;
         expectTheSame();
     }
 }

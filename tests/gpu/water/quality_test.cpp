@@ -1,4 +1,4 @@
-// The dial of quality, and the looks that it turns.
+// The quality presets, and the looks that it turns.
 #include <cmath>
 
 #include "seaglass/waves_fftw.h"
@@ -18,7 +18,7 @@ ReflectionTechnique chosen(Quality quality, ReflectionTechnique before) {
     return reflection.technique;
 }
 
-TEST(QualityDial, EachStepLooksNoLessThanTheOneBefore) {
+TEST(QualityPresets, EachStepLooksNoLessThanTheOneBefore) {
     BodyDesc last;
     ReflectionDesc lastReflection;
     setQuality(Quality::low, &last, &lastReflection);
@@ -27,24 +27,24 @@ TEST(QualityDial, EachStepLooksNoLessThanTheOneBefore) {
         ReflectionDesc reflection;
         setQuality(quality, &body, &reflection);
         EXPECT_GE(body.mesh.cellsPerLevel, last.mesh.cellsPerLevel);
-        EXPECT_GE(body.shading.mirrorLooks, last.shading.mirrorLooks);
-        EXPECT_GE(body.shading.refractionLooks, last.shading.refractionLooks);
+        EXPECT_GE(body.shading.reflectionSamples, last.shading.reflectionSamples);
+        EXPECT_GE(body.shading.refractionSamples, last.shading.refractionSamples);
         EXPECT_LE(body.shading.bedDownscale, last.shading.bedDownscale);
-        EXPECT_GE(body.shading.slopeLooks, last.shading.slopeLooks);
+        EXPECT_GE(body.shading.slopeSamples, last.shading.slopeSamples);
         EXPECT_GE(body.shading.waveShadowSteps, last.shading.waveShadowSteps);
-        EXPECT_GE(body.shading.relief, last.shading.relief);
+        EXPECT_GE(body.shading.parallax, last.shading.parallax);
         EXPECT_LE(reflection.downscale, lastReflection.downscale);
         EXPECT_GE(reflection.marchSteps, lastReflection.marchSteps);
-        EXPECT_GE(reflection.roofLooks, lastReflection.roofLooks);
+        EXPECT_GE(reflection.overhangSamples, lastReflection.overhangSamples);
         last = body;
         lastReflection = reflection;
     }
-    EXPECT_GT(lastReflection.roofLooks, 0u);
+    EXPECT_GT(lastReflection.overhangSamples, 0u);
     EXPECT_NE(chosen(Quality::low, ReflectionTechnique::ssr),
               chosen(Quality::highest, ReflectionTechnique::ssr));
 }
 
-TEST(QualityDial, HasTheBedDrawnButAtItsLowest) {
+TEST(QualityPresets, HasTheBedDrawnButAtItsLowest) {
     const BedDesc bed;
     for (const Quality quality : qualities) {
         BodyDesc body;
@@ -56,7 +56,7 @@ TEST(QualityDial, HasTheBedDrawnButAtItsLowest) {
     }
 }
 
-TEST(QualityDial, LeavesWhatIsModelled) {
+TEST(QualityPresets, LeavesWhatIsModelled) {
     const SeaDesc waves;
     for (const Quality quality : qualities) {
         EXPECT_EQ(chosen(quality, ReflectionTechnique::sky), ReflectionTechnique::sky);
@@ -126,7 +126,7 @@ Slopes slopesOf(const WaterPicture& p) {
 TEST_F(Looks, AlongAPixelShowMoreSlopesAndLoseNone) {
     Slopes one, four;
     for (const uint32_t looks : {1u, 4u}) {
-        Body* const body = bodyWith({.slopeLooks = looks});
+        Body* const body = bodyWith({.slopeSamples = looks});
         (looks == 1 ? one : four) = slopesOf(picture({body}, low(), 50, SurfaceOutput::slopes));
     }
     std::printf("shown %.5f and within %.5f by one look, %.5f and %.5f by four\n", one.shown, one.within,
@@ -147,23 +147,23 @@ double slopesApart(const WaterPicture& a, const WaterPicture& b) {
     return std::sqrt(sum / count);
 }
 
-// A mesh whose cells are longer than waves shows their near and far sides as wide as each other. With relief
-// it comes nearer to a mesh that has those waves.
-TEST_F(Looks, ReliefStandsInForAFinerMesh) {
+// A mesh whose cells are longer than waves shows their near and far sides as wide as each other. With
+// parallax it comes nearer to a mesh that has those waves.
+TEST_F(Looks, ParallaxStandsInForAFinerMesh) {
     Camera camera = low();
     camera.eye = {0, 18, 0}; // what is near has finer cells than are asked for
     camera.target = {0, 0, -180};
     camera.fovDegrees = 5;
-    const auto slopes = [&](const MeshDesc& mesh, bool relief) {
-        Body* const body = bodyWith({.slopeLooks = 4, .relief = relief}, nullptr, mesh);
+    const auto slopes = [&](const MeshDesc& mesh, bool parallax) {
+        Body* const body = bodyWith({.slopeSamples = 4, .parallax = parallax}, nullptr, mesh);
         return picture({body}, camera, 50, SurfaceOutput::slopes);
     };
     constexpr MeshDesc coarse = {1, 128};
     const WaterPicture fine = slopes({0.04f, 1024}, false);
     const double flat = slopesApart(slopes(coarse, false), fine);
-    const double relief = slopesApart(slopes(coarse, true), fine);
-    std::printf("slopes off by %.4f without relief, %.4f with it\n", flat, relief);
-    EXPECT_LT(relief, 0.8 * flat);
+    const double parallax = slopesApart(slopes(coarse, true), fine);
+    std::printf("slopes off by %.4f without parallax, %.4f with it\n", flat, parallax);
+    EXPECT_LT(parallax, 0.8 * flat);
 }
 
 double meanOf(const WaterPicture& p) {
@@ -181,7 +181,7 @@ TEST_F(Looks, AtWhatIsMirroredAgreeUnderAnEvenSky) {
     for (const Fresnel formula : {Fresnel::exact, Fresnel::schlick}) {
         const double two = meanOf(picture({bodyWith({.fresnel = formula})}, low(), 50));
         for (const uint32_t looks : {1u, 4u}) {
-            const ShadingDesc shading = {.mirrorLooks = looks, .fresnel = formula};
+            const ShadingDesc shading = {.reflectionSamples = looks, .fresnel = formula};
             EXPECT_NEAR(meanOf(picture({bodyWith(shading)}, low(), 50)) / two, 1, 0.011) << looks;
         }
     }
@@ -197,11 +197,13 @@ TEST_F(Looks, OutOfRangeAreNamed) {
         return message();
     };
     for (const uint32_t bad : {0u, 3u, 8u}) {
-        EXPECT_NE(refused({.mirrorLooks = bad}).find("ShadingDesc.mirrorLooks"), std::string::npos);
-        EXPECT_NE(refused({.slopeLooks = bad}).find("ShadingDesc.slopeLooks"), std::string::npos);
+        EXPECT_NE(refused({.reflectionSamples = bad}).find("ShadingDesc.reflectionSamples"),
+                  std::string::npos);
+        EXPECT_NE(refused({.slopeSamples = bad}).find("ShadingDesc.slopeSamples"), std::string::npos);
     }
     for (const uint32_t bad : {0u, 17u})
-        EXPECT_NE(refused({.refractionLooks = bad}).find("ShadingDesc.refractionLooks"), std::string::npos);
+        EXPECT_NE(refused({.refractionSamples = bad}).find("ShadingDesc.refractionSamples"),
+                  std::string::npos);
     EXPECT_NE(refused({.fresnel = static_cast<Fresnel>(2)}).find("ShadingDesc.fresnel"), std::string::npos);
 }
 

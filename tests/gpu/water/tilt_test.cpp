@@ -479,18 +479,19 @@ TEST_P(Tilts, TheOverlayShowsTheSame) {
     }
 }
 
-TEST_P(Tilts, DryRoomsStayWhereTheyAreInTheWorld) {
+TEST_P(Tilts, ExclusionVolumesStayWhereTheyAreInTheWorld) {
     addWaves();
     desc_.underwater = &underwater_;
-    DryRoom room = {{{1, 0, 0, -2.5}, {-1, 0, 0, -0.5}, {0, 0, 2, -2}, {0, 0, -1, -5}, {0, -1, 0, -2}}};
+    ExclusionVolume room = {
+        {{1, 0, 0, -2.5}, {-1, 0, 0, -0.5}, {0, 0, 2, -2}, {0, 0, -1, -5}, {0, -1, 0, -2}}};
     const auto [level, tilted] = bodies();
-    ASSERT_EQ(setDryRooms(level, &room, 1), Status::ok) << message();
+    ASSERT_EQ(setExclusionVolumes(level, &room, 1), Status::ok) << message();
     for (auto& plane : room.planes) {
         const glm::dvec4 turned =
             glm::dvec4(plane[0], plane[1], plane[2], plane[3]) * glm::inverse(worldFromLevel_);
         for (int i = 0; i < 4; ++i) plane[i] = turned[i];
     }
-    ASSERT_EQ(setDryRooms(tilted, &room, 1), Status::ok) << message();
+    ASSERT_EQ(setExclusionVolumes(tilted, &room, 1), Status::ok) << message();
     const Pair pair = both(level, tilted, 3, SurfaceOutput::shaded, scene());
     expectSame(pair, "a room");
     const Pair whole = both(3, SurfaceOutput::shaded, scene());

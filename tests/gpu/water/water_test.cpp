@@ -57,7 +57,7 @@ class Water : public WaterTest {
         return makeBody(desc);
     }
     /// Of a scene of that which `along` meets.
-    std::vector<BentLook> bentLooks(Body* body, const Camera& camera, const Along& along);
+    std::vector<BentLook> bentSamples(Body* body, const Camera& camera, const Along& along);
     /// How bright a lit band 60 m away makes each of 90 rows of the water before it, in pictures of `scale`
     /// times as many: seen from 3 m above the water, or as far below it.
     std::vector<double> columnOfBand(double above, uint32_t looks, uint32_t scale);
@@ -616,7 +616,7 @@ TEST_F(WaterLook, ASmallerReflectionLetsNoSkyInAlongWhatStandsBeforeIt) {
 // to the eye. The rays go away from them, to the sky or to what the flat mirror shows behind them.
 TEST_F(Water, WavesDoNotMirrorWhatLiesBeforeThem) {
     BodyDesc desc;
-    desc.shading.mirrorLooks = 4;
+    desc.shading.reflectionSamples = 4;
     Body* body = mirroringBreeze(desc);
     Camera camera = seaCamera();
     camera.target = {3, 2, -10};
@@ -689,7 +689,7 @@ TEST_F(Water, MirrorsAtTheBorderWhatItMirrorsBesideIt) {
     EXPECT_NEAR(border / inside, 1, 0.05);
 }
 
-std::vector<BentLook> Water::bentLooks(Body* body, const Camera& camera, const Along& along) {
+std::vector<BentLook> Water::bentSamples(Body* body, const Camera& camera, const Along& along) {
     const SceneBehind behind = drawnOver(camera, nothingBehind(camera), 50,
                                          [&](const glm::dvec3& ray) { return along(camera.eye, ray); });
     const WaterPicture normals = picture({body}, camera, 2, SurfaceOutput::normal, behind);
@@ -734,7 +734,7 @@ TEST_F(Water, MirrorsTheTailOfWhatFloats) {
         return at.y < -1 || at.y > 2 || std::abs(at.x - 3) > 0.5 ? -1 : distance;
     };
     size_t tail = 0, found = 0, beside = 0, strays = 0;
-    for (const BentLook& look : bentLooks(makeBody(desc), camera, alongToBoard)) {
+    for (const BentLook& look : bentSamples(makeBody(desc), camera, alongToBoard)) {
         if (look.bent > 0 && !(look.flat > 0)) ++tail, found += look.says;
         if (!(look.bent > 0)) ++beside, strays += look.says;
     }
@@ -761,7 +761,7 @@ TEST_F(Water, MirrorsAWallFarBeforeTheWavesThatAreSteepEnough) {
     const glm::dvec2 size(camera.width, camera.height);
     size_t beyondFlat = 0;
     std::vector<double> off;
-    for (const BentLook& look : bentLooks(mirroringBreeze({}), camera, alongToWall)) {
+    for (const BentLook& look : bentSamples(mirroringBreeze({}), camera, alongToWall)) {
         if (!(look.bent > 0) || look.flat > 0) continue;
         const glm::dvec4 p = clip * glm::dvec4(look.met, 1);
         const glm::dvec2 truth = (glm::dvec2(p) / p.w * 0.5 + 0.5) * size;
@@ -786,7 +786,7 @@ std::vector<double> Water::columnOfBand(double above, uint32_t looks, uint32_t s
     desc.refraction = &clear;
     const UnderwaterDesc underwater;
     if (above < 0) desc.underwater = &underwater;
-    desc.shading.mirrorLooks = looks;
+    desc.shading.reflectionSamples = looks;
     Camera camera = seaCamera();
     camera.width = 160 * scale;
     camera.height = 90 * scale;
@@ -1154,7 +1154,7 @@ class WaterFoam : public Water {
         return makeBody(desc);
     }
     /// Thick foam, drawn out by a gale along x.
-    Body* streakyBody(uint32_t slopeLooks = 1) {
+    Body* streakyBody(uint32_t slopeSamples = 1) {
         SeaDesc sea = breeze();
         sea.windSpeed = 20;
         sea.windDirection = 0;
@@ -1164,7 +1164,7 @@ class WaterFoam : public Water {
         desc.waves = &sea;
         desc.wavesBackend = fftwWaves();
         desc.foam = &foam;
-        desc.shading.slopeLooks = slopeLooks;
+        desc.shading.slopeSamples = slopeSamples;
         return makeBody(desc);
     }
     static Camera above() {

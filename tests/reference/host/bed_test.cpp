@@ -32,7 +32,7 @@ Scene pastAQuay() {
     scene.meshes.push_back({tests::writeBoxes("quay", pale, 0.5)});
     scene.meshes.push_back({tests::writeBoxes("stripes", dark, 0.03)});
     scene.water.emplace().refraction.emplace().type = "pool";
-    scene.water->shading.refractionLooks = 8;
+    scene.water->shading.refractionSamples = 8;
     scene.cameras.emplace_back();
     scene.cameras[0].positionM = {0, 1.2, 3};
     scene.cameras[0].targetM = {0, -0.6, -3};
@@ -95,7 +95,7 @@ TEST_F(BedsPicture, IsNotNeededForWhatTheSceneShows) {
     scene.cameras[0].verticalFovDeg = 30;
     const Picture truth = tests::traced(scene, {96, 54, scene.cameras.front(), scene.timeS, 9}).color;
     for (const uint32_t looks : {2u, 3u, 8u}) {
-        scene.water->shading.refractionLooks = looks;
+        scene.water->shading.refractionSamples = looks;
         const double off = apart(tests::rendered(*host_, scene, 96, 54), truth);
         std::printf("%u looks: apart by %.4f\n", looks, off);
         EXPECT_LT(off, 0.1);

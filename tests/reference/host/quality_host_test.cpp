@@ -1,4 +1,4 @@
-// Each step of the dial of quality is as near to the traced picture as the one before or, but for noise,
+// Each quality preset is as near to the traced picture as the one before or, but for noise,
 // nearer.
 #include <gtest/gtest.h>
 

@@ -75,7 +75,7 @@ TEST(SeaOfTheHost, MirrorsAStripOfSkyAsAPath) {
     const double tracedPath = lightIn(traced, 0.65, 1), tracedAside = lightIn(traced, 0, 0.5);
     EXPECT_GT(tracedPath, 1);
     for (const uint32_t looks : {2u, 4u}) {
-        scene.water->shading.mirrorLooks = looks;
+        scene.water->shading.reflectionSamples = looks;
         const Picture rendered = render(*host, scene);
         const double renderedPath = lightIn(rendered, 0.65, 1), renderedAside = lightIn(rendered, 0, 0.5);
         std::printf("%u looks, path: %.2f traced, %.2f drawn; aside: %.3f traced, %.3f drawn\n", looks,

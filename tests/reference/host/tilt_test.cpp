@@ -82,16 +82,16 @@ TEST(TiltedWater, LeavesAllElseAsItIs) {
     EXPECT_LT(differ, pictures[0].rgba.size() / 100); // edges
 }
 
-TEST(TiltedWater, HasItsDryRoomsWhereTheyAreInTheWorld) {
+TEST(TiltedWater, HasItsExclusionVolumesWhereTheyAreInTheWorld) {
     Scene scene = slope(40);
-    DryRoomDesc& room = scene.water->dryRooms.emplace_back();
+    ExclusionVolumeDesc& room = scene.water->exclusionVolumes.emplace_back();
     room.positionM = {30, 4, -20};
     room.pointsM = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     reference::World world;
     Error error;
     ASSERT_TRUE(reference::loadWorld(scene, world, error)) << error.text;
     const auto dry = [&](const glm::dvec3& at) {
-        return seaglass::isDry(world.dryRooms, world.frame.fromWorld(at));
+        return seaglass::isDry(world.exclusionVolumes, world.frame.fromWorld(at));
     };
     EXPECT_TRUE(dry({30.8, 3.2, -19.2}));
     EXPECT_FALSE(dry({31.2, 3.2, -19.2}));

@@ -109,7 +109,7 @@ TEST_F(UnderwaterHost, MirrorsTheBedAsSoftlyAsItIsTraced) {
         return std::span(picture).first(picture.size() / 3);
     };
     for (const auto& [looks, most] : {std::pair{1u, 6.7}, {2u, 6.2}, {4u, 5.7}}) {
-        scene_.water->shading.mirrorLooks = looks;
+        scene_.water->shading.reflectionSamples = looks;
         ASSERT_TRUE(host_->load(scene_, error)) << error.text;
         const std::vector<uint8_t> rendered = toneMap(render(camera), scene_.exposureEv);
         const double off = tests::meanDifference(surface(traced), surface(rendered));

@@ -52,13 +52,13 @@ enum class Fresnel : uint32_t { exact = 0, schlick };
 
 /// How closely the surface is looked at, in texture looks a pixel; docs/tradeoffs.md has what each costs.
 struct ShadingDesc {
-    uint32_t mirrorLooks = 2;     ///< for what the slopes within a pixel mirror: 1, 2 or 4
-    uint32_t refractionLooks = 6; ///< for where the bent ray ends, 1 (straight through) .. 16
-    uint32_t bedDownscale = 1;    ///< pixels of the view to one of `BodyDesc::bed`, each way, 1..8
-    uint32_t causticStep = 1;     ///< pixels from one ray of the sun to the next, each way, 1..8
-    uint32_t slopeLooks = 1;      ///< along a pixel's longer side, at waves, foam, shadow: 1, 2 or 4
-    uint32_t waveShadowSteps = 0; ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
-    bool relief = false;          ///< shades waves too short for the mesh at their own height; not on a shore
+    uint32_t reflectionSamples = 2; ///< for what the slopes within a pixel mirror: 1, 2 or 4
+    uint32_t refractionSamples = 6; ///< for where the bent ray ends, 1 (straight through) .. 16
+    uint32_t bedDownscale = 1;      ///< pixels of the view to one of `BodyDesc::bed`, each way, 1..8
+    uint32_t causticStep = 1;       ///< pixels from one ray of the sun to the next, each way, 1..8
+    uint32_t slopeSamples = 1;      ///< along a pixel's longer side, at waves, foam, shadow: 1, 2 or 4
+    uint32_t waveShadowSteps = 0;   ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
+    bool parallax = false; ///< shades waves too short for the mesh at their own height; not on a shore
     Fresnel fresnel = Fresnel::exact; ///< of what the eye sees; light for the bed enters by exact's share
 };
 
@@ -121,7 +121,7 @@ struct BodyDesc {
     ShadingDesc shading; ///< how finely it is shaded
 };
 
-/// A dial of measured steps; docs/tradeoffs.md has what each costs and how wrong it is.
+/// Presets by measure; docs/tradeoffs.md has what each costs and how wrong it is.
 enum class Quality : uint32_t { low = 0, medium, high, highest };
 
 /// Fills in `body`'s cellsPerLevel and shading, drops its bed at low, and sets what `reflection`
@@ -136,14 +136,14 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
 struct Body;
 
 /// A convex hollow that water stays out of, such as a boat's inside: n.p + d <= 0 for all planes but zeros.
-struct DryRoom {
+struct ExclusionVolume {
     double planes[8][4] = {}; ///< in the world, of any scale
 };
 
 Status createBody(Context* context, const BodyDesc* desc, Body** out); ///< on failure `*out` is null
 void destroyBody(Body* body);                                          ///< as destroyReflector()
 /// From here on, 8 at most: no surface in them, no caustics and, for an eye in one, no fog.
-Status setDryRooms(Body* body, const DryRoom* rooms, uint32_t count);
+Status setExclusionVolumes(Body* body, const ExclusionVolume* rooms, uint32_t count);
 
 /// The attachments that water is drawn into. Pipelines are made for one of these.
 struct TargetDesc {
@@ -228,8 +228,8 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
 /// nothing.
 ///
 /// On any thread, beside calls for other targets and bodies, and for these all but those that change or
-/// destroy them (setDryRooms()): draw() of what is in the making waits, others do not. Messages come on that
-/// thread, which is done before any of the three is destroyed.
+/// destroy them (setExclusionVolumes()): draw() of what is in the making waits, others do not. Messages come
+/// on that thread, which is done before any of the three is destroyed.
 Status prepare(Target* target, Body* body, const ViewDesc* view = nullptr,
                const LightingDesc* lighting = nullptr, SurfaceOutput output = SurfaceOutput::shaded);
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "reference/light/air.h"
-#include "reference/light/crest_light.h"
 #include "reference/light/foam_pattern.h"
+#include "reference/light/subsurface_scattering.h"
 #include "reference/light/water_light.h"
 #include "reference/shade/facet.h"
 #include "reference/shade/optics.h"
@@ -56,7 +56,7 @@ glm::vec3 refracted(const Frame& frame, const Ray& ray, const Hit& hit, const Fa
         radiance = shadeBed(frame, below, bed, random) * through;
     }
     radiance += light.glow(path);
-    return random ? throughCrest(frame, below, path, radiance, *random) : radiance;
+    return random ? throughScattering(frame, below, path, radiance, *random) : radiance;
 }
 
 // In what follows directions are in the axes of what is level there, as slopes are.

@@ -8,7 +8,7 @@
 // it, which is what a great many random tilts would find.
 //
 // Light scattered by the water follows shaders/water/surface/water_light.glsl; what lies below is lit by
-// shade_bed.h. Light through crests, by crest_light.h, is left out of one sample a pixel.
+// shade_bed.h. Light through crests, by subsurface_scattering.h, is left out of one sample a pixel.
 #pragma once
 
 #include "reference/frame.h"

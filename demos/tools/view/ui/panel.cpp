@@ -97,7 +97,7 @@ bool layOutSection(const char* heading, const char* path, void* owner, void* asN
     return changed;
 }
 
-/// The dial, then what it turned, which can be turned on.
+/// The preset, then what it set, each of which may be changed.
 bool layOutQuality(WaterDesc& water) {
     bool changed = false;
     for (const std::string_view& quality : qualities()) {

@@ -35,7 +35,8 @@ inline constexpr Field reflectionFieldRows[] = {
         .onlyFor(ReflectionTechnique::sspr, ReflectionTechnique::ssr, ReflectionTechnique::hybrid),
     field<&ReflectionDesc::undersideLight>(
         "undersideLight", 0, 1, "", "Light of an underside that is not seen, as a share of its top's."),
-    field<&ReflectionDesc::roofLooks>("roofLooks", 0, 8, "", "For undersides that end unseen; 0 is free.")
+    field<&ReflectionDesc::overhangSamples>("overhangSamples", 0, 8, "",
+                                            "For undersides that end unseen; 0 is free.")
         .onlyFor(ReflectionTechnique::sspr, ReflectionTechnique::hybrid)
         .byQuality(0, 6, 6, 6),
     field<&ReflectionDesc::distortion>("distortion", 0, 1, "",

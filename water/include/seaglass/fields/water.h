@@ -23,12 +23,13 @@ inline constexpr FieldTable meshFields = fieldTable("MeshDesc", meshFieldRows);
 
 /// Rows of shadingFields.
 inline constexpr Field shadingFieldRows[] = {
-    field<&ShadingDesc::mirrorLooks>("mirrorLooks", 1, 4, "", "At what a pixel's slopes mirror.")
+    field<&ShadingDesc::reflectionSamples>("reflectionSamples", 1, 4, "", "At what a pixel's slopes mirror.")
         .powersOfTwo()
         .byQuality(1, 2, 2, 4),
-    field<&ShadingDesc::refractionLooks>("refractionLooks", 1, 16, "",
-                                         "For where the bent ray ends; 1: straight through. From 4 on, light "
-                                         "through crests is taken at several points.")
+    field<&ShadingDesc::refractionSamples>(
+        "refractionSamples", 1, 16, "",
+        "For where the bent ray ends; 1: straight through. From 4 on, light "
+        "through crests is taken at several points.")
         .byQuality(2, 3, 6, 8),
     field<&ShadingDesc::bedDownscale>("bedDownscale", 1, 8, "",
                                       "Pixels of the view to one of the bed's picture, each way.")
@@ -36,15 +37,16 @@ inline constexpr Field shadingFieldRows[] = {
     field<&ShadingDesc::causticStep>("causticStep", 1, 8, "pixel",
                                      "From one ray of the sun to the next, each way.")
         .byQuality(4, 2, 1, 1),
-    field<&ShadingDesc::slopeLooks>("slopeLooks", 1, 4, "",
-                                    "Along a pixel's longer side, at its waves, foam and the sun's shadow.")
+    field<&ShadingDesc::slopeSamples>("slopeSamples", 1, 4, "",
+                                      "Along a pixel's longer side, at its waves, foam and the sun's shadow.")
         .powersOfTwo()
         .byQuality(1, 1, 2, 4),
     field<&ShadingDesc::waveShadowSteps>("waveShadowSteps", 2, 32, "",
                                          "Looks for the waves that hide low sky and sun; 0: a mean.")
         .orZero()
         .byQuality(0, 0, 8, 16),
-    field<&ShadingDesc::relief>("relief", "Shades waves shorter than the mesh's cells at their own height.")
+    field<&ShadingDesc::parallax>("parallax",
+                                  "Shades waves shorter than the mesh's cells at their own height.")
         .byQuality(false, false, true, true),
     field<&ShadingDesc::fresnel>("fresnel", fresnels, "What share of light is mirrored."),
 };

@@ -13,14 +13,15 @@
 namespace seaglass {
 
 /// Unit normals outwards, in the world [m].
-using DryPlanes = std::array<glm::dvec4, dryRoomPlanes>;
+using ExclusionPlanes = std::array<glm::dvec4, exclusionVolumePlanes>;
 
 /// Null when the rooms are usable, else what is wrong with one. Fills `out`.
-const char* readDryRooms(const DryRoom* rooms, uint32_t count, std::vector<DryPlanes>& out);
+const char* readExclusionVolumes(const ExclusionVolume* rooms, uint32_t count,
+                                 std::vector<ExclusionPlanes>& out);
 
 /// How many the shaders look at: a power of two, so that few pipelines serve, or none.
-uint32_t roomsPacked(const std::vector<DryPlanes>& rooms);
+uint32_t volumesPacked(const std::vector<ExclusionPlanes>& rooms);
 
-bool isDry(const std::vector<DryPlanes>& rooms, const glm::dvec3& position);
+bool isDry(const std::vector<ExclusionPlanes>& rooms, const glm::dvec3& position);
 
 } // namespace seaglass

@@ -82,8 +82,8 @@ vec3 intoWater(SurfacePoint s, vec3 toEye) {
 }
 
 // `behind` as the water before it leaves it, `path` metres of it. Where all around is of one radiance it stays so.
-vec3 throughCrest(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
-    const int points = clamp(refractionLooks / 2, 1, 3);
+vec3 throughScattering(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
+    const int points = clamp(refractionSamples / 2, 1, 3);
     float scattering = water.absorption.w;
     float bottom = heightHere + water.within.z;
     if (bottom > 0.0) {

@@ -1,4 +1,4 @@
-#include "reference/light/crest_light.h"
+#include "reference/light/subsurface_scattering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,8 +95,8 @@ glm::vec3 fromSun(const Frame& frame, const glm::vec3& at, const glm::vec3& alon
 
 } // namespace
 
-glm::vec3 throughCrest(const Frame& frame, const Ray& ray, float path, const glm::vec3& behind,
-                       Random random) {
+glm::vec3 throughScattering(const Frame& frame, const Ray& ray, float path, const glm::vec3& behind,
+                            Random random) {
     const auto scattering = static_cast<float>(frame.world->water->refraction->scatteringPerM);
     if (scattering == 0 || frame.surface.flat()) return behind;
     const glm::vec3 extinction = waterLightOf(frame).extinction();

@@ -3,9 +3,9 @@
 // their far sides are small. Needs wave_displacement.glsl.
 
 vec2 shownCalm() {
-    if (!hasRelief) return meshCalm;
+    if (!hasParallax) return meshCalm;
     Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
-    float width = max(length(pixel.shorter), length(pixel.longer) / float(slopeLooks));
+    float width = max(length(pixel.shorter), length(pixel.longer) / float(slopeSamples));
     float higher = waveDisplacementAt(waveDisplacement, meshCalm, width, vec4(1.0)).y - heightHere;
     vec3 across = cross(dFdx(position), dFdy(position));   // of the drawn triangle, up or down
     vec2 slope = -across.xz / (abs(across.y) > 1e-12 ? across.y : 1e-12);

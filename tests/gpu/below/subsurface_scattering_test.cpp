@@ -10,9 +10,9 @@ namespace {
 using namespace seaglass;
 using namespace tests;
 
-class CrestLight : public WaterTest {
+class SubsurfaceScattering : public WaterTest {
   protected:
-    CrestLight() {
+    SubsurfaceScattering() {
         sea_.windSpeed = 14;
         sea_.fetch = 100e3f;
         sea_.samples = 128;
@@ -71,7 +71,7 @@ class CrestLight : public WaterTest {
     RefractionDesc refraction_{{0.355f, 0.0906f, 0.193f}, {0.0049f, 0.0054f, 0.0067f}, 1};
 };
 
-TEST_F(CrestLight, ShinesInCrestsBeforeTheSun) {
+TEST_F(SubsurfaceScattering, ShinesInCrestsBeforeTheSun) {
     lowSun(true);
     const Gain facing = gain(0.25f);
     lowSun(false);
@@ -86,20 +86,20 @@ TEST_F(CrestLight, ShinesInCrestsBeforeTheSun) {
     for (const double channel : facing.troughs) EXPECT_EQ(channel, 0);
 }
 
-TEST_F(CrestLight, GrowsWithWhatScattersIt) {
+TEST_F(SubsurfaceScattering, GrowsWithWhatScattersIt) {
     lowSun(true);
     const double little = gain(0.02f).crests[1], more = gain(0.08f).crests[1], most = gain(50).crests[1];
     EXPECT_NEAR(more / little, 4, 0.2);
     EXPECT_LT(most, 50 / 0.02 * little);
 }
 
-TEST_F(CrestLight, CostsNothingWhereItIsNotAskedFor) {
-    constexpr size_t lightsCrests = 4; // shaders/water/surface/surface.frag
+TEST_F(SubsurfaceScattering, CostsNothingWhereItIsNotAskedFor) {
+    constexpr size_t hasSubsurfaceScattering = 4; // shaders/water/surface/surface.frag
     const auto constantOf = [&](Body* body) {
         spiedCalls().clear();
         picture({body}, camera_, 5);
         for (const SpiedCall& call : spiedCalls())
-            if (call.name == "CreateGraphicsPipelines") return call.constants.at(lightsCrests);
+            if (call.name == "CreateGraphicsPipelines") return call.constants.at(hasSubsurfaceScattering);
         return ~0u;
     };
     EXPECT_EQ(constantOf(scattering(0)), 0u);
@@ -117,7 +117,7 @@ TEST_F(CrestLight, CostsNothingWhereItIsNotAskedFor) {
     EXPECT_EQ(with.bytes, without.bytes);
 }
 
-TEST_F(CrestLight, BadFieldsAreNamed) {
+TEST_F(SubsurfaceScattering, BadFieldsAreNamed) {
     for (const float bad : {-1.0f, 101.0f, std::nanf("")}) {
         refraction_.scattering = bad;
         BodyDesc desc;

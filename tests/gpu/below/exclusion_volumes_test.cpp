@@ -11,7 +11,7 @@ using namespace seaglass;
 using namespace tests;
 
 /// Upright walls around (x, z), from 2 m below the calm water up.
-DryRoom box(double x, double z, double halfX, double halfZ) {
+ExclusionVolume box(double x, double z, double halfX, double halfZ) {
     return {{{2, 0, 0, -2 * (x + halfX)},
              {-1, 0, 0, x - halfX},
              {0, 0, 3, -3 * (z + halfZ)},
@@ -19,9 +19,9 @@ DryRoom box(double x, double z, double halfX, double halfZ) {
              {0, -1, 0, -2}}};
 }
 
-class DryRooms : public WaterTest {
+class ExclusionVolumes : public WaterTest {
   protected:
-    DryRooms() {
+    ExclusionVolumes() {
         camera_.eye = {0, 6, 8};
         camera_.target = {0, 0, 0};
         sea_.windSpeed = 4;
@@ -57,31 +57,31 @@ class DryRooms : public WaterTest {
     BodyDesc desc_;
 };
 
-TEST_F(DryRooms, HaveNoSurface) {
+TEST_F(ExclusionVolumes, HaveNoSurface) {
     desc_.waves = &sea_;
     desc_.wavesBackend = fftwWaves();
     Body* const body = makeBody(desc_);
-    const DryRoom first = box(0.5, 0, 1, 2);
-    ASSERT_EQ(setDryRooms(body, &first, 1), Status::ok) << message();
+    const ExclusionVolume first = box(0.5, 0, 1, 2);
+    ASSERT_EQ(setExclusionVolumes(body, &first, 1), Status::ok) << message();
     expectDry(body, 0.5, 0, 1, 2);
-    const DryRoom moved = box(-2, 1, 1, 0.8);
-    ASSERT_EQ(setDryRooms(body, &moved, 1), Status::ok) << message();
+    const ExclusionVolume moved = box(-2, 1, 1, 0.8);
+    ASSERT_EQ(setExclusionVolumes(body, &moved, 1), Status::ok) << message();
     expectDry(body, -2, 1, 1, 0.8);
 }
 
-TEST_F(DryRooms, AreEightAtMost) {
+TEST_F(ExclusionVolumes, AreEightAtMost) {
     Body* const body = makeBody(desc_);
-    std::vector<DryRoom> rooms(8, box(300, 300, 1, 1));
+    std::vector<ExclusionVolume> rooms(8, box(300, 300, 1, 1));
     rooms[7] = box(0, 0, 1, 1);
-    ASSERT_EQ(setDryRooms(body, rooms.data(), 8), Status::ok) << message();
+    ASSERT_EQ(setExclusionVolumes(body, rooms.data(), 8), Status::ok) << message();
     expectDry(body, 0, 0, 1, 1);
     rooms.push_back(rooms[0]);
-    EXPECT_EQ(setDryRooms(body, rooms.data(), 9), Status::invalidArgument);
+    EXPECT_EQ(setExclusionVolumes(body, rooms.data(), 9), Status::invalidArgument);
     EXPECT_NE(message().find("count"), std::string::npos) << message();
     expectDry(body, 0, 0, 1, 1); // as before
 }
 
-TEST_F(DryRooms, KeepAnEyeInOneDry) {
+TEST_F(ExclusionVolumes, KeepAnEyeInOneDry) {
     const RefractionDesc refraction;
     const UnderwaterDesc underwater;
     desc_.refraction = &refraction;
@@ -95,14 +95,14 @@ TEST_F(DryRooms, KeepAnEyeInOneDry) {
         return countSpied("CmdDraw");
     };
     EXPECT_GT(fogged(), 0u);
-    const DryRoom room = box(0, 0, 1, 1);
-    ASSERT_EQ(setDryRooms(body, &room, 1), Status::ok);
+    const ExclusionVolume room = box(0, 0, 1, 1);
+    ASSERT_EQ(setExclusionVolumes(body, &room, 1), Status::ok);
     EXPECT_EQ(fogged(), 0u);
     camera_.eye.y = -3; // under its bottom
     EXPECT_GT(fogged(), 0u);
 }
 
-TEST_F(DryRooms, HaveNoCaustics) {
+TEST_F(ExclusionVolumes, HaveNoCaustics) {
     const RefractionDesc refraction;
     const CausticsDesc caustics;
     desc_.waves = &sea_;
@@ -121,37 +121,37 @@ TEST_F(DryRooms, HaveNoCaustics) {
         return pixels;
     };
     EXPECT_GT(changed(), 1000u);
-    const DryRoom room = box(0, 0, 500, 500);
-    ASSERT_EQ(setDryRooms(body, &room, 1), Status::ok);
+    const ExclusionVolume room = box(0, 0, 500, 500);
+    ASSERT_EQ(setExclusionVolumes(body, &room, 1), Status::ok);
     EXPECT_EQ(changed(), 0u);
 }
 
-TEST_F(DryRooms, CostNothingWhereThereAreNone) {
-    constexpr size_t hasDryRooms = 5; // shaders/water/surface/surface.frag
+TEST_F(ExclusionVolumes, CostNothingWhereThereAreNone) {
+    constexpr size_t hasExclusionVolumes = 5; // shaders/water/surface/surface.frag
     Body* const body = makeBody(desc_);
     const auto constant = [&] {
         spiedCalls().clear();
         picture({body}, camera_);
         for (const SpiedCall& call : spiedCalls())
-            if (call.name == "CreateGraphicsPipelines") return call.constants.at(hasDryRooms);
+            if (call.name == "CreateGraphicsPipelines") return call.constants.at(hasExclusionVolumes);
         return ~0u;
     };
     EXPECT_EQ(constant(), 0u);
-    const DryRoom room = box(0, 0, 1, 1);
-    ASSERT_EQ(setDryRooms(body, &room, 1), Status::ok);
+    const ExclusionVolume room = box(0, 0, 1, 1);
+    ASSERT_EQ(setExclusionVolumes(body, &room, 1), Status::ok);
     EXPECT_EQ(constant(), 1u);
-    ASSERT_EQ(setDryRooms(body, nullptr, 0), Status::ok);
+    ASSERT_EQ(setExclusionVolumes(body, nullptr, 0), Status::ok);
     EXPECT_EQ(constant(), ~0u); // the first again
 }
 
-TEST_F(DryRooms, BadOnesAreNamed) {
+TEST_F(ExclusionVolumes, BadOnesAreNamed) {
     Body* const body = makeBody(desc_);
-    const auto expectRefused = [&](const DryRoom& room) {
-        EXPECT_EQ(setDryRooms(body, &room, 1), Status::invalidArgument);
-        EXPECT_NE(message().find("DryRoom.planes"), std::string::npos) << message();
+    const auto expectRefused = [&](const ExclusionVolume& room) {
+        EXPECT_EQ(setExclusionVolumes(body, &room, 1), Status::invalidArgument);
+        EXPECT_NE(message().find("ExclusionVolume.planes"), std::string::npos) << message();
     };
     expectRefused({});
-    DryRoom room = box(0, 0, 1, 1);
+    ExclusionVolume room = box(0, 0, 1, 1);
     room.planes[0][0] = std::nan("");
     expectRefused(room);
     room.planes[0][0] = INFINITY;
@@ -159,8 +159,8 @@ TEST_F(DryRooms, BadOnesAreNamed) {
     room = box(0, 0, 1, 1);
     room.planes[5][3] = 1; // nothing but a distance
     expectRefused(room);
-    EXPECT_EQ(setDryRooms(body, nullptr, 1), Status::invalidArgument);
-    EXPECT_EQ(setDryRooms(nullptr, &room, 1), Status::invalidArgument);
+    EXPECT_EQ(setExclusionVolumes(body, nullptr, 1), Status::invalidArgument);
+    EXPECT_EQ(setExclusionVolumes(nullptr, &room, 1), Status::invalidArgument);
 }
 
 } // namespace

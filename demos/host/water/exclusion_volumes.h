@@ -1,4 +1,4 @@
-// The dry rooms of a scene as Seaglass is told of them.
+// The exclusion volumes of a scene as Seaglass is told of them.
 #pragma once
 
 #include <vector>
@@ -9,6 +9,7 @@
 namespace demos {
 
 /// False with `error` set where an outline is not convex, or has too many corners for a room.
-bool dryRoomsOf(const std::vector<DryRoomDesc>& rooms, std::vector<seaglass::DryRoom>& out, Error& error);
+bool exclusionVolumesOf(const std::vector<ExclusionVolumeDesc>& rooms,
+                        std::vector<seaglass::ExclusionVolume>& out, Error& error);
 
 } // namespace demos

@@ -44,7 +44,7 @@ glm::dvec3 gain(Scene scene, const CameraDesc& camera, Draw draw) {
     return sum / static_cast<double>(with.rgba.size() / 8);
 }
 
-TEST(CrestLightHost, GainsWhatRaysThroughTheSeaDo) {
+TEST(SubsurfaceScatteringHost, GainsWhatRaysThroughTheSeaDo) {
     Error error;
     auto scene = loadScene(tests::demoScene("ocean"), {"water.refraction.type=coastal"}, error);
     ASSERT_TRUE(scene) << error.text;

@@ -9,16 +9,16 @@ const int mostTries = 16;        // at a level top, each twice as far off: more 
 
 // What left a key nearer than what shows here, nearer to the eye on the mirror: on the screen, it hides the ray before that
 // comes to what shows here.
-ivec2 roofBefore(const MirrorBlock mirror, vec2 q, vec2 away, uint here) {
-    LineKey roof = LineKey(noKey, ivec2(0));
-    for (int i = 0; i < 2 * int(mirror.roofLooks); ++i) {
+ivec2 overhangBefore(const MirrorBlock mirror, vec2 q, vec2 away, uint here) {
+    LineKey overhang = LineKey(noKey, ivec2(0));
+    for (int i = 0; i < 2 * int(mirror.overhangSamples); ++i) {
         ivec2 cell = cellBefore(mirror, q, away, i);
         uint key = keyAt(cell);
-        bool found = roof.key == noKey && key > here;
-        roof.key = found ? key : roof.key;
-        roof.cell = found ? cell : roof.cell;
+        bool found = overhang.key == noKey && key > here;
+        overhang.key = found ? key : overhang.key;
+        overhang.cell = found ? cell : overhang.cell;
     }
-    return sourceOf(mirror, roof);
+    return sourceOf(mirror, overhang);
 }
 
 float heightOf(const MirrorBlock mirror, vec4 point) {
@@ -103,14 +103,14 @@ Hit hitUnderTop(const MirrorBlock mirror, vec2 q, ScreenRay ray, float height, f
     return Hit(shows && level, false, middle, 0.0, depth);
 }
 
-Hit underRoof(const MirrorBlock mirror, vec2 q, ScreenRay ray, Hit shown) {
+Hit underOverhang(const MirrorBlock mirror, vec2 q, ScreenRay ray, Hit shown) {
     vec2 away = awayFrom(mirror, q);
-    ivec2 roof = roofBefore(mirror, q, away, shown.valid ? keyFromDepth(mirror, shown.depth) : noKey);
-    vec2 from = vec2(roof) + 0.5;
+    ivec2 overhang = overhangBefore(mirror, q, away, shown.valid ? keyFromDepth(mirror, shown.depth) : noKey);
+    vec2 from = vec2(overhang) + 0.5;
     bool first = !shown.valid || dot(shown.source - from, away) > 2.0;
-    float mostPixels = float(firstLook << mirror.roofLooks);
+    float mostPixels = float(firstLook << mirror.overhangSamples);
     Hit hit = noHit;
-    if (roof != nowhere && first) {
+    if (overhang != nowhere && first) {
         Entry entry = entryBefore(mirror, ray, q, from, mostPixels);
         if (entry.between == noGuesses) return noHit;
         vec4 edge = vec4(entry.hidden, depthAt(mirror, entry.between.other), 1.0);

@@ -1,4 +1,4 @@
-#include "host/water/dry_rooms.h"
+#include "host/water/exclusion_volumes.h"
 
 #include <cmath>
 #include <iterator>
@@ -9,7 +9,7 @@ namespace demos {
 
 namespace {
 
-constexpr size_t mostWalls = std::size(seaglass::DryRoom{}.planes) - 1; ///< and a bottom
+constexpr size_t mostWalls = std::size(seaglass::ExclusionVolume{}.planes) - 1; ///< and a bottom
 
 double across(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]);
@@ -28,8 +28,8 @@ int turningOf(const std::vector<Vec2>& points) {
     return turning;
 }
 
-seaglass::DryRoom roomOf(const DryRoomDesc& desc, int turning) {
-    seaglass::DryRoom room;
+seaglass::ExclusionVolume roomOf(const ExclusionVolumeDesc& desc, int turning) {
+    seaglass::ExclusionVolume room;
     // A turn about +Y takes +X towards -Z.
     const double yaw = -desc.yawDeg * std::numbers::pi / 180, c = std::cos(yaw), s = std::sin(yaw);
     const auto place = [&](const Vec2& point) {
@@ -55,11 +55,12 @@ seaglass::DryRoom roomOf(const DryRoomDesc& desc, int turning) {
 
 } // namespace
 
-bool dryRoomsOf(const std::vector<DryRoomDesc>& rooms, std::vector<seaglass::DryRoom>& out, Error& error) {
+bool exclusionVolumesOf(const std::vector<ExclusionVolumeDesc>& rooms,
+                        std::vector<seaglass::ExclusionVolume>& out, Error& error) {
     out.clear();
-    for (const DryRoomDesc& desc : rooms) {
+    for (const ExclusionVolumeDesc& desc : rooms) {
         const size_t corners = desc.pointsM.size();
-        const std::string name = "water.dry_rooms." + std::to_string(out.size()) + ".points_m ";
+        const std::string name = "water.exclusion_volumes." + std::to_string(out.size()) + ".points_m ";
         if (corners < 3 || corners > mostWalls) {
             error.text =
                 name + "are " + std::to_string(corners) + ", expected 3 to " + std::to_string(mostWalls);
