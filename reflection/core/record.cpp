@@ -43,7 +43,8 @@ const char* badField(VkCommandBuffer commands, const SceneCopy& copy) {
     if (!copy.from) return "SceneCopy.from is null";
     if (!copy.to) return "SceneCopy.to is null";
     if (copy.layout == VK_IMAGE_LAYOUT_UNDEFINED) return "SceneCopy.layout is undefined";
-    if (copy.aspect != VK_IMAGE_ASPECT_COLOR_BIT && !(copy.aspect & VK_IMAGE_ASPECT_DEPTH_BIT))
+    const VkImageAspectFlags depth = copy.aspect & ~VkImageAspectFlags{VK_IMAGE_ASPECT_STENCIL_BIT};
+    if (depth != VK_IMAGE_ASPECT_DEPTH_BIT && copy.aspect != VK_IMAGE_ASPECT_COLOR_BIT)
         return "SceneCopy.aspect is neither colour nor depth";
     if (copy.extent.width == 0 || copy.extent.height == 0) return "SceneCopy.extent is empty";
     return nullptr;

@@ -16,7 +16,7 @@ class Drivers(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         for name in ("reflection_gpu_tests", "water_gpu_tests", "host_gpu_tests", "defects_gpu_tests", "null_tests", "every_surface"):
-            (self.folder / name).write_text(f"#!/bin/sh\nexec {sys.executable} -B {HERE / 'fake_tests.py'} \"$@\"\n")
+            (self.folder / name).write_text(f"#!/bin/sh\nexec {sys.executable} -B {HERE / 'fake_programs.py'} \"$@\"\n")
             (self.folder / name).chmod(0o755)
 
     def drivers(self, *options, tests="A.Passes", known=""):
@@ -45,7 +45,7 @@ class Drivers(unittest.TestCase):
         said = self.last(1, "8 passed, 12 failed, 4 skipped", tests="A.Passes A.Hangs B.Crashes B.Fails B.Skips C.Passes")
         self.assertIn("lavapipe: A.Hangs timed out: did not end in 1 s", said)
         self.assertIn("lavapipe: B.Crashes crashed: ended by SIGSEGV", said)
-        self.assertIn("lavapipe: B.Fails failed: fake_tests.py:34: Expected equality", said)
+        self.assertIn("lavapipe: B.Fails failed: fake_programs.py:34: Expected equality", said)
         cells = next(line for line in said.splitlines() if "water_gpu_tests" in line).split()
         self.assertEqual(cells, ["lavapipe", "water_gpu_tests", "2", "3", "1", "0", "1", "0"])
 

@@ -20,7 +20,7 @@ class GpuCheck(unittest.TestCase):
         self.bin.mkdir()
         self.program("seaglass", HERE / "fake_seaglass.py")
         for name in ("reflection_gpu_tests", "water_gpu_tests", "host_gpu_tests", "defects_gpu_tests"):
-            self.program(name, HERE / "fake_tests.py")
+            self.program(name, HERE / "fake_programs.py")
         for name in ("seaglass_bench_waves", "seaglass_bench_reflection"):
             (self.bin / name).write_text(f"#!/bin/sh\necho {name} $*\n")
             (self.bin / name).chmod(0o755)
@@ -68,8 +68,8 @@ class GpuCheck(unittest.TestCase):
         self.assertEqual(said.splitlines()[-1], "12 passed, 12 failed (4 timed out), 4 skipped")
         self.assertIn("- `water_gpu_tests` `A.Hangs` timed out: did not end in 1 s", page)
         self.assertIn("- `water_gpu_tests` `B.Crashes` crashed: ended by SIGSEGV", page)
-        self.assertIn("- `water_gpu_tests` `B.Fails/0` failed: fake_tests.py:34: Expected equality of these values: 1 | 1 2", page)
-        self.assertIn("fake_tests.py:56: nothing to test with", page)
+        self.assertIn("- `water_gpu_tests` `B.Fails/0` failed: fake_programs.py:34: Expected equality of these values: 1 | 1 2", page)
+        self.assertIn("fake_programs.py:56: nothing to test with", page)
         # All, those behind the one that hung, those behind the one that crashed.
         self.assertEqual(self.log.read_text().split()[:3], ["7", "5", "3"])
 

@@ -122,7 +122,7 @@ double significantWaveHeight(const Sea& sea); ///< 4 sqrt(m0) of the modes held 
 /// about 1, and less where waves are too long for `largestPatch` or too short for the samples; 1 when flat.
 /// Below leastResolvedShare the sea is not the one asked for: its height is off by 5 % or more.
 double resolvedShare(const Sea& sea);
-constexpr double leastResolvedShare = 0.9; ///< see resolvedShare()
+constexpr double leastResolvedShare = 0.9; ///< of the height's variance
 
 /// Variances and covariance of the surface's slopes.
 struct SlopeCovariance {

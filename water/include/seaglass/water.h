@@ -141,7 +141,7 @@ struct ExclusionVolume {
 };
 
 Status createBody(Context* context, const BodyDesc* desc, Body** out); ///< on failure `*out` is null
-void destroyBody(Body* body);                                          ///< as destroyReflector()
+void destroyBody(Body* body); ///< at any time: memory goes back when the GPU is done with it; null is ignored
 /// From here on, 8 at most: no surface in them, no caustics and, for an eye in one, no fog.
 Status setExclusionVolumes(Body* body, const ExclusionVolume* rooms, uint32_t count);
 
@@ -164,7 +164,7 @@ struct TargetDesc {
 struct Target;
 
 Status createTarget(Context* context, const TargetDesc* desc, Target** out); ///< makes no pipeline yet
-void destroyTarget(Target* target);                                          ///< as destroyBody()
+void destroyTarget(Target* target); ///< at any time: pipelines go when the GPU is done; null is ignored
 
 /// Sets the bodies' surfaces to `time` and records the upload or dispatches; a CPU backend works here.
 /// Outside any render pass, once a frame. Foam takes the sea at up to 4 more times a second; on the first

@@ -29,11 +29,11 @@ for test in tests:
     if does.startswith("Crashes"):
         os.kill(os.getpid(), signal.SIGSEGV)
     if does.startswith("Loses"):
-        print("fake_tests.py:12: Failure\nFailed\nvkWaitForFences failed: VK_ERROR_DEVICE_LOST")
+        print("fake_programs.py:12: Failure\nFailed\nvkWaitForFences failed: VK_ERROR_DEVICE_LOST")
     if does.startswith("Fails"):
-        print("/some/where/fake_tests.py:34: Failure\nExpected equality of these values:\n  1 | 1\n  2")
+        print("/some/where/fake_programs.py:34: Failure\nExpected equality of these values:\n  1 | 1\n  2")
     if does.startswith("Skips"):
-        print("fake_tests.py:56: Skipped\nnothing to test with")
+        print("fake_programs.py:56: Skipped\nnothing to test with")
     failed = failed or does.startswith(("Fails", "Loses"))
     verdict = "  FAILED  " if does.startswith(("Fails", "Loses")) else "  SKIPPED " if does.startswith("Skips") else "       OK "
     print(f"[{verdict}] {test}{', where GetParam() = whatever' if failed else ''} (0 ms)", flush=True)
