@@ -57,10 +57,9 @@ struct ReflectionDesc {
     /// of `planar`, nor of views with `surfaceNormals`.
     float edgeReach = 0;
     float undersideLight = 0.15f; ///< of an underside that is not seen, as a share of its top's, 0..1
-    uint32_t overhangSamples =
-        0;                   ///< sspr, hybrid: for undersides that end unseen, 0..8, 6 for 1080p; 0 is free
-    float distortion = 1.0f; ///< share of the normal's tilt that is followed: 0, a flat mirror, to 1
-    uint32_t blurLevels = 4; ///< halvings kept for rough surfaces, 0..6; 0 costs nothing: all are sharp
+    uint32_t overhangSamples = 0; ///< sspr, hybrid: for undersides that end unseen, 0..8, 6 for 1080p
+    float distortion = 1.0f;      ///< share of the normal's tilt that is followed: 0, a flat mirror, to 1
+    uint32_t blurLevels = 4;      ///< halvings kept for rough surfaces, 0..6; 0 costs nothing: all are sharp
     /// Reflections of what is no farther from the mirror than this are not blurred by `scatter` [m], 0..1e6.
     float clearDistance = 0;
     float scatter = 0; ///< how fast they widen beyond it: the sine of a cone, 0..1. Wants blurLevels

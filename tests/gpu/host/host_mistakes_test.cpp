@@ -408,6 +408,8 @@ TEST_F(Mistakes, WhatCannotBeCopiedIsRefusedByItsName) {
     wrong = right;
     wrong.aspect = VK_IMAGE_ASPECT_STENCIL_BIT;
     expectRefused(wrong, "SceneCopy.aspect");
+    wrong.aspect = VK_IMAGE_ASPECT_COLOR_BIT | VK_IMAGE_ASPECT_DEPTH_BIT;
+    expectRefused(wrong, "SceneCopy.aspect");
     wrong = right;
     wrong.extent = {8, 0};
     expectRefused(wrong, "SceneCopy.extent");
