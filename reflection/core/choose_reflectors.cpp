@@ -40,7 +40,7 @@ Status refuseUnusable(Reflector* const* reflectors, uint32_t count, const ViewDe
 } // namespace
 
 uint64_t Reflector::urgency(const ViewGeometry& geometry, uint32_t viewIndex) const {
-    if (desc.technique == ReflectionTechnique::sky) return 0;
+    if (!technique().record) return 0;
     const glm::ivec4 shown = pixelsThatMayShow(bounds, geometry);
     if (isEmpty(shown)) return 0;
     const uint64_t pixels =

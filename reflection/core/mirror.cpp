@@ -1,5 +1,7 @@
 #include "reflection/core/mirror.h"
 
+#include "reflection/core/technique.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -127,7 +129,7 @@ MirrorBlock mirrorBlock(const ViewGeometry& view, const glm::dvec4& worldPlane, 
     out.depthStep = static_cast<float>(view.depthStep);
     out.undersideLight = desc.undersideLight;
     out.overhangSamples = desc.overhangSamples;
-    out.followed = desc.technique == ReflectionTechnique::hybrid ? 1 : 0;
+    out.followed = techniqueOf(desc.technique).followsRays ? 1 : 0;
     return out;
 }
 

@@ -13,7 +13,8 @@ struct ReflectPass {
     const ViewDesc& view;
     const ViewGeometry& geometry;
     const ReflectionDesc& desc;
-    gpu::Slice mirror; ///< MirrorBlock
+    gpu::Slice mirror;       ///< MirrorBlock
+    const glm::dvec4& plane; ///< in the world, unit normal
 
     /// Of the view's region [pixel].
     VkExtent2D extent() const { return extentOf(geometry); }

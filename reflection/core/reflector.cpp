@@ -4,19 +4,16 @@
 #include "reflection/core/encoding.h"
 #include "reflection/core/mirror.h"
 #include "reflection/core/scene_formats.h"
+#include "reflection/planar/planar.h"
 #include "seaglass/fields/reflection.h"
 
 namespace seaglass {
 
 namespace {
 
-bool scatters(ReflectionTechnique technique) {
-    return technique == ReflectionTechnique::sspr || technique == ReflectionTechnique::hybrid;
-}
-
 /// What is drawn by the host needs no guess.
 bool reachesBeyond(const ReflectionDesc& desc) {
-    return desc.edgeReach > 0 && desc.technique != ReflectionTechnique::planar;
+    return desc.edgeReach > 0 && techniqueOf(desc.technique).readsScene;
 }
 
 } // namespace
@@ -25,54 +22,26 @@ Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const
     region = extent;
     downscale = desc.downscale;
     const VkExtent2D scaled = scaledDown(extent, desc.downscale);
-    if (desc.technique == ReflectionTechnique::planar)
-        if (const Status s = planar.create(device, desc.drawn, scaled); s != Status::ok) return s;
-    if (scatters(desc.technique))
-        if (const Status s = sspr.create(device, extent, desc); s != Status::ok) return s;
-    if (desc.technique == ReflectionTechnique::hybrid)
-        if (const Status s = hybrid.create(device, extent, desc); s != Status::ok) return s;
-    if (desc.technique == ReflectionTechnique::ssr)
-        if (const Status s = ssr.create(device, extent, desc); s != Status::ok) return s;
+    if (const Status s = techniqueOf(desc.technique).createScratch(device, extent, desc, scratch);
+        s != Status::ok)
+        return s;
     if (desc.temporal > 0)
         if (const Status s = temporal.create(device, scaled, desc); s != Status::ok) return s;
     return images.create(device, scaled, desc.blurLevels, drawnInPlace(desc) && desc.temporal == 0);
-}
-
-const gpu::Buffer& ReflectedView::tiles(ReflectionTechnique technique) const {
-    if (technique == ReflectionTechnique::planar) return temporal.tiles;
-    return scatters(technique) ? sspr.tiles : ssr.tiles;
 }
 
 Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& given, VkExtent2D extent,
                     const SceneSamples& samples) {
     const ReflectionDesc desc = sizedFor(given, extent);
     Estimate estimate;
-    if (desc.technique == ReflectionTechnique::sky) return estimate;
+    const Technique& technique = techniqueOf(desc.technique);
+    if (!technique.record) return estimate;
     const VkExtent2D scaled = scaledDown(extent, desc.downscale);
-    const bool drawn = desc.technique == ReflectionTechnique::planar;
     estimate.bytesPerView =
-        OwnedReflection::bytes(device, scaled, desc.blurLevels, drawnInPlace(desc) && desc.temporal == 0);
-    if (scatters(desc.technique)) estimate.bytesPerView += SsprScratch::bytes(device, extent, desc);
-    switch (desc.technique) {
-    case ReflectionTechnique::sky:
-        break;
-    case ReflectionTechnique::sspr:
-        estimate.dispatchesPerView = ssprDispatches + unseenTilesDispatches(device);
-        break;
-    case ReflectionTechnique::ssr:
-        estimate.bytesPerView += SsrScratch::bytes(device, extent, desc);
-        estimate.dispatchesPerView = ssrDispatches + unseenTilesDispatches(device);
-        break;
-    case ReflectionTechnique::hybrid:
-        estimate.bytesPerView += HybridScratch::bytes(device, extent, desc);
-        estimate.dispatchesPerView = hybridDispatches(desc) + unseenTilesDispatches(device);
-        break;
-    case ReflectionTechnique::planar:
-        estimate.bytesPerView += PlanarScratch::bytes(device, desc.drawn, scaled);
-        estimate.dispatchesPerView = planarDispatches;
-        break;
-    }
-    if (!drawn) {
+        OwnedReflection::bytes(device, scaled, desc.blurLevels, drawnInPlace(desc) && desc.temporal == 0) +
+        technique.bytes(device, extent, desc);
+    estimate.dispatchesPerView = technique.dispatches(device, desc);
+    if (technique.readsScene) {
         estimate.bytesPerSharedView = SingleSampledScene::bytes(device, extent, samples);
         estimate.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
     }
@@ -109,9 +78,8 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
     if (const char* bad = readBounds(description.boundsLow, description.boundsHigh, bounds))
         return owner.device.fail(Status::invalidArgument, "ReflectorDesc: %s", bad);
     if (const Status s = check(owner.device, desc); s != Status::ok) return s;
-    if (scatters(desc.technique))
-        if (const Status s = sspr.create(owner, desc); s != Status::ok) return s;
-    if (desc.technique == ReflectionTechnique::sky) return Status::ok;
+    if (!technique().record) return Status::ok;
+    if (const Status s = technique().createKernels(owner, desc, kernels); s != Status::ok) return s;
     if (desc.blurLevels > 0)
         if (const Status s = owner.share(blur); s != Status::ok) return s;
     if (desc.edgeStretch > 0)
@@ -120,9 +88,6 @@ Status Reflector::create(Context& owner, const ReflectorDesc& description) {
         if (const Status s = owner.share(edgeReach); s != Status::ok) return s;
     if (desc.temporal > 0)
         if (const Status s = owner.share(temporal); s != Status::ok) return s;
-    if (desc.technique == ReflectionTechnique::ssr) return ssr.create(owner, desc);
-    if (desc.technique == ReflectionTechnique::hybrid) return hybrid.create(owner, desc);
-    if (desc.technique == ReflectionTechnique::planar) return sharePlanar(owner, desc.drawn, planar);
     return Status::ok;
 }
 
@@ -149,36 +114,16 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
     if (!out.visible) return Status::ok;
     if (const Status s = prepare(reflected, extentOf(geometry)); s != Status::ok) return s;
     const MirroredCamera camera = mirroredCamera(view, geometry, plane);
-    out = describe(camera, view, geometry, reflected.downscale, reflected.planar, reflected.found(desc));
-    reflected.planar.handedOut = true;
+    PlanarScratch& planar = reflected.scratchOf<PlanarScratch>();
+    out = describe(camera, view, geometry, reflected.downscale, planar, reflected.found(desc));
+    planar.handedOut = true;
     reflected.reflected = false;
     return Status::ok;
 }
 
-Status Reflector::recordTechnique(const ReflectPass& pass, ReflectedView& view,
-                                  const OwnedReflection& images) {
-    switch (desc.technique) {
-    case ReflectionTechnique::sky:
-        break;
-    case ReflectionTechnique::sspr:
-        return recordSspr(pass, sspr, view.sspr, images);
-    case ReflectionTechnique::ssr:
-        view.bent = pass.view.surfaceNormals != nullptr;
-        return recordSsr(pass, ssr, view.ssr, images);
-    case ReflectionTechnique::hybrid:
-        return recordHybrid(pass, sspr, hybrid, view.sspr, view.hybrid, images);
-    case ReflectionTechnique::planar:
-        view.planar.handedOut = false;
-        return recordPlanar(pass, *planar, view.planar, plane, images);
-    }
-    return Status::ok;
-}
-
 Status Reflector::recordReuse(const ReflectPass& pass, ReflectedView& view) {
-    const gpu::Buffer& tiles = view.tiles(desc.technique);
-    // What the host draws may be looked up anywhere.
-    if (desc.technique == ReflectionTechnique::planar)
-        recordAllSeen(pass.context.device, pass.commands, tiles);
+    const gpu::Buffer& tiles = view.tiles(technique());
+    if (!technique().tiles) recordAllSeen(pass.context.device, pass.commands, tiles);
     return recordTemporal(pass, *temporal, plane, tiles, view.temporal, view.images);
 }
 
@@ -192,8 +137,8 @@ Status Reflector::uploadMirror(const ViewDesc& view, const ViewGeometry& geometr
 
 Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     const ViewDesc& view = scene.given;
-    if (desc.technique == ReflectionTechnique::sky) return Status::ok;
-    const bool drawn = desc.technique == ReflectionTechnique::planar;
+    if (!technique().record) return Status::ok;
+    const bool drawn = !technique().readsScene;
     ViewGeometry geometry;
     if (const char* bad = drawn ? readCamera(view, geometry) : readView(view, geometry))
         return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
@@ -205,20 +150,23 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
         return Status::ok;
     }
     const VkExtent2D extent = extentOf(geometry);
-    if (drawn && !(reflected.planar.handedOut && reflected.isOf(extent)))
+    if (drawn && !(reflected.isOf(extent) && reflected.scratchOf<PlanarScratch>().handedOut))
         return context->device.misused("reflect: planarView() was not called for this view before");
     if (const Status s = prepare(reflected, extent); s != Status::ok) return s;
 
     gpu::Slice slice;
     if (const Status s = uploadMirror(view, geometry, shown, slice); s != Status::ok) return s;
     const ReflectionDesc sized = sizedFor(desc, extent);
-    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice};
+    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice, plane};
     if (!drawn)
         if (const Status s = takeSamples(pass, singleSamples, scene); s != Status::ok) return s;
     const OwnedReflection& found = reflected.found(desc);
-    if (const Status s = recordTechnique(pass, reflected, found); s != Status::ok) return s;
+    reflected.bent = technique().followsNormals && view.surfaceNormals;
+    if (const Status s = technique().record(pass, kernels.get(), reflected.scratch.get(), found);
+        s != Status::ok)
+        return s;
     if (edgeReach && !view.surfaceNormals)
-        if (const Status s = recordEdgeReach(pass, *edgeReach, reflected.tiles(desc.technique), found);
+        if (const Status s = recordEdgeReach(pass, *edgeReach, reflected.tiles(technique()), found);
             s != Status::ok)
             return s;
     if (stretch)
@@ -252,7 +200,7 @@ Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
         return s;
     SceneOfCall scene(view);
     const ReflectionDesc sized = sizedFor(desc, extentOf(geometry));
-    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice};
+    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice, plane};
     if (const Status s = takeSamples(pass, singleSamples, scene); s != Status::ok) return s;
     return recordOverlay(pass, *overlay, images(view.viewIndex), overlayDesc);
 }

@@ -15,20 +15,15 @@
 #include "reflection/core/bounds.h"
 #include "reflection/core/limits.h"
 #include "reflection/core/single_sample.h"
+#include "reflection/core/technique.h"
 #include "reflection/debug/overlay.h"
-#include "reflection/march/hybrid.h"
-#include "reflection/march/ssr.h"
-#include "reflection/planar/planar.h"
 
 namespace seaglass {
 
 /// What a reflector keeps for one view.
 struct ReflectedView {
     OwnedReflection images;
-    SsprScratch sspr; ///< empty with techniques that do not scatter
-    SsrScratch ssr;
-    HybridScratch hybrid;
-    PlanarScratch planar;
+    std::shared_ptr<void> scratch; ///< the technique's
     TemporalScratch temporal;      ///< empty without temporal reuse
     bool reflected = false;        ///< the images hold what reflect() has left
     bool bent = false;             ///< by the view's own normals
@@ -41,7 +36,13 @@ struct ReflectedView {
     /// What techniques write.
     OwnedReflection& found(const ReflectionDesc& desc) { return desc.temporal > 0 ? temporal.found : images; }
     /// Whose flags say where the technique's images are looked up.
-    const gpu::Buffer& tiles(ReflectionTechnique technique) const;
+    const gpu::Buffer& tiles(const Technique& technique) const {
+        return technique.tiles ? technique.tiles(scratch.get()) : temporal.tiles;
+    }
+    template<typename Scratch>
+    Scratch& scratchOf() const {
+        return *static_cast<Scratch*>(scratch.get());
+    }
 };
 
 /// Of a reflector with a usable description.
@@ -58,10 +59,7 @@ struct Reflector : Held {
     glm::dvec4 plane{0}; ///< world, unit normal
     Bounds bounds;
     ReflectionDesc desc;
-    SsprKernels sspr;                             ///< empty with techniques that do not scatter
-    SsrKernels ssr;                               ///< empty with every other technique
-    HybridKernels hybrid;                         ///< empty with every other technique
-    std::shared_ptr<PlanarKernel> planar;         ///< null with every other technique
+    std::shared_ptr<void> kernels;                ///< the technique's
     std::shared_ptr<EdgeReachKernel> edgeReach;   ///< null without edge reach
     std::shared_ptr<StretchKernel> stretch;       ///< null without edge stretch
     std::shared_ptr<BlurKernel> blur;             ///< null without blur
@@ -75,6 +73,7 @@ struct Reflector : Held {
     Status record(VkCommandBuffer commands, SceneOfCall& scene);
     Status drawOverlay(VkCommandBuffer commands, const ViewDesc& view, const OverlayDesc& overlayDesc);
     ReflectionImages images(uint32_t viewIndex) const;
+    const Technique& technique() const { return techniqueOf(desc.technique); }
     /// How soon it is to be renewed for a view; 0: never.
     uint64_t urgency(const ViewGeometry& geometry, uint32_t viewIndex) const;
 
@@ -83,7 +82,6 @@ struct Reflector : Held {
     Status prepare(ReflectedView& view, VkExtent2D extent);
     Status uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
                         gpu::Slice& out);
-    Status recordTechnique(const ReflectPass& pass, ReflectedView& view, const OwnedReflection& images);
     /// Of what the technique found and the view's last frame.
     Status recordReuse(const ReflectPass& pass, ReflectedView& view);
 };

@@ -1,41 +1,73 @@
-#include "reflection/march/hybrid.h"
+// SSPR first, and a ray only where it knows nothing.
+#include "reflection/core/technique.h"
+#include "reflection/march/cells.h"
+#include "reflection/march/march.h"
+#include "reflection/march/open_tiles.h"
+#include "reflection/sspr/sspr.h"
+#include "reflection/sspr/unseen_tiles.h"
 
 namespace seaglass {
 
-Status HybridKernels::create(Context& context, const ReflectionDesc& desc) {
-    if (desc.marchCells)
-        if (const Status s = context.share(cells); s != Status::ok) return s;
-    if (const Status s = context.share(openTiles); s != Status::ok) return s;
-    return shareMarch(context, desc.marchCells, true, march);
-}
+namespace {
 
-VkDeviceSize HybridScratch::bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
-    return (desc.marchCells ? heldByCells(device, extent) : 0) +
-           heldByTiles(device, scaledDown(extent, desc.downscale));
-}
+struct HybridKernels : SsprKernels {
+    std::shared_ptr<CellsKernel> cells; ///< null without ReflectionDesc::marchCells
+    std::shared_ptr<OpenTilesKernel> openTiles;
+    std::shared_ptr<MarchKernel> march;
 
-Status HybridScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
-    if (desc.marchCells)
-        if (const Status s = createCells(device, extent, "hybrid's cells", cells); s != Status::ok) return s;
-    return createTiles(device, scaledDown(extent, desc.downscale), "hybrid's open tiles", open);
-}
+    Status create(Context& context, const ReflectionDesc& desc) {
+        if (const Status s = SsprKernels::create(context, desc); s != Status::ok) return s;
+        if (desc.marchCells)
+            if (const Status s = context.share(cells); s != Status::ok) return s;
+        if (const Status s = context.share(openTiles); s != Status::ok) return s;
+        return shareMarch(context, desc.marchCells, true, march);
+    }
+};
 
-uint32_t hybridDispatches(const ReflectionDesc& desc) {
-    return ssprDispatches + (desc.marchCells ? cellsDispatches : 0) + 1 + marchDispatches;
-}
+struct HybridScratch : SsprScratch {
+    gpu::Buffer cells; ///< empty without ReflectionDesc::marchCells
+    gpu::Buffer open;
 
-Status recordHybrid(const ReflectPass& pass, const SsprKernels& sspr, const HybridKernels& hybrid,
-                    const SsprScratch& ssprScratch, const HybridScratch& scratch,
-                    const OwnedReflection& images) {
-    if (const Status s = recordSspr(pass, sspr, ssprScratch, images); s != Status::ok) return s;
-    if (const Status s = recordOpenTiles(pass, *hybrid.openTiles, ssprScratch.tiles, images, scratch.open);
+    Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+        if (const Status s = SsprScratch::create(device, extent, desc); s != Status::ok) return s;
+        if (desc.marchCells)
+            if (const Status s = createCells(device, extent, "hybrid's cells", cells); s != Status::ok)
+                return s;
+        return createTiles(device, scaledDown(extent, desc.downscale), "hybrid's open tiles", open);
+    }
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+        return SsprScratch::bytes(device, extent, desc) +
+               (desc.marchCells ? heldByCells(device, extent) : 0) +
+               heldByTiles(device, scaledDown(extent, desc.downscale));
+    }
+};
+
+Status record(const ReflectPass& pass, HybridKernels& kernels, HybridScratch& scratch,
+              const OwnedReflection& images) {
+    if (const Status s = recordSspr(pass, kernels, scratch, images); s != Status::ok) return s;
+    if (const Status s = recordOpenTiles(pass, *kernels.openTiles, scratch.tiles, images, scratch.open);
         s != Status::ok)
         return s;
-    if (!pass.desc.marchCells) return recordMarch(pass, *hybrid.march, scratch.open, nullptr, images);
+    if (!pass.desc.marchCells) return recordMarch(pass, *kernels.march, scratch.open, nullptr, images);
     // Its flags go where nobody reads them any more.
-    if (const Status s = recordCells(pass, *hybrid.cells, scratch.cells, scratch.open); s != Status::ok)
+    if (const Status s = recordCells(pass, *kernels.cells, scratch.cells, scratch.open); s != Status::ok)
         return s;
-    return recordMarch(pass, *hybrid.march, scratch.open, &scratch.cells, images);
+    return recordMarch(pass, *kernels.march, scratch.open, &scratch.cells, images);
+}
+
+} // namespace
+
+Technique hybridTechnique() {
+    Technique technique = techniqueFrom<HybridKernels, HybridScratch, record>();
+    technique.followsRays = true;
+    technique.dispatches = [](const gpu::Device& device, const ReflectionDesc& desc) {
+        return ssprDispatches + (desc.marchCells ? cellsDispatches : 0) + 1 + marchDispatches +
+               unseenTilesDispatches(device);
+    };
+    technique.tiles = [](const void* scratch) -> const gpu::Buffer& {
+        return static_cast<const HybridScratch*>(scratch)->tiles;
+    };
+    return technique;
 }
 
 } // namespace seaglass

@@ -1,5 +1,7 @@
 #include "reflection/march/ssr.h"
 
+#include "reflection/core/technique.h"
+
 namespace seaglass {
 
 Status SsrKernels::create(Context& context, const ReflectionDesc& desc) {
@@ -18,8 +20,10 @@ Status SsrScratch::create(const gpu::Device& device, VkExtent2D extent, const Re
     return createTiles(device, scaledDown(extent, desc.downscale), "SSR tiles", tiles);
 }
 
-Status recordSsr(const ReflectPass& pass, const SsrKernels& kernels, const SsrScratch& scratch,
-                 const OwnedReflection& images) {
+namespace {
+
+Status record(const ReflectPass& pass, SsrKernels& kernels, SsrScratch& scratch,
+              const OwnedReflection& images) {
     const gpu::Device& device = pass.context.device;
     recordBuffersCleared(device, pass.commands, {scratch.tiles.handle()});
     if (const Status s = recordCells(pass, *kernels.cells, scratch.cells, scratch.tiles); s != Status::ok)
@@ -31,6 +35,20 @@ Status recordSsr(const ReflectPass& pass, const SsrKernels& kernels, const SsrSc
     images.recordInfoSampled(device, pass.commands);
     return recordMarch(pass, *kernels.march, scratch.tiles, pass.desc.marchCells ? &scratch.cells : nullptr,
                        images);
+}
+
+} // namespace
+
+Technique ssrTechnique() {
+    Technique technique = techniqueFrom<SsrKernels, SsrScratch, record>();
+    technique.followsNormals = true;
+    technique.dispatches = [](const gpu::Device& device, const ReflectionDesc&) {
+        return cellsDispatches + 1 + marchDispatches + unseenTilesDispatches(device);
+    };
+    technique.tiles = [](const void* scratch) -> const gpu::Buffer& {
+        return static_cast<const SsrScratch*>(scratch)->tiles;
+    };
+    return technique;
 }
 
 } // namespace seaglass

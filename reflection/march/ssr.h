@@ -25,11 +25,4 @@ struct SsrScratch {
     static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
 };
 
-/// Besides those of tiles that are not looked up.
-constexpr uint32_t ssrDispatches = cellsDispatches + 1 + marchDispatches;
-
-/// Writes mip 0 of `images.color`, left as gpu::storageWritten says, and `images.info`, left to be sampled.
-Status recordSsr(const ReflectPass& pass, const SsrKernels& kernels, const SsrScratch& scratch,
-                 const OwnedReflection& images);
-
 } // namespace seaglass

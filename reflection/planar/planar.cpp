@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "reflection/core/mirror.h"
+#include "reflection/core/technique.h"
 #include "reflection/planar/oblique.h"
 #include "shaders/shared/planar_block.h"
 #include "shaders/shared/reflection_bindings.h"
@@ -67,32 +68,34 @@ Status shareForm(Context& context, std::shared_ptr<PlanarKernel>& out) {
 
 } // namespace
 
-Status sharePlanar(Context& context, const DrawnDesc& drawn, std::shared_ptr<PlanarKernel>& out) {
-    switch (planarForm(drawn)) {
+Status PlanarKernels::create(Context& context, const ReflectionDesc& desc) {
+    switch (planarForm(desc.drawn)) {
     case PlanarForm::inPlace:
         break;
     case PlanarForm::apart:
-        return shareForm<PlanarForm::apart>(context, out);
+        return shareForm<PlanarForm::apart>(context, planar);
     case PlanarForm::resolved:
-        return shareForm<PlanarForm::resolved>(context, out);
+        return shareForm<PlanarForm::resolved>(context, planar);
     case PlanarForm::multisampled:
-        return shareForm<PlanarForm::multisampled>(context, out);
+        return shareForm<PlanarForm::multisampled>(context, planar);
     }
-    return shareForm<PlanarForm::inPlace>(context, out);
+    return shareForm<PlanarForm::inPlace>(context, planar);
 }
 
-Status PlanarScratch::create(const gpu::Device& device, const DrawnDesc& drawn, VkExtent2D extent) {
-    if (planarForm(drawn) != PlanarForm::inPlace)
-        if (const Status s = color.create(device, drawnColorDesc(drawn, extent), "mirrored colour");
+Status PlanarScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    const VkExtent2D scaled = scaledDown(extent, desc.downscale);
+    if (planarForm(desc.drawn) != PlanarForm::inPlace)
+        if (const Status s = color.create(device, drawnColorDesc(desc.drawn, scaled), "mirrored colour");
             s != Status::ok)
             return s;
-    return depth.create(device, drawnDepthDesc(drawn, extent), "mirrored depth");
+    return depth.create(device, drawnDepthDesc(desc.drawn, scaled), "mirrored depth");
 }
 
-VkDeviceSize PlanarScratch::bytes(const gpu::Device& device, const DrawnDesc& drawn, VkExtent2D extent) {
-    const bool apart = planarForm(drawn) != PlanarForm::inPlace;
-    return gpu::heldBytes(device, drawnDepthDesc(drawn, extent)) +
-           (apart ? gpu::heldBytes(device, drawnColorDesc(drawn, extent)) : 0);
+VkDeviceSize PlanarScratch::bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
+    const VkExtent2D scaled = scaledDown(extent, desc.downscale);
+    const bool apart = planarForm(desc.drawn) != PlanarForm::inPlace;
+    return gpu::heldBytes(device, drawnDepthDesc(desc.drawn, scaled)) +
+           (apart ? gpu::heldBytes(device, drawnColorDesc(desc.drawn, scaled)) : 0);
 }
 
 MirroredCamera mirroredCamera(const ViewDesc& view, const ViewGeometry& geometry,
@@ -135,10 +138,14 @@ PlanarView describe(const MirroredCamera& camera, const ViewDesc& view, const Vi
     return out;
 }
 
-Status recordPlanar(const ReflectPass& pass, PlanarKernel& planar, const PlanarScratch& scratch,
-                    const glm::dvec4& worldPlane, const OwnedReflection& images) {
+namespace {
+
+/// Takes mip 0 of `images.color` and the depth from attachments, as the host has left them.
+Status record(const ReflectPass& pass, PlanarKernels& kernels, PlanarScratch& scratch,
+              const OwnedReflection& images) {
+    scratch.handedOut = false;
     Context& context = pass.context;
-    const MirroredCamera camera = mirroredCamera(pass.view, pass.geometry, worldPlane);
+    const MirroredCamera camera = mirroredCamera(pass.view, pass.geometry, pass.plane);
     const PlanarBlock block{
         glm::vec4(camera.heightRow), glm::vec4(camera.weightRow), scratch.depth.desc().samples, 0, 0, 0};
     gpu::Slice slice;
@@ -156,7 +163,7 @@ Status recordPlanar(const ReflectPass& pass, PlanarKernel& planar, const PlanarS
     Image drawn = pass.view.sceneColor;
     if (scratch.color.handle() && appliesSrgb(scratch.color.desc().format)) drawn.encoding = Encoding::linear;
     const gpu::Kernel* kernel = nullptr;
-    if (const Status s = planar.kernel.of(context, drawn, kernel); s != Status::ok) return s;
+    if (const Status s = kernels.planar->kernel.of(context, drawn, kernel); s != Status::ok) return s;
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel->layout(), resources, set); s != Status::ok)
         return s;
@@ -167,6 +174,15 @@ Status recordPlanar(const ReflectPass& pass, PlanarKernel& planar, const PlanarS
     kernel->dispatchOver(commands, set, images.color.desc().extent);
     images.recordInfoSampled(context.device, commands);
     return Status::ok;
+}
+
+} // namespace
+
+Technique planarTechnique() {
+    Technique technique = techniqueFrom<PlanarKernels, PlanarScratch, record>();
+    technique.readsScene = false;
+    technique.dispatches = [](const gpu::Device&, const ReflectionDesc&) { return 1u; };
+    return technique;
 }
 
 } // namespace seaglass

@@ -30,21 +30,22 @@ template<PlanarForm form>
 struct PlanarKernelOf : PlanarKernel {
     Status create(Context& context);
 };
-Status sharePlanar(Context& context, const DrawnDesc& drawn, std::shared_ptr<PlanarKernel>& out);
+struct PlanarKernels {
+    std::shared_ptr<PlanarKernel> planar;
+    Status create(Context& context, const ReflectionDesc& desc);
+};
 
 /// What planar reflection needs for one view besides its images.
 struct PlanarScratch {
     gpu::OwnedImage color; ///< empty where the host draws in place
     gpu::OwnedImage depth;
     bool handedOut = false; ///< the host was told what to draw since the last reflect()
-    Status create(const gpu::Device& device, const DrawnDesc& drawn, VkExtent2D extent);
-    static VkDeviceSize bytes(const gpu::Device& device, const DrawnDesc& drawn, VkExtent2D extent);
+    Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
     const gpu::OwnedImage& drawnColor(const OwnedReflection& images) const {
         return color.handle() ? color : images.color;
     }
 };
-
-constexpr uint32_t planarDispatches = 1;
 
 /// The camera behind the mirror. Its view is the host's view times the Householder reflection, so a mirrored
 /// point lands on the pixel where the plane shows it.
@@ -62,10 +63,5 @@ MirroredCamera mirroredCamera(const ViewDesc& view, const ViewGeometry& geometry
 
 PlanarView describe(const MirroredCamera& camera, const ViewDesc& view, const ViewGeometry& geometry,
                     uint32_t downscale, const PlanarScratch& scratch, const OwnedReflection& images);
-
-/// Takes mip 0 of `images.color` and the depth from attachments, as the host has left them. Leaves the images
-/// as recordSspr() does.
-Status recordPlanar(const ReflectPass& pass, PlanarKernel& planar, const PlanarScratch& scratch,
-                    const glm::dvec4& worldPlane, const OwnedReflection& images);
 
 } // namespace seaglass

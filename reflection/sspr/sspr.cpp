@@ -1,6 +1,8 @@
 #include "reflection/sspr/sspr.h"
 
 #include "reflection/core/mirror.h"
+#include "reflection/core/technique.h"
+#include "reflection/sspr/unseen_tiles.h"
 
 namespace seaglass {
 
@@ -65,13 +67,24 @@ Status SsprScratch::create(const gpu::Device& device, VkExtent2D extent, const R
     return createTiles(device, scaledDown(extent, desc.downscale), "SSPR tiles", tiles);
 }
 
-Status recordSspr(const ReflectPass& pass, const SsprKernels& kernels, const SsprScratch& scratch,
+Status recordSspr(const ReflectPass& pass, SsprKernels& kernels, SsprScratch& scratch,
                   const OwnedReflection& images) {
     const ScatterKernel& scatter = keyScale(pass.desc) > 1 ? *kernels.coarseScatter : *kernels.scatter;
     if (const Status s = recordScatter(pass, scatter, scratch.keys, scratch.tiles); s != Status::ok) return s;
     if (const Status s = recordTiles(pass, *kernels.tiles, scratch.keys, scratch.tiles); s != Status::ok)
         return s;
     return recordResolve(pass, *kernels.resolve, scratch.keys, scratch.tiles, images);
+}
+
+Technique ssprTechnique() {
+    Technique technique = techniqueFrom<SsprKernels, SsprScratch, recordSspr>();
+    technique.dispatches = [](const gpu::Device& device, const ReflectionDesc&) {
+        return ssprDispatches + unseenTilesDispatches(device);
+    };
+    technique.tiles = [](const void* scratch) -> const gpu::Buffer& {
+        return static_cast<const SsprScratch*>(scratch)->tiles;
+    };
+    return technique;
 }
 
 } // namespace seaglass

@@ -28,7 +28,7 @@ struct SsprScratch {
 constexpr uint32_t ssprDispatches = 4;
 
 /// Writes mip 0 of `images.color`, left as gpu::storageWritten says, and `images.info`, left to be sampled.
-Status recordSspr(const ReflectPass& pass, const SsprKernels& kernels, const SsprScratch& scratch,
+Status recordSspr(const ReflectPass& pass, SsprKernels& kernels, SsprScratch& scratch,
                   const OwnedReflection& images);
 
 } // namespace seaglass

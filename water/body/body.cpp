@@ -146,7 +146,7 @@ Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
             context->frame().upload(mirrorBlock(geometry, plane, desc, {0, 0, geometry.regionSize}), mirror);
         s != Status::ok)
         return s;
-    return takeSamples({*context, commands, scene.read, geometry, desc, mirror}, singleSamples, scene);
+    return takeSamples({*context, commands, scene.read, geometry, desc, mirror, plane}, singleSamples, scene);
 }
 
 Status Body::bedView(const ViewDesc& view, PlanarView& out) {

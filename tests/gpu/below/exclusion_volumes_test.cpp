@@ -3,6 +3,7 @@
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/host/spy.h"
+#include "tests/gpu/rig/surface_constant.h"
 #include "tests/gpu/rig/water_rig.h"
 
 namespace {
@@ -127,13 +128,13 @@ TEST_F(ExclusionVolumes, HaveNoCaustics) {
 }
 
 TEST_F(ExclusionVolumes, CostNothingWhereThereAreNone) {
-    constexpr size_t hasExclusionVolumes = 5; // shaders/water/surface/surface.frag
     Body* const body = makeBody(desc_);
     const auto constant = [&] {
         spiedCalls().clear();
         picture({body}, camera_);
         for (const SpiedCall& call : spiedCalls())
-            if (call.name == "CreateGraphicsPipelines") return call.constants.at(hasExclusionVolumes);
+            if (call.name == "CreateGraphicsPipelines")
+                return call.constants.at(surfaceConstant("exclusionVolumes"));
         return ~0u;
     };
     EXPECT_EQ(constant(), 0u);

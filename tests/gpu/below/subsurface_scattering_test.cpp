@@ -3,6 +3,7 @@
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/host/spy.h"
+#include "tests/gpu/rig/surface_constant.h"
 #include "tests/gpu/rig/water_rig.h"
 
 namespace {
@@ -94,12 +95,12 @@ TEST_F(SubsurfaceScattering, GrowsWithWhatScattersIt) {
 }
 
 TEST_F(SubsurfaceScattering, CostsNothingWhereItIsNotAskedFor) {
-    constexpr size_t hasSubsurfaceScattering = 4; // shaders/water/surface/surface.frag
     const auto constantOf = [&](Body* body) {
         spiedCalls().clear();
         picture({body}, camera_, 5);
         for (const SpiedCall& call : spiedCalls())
-            if (call.name == "CreateGraphicsPipelines") return call.constants.at(hasSubsurfaceScattering);
+            if (call.name == "CreateGraphicsPipelines")
+                return call.constants.at(surfaceConstant("hasSubsurfaceScattering"));
         return ~0u;
     };
     EXPECT_EQ(constantOf(scattering(0)), 0u);

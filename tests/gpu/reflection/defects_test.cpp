@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "measure/picture_error.h"
+#include "reflection/sspr/sspr.h"
 #include "spirv/miss_no_w_at_far_ends.comp.h"
 #include "spirv/resolve_far_keys.comp.h"
 #include "spirv/resolve_no_half_texel.comp.h"
@@ -113,7 +114,7 @@ class Defects : public WaterTest {
         measured();
         const std::vector<MirroredDepth> expected = mirroredDepths(camera_, traced_);
         const std::vector<uint32_t> keys =
-            downloadWords(body_->reflector->views[0].sspr.keys.handle(), expected.size());
+            downloadWords(body_->reflector->views[0].scratchOf<SsprScratch>().keys.handle(), expected.size());
         size_t wrong = 0;
         for (size_t i = 0; i < keys.size(); ++i)
             wrong += expected[i].differsFrom(std::bit_cast<float>(keys[i]));
@@ -124,7 +125,7 @@ class Defects : public WaterTest {
     void replaceShaders(std::span<const uint32_t> scatter, std::span<const uint32_t> resolve,
                         std::span<const uint32_t> miss = {}) {
         Context& context = *body_->context;
-        SsprKernels& kernels = body_->reflector->sspr;
+        SsprKernels& kernels = *static_cast<SsprKernels*>(body_->reflector->kernels.get());
         kernels.scatter = std::make_shared<ScatterKernel>();
         kernels.resolve = std::make_shared<ResolveKernel>();
         ASSERT_EQ(kernels.resolve->create(context), Status::ok) << message();

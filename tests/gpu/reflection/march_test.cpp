@@ -448,7 +448,6 @@ TEST_F(Ssr, HoldsNothingOfOtherTechniques) {
     const ReflectorDesc desc = with(ReflectionTechnique::ssr);
     ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
     EXPECT_EQ(countSpied("CreateComputePipelines"), 4 + onGpus(1)); // its own and the blur's
-    EXPECT_EQ(reflector->sspr.scatter, nullptr);
     destroyReflector(reflector);
     frame([](VkCommandBuffer) {});
     frame([](VkCommandBuffer) {});
@@ -456,8 +455,7 @@ TEST_F(Ssr, HoldsNothingOfOtherTechniques) {
     spiedCalls().clear();
     const ReflectorDesc other;
     ASSERT_EQ(createReflector(context(), &other, &reflector), Status::ok) << message();
-    EXPECT_EQ(reflector->ssr.march, nullptr);
-    EXPECT_EQ(reflector->hybrid.march, nullptr);
+    EXPECT_EQ(countSpied("CreateComputePipelines"), 5 + onGpus(1)); // none to march
     destroyReflector(reflector);
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "reflection/core/reflector.h"
+#include "reflection/sspr/sspr.h"
 #include "seaglass/reflection.h"
 #include "tests/gpu/host/spy.h"
 #include "tests/gpu/rig/mirrored_depths.h"
@@ -108,7 +109,7 @@ TEST_F(Sspr, KeysAreTheNearestMirroredDepths) {
         EXPECT_EQ(reflect(commands, &reflector, 1, &view), Status::ok) << message();
     });
     const std::vector<uint32_t> keys =
-        downloadWords(reflector->views[0].sspr.keys.handle(), traced.depth.size());
+        downloadWords(reflector->views[0].scratchOf<SsprScratch>().keys.handle(), traced.depth.size());
 
     const std::vector<MirroredDepth> expected = mirroredDepths(camera, traced);
     size_t filled = 0, wrong = 0;

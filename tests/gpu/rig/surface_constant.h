@@ -1,0 +1,17 @@
+// The number of one of the surface's specialisation constants, by its name.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace tests {
+
+constexpr size_t surfaceConstant(std::string_view wanted) {
+#define CONSTANT(number, type, name, usual)                                                                  \
+    if (wanted == #name) return number;
+#include "shaders/shared/surface_constants.h"
+#undef CONSTANT
+    return ~size_t{0};
+}
+
+} // namespace tests
