@@ -109,7 +109,7 @@ Status Frame::allocate(VkDeviceSize size, Slice& out) {
         blockOffset_ = 0;
     }
     const Buffer& block = blocks_[blockInUse_];
-    out = {block.handle(), blockOffset_, static_cast<char*>(block.mapped()) + blockOffset_};
+    out = {block.handle(), blockOffset_, size, static_cast<char*>(block.mapped()) + blockOffset_};
     blockOffset_ = alignUp(blockOffset_ + size, alignment);
     return Status::ok;
 }

@@ -15,8 +15,16 @@ namespace seaglass::gpu {
 struct Slice {
     VkBuffer buffer = VK_NULL_HANDLE;
     VkDeviceSize offset = 0;
+    VkDeviceSize size = 0;
     void* data = nullptr;
 };
+
+inline Resource uniformBuffer(const Slice& slice) {
+    return uniformBuffer(slice.buffer, slice.offset, slice.size);
+}
+inline Resource storageBuffer(const Slice& slice) {
+    return storageBuffer(slice.buffer, slice.offset, slice.size);
+}
 
 class Frame {
   public:

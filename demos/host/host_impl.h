@@ -1,8 +1,8 @@
 // What a Host is made of.
 #pragma once
 
-#include "host/vulkan/frame_recorder.h"
 #include "host/host.h"
+#include "host/vulkan/frame_recorder.h"
 
 namespace demos {
 

@@ -106,8 +106,7 @@ Status recordHalvings(Context& context, VkCommandBuffer commands, const Kernel& 
     Slice slice;
     if (const Status s = context.frame().upload(MipChainBlock{last - base, 0, 0, 0}, slice); s != Status::ok)
         return s;
-    std::vector<Bound> resources = {
-        {mipChainBinding, uniformBuffer(slice.buffer, slice.offset, sizeof(MipChainBlock))}};
+    std::vector<Bound> resources = {{mipChainBinding, uniformBuffer(slice)}};
     uint32_t source = firstSourceBinding;
     for (const OwnedImage* image : images)
         resources.push_back({source++, sampledImage(context.samplers.nearestClamp(), image->mipView(base))});

@@ -25,8 +25,8 @@ Status recordEdgeReach(const ReflectPass& pass, EdgeReachKernel& reach, const gp
     const Image& depth = pass.view.sceneDepth;
     const Image& color = pass.view.sceneColor;
     const gpu::Bound resources[] = {
-        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
-        {settingsBinding, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block)},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
+        {settingsBinding, gpu::uniformBuffer(slice)},
         {sceneDepthBinding, gpu::sampledImage(nearest, depth.view, depth.layout)},
         {sceneColorBinding, gpu::sampledImage(nearest, color.view, color.layout)},
         {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},

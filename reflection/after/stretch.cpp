@@ -41,8 +41,8 @@ Status recordStretch(const ReflectPass& pass, const StretchKernel& stretch, cons
     gpu::Slice slice;
     if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
     const gpu::Bound resources[] = {
-        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
-        {settingsBinding, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block)},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
+        {settingsBinding, gpu::uniformBuffer(slice)},
         {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
         {reflectionInfoBinding, gpu::storageImage(images.info.view())},
     };

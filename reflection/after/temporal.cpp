@@ -93,8 +93,8 @@ Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, c
     // What nobody reads needs something to point at.
     const OwnedReflection& last = known ? scratch.other : found;
     const gpu::Bound resources[] = {
-        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
-        {settingsBinding, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block)},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
+        {settingsBinding, gpu::uniformBuffer(slice)},
         {foundColorBinding, gpu::sampledImage(nearest, found.color.view())},
         {foundInfoBinding, gpu::sampledImage(nearest, found.info.view())},
         {lastColorBinding, gpu::sampledImage(nearest, last.color.view())},

@@ -9,7 +9,7 @@ Status allocateDepthScan(const ReflectPass& pass, const gpu::Kernel& kernel, con
                          const gpu::Buffer& tiles, VkDescriptorSet& out) {
     const Image& depth = pass.view.sceneDepth;
     const gpu::Bound resources[] = {
-        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
         {sceneDepthBinding,
          gpu::sampledImage(pass.context.samplers.nearestClamp(), depth.view, depth.layout)},
         found,

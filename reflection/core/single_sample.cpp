@@ -87,7 +87,7 @@ Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::
     const gpu::Device& device = context.device;
     const VkSampler nearest = context.samplers.nearestClamp();
     std::vector<gpu::Bound> resources = {
-        {mirrorBinding, gpu::uniformBuffer(mirror.buffer, mirror.offset, sizeof(MirrorBlock))},
+        {mirrorBinding, gpu::uniformBuffer(mirror)},
         {samplesBinding, gpu::sampledImage(nearest, image.view, image.layout)},
         {chosenBinding, gpu::storageImage(to.view())},
     };

@@ -14,7 +14,7 @@ struct Technique {
     bool readsScene = true;      ///< its colour is of the view's images; else the host draws it
     bool followsNormals = false; ///< of the view's surfaceNormals: its image is bent already
     bool followsRays = false;    ///< afterwards, where nothing is proven
-    /// Kernels, shared with all who need them. Null: there is nothing to find, the sky alone is mirrored.
+    /// Kernels, shared with all who need them.
     Status (*createKernels)(Context& context, const ReflectionDesc& desc,
                             std::shared_ptr<void>& out) = nullptr;
     /// What one view needs besides its images, and how much that is.
@@ -23,7 +23,7 @@ struct Technique {
     VkDeviceSize (*bytes)(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) = nullptr;
     uint32_t (*dispatches)(const gpu::Device& device, const ReflectionDesc& desc) = nullptr;
     /// Writes mip 0 of `images.color`, left as gpu::storageWritten says, and `images.info`, left to be
-    /// sampled.
+    /// sampled. Null: there is nothing to find, the sky alone is mirrored.
     Status (*record)(const ReflectPass& pass, void* kernels, void* scratch,
                      const OwnedReflection& images) = nullptr;
     /// Whose flags say where its images are looked up. Null: they may be anywhere.

@@ -51,8 +51,8 @@ Status recordOverlay(const ReflectPass& pass, const OverlayKernel& overlay, cons
     // What a kind does not show needs something to point at.
     const bool shown = showsReflection(desc.kind);
     const gpu::Bound resources[] = {
-        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
-        {settingsBinding, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block)},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
+        {settingsBinding, gpu::uniformBuffer(slice)},
         {sceneDepthBinding, sceneDepth},
         {reflectionColorBinding, shown ? gpu::sampledImage(nearest, images.color) : sceneDepth},
         {reflectionInfoBinding, shown ? gpu::sampledImage(nearest, images.info) : sceneDepth},

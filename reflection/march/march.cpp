@@ -43,9 +43,8 @@ Status shareVariant(Context& context, std::shared_ptr<MarchKernel>& out) {
     return Status::ok;
 }
 
-Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, bool takesNormals,
-                   const gpu::Buffer& tiles, const gpu::Buffer* cells, const OwnedReflection& images,
-                   VkDescriptorSet& out) {
+Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::Buffer& tiles,
+                   const gpu::Buffer* cells, const OwnedReflection& images, VkDescriptorSet& out) {
     gpu::Frame& frame = pass.context.frame();
     const MarchBlock block = blockOf(pass);
     gpu::Slice settings;
@@ -54,22 +53,19 @@ Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, bool take
     const VkSampler nearest = pass.context.samplers.nearestClamp();
     const Image& depth = pass.view.sceneDepth;
     const Image& color = pass.view.sceneColor;
+    // The colour stands in for normals that nobody reads.
+    const Image& normals = pass.view.surfaceNormals ? *pass.view.surfaceNormals : color;
     std::vector<gpu::Bound> resources = {
-        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
         {sceneDepthBinding, gpu::sampledImage(nearest, depth.view, depth.layout)},
-        {settingsBinding, gpu::uniformBuffer(settings.buffer, settings.offset, sizeof block)},
+        {settingsBinding, gpu::uniformBuffer(settings)},
         {sceneColorBinding, gpu::sampledImage(nearest, color.view, color.layout)},
         {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
         {reflectionInfoBinding, gpu::storageImage(images.info.view())},
         {tilesBinding, gpu::storageBuffer(tiles.handle())},
+        {surfaceNormalsBinding, gpu::sampledImage(nearest, normals.view, normals.layout)},
     };
     if (cells) resources.push_back({cellsBinding, gpu::storageBuffer(cells->handle())});
-    if (takesNormals) {
-        // The colour stands in for normals that nobody reads.
-        const Image& normals = pass.view.surfaceNormals ? *pass.view.surfaceNormals : color;
-        resources.push_back(
-            {surfaceNormalsBinding, gpu::sampledImage(nearest, normals.view, normals.layout)});
-    }
     return frame.allocateSet(kernel.layout(), resources, out);
 }
 
@@ -91,9 +87,7 @@ Status recordMarch(const ReflectPass& pass, MarchKernel& march, const gpu::Buffe
     if (const Status s = march.kernel.of(pass.context, pass.view.sceneColor, kernel); s != Status::ok)
         return s;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = allocateSet(pass, *kernel, march.takesNormals, tiles, cells, images, set);
-        s != Status::ok)
-        return s;
+    if (const Status s = allocateSet(pass, *kernel, tiles, cells, images, set); s != Status::ok) return s;
     const gpu::Device& device = pass.context.device;
     const gpu::PassScope scope(device, pass.commands, march.takesNormals ? "ssr_march" : "hybrid_march");
     const VkImageMemoryBarrier2 before[] = {

@@ -10,14 +10,10 @@ namespace seaglass {
 
 namespace {
 
-gpu::Resource mirrorOf(const ReflectPass& pass) {
-    return gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock));
-}
-
 /// By the flags that stand before the lists.
 Status recordByOwnFlags(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::Buffer& tiles) {
     const gpu::Bound resources[] = {
-        {mirrorBinding, mirrorOf(pass)},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
         {sortedTilesBinding, gpu::storageBuffer(tiles.handle())},
         {tilesBinding, gpu::storageBuffer(tiles.handle())},
     };
@@ -56,7 +52,7 @@ Status recordOpenTiles(const ReflectPass& pass, const OpenTilesKernel& kernel, c
                        const OwnedReflection& images, const gpu::Buffer& open) {
     Context& context = pass.context;
     const gpu::Bound resources[] = {
-        {mirrorBinding, mirrorOf(pass)},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
         {sortedTilesBinding, gpu::storageBuffer(sorted.handle())},
         {tilesBinding, gpu::storageBuffer(open.handle())},
         {reflectionInfoBinding, gpu::sampledImage(context.samplers.nearestClamp(), images.info.view())},

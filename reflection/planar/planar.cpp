@@ -1,7 +1,6 @@
 #include "reflection/planar/planar.h"
 
 #include <span>
-#include <vector>
 
 #include <glm/matrix.hpp>
 
@@ -150,16 +149,14 @@ Status record(const ReflectPass& pass, PlanarKernels& kernels, PlanarScratch& sc
         glm::vec4(camera.heightRow), glm::vec4(camera.weightRow), scratch.depth.desc().samples, 0, 0, 0};
     gpu::Slice slice;
     if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
-    std::vector<gpu::Bound> resources = {
-        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
-        {settingsBinding, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block)},
+    const gpu::Bound resources[] = {
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
+        {settingsBinding, gpu::uniformBuffer(slice)},
         {mirroredDepthBinding, gpu::sampledImage(context.samplers.nearestClamp(), scratch.depth.view())},
         {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
         {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {mirroredColorBinding, gpu::sampledImage(context.samplers.nearestClamp(), scratch.color.view())},
     };
-    if (scratch.color.handle())
-        resources.push_back(
-            {mirroredColorBinding, gpu::sampledImage(context.samplers.nearestClamp(), scratch.color.view())});
     Image drawn = pass.view.sceneColor;
     if (scratch.color.handle() && appliesSrgb(scratch.color.desc().format)) drawn.encoding = Encoding::linear;
     const gpu::Kernel* kernel = nullptr;

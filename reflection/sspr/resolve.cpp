@@ -44,33 +44,23 @@ Status recordResolve(const ReflectPass& pass, ResolveKernel& resolve, const gpu:
     const VkSampler nearest = context.samplers.nearestClamp();
     const Image& depth = pass.view.sceneDepth;
     const Image& color = pass.view.sceneColor;
-    const gpu::Resource mirror =
-        gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock));
-    const gpu::Resource sceneDepth = gpu::sampledImage(nearest, depth.view, depth.layout);
-    const gpu::Bound resolveResources[] = {
-        {mirrorBinding, mirror},
+    const gpu::Bound resources[] = {
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
         {tilesBinding, gpu::storageBuffer(tiles.handle())},
-        {sceneDepthBinding, sceneDepth},
+        {sceneDepthBinding, gpu::sampledImage(nearest, depth.view, depth.layout)},
         {keysBinding, gpu::storageBuffer(keys.handle())},
         {sceneColorBinding, gpu::sampledImage(nearest, color.view, color.layout)},
         {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
         {reflectionInfoBinding, gpu::storageImage(images.info.view())},
     };
-    const gpu::Bound missResources[] = {
-        {mirrorBinding, mirror},
-        {tilesBinding, gpu::storageBuffer(tiles.handle())},
-        {sceneDepthBinding, sceneDepth},
-        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
-        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
-    };
     const gpu::Kernel* kernel = nullptr;
     if (const Status s = resolve.kernel.of(context, color, kernel); s != Status::ok) return s;
     VkDescriptorSet resolveSet = VK_NULL_HANDLE;
     VkDescriptorSet missSet = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(kernel->layout(), resolveResources, resolveSet);
+    if (const Status s = context.frame().allocateSet(kernel->layout(), resources, resolveSet);
         s != Status::ok)
         return s;
-    if (const Status s = context.frame().allocateSet(resolve.miss.layout(), missResources, missSet);
+    if (const Status s = context.frame().allocateSet(resolve.miss.layout(), resources, missSet);
         s != Status::ok)
         return s;
 

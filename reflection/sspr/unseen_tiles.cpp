@@ -47,7 +47,7 @@ Status recordUnseenTiles(const ReflectPass& pass, const UnseenTilesKernel* kerne
         return Status::ok;
     }
     const gpu::Bound resources[] = {
-        {mirrorBinding, gpu::uniformBuffer(pass.mirror.buffer, pass.mirror.offset, sizeof(MirrorBlock))},
+        {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
         {tilesBinding, gpu::storageBuffer(tiles.handle())},
         {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
         {reflectionInfoBinding, gpu::storageImage(images.info.view())},

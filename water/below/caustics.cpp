@@ -111,10 +111,6 @@ void recordCopied(const gpu::Device& device, VkCommandBuffer commands, const Cau
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_NONE});
 }
 
-gpu::Resource uniformsOf(const CausticInputs& in) {
-    return gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(BodyBlock));
-}
-
 gpu::Resource sampledTexels(const Context& context, const Image& image) {
     return gpu::sampledImage(context.samplers.nearestClamp(), image.view, image.layout);
 }
@@ -253,7 +249,7 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
     const gpu::Samplers& samplers = context.samplers;
     const VkSampler repeat = samplers.trilinearRepeat();
     const gpu::Bound resources[] = {
-        {bodyBinding, uniformsOf(in)},
+        {bodyBinding, gpu::uniformBuffer(in.uniforms)},
         {sceneDepthBinding, depthOf(context, in)},
         {waveDisplacementBinding, gpu::sampledImage(repeat, in.waveMaps[0])},
         {waveDerivativesBinding, gpu::sampledImage(repeat, in.waveMaps[1])},
@@ -279,7 +275,7 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
 Status Caustics::recordGather(Context& context, VkCommandBuffer commands, const CausticInputs& in,
                               const Picture& picture) const {
     const gpu::Bound resources[] = {
-        {bodyBinding, uniformsOf(in)},
+        {bodyBinding, gpu::uniformBuffer(in.uniforms)},
         {sceneDepthBinding, depthOf(context, in)},
         {causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},
         {causticLightBinding, gpu::storageImage(picture.gathered.firstMipView())},
@@ -302,7 +298,7 @@ Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const Ca
         if (const Status s = context.share(blurInShadow_); s != Status::ok) return s;
     const gpu::Kernel& kernel = in.shadow ? blurInShadow_->kernel : blur_->kernel;
     std::vector<gpu::Bound> resources = {
-        {bodyBinding, uniformsOf(in)},
+        {bodyBinding, gpu::uniformBuffer(in.uniforms)},
         {sceneDepthBinding, depthOf(context, in)},
         {causticLightBinding, gpu::sampledImage(context.samplers.trilinearClamp(), picture.gathered.view())},
         {causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},

@@ -42,7 +42,7 @@ std::vector<gpu::Bound> resources(const Context& context, const UnderwaterInputs
     const auto bindImage = [&](uint32_t number, const Image& image) {
         bind(number, gpu::sampledImage(samplers.nearestClamp(), image.view, image.layout));
     };
-    bind(bodyBinding, gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(BodyBlock)));
+    bind(bodyBinding, gpu::uniformBuffer(in.uniforms));
     bindImage(sceneColorBinding, in.view->sceneColor);
     bindImage(sceneDepthBinding, in.view->sceneDepth);
     bind(waveDisplacementBinding, gpu::sampledImage(samplers.trilinearRepeat(), in.waveMap));

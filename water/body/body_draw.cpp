@@ -50,7 +50,7 @@ Status upload(Context& context, gpu::Resource& out, const Blocks&... blocks) {
     if (const Status s = context.frame().allocate(bytes, slice); s != Status::ok) return s;
     auto* data = static_cast<std::byte*>(slice.data);
     ((data = std::ranges::copy(std::as_bytes(std::span(blocks)), data).out), ...);
-    out = gpu::storageBuffer(slice.buffer, slice.offset, bytes);
+    out = gpu::storageBuffer(slice);
     return Status::ok;
 }
 

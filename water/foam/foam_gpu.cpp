@@ -54,7 +54,7 @@ Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, cons
 
     const VkSampler nearest = context.samplers.nearestClamp();
     const gpu::Bound resources[] = {
-        {foamBinding, gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block)},
+        {foamBinding, gpu::uniformBuffer(slice)},
         {displacementMapBinding, gpu::sampledImage(nearest, maps.images[0].view())},
         {derivativeMapBinding, gpu::sampledImage(nearest, maps.images[1].view())},
         {foamStepsBinding, gpu::storageImage(foam.image.firstMipView())},

@@ -25,7 +25,7 @@ std::vector<gpu::Bound> resources(const Context& context, const SurfaceInputs& i
     const auto bindImage = [&](uint32_t number, const Image& image) {
         bind(number, gpu::sampledImage(nearest, image.view, image.layout));
     };
-    bind(bodyBinding, gpu::uniformBuffer(in.uniforms.buffer, in.uniforms.offset, sizeof(BodyBlock)));
+    bind(bodyBinding, gpu::uniformBuffer(in.uniforms));
     bind(meshBinding, in.patches);
     bind(skyCubeBinding, gpu::sampledImage(clamp, light.skyCube, light.skyCubeLayout));
     bind(waveDisplacementBinding, gpu::sampledImage(repeat, in.waveMaps[0]));

@@ -9,10 +9,12 @@ namespace {
 constexpr const char* mapNames[waveMapCount] = {"wave displacement map", "wave derivative map",
                                                 "wave moment map"};
 
-gpu::ImageDesc mapDesc(const gpu::Device& device, uint32_t samples, uint32_t cascades,
-                       VkImageUsageFlags filledBy) {
+} // namespace
+
+gpu::ImageDesc cascadeMapDesc(const gpu::Device& device, VkFormat format, uint32_t samples, uint32_t cascades,
+                              VkImageUsageFlags filledBy) {
     gpu::ImageDesc desc;
-    desc.format = waveMapFormat;
+    desc.format = format;
     desc.extent = {samples, samples};
     desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | gpu::MipChain::usage(device) |
                  filledBy;
@@ -22,11 +24,11 @@ gpu::ImageDesc mapDesc(const gpu::Device& device, uint32_t samples, uint32_t cas
     return desc;
 }
 
-} // namespace
-
 VkDeviceSize WaveMaps::bytes(const gpu::Device& device, uint32_t samplesAcross, uint32_t cascadeCount,
                              VkImageUsageFlags filledBy) {
-    return gpu::heldBytes(device, mapDesc(device, samplesAcross, cascadeCount, filledBy)) * waveMapCount;
+    return gpu::heldBytes(device,
+                          cascadeMapDesc(device, waveMapFormat, samplesAcross, cascadeCount, filledBy)) *
+           waveMapCount;
 }
 
 Status WaveMaps::create(Context& context, uint32_t samplesAcross, uint32_t cascadeCount,
@@ -34,7 +36,7 @@ Status WaveMaps::create(Context& context, uint32_t samplesAcross, uint32_t casca
     const gpu::Device& device = context.device;
     samples = samplesAcross;
     cascades = cascadeCount;
-    const gpu::ImageDesc desc = mapDesc(device, samples, cascades, filledBy);
+    const gpu::ImageDesc desc = cascadeMapDesc(device, waveMapFormat, samples, cascades, filledBy);
     mipLevels = desc.mipLevels;
     for (uint32_t i = 0; i < waveMapCount; ++i)
         if (const Status s = images[i].create(device, desc, mapNames[i]); s != Status::ok) return s;

@@ -14,6 +14,10 @@ namespace seaglass {
 constexpr VkFormat waveMapFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr uint32_t waveMapCount = 3;
 
+/// A layer for each cascade, a texel for each sample, with a whole mip chain.
+gpu::ImageDesc cascadeMapDesc(const gpu::Device& device, VkFormat format, uint32_t samples, uint32_t cascades,
+                              VkImageUsageFlags filledBy);
+
 struct WaveMaps {
     std::array<gpu::OwnedImage, waveMapCount> images; ///< displacement, derivatives, moments: see CascadeMaps
     uint32_t samples = 0;

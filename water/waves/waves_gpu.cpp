@@ -194,7 +194,7 @@ Status ComputedWaves::describe(Context& context, const WaveMaps& maps, const Wav
     const WavesBlock block = blockOf(*sea_, cascades, packing_, time);
     gpu::Slice slice;
     if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
-    const gpu::Resource uniform = gpu::uniformBuffer(slice.buffer, slice.offset, sizeof block);
+    const gpu::Resource uniform = gpu::uniformBuffer(slice);
     const gpu::Resource columns = gpu::storageBuffer(columns_.handle());
     const VkDeviceSize split = amplitudeBytes(*sea_);
     const gpu::Bound ofColumns[] = {

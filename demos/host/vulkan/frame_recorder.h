@@ -5,8 +5,8 @@
 
 #include "host/passes/mirror_pass.h"
 #include "host/passes/opaque.h"
-#include "host/scene_again.h"
 #include "host/passes/shadow.h"
+#include "host/scene_again.h"
 #include "host/water/water_pass.h"
 #include "scene/scene.h"
 

@@ -9,7 +9,6 @@
 #include "program/measure/left_out.h"
 #include "program/render/output.h"
 #include "program/scene_input.h"
-#include "program/device/validation.h"
 #include "scene/fields.h"
 #include "scene/offset.h"
 #include "view/viewer.h"
