@@ -90,7 +90,8 @@ VkInstance makeInstance(std::atomic<uint32_t>* messages, bool bestPractices,
         return VK_NULL_HANDLE;
     }
     if (messages && !layerInstalled(validationLayer)) {
-        error.text = std::string("validation was asked for, but ") + validationLayer + " is not installed";
+        error.text = "validation was asked for, but ";
+        error.text.append(validationLayer).append(" is not installed");
         return VK_NULL_HANDLE;
     }
     VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};

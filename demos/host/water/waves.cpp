@@ -35,7 +35,8 @@ bool choose(const char* field, const std::string& name, const Names& names, Mode
         model = static_cast<Model>(named - std::begin(names));
         return true;
     }
-    error.text = std::string("water.waves.") + field + " is \"" + name + "\", expected one of";
+    error.text = "water.waves.";
+    error.text.append(field).append(" is \"").append(name).append("\", expected one of");
     for (const char* const known : names) error.text.append(&known == names ? " " : ", ").append(known);
     return false;
 }

@@ -21,8 +21,10 @@ std::string glfwSaid() {
 std::unique_ptr<Window> Window::open(const std::string& title, uint32_t width, uint32_t height,
                                      Error& error) {
     const auto fail = [&error](const char* what) {
-        error.text = std::string(what) + ": " + glfwSaid() +
-                     "; expected a display, such as X11's $DISPLAY names (seaglass render draws without one)";
+        error.text = what;
+        error.text.append(": ").append(glfwSaid());
+        error.text +=
+            "; expected a display, such as X11's $DISPLAY names (seaglass render draws without one)";
         return nullptr;
     };
     if (!glfwInit()) return fail("no window can be opened");
