@@ -31,7 +31,7 @@ endif()
 function(seaglass_name_shader header words name symbol source defines)
   file(CONFIGURE OUTPUT ${header} CONTENT [[
 #include "@words@"
-#include "gpu/pipeline/shader_reload.h"
+#include "gpu/interface/shader_reload.h"
 namespace { const seaglass::gpu::ShaderName @symbol@_name(@symbol@, "@name@"); }
 ]] @ONLY)
   cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/shaders)

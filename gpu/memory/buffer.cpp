@@ -82,4 +82,17 @@ void recordBarrier(const Device& device, VkCommandBuffer commands, const BufferU
     device.vk().CmdPipelineBarrier2(commands, &dependency);
 }
 
+void recordBuffersFilled(const Device& device, VkCommandBuffer commands,
+                         std::initializer_list<VkBuffer> buffers, VkDeviceSize bytes, uint32_t value) {
+    constexpr BufferUse written = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    recordBarrier(
+        device, commands,
+        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_NONE},
+        written);
+    for (const VkBuffer buffer : buffers) device.vk().CmdFillBuffer(commands, buffer, 0, bytes, value);
+    recordBarrier(device, commands, written,
+                  {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
+}
+
 } // namespace seaglass::gpu

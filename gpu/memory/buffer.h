@@ -1,6 +1,7 @@
 // A buffer with its own memory.
 #pragma once
 
+#include <initializer_list>
 #include <utility>
 
 #include "gpu/device.h"
@@ -46,5 +47,15 @@ struct BufferUse {
 /// A barrier on all buffers.
 void recordBarrier(const Device& device, VkCommandBuffer commands, const BufferUse& before,
                    const BufferUse& after);
+
+/// Sets the first `bytes` of buffers that earlier work may still read or dispatch from; leaves them to
+/// compute shaders.
+void recordBuffersFilled(const Device& device, VkCommandBuffer commands,
+                         std::initializer_list<VkBuffer> buffers, VkDeviceSize bytes, uint32_t value);
+inline void recordBuffersCleared(const Device& device, VkCommandBuffer commands,
+                                 std::initializer_list<VkBuffer> buffers,
+                                 VkDeviceSize bytes = VK_WHOLE_SIZE) {
+    recordBuffersFilled(device, commands, buffers, bytes, 0);
+}
 
 } // namespace seaglass::gpu

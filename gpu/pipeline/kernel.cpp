@@ -6,7 +6,7 @@
 #include "gpu/pipeline/compile_watch.h"
 #include "gpu/pipeline/specialized.h"
 #ifdef SEAGLASS_SHADER_RELOAD
-#include "gpu/pipeline/shader_reload.h"
+#include "gpu/interface/shader_reload.h"
 #endif
 
 namespace seaglass::gpu {

@@ -2,7 +2,7 @@
 // plane that it is inside.
 #pragma once
 
-#include "reflection/core/encoding.h"
+#include "reflection/core/color_kernel.h"
 #include "reflection/core/reflect_pass.h"
 #include "reflection/core/reflection_images.h"
 #include "reflection/march/open_tiles.h"

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "reflection/core/view.h"
+#include "gpu/view/view.h"
 
 namespace seaglass {
 

@@ -43,16 +43,6 @@ glm::dmat3x4 skyFromPixel(const ViewGeometry& view, const glm::dmat4& sceneFromP
 
 } // namespace
 
-const char* readPlane(const double (&plane)[4], glm::dvec4& out) {
-    for (const double value : plane)
-        if (!std::isfinite(value)) return "plane is not finite";
-    const glm::dvec4 p(plane[0], plane[1], plane[2], plane[3]);
-    const double length = glm::length(glm::dvec3(p));
-    if (!(length > 1e-12)) return "plane has no normal: its first three numbers are zero";
-    out = p / length;
-    return nullptr;
-}
-
 glm::dvec4 planeFacingEye(const glm::dvec4& worldPlane, const glm::dvec3& eye) {
     const glm::dvec3 normal(worldPlane);
     const double height = glm::dot(normal, eye) + worldPlane.w;

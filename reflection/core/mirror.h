@@ -10,14 +10,11 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
-#include "reflection/core/view.h"
+#include "gpu/view/view.h"
 #include "seaglass/reflection.h"
 #include "shaders/shared/mirror_block.h"
 
 namespace seaglass {
-
-/// Null when the plane is usable, else what is wrong. `out` has a unit normal.
-const char* readPlane(const double (&plane)[4], glm::dvec4& out);
 
 /// The plane as seen from `eye`: relative to it, and facing it (a positive distance at the eye).
 glm::dvec4 planeFacingEye(const glm::dvec4& worldPlane, const glm::dvec3& eye);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gpu/context.h"
-#include "reflection/core/view.h"
+#include "gpu/view/view.h"
 #include "seaglass/reflection.h"
 
 namespace seaglass {

@@ -1,6 +1,7 @@
 #include "reflection/core/reflection_images.h"
 
 #include "reflection/after/blur.h"
+#include "reflection/interface/body_reflector.h"
 
 namespace seaglass {
 

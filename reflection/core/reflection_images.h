@@ -12,9 +12,6 @@ constexpr VkExtent2D scaledDown(VkExtent2D extent, uint32_t scale) {
     return {(extent.width + scale - 1) / scale, (extent.height + scale - 1) / scale};
 }
 
-/// With the downscale that its height asks for in a view of this size.
-ReflectionDesc sizedFor(const ReflectionDesc& desc, VkExtent2D extent);
-
 constexpr VkFormat reflectionColorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 struct OwnedReflection {

@@ -1,9 +1,11 @@
 #include "reflection/core/reflector.h"
 
 #include "gpu/guard.h"
-#include "reflection/core/encoding.h"
+#include "gpu/view/encoding.h"
+#include "gpu/view/plane.h"
+#include "gpu/view/scene_formats.h"
 #include "reflection/core/mirror.h"
-#include "reflection/core/scene_formats.h"
+#include "reflection/interface/body_reflector.h"
 #include "reflection/planar/planar.h"
 #include "seaglass/fields/reflection.h"
 
@@ -42,8 +44,8 @@ Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& given, VkEx
         technique.bytes(device, extent, desc);
     estimate.dispatchesPerView = technique.dispatches(device, desc);
     if (technique.readsScene) {
-        estimate.bytesPerSharedView = SingleSampledScene::bytes(device, extent, samples);
-        estimate.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
+        estimate.bytesPerSharedView = SingleSampledScene::bytes(device, extent, samples.depth);
+        estimate.dispatchesPerSharedView = SingleSampledScene::dispatches(samples.depth);
     }
     estimate.dispatchesPerView += blurMipLevels(scaled, desc.blurLevels) - 1;
     if (reachesBeyond(desc)) estimate.dispatchesPerView += edgeReachDispatches;
@@ -159,7 +161,8 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     const ReflectionDesc sized = sizedFor(desc, extent);
     const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice, plane};
     if (!drawn)
-        if (const Status s = takeSamples(pass, singleSamples, scene); s != Status::ok) return s;
+        if (const Status s = takeSamples(*context, commands, geometry, singleSamples, scene); s != Status::ok)
+            return s;
     const OwnedReflection& found = reflected.found(desc);
     reflected.bent = technique().followsNormals && view.surfaceNormals;
     if (const Status s = technique().record(pass, kernels.get(), reflected.scratch.get(), found);
@@ -201,7 +204,8 @@ Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
     SceneOfCall scene(view);
     const ReflectionDesc sized = sizedFor(desc, extentOf(geometry));
     const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice, plane};
-    if (const Status s = takeSamples(pass, singleSamples, scene); s != Status::ok) return s;
+    if (const Status s = takeSamples(*context, commands, geometry, singleSamples, scene); s != Status::ok)
+        return s;
     return recordOverlay(pass, *overlay, images(view.viewIndex), overlayDesc);
 }
 
@@ -214,6 +218,15 @@ ReflectionImages Reflector::images(uint32_t viewIndex) const {
     images.age = static_cast<uint32_t>(std::min<uint64_t>(context->frameNumber - view.frame, UINT32_MAX));
     std::ranges::copy(view.clipFromWorld, images.clipFromWorld);
     return images;
+}
+
+Status createReflector(Context& context, const ReflectorDesc& desc, const glm::dmat3& axes,
+                       std::shared_ptr<Reflector>& out) {
+    const auto reflector = std::make_shared<Reflector>();
+    if (const Status s = reflector->create(context, desc); s != Status::ok) return s;
+    reflector->bounds.axes = axes;
+    out = reflector;
+    return Status::ok;
 }
 
 Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** out) {
@@ -280,6 +293,14 @@ Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t 
             if (const Status s = reflectors[i]->record(commands, scene); s != Status::ok) return s;
         return Status::ok;
     });
+}
+
+Status reflect(VkCommandBuffer commands, Reflector& reflector, SceneOfCall& scene) {
+    return reflector.record(commands, scene);
+}
+
+bool readsScene(const ReflectionDesc& desc) {
+    return techniqueOf(desc.technique).readsScene;
 }
 
 ReflectionImages reflectionImages(const Reflector* reflector, uint32_t viewIndex) {

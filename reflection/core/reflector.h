@@ -8,13 +8,13 @@
 #include <glm/vec4.hpp>
 
 #include "gpu/fields.h"
+#include "gpu/view/limits.h"
+#include "gpu/view/single_sample.h"
 #include "reflection/after/blur.h"
 #include "reflection/after/edge_reach.h"
 #include "reflection/after/stretch.h"
 #include "reflection/after/temporal.h"
 #include "reflection/core/bounds.h"
-#include "reflection/core/limits.h"
-#include "reflection/core/single_sample.h"
 #include "reflection/core/technique.h"
 #include "reflection/debug/overlay.h"
 
@@ -51,7 +51,6 @@ Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& desc, VkExt
 
 /// What is wrong with a description, if anything is.
 FieldError badField(const ReflectionDesc& desc);
-const char* badField(const SceneSamples& samples);
 /// The same, said, and what this device cannot do.
 Status check(const gpu::Device& device, const ReflectionDesc& desc);
 

@@ -45,7 +45,7 @@ Status recordCells(const ReflectPass& pass, const CellsKernel& kernel, const gpu
         s != Status::ok)
         return s;
     const gpu::PassScope scope(device, pass.commands, "ssr_cells");
-    recordBuffersCleared(device, pass.commands, {cells.handle()});
+    gpu::recordBuffersCleared(device, pass.commands, {cells.handle()});
     kernel.kernel.dispatchAlong(pass.commands, set, countOf(pass.extent(), cellEdge));
     recordScanned(pass);
     return Status::ok;

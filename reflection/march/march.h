@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "gpu/memory/buffer.h"
-#include "reflection/core/encoding.h"
+#include "reflection/core/color_kernel.h"
 #include "reflection/core/reflect_pass.h"
 #include "reflection/core/reflection_images.h"
 

@@ -44,7 +44,7 @@ Status recordSeenTiles(const ReflectPass& pass, const SeenTilesKernel& kernel, c
 }
 
 Status recordSeenColumns(const ReflectPass& pass, const SeenColumnsKernel& kernel, const gpu::Buffer& tiles) {
-    recordBuffersCleared(pass.context.device, pass.commands, {tiles.handle()}, sizeof(TileHeader));
+    gpu::recordBuffersCleared(pass.context.device, pass.commands, {tiles.handle()}, sizeof(TileHeader));
     return recordByOwnFlags(pass, kernel.kernel, tiles);
 }
 
@@ -61,7 +61,7 @@ Status recordOpenTiles(const ReflectPass& pass, const OpenTilesKernel& kernel, c
     if (const Status s = context.frame().allocateSet(kernel.kernel.layout(), resources, set); s != Status::ok)
         return s;
     const gpu::PassScope scope(context.device, pass.commands, "hybrid_open_tiles");
-    recordBuffersCleared(context.device, pass.commands, {open.handle()}, sizeof(TileHeader));
+    gpu::recordBuffersCleared(context.device, pass.commands, {open.handle()}, sizeof(TileHeader));
     recordTileLists(pass, kernel.kernel, set);
     return Status::ok;
 }

@@ -25,7 +25,7 @@ namespace {
 Status record(const ReflectPass& pass, SsrKernels& kernels, SsrScratch& scratch,
               const OwnedReflection& images) {
     const gpu::Device& device = pass.context.device;
-    recordBuffersCleared(device, pass.commands, {scratch.tiles.handle()});
+    gpu::recordBuffersCleared(device, pass.commands, {scratch.tiles.handle()});
     if (const Status s = recordCells(pass, *kernels.cells, scratch.cells, scratch.tiles); s != Status::ok)
         return s;
     if (const Status s = recordSeenTiles(pass, *kernels.seenTiles, scratch.tiles); s != Status::ok) return s;

@@ -4,9 +4,9 @@
 
 #include <glm/matrix.hpp>
 
+#include "gpu/view/oblique.h"
 #include "reflection/core/mirror.h"
 #include "reflection/core/technique.h"
-#include "reflection/planar/oblique.h"
 #include "shaders/shared/planar_block.h"
 #include "shaders/shared/reflection_bindings.h"
 #include "spirv/planar.comp.h"

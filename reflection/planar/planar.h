@@ -2,10 +2,10 @@
 // class and hit distance.
 #pragma once
 
-#include "reflection/core/encoding.h"
+#include "reflection/core/color_kernel.h"
 #include "reflection/core/reflect_pass.h"
 #include "reflection/core/reflection_images.h"
-#include "reflection/planar/drawn_images.h"
+#include "reflection/interface/drawn_images.h"
 
 namespace seaglass {
 

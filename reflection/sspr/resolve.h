@@ -1,7 +1,7 @@
 // SSPR's second pass: from mirrored depths to colour, class and hit distance.
 #pragma once
 
-#include "reflection/core/encoding.h"
+#include "reflection/core/color_kernel.h"
 #include "reflection/core/reflect_pass.h"
 #include "reflection/core/reflection_images.h"
 #include "reflection/sspr/unseen_tiles.h"

@@ -17,7 +17,7 @@ namespace {
 void recordClear(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& keys,
                  const gpu::Buffer& tiles) {
     const gpu::PassScope scope(device, commands, "sspr_clear");
-    recordBuffersCleared(device, commands, {keys.handle(), tiles.handle()});
+    gpu::recordBuffersCleared(device, commands, {keys.handle(), tiles.handle()});
 }
 
 } // namespace

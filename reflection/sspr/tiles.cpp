@@ -21,19 +21,6 @@ VkDeviceSize bytesOf(VkExtent2D extent) {
     return sizeof(TileHeader) + VkDeviceSize{tileCount(extent)} * 2 * sizeof(uint32_t);
 }
 
-void recordFilled(const gpu::Device& device, VkCommandBuffer commands,
-                  std::initializer_list<VkBuffer> buffers, VkDeviceSize bytes, uint32_t value) {
-    constexpr gpu::BufferUse written = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
-    gpu::recordBarrier(
-        device, commands,
-        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_NONE},
-        written);
-    for (const VkBuffer buffer : buffers) device.vk().CmdFillBuffer(commands, buffer, 0, bytes, value);
-    gpu::recordBarrier(device, commands, written,
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
-}
-
 } // namespace
 
 Status createTiles(const gpu::Device& device, VkExtent2D extent, const char* what, gpu::Buffer& out) {
@@ -44,13 +31,8 @@ VkDeviceSize heldByTiles(const gpu::Device& device, VkExtent2D extent) {
     return gpu::heldBytes(device, bytesOf(extent), usage);
 }
 
-void recordBuffersCleared(const gpu::Device& device, VkCommandBuffer commands,
-                          std::initializer_list<VkBuffer> buffers, VkDeviceSize bytes) {
-    recordFilled(device, commands, buffers, bytes, 0);
-}
-
 void recordAllSeen(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& tiles) {
-    recordFilled(device, commands, {tiles.handle()}, VK_WHOLE_SIZE, tileSeesPlane);
+    gpu::recordBuffersFilled(device, commands, {tiles.handle()}, VK_WHOLE_SIZE, tileSeesPlane);
 }
 
 Status TilesKernel::create(Context& context) {

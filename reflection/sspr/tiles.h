@@ -3,8 +3,6 @@
 // for every pixel that is dispatched.
 #pragma once
 
-#include <initializer_list>
-
 #include "gpu/memory/buffer.h"
 #include "gpu/pipeline/kernel.h"
 #include "reflection/core/reflect_pass.h"
@@ -15,11 +13,6 @@ namespace seaglass {
 /// For a reflection of `extent` pixels.
 Status createTiles(const gpu::Device& device, VkExtent2D extent, const char* what, gpu::Buffer& out);
 VkDeviceSize heldByTiles(const gpu::Device& device, VkExtent2D extent);
-
-/// Clears the first `bytes` of buffers that the view's previous frame may still read or dispatch from; leaves
-/// them to compute shaders.
-void recordBuffersCleared(const gpu::Device& device, VkCommandBuffer commands,
-                          std::initializer_list<VkBuffer> buffers, VkDeviceSize bytes = VK_WHOLE_SIZE);
 
 /// Flags the plane as seen in every tile; leaves lists that say nothing.
 void recordAllSeen(const gpu::Device& device, VkCommandBuffer commands, const gpu::Buffer& tiles);

@@ -21,12 +21,9 @@ const int lastColorBinding = 13; // of the last
 const int lastInfoBinding = 14;
 const int mirroredColorBinding = 15; // as the host has drawn it
 const int mirroredDepthBinding = 16;
-const int samplesBinding = 17; // of a multisampled image
-const int resolvedBinding = 18;
-const int chosenBinding = 19;
-const int overlayTargetBinding = 20;
-const int finerMipBinding = 21;
-const int coarserMipBinding = 22;
+const int overlayTargetBinding = 17;
+const int finerMipBinding = 18;
+const int coarserMipBinding = 19;
 
 #ifdef __cplusplus
 }

@@ -4,11 +4,11 @@
 #include <tuple>
 
 #include "gpu/memory/mip_chain.h"
+#include "gpu/view/single_sample.h"
 #include "reflection/after/blur.h"
 #include "reflection/after/edge_reach.h"
 #include "reflection/after/stretch.h"
 #include "reflection/after/temporal.h"
-#include "reflection/core/single_sample.h"
 #include "reflection/debug/overlay.h"
 #include "reflection/march/cells.h"
 #include "reflection/march/march.h"
@@ -99,7 +99,7 @@ TargetDesc targetDesc(bool multiview) {
 
 SurfaceVariant variantOf(const Body& body, const SurfaceChoice& choice) {
     SurfaceDraw drawn = {.output = choice.output, .sides = choice.sides};
-    if (body.reflector) drawn.reflectionDownscale = body.reflector->desc.downscale;
+    if (body.reflector) drawn.reflectionDownscale = body.reflection.downscale;
     const SunShadow shadow;
     LightingDesc lighting;
     lighting.skyCube = reinterpret_cast<VkImageView>(uintptr_t{1});

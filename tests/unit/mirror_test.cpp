@@ -6,6 +6,7 @@
 
 #include <glm/matrix.hpp>
 
+#include "gpu/view/plane.h"
 #include "reflection/core/mirror.h"
 #include "tests/unit/cameras.h"
 

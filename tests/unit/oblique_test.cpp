@@ -8,8 +8,8 @@
 
 #include <glm/matrix.hpp>
 
+#include "gpu/view/oblique.h"
 #include "reflection/core/mirror.h"
-#include "reflection/planar/oblique.h"
 #include "tests/unit/cameras.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "reflection/core/view.h"
+#include "gpu/view/view.h"
 #include "seaglass/world.h"
 #include "tests/unit/host_worlds.h"
 

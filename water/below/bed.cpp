@@ -10,10 +10,9 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "reflection/core/mirror.h"
-#include "reflection/core/scene_formats.h"
-#include "reflection/planar/drawn_images.h"
-#include "reflection/planar/oblique.h"
+#include "gpu/view/oblique.h"
+#include "gpu/view/scene_formats.h"
+#include "reflection/interface/drawn_images.h"
 
 namespace seaglass {
 
@@ -163,16 +162,11 @@ Status Bed::take(Context& context, VkCommandBuffer commands, uint32_t viewIndex)
 
 Status Bed::takeFirstSamples(Context& context, VkCommandBuffer commands, const BedPicture& picture) const {
     const ViewGeometry& camera = picture.camera;
-    gpu::Slice mirror;
-    if (const Status s =
-            context.frame().upload(mirrorBlock(camera, {0, 1, 0, 0}, {}, {0, 0, camera.regionSize}), mirror);
-        s != Status::ok)
-        return s;
     const gpu::PassScope scope(context.device, commands, "bed_single_sample");
     const auto take = [&](const gpu::Kernel& kernel, const gpu::OwnedImage& to, const gpu::OwnedImage& from) {
         const Image image = {from.view(), from.desc().format, from.desc().extent,
                              gpu::sampledByShaders.layout, from.desc().samples};
-        return recordFirstSample(context, commands, kernel, mirror, extentOf(camera), to, image);
+        return recordFirstSample(context, commands, kernel, camera, to, image);
     };
     const Status s = take(firstDepth->kernel, picture.firstDepth, picture.depth);
     if (s != Status::ok || !firstColor) return s;

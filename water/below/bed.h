@@ -9,9 +9,9 @@
 
 #include "gpu/context.h"
 #include "gpu/memory/image.h"
-#include "reflection/core/limits.h"
-#include "reflection/core/single_sample.h"
-#include "reflection/core/view.h"
+#include "gpu/view/limits.h"
+#include "gpu/view/single_sample.h"
+#include "gpu/view/view.h"
 #include "seaglass/water.h"
 #include "water/body/body_frame.h"
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "gpu/pipeline/constants.h"
-#include "reflection/sspr/tiles.h"
 #include "shaders/shared/water_bindings.h"
 #include "spirv/caustics_blur.comp.h"
 #include "spirv/caustics_cast.comp.h"
@@ -261,7 +260,7 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(castKernel().layout(), resources, set); s != Status::ok)
         return s;
-    recordBuffersCleared(device, commands, {picture.sums.handle()});
+    gpu::recordBuffersCleared(device, commands, {picture.sums.handle()});
     const uint32_t across = over(in.region + 2 * in.grid.margin, in.grid.step).width;
     castKernel().dispatchOver(commands, set,
                               VkExtent2D{across, static_cast<uint32_t>(in.grid.endRow - in.grid.firstRow)});

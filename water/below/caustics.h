@@ -13,8 +13,8 @@
 #include "gpu/memory/image.h"
 #include "gpu/memory/mip_chain.h"
 #include "gpu/pipeline/kernel.h"
-#include "reflection/core/limits.h"
-#include "reflection/core/view.h"
+#include "gpu/view/limits.h"
+#include "gpu/view/view.h"
 #include "seaglass/water.h"
 
 namespace seaglass {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "reflection/core/mirror.h"
+#include "gpu/view/plane.h"
 #include "water/body/body_desc.h"
 #include "water/sea/sea.h"
 #include "water/spectrum/spectrum.h"
@@ -81,11 +81,9 @@ Status Body::createReflector(const BodyDesc& desc) {
         std::memcpy(reflectorDesc.boundsLow, low, sizeof low);
         std::memcpy(reflectorDesc.boundsHigh, high, sizeof high);
     }
-    reflector = std::make_unique<Reflector>();
     reflectionDistortion = desc.reflection->distortion;
-    if (const Status s = reflector->create(*context, reflectorDesc); s != Status::ok) return s;
-    reflector->bounds.axes = frame.worldFromBody;
-    return Status::ok;
+    reflection = reflectorDesc.reflection;
+    return seaglass::createReflector(*context, reflectorDesc, frame.worldFromBody, reflector);
 }
 
 Status Body::createWaves(const BodyDesc& desc) {
@@ -140,13 +138,7 @@ Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
     if (const char* bad = readTurned(frame.fromWorld(scene.given), true, geometry))
         return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
     if (!mayShow(geometry)) return Status::ok;
-    const ReflectionDesc desc;
-    gpu::Slice mirror;
-    if (const Status s =
-            context->frame().upload(mirrorBlock(geometry, plane, desc, {0, 0, geometry.regionSize}), mirror);
-        s != Status::ok)
-        return s;
-    return takeSamples({*context, commands, scene.read, geometry, desc, mirror, plane}, singleSamples, scene);
+    return takeSamples(*context, commands, geometry, singleSamples, scene);
 }
 
 Status Body::bedView(const ViewDesc& view, PlanarView& out) {
@@ -176,7 +168,7 @@ Status Body::reflect(VkCommandBuffer commands, SceneOfCall& scene) {
     const uint64_t now = context->frameNumber;
     if (view < maxViews && recorded.mirroring[view] == now && recorded.reflected[view] != now)
         return context->device.misused("reflect: the body was drawn in this view and frame before");
-    if (const Status s = reflector->record(commands, scene); s != Status::ok) return s;
+    if (const Status s = seaglass::reflect(commands, *reflector, scene); s != Status::ok) return s;
     recorded.reflected[view] = now;
     return Status::ok;
 }

@@ -13,8 +13,8 @@
 #include <glm/vec4.hpp>
 
 #include "gpu/context.h"
-#include "reflection/core/reflector.h"
-#include "reflection/core/view.h"
+#include "gpu/view/view.h"
+#include "reflection/interface/body_reflector.h"
 #include "seaglass/water.h"
 #include "water/below/bed.h"
 #include "water/below/caustics.h"
@@ -97,7 +97,8 @@ struct Body : Held {
     std::optional<UnderwaterDesc> underwater;
     std::optional<Caustics> caustics;     ///< only over waves
     std::optional<Bed> bed;               ///< what refraction looks at from above in the place of the scene
-    std::unique_ptr<Reflector> reflector; ///< null without a screen-space technique
+    std::shared_ptr<Reflector> reflector; ///< null without a screen-space technique
+    ReflectionDesc reflection;            ///< the reflector's
     std::shared_ptr<SingleSamples> singleSamples; ///< null until refraction sees through a view with many
     float reflectionDistortion = 0;
     std::vector<ExclusionPlanes> exclusionVolumes;

@@ -129,7 +129,7 @@ BodyBlock bodyBlock(const Body& body, const ViewGeometry& geometry, const Lighti
     u.depthSign = geometry.reversedDepth ? 1.0f : -1.0f;
     u.reflectionDistortion = body.reflectionDistortion;
     if (body.reflector) {
-        const ReflectionDesc& reflection = body.reflector->desc;
+        const ReflectionDesc& reflection = body.reflection;
         u.reflectionScale = static_cast<float>(sizedFor(reflection, extentOf(geometry)).downscale);
         u.reflectionLook = {reflection.clearDistance, reflection.scatter, reflection.skyFadeDistance, 0};
     }

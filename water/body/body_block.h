@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "reflection/core/view.h"
+#include "gpu/view/view.h"
 #include "seaglass/water.h"
 #include "shaders/shared/body_block.h"
 

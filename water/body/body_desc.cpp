@@ -2,7 +2,7 @@
 
 #include <glm/vec4.hpp>
 
-#include "reflection/core/mirror.h"
+#include "gpu/view/plane.h"
 #include "seaglass/fields/reflection.h"
 #include "seaglass/fields/sea.h"
 #include "seaglass/fields/water.h"

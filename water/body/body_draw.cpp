@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "reflection/core/encoding.h"
+#include "gpu/view/encoding.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/lighting.h"
@@ -113,7 +113,7 @@ SurfaceVariant Body::surfaceVariant(const SurfaceDraw& drawn, const LightingDesc
     v.bedDownscale =
         bed && v.hasRefraction && drawn.sides != SidesSeen::below ? static_cast<int>(bed->downscale) : 0;
     v.hasReflection = drawn.reflectionDownscale > 0;
-    if (!waves && reflector && reflector->desc.blurLevels == 0)
+    if (!waves && reflector && reflection.blurLevels == 0)
         v.sharpDownscale = static_cast<int>(drawn.reflectionDownscale);
     v.hasSubsurfaceScattering = waves && refraction && refraction->scattering > 0;
     if (v.hasRefraction || v.hasSubsurfaceScattering)
@@ -395,7 +395,7 @@ Status Body::draw(VkCommandBuffer commands, Target& target, const ViewDesc& view
                          .sceneIsEncoded = isEncoded(view.sceneColor),
                          .manySamples = isMultisampled(view)};
     if (reflector && !motion) {
-        inputs.reflection = reflector->images(view.viewIndex);
+        inputs.reflection = reflectionImages(reflector.get(), view.viewIndex);
         recorded.mirroring[view.viewIndex] = context->frameNumber;
         if (inputs.reflection.color) drawn.reflectionDownscale = inputs.reflection.downscale;
     }

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "reflection/core/view.h"
+#include "gpu/view/view.h"
 
 namespace seaglass {
 

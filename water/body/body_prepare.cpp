@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "reflection/core/encoding.h"
-#include "reflection/core/single_sample.h"
+#include "gpu/view/encoding.h"
+#include "gpu/view/single_sample.h"
 #include "water/body/body.h"
 #include "water/body/target.h"
 
@@ -32,7 +32,7 @@ Status Body::prepareSurface(Target& target, const ViewDesc* view, const Lighting
                          .seesScene = !view || hasScene(*view),
                          .sceneIsEncoded = readsEncoded(target, view),
                          .manySamples = view && isMultisampled(*view)};
-    if (reflector) drawn.reflectionDownscale = preparedDownscale(reflector->desc, view);
+    if (reflector) drawn.reflectionDownscale = preparedDownscale(reflection, view);
     const auto prepared = [&](SidesSeen sides) {
         drawn.sides = sides;
         const DrawPipeline* pipeline = nullptr;
@@ -71,9 +71,8 @@ Status Body::prepareKernels(Target& target, const ViewDesc* view, const Lighting
     if (caustics && lighting.shadow)
         if (const Status s = target.prepared.keep<ShadowedCausticBlurKernel>(*context); s != Status::ok)
             return s;
-    const bool readsScene =
-        refraction || (reflector && reflector->desc.technique != ReflectionTechnique::planar);
-    if (!view || !readsScene || !hasScene(*view) || !isMultisampled(*view)) return Status::ok;
+    const bool reads = refraction || (reflector && readsScene(reflection));
+    if (!view || !reads || !hasScene(*view) || !isMultisampled(*view)) return Status::ok;
     if (const Status s = target.prepared.keep<DepthSampleKernel>(*context); s != Status::ok) return s;
     return view->sceneColor.samples == VK_SAMPLE_COUNT_1_BIT
                ? target.prepared.keep<ResolvedColorKernel>(*context)

@@ -4,7 +4,7 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
-#include "reflection/core/scene_formats.h"
+#include "gpu/view/scene_formats.h"
 #include "seaglass/fields/fog.h"
 
 namespace seaglass {

@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "reflection/core/view.h"
+#include "gpu/view/view.h"
 #include "water/mesh/extent.h"
 
 namespace seaglass {

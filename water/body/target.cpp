@@ -1,8 +1,8 @@
 #include "water/body/target.h"
 
 #include "gpu/guard.h"
-#include "reflection/core/encoding.h"
-#include "reflection/core/limits.h"
+#include "gpu/view/encoding.h"
+#include "gpu/view/limits.h"
 
 namespace seaglass {
 

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "gpu/guard.h"
-#include "reflection/planar/drawn_images.h"
+#include "reflection/interface/drawn_images.h"
 #include "water/body/body.h"
 #include "water/body/body_desc.h"
 #include "water/body/target.h"
@@ -67,8 +67,8 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
                 return s;
         }
         if (desc->refraction) {
-            sum.bytesPerSharedView = SingleSampledScene::bytes(context->device, extent, samples);
-            sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples);
+            sum.bytesPerSharedView = SingleSampledScene::bytes(context->device, extent, samples.depth);
+            sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples.depth);
         }
         if (desc->bed) {
             if (const Status s = checkDrawn(context->device, desc->bed->drawn, "BedDesc"); s != Status::ok)
@@ -250,7 +250,7 @@ Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodie
 }
 
 ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex) {
-    return body && body->reflector ? body->reflector->images(viewIndex) : ReflectionImages{};
+    return body && body->reflector ? reflectionImages(body->reflector.get(), viewIndex) : ReflectionImages{};
 }
 
 const Sea* sea(const Body* body) {

@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-#include "gpu/pipeline/shader_reload.h"
+#include "gpu/interface/shader_reload.h"
 #include "host/host_impl.h"
 
 namespace demos {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reflection/core/scene_formats.h"
+#include "gpu/view/scene_formats.h"
 #include "seaglass/record.h"
 #include "spirv/boxes.frag.h"
 #include "spirv/boxes.vert.h"

@@ -1,5 +1,5 @@
 // What a host hands in: formats of colour and depth, and what is refused.
-#include "reflection/core/scene_formats.h"
+#include "gpu/view/scene_formats.h"
 #include "tests/gpu/rig/poses.h"
 #include "tests/gpu/rig/reflection_rig.h"
 #include "tests/gpu/rig/scene_images.h"

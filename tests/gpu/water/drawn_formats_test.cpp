@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "reflection/core/scene_formats.h"
+#include "gpu/view/scene_formats.h"
 #include "tests/gpu/host/box_host.h"
 #include "tests/gpu/host/spy.h"
 #include "tests/gpu/rig/scene_images.h"

@@ -1,10 +1,9 @@
-#include "reflection/core/single_sample.h"
+#include "gpu/view/single_sample.h"
 
 #include <utility>
 #include <vector>
 
-#include "reflection/core/mirror.h"
-#include "shaders/shared/reflection_bindings.h"
+#include "shaders/shared/single_sample_block.h"
 #include "spirv/single_sample_color.comp.h"
 #include "spirv/single_sample_depth.comp.h"
 #include "spirv/single_sample_resolved.comp.h"
@@ -41,13 +40,6 @@ Status prepare(Context& context, SingleSamples& samples, const ViewDesc& view) {
     return Status::ok;
 }
 
-/// `resolved`: null but for its kernel.
-Status recordImage(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu::OwnedImage& to,
-                   const Image& image, const Image* resolved = nullptr) {
-    return recordFirstSample(pass.context, pass.commands, kernel, pass.mirror, pass.extent(), to, image,
-                             resolved);
-}
-
 void replace(Image& image, const gpu::OwnedImage& by) {
     image.view = by.view();
     image.layout = gpu::sampledByShaders.layout;
@@ -55,17 +47,19 @@ void replace(Image& image, const gpu::OwnedImage& by) {
 }
 
 /// Fills the images of the view and gives it them for its own.
-Status recordSingleSample(const ReflectPass& pass, SingleSamples& samples, ViewDesc& view) {
-    if (const Status s = prepare(pass.context, samples, view); s != Status::ok) return s;
+Status recordSingleSample(Context& context, VkCommandBuffer commands, const ViewGeometry& geometry,
+                          SingleSamples& samples, ViewDesc& view) {
+    if (const Status s = prepare(context, samples, view); s != Status::ok) return s;
     const SingleSampledScene& scene = samples.views[view.viewIndex];
-    const gpu::PassScope scope(pass.context.device, pass.commands, "scene_single_sample");
-    if (const Status s = recordImage(pass, samples.depth->kernel, scene.depth, view.sceneDepth);
-        s != Status::ok)
-        return s;
-    const Status s =
-        hasManySamples(view.sceneColor)
-            ? recordImage(pass, samples.color->kernel, scene.color, view.sceneColor)
-            : recordImage(pass, samples.resolved->kernel, scene.color, view.sceneDepth, &view.sceneColor);
+    const gpu::PassScope scope(context.device, commands, "scene_single_sample");
+    const auto take = [&](const gpu::Kernel& kernel, const gpu::OwnedImage& to, const Image& image,
+                          const Image* resolved = nullptr) {
+        return recordFirstSample(context, commands, kernel, geometry, to, image, resolved);
+    };
+    if (const Status s = take(samples.depth->kernel, scene.depth, view.sceneDepth); s != Status::ok) return s;
+    const Status s = hasManySamples(view.sceneColor)
+                         ? take(samples.color->kernel, scene.color, view.sceneColor)
+                         : take(samples.resolved->kernel, scene.color, view.sceneDepth, &view.sceneColor);
     if (s != Status::ok) return s;
     scene.standIn(view);
     return Status::ok;
@@ -82,12 +76,17 @@ gpu::ImageDesc firstColorDesc(VkExtent2D extent) {
 }
 
 Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::Kernel& kernel,
-                         const gpu::Slice& mirror, VkExtent2D region, const gpu::OwnedImage& to,
-                         const Image& image, const Image* resolved) {
+                         const ViewGeometry& view, const gpu::OwnedImage& to, const Image& image,
+                         const Image* resolved) {
     const gpu::Device& device = context.device;
+    SingleSampleBlock block{};
+    block.region = glm::ivec4(view.regionOrigin, view.regionSize);
+    block.infinityDepth = static_cast<float>(view.infinityDepth);
+    gpu::Slice slice;
+    if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
     const VkSampler nearest = context.samplers.nearestClamp();
     std::vector<gpu::Bound> resources = {
-        {mirrorBinding, gpu::uniformBuffer(mirror)},
+        {singleSampleBinding, gpu::uniformBuffer(slice)},
         {samplesBinding, gpu::sampledImage(nearest, image.view, image.layout)},
         {chosenBinding, gpu::storageImage(to.view())},
     };
@@ -99,7 +98,7 @@ Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::
     const VkImageMemoryBarrier2 before =
         gpu::imageBarrier(to.handle(), gpu::discardedAfterSampling, gpu::storageWritten);
     gpu::recordBarriers(device, commands, &before, 1);
-    kernel.dispatchOver(commands, set, region);
+    kernel.dispatchOver(commands, set, extentOf(view));
     const VkImageMemoryBarrier2 after =
         gpu::imageBarrier(to.handle(), gpu::storageWritten, gpu::sampledByShaders);
     gpu::recordBarriers(device, commands, &after, 1);
@@ -135,23 +134,24 @@ Status SingleSampledScene::create(const gpu::Device& device, const ViewDesc& vie
 }
 
 VkDeviceSize SingleSampledScene::bytes(const gpu::Device& device, VkExtent2D extent,
-                                       const SceneSamples& samples) {
-    if (samples.depth == VK_SAMPLE_COUNT_1_BIT) return 0;
+                                       VkSampleCountFlagBits depth) {
+    if (depth == VK_SAMPLE_COUNT_1_BIT) return 0;
     return gpu::heldBytes(device, firstDepthDesc(extent)) + gpu::heldBytes(device, firstColorDesc(extent));
 }
 
-uint32_t SingleSampledScene::dispatches(const SceneSamples& samples) {
-    return samples.depth == VK_SAMPLE_COUNT_1_BIT ? 0 : 2;
+uint32_t SingleSampledScene::dispatches(VkSampleCountFlagBits depth) {
+    return depth == VK_SAMPLE_COUNT_1_BIT ? 0 : 2;
 }
 
-Status takeSamples(const ReflectPass& pass, std::shared_ptr<SingleSamples>& samples, SceneOfCall& scene) {
+Status takeSamples(Context& context, VkCommandBuffer commands, const ViewGeometry& view,
+                   std::shared_ptr<SingleSamples>& samples, SceneOfCall& scene) {
     if (!isMultisampled(scene.given)) {
-        dropSamples(pass.context, samples.get(), scene.given.viewIndex);
+        dropSamples(context, samples.get(), scene.given.viewIndex);
         return Status::ok;
     }
-    if (const Status s = pass.context.share(samples); s != Status::ok) return s;
+    if (const Status s = context.share(samples); s != Status::ok) return s;
     if (std::exchange(scene.taken, true)) return Status::ok;
-    return recordSingleSample(pass, *samples, scene.read);
+    return recordSingleSample(context, commands, view, *samples, scene.read);
 }
 
 void dropSamples(Context& context, SingleSamples* samples, uint32_t viewIndex) {

@@ -1,19 +1,8 @@
-#include "reflection/core/encoding.h"
+#include "gpu/view/encoding.h"
 
 #include <utility>
 
-#include "gpu/pipeline/constants.h"
-
 namespace seaglass {
-
-namespace {
-
-struct SceneConstants {
-#define CONSTANTS "shaders/shared/scene_constants.h"
-#include "gpu/pipeline/constants.inl"
-};
-
-} // namespace
 
 bool appliesSrgb(VkFormat format) {
     return format == VK_FORMAT_R8G8B8A8_SRGB || format == VK_FORMAT_B8G8R8A8_SRGB ||
@@ -39,22 +28,6 @@ void tellUnspecified(Context& context, const Image& sceneColor) {
     static_cast<void>(context.device.fail(
         Status::ok, "ViewDesc.sceneColor.format is UNORM, and taken for linear, expected "
                     "ViewDesc.sceneColor.encoding to be linear, or srgb where it holds what displays take"));
-}
-
-Status ColorKernel::create(Context& context, std::span<const uint32_t> spirv, const char* what) {
-    spirv_ = spirv;
-    what_ = what;
-    return linear_.create(context.device, spirv, what);
-}
-
-Status ColorKernel::of(const Context& context, const Image& sceneColor, const gpu::Kernel*& out) {
-    out = isEncoded(sceneColor) ? &encoded_ : &linear_;
-    if (!isEncoded(sceneColor) || hasEncoded_) return Status::ok;
-    SceneConstants scene;
-    scene.sceneIsEncoded = true;
-    const Status s = encoded_.create(context.device, spirv_, what_, scene.constants());
-    hasEncoded_ = s == Status::ok;
-    return s;
 }
 
 } // namespace seaglass

@@ -1,4 +1,4 @@
-#include "reflection/planar/oblique.h"
+#include "gpu/view/oblique.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,6 +1,6 @@
-#include "reflection/planar/drawn_images.h"
+#include "reflection/interface/drawn_images.h"
 
-#include "reflection/core/scene_formats.h"
+#include "gpu/view/scene_formats.h"
 
 namespace seaglass {
 

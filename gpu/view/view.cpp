@@ -1,4 +1,4 @@
-#include "reflection/core/view.h"
+#include "gpu/view/view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
-#include "reflection/core/encoding.h"
-#include "reflection/core/limits.h"
-#include "reflection/core/scene_formats.h"
+#include "gpu/view/encoding.h"
+#include "gpu/view/limits.h"
+#include "gpu/view/scene_formats.h"
 
 namespace seaglass {
 

@@ -9,10 +9,11 @@
 #include <array>
 #include <memory>
 
+#include "gpu/context.h"
 #include "gpu/memory/image.h"
 #include "gpu/pipeline/kernel.h"
-#include "reflection/core/limits.h"
-#include "reflection/core/reflect_pass.h"
+#include "gpu/view/limits.h"
+#include "gpu/view/view.h"
 
 namespace seaglass {
 
@@ -39,8 +40,9 @@ struct SingleSampledScene {
     /// Gives `view` these images for its own multisampled ones, to be sampled.
     void standIn(ViewDesc& view) const;
     Status create(const gpu::Device& device, const ViewDesc& view);
-    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const SceneSamples& samples);
-    static uint32_t dispatches(const SceneSamples& samples);
+    /// `depth`: of the host's own.
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, VkSampleCountFlagBits depth);
+    static uint32_t dispatches(VkSampleCountFlagBits depth);
 };
 
 /// What all reflectors of a context share: a scene is picked out once, however many mirrors show it.
@@ -65,11 +67,11 @@ inline bool isMultisampled(const ViewDesc& view) {
     return hasScene(view) && view.sceneDepth.samples != VK_SAMPLE_COUNT_1_BIT;
 }
 
-/// Sample 0 of `image`, within the region of `mirror`, to be sampled from `to`; `kernel` is of what it holds.
+/// Sample 0 of `image`, within the region of `view`, to be sampled from `to`; `kernel` is of what it holds.
 /// `resolved`: null but for ResolvedColorKernel, whose `image` is the depth.
 Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::Kernel& kernel,
-                         const gpu::Slice& mirror, VkExtent2D region, const gpu::OwnedImage& to,
-                         const Image& image, const Image* resolved = nullptr);
+                         const ViewGeometry& view, const gpu::OwnedImage& to, const Image& image,
+                         const Image* resolved = nullptr);
 
 /// What that writes.
 gpu::ImageDesc firstDepthDesc(VkExtent2D extent);
@@ -78,7 +80,8 @@ gpu::ImageDesc firstColorDesc(VkExtent2D extent);
 /// For all who read the scene of a call: the first fills the region of its view's single-sampled images and
 /// leaves them to be sampled in `scene.read`. `samples` is what the reader holds of them, null until a view
 /// has many.
-Status takeSamples(const ReflectPass& pass, std::shared_ptr<SingleSamples>& samples, SceneOfCall& scene);
+Status takeSamples(Context& context, VkCommandBuffer commands, const ViewGeometry& view,
+                   std::shared_ptr<SingleSamples>& samples, SceneOfCall& scene);
 
 /// Lets go of what a view held that has many samples no longer.
 void dropSamples(Context& context, SingleSamples* samples, uint32_t viewIndex);

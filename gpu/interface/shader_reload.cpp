@@ -1,4 +1,4 @@
-#include "gpu/pipeline/shader_reload.h"
+#include "gpu/interface/shader_reload.h"
 
 #include <map>
 

@@ -1,4 +1,4 @@
-#include "reflection/core/scene_formats.h"
+#include "gpu/view/scene_formats.h"
 
 namespace seaglass {
 
