@@ -2,6 +2,8 @@
 
 #include <new>
 
+#include "seaglass/fields/host.h"
+
 namespace seaglass {
 
 const char* toString(Status status) {
@@ -35,29 +37,27 @@ bool sameInterface(uint32_t headers) {
     return headers >> 12u == version() >> 12u;
 }
 
-const char* badField(const DeviceDesc& desc) {
+static_assert(deviceFieldRows[0].high == std::tuple_size_v<decltype(Context::frames)>);
+
+} // namespace
+
+FieldError badField(const DeviceDesc& desc) {
     if (!desc.instance) return "DeviceDesc.instance is null";
     if (!desc.physicalDevice) return "DeviceDesc.physicalDevice is null";
     if (!desc.device) return "DeviceDesc.device is null";
     if (!desc.getInstanceProcAddr) return "DeviceDesc.getInstanceProcAddr is null";
-    if (desc.framesInFlight < 1 || desc.framesInFlight > 4)
-        return "DeviceDesc.framesInFlight is out of range, expected 1 to 4";
     if (!desc.memory.allocate != !desc.memory.release)
         return "DeviceDesc.memory has one of allocate and release, expected both or none";
-    return nullptr;
+    return badField(deviceFields, &desc);
 }
-
-} // namespace
 
 Status createContext(const DeviceDesc* desc, Context** out) {
     if (out) *out = nullptr;
     if (!desc) return Status::invalidArgument;
     // Nothing behind the version may be read where it is another: the struct itself may differ.
     if (!sameInterface(desc->headerVersion)) return Status::unsupported;
-    const char* bad = badField(*desc);
-    if (!out) bad = "createContext: out is null";
-    if (bad) {
-        if (desc->message.function) desc->message.function(desc->message.user, bad);
+    if (const FieldError bad = out ? badField(*desc) : FieldError("createContext: out is null")) {
+        if (desc->message.function) desc->message.function(desc->message.user, bad.text());
         return Status::invalidArgument;
     }
     if (const Status s =

@@ -7,12 +7,15 @@
 #include <unordered_map>
 
 #include "gpu/device.h"
+#include "gpu/fields.h"
 #include "gpu/frame.h"
 #include "gpu/memory/sampler.h"
 
 namespace seaglass {
 
 struct Context;
+
+FieldError badField(const DeviceDesc& desc);
 
 /// What a host holds of a context: a body, a reflector or a target.
 struct Held {

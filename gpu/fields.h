@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
-#include <limits>
 
 #include "seaglass/fields/field.h"
 
@@ -48,15 +47,14 @@ inline void addChoices(FieldError& line, const Field& field) {
 
 /// Adds what a field may hold: "0 or 8 to 16384 pixel", "1, 2 or 4", "a finite number in rad".
 inline void addExpected(FieldError& line, const Field& field) {
-    constexpr double finite = double{std::numeric_limits<float>::max()};
     const char* beforeUnit = " ";
     if (field.choices) {
         addChoices(line, field);
-    } else if (field.rule == FieldRule::powerOfTwo && field.high <= 8 * field.low) {
+    } else if (field.rule == FieldRule::powerOfTwo && field.high <= 16 * field.low) {
         for (double value = field.low; value <= field.high; value *= 2)
             line.add(value == field.low ? "" : value == field.high ? " or " : ", ").add(value);
-    } else if (field.high == finite) {
-        line.add(field.low == -finite ? "a finite number" : "a finite number, 0 or more");
+    } else if (field.high == mostFinite) {
+        line.add(field.low == -mostFinite ? "a finite number" : "a finite number, 0 or more");
         beforeUnit = " in ";
     } else {
         if (field.rule == FieldRule::powerOfTwo) line.add("a power of two, ");
@@ -66,16 +64,35 @@ inline void addExpected(FieldError& line, const Field& field) {
     if (field.unit[0] != '\0') line.add(beforeUnit).add(field.unit);
 }
 
-/// The first field that holds what it may not.
-inline FieldError badField(const FieldTable& table, const void* desc) {
+/// Whether a row is that of a member.
+template<auto member>
+bool isOf(const Field& field) {
+    return field.get == &FieldAccess<member>::get;
+}
+
+/// Whether the table's first field is one that reads this one.
+inline bool isRead(const FieldTable& table, const Field& field, const void* desc) {
+    const auto kind = static_cast<uint32_t>(table.fields[0].get(desc, 0));
+    return field.readBy == 0 || (kind < 32 && (field.readBy >> kind & 1u) != 0);
+}
+
+/// The first field that holds what it may not, of those that `reads` passes. `owner`: the description's name
+/// in what is said.
+template<typename Reads>
+FieldError badField(const FieldTable& table, const void* desc, const char* owner, const Reads& reads) {
     FieldError line;
     for (const Field& field : table) {
-        if (isInRange(field, desc)) continue;
-        line.add(table.desc).add(".").add(field.name).add(" is out of range, expected ");
+        if (!reads(field) || isInRange(field, desc)) continue;
+        line.add(owner).add(".").add(field.name).add(" is out of range, expected ");
         addExpected(line, field);
         break;
     }
     return line;
+}
+
+/// Of all fields, whether or not anything reads them.
+inline FieldError badField(const FieldTable& table, const void* desc) {
+    return badField(table, desc, table.desc, [](const Field&) { return true; });
 }
 
 } // namespace seaglass

@@ -1,10 +1,6 @@
 // Which of a host's images can be read as the scene, and how exactly they tell depth and place.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-
 #include <glm/vec2.hpp>
 #include <vulkan/vulkan_core.h>
 
@@ -16,15 +12,10 @@ bool holdsNormals(VkFormat format);
 /// Beside a depth.
 bool holdsStencil(VkFormat format);
 
-/// What is said of a `field` that holdsDepth() refuses; zero-terminated.
-template<size_t size>
-constexpr auto noDepthIn(const char (&field)[size]) {
-    constexpr char words[] = " holds no depth that can be read, expected D16_UNORM, X8_D24_UNORM_PACK32 or "
-                             "D32_SFLOAT, with stencil or without, R16_UNORM or R32_SFLOAT";
-    std::array<char, size - 1 + sizeof words> text{};
-    std::copy_n(words, sizeof words, std::copy_n(field, size - 1, text.begin()));
-    return text;
-}
+/// What is said of a format that holdsDepth() refuses, behind its name.
+constexpr const char* holdsNoDepth =
+    " holds no depth that can be read, expected D16_UNORM, X8_D24_UNORM_PACK32 or D32_SFLOAT, with stencil "
+    "or without, R16_UNORM or R32_SFLOAT";
 
 /// Whether images, of depth or of colour, are sampled in this layout.
 bool sampledIn(VkImageLayout layout, bool depth);

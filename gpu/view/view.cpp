@@ -11,6 +11,7 @@
 #include "gpu/view/encoding.h"
 #include "gpu/view/limits.h"
 #include "gpu/view/scene_formats.h"
+#include "seaglass/fields/host.h"
 
 namespace seaglass {
 
@@ -72,56 +73,39 @@ const char* badProjection(const glm::dmat4& p) {
     return nullptr;
 }
 
-/// What is demanded of one of a view's images, and what is said when it is not met.
+static_assert(viewFieldRows[0].high == maxViews - 1);
+
+/// What is demanded of one of a view's images.
 struct ImageRules {
+    const char* name;
     bool (*holds)(VkFormat);
-    const char* isNull;
-    const char* isOfOtherFormat;
-    const char* isInOtherLayout;
-    const char* isSmall;
-    const char* hasOtherSamples;
+    const char* isOfOtherFormat; ///< said behind the format's name
 };
 
-constexpr auto badDepthFormat = noDepthIn("ViewDesc.sceneDepth.format");
-
-constexpr ImageRules depthRules = {
-    holdsDepth,
-    "ViewDesc.sceneDepth.view is null",
-    badDepthFormat.data(),
-    "ViewDesc.sceneDepth.layout is none to sample from, expected GENERAL or one that is read-only",
-    "ViewDesc.sceneDepth is smaller than the viewport",
-    "ViewDesc.sceneDepth.samples is none of 1, 2, 4, 8 and 16",
-};
+constexpr ImageRules depthRules = {"ViewDesc.sceneDepth", holdsDepth, holdsNoDepth};
 
 constexpr ImageRules colorRules = {
-    holdsColor,
-    "ViewDesc.sceneColor.view is null",
-    "ViewDesc.sceneColor.format holds no colour that can be read, expected R16G16B16A16_SFLOAT, "
-    "R32G32B32A32_SFLOAT, B10G11R11_UFLOAT_PACK32, or 8-bit RGBA, BGRA or ABGR, UNORM or SRGB",
-    "ViewDesc.sceneColor.layout is none to sample from, expected GENERAL or one that is read-only",
-    "ViewDesc.sceneColor is smaller than the viewport",
-    "ViewDesc.sceneColor.samples is none of 1, 2, 4, 8 and 16",
-};
+    "ViewDesc.sceneColor", holdsColor,
+    " holds no colour that can be read, expected R16G16B16A16_SFLOAT, R32G32B32A32_SFLOAT, "
+    "B10G11R11_UFLOAT_PACK32, or 8-bit RGBA, BGRA or ABGR, UNORM or SRGB"};
 
 constexpr ImageRules normalsRules = {
-    holdsNormals,
-    "ViewDesc.surfaceNormals.view is null",
-    "ViewDesc.surfaceNormals.format holds no normals that can be read, expected R16G16B16A16_SFLOAT, "
-    "R32G32B32A32_SFLOAT or R8G8B8A8_SNORM",
-    "ViewDesc.surfaceNormals.layout is none to sample from, expected GENERAL or one that is read-only",
-    "ViewDesc.surfaceNormals is smaller than the viewport",
-    "ViewDesc.surfaceNormals.samples is not 1",
-};
+    "ViewDesc.surfaceNormals", holdsNormals,
+    " holds no normals that can be read, expected R16G16B16A16_SFLOAT, R32G32B32A32_SFLOAT or "
+    "R8G8B8A8_SNORM"};
 
-const char* badImage(const Image& image, const VkViewport& viewport, const ImageRules& rules) {
-    if (!image.view) return rules.isNull;
-    if (!rules.holds(image.format)) return rules.isOfOtherFormat;
-    if (!sampledIn(image.layout, rules.holds == holdsDepth)) return rules.isInOtherLayout;
-    if (!hasSamplePlace(image.samples)) return rules.hasOtherSamples;
+FieldError badImage(const Image& image, const VkViewport& viewport, const ImageRules& rules) {
+    FieldError line(rules.name);
+    if (!image.view) return line.add(".view is null");
+    if (!rules.holds(image.format)) return line.add(".format").add(rules.isOfOtherFormat);
+    if (!sampledIn(image.layout, rules.holds == holdsDepth))
+        return line.add(".layout is none to sample from, expected GENERAL or one that is read-only");
+    if (const FieldError bad = badField(imageFields, &image, rules.name, isOf<&Image::samples>)) return bad;
     const double right = std::max(viewport.x, viewport.x + viewport.width);
     const double bottom = std::max(viewport.y, viewport.y + viewport.height);
-    if (right > image.extent.width || bottom > image.extent.height) return rules.isSmall;
-    return nullptr;
+    if (right > image.extent.width || bottom > image.extent.height)
+        return line.add(" is smaller than the viewport");
+    return {};
 }
 
 const char* badViewport(const VkViewport& v) {
@@ -170,35 +154,34 @@ bool allFinite(const glm::dmat4& m) {
     return true;
 }
 
-const char* readView(const ViewDesc& view, ViewGeometry& out) {
-    if (const char* bad = readCamera(view, out)) return bad;
-    if (const char* bad = badImage(view.sceneDepth, view.viewport, depthRules)) return bad;
-    if (const char* bad = badImage(view.sceneColor, view.viewport, colorRules)) return bad;
+FieldError readView(const ViewDesc& view, ViewGeometry& out) {
+    if (const FieldError bad = readCamera(view, out)) return bad;
+    if (const FieldError bad = badImage(view.sceneDepth, view.viewport, depthRules)) return bad;
+    if (const FieldError bad = badImage(view.sceneColor, view.viewport, colorRules)) return bad;
     if (isEncoded(view.sceneColor) && appliesSrgb(view.sceneColor.format))
         return "ViewDesc.sceneColor.encoding is srgb, which ViewDesc.sceneColor.format applies by itself";
     const VkSampleCountFlagBits samples = view.sceneColor.samples;
     if (samples != VK_SAMPLE_COUNT_1_BIT && samples != view.sceneDepth.samples)
         return "ViewDesc.sceneColor.samples is neither 1 nor that of ViewDesc.sceneDepth";
     if (view.surfaceNormals && view.surfaceNormals->samples != VK_SAMPLE_COUNT_1_BIT)
-        return normalsRules.hasOtherSamples;
+        return "ViewDesc.surfaceNormals.samples is not 1";
     if (view.surfaceNormals)
-        if (const char* bad = badImage(*view.surfaceNormals, view.viewport, normalsRules)) return bad;
+        if (const FieldError bad = badImage(*view.surfaceNormals, view.viewport, normalsRules)) return bad;
     out.sceneShift = glm::dvec2(0.5) - samplePlace(view.sceneDepth.samples);
     out.depthStep = depthStep(view.sceneDepth.format, out.reversedDepth);
-    return nullptr;
+    return {};
 }
 
-const char* readCamera(const ViewDesc& view, ViewGeometry& out) {
+FieldError readCamera(const ViewDesc& view, ViewGeometry& out) {
     const glm::dmat4 viewMatrix = toMatrix(view.view);
     const glm::dmat4 projection = toMatrix(view.projection);
     if (const char* bad = badViewMatrix(viewMatrix)) return bad;
     if (const char* bad = badProjection(projection)) return bad;
     if (const char* bad = badViewport(view.viewport)) return bad;
-    if (view.viewIndex >= maxViews) return "ViewDesc.viewIndex is out of range, expected 0 to 7";
-    if (view.sceneColor.encoding > Encoding::srgb) return "ViewDesc.sceneColor.encoding is none of Encoding";
-
-    for (const double pixels : view.jitter)
-        if (!(std::abs(pixels) <= 16)) return "ViewDesc.jitter is out of range, expected -16 to 16";
+    if (const FieldError bad = badField(viewFields, &view)) return bad;
+    if (const FieldError bad =
+            badField(imageFields, &view.sceneColor, colorRules.name, isOf<&Image::encoding>))
+        return bad;
     out.jitter = {view.jitter[0], view.jitter[1]};
 
     const glm::dmat4 worldFromView = glm::inverse(viewMatrix);
@@ -224,7 +207,7 @@ const char* readCamera(const ViewDesc& view, ViewGeometry& out) {
     if (!allFinite(out.relativeFromPixel)) return "ViewDesc.view times ViewDesc.projection is singular";
     const double ahead = out.reversedDepth ? -1 : 1;
     out.sight = ahead * glm::normalize(glm::dvec3(out.relativeFromPixel[2]));
-    return nullptr;
+    return {};
 }
 
 } // namespace seaglass

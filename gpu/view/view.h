@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "gpu/fields.h"
 #include "seaglass/host.h"
 
 namespace seaglass {
@@ -48,11 +49,11 @@ inline bool hasScene(const ViewDesc& view) {
     return view.sceneColor.view || view.sceneDepth.view;
 }
 
-/// Null when `view` is usable, else what is wrong with it. Fills `out`.
-const char* readView(const ViewDesc& view, ViewGeometry& out);
+/// What is wrong with `view`, if anything. Fills `out`.
+FieldError readView(const ViewDesc& view, ViewGeometry& out);
 
 /// The same for a view whose scene images are not read.
-const char* readCamera(const ViewDesc& view, ViewGeometry& out);
+FieldError readCamera(const ViewDesc& view, ViewGeometry& out);
 
 /// To and from pixels of the scene: as their namesakes in ViewGeometry, moved by its sceneShift.
 glm::dmat4 scenePixelFromRelative(const ViewGeometry& view);

@@ -60,8 +60,9 @@ Status chooseReflectors(Reflector* const* reflectors, uint32_t count, const View
     return gpu::guarded([&] {
         if (count == 0) return Status::ok;
         ViewGeometry geometry;
-        if (const char* bad = readCamera(*view, geometry))
-            return reflectors[0]->context->device.fail(Status::invalidArgument, "chooseReflectors: %s", bad);
+        if (const FieldError bad = readCamera(*view, geometry))
+            return reflectors[0]->context->device.fail(Status::invalidArgument, "chooseReflectors: %s",
+                                                       bad.text());
         std::vector<Candidate> candidates;
         for (uint32_t i = 0; i < count; ++i)
             if (const uint64_t urgency = reflectors[i]->urgency(geometry, view->viewIndex); urgency > 0)

@@ -67,11 +67,6 @@ Status check(const gpu::Device& device, const ReflectionDesc& desc) {
     return checkDrawn(device, desc.drawn, "ReflectionDesc");
 }
 
-const char* badField(const SceneSamples& samples) {
-    if (hasSamplePlace(samples.depth) && hasSamplePlace(samples.color)) return nullptr;
-    return "estimate: SceneSamples holds a count that is none of 1, 2, 4, 8 and 16";
-}
-
 Status Reflector::create(Context& owner, const ReflectorDesc& description) {
     context = &owner;
     desc = description.reflection;
@@ -108,8 +103,8 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
         return device.fail(Status::invalidArgument,
                            "planarView: ReflectionDesc.technique is not ReflectionTechnique::planar");
     ViewGeometry geometry;
-    if (const char* bad = readCamera(view, geometry))
-        return device.fail(Status::invalidArgument, "planarView: %s", bad);
+    if (const FieldError bad = readCamera(view, geometry))
+        return device.fail(Status::invalidArgument, "planarView: %s", bad.text());
     ReflectedView& reflected = views[view.viewIndex];
     out = {};
     out.visible = !isEmpty(pixelsThatMayShow(bounds, geometry));
@@ -142,8 +137,8 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     if (!technique().record) return Status::ok;
     const bool drawn = !technique().readsScene;
     ViewGeometry geometry;
-    if (const char* bad = drawn ? readCamera(view, geometry) : readView(view, geometry))
-        return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
+    if (const FieldError bad = drawn ? readCamera(view, geometry) : readView(view, geometry))
+        return context->device.fail(Status::invalidArgument, "reflect: %s", bad.text());
     if (!drawn) tellUnspecified(*context, view.sceneColor);
     ReflectedView& reflected = views[view.viewIndex];
     const glm::ivec4 shown = pixelsThatMayShow(bounds, geometry);
@@ -187,14 +182,14 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
 Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
                               const OverlayDesc& overlayDesc) {
     ViewGeometry geometry;
-    const char* bad = readView(view, geometry);
+    FieldError bad = readView(view, geometry);
     if (!bad) bad = badField(overlayDesc, view);
     if (!bad && showsReflection(overlayDesc.kind)) {
         const ReflectedView& reflected = views[view.viewIndex];
         if (!reflected.reflected || !reflected.isOf(extentOf(geometry)))
             bad = "OverlayDesc.kind shows what reflect() leaves, which was not called for this view before";
     }
-    if (bad) return context->device.fail(Status::invalidArgument, "recordOverlay: %s", bad);
+    if (bad) return context->device.fail(Status::invalidArgument, "recordOverlay: %s", bad.text());
     if (!overlay)
         if (const Status s = context->share(overlay); s != Status::ok) return s;
     gpu::Slice slice;
@@ -254,7 +249,8 @@ Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent,
     if (const Status s = check(context->device, *desc); s != Status::ok) return s;
     if (extent.width == 0 || extent.height == 0)
         return context->device.fail(Status::invalidArgument, "estimate: the extent is empty");
-    if (const char* bad = badField(samples)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    if (const FieldError bad = badField(sceneSampleFields, &samples))
+        return context->device.fail(Status::invalidArgument, "estimate: %s", bad.text());
     *out = estimateOf(context->device, *desc, extent, samples);
     return Status::ok;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reflection/core/mirror.h"
+#include "seaglass/fields/reflection.h"
 #include "shaders/shared/overlay_block.h"
 #include "shaders/shared/reflection_bindings.h"
 #include "spirv/overlay.comp.h"
@@ -17,10 +18,8 @@ bool showsReflection(OverlayKind kind) {
     return kind != OverlayKind::depth && kind != OverlayKind::plane;
 }
 
-const char* badField(const OverlayDesc& desc, const ViewDesc& view) {
-    if (desc.kind > OverlayKind::hitDistance) return "OverlayDesc.kind is none of OverlayKind";
-    if (!(desc.contourSpacing >= 0.001f && desc.contourSpacing <= 1e6f))
-        return "OverlayDesc.contourSpacing is out of range, expected 0.001 to 1e6";
+FieldError badField(const OverlayDesc& desc, const ViewDesc& view) {
+    if (const FieldError bad = badField(overlayFields, &desc)) return bad;
     const Image& target = desc.target;
     if (!target.view) return "OverlayDesc.target.view is null";
     if (target.format != VK_FORMAT_R16G16B16A16_SFLOAT)

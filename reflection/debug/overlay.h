@@ -11,8 +11,8 @@ struct OverlayKernel {
     Status create(Context& context);
 };
 
-/// Null when the description is usable for this view, else what is wrong with it.
-const char* badField(const OverlayDesc& desc, const ViewDesc& view);
+/// What is wrong with the description for this view, if anything.
+FieldError badField(const OverlayDesc& desc, const ViewDesc& view);
 
 /// Whether a kind shows what reflect() has left, and not its inputs alone.
 bool showsReflection(OverlayKind kind);

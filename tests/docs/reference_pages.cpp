@@ -13,6 +13,7 @@
 #include "scene/save.h"
 #include "scene/text_file.h"
 #include "seaglass/fields/fog.h"
+#include "seaglass/fields/host.h"
 #include "seaglass/fields/reflection.h"
 #include "seaglass/fields/sea.h"
 #include "seaglass/fields/water.h"
@@ -36,7 +37,7 @@ std::string withoutPlus(std::string text) {
 /// Empty: any finite one.
 std::string number(double value) {
     if (std::isinf(value)) return "infinity";
-    if (std::abs(value) == seaglass::mostRadians) return "";
+    if (std::abs(value) == seaglass::mostFinite) return "";
     char text[32];
     std::snprintf(text, sizeof text, "%g", value);
     return withoutPlus(text);
@@ -137,6 +138,7 @@ std::string settingsPage() {
     using namespace seaglass;
     const std::vector<Described> all = {
         described<BodyDesc>(bodyFields, "seaglass/water.h"),
+        described<ExtentDesc>(extentFields, "seaglass/water.h"),
         described<MeshDesc>(meshFields, "seaglass/water.h"),
         described<ShadingDesc>(shadingFields, "seaglass/water.h"),
         described<SeaDesc>(seaFields, "seaglass/sea.h"),
@@ -149,7 +151,15 @@ std::string settingsPage() {
         described<UnderwaterDesc>(underwaterFields, "seaglass/water.h"),
         described<CausticsDesc>(causticsFields, "seaglass/water.h"),
         described<BedDesc>(bedFields, "seaglass/water.h"),
+        described<LightingDesc>(lightingFields, "seaglass/host.h"),
+        described<SunShadow>(sunShadowFields, "seaglass/host.h"),
         described<FogDesc>(fogFields, "seaglass/fog.h"),
+        described<ViewDesc>(viewFields, "seaglass/host.h"),
+        described<Image>(imageFields, "seaglass/host.h"),
+        described<SceneSamples>(sceneSampleFields, "seaglass/reflection.h"),
+        described<TargetDesc>(targetFields, "seaglass/water.h"),
+        described<OverlayDesc>(overlayFields, "seaglass/reflection.h"),
+        described<DeviceDesc>(deviceFields, "seaglass/host.h"),
     };
     std::string page = note;
     page += "# Settings\n\nWhat the descriptions hold, but pointers and images. The tables are "

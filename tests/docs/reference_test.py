@@ -7,10 +7,18 @@ import sys
 from blocks import SOURCE
 
 PAGES = SOURCE / "docs" / "reference"
-# Numbers of a description that no range holds to: any may be.
-FREE = {"SeaDesc": {"seed"}}
+# Numbers of a description that no range holds to: any may be, or none alone says whether it may.
+FREE = {
+    "SeaDesc": {"seed"},
+    "DeviceDesc": {"headerVersion"},
+    "ViewDesc": {"view", "projection"},
+    "LightingDesc": {"toSun"},
+    "SunShadow": {"layers"},
+    "TargetDesc": {"subpass"},
+}
 # What is no number: other descriptions, pointers and what only goes with them.
-APART = re.compile(r"\*|\bDesc\b|Desc |WavesBackend|double plane\[4\]|spectrumTableCount")
+APART = re.compile(r"\*|\bDesc\b|Desc |WavesBackend|double plane\[4\]|spectrumTableCount|pointCount|indexCount|"
+                   r"\b(Vk(?!SampleCount)|PFN_vk)\w+ |\b(Image|MemoryCallbacks|MessageCallback|PassCallback) ")
 
 # As comments write a range, 0..0.5, and the pages a number.
 RANGE = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e\d+)?)\.\.(-?\d+(?:\.\d+)?(?:e\d+)?)")

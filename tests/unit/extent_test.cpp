@@ -91,7 +91,7 @@ TEST(Extent, AMeshIsBoundedByEdgesOfOneTriangle) {
 TEST(Extent, WindingDoesNotMatter) {
     std::vector<double> turned;
     for (size_t i = lake.size(); i > 0; i -= 2) turned.insert(turned.end(), {lake[i - 2], lake[i - 1]});
-    ASSERT_EQ(badField(polygon(turned)), nullptr);
+    ASSERT_STREQ(badField(polygon(turned)).text(), "");
     const Outline a = outlineOf(polygon(lake)), b = outlineOf(polygon(turned));
     for (double x = -80; x < 80; x += 3.7)
         for (double z = -60; z < 60; z += 3.1) EXPECT_EQ(a.contains({x, z}), b.contains({x, z}));
@@ -179,13 +179,13 @@ TEST(Extent, HostVerticesKnowTheirCellsAndTheWayToTheBorder) {
 
 TEST(Extent, BadFieldsAreNamed) {
     const auto says = [](const ExtentDesc& desc, const char* what) {
-        const char* const bad = badField(desc);
-        EXPECT_TRUE(bad && std::strstr(bad, what)) << (bad ? bad : "nothing") << ", expected " << what;
+        const FieldError bad = badField(desc);
+        EXPECT_TRUE(std::strstr(bad.text(), what)) << bad.text() << ", expected " << what;
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(badField(ExtentDesc{}), nullptr);
-    EXPECT_EQ(badField(rectangle(25, 12)), nullptr);
-    EXPECT_EQ(badField(polygon(lake)), nullptr);
+    EXPECT_STREQ(badField(ExtentDesc{}).text(), "");
+    EXPECT_STREQ(badField(rectangle(25, 12)).text(), "");
+    EXPECT_STREQ(badField(polygon(lake)).text(), "");
     says(rectangle(0, 12), "extent.size");
     says(rectangle(25, nan), "extent.size");
     says(rectangle(25, 12, nan), "extent.yaw");
@@ -205,7 +205,7 @@ TEST(Extent, BadFieldsAreNamed) {
     says(polygon({0, 0, 2, 0, 1, 0}), "crosses");             // back along itself
     says(polygon({0, 0, 4, 0, 4, 4, 2, 0, 0, 4}), "crosses"); // a corner on an edge
     const Grid grid(2);
-    EXPECT_EQ(badField(mesh(grid.points, grid.indices)), nullptr);
+    EXPECT_STREQ(badField(mesh(grid.points, grid.indices)).text(), "");
     says(mesh(grid.points, {}), "extent.indices");
     says(mesh(grid.points, {0, 1}), "extent.indexCount");
     says(mesh(grid.points, {0, 1, 99}), "extent.indices name");

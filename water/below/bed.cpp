@@ -127,8 +127,8 @@ Status Bed::handOut(Context& context, const ViewDesc& view, const ViewGeometry& 
 
     BedPicture& picture = views[view.viewIndex];
     ViewGeometry camera;
-    if (const char* bad = readCamera(frame.fromWorld(wide), camera))
-        return device.fail(Status::invalidArgument, "bedView: %s", bad);
+    if (const FieldError bad = readCamera(frame.fromWorld(wide), camera))
+        return device.fail(Status::invalidArgument, "bedView: %s", bad.text());
     const VkExtent2D extent = extentOf(camera);
     if (!picture.color.isOf(extent)) {
         BedPicture fresh;

@@ -135,8 +135,8 @@ Status Body::simulate(VkCommandBuffer commands, double time) {
 Status Body::takeScene(VkCommandBuffer commands, SceneOfCall& scene) {
     if (scene.taken) return context->share(singleSamples);
     ViewGeometry geometry;
-    if (const char* bad = readTurned(frame.fromWorld(scene.given), true, geometry))
-        return context->device.fail(Status::invalidArgument, "reflect: %s", bad);
+    if (const FieldError bad = readTurned(frame.fromWorld(scene.given), true, geometry))
+        return context->device.fail(Status::invalidArgument, "reflect: %s", bad.text());
     if (!mayShow(geometry)) return Status::ok;
     return takeSamples(*context, commands, geometry, singleSamples, scene);
 }
@@ -145,8 +145,8 @@ Status Body::bedView(const ViewDesc& view, PlanarView& out) {
     const gpu::Device& device = context->device;
     if (!bed) return device.fail(Status::invalidArgument, "bedView: the body has no BodyDesc.bed");
     ViewGeometry geometry;
-    if (const char* bad = readTurned(frame.fromWorld(view), false, geometry))
-        return device.fail(Status::invalidArgument, "bedView: %s", bad);
+    if (const FieldError bad = readTurned(frame.fromWorld(view), false, geometry))
+        return device.fail(Status::invalidArgument, "bedView: %s", bad.text());
     out = {};
     out.visible = sidesSeen(geometry) != SidesSeen::below && mayShow(geometry);
     if (!out.visible) return Status::ok;

@@ -139,7 +139,7 @@ struct Body : Held {
 
   private:
     /// Of a view in the body's axes. Null, or what is wrong with it.
-    const char* readTurned(const ViewDesc& turned, bool seesScene, ViewGeometry& out) const;
+    FieldError readTurned(const ViewDesc& turned, bool seesScene, ViewGeometry& out) const;
     /// `read`: the view with a scene that shaders sample; it may have none unless it is `wanted` by name.
     Status readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out, ViewDesc& read,
                        const char* wanted);

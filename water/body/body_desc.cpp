@@ -39,7 +39,7 @@ FieldError badField(const BodyDesc& desc) {
     if (const char* bad = readPlane(desc.plane, plane)) return bad;
     // A normal that was turned there may end on either side of level.
     if (!(plane.y > 1e-6)) return "BodyDesc.plane does not face up, expected a normal whose y is positive";
-    if (const char* bad = badField(desc.extent)) return bad;
+    if (const FieldError bad = badField(desc.extent)) return bad;
     if (const FieldError bad = badField(bodyFields, &desc)) return bad;
     if (const char* bad = badParts(desc)) return bad;
     if (const FieldError bad = badPart(foamFields, desc.foam)) return bad;

@@ -200,10 +200,10 @@ Status Body::placeHostMesh(const MeshView& view, SurfaceInputs& inputs) {
     return Status::ok;
 }
 
-const char* Body::readTurned(const ViewDesc& turned, bool seesScene, ViewGeometry& out) const {
-    if (const char* bad = seesScene ? readView(turned, out) : readCamera(turned, out)) return bad;
+FieldError Body::readTurned(const ViewDesc& turned, bool seesScene, ViewGeometry& out) const {
+    if (const FieldError bad = seesScene ? readView(turned, out) : readCamera(turned, out)) return bad;
     placeEye(out, -plane.w);
-    return nullptr;
+    return {};
 }
 
 Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, ViewGeometry& out,
@@ -211,8 +211,8 @@ Status Body::readForDraw(const ViewDesc& view, const LightingDesc& lighting, Vie
     const gpu::Device& device = context->device;
     const ViewDesc turned = frame.fromWorld(view);
     const bool seesScene = refraction && hasScene(view);
-    if (const char* bad = readTurned(turned, seesScene, out))
-        return device.fail(Status::invalidArgument, "draw: %s", bad);
+    if (const FieldError bad = readTurned(turned, seesScene, out))
+        return device.fail(Status::invalidArgument, "draw: %s", bad.text());
     if (wanted && !seesScene)
         return device.fail(Status::invalidArgument,
                            "draw: ViewDesc.sceneColor.view and sceneDepth.view are null, and %s reads them",

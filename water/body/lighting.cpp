@@ -6,6 +6,7 @@
 
 #include "gpu/view/scene_formats.h"
 #include "seaglass/fields/fog.h"
+#include "seaglass/fields/host.h"
 
 namespace seaglass {
 
@@ -19,44 +20,26 @@ const char* badCascade(const SunShadow& shadow, uint32_t i) {
     return nullptr;
 }
 
-constexpr auto badMapFormat = noDepthIn("SunShadow.map.format");
+static_assert(sunShadowFieldRows[0].high == maxShadowCascades);
 
-const char* badField(const SunShadow& shadow) {
+FieldError badField(const SunShadow& shadow) {
     if (!shadow.map.view) return "SunShadow.map.view is null";
-    if (!holdsDepth(shadow.map.format)) return badMapFormat.data();
+    if (!holdsDepth(shadow.map.format)) return FieldError("SunShadow.map.format").add(holdsNoDepth);
     if (!sampledIn(shadow.map.layout, true))
         return "SunShadow.map.layout is none to sample from, expected GENERAL or one that is read-only";
     if (shadow.map.samples != VK_SAMPLE_COUNT_1_BIT) return "SunShadow.map.samples is not 1";
-    if (shadow.cascadeCount < 1 || shadow.cascadeCount > maxShadowCascades)
-        return "SunShadow.cascadeCount is out of range, expected 1 to 4";
+    if (const FieldError bad = badField(sunShadowFields, &shadow)) return bad;
     for (uint32_t i = 0; i < shadow.cascadeCount; ++i)
         if (const char* bad = badCascade(shadow, i)) return bad;
     return nullptr;
 }
 
-bool canBeLight(const float (&values)[3]) {
-    for (const float value : values)
-        if (!(value >= 0 && std::isfinite(value))) return false;
-    return true;
-}
-
-/// Of the largest cubes that devices have, of 32768 texels an edge.
-constexpr uint32_t mostCubeMips = 16;
-
 /// Of a sky from a cube, or of one from colours: what is not read may hold anything.
-const char* badSky(const LightingDesc& lighting) {
-    if (lighting.skyCube) {
-        if (lighting.skyCubeMipLevels < 1 || lighting.skyCubeMipLevels > mostCubeMips)
-            return "LightingDesc.skyCubeMipLevels is out of range, expected 1 to 16";
-        return sampledIn(lighting.skyCubeLayout, false)
-                   ? nullptr
-                   : "LightingDesc.skyCubeLayout is none to sample from, expected GENERAL or one that is "
-                     "read-only";
-    }
-    if (!canBeLight(lighting.skyZenith)) return "LightingDesc.skyZenith is negative or not finite";
-    if (!canBeLight(lighting.skyHorizon)) return "LightingDesc.skyHorizon is negative or not finite";
-    if (!canBeLight(lighting.skyGround)) return "LightingDesc.skyGround is negative or not finite";
-    return nullptr;
+bool reads(const LightingDesc& lighting, const Field& field) {
+    if (isOf<&LightingDesc::skyCubeMipLevels>(field)) return lighting.skyCube;
+    const bool ofColors = isOf<&LightingDesc::skyZenith>(field) || isOf<&LightingDesc::skyHorizon>(field) ||
+                          isOf<&LightingDesc::skyGround>(field);
+    return !ofColors || !lighting.skyCube;
 }
 
 FieldError badFog(const FogDesc& fog) {
@@ -68,12 +51,14 @@ FieldError badFog(const FogDesc& fog) {
 } // namespace
 
 FieldError badField(const LightingDesc& lighting) {
-    if (const char* bad = badSky(lighting)) return bad;
+    const auto readsField = [&](const Field& field) { return reads(lighting, field); };
+    if (const FieldError bad = badField(lightingFields, &lighting, lightingFields.desc, readsField))
+        return bad;
+    if (lighting.skyCube && !sampledIn(lighting.skyCubeLayout, false))
+        return "LightingDesc.skyCubeLayout is none to sample from, expected GENERAL or one that is read-only";
     double squared = 0;
     for (const double value : lighting.toSun) squared += value * value;
     if (!(std::abs(squared - 1) < 1e-3)) return "LightingDesc.toSun is not a unit vector";
-    if (!canBeLight(lighting.sunIrradiance)) return "LightingDesc.sunIrradiance is negative or not finite";
-    if (!canBeLight(lighting.skyIrradiance)) return "LightingDesc.skyIrradiance is negative or not finite";
     if (lighting.fog)
         if (const FieldError bad = badFog(*lighting.fog)) return bad;
     return lighting.shadow ? badField(*lighting.shadow) : nullptr;

@@ -3,24 +3,21 @@
 #include "gpu/guard.h"
 #include "gpu/view/encoding.h"
 #include "gpu/view/limits.h"
+#include "seaglass/fields/water.h"
 
 namespace seaglass {
 
-namespace {
-
-const char* badField(const TargetDesc& desc) {
+FieldError badField(const TargetDesc& desc) {
     if (desc.colorFormat == VK_FORMAT_UNDEFINED) return "TargetDesc.colorFormat is undefined";
     if (desc.depthFormat == VK_FORMAT_UNDEFINED) return "TargetDesc.depthFormat is undefined";
-    const auto samples = static_cast<uint32_t>(desc.samples);
-    if (samples == 0 || samples > 64 || (samples & (samples - 1)) != 0)
-        return "TargetDesc.samples is no sample count";
-    if (desc.encoding > Encoding::srgb) return "TargetDesc.encoding is none of Encoding";
     if (desc.encoding == Encoding::srgb && appliesSrgb(desc.colorFormat))
         return "TargetDesc.encoding is srgb, which TargetDesc.colorFormat applies by itself";
-    if (desc.viewMask >> maxViews)
-        return "TargetDesc.viewMask has views that no ViewDesc.viewIndex names, expected 0 to 255";
-    return nullptr;
+    return badField(targetFields, &desc);
 }
+
+namespace {
+
+static_assert(targetFieldRows[3].high == (1u << maxViews) - 1);
 
 /// What the device cannot draw into, or null.
 const char* notDrawable(const gpu::Device& device, const TargetDesc& desc) {
@@ -60,7 +57,8 @@ Status createTarget(Context* context, const TargetDesc* desc, Target** out) {
             gpu::refuseNull(context, "createTarget", {{"context", !context}, {"desc", !desc}, {"out", !out}});
         s != Status::ok)
         return s;
-    if (const char* bad = badField(*desc)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    if (const FieldError bad = badField(*desc))
+        return context->device.fail(Status::invalidArgument, "%s", bad.text());
     if (const char* bad = notDrawable(context->device, *desc))
         return context->device.fail(Status::unsupported, "%s", bad);
     return gpu::guarded([&] {

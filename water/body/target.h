@@ -33,6 +33,8 @@ struct Target : Held {
     PreparedKernels prepared;
 };
 
+FieldError badField(const TargetDesc& desc);
+
 /// Colours of more than 1.
 bool holdsFloats(VkFormat format);
 

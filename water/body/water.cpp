@@ -3,6 +3,7 @@
 
 #include "gpu/guard.h"
 #include "reflection/interface/drawn_images.h"
+#include "seaglass/fields/reflection.h"
 #include "water/body/body.h"
 #include "water/body/body_desc.h"
 #include "water/body/target.h"
@@ -54,7 +55,8 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
     *out = {};
     if (const FieldError bad = badField(*desc))
         return context->device.fail(Status::invalidArgument, "%s", bad.text());
-    if (const char* bad = badField(samples)) return context->device.fail(Status::invalidArgument, "%s", bad);
+    if (const FieldError bad = badField(sceneSampleFields, &samples))
+        return context->device.fail(Status::invalidArgument, "estimate: %s", bad.text());
     return gpu::guarded([&] {
         Estimate waves, sum;
         bool hasWaves = false;

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "seaglass/fields/water.h"
 #include "water/sea/sea.h"
 
 namespace seaglass {
@@ -78,21 +79,6 @@ std::vector<OutlineEdge> borderOf(const ExtentDesc& desc) {
     for (const auto& [ends, single] : odd)
         if (single) edges.push_back({pointOf(desc, ends.first), pointOf(desc, ends.second)});
     return edges;
-}
-
-const char* badPlanet(double radius) {
-    if (radius == 0 || (radius >= 1e6 && radius <= 1e9)) return nullptr;
-    return "BodyDesc.extent.planetRadius is out of range, expected 0 or 1e6 to 1e9";
-}
-
-const char* badRectangle(const ExtentDesc& desc) {
-    if (!std::isfinite(desc.center[0]) || !std::isfinite(desc.center[1]))
-        return "BodyDesc.extent.center is not finite";
-    for (const double edge : desc.size)
-        if (!(edge >= 0.01 && edge <= 1e6))
-            return "BodyDesc.extent.size is out of range, expected 0.01 to 1e6";
-    if (!std::isfinite(desc.yaw)) return "BodyDesc.extent.yaw is not finite";
-    return nullptr;
 }
 
 const char* badPoints(const ExtentDesc& desc) {
@@ -179,18 +165,11 @@ bool meets(const OutlineEdge& edge, const glm::dvec2& low, const glm::dvec2& hig
     return from <= to;
 }
 
-const char* badField(const ExtentDesc& desc) {
-    switch (desc.shape) {
-    case ExtentShape::unbounded:
-        return badPlanet(desc.planetRadius);
-    case ExtentShape::rectangle:
-        return badRectangle(desc);
-    case ExtentShape::polygon:
-        return badPolygon(desc);
-    case ExtentShape::mesh:
-        return badMesh(desc);
-    }
-    return "BodyDesc.extent.shape is no ExtentShape";
+FieldError badField(const ExtentDesc& desc) {
+    const auto reads = [&](const Field& field) { return isRead(extentFields, field, &desc); };
+    if (const FieldError bad = badField(extentFields, &desc, "BodyDesc.extent", reads)) return bad;
+    if (desc.shape == ExtentShape::polygon) return badPolygon(desc);
+    return desc.shape == ExtentShape::mesh ? badMesh(desc) : nullptr;
 }
 
 Outline outlineOf(const ExtentDesc& desc) {

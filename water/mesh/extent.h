@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "gpu/fields.h"
 #include "seaglass/water.h"
 
 namespace seaglass {
@@ -34,8 +35,8 @@ struct Outline {
 /// Whether a segment comes into a box.
 bool meets(const OutlineEdge& edge, const glm::dvec2& low, const glm::dvec2& high);
 
-/// Null when it is usable, else what is wrong with it.
-const char* badField(const ExtentDesc& desc);
+/// What is wrong with it, if anything.
+FieldError badField(const ExtentDesc& desc);
 
 /// Of a usable description; no edges where it is unbounded.
 Outline outlineOf(const ExtentDesc& desc);

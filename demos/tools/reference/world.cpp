@@ -43,8 +43,8 @@ namespace {
 bool setOutline(const ExtentDesc& desc, World& out, Error& error) {
     SceneExtent extent;
     if (!extentOf(desc, extent, error)) return false;
-    if (const char* const bad = seaglass::badField(extent.desc)) {
-        error.text = std::string("water: ") + bad;
+    if (const seaglass::FieldError bad = seaglass::badField(extent.desc)) {
+        error.text = std::string("water: ") + bad.text();
         return false;
     }
     out.outline = seaglass::outlineOf(extent.desc);

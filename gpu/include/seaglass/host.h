@@ -194,8 +194,8 @@ struct LightingDesc {
     uint32_t skyCubeMipLevels = 1;     ///< of skyCube, 1..16; no more are read than its view has
     const SunShadow* shadow = nullptr; ///< of what hides the sun from the water; null: nothing does
     /// Of a null `skyCube`: radiance straight up, at the horizon and straight down, each finite, 0 or more.
-    /// A direction that rises by y, -1..1, has the share |y| (2 - |y|) of the way from the horizon's to one
-    /// of the others: skyRadiance(). These: a clear day in which white in the sun is about 1.
+    /// A unit direction that rises by y has the share |y| (2 - |y|) of the way from the horizon's to one of
+    /// the others: skyRadiance(). These: a clear day in which white in the sun is about 1.
     float skyZenith[3] = {0.08f, 0.16f, 0.32f};
     float skyHorizon[3] = {0.40f, 0.50f, 0.60f}; ///< likewise; all three alike: a sky of one colour
     float skyGround[3] = {0.15f, 0.15f, 0.13f};  ///< likewise

@@ -107,7 +107,7 @@ TEST_F(SeaOnAGlobe, RefusesABallThatIsNoPlanet) {
         Body* body = nullptr;
         EXPECT_EQ(createBody(context(), &desc, &body), Status::invalidArgument) << radius;
         EXPECT_EQ(body, nullptr);
-        EXPECT_EQ(message(), "BodyDesc.extent.planetRadius is out of range, expected 0 or 1e6 to 1e9");
+        EXPECT_EQ(message(), "BodyDesc.extent.planetRadius is out of range, expected 0 or 1e+06 to 1e+09 m");
     }
 }
 

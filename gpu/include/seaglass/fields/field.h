@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 namespace seaglass {
@@ -14,7 +15,7 @@ namespace seaglass {
 /// What a field is in C++.
 enum class FieldType : uint32_t {
     boolean = 0, ///< bool; as a number 0 or 1
-    integer,     ///< uint32_t
+    integer,     ///< uint32_t, or one of Vulkan's flags
     float32,     ///< float
     float64,     ///< double
     choice,      ///< an enum of uint32_t; as a number its value
@@ -28,6 +29,8 @@ enum class FieldRule : uint32_t {
 };
 
 constexpr uint32_t fieldGrades = 4; ///< a number for each Quality
+/// As an end of a range: any finite number.
+constexpr double mostFinite = double{std::numeric_limits<float>::max()};
 
 /// One field of a description.
 struct Field {
@@ -127,7 +130,6 @@ struct FieldAccess<member> {
     }
     /// Field::type
     static constexpr FieldType type() {
-        if (std::is_enum_v<Value>) return FieldType::choice;
         if (std::is_same_v<Value, bool>) return FieldType::boolean;
         if (std::is_same_v<Value, float>) return FieldType::float32;
         return std::is_same_v<Value, double> ? FieldType::float64 : FieldType::integer;
@@ -162,6 +164,7 @@ template<auto member, uint32_t count>
 constexpr Field field(const char* name, const char* const (&choices)[count], const char* about,
                       uint32_t first = 0) {
     Field made = field<member>(name, first, first + count - 1, "", about);
+    made.type = FieldType::choice;
     made.choices = choices;
     return made;
 }

@@ -1,8 +1,6 @@
 // The settings of fog.h as a table: see field.h.
 #pragma once
 
-#include <limits>
-
 #include "seaglass/fields/field.h"
 #include "seaglass/fog.h"
 
@@ -22,8 +20,7 @@ inline constexpr Field fogFieldRows[] = {
         .onlyFor(FogShape::height),
     field<&FogDesc::baseHeight>("baseHeight", -1e6, 1e6, "m", "Where it has its density.")
         .onlyFor(FogShape::height),
-    field<&FogDesc::color>("color", 0, double{std::numeric_limits<float>::max()}, "",
-                           "Radiance of endless fog: red, green, blue."),
+    field<&FogDesc::color>("color", 0, mostFinite, "", "Radiance of endless fog: red, green, blue."),
     field<&FogDesc::fromSky>("fromSky", 0, 1, "", "Share of its colour that is the sky's own instead."),
     field<&FogDesc::most>("most", 0, 1, "", "Share of light that it takes at most."),
     field<&FogDesc::overSky>("overSky", "It lies before the sky, too."),

@@ -9,6 +9,9 @@ namespace seaglass {
 /// Names of ReflectionTechnique.
 inline constexpr const char* reflectionTechniques[] = {"sky", "sspr", "ssr", "hybrid", "planar"};
 
+/// Names of OverlayKind.
+inline constexpr const char* overlayKinds[] = {"depth", "plane", "classes", "confidence", "hit-distance"};
+
 /// Rows of reflectionFields.
 inline constexpr Field reflectionFieldRows[] = {
     field<&ReflectionDesc::technique>("technique", reflectionTechniques, "How what is mirrored is found.")
@@ -75,5 +78,22 @@ inline constexpr Field reflectionFieldRows[] = {
 
 /// Of ReflectionDesc.
 inline constexpr FieldTable reflectionFields = fieldTable("ReflectionDesc", reflectionFieldRows);
+
+/// Rows of sceneSampleFields.
+inline constexpr Field sceneSampleFieldRows[] = {
+    field<&SceneSamples::depth>("depth", 1, 16, "", "Of each pixel's depth.").powersOfTwo(),
+    field<&SceneSamples::color>("color", 1, 16, "", "Of each pixel's colour.").powersOfTwo(),
+};
+/// Of SceneSamples.
+inline constexpr FieldTable sceneSampleFields = fieldTable("SceneSamples", sceneSampleFieldRows);
+
+/// Rows of overlayFields.
+inline constexpr Field overlayFieldRows[] = {
+    field<&OverlayDesc::kind>("kind", overlayKinds, "What is drawn."),
+    field<&OverlayDesc::contourSpacing>("contourSpacing", 0.001, 1e6, "m",
+                                        "Heights between the contour lines of the plane."),
+};
+/// Of OverlayDesc.
+inline constexpr FieldTable overlayFields = fieldTable("OverlayDesc", overlayFieldRows);
 
 } // namespace seaglass

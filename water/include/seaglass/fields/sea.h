@@ -14,14 +14,11 @@ inline constexpr const char* spectrumModels[] = {"jonswap", "pierson-moskowitz",
 /// Names of SpreadingModel.
 inline constexpr const char* spreadingModels[] = {"hasselmann", "mitsuyasu", "donelan-banner", "cos2s"};
 
-/// An angle may be any number of turns.
-constexpr double mostRadians = double{std::numeric_limits<float>::max()};
-
 /// Rows of seaFields.
 inline constexpr Field seaFieldRows[] = {
     field<&SeaDesc::spectrum>("spectrum", spectrumModels, "Model of the wind sea's spectrum."),
     field<&SeaDesc::windSpeed>("windSpeed", 0, 100, "m/s", "At 10 m; 0: no wind sea."),
-    field<&SeaDesc::windDirection>("windDirection", -mostRadians, mostRadians, "rad",
+    field<&SeaDesc::windDirection>("windDirection", -mostFinite, mostFinite, "rad",
                                    "Where it blows towards, from +u to +v."),
     field<&SeaDesc::fetch>("fetch", 1, 1e6, "m", "Open water upwind."),
     field<&SeaDesc::capFetch>("capFetch", "No further than a fully developed sea."),
@@ -55,7 +52,7 @@ inline constexpr FieldTable spectrumSampleFields = fieldTable("SpectrumSample", 
 inline constexpr Field swellFieldRows[] = {
     field<&SwellDesc::height>("height", 0, 30, "m", "Its own significant wave height; 0: none."),
     field<&SwellDesc::peakPeriod>("peakPeriod", 1, 30, "s", "Of its peak."),
-    field<&SwellDesc::direction>("direction", -mostRadians, mostRadians, "rad",
+    field<&SwellDesc::direction>("direction", -mostFinite, mostFinite, "rad",
                                  "Where it runs towards, from +u to +v."),
     field<&SwellDesc::bandwidth>("bandwidth", 0.02, 0.25, "",
                                  "Standard deviation of frequency, as a share of the peak's."),

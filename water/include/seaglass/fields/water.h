@@ -1,7 +1,7 @@
 // The settings of water.h as tables: see field.h.
 #pragma once
 
-#include "seaglass/fields/field.h"
+#include "seaglass/fields/host.h"
 #include "seaglass/water.h"
 
 namespace seaglass {
@@ -10,6 +10,9 @@ namespace seaglass {
 inline constexpr const char* fresnels[] = {"exact", "schlick"};
 /// Names of WavesOn.
 inline constexpr const char* wavesOn[] = {"automatic", "gpu", "cpu"};
+
+/// Names of ExtentShape.
+inline constexpr const char* extentShapes[] = {"unbounded", "rectangle", "polygon", "mesh"};
 
 /// Rows of meshFields.
 inline constexpr Field meshFieldRows[] = {
@@ -86,12 +89,39 @@ inline constexpr Field bedFieldRows[] = {
 /// Of BedDesc.
 inline constexpr FieldTable bedFields = fieldTable("BedDesc", bedFieldRows);
 
+/// Rows of extentFields.
+inline constexpr Field extentFieldRows[] = {
+    field<&ExtentDesc::shape>("shape", extentShapes, "What it covers of its plane."),
+    field<&ExtentDesc::planetRadius>("planetRadius", 1e6, 1e9, "m", "Of the ball that it is; 0: flat.")
+        .orZero()
+        .onlyFor(ExtentShape::unbounded),
+    field<&ExtentDesc::center>("center", -mostFinite, mostFinite, "m", "u and v of its middle.")
+        .onlyFor(ExtentShape::rectangle),
+    field<&ExtentDesc::size>("size", 0.01, 1e6, "m", "Along its own u and v.")
+        .onlyFor(ExtentShape::rectangle),
+    field<&ExtentDesc::yaw>("yaw", -mostFinite, mostFinite, "rad", "Of its own u, from +u towards +v.")
+        .onlyFor(ExtentShape::rectangle),
+};
+/// Of ExtentDesc, but its points and triangles.
+inline constexpr FieldTable extentFields = fieldTable("ExtentDesc", extentFieldRows);
+
 /// Rows of bodyFields.
 inline constexpr Field bodyFieldRows[] = {
     field<&BodyDesc::wavesOn>("wavesOn", wavesOn, "Where its waves are computed."),
     field<&BodyDesc::motion>("motion", "Keeps the last waves for SurfaceOutput::motion."),
 };
-/// Of BodyDesc, but its extent, which depends on its shape.
+/// Of BodyDesc.
 inline constexpr FieldTable bodyFields = fieldTable("BodyDesc", bodyFieldRows);
+
+/// Rows of targetFields.
+inline constexpr Field targetFieldRows[] = {
+    field<&TargetDesc::samples>("samples", 1, 64, "", "Of each pixel.").powersOfTwo(),
+    field<&TargetDesc::reversedDepth>("reversedDepth", "Nearer is greater."),
+    field<&TargetDesc::depthWrite>("depthWrite", "The surface's depth is written."),
+    field<&TargetDesc::viewMask>("viewMask", 0, 255, "", "Views of a multiview pass."),
+    field<&TargetDesc::encoding>("encoding", encodings, "How colour is written."),
+};
+/// Of TargetDesc.
+inline constexpr FieldTable targetFields = fieldTable("TargetDesc", targetFieldRows);
 
 } // namespace seaglass

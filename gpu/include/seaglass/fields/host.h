@@ -1,0 +1,58 @@
+// The settings of host.h as tables: see field.h.
+#pragma once
+
+#include "seaglass/fields/field.h"
+#include "seaglass/host.h"
+
+namespace seaglass {
+
+/// Names of Encoding.
+inline constexpr const char* encodings[] = {"unspecified", "linear", "srgb"};
+
+/// Rows of deviceFields.
+inline constexpr Field deviceFieldRows[] = {
+    field<&DeviceDesc::framesInFlight>("framesInFlight", 1, 4, "",
+                                       "Frame slots that may be pending at once."),
+};
+/// Of DeviceDesc.
+inline constexpr FieldTable deviceFields = fieldTable("DeviceDesc", deviceFieldRows);
+
+/// Rows of imageFields.
+inline constexpr Field imageFieldRows[] = {
+    field<&Image::samples>("samples", 1, 16, "", "Of each pixel.").powersOfTwo(),
+    field<&Image::encoding>("encoding", encodings, "How colour is held."),
+};
+/// Of Image.
+inline constexpr FieldTable imageFields = fieldTable("Image", imageFieldRows);
+
+/// Rows of viewFields.
+inline constexpr Field viewFieldRows[] = {
+    field<&ViewDesc::viewIndex>("viewIndex", 0, 7, "", "Which view of the frame it is."),
+    field<&ViewDesc::jitter>("jitter", -16, 16, "pixel", "How far the picture is moved, right and down."),
+    field<&ViewDesc::cut>("cut", "The last frame tells nothing of this one."),
+};
+/// Of ViewDesc, but its matrices.
+inline constexpr FieldTable viewFields = fieldTable("ViewDesc", viewFieldRows);
+
+/// Rows of sunShadowFields.
+inline constexpr Field sunShadowFieldRows[] = {
+    field<&SunShadow::cascadeCount>("cascadeCount", 1, 4, "", "Finest first."),
+    field<&SunShadow::reversedDepth>("reversedDepth", "What is nearer to the sun is greater."),
+};
+/// Of SunShadow, but what each cascade has.
+inline constexpr FieldTable sunShadowFields = fieldTable("SunShadow", sunShadowFieldRows);
+
+/// Rows of lightingFields.
+inline constexpr Field lightingFieldRows[] = {
+    field<&LightingDesc::sunIrradiance>("sunIrradiance", 0, mostFinite, "", "On a plane facing the sun."),
+    field<&LightingDesc::skyIrradiance>("skyIrradiance", 0, mostFinite, "",
+                                        "On the water's plane, without the sun."),
+    field<&LightingDesc::skyCubeMipLevels>("skyCubeMipLevels", 1, 16, "", "Of the sky's cube."),
+    field<&LightingDesc::skyZenith>("skyZenith", 0, mostFinite, "", "Without a cube: radiance straight up."),
+    field<&LightingDesc::skyHorizon>("skyHorizon", 0, mostFinite, "", "Without a cube: at the horizon."),
+    field<&LightingDesc::skyGround>("skyGround", 0, mostFinite, "", "Without a cube: straight down."),
+};
+/// Of LightingDesc, but `toSun`, which is a unit vector.
+inline constexpr FieldTable lightingFields = fieldTable("LightingDesc", lightingFieldRows);
+
+} // namespace seaglass
