@@ -90,6 +90,13 @@ TEST_F(Render, WarnsOfWavesThatTheCascadesCannotHold) {
     EXPECT_EQ(flat.err, "") << "nothing is asked for";
 }
 
+TEST_F(Render, WarnsOfFormerKeys) {
+    const Outcome outcome = render({"-o", "out/a.png", "--strict", "--set", "water.reflection.roof_looks=2"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "warning: --set water.reflection.roof_looks=2: water.reflection.roof_looks is "
+                           "called overhang_samples now\n");
+}
+
 TEST_F(Render, TimeCameraAndOverridesShow) {
     const std::vector<Names> variants = {{},
                                          {"--time", "3"},

@@ -241,6 +241,39 @@ TEST_F(SceneFile, UnknownKeysNameTheNearest) {
               "scene.toml:15: mesh.0.postion_m is not a known key, the nearest is mesh.position_m");
 }
 
+TEST_F(SceneFile, FormerKeysAreReadAsWhatTheyAreCalledNow) {
+    EXPECT_TRUE(load()->notes.empty());
+    const std::string room = "[[water.dry_rooms]]\npoints_m = [[0, 0], [1, 0], [0, 1]]\nbottom_m = -0.5\n";
+    const std::optional<Scene> scene =
+        loadText(replaced("technique = \"sspr\"", "technique = \"sspr\"\nroof_looks = 5") + room,
+                 {"water.slope_looks=4", "water.dry_rooms.0.bottom_m=-2"});
+    ASSERT_TRUE(scene) << error_.text;
+    EXPECT_EQ(scene->water->reflection->overhangSamples, 5u);
+    EXPECT_EQ(scene->water->shading.slopeSamples, 4u);
+    ASSERT_EQ(scene->water->exclusionVolumes.size(), 1u);
+    EXPECT_EQ(scene->water->exclusionVolumes[0].bottomM, -2);
+    ASSERT_EQ(scene->notes.size(), 4u);
+    EXPECT_TRUE(scene->notes[0].ends_with("scene.toml:45: water.dry_rooms is called exclusion_volumes now"))
+        << scene->notes[0];
+    EXPECT_TRUE(scene->notes[1].ends_with("scene.toml:34: water.reflection.roof_looks is called "
+                                          "overhang_samples now"))
+        << scene->notes[1];
+    EXPECT_EQ(scene->notes[2], "--set water.slope_looks=4: water.slope_looks is called slope_samples now");
+    EXPECT_EQ(scene->notes[3],
+              "--set water.dry_rooms.0.bottom_m=-2: water.dry_rooms is called exclusion_volumes now");
+}
+
+TEST_F(SceneFile, FormerKeysAreOnlyThoseOfTheirSections) {
+    const auto loaded = loadText(replaced("cells_per_level = 128", "relief = true\nslope_looks = 2"));
+    ASSERT_TRUE(loaded) << error_.text;
+    EXPECT_TRUE(loaded->water->shading.parallax);
+    EXPECT_NE(problem(replaced("distortion = 1", "relief = true"))
+                  .find("water.refraction.relief is not a known key"),
+              std::string::npos);
+    EXPECT_EQ(problem(replaced("cells_per_level = 128", "slope_looks = 2\nslope_samples = 2")),
+              "scene.toml:19: water.slope_looks is not a known key, the nearest is water.slope_samples");
+}
+
 TEST_F(SceneFile, MissingFieldsAreNamed) {
     EXPECT_EQ(problem(replaced("file = \"tetra.gltf\"\n", "")),
               "scene.toml:13: mesh.0.file is missing, expected a glTF file");

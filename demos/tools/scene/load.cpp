@@ -12,6 +12,7 @@
 #include <toml++/toml.h>
 
 #include "scene/fields.h"
+#include "scene/former_keys.h"
 #include "scene/nearest.h"
 
 namespace demos {
@@ -75,6 +76,9 @@ std::string_view parentOf(std::string_view path) {
 
 /// The nearest known path; of equally near ones, one in the same section.
 std::string nearestPath(const std::string& schemaPath) {
+    const std::string parent(parentOf(schemaPath));
+    const std::string_view now = presentKey(lastOf(parent), lastOf(schemaPath));
+    if (now != lastOf(schemaPath)) return join(parent, now);
     std::vector<std::string> known;
     listPaths(sceneSection(), "", known);
     const auto distance = [&schemaPath](const std::string& candidate) {
@@ -334,6 +338,36 @@ void dropOtherWay(const Section& section, toml::table& table, std::string_view k
     }
 }
 
+// ---- What was once called otherwise
+
+std::string calledNow(const std::string& where, const std::string& path, std::string_view key,
+                      std::string_view now) {
+    return where + ": " + join(path, key) + " is called " + std::string(now) + " now";
+}
+
+/// Gives the file's former keys their present names, but where both are there.
+void renameFormer(toml::table& table, const Section& section, const std::string& path,
+                  const std::string& file, std::vector<std::string>& notes) {
+    for (const FormerKey& former : formerKeys) {
+        const toml::node* const node = table.get(former.before);
+        if (section.key != former.section || !node || table.contains(former.now)) continue;
+        notes.push_back(calledNow(place(*node, file), path, former.before, former.now));
+        table.get(former.before)->visit([&](auto& found) { table.insert(former.now, std::move(found)); });
+        table.erase(former.before);
+    }
+    for (const Child& child : section.children) {
+        toml::node* const node = table.get(child.section->key);
+        if (!node) continue;
+        const std::string childPath = join(path, child.section->key);
+        if (toml::table* const below = node->as_table())
+            renameFormer(*below, *child.section, childPath, file, notes);
+        toml::array* const elements = node->as_array();
+        for (size_t i = 0; elements && i < elements->size(); ++i)
+            if (toml::table* const below = (*elements)[i].as_table())
+                renameFormer(*below, *child.section, join(childPath, std::to_string(i)), file, notes);
+    }
+}
+
 // ---- Overrides
 
 /// The value of "path=value": TOML, or else a bare word. Its nodes say where they come from.
@@ -360,7 +394,8 @@ std::vector<std::string> split(std::string_view path) {
 /// Puts overrides into the parsed file, before anything is checked.
 class Overrider {
   public:
-    Overrider(toml::table& root, Error& error) : root_(root), error_(error) {}
+    Overrider(toml::table& root, std::vector<std::string>& notes, Error& error)
+        : root_(root), notes_(notes), error_(error) {}
 
     bool apply(const std::string& assignment) {
         source_ = std::string(overrideMark) + assignment;
@@ -371,10 +406,11 @@ class Overrider {
         std::optional<toml::table> value = parseValue(assignment.substr(equals + 1), source_);
         if (!value) return fail("the value is not TOML, expected a number, true, false, a text or [a, b, c]");
 
-        const std::vector<std::string> keys = split(path);
+        std::vector<std::string> keys = split(path);
         toml::table* table = &root_;
         const Section* section = &sceneSection();
         for (size_t i = 0; i + 1 < keys.size(); ++i) {
+            rename(*section, keys, i);
             const auto child = std::find_if(section->children.begin(), section->children.end(),
                                             [&](const Child& c) { return c.section->key == keys[i]; });
             if (child == section->children.end()) return unknown(path);
@@ -387,6 +423,7 @@ class Overrider {
                             std::string(section->fields.back().key));
             }
         }
+        rename(*section, keys, keys.size() - 1);
         dropOtherWay(*section, *table, keys.back());
         // The last key is checked with all others, by the reader, which knows this override by its source.
         value->get("v")->visit([&](auto& node) { table->insert_or_assign(keys.back(), std::move(node)); });
@@ -401,6 +438,15 @@ class Overrider {
 
     bool unknown(const std::string& path) {
         return fail(path + " is not a known key, the nearest is " + nearestPath(path));
+    }
+
+    void rename(const Section& section, std::vector<std::string>& keys, size_t i) {
+        const std::string_view now = presentKey(section.key, keys[i]);
+        if (now == keys[i]) return;
+        std::string path;
+        for (size_t j = 0; j < i; ++j) path = join(path, keys[j]);
+        notes_.push_back(calledNow(source_, path, keys[i], now));
+        keys[i] = now;
     }
 
     toml::table* descend(toml::table& parent, const std::string& key) {
@@ -427,6 +473,7 @@ class Overrider {
     }
 
     toml::table& root_;
+    std::vector<std::string>& notes_;
     Error& error_;
     std::string source_;
 };
@@ -611,12 +658,13 @@ std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::stri
     }
     toml::table& root = parsed.table();
 
-    Overrider overrider(root, error);
+    Scene scene;
+    renameFormer(root, sceneSection(), "", file.string(), scene.notes);
+    Overrider overrider(root, scene.notes, error);
     for (const std::string& assignment : overrides) {
         if (!overrider.apply(assignment)) return std::nullopt;
     }
 
-    Scene scene;
     scene.file = fs::absolute(file).lexically_normal();
     Reader reader(file, error);
     if (!reader.read(root, sceneSection(), &scene, "", "")) return std::nullopt;

@@ -119,6 +119,7 @@ struct Scene {
     std::optional<WaterDesc> water;  ///< or
     std::optional<FloorDesc> floor;  ///< but not both
     std::vector<CameraDesc> cameras; ///< at least one; the first is the default
+    std::vector<std::string> notes;  ///< what of the file is out of date, a line each
 };
 
 /// The surface that mirrors.

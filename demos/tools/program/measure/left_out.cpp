@@ -8,6 +8,7 @@
 namespace demos {
 
 bool sayLeftOut(const std::vector<std::string>& leftOut, const Scene& scene, bool strict, Error& error) {
+    for (const std::string& note : scene.notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
     for (const std::string& line : leftOut) {
         Error placed{line};
         addPlace(scene, placed);

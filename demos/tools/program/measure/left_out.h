@@ -1,11 +1,12 @@
-// Says what the files of a scene's meshes hold and its pictures do not show.
+// Says what a scene has by former names, and what the files of its meshes hold and its pictures do not show.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace demos {
 
-/// A line to stderr for each of Host::leftOut(); with `strict`, false with `error` set where there is any.
+/// A line to stderr for each of Scene::notes and of Host::leftOut(); with `strict`, false with `error` set
+/// where anything is left out.
 bool sayLeftOut(const std::vector<std::string>& leftOut, const Scene& scene, bool strict, Error& error);
 
 } // namespace demos
