@@ -1,7 +1,7 @@
 // The tables of settings: what they say, and that the library holds to it.
 #include "gpu/context.h"
 #include "gpu/fields.h"
-#include "reflection/core/view.h"
+#include "gpu/view/view.h"
 #include "reflection/debug/overlay.h"
 #include "seaglass/fields/fog.h"
 #include "seaglass/fields/host.h"

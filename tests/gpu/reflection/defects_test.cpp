@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "measure/picture_error.h"
+#include "reflection/core/reflector.h"
 #include "reflection/sspr/sspr.h"
 #include "spirv/miss_no_w_at_far_ends.comp.h"
 #include "spirv/resolve_far_keys.comp.h"
