@@ -40,6 +40,33 @@ Gpu createGpuForWater() {
                      {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &needs.features13, needs.features});
 }
 
+// The plane y = 0 under a breath of wind: it mirrors what the picture shows, and lets the rest shine
+// through. What is not named, such as foam, costs nothing.
+seaglass::Body* createPond(seaglass::Context* context) {
+    seaglass::SeaDesc ripples;
+    ripples.windSpeed = 2.5f;
+    ripples.fetch = 100;
+    const seaglass::ReflectionDesc reflection;
+    const seaglass::RefractionDesc refraction;
+    seaglass::BodyDesc desc;
+    desc.waves = &ripples;
+    desc.reflection = &reflection;
+    desc.refraction = &refraction;
+    seaglass::Body* pond = nullptr;
+    check(seaglass::createBody(context, &desc, &pond), "createBody");
+    return pond;
+}
+
+// The sky where the picture does not tell what is mirrored, and what lights the water from within: blue
+// above, as pale as the picture's background at the horizon. A renderer with a sky's cube hands it over.
+seaglass::LightingDesc skyLight() {
+    constexpr float blue[3] = {0.15f, 0.3f, 0.6f}, pale[3] = {0.55f, 0.65f, 0.75f};
+    seaglass::LightingDesc light;
+    std::memcpy(light.skyZenith, blue, sizeof blue);
+    std::memcpy(light.skyHorizon, pale, sizeof pale);
+    return light;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -80,19 +107,7 @@ int main(int argc, char** argv) {
     seaglass::Target* target = nullptr;
     check(seaglass::createTarget(context, &attachments, &target), "createTarget");
 
-    // The plane y = 0 under a breath of wind: it mirrors what the picture shows, and lets the rest shine
-    // through. What is not named, such as foam, costs nothing.
-    seaglass::SeaDesc ripples;
-    ripples.windSpeed = 2.5f;
-    ripples.fetch = 100;
-    const seaglass::ReflectionDesc reflection;
-    const seaglass::RefractionDesc refraction;
-    seaglass::BodyDesc desc;
-    desc.waves = &ripples;
-    desc.reflection = &reflection;
-    desc.refraction = &refraction;
-    seaglass::Body* pond = nullptr;
-    check(seaglass::createBody(context, &desc, &pond), "createBody");
+    seaglass::Body* const pond = createPond(context);
 
     // The camera, and the copies as shaders see them.
     seaglass::ViewDesc view;
@@ -101,12 +116,7 @@ int main(int argc, char** argv) {
     view.viewport = {0, 0, size.width, size.height, 0, 1};
     view.sceneColor = {colorCopy.view, colorFormat, size, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     view.sceneDepth = {depthCopy.view, depthFormat, size, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-    // The sky where the picture does not tell what is mirrored, and what lights the water from within: blue
-    // above, as pale as the picture's background at the horizon. A renderer with a sky's cube hands it over.
-    constexpr float blue[3] = {0.15f, 0.3f, 0.6f}, pale[3] = {0.55f, 0.65f, 0.75f};
-    seaglass::LightingDesc light;
-    std::memcpy(light.skyZenith, blue, sizeof blue);
-    std::memcpy(light.skyHorizon, pale, sizeof pale);
+    const seaglass::LightingDesc light = skyLight();
 
     beginCommands(gpu);
     // This frame's slot, whose last use the GPU is done with; then the waves of this moment, in seconds.

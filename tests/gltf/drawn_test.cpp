@@ -77,7 +77,7 @@ Json turnedBack() {
     return {{"KHR_texture_transform", {{"scale", {-1, 1}}, {"offset", {1, 0}}}}};
 }
 
-std::vector<Case> cases() {
+std::vector<Case> light() {
     return {
         {"EmissiveTexture",
          [](Plate& p) {
@@ -140,6 +140,11 @@ std::vector<Case> cases() {
              EXPECT_LT(seen.left.b, 0.95f * plain.left.b);
              expectNear(seen.right, plain.right, 0.001f);
          }},
+    };
+}
+
+std::vector<Case> textures() {
+    return {
         {"Nearest",
          [](Plate& p) {
              unlit(p, {1, 1, 1, 1});
@@ -232,7 +237,8 @@ TEST_P(Drawn, AsTheFileSaysAndAsTraced) {
     EXPECT_EQ(host->validationMessages(), 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Materials, Drawn, testing::ValuesIn(cases()),
-                         [](const auto& info) { return info.param.name; });
+const auto nameOf = [](const auto& info) { return info.param.name; };
+INSTANTIATE_TEST_SUITE_P(Light, Drawn, testing::ValuesIn(light()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Textures, Drawn, testing::ValuesIn(textures()), nameOf);
 
 } // namespace

@@ -111,7 +111,7 @@ void addSkin(Plate& plate, const std::vector<float>& jointAt) {
         plate.addFloats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4");
 }
 
-std::vector<Case> geometry() {
+std::vector<Case> primitives() {
     return {
         {"Plain", [](Plate&) {}, expectPlate},
         {"IndicesOfBytes",
@@ -153,6 +153,11 @@ std::vector<Case> geometry() {
              EXPECT_EQ(mesh.vertices.size(), 6u);
              expectBounds(mesh, {-1, 0, 0}, {1, 2, 0});
          }},
+    };
+}
+
+std::vector<Case> accessors() {
+    return {
         {"Sparse",
          [](Plate& p) {
              const size_t indices = p.addView(shorts({2})),
@@ -218,6 +223,11 @@ std::vector<Case> geometry() {
              EXPECT_EQ(mesh.vertices[0].color[1], 0);
              EXPECT_EQ(mesh.vertices[0].color[2], 13107);
          }},
+    };
+}
+
+std::vector<Case> placements() {
+    return {
         {"SkinIgnoresItsNode",
          [](Plate& p) {
              addSkin(p, {0, 0, 0});
@@ -290,6 +300,11 @@ std::vector<Case> geometry() {
          [](const Mesh& mesh) {
              expectBounds(mesh, {8, 0, 0}, {10, 2, 0});
          }},
+    };
+}
+
+std::vector<Case> besideThePlate() {
+    return {
         {"NoSceneIsTheDefault",
          [](Plate& p) {
              p.root["scenes"].push_back({{"nodes", {0}}});
@@ -350,9 +365,10 @@ std::vector<Case> geometry() {
     };
 }
 
-std::vector<Case> materials() {
-    const auto plain = [](const Mesh&) {};
-    std::vector<Case> cases = {
+void anything(const Mesh&) {}
+
+std::vector<Case> uvSets() {
+    return {
         {"SecondUvSet",
          [](Plate& p) {
              p.texture("baseColorTexture", tests::png(1, 1, red));
@@ -413,6 +429,11 @@ std::vector<Case> materials() {
          [](const Mesh& mesh) {
              expectUvs(mesh, {{0, 3}, {3, 3}, {3, 0}, {0, 0}});
          }},
+    };
+}
+
+std::vector<Case> surfaces() {
+    return {
         {"EmissiveStrength",
          [](Plate& p) {
              p.material()["emissiveFactor"] = {1, 0.5, 0};
@@ -459,6 +480,11 @@ std::vector<Case> materials() {
              EXPECT_EQ(texture.wrapU, demos::Wrap::clamp);
              EXPECT_EQ(texture.wrapV, demos::Wrap::mirror);
          }},
+    };
+}
+
+std::vector<Case> alphas() {
+    return {
         {"OpaqueIgnoresAlpha", [](Plate& p) { p.texture("baseColorTexture", tests::png(1, 1, clear)); },
          [](const Mesh& mesh) { EXPECT_EQ(materialOf(mesh).features(), 0u); }},
         {"BlendByFactor",
@@ -496,6 +522,11 @@ std::vector<Case> materials() {
              p.material()["alphaCutoff"] = 0.25;
          },
          [](const Mesh& mesh) { EXPECT_EQ(materialOf(mesh).alphaCutoff, 0.25f); }},
+    };
+}
+
+std::vector<Case> images() {
+    return {
         {"WebpWithFallback", [](Plate& p) { addOptionalImage(p, "EXT_texture_webp", "RIFFxxxxWEBP"); },
          [](const Mesh& mesh) { EXPECT_TRUE(isRed(mesh)); }},
         {"Ktx2WithFallback",
@@ -517,11 +548,11 @@ std::vector<Case> materials() {
          {"materials[0].baseColorTexture", "not_there.png", "no such file"}},
         {"ImageIsNoPicture",
          [](Plate& p) { p.texture("normalTexture", "this is text"); },
-         plain,
+         anything,
          {"materials[0].normalTexture", "neither PNG nor JPEG"}},
         {"ImageIsCutOff",
          [](Plate& p) { p.texture("baseColorTexture", tests::png(1, 1, red).substr(0, 40)); },
-         plain,
+         anything,
          {"materials[0].baseColorTexture", "images[0]"}},
         {"ImageWithinTheFile",
          [](Plate& p) {
@@ -537,25 +568,30 @@ std::vector<Case> materials() {
                                     {"mimeType", "image/png"}};
              p.root["bufferViews"].back()["byteOffset"] = 1 << 20;
          },
-         plain,
+         anything,
          {"materials[0].baseColorTexture", "images[0]", "reaches past its buffer"}},
         {"ImageThatNobodyUses",
          [](Plate& p) {
              p.root["images"] = {{{"uri", "nowhere.png"}}};
          },
-         plain},
+         anything},
+    };
+}
+
+std::vector<Case> unknownOfMaterials() {
+    return {
         {"UnknownOfAMaterial",
          [](Plate& p) {
              p.material()["extensions"]["VENDOR_glitter"] = {{"grain", 3}};
          },
-         plain,
+         anything,
          {"materials[0]", "VENDOR_glitter"}},
         {"UnknownOfATexture",
          [](Plate& p) {
              p.texture("baseColorTexture", tests::png(1, 1, red));
              p.root["textures"][0]["extensions"]["VENDOR_moving"] = Json::object();
          },
-         plain,
+         anything,
          {"textures[0]", "VENDOR_moving"}},
         {"ManyAreOneLine",
          [](Plate& p) {
@@ -565,22 +601,26 @@ std::vector<Case> materials() {
              second["material"] = 1;
              p.root["meshes"][0]["primitives"].push_back(second);
          },
-         plain,
+         anything,
          {"materials[0] (and 1 more)"}},
         {"NameWithControlCharacters",
          [](Plate& p) {
              p.material()["name"] = "a\x1b[31m\nb" + std::string(500, 'x');
              p.material()["extensions"]["VENDOR_glitter"] = Json::object();
          },
-         plain,
+         anything,
          {"materials[0] \"a?[31m?bxxx"}},
         {"MaterialThatNobodyUses",
          [](Plate& p) {
              p.root["materials"].push_back({{"extensions", {{"VENDOR_glitter", Json::object()}}}});
          },
-         plain},
+         anything},
     };
-    const std::pair<const char*, Json> layers[] = {
+}
+
+std::vector<Case> layers() {
+    std::vector<Case> cases;
+    const std::pair<const char*, Json> extensions[] = {
         {"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}},
         {"KHR_materials_transmission", {{"transmissionFactor", 0.5}}},
         {"KHR_materials_sheen", {{"sheenColorFactor", {0, 0.1, 0}}}},
@@ -592,14 +632,15 @@ std::vector<Case> materials() {
         {"KHR_materials_dispersion", {{"dispersion", 1}}},
         {"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 1}}},
     };
-    for (const auto& [name, value] : layers) {
+    for (const auto& [name, value] : extensions) {
         const std::string extension = name;
         cases.push_back({extension.substr(4),
                          [=, given = value](Plate& p) { p.material()["extensions"][extension] = given; },
-                         plain,
+                         anything,
                          {"materials[0]", extension}});
         cases.push_back({extension.substr(4) + "_ofNothing",
-                         [=](Plate& p) { p.material()["extensions"][extension] = Json::object(); }, plain});
+                         [=](Plate& p) { p.material()["extensions"][extension] = Json::object(); },
+                         anything});
     }
     return cases;
 }
@@ -625,8 +666,16 @@ TEST_P(Reads, AsItIsWritten) {
 }
 
 const auto nameOf = [](const auto& info) { return info.param.name; };
-INSTANTIATE_TEST_SUITE_P(Geometry, Reads, testing::ValuesIn(geometry()), nameOf);
-INSTANTIATE_TEST_SUITE_P(Materials, Reads, testing::ValuesIn(materials()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Primitives, Reads, testing::ValuesIn(primitives()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Accessors, Reads, testing::ValuesIn(accessors()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Placements, Reads, testing::ValuesIn(placements()), nameOf);
+INSTANTIATE_TEST_SUITE_P(BesideThePlate, Reads, testing::ValuesIn(besideThePlate()), nameOf);
+INSTANTIATE_TEST_SUITE_P(UvSets, Reads, testing::ValuesIn(uvSets()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Surfaces, Reads, testing::ValuesIn(surfaces()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Alphas, Reads, testing::ValuesIn(alphas()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Images, Reads, testing::ValuesIn(images()), nameOf);
+INSTANTIATE_TEST_SUITE_P(UnknownOfMaterials, Reads, testing::ValuesIn(unknownOfMaterials()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Layers, Reads, testing::ValuesIn(layers()), nameOf);
 
 TEST(Reads, WhatAFileIsItsFirstBytesSay) {
     Folder folder;
@@ -706,7 +755,7 @@ std::string deep(size_t levels) {
            "}";
 }
 
-std::vector<Refused> refused() {
+std::vector<Refused> refusedFiles() {
     return {
         {"Empty", [](Plate&) { return std::string(); }, {"no glTF"}},
         {"NoJson", [](Plate&) { return std::string("hello\nworld"); }, {"no glTF", "line 1"}},
@@ -737,6 +786,11 @@ std::vector<Refused> refused() {
              return binary;
          },
          {"chunk"}},
+    };
+}
+
+std::vector<Refused> refusedVersions() {
+    return {
         {"Version1",
          changed([](Plate& p) { p.root["asset"]["version"] = "1.0"; }),
          {"glTF \"1.0\"", "expected 2.0"}},
@@ -763,6 +817,11 @@ std::vector<Refused> refused() {
         {"UnknownRequired",
          changed([](Plate& p) { p.root["extensionsRequired"] = {"VENDOR_a\nb"}; }),
          {"VENDOR_a?b"}},
+    };
+}
+
+std::vector<Refused> refusedScenes() {
+    return {
         {"NothingInIt",
          changed([](Plate& p) { p.root["scenes"][0]["nodes"] = Json::array(); }),
          {"no triangles"}},
@@ -792,6 +851,11 @@ std::vector<Refused> refused() {
          }),
          {"meshes[0].primitives[0]", "1e7 m away"}},
         {"MaterialOutOfRange", changed([](Plate& p) { p.primitive()["material"] = 9; }), {".material"}},
+    };
+}
+
+std::vector<Refused> refusedVertices() {
+    return {
         {"NoPositions",
          changed([](Plate& p) { p.primitive()["attributes"].erase("POSITION"); }),
          {"no positions"}},
@@ -841,6 +905,11 @@ std::vector<Refused> refused() {
                  p.addAccessor(std::string(16, '\x05'), 5121, "VEC4", 4);
          }),
          {"joint 5 of 1"}},
+    };
+}
+
+std::vector<Refused> refusedBuffers() {
+    return {
         {"BufferIsMissing",
          changed([](Plate& p) {
              p.root["buffers"] = {{{"byteLength", 200}, {"uri", "gone.bin"}}};
@@ -889,6 +958,10 @@ TEST_P(Refuses, InOneLine) {
         EXPECT_NE(problem.find(word), std::string::npos) << "'" << word << "' is not in: " << problem;
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Refuses, testing::ValuesIn(refused()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Files, Refuses, testing::ValuesIn(refusedFiles()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Versions, Refuses, testing::ValuesIn(refusedVersions()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Scenes, Refuses, testing::ValuesIn(refusedScenes()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Vertices, Refuses, testing::ValuesIn(refusedVertices()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Buffers, Refuses, testing::ValuesIn(refusedBuffers()), nameOf);
 
 } // namespace

@@ -60,6 +60,20 @@ class Measure : public testing::Test {
         tests::writeAll(folder_.path() / "floor.toml", scene);
     }
     fs::path path(const std::string& name) const { return folder_.path() / name; }
+    void expectFiles(const std::string& folder) const {
+        EXPECT_EQ(tests::namesIn(path(folder)),
+                  (std::vector<std::string>{"1_calm_level.gp", "1_calm_level.png", "1_calm_level.svg",
+                                            "index.html", "tradeoff.csv", "tradeoff.json", "tradeoff.md"}));
+        EXPECT_NE(tests::readAll(path(folder + "/1_calm_level.svg")).find("sspr"), std::string::npos);
+        const std::string markdown = tests::readAll(path(folder + "/tradeoff.md"));
+        EXPECT_NE(markdown.find("### calm.toml\n\n| camera |"), std::string::npos) << markdown;
+        EXPECT_NE(markdown.find("\n| level | sspr | default |"), std::string::npos) << markdown;
+        const std::string page = tests::readAll(path(folder + "/index.html"));
+        EXPECT_NE(page.find("src=\"data:image/svg+xml;base64,"), std::string::npos);
+        EXPECT_NE(page.find("src=\"data:image/png;base64,iVBORw0KGgo"), std::string::npos);
+        EXPECT_EQ(page.find("src=\"http"), std::string::npos) << "nothing from elsewhere";
+        EXPECT_NE(page.find("<td>sspr, default</td>"), std::string::npos);
+    }
 
     const tests::TemporaryFolder folder_;
 };
@@ -70,44 +84,25 @@ void expectNumber(const json& object, const std::string& key) {
     EXPECT_TRUE(std::isfinite(object[key].get<double>())) << key;
 }
 
-TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
-    calm();
-    const Outcome outcome = measure({"calm.toml", "-o", "new/tradeoff", "--quick", "--size", "96x54"});
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "") << "progress is for terminals";
-    EXPECT_NE(outcome.out.find("measured: " + path("new/tradeoff/index.html").string()), std::string::npos)
-        << outcome.out;
-    const json found = measured("new/tradeoff");
-    EXPECT_FALSE(found["device"].get<std::string>().empty());
-    EXPECT_FALSE(found["driver"].get<std::string>().empty());
-    EXPECT_EQ(found["size"], json({96, 54}));
-    EXPECT_GT(found["floor_ms"].get<double>(), 0);
-    EXPECT_TRUE(found["clock"] == "fence" || found["clock"] == "timestamps") << found["clock"];
-    for (const char* const file : {"index.html", "tradeoff.md"}) {
-        const std::string text = tests::readAll(path("new/tradeoff") / file);
-        EXPECT_NE(text.find(" by " + found["clock"].get<std::string>()), std::string::npos) << file;
-    }
-    ASSERT_EQ(found["entries"].size(), techniques);
-    std::map<std::string, json> entries;
-    for (const json& entry : found["entries"]) {
-        EXPECT_EQ(entry["scene"], "calm.toml");
-        EXPECT_EQ(entry["camera"], "level");
-        for (const char* const key :
-             {"ms", "x_floor", "x_floor_spread", "spread_ms", "floor_ms", "surface_ms", "surface_x_trivial"})
-            expectNumber(entry["cost"], key);
-        for (const json& pass : entry["cost"].at("passes")) expectNumber(pass, "ms");
-        for (const char* const key :
-             {"flip", "psnr_db", "coverage", "false_sky_hits", "sky_on_geometry", "wrong_share",
-              "psnr_surface_db", "flip_picture", "psnr_picture_db", "psnr_exact_db"})
-            expectNumber(entry["error"], key);
-        for (const char* const key :
-             {"position_px_p50", "position_px_p95", "position_px_max", "psnr_valid_db"})
-            EXPECT_EQ(entry["error"].at(key).is_null(),
-                      entry["technique"] == "none" || entry["technique"] == "sky")
-                << key;
-        const std::string quality = entry["quality"], technique = entry["technique"];
-        entries[quality == "default" ? technique : technique + " " + quality] = entry;
-    }
+void expectFigures(const json& entry) {
+    EXPECT_EQ(entry["scene"], "calm.toml");
+    EXPECT_EQ(entry["camera"], "level");
+    for (const char* const key :
+         {"ms", "x_floor", "x_floor_spread", "spread_ms", "floor_ms", "surface_ms", "surface_x_trivial"})
+        expectNumber(entry["cost"], key);
+    for (const json& pass : entry["cost"].at("passes")) expectNumber(pass, "ms");
+    for (const char* const key :
+         {"flip", "psnr_db", "coverage", "false_sky_hits", "sky_on_geometry", "wrong_share",
+          "psnr_surface_db", "flip_picture", "psnr_picture_db", "psnr_exact_db"})
+        expectNumber(entry["error"], key);
+    for (const char* const key : {"position_px_p50", "position_px_p95", "position_px_max", "psnr_valid_db"})
+        EXPECT_EQ(entry["error"].at(key).is_null(),
+                  entry["technique"] == "none" || entry["technique"] == "sky")
+            << key;
+}
+
+/// Of techniques and their qualities over a calm sea, beside each other.
+void expectOrder(const std::map<std::string, json>& entries) {
     const json& none = entries.at("none");
     const json& sky = entries.at("sky");
     const json& sspr = entries.at("sspr");
@@ -138,21 +133,36 @@ TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
     EXPECT_GT(planar["error"]["coverage"].get<double>(), 0.98);
     EXPECT_LE(planar["error"]["false_sky_hits"].get<double>(), 0.01);
     EXPECT_LE(planar["error"]["sky_on_geometry"].get<double>(), 0.02);
+}
+
+TEST_F(Measure, WritesCostAndErrorOfEveryTechnique) {
+    calm();
+    const Outcome outcome = measure({"calm.toml", "-o", "new/tradeoff", "--quick", "--size", "96x54"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "") << "progress is for terminals";
+    EXPECT_NE(outcome.out.find("measured: " + path("new/tradeoff/index.html").string()), std::string::npos)
+        << outcome.out;
+    const json found = measured("new/tradeoff");
+    EXPECT_FALSE(found["device"].get<std::string>().empty());
+    EXPECT_FALSE(found["driver"].get<std::string>().empty());
+    EXPECT_EQ(found["size"], json({96, 54}));
+    EXPECT_GT(found["floor_ms"].get<double>(), 0);
+    EXPECT_TRUE(found["clock"] == "fence" || found["clock"] == "timestamps") << found["clock"];
+    for (const char* const file : {"index.html", "tradeoff.md"}) {
+        const std::string text = tests::readAll(path("new/tradeoff") / file);
+        EXPECT_NE(text.find(" by " + found["clock"].get<std::string>()), std::string::npos) << file;
+    }
+    ASSERT_EQ(found["entries"].size(), techniques);
+    std::map<std::string, json> entries;
+    for (const json& entry : found["entries"]) {
+        expectFigures(entry);
+        const std::string quality = entry["quality"], technique = entry["technique"];
+        entries[quality == "default" ? technique : technique + " " + quality] = entry;
+    }
+    expectOrder(entries);
     EXPECT_NE(outcome.out.find("\nsspr, half "), std::string::npos) << outcome.out;
     EXPECT_EQ(tests::countLines(tests::readAll(path("new/tradeoff/tradeoff.csv"))), techniques + 1);
-
-    EXPECT_EQ(tests::namesIn(path("new/tradeoff")),
-              (std::vector<std::string>{"1_calm_level.gp", "1_calm_level.png", "1_calm_level.svg",
-                                        "index.html", "tradeoff.csv", "tradeoff.json", "tradeoff.md"}));
-    EXPECT_NE(tests::readAll(path("new/tradeoff/1_calm_level.svg")).find("sspr"), std::string::npos);
-    const std::string markdown = tests::readAll(path("new/tradeoff/tradeoff.md"));
-    EXPECT_NE(markdown.find("### calm.toml\n\n| camera |"), std::string::npos) << markdown;
-    EXPECT_NE(markdown.find("\n| level | sspr | default |"), std::string::npos) << markdown;
-    const std::string page = tests::readAll(path("new/tradeoff/index.html"));
-    EXPECT_NE(page.find("src=\"data:image/svg+xml;base64,"), std::string::npos);
-    EXPECT_NE(page.find("src=\"data:image/png;base64,iVBORw0KGgo"), std::string::npos);
-    EXPECT_EQ(page.find("src=\"http"), std::string::npos) << "nothing from elsewhere";
-    EXPECT_NE(page.find("<td>sspr, default</td>"), std::string::npos);
+    expectFiles("new/tradeoff");
 }
 
 TEST_F(Measure, TakesAFloorAsItTakesWater) {

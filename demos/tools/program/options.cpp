@@ -193,94 +193,86 @@ bool check(const Raw& raw, ReferenceOptions& out, Error& error) {
     return true;
 }
 
+/// What the line says of each command.
+struct Line {
+    Raw raw;
+    RawView view;
+    RawCompare compare;
+    RawMeasure measure;
+    RawSea sea;
+};
+
+struct Commands {
+    Commands(CLI::App& program, Line& line)
+        : app(program), render(*app.add_subcommand("render", "Render a scene file")),
+          view(*app.add_subcommand("view", "Show a scene file in a window")),
+          reference(*app.add_subcommand("reference", "Ray-trace a scene file on the CPU")),
+          compare(*app.add_subcommand("compare", "Compare two pictures")),
+          measure(*app.add_subcommand("measure", "Measure cost and error of the techniques side by side")),
+          sea(*app.add_subcommand("sea", "Print what a sea is, beside the published tables")),
+          devices(*app.add_subcommand("devices", "List the Vulkan devices")) {
+        devices.allow_extras();
+        describe(app, render, line.raw);
+        describeReference(reference, line.raw);
+        describeView(view, line.view);
+        describeCompare(compare, line.compare);
+        describeMeasure(measure, line.measure);
+        describeSea(sea, line.sea);
+    }
+
+    bool checkExtras(Error& error) const {
+        for (const CLI::App* command : {&app, &render, &view, &reference, &compare, &measure, &sea, &devices})
+            if (!demos::checkExtras(*command, command->remaining(), error)) return false;
+        return true;
+    }
+
+    CLI::App &app, &render, &view, &reference, &compare, &measure, &sea, &devices;
+};
+
+template<class T>
+bool take(std::optional<T> checked, T& out) {
+    if (checked) out = std::move(*checked);
+    return checked.has_value();
+}
+
+/// What the command that the line names is given.
+bool check(const Commands& commands, const Line& line, Options& out, Error& error) {
+    using Command = Options::Command;
+    const auto is = [&](const CLI::App& command, Command named) {
+        if (command.parsed()) out.command = named;
+        return command.parsed();
+    };
+    if (is(commands.devices, Command::devices)) return true;
+    if (is(commands.view, Command::view)) return take(checkView(line.view, error), out.view);
+    if (is(commands.reference, Command::reference)) return check(line.raw, out.reference, error);
+    if (is(commands.compare, Command::compare)) return take(checkCompare(line.compare, error), out.compare);
+    if (is(commands.measure, Command::measure)) return take(checkMeasure(line.measure, error), out.measure);
+    if (is(commands.sea, Command::sea)) return take(checkSea(line.sea, error), out.sea);
+    if (is(commands.render, Command::render)) return check(line.raw, out.render, error);
+    return fail("no command, expected seaglass render, view, reference, compare, measure, sea or devices "
+                "(see seaglass --help)",
+                error);
+}
+
 } // namespace
 
 std::optional<Options> parseOptions(int argc, const char* const* argv, Error& error) {
     CLI::App app("Water for Vulkan: renders scene files to pictures, and compares pictures.", "seaglass");
-    CLI::App& render = *app.add_subcommand("render", "Render a scene file");
-    CLI::App& view = *app.add_subcommand("view", "Show a scene file in a window");
-    CLI::App& reference = *app.add_subcommand("reference", "Ray-trace a scene file on the CPU");
-    CLI::App& comparison = *app.add_subcommand("compare", "Compare two pictures");
-    CLI::App& measurement =
-        *app.add_subcommand("measure", "Measure cost and error of the techniques side by side");
-    CLI::App& sea = *app.add_subcommand("sea", "Print what a sea is, beside the published tables");
-    CLI::App& devices = *app.add_subcommand("devices", "List the Vulkan devices");
-    devices.allow_extras();
-    Raw raw;
-    describe(app, render, raw);
-    describeReference(reference, raw);
-    RawView rawView;
-    describeView(view, rawView);
-    RawCompare rawCompare;
-    describeCompare(comparison, rawCompare);
-    RawMeasure rawMeasure;
-    describeMeasure(measurement, rawMeasure);
-    RawSea rawSea;
-    describeSea(sea, rawSea);
+    Line line;
+    const Commands commands(app, line);
+    Options options;
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& problem) {
         if (problem.get_exit_code() == 0) {
             app.exit(problem);
-            return Options{};
+            return options;
         }
         error.text = problem.what();
         std::replace(error.text.begin(), error.text.end(), '\n', ' ');
         return std::nullopt;
     }
-    if (!checkExtras(app, app.remaining(), error) || !checkExtras(render, render.remaining(), error) ||
-        !checkExtras(view, view.remaining(), error) ||
-        !checkExtras(reference, reference.remaining(), error) ||
-        !checkExtras(comparison, comparison.remaining(), error) ||
-        !checkExtras(measurement, measurement.remaining(), error) ||
-        !checkExtras(sea, sea.remaining(), error) || !checkExtras(devices, devices.remaining(), error)) {
-        return std::nullopt;
-    }
-    Options options;
-    if (devices.parsed()) {
-        options.command = Options::Command::devices;
-        return options;
-    }
-    if (view.parsed()) {
-        std::optional<ViewOptions> checked = checkView(rawView, error);
-        if (!checked) return std::nullopt;
-        options.command = Options::Command::view;
-        options.view = std::move(*checked);
-        return options;
-    }
-    if (reference.parsed()) {
-        options.command = Options::Command::reference;
-        if (!check(raw, options.reference, error)) return std::nullopt;
-        return options;
-    }
-    if (comparison.parsed()) {
-        std::optional<CompareOptions> checked = checkCompare(rawCompare, error);
-        if (!checked) return std::nullopt;
-        options.command = Options::Command::compare;
-        options.compare = std::move(*checked);
-        return options;
-    }
-    if (measurement.parsed()) {
-        std::optional<MeasureOptions> checked = checkMeasure(rawMeasure, error);
-        if (!checked) return std::nullopt;
-        options.command = Options::Command::measure;
-        options.measure = std::move(*checked);
-        return options;
-    }
-    if (sea.parsed()) {
-        std::optional<SeaOptions> checked = checkSea(rawSea, error);
-        if (!checked) return std::nullopt;
-        options.command = Options::Command::sea;
-        options.sea = std::move(*checked);
-        return options;
-    }
-    if (!render.parsed()) {
-        error.text = "no command, expected seaglass render, view, reference, compare, measure, sea or "
-                     "devices (see seaglass --help)";
-        return std::nullopt;
-    }
-    options.command = Options::Command::render;
-    if (!check(raw, options.render, error)) return std::nullopt;
+    if (!commands.checkExtras(error) || !check(commands, line, options, error)) return std::nullopt;
     return options;
 }
 

@@ -42,7 +42,7 @@ struct Water {
         shape.sunShadow = true;
         shape.fog = true;
         // 3 m around (20, -20), where the eye is not.
-        rooms = {{{{1, 0, 0, -23}, {-1, 0, 0, 17}, {0, 0, 1, 17}, {0, 0, -1, -23}, {0, -1, 0, -2}}}};
+        volumes = {{{{1, 0, 0, -23}, {-1, 0, 0, 17}, {0, 0, 1, 17}, {0, 0, -1, -23}, {0, -1, 0, -2}}}};
     }
     Water(const Water&) = delete;
     Water& operator=(const Water&) = delete;
@@ -68,7 +68,7 @@ struct Water {
     ExtentDesc extent;
     std::array<float, 256> heights{};
     ShoreDesc shore;
-    std::vector<ExclusionVolume> rooms;
+    std::vector<ExclusionVolume> volumes;
     BodyDesc desc;
     HostShape shape;
 };
@@ -113,10 +113,10 @@ class Features : public testing::Test {
     }
 
     Cost costOf(const BodyDesc& body, const HostShape& shape = {},
-                const std::vector<ExclusionVolume>& rooms = {}) {
+                const std::vector<ExclusionVolume>& volumes = {}) {
         spiedCalls().clear();
         ShapedHost host(device(), shape, true, {}, [&](BodyDesc& desc) { desc = body; });
-        EXPECT_EQ(setExclusionVolumes(host.body(), rooms.data(), static_cast<uint32_t>(rooms.size())),
+        EXPECT_EQ(setExclusionVolumes(host.body(), volumes.data(), static_cast<uint32_t>(volumes.size())),
                   Status::ok);
         host.picture(atTheWaterline());
         Cost cost;
@@ -141,7 +141,7 @@ class Features : public testing::Test {
             << host.message();
         return cost;
     }
-    Cost costOf(const Water& water) { return costOf(water.desc, water.shape, water.rooms); }
+    Cost costOf(const Water& water) { return costOf(water.desc, water.shape, water.volumes); }
     const Estimate& estimated() const { return estimated_; }
 
   private:
@@ -152,21 +152,18 @@ class Features : public testing::Test {
 /// Takes a feature away.
 using Switch = void (*)(Water&);
 
-/// Tries one of so many.
-class FeaturesOneByOne : public Features, public testing::WithParamInterface<size_t> {};
-INSTANTIATE_TEST_SUITE_P(, FeaturesOneByOne, testing::Values(size_t{1}, size_t{4}),
-                         [](const auto& info) { return info.param == 1 ? "All" : "EveryFourth"; });
+/// And what goes with it.
+struct Feature {
+    const char* name;
+    Switch off;
+    std::vector<const Part*> gone; ///< what becomes less; nothing becomes more
+    Switch on = nullptr;           ///< what it takes beside all the rest
+    const Part* traded = nullptr;  ///< but this may, where something else is done in its place
+};
 
-TEST_P(FeaturesOneByOne, ThatAreOffAreGone) {
-    const Cost all = costOf(Water());
-    struct Feature {
-        const char* name;
-        Switch off;
-        std::vector<const Part*> gone; ///< what becomes less; nothing becomes more
-        Switch on = nullptr;           ///< what it takes beside all the rest
-        const Part* traded = nullptr;  ///< but this may, where something else is done in its place
-    };
-    const Feature features[] = {
+/// Pointers of a body, and what their descriptions switch.
+std::vector<Feature> featuresOfParts() {
+    return {
         {"waves",
          [](Water& w) {
              w.desc.waves = nullptr;
@@ -212,6 +209,12 @@ TEST_P(FeaturesOneByOne, ThatAreOffAreGone) {
         // Its shader's places for the bed's images hold the scene's, and are not read. Bent rays are then
         // looked for in the scene's picture.
         {"bed", [](Water& w) { w.desc.bed = nullptr; }, {&memory, &objects, &reads}, nullptr, &code},
+    };
+}
+
+/// What its light, shape and shading switch.
+std::vector<Feature> featuresOfWater() {
+    return {
         {"sun shadow", [](Water& w) { w.shape.sunShadow = false; }, {&bound, &reads, &code}},
         {"fog", [](Water& w) { w.shape.fog = false; }, {&reads, &code}},
         {"extent", [](Water& w) { w.desc.extent = {}; }, {&code}},
@@ -227,9 +230,9 @@ TEST_P(FeaturesOneByOne, ThatAreOffAreGone) {
          {&memory, &objects, &bound, &reads, &code},
          [](Water& w) { w.addShore(); }},
         {"motion", [](Water& w) { w.desc.motion = false; }, {&memory, &objects}},
-        {"exclusion volumes", [](Water& w) { w.rooms.clear(); }, {&code}},
+        {"exclusion volumes", [](Water& w) { w.volumes.clear(); }, {&code}},
         {"exclusion volumes, of the surface alone",
-         [](Water& w) { w.rooms.clear(); },
+         [](Water& w) { w.volumes.clear(); },
          {&code},
          [](Water& w) { w.desc.caustics = nullptr; }},
         {"parallax", [](Water& w) { w.desc.shading.parallax = false; }, {&reads, &code}},
@@ -239,7 +242,18 @@ TEST_P(FeaturesOneByOne, ThatAreOffAreGone) {
         {"tilt", [](Water& w) { w.desc.plane[0] = 0; }, {&code}, [](Water& w) { w.desc.plane[0] = 1e-3; }},
         {"depth write", [](Water& w) { w.shape.depthWrite = false; }, {&depthWriters}},
     };
-    for (size_t i = 0; i < std::size(features); i += GetParam()) {
+}
+
+/// Tries one of so many.
+class FeaturesOneByOne : public Features, public testing::WithParamInterface<size_t> {};
+INSTANTIATE_TEST_SUITE_P(, FeaturesOneByOne, testing::Values(size_t{1}, size_t{4}),
+                         [](const auto& info) { return info.param == 1 ? "All" : "EveryFourth"; });
+
+TEST_P(FeaturesOneByOne, ThatAreOffAreGone) {
+    const Cost all = costOf(Water());
+    std::vector<Feature> features = featuresOfParts();
+    std::ranges::move(featuresOfWater(), std::back_inserter(features));
+    for (size_t i = 0; i < features.size(); i += GetParam()) {
         const Feature& feature = features[i];
         SCOPED_TRACE(feature.name);
         Water water;
@@ -331,7 +345,7 @@ TEST_F(Features, AMirrorPondHasNothingOfASea) {
     water.desc.foam = nullptr;
     water.desc.caustics = nullptr;
     water.desc.underwater = nullptr;
-    water.rooms.clear();
+    water.volumes.clear();
     const Cost pond = costOf(water);
     EXPECT_EQ(estimated().bytes, 0u) << "of waves";
     EXPECT_EQ(pond.dispatches, estimated().dispatchesPerView);
