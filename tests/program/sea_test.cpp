@@ -194,7 +194,7 @@ TEST_F(SeaCommand, BadLinesAreRefused) {
     expectRefused({}, {"no wind", "--wind U"});
     expectRefused({"--wind", "-1"}, {"--wind is '-1'", "0 to 100 m/s"});
     expectRefused({"--wind", "nan"}, {"--wind is 'nan'", "0 to 100 m/s"});
-    expectRefused({"--wind", "5", "--fetch", "0"}, {"--fetch is '0'", "1 to 1e6 m"});
+    expectRefused({"--wind", "5", "--fetch", "0"}, {"--fetch is '0'", "1 to 1e+06 m"});
     expectRefused({"--wind", "5", "--depth", "-2"}, {"--depth is '-2'", "0 to inf m"});
     expectRefused({"--wind", "5", "--spectrum", "jonswop"},
                   {"--spectrum is 'jonswop', expected ", ", phillips or table; the nearest is jonswap"});
@@ -202,11 +202,13 @@ TEST_F(SeaCommand, BadLinesAreRefused) {
     expectRefused({"--wind", "5", "--swell", "2"}, {"--swell is '2'", "0 to 1"});
     expectRefused({"--wind", "5", "--samples", "100"}, {"--samples is '100'", "power of two"});
     expectRefused({"--wind", "5", "--cascades", "5"}, {"--cascades is '5'", "1 to 4"});
-    expectRefused({"--wind", "5", "--patch", "0"}, {"--patch is '0'", "1 to 1e5 m"});
+    expectRefused({"--wind", "5", "--patch", "0.5"}, {"--patch is '0.5'", "0 or 1 to 1e+05 m"});
     expectRefused({"--wind", "5", "-o", "sea.png"}, {"sea.png", "expected .svg"});
     expectRefused({"--wind", "5", "--tabl", "x"}, {"--tabl", "nearest is --table"});
     expectRefused({"--wind", "5", "--spectrum", "table"}, {"--spectrum is table", "--table FILE.csv"});
-    expectRefused({"--beaufort", "13"}, {"--beaufort is '13'", "0 to 12"});
+    expectRefused({"--wind", "5", "--seed", "-1"}, {"--seed is '-1'", "0 to 2^63"});
+    for (const char* const force : {"13", "4.5"})
+        expectRefused({"--beaufort", force}, {force, "expected a whole number, 0 to 12"});
     expectRefused({"--beaufort", "3", "--wind", "4"}, {"--wind is given with --beaufort"});
 }
 

@@ -1,14 +1,14 @@
 #include "program/sea/sea_options.h"
 
-#include <bit>
-#include <limits>
+#include <algorithm>
 
 #include <CLI/CLI.hpp>
 
-#include "program/compare/values.h"
 #include "program/render/output.h"
 #include "scene/fields.h"
 #include "scene/nearest.h"
+#include "scene/parse_all.h"
+#include "scene/settings.h"
 
 namespace demos {
 
@@ -37,52 +37,39 @@ bool choose(const std::string& option, const std::string& text, std::string_view
     return true;
 }
 
-struct Number {
-    const char* option;
-    const std::string& text;
-    double& value;
-    double least, most;
-    const char* expected;
-};
-
-bool take(const Number& number, Error& error) {
-    if (number.text.empty()) return true;
-    const std::optional<double> value =
-        parseNumber(number.option, number.text, number.least, number.most, number.expected, error);
-    if (value) number.value = *value;
-    return value.has_value();
+/// What the library's table says of a field of the scene's waves, or where it has none the scene itself.
+Field waveField(std::string_view key) {
+    const Field& field = *std::ranges::find(sectionOf("water.waves").fields, key, &Field::key);
+    return field.row ? described(*field.table, *field.row, key, nullptr) : field;
 }
 
-bool takeCount(const char* option, const std::string& text, uint32_t most, uint32_t& out, Error& error) {
+bool holds(const Field& field, double value) {
+    return field.row ? seaglass::isInRange(*field.row, value) : field.least <= value && value <= field.most;
+}
+
+template<class Value>
+bool take(const char* option, const std::string& text, std::string_view key, Value& value, Error& error) {
     if (text.empty()) return true;
-    const std::optional<uint32_t> value = parseCount(option, text, most, error);
-    if (value) out = *value;
-    return value.has_value();
+    const Field field = waveField(key);
+    const std::optional<Value> read = parseAll<Value>(text);
+    if (!read || !holds(field, static_cast<double>(*read)))
+        return fail(std::string(option) + " is '" + text + "', expected " + expectation(field, &value),
+                    error);
+    value = *read;
+    return true;
 }
 
 bool checkWind(const RawSea& raw, WavesDesc& waves, Error& error) {
     if (raw.beaufort.empty()) {
         if (raw.wind.empty()) return fail("no wind, expected --wind U [m/s] or --beaufort B", error);
-        return take({"--wind", raw.wind, waves.windMps, 0, 100, "a wind at 10 m, 0 to 100 m/s"}, error) &&
-               take({"--fetch", raw.fetch, waves.fetchM, 1, 1e6, "a fetch, 1 to 1e6 m"}, error);
+        return take("--wind", raw.wind, "wind_m_s", waves.windMps, error) &&
+               take("--fetch", raw.fetch, "fetch_m", waves.fetchM, error);
     }
     for (const auto& [option, text] : {std::pair{"--wind", &raw.wind}, {"--fetch", &raw.fetch}})
         if (!text->empty())
             return fail(std::string(option) + " is given with --beaufort, which sets it, expected one",
                         error);
-    double force = 0;
-    if (!take({"--beaufort", raw.beaufort, force, 0, 12, "a force, 0 to 12"}, error)) return false;
-    if (force != std::floor(force))
-        return fail("--beaufort is '" + raw.beaufort + "', expected a whole number, 0 to 12", error);
-    waves.beaufort = static_cast<uint32_t>(force);
-    return true;
-}
-
-bool checkDepth(const RawSea& raw, WavesDesc& waves, Error& error) {
-    if (raw.depth == "inf") return true;
-    return take(
-        {"--depth", raw.depth, waves.depthM, 0, std::numeric_limits<double>::max(), "a depth, 0 to inf m"},
-        error);
+    return take("--beaufort", raw.beaufort, "beaufort", waves.beaufort, error);
 }
 
 bool checkSpectrum(const RawSea& raw, WavesDesc& waves, Error& error) {
@@ -101,22 +88,15 @@ bool checkSpectrum(const RawSea& raw, WavesDesc& waves, Error& error) {
 
 bool checkSpreading(const RawSea& raw, WavesDesc& waves, Error& error) {
     return choose("--spreading", raw.spreading, "water.waves.spreading", waves.spreading, error) &&
-           take({"--shape", raw.shape, waves.spreadingShape, 0, 1000, "s of cos2s, 0 to 1000"}, error) &&
-           take({"--swell", raw.swell, waves.swell, 0, 1, "an elongation, 0 to 1"}, error);
+           take("--shape", raw.shape, "spreading_shape", waves.spreadingShape, error) &&
+           take("--swell", raw.swell, "swell", waves.swell, error);
 }
 
 bool checkSamples(const RawSea& raw, WavesDesc& waves, Error& error) {
-    if (!takeCount("--samples", raw.samples, 1024, waves.samples, error) ||
-        !takeCount("--cascades", raw.cascades, 4, waves.cascades, error))
-        return false;
-    if (!take({"--patch", raw.patch, waves.largestPatchM, 1, 1e5, "an edge, 1 to 1e5 m"}, error))
-        return false;
-    if (waves.samples < 16 || !std::has_single_bit(waves.samples))
-        return fail("--samples is '" + raw.samples + "', expected a power of two, 16 to 1024", error);
-    uint32_t seed = 1;
-    if (!takeCount("--seed", raw.seed, std::numeric_limits<uint32_t>::max(), seed, error)) return false;
-    waves.seed = seed;
-    return true;
+    return take("--samples", raw.samples, "samples", waves.samples, error) &&
+           take("--cascades", raw.cascades, "cascades", waves.cascades, error) &&
+           take("--patch", raw.patch, "largest_patch_m", waves.largestPatchM, error) &&
+           take("--seed", raw.seed, "seed", waves.seed, error);
 }
 
 } // namespace
@@ -160,7 +140,8 @@ std::optional<SeaOptions> checkSea(const RawSea& raw, Error& error) {
     SeaOptions options;
     options.waves.cascades = 4;
     options.waves.capFetch = !raw.uncapped;
-    if (!checkWind(raw, options.waves, error) || !checkDepth(raw, options.waves, error) ||
+    if (!checkWind(raw, options.waves, error) ||
+        !take("--depth", raw.depth, "depth_m", options.waves.depthM, error) ||
         !checkSpectrum(raw, options.waves, error) || !checkSpreading(raw, options.waves, error) ||
         !checkSamples(raw, options.waves, error))
         return std::nullopt;
