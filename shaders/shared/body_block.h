@@ -69,8 +69,8 @@ struct BodyBlock {
     vec4 shadow; // cascades; 1, or -1 where what is nearer to the sun is greater
     mat4 shadowFromRelative[maxShadowCascades]; // to u, v and depth of each cascade
     vec4 shadowBounds[maxShadowCascades];       // lowest u and v, highest
-    vec4
-        exclusionPlanes[maxExclusionVolumes * exclusionVolumePlanes]; // of each room: outside is positive [m]
+    vec4 exclusionPlanes[maxExclusionVolumes *
+                         exclusionVolumePlanes]; // of each volume: outside is positive [m]
 };
 
 #ifdef __cplusplus

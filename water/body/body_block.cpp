@@ -79,12 +79,12 @@ void setFog(BodyBlock& u, const FogBlock& fog) {
     u.fogReach = glm::make_vec4(fog.reach);
 }
 
-void setExclusionVolumes(BodyBlock& u, const std::vector<ExclusionPlanes>& rooms, const glm::dvec3& eye) {
-    std::fill_n(u.exclusionPlanes, volumesPacked(rooms) * size_t{exclusionVolumePlanes},
+void setExclusionVolumes(BodyBlock& u, const std::vector<ExclusionPlanes>& volumes, const glm::dvec3& eye) {
+    std::fill_n(u.exclusionPlanes, volumesPacked(volumes) * size_t{exclusionVolumePlanes},
                 glm::vec4(0, 0, 0, 1)); // holding nothing
     vec4* out = u.exclusionPlanes;
-    for (const ExclusionPlanes& room : rooms)
-        for (const glm::dvec4& plane : room)
+    for (const ExclusionPlanes& volume : volumes)
+        for (const glm::dvec4& plane : volume)
             *out++ = glm::vec4(glm::vec3(plane), plane.w + glm::dot(glm::dvec3(plane), eye));
 }
 

@@ -237,7 +237,7 @@ SidesSeen Body::sidesSeen(const ViewGeometry& geometry) const {
     if (!underwater) return SidesSeen::above;
     const SightStart start = sightStart(geometry);
     if (outline && !outline->contains({start.middle.x, start.middle.z})) return SidesSeen::above;
-    if (isDry(exclusionVolumes, start.middle)) return SidesSeen::above;
+    if (isExcluded(exclusionVolumes, start.middle)) return SidesSeen::above;
     const double height = heightOf(start.middle);
     const double reach = displacement() + start.reach;
     if (height > reach) return SidesSeen::above;
@@ -342,7 +342,7 @@ Status Body::checkEye(const ViewDesc& view, const ViewGeometry& geometry) {
     const glm::dvec3& eye = geometry.eye;
     const double depth = -heightOf(eye);
     const bool isOver = !outline || outline->contains({eye.x, eye.z});
-    if (depth <= displacement() || !isOver || isDry(exclusionVolumes, eye)) return Status::ok;
+    if (depth <= displacement() || !isOver || isExcluded(exclusionVolumes, eye)) return Status::ok;
     // In a camera-to-world matrix the camera stands in the last column, and most often its right is level.
     // The inverse, taken for it, looks rolled and, where it stands over the water, lies under it. Along the x
     // axis a rolled camera would look the same.

@@ -13,10 +13,10 @@ namespace {
 
 constexpr glm::dvec4 nothingOutside{0, 0, 0, -1};
 
-const char* readRoom(const ExclusionVolume& room, ExclusionPlanes& out) {
+const char* readVolume(const ExclusionVolume& volume, ExclusionPlanes& out) {
     bool walled = false;
     for (size_t i = 0; i < exclusionVolumePlanes; ++i) {
-        const auto& [x, y, z, d] = room.planes[i];
+        const auto& [x, y, z, d] = volume.planes[i];
         const double length = glm::length(glm::dvec3(x, y, z));
         if (!(length < 1e9) || !(std::abs(d) < 1e15)) return "ExclusionVolume.planes are not finite";
         if (length == 0 && d != 0) return "ExclusionVolume.planes has a plane without a normal";
@@ -28,23 +28,23 @@ const char* readRoom(const ExclusionVolume& room, ExclusionPlanes& out) {
 
 } // namespace
 
-const char* readExclusionVolumes(const ExclusionVolume* rooms, uint32_t count,
+const char* readExclusionVolumes(const ExclusionVolume* volumes, uint32_t count,
                                  std::vector<ExclusionPlanes>& out) {
     if (count > maxExclusionVolumes) return "setExclusionVolumes: count is out of range, expected 0 to 8";
-    if (count > 0 && !rooms) return "setExclusionVolumes: rooms is null";
+    if (count > 0 && !volumes) return "setExclusionVolumes: volumes is null";
     std::vector<ExclusionPlanes> read(count);
     for (uint32_t i = 0; i < count; ++i)
-        if (const char* bad = readRoom(rooms[i], read[i])) return bad;
+        if (const char* bad = readVolume(volumes[i], read[i])) return bad;
     out = std::move(read);
     return nullptr;
 }
 
-uint32_t volumesPacked(const std::vector<ExclusionPlanes>& rooms) {
-    return rooms.empty() ? 0 : std::bit_ceil(static_cast<uint32_t>(rooms.size()));
+uint32_t volumesPacked(const std::vector<ExclusionPlanes>& volumes) {
+    return volumes.empty() ? 0 : std::bit_ceil(static_cast<uint32_t>(volumes.size()));
 }
 
-bool isDry(const std::vector<ExclusionPlanes>& rooms, const glm::dvec3& position) {
-    return std::ranges::any_of(rooms, [&](const ExclusionPlanes& planes) {
+bool isExcluded(const std::vector<ExclusionPlanes>& volumes, const glm::dvec3& position) {
+    return std::ranges::any_of(volumes, [&](const ExclusionPlanes& planes) {
         return std::ranges::all_of(
             planes, [&](const glm::dvec4& p) { return glm::dot(glm::dvec3(p), position) + p.w <= 0; });
     });

@@ -15,13 +15,13 @@ namespace seaglass {
 /// Unit normals outwards, in the world [m].
 using ExclusionPlanes = std::array<glm::dvec4, exclusionVolumePlanes>;
 
-/// Null when the rooms are usable, else what is wrong with one. Fills `out`.
-const char* readExclusionVolumes(const ExclusionVolume* rooms, uint32_t count,
+/// Null when the volumes are usable, else what is wrong with one. Fills `out`.
+const char* readExclusionVolumes(const ExclusionVolume* volumes, uint32_t count,
                                  std::vector<ExclusionPlanes>& out);
 
 /// How many the shaders look at: a power of two, so that few pipelines serve, or none.
-uint32_t volumesPacked(const std::vector<ExclusionPlanes>& rooms);
+uint32_t volumesPacked(const std::vector<ExclusionPlanes>& volumes);
 
-bool isDry(const std::vector<ExclusionPlanes>& rooms, const glm::dvec3& position);
+bool isExcluded(const std::vector<ExclusionPlanes>& volumes, const glm::dvec3& position);
 
 } // namespace seaglass

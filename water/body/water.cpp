@@ -90,12 +90,12 @@ void destroyBody(Body* body) {
     destroyHeld(body, "destroyBody");
 }
 
-Status setExclusionVolumes(Body* body, const ExclusionVolume* rooms, uint32_t count) {
+Status setExclusionVolumes(Body* body, const ExclusionVolume* volumes, uint32_t count) {
     if (!body) return Status::invalidArgument;
     return gpu::guarded([&] {
-        if (const char* bad = readExclusionVolumes(rooms, count, body->exclusionVolumes))
+        if (const char* bad = readExclusionVolumes(volumes, count, body->exclusionVolumes))
             return body->context->device.fail(Status::invalidArgument, "%s", bad);
-        for (ExclusionPlanes& room : body->exclusionVolumes) room = body->frame.fromWorld(room);
+        for (ExclusionPlanes& volume : body->exclusionVolumes) volume = body->frame.fromWorld(volume);
         return Status::ok;
     });
 }

@@ -29,7 +29,7 @@ int turningOf(const std::vector<Vec2>& points) {
 }
 
 seaglass::ExclusionVolume roomOf(const ExclusionVolumeDesc& desc, int turning) {
-    seaglass::ExclusionVolume room;
+    seaglass::ExclusionVolume volume;
     // A turn about +Y takes +X towards -Z.
     const double yaw = -desc.yawDeg * std::numbers::pi / 180, c = std::cos(yaw), s = std::sin(yaw);
     const auto place = [&](const Vec2& point) {
@@ -41,24 +41,24 @@ seaglass::ExclusionVolume roomOf(const ExclusionVolumeDesc& desc, int turning) {
         const Vec2 from = place(desc.pointsM[i]), to = place(desc.pointsM[(i + 1) % count]);
         const double x = turning * (to[1] - from[1]), z = -turning * (to[0] - from[0]);
         const double y = -std::hypot(x, z) * std::tan(desc.flareDeg * std::numbers::pi / 180);
-        double(&wall)[4] = room.planes[i];
+        double(&wall)[4] = volume.planes[i];
         wall[0] = x;
         wall[1] = y;
         wall[2] = z;
         wall[3] = -x * from[0] - y * desc.positionM[1] - z * from[1];
     }
-    double(&bottom)[4] = room.planes[mostWalls];
+    double(&bottom)[4] = volume.planes[mostWalls];
     bottom[1] = -1;
     bottom[3] = desc.positionM[1] + desc.bottomM;
-    return room;
+    return volume;
 }
 
 } // namespace
 
-bool exclusionVolumesOf(const std::vector<ExclusionVolumeDesc>& rooms,
+bool exclusionVolumesOf(const std::vector<ExclusionVolumeDesc>& volumes,
                         std::vector<seaglass::ExclusionVolume>& out, Error& error) {
     out.clear();
-    for (const ExclusionVolumeDesc& desc : rooms) {
+    for (const ExclusionVolumeDesc& desc : volumes) {
         const size_t corners = desc.pointsM.size();
         const std::string name = "water.exclusion_volumes." + std::to_string(out.size()) + ".points_m ";
         if (corners < 3 || corners > mostWalls) {

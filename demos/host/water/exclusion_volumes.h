@@ -8,8 +8,8 @@
 
 namespace demos {
 
-/// False with `error` set where an outline is not convex, or has too many corners for a room.
-bool exclusionVolumesOf(const std::vector<ExclusionVolumeDesc>& rooms,
+/// False with `error` set where an outline is not convex, or has too many corners for a volume.
+bool exclusionVolumesOf(const std::vector<ExclusionVolumeDesc>& volumes,
                         std::vector<seaglass::ExclusionVolume>& out, Error& error);
 
 } // namespace demos

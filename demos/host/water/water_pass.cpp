@@ -92,12 +92,12 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     if (desc.underwater) body.underwater = &*desc.underwater;
     if (desc.caustics) body.caustics = &*desc.caustics;
     if (desc.bed && desc.bedDrawn) body.bed = &*desc.bed;
-    std::vector<seaglass::ExclusionVolume> rooms;
-    if (!exclusionVolumesOf(desc.exclusionVolumes, rooms, error)) return false;
+    std::vector<seaglass::ExclusionVolume> volumes;
+    if (!exclusionVolumesOf(desc.exclusionVolumes, volumes, error)) return false;
     seaglass::Body* made = nullptr;
     if (!context_.ok(seaglass::createBody(context_.get(), &body, &made), error)) return false;
     const seaglass::Status dried =
-        seaglass::setExclusionVolumes(made, rooms.data(), static_cast<uint32_t>(rooms.size()));
+        seaglass::setExclusionVolumes(made, volumes.data(), static_cast<uint32_t>(volumes.size()));
     if (!context_.ok(dried, error)) {
         seaglass::destroyBody(made);
         return false;

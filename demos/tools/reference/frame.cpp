@@ -124,7 +124,7 @@ bool Frame::covers(uint32_t triangle, const glm::vec3& weights) const {
     glm::dvec3 at = camera.eye;
     for (glm::length_t i = 0; i < 3; ++i)
         at += static_cast<double>(weights[i]) * glm::dvec3(mesh.positions[corners[i]]);
-    return !seaglass::isDry(world->exclusionVolumes, at);
+    return !seaglass::isExcluded(world->exclusionVolumes, at);
 }
 
 glm::dvec2 Frame::calmAt(const Hit& waterHit) const {

@@ -51,13 +51,13 @@ bool setOutline(const ExtentDesc& desc, World& out, Error& error) {
     return true;
 }
 
-bool setExclusionVolumes(const std::vector<ExclusionVolumeDesc>& rooms, World& out, Error& error) {
+bool setExclusionVolumes(const std::vector<ExclusionVolumeDesc>& volumes, World& out, Error& error) {
     std::vector<seaglass::ExclusionVolume> read;
-    if (!exclusionVolumesOf(rooms, read, error)) return false;
+    if (!exclusionVolumesOf(volumes, read, error)) return false;
     const char* const bad =
         seaglass::readExclusionVolumes(read.data(), static_cast<uint32_t>(read.size()), out.exclusionVolumes);
     if (bad) error.text = std::string("water: ") + bad;
-    for (seaglass::ExclusionPlanes& room : out.exclusionVolumes) room = out.frame.fromWorld(room);
+    for (seaglass::ExclusionPlanes& volume : out.exclusionVolumes) volume = out.frame.fromWorld(volume);
     return !bad;
 }
 

@@ -28,7 +28,7 @@ void applyOffset(Scene& scene, CameraDesc& camera) {
     if (scene.water) moveWater(*scene.water, offset);
     if (scene.water && scene.water->shore) move(scene.water->shore->positionM);
     if (scene.water)
-        for (ExclusionVolumeDesc& room : scene.water->exclusionVolumes) move(room.positionM);
+        for (ExclusionVolumeDesc& volume : scene.water->exclusionVolumes) move(volume.positionM);
     if (scene.fog) scene.fog->baseHeightM += offset[1];
     if (scene.floor) move(scene.floor->pointM);
     move(camera.positionM);

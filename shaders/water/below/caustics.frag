@@ -61,7 +61,7 @@ void main() {
     const float leastSeen = 0.004;   // a step of eight bits, where light gathers to twice its mean
     vec3 straight = water.caustics.x * straightOn(depth);
     bool lit = any(greaterThan(straight * sunShare(normal, 1.0), vec3(leastSeen)));
-    if (lit && !isDry(at)) {
+    if (lit && !isExcluded(at)) {
         vec2 light = lightHere();
         factor += straight * sunShare(normal, light.y) * light.x;
     }

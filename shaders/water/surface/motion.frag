@@ -15,7 +15,7 @@ layout(location = 0) out vec4 outColor;
 void main() {
     if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) demote;   // as in surface.frag
     if (isOutlined && !isWithin(calmPosition, edgeRange)) demote;
-    if (isDry(position)) demote;
+    if (isExcluded(position)) demote;
     vec2 here = gl_FragCoord.xy - vec2(water.region.xy);
     vec2 moved = lastPixel.w > 0.0 ? here - lastPixel.xy / lastPixel.w : vec2(0.0);   // it was behind the eye
     outColor = vec4(moved, 0.0, 1.0);

@@ -132,7 +132,7 @@ void main() {
     position = vec3(meshPosition.x, meshPosition.y - globeDrop(meshCalm), meshPosition.z);
     if (mayBeInWater) showsUnderside = sidesSeen == seenBelow || seenFromBelow();
     // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.
-    bool shows = gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0 && !isDry(position);
+    bool shows = gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0 && !isExcluded(position);
     if (isOutlined) shows = shows && isWithin(meshCalm, edgeRange);
     if (hasWaves) quadIsAlike = abs(meanOfQuad(vec4(shows ? (isSeenFromWater() ? -1.0 : 1.0) : 0.0)).x) == 1.0;
     if (!shows) demote;   // `discard` would leave derivatives from here on undefined

@@ -72,12 +72,12 @@ TEST_F(ExclusionVolumes, HaveNoSurface) {
 
 TEST_F(ExclusionVolumes, AreEightAtMost) {
     Body* const body = makeBody(desc_);
-    std::vector<ExclusionVolume> rooms(8, box(300, 300, 1, 1));
-    rooms[7] = box(0, 0, 1, 1);
-    ASSERT_EQ(setExclusionVolumes(body, rooms.data(), 8), Status::ok) << message();
+    std::vector<ExclusionVolume> volumes(8, box(300, 300, 1, 1));
+    volumes[7] = box(0, 0, 1, 1);
+    ASSERT_EQ(setExclusionVolumes(body, volumes.data(), 8), Status::ok) << message();
     expectDry(body, 0, 0, 1, 1);
-    rooms.push_back(rooms[0]);
-    EXPECT_EQ(setExclusionVolumes(body, rooms.data(), 9), Status::invalidArgument);
+    volumes.push_back(volumes[0]);
+    EXPECT_EQ(setExclusionVolumes(body, volumes.data(), 9), Status::invalidArgument);
     EXPECT_NE(message().find("count"), std::string::npos) << message();
     expectDry(body, 0, 0, 1, 1); // as before
 }
@@ -96,8 +96,8 @@ TEST_F(ExclusionVolumes, KeepAnEyeInOneDry) {
         return countSpied("CmdDraw");
     };
     EXPECT_GT(fogged(), 0u);
-    const ExclusionVolume room = box(0, 0, 1, 1);
-    ASSERT_EQ(setExclusionVolumes(body, &room, 1), Status::ok);
+    const ExclusionVolume volume = box(0, 0, 1, 1);
+    ASSERT_EQ(setExclusionVolumes(body, &volume, 1), Status::ok);
     EXPECT_EQ(fogged(), 0u);
     camera_.eye.y = -3; // under its bottom
     EXPECT_GT(fogged(), 0u);
@@ -122,8 +122,8 @@ TEST_F(ExclusionVolumes, HaveNoCaustics) {
         return pixels;
     };
     EXPECT_GT(changed(), 1000u);
-    const ExclusionVolume room = box(0, 0, 500, 500);
-    ASSERT_EQ(setExclusionVolumes(body, &room, 1), Status::ok);
+    const ExclusionVolume volume = box(0, 0, 500, 500);
+    ASSERT_EQ(setExclusionVolumes(body, &volume, 1), Status::ok);
     EXPECT_EQ(changed(), 0u);
 }
 
@@ -138,8 +138,8 @@ TEST_F(ExclusionVolumes, CostNothingWhereThereAreNone) {
         return ~0u;
     };
     EXPECT_EQ(constant(), 0u);
-    const ExclusionVolume room = box(0, 0, 1, 1);
-    ASSERT_EQ(setExclusionVolumes(body, &room, 1), Status::ok);
+    const ExclusionVolume volume = box(0, 0, 1, 1);
+    ASSERT_EQ(setExclusionVolumes(body, &volume, 1), Status::ok);
     EXPECT_EQ(constant(), 1u);
     ASSERT_EQ(setExclusionVolumes(body, nullptr, 0), Status::ok);
     EXPECT_EQ(constant(), ~0u); // the first again
@@ -147,21 +147,21 @@ TEST_F(ExclusionVolumes, CostNothingWhereThereAreNone) {
 
 TEST_F(ExclusionVolumes, BadOnesAreNamed) {
     Body* const body = makeBody(desc_);
-    const auto expectRefused = [&](const ExclusionVolume& room) {
-        EXPECT_EQ(setExclusionVolumes(body, &room, 1), Status::invalidArgument);
+    const auto expectRefused = [&](const ExclusionVolume& volume) {
+        EXPECT_EQ(setExclusionVolumes(body, &volume, 1), Status::invalidArgument);
         EXPECT_NE(message().find("ExclusionVolume.planes"), std::string::npos) << message();
     };
     expectRefused({});
-    ExclusionVolume room = box(0, 0, 1, 1);
-    room.planes[0][0] = std::nan("");
-    expectRefused(room);
-    room.planes[0][0] = INFINITY;
-    expectRefused(room);
-    room = box(0, 0, 1, 1);
-    room.planes[5][3] = 1; // nothing but a distance
-    expectRefused(room);
+    ExclusionVolume volume = box(0, 0, 1, 1);
+    volume.planes[0][0] = std::nan("");
+    expectRefused(volume);
+    volume.planes[0][0] = INFINITY;
+    expectRefused(volume);
+    volume = box(0, 0, 1, 1);
+    volume.planes[5][3] = 1; // nothing but a distance
+    expectRefused(volume);
     EXPECT_EQ(setExclusionVolumes(body, nullptr, 1), Status::invalidArgument);
-    EXPECT_EQ(setExclusionVolumes(nullptr, &room, 1), Status::invalidArgument);
+    EXPECT_EQ(setExclusionVolumes(nullptr, &volume, 1), Status::invalidArgument);
 }
 
 } // namespace

@@ -482,24 +482,24 @@ TEST_P(Tilts, TheOverlayShowsTheSame) {
 TEST_P(Tilts, ExclusionVolumesStayWhereTheyAreInTheWorld) {
     addWaves();
     desc_.underwater = &underwater_;
-    ExclusionVolume room = {
+    ExclusionVolume volume = {
         {{1, 0, 0, -2.5}, {-1, 0, 0, -0.5}, {0, 0, 2, -2}, {0, 0, -1, -5}, {0, -1, 0, -2}}};
     const auto [level, tilted] = bodies();
-    ASSERT_EQ(setExclusionVolumes(level, &room, 1), Status::ok) << message();
-    for (auto& plane : room.planes) {
+    ASSERT_EQ(setExclusionVolumes(level, &volume, 1), Status::ok) << message();
+    for (auto& plane : volume.planes) {
         const glm::dvec4 turned =
             glm::dvec4(plane[0], plane[1], plane[2], plane[3]) * glm::inverse(worldFromLevel_);
         for (int i = 0; i < 4; ++i) plane[i] = turned[i];
     }
-    ASSERT_EQ(setExclusionVolumes(tilted, &room, 1), Status::ok) << message();
+    ASSERT_EQ(setExclusionVolumes(tilted, &volume, 1), Status::ok) << message();
     const Pair pair = both(level, tilted, 3, SurfaceOutput::shaded, scene());
-    expectSame(pair, "a room");
+    expectSame(pair, "a volume");
     const Pair whole = both(3, SurfaceOutput::shaded, scene());
     size_t dry = 0;
     for (size_t i = 0; i < pair.level.depth.size(); ++i)
         dry += whole.level.covered(i) && !pair.level.covered(i);
     EXPECT_GT(dry, 500u);
-    camera_.eye = {1, -1, -1}; // in the room, and below the water beside it
+    camera_.eye = {1, -1, -1}; // in the volume, and below the water beside it
     camera_.target = {1, -1.2, -6};
     expectSame(both(level, tilted, 3, SurfaceOutput::shaded, scene()), "an eye in it");
 }

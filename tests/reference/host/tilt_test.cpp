@@ -84,14 +84,14 @@ TEST(TiltedWater, LeavesAllElseAsItIs) {
 
 TEST(TiltedWater, HasItsExclusionVolumesWhereTheyAreInTheWorld) {
     Scene scene = slope(40);
-    ExclusionVolumeDesc& room = scene.water->exclusionVolumes.emplace_back();
-    room.positionM = {30, 4, -20};
-    room.pointsM = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    ExclusionVolumeDesc& volume = scene.water->exclusionVolumes.emplace_back();
+    volume.positionM = {30, 4, -20};
+    volume.pointsM = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     reference::World world;
     Error error;
     ASSERT_TRUE(reference::loadWorld(scene, world, error)) << error.text;
     const auto dry = [&](const glm::dvec3& at) {
-        return seaglass::isDry(world.exclusionVolumes, world.frame.fromWorld(at));
+        return seaglass::isExcluded(world.exclusionVolumes, world.frame.fromWorld(at));
     };
     EXPECT_TRUE(dry({30.8, 3.2, -19.2}));
     EXPECT_FALSE(dry({31.2, 3.2, -19.2}));

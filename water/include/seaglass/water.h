@@ -143,7 +143,7 @@ struct ExclusionVolume {
 Status createBody(Context* context, const BodyDesc* desc, Body** out); ///< on failure `*out` is null
 void destroyBody(Body* body); ///< at any time: memory goes back when the GPU is done with it; null is ignored
 /// From here on, 8 at most: no surface in them, no caustics and, for an eye in one, no fog.
-Status setExclusionVolumes(Body* body, const ExclusionVolume* rooms, uint32_t count);
+Status setExclusionVolumes(Body* body, const ExclusionVolume* volumes, uint32_t count);
 
 /// The attachments that water is drawn into. Pipelines are made for one of these.
 struct TargetDesc {
