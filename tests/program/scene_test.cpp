@@ -55,6 +55,16 @@ class SceneFile : public testing::Test {
             text.erase(at, prefix.size());
         return text;
     }
+    struct Problem {
+        std::string what, with, says;
+    };
+    /// What is said of the sample with one thing in the place of another.
+    void expectProblem(const std::string& what, const std::string& with, const std::string& says) {
+        EXPECT_EQ(problem(replaced(what, with)), says);
+    }
+    void expectProblems(const std::vector<Problem>& problems) {
+        for (const auto& [what, with, says] : problems) expectProblem(what, with, says);
+    }
     fs::path file() const { return folder_.path() / "scene.toml"; }
 
     static std::string replaced(const std::string& what, const std::string& with) {
@@ -204,41 +214,40 @@ TEST_F(SceneFile, ARelativeSceneFindsItsFiles) {
 // ---- What is refused, and how it is said
 
 TEST_F(SceneFile, OutOfRangeNamesFileLineFieldAndRange) {
-    EXPECT_EQ(problem(replaced("wind_m_s = 6", "wind_m_s = -3")),
-              "scene.toml:22: water.waves.wind_m_s is -3, expected 0 to 100 m/s");
-    EXPECT_EQ(problem(replaced("samples = 128", "samples = 48")),
-              "scene.toml:23: water.waves.samples is 48, expected a power of two, 16 to 1024");
-    EXPECT_EQ(problem(replaced("cells_per_level = 128", "cells_per_level = 40")),
-              "scene.toml:19: water.cells_per_level is 40, expected a whole number, 128 to 1024");
-    EXPECT_EQ(
-        problem(replaced("technique = \"sspr\"", "technique = \"srr\"")),
-        "scene.toml:33: water.reflection.technique is 'srr', expected sky, sspr, ssr, hybrid or planar");
+    expectProblems(
+        {{"wind_m_s = 6", "wind_m_s = -3",
+          "scene.toml:22: water.waves.wind_m_s is -3, expected 0 to 100 m/s"},
+         {"samples = 128", "samples = 48",
+          "scene.toml:23: water.waves.samples is 48, expected a power of two, 16 to 1024"},
+         {"cells_per_level = 128", "cells_per_level = 40",
+          "scene.toml:19: water.cells_per_level is 40, expected a whole number, 128 to 1024"},
+         {"technique = \"sspr\"", "technique = \"srr\"",
+          "scene.toml:33: water.reflection.technique is 'srr', expected sky, sspr, ssr, hybrid or planar"}});
 }
 
 TEST_F(SceneFile, WrongTypesAreRefused) {
-    EXPECT_EQ(problem(replaced("wind_m_s = 6", "wind_m_s = '6'")),
-              "scene.toml:22: water.waves.wind_m_s is '6', expected 0 to 100 m/s");
-    EXPECT_EQ(problem(replaced("samples = 128", "samples = 128.0")),
-              "scene.toml:23: water.waves.samples is 128.0, expected a power of two, 16 to 1024");
-    EXPECT_EQ(problem(replaced("irradiance = [3, 2, 1]", "irradiance = [3, 2]")),
-              "scene.toml:11: sun.irradiance is [ 3, 2 ], expected three numbers, each 0 to 1e+06");
-    EXPECT_EQ(problem(replaced("[sun]", "[sun]\nfrom_sky = 1")),
-              "scene.toml:9: sun.from_sky is 1, expected true or false");
-    EXPECT_EQ(problem(replaced("title = \"Sample\"", "title = 3")),
-              "scene.toml:1: title is 3, expected a text in quotes");
+    expectProblems(
+        {{"wind_m_s = 6", "wind_m_s = '6'",
+          "scene.toml:22: water.waves.wind_m_s is '6', expected 0 to 100 m/s"},
+         {"samples = 128", "samples = 128.0",
+          "scene.toml:23: water.waves.samples is 128.0, expected a power of two, 16 to 1024"},
+         {"irradiance = [3, 2, 1]", "irradiance = [3, 2]",
+          "scene.toml:11: sun.irradiance is [ 3, 2 ], expected three numbers, each 0 to 1e+06"},
+         {"[sun]", "[sun]\nfrom_sky = 1", "scene.toml:9: sun.from_sky is 1, expected true or false"},
+         {"title = \"Sample\"", "title = 3", "scene.toml:1: title is 3, expected a text in quotes"}});
     EXPECT_EQ(problem("sky = 3\n" + replaced("[sky]\nfile = \"sky.hdr\"", "")),
               "scene.toml:1: sky is 3, expected a table: [sky]");
-    EXPECT_EQ(problem(replaced("[[mesh]]", "[mesh]")),
-              "scene.toml:13: mesh is a table, expected an array of tables: [[mesh]]");
+    expectProblem("[[mesh]]", "[mesh]",
+                  "scene.toml:13: mesh is a table, expected an array of tables: [[mesh]]");
 }
 
 TEST_F(SceneFile, UnknownKeysNameTheNearest) {
-    EXPECT_EQ(problem(replaced("wind_m_s = 6", "wind_ms = 6")),
-              "scene.toml:22: water.waves.wind_ms is not a known key, the nearest is water.waves.wind_m_s");
-    EXPECT_EQ(problem(replaced("[water.waves]", "[waves]")),
-              "scene.toml:21: waves is not a known key, the nearest is water.waves");
-    EXPECT_EQ(problem(replaced("position_m = [0, 0.5, -5]", "postion_m = [0, 0.5, -5]")),
-              "scene.toml:15: mesh.0.postion_m is not a known key, the nearest is mesh.position_m");
+    expectProblems(
+        {{"wind_m_s = 6", "wind_ms = 6",
+          "scene.toml:22: water.waves.wind_ms is not a known key, the nearest is water.waves.wind_m_s"},
+         {"[water.waves]", "[waves]", "scene.toml:21: waves is not a known key, the nearest is water.waves"},
+         {"position_m = [0, 0.5, -5]", "postion_m = [0, 0.5, -5]",
+          "scene.toml:15: mesh.0.postion_m is not a known key, the nearest is mesh.position_m"}});
 }
 
 TEST_F(SceneFile, FormerKeysAreReadAsWhatTheyAreCalledNow) {
@@ -275,34 +284,32 @@ TEST_F(SceneFile, FormerKeysAreOnlyThoseOfTheirSections) {
 }
 
 TEST_F(SceneFile, MissingFieldsAreNamed) {
-    EXPECT_EQ(problem(replaced("file = \"tetra.gltf\"\n", "")),
-              "scene.toml:13: mesh.0.file is missing, expected a glTF file");
-    EXPECT_EQ(problem(replaced("target_m = [0, 1, -5]", "")),
-              "scene.toml:35: camera.0.target_m is missing, expected three numbers, each -1e+06 to 1e+06 m");
-    EXPECT_EQ(problem(replaced("[sky]\nfile = \"sky.hdr\"", "")),
-              "scene.toml: sky is missing, expected [sky]");
+    expectProblems(
+        {{"file = \"tetra.gltf\"\n", "", "scene.toml:13: mesh.0.file is missing, expected a glTF file"},
+         {"target_m = [0, 1, -5]", "",
+          "scene.toml:35: camera.0.target_m is missing, expected three numbers, each -1e+06 to 1e+06 m"},
+         {"[sky]\nfile = \"sky.hdr\"", "", "scene.toml: sky is missing, expected [sky]"}});
     EXPECT_EQ(problem("[sky]\nfile = 'sky.hdr'"), "scene.toml: camera is missing, expected [[camera]]");
     EXPECT_EQ(problem("camera = []\n[sky]\nfile = 'sky.hdr'"),
               "scene.toml:1: camera is [], expected at least one: [[camera]]");
 }
 
 TEST_F(SceneFile, FilesThatAreNotThereAreNamed) {
-    EXPECT_EQ(
-        problem(replaced("sky.hdr", "nope.hdr")),
-        "scene.toml:6: sky.file is 'nope.hdr', expected a lat-long HDR or EXR file; nope.hdr is not there");
-    EXPECT_EQ(problem(replaced("tetra.gltf", "out")),
-              "scene.toml:14: mesh.0.file is 'out', expected a glTF file; out is a folder");
-    EXPECT_EQ(problem(replaced("\"sky.hdr\"", "\"\"")),
-              "scene.toml:6: sky.file is '', expected a lat-long HDR or EXR file");
+    expectProblems(
+        {{"sky.hdr", "nope.hdr",
+          "scene.toml:6: sky.file is 'nope.hdr', expected a lat-long HDR or EXR file; nope.hdr is not there"},
+         {"tetra.gltf", "out", "scene.toml:14: mesh.0.file is 'out', expected a glTF file; out is a folder"},
+         {"\"sky.hdr\"", "\"\"", "scene.toml:6: sky.file is '', expected a lat-long HDR or EXR file"}});
 }
 
 TEST_F(SceneFile, CamerasMustDifferAndLookSomewhere) {
-    EXPECT_EQ(problem(replaced("name = \"low\"", "name = \"level\"")),
-              "scene.toml:41: camera.1.name is 'level', expected a name that camera.0 does not have");
-    EXPECT_EQ(problem(replaced("target_m = [0, 1, -5]", "target_m = [0, 2, 4]")),
-              "scene.toml:38: camera.0.target_m is its position_m, expected a point away from the eye");
-    EXPECT_EQ(problem(replaced("name = \"low\"", "name = \"low.er\"")),
-              "scene.toml:41: camera.1.name is 'low.er', expected a name of letters, digits, _ and -");
+    expectProblems(
+        {{"name = \"low\"", "name = \"level\"",
+          "scene.toml:41: camera.1.name is 'level', expected a name that camera.0 does not have"},
+         {"target_m = [0, 1, -5]", "target_m = [0, 2, 4]",
+          "scene.toml:38: camera.0.target_m is its position_m, expected a point away from the eye"},
+         {"name = \"low\"", "name = \"low.er\"",
+          "scene.toml:41: camera.1.name is 'low.er', expected a name of letters, digits, _ and -"}});
 }
 
 TEST_F(SceneFile, RandomCamerasAreTheSameEveryTimeAndStayOnTheirSide) {
@@ -355,8 +362,8 @@ TEST_F(SceneFile, CamerasShowAnAngleOrAHeight) {
         replaced("name = \"low\"", "name = \"low\"\northographic_height_m = 12.5\nvertical_fov_deg = 40");
     EXPECT_EQ(problem(both), "scene.toml:42: camera.1.orthographic_height_m is set, expected no "
                              "vertical_fov_deg then: a camera shows an angle or a height");
-    EXPECT_EQ(problem(replaced("name = \"low\"", "name = \"low\"\northographic_height_m = 0")),
-              "scene.toml:42: camera.1.orthographic_height_m is 0, expected 0.01 to 10000 m");
+    expectProblem("name = \"low\"", "name = \"low\"\northographic_height_m = 0",
+                  "scene.toml:42: camera.1.orthographic_height_m is 0, expected 0.01 to 10000 m");
     EXPECT_EQ(problem(tests::sampleFloorScene(), {"camera.low.orthographic_height_m=5"}),
               "--set camera.low.orthographic_height_m=5: camera.1.orthographic_height_m is set, expected no "
               "[floor], which is seen from an eye");

@@ -104,25 +104,6 @@ class RowAverager {
     std::vector<uint32_t> counts_;
 };
 
-/// Direction of a point on a cube face, s and t from -1 to 1 and a little beyond (Vulkan 1.3, "Cube Map Face
-/// Selection", solved for the direction).
-glm::dvec3 faceDirection(uint32_t face, double s, double t) {
-    switch (face) {
-    case 0:
-        return {1, -t, -s};
-    case 1:
-        return {-1, -t, s};
-    case 2:
-        return {s, 1, t};
-    case 3:
-        return {s, -1, -t};
-    case 4:
-        return {s, -t, 1};
-    default:
-        return {-s, -t, -1};
-    }
-}
-
 struct FacePoint {
     uint32_t face = 0;
     double s = 0, t = 0;
@@ -279,6 +260,23 @@ glm::vec3 sampleCube(const SkyCube& cube, const glm::dvec3& direction, float mip
     const auto level = static_cast<size_t>(kept);
     const size_t next = std::min(level + 1, cube.mips.size() - 1);
     return glm::mix(fromLevel(level), fromLevel(next), kept - static_cast<float>(level));
+}
+
+glm::dvec3 faceDirection(uint32_t face, double s, double t) {
+    switch (face) {
+    case 0:
+        return {1, -t, -s};
+    case 1:
+        return {-1, -t, s};
+    case 2:
+        return {s, 1, t};
+    case 3:
+        return {s, -1, -t};
+    case 4:
+        return {s, -t, 1};
+    default:
+        return {-s, -t, -1};
+    }
 }
 
 std::optional<SkyImage> readSkyImage(const SkyDesc& sky, Error& error) {

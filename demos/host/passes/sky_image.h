@@ -40,6 +40,10 @@ struct SkyLight {
     glm::vec3 irradianceUp{0};               ///< on a horizontal plane facing +Y
 };
 
+/// Direction of a point on a cube face, s and t from -1 to 1 and a little beyond (Vulkan 1.3, "Cube Map Face
+/// Selection", solved for the direction). Of no unit length.
+glm::dvec3 faceDirection(uint32_t face, double s, double t);
+
 /// Reads an HDR or EXR of up to 16384 pixels' width, averaged down to at most 4096. NaN takes its left
 /// neighbour's value, infinity is taken for 1e7, and negative pixels for 0.
 std::optional<SkyImage> readSkyImage(const SkyDesc& sky, Error& error);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
@@ -95,89 +96,46 @@ TEST_P(HostsOfShape, DrawThePlainPicture) {
     }
 }
 
-HostShape inPass(HostShape shape, const char* name) {
-    shape.name = name;
-    shape.renderPass = true;
-    return shape;
+/// A shape, plain or another, with a field of its own.
+template<typename Value>
+auto with(Value HostShape::*field, std::type_identity_t<Value> value) {
+    return [=](HostShape shape = {}) {
+        shape.*field = value;
+        return shape;
+    };
 }
 
-HostShape inSecondaries(HostShape shape, const char* name) {
-    shape.name = name;
-    shape.secondary = true;
-    return shape;
+const auto inPass = with(&HostShape::renderPass, true);
+const auto inSecondaries = with(&HostShape::secondary, true);
+const auto copyingDepth = with(&HostShape::copiesDepth, true);
+const auto resolvingScene = with(&HostShape::resolvesScene, true);
+const auto flipped = with(&HostShape::flipped, true);
+const auto withSunShadow = with(&HostShape::sunShadow, true);
+const auto withSkyColors = with(&HostShape::skyCube, false);
+const auto withFourSamples = with(&HostShape::samples, VK_SAMPLE_COUNT_4_BIT);
+
+HostShape drawnInto(VkFormat color) {
+    return with(&HostShape::color, color)();
 }
 
-HostShape drawnInto(VkFormat color, const char* name) {
-    HostShape shape;
-    shape.name = name;
-    shape.color = color;
-    return shape;
+HostShape displaying(VkFormat color) {
+    return with(&HostShape::encoding, Encoding::srgb)(drawnInto(color));
 }
 
-HostShape withDepth(VkFormat depth, bool stencil, const char* name) {
-    HostShape shape;
-    shape.name = name;
-    shape.depth = depth;
-    shape.stencilAttached = stencil;
-    return shape;
+HostShape withDepth(VkFormat depth, bool stencil) {
+    return with(&HostShape::stencilAttached, stencil)(with(&HostShape::depth, depth)());
 }
 
-HostShape copyingDepth(HostShape shape, const char* name) {
-    shape.name = name;
-    shape.copiesDepth = true;
-    return shape;
+HostShape inWorld(size_t index) {
+    return with(&HostShape::world, everyWorld()[index])();
 }
 
-HostShape displaying(VkFormat color, const char* name) {
-    HostShape shape = drawnInto(color, name);
-    shape.encoding = Encoding::srgb;
-    return shape;
-}
-
-HostShape named(const char* name) {
-    HostShape shape;
-    shape.name = name;
-    return shape;
-}
-
-HostShape fourSamples() {
-    HostShape shape = named("FourSamples");
-    shape.samples = VK_SAMPLE_COUNT_4_BIT;
-    return shape;
-}
-
-HostShape resolvingScene(HostShape shape, const char* name) {
-    shape.name = name;
-    shape.resolvesScene = true;
-    return shape;
-}
-
-HostShape flipped() {
-    HostShape shape = named("Flipped");
-    shape.flipped = true;
-    return shape;
-}
-
-HostShape withSunShadow() {
-    HostShape shape = named("SunShadow");
-    shape.sunShadow = true;
-    return shape;
-}
-
-HostShape withSkyColors() {
-    HostShape shape = named("SkyOfColors");
-    shape.skyCube = false;
-    return shape;
-}
-
-HostShape inWorld(size_t index, const char* name) {
-    HostShape shape = named(name);
-    shape.world = everyWorld()[index];
-    return shape;
+HostShape named(const char* name, const HostShape& shape = {}) {
+    return with(&HostShape::name, name)(shape);
 }
 
 std::vector<Case> cases() {
-    const HostShape depthAndStencil = withDepth(VK_FORMAT_D32_SFLOAT_S8_UINT, true, "D32AndStencil");
+    const HostShape depthAndStencil = withDepth(VK_FORMAT_D32_SFLOAT_S8_UINT, true);
     // Sampled at other places; means along edges.
     constexpr double edges = 0.12;
     // Where the bits of a matrix differ: glints, and pixels along edges.
@@ -186,48 +144,49 @@ std::vector<Case> cases() {
     constexpr double line = 0.005;
     return {
         {named("Plain")},
-        {withSunShadow()},
-        {inPass({}, "RenderPass")},
-        {inSecondaries({}, "Secondaries")},
-        {inSecondaries(inPass({}, ""), "RenderPassSecondaries")},
-        {depthAndStencil},
-        {inPass(depthAndStencil, "RenderPassD32AndStencil")},
-        {inSecondaries(depthAndStencil, "SecondariesD32AndStencil")},
-        {withDepth(VK_FORMAT_D32_SFLOAT_S8_UINT, false, "D32BesideStencil")},
-        {withDepth(VK_FORMAT_D24_UNORM_S8_UINT, true, "D24AndStencil"), line},
-        {withDepth(VK_FORMAT_X8_D24_UNORM_PACK32, false, "D24"), line},
-        {withDepth(VK_FORMAT_D16_UNORM, false, "D16"), line},
-        {inPass(withDepth(VK_FORMAT_D16_UNORM, false, ""), "RenderPassD16"), line},
+        {named("SunShadow", withSunShadow())},
+        {named("RenderPass", inPass())},
+        {named("Secondaries", inSecondaries())},
+        {named("RenderPassSecondaries", inSecondaries(inPass()))},
+        {named("D32AndStencil", depthAndStencil)},
+        {named("RenderPassD32AndStencil", inPass(depthAndStencil))},
+        {named("SecondariesD32AndStencil", inSecondaries(depthAndStencil))},
+        {named("D32BesideStencil", withDepth(VK_FORMAT_D32_SFLOAT_S8_UINT, false))},
+        {named("D24AndStencil", withDepth(VK_FORMAT_D24_UNORM_S8_UINT, true)), line},
+        {named("D24", withDepth(VK_FORMAT_X8_D24_UNORM_PACK32, false)), line},
+        {named("D16", withDepth(VK_FORMAT_D16_UNORM, false)), line},
+        {named("RenderPassD16", inPass(withDepth(VK_FORMAT_D16_UNORM, false))), line},
         // Drivers may cut what lies between two halves off, where others round it.
-        {drawnInto(VK_FORMAT_R16G16B16A16_SFLOAT, "RGBA16F"), 0, 0x1p-11f},
-        {drawnInto(VK_FORMAT_B10G11R11_UFLOAT_PACK32, "B10G11R11")},
-        {drawnInto(VK_FORMAT_R8G8B8A8_UNORM, "RGBA8")},
+        {named("RGBA16F", drawnInto(VK_FORMAT_R16G16B16A16_SFLOAT)), 0, 0x1p-11f},
+        {named("B10G11R11", drawnInto(VK_FORMAT_B10G11R11_UFLOAT_PACK32))},
+        {named("RGBA8", drawnInto(VK_FORMAT_R8G8B8A8_UNORM))},
         // The scene comes as bytes, too: where its steps are coarse water darkens them to what is finer.
-        {displaying(VK_FORMAT_R8G8B8A8_UNORM, "EncodedRGBA8"), 0, 0.004f},
-        {inPass(displaying(VK_FORMAT_R8G8B8A8_UNORM, ""), "RenderPassEncodedRGBA8"), 0, 0.004f},
-        {displaying(VK_FORMAT_R16G16B16A16_SFLOAT, "EncodedRGBA16F"), 0, 0.001f},
-        {copyingDepth(depthAndStencil, "CopiedD32AndStencil")},
-        {copyingDepth(withDepth(VK_FORMAT_D32_SFLOAT, false, ""), "CopiedD32")},
-        {inPass(drawnInto(VK_FORMAT_B10G11R11_UFLOAT_PACK32, ""), "RenderPassB10G11R11")},
-        {fourSamples(), edges, 0.02f},
-        {inPass(fourSamples(), "RenderPassFourSamples"), edges, 0.02f},
-        {inSecondaries(fourSamples(), "SecondariesFourSamples"), edges, 0.02f},
-        {resolvingScene(fourSamples(), "FourSamplesOfAResolvedScene"), edges, 0.02f},
-        {inPass(resolvingScene(fourSamples(), ""), "RenderPassFourSamplesOfAResolvedScene"), edges, 0.02f},
-        {flipped(), rounding, 0.004f},
-        {inPass(flipped(), "RenderPassFlipped"), rounding, 0.004f},
+        {named("EncodedRGBA8", displaying(VK_FORMAT_R8G8B8A8_UNORM)), 0, 0.004f},
+        {named("RenderPassEncodedRGBA8", inPass(displaying(VK_FORMAT_R8G8B8A8_UNORM))), 0, 0.004f},
+        {named("EncodedRGBA16F", displaying(VK_FORMAT_R16G16B16A16_SFLOAT)), 0, 0.001f},
+        {named("CopiedD32AndStencil", copyingDepth(depthAndStencil))},
+        {named("CopiedD32", copyingDepth(withDepth(VK_FORMAT_D32_SFLOAT, false)))},
+        {named("RenderPassB10G11R11", inPass(drawnInto(VK_FORMAT_B10G11R11_UFLOAT_PACK32)))},
+        {named("FourSamples", withFourSamples()), edges, 0.02f},
+        {named("RenderPassFourSamples", inPass(withFourSamples())), edges, 0.02f},
+        {named("SecondariesFourSamples", inSecondaries(withFourSamples())), edges, 0.02f},
+        {named("FourSamplesOfAResolvedScene", resolvingScene(withFourSamples())), edges, 0.02f},
+        {named("RenderPassFourSamplesOfAResolvedScene", inPass(resolvingScene(withFourSamples()))), edges,
+         0.02f},
+        {named("Flipped", flipped()), rounding, 0.004f},
+        {named("RenderPassFlipped", inPass(flipped())), rounding, 0.004f},
         {named("ForwardDepth"), rounding, 0.004f, false, 0},
         {named("ForwardDepthFiniteFar"), rounding, 0.004f, false, 500},
         {named("ReversedDepthFiniteFar"), rounding, 0.004f, true, 500},
-        {withSkyColors(), rounding, 0.004f},
-        {inPass(withSkyColors(), "RenderPassSkyOfColors"), rounding, 0.004f},
-        {inWorld(1, "LeftHanded"), rounding, 0.004f},
-        {inWorld(2, "YDown"), rounding, 0.004f},
-        {inPass(inWorld(2, ""), "RenderPassYDown"), rounding, 0.004f},
-        {inWorld(3, "YDownLeftHanded"), rounding, 0.004f, false, 500},
-        {inWorld(4, "ZUp"), rounding, 0.004f},
-        {inWorld(5, "ZUpLeftHanded"), rounding, 0.004f},
-        {inWorld(6, "ZUpLeftHandedCentimetres"), rounding, 0.004f},
+        {named("SkyOfColors", withSkyColors()), rounding, 0.004f},
+        {named("RenderPassSkyOfColors", inPass(withSkyColors())), rounding, 0.004f},
+        {named("LeftHanded", inWorld(1)), rounding, 0.004f},
+        {named("YDown", inWorld(2)), rounding, 0.004f},
+        {named("RenderPassYDown", inPass(inWorld(2))), rounding, 0.004f},
+        {named("YDownLeftHanded", inWorld(3)), rounding, 0.004f, false, 500},
+        {named("ZUp", inWorld(4)), rounding, 0.004f},
+        {named("ZUpLeftHanded", inWorld(5)), rounding, 0.004f},
+        {named("ZUpLeftHandedCentimetres", inWorld(6)), rounding, 0.004f},
     };
 }
 
@@ -334,7 +293,7 @@ TEST_F(OwnDevices, NeedNoFeatureBeyondRequirements) {
     shape.onlyRequired = true;
     demos::Device* least = make(shape);
     ASSERT_TRUE(least) << why();
-    EXPECT_EQ(ShapedHost(*least, inPass({}, "")).picture(shoreCamera()), plainPicture());
+    EXPECT_EQ(ShapedHost(*least, inPass()).picture(shoreCamera()), plainPicture());
 }
 
 TEST_F(OwnDevices, AreSeveralAtOnce) {

@@ -6,6 +6,7 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
+#include "host/passes/sky_image.h"
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/host/spy.h"
 #include "tests/gpu/rig/water_rig.h"
@@ -17,24 +18,6 @@ using namespace seaglass;
 using namespace tests;
 
 constexpr uint32_t cubeSize = 256, cubeMips = 9;
-
-/// Towards a place of a cube's face, -1..1 (Vulkan 1.3, 16.5.4).
-glm::dvec3 onFace(uint32_t face, double s, double t) {
-    switch (face) {
-    case 0:
-        return {1, -t, -s};
-    case 1:
-        return {-1, -t, s};
-    case 2:
-        return {s, 1, t};
-    case 3:
-        return {s, -1, -t};
-    case 4:
-        return {s, -t, 1};
-    default:
-        return {-s, -t, -1};
-    }
-}
 
 glm::dvec3 radianceOf(const LightingDesc& light, const glm::dvec3& along) {
     float radiance[3];
@@ -63,7 +46,8 @@ demos::Image cubeOf(const LightingDesc& light) {
         for (uint32_t face = 0; face < 6; ++face)
             for (uint32_t y = 0; y < size; ++y)
                 for (uint32_t x = 0; x < size; ++x) {
-                    const glm::dvec3 at = onFace(face, (x + 0.5) / size * 2 - 1, (y + 0.5) / size * 2 - 1);
+                    const glm::dvec3 at =
+                        demos::faceDirection(face, (x + 0.5) / size * 2 - 1, (y + 0.5) / size * 2 - 1);
                     const double width = 2 / glm::length(at) / size;
                     const glm::dvec3 radiance = mip == 0 ? radianceOf(light, glm::normalize(at))
                                                          : blurred(light, glm::normalize(at), 0.506 * width);

@@ -40,6 +40,14 @@ struct BentLook {
     glm::dvec2 source; ///< then from which pixel
 };
 
+/// Before the boxes of a harbour.
+Camera boxCamera() {
+    Camera camera = seaCamera();
+    camera.eye = {-1, 2.2, 9};
+    camera.target = {-0.5, 1.2, 0};
+    return camera;
+}
+
 class Water : public WaterTest {
   protected:
     Body* wavyBody(const SeaDesc& sea) {
@@ -413,9 +421,7 @@ TEST_F(Water, FlatWaterShowsTheTracedReflection) {
     BodyDesc desc;
     desc.reflection = &reflection;
     Body* body = makeBody(desc);
-    Camera camera = seaCamera();
-    camera.eye = {-1, 2.2, 9};
-    camera.target = {-0.5, 1.2, 0};
+    const Camera camera = boxCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
     const WaterPicture p =
         picture({body}, camera, 0, SurfaceOutput::reflection, {traced.color, traced.depth});
@@ -450,9 +456,7 @@ SceneBehind placedIn(const Camera& larger, const TracedView& traced, uint32_t le
 }
 
 TEST_F(Water, FlatWaterShowsTheSameReflectionWithinALargerPicture) {
-    Camera alone = seaCamera();
-    alone.eye = {-1, 2.2, 9};
-    alone.target = {-0.5, 1.2, 0};
+    Camera alone = boxCamera();
     alone.width = 200;
     alone.height = 120;
     Camera larger = alone;
@@ -500,12 +504,6 @@ struct Mirrored {
 
 class WaterLook : public Water {
   protected:
-    static Camera boxCamera() {
-        Camera camera = seaCamera();
-        camera.eye = {-1, 2.2, 9};
-        camera.target = {-0.5, 1.2, 0};
-        return camera;
-    }
     Mirrored mirrored(const ReflectionDesc& reflection, const TracedView& traced) {
         BodyDesc desc;
         desc.reflection = &reflection;
@@ -842,9 +840,7 @@ TEST_F(Water, SaysWhereTheReflectionIsTakenFrom) {
     BodyDesc desc;
     desc.reflection = &reflection;
     Body* body = makeBody(desc);
-    Camera camera = seaCamera();
-    camera.eye = {-1, 2.2, 9};
-    camera.target = {-0.5, 1.2, 0};
+    const Camera camera = boxCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
     const SceneBehind behind = {traced.color, traced.depth};
     const WaterPicture colors = picture({body}, camera, 0, SurfaceOutput::reflection, behind);
