@@ -13,18 +13,6 @@ layout(set = 0, binding = settingsBinding, std140) uniform Temporal {
     TemporalBlock storedSettings;
 };
 
-// Loaded once, as the mirror is.
-TemporalBlock settings;
-// Of both frames' images.
-ivec2 lastPixel;
-vec2 perPixel;
-
-void loadTemporal(const MirrorBlock mirror) {
-    settings = storedSettings;
-    lastPixel = reflectionSize(mirror) - 1;
-    perPixel = 1.0 / vec2(reflectionSize(mirror));
-}
-
 layout(set = 0, binding = foundColorBinding) uniform sampler2D foundColor;
 layout(set = 0, binding = foundInfoBinding) uniform sampler2D foundInfo;
 layout(set = 0, binding = lastColorBinding) uniform sampler2D lastColor;
@@ -46,6 +34,11 @@ const float mostFinite = 65504.0;     // of halves
 // How far two distances of one thing may be apart.
 const float unlike = 0.1;
 const float unlikeMetres = 0.05;
+
+// Of both frames' images.
+ivec2 lastPixel(const MirrorBlock mirror) {
+    return reflectionSize(mirror) - 1;
+}
 
 bool isFinite(vec4 value) {
     return all(lessThanEqual(abs(value), vec4(mostFinite)));
@@ -76,7 +69,7 @@ struct Row {
 };
 
 // `infos`: of the three, from left to right. Only hits have a colour, so that of the sky is known.
-Row rowAt(ivec2 pixel, vec3 infos) {
+Row rowAt(const MirrorBlock mirror, ivec2 pixel, vec3 infos) {
     bvec3 hits = greaterThan(infos, vec3(0.0));
     bool sky = any(lessThan(infos, vec3(0.0)));
     vec3 least = mix(vec3(farAway), infos, hits);
@@ -84,7 +77,7 @@ Row rowAt(ivec2 pixel, vec3 infos) {
     vec2 distances = vec2(min(least.x, min(least.y, least.z)), max(most.x, max(most.y, most.z)));
     Row row = Row(Pixel(vec4(0.0), infos.y), Around(vec4(sky ? 0.0 : mostFinite), vec4(0.0), distances, sky));
     for (int i = 0; i < 3; ++i) {
-        vec4 color = texelFetch(foundColor, clamp(pixel + ivec2(i - 1, 0), ivec2(0), lastPixel), 0);
+        vec4 color = texelFetch(foundColor, clamp(pixel + ivec2(i - 1, 0), ivec2(0), lastPixel(mirror)), 0);
         if (i == 1) row.middle.color = color;
         bool counts = hits[i] && isFinite(color);
         row.around.least = min(row.around.least, counts ? color : vec4(mostFinite));
@@ -93,12 +86,12 @@ Row rowAt(ivec2 pixel, vec3 infos) {
     return row;
 }
 
-vec2 lastTexel(const MirrorBlock mirror, vec3 image) {
+vec2 lastTexel(const MirrorBlock mirror, const TemporalBlock settings, vec3 image) {
     vec4 p = settings.lastFromRelative * vec4(image, 1.0);
     return p.w > 0.0 ? p.xy / (p.w * float(1 << mirror.pixelShift)) : vec2(-1.0);
 }
 
-SightLine lastSightLine(const MirrorBlock mirror, vec2 texel) {
+SightLine lastSightLine(const MirrorBlock mirror, const TemporalBlock settings, vec2 texel) {
     return sightLine(settings.relativeFromLast, texel * float(1 << mirror.pixelShift), mirror.plane, mirror.depthSign);
 }
 
@@ -117,7 +110,7 @@ float parabola(int texel, float at) {
 
 // Between those texels whose hits are as far as `distances`, or that are sky where that is asked for: linear, or by parabolas
 // where all nine are such hits. A texel met in its middle is taken as it is: what stands still is not softened.
-Remembered rememberedAt(vec2 texel, vec2 distances, bool sky) {
+Remembered rememberedAt(ivec2 lastPixel, vec2 texel, vec2 distances, bool sky) {
     vec2 nearest = floor(texel);
     vec2 at = texel - nearest - 0.5;
     at = mix(at, vec2(0.0), lessThan(abs(at), vec2(stillTexel)));
@@ -168,17 +161,17 @@ struct Place {
 
 // Of the point `distance` behind the mirror; where that is `sought`, of one that the last frame knew of, found by fixed-point
 // iteration from there on.
-Place lastPlace(const MirrorBlock mirror, SightLine sight, float distance, bool sought) {
+Place lastPlace(const MirrorBlock mirror, const TemporalBlock settings, SightLine sight, float distance, bool sought) {
     Place place = Place(vec2(0.0), distance, 0.0, true);
     int left = sought ? 3 : 0;
     do {
         vec3 image = sight.onPlane + sight.direction * place.distance;
-        place.texel = lastTexel(mirror, image);
-        SightLine then = lastSightLine(mirror, place.texel);
+        place.texel = lastTexel(mirror, settings, image);
+        SightLine then = lastSightLine(mirror, settings, place.texel);
         place.distanceThen = dot(image - then.onPlane, then.direction);
         if (left == 0) break;
-        ivec2 at = texelAt(place.texel, lastPixel);
-        bool inside = all(greaterThanEqual(place.texel, vec2(0.0))) && all(lessThan(place.texel, vec2(lastPixel + 1)));
+        ivec2 at = texelAt(place.texel, lastPixel(mirror));
+        bool inside = all(greaterThanEqual(place.texel, vec2(0.0))) && all(lessThan(place.texel, vec2(lastPixel(mirror) + 1)));
         float info = inside ? texelFetch(lastInfo, at, 0).r : infoUnknown;
         place.found = infoIsHit(info);
         place.distance = max(dot(then.onPlane + then.direction * info - sight.onPlane, sight.direction), 0.0);
@@ -187,10 +180,10 @@ Place lastPlace(const MirrorBlock mirror, SightLine sight, float distance, bool 
 }
 
 // Of what is as far behind the mirror as `distances`, the first of which is the place's.
-Remembered rememberedOf(Place place, vec2 distances, bool sky) {
+Remembered rememberedOf(const MirrorBlock mirror, Place place, vec2 distances, bool sky) {
     // As much longer or shorter as the least; at contact the rounding of both is more than they are.
     vec2 expected = distances * ((max(place.distanceThen, 0.0) + unlikeMetres) / (distances.x + unlikeMetres));
-    return rememberedAt(place.texel, likeDistances(expected), sky);
+    return rememberedAt(lastPixel(mirror), place.texel, likeDistances(expected), sky);
 }
 
 // Rounded to the digits of a half (Dekker 1971): on CPU devices packing and unpacking is dear.
@@ -202,15 +195,15 @@ vec4 asHalves(vec4 value) {
 }
 
 // Halves would keep a small difference for ever, of which a share is lost in rounding.
-vec4 mixed(vec4 found, vec4 was) {
-    vec4 sum = asHalves(found + settings.share * (was - found));
+vec4 mixed(vec4 found, vec4 was, float share) {
+    vec4 sum = asHalves(found + share * (was - found));
     return mix(sum, found, equal(sum, asHalves(was)));
 }
 
-Pixel blended(Pixel found, Around around, Remembered last) {
+Pixel blended(Pixel found, Around around, Remembered last, float share) {
     if (last.weight < leastWeight) return found;
     vec4 was = around.most.a > 0.0 ? clamp(last.color, around.least, around.most) : last.color;
-    found.color = isFinite(found.color) ? mixed(found.color, was) : was;
+    found.color = isFinite(found.color) ? mixed(found.color, was, share) : was;
     // At a silhouette that jitter moves over the pixel: whichever is more of it.
     if (last.hit != infoIsHit(found.info)) {
         bool hit = found.color.a >= 0.5 * around.most.a;
@@ -221,13 +214,13 @@ Pixel blended(Pixel found, Around around, Remembered last) {
 
 // Where this frame knows nothing: what the last one knew of some point of the line of sight. That was sought by the distance
 // of one texel; kept from frame to frame, it would lag behind the rest.
-Pixel recalled(Pixel found, Around around, Remembered last, Place place) {
-    vec4 color = settings.kept * (around.most.a > 0.0 ? min(last.color, around.most) : last.color);
+Pixel recalled(Pixel found, Around around, Remembered last, Place place, float kept) {
+    vec4 color = kept * (around.most.a > 0.0 ? min(last.color, around.most) : last.color);
     if (last.weight < surely || color.a < leastConfidence) return found;
     return Pixel(color, infoOfHit(place.distance + last.distance - place.distanceThen));
 }
 
-Pixel settled(const MirrorBlock mirror, ivec2 pixel, Pixel found, Around around) {
+Pixel settled(const MirrorBlock mirror, const TemporalBlock settings, ivec2 pixel, Pixel found, Around around) {
     bool known = found.info != infoUnknown;
     // Sky among sky is the same in all frames.
     if (settings.share == 0.0 || known && around.distances.y == 0.0) return found;
@@ -235,16 +228,17 @@ Pixel settled(const MirrorBlock mirror, ivec2 pixel, Pixel found, Around around)
     SightLine sight = sightLine(mirror.relativeFromPixel, q, mirror.plane, mirror.depthSign);
     if (!(sight.towardsPlane > 0.0)) return found;
     // The least distance tells, since the border of what is in front moves with that.
-    Place place = lastPlace(mirror, sight, around.distances.x, !known);
+    Place place = lastPlace(mirror, settings, sight, around.distances.x, !known);
     if (!place.found) return found;
     vec2 distances = known ? around.distances : vec2(place.distance);
-    Remembered last = rememberedOf(place, distances, known && around.sky);
-    return known ? blended(found, around, last) : recalled(found, around, last, place);
+    Remembered last = rememberedOf(mirror, place, distances, known && around.sky);
+    return known ? blended(found, around, last, settings.share) : recalled(found, around, last, place, settings.kept);
 }
 
 void main() {
     MirrorBlock mirror = storedMirror;
-    loadTemporal(mirror);
+    TemporalBlock settings = storedSettings;
+    vec2 perPixel = 1.0 / vec2(reflectionSize(mirror));
     Column column = columnToVisit(mirror);
     if (column.rows == 0) return;
     Row above, here;
@@ -255,15 +249,15 @@ void main() {
         vec4 left = textureGather(foundInfo, corner * perPixel);
         vec4 right = textureGather(foundInfo, (corner + vec2(1.0, 0.0)) * perPixel);
         ivec2 pixel = column.top + ivec2(0, y);
-        Row below = rowAt(pixel, vec3(left.w, left.z, right.z));
-        Row last = rowAt(pixel + ivec2(0, 1), vec3(left.x, left.y, right.y));
+        Row below = rowAt(mirror, pixel, vec3(left.w, left.z, right.z));
+        Row last = rowAt(mirror, pixel + ivec2(0, 1), vec3(left.x, left.y, right.y));
         int i = 0;
         do {
             int row = y - 1 + i;
             if (row >= 0 && row < column.rows) {
                 Around around = joined(joined(above.around, here.around), below.around);
                 ivec2 at = column.top + ivec2(0, row);
-                Pixel result = settled(mirror, at, here.middle, around);
+                Pixel result = settled(mirror, settings, at, here.middle, around);
                 imageStore(reflectionColor, at, result.color);
                 imageStore(reflectionInfo, at, vec4(result.info, 0.0, 0.0, 0.0));
             }
