@@ -12,6 +12,11 @@ constexpr VkExtent2D scaledDown(VkExtent2D extent, uint32_t scale) {
     return {(extent.width + scale - 1) / scale, (extent.height + scale - 1) / scale};
 }
 
+/// Of a description by which sizedFor() has gone.
+constexpr VkExtent2D scaledDown(VkExtent2D extent, const ReflectionDesc& sized) {
+    return scaledDown(extent, sized.downscale);
+}
+
 constexpr VkFormat reflectionColorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 struct OwnedReflection {

@@ -23,7 +23,7 @@ bool reachesBeyond(const ReflectionDesc& desc) {
 Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
     region = extent;
     downscale = desc.downscale;
-    const VkExtent2D scaled = scaledDown(extent, desc.downscale);
+    const VkExtent2D scaled = scaledDown(extent, desc);
     if (const Status s = techniqueOf(desc.technique).createScratch(device, extent, desc, scratch);
         s != Status::ok)
         return s;
@@ -38,7 +38,7 @@ Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& given, VkEx
     Estimate estimate;
     const Technique& technique = techniqueOf(desc.technique);
     if (!technique.record) return estimate;
-    const VkExtent2D scaled = scaledDown(extent, desc.downscale);
+    const VkExtent2D scaled = scaledDown(extent, desc);
     estimate.bytesPerView =
         OwnedReflection::bytes(device, scaled, desc.blurLevels, drawnInPlace(desc) && desc.temporal == 0) +
         technique.bytes(device, extent, desc);

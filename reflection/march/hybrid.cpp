@@ -33,12 +33,12 @@ struct HybridScratch : SsprScratch {
         if (desc.marchCells)
             if (const Status s = createCells(device, extent, "hybrid's cells", cells); s != Status::ok)
                 return s;
-        return createTiles(device, scaledDown(extent, desc.downscale), "hybrid's open tiles", open);
+        return createTiles(device, scaledDown(extent, desc), "hybrid's open tiles", open);
     }
     static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
         return SsprScratch::bytes(device, extent, desc) +
                (desc.marchCells ? heldByCells(device, extent) : 0) +
-               heldByTiles(device, scaledDown(extent, desc.downscale));
+               heldByTiles(device, scaledDown(extent, desc));
     }
 };
 

@@ -12,12 +12,12 @@ Status SsrKernels::create(Context& context, const ReflectionDesc& desc) {
 }
 
 VkDeviceSize SsrScratch::bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
-    return heldByCells(device, extent) + heldByTiles(device, scaledDown(extent, desc.downscale));
+    return heldByCells(device, extent) + heldByTiles(device, scaledDown(extent, desc));
 }
 
 Status SsrScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
     if (const Status s = createCells(device, extent, "SSR cells", cells); s != Status::ok) return s;
-    return createTiles(device, scaledDown(extent, desc.downscale), "SSR tiles", tiles);
+    return createTiles(device, scaledDown(extent, desc), "SSR tiles", tiles);
 }
 
 namespace {

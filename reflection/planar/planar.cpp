@@ -82,7 +82,7 @@ Status PlanarKernels::create(Context& context, const ReflectionDesc& desc) {
 }
 
 Status PlanarScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
-    const VkExtent2D scaled = scaledDown(extent, desc.downscale);
+    const VkExtent2D scaled = scaledDown(extent, desc);
     if (planarForm(desc.drawn) != PlanarForm::inPlace)
         if (const Status s = color.create(device, drawnColorDesc(desc.drawn, scaled), "mirrored colour");
             s != Status::ok)
@@ -91,7 +91,7 @@ Status PlanarScratch::create(const gpu::Device& device, VkExtent2D extent, const
 }
 
 VkDeviceSize PlanarScratch::bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
-    const VkExtent2D scaled = scaledDown(extent, desc.downscale);
+    const VkExtent2D scaled = scaledDown(extent, desc);
     const bool apart = planarForm(desc.drawn) != PlanarForm::inPlace;
     return gpu::heldBytes(device, drawnDepthDesc(desc.drawn, scaled)) +
            (apart ? gpu::heldBytes(device, drawnColorDesc(desc.drawn, scaled)) : 0);

@@ -53,7 +53,7 @@ Status SsprKernels::create(Context& context, const ReflectionDesc& desc) {
 
 VkDeviceSize SsprScratch::bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
     return gpu::heldBytes(device, keyBytes(extent, desc), keyUsage) +
-           heldByTiles(device, scaledDown(extent, desc.downscale));
+           heldByTiles(device, scaledDown(extent, desc));
 }
 
 Status SsprScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
@@ -64,7 +64,7 @@ Status SsprScratch::create(const gpu::Device& device, VkExtent2D extent, const R
                            extent.width, extent.height, static_cast<unsigned long long>(wanted),
                            device.limits().maxStorageBufferRange);
     if (const Status s = keys.create(device, wanted, keyUsage, "SSPR keys"); s != Status::ok) return s;
-    return createTiles(device, scaledDown(extent, desc.downscale), "SSPR tiles", tiles);
+    return createTiles(device, scaledDown(extent, desc), "SSPR tiles", tiles);
 }
 
 Status recordSspr(const ReflectPass& pass, SsprKernels& kernels, SsprScratch& scratch,

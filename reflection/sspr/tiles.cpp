@@ -44,7 +44,7 @@ Status OverhangsTilesKernel::create(Context& context) {
 }
 
 void recordTileLists(const ReflectPass& pass, const gpu::Kernel& kernel, VkDescriptorSet set) {
-    const uint32_t count = tileCount(scaledDown(pass.extent(), pass.desc.downscale));
+    const uint32_t count = tileCount(scaledDown(pass.extent(), pass.desc));
     kernel.dispatchAlong(pass.commands, set, count);
     gpu::recordBarrier(pass.context.device, pass.commands,
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
