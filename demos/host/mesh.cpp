@@ -152,11 +152,13 @@ bool outside(const MeshPart& part, const glm::dmat4& clipFromMesh) {
 bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDesc>& descs, MeshSet& out,
                 Error& error) {
     if (!createWhite(device, out, error)) return false;
+    PlacedTriangles triangles;
     for (const MeshDesc& desc : descs) {
         const auto [entry, fresh] = out.meshes.try_emplace(desc.file);
         if (fresh) {
             const std::optional<Mesh> mesh = readMesh(desc.file, error);
             if (!mesh) return false;
+            triangles.readFile(mesh->fileBytes);
             for (const std::string& line : mesh->leftOut)
                 out.leftOut.push_back(desc.file.string() + ": " + line);
             if (!uploadMesh(device, layouts, *mesh, out, entry->second, error)) {
@@ -164,6 +166,9 @@ bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDe
                 return false;
             }
         }
+        uint64_t count = 0;
+        for (const MeshPart& part : entry->second.parts) count += part.indexCount / 3;
+        if (!triangles.place(count, desc.file, error)) return false;
         MeshInstance instance;
         instance.mesh = &entry->second;
         if (!placement(desc, instance.worldFromMesh, error)) return false;

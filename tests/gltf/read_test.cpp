@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/files/image_file.h"
 #include "host/files/mesh_file.h"
 #include "tests/gltf/plate.h"
 #include "tests/program/run.h"
@@ -750,6 +751,20 @@ std::function<std::string(Plate&)> changed(const std::function<void(Plate&)>& ch
     };
 }
 
+/// Vertices that the file holds no bytes for, as its first accessor's.
+void addZeros(Plate& plate) {
+    plate.root["accessors"].push_back({{"componentType", 5126}, {"count", 1 << 20}, {"type", "VEC3"}});
+    plate.primitive()["attributes"] = {{"POSITION", plate.root["accessors"].size() - 1}};
+}
+
+std::string blackPng(uint32_t width, uint32_t height) {
+    const tests::TemporaryFolder folder;
+    const std::vector<uint8_t> rgb(size_t{width} * height * 3);
+    demos::Error error;
+    EXPECT_TRUE(demos::writePng(folder.path() / "a.png", width, height, rgb, error)) << error.text;
+    return tests::readAll(folder.path() / "a.png");
+}
+
 std::string deep(size_t levels) {
     return R"({"asset":{"version":"2.0"},"extras":)" + std::string(levels, '[') + std::string(levels, ']') +
            "}";
@@ -941,6 +956,60 @@ std::vector<Refused> refusedBuffers() {
              p.root.erase("scene");
          }),
          {"brings the scene over"}},
+        {"ManyPrimitivesOfNoBytes",
+         changed([](Plate& p) {
+             addZeros(p);
+             p.root["meshes"][0]["primitives"] = std::vector<Json>(64, p.primitive());
+         }),
+         {"brings what is read over", "the most for so many bytes"}},
+        {"ManyMorphTargets",
+         changed([](Plate& p) {
+             addZeros(p);
+             p.root["meshes"][0]["weights"] = std::vector<int>(64, 1);
+             p.primitive()["targets"] = std::vector<Json>(64, p.primitive()["attributes"]);
+         }),
+         {"brings what is read over"}},
+        {"ManySparseZeros",
+         changed([](Plate& p) {
+             addZeros(p);
+             p.root["accessors"].back()["type"] = "MAT4";
+             p.root["accessors"].back()["sparse"] = {
+                 {"count", 1},
+                 {"indices", {{"bufferView", p.addView(bytes({2}))}, {"componentType", 5121}}},
+                 {"values", {{"bufferView", p.addView(std::string(64, '\0'))}}}};
+             for (const char* name : {"NORMAL", "COLOR_0", "TEXCOORD_0"})
+                 p.primitive()["attributes"][name] = p.primitive()["attributes"]["POSITION"];
+             p.root["meshes"][0]["weights"] = {1, 1};
+             p.primitive()["targets"] = {p.primitive()["attributes"], p.primitive()["attributes"]};
+         }),
+         {"sparse", "over 256 MiB"}},
+        {"ManyJoints",
+         changed([](Plate& p) {
+             addSkin(p, {0, 0, 0});
+             p.root["skins"][0].erase("inverseBindMatrices");
+             p.root["skins"][0]["joints"] = std::vector<int>(20000, 0);
+             p.root["nodes"] = std::vector<Json>(64, p.node());
+             p.root.erase("scenes");
+             p.root.erase("scene");
+         }),
+         {"skins[0]", "brings what is read over"}},
+        {"ManyWeights",
+         changed([](Plate& p) {
+             p.root["meshes"][0]["weights"] = std::vector<int>(200000, 0);
+             p.root["nodes"] = std::vector<Json>(128, Json{{"mesh", 0}});
+             p.root.erase("scenes");
+             p.root.erase("scene");
+         }),
+         {"brings what is read over"}},
+        {"ManyFlatTextures",
+         [](Plate& p) {
+             p.root["images"] = {{{"uri", "data:;base64," + tests::base64(blackPng(4096, 4096))}}};
+             p.root["textures"] = std::vector<Json>(2, Json{{"source", 0}});
+             p.material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+             p.material()["normalTexture"] = {{"index", 1}};
+             return p.text();
+         },
+         {"images[0]", "brings the textures over", "the most for so many bytes"}},
     };
 }
 

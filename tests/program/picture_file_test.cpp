@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "demos/host/files/image_file.h"
+#include "demos/host/files/unpacking.h"
 #include "demos/host/water/sun.h"
 #include "tests/program/run.h"
 
@@ -63,7 +64,8 @@ class PictureFile : public testing::Test {
 
     demos::PictureFile read(const fs::path& file, const std::string& layer = {}) const {
         demos::Error error;
-        std::optional<demos::PictureFile> picture = demos::readPictureFile(file, {layer, "--layer"}, error);
+        std::optional<demos::PictureFile> picture =
+            demos::readPictureFile(file, {layer, "--layer"}, demos::limits::comparedPixels, error);
         EXPECT_TRUE(picture) << error.text;
         return picture.value_or(demos::PictureFile{});
     }
@@ -71,7 +73,7 @@ class PictureFile : public testing::Test {
     void expectRefused(const fs::path& file, const std::vector<std::string>& words,
                        const std::string& layer = {}) const {
         demos::Error error;
-        EXPECT_FALSE(demos::readPictureFile(file, {layer, "--layer"}, error));
+        EXPECT_FALSE(demos::readPictureFile(file, {layer, "--layer"}, demos::limits::comparedPixels, error));
         EXPECT_TRUE(error.text.starts_with(file.string() + ": ")) << error.text;
         for (const std::string& word : words)
             EXPECT_NE(error.text.find(word), std::string::npos)
@@ -253,8 +255,43 @@ TEST_F(PictureFile, OfADeepImageIsRefused) {
 }
 
 TEST_F(PictureFile, SizesAreRefusedByTheHeaderAlone) {
-    expectRefused(writeHdr(rgbe, "\n-Y 11000 +X 11000\n"), {"11000x11000", "at most 2^25 pixels"});
+    expectRefused(writeHdr(rgbe, "\n-Y 11000 +X 11000\n"),
+                  {"11000x11000", "in 53 bytes", "expected at most 2097258 pixels"});
     expectRefused(writeHdr(rgbe, "\n-Y 1 +X 20000\n"), {"20000x1", "1 to 16384"});
+}
+
+TEST_F(PictureFile, TextsAndScansAreCountedBeforeTheyAreUnpacked) {
+    const auto chunk = [](const char* kind, const std::string& data) {
+        const auto size = static_cast<uint32_t>(data.size());
+        std::string out;
+        for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(size >> shift & 0xff);
+        return out + kind + data + std::string(4, '\0');
+    };
+    const auto png = [&](const std::string& chunks) {
+        const fs::path file = folder_.path() / "a.png";
+        tests::writeAll(file, "\x89PNG\r\n\x1a\n" + chunks + chunk("IEND", ""));
+        return demos::unpackingProblem(file);
+    };
+    const std::string key("k\0", 2), much(1 << 16, 'x');
+    const std::string packed = chunk("zTXt", key + much) + chunk("iTXt", key + "\1" + much);
+    EXPECT_EQ(png(packed), "has 131077 bytes of compressed texts, expected at most 2^17");
+    EXPECT_EQ(png(chunk("zTXt", key + much)), "");
+    EXPECT_EQ(png(chunk("iTXt", key + std::string("\0", 1) + much + much)), "");
+    EXPECT_EQ(png(packed.substr(0, packed.size() / 3) + "\xff\xff"), "");
+
+    const auto jpeg = [&](size_t scans) {
+        const fs::path file = folder_.path() / "a.jpg";
+        const std::string thumbnail("\xff\xe1\0\x08\xff\xda\0\2\xff\xda", 10),
+            scan("\xff\xda\0\2x\xff\0y", 8);
+        std::string bytes = "\xff\xd8" + thumbnail;
+        for (size_t i = 0; i < scans; ++i) bytes += scan;
+        tests::writeAll(file, bytes + "\xff\xd9" + scan);
+        return demos::unpackingProblem(file);
+    };
+    EXPECT_EQ(jpeg(64), "");
+    EXPECT_EQ(jpeg(65), "has 65 scans, expected at most 64");
+    EXPECT_EQ(jpeg(5000), "has 5000 scans, expected at most 64");
+    expectRefused(folder_.path() / "a.jpg", {"5000 scans"});
 }
 
 /// With the bytes of `with` in the place of those of `what`.

@@ -516,6 +516,21 @@ TEST_F(SceneFile, BrokenFilesAreRefused) {
     EXPECT_NE(problem("\xff\xfe\x00").find("not valid TOML"), std::string::npos);
     EXPECT_EQ(problem(std::string((1 << 20) + 1, '\n')),
               "scene.toml: has 1048577 bytes, expected a scene of at most 1 MB");
+    std::string key = "a";
+    for (int i = 0; i < 15; ++i) key += ".a";
+    EXPECT_NE(problem(key + " = 1\n").find("a is not a known key"), std::string::npos);
+    for (int i = 0; i < 300000; ++i) key += ".a";
+    const std::string tooMany = "scene.toml: has a key of over 16 parts, expected a scene (TOML)";
+    for (const std::string& text : {key + " = 1\n", "[" + key + "]\n", "a = {" + key + " = 1}\n",
+                                    "a = {x = \"\"\" \" \"\"\", " + key + " = 1}\n"})
+        EXPECT_EQ(problem(text), tooMany) << text.substr(0, 40);
+    EXPECT_NE(problem("# ....................\na = '....................'\n").find("a is not"),
+              std::string::npos);
+    EXPECT_EQ(problemOf("title={" + key.substr(0, 100000) + "=1}").find("--set title="), 0u);
+    std::string cameras = tests::sampleScene();
+    for (int i = 0; i < 257; ++i) cameras += "[[camera]]\n";
+    EXPECT_NE(problem(cameras).find(": camera has 259 tables, expected at most 256"), std::string::npos)
+        << error_.text;
     EXPECT_FALSE(demos::loadScene(folder_.path() / "nope.toml", {}, error_));
     EXPECT_EQ(shortened(), "nope.toml: no such file, expected a scene (TOML)");
     EXPECT_FALSE(demos::loadScene(folder_.path() / "out", {}, error_));

@@ -6,13 +6,11 @@
 #include <cstring>
 #include <fstream>
 
+#include "scene/input_limits.h"
+
 namespace demos {
 namespace {
 
-constexpr int64_t maxSide = 16384;
-constexpr int64_t maxTilePixels = int64_t(1) << 24;
-constexpr int64_t maxBlockBytes = int64_t(1) << 29; ///< of rows that are unpacked together
-constexpr size_t longestName = 255;
 constexpr uint32_t multiPart = 0x1000;
 /// Rows that each of OpenEXR's compressions packs together, from NO_COMPRESSION to DWAB_COMPRESSION.
 constexpr std::array<int64_t, 10> rowsOfBlock = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
@@ -39,7 +37,7 @@ class Reader {
     std::string name() {
         std::string text;
         std::getline(stream_, text, '\0');
-        if (text.size() > longestName) stream_.setstate(std::ios::failbit);
+        if (text.size() > limits::exrNameBytes) stream_.setstate(std::ios::failbit);
         return text;
     }
 
@@ -74,14 +72,15 @@ std::string take(Reader& reader, const std::string& name, int64_t bytes, PartSiz
     if (name == "dataWindow" || name == "displayWindow") {
         const int64_t left = reader.integer(), top = reader.integer();
         const int64_t width = reader.integer() - left + 1, height = reader.integer() - top + 1;
-        if (width < 1 || height < 1 || width > maxSide || height > maxSide)
+        if (width < 1 || height < 1 || width > limits::pictureSide || height > limits::pictureSide)
             return "is " + std::to_string(width) + "x" + std::to_string(height) +
                    ", expected 1 to 16384 each way";
         if (name == "dataWindow") part.width = width;
     }
     if (name == "tiles") {
         const int64_t width = reader.word(), height = reader.word();
-        if (width > maxSide || height > maxSide || width * height > maxTilePixels)
+        if (width > limits::pictureSide || height > limits::pictureSide ||
+            width * height > limits::tilePixels)
             return "has tiles of " + std::to_string(width) + "x" + std::to_string(height) +
                    ", expected at most 2^24 pixels";
     }
@@ -104,7 +103,7 @@ std::string partProblem(Reader& reader, bool& more) {
         reader.skip(reader.left() - (left - bytes));
     }
     if (!reader.ok()) return "its header is cut off, expected a whole file";
-    if (part.width * part.rows * part.channels * 4 > maxBlockBytes)
+    if (part.width * part.rows * part.channels * 4 > limits::exrBlockBytes)
         return "has " + std::to_string(part.channels) + " channels in blocks of " +
                std::to_string(part.width) + "x" + std::to_string(part.rows) + ", expected at most 2^29 bytes";
     return "";

@@ -12,8 +12,6 @@
 namespace demos {
 namespace {
 
-constexpr size_t maxPixels = size_t(1) << 25;
-
 /// A name beside `file` that no other process uses, with the same ending so that the format is found by it.
 std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
     std::filesystem::path name = file;
@@ -92,16 +90,11 @@ bool writeExr(const std::filesystem::path& file, const Picture& picture, Error& 
 }
 
 std::optional<PictureFile> readPictureFile(const std::filesystem::path& file, const LayerChoice& choice,
-                                           Error& error) {
-    std::optional<ImageSource> source = ImageSource::open(file, choice, error);
+                                           const limits::Allowance& pixels, Error& error) {
+    std::optional<ImageSource> source = ImageSource::open(file, choice, pixels, error);
     if (!source) return std::nullopt;
     PictureFile out{{}, source->header()};
     const size_t width = out.header.width, height = out.header.height;
-    if (width * height > maxPixels) {
-        error.text = file.string() + ": is " + std::to_string(width) + "x" + std::to_string(height) +
-                     ", expected at most 2^25 pixels, as 8192x4096";
-        return std::nullopt;
-    }
     Picture& picture = out.picture;
     picture.width = out.header.width;
     picture.height = out.header.height;
@@ -121,7 +114,7 @@ std::optional<PictureFile> readPictureFile(const std::filesystem::path& file, co
 }
 
 std::optional<Picture> readPicture(const std::filesystem::path& file, Error& error) {
-    std::optional<PictureFile> read = readPictureFile(file, {"", "a file"}, error);
+    std::optional<PictureFile> read = readPictureFile(file, {"", "a file"}, limits::texturePixels, error);
     return read ? std::optional(std::move(read->picture)) : std::nullopt;
 }
 

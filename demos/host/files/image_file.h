@@ -9,6 +9,7 @@
 #include "host/files/image_header.h"
 #include "host/files/image_layers.h"
 #include "host/host.h"
+#include "scene/input_limits.h"
 
 namespace demos {
 
@@ -24,10 +25,10 @@ struct PictureFile {
     ImageHeader header;
 };
 
-/// Reads PNG, EXR or HDR of up to 16384 pixels each way and 2^25 in all. Grey is spread to RGB; a missing
-/// alpha is 1; light is of Rec. 709. Integers stay as they are encoded, 0..1.
+/// Reads PNG, EXR or HDR of up to 16384 pixels each way, and as many in all as its bytes allow. Grey is
+/// spread to RGB; a missing alpha is 1; light is of Rec. 709. Integers stay as they are encoded, 0..1.
 std::optional<PictureFile> readPictureFile(const std::filesystem::path& file, const LayerChoice& choice,
-                                           Error& error);
+                                           const limits::Allowance& pixels, Error& error);
 /// The same of a file whose picture need not be asked for by name.
 std::optional<Picture> readPicture(const std::filesystem::path& file, Error& error);
 

@@ -10,16 +10,14 @@
 
 #include "host/files/exr_header.h"
 #include "host/files/primaries.h"
+#include "host/files/quiet.h"
 #include "host/files/radiance_header.h"
+#include "host/files/unpacking.h"
 
 namespace demos {
 namespace {
 
-constexpr int maxSide = 16384;
 constexpr int rowsAtOnce = 64;
-constexpr int64_t maxPixelsAtOnce = int64_t(1) << 24;
-/// OpenEXR itself sets no bound.
-constexpr int maxParts = 256;
 
 ImageWindow dataWindow(const OIIO::ImageSpec& spec) {
     return {spec.x, spec.y, spec.width, spec.height};
@@ -34,7 +32,8 @@ bool isUpright(int orientation) {
 }
 
 std::string sizeProblem(const ImageWindow& window) {
-    if (window.width >= 1 && window.height >= 1 && window.width <= maxSide && window.height <= maxSide)
+    if (window.width >= 1 && window.height >= 1 && window.width <= limits::pictureSide &&
+        window.height <= limits::pictureSide)
         return "";
     return "is " + std::to_string(window.width) + "x" + std::to_string(window.height) +
            ", expected 1 to 16384 each way";
@@ -178,6 +177,7 @@ struct ImageSource::Opened {
 
     bool openAs(const std::string& format, const std::filesystem::path& file, Error& error);
     bool find(const std::filesystem::path& file, const LayerChoice& choice, Error& error);
+    bool checkPixels(const std::filesystem::path& file, const limits::Allowance& pixels, Error& error) const;
     void describe();
     void nameChannels(const std::vector<ImagePart>& parts);
     bool readBand(int y, int rows, std::vector<glm::vec4>& out);
@@ -196,6 +196,7 @@ bool ImageSource::Opened::openAs(const std::string& format, const std::filesyste
         const std::string problem = exrHeaderProblem(file);
         if (!problem.empty()) return fail(problem);
     }
+    if (const std::string problem = unpackingProblem(file); !problem.empty()) return fail(problem);
     // XYZ, for one, is what OpenImageIO only calls no format.
     if (format == "hdr" && !readRadianceHeader(file, error)) return false;
     OIIO::ImageSpec hints;
@@ -212,7 +213,7 @@ bool ImageSource::Opened::find(const std::filesystem::path& file, const LayerCho
     };
     std::vector<ImagePart> parts;
     bool deep = false;
-    for (int part = 0; part < maxParts; ++part) {
+    for (int part = 0; part < limits::exrParts; ++part) {
         const OIIO::ImageSpec stated = input->spec(part);
         if (stated.format == OIIO::TypeDesc::UNKNOWN) break;
         deep = deep || stated.deep;
@@ -233,7 +234,7 @@ bool ImageSource::Opened::find(const std::filesystem::path& file, const LayerCho
         const std::string problem = sizeProblem(window);
         if (!problem.empty()) return fail(problem);
     }
-    if (int64_t(spec.width) * std::min(spec.tile_height, spec.height) > maxPixelsAtOnce)
+    if (int64_t(spec.width) * std::min(spec.tile_height, spec.height) > limits::tilePixels)
         return fail("has tiles of " + std::to_string(spec.tile_width) + "x" +
                     std::to_string(spec.tile_height) + ", expected at most 2^24 pixels in a row of them");
     std::string problem = setMeaning(file, *input, meaning);
@@ -242,6 +243,20 @@ bool ImageSource::Opened::find(const std::filesystem::path& file, const LayerCho
     if (!problem.empty()) return fail(problem);
     describe();
     nameChannels(parts);
+    return true;
+}
+
+bool ImageSource::Opened::checkPixels(const std::filesystem::path& file, const limits::Allowance& pixels,
+                                      Error& error) const {
+    std::error_code ignored;
+    const uint64_t bytes = std::filesystem::file_size(file, ignored), most = pixels.of(bytes);
+    for (const ImageWindow& window : {dataWindow(spec), displayWindow(spec)}) {
+        if (static_cast<uint64_t>(window.width) * static_cast<uint64_t>(window.height) <= most) continue;
+        error.text = name + ": is " + std::to_string(window.width) + "x" + std::to_string(window.height) +
+                     " in " + std::to_string(bytes) + " bytes, expected at most " + std::to_string(most) +
+                     (most < pixels.most ? unpacksFar : " pixels");
+        return false;
+    }
     return true;
 }
 
@@ -318,16 +333,17 @@ void ImageSource::Opened::visitRow(int y, std::span<const glm::vec4> pixels,
 }
 
 std::optional<ImageSource> ImageSource::open(const std::filesystem::path& file, const LayerChoice& choice,
-                                             Error& error) {
+                                             const limits::Allowance& pixels, Error& error) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) {
         error.text = file.string() + ": no such file";
         return std::nullopt;
     }
+    const QuietStderr quiet;
     auto opened = std::make_unique<Opened>();
     opened->name = file.string();
     if (!opened->openAs(formatOf(file), file, error)) return std::nullopt;
-    if (!opened->find(file, choice, error)) return std::nullopt;
+    if (!opened->find(file, choice, error) || !opened->checkPixels(file, pixels, error)) return std::nullopt;
     return ImageSource(std::move(opened));
 }
 
@@ -340,6 +356,7 @@ const ImageHeader& ImageSource::header() const {
 }
 
 bool ImageSource::read(const std::function<void(const ImageRow&)>& visit, Error& error) {
+    const QuietStderr quiet;
     const OIIO::ImageSpec& spec = opened_->spec;
     const int band = spec.tile_height > 0 ? spec.tile_height : rowsAtOnce;
     const auto width = static_cast<size_t>(spec.width);

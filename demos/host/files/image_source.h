@@ -13,6 +13,7 @@
 
 #include "host/files/image_header.h"
 #include "host/files/image_layers.h"
+#include "scene/input_limits.h"
 
 namespace demos {
 
@@ -22,12 +23,15 @@ struct ImageRow {
     int x = 0, y = 0, stepX = 1, stepY = 0;
 };
 
+/// How the error ends where a picture has more pixels than its file's bytes allow.
+constexpr const char* unpacksFar = " pixels for so many bytes";
+
 class ImageSource {
   public:
-    /// Null with `error`, which names the file, for what is no flat picture of 1 to 16384 pixels each way, or
-    /// says of itself what would be read wrong.
+    /// Null with `error`, which names the file, for what is no flat picture of 1 to 16384 pixels each way,
+    /// has more pixels than its bytes allow, or says of itself what would be read wrong.
     static std::optional<ImageSource> open(const std::filesystem::path& file, const LayerChoice& choice,
-                                           Error& error);
+                                           const limits::Allowance& pixels, Error& error);
     ImageSource(ImageSource&&) noexcept;
     ~ImageSource();
 

@@ -4,6 +4,7 @@
 
 #include "host/gltf/nodes.h"
 #include "host/mesh_parts.h"
+#include "scene/input_limits.h"
 
 namespace demos {
 namespace {
@@ -15,6 +16,7 @@ bool readDocument(const gltf::Document& document, Mesh& mesh, Error& error) {
     if (!materials.create(document, buffers, notes, mesh, error)) return false;
     gltf::Primitives primitives(document, buffers, materials, notes, mesh);
     if (!gltf::Nodes(document, buffers, primitives, notes).read(error)) return false;
+    mesh.fileBytes = document.bytes + buffers.uris().bytes();
     materials.finish(primitives.clear());
     if (!mesh.otherUvs.empty()) mesh.otherUvs.resize(mesh.vertices.size());
     divideIntoParts(primitives.corners(), mesh);
@@ -47,6 +49,15 @@ std::optional<Mesh> readMesh(const std::filesystem::path& file, Error& error) {
     if (document && readDocument(*document, mesh, error)) return mesh;
     error.text = file.string() + ": " + error.text;
     return std::nullopt;
+}
+
+bool PlacedTriangles::place(uint64_t triangles, const std::filesystem::path& file, Error& error) {
+    triangles_ += triangles;
+    const uint64_t most = limits::sceneTriangles.of(bytes_);
+    if (triangles_ <= most) return true;
+    error.text = file.string() + ": brings the scene over " + std::to_string(most) +
+                 " triangles: the most for so many bytes";
+    return false;
 }
 
 } // namespace demos

@@ -91,6 +91,7 @@ struct Mesh {
     std::vector<MeshMaterial> materials;
     std::vector<MeshTexture> textures;
     glm::vec3 low{0}, high{0}; ///< bounds of the vertices
+    uint64_t fileBytes = 0;
     /// What changes the file's picture and is not drawn as it says, each in one line without the file's name.
     std::vector<std::string> leftOut;
 };
@@ -98,5 +99,16 @@ struct Mesh {
 /// Reads .gltf or .glb. Untrusted: sizes are capped, every index and offset is checked, and what is wrong is
 /// named. Skins and morph targets are drawn at rest.
 std::optional<Mesh> readMesh(const std::filesystem::path& file, Error& error);
+
+/// What the meshes of a scene come to, each as often as it is placed.
+class PlacedTriangles {
+  public:
+    void readFile(uint64_t bytes) { bytes_ += bytes; }
+    /// False with `error` once they are too many for so many bytes.
+    bool place(uint64_t triangles, const std::filesystem::path& file, Error& error);
+
+  private:
+    uint64_t bytes_ = 0, triangles_ = 0;
+};
 
 } // namespace demos

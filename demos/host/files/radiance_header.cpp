@@ -5,10 +5,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "scene/input_limits.h"
+
 namespace demos {
 namespace {
-
-constexpr size_t longestHeader = 1 << 16;
 
 /// The numbers of a line's right side; false unless all are there and finite.
 template<size_t count>
@@ -68,7 +68,7 @@ std::string take(const std::string& name, const std::string& value, RadianceHead
 
 std::optional<RadianceHeader> readRadianceHeader(const std::filesystem::path& file, Error& error) {
     std::ifstream stream(file, std::ios::binary);
-    std::string text(longestHeader, '\0');
+    std::string text(limits::hdrHeaderBytes, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<size_t>(stream.gcount()));
     if (!text.starts_with("#?")) return std::nullopt;

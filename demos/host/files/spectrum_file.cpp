@@ -10,11 +10,12 @@
 #include <optional>
 #include <string_view>
 
+#include "scene/input_limits.h"
+
 namespace demos {
 
 namespace {
 
-constexpr size_t mostBytes = size_t(1) << 20;
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 std::string_view trimmed(std::string_view text) {
@@ -157,10 +158,10 @@ std::string problemOf(std::string_view line) {
 
 std::optional<std::string> readText(const std::filesystem::path& file, Error& error) {
     std::ifstream stream(file, std::ios::binary);
-    std::string text(mostBytes + 1, '\0');
+    std::string text(limits::spectrumBytes + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<size_t>(stream.gcount()));
-    if (text.size() > mostBytes) {
+    if (text.size() > limits::spectrumBytes) {
         error.text = file.string() + ": is over 1 MiB, expected at most " +
                      std::to_string(seaglass::maxSpectrumSamples) + " lines of Hz,m^2/Hz";
         return std::nullopt;

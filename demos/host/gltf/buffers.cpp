@@ -4,14 +4,8 @@
 #include <cstring>
 #include <iterator>
 
-#include "host/gltf/uri.h"
-
 namespace demos::gltf {
 namespace {
-
-constexpr size_t maxBufferBytes = size_t{1} << 30;
-/// Of accessors that the file holds no bytes for: more would be made of nothing.
-constexpr size_t maxZeros = size_t{1} << 20;
 
 enum ComponentType : uint32_t {
     int8 = 5120,
@@ -106,18 +100,17 @@ bool Buffers::buffer(size_t index, std::span<const uint8_t>& bytes, Error& error
             error.text = where + " has no bytes, neither in the file nor by a uri";
             return false;
         }
-        std::vector<uint8_t> read;
         std::string problem;
-        if (!readUri(document_.folder, textOf(source, "uri"), maxBufferBytes, read, problem)) {
+        const auto read = uris_.read(textOf(source, "uri"), limits::gltfBufferBytes, problem);
+        if (!read) {
             error.text = where + ": " + problem;
             return false;
         }
-        bytes_ += read.size();
-        if (bytes_ > maxBufferBytes) {
-            error.text = where + ": brings the file's buffers over 1 GiB";
+        if (uris_.bytes() > limits::gltfBufferBytes) {
+            error.text = where + ": brings the files beside it over 1 GiB";
             return false;
         }
-        read_[index] = std::move(read);
+        read_[index] = read;
     }
     bytes = inFile ? std::span(document_.bin) : std::span(*read_[index]);
     if (length > bytes.size()) {
@@ -179,6 +172,8 @@ bool Buffers::elements(size_t index, const std::string& where, Elements& out, Er
     const size_t element = bytesOf(type) * out.components;
     if (element == 0) return fail("is of an unknown type");
     if (out.count == 0) return fail("is empty");
+    if (out.count > limits::gltfZeros && !viewIndex)
+        return fail("is of over a million elements and has no bytes");
     if (viewIndex) {
         std::span<const uint8_t> bytes;
         if (!view(*viewIndex, bytes, out.stride, error)) {
@@ -190,12 +185,21 @@ bool Buffers::elements(size_t index, const std::string& where, Elements& out, Er
             return fail("reaches past its buffer");
         out.data = bytes.data() + offset;
     } else {
-        if (out.count > maxZeros) return fail("is of over a million elements and has no bytes");
         out.own = std::make_shared<std::vector<uint8_t>>(element, uint8_t{0});
         out.data = out.own->data();
         out.stride = 0;
     }
-    return member(accessor, "sparse").is_null() || sparse(accessor, what, out, error);
+    return spend(out.count, what, error) &&
+           (member(accessor, "sparse").is_null() || sparse(accessor, what, out, error));
+}
+
+bool Buffers::spend(uint64_t work, const std::string& where, Error& error) {
+    work_ += work;
+    const uint64_t most = allowed(limits::gltfWork);
+    if (work_ <= most) return true;
+    error.text =
+        where + " brings what is read over " + std::to_string(most) + " elements: the most for so many bytes";
+    return false;
 }
 
 bool Buffers::sparse(const Json& accessor, const std::string& where, Elements& out, Error& error) {
@@ -231,6 +235,8 @@ bool Buffers::sparse(const Json& accessor, const std::string& where, Elements& o
         return fail("reaches past its buffer");
     places.data = indexBytes.data() + indexOffset;
 
+    sparseBytes_ += out.count * element;
+    if (sparseBytes_ > limits::gltfSparseBytes) return fail("brings sparse accessors over 256 MiB");
     const auto whole = std::make_shared<std::vector<uint8_t>>(out.count * element);
     for (size_t i = 0; i < out.count; ++i)
         std::memcpy(whole->data() + i * element, out.data + i * out.stride, element);

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "host/gltf/document.h"
+#include "host/gltf/uri.h"
+#include "scene/input_limits.h"
 
 namespace demos::gltf {
 
@@ -26,21 +28,25 @@ struct Elements {
 
 class Buffers {
   public:
-    explicit Buffers(const Document& document) : document_(document) {}
+    explicit Buffers(const Document& document) : document_(document), uris_(document.folder) {}
 
     /// Those of the file may be read in whole; the bytes stay where they are.
     bool view(size_t index, std::span<const uint8_t>& bytes, size_t& stride, Error& error);
     bool elements(size_t accessor, const std::string& where, Elements& out, Error& error);
-    /// Read so far.
-    size_t bytes() const { return bytes_; }
+    UriReader& uris() { return uris_; }
+    /// How much is granted, by the bytes of the file and of those that were read beside it.
+    uint64_t allowed(const limits::Allowance& of) const { return of.of(document_.bytes + uris_.bytes()); }
+    /// Counts elements that are read, or read again. False once they are too many for so many bytes.
+    bool spend(uint64_t work, const std::string& where, Error& error);
 
   private:
     bool buffer(size_t index, std::span<const uint8_t>& bytes, Error& error);
     bool sparse(const Json& accessor, const std::string& where, Elements& out, Error& error);
 
     const Document& document_;
-    std::vector<std::optional<std::vector<uint8_t>>> read_;
-    size_t bytes_ = 0;
+    UriReader uris_;
+    std::vector<std::shared_ptr<const std::vector<uint8_t>>> read_;
+    uint64_t sparseBytes_ = 0, work_ = 0;
 };
 
 } // namespace demos::gltf

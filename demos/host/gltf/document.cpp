@@ -6,13 +6,10 @@
 #include <fstream>
 #include <string_view>
 
+#include "scene/input_limits.h"
+
 namespace demos::gltf {
 namespace {
-
-constexpr uint64_t maxFileBytes = uint64_t{1} << 30;
-constexpr size_t maxTextBytes = size_t{1} << 28;
-constexpr size_t maxNesting = 64;
-constexpr size_t maxValues = 2'000'000;
 
 constexpr const char* extensionsRead[] = {
     "EXT_mesh_gpu_instancing", "EXT_texture_webp",       "KHR_materials_emissive_strength",
@@ -67,7 +64,7 @@ bool splitBinary(std::vector<uint8_t>&& bytes, std::string& text, std::vector<ui
 
 /// Before a parser makes a tree of it, whose parts are far larger than what they are written with.
 bool isModest(std::string_view text, std::string& problem) {
-    if (text.size() > maxTextBytes) {
+    if (text.size() > limits::gltfTextBytes) {
         problem = "has over 256 MiB of JSON; GLB holds its bytes apart";
         return false;
     }
@@ -89,9 +86,9 @@ bool isModest(std::string_view text, std::string& problem) {
             ++values;
         }
     }
-    if (deepest > maxNesting) problem = "nests its JSON over 64 levels deep";
-    if (values > maxValues) problem = "has over 2 million values in its JSON";
-    return deepest <= maxNesting && values <= maxValues;
+    if (deepest > limits::gltfNesting) problem = "nests its JSON over 64 levels deep";
+    if (values > limits::gltfValues) problem = "has over 2 million values in its JSON";
+    return deepest <= limits::gltfNesting && values <= limits::gltfValues;
 }
 
 /// The parser's own words without its name and without what it quotes of the file.
@@ -171,7 +168,8 @@ std::optional<Document> readDocument(const std::filesystem::path& file, Error& e
     std::string problem;
     std::vector<uint8_t> bytes;
     const auto read = [&] {
-        if (!readBytes(file, maxFileBytes, bytes, problem)) return false;
+        if (!readBytes(file, limits::gltfFileBytes, bytes, problem)) return false;
+        document.bytes = bytes.size();
         if (!asText(bytes).starts_with("glTF")) return parse(asText(bytes), document.root, problem);
         std::string text;
         return splitBinary(std::move(bytes), text, document.bin, problem) &&

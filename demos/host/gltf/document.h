@@ -14,6 +14,7 @@ struct Document {
     std::filesystem::path folder; ///< of the file, for what it refers to
     Json root;
     std::vector<uint8_t> bin; ///< of a GLB: what its first buffer holds
+    uint64_t bytes = 0;       ///< of the whole file
 
     size_t count(const char* array) const;
     const Json& at(const char* array, size_t index) const { return member(root, array)[index]; }

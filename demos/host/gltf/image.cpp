@@ -6,12 +6,13 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include "host/files/quiet.h"
+#include "host/files/unpacking.h"
 #include "host/gltf/json.h"
+#include "scene/input_limits.h"
 
 namespace demos::gltf {
 namespace {
-
-constexpr int maxSide = 8192;
 
 /// A name that OpenImageIO chooses its reader by; null for other kinds.
 const char* nameFor(std::string_view bytes) {
@@ -35,13 +36,16 @@ std::string kindOf(std::string_view bytes) {
 
 } // namespace
 
-bool decodeImage(std::span<const uint8_t> bytes, Pixels& out, std::string& problem) {
+bool decodeImage(std::span<const uint8_t> bytes, uint64_t mostPixels, Pixels& out, std::string& problem) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const char* const name = nameFor(text);
     if (!name) {
         problem = kindOf(text);
         return false;
     }
+    problem = unpackingProblem(bytes);
+    if (!problem.empty()) return false;
+    const QuietStderr quiet;
     OIIO::Filesystem::IOMemReader memory(const_cast<uint8_t*>(bytes.data()), bytes.size());
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
@@ -53,7 +57,8 @@ bool decodeImage(std::span<const uint8_t> bytes, Pixels& out, std::string& probl
         return false;
     }
     const OIIO::ImageSpec spec = input->spec();
-    if (spec.width < 1 || spec.height < 1 || spec.width > maxSide || spec.height > maxSide) {
+    if (spec.width < 1 || spec.height < 1 || spec.width > limits::gltfImageSide ||
+        spec.height > limits::gltfImageSide) {
         problem =
             "is " + std::to_string(spec.width) + "x" + std::to_string(spec.height) + ", expected 1 to 8192";
         return false;
@@ -61,6 +66,10 @@ bool decodeImage(std::span<const uint8_t> bytes, Pixels& out, std::string& probl
     const int channels = std::min(spec.nchannels, 4);
     out.width = static_cast<uint32_t>(spec.width);
     out.height = static_cast<uint32_t>(spec.height);
+    if (uint64_t{out.width} * out.height > mostPixels) {
+        problem = "brings the textures over what is granted to so many bytes";
+        return false;
+    }
     out.rgba.assign(size_t{out.width} * out.height * 4, 255);
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, out.rgba.data(), 4)) {
         problem = reasonOf(input->geterror());

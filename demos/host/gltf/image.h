@@ -13,8 +13,8 @@ struct Pixels {
     std::vector<uint8_t> rgba;
 };
 
-/// What it is, its first bytes say. False with a `problem` where it is of another kind, broken, or over 8192
-/// pixels wide or high.
-bool decodeImage(std::span<const uint8_t> bytes, Pixels& out, std::string& problem);
+/// What it is, its first bytes say. False with a `problem` where it is of another kind, broken, over 8192
+/// pixels wide or high, or over `mostPixels`: then none is decoded. `out` has its size once that is known.
+bool decodeImage(std::span<const uint8_t> bytes, uint64_t mostPixels, Pixels& out, std::string& problem);
 
 } // namespace demos::gltf

@@ -4,15 +4,11 @@
 #include <cmath>
 #include <iterator>
 
-#include "host/gltf/uri.h"
+#include "scene/input_limits.h"
 
 namespace demos::gltf {
 namespace {
 
-constexpr size_t maxTexturePixels = size_t{1} << 27;
-constexpr size_t maxTextures = 256;
-constexpr size_t maxMaterials = 1024;
-constexpr size_t maxImageBytes = size_t{1} << 28;
 constexpr const char* specularGlossiness = "KHR_materials_pbrSpecularGlossiness";
 
 float factor(double value) {
@@ -76,7 +72,7 @@ bool Materials::create(const Document& document, Buffers& buffers, Notes& notes,
     notes_ = &notes;
     mesh_ = &mesh;
     const size_t count = document.count("materials");
-    if (count > maxMaterials) {
+    if (count > limits::gltfMaterials) {
         error.text = "has over 1024 materials";
         return false;
     }
@@ -225,9 +221,8 @@ bool Materials::readTexture(size_t index, bool srgb, const std::string& where, s
         notes_->add(where, "is left out: " + problem);
         return true;
     }
-    pixels_ += size_t{pixels.width} * pixels.height;
-    if (pixels_ > maxTexturePixels || mesh_->textures.size() >= maxTextures) {
-        error.text = "has over 256 textures or over 2^27 pixels of them";
+    if (mesh_->textures.size() >= limits::gltfTextures) {
+        error.text = "has over 256 textures";
         return false;
     }
     MeshTexture made;
@@ -259,36 +254,54 @@ bool Materials::decode(const Json& texture, const std::string& where, Pixels& ou
         if (!readIndex(*source, "source", document_->count("images"), where, image, error)) return false;
         if (!image) continue;
         any = true;
-        std::vector<uint8_t> bytes;
-        std::string why;
-        if (imageBytes(*image, bytes, why) && decodeImage(bytes, out, why)) {
+        const std::string place = placeOf("images", *image, document_->at("images", *image));
+        std::string& why = broken_[*image];
+        if (why.empty() && !readImage(*image, place, out, why, error)) return false;
+        if (why.empty()) {
             problem.clear();
             return true;
         }
-        if (problem.empty()) problem = placeOf("images", *image, document_->at("images", *image)) + " " + why;
+        if (problem.empty()) problem = place + " " + why;
     }
     if (!any) problem = "its texture has no image";
     return true;
 }
 
-bool Materials::imageBytes(size_t index, std::vector<uint8_t>& out, std::string& problem) {
+/// A `problem` is the image's alone; false where the file is refused.
+bool Materials::readImage(size_t index, const std::string& place, Pixels& out, std::string& problem,
+                          Error& error) {
+    std::span<const uint8_t> bytes;
+    std::shared_ptr<const std::vector<uint8_t>> held;
+    if (!imageBytes(index, bytes, held, problem)) return true;
+    const uint64_t allowed = buffers_->allowed(limits::gltfTexels);
+    out = {};
+    const bool decoded = decodeImage(bytes, allowed - std::min(allowed, pixels_), out, problem);
+    // Broken ones cost as much as whole ones.
+    pixels_ += uint64_t{out.width} * out.height;
+    if (decoded) problem.clear();
+    if (pixels_ <= allowed) return true;
+    error.text = place + " brings the textures over " + std::to_string(allowed) +
+                 " pixels: the most for so many bytes";
+    return false;
+}
+
+bool Materials::imageBytes(size_t index, std::span<const uint8_t>& out,
+                           std::shared_ptr<const std::vector<uint8_t>>& held, std::string& problem) {
     const Json& image = document_->at("images", index);
     std::optional<size_t> view;
-    std::span<const uint8_t> bytes;
     size_t stride = 0;
     Error error;
     if (!readIndex(image, "bufferView", document_->count("bufferViews"), "", view, error) ||
-        (view && !buffers_->view(*view, bytes, stride, error))) {
+        (view && !buffers_->view(*view, out, stride, error))) {
         problem = error.text;
         return false;
     }
-    if (view) {
-        out.assign(bytes.begin(), bytes.end());
-        return true;
-    }
+    if (view) return true;
     problem = "has neither a uri nor bytes";
-    return member(image, "uri").is_string() &&
-           readUri(document_->folder, textOf(image, "uri"), maxImageBytes, out, problem);
+    if (!member(image, "uri").is_string()) return false;
+    held = buffers_->uris().read(textOf(image, "uri"), limits::gltfImageBytes, problem);
+    if (held) out = *held;
+    return held != nullptr;
 }
 
 void Materials::readSampler(const Json& sampler, MeshTexture& out) const {

@@ -49,7 +49,9 @@ class Materials {
                      Error& error);
     bool decode(const Json& texture, const std::string& where, Pixels& out, std::string& problem,
                 Error& error);
-    bool imageBytes(size_t index, std::vector<uint8_t>& out, std::string& problem);
+    bool readImage(size_t index, const std::string& place, Pixels& out, std::string& problem, Error& error);
+    bool imageBytes(size_t index, std::span<const uint8_t>& out,
+                    std::shared_ptr<const std::vector<uint8_t>>& held, std::string& problem);
     void readSampler(const Json& sampler, MeshTexture& out) const;
     void noteExtensions(const Source& source);
 
@@ -60,7 +62,8 @@ class Materials {
     std::vector<bool> read_;
     std::vector<UvMappings> mappings_;
     std::map<std::pair<size_t, bool>, std::optional<uint32_t>> textures_;
-    size_t pixels_ = 0;
+    std::map<size_t, std::string> broken_; ///< images, and what is wrong with them
+    uint64_t pixels_ = 0;
 };
 
 } // namespace demos::gltf

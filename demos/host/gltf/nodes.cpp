@@ -10,8 +10,6 @@
 namespace demos::gltf {
 namespace {
 
-constexpr size_t maxInstances = 1'000'000;
-
 glm::dmat4 transformOf(const double (&translation)[3], const double (&rotation)[4],
                        const double (&scale)[3]) {
     const glm::dmat4 moved = glm::translate(glm::dmat4(1), glm::make_vec3(translation));
@@ -171,12 +169,13 @@ bool Nodes::readMesh(size_t index, Error& error) {
 }
 
 bool Nodes::readWeights(const Json& node, const Json& mesh, const std::string& where, Stand& out,
-                        Error& error) const {
+                        Error& error) {
     const Json& own = member(node, "weights");
     const Json& source = own.is_null() ? mesh : node;
     const Json& weights = member(source, "weights");
     out.weights.resize(weights.is_array() ? weights.size() : 0);
-    return readNumbers(source, "weights", where, out.weights, error);
+    return buffers_.spend(out.weights.size(), where, error) &&
+           readNumbers(source, "weights", where, out.weights, error);
 }
 
 bool Nodes::readInstances(const Json& node, const std::string& where, const glm::dmat4& world, Stand& out,
@@ -206,7 +205,7 @@ bool Nodes::readInstances(const Json& node, const std::string& where, const glm:
     // Attributes of other names place nothing: all instances then stand where the node does.
     if (count == 0) out.places = {world};
     instances_ += count;
-    if (instances_ > maxInstances) {
+    if (instances_ > limits::gltfInstances) {
         error.text = where + " brings the scene over a million instances";
         return false;
     }
@@ -229,7 +228,8 @@ bool Nodes::readSkin(size_t index, Stand& out, Error& error) {
     std::vector<size_t> joints;
     std::optional<size_t> inverse;
     Elements matrices;
-    if (!readList(member(skin, "joints"), where + ".joints", joints, error) ||
+    if (!buffers_.spend(16 * member(skin, "joints").size(), where, error) ||
+        !readList(member(skin, "joints"), where + ".joints", joints, error) ||
         !readIndex(skin, "inverseBindMatrices", document_.count("accessors"), where, inverse, error) ||
         (inverse && !buffers_.elements(*inverse, where + ".inverseBindMatrices", matrices, error)))
         return false;

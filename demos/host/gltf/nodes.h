@@ -23,8 +23,7 @@ class Nodes {
     bool readInstances(const Json& node, const std::string& where, const glm::dmat4& world, Stand& out,
                        Error& error);
     bool readSkin(size_t skin, Stand& out, Error& error);
-    bool readWeights(const Json& node, const Json& mesh, const std::string& where, Stand& out,
-                     Error& error) const;
+    bool readWeights(const Json& node, const Json& mesh, const std::string& where, Stand& out, Error& error);
     std::string placeOfNode(size_t node) const { return placeOf("nodes", node, document_.at("nodes", node)); }
 
     const Document& document_;

@@ -2,16 +2,21 @@
 
 #include <algorithm>
 
+#include "scene/input_limits.h"
+
 namespace demos::gltf {
 
 void Notes::add(const std::string& where, const std::string& what) {
-    const auto known =
-        std::find_if(notes_.begin(), notes_.end(), [&](const Note& note) { return note.what == what; });
-    if (known == notes_.end())
+    const auto known = byWhat_.find(what);
+    if (known != byWhat_.end()) {
+        Note& note = notes_[known->second];
+        if (note.where != where) note.others.insert(where);
+    } else if (notes_.size() < limits::gltfNotes) {
+        byWhat_.emplace(what, notes_.size());
         notes_.push_back({where, what, {}});
-    else if (known->where != where &&
-             std::find(known->others.begin(), known->others.end(), where) == known->others.end())
-        known->others.push_back(where);
+    } else {
+        ++more_;
+    }
 }
 
 void Notes::addExtensions(const std::string& where, const Json& object,
@@ -30,6 +35,7 @@ std::vector<std::string> Notes::lines() const {
             note.others.empty() ? "" : " (and " + std::to_string(note.others.size()) + " more)";
         lines.push_back(note.where + more + ": " + note.what);
     }
+    if (more_ > 0) lines.push_back("and " + std::to_string(more_) + " more that is left out");
     return lines;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <initializer_list>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,9 +22,11 @@ class Notes {
   private:
     struct Note {
         std::string where, what; ///< where it was met first
-        std::vector<std::string> others;
+        std::set<std::string> others;
     };
     std::vector<Note> notes_;
+    std::map<std::string, size_t> byWhat_;
+    size_t more_ = 0; ///< kinds beyond those that are kept
 };
 
 } // namespace demos::gltf

@@ -6,11 +6,6 @@
 namespace demos::gltf {
 namespace {
 
-constexpr size_t maxVertices = 16'000'000;
-constexpr size_t maxIndices = 48'000'000;
-/// More vertices than these need bytes of their own: nodes may repeat a mesh as often as they like.
-constexpr size_t maxRepeated = 4'000'000;
-constexpr size_t leastVertexBytes = 12;
 constexpr double maxCoordinate = 1e7;
 constexpr size_t maxUvSets = 16;
 
@@ -69,11 +64,22 @@ struct Primitives::Source {
     std::vector<uint32_t> used;    ///< vertices that a triangle has
     uint32_t material = 0;
     const UvMappings* mappings = nullptr;
+
+    /// What is read for each, wherever it stands.
+    size_t perVertex() const {
+        size_t count = 1 + 4 * influences.size();
+        for (const Attribute* const attribute : {&position, &normal, &color})
+            count += attribute->added.size();
+        for (const Attribute& attribute : uvs) count += attribute.added.size();
+        return count;
+    }
 };
 
 bool Primitives::add(const Json& primitive, const std::string& where, const Stand& stand, Error& error) {
     size_t mode = triangles;
-    if (!readCount(primitive, "mode", where, mode, error)) return false;
+    if (!buffers_.spend(limits::gltfPrimitiveWork, where, error) ||
+        !readCount(primitive, "mode", where, mode, error))
+        return false;
     if (mode > triangleFan) {
         error.text = where + ".mode is " + std::to_string(mode) + ", expected 0 to 6";
         return false;
@@ -114,7 +120,7 @@ bool Primitives::readSource(const Json& primitive, const std::string& where, con
     }
     if (!readAttribute(primitive, "POSITION", 3, where, stand, 0, out.position, error)) return false;
     const size_t count = out.position.base.count;
-    if (count > maxVertices) {
+    if (count > limits::gltfVertices.most) {
         error.text = where + " has over 16 million vertices";
         return false;
     }
@@ -217,7 +223,7 @@ bool Primitives::readCorners(const Json& primitive, const std::string& where, So
         if (!buffers_.elements(*accessor, where + ".indices", indices, error)) return false;
         if (!indices.isWhole() || indices.components != 1)
             return fail(".indices have the wrong type, expected unsigned scalars");
-        if (indices.count > maxIndices) return fail(".indices are over 48 million");
+        if (indices.count > 3 * limits::gltfVertices.most) return fail(".indices are over 48 million");
         out.corners.resize(indices.count);
         for (size_t i = 0; i < indices.count; ++i) {
             out.corners[i] = indices.whole(i, 0);
@@ -246,13 +252,13 @@ bool Primitives::place(const Source& source, const std::string& where, const Sta
                        Error& error) {
     const bool flat = !source.normal.present();
     const size_t made = flat ? source.corners.size() : source.used.size();
-    const size_t allowed = std::min(maxVertices, maxRepeated + buffers_.bytes() / leastVertexBytes +
-                                                     document_.bin.size() / leastVertexBytes);
+    const uint64_t allowed = buffers_.allowed(limits::gltfVertices);
     if (mesh_.vertices.size() + made > allowed || cornerCount_ + source.corners.size() > 3 * allowed) {
         error.text = where + " brings the scene over " + std::to_string(allowed) +
                      " vertices, or three times as many corners: the most for so many bytes";
         return false;
     }
+    if (!buffers_.spend(source.used.size() * source.perVertex(), where, error)) return false;
     Vertices vertices;
     vertices.vertices.resize(source.used.size());
     const bool others = mesh_.materials[source.material].otherUvs;

@@ -98,22 +98,40 @@ bool hasScheme(const std::string& uri) {
 
 } // namespace
 
-bool readUri(const std::filesystem::path& folder, const std::string& uri, uint64_t most,
-             std::vector<uint8_t>& out, std::string& problem) {
-    if (isData(uri)) return readData(uri, most, out, problem);
+std::shared_ptr<const std::vector<uint8_t>> UriReader::read(const std::string& uri, uint64_t most,
+                                                            std::string& problem) {
+    if (isData(uri)) {
+        auto data = std::make_shared<std::vector<uint8_t>>();
+        return readData(uri, most, *data, problem) ? data : nullptr;
+    }
+    const std::optional<std::filesystem::path> file = find(uri, problem);
+    if (!file) return nullptr;
+    auto& known = files_[*file];
+    if (known) return known;
+    auto bytes = std::make_shared<std::vector<uint8_t>>();
+    if (!readBytes(*file, most, *bytes, problem)) {
+        problem = quoted(file->filename().string()) + " " + problem;
+        return nullptr;
+    }
+    bytes_ += bytes->size();
+    known = std::move(bytes);
+    return known;
+}
+
+std::optional<std::filesystem::path> UriReader::find(const std::string& uri, std::string& problem) const {
     const std::string decoded = percentDecoded(uri);
     std::string slashed = decoded;
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
     for (const std::string& name : {decoded, uri, slashed}) {
         std::error_code ignored;
-        if (name.find('\0') != std::string::npos || !std::filesystem::is_regular_file(folder / name, ignored))
+        if (name.find('\0') != std::string::npos ||
+            !std::filesystem::is_regular_file(folder_ / name, ignored))
             continue;
-        if (readBytes(folder / name, most, out, problem)) return true;
-        problem = quoted(name) + " " + problem;
-        return false;
+        std::filesystem::path file = std::filesystem::canonical(folder_ / name, ignored);
+        if (!ignored) return file;
     }
     problem = quoted(decoded) + (hasScheme(decoded) ? ": only files are read" : ": no such file");
-    return false;
+    return std::nullopt;
 }
 
 } // namespace demos::gltf

@@ -280,7 +280,8 @@ glm::dvec3 faceDirection(uint32_t face, double s, double t) {
 }
 
 std::optional<SkyImage> readSkyImage(const SkyDesc& sky, Error& error) {
-    std::optional<ImageSource> source = ImageSource::open(sky.file, {sky.layer, "sky.layer"}, error);
+    std::optional<ImageSource> source =
+        ImageSource::open(sky.file, {sky.layer, "sky.layer"}, limits::skyPixels, error);
     if (!source || !checkHeader(source->header(), sky.file.string(), error)) return std::nullopt;
     RowAverager rows(source->header().width, source->header().height);
     if (!source->read([&rows](const ImageRow& row) { rows.add(row); }, error)) return std::nullopt;

@@ -14,15 +14,18 @@ bool loadWorld(const Scene& scene, World& out, Error& error) {
     std::optional<SkyImage> image = readSkyImage(scene.sky, error);
     if (!image || !makeLight(std::move(*image), scene.sky, scene.sun, out.light, error)) return false;
     if (scene.fog && !fogOf(*scene.fog, out.fog.emplace(), error)) return false;
+    PlacedTriangles triangles;
     for (const MeshDesc& desc : scene.meshes) {
         auto known = out.models.find(desc.file);
         if (known == out.models.end()) {
             std::optional<Mesh> mesh = readMesh(desc.file, error);
             if (!mesh) return false;
+            triangles.readFile(mesh->fileBytes);
             for (const std::string& line : mesh->leftOut)
                 out.leftOut.push_back(desc.file.string() + ": " + line);
             known = out.models.emplace(desc.file, Model(std::move(*mesh))).first;
         }
+        if (!triangles.place(known->second.mesh.indices.size() / 3, desc.file, error)) return false;
         Instance instance{&known->second, glm::dmat4(1)};
         if (!placement(desc, instance.worldFromMesh, error)) return false;
         out.instances.push_back(instance);

@@ -13,6 +13,7 @@
 
 #include "scene/fields.h"
 #include "scene/former_keys.h"
+#include "scene/input_limits.h"
 #include "scene/nearest.h"
 
 namespace demos {
@@ -21,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr uintmax_t largestFile = 1 << 20;
 constexpr size_t longestValue = 60;
 constexpr size_t mostSwells = 4;
 
@@ -165,6 +165,9 @@ class Reader {
         if (tables->empty() && child.required) {
             return wrong(*node, childPath, "at least one: " + heading(child, childPath));
         }
+        if (tables->size() > limits::sceneTables)
+            return fail(place(*node, file_), childPath + " has " + std::to_string(tables->size()) +
+                                                 " tables, expected at most 256");
         for (size_t i = 0; i < tables->size(); ++i) {
             const toml::node& element = (*tables)[i];
             const std::string elementPath = join(childPath, std::to_string(i));
@@ -368,10 +371,48 @@ void renameFormer(toml::table& table, const Section& section, const std::string&
     }
 }
 
+// ---- TOML
+
+/// Where the string that begins at `at` is over; one of a line ends with that at the latest.
+size_t endOfString(std::string_view text, size_t at) {
+    const std::string_view three = text.substr(at, 3);
+    const bool escapes = text[at] == '"', lines = three == "\"\"\"" || three == "'''";
+    const std::string_view closing = lines ? three : text.substr(at, 1);
+    for (at += closing.size(); at < text.size(); ++at) {
+        if (text.substr(at).starts_with(closing)) {
+            at += closing.size();
+            // Up to two quotes may stand right before the closing ones.
+            while (lines && at < text.size() && text[at] == closing[0]) ++at;
+            return at;
+        }
+        if (text[at] == '\n' && !lines) return at;
+        if (text[at] == '\\' && escapes) ++at;
+    }
+    return text.size();
+}
+
+/// Whether keys are as short as those of scenes: toml++ recurses into each part of a dotted one.
+bool hasShortKeys(std::string_view text) {
+    constexpr std::string_view betweenKeys = "\n=,[{#";
+    size_t dots = 0;
+    for (size_t i = 0; i < text.size();) {
+        if (text[i] == '"' || text[i] == '\'') {
+            i = endOfString(text, i);
+            continue;
+        }
+        if (betweenKeys.find(text[i]) != betweenKeys.npos) dots = 0;
+        if (text[i] == '#') i = std::min(text.find('\n', i), text.size() - 1);
+        if (text[i] == '.' && ++dots >= limits::sceneKeyParts) return false;
+        ++i;
+    }
+    return true;
+}
+
 // ---- Overrides
 
 /// The value of "path=value": TOML, or else a bare word. Its nodes say where they come from.
 std::optional<toml::table> parseValue(const std::string& text, const std::string& source) {
+    if (!hasShortKeys(text)) return std::nullopt;
     toml::parse_result parsed = toml::parse("v = " + text + "\n", source);
     if (parsed && parsed.table().size() == 1) return std::move(parsed).table();
     if (text.empty() || text.find_first_of("\"'[]{}\n") != text.npos) return std::nullopt;
@@ -633,7 +674,7 @@ std::optional<std::string> readText(const fs::path& file, Error& error) {
     if (!fs::is_regular_file(status)) return fail("is no regular file, expected a scene file (TOML)");
     const uintmax_t size = fs::file_size(file, code);
     if (code) return fail("cannot be read: " + code.message());
-    if (size > largestFile)
+    if (size > limits::sceneBytes)
         return fail("has " + std::to_string(size) + " bytes, expected a scene of at most 1 MB");
     std::ifstream stream(file, std::ios::binary);
     std::string text(static_cast<size_t>(size), '\0');
@@ -649,6 +690,10 @@ std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::stri
     const std::optional<std::string> text = readText(file, error);
     if (!text) return std::nullopt;
 
+    if (!hasShortKeys(*text)) {
+        error.text = file.string() + ": has a key of over 16 parts, expected a scene (TOML)";
+        return std::nullopt;
+    }
     toml::parse_result parsed = toml::parse(*text, file.string());
     if (!parsed) {
         std::string what(parsed.error().description());

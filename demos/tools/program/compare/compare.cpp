@@ -7,10 +7,10 @@
 #include <new>
 
 #include "host/files/image_file.h"
+#include "host/files/image_source.h"
 #include "program/compare/compare_notes.h"
 #include "program/measure/measures.h"
 #include "program/measure/report.h"
-#include "program/quiet.h"
 #include "program/render/output.h"
 
 namespace demos {
@@ -49,12 +49,13 @@ bool checkOutputs(const CompareOptions& options, Error& error) {
     return options.report.empty() || checkReport(options, error);
 }
 
-std::optional<PictureFile> read(const fs::path& file, const std::string& layer, Error& error) {
-    const QuietStderr quiet;
-    std::optional<PictureFile> picture = readPictureFile(file, {layer, "--layer"}, error);
+std::optional<PictureFile> read(const fs::path& file, const std::string& layer, bool large, Error& error) {
+    const limits::Allowance pixels = large ? limits::largePixels : limits::comparedPixels;
+    std::optional<PictureFile> picture = readPictureFile(file, {layer, "--layer"}, pixels, error);
     // Most errors say what was expected; the libraries' own do not.
     if (!picture && error.text.find(", expected ") == std::string::npos)
         error.text += ", expected a PNG, EXR or HDR picture";
+    if (!picture && !large && error.text.ends_with(unpacksFar)) error.text += ", or --large";
     return picture;
 }
 
@@ -70,9 +71,10 @@ ExitCode judge(const CompareOptions& options, Error& error) {
     if (!checkExtension(options.reference, error) || !checkExtension(options.test, error) ||
         !checkOutputs(options, error))
         return badInput;
-    const std::optional<PictureFile> first = read(options.reference, options.referenceLayer, error);
+    const std::optional<PictureFile> first =
+        read(options.reference, options.referenceLayer, options.large, error);
     if (!first) return badInput;
-    const std::optional<PictureFile> second = read(options.test, options.testLayer, error);
+    const std::optional<PictureFile> second = read(options.test, options.testLayer, options.large, error);
     if (!second) return badInput;
     const std::optional<PictureKind> kind = commonKind(options, first->header, second->header, error);
     if (!kind) return badInput;

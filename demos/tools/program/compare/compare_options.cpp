@@ -60,6 +60,9 @@ void describeCompare(CLI::App& command, RawCompare& raw) {
             "--exposure", raw.exposure,
             "Exposure of the report's EXR or HDR pictures; the median becomes middle grey if not given")
         ->type_name("EV");
+    command.add_flag(
+        "--large", raw.large,
+        "Take pictures of up to 2^25 pixels from files of any size: 4 GiB of memory and a minute");
     command.add_option("--json", raw.json, "Write the measures as JSON")->type_name("FILE");
     command.allow_extras();
 }
@@ -74,6 +77,7 @@ std::optional<CompareOptions> checkCompare(const RawCompare& raw, Error& error) 
     options.test = raw.test;
     options.report = raw.report;
     options.json = raw.json;
+    options.large = raw.large;
     if (raw.layers.size() > 2) {
         error.text = "--layer is given " + std::to_string(raw.layers.size()) +
                      " times, expected one for both pictures, or the reference's and the test's";

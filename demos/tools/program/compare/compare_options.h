@@ -19,6 +19,7 @@ struct CompareOptions {
     std::filesystem::path reference, test;
     std::string referenceLayer, testLayer; ///< of EXRs with several; empty: the one that is the picture
     Limits limits;
+    bool large = false;                 ///< takes pictures that unpack to far more than their files hold
     std::filesystem::path report, json; ///< empty: none
     std::optional<double> exposureEv;   ///< of the report's pictures of linear light
 };
@@ -27,6 +28,7 @@ struct CompareOptions {
 struct RawCompare {
     std::string reference, test, maxFlip, maxDiff, maxShare, report, exposure, json;
     std::vector<std::string> layers;
+    bool large = false;
 };
 
 void describeCompare(CLI::App& command, RawCompare& raw);

@@ -1,4 +1,4 @@
-#include "program/quiet.h"
+#include "host/files/quiet.h"
 
 #include <cstdio>
 
