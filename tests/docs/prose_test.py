@@ -35,14 +35,21 @@ def wrong_blocks():
             yield f"{block}: a block without a language that UNTESTED does not list"
 
 
+def anchors(document):
+    """Of its headings, as GitHub makes them: in small letters, without punctuation, hyphens for spaces."""
+    headings = (re.match(r"#+ (.*)", line) for _, line in lines_of_prose(document))
+    return {re.sub(r"[^\w\- ]", "", heading.group(1).lower()).replace(" ", "-") for heading in headings if heading}
+
+
 def wrong_links():
     for document in DOCUMENTS:
         for number, line in lines_of_prose(document):
             for target in re.findall(r"\]\(([^)\s]+)\)", line):
-                path = target.split("#")[0]
-                if re.match(r"\w+:", target) or not path:
+                if re.match(r"\w+:", target):
                     continue
-                if not (document.parent / path).exists():
+                path, _, anchor = target.partition("#")
+                page = document.parent / path if path else document
+                if not page.exists() or (anchor and page.suffix == ".md" and anchor not in anchors(page)):
                     yield f"{document.relative_to(SOURCE)}:{number}: {target} leads nowhere"
 
 
