@@ -34,12 +34,14 @@ double transmittance(const FogDesc& desc, double from, double rise, double way) 
 
 } // namespace
 
+// What the shape does not read is 0, whatever the description holds there.
 FogBlock fogBlock(const FogDesc& desc, double eyeHeight) {
-    const double above = double{desc.falloff} * (eyeHeight - desc.baseHeight);
-    return {
-        {desc.color[0], desc.color[1], desc.color[2], desc.fromSky},
-        {desc.density, desc.falloff, static_cast<float>(above), desc.most},
-        {desc.end, 1 / (desc.end - desc.start), static_cast<float>(desc.shape), desc.overSky ? 1.0f : 0.0f}};
+    const bool linear = desc.shape == FogShape::linear, height = desc.shape == FogShape::height;
+    const double above = height ? double{desc.falloff} * (eyeHeight - desc.baseHeight) : 0;
+    return {{desc.color[0], desc.color[1], desc.color[2], desc.fromSky},
+            {linear ? 0 : desc.density, height ? desc.falloff : 0, static_cast<float>(above), desc.most},
+            {linear ? desc.end : 0, linear ? 1 / (desc.end - desc.start) : 0, static_cast<float>(desc.shape),
+             desc.overSky ? 1.0f : 0.0f}};
 }
 
 double fogTransmittance(const FogDesc& desc, double from, double rise, double way) {

@@ -494,9 +494,10 @@ TEST_F(SceneFile, FogIsReadAndBeginsBeforeItEnds) {
         problemOf("fog.shape=thick").find("expected linear, exponential, exponential-squared or height"),
         std::string::npos)
         << error_.text;
-    EXPECT_NE(problemOf("fog.start_m=1000").find("fog.start_m leaves no way from fog.start_m to fog.end_m"),
-              std::string::npos)
+    EXPECT_FALSE(load({"fog.shape=linear", "fog.start_m=1000"}));
+    EXPECT_NE(error_.text.find("fog.start_m leaves no way from fog.start_m to fog.end_m"), std::string::npos)
         << error_.text;
+    EXPECT_TRUE(load({"fog.shape=height", "fog.start_m=1000"})) << error_.text << ": not read by it";
 }
 
 TEST_F(SceneFile, FoamNeedsWaves) {

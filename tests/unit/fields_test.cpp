@@ -204,9 +204,17 @@ std::vector<double> justBeyond(const Field& field) {
     return values;
 }
 
+/// Makes a description one that reads a field, by the table's first.
+void readIt(const Held& held, const Field& field) {
+    uint32_t kind = 0;
+    while (field.readBy != 0 && (field.readBy >> kind & 1u) == 0) ++kind;
+    if (kind > 0) held.table->fields[0].set(held.desc, 0, kind);
+}
+
 TEST_F(Tables, AreWhatTheLibraryHoldsTo) {
     for (const Held& held : all()) {
         for (const Field& field : *held.table) {
+            readIt(held, field);
             for (uint32_t i = 0; i < field.count; ++i) {
                 const double before = field.get(held.desc, i);
                 for (const double beyond : justBeyond(field)) {
@@ -227,6 +235,29 @@ TEST_F(Tables, AreWhatTheLibraryHoldsTo) {
     }
 }
 
+TEST_F(Tables, LetAnythingIntoFogThatItsShapeDoesNotRead) {
+    const Held held = {&fogFields, &fog, [this] { return std::string(badField(lighting).text()); }};
+    uint32_t tried = 0;
+    for (const FogShape shape :
+         {FogShape::linear, FogShape::exponential, FogShape::exponentialSquared, FogShape::height})
+        for (const Field& field : fogFields) {
+            if (field.readBy == 0 || (field.readBy >> static_cast<uint32_t>(shape) & 1u) != 0) continue;
+            for (const double beyond : justBeyond(field)) {
+                fog = FogDesc{};
+                fog.shape = shape;
+                field.set(&fog, 0, beyond);
+                EXPECT_EQ(held.problem(), "") << field.name << " = " << beyond;
+                ++tried;
+            }
+        }
+    EXPECT_GT(tried, 40u);
+    fog = FogDesc{};
+    fog.start = fog.end;
+    EXPECT_EQ(held.problem(), "");
+    fog.shape = FogShape::linear;
+    EXPECT_NE(held.problem().find("FogDesc.start and end"), std::string::npos);
+}
+
 TEST_F(Tables, LetEndsIn) {
     // Together with others they may be none: a start at the end, a table without samples, waves without a
     // backend, a mesh without points.
@@ -236,6 +267,7 @@ TEST_F(Tables, LetEndsIn) {
     for (const Held& held : all()) {
         for (const Field& field : *held.table) {
             if (apart.count(held.table->desc + std::string(".") + field.name) > 0) continue;
+            readIt(held, field);
             const double before = field.get(held.desc, 0);
             for (const double end : {field.low, field.high}) {
                 field.set(held.desc, 0, end);

@@ -81,6 +81,26 @@ TEST(Fog, IsAShareAtExtremesAndFallsWithDistance) {
                     }
 }
 
+TEST(Fog, HandsShadersNothingThatItsShapeDoesNotRead) {
+    FogDesc fog;
+    fog.shape = FogShape::exponential;
+    fog.start = fog.end = fog.falloff = std::numeric_limits<float>::quiet_NaN();
+    fog.baseHeight = HUGE_VAL;
+    const FogBlock exponential = fogBlock(fog, 2);
+    EXPECT_EQ(exponential.form[0], fog.density);
+    for (const float number :
+         {exponential.form[1], exponential.form[2], exponential.reach[0], exponential.reach[1]})
+        EXPECT_EQ(number, 0);
+    fog.shape = FogShape::linear;
+    fog.density = std::numeric_limits<float>::quiet_NaN();
+    fog.start = 100;
+    fog.end = 300;
+    const FogBlock linear = fogBlock(fog, 2);
+    EXPECT_EQ(linear.reach[0], 300);
+    EXPECT_EQ(linear.reach[1], 1 / 200.0f);
+    for (const float number : {linear.form[0], linear.form[1], linear.form[2]}) EXPECT_EQ(number, 0);
+}
+
 // Straight up through all of it: density / falloff at the base.
 TEST(Fog, AboveIsFinite) {
     const FogDesc fog = heightFog(0.05f, 0.02f);

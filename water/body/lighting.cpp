@@ -42,7 +42,18 @@ bool reads(const LightingDesc& lighting, const Field& field) {
     return !ofColors || !lighting.skyCube;
 }
 
-FieldError badFog(const FogDesc& fog) {
+/// Fields that its shape does not read may hold anything: they become those of a new one.
+FogDesc whatIsRead(FogDesc fog) {
+    const FogDesc asNew;
+    const auto shape = static_cast<uint32_t>(fog.shape);
+    for (const Field& field : fogFields)
+        if (field.readBy != 0 && (shape > 31 || (field.readBy >> shape & 1u) == 0))
+            field.set(&fog, 0, field.get(&asNew, 0));
+    return fog;
+}
+
+FieldError badFog(const FogDesc& desc) {
+    const FogDesc fog = whatIsRead(desc);
     if (const FieldError bad = badField(fogFields, &fog)) return bad;
     if (fog.start < fog.end) return {};
     return "FogDesc.start and end are no range, expected 0 <= start < end <= 1e9";

@@ -636,7 +636,7 @@ bool checkFloor(const Scene& scene, const toml::table& root, Reader& reader) {
 }
 
 bool checkFog(const Scene& scene, const toml::table& root, Reader& reader) {
-    if (!scene.fog || scene.fog->startM < scene.fog->endM) return true;
+    if (!scene.fog || scene.fog->shape != "linear" || scene.fog->startM < scene.fog->endM) return true;
     const toml::table& table = *root["fog"].as_table();
     const char* const keys[] = {"start_m", "end_m"};
     const char* const set = firstOf(table, keys);
