@@ -313,6 +313,25 @@ std::vector<Case> besideThePlate() {
          },
          expectPlate,
          {"scenes:", "the first of 2"}},
+        {"NoSceneAtAll",
+         [](Plate& p) {
+             p.root["nodes"].push_back({{"mesh", 0}, {"translation", {9, 0, 0}}});
+             p.root.erase("scenes");
+             p.root.erase("scene");
+         },
+         [](const Mesh& mesh) {
+             expectBounds(mesh, {-1, 0, 0}, {10, 2, 0});
+         }},
+        {"NoSceneAndCoarserLevels",
+         [](Plate& p) {
+             p.root["nodes"].push_back({{"mesh", 0}, {"translation", {9, 0, 0}}});
+             p.root["nodes"].push_back({{"children", {3}}});
+             p.root["nodes"].push_back({{"mesh", 0}, {"translation", {-9, 0, 0}}});
+             p.node()["extensions"]["MSFT_lod"]["ids"] = {1, 2};
+             p.root.erase("scenes");
+             p.root.erase("scene");
+         },
+         expectPlate},
         {"Animated",
          [](Plate& p) {
              p.root["animations"] = {{{"channels", Json::array()}}};
@@ -523,6 +542,28 @@ std::vector<Case> alphas() {
              p.material()["alphaCutoff"] = 0.25;
          },
          [](const Mesh& mesh) { EXPECT_EQ(materialOf(mesh).alphaCutoff, 0.25f); }},
+        {"AlphaModeThatIsNone",
+         [](Plate& p) {
+             p.material()["alphaMode"] = "Blend";
+             p.texture("baseColorTexture", tests::png(1, 1, clear));
+         },
+         [](const Mesh& mesh) { EXPECT_EQ(materialOf(mesh).features(), 0u); },
+         {"materials[0]", "\"Blend\"", "expected OPAQUE, MASK or BLEND", "opaque"}},
+        {"AlphaModeThatIsNoText",
+         [](Plate& p) { p.material()["alphaMode"] = 2; },
+         [](const Mesh& mesh) { EXPECT_EQ(materialOf(mesh).features(), 0u); },
+         {"materials[0]", "expected OPAQUE, MASK or BLEND"}},
+        {"SamplerThatIsNone",
+         [](Plate& p) {
+             p.texture("baseColorTexture", tests::png(1, 1, red));
+             p.root["samplers"] = {{{"wrapS", 33070}, {"wrapT", 33648}}};
+             p.root["textures"][0]["sampler"] = 0;
+         },
+         [](const Mesh& mesh) {
+             EXPECT_EQ(mesh.textures.at(0).wrapU, demos::Wrap::repeat);
+             EXPECT_EQ(mesh.textures.at(0).wrapV, demos::Wrap::mirror);
+         },
+         {"samplers[0].wrapS", "unknown"}},
     };
 }
 

@@ -53,8 +53,9 @@ bool isNeutral(const std::string& name, const Json& value) {
            member(value, "specularColorTexture").is_null();
 }
 
+constexpr size_t repeat = 10497, clampToEdge = 33071, mirroredRepeat = 33648;
+
 Wrap wrapOf(size_t mode) {
-    constexpr size_t clampToEdge = 33071, mirroredRepeat = 33648;
     return mode == clampToEdge ? Wrap::clamp : mode == mirroredRepeat ? Wrap::mirror : Wrap::repeat;
 }
 
@@ -167,8 +168,12 @@ bool Materials::readLight(const Source& source, MeshMaterial& material, Error& e
 }
 
 bool Materials::readAlpha(const Source& source, MeshMaterial& material, Error& error) {
+    const Json& stated = member(source.json, "alphaMode");
     const std::string mode = textOf(source.json, "alphaMode");
     double cutoff = 0.5;
+    if (!stated.is_null() && mode != "OPAQUE" && mode != "MASK" && mode != "BLEND")
+        notes_->add(source.where, "its alphaMode is " + (mode.empty() ? "no text" : quoted(mode)) +
+                                      ", expected OPAQUE, MASK or BLEND: it is drawn opaque");
     if (!readNumbers(source.json, "alphaCutoff", source.where, {&cutoff, 1}, error)) return false;
     if (mode == "MASK") material.alphaCutoff = static_cast<float>(std::clamp(cutoff, 1e-3, 1e3));
     material.blends = mode == "BLEND";
@@ -234,7 +239,7 @@ bool Materials::readTexture(size_t index, bool srgb, const std::string& where, s
     if (!readIndex(texture, "sampler", document_->count("samplers"), placeOf("textures", index, texture),
                    sampler, error))
         return false;
-    if (sampler) readSampler(document_->at("samplers", *sampler), made);
+    if (sampler) readSampler(*sampler, made);
     known->second = out = static_cast<uint32_t>(mesh_->textures.size());
     mesh_->textures.push_back(std::move(made));
     return true;
@@ -304,15 +309,28 @@ bool Materials::imageBytes(size_t index, std::span<const uint8_t>& out,
     return held != nullptr;
 }
 
-void Materials::readSampler(const Json& sampler, MeshTexture& out) const {
-    constexpr size_t nearest = 9728, nearestMipNearest = 9984, linearMipNearest = 9985,
-                     nearestMipLinear = 9986, linear = 9729;
-    size_t wrapU = 0, wrapV = 0, larger = 0, smaller = 0;
-    Error ignored; // unknown ones are as missing ones
-    readCount(sampler, "wrapS", "", wrapU, ignored);
-    readCount(sampler, "wrapT", "", wrapV, ignored);
-    readCount(sampler, "magFilter", "", larger, ignored);
-    readCount(sampler, "minFilter", "", smaller, ignored);
+/// One of glTF's numbers for a way to sample; 0 where it is missing, or is none and named.
+size_t Materials::readWay(size_t sampler, const char* key, std::initializer_list<size_t> known) {
+    const Json& json = document_->at("samplers", sampler);
+    const Json& stated = member(json, key);
+    size_t way = 0;
+    Error error;
+    if (stated.is_null()) return 0;
+    if (readCount(json, key, "", way, error) && std::find(known.begin(), known.end(), way) != known.end())
+        return way;
+    notes_->add(placeOf("samplers", sampler, json) + "." + key, "is unknown, and as if it were missing");
+    return 0;
+}
+
+void Materials::readSampler(size_t sampler, MeshTexture& out) {
+    constexpr size_t nearest = 9728, linear = 9729, nearestMipNearest = 9984, linearMipNearest = 9985,
+                     nearestMipLinear = 9986, linearMipLinear = 9987;
+    const size_t wrapU = readWay(sampler, "wrapS", {repeat, clampToEdge, mirroredRepeat});
+    const size_t wrapV = readWay(sampler, "wrapT", {repeat, clampToEdge, mirroredRepeat});
+    const size_t larger = readWay(sampler, "magFilter", {nearest, linear});
+    const size_t smaller =
+        readWay(sampler, "minFilter",
+                {nearest, linear, nearestMipNearest, linearMipNearest, nearestMipLinear, linearMipLinear});
     out.wrapU = wrapOf(wrapU);
     out.wrapV = wrapOf(wrapV);
     if (larger == nearest) out.larger = Filter::nearest;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <map>
 #include <string>
 
@@ -52,7 +53,8 @@ class Materials {
     bool readImage(size_t index, const std::string& place, Pixels& out, std::string& problem, Error& error);
     bool imageBytes(size_t index, std::span<const uint8_t>& out,
                     std::shared_ptr<const std::vector<uint8_t>>& held, std::string& problem);
-    void readSampler(const Json& sampler, MeshTexture& out) const;
+    size_t readWay(size_t sampler, const char* key, std::initializer_list<size_t> known);
+    void readSampler(size_t sampler, MeshTexture& out);
     void noteExtensions(const Source& source);
 
     const Document* document_ = nullptr;

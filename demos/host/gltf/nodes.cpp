@@ -117,13 +117,24 @@ bool Nodes::placeAll(Error& error) {
     return true;
 }
 
+/// Of a file without scenes all, but for those that stand for another where it is seen from afar.
+bool Nodes::readAllRoots(std::vector<size_t>& out, Error& error) const {
+    std::vector<size_t> coarser;
+    for (size_t i = 0; i < children_.size(); ++i)
+        if (!readList(member(extension(document_.at("nodes", i), "MSFT_lod"), "ids"),
+                      placeOfNode(i) + ".MSFT_lod.ids", coarser, error))
+            return false;
+    std::vector<bool> isRoot = isChild_;
+    isRoot.flip();
+    for (const size_t node : coarser) isRoot[node] = false;
+    for (size_t i = 0; i < isRoot.size(); ++i)
+        if (isRoot[i]) out.push_back(i);
+    return true;
+}
+
 bool Nodes::readRoots(std::vector<size_t>& out, Error& error) {
     const size_t scenes = document_.count("scenes");
-    if (scenes == 0) {
-        for (size_t i = 0; i < children_.size(); ++i)
-            if (!isChild_[i]) out.push_back(i);
-        return true;
-    }
+    if (scenes == 0) return readAllRoots(out, error);
     std::optional<size_t> scene;
     if (!readIndex(document_.root, "scene", scenes, "the file", scene, error)) return false;
     if (!scene && scenes > 1)

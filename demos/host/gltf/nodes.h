@@ -18,6 +18,7 @@ class Nodes {
     bool readChildren(Error& error);
     bool placeAll(Error& error);
     bool readRoots(std::vector<size_t>& out, Error& error);
+    bool readAllRoots(std::vector<size_t>& out, Error& error) const;
     bool readList(const Json& list, const std::string& where, std::vector<size_t>& out, Error& error) const;
     bool readMesh(size_t node, Error& error);
     bool readInstances(const Json& node, const std::string& where, const glm::dmat4& world, Stand& out,
