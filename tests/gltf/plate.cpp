@@ -25,10 +25,6 @@ uint32_t crc(const std::string& bytes) {
     return ~crc;
 }
 
-std::string chunk(const std::string& name, const std::string& data) {
-    return bigEndian(static_cast<uint32_t>(data.size())) + name + data + bigEndian(crc(name + data));
-}
-
 /// As zlib's stream of blocks that are stored as they are.
 std::string stored(const std::string& data) {
     std::string stream = "\x78\x01";
@@ -58,6 +54,10 @@ constexpr uint32_t floats = 5126, shorts = 5123;
 
 } // namespace
 
+std::string pngChunk(const std::string& name, const std::string& data) {
+    return bigEndian(static_cast<uint32_t>(data.size())) + name + data + bigEndian(crc(name + data));
+}
+
 std::string png(uint32_t width, uint32_t height, const std::vector<uint8_t>& rgba) {
     std::string rows;
     for (uint32_t y = 0; y < height; ++y) {
@@ -66,7 +66,8 @@ std::string png(uint32_t width, uint32_t height, const std::vector<uint8_t>& rgb
     }
     const std::string header =
         bigEndian(width) + bigEndian(height) + std::string({8, 6, 0, 0, 0}); // RGBA of 8 bits
-    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stored(rows)) + chunk("IEND", "");
+    return "\x89PNG\r\n\x1a\n" + pngChunk("IHDR", header) + pngChunk("IDAT", stored(rows)) +
+           pngChunk("IEND", "");
 }
 
 std::string halves(const std::vector<uint8_t>& left, const std::vector<uint8_t>& right) {

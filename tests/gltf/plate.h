@@ -12,6 +12,8 @@ namespace tests {
 
 using Json = nlohmann::json;
 
+/// A part of a PNG: a name of four letters, and what it holds.
+std::string pngChunk(const std::string& name, const std::string& data);
 /// A PNG of RGBA pixels, top row first.
 std::string png(uint32_t width, uint32_t height, const std::vector<uint8_t>& rgba);
 /// Half of one colour on the left and half of another on the right, 64 pixels wide.

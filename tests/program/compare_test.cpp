@@ -190,6 +190,19 @@ TEST_F(Compare, NamesWhatItComparesAndWhatNot) {
     expectDifferent(cropped, "share");
 }
 
+TEST_F(Compare, APngsGammaIsFollowedAndNamed) {
+    OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::UINT16);
+    writeImage("usual.png", spec, {0.5f, 1, 0});
+    spec.attribute("oiio:ColorSpace", "Linear");
+    writeImage("linear.png", spec, {0.2140411f, 1, 0});
+    const Outcome outcome = compare({"usual.png", "linear.png", "--max-diff", "1e-4"});
+    expectSame(outcome);
+    EXPECT_TRUE(outcome.out.starts_with("reference: R G B\ntest: R G B; gamma 1, brought to sRGB\n"))
+        << outcome.out;
+    writeImage("mistaken.png", spec, {0.5f, 1, 0});
+    expectDifferent(compare({"usual.png", "mistaken.png", "--max-diff", "0.2"}), "share");
+}
+
 TEST_F(Compare, LayersAreToldApartOrChosen) {
     const OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
     const std::vector<std::string> render = {"V.AO.R",       "V.AO.G",       "V.AO.B",

@@ -145,6 +145,24 @@ TEST_F(PictureFile, HdrOfAnotherMeaningIsRefused) {
     expectRefused(writeHdr(rgbe + "PRIMARIES=.6 .3 .6 .3 .6 .3 .3 .3\n" + size, pixel), {"primaries"});
 }
 
+TEST_F(PictureFile, HdrWhoseHeaderIsOddSaysWhatWasExpected) {
+    const std::string size = "\n-Y 1 +X 1\n", pixel = greyPixels("4");
+    expectRefused(writeHdr(size, pixel), {"no FORMAT", "expected FORMAT=32-bit_rle_rgbe"});
+    expectRefused(writeHdr("EXPOSURE=2\n" + size, pixel), {"no FORMAT", "expected FORMAT=32-bit_rle_rgbe"});
+    expectRefused(writeHdr("FORMAT=32-bit_rgbe\n" + size, pixel),
+                  {"FORMAT=32-bit_rgbe, expected 32-bit_rle_rgbe"});
+    expectRefused(writeHdr("FORMAT=32-bit_rle_rgbe \n" + size, pixel), {"expected 32-bit_rle_rgbe"});
+    for (const std::string& windows : {"FORMAT=32-bit_rle_rgbe\r\n" + size, rgbe + "\r" + size})
+        expectRefused(writeHdr(windows, pixel), {"CR and LF", "expected LF alone"});
+    expectRefused(writeHdr(rgbe + size.substr(1), pixel), {"no empty line before '-Y 1 +X 1'"});
+    expectRefused(writeHdr(rgbe, ""), {"does not end", "expected an empty line"});
+    std::string history;
+    for (int i = 0; i < 120; ++i) history += "VIEW= -vtv\n";
+    expectRefused(writeHdr(history + rgbe + size, pixel), {"over 100 lines"});
+    EXPECT_EQ(first(read(writeHdr("SOFTWARE=x\r\n" + rgbe + "\n-Y 1 +X 1\r\n", pixel))),
+              first(read(writeHdr(rgbe + size, pixel))));
+}
+
 TEST_F(PictureFile, PrimariesBecomeThoseOfRec709) {
     const auto withChromaticities = [&](const std::array<float, 8>& xy, const Floats& pixel) {
         Part part = partOf(1, 1, {"R", "G", "B"});

@@ -19,6 +19,7 @@ std::string toText(const ImageWindow& window);
 struct ImageHeader {
     uint32_t width = 0, height = 0; ///< of the display window, turned upright
     bool integer = false;           ///< values are 0..1, and display-encoded as a rule
+    std::string encoding;           ///< what is said of their colours but sRGB, and what is made of it
     bool cubeMap = false;
     double pixelAspect = 1;    ///< width of a pixel over its height, as stored
     ImageWindow data, display; ///< as stored; outside of `data` a picture is black

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <string_view>
 
 #include <OpenImageIO/imageio.h>
 
 #include "host/files/exr_header.h"
+#include "host/files/png_color.h"
 #include "host/files/primaries.h"
 #include "host/files/quiet.h"
 #include "host/files/radiance_header.h"
@@ -45,6 +47,8 @@ struct ColorMeaning {
     glm::dmat3 rec709{1};
     int orientation = 1;
     double pixelAspect = 1;
+    double gamma = 0;     ///< of integers, light to that power; 0: by sRGB's curve
+    std::string encoding; ///< ImageHeader's
 };
 
 std::optional<Primaries> statedPrimaries(const OIIO::ImageSpec& spec) {
@@ -69,7 +73,23 @@ std::string setPrimaries(const std::optional<Primaries>& primaries, ColorMeaning
     return "";
 }
 
+/// Names what is said, and whether it is followed.
+std::string setPngMeaning(const std::filesystem::path& file, ColorMeaning& out) {
+    const PngColor color = readPngColor(file);
+    const std::string problem = setPrimaries(color.primaries, out);
+    if (!problem.empty()) return problem;
+    out.gamma = color.gamma;
+    std::array<char, 32> gamma{};
+    if (color.gamma > 0) std::snprintf(gamma.data(), gamma.size(), "gamma %.5g", color.gamma);
+    out.encoding = gamma.data();
+    if (out.rec709 != glm::dmat3(1)) out.encoding += out.encoding.empty() ? "primaries" : " and primaries";
+    if (!out.encoding.empty()) out.encoding += ", brought to sRGB";
+    if (!color.unread.empty()) out.encoding = color.unread + ", taken for sRGB";
+    return "";
+}
+
 std::string setMeaning(const std::filesystem::path& file, const OIIO::ImageInput& input, ColorMeaning& out) {
+    if (std::string_view(input.format_name()) == "png") return setPngMeaning(file, out);
     if (std::string_view(input.format_name()) != "hdr") {
         const OIIO::ImageSpec& spec = input.spec();
         const int orientation = spec.get_int_attribute("Orientation", 1);
@@ -140,6 +160,25 @@ std::string wholeNumbersProblem(const OIIO::ImageSpec& spec, const ImageLayer& l
             return "its channel " + std::string(spec.channel_name(channel)) +
                    " holds whole numbers, expected half or float";
     return "";
+}
+
+double lightOf(double value, double gamma) {
+    const double v = std::clamp(value, 0.0, 1.0);
+    if (gamma > 0) return std::pow(v, 1 / gamma);
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); // IEC 61966-2-1
+}
+
+double sRgbOf(double light) {
+    const double v = std::clamp(light, 0.0, 1.0);
+    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+}
+
+/// Of an integer picture.
+glm::vec3 broughtToSRgb(const glm::vec3& color, const ColorMeaning& meaning) {
+    glm::dvec3 light(0);
+    for (int i = 0; i < 3; ++i) light[i] = lightOf(double{color[i]}, meaning.gamma);
+    light = meaning.rec709 * light;
+    return {sRgbOf(light.r), sRgbOf(light.g), sRgbOf(light.b)};
 }
 
 /// The greatest value of an integer format, 0 for others.
@@ -270,6 +309,7 @@ void ImageSource::Opened::describe() {
     header.cubeMap = std::string(spec.get_string_attribute("textureformat")).starts_with("CubeFace");
     header.pixelAspect = meaning.pixelAspect;
     header.layer = layer.name;
+    header.encoding = meaning.encoding;
 }
 
 void ImageSource::Opened::nameChannels(const std::vector<ImagePart>& parts) {
@@ -303,7 +343,8 @@ void ImageSource::Opened::convert(std::span<glm::vec4> pixels) const {
     const bool grey = layer.channels[1] < 0, opaque = layer.channels[3] < 0;
     const bool ofTwo = !grey && layer.channels[2] < 0;
     const double greatest = greatestOf(spec.channelformat(layer.channels[0]));
-    const bool plain = meaning.scale == glm::dvec3(1) && meaning.rec709 == glm::dmat3(1);
+    const bool plain =
+        meaning.scale == glm::dvec3(1) && meaning.rec709 == glm::dmat3(1) && meaning.gamma == 0;
     const glm::mat3 matrix(meaning.rec709 *
                            glm::dmat3(meaning.scale.r, 0, 0, 0, meaning.scale.g, 0, 0, 0, meaning.scale.b));
     for (glm::vec4& pixel : pixels) {
@@ -315,7 +356,9 @@ void ImageSource::Opened::convert(std::span<glm::vec4> pixels) const {
             for (int i = 0; i < 4; ++i)
                 pixel[i] =
                     static_cast<float>(std::round(static_cast<double>(pixel[i]) * greatest) / greatest);
-        if (!plain) pixel = glm::vec4(matrix * glm::vec3(pixel), pixel.a);
+        if (!plain)
+            pixel =
+                glm::vec4(greatest > 0 ? broughtToSRgb(pixel, meaning) : matrix * glm::vec3(pixel), pixel.a);
     }
 }
 

@@ -10,6 +10,8 @@
 namespace demos {
 namespace {
 
+constexpr size_t mostLines = 100; ///< that OpenImageIO reads
+
 /// The numbers of a line's right side; false unless all are there and finite.
 template<size_t count>
 bool numbers(const std::string& text, std::array<double, count>& out) {
@@ -34,12 +36,14 @@ std::optional<int> orientationOf(const std::string& resolution) {
 }
 
 /// What is wrong with the line, empty when nothing is. Lines that say nothing of the pixels are passed over.
+/// OpenImageIO wants the line of the format as it is here, with nothing before or behind it.
 std::string take(const std::string& name, const std::string& value, RadianceHeader& out) {
     const auto bad = [&](const std::string& expected) {
         return name + "=" + value.substr(0, 40) + ", expected " + expected;
     };
     if (name == "FORMAT" && value.starts_with("32-bit_rle_xyze"))
         return bad("32-bit_rle_rgbe: ra_xyze -r converts it");
+    if (name == "FORMAT" && value != "32-bit_rle_rgbe") return bad("32-bit_rle_rgbe");
     if (name == "EXPOSURE" || name == "PIXASPECT" || name == "GAMMA") {
         std::array<double, 1> number{};
         if (!numbers(value, number) || number[0] <= 0) return bad("a positive number");
@@ -64,6 +68,30 @@ std::string take(const std::string& name, const std::string& value, RadianceHead
     return "";
 }
 
+/// All lines up to the empty one. What is wrong, empty when nothing is.
+std::string takeLines(std::istream& lines, RadianceHeader& out) {
+    constexpr const char* lineEnds = "its header's lines end in CR and LF, expected LF alone";
+    bool hasFormat = false;
+    std::string line;
+    for (size_t count = 0; std::getline(lines, line); ++count) {
+        if (line.empty() && hasFormat) return "";
+        if (line.empty()) return "its header has no FORMAT, expected FORMAT=32-bit_rle_rgbe";
+        if (count == mostLines) return "its header has over 100 lines, expected an empty one before";
+        if (orientationOf(line)) return "its header has no empty line before '" + line.substr(0, 40) + "'";
+        const bool windows = line.back() == '\r';
+        if (windows) line.pop_back();
+        if (line.empty()) return lineEnds;
+        const size_t equals = line.find('=');
+        if (line.front() == '#' || equals == line.npos) continue;
+        const std::string name = line.substr(0, equals);
+        const std::string problem = take(name, line.substr(equals + 1), out);
+        if (!problem.empty()) return problem;
+        if (name == "FORMAT" && windows) return lineEnds;
+        hasFormat = hasFormat || name == "FORMAT";
+    }
+    return "its header does not end, expected an empty line and a size such as -Y 1024 +X 2048";
+}
+
 } // namespace
 
 std::optional<RadianceHeader> readRadianceHeader(const std::filesystem::path& file, Error& error) {
@@ -74,13 +102,7 @@ std::optional<RadianceHeader> readRadianceHeader(const std::filesystem::path& fi
     if (!text.starts_with("#?")) return std::nullopt;
     std::istringstream lines(text);
     RadianceHeader header;
-    std::string line, problem;
-    while (problem.empty() && std::getline(lines, line) && !line.empty() && line != "\r") {
-        if (line.back() == '\r') line.pop_back();
-        const size_t equals = line.find('=');
-        if (line.front() == '#' || equals == line.npos) continue;
-        problem = take(line.substr(0, equals), line.substr(equals + 1), header);
-    }
+    std::string line, problem = takeLines(lines, header);
     const auto measurable = [](double scale) { return scale >= 1e-30 && scale <= 1e30; };
     if (problem.empty() && !std::all_of(header.scale.begin(), header.scale.end(), measurable))
         problem = "its EXPOSURE and COLORCORR multiply to what no light survives, expected 1e-30 to 1e30";

@@ -17,7 +17,7 @@ std::string list(const std::vector<std::string>& names) {
 
 bool isPlain(const ImageHeader& header) {
     return header.layer.empty() && header.others.empty() && header.data == header.display &&
-           header.pixelAspect == 1;
+           header.pixelAspect == 1 && header.encoding.empty();
 }
 
 std::string describe(const ImageHeader& header) {
@@ -30,6 +30,7 @@ std::string describe(const ImageHeader& header) {
         std::snprintf(aspect, sizeof(aspect), "; pixels of aspect %.4g", header.pixelAspect);
         text += aspect;
     }
+    if (!header.encoding.empty()) text += "; " + header.encoding;
     return text + "\n";
 }
 

@@ -11,7 +11,8 @@ namespace {
 constexpr const char* footer =
     R"(Without a limit, any difference of colour is one too many. A mean forgives a spot: give --max-diff
 and --max-share beside --max-flip. NaN or infinity in either picture always fails. Only colour is compared:
-of an EXR its unnamed layer, or the one of a beauty pass' name; what else it holds is listed.
+of an EXR its unnamed layer, or the one of a beauty pass' name; what else it holds is listed. A PNG's gamma and
+primaries are brought to sRGB and named; a colour profile is named alone.
 
 Examples:
   seaglass compare golden.png mine.png --max-flip 0.02 --max-diff 0.1 --max-share 0.001

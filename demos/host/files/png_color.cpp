@@ -1,0 +1,110 @@
+#include "host/files/png_color.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <vector>
+
+namespace demos {
+namespace {
+
+constexpr size_t mostChunks = 1000;
+constexpr uint32_t mostBytes = 96; ///< of a chunk that are looked at: a profile's name has 79
+constexpr double sRgbGamma = 0.45455;
+
+using Bytes = std::vector<uint8_t>;
+
+struct Chunks {
+    Bytes cicp, iccp, srgb, gama, chrm; ///< their first bytes; empty: not there
+};
+
+/// Big-endian, as the file is.
+uint32_t wordAt(const uint8_t* bytes) {
+    return uint32_t{bytes[0]} << 24 | uint32_t{bytes[1]} << 16 | uint32_t{bytes[2]} << 8 | bytes[3];
+}
+
+Bytes readBytes(std::ifstream& stream, size_t count) {
+    Bytes bytes(count);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<size_t>(stream.gcount()));
+    return bytes;
+}
+
+/// Those that stand before the pixels.
+Chunks readChunks(const std::filesystem::path& file) {
+    Chunks chunks;
+    std::ifstream stream(file, std::ios::binary);
+    stream.seekg(8);
+    for (size_t i = 0; i < mostChunks; ++i) {
+        const Bytes head = readBytes(stream, 8);
+        if (head.size() < 8) break;
+        const std::string name(head.begin() + 4, head.end());
+        const uint32_t length = wordAt(head.data());
+        if (name == "IDAT") break;
+        const std::streamoff next = std::streamoff{stream.tellg()} + length + 4;
+        Bytes* const known = name == "cICP"   ? &chunks.cicp
+                             : name == "iCCP" ? &chunks.iccp
+                             : name == "sRGB" ? &chunks.srgb
+                             : name == "gAMA" ? &chunks.gama
+                             : name == "cHRM" ? &chunks.chrm
+                                              : nullptr;
+        if (known) *known = readBytes(stream, std::min(length, mostBytes));
+        stream.seekg(next);
+    }
+    return chunks;
+}
+
+/// Rec. 709's primaries by sRGB's curve, full range (ITU-T H.273).
+bool isSRgb(const Bytes& cicp) {
+    return cicp[0] == 1 && cicp[1] == 13 && cicp[2] == 0 && cicp[3] == 1;
+}
+
+std::string nameOfProfile(const Bytes& iccp) {
+    std::string name(iccp.begin(), std::find(iccp.begin(), iccp.end(), uint8_t{0}));
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
+    return name;
+}
+
+bool saysSRgb(std::string name) {
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return name.find("srgb") != name.npos;
+}
+
+/// Gammas within 5 % of sRGB's stand for its curve, as libpng has it.
+double gammaOf(const Bytes& gama) {
+    const double gamma = gama.size() >= 4 ? wordAt(gama.data()) / 1e5 : 0;
+    return std::abs(gamma / sRgbGamma - 1) < 0.05 ? 0 : gamma;
+}
+
+/// White comes first in the file.
+std::optional<Primaries> primariesOf(const Bytes& chrm) {
+    Primaries out{};
+    if (chrm.size() < 4 * out.size()) return std::nullopt;
+    for (size_t i = 0; i < out.size(); ++i) out[(i + 6) % 8] = wordAt(&chrm[4 * i]) / 1e5;
+    return out;
+}
+
+} // namespace
+
+PngColor readPngColor(const std::filesystem::path& file) {
+    const Chunks chunks = readChunks(file);
+    if (chunks.cicp.size() >= 4) {
+        if (isSRgb(chunks.cicp)) return {};
+        std::string text = "cICP";
+        for (size_t i = 0; i < 4; ++i) text += (i ? "/" : " ") + std::to_string(chunks.cicp[i]);
+        return {0, std::nullopt, text};
+    }
+    if (!chunks.iccp.empty()) {
+        const std::string name = nameOfProfile(chunks.iccp);
+        return {0, std::nullopt, saysSRgb(name) ? "" : "ICC profile '" + name + "'"};
+    }
+    if (!chunks.srgb.empty()) return {};
+    return {gammaOf(chunks.gama), primariesOf(chunks.chrm), ""};
+}
+
+} // namespace demos
