@@ -34,8 +34,8 @@ class PngColors : public testing::Test {
         constexpr size_t afterHeader = 33;
         tests::writeAll(folder_.path() / "a.png", bytes.insert(afterHeader, added));
         demos::Error error;
-        std::optional<demos::PictureFile> file =
-            demos::readPictureFile(folder_.path() / "a.png", {"", "--layer"}, error);
+        std::optional<demos::PictureFile> file = demos::readPictureFile(
+            folder_.path() / "a.png", {"", "--layer"}, demos::limits::comparedPixels, error);
         EXPECT_TRUE(file) << error.text;
         return file.value_or(demos::PictureFile{});
     }
