@@ -1,6 +1,8 @@
 // What lives for one frame slot: descriptor sets, mapped memory, and objects that the GPU may still be using.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <span>
@@ -47,6 +49,18 @@ class Frame {
         static_assert(sizeof block % 16 == 0, "std140 fills up to sixteen bytes: pads are written out");
         if (const Status s = allocate(sizeof block, out); s != Status::ok) return s;
         std::memcpy(out.data, &block, sizeof block);
+        return Status::ok;
+    }
+
+    /// Arrays that follow on each other, for a storage buffer.
+    template<typename... Arrays>
+    Status uploadInRow(Resource& out, const Arrays&... arrays) {
+        Slice slice;
+        const size_t bytes = (std::as_bytes(std::span(arrays)).size() + ...);
+        if (const Status s = allocate(bytes, slice); s != Status::ok) return s;
+        auto* data = static_cast<std::byte*>(slice.data);
+        ((data = std::ranges::copy(std::as_bytes(std::span(arrays)), data).out), ...);
+        out = storageBuffer(slice);
         return Status::ok;
     }
 

@@ -8,7 +8,7 @@ CONSTANT(4, bool, hasFoam, false)       // only with waves
 CONSTANT(5, bool, hasReflection, false) // a screen-space reflection image
 CONSTANT(6, bool, hasRefraction, false)
 CONSTANT(7, bool, hasSunShadow, false) // a shadow map of the host's
-CONSTANT(8, uint, shape, 0)            // water/surface/surface.h: SurfaceShape
+CONSTANT(8, uint, shape, 0)            // water/mesh/placing.h: SurfaceShape
 CONSTANT(9, bool, forMotion, false)    // beside it waves, shore, shape and exclusionVolumes alone
 CONSTANT(10, bool, inViews, false)     // of a multiview pass
 CONSTANT(11, int, cascades, 0)
@@ -32,4 +32,4 @@ CONSTANT(26, bool, sceneIsEncoded, false) // only with refraction: what is read 
 CONSTANT(27, bool, targetIsEncoded, false)
 CONSTANT(28, bool, manySamples,
          false) // only with refraction: of the scene, of which sample 0 may lie before the surface
-CONSTANT(29, uint, fogKind, 0) // water/body/lighting.h: fogKind()
+CONSTANT(29, uint, fogKind, 0) // water/light/lighting.h: fogKind()

@@ -98,13 +98,12 @@ TargetDesc targetDesc(bool multiview) {
 }
 
 SurfaceVariant variantOf(const Body& body, const SurfaceChoice& choice) {
-    SurfaceDraw drawn = {.output = choice.output, .sides = choice.sides};
-    if (body.reflector) drawn.reflectionDownscale = body.reflection.downscale;
     const SunShadow shadow;
     LightingDesc lighting;
     lighting.skyCube = reinterpret_cast<VkImageView>(uintptr_t{1});
     if (hasLetter(choice.letters, 'h')) lighting.shadow = &shadow;
-    return body.surfaceVariant(drawn, lighting);
+    return body.surfaceVariant(
+        {.output = choice.output, .sides = choice.sides, .isAhead = true, .lighting = &lighting});
 }
 
 /// What is made anew for each is compiled anew.

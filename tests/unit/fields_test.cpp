@@ -10,8 +10,8 @@
 #include "seaglass/fields/water.h"
 #include "tests/unit/cameras.h"
 #include "water/body/body_desc.h"
-#include "water/body/lighting.h"
 #include "water/body/target.h"
+#include "water/light/lighting.h"
 #include "water/mesh/extent.h"
 
 #include <gtest/gtest.h>

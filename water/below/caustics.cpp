@@ -12,7 +12,6 @@
 #include "spirv/caustics_cast.comp.h"
 #include "spirv/caustics_gather.comp.h"
 #include "water/below/bed.h"
-#include "water/body/body_block.h"
 #include "water/sea/sea.h"
 #include "water/waves/wave_octaves.h"
 
@@ -108,14 +107,6 @@ void recordCopied(const gpu::Device& device, VkCommandBuffer commands, const Cau
     // The buffer may be written again.
     gpu::recordBarrier(device, commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_NONE},
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_NONE});
-}
-
-gpu::Resource sampledTexels(const Context& context, const Image& image) {
-    return gpu::sampledImage(context.samplers.nearestClamp(), image.view, image.layout);
-}
-
-gpu::Resource depthOf(const Context& context, const CausticInputs& in) {
-    return sampledTexels(context, in.view->sceneDepth);
 }
 
 /// First and last row of pixels, to `margin` beside the view, whose lines of sight point down somewhere: how
@@ -245,18 +236,8 @@ Status Caustics::fit(Context& context, VkExtent2D texels, Picture& picture) cons
 Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const CausticInputs& in,
                             const Picture& picture) const {
     const gpu::Device& device = context.device;
-    const gpu::Samplers& samplers = context.samplers;
-    const VkSampler repeat = samplers.trilinearRepeat();
-    const gpu::Bound resources[] = {
-        {bodyBinding, gpu::uniformBuffer(in.uniforms)},
-        {sceneDepthBinding, depthOf(context, in)},
-        {waveDisplacementBinding, gpu::sampledImage(repeat, in.waveMaps[0])},
-        {waveDerivativesBinding, gpu::sampledImage(repeat, in.waveMaps[1])},
-        {waveMomentsBinding, gpu::sampledImage(repeat, in.waveMaps[2])},
-        {causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},
-        {shoreMapBinding, gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap)},
-        {shoreSignalBinding, in.shoreRows},
-    };
+    const std::vector<gpu::Bound> resources =
+        in.with({{causticSumsBinding, gpu::storageBuffer(picture.sums.handle())}});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(castKernel().layout(), resources, set); s != Status::ok)
         return s;
@@ -273,12 +254,9 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
 
 Status Caustics::recordGather(Context& context, VkCommandBuffer commands, const CausticInputs& in,
                               const Picture& picture) const {
-    const gpu::Bound resources[] = {
-        {bodyBinding, gpu::uniformBuffer(in.uniforms)},
-        {sceneDepthBinding, depthOf(context, in)},
-        {causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},
-        {causticLightBinding, gpu::storageImage(picture.gathered.firstMipView())},
-    };
+    const std::vector<gpu::Bound> resources =
+        in.with({{causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},
+                 {causticLightBinding, gpu::storageImage(picture.gathered.firstMipView())}});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(gather_->kernel.layout(), resources, set);
         s != Status::ok)
@@ -293,17 +271,13 @@ Status Caustics::recordGather(Context& context, VkCommandBuffer commands, const 
 
 Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const CausticInputs& in,
                             const Picture& picture) {
-    if (in.shadow && !blurInShadow_)
+    if (in.inShadow && !blurInShadow_)
         if (const Status s = context.share(blurInShadow_); s != Status::ok) return s;
-    const gpu::Kernel& kernel = in.shadow ? blurInShadow_->kernel : blur_->kernel;
-    std::vector<gpu::Bound> resources = {
-        {bodyBinding, gpu::uniformBuffer(in.uniforms)},
-        {sceneDepthBinding, depthOf(context, in)},
-        {causticLightBinding, gpu::sampledImage(context.samplers.trilinearClamp(), picture.gathered.view())},
-        {causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},
-        {causticBlurredBinding, gpu::storageImage(picture.blurred.view())},
-    };
-    if (in.shadow) resources.push_back({sunShadowMapBinding, sampledTexels(context, in.shadow->map)});
+    const gpu::Kernel& kernel = in.inShadow ? blurInShadow_->kernel : blur_->kernel;
+    const std::vector<gpu::Bound> resources = in.with(
+        {{causticLightBinding, gpu::sampledImage(context.samplers.trilinearClamp(), picture.gathered.view())},
+         {causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},
+         {causticBlurredBinding, gpu::storageImage(picture.blurred.view())}});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;
@@ -321,7 +295,7 @@ Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const Ca
 }
 
 Status Caustics::record(Context& context, VkCommandBuffer commands, const CausticInputs& in) {
-    Picture& picture = views_[in.view->viewIndex];
+    Picture& picture = views_[in.viewIndex];
     picture.frame = 0; // until all of it is recorded
     if (const Status s = fit(context, over(in.region, in.grid.step), picture); s != Status::ok) return s;
 

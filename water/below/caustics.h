@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <memory>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -69,14 +71,18 @@ struct ShadowedCausticBlurKernel {
 };
 
 struct CausticInputs {
-    gpu::Slice uniforms; ///< BodyBlock
-    const ViewDesc* view = nullptr;
-    const SunShadow* shadow = nullptr;
+    std::vector<gpu::Bound> resources; ///< all that some shader of the body reads
+    uint32_t viewIndex = 0;
+    bool inShadow = false; ///< there is a map of what hides the sun
     glm::ivec2 region{0};
     CausticGrid grid;
-    std::array<VkImageView, 3> waveMaps{}; ///< as WaveMaps::images
-    VkImageView shoreMap = VK_NULL_HANDLE; ///< null without a shore
-    gpu::Resource shoreRows;
+
+    /// The body's, and these.
+    std::vector<gpu::Bound> with(std::initializer_list<gpu::Bound> own) const {
+        std::vector<gpu::Bound> all = resources;
+        all.insert(all.end(), own);
+        return all;
+    }
 };
 
 /// Of one body: a picture for each view index, as large as the largest view of that index so far.

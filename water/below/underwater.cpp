@@ -1,14 +1,12 @@
 #include "water/below/underwater.h"
 
-#include <vector>
-
-#include "shaders/shared/water_bindings.h"
 #include "spirv/caustics.frag.h"
 #include "spirv/caustics.vert.h"
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
 #include "spirv/waterline.frag.h"
-#include "water/body/body_block.h"
+#include "water/body/part.h"
+#include "water/body/target.h"
 
 namespace seaglass {
 
@@ -32,26 +30,6 @@ PassInfo infoOf(UnderwaterPass pass) {
     return {"caustics", caustics_vert, caustics_frag, Drawing::scaled};
 }
 
-/// All that some pipeline's shaders read.
-std::vector<gpu::Bound> resources(const Context& context, const UnderwaterInputs& in) {
-    const gpu::Samplers& samplers = context.samplers;
-    std::vector<gpu::Bound> list;
-    const auto bind = [&](uint32_t number, const gpu::Resource& resource) {
-        list.push_back({number, resource});
-    };
-    const auto bindImage = [&](uint32_t number, const Image& image) {
-        bind(number, gpu::sampledImage(samplers.nearestClamp(), image.view, image.layout));
-    };
-    bind(bodyBinding, gpu::uniformBuffer(in.uniforms));
-    bindImage(sceneColorBinding, in.view->sceneColor);
-    bindImage(sceneDepthBinding, in.view->sceneDepth);
-    bind(waveDisplacementBinding, gpu::sampledImage(samplers.trilinearRepeat(), in.waveMap));
-    bind(shoreMapBinding, gpu::sampledImage(samplers.trilinearClamp(), in.shoreMap));
-    bind(shoreSignalBinding, in.shoreRows);
-    bind(causticLightBinding, gpu::sampledImage(samplers.trilinearClamp(), in.light));
-    return list;
-}
-
 } // namespace
 
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
@@ -64,17 +42,17 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                               "underwater pipeline", out);
 }
 
-Status recordUnderwater(Context& context, VkCommandBuffer commands, UnderwaterPipelines& pipelines,
-                        const UnderwaterVariant& variant, const UnderwaterInputs& inputs) {
+Status recordUnderwater(Context& context, const DrawCall& call, const BodyView& view,
+                        const UnderwaterVariant& variant, std::span<const gpu::Bound> resources) {
     const DrawPipeline* pipeline = nullptr;
-    if (const Status s = pipelines.get(variant, pipeline); s != Status::ok) return s;
+    if (const Status s = call.target.underwater.get(variant, pipeline); s != Status::ok) return s;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(pipeline->layout, resources(context, inputs), set);
-        s != Status::ok)
+    if (const Status s = context.frame().allocateSet(pipeline->layout, resources, set); s != Status::ok)
         return s;
-    const gpu::PassScope pass(context.device, commands, infoOf(variant.pass).name);
-    bindDraw(context.device, commands, *pipeline, set, inputs.view->viewIndex);
-    context.device.vk().CmdDraw(commands, 3, 1, 0, 0);
+    setViewport(context.device, call.commands, *view.given, view.geometry);
+    const gpu::PassScope pass(context.device, call.commands, infoOf(variant.pass).name);
+    bindDraw(context.device, call.commands, *pipeline, set, view.given->viewIndex);
+    context.device.vk().CmdDraw(call.commands, 3, 1, 0, 0);
     return Status::ok;
 }
 

@@ -3,6 +3,8 @@
 // below.
 #pragma once
 
+#include <span>
+
 #include "gpu/context.h"
 #include "gpu/frame.h"
 #include "gpu/pipeline/constants.h"
@@ -23,17 +25,11 @@ using UnderwaterPipelines = DrawPipelines<UnderwaterVariant>;
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
                      DrawPipeline& out);
 
-struct UnderwaterInputs {
-    gpu::Slice uniforms; ///< BodyBlock
-    const ViewDesc* view = nullptr;
-    VkImageView waveMap = VK_NULL_HANDLE; ///< with waves: displacement
-    VkImageView shoreMap = VK_NULL_HANDLE;
-    gpu::Resource shoreRows;
-    VkImageView light = VK_NULL_HANDLE; ///< of caustics: Caustics::lightOf()
-};
+struct BodyView;
+struct DrawCall;
 
-/// Viewport and scissor are set.
-Status recordUnderwater(Context& context, VkCommandBuffer commands, UnderwaterPipelines& pipelines,
-                        const UnderwaterVariant& variant, const UnderwaterInputs& inputs);
+/// `resources`: all that the variant's shaders read.
+Status recordUnderwater(Context& context, const DrawCall& call, const BodyView& view,
+                        const UnderwaterVariant& variant, std::span<const gpu::Bound> resources);
 
 } // namespace seaglass

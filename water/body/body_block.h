@@ -1,20 +1,15 @@
 // What a body's shaders are told about one view of it.
 #pragma once
 
-#include <glm/vec3.hpp>
-
-#include "gpu/view/view.h"
-#include "seaglass/water.h"
-#include "shaders/shared/body_block.h"
+#include "water/body/part.h"
 
 namespace seaglass {
 
-struct Body;
-struct BedPicture;
+BodyBlock bodyBlock(const Body& body, const BodyView& view);
 
-/// For points relative to an `eye` in the body's axes.
-void setBed(BodyBlock& block, const BedPicture& bed, const glm::dvec3& eye);
-
-BodyBlock bodyBlock(const Body& body, const ViewGeometry& geometry, const LightingDesc& lighting);
+/// All that some shader of the body reads in a view: `block`, and what its parts have.
+Status bindBody(Body& body, const BodyView& view, const BodyBlock& block, Resources& out);
+/// The same with the view's own block.
+Status bindBody(Body& body, const BodyView& view, Resources& out);
 
 } // namespace seaglass

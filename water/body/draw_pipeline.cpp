@@ -89,6 +89,15 @@ void bindDraw(const gpu::Device& device, VkCommandBuffer commands, const DrawPip
         vk.CmdPushConstants(commands, layout, stages, 0, sizeof pushed, &pushed);
 }
 
+void setViewport(const gpu::Device& device, VkCommandBuffer commands, const ViewDesc& view,
+                 const ViewGeometry& geometry) {
+    device.vk().CmdSetViewport(commands, 0, 1, &view.viewport);
+    const VkRect2D scissor = {
+        {geometry.regionOrigin.x, geometry.regionOrigin.y},
+        {static_cast<uint32_t>(geometry.regionSize.x), static_cast<uint32_t>(geometry.regionSize.y)}};
+    device.vk().CmdSetScissor(commands, 0, 1, &scissor);
+}
+
 Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, const DrawShaders& shaders,
                           Drawing drawing, const char* what, DrawPipeline& out) {
     gpu::ShaderModule vertex(device);

@@ -5,6 +5,7 @@
 
 #include "gpu/made_once.h"
 #include "gpu/pipeline/binding.h"
+#include "gpu/view/view.h"
 #include "seaglass/water.h"
 
 namespace seaglass {
@@ -30,6 +31,10 @@ struct DrawShaders {
 
 void bindDraw(const gpu::Device& device, VkCommandBuffer commands, const DrawPipeline& pipeline,
               VkDescriptorSet set, uint32_t viewIndex);
+
+/// The view's, over its region alone.
+void setViewport(const gpu::Device& device, VkCommandBuffer commands, const ViewDesc& view,
+                 const ViewGeometry& geometry);
 
 /// Triangles seen from both sides. Shaders of multiview passes are told by a push constant which view is
 /// drawn.

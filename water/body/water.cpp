@@ -2,12 +2,13 @@
 #include <memory>
 
 #include "gpu/guard.h"
-#include "reflection/interface/drawn_images.h"
 #include "seaglass/fields/reflection.h"
+#include "water/below/bed_part.h"
+#include "water/below/caustics_part.h"
 #include "water/body/body.h"
 #include "water/body/body_desc.h"
 #include "water/body/target.h"
-#include "water/sea/sea.h"
+#include "water/reflection/reflection_part.h"
 
 namespace seaglass {
 
@@ -26,26 +27,6 @@ Status createBody(Context* context, const BodyDesc* desc, Body** out) {
     });
 }
 
-namespace {
-
-Status addWaves(Context& context, const BodyDesc& desc, VkExtent2D extent, Estimate& out, bool& hasWaves) {
-    SeaError error;
-    const std::unique_ptr<Sea, SeaDeleter> sea(createSea(desc.waves, &error));
-    if (!sea) return context.device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
-    hasWaves = cascadeCount(*sea) > 0;
-    if (!hasWaves) return Status::ok;
-    const WavesBackend* backend = chosenBackend(context.device, desc);
-    out.bytes += Waves::bytes(context, *sea, backend) +
-                 (desc.motion ? Waves::lastBytes(context.device, *sea, backend) : 0);
-    if (sea->shore) out.bytes += ShoreMap::bytes(context.device, *sea->shore);
-    if (desc.caustics) out.bytesPerView += Caustics::bytes(context.device, desc, extent);
-    if (desc.foam && breakingOf(*sea, *desc.foam).count > 0)
-        out.bytes += FoamPattern::bytes(context.device) + Foam::bytes(context, *sea, *desc.foam, backend);
-    return Status::ok;
-}
-
-} // namespace
-
 Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
                 SceneSamples samples) {
     if (const Status s =
@@ -58,29 +39,13 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
     if (const FieldError bad = badField(sceneSampleFields, &samples))
         return context->device.fail(Status::invalidArgument, "estimate: %s", bad.text());
     return gpu::guarded([&] {
-        Estimate waves, sum;
-        bool hasWaves = false;
-        if (desc->waves)
-            if (const Status s = addWaves(*context, *desc, extent, waves, hasWaves); s != Status::ok)
-                return s;
-        if (desc->reflection) {
-            const ReflectionDesc reflection = reflectionOf(*desc->reflection, hasWaves);
-            if (const Status s = estimate(context, &reflection, extent, &sum, samples); s != Status::ok)
-                return s;
-        }
-        if (desc->refraction) {
-            sum.bytesPerSharedView = SingleSampledScene::bytes(context->device, extent, samples.depth);
-            sum.dispatchesPerSharedView = SingleSampledScene::dispatches(samples.depth);
-        }
-        if (desc->bed) {
-            if (const Status s = checkDrawn(context->device, desc->bed->drawn, "BedDesc"); s != Status::ok)
-                return s;
-            sum.dispatchesPerView += Bed::dispatches(*desc->bed);
-            sum.bytesPerView += Bed::bytes(context->device, *desc->bed, desc->shading.bedDownscale, extent);
-        }
-        sum.bytesPerView += waves.bytesPerView;
-        sum.bytes += waves.bytes;
-        sum.bytes += HostMesh::bytes(context->device, desc->extent);
+        SeaPointer sea;
+        if (const Status s = seaOf(context->device, *desc, sea); s != Status::ok) return s;
+        const AskedBody asked = {*context, *desc, sea.get(), extent, samples};
+        Estimate sum;
+        for (const Part& part : parts())
+            if (part.addCost && part.wanted(*desc, sea.get()))
+                if (const Status s = part.addCost(asked, sum); s != Status::ok) return s;
         *out = sum;
         return Status::ok;
     });
@@ -161,10 +126,11 @@ Status planarView(Body* body, const ViewDesc* view, PlanarView* out) {
         s != Status::ok)
         return s;
     if (const Status s = gpu::refuseDestroyed("planarView", "body", *body); s != Status::ok) return s;
-    if (!body->reflector)
+    const ReflectionPart* reflection = body->find<ReflectionPart>();
+    if (!reflection)
         return body->context->device.fail(Status::invalidArgument,
                                           "planarView: the body's reflection is the sky alone");
-    return planarView(body->reflector.get(), view, out);
+    return planarView(reflection->reflector.get(), view, out);
 }
 
 Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view, const OverlayDesc* desc) {
@@ -174,10 +140,11 @@ Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view,
         s != Status::ok)
         return s;
     if (const Status s = gpu::refuseDestroyed("recordOverlay", "body", *body); s != Status::ok) return s;
-    if (!body->reflector)
+    const ReflectionPart* reflection = body->find<ReflectionPart>();
+    if (!reflection)
         return body->context->device.fail(Status::invalidArgument,
                                           "recordOverlay: the body's reflection is the sky alone");
-    return recordOverlay(commands, body->reflector.get(), view, desc);
+    return recordOverlay(commands, reflection->reflector.get(), view, desc);
 }
 
 Status bedView(Body* body, const ViewDesc* view, PlanarView* out) {
@@ -186,7 +153,10 @@ Status bedView(Body* body, const ViewDesc* view, PlanarView* out) {
         s != Status::ok)
         return s;
     if (const Status s = gpu::refuseDestroyed("bedView", "body", *body); s != Status::ok) return s;
-    return gpu::guarded([&] { return body->bedView(*view, *out); });
+    BedPart* bed = body->find<BedPart>();
+    if (!bed)
+        return body->context->device.fail(Status::invalidArgument, "bedView: the body has no BodyDesc.bed");
+    return gpu::guarded([&] { return bed->handOut(*body, *view, *out); });
 }
 
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view) {
@@ -203,17 +173,14 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output) {
     if (const Status s = refuseDraw("draw", commands, target, bodies, count, view, lighting); s != Status::ok)
         return s;
-    const auto underwater = [&](UnderwaterPass pass) {
+    const DrawCall call{commands, *target, *view, *lighting};
+    const auto drawParts = [&](DrawMoment moment) {
         if (output != SurfaceOutput::shaded) return Status::ok;
-        return forEach(bodies, count, [&](Body& body) {
-            return body.underwater ? body.drawUnderwater(commands, *target, *view, *lighting, pass)
-                                   : Status::ok;
-        });
+        return forEach(bodies, count, [&](Body& body) { return body.drawParts(call, moment); });
     };
-    if (const Status s = underwater(UnderwaterPass::water); s != Status::ok) return s;
-    const Status surfaces = forEach(
-        bodies, count, [&](Body& body) { return body.draw(commands, *target, *view, *lighting, output); });
-    return surfaces == Status::ok ? underwater(UnderwaterPass::waterline) : surfaces;
+    if (const Status s = drawParts(DrawMoment::beforeSurfaces); s != Status::ok) return s;
+    const Status surfaces = forEach(bodies, count, [&](Body& body) { return body.draw(call, output); });
+    return surfaces == Status::ok ? drawParts(DrawMoment::afterSurfaces) : surfaces;
 }
 
 Status prepare(Target* target, Body* body, const ViewDesc* view, const LightingDesc* lighting,
@@ -239,7 +206,10 @@ Status castCaustics(VkCommandBuffer commands, Body* const* bodies, uint32_t coun
     if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(bodies, count), "castCaustics");
         s != Status::ok)
         return s;
-    return forEach(bodies, count, [&](Body& body) { return body.castCaustics(commands, *view, *lighting); });
+    return forEach(bodies, count, [&](Body& body) {
+        CausticsPart* caustics = body.find<CausticsPart>();
+        return caustics ? caustics->cast(body, commands, *view, *lighting) : Status::ok;
+    });
 }
 
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
@@ -247,12 +217,16 @@ Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodie
     if (const Status s = refuseDraw("drawCaustics", commands, target, bodies, count, view, lighting);
         s != Status::ok)
         return s;
-    return forEach(bodies, count,
-                   [&](Body& body) { return body.drawCaustics(commands, *target, *view, *lighting); });
+    const DrawCall call{commands, *target, *view, *lighting};
+    return forEach(bodies, count, [&](Body& body) {
+        const CausticsPart* caustics = body.find<CausticsPart>();
+        return caustics ? caustics->drawLight(body, call) : Status::ok;
+    });
 }
 
 ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex) {
-    return body && body->reflector ? reflectionImages(body->reflector.get(), viewIndex) : ReflectionImages{};
+    const ReflectionPart* reflection = body ? body->find<ReflectionPart>() : nullptr;
+    return reflection ? reflectionImages(reflection->reflector.get(), viewIndex) : ReflectionImages{};
 }
 
 const Sea* sea(const Body* body) {

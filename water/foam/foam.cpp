@@ -17,14 +17,14 @@ VkDeviceSize Foam::bytes(const Context& context, const Sea& sea, const FoamDesc&
            (backend ? UploadedFoam::bytes(context, samples, cascades) : 0);
 }
 
-Status Foam::create(Context& context, const Sea& sea, const FoamDesc& foam, const Waves& waves) {
+Status Foam::create(Context& context, const Sea& sea, const FoamDesc& foam, const WavesBackend* backend) {
     loopPeriod_ = description(sea).loopPeriod;
     albedo_ = foam.albedo;
-    if (const Status s = image_.create(context, cascade(sea, 0).samples, breakingOf(sea, foam).count,
-                                       imageUsage(waves.uploaded()));
+    if (const Status s =
+            image_.create(context, cascade(sea, 0).samples, breakingOf(sea, foam).count, imageUsage(backend));
         s != Status::ok)
         return s;
-    if (waves.uploaded()) return source_.emplace<UploadedFoam>().create(context, sea, foam);
+    if (backend) return source_.emplace<UploadedFoam>().create(context, sea, foam);
     return source_.emplace<ComputedFoam>().create(context, sea, foam);
 }
 
@@ -40,7 +40,7 @@ Status Foam::record(Context& context, VkCommandBuffer commands, Waves& waves, do
 
 Status Foam::recordSteps(Context& context, VkCommandBuffer commands, Waves& waves, int64_t step) {
     if (auto* computed = std::get_if<ComputedFoam>(&source_))
-        return computed->record(context, commands, *waves.computed(), waves.maps(), image_, step);
+        return computed->record(context, commands, *waves.computed(), waves.mapsToFill(), image_, step);
     return std::get<UploadedFoam>(source_).record(context, commands, *waves.uploaded(), image_, step);
 }
 

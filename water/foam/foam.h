@@ -13,8 +13,8 @@ namespace seaglass {
 
 class Foam {
   public:
-    /// `sea` breaks, and outlives the foam; `waves` are its.
-    Status create(Context& context, const Sea& sea, const FoamDesc& foam, const Waves& waves);
+    /// `sea` breaks, and outlives the foam; `backend` computes its waves, null: shaders do.
+    Status create(Context& context, const Sea& sea, const FoamDesc& foam, const WavesBackend* backend);
     /// Brings the history to `time` where it has passed a step. May leave the wave maps at another time.
     Status record(Context& context, VkCommandBuffer commands, Waves& waves, double time);
 

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "water/foam/whitecaps.h"
+#include "water/interface/whitecaps.h"
 
 namespace seaglass {
 

@@ -1,4 +1,4 @@
-#include "water/foam/whitecaps.h"
+#include "water/interface/whitecaps.h"
 
 #include "water/sea/sea.h"
 #include "water/spectrum/dispersion.h"

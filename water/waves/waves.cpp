@@ -38,10 +38,12 @@ VkDeviceSize Waves::lastBytes(const gpu::Device& device, const Sea& sea, const W
     return mapBytes(device, sea, backend) / waveMapCount;
 }
 
-void Waves::turnOver() {
-    if (!last_.handle()) return;
-    std::swap(maps_.images[0], last_);
-    turned_ = true;
+const WaveMaps& Waves::mapsToFill() {
+    if (std::exchange(recorded_, false) && last_.handle()) {
+        std::swap(maps_.images[0], last_);
+        turned_ = true;
+    }
+    return maps_;
 }
 
 VkImageView Waves::lastDisplacement() const {
@@ -49,7 +51,9 @@ VkImageView Waves::lastDisplacement() const {
 }
 
 Status Waves::record(Context& context, VkCommandBuffer commands, double time) {
-    return std::visit([&](auto& source) { return source.record(context, commands, maps_, time); }, source_);
+    const WaveMaps& maps = mapsToFill();
+    recorded_ = true;
+    return std::visit([&](auto& source) { return source.record(context, commands, maps, time); }, source_);
 }
 
 } // namespace seaglass

@@ -20,11 +20,11 @@ class Waves {
     /// Of a sea that is not flat, whatever fills the maps included.
     static VkDeviceSize bytes(const Context& context, const Sea& sea, const WavesBackend* backend);
     const WaveMaps& maps() const { return maps_; }
+    /// The same to be filled for another time than record() has left.
+    const WaveMaps& mapsToFill();
     /// Keeps the displacement of the time before.
     Status keepLast(const gpu::Device& device);
     static VkDeviceSize lastBytes(const gpu::Device& device, const Sea& sea, const WavesBackend* backend);
-    /// Before each time but the first: what maps() has is the last displacement from here on.
-    void turnOver();
     VkImageView lastDisplacement() const;
     /// Who fills the maps: one of the two, the other is null.
     ComputedWaves* computed() { return std::get_if<ComputedWaves>(&source_); }
@@ -32,8 +32,9 @@ class Waves {
 
   private:
     WaveMaps maps_;
-    gpu::OwnedImage last_; ///< takes turns with the maps' own
-    bool turned_ = false;  ///< it holds something
+    gpu::OwnedImage last_;  ///< takes turns with the maps' own
+    bool turned_ = false;   ///< it holds something
+    bool recorded_ = false; ///< the maps hold the time of record()
     std::variant<ComputedWaves, UploadedWaves> source_;
 };
 

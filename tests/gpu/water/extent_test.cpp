@@ -227,11 +227,11 @@ TEST_F(Extents, OutOfSightDrawAndReflectNothing) {
 
 TEST_F(Extents, EndlessBodiesHoldNothingOfThem) {
     Body* endless = makeBody({});
-    EXPECT_FALSE(endless->outline.has_value());
-    EXPECT_FALSE(endless->hostMesh.has_value());
+    EXPECT_FALSE(endless->placing.outline.has_value());
+    EXPECT_FALSE(endless->placing.hostMesh.has_value());
     picture({endless}, above(2));
-    EXPECT_TRUE(endless->outlined.patches.empty());
-    EXPECT_FALSE(bodyOver(pool())->hostMesh.has_value());
+    EXPECT_TRUE(endless->placing.outlined.patches.empty());
+    EXPECT_FALSE(bodyOver(pool())->placing.hostMesh.has_value());
     spiedCalls().clear();
     bodyOver(pool());
     bodyOver(lake());

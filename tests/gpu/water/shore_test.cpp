@@ -13,6 +13,7 @@
 #include "tests/unit/sea/statistics.h"
 #include "water/body/body.h"
 #include "water/sea/sea.h"
+#include "water/shore/shore_part.h"
 
 namespace {
 
@@ -401,7 +402,7 @@ TEST_F(ShoreOnGpu, ASeaWithoutABedHasNothingOfIt) {
         Body* const body = makeBody(desc_);
         images = countSpied("CreateImage");
         EXPECT_EQ(bytesSpied(), estimated.bytes);
-        EXPECT_EQ(body->shore.has_value(), shore != nullptr);
+        EXPECT_EQ(body->find<ShorePart>() != nullptr, shore != nullptr);
         EXPECT_EQ(sea(body)->shore.has_value(), shore != nullptr);
     };
     makeBody({}); // what all bodies share

@@ -10,7 +10,7 @@
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/host/spy.h"
 #include "tests/gpu/rig/water_rig.h"
-#include "water/body/sky_colors.h"
+#include "water/light/sky_colors.h"
 
 namespace {
 

@@ -14,6 +14,9 @@
 #include "tests/gpu/rig/water_rig.h"
 #include "tests/unit/sea/statistics.h"
 #include "water/body/body.h"
+#include "water/foam/foam_part.h"
+#include "water/reflection/reflection_part.h"
+#include "water/waves/waves_part.h"
 
 namespace {
 
@@ -177,7 +180,7 @@ TEST_F(Water, MapsHoldWhatTheBackendEvaluated) {
                                       std::vector<float>(floats)};
         fftwWaves()->evaluate(state, c, time, {maps[0].data(), maps[1].data(), maps[2].data()});
         for (uint32_t m = 0; m < 3; ++m) {
-            const VkImage image = body->waves->maps().images[m].handle();
+            const VkImage image = body->find<WavesPart>()->waves.maps().images[m].handle();
             const VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
             EXPECT_EQ(download(image, format, {desc.samples, desc.samples}, 0, c), maps[m]);
             const uint32_t half = desc.samples / 2;
@@ -1247,11 +1250,11 @@ TEST_F(WaterFoam, IsTheSameOnTheGpuAsOnTheCpu) {
         Body* body = foamyBody(on);
         for (const double time : {59.0, 59.3, 59.8}) picture({body}, above(), time);
         std::vector<float> all;
-        for (uint32_t c = 0; c < body->foam->cascades(); ++c)
+        for (uint32_t c = 0; c < body->find<FoamPart>()->foam.cascades(); ++c)
             for (const uint32_t mip : {0u, 1u}) {
                 const uint32_t size = 64u >> mip;
-                const std::vector<float> layer =
-                    download(body->foam->image(), VK_FORMAT_R16G16_SFLOAT, {size, size}, mip, c);
+                const std::vector<float> layer = download(body->find<FoamPart>()->foam.image(),
+                                                          VK_FORMAT_R16G16_SFLOAT, {size, size}, mip, c);
                 all.insert(all.end(), layer.begin(), layer.end());
             }
         return all;
@@ -1438,9 +1441,9 @@ TEST_F(WaterFoam, DispatchesAtItsOwnRate) {
 TEST_F(Water, AFeatureThatIsOffIsNotThere) {
     Body* flat = flatBody();
     EXPECT_FALSE(flat->sea);
-    EXPECT_FALSE(flat->waves.has_value());
-    EXPECT_FALSE(flat->foamPattern.has_value());
-    EXPECT_FALSE(flat->reflector);
+    EXPECT_FALSE(flat->find<WavesPart>());
+    EXPECT_FALSE(flat->find<FoamPart>());
+    EXPECT_FALSE(flat->find<ReflectionPart>());
 
     SeaDesc calm = breeze();
     calm.windSpeed = 0;
@@ -1448,7 +1451,7 @@ TEST_F(Water, AFeatureThatIsOffIsNotThere) {
     desc.waves = &calm;
     desc.wavesBackend = fftwWaves();
     Body* still = makeBody(desc);
-    EXPECT_FALSE(still->waves.has_value());
+    EXPECT_FALSE(still->find<WavesPart>());
     EXPECT_EQ(sea(still), nullptr);
 
     const FoamDesc foam;
@@ -1456,15 +1459,14 @@ TEST_F(Water, AFeatureThatIsOffIsNotThere) {
     Body* stillFoam = makeBody(desc);
     calm.windSpeed = 1;
     for (Body* unbroken : {stillFoam, makeBody(desc)}) {
-        EXPECT_FALSE(unbroken->foam.has_value());
-        EXPECT_FALSE(unbroken->foamPattern.has_value());
+        EXPECT_FALSE(unbroken->find<FoamPart>());
     }
 
     ReflectionDesc sky;
     sky.technique = ReflectionTechnique::sky;
     BodyDesc skyOnly;
     skyOnly.reflection = &sky;
-    EXPECT_FALSE(makeBody(skyOnly)->reflector);
+    EXPECT_FALSE(makeBody(skyOnly)->find<ReflectionPart>());
 }
 
 TEST_F(Water, AFlatPondCreatesAndRecordsNextToNothing) {

@@ -11,6 +11,7 @@
 #include "tests/unit/sea/sea_support.h"
 #include "tests/unit/sea/wave_truth.h"
 #include "water/body/body.h"
+#include "water/waves/waves_part.h"
 
 namespace {
 
@@ -52,7 +53,7 @@ class GpuWaves : public ::tests::GpuTest {
     }
 
     Maps mapsOf(const Body& body, uint32_t cascade) {
-        const WaveMaps& maps = body.waves->maps();
+        const WaveMaps& maps = body.find<WavesPart>()->waves.maps();
         Maps out(maps.samples);
         std::vector<float>* const targets[] = {&out.displacement, &out.derivatives, &out.moments};
         for (uint32_t m = 0; m < waveMapCount; ++m)
@@ -182,7 +183,7 @@ TEST_F(GpuWaves, SameBitsWhateverWasAskedBefore) {
 
 /// Copies mip 0 of the first cascade's displacement to `buffer`, between the commands of two frames.
 void recordCopyOut(VkCommandBuffer commands, const Body& body, const demos::Buffer& buffer) {
-    const WaveMaps& maps = body.waves->maps();
+    const WaveMaps& maps = body.find<WavesPart>()->waves.maps();
     VkImageMemoryBarrier2 barrier = gpu::imageBarrier(
         maps.images[0].handle(), gpu::sampledByShaders,
         {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL});

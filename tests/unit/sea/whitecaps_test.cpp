@@ -1,4 +1,4 @@
-#include "water/foam/whitecaps.h"
+#include "water/interface/whitecaps.h"
 
 #include "gpu/fields.h"
 #include "seaglass/fields/sea.h"

@@ -1,4 +1,4 @@
-#include "water/body/sky_colors.h"
+#include "water/light/sky_colors.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,12 +1,12 @@
-#include "water/body/lighting.h"
+#include "water/light/lighting.h"
 
 #include <cmath>
 
-#include <glm/ext/matrix_transform.hpp>
-
 #include "gpu/view/scene_formats.h"
+#include "gpu/view/view.h"
 #include "seaglass/fields/fog.h"
 #include "seaglass/fields/host.h"
+#include "shaders/shared/body_block.h"
 
 namespace seaglass {
 
@@ -78,19 +78,6 @@ FieldError badField(const LightingDesc& lighting) {
 uint32_t fogKind(const FogDesc* fog) {
     if (!fog) return 0;
     return static_cast<uint32_t>(fog->shape) | (fog->overSky ? 8u : 0u) | (fog->fromSky > 0 ? 16u : 0u);
-}
-
-void setSunShadow(BodyBlock& uniforms, const SunShadow& shadow, const BodyFrame& frame,
-                  const glm::dvec3& eye) {
-    const glm::dmat4 worldFromRelative = glm::dmat4(frame.worldFromBody) * glm::translate(glm::dmat4(1), eye);
-    for (uint32_t i = 0; i < shadow.cascadeCount; ++i) {
-        const int at = static_cast<int>(i);
-        const float(&b)[4] = shadow.bounds[i];
-        uniforms.shadowFromRelative[at] = glm::mat4(toMatrix(shadow.textureFromWorld[i]) * worldFromRelative);
-        uniforms.shadowBounds[at] = {b[0], b[1], b[2], b[3]};
-        uniforms.shadowLayers[at] = static_cast<float>(shadow.layers[i]);
-    }
-    uniforms.shadow = {shadow.cascadeCount, shadow.reversedDepth ? -1 : 1, 0, 0};
 }
 
 } // namespace seaglass

@@ -1,0 +1,62 @@
+#include "water/foam/foam_part.h"
+
+#include "seaglass/fields/sea.h"
+#include "shaders/shared/water_bindings.h"
+#include "water/body/body.h"
+#include "water/waves/in_tile.h"
+#include "water/waves/waves_part.h"
+
+namespace seaglass {
+
+FieldError FoamPart::validate(const BodyDesc& desc) {
+    if (desc.foam && !desc.waves) return "BodyDesc.foam needs BodyDesc.waves";
+    return badAsked(foamFields, desc.foam);
+}
+
+bool FoamPart::wanted(const BodyDesc& desc, const Sea* sea) {
+    return desc.foam && sea && breakingOf(*sea, *desc.foam).count > 0;
+}
+
+Status FoamPart::addCost(const AskedBody& asked, Estimate& sum) {
+    const gpu::Device& device = asked.context.device;
+    sum.bytes += FoamPattern::bytes(device) +
+                 Foam::bytes(asked.context, *asked.sea, *asked.desc.foam, chosenBackend(device, asked.desc));
+    return Status::ok;
+}
+
+Status FoamPart::create(Body& body, const BodyDesc& desc) {
+    if (const Status s = pattern.create(*body.context); s != Status::ok) return s;
+    return foam.create(*body.context, *body.sea, *desc.foam, chosenBackend(body.context->device, desc));
+}
+
+Status FoamPart::simulate(Body& body, VkCommandBuffer commands, double time) {
+    pattern.recordUpload(body.context->device, commands);
+    return foam.record(*body.context, commands, body.find<WavesPart>()->waves, time);
+}
+
+void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
+    const FoamStreak streak = foamStreakOf(description(*body.sea));
+    double placeU = view.geometry.eye.x, placeV = view.geometry.eye.z;
+    streak.apply(placeU, placeV);
+    block.foam = glm::vec4(foam.past(), foam.albedo(), inTile(placeU, foamRepeat) * foamRepeat,
+                           inTile(placeV, foamRepeat) * foamRepeat);
+    block.foamStreak = {streak.u, streak.v};
+}
+
+void FoamPart::vary(const Body&, const SurfaceDraw&, SurfaceVariant& variant) const {
+    variant.hasFoam = true;
+    variant.foamCascades = static_cast<int>(foam.cascades());
+}
+
+Status FoamPart::bind(Body& body, const BodyView&, Resources& out) {
+    const VkSampler repeat = body.context->samplers.trilinearRepeat();
+    out.push_back({foamPatternBinding, gpu::sampledImage(repeat, pattern.view())});
+    out.push_back({foamHistoryBinding, gpu::sampledImage(repeat, foam.view())});
+    return Status::ok;
+}
+
+Part foamPart() {
+    return partFrom<FoamPart>();
+}
+
+} // namespace seaglass

@@ -1,0 +1,55 @@
+// What a body covers of its plane, as a part of it.
+#include "seaglass/fields/water.h"
+#include "shaders/shared/water_bindings.h"
+#include "water/body/body.h"
+#include "water/body/part.h"
+#include "water/mesh/host_mesh.h"
+#include "water/mesh/mesh.h"
+
+namespace seaglass {
+
+namespace {
+
+static_assert(meshFieldRows[1].low == fewestInRange);
+
+/// Its state is the body's Placing.
+struct ExtentPart {
+    static FieldError validate(const BodyDesc& desc) {
+        if (const FieldError bad = badField(desc.extent)) return bad;
+        return badField(meshFields, &desc.mesh);
+    }
+    static bool wanted(const BodyDesc&, const Sea*) { return true; }
+    static Status addCost(const AskedBody& asked, Estimate& sum) {
+        sum.bytes += HostMesh::bytes(asked.context.device, asked.desc.extent);
+        return Status::ok;
+    }
+
+    void fill(const Body& body, const BodyView& view, BodyBlock& block) const {
+        const Placing& placing = body.placing;
+        const glm::dvec2 eye(view.geometry.eye.x, view.geometry.eye.z);
+        block.within.x = static_cast<float>(placing.cellNearEye(view.geometry));
+        block.extent.w = static_cast<float>(placing.globe.curvature);
+        block.covered = {-1e9f, -1e9f, 1e9f, 1e9f};
+        if (placing.hostMesh) {
+            const glm::vec2 origin(placing.hostMesh->origin - eye);
+            block.extent.x = origin.x;
+            block.extent.y = origin.y;
+        }
+        if (!placing.outline) return;
+        block.covered = placing.outline->boxFrom(eye).packed();
+        if (body.sea) block.extent.z = static_cast<float>(1 / pinnedWithin(placing.displacement));
+    }
+
+    void vary(const Body& body, const SurfaceDraw&, SurfaceVariant& variant) const {
+        variant.shape = static_cast<uint32_t>(body.placing.shape());
+        variant.onGlobe = !body.placing.globe.flat();
+    }
+};
+
+} // namespace
+
+Part extentPart() {
+    return partFrom<ExtentPart>();
+}
+
+} // namespace seaglass
