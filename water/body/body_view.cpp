@@ -39,6 +39,16 @@ SightStart sightStart(const ViewGeometry& geometry) {
     return start;
 }
 
+/// In a camera-to-world matrix the camera's right is level, most often. Taken for its inverse, the camera
+/// looks rolled; but for one that looks along the z axis, which stays level. Along the x axis a camera that
+/// is rolled indeed would look the same.
+bool looksInverse(const ViewDesc& view) {
+    const double(&m)[16] = view.view;
+    const bool isRolled = std::abs(m[4]) > 1e-3;
+    const bool otherIsNot = std::abs(m[1]) < 1e-6 && std::abs(m[0]) > 1e-6 && m[5] > 0;
+    return isRolled && otherIsNot;
+}
+
 } // namespace
 
 FieldError Body::readTurned(const ViewDesc& view, bool seesScene, ViewGeometry& out) const {
@@ -96,27 +106,27 @@ const char* Body::needsScene() const {
 }
 
 Status Body::checkEye(const ViewDesc& view, const ViewGeometry& geometry) {
-    if (geometry.parallel || find<UnderwaterPart>()) return Status::ok;
+    const bool isInverse = looksInverse(view);
     const glm::dvec3& eye = geometry.eye;
     const double depth = -heightOf(eye);
-    if (depth <= placing.displacement || !placing.covers(eye) || isExcluded(exclusionVolumes, eye))
-        return Status::ok;
-    // In a camera-to-world matrix the camera stands in the last column, and most often its right is level.
-    // The inverse, taken for it, looks rolled and, where it stands over the water, lies under it. Along the x
-    // axis a rolled camera would look the same.
+    const bool isBelow = !find<UnderwaterPart>() && !geometry.parallel && depth > placing.displacement &&
+                         placing.covers(eye) && !isExcluded(exclusionVolumes, eye);
+    if (!isBelow && !isInverse) return Status::ok;
     const double(&m)[16] = view.view;
     const glm::dvec3 other = frame.fromWorld(glm::dvec3(m[12], m[13], m[14]));
-    const bool isRolled = std::abs(m[4]) > 1e-3;
-    const bool otherIsNot = std::abs(m[1]) < 1e-6 && std::abs(m[0]) > 1e-6 && m[5] > 0;
-    if (heightOf(other) > 0 && isRolled && otherIsNot)
+    if (isBelow && isInverse && heightOf(other) > 0)
         return context->device.fail(
             Status::invalidArgument,
             "draw: ViewDesc.view takes the camera to the world, expected world to view: its inverse");
     if (std::exchange(warnedOfEye, true)) return Status::ok;
-    context->device.warn(
-        "draw: the eye is %.3g m under a body without BodyDesc.underwater, which is made to be "
-        "seen from above; is ViewDesc.view world to view, of a world with y up?",
-        depth);
+    if (isBelow)
+        context->device.warn(
+            "draw: the eye is %.3g m under a body without BodyDesc.underwater, which is made to be "
+            "seen from above; is ViewDesc.view world to view, of a world with y up?",
+            depth);
+    else
+        context->device.warn("draw: the camera of ViewDesc.view is rolled, and its inverse's is level; is it "
+                             "world to view?");
     return Status::ok;
 }
 
