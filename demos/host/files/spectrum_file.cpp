@@ -214,6 +214,11 @@ bool readSpectrum(const std::filesystem::path& file, std::vector<seaglass::Spect
                         ", which stands for one that is missing; expected such lines to be left out");
         const std::optional<float> frequency = number(line.substr(0, comma)), density = number(second);
         if (!frequency || !density) return fail(problemOf(line));
+        if (!(*density >= 0))
+            return fail("density is " + std::string(unquoted(second)) + ", expected 0 or more m^2/Hz");
+        if (!out.empty() && !(*frequency > out.back().frequency))
+            return fail("frequency is " + std::string(unquoted(line.substr(0, comma))) +
+                        ", expected more than in the line before");
         if (out.size() == seaglass::maxSpectrumSamples)
             return fail("one line too many, expected at most " +
                         std::to_string(seaglass::maxSpectrumSamples));
