@@ -154,7 +154,7 @@ TEST_F(PictureFile, HdrWhoseHeaderIsOddSaysWhatWasExpected) {
     expectRefused(writeHdr("FORMAT=32-bit_rle_rgbe \n" + size, pixel), {"expected 32-bit_rle_rgbe"});
     for (const std::string& windows : {"FORMAT=32-bit_rle_rgbe\r\n" + size, rgbe + "\r" + size})
         expectRefused(writeHdr(windows, pixel), {"CR and LF", "expected LF alone"});
-    expectRefused(writeHdr(rgbe + size.substr(1), pixel), {"no empty line before '-Y 1 +X 1'"});
+    expectRefused(writeHdr(rgbe + size.substr(1), pixel), {"'-Y 1 +X 1'", "expected an empty line before"});
     expectRefused(writeHdr(rgbe, ""), {"does not end", "expected an empty line"});
     std::string history;
     for (int i = 0; i < 120; ++i) history += "VIEW= -vtv\n";

@@ -43,7 +43,7 @@ std::string take(const std::string& name, const std::string& value, RadianceHead
     };
     if (name == "FORMAT" && value.starts_with("32-bit_rle_xyze"))
         return bad("32-bit_rle_rgbe: ra_xyze -r converts it");
-    if (name == "FORMAT" && value != "32-bit_rle_rgbe") return bad("32-bit_rle_rgbe");
+    if (name == "FORMAT" && value != "32-bit_rle_rgbe") return bad("32-bit_rle_rgbe without spaces");
     if (name == "EXPOSURE" || name == "PIXASPECT" || name == "GAMMA") {
         std::array<double, 1> number{};
         if (!numbers(value, number) || number[0] <= 0) return bad("a positive number");
@@ -77,7 +77,8 @@ std::string takeLines(std::istream& lines, RadianceHeader& out) {
         if (line.empty() && hasFormat) return "";
         if (line.empty()) return "its header has no FORMAT, expected FORMAT=32-bit_rle_rgbe";
         if (count == mostLines) return "its header has over 100 lines, expected an empty one before";
-        if (orientationOf(line)) return "its header has no empty line before '" + line.substr(0, 40) + "'";
+        if (orientationOf(line))
+            return "its header has '" + line.substr(0, 40) + "', expected an empty line before";
         const bool windows = line.back() == '\r';
         if (windows) line.pop_back();
         if (line.empty()) return lineEnds;
