@@ -32,6 +32,9 @@ CLEAN = {
     "water/include/seaglass/water.h": "#pragma once\nstruct ShadingDesc {\n    unsigned slopeSamples = 1; ///< looks\n};\n",
     "water/include/seaglass/fields/water.h": "#include \"seaglass/water.h\"\ntemplate<auto member> constexpr int field(const char*) { return 0; }\n"
                                              "constexpr int rows[] = {field<&ShadingDesc::slopeSamples>(\"slopeSamples\")};\n",
+    "water/sea/sea.h": "",
+    "demos/tools/reference/sea.cpp": "#include \"water/sea/sea.h\"\n#include \"water/interface/checks.h\"\n",
+    "water/interface/checks.h": "",
     "water/mirror.cpp": "#include \"gpu/memory/image.h\"\n#include \"reflection/interface/drawn.h\"\nvoid put(MirrorBlock& block) { block.steepness = 1; }\n",
     "shaders/shared/mirror_block.h": "struct MirrorBlock {\n    float steepness; // none\n    float pad0;\n};\n",
     "shaders/mirror.frag": "uniform Mirror { MirrorBlock mirror; };\nvoid main() {\n    mirror.steepness;\n}\n",
@@ -120,6 +123,8 @@ class House(unittest.TestCase):
         self.missed("includes of another library's private header", 1, "water/look.cpp includes reflection/core/mirror.h")
         self.write("demos/host/look.cpp", '#include "gpu/memory/image.h"\n#include "host/look.h"\n')
         self.missed("includes of another library's private header", 2, "demos/host/look.cpp includes gpu/memory/image.h")
+        self.write("demos/tools/view/sea.cpp", '#include "water/sea/sea.h"\n')
+        self.missed("includes of another library's private header", 3, "demos/tools/view/sea.cpp includes water/sea/sea.h")
 
     def test_two_ways_to_name_tests(self):
         self.write("tests/unit/three_tests.cpp", "")

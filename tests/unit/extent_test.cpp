@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/unit/mesh_support.h"
+#include "water/interface/checks.h"
 #include "water/mesh/extent.h"
 #include "water/mesh/host_mesh.h"
 #include "water/mesh/mesh.h"

@@ -11,8 +11,8 @@
 #include "tests/unit/cameras.h"
 #include "water/body/body_desc.h"
 #include "water/body/target.h"
+#include "water/interface/checks.h"
 #include "water/light/lighting.h"
-#include "water/mesh/extent.h"
 
 #include <gtest/gtest.h>
 

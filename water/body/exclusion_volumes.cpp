@@ -1,4 +1,5 @@
 #include "water/body/exclusion_volumes.h"
+#include "water/interface/checks.h"
 
 #include <algorithm>
 #include <bit>
@@ -37,6 +38,11 @@ const char* readExclusionVolumes(const ExclusionVolume* volumes, uint32_t count,
         if (const char* bad = readVolume(volumes[i], read[i])) return bad;
     out = std::move(read);
     return nullptr;
+}
+
+const char* badVolumes(const ExclusionVolume* volumes, uint32_t count) {
+    std::vector<ExclusionPlanes> read;
+    return readExclusionVolumes(volumes, count, read);
 }
 
 uint32_t volumesPacked(const std::vector<ExclusionPlanes>& volumes) {

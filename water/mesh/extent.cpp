@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "seaglass/fields/water.h"
+#include "water/interface/checks.h"
 #include "water/sea/sea.h"
 
 namespace seaglass {

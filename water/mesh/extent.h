@@ -35,9 +35,6 @@ struct Outline {
 /// Whether a segment comes into a box.
 bool meets(const OutlineEdge& edge, const glm::dvec2& low, const glm::dvec2& high);
 
-/// What is wrong with it, if anything.
-FieldError badField(const ExtentDesc& desc);
-
 /// Of a usable description; no edges where it is unbounded.
 Outline outlineOf(const ExtentDesc& desc);
 

@@ -3,6 +3,7 @@
 #include "shaders/shared/water_bindings.h"
 #include "water/body/body.h"
 #include "water/body/part.h"
+#include "water/interface/checks.h"
 #include "water/mesh/host_mesh.h"
 #include "water/mesh/mesh.h"
 
@@ -16,7 +17,7 @@ static_assert(meshFieldRows[1].low == fewestInRange);
 struct ExtentPart {
     static FieldError validate(const BodyDesc& desc) {
         if (const FieldError bad = badField(desc.extent)) return bad;
-        return badField(meshFields, &desc.mesh);
+        return badAsked(meshFields, &desc.mesh);
     }
     static bool wanted(const BodyDesc&, const Sea*) { return true; }
     static Status addCost(const AskedBody& asked, Estimate& sum) {

@@ -19,7 +19,7 @@ SurfaceMesh rectangleOf(const Floor& floor, const glm::dvec3& eye) {
 }
 
 /// Into the water's axes.
-void turn(Camera& camera, const seaglass::BodyFrame& frame) {
+void turn(Camera& camera, const LevelAxes& frame) {
     for (glm::dvec3* vector : {&camera.eye, &camera.right, &camera.up, &camera.forward})
         *vector = frame.fromWorld(*vector);
 }
@@ -60,15 +60,15 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
         mesh.height = desc.height;
         if (world.outline) {
             mesh.outline = &*world.outline;
-            if (world.sea) mesh.pinned = seaglass::pinnedWithin(seaglass::largestDisplacement(*world.sea));
+            if (world.sea) mesh.pinned = 2 * farthestMove(*world.sea);
         }
         out.mesh = meshOf(out.surface, out.camera, mesh);
-        if (world.outline || !world.exclusionVolumes.empty())
+        if (world.outline || !world.excludedVolumes.empty())
             out.mesh.covers = [&out](uint32_t triangle, const glm::vec3& weights) {
                 return out.covers(triangle, weights);
             };
         out.geometry.add(out.mesh);
-        if (world.exclusionVolumes.empty()) out.mesh.positions = {};
+        if (world.excludedVolumes.empty()) out.mesh.positions = {};
         out.sky = skyBeams(world.light);
     }
     if (!out.geometry.build(error)) return false;
@@ -119,12 +119,12 @@ glm::dvec3 Frame::seenAt(const glm::vec3& position) const {
 
 bool Frame::covers(uint32_t triangle, const glm::vec3& weights) const {
     if (world->outline && !world->outline->contains(calmAt(triangle, weights))) return false;
-    if (world->exclusionVolumes.empty()) return true;
+    if (world->excludedVolumes.empty()) return true;
     const glm::uvec3 corners = mesh.triangles[triangle];
     glm::dvec3 at = camera.eye;
     for (glm::length_t i = 0; i < 3; ++i)
         at += static_cast<double>(weights[i]) * glm::dvec3(mesh.positions[corners[i]]);
-    return !seaglass::isExcluded(world->exclusionVolumes, at);
+    return !isExcluded(world->excludedVolumes, at);
 }
 
 glm::dvec2 Frame::calmAt(const Hit& waterHit) const {
@@ -149,7 +149,7 @@ float Frame::heightOf(const glm::vec3& position) const {
 glm::mat3 Frame::levelAt(const glm::vec3& position) const {
     const glm::dvec2 away = glm::dvec2(position.x, position.z) * world->globe.curvature;
     const double up = std::sqrt(std::max(1 - glm::dot(away, away), 0.0));
-    return glm::mat3(seaglass::BodyFrame::of({away.x, up, away.y}).worldFromBody);
+    return glm::mat3(LevelAxes::of({away.x, up, away.y}).worldFromBody);
 }
 
 glm::vec3 Frame::skyFrom(const glm::vec3& position, const glm::vec3& direction) const {

@@ -5,11 +5,7 @@
 #include <new>
 
 #include "host/water/waves.h"
-
-// Not public: there is to be one history of foam, and one pattern.
-#include "water/foam/foam_history.h"
-#include "water/foam/foam_pattern.h"
-#include "water/sea/sea.h"
+#include "reference/water/foam_history.h"
 
 namespace demos::reference {
 namespace {
@@ -92,16 +88,31 @@ std::vector<double> azimuthSteps(const Azimuths& seen, double fine) {
 }
 
 /// From a place to a corner of what an outline encloses [m].
-double farthestOf(const seaglass::Outline& outline, const glm::dvec2& foot) {
+double farthestOf(const Outline& outline, const glm::dvec2& foot) {
     return 1.1 * glm::length(glm::max(glm::abs(outline.low - foot), glm::abs(outline.high - foot)));
+}
+
+/// w of the pattern, in which a place p has what lies at p - w (w.p) of the tile: streaks show from Beaufort
+/// 6 on and are the mark of 8.
+glm::dvec2 streakOf(const seaglass::SeaDesc& sea) {
+    const double stretch = 1 + std::clamp((double{sea.windSpeed} - 8) / 4, 0.0, 3.0);
+    const double direction{sea.windDirection};
+    return std::sqrt(1 - 1 / stretch) * glm::dvec2(std::cos(direction), std::sin(direction));
 }
 
 } // namespace
 
+double farthestMove(const seaglass::Sea& sea) {
+    // Heights pass 5 standard deviations once in a million; choppiness moves points sideways about as far.
+    const double height = 1.25 * seaglass::significantWaveHeight(sea);
+    return height * std::max(1.0, double{seaglass::description(sea).choppiness}) +
+           (sea.shore ? sea.shore->reach() : 0);
+}
+
 bool WaterSurface::create(const seaglass::Sea* sea, const seaglass::FoamDesc* foam, double timeS,
                           Error& error) {
     cascades_.clear();
-    shore_ = nullptr;
+    shore_.reset();
     roughness_ = glm::vec3(0);
     const uint32_t count = sea ? seaglass::cascadeCount(*sea) : 0;
     if (count == 0) return true;
@@ -130,26 +141,19 @@ bool WaterSurface::create(const seaglass::Sea* sea, const seaglass::FoamDesc* fo
                          {&to.displacement[0][0].x, &to.derivatives[0][0].x, &to.moments[0][0].x});
         for (auto* map : {&to.displacement, &to.derivatives, &to.moments}) addLevels(*map, from.samples);
     }
-    if (sea->shore) {
-        shore_ = &*sea->shore;
-        shoreSignal_ = shore_->signalAt(timeS, double{(foam ? *foam : seaglass::FoamDesc{}).decayTime});
-    }
+    if (sea->shore)
+        shore_.emplace(*sea->shore, timeS, double{(foam ? *foam : seaglass::FoamDesc{}).decayTime});
     if (foam) addFoam(*sea, *foam, backend, state.get(), timeS);
     return true;
 }
 
 void WaterSurface::addFoam(const seaglass::Sea& sea, const seaglass::FoamDesc& foam,
                            const seaglass::WavesBackend& backend, void* state, double timeS) {
-    seaglass::FoamHistory history(sea, foam);
-    if (history.breaking().count == 0) return;
-    const seaglass::FoamStreak streak = seaglass::foamStreakOf(seaglass::description(sea));
-    foamStreak_ = {streak.u, streak.v};
-    const seaglass::FoamTime now = seaglass::foamTimeOf(timeS, seaglass::description(sea).loopPeriod);
-    history.advance(backend, state, now.step);
-    for (uint32_t i = 0; i < history.breaking().count; ++i) {
+    foamStreak_ = streakOf(seaglass::description(sea));
+    const std::vector<std::vector<float>> left = foamLeft(sea, foam, backend, state, timeS);
+    for (size_t i = 0; i < left.size(); ++i) {
         Level& level = cascades_[i].foam.emplace_back();
-        for (size_t texel = 0; texel < history.at(i).size(); ++texel)
-            level.emplace_back(glm::mix(history.at(i)[texel], history.after(i)[texel], now.past));
+        for (const float cover : left[i]) level.emplace_back(cover);
         addLevels(cascades_[i].foam, cascades_[i].samples);
     }
 }
@@ -195,8 +199,7 @@ glm::vec3 WaterSurface::displacement(const glm::dvec2& calm, double footprint) c
     return displacement(calm, footprint, shoreAt(calm, footprint));
 }
 
-glm::vec3 WaterSurface::displacement(const glm::dvec2& calm, double footprint,
-                                     const seaglass::ShoreWave& shore) const {
+glm::vec3 WaterSurface::displacement(const glm::dvec2& calm, double footprint, const ShoreWave& shore) const {
     glm::vec3 sum(0);
     for (size_t i = 0; i < cascades_.size(); ++i) {
         const Cascade& cascade = cascades_[i];
@@ -206,8 +209,8 @@ glm::vec3 WaterSurface::displacement(const glm::dvec2& calm, double footprint,
             sum += kept(shore, i) * glm::vec3(trilinear(cascade, cascade.displacement, mip, calm));
     }
     if (!shore_) return sum;
-    sum += glm::vec3(shore.move[0], shore.height, shore.move[1]);
-    const double lift = seaglass::filmLift + 0.01 * footprint;
+    sum += glm::vec3(shore.move.x, shore.height, shore.move.y);
+    const double lift = 0.012 + 0.01 * footprint; // so that no grain of the sand hides it
     sum.y = static_cast<float>(shore.withFilm(static_cast<double>(sum.y), lift));
     return sum;
 }
@@ -216,7 +219,7 @@ WaterSurface::Edge WaterSurface::edge(const glm::dvec2& calm, double footprint) 
     return edge(shoreAt(calm, footprint));
 }
 
-WaterSurface::Edge WaterSurface::edge(const seaglass::ShoreWave& shore) const {
+WaterSurface::Edge WaterSurface::edge(const ShoreWave& shore) const {
     Edge edge;
     if (!shore_) return edge;
     const double thick = shore.height - shore.bed();
@@ -228,8 +231,8 @@ WaterSurface::Edge WaterSurface::edge(const seaglass::ShoreWave& shore) const {
     const double line = bell((thick - 0.03) / 0.03) + 0.4 * bell(thick / 0.12);
     const double left = (thick > 0 ? line : 0.4 * wetness) * glm::smoothstep(0.0, 0.02, shore.swash);
     edge.foam = 1 - (1 - 0.9 * shore.foam) * (1 - std::min(left, 0.9));
-    edge.advected = {shore.advected[0], shore.advected[1]};
-    edge.bedSlope = {shore.bedSlope[0], shore.bedSlope[1]};
+    edge.advected = shore.advected;
+    edge.bedSlope = shore.bedSlope;
     return edge;
 }
 
@@ -238,7 +241,7 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
     glm::vec4 derivatives(0);
     float shear = 0;
     glm::vec3 variance(0);
-    const seaglass::ShoreWave shore = shoreAt(calm, footprint);
+    const ShoreWave shore = shoreAt(calm, footprint);
     for (size_t i = 0; i < cascades_.size(); ++i) {
         const Cascade& cascade = cascades_[i];
         const double mip = mipOf(footprint, cascade.texel());
@@ -268,7 +271,7 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
 }
 
 float WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const {
-    const seaglass::ShoreWave shore = shoreAt(calm, footprint);
+    const ShoreWave shore = shoreAt(calm, footprint);
     float clear = 1 - static_cast<float>(edge(shore).foam);
     for (size_t i = 0; i < cascades_.size(); ++i) {
         const Cascade& cascade = cascades_[i];

@@ -3,16 +3,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "host/camera.h"
 #include "reference/geometry.h"
+#include "reference/water/globe.h"
+#include "reference/water/outline.h"
+#include "reference/water/shore_wave.h"
 #include "seaglass/foam.h"
-
-// Not public: there is to be one notion of what an outline encloses, and of what a bed makes of a sea.
-#include "water/mesh/extent.h"
-#include "water/mesh/globe.h"
-#include "water/shore/shore.h"
 
 namespace demos::reference {
 
@@ -20,6 +19,9 @@ struct SeaDeleter {
     void operator()(seaglass::Sea* sea) const { seaglass::destroySea(sea); }
 };
 using SeaPointer = std::unique_ptr<seaglass::Sea, SeaDeleter>;
+
+/// The most that waves are taken to move a point in any axis [m].
+double farthestMove(const seaglass::Sea& sea);
 
 /// Positions on the calm plane are (u, v) = world (x, z) in metres. A footprint is the width [m] over which a
 /// value is a mean; 0 gives the maps' own samples. Reading is for any number of threads.
@@ -71,31 +73,30 @@ class WaterSurface {
     static glm::vec4 trilinear(const Cascade& cascade, const std::vector<Level>& map, double mip,
                                const glm::dvec2& calm);
 
-    seaglass::ShoreWave shoreAt(const glm::dvec2& calm, double footprint) const {
-        return shore_ ? shore_->waveAt(shoreSignal_, calm.x, calm.y, footprint) : seaglass::ShoreWave{};
+    ShoreWave shoreAt(const glm::dvec2& calm, double footprint) const {
+        return shore_ ? shore_->at(calm, footprint) : ShoreWave{};
     }
-    float kept(const seaglass::ShoreWave& shore, size_t cascade) const {
+    float kept(const ShoreWave& shore, size_t cascade) const {
         return shore_ ? static_cast<float>(shore.kept[cascade]) : 1.0f;
     }
-    glm::vec3 displacement(const glm::dvec2& calm, double footprint, const seaglass::ShoreWave& shore) const;
-    Edge edge(const seaglass::ShoreWave& shore) const;
+    glm::vec3 displacement(const glm::dvec2& calm, double footprint, const ShoreWave& shore) const;
+    Edge edge(const ShoreWave& shore) const;
 
     std::vector<Cascade> cascades_;
-    const seaglass::Shore* shore_ = nullptr;
-    seaglass::ShoreSignal shoreSignal_;
+    std::optional<ShoreWaves> shore_;
     glm::vec3 roughness_{0};
     glm::dvec2 foamStreak_{0};
 };
 
 struct SurfaceMeshDesc {
     double levelM = 0;
-    seaglass::Globe globe; ///< that it lies on
+    Globe globe; ///< that it lies on
     double aspect = 1;
-    uint32_t height = 1;                        ///< pixels
-    double pixelsACell = 1.5;                   ///< edge of a cell as it is seen across the line of sight
-    double mostVertices = 3e6;                  ///< about; beyond, all cells grow alike
-    const seaglass::Outline* outline = nullptr; ///< at which waves do not move points to the side
-    double pinned = 0;                          ///< how near to it they begin to do so less [m]
+    uint32_t height = 1;              ///< pixels
+    double pixelsACell = 1.5;         ///< edge of a cell as it is seen across the line of sight
+    double mostVertices = 3e6;        ///< about; beyond, all cells grow alike
+    const Outline* outline = nullptr; ///< at which waves do not move points to the side
+    double pinned = 0;                ///< how near to it they begin to do so less [m]
 };
 
 /// Rings around the eye's foot, close where it looks and wide elsewhere: one grid bent round, so that no

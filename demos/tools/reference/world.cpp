@@ -7,6 +7,7 @@
 #include "host/water/placement.h"
 #include "host/water/shore.h"
 #include "host/water/waves.h"
+#include "water/interface/checks.h"
 
 namespace demos::reference {
 
@@ -50,25 +51,27 @@ bool setOutline(const ExtentDesc& desc, World& out, Error& error) {
         error.text = std::string("water: ") + bad.text();
         return false;
     }
-    out.outline = seaglass::outlineOf(extent.desc);
+    out.outline = outlineOf(extent.desc);
     return true;
 }
 
 bool setExclusionVolumes(const std::vector<ExclusionVolumeDesc>& volumes, World& out, Error& error) {
     std::vector<seaglass::ExclusionVolume> read;
     if (!exclusionVolumesOf(volumes, read, error)) return false;
-    const char* const bad =
-        seaglass::readExclusionVolumes(read.data(), static_cast<uint32_t>(read.size()), out.exclusionVolumes);
-    if (bad) error.text = std::string("water: ") + bad;
-    for (seaglass::ExclusionPlanes& volume : out.exclusionVolumes) volume = out.frame.fromWorld(volume);
-    return !bad;
+    if (const char* const bad = seaglass::badVolumes(read.data(), static_cast<uint32_t>(read.size()))) {
+        error.text = std::string("water: ") + bad;
+        return false;
+    }
+    for (const seaglass::ExclusionVolume& volume : read)
+        out.excludedVolumes.push_back(excludedVolumeOf(volume, out.frame));
+    return true;
 }
 
 void setPlane(const WaterDesc& water, World& out) {
     const auto [x, y, z, d] = waterPlane(water);
-    out.frame = seaglass::BodyFrame::of({x, y, z});
+    out.frame = LevelAxes::of({x, y, z});
     out.levelM = -d;
-    out.globe = seaglass::Globe::of(water.planetRadiusM);
+    out.globe.curvature = water.planetRadiusM > 0 ? 1 / water.planetRadiusM : 0;
 }
 
 } // namespace
@@ -79,7 +82,7 @@ bool setWater(const std::optional<WaterDesc>& desc, World& out, Error& error) {
     out.light.axes = out.frame.worldFromBody;
     out.sea.reset();
     out.outline.reset();
-    out.exclusionVolumes.clear();
+    out.excludedVolumes.clear();
     if (desc && !setExclusionVolumes(desc->exclusionVolumes, out, error)) return false;
     if (desc && desc->extent && !setOutline(*desc->extent, out, error)) return false;
     if (!desc || !desc->waves) return true;

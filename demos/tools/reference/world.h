@@ -6,13 +6,12 @@
 
 #include "host/water/floor_plane.h"
 #include "reference/light/light.h"
+#include "reference/water/excluded_volumes.h"
+#include "reference/water/globe.h"
+#include "reference/water/level_axes.h"
+#include "reference/water/outline.h"
 #include "reference/water_surface.h"
 #include "scene/scene.h"
-
-// Not public: there is to be one notion of what an outline encloses, and of a tilted body's axes.
-#include "water/body/body_frame.h"
-#include "water/body/exclusion_volumes.h"
-#include "water/mesh/extent.h"
 
 namespace demos::reference {
 
@@ -29,12 +28,12 @@ struct World {
     Light light;
     std::optional<seaglass::FogDesc> fog;
     std::optional<WaterDesc> water;
-    seaglass::BodyFrame frame; ///< of the water: all is traced in its axes, in which it is level
-    double levelM = 0;         ///< of the water in them
-    seaglass::Globe globe;     ///< that the water lies on
-    SeaPointer sea;            ///< null when flat
-    std::optional<seaglass::Outline> outline; ///< of the water; none where it is unbounded
-    std::vector<seaglass::ExclusionPlanes> exclusionVolumes;
+    LevelAxes frame;                ///< of the water: all is traced in its axes, in which it is level
+    double levelM = 0;              ///< of the water in them
+    Globe globe;                    ///< that the water lies on
+    SeaPointer sea;                 ///< null when flat
+    std::optional<Outline> outline; ///< of the water; none where it is unbounded
+    std::vector<ExcludedVolume> excludedVolumes;
     std::optional<Floor> floor;
 };
 

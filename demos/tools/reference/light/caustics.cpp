@@ -150,7 +150,7 @@ class Source {
   public:
     Source(const Frame& frame, const glm::vec3& toSun, const Beam& calm)
         : frame_(frame), from_(calm.from), entering_(1 - fresnelWater(toSun.y)),
-          highest_(static_cast<float>(seaglass::largestDisplacement(*frame.world->sea))) {}
+          highest_(static_cast<float>(farthestMove(*frame.world->sea))) {}
 
     std::vector<Photon> photonsOf(const PhotonTile& tile) const {
         constexpr double area = PhotonMap::side * PhotonMap::side;

@@ -8,11 +8,12 @@
 
 #include "reference/shade/optics.h"
 
-// Not public: the pattern is the library's own, and there is to be but one.
-#include "water/foam/foam_pattern.h"
+#include "water/interface/foam_texels.h"
 
 namespace demos::reference {
 namespace {
+
+constexpr double tileM = 24, repeat = 16 * tileM; // [m]
 
 using Mips = std::vector<std::vector<seaglass::FoamTexel>>;
 
@@ -49,11 +50,11 @@ struct Part {
 
 /// foamPartOf() of the shader.
 Part partOf(const glm::dvec2& place) {
-    const glm::dvec2 turn = 2 * std::numbers::pi / seaglass::foamRepeat * place;
+    const glm::dvec2 turn = 2 * std::numbers::pi / repeat * place;
     const double index =
         4 + 1.1 * (std::sin(7 * turn.x + 3 * turn.y) + std::sin(9 * turn.y - 5 * turn.x + 1) +
                    std::sin(11 * turn.x - 4 * turn.y + 2));
-    const glm::dvec2 spread = seaglass::foamTile * glm::dvec2(0.7548777, 0.5698403);
+    const glm::dvec2 spread = tileM * glm::dvec2(0.7548777, 0.5698403);
     const double part = std::floor(index + 0.5), off = index - part;
     return {place + part * spread, place + (part + (off < 0 ? -1 : 1)) * spread,
             static_cast<float>(0.5 * glm::smoothstep(0.38, 0.5, std::abs(off)))};
@@ -80,7 +81,7 @@ float shareBelow(float x, const glm::vec3& widths) {
 
 Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidth) {
     constexpr std::array weights = {0.3f, 0.4f, 0.3f};
-    constexpr std::array tiles = {seaglass::foamTile, seaglass::foamTile / 5, seaglass::foamTile / 17};
+    constexpr std::array tiles = {tileM, tileM / 5, tileM / 17};
     const glm::dvec2 carried = calm - surface.edge(calm, static_cast<double>(pixelWidth)).advected;
     const glm::dvec2 streak = surface.foamStreak(), place = carried - streak * glm::dot(streak, carried);
     const Part part = partOf(place);
