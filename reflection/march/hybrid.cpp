@@ -45,14 +45,20 @@ struct HybridScratch : SsprScratch {
 Status record(const ReflectPass& pass, HybridKernels& kernels, HybridScratch& scratch,
               const OwnedReflection& images) {
     if (const Status s = recordSspr(pass, kernels, scratch, images); s != Status::ok) return s;
-    if (const Status s = recordOpenTiles(pass, *kernels.openTiles, scratch.tiles, images, scratch.open);
-        s != Status::ok)
-        return s;
-    if (!pass.desc.marchCells) return recordMarch(pass, *kernels.march, scratch.open, nullptr, images);
+    const gpu::Device& device = pass.context.device;
+    {
+        const gpu::PassScope scope(device, pass.commands, "hybrid_open_tiles");
+        if (const Status s = recordOpenTiles(pass, *kernels.openTiles, scratch.tiles, images, scratch.open);
+            s != Status::ok)
+            return s;
+    }
     // Its flags go where nobody reads them any more.
-    if (const Status s = recordCells(pass, *kernels.cells, scratch.cells, scratch.open); s != Status::ok)
-        return s;
-    return recordMarch(pass, *kernels.march, scratch.open, &scratch.cells, images);
+    if (pass.desc.marchCells)
+        if (const Status s = recordCells(pass, *kernels.cells, scratch.cells, scratch.open); s != Status::ok)
+            return s;
+    const gpu::PassScope scope(device, pass.commands, "hybrid_march");
+    return recordMarch(pass, *kernels.march, scratch.open, pass.desc.marchCells ? &scratch.cells : nullptr,
+                       images);
 }
 
 } // namespace

@@ -89,7 +89,6 @@ Status recordMarch(const ReflectPass& pass, MarchKernel& march, const gpu::Buffe
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = allocateSet(pass, *kernel, tiles, cells, images, set); s != Status::ok) return s;
     const gpu::Device& device = pass.context.device;
-    const gpu::PassScope scope(device, pass.commands, march.takesNormals ? "ssr_march" : "hybrid_march");
     const VkImageMemoryBarrier2 before[] = {
         gpu::imageBarrier(images.color.handle(), gpu::storageWritten, gpu::storageWritten, 0, 1),
         gpu::imageBarrier(images.info.handle(), gpu::sampledByShaders, gpu::storageChanged)};

@@ -60,7 +60,6 @@ Status recordOpenTiles(const ReflectPass& pass, const OpenTilesKernel& kernel, c
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.kernel.layout(), resources, set); s != Status::ok)
         return s;
-    const gpu::PassScope scope(context.device, pass.commands, "hybrid_open_tiles");
     gpu::recordBuffersCleared(context.device, pass.commands, {open.handle()}, sizeof(TileHeader));
     recordTileLists(pass, kernel.kernel, set);
     return Status::ok;

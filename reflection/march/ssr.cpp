@@ -33,6 +33,7 @@ Status record(const ReflectPass& pass, SsrKernels& kernels, SsrScratch& scratch,
         s != Status::ok)
         return s;
     images.recordInfoSampled(device, pass.commands);
+    const gpu::PassScope scope(pass.context.device, pass.commands, "ssr_march");
     return recordMarch(pass, *kernels.march, scratch.tiles, pass.desc.marchCells ? &scratch.cells : nullptr,
                        images);
 }

@@ -13,7 +13,7 @@ bool infoIsHit(float info) {
     return info > 0.0;
 }
 
-// Between two passes of the hybrid: a hit on what a ray comes out of, which stands unless another way is found.
+// Between two passes that find it: a hit on what a ray comes out of, which stands unless another way is found.
 float infoOfDoubt(float hit) {
     return -2.0 - hit;
 }
