@@ -55,7 +55,7 @@ class ShaderReload : public tests::InWindow {
     fs::file_time_type stamp_ = fs::file_time_type::clock::now();
 };
 
-const std::string shaded = "    outColor = vec4(radiance, 1.0);";
+const std::string shaded = "    outColor = shaded(shownPoint(pixel, position, fromWater, quadIsAlike));";
 const std::string red = "    outColor = vec4(1.0, 0.0, 0.0, 1.0);";
 
 TEST_F(ShaderReload, DrawsWhatTheShaderSaysNow) {

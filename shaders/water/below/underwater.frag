@@ -9,10 +9,6 @@
 #include "encoding.glsl"
 #include "optics.glsl"
 
-vec3 sunDirection() {
-    return water.toSun.xyz;
-}
-
 #include "water_light.glsl"
 #include "underwater_light.glsl"
 
@@ -39,13 +35,13 @@ void main() {
     // To the surface, which is drawn over it, or without an end.
     if (water.depthSign * (seen - water.farDepth) <= 0.0) {
         float path = view.y > 0.0 ? depth / view.y : 1e6;
-        outColor = vec4(heldOf(scatteredIn(depth, view.y, min(path, 1e6)), targetIsEncoded), 1.0);
+        outColor = vec4(heldOf(scatteredIn(water.toSun.xyz, depth, view.y, min(path, 1e6)), targetIsEncoded), 1.0);
         return;
     }
     vec4 q = water.relativeFromPixel * vec4(gl_FragCoord.xy - vec2(water.region.xy), seen, 1.0);
     vec3 at = q.xyz / q.w;
     float path = max(distanceTo(at) - distanceTo(start), 0.0);
     vec4 color = texelFetch(sceneColor, pixel, 0);
-    vec3 lit = litBelow(linearOf(color.rgb, sceneIsEncoded), -(at.y + water.plane.w), gatheredIn(color));
-    outColor = vec4(heldOf(throughWater(lit, depth, view.y, path), targetIsEncoded), 1.0);
+    vec3 lit = litBelow(water.toSun.xyz, linearOf(color.rgb, sceneIsEncoded), -(at.y + water.plane.w), gatheredIn(color));
+    outColor = vec4(heldOf(throughWater(water.toSun.xyz, lit, depth, view.y, path), targetIsEncoded), 1.0);
 }

@@ -9,10 +9,6 @@
 #include "encoding.glsl"
 #include "optics.glsl"
 
-vec3 sunDirection() {
-    return water.toSun.xyz;
-}
-
 #include "water_light.glsl"
 
 layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDisplacement;
@@ -49,5 +45,5 @@ void main() {
     // What shows through dims as light does.
     float hides = 0.75 * share;
     if (targetIsEncoded) hides = 1.0 - heldGrowth(vec3(1.0 - hides)).x;
-    outColor = vec4(heldOf(deepWater(), targetIsEncoded), hides);
+    outColor = vec4(heldOf(deepWater(water.toSun.xyz), targetIsEncoded), hides);
 }

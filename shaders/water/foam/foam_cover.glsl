@@ -10,14 +10,14 @@ struct Foam {
 };
 
 // What breakers leave, the line at the water's edge, and what stays on the sand as it runs down.
-float shoreFoam() {
-    float thick = thickness();
+float shoreFoam(const ShoreWave shore) {
+    float thick = thickness(shore);
     vec2 x = vec2((thick - 0.03) / 0.03, thick / 0.12);
     vec2 bells = exp(-x * x);
     float line = bells.x + 0.4 * bells.y;
-    float left = thick > 0.0 ? line : 0.4 * wetness();
-    left *= smoothstep(0.0, 0.02, shoreHere.swash);
-    return 1.0 - (1.0 - 0.9 * shoreHere.foam) * (1.0 - min(left, 0.9));
+    float left = thick > 0.0 ? line : 0.4 * wetness(shore);
+    left *= smoothstep(0.0, 0.02, shore.swash);
+    return 1.0 - (1.0 - 0.9 * shore.foam) * (1.0 - min(left, 0.9));
 }
 
 // Share of the places where a sum of three even distributions, of these widths and of mean 0, is below `x`.
@@ -31,18 +31,18 @@ float shareBelow(float x, vec3 widths) {
 
 // Share of the surface that is white: what each cascade's breakers left (water/foam/foam_history.h). `bend`, -1..1, moves
 // the place looked up by as much as hides that the history has samples.
-float foamCover(vec2 aside, vec2 bend, float pixelWidth) {
+float foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth) {
     float clear = 1.0;
     for (int i = 0; i < foamCascades; ++i) {
         float texels = water.cascade[i].w;
-        vec2 place = calmPosition + aside + bend * min(0.7 / texels, 2.5);
+        vec2 place = s.calm + aside + bend * min(0.7 / texels, 2.5);
         float mip = log2(max(pixelWidth * texels, 1.0));
         vec2 steps = textureLod(foamHistory, vec3(water.cascade[i].xy + place * water.cascade[i].z, i), mip).rg;
         float left = mix(steps.x, steps.y, water.foam.x);
-        if (hasShore) left *= shoreHere.kept[i] * shoreHere.kept[i];
+        if (hasShore) left *= s.shore.kept[i] * s.shore.kept[i];
         clear *= 1.0 - left;
     }
-    if (hasShore) clear *= 1.0 - shoreFoam();
+    if (hasShore) clear *= 1.0 - shoreFoam(s.shore);
     return 1.0 - clear;
 }
 
@@ -84,7 +84,7 @@ vec2 drawnOut(vec2 calm) {
 // white is a share `cover` of the surface either way.
 //
 // One look, `aside` of the pixel's middle on the calm plane. It covers `pixelWidth` there, and `patternWidth` of the pattern [m].
-Foam foamAt(vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
+Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
     const vec3 weights = vec3(0.3, 0.4, 0.3);
     const vec3 tiles = foamTile / vec3(1.0, 5.0, 17.0);
     const float patternSamples = 256.0;
@@ -109,7 +109,7 @@ Foam foamAt(vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
         slope += texel.zw;
         bend[i] = 2.0 * texel.y;
     }
-    float cover = foamCover(aside, vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth);
+    float cover = foamCover(s, aside, vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth);
     // Mips that are looked at between their texels have longer ends than even distributions do.
     widths = max(widths, 0.15 * (widths.x + widths.y + widths.z) + 1e-3);
     // As its own distribution function the octaves' sum is even again, so that a share `cover` of it lies below `cover`.
@@ -125,11 +125,11 @@ Foam foamAt(vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
 
 // A pixel is long and narrow at a grazing angle, and is taken in as many parts as there are looks at its waves. A look is
 // as wide as such a part at its narrow side, or half its longer one: as wide as all of it, rafts blur into a veil.
-Foam foamHere() {
-    vec2 calm = calmPosition;
-    if (hasShore) calm -= shoreHere.advected;
+Foam foamOver(const SurfacePoint s) {
+    vec2 calm = s.calm;
+    if (hasShore) calm -= s.shore.advected;
     FoamPart here = foamPartOf(water.foam.zw + drawnOut(calm));
-    Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
+    Footprint pixel = s.footprint;
     vec2 part = pixel.longer / float(slopeSamples);
     vec2 wide = part * clamp(length(pixel.shorter) / max(length(part), 1e-9), 0.5, 1.0);
     float width = max(length(wide), length(pixel.shorter));
@@ -139,7 +139,7 @@ Foam foamHere() {
     do {
         vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeSamples));
         vec2 drawn = drawnOut(aside);
-        Foam tap = foamAt(aside, FoamPart(here.here + drawn, here.beside + drawn, here.share), width, patternWidth);
+        Foam tap = foamAt(s, aside, FoamPart(here.here + drawn, here.beside + drawn, here.share), width, patternWidth);
         sum.mask += tap.mask;
         sum.slope += tap.slope;
         sum.height += tap.height;
@@ -150,18 +150,20 @@ Foam foamHere() {
 
 // Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
 // water mirrors a share shines from it too. `ahead`: towards the sun.
-vec3 withFoam(vec3 bare, Foam white, SurfacePoint s, vec3 toEye, vec3 mirrored, WavesAhead ahead) {
+vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirrored, WavesAhead ahead) {
     const float relief = 0.7;
     const float filmVariance = 0.12;   // of the film's slopes
     const float filmShare = 0.4;
-    SurfacePoint film = SurfacePoint(s.slope + relief * white.slope, s.covariance + vec3(filmVariance, filmVariance, 0.0), 0.0,
-                                     s.bounded);
+    SurfacePoint film = s;
+    film.slope += relief * white.slope;
+    film.covariance += vec3(filmVariance, filmVariance, 0.0);
     vec3 facing = normalOf(film.slope);
     // What leans sees less of the sky, and what lies low less than what stands out.
     float open = (0.5 + 0.5 * facing.y) * (1.0 + 0.4 * white.height);
-    float sun = sunSeen * sunClear(s.slope, ahead) * max(dot(facing, sunDirection()), 0.0);
+    vec3 toSun = sunDirection(s);
+    float sun = s.sunSeen * sunClear(toSun, s.slope, ahead) * max(dot(facing, toSun), 0.0);
     ahead.unseen = sqrt(ahead.unseen * ahead.unseen + filmVariance);
-    float glint = sunGlint(film, toEye) * sunClear(slopeOf(toEye + sunDirection()), ahead);
+    float glint = sunGlint(film, toEye) * sunClear(toSun, slopeOf(toEye + toSun), ahead);
     vec3 light = water.sunIrradiance.rgb * sun + water.skyIrradiance.rgb * open;
     vec3 foamy = light * water.foam.y / pi + filmShare * (mirrored + water.sunIrradiance.rgb * glint);
     return mix(bare, foamy, white.mask);

@@ -2,12 +2,12 @@
 // which is too coarse for the short ones (parallax mapping, Kaneko et al. 2001). So waves' near sides are as large as
 // their far sides are small. Needs wave_displacement.glsl.
 
-vec2 shownCalm() {
+// `meshCalm` is the point that the mesh shows, `height` above calm water; two ways along the drawn triangle have the normal
+// `across`, up or down.
+vec2 shownCalm(vec2 meshCalm, Footprint pixel, vec3 position, float height, vec3 across) {
     if (!hasParallax) return meshCalm;
-    Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
     float width = max(length(pixel.shorter), length(pixel.longer) / float(slopeSamples));
-    float higher = waveDisplacementAt(waveDisplacement, meshCalm, width, vec4(1.0)).y - heightHere;
-    vec3 across = cross(dFdx(position), dFdy(position));   // of the drawn triangle, up or down
+    float higher = waveDisplacementAt(waveDisplacement, meshCalm, width, vec4(1.0)).y - height;
     vec2 slope = -across.xz / (abs(across.y) > 1e-12 ? across.y : 1e-12);
     vec3 along = sightTo(position);
     float rises = abs(along.y - dot(slope, along.xz));   // of the line of sight over the triangle, to the eye

@@ -1,5 +1,4 @@
-// Looks up a reflection image along a ray that waves have bent. Needs surface.glsl's names: plane, region, pixelOf, pixelWidth,
-// reflectionColor, reflectionInfo, reflectionDistortion, reflectionScale, reflectionLook.
+// Looks up a reflection image along a ray that waves have bent. Needs surface.glsl.
 //
 // A point at distance t along the ray is mirrored about the plane and projected: the reflection image holds there what
 // the flat mirror shows of it. t comes from the image itself, so the shift vanishes where things touch the water and
@@ -34,9 +33,9 @@ struct BentPoint {
     float distance;   // to the hit [m], farAway for the sky
 };
 
-// How far away what a flat mirror shows here is [m].
-float hitHere() {
-    float info = infoAt(gl_FragCoord.xy - vec2(water.region.xy));
+// How far away what a flat mirror shows at a pixel is [m].
+float hitAt(vec2 pixel) {
+    float info = infoAt(pixel);
     return infoIsHit(info) ? info : farAway;
 }
 
@@ -65,10 +64,9 @@ float towardsShown(vec3 from, vec3 direction, vec2 pixel, float t) {
 
 // What stands before water hides in the mirror what rays from that water meet: a boat's side, as it is mirrored on this side
 // of it. Then what is shown half as far away from the pixel, or in it, stands for what is hidden.
-BentPoint aheadOf(vec3 from, vec3 direction, BentPoint point) {
+BentPoint aheadOf(vec2 here, vec3 from, vec3 direction, BentPoint point) {
     const float leastCosine = 0.5;   // of the angle between the ray and the way to what it is said to meet
     if (direction.y < 0.0) return point;
-    vec2 here = gl_FragCoord.xy - vec2(water.region.xy);
     int i = 0;
     [[dont_unroll]] do {
         float info = infoAt(point.pixel);
@@ -84,10 +82,9 @@ BentPoint aheadOf(vec3 from, vec3 direction, BentPoint point) {
 const float overNear = 0.4;
 
 // The pixel whose reflection the bent ray meets, by `rounds` of fixed-point iteration on how far what is shown there lies
-// along the ray, from `t`. One that starts at the sky jumps over what is near, such as the tail of a buoy's reflection: a
+// along the ray, from `t`. `here` is the pixel that the ray leaves the water at. One that starts at the sky jumps over what is near, such as the tail of a buoy's reflection: a
 // last look is for that.
-BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
-    vec2 here = gl_FragCoord.xy - vec2(water.region.xy);
+BentPoint bentPoint(vec2 here, vec3 from, vec3 direction, float t, int rounds) {
     if (!hasWaves) return BentPoint(here, t);
     vec2 pixel = mirroredPixel(from, direction, t);
     int i = 0;
@@ -110,16 +107,16 @@ BentPoint bentPoint(vec3 from, vec3 direction, float t, int rounds) {
             pixel = near;
         }
     }
-    return aheadOf(from, direction, BentPoint(mix(here, pixel, water.reflectionDistortion), t));
+    return aheadOf(here, from, direction, BentPoint(mix(here, pixel, water.reflectionDistortion), t));
 }
 
 // What runs up the sand stands above the plane that the image mirrors about, which there lies in the sand: the image shows
 // sand, which no ray from above it meets. Share of what else there is.
-float shareAboveSand(vec3 from, BentPoint point) {
+float shareAboveSand(const SurfacePoint s, BentPoint point) {
     vec3 met = shownBy(point.pixel, max(infoAt(point.pixel), 0.0));
-    vec2 along = met.xz - from.xz;
-    float sand = -water.plane.w - shoreHere.depth + dot(shoreHere.bedSlope, along);
-    float deep = smoothstep(0.1, 0.4, thickness());
+    vec2 along = met.xz - s.position.xz;
+    float sand = -water.plane.w - s.shore.depth + dot(s.shore.bedSlope, along);
+    float deep = smoothstep(0.1, 0.4, thickness(s.shore));
     return max(smoothstep(0.05, 0.25, met.y - sand), deep);
 }
 
@@ -159,20 +156,20 @@ float heldInside(inout vec2 pixel, bool intoWater) {
 
 // Radiance times confidence, and confidence. Rays within the pixel spread by `spread` radians [standard deviation]; the
 // farther they go, the more of the reflection they meet. `hit` is how far that is [m]: from a ray beside it, to the next.
-vec4 reflectionAlong(vec3 from, vec3 direction, float spread, inout float hit) {
+vec4 reflectionAlong(const SurfacePoint s, vec3 direction, float spread, inout float hit) {
     if (sharpDownscale > 0) {
-        vec2 here = (gl_FragCoord.xy - vec2(water.region.xy)) / float(sharpDownscale);
+        vec2 here = s.pixel / float(sharpDownscale);
         vec4 texel = sharpDownscale > 1 ? knownBetween(here) : texelFetch(reflectionColor, ivec2(here), 0);
         return texel * shareOfScene(hit, water.reflectionLook.xyz);
     }
-    BentPoint point = bentPoint(from, direction, hit, 1);
+    BentPoint point = bentPoint(s.pixel, s.position, direction, hit, 1);
     hit = point.distance;
     float inside = heldInside(point.pixel, direction.y < 0.0);
     if (inside <= 0.0) return vec4(0.0);
-    if (hasShore) inside *= shareAboveSand(from, point);
-    float mip = bundleMip(blurTexels(from, spread, point.distance));
+    if (hasShore) inside *= shareAboveSand(s, point);
+    float mip = bundleMip(blurTexels(s.position, spread, point.distance));
     vec4 texel = reflectionTexel(point.pixel / water.reflectionScale, mip, water.reflectionScale);
-    if (hasWaves && texel.a > 0.0 && point.distance >= farAway) inside *= shareAhead(from, direction, point.pixel, mip);
+    if (hasWaves && texel.a > 0.0 && point.distance >= farAway) inside *= shareAhead(s.position, direction, point.pixel, mip);
     return texel * (inside * shareOfScene(point.distance, water.reflectionLook.xyz));
 }
 
@@ -184,8 +181,8 @@ float infoMet(BentPoint point) {
 
 // Where in the region the mirrored thing is taken from, its distance from the surface and its ReflectionClass. A texel
 // of the reflection says how far away its mirror image is; the lookup's own ray meets it there.
-vec4 reflectionSource(vec3 from, vec3 direction) {
-    BentPoint point = bentPoint(from, direction, hitHere(), 2);
+vec4 reflectionSource(const SurfacePoint s, vec3 direction) {
+    BentPoint point = bentPoint(s.pixel, s.position, direction, hitAt(s.pixel), 2);
     vec2 pixel = point.pixel;
     float info = infoMet(point);
     if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
@@ -195,8 +192,8 @@ vec4 reflectionSource(vec3 from, vec3 direction) {
     return seen.w > 0.0 ? vec4(seen.xy, info, 2.0) : vec4(-1.0, -1.0, info, 2.0);
 }
 
-vec3 classColor(vec3 from, vec3 direction) {
-    float info = infoMet(bentPoint(from, direction, hitHere(), 2));
+vec3 classColor(const SurfacePoint s, vec3 direction) {
+    float info = infoMet(bentPoint(s.pixel, s.position, direction, hitAt(s.pixel), 2));
     if (infoIsHit(info)) return vec3(0.0, 1.0, 0.0);
     return infoIsSky(info) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
 }

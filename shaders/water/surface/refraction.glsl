@@ -1,12 +1,6 @@
 // What shines through the surface from below it. Needs texel_at.glsl and turns.glsl.
 
 const bool hasBed = bedDownscale > 0;
-bool seesBed = hasBed;   // not where a surface is seen from the water: what it mirrors is looked for in the scene
-
-bool looksAtBed() {
-    return hasBed && seesBed;
-}
-
 
 struct Behind {
     vec2 pixel;    // of the region
@@ -41,11 +35,11 @@ vec3 radianceOf(Behind b) {
 // In what follows pixels are the bed's where it has a picture of its own: wider than the region, from a raised
 // eye (water/below/bed.cpp), and with nothing in it that stands above the water. Else they are the scene's.
 vec4 bedPixelOf(vec4 relative) {
-    return (looksAtBed() ? water.bedFromRelative : water.pixelFromRelative) * relative;
+    return (hasBed ? water.bedFromRelative : water.pixelFromRelative) * relative;
 }
 
 Behind bedAt(vec2 pixel) {
-    if (!looksAtBed()) return behindAt(pixel);
+    if (!hasBed) return behindAt(pixel);
     vec2 p = pointWithin(pixel, water.bedSize.xy);
     return shownAt(p, texelFetch(bedDepth, ivec2(p), 0).r, water.relativeFromBed);
 }
@@ -68,7 +62,7 @@ vec4 betweenBedTexels(vec2 pixel) {
 }
 
 vec4 bedColorOf(Behind b) {
-    if (!looksAtBed()) return colorOf(b);
+    if (!hasBed) return colorOf(b);
     return bedDownscale > 1 ? betweenBedTexels(b.pixel) : linearTexel(texelFetch(bedColor, ivec2(b.pixel), 0));
 }
 
@@ -81,9 +75,9 @@ Behind behindRay(vec2 here, vec4 target) {
     return bedAt(mix(here, target.xy / target.w, water.refractionDistortion));
 }
 
-// How far a ray from inside the picture goes until it leaves it [m]: where a + t b, homogeneous pixels, passes a border.
-float untilBorder(vec4 a, vec4 b) {
-    vec2 size = vec2(looksAtBed() ? water.bedSize.xy : water.region.zw);
+// How far a ray from inside the picture goes until it leaves it [m]: where a + t b, homogeneous pixels, passes a border of
+// a picture of that size.
+float untilBorder(vec4 a, vec4 b, vec2 size) {
     // Gaps to the borders, times w, and how fast they shrink.
     vec4 gap = vec4(a.xy, size * a.w - a.xy);
     vec4 loss = vec4(-b.xy, b.xy - size * b.w);
@@ -93,14 +87,14 @@ float untilBorder(vec4 a, vec4 b) {
 
 const float sharpBed = bedDownscale > 1 ? 1.5 : 0.5;   // a blur of so many pixels is none: between texels there is some
 
-bool isBelowWater(Behind b) {
-    return !b.nothing && b.seen.y < min(position.y, -water.plane.w);
+bool isBelowWater(const SurfacePoint s, Behind b) {
+    return !b.nothing && b.seen.y < min(s.position.y, -water.plane.w);
 }
 
 // What lies beyond the border nobody knows: a mean of the bed around the place that lies as far inside, over a wider part of
 // it the farther out, and `least` pixels wide. So the bed goes on without a seam, a streak or rocks where there are none. What
 // stands up from the bed is not the bed; what lies lower than the last pixel before the border is, which may show a stone.
-vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here, float least) {
+vec3 radianceBeyond(const SurfacePoint s, Behind inside, vec3 beyond, vec2 here, float least) {
     const vec2 taps[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
     // A quad's pixels look at places of their own where they take their mean.
     vec2 side = least > sharpBed ? 1.0 - 2.0 * placeInQuad() : vec2(1.0);
@@ -115,10 +109,10 @@ vec3 radianceBeyond(Behind inside, vec3 beyond, vec2 here, float least) {
     [[dont_unroll]] do {
         vec2 pixel = middle + radius * side * taps[i];
         Behind b = bedAt(pixel);
-        bool standsUp = b.seen.y - inside.seen.y >= 0.15 * (position.y - inside.seen.y);
+        bool standsUp = b.seen.y - inside.seen.y >= 0.15 * (s.position.y - inside.seen.y);
         vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
         bool flatHere = abs(step.y) < 0.5 * length(step.xz);
-        if (isBelowWater(b) && !standsUp && flatHere) sum += vec4(bedRadiance(b), 1.0);
+        if (isBelowWater(s, b) && !standsUp && flatHere) sum += vec4(bedRadiance(b), 1.0);
     } while (++i < 4);
     return sum.rgb / sum.a;
 }
@@ -133,15 +127,15 @@ vec3 bentPerDepth(vec2 slope, vec3 toEye) {
 
 // The depth at which a ray that goes `perDepth` a metre down meets a bed that goes on beyond its last pixel, by its slope
 // there; `track` is the way of such rays on the screen, unit. Steps are no bed, nor are the sides of stones.
-float depthBeyond(Behind last, vec3 perDepth, vec2 track) {
+float depthBeyond(const SurfacePoint s, Behind last, vec3 perDepth, vec2 track) {
     vec4 p = bedPixelOf(vec4(last.seen, 1.0));
     Behind before = bedAt(p.xy / p.w - 4.0 * track);
     vec3 step = last.seen - before.seen;
     float across = dot(step.xz, step.xz);
-    bool isSlope = isBelowWater(before) && step.y * step.y < 0.25 * across;
+    bool isSlope = isBelowWater(s, before) && step.y * step.y < 0.25 * across;
     vec2 slope = isSlope ? step.xz * (step.y / across) : vec2(0.0);
-    float depth = position.y - last.seen.y - dot(slope, position.xz - last.seen.xz);
-    return clamp(depth / max(1.0 + dot(slope, perDepth.xz), 0.2), 0.0, 1.5 * (position.y - last.seen.y));
+    float depth = s.position.y - last.seen.y - dot(slope, s.position.xz - last.seen.xz);
+    return clamp(depth / max(1.0 + dot(slope, perDepth.xz), 0.2), 0.0, 1.5 * (s.position.y - last.seen.y));
 }
 
 // Where the bed has no picture of its own, the scene's may show it in part, or things that float over none. So the ray is
@@ -156,9 +150,9 @@ float seenAsFarAs() {
 }
 
 // The depth at which a ray meets the bed that the shore's map has.
-float depthOnMap(vec3 perDepth) {
-    float depth = heightHere + shoreHere.depth;
-    return clamp(depth / max(1.0 + dot(shoreHere.bedSlope, perDepth.xz), 0.2), 0.0, 3.0 * max(depth, 0.0));
+float depthOnMap(const SurfacePoint s, vec3 perDepth) {
+    float depth = s.height + s.shore.depth;
+    return clamp(depth / max(1.0 + dot(s.shore.bedSlope, perDepth.xz), 0.2), 0.0, 3.0 * max(depth, 0.0));
 }
 
 // How much nearer the ray, which is `at` that pixel, is than the scene behind it: in what is affine on the screen of both,
@@ -171,12 +165,12 @@ float nearerBy(vec4 pixel, vec3 at, Behind b) {
 
 // Along the edge of what stands before the surface sample 0 of a pixel may be that thing's: the pixel beside it that shows what
 // lies behind.
-vec2 besideWhatHides(vec2 here) {
+vec2 besideWhatHides(const SurfacePoint s, vec2 here) {
     const ivec2 beside[5] = ivec2[](ivec2(0, 0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
     int i = 0;
     [[dont_unroll]] do {
         Behind b = behindAt(here + beside[i]);
-        if (b.nothing || isBelowWater(b)) return here + beside[i];
+        if (b.nothing || isBelowWater(s, b)) return here + beside[i];
     } while (++i < 5);
     return here;
 }
@@ -191,7 +185,7 @@ vec2 placeAround(int tap, int taps) {
 
 // How far a deviation of the slopes within the pixel moves what is seen of a bed `drop` metres below, and one aside of that
 // [pixels].
-mat2 blurOfBed(SurfacePoint s, vec3 toEye, vec3 seen, float drop) {
+mat2 blurOfBed(const SurfacePoint s, vec3 toEye, vec3 seen, float drop) {
     if (!hasWaves) return mat2(0.0);
     float u = sqrt(max(s.covariance.x, 1e-12));
     float both = s.covariance.z / u;
@@ -212,10 +206,10 @@ float widthOf(mat2 blur) {
 }
 
 // A mean of what those slopes show of the bed around, or of the pixel alone. Across the border it is as it is inside.
-vec4 bedColorAround(Behind b, mat2 blur, float drop) {
+vec4 bedColorAround(const SurfacePoint s, Behind b, mat2 blur, float drop) {
     const int taps = refractionSamples > 3 ? 4 : 1;
-    vec2 size = vec2(looksAtBed() ? water.bedSize.xy : water.region.zw);
-    vec2 middle = looksAtBed() ? b.pixel : b.pixel + 0.5;
+    vec2 size = vec2(hasBed ? water.bedSize.xy : water.region.zw);
+    vec2 middle = hasBed ? b.pixel : b.pixel + 0.5;
     bool blurs = widthOf(blur) > sharpBed;
     float weights = blurs ? 1e-3 : 1.0;
     vec4 sum = weights * bedColorOf(b);
@@ -226,38 +220,48 @@ vec4 bedColorAround(Behind b, mat2 blur, float drop) {
         if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, size))) pixel = middle - off;
         Behind there = bedAt(pixel);
         ++i;
-        if (!isBelowWater(there) || length(there.seen - b.seen) > 0.5 * drop) continue;
+        if (!isBelowWater(s, there) || length(there.seen - b.seen) > 0.5 * drop) continue;
         sum += bedColorOf(there);
         weights += 1.0;
     }
     return sum / weights;
 }
 
-// Of what shines through: overFog().
-vec3 bedOverFog = vec3(0.0);
+// What shines through.
+struct Through {
+    vec3 radiance;
+    vec3 overFog;    // overFog() of it
+    float path;      // metres of water before it
+    float blurred;   // pixels over which slopes too small to be seen spread it
+};
+
+Through endlessWater(const SurfacePoint s) {
+    const float path = 1e6;
+    return Through(waterGlow(sunDirection(s), vec3(path)), vec3(0.0), path, 0.0);
+}
 
 // A bed of so much light in air, at so much depth.
-vec3 bedThrough(vec3 bed, float depth, float gathered, float path) {
-    vec3 through = litBelow(bed, depth, gathered) / (waterIndex * waterIndex) * exp(-extinction() * path);
-    bedOverFog = overFog(through, through / max(bed, 1e-9));
-    return through + waterGlow(vec3(path));
+Through bedThrough(const SurfacePoint s, vec3 bed, float depth, float gathered, float path) {
+    vec3 through = litBelow(sunDirection(s), bed, depth, gathered) / (waterIndex * waterIndex) * exp(-extinction() * path);
+    vec3 differs = overFog(through, through / max(bed, 1e-9), s.air);
+    return Through(through + waterGlow(sunDirection(s), vec3(path)), differs, path, 0.0);
 }
 
 // Whether a ray meets what shows between two depths, where it lies before that and behind it, rather than to pass behind its
 // edge. `found` and `depth` are of the second, and become those of the place.
-bool meetsBetween(vec4 from, vec4 perDepth, vec2 here, float before, inout Behind found, inout float depth) {
+bool meetsBetween(const SurfacePoint s, vec4 from, vec4 perDepth, vec2 here, float before, inout Behind found, inout float depth) {
     const int halvings = 5;
     const float mostOff = 0.04;   // of the depth
     int i = 0;
     [[dont_unroll]] do {
         float middle = 0.5 * (before + depth);
         Behind b = behindRay(here, from + perDepth * middle);
-        bool isUnder = isBelowWater(b) && position.y - b.seen.y < middle;
+        bool isUnder = isBelowWater(s, b) && s.position.y - b.seen.y < middle;
         if (isUnder) found = b;
         if (isUnder) depth = middle;
         else before = middle;
     } while (++i < halvings);
-    return depth - (position.y - found.seen.y) < mostOff * depth + 2.0 * (depth - before);
+    return depth - (s.position.y - found.seen.y) < mostOff * depth + 2.0 * (depth - before);
 }
 
 // The ray that Snell's law bends, in homogeneous pixels.
@@ -285,17 +289,17 @@ struct BedFound {
     bool left;       // the picture
 };
 
-BentRay bentRay(vec3 normal, vec3 toEye) {
+BentRay bentRay(const SurfacePoint s, vec3 normal, vec3 toEye) {
     BentRay ray;
     vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);
     ray.steepness = max(-bent.y, shallowest);
     ray.direction = bent / ray.steepness;
-    ray.from = bedPixelOf(vec4(position, 1.0));
+    ray.from = bedPixelOf(vec4(s.position, 1.0));
     ray.perDepth = bedPixelOf(vec4(ray.direction, 0.0));
-    ray.here = looksAtBed() ? ray.from.xy / ray.from.w : gl_FragCoord.xy - vec2(water.region.xy);
-    if (manySamples && !looksAtBed()) ray.here = besideWhatHides(ray.here);
-    ray.leaves = untilBorder(ray.from, ray.perDepth);
-    ray.onMap = hasShore ? depthOnMap(ray.direction) : 0.0;
+    ray.here = hasBed ? ray.from.xy / ray.from.w : s.pixel;
+    if (manySamples && !hasBed) ray.here = besideWhatHides(s, ray.here);
+    ray.leaves = untilBorder(ray.from, ray.perDepth, vec2(hasBed ? water.bedSize.xy : water.region.zw));
+    ray.onMap = hasShore ? depthOnMap(s, ray.direction) : 0.0;
     ray.passedOver = false;
     return ray;
 }
@@ -304,16 +308,16 @@ Behind behindRayAt(BentRay ray, float depth) {
     return behindRay(ray.here, ray.from + ray.perDepth * depth);
 }
 
-BedFound foundFirst(BentRay ray, Behind straight) {
+BedFound foundFirst(const SurfacePoint s, BentRay ray, Behind straight) {
     BedFound bed;
     bed.found = straight;
-    bed.drop = max(position.y - straight.seen.y, 0.0);
+    bed.drop = max(s.position.y - straight.seen.y, 0.0);
     bed.sought = min(bed.drop, ray.leaves);
     if (ray.passedOver) {
         bed.sought = min(seenAsFarAs(), ray.leaves);
         bed.found = behindRayAt(ray, bed.sought);
-        bed.drop = max(position.y - bed.found.seen.y, 0.0);
-        if (isBelowWater(bed.found)) bed.sought = min(bed.drop, bed.sought);
+        bed.drop = max(s.position.y - bed.found.seen.y, 0.0);
+        if (isBelowWater(s, bed.found)) bed.sought = min(bed.drop, bed.sought);
         if (hasShore) bed.sought = min(ray.onMap, ray.leaves);
     }
     bed.nearest = bed.last = bed.found;
@@ -324,12 +328,12 @@ BedFound foundFirst(BentRay ray, Behind straight) {
 }
 
 // Looks for the ray in the scene in even steps of the screen. False where it meets nothing, and nothing else is seen there.
-bool meetsScene(BentRay ray, inout BedFound bed) {
+bool meetsScene(const SurfacePoint s, BentRay ray, inout BedFound bed) {
     float farthest = bed.sought;
     Behind end = behindRayAt(ray, farthest);
     bool endless = end.nothing;
     Behind other = bed.last;   // what is seen where the ray does not meet what the line of sight does
-    if (endless || position.y - end.seen.y > 1.1 * farthest) {
+    if (endless || s.position.y - end.seen.y > 1.1 * farthest) {
         farthest = min(2.0 * seenAsFarAs(), ray.leaves);
         other = behindRayAt(ray, farthest);
         endless = farthest < ray.leaves || other.nothing;
@@ -344,11 +348,11 @@ bool meetsScene(BentRay ray, inout BedFound bed) {
         float share = float(k++) / float(taps);
         float depth = share * farthest * ray.from.w / mix(goal.w, ray.from.w, share);
         Behind b = behindRayAt(ray, depth);
-        bool isUnder = isBelowWater(b) && position.y - b.seen.y < depth;
+        bool isUnder = isBelowWater(s, b) && s.position.y - b.seen.y < depth;
         if (isUnder && !wasUnder) {
             bed.found = b;
             bed.drop = depth;
-            bed.met = meetsBetween(ray.from, ray.perDepth, ray.here, before, bed.found, bed.drop);
+            bed.met = meetsBetween(s, ray.from, ray.perDepth, ray.here, before, bed.found, bed.drop);
         }
         wasUnder = isUnder;
         before = depth;
@@ -356,13 +360,13 @@ bool meetsScene(BentRay ray, inout BedFound bed) {
     if (endless && !bed.met) return false;
     if (!bed.met) {
         bed.found = bed.last = other;
-        bed.drop = max(position.y - bed.found.seen.y, 0.0);
+        bed.drop = max(s.position.y - bed.found.seen.y, 0.0);
     }
     return true;
 }
 
 // By false position, from what the line of sight shows.
-void findRoot(BentRay ray, float nearerFirst, inout BedFound bed) {
+void findRoot(const SurfacePoint s, BentRay ray, float nearerFirst, inout BedFound bed) {
     // Of its depth, from what is met; with two looks the nearest is the best there is.
     const float mostOff = refractionSamples > 2 ? 0.35 : 1e9;
     vec2 above = vec2(0.0, nearerFirst);   // a way on the screen, and how much nearer the ray is there
@@ -371,15 +375,15 @@ void findRoot(BentRay ray, float nearerFirst, inout BedFound bed) {
     do {
         vec4 target = ray.from + ray.perDepth * bed.sought;
         Behind b = behindRay(ray.here, target);
-        float deeper = b.nothing ? max(bed.sought, 1.0) : position.y - b.seen.y - bed.sought;
-        bool isBed = isBelowWater(b);
+        float deeper = b.nothing ? max(bed.sought, 1.0) : s.position.y - b.seen.y - bed.sought;
+        bool isBed = isBelowWater(s, b);
         if (isBed && abs(deeper) < min(bed.least, mostOff * bed.sought)) {
             bed.least = abs(deeper);
             bed.found = b;
             bed.drop = bed.sought;
         }
         // Its sign is that of what can be told more exactly.
-        float nearer = nearerBy(target, position + ray.direction * bed.sought, b);
+        float nearer = nearerBy(target, s.position + ray.direction * bed.sought, b);
         vec2 reached = vec2(bed.sought / target.w, deeper > 0.0 ? max(nearer, 1e-9) : min(nearer, -1e-9));
         vec2 before = above;
         if (deeper > 0.0) {
@@ -405,14 +409,14 @@ void findRoot(BentRay ray, float nearerFirst, inout BedFound bed) {
 }
 
 // Where the ray leaves the picture, or passes behind something, the bed goes on by its slope. Whether that had to be made up.
-bool goesOnBeyond(BentRay ray, inout BedFound bed) {
+bool goesOnBeyond(const SurfacePoint s, BentRay ray, inout BedFound bed) {
     const float wellOff = refractionSamples > 3 ? 0.05 : 0.35;
-    bool astray = refractionSamples > 2 && !ray.passedOver && !bed.met && bed.least > wellOff * bed.drop && isBelowWater(bed.found);
-    if (!(bed.left || astray) || !isBelowWater(bed.last)) return false;
+    bool astray = refractionSamples > 2 && !ray.passedOver && !bed.met && bed.least > wellOff * bed.drop && isBelowWater(s, bed.found);
+    if (!(bed.left || astray) || !isBelowWater(s, bed.last)) return false;
     vec2 track = ray.perDepth.xy - ray.perDepth.w * ray.from.xy / ray.from.w;
-    bed.drop = max(depthBeyond(bed.last, ray.direction, track / max(length(track), 1e-6)), bed.deepest);
+    bed.drop = max(depthBeyond(s, bed.last, ray.direction, track / max(length(track), 1e-6)), bed.deepest);
     bed.found = behindRayAt(ray, bed.drop);
-    bool met = bed.drop < ray.leaves && isBelowWater(bed.found) && abs(position.y - bed.found.seen.y - bed.drop) < 0.1 * bed.drop;
+    bool met = bed.drop < ray.leaves && isBelowWater(s, bed.found) && abs(s.position.y - bed.found.seen.y - bed.drop) < 0.1 * bed.drop;
     if (!met) bed.found = bed.last;
     return !met;
 }
@@ -424,40 +428,33 @@ bool goesOnBeyond(BentRay ray, inout BedFound bed) {
 // stands out of the water is passed over. Where the ray leaves the picture, or passes behind something, the bed goes on by
 // its slope. Where the line of sight itself passes over the bed's end, far off, it begins with what lies below at as much
 // depth as can be seen through; over a shore with what its map says, which stands for a bed that falls away out of sight.
-// `path` is how much water lies before it [m], `blurred` over how many pixels slopes too small to be seen spread it.
-vec3 refractedBed(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out float blurred) {
-    path = 1e6;
-    blurred = 0.0;
-    BentRay ray = bentRay(normal, toEye);
+Through refractedBed(const SurfacePoint s, vec3 normal, vec3 toEye) {
+    BentRay ray = bentRay(s, normal, toEye);
     Behind straight = bedAt(ray.here);
     ray.passedOver = straight.nothing;
-    float nearer = nearerBy(ray.from, position, straight);
-    BedFound bed = foundFirst(ray, straight);
-    if (sceneSamples == 0 && bed.found.nothing) return waterGlow(vec3(path));
-    if (sceneSamples > 0 && !meetsScene(ray, bed)) return waterGlow(vec3(path));
-    if (refractionSamples > 1 && !bed.met) findRoot(ray, nearer, bed);
+    float nearer = nearerBy(ray.from, s.position, straight);
+    BedFound bed = foundFirst(s, ray, straight);
+    if (sceneSamples == 0 && bed.found.nothing) return endlessWater(s);
+    if (sceneSamples > 0 && !meetsScene(s, ray, bed)) return endlessWater(s);
+    if (refractionSamples > 1 && !bed.met) findRoot(s, ray, nearer, bed);
     // What hides the place that the ray meets is as good as it, unless it lies far higher.
-    float known = ray.passedOver && !bed.met && !(bed.left && isBelowWater(bed.last))
+    float known = ray.passedOver && !bed.met && !(bed.left && isBelowWater(s, bed.last))
         ? 1.0 - smoothstep(0.4, 0.9, bed.least / max(bed.drop, 1e-3)) : 1.0;
-    bool madeUp = goesOnBeyond(ray, bed);
+    bool madeUp = goesOnBeyond(s, ray, bed);
     mat2 blur = blurOfBed(s, toEye, bed.found.seen, bed.drop);
-    blurred = widthOf(blur);
-    vec4 color = bedColorAround(bed.found, madeUp ? mat2(0.0) : blur, bed.drop);
-    if (madeUp) color.rgb = radianceBeyond(bed.found, position + ray.direction * bed.drop, ray.here, blurred);
-    vec3 unknown = waterGlow(vec3(1e6));
+    float blurred = widthOf(blur);
+    vec4 color = bedColorAround(s, bed.found, madeUp ? mat2(0.0) : blur, bed.drop);
+    if (madeUp) color.rgb = radianceBeyond(s, bed.found, s.position + ray.direction * bed.drop, ray.here, blurred);
+    Through unknown = endlessWater(s);
     if (hasShore && ray.passedOver && known < 1.0)
-        unknown = bedThrough(bedRadiance(bed.nearest), ray.onMap - position.y - water.plane.w, gatheredIn(bedColorOf(bed.nearest)),
+        unknown = bedThrough(s, bedRadiance(bed.nearest), ray.onMap - s.position.y - water.plane.w, gatheredIn(bedColorOf(bed.nearest)),
                              ray.onMap / ray.steepness);
-    vec3 unknownOverFog = bedOverFog;
-    path = mix(length(bed.found.seen - position), bed.drop / ray.steepness, water.refractionDistortion);
-    vec3 through = bedThrough(color.rgb, -(bed.found.seen.y + water.plane.w), gatheredIn(color), path);
-    bedOverFog = mix(unknownOverFog, bedOverFog, known);
-    return mix(unknown, through, known);
+    float path = mix(length(bed.found.seen - s.position), bed.drop / ray.steepness, water.refractionDistortion);
+    Through through = bedThrough(s, color.rgb, -(bed.found.seen.y + water.plane.w), gatheredIn(color), path);
+    return Through(mix(unknown.radiance, through.radiance, known), mix(unknown.overFog, through.overFog, known), path, blurred);
 }
 
-vec3 refracted(SurfacePoint s, vec3 normal, vec3 toEye, out float path, out float blurred) {
-    if (hasRefraction) return refractedBed(s, normal, toEye, path, blurred);
-    path = 1e6;
-    blurred = 0.0;
-    return waterGlow(vec3(path));
+Through refracted(const SurfacePoint s, vec3 normal, vec3 toEye) {
+    if (hasRefraction) return refractedBed(s, normal, toEye);
+    return endlessWater(s);
 }

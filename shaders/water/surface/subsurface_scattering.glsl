@@ -34,9 +34,9 @@ struct CrestSide {
     float above;   // [m]
 };
 
-CrestSide crestSide(vec2 calm, vec2 towards, float height, float above, float width) {
+CrestSide crestSide(const SurfacePoint s, vec2 calm, vec2 towards, float height, float above, float width) {
     float apart = max(above, width);
-    float there = waveDisplacementAt(waveDisplacement, calm + towards * apart, width, keptHere()).y;
+    float there = waveDisplacementAt(waveDisplacement, calm + towards * apart, width, keptAt(s)).y;
     return CrestSide(towards, clamp((there - height) / apart, -1.0, 1.0), above);
 }
 
@@ -50,31 +50,32 @@ float risesFaster(CrestSide side, vec3 from) {
 }
 
 // The sun's beam through that side, above `calm`: irradiance of what faces it, times the share that turns to the eye.
-vec3 sunScattered(CrestSide side, vec2 calm, vec3 along) {
-    float level = length(sunDirection().xz);
-    float tangent = sunDirection().y / max(level, 1e-3);
+vec3 sunScattered(const SurfacePoint s, CrestSide side, vec2 calm, vec3 along) {
+    vec3 toSun = sunDirection(s);
+    float level = length(toSun.xz);
+    float tangent = toSun.y / max(level, 1e-3);
     float steepness = tangent - side.rises;
     vec3 facet = normalOf(side, leansTo(steepness, water.roughness.w));
-    float cosSun = dot(facet, sunDirection());
-    if (sunDirection().y <= 0.0 || cosSun <= 0.0) return vec3(0.0);
-    vec3 from = -refract(-sunDirection(), facet, 1.0 / waterIndex);
+    float cosSun = dot(facet, toSun);
+    if (toSun.y <= 0.0 || cosSun <= 0.0) return vec3(0.0);
+    vec3 from = -refract(-toSun, facet, 1.0 / waterIndex);
     float rises = risesFaster(side, from);
     float beam = max(level, 1e-3) * catches(steepness, water.roughness.w) * (1.0 - fresnelWater(cosSun)) / rises;
     float way = side.above / rises;
-    vec3 light = sunSeen * water.sunIrradiance.rgb * exp(-extinction() * way);
+    vec3 light = s.sunSeen * water.sunIrradiance.rgb * exp(-extinction() * way);
     float share = beam * scattersForwards(dot(from, along)) / (waterIndex * waterIndex);
     // Most of a wave's front looks up to its crest, which hides the sun from where light would enter. Where no waves are
     // looked for, a side that rises faster than the sun's rays is taken to be in shadow.
     if (waveShadowSteps == 0) {
         share *= smoothstep(-0.1, 0.15, steepness);
     } else if (share * dot(light, vec3(1.0)) > 1e-5 * dot(water.sunIrradiance.rgb, vec3(1.0))) {
-        share *= pastHorizon(tangent, horizonTowards(calm + from.xz * way, side.towards, tangent));
+        share *= pastHorizon(tangent, horizonTowards(s, calm + from.xz * way, side.towards, tangent));
     }
     return share * light;
 }
 
 // Along which the eye looks into the water, through the facets that it sees.
-vec3 intoWater(SurfacePoint s, vec3 toEye) {
+vec3 intoWater(const SurfacePoint s, vec3 toEye) {
     vec2 towards = horizontal(toEye);
     float deviation = sqrt(max(varianceAlong(towards, s.covariance), 0.0) + 1e-8);
     float steepness = toEye.y / max(length(toEye.xz), 1e-3) - dot(s.slope, towards);
@@ -82,10 +83,10 @@ vec3 intoWater(SurfacePoint s, vec3 toEye) {
 }
 
 // `behind` as the water before it leaves it, `path` metres of it. Where all around is of one radiance it stays so.
-vec3 throughScattering(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
+vec3 throughScattering(vec3 behind, const SurfacePoint s, vec3 toEye, float path) {
     const int points = clamp(refractionSamples / 2, 1, 3);
     float scattering = water.absorption.w;
-    float bottom = heightHere + water.within.z;
+    float bottom = s.height + water.within.z;
     if (bottom > 0.0) {
         vec3 along = intoWater(s, toEye);
         vec2 ahead = horizontal(along);
@@ -98,20 +99,20 @@ vec3 throughScattering(vec3 behind, SurfacePoint s, vec3 toEye, float path) {
         int i = 0;
         do {
             float t = (float(i) + 0.5) * stretch;
-            vec2 calm = calmPosition + along.xz * t;
-            float height = waveDisplacementAt(waveDisplacement, calm, width, keptHere()).y;
-            float above = max(height - (heightHere + along.y * t), 0.0);
+            vec2 calm = s.calm + along.xz * t;
+            float height = waveDisplacementAt(waveDisplacement, calm, width, keptAt(s)).y;
+            float above = max(height - (s.height + along.y * t), 0.0);
             vec3 reaches = straight * exp(-extinction() * t);
-            CrestSide lit = crestSide(calm, horizontal(sunDirection()), height, above, width);
-            fromSun += scattering * stretch * reaches * sunScattered(lit, calm, along);
-            CrestSide far = crestSide(calm, ahead, height, above, width);
+            CrestSide lit = crestSide(s, calm, horizontal(sunDirection(s)), height, above, width);
+            fromSun += scattering * stretch * reaches * sunScattered(s, lit, calm, along);
+            CrestSide far = crestSide(s, calm, ahead, height, above, width);
             // Facets of a rough side spread its light: e^(5 c) over the deviation of their tilt.
             float share = scattersFromFacet(dot(normalOf(far, 0.0), along)) * exp(12.5 * water.roughness.w * water.roughness.w);
             float turned = 1.0 - exp(-scattering * stretch * share);
             skyShare += turned * reaches * exp(-extinction() * (above / risesFaster(far, lowSky)));
             straight *= 1.0 - turned;
         } while (++i < points);
-        behind += skyShare * (skyAt(lowSky, 0.5) - behind) + fromSun;
+        behind += skyShare * (skyAt(s, lowSky, 0.5) - behind) + fromSun;
     }
     return behind;
 }

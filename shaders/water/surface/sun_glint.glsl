@@ -1,10 +1,10 @@
 // Covariance of the slopes whose facets mirror or refract the sun's disc to an eye: `halfway` is normal to the facet of its
 // middle, and `gap` long before it was made unit, so that what moves the sun by an angle tilts the facet by that over the gap,
 // and less in the plane of incidence by the sun's cosine.
-vec3 discOfSlopes(vec3 halfway, float gap) {
+vec3 discOfSlopes(vec3 toSun, vec3 halfway, float gap) {
     const float discVariance = 5.4e-6;   // of 0.00465 rad, along an axis
-    float cosSun = dot(sunDirection(), halfway);
-    vec2 inPlane = sunDirection().xz - cosSun * halfway.xz;
+    float cosSun = dot(toSun, halfway);
+    vec2 inPlane = toSun.xz - cosSun * halfway.xz;
     inPlane /= max(length(inPlane), 1e-6);
     float aside = discVariance / (gap * gap);
     float less = aside * (1.0 - cosSun * cosSun);
@@ -12,8 +12,8 @@ vec3 discOfSlopes(vec3 halfway, float gap) {
 }
 
 // Of the slopes within the pixel and the disc, at the slope that mirrors or refracts the sun's middle.
-float sunDensity(SurfacePoint s, vec3 halfway, float gap) {
-    vec3 disc = discOfSlopes(halfway, gap);
+float sunDensity(const SurfacePoint s, vec3 halfway, float gap) {
+    vec3 disc = discOfSlopes(sunDirection(s), halfway, gap);
     vec3 covariance = s.covariance + disc;
     float bounded = min((s.bounded + disc.x + disc.y) / (covariance.x + covariance.y), 1.0);
     return slopeDensity(slopeOf(halfway) - s.slope, covariance, bounded);
@@ -21,34 +21,35 @@ float sunDensity(SurfacePoint s, vec3 halfway, float gap) {
 
 // Radiance of the sun's mirror image, spread by the slopes within the pixel (Bruneton, Neyret and Holzschuch 2010,
 // eq. 14) and by its own disc; as a share of its irradiance, before what waves hide of it.
-float glintOfWaves(SurfacePoint s, vec3 toEye) {
-    vec3 halfway = toEye + sunDirection();
-    if (sunDirection().y <= 0.0 || halfway.y <= 0.0) return 0.0;
+float glintOfWaves(const SurfacePoint s, vec3 toEye) {
+    vec3 halfway = toEye + sunDirection(s);
+    if (sunDirection(s).y <= 0.0 || halfway.y <= 0.0) return 0.0;
     float gap = length(halfway);
     halfway /= gap;
     float density = sunDensity(s, halfway, gap);
     float fresnel = mirroredShare(dot(toEye, halfway));
     float up2 = halfway.y * halfway.y;
-    return sunSeen * fresnel * density / (4.0 * up2 * up2 * visibleArea(visibleSlopes(s, toEye), toEye));
+    return s.sunSeen * fresnel * density / (4.0 * up2 * up2 * visibleArea(visibleSlopes(s, toEye), toEye));
 }
 
-WavesAhead wavesBeforeTheSun(SurfacePoint s) {
-    return wavesAhead(s, horizontal(sunDirection()), sunDirection().y / max(length(sunDirection().xz), 1e-6));
+WavesAhead wavesBeforeTheSun(const SurfacePoint s) {
+    vec3 toSun = sunDirection(s);
+    return wavesAhead(s, horizontal(toSun), toSun.y / max(length(toSun.xz), 1e-6));
 }
 
 // From facets of this slope.
-float sunClear(vec2 slope, WavesAhead ahead) {
-    return clearShare(max(sunDirection().y, 1e-3), dot(slope, horizontal(sunDirection())), ahead);
+float sunClear(vec3 toSun, vec2 slope, WavesAhead ahead) {
+    return clearShare(max(toSun.y, 1e-3), dot(slope, horizontal(toSun)), ahead);
 }
 
 // Still water mirrors the disc as it is. Likewise a share.
-float glintOfStillWater(vec3 toEye) {
+float glintOfStillWater(const SurfacePoint s, vec3 toEye) {
     const float squaredRadius = 2.16e-5;   // of 0.00465 rad
-    vec3 off = vec3(-toEye.x, toEye.y, -toEye.z) - sunDirection();
-    if (sunDirection().y <= 0.0 || dot(off, off) > squaredRadius) return 0.0;
-    return sunSeen * mirroredShare(toEye.y) / (pi * squaredRadius);
+    vec3 off = vec3(-toEye.x, toEye.y, -toEye.z) - sunDirection(s);
+    if (sunDirection(s).y <= 0.0 || dot(off, off) > squaredRadius) return 0.0;
+    return s.sunSeen * mirroredShare(toEye.y) / (pi * squaredRadius);
 }
 
-float sunGlint(SurfacePoint s, vec3 toEye) {
-    return hasWaves ? glintOfWaves(s, toEye) : glintOfStillWater(toEye);
+float sunGlint(const SurfacePoint s, vec3 toEye) {
+    return hasWaves ? glintOfWaves(s, toEye) : glintOfStillWater(s, toEye);
 }

@@ -6,10 +6,8 @@ const int fogShape = int(fogKind & 7u);
 const bool fogsSky = (fogKind & 8u) != 0;
 const bool fogFromSky = (fogKind & 16u) != 0;
 
-SeaglassFog airFog;
-
-void loadFog() {
-    if (hasFog) airFog = SeaglassFog(water.fogColor, water.fogForm, water.fogReach);
+SeaglassFog airFog() {
+    return SeaglassFog(water.fogColor, water.fogForm, water.fogReach);
 }
 
 // Of a way in the body's axes. On a globe fog lies on the ball: of a point as it was before it sank.
@@ -17,9 +15,10 @@ float worldRise(vec3 way) {
     return inWorld(way).y;
 }
 
-vec3 foggedSky(vec3 sky, vec3 direction) {
+// `from` as it was before it sank.
+vec3 foggedSky(vec3 sky, vec3 from, vec3 direction) {
     if (!hasFog || !fogsSky) return sky;
-    return seaglass_foggedSky(fogShape, airFog, sky, worldRise(meshPosition), inWorld(direction));
+    return seaglass_foggedSky(fogShape, airFog(), sky, worldRise(from), inWorld(direction));
 }
 
 // Blurred alike: 0.16 rad are 0.65 of a texel of that mip.
@@ -28,28 +27,27 @@ vec3 skyOfFog(vec3 along) {
     return cubeAt(along, seaglass_fogMip(cubeMips()));
 }
 
-// Radiance of endless fog before the surface, and what share of light passes the way there.
-vec4 airBefore = vec4(vec3(0.0), 1.0);
-
-void findAirBefore() {
-    if (!hasFog) return;
-    vec3 start = water.sight.w > 0.0 ? vec3(0.0) : onNearPlane(gl_FragCoord.xy - vec2(water.region.xy));
+// Radiance of endless fog before the surface, and what share of light passes the way there. `overPlane` is where it was
+// before it sank.
+vec4 airBefore(vec2 pixel, vec3 position, vec3 overPlane) {
+    if (!hasFog) return vec4(vec3(0.0), 1.0);
+    vec3 start = water.sight.w > 0.0 ? vec3(0.0) : onNearPlane(pixel);
     float way = length(position - start);
-    vec3 color = airFog.color.rgb;
+    vec3 color = airFog().color.rgb;
     if (fogFromSky) {
         vec3 along = seaglass_fogSight(inWorld((position - start) / max(way, 1e-6)));
-        color = seaglass_fogColor(airFog, skyOfFog(along));
+        color = seaglass_fogColor(airFog(), skyOfFog(along));
     }
-    airBefore = vec4(color, seaglass_transmittance(fogShape, airFog, worldRise(start), worldRise(meshPosition - start), way));
+    return vec4(color, seaglass_transmittance(fogShape, airFog(), worldRise(start), worldRise(overPlane - start), way));
 }
 
 // The host has fogged its scene, up to what shows there, which is about as far away as the water that shows it. So of what
 // the water has from there this counts, how much it differs from endless fog: of `light`, which is that `share` of the scene's.
-vec3 overFog(vec3 light, vec3 share) {
-    return hasFog ? light - share * airBefore.rgb : vec3(0.0);
+vec3 overFog(vec3 light, vec3 share, vec4 air) {
+    return hasFog ? light - share * air.rgb : vec3(0.0);
 }
 
 // Of the water's `radiance`, some from the scene.
-vec3 fogged(vec3 radiance, vec3 sceneOverFog) {
-    return mix(airBefore.rgb + sceneOverFog, radiance, airBefore.a);
+vec3 fogged(vec3 radiance, vec3 sceneOverFog, vec4 air) {
+    return mix(air.rgb + sceneOverFog, radiance, air.a);
 }

@@ -6,21 +6,21 @@
 
 // `spread` is the standard deviation of the mirrored direction [rad]. A texel of a cube's mip, read linearly, spreads by
 // 0.65 of its width where each mip is a smooth half of the last (by 0.5 after a box), and is 2 / edge wide amid a face.
-vec3 skyAt(vec3 direction, float spread) {
+vec3 skyAt(const SurfacePoint s, vec3 direction, float spread) {
     // No mirrored ray comes from below the plane, so neither may the blur.
     vec3 kept = inWorld(vec3(direction.x, max(direction.y, spread), direction.z));
-    if (skyHasColors) return foggedSky(skyOfColors(kept, spread), direction);
+    if (skyHasColors) return foggedSky(skyOfColors(kept, spread), s.overPlane, direction);
     vec3 size = abs(inWorld(direction));
     float mips = cubeMips();
     float texel = 2.0 * max(max(size.x, size.y), size.z) / exp2(mips - 1.0);
     float mip = clamp(log2(max(spread / (0.65 * texel), 1.0)), 0.0, max(mips - 2.0, 0.0));
-    return foggedSky(cubeAt(kept, mip), direction);
+    return foggedSky(cubeAt(kept, mip), s.overPlane, direction);
 }
 
 // Without a blur.
-vec3 skyAlong(vec3 direction) {
-    if (skyHasColors) return foggedSky(skyOfColors(inWorld(direction), 0.0), direction);
-    return foggedSky(cubeAt(inWorld(direction), 0.0), direction);
+vec3 skyAlong(const SurfacePoint s, vec3 direction) {
+    if (skyHasColors) return foggedSky(skyOfColors(inWorld(direction), 0.0), s.overPlane, direction);
+    return foggedSky(cubeAt(inWorld(direction), 0.0), s.overPlane, direction);
 }
 
 vec3 keptAbove(vec3 direction) {
@@ -35,16 +35,16 @@ struct Reflection {
 };
 
 // Of the scene, times confidence, and confidence. `hit` is how far away the last ray beside this one met something [m].
-vec4 mirroredScene(vec3 direction, float spread, inout float hit) {
-    return hasReflection ? reflectionAlong(position, fromLevel(direction), spread, hit) : vec4(0.0);
+vec4 mirroredScene(const SurfacePoint s, vec3 direction, float spread, inout float hit) {
+    return hasReflection ? reflectionAlong(s, fromLevel(s, direction), spread, hit) : vec4(0.0);
 }
 
-float texelsBlurred(float spread, float hit) {
-    return hasReflection ? blurTexels(position, spread, hit) : 0.0;
+float texelsBlurred(const SurfacePoint s, float spread, float hit) {
+    return hasReflection ? blurTexels(s.position, spread, hit) : 0.0;
 }
 
-float firstHit() {
-    return hasReflection ? hitHere() : 0.0;
+float firstHit(const SurfacePoint s) {
+    return hasReflection ? hitAt(s.pixel) : 0.0;
 }
 
 // The slopes that the eye sees, as offsets from their mean in deviations, of a Gaussian and of Rayleigh's distribution: four,
@@ -84,14 +84,12 @@ float slopeOfShare(int tap, SlopeSpread seen) {
     return seen.mean + dot(mix(levelShares[shares], edgeOnShares[shares], seen.skew), partOfQuad()) * seen.deviation;
 }
 
-bool quadIsAlike;   // all four pixels of the quad show this water, and from the same side
-
 // Few looks at a window in rough water show as many windows, not the column that it makes. So the pixels of a quad look at
 // shares of the slopes each, and take the mean of what they find. How far they do so [0..1]: not where the quad's slopes
 // differ by more than those within a pixel, nor where what they mirror lies within a texel or so.
-float sharedInQuad(SurfacePoint s, SlopeSpread seen, float spread, float hit) {
-    if (!quadIsAlike) return 0.0;
-    return smoothstep(1.0, 3.0, seen.deviation / max(s.slopeStep, 1e-6)) * smoothstep(0.1, 0.2, texelsBlurred(spread, hit));
+float sharedInQuad(const SurfacePoint s, SlopeSpread seen, float spread, float hit) {
+    if (!s.quadIsAlike) return 0.0;
+    return smoothstep(1.0, 3.0, seen.deviation / max(s.slopeStep, 1e-6)) * smoothstep(0.1, 0.2, texelsBlurred(s, spread, hit));
 }
 
 // The more of the mean where they share in part, or what each found for itself would stand out as a pattern of dots.
@@ -123,7 +121,7 @@ vec3 facetMet(vec3 ray) {
 // The scene and the sky are looked up in as many groups of neighbouring slopes as there are looks. Low rays meet another wave
 // before they reach the sky (Smith's masking by all the sea's slopes), which mirrors a higher part of it in turn, or of what
 // the last look found.
-Reflection reflectedByWaves(SurfacePoint s, vec3 toEye) {
+Reflection reflectedByWaves(const SurfacePoint s, vec3 toEye) {
     const int together = slopesSeen / reflectionSamples;
     VisibleSlopes v = visibleSlopes(s, toEye);
     SlopeSpread seen = slopeSpread(v);
@@ -132,7 +130,7 @@ Reflection reflectedByWaves(SurfacePoint s, vec3 toEye) {
     Reflection sum = Reflection(vec3(0.0), 0.0, 0.0, vec3(0.0));
     vec4 met = vec4(0.0);   // rays that meet another wave, times their weight, and that
     vec4 found = vec4(0.0);
-    float hit = firstHit();
+    float hit = firstHit(s);
     WavesAhead ahead = wavesAhead(s, -v.towards, 0.0);
     int tap = 0;
     do {
@@ -153,11 +151,11 @@ Reflection reflectedByWaves(SurfacePoint s, vec3 toEye) {
         float share = sharedInQuad(s, seen, spread, hit);
         vec3 ofShare = reflect(-toEye, normalOf(s.slope + v.towards * slopeOfShare(tap, seen)));
         vec3 ray = keptAbove(mix(total.xyz / max(total.w, 1e-6), ofShare, share));
-        found = meanFound(mirroredScene(ray, spread, hit), share);
+        found = meanFound(mirroredScene(s, ray, spread, hit), share);
         sum.radiance += clear.w * found.rgb;
-        sum.sceneOverFog += clear.w * overFog(found.rgb, vec3(found.a));
+        sum.sceneOverFog += clear.w * overFog(found.rgb, vec3(found.a), s.air);
         if (found.a < 0.999 && clear.w > 1e-6)
-            sum.radiance += clear.w * (1.0 - found.a) * skyAt(clear.xyz / clear.w, max(spreadAside * cosines / max(total.w, 1e-6), skyBlurred * spread));
+            sum.radiance += clear.w * (1.0 - found.a) * skyAt(s, clear.xyz / clear.w, max(spreadAside * cosines / max(total.w, 1e-6), skyBlurred * spread));
         sum.fresnel += total.w;
         met += total - clear;
     } while (++tap < reflectionSamples);
@@ -165,23 +163,23 @@ Reflection reflectedByWaves(SurfacePoint s, vec3 toEye) {
         vec3 direction = normalize(met.xyz);
         vec3 facet = facetMet(direction);
         float keeps = met.w * mirroredShare(dot(-direction, facet));
-        sum.radiance += keeps * (found.rgb + (1.0 - found.a) * skyAt(keptAbove(reflect(direction, facet)), 0.5 * spread));
-        sum.sceneOverFog += keeps * overFog(found.rgb, vec3(found.a));
+        sum.radiance += keeps * (found.rgb + (1.0 - found.a) * skyAt(s, keptAbove(reflect(direction, facet)), 0.5 * spread));
+        sum.sceneOverFog += keeps * overFog(found.rgb, vec3(found.a), s.air);
         sum.swallowed = met.w - keeps;
     }
     return sum;
 }
 
-Reflection reflectedByStillWater(vec3 toEye) {
-    float hit = firstHit();
+Reflection reflectedByStillWater(const SurfacePoint s, vec3 toEye) {
+    float hit = firstHit(s);
     float fresnel = mirroredShare(toEye.y);
     vec3 direction = keptAbove(vec3(-toEye.x, toEye.y, -toEye.z));
-    vec4 found = mirroredScene(direction, 0.0, hit);
+    vec4 found = mirroredScene(s, direction, 0.0, hit);
     vec3 mirrored = found.rgb;
-    if (found.a < 0.999) mirrored += (1.0 - found.a) * skyAlong(direction);
-    return Reflection(fresnel * mirrored, fresnel, 0.0, fresnel * overFog(found.rgb, vec3(found.a)));
+    if (found.a < 0.999) mirrored += (1.0 - found.a) * skyAlong(s, direction);
+    return Reflection(fresnel * mirrored, fresnel, 0.0, fresnel * overFog(found.rgb, vec3(found.a), s.air));
 }
 
-Reflection reflected(SurfacePoint s, vec3 toEye) {
-    return hasWaves ? reflectedByWaves(s, toEye) : reflectedByStillWater(toEye);
+Reflection reflected(const SurfacePoint s, vec3 toEye) {
+    return hasWaves ? reflectedByWaves(s, toEye) : reflectedByStillWater(s, toEye);
 }

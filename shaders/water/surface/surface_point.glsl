@@ -1,38 +1,60 @@
-// Slope of the surface at a pixel, and what of its waves is too small to be seen there: a Gaussian of slopes (Cox and Munk
-// 1954), whose variance is what the mips of the derivatives lost plus what no cascade holds.
+// What a pixel shows of the surface: all that shading knows of it. Its slope, and what of its waves is too small to be seen
+// there: a Gaussian of slopes (Cox and Munk 1954), whose variance is what the mips of the derivatives lost plus what no cascade holds.
 
 struct SurfacePoint {
-    vec2 slope;        // mean over the pixel
-    vec3 covariance;   // of the slopes within it: uu, vv, uv
-    float slopeStep;   // change of slope to the next pixel
-    float bounded;     // of the covariance, variance along both axes that ends within the pixel
+    vec2 pixel;         // of the region, its middle
+    bool fromWater;     // it is seen from within the water
+    bool quadIsAlike;   // all four pixels of the quad show this water, and from the same side
+    vec2 calm;          // (u, v) before displacement
+    Footprint footprint;   // of the pixel on the calm plane
+    float pixelLength;  // to the next pixel [m of calm water]
+    vec3 position;
+    vec3 overPlane;     // where it was before it sank on a globe
+    float height;       // above the calm water [m]
+    mat3 level;         // fromLevel()
+    ShoreWave shore;
+    vec2 slope;         // mean over the pixel
+    vec3 covariance;    // of the slopes within it: uu, vv, uv
+    float slopeStep;    // change of slope to the next pixel
+    float bounded;      // of the covariance, variance along both axes that ends within the pixel
+    float sunSeen;      // share of the sun's light that reaches the surface here
+    vec4 air;           // airBefore()
 };
 
-ShoreWave shoreHere;
+// From the axes of what is level at the point. On a globe light is reckoned in these, the sky's too, which is that of each place;
+// the eye, the scene and where things are keep the body's axes.
+vec3 fromLevel(const SurfacePoint s, vec3 direction) {
+    return onGlobe ? s.level * direction : direction;
+}
+
+// In those axes.
+vec3 sunDirection(const SurfacePoint s) {
+    return onGlobe ? water.toSun.xyz * s.level : water.toSun.xyz;
+}
 
 // How high the water that the bed guides stands over it; less than nothing behind the water's edge [m].
-float thickness() {
-    return shoreHere.height + shoreHere.depth - dot(shoreHere.bedSlope, shoreHere.move);
+float thickness(const ShoreWave shore) {
+    return shore.height + shore.depth - dot(shore.bedSlope, shore.move);
 }
 
 // How far wet sand has been left behind by the water's edge, 1: it has just been there, 0: it is dry.
-float wetness() {
-    return clamp((shoreHere.wetTo + shoreHere.depth) / max(0.8 * shoreHere.swash, 1e-3), 0.0, 1.0);
+float wetness(const ShoreWave shore) {
+    return clamp((shore.wetTo + shore.depth) / max(0.8 * shore.swash, 1e-3), 0.0, 1.0);
 }
 
 // Share of the surface that is to be seen: nothing of it where it lies dry.
-float presence() {
-    return max(smoothstep(0.0, 0.025, thickness()), wetness());
+float presence(const ShoreWave shore) {
+    return max(smoothstep(0.0, 0.025, thickness(shore)), wetness(shore));
 }
 
 // 1 where the surface is but a film.
-float onSand() {
-    return 1.0 - smoothstep(0.0, 0.04, thickness());
+float onSand(const ShoreWave shore) {
+    return 1.0 - smoothstep(0.0, 0.04, thickness(shore));
 }
 
 // What a shore leaves of each cascade's amplitude here.
-vec4 keptHere() {
-    return hasShore ? shoreHere.kept : vec4(1.0);
+vec4 keptAt(const SurfacePoint s) {
+    return hasShore ? s.shore.kept : vec4(1.0);
 }
 
 // Derivatives of the waves over the pixel, and their moments: at a grazing angle a pixel is long and narrow, and is taken in
@@ -61,19 +83,21 @@ float partOfAWave(float texels) {
     return 1.0 - smoothstep(8.0, 32.0, texels);
 }
 
-SurfacePoint surfacePoint() {
-    SurfacePoint s = SurfacePoint(vec2(0.0), water.roughness.xyz, 0.0, 0.0);
-    if (!hasWaves) return s;
-    Footprint pixel = footprintOf(dFdx(meshCalm), dFdy(meshCalm));
+// By the waves at its calm position.
+void findSlopes(inout SurfacePoint s) {
+    s.slope = vec2(0.0);
+    s.covariance = water.roughness.xyz;
+    s.slopeStep = s.bounded = 0.0;
+    if (!hasWaves) return;
     vec4 derivatives = vec4(0.0);
     float shear = 0.0;
     vec3 variance = vec3(0.0);
     for (int i = 0; i < cascades; ++i) {
-        vec3 at = vec3(water.cascade[i].xy + calmPosition * water.cascade[i].z, i);
+        vec3 at = vec3(water.cascade[i].xy + s.calm * water.cascade[i].z, i);
         vec4 d, moments;
-        sampleWaves(at, water.cascade[i].z, pixel, d, moments);
+        sampleWaves(at, water.cascade[i].z, s.footprint, d, moments);
         if (hasShore) {
-            float kept = shoreHere.kept[i];
+            float kept = s.shore.kept[i];
             d *= kept;
             moments *= vec4(vec3(kept * kept), kept);
         }
@@ -81,20 +105,19 @@ SurfacePoint surfacePoint() {
         shear += moments.w;
         vec3 lost = moments.xyz - vec3(d.xy * d.xy, d.x * d.y);
         variance += lost;
-        s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(pixel.longer) * water.cascade[i].w);
+        s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(s.footprint.longer) * water.cascade[i].w);
     }
     variance.xy = max(variance.xy, 0.0);
     if (hasShore) {
-        derivatives += vec4(shoreHere.slope, shoreHere.stretch.xy);
-        shear += shoreHere.stretch.z;
-        float ripples = shoreHere.kept[cascades - 1];
+        derivatives += vec4(s.shore.slope, s.shore.stretch.xy);
+        shear += s.shore.stretch.z;
+        float ripples = s.shore.kept[cascades - 1];
         s.covariance *= ripples * ripples;
-        variance += shoreHere.covariance;
+        variance += s.shore.covariance;
     }
     s.slope = slopeOfWaves(derivatives, shear);
     s.covariance += variance;
-    if (hasShore) s.slope = mix(s.slope, shoreHere.bedSlope, onSand());
+    if (hasShore) s.slope = mix(s.slope, s.shore.bedSlope, onSand(s.shore));
     vec2 change = max(abs(dFdx(s.slope)), abs(dFdy(s.slope)));
     s.slopeStep = max(change.x, change.y);
-    return s;
 }

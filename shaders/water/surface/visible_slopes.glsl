@@ -7,7 +7,7 @@ struct VisibleSlopes {
 };
 
 // `side` runs along the line of sight, to where it is above the surface.
-VisibleSlopes visibleSlopes(SurfacePoint s, vec3 side) {
+VisibleSlopes visibleSlopes(const SurfacePoint s, vec3 side) {
     VisibleSlopes v;
     v.towards = horizontal(side);
     v.deviation = sqrt(max(varianceAlong(v.towards, s.covariance), 1e-10));
@@ -15,7 +15,7 @@ VisibleSlopes visibleSlopes(SurfacePoint s, vec3 side) {
     return v;
 }
 
-float deviationAcross(SurfacePoint s, vec2 towards) {
+float deviationAcross(const SurfacePoint s, vec2 towards) {
     return sqrt(max(varianceAlong(vec2(-towards.y, towards.x), s.covariance), 1e-10));
 }
 

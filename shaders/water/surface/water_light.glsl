@@ -7,26 +7,26 @@ vec3 extinction() {
 const float skyEnters = 0.934;   // 1 - 0.066, diffuse Fresnel reflectance of water
 
 // Irradiance just below the surface.
-vec3 sunEntering() {
-    float up = max(sunDirection().y, 0.0);
+vec3 sunEntering(vec3 toSun) {
+    float up = max(toSun.y, 0.0);
     return water.sunIrradiance.rgb * (up * (1.0 - fresnelWater(up)));
 }
 
-vec3 lightEntering() {
-    return sunEntering() + water.skyIrradiance.rgb * skyEnters;
+vec3 lightEntering(vec3 toSun) {
+    return sunEntering(toSun) + water.skyIrradiance.rgb * skyEnters;
 }
 
 // Radiance of endless water below, seen from just under its surface.
-vec3 deepWater() {
-    return lightEntering() / pi * (0.33 * water.backscatter.rgb / extinction());
+vec3 deepWater(vec3 toSun) {
+    return lightEntering(toSun) / pi * (0.33 * water.backscatter.rgb / extinction());
 }
 
 // What `path` metres of water send back, as seen above the surface: leaving water thins radiance by n^2 and what Fresnel
 // keeps.
-vec3 waterGlow(vec3 path) {
+vec3 waterGlow(vec3 toSun, vec3 path) {
     const float leaves = 0.98 / (waterIndex * waterIndex);
     // Light goes down about as far as it comes back.
-    return deepWater() * leaves * (1.0 - exp(-2.0 * extinction() * path));
+    return deepWater(toSun) * leaves * (1.0 - exp(-2.0 * extinction() * path));
 }
 
 // drawCaustics() has multiplied the alpha of a scene's colour too, which was 1. A host that has other things there has no
@@ -44,12 +44,12 @@ float gatheredIn(vec4 color) {
 // that the surface bends, the sky's light within Snell's window, 1.2 m a metre of depth in the mean; what the bed sends
 // up too flatly the surface turns back to it, 3 m a metre each way: from all around, and so without what waves have
 // `gathered` in that very place, a factor in the host's radiance. How bright a bed is in how much light says how white.
-vec3 litBelow(vec3 inAir, float depth, float gathered) {
+vec3 litBelow(vec3 toSun, vec3 inAir, float depth, float gathered) {
     vec3 k = extinction() * max(depth, 0.0);
-    float up = max(sunDirection().y, 0.0);
+    float up = max(toSun.y, 0.0);
     vec3 light = water.sunIrradiance.rgb * up + water.skyIrradiance.rgb;
     float sunSteepness = sqrt(1.0 - (1.0 - up * up) / (waterIndex * waterIndex));
-    vec3 arriving = sunEntering() * exp(-k / sunSteepness) + water.skyIrradiance.rgb * skyEnters * exp(-1.2 * k);
+    vec3 arriving = sunEntering(toSun) * exp(-k / sunSteepness) + water.skyIrradiance.rgb * skyEnters * exp(-1.2 * k);
     vec3 albedo = min(pi * inAir / max(light * gathered, 1e-9), 1.0);
     const float turnedBack = 1.0 - skyEnters / (waterIndex * waterIndex);
     vec3 again = turnedBack * albedo * exp(-6.0 * k);

@@ -14,21 +14,21 @@ const float noWave = -1e3;
 // there are few, nor does it matter what lies beyond the length of the longest, 100 of them. Distances grow evenly: what is
 // nearer is finer, but no finer than the pixel; and many begin nearer than few. Heights are all of the maps: the
 // mesh's differ by more than near waves rise.
-float horizonTowards(vec2 from, vec2 along, float lowest) {
-    float nearest = max(min(0.5, 4.8 / float(waveShadowSteps)) * water.within.z, pixelLength);
+float horizonTowards(const SurfacePoint s, vec2 from, vec2 along, float lowest) {
+    float nearest = max(min(0.5, 4.8 / float(waveShadowSteps)) * water.within.z, s.pixelLength);
     float farthest = water.within.z * min(4.0 / max(lowest, 1e-3), 100.0);
     float growth = pow(max(farthest / nearest, 2.0), 1.0 / float(waveShadowSteps - 1));
     float blur = 0.2 * (growth - 1.0);   // less than half a step, which would flatten the crests that cast shadows
-    float finest = 0.5 * pixelLength;
+    float finest = 0.5 * s.pixelLength;
     float away = nearest;
-    vec3 here = waveDisplacementAt(waveDisplacement, from, max(blur * away, finest), keptHere());
+    vec3 here = waveDisplacementAt(waveDisplacement, from, max(blur * away, finest), keptAt(s));
     vec2 moved = here.xz;
     float tangent = noWave;
     int i = 0;
     [[dont_unroll]] do {
         // What moved the last one stands for what moves this one.
         vec2 calm = from + here.xz + along * away - moved;
-        vec3 there = waveDisplacementAt(waveDisplacement, calm, max(blur * away, finest), keptHere());
+        vec3 there = waveDisplacementAt(waveDisplacement, calm, max(blur * away, finest), keptAt(s));
         moved = there.xz;
         tangent = max(tangent, (there.y - here.y) / away);
         away *= growth;
@@ -37,13 +37,13 @@ float horizonTowards(vec2 from, vec2 along, float lowest) {
 }
 
 // Of rays that rise by `lowest` or more. A pixel that is a quarter of the longest wave's length holds all of what casts shadows.
-WavesAhead wavesAhead(SurfacePoint s, vec2 along, float lowest) {
+WavesAhead wavesAhead(const SurfacePoint s, vec2 along, float lowest) {
     const float alikeInAll = 0.2;
     const float alikeInShort = 0.85;
     if (waveShadowSteps == 0) return WavesAhead(noWave, 0.0, water.roughness.w, 0.0);
-    float held = pixelLength / (25.0 * water.within.z);
+    float held = s.pixelLength / (25.0 * water.within.z);
     float horizon = noWave;
-    if (held < 1.0) horizon = max(dot(s.slope, along), horizonTowards(calmPosition, along, lowest));
+    if (held < 1.0) horizon = max(dot(s.slope, along), horizonTowards(s, s.calm, along, lowest));
     float alike = mix(alikeInShort, alikeInAll, smoothstep(0.5, 2.0, held));
     return WavesAhead(horizon, dot(s.slope, along), sqrt(max(varianceAlong(along, s.covariance), 0.0)), alike);
 }

@@ -1,0 +1,136 @@
+// Shades a point of the water's surface: what it mirrors, what shines through, the sun's glint and foam.
+#include "encoding.glsl"
+#include "optics.glsl"
+#include "texel_at.glsl"
+#include "turns.glsl"
+#include "slopes.glsl"
+#include "surface_fresnel.glsl"
+
+const uint outputShaded = 0;
+const uint outputReflection = 1;
+const uint outputClass = 2;
+const uint outputHeight = 3;
+const uint outputNormal = 4;
+const uint outputFoam = 5;
+const uint outputReflectionSource = 6;
+const uint outputSlopes = 7;
+
+const uint seenAbove = 0;
+const uint seenBelow = 1;
+
+#include "globe.glsl"
+
+// What the host knows of: the sky cube's directions and normals.
+vec3 inWorld(vec3 direction) {
+    return tilted ? mat3(water.worldFromBody) * direction : direction;
+}
+
+#include "near_plane.glsl"
+#include "sky_seen.glsl"
+#include "surface_fog.glsl"
+#include "footprint.glsl"
+#include "surface_point.glsl"
+#include "visible_slopes.glsl"
+#include "exclusion_volumes.glsl"
+#include "wave_displacement.glsl"
+#include "parallax.glsl"
+#include "waves_ahead.glsl"
+#include "surface_mirror.glsl"
+#include "sun_glint.glsl"
+#include "water_light.glsl"
+#include "refraction.glsl"
+#include "subsurface_scattering.glsl"
+#include "underwater_light.glsl"
+#include "waterline.glsl"
+#include "surface_below.glsl"
+#include "foam_cover.glsl"
+
+// A mean over the pixel, by as many looks as its waves get.
+float sunSeenOver(const SurfacePoint s) {
+    if (!hasWaves) return sunSeenAt(s.position);
+    vec2 part = s.footprint.longer / float(slopeSamples);
+    float sum = 0.0;
+    int i = 0;
+    do {
+        vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeSamples));
+        sum += sunSeenAt(s.position + vec3(aside.x, 0.0, aside.y));
+    } while (++i < slopeSamples);
+    return sum / float(slopeSamples);
+}
+
+const bool mayBeInWater = hasRefraction && sidesSeen != seenAbove;
+
+bool isSeenFromWater(const SurfacePoint s) {
+    return mayBeInWater && s.fromWater;
+}
+
+// Of the facet in the middle of the pixel.
+vec3 mirroredDirection(const SurfacePoint s, vec3 normal, vec3 toEye) {
+    vec3 direction = reflect(-toEye, normal);
+    return isSeenFromWater(s) ? keptBelow(direction) : keptAbove(direction);
+}
+
+// Before Fresnel.
+vec3 mirroredRadiance(const SurfacePoint s, vec3 toEye) {
+    if (isSeenFromWater(s)) return mirroredBelow(s, -toEye);
+    Reflection r = reflected(s, toEye);
+    return r.radiance / max(r.fresnel, 1e-4);
+}
+
+vec4 debugOutput(const SurfacePoint s, vec3 normal, vec3 toEye) {
+    if (surfaceOutput == outputHeight) return vec4(s.height, 0.0, 0.0, 1.0);
+    if (surfaceOutput == outputNormal) return vec4(inWorld(fromLevel(s, normal)), 1.0);
+    if (surfaceOutput == outputSlopes) return vec4(s.slope, s.covariance.xy);
+    if (hasFoam && surfaceOutput == outputFoam) return vec4(foamOver(s).mask, 0.0, 0.0, 1.0);
+    vec3 mirrored = fromLevel(s, mirroredDirection(s, normal, toEye));
+    if (hasReflection && surfaceOutput == outputClass) return vec4(classColor(s, mirrored), 1.0);
+    if (hasReflection && surfaceOutput == outputReflectionSource) return reflectionSource(s, mirrored);
+    if (surfaceOutput == outputReflectionSource) return vec4(-1.0, -1.0, 0.0, 1.0);   // the sky
+    if (surfaceOutput == outputReflection) return vec4(heldOf(mirroredRadiance(s, toEye), targetIsEncoded), 1.0);
+    return vec4(0.0, 0.0, 0.0, 1.0);
+}
+
+// Radiance, with `white` on it.
+vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye) {
+    s.air = airBefore(s.pixel, s.position, s.overPlane);
+    Reflection mirror = reflected(s, toEye);
+    float entering = 1.0 - mirror.fresnel + mirror.swallowed;
+    Through through = refracted(s, normal, toEye);
+    vec3 below = through.radiance;
+    if (hasRefraction && hasWaves)
+        below = meanFound(vec4(below, 1.0), s.quadIsAlike ? smoothstep(1.0, 3.0, through.blurred / sharpBed) : 0.0).rgb;
+    if (hasSubsurfaceScattering) below = throughScattering(below, s, toEye, through.path);
+    vec3 radiance = mirror.radiance + entering * below;
+    float glint = sunGlint(s, toEye);
+    WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);
+    if (hasWaves) {
+        bool sunShines = s.sunSeen * dot(water.sunIrradiance.rgb, vec3(1.0)) > 0.0;
+        if (sunShines && (glint > 1e-5 || white.mask > 1e-3)) ahead = wavesBeforeTheSun(s);
+        vec3 toSun = sunDirection(s);
+        glint *= sunClear(toSun, slopeOf(toEye + toSun), ahead);
+    }
+    radiance += water.sunIrradiance.rgb * glint;
+    if (hasFoam) radiance = withFoam(radiance, white, s, toEye, mirror.radiance, ahead);
+    if (hasFog) radiance = fogged(radiance, (1.0 - white.mask) * (mirror.sceneOverFog + entering * through.overFog), s.air);
+    if (hasShore && hasRefraction) {
+        // Wet sand dries, and water thins out into it.
+        vec3 dry = linearOf(texelFetch(sceneColor, ivec2(s.pixel + vec2(water.region.xy) + water.sceneShift), 0).rgb, sceneIsEncoded);
+        radiance = mix(dry, radiance, presence(s.shore));
+    }
+    return radiance;
+}
+
+// Radiance that goes to the eye, or what `surfaceOutput` asks for. Of `s` the sun and the air are found here.
+vec4 shaded(SurfacePoint s) {
+    vec3 toEye = -normalize(sightTo(s.position));
+    if (onGlobe) toEye = toEye * s.level;
+    vec3 normal = normalOf(s.slope);
+    if (surfaceOutput != outputShaded) return debugOutput(s, normal, toEye);
+    if (hasSunShadow) s.sunSeen = sunSeenOver(s);
+    Foam white = Foam(0.0, vec2(0.0), 0.0);
+    if (hasFoam) white = foamOver(s);
+    vec3 radiance;
+    if (isSeenFromWater(s)) radiance = shadedBelow(s, white.mask);
+    else radiance = shadedAbove(s, white, normal, toEye);
+    return vec4(heldOf(radiance, targetIsEncoded), 1.0);
+}
