@@ -100,6 +100,38 @@ TEST_F(SeaOnAGlobe, IsLevelEverywhere) {
     EXPECT_LT(leaning, 5e-3);
 }
 
+// Far off both axes, where what is level turns about a third.
+TEST_F(SeaOnAGlobe, MirrorsTheSunWhereItsBallDoes) {
+    constexpr double radius = 1e6;
+    BodyDesc desc;
+    desc.extent.planetRadius = radius;
+    Body* body = makeBody(desc);
+    for (const double side : {-1.0, 1.0}) {
+        const glm::dvec3 up = glm::normalize(glm::dvec3(0.2 * side, 0.96, -0.25));
+        Camera c = camera(3e5, 0);
+        const glm::dvec3 place = glm::dvec3(c.eye.x, -radius, c.eye.z) + radius * up;
+        const glm::dvec3 toEye = glm::normalize(c.eye - place);
+        c.target = place;
+        c.fovDegrees = 8;
+        c.width = c.height = 81;
+        const glm::dvec3 toSun = 2 * glm::dot(up, toEye) * up - toEye;
+        for (int i = 0; i < 3; ++i) lighting.toSun[i] = toSun[i];
+        std::fill_n(lighting.sunIrradiance, 3, 5.0f);
+        const WaterPicture p = picture({body}, c);
+        double all = 0;
+        glm::dvec2 sum(0);
+        for (size_t pixel = 0; pixel < p.depth.size(); ++pixel) {
+            const double light = double{p.color[pixel * 4]};
+            if (!p.covered(pixel) || light < 20) continue; // the sky is of 1
+            all += light;
+            sum += light * glm::dvec2(pixel % c.width, pixel / c.width);
+        }
+        std::printf("%g of light about %.2f, %.2f\n", all, sum.x / all, sum.y / all);
+        EXPECT_GT(all, 20);
+        EXPECT_LT(glm::distance(sum / all, glm::dvec2(40)), 1.5);
+    }
+}
+
 TEST_F(SeaOnAGlobe, RefusesABallThatIsNoPlanet) {
     for (const double radius : {-1.0, 1e5, 1e10, std::nan("")}) {
         BodyDesc desc;
