@@ -1,6 +1,14 @@
 // The sRGB curve (IEC 61966-2-1, which goes on above 1), for hosts whose images hold colour as displays take it.
 
+const float mostHeld = 60000.0;   // near what halves hold, with room for what is added
+
+// What is not finite is none, so that nothing is made of it.
+vec3 finiteOf(vec3 held) {
+    return all(lessThan(abs(held), vec3(3e38))) ? clamp(held, -mostHeld, mostHeld) : vec3(0.0);
+}
+
 vec3 linearOf(vec3 held, bool isEncoded) {
+    held = finiteOf(held);
     if (!isEncoded) return held;
     vec3 c = max(held, 0.0);
     return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));

@@ -2,6 +2,7 @@
 // that of a plane that shows there: beyond the border, too, they meet in closed form.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "firefly.glsl"
 #include "mirror.glsl"
 #include "edge_reach_block.h"
 #include "encoding.glsl"
@@ -109,6 +110,10 @@ bool isCut(ivec2 texel) {
     return !infoIsSky(info) && imageLoad(reflectionColor, texel).a < 1.0;
 }
 
+vec3 colorAt(const MirrorBlock mirror, ivec2 pixel) {
+    return linearOf(texelFetch(sceneColor, mirror.region.xy + min(pixel, mirror.region.zw - 1), 0).rgb, sceneIsEncoded);
+}
+
 void reachBeyond(const MirrorBlock mirror, ivec2 texel) {
     vec2 q = middleOf(mirror, texel);
     ScreenRay ray = rayOf(mirror, q);
@@ -125,7 +130,8 @@ void reachBeyond(const MirrorBlock mirror, ivec2 texel) {
     if (!goesOn && (infoIsHit(info) || meeting.beyond < 0.0)) return;
     // Beyond the border a plane looks as it does as far inside.
     ivec2 inside = texelAt(insideOf(mirror, at, abs(meeting.beyond)), mirror.region.zw - 1);
-    vec3 light = linearOf(texelFetch(sceneColor, mirror.region.xy + inside, 0).rgb, sceneIsEncoded);
+    vec3 other = colorAt(mirror, inside ^ ivec2(1, 0));
+    vec3 light = besides(colorAt(mirror, inside), other, other);
     bool hasColor = goesOn && known.a > leastColor;
     imageStore(reflectionColor, texel, (hasColor ? known / known.a : vec4(light, 1.0)) * confidence);
     imageStore(reflectionInfo, texel, vec4(goesOn ? info : distance, 0.0, 0.0, 0.0));

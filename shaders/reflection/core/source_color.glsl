@@ -1,5 +1,7 @@
 // The colour of the image sceneColor where a ray meets it.
 
+#include "firefly.glsl"
+
 // Of a picture one pixel wide none lies before the first.
 vec3 texelColor(const MirrorBlock mirror, ivec2 pixel) {
     return linearOf(texelFetch(sceneColor, mirror.region.xy + max(pixel, 0), 0).rgb, sceneIsEncoded);
@@ -19,15 +21,14 @@ vec3 sourceColor(const MirrorBlock mirror, vec2 source, float nearness) {
     float least = min(min(seen.x, seen.y), min(seen.z, seen.w));
     float most = max(max(seen.x, seen.y), max(seen.z, seen.w));
     float rounding = 4e-6 * abs(nearness + mirror.infinityDepth) + 2.0 * mirror.depthStep;
-    vec3 nearest = texelColor(mirror, texelAt(source, mirror.region.zw - 1));
+    Four colors = withoutFireflies(Four(texelColor(mirror, corner - 1), texelColor(mirror, corner - ivec2(0, 1)),
+                                        texelColor(mirror, corner - ivec2(1, 0)), texelColor(mirror, corner)));
     vec4 signedDepths = mirror.depthSign * depths;
     float farthest = min(min(signedDepths.x, signedDepths.y), min(signedDepths.z, signedDepths.w));
     // Under the plane's horizon the far plane shows what no ray can meet.
     float depth = mirror.depthSign * farthest;
     bool mixesIn = isFar(mirror, depth) && wellBelowPlane(mirror, vec3(vec2(corner), depth));
-    if (max(off, twist) > 0.05 * (most - least) + rounding || mixesIn) return nearest;
-    vec3 upper = mix(texelColor(mirror, corner - 1), texelColor(mirror, corner - ivec2(0, 1)), beyond.x);
-    vec3 lower = mix(texelColor(mirror, corner - ivec2(1, 0)), texelColor(mirror, corner), beyond.x);
-    vec3 blend = mix(upper, lower, beyond.y);
-    return any(isnan(blend)) || any(isinf(blend)) ? nearest : blend;
+    bool apart = max(off, twist) > 0.05 * (most - least) + rounding || mixesIn;
+    vec2 share = apart ? step(0.5, beyond) : beyond;
+    return mix(mix(colors.upperLeft, colors.upperRight, share.x), mix(colors.lowerLeft, colors.lowerRight, share.x), share.y);
 }

@@ -2,6 +2,7 @@
 // Depth tells how far behind the mirror; where nothing was drawn the plane mirrors the sky.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "firefly.glsl"
 #include "mirror.glsl"
 #include "planar_block.h"
 #include "encoding.glsl"
@@ -96,11 +97,34 @@ Mirrored mirroredBy(const MirrorBlock mirror, ivec2 pixel) {
 }
 #endif
 
+// Of a group: where the host has drawn into the image that is written, others have been written over already.
+shared vec4 mirrored[8][8];
+
+vec3 withoutFirefly(Mirrored m) {
+    ivec2 here = ivec2(gl_LocalInvocationID.xy);
+    vec3 least = vec3(mostHeld), most = vec3(0.0);
+    float others = 0.0;
+    for (int i = 1; i < 4; ++i) {
+        vec4 other = mirrored[here.y ^ (i >> 1)][here.x ^ (i & 1)];
+        others += other.a;
+        // The sky, which is not drawn, has no colour to compare with.
+        vec3 color = other.rgb / max(other.a, 1e-6) * m.color.a;
+        least = min(least, other.a > 0.0 ? color : vec3(mostHeld));
+        most = max(most, color);
+    }
+    return others > 0.0 ? besides(m.color.rgb, least, most) : m.color.rgb;
+}
+
 void main() {
     MirrorBlock mirror = storedMirror;
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, reflectionSize(mirror)))) return;
-    Mirrored m = mirroredBy(mirror, pixel);
+    bool within = all(lessThan(pixel, reflectionSize(mirror)));
+    Mirrored m = Mirrored(infoUnknown, vec4(0.0));
+    if (within) m = mirroredBy(mirror, pixel);
+    mirrored[gl_LocalInvocationID.y][gl_LocalInvocationID.x] = m.color;
+    barrier();
+    if (!within) return;
+    m.color.rgb = withoutFirefly(m);
     imageStore(reflectionColor, pixel, m.color);
     imageStore(reflectionInfo, pixel, vec4(m.info, 0.0, 0.0, 0.0));
 }

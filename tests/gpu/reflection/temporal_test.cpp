@@ -443,13 +443,9 @@ TEST_P(Temporal, ABrokenPixelIsGoneInTheNextFrame) {
         Reflector* const reflector = make(0.9f);
         if (!first) next(reflector, traced, viewOf(camera));
         const Reflected during = next(reflector, broken, viewOf(camera));
-        // Where there is a history it stands in.
-        EXPECT_EQ(isFinite(during), !first);
+        EXPECT_TRUE(isFinite(during));
         const Reflected after = next(reflector, traced, viewOf(camera));
         EXPECT_TRUE(isFinite(after));
-        // What is not finite is no history at all.
-        for (size_t i = 0; i < clean.color.size(); ++i)
-            EXPECT_TRUE(std::isfinite(during.color[i]) || after.color[i] == clean.color[i]) << i;
         size_t off = 0;
         for (size_t i = 0; i < clean.color.size(); ++i) off += after.color[i] > 1.0f;
         EXPECT_EQ(off, 0u);
