@@ -32,6 +32,7 @@ struct Bath {
         waves.fetchM = 2e3;
         waves.samples = 128;
         waves.largestPatchM = 16;
+        waves.warp = 0;
         return waves;
     }
 };
@@ -148,6 +149,7 @@ class OneWave : public testing::Test {
         bath_.waves.samples = 128;
         bath_.waves.cascades = 1;
         bath_.waves.largestPatchM = 4 * length;
+        bath_.waves.warp = 0;
         bath_.waves.choppiness = 0;
         bath_.elevationDeg = 90;
         bath_.metres = 1.2;

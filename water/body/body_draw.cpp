@@ -17,6 +17,7 @@ SurfaceVariant ofMotion(const SurfaceVariant& all) {
     v.hasShore = all.hasShore;
     v.shape = all.shape;
     v.cascades = all.cascades;
+    v.isWarped = all.isWarped;
     v.exclusionVolumes = all.exclusionVolumes;
     v.onGlobe = all.onGlobe;
     return v;

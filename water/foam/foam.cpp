@@ -31,6 +31,7 @@ Status Foam::create(Context& context, const Sea& sea, const FoamDesc& foam, cons
 Status Foam::record(Context& context, VkCommandBuffer commands, Waves& waves, double time) {
     const FoamTime now = foamTimeOf(time, loopPeriod_);
     past_ = now.past;
+    time_ = time;
     if (step_ == now.step) return Status::ok;
     step_.reset();
     if (const Status s = recordSteps(context, commands, waves, now.step); s != Status::ok) return s;

@@ -26,6 +26,8 @@ class Foam {
     float albedo() const { return albedo_; }
     /// Share of the way from the image's first step to its second at the time recorded last.
     float past() const { return past_; }
+    /// Recorded last [s].
+    double time() const { return time_; }
 
   private:
     Status recordSteps(Context& context, VkCommandBuffer commands, Waves& waves, int64_t step);
@@ -33,6 +35,7 @@ class Foam {
     double loopPeriod_ = 1;
     float albedo_ = 0;
     float past_ = 0;
+    double time_ = 0;
     FoamImage image_;
     std::variant<ComputedFoam, UploadedFoam> source_;
     std::optional<int64_t> step_; ///< that the image holds

@@ -3,6 +3,7 @@
 #include "seaglass/fields/sea.h"
 #include "shaders/shared/water_bindings.h"
 #include "water/body/body.h"
+#include "water/interface/foam_gate.h"
 #include "water/waves/in_tile.h"
 #include "water/waves/waves_part.h"
 
@@ -35,8 +36,14 @@ Status FoamPart::simulate(Body& body, VkCommandBuffer commands, double time) {
 }
 
 void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
-    const FoamStreak streak = foamStreakOf(description(*body.sea));
-    double placeU = view.geometry.eye.x, placeV = view.geometry.eye.z;
+    const Sea& sea = *body.sea;
+    const glm::dvec3& eye = view.geometry.eye;
+    const FoamGate gate(description(sea), foam.time());
+    const double atRest = warpAtRest(sea.warp), patch = cascade(sea, 0).patch;
+    block.foamCell = {foamGateCell((eye.x - atRest) / patch), foamGateCell((eye.z - atRest) / patch),
+                      static_cast<int32_t>(gate.turns()), static_cast<int32_t>(gate.now())};
+    const FoamStreak streak = foamStreakOf(description(sea));
+    double placeU = eye.x, placeV = eye.z;
     streak.apply(placeU, placeV);
     block.foam = glm::vec4(foam.past(), foam.albedo(), inTile(placeU, foamRepeat) * foamRepeat,
                            inTile(placeV, foamRepeat) * foamRepeat);

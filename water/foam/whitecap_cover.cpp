@@ -2,6 +2,7 @@
 #include "gpu/fields.h"
 #include "seaglass/fields/sea.h"
 #include "water/foam/foam_history.h"
+#include "water/interface/foam_gate.h"
 #include "water/sea/sea.h"
 
 #include <cmath>
@@ -18,6 +19,7 @@ struct Grid {
     const Sea& sea;
     const FoamHistory& foam;
     float past;
+    FoamGate gate;
     std::vector<std::vector<float>> displacement, derivatives; ///< of each cascade that breaks
 
     // The sample of cascade c nearest to a point of the calm plane.
@@ -36,7 +38,8 @@ struct Grid {
         for (uint32_t c = 0; c < foam.breaking().count; ++c) {
             const size_t i = nearest(c, u, v);
             const float f = foam.at(c)[i] + (foam.after(c)[i] - foam.at(c)[i]) * past;
-            clear *= 1 - static_cast<double>(f);
+            const double patch = sea.cascades[c].patch;
+            clear *= 1 - static_cast<double>(c == 0 ? f * gate.at(u / patch, v / patch) : f);
             uu += static_cast<double>(derivatives[c][4 * i + 2]);
             vv += static_cast<double>(derivatives[c][4 * i + 3]);
             uv += static_cast<double>(displacement[c][4 * i + 3]);
@@ -53,7 +56,7 @@ double coverOf(const Sea& sea, const WavesBackend& backend, void* state, const F
     const FoamTime now = foamTimeOf(time, sea.desc.loopPeriod);
     foam.advance(backend, state, now.step);
     const size_t floats = size_t{4} * sea.desc.samples * sea.desc.samples;
-    Grid grid{sea, foam, now.past, {}, {}};
+    Grid grid{sea, foam, now.past, FoamGate(sea.desc, time), {}, {}};
     std::vector<float> moments(floats);
     for (uint32_t c = 0; c < count; ++c) {
         grid.displacement.emplace_back(floats);
@@ -61,8 +64,9 @@ double coverOf(const Sea& sea, const WavesBackend& backend, void* state, const F
         backend.evaluate(state, c, time,
                          {grid.displacement[c].data(), grid.derivatives[c].data(), moments.data()});
     }
-    // The smaller tiles repeat on the largest: several turns of it, that they may be met with other waves.
-    const double spacing = sea.cascades[0].patch * (3 + 1 / std::numbers::phi) / pointsAcross;
+    // The smaller tiles repeat on the largest: several turns of it, that they may be met with other waves,
+    // and that its gate is seen open as often as it is.
+    const double spacing = sea.cascades[0].patch * (11 + 1 / std::numbers::phi) / pointsAcross;
     double foamy = 0, whole = 0;
     for (uint32_t y = 0; y < pointsAcross; ++y)
         for (uint32_t x = 0; x < pointsAcross; ++x) {

@@ -17,9 +17,10 @@ double shortestBreaker(const Sea& sea) {
 }
 
 // Below how many deviations of its Jacobian a cascade breaks. Foam is rarer in less wind though waves are
-// about as steep: fitted to the geometric mean of the two laws at 8 to 20 m/s (docs/physics.md).
-double deviationsToBreak(double wind) {
-    return 5.53 - 1.09 * std::log(wind);
+// about as steep: fitted, for what foam_gate.h shows of the first one, to the geometric mean of the two laws
+// at 8 to 20 m/s (docs/physics.md).
+double deviationsToBreak(double wind, uint32_t cascade) {
+    return cascade == 0 ? 5.735 - 1.32 * std::log(wind) : 5.53 - 1.09 * std::log(wind);
 }
 
 // Of the Jacobian of one cascade at full amplitude and choppiness 1: to first order 1 + div D, whose variance
@@ -46,10 +47,9 @@ Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
     if (wind < leastWind) return breaking;
     const double drawn = double{sea.desc.amplitude} * double{sea.desc.choppiness};
     const double shortest = shortestBreaker(sea);
-    const double deviations = deviationsToBreak(wind);
     for (uint32_t c = 0; c < sea.count && sea.cascades[c].kMin < shortest; ++c) {
         const double deviation = jacobianDeviation(sea, c);
-        breaking.threshold[c] = foam.bias + static_cast<float>(1 - deviations * deviation);
+        breaking.threshold[c] = foam.bias + static_cast<float>(1 - deviationsToBreak(wind, c) * deviation);
         breaking.softness[c] = static_cast<float>(0.1 * deviation);
         if (1 - never * drawn * deviation < double{breaking.threshold[c]}) breaking.count = c + 1;
     }

@@ -93,10 +93,57 @@ void transpose(std::array<Float4, 4>& rows) {
             __builtin_shufflevector(c, d, 0, 1, 4, 5), __builtin_shufflevector(c, d, 2, 3, 6, 7)};
 }
 
+Float4 magnitude(const Float4& x) {
+    return x < 0 ? -x : x;
+}
+
+// A scale of the sea's warp, in floats.
+struct WarpWaves {
+    std::array<float, 2> u{}, v{};
+    float amplitude = 0;
+
+    explicit WarpWaves(const WarpScale& from)
+        : u{static_cast<float>(from.u[0]), static_cast<float>(from.u[1])}, v{static_cast<float>(from.v[0]),
+                                                                             static_cast<float>(from.v[1])},
+          amplitude(static_cast<float>(from.amplitude)) {}
+};
+
+// The sea's warp at four points: WarpShift.
+struct Warped {
+    Four by;
+    Float4 uu, uv, vu, vv;
+
+    // `turns` are those of both waves where the offset is 0.
+    void add(const WarpWaves& waves, const Four& turns, const Four& offset) {
+        const auto within = [](const Float4& t) {
+            return t - __builtin_convertvector(floorOf(t + 0.5f), Float4);
+        };
+        const Float4 t = within(turns.u + waves.u[0] * offset.u + waves.u[1] * offset.v);
+        const Float4 s = within(turns.v + waves.v[0] * offset.u + waves.v[1] * offset.v);
+        const float most = 8 * waves.amplitude;
+        by.u += most * t * (1 - 2 * magnitude(t)) - waves.amplitude;
+        by.v += most * s * (1 - 2 * magnitude(s)) - waves.amplitude;
+        const Float4 rateU = most * (1 - 4 * magnitude(t)), rateV = most * (1 - 4 * magnitude(s));
+        uu += rateU * waves.u[0];
+        uv += rateU * waves.u[1];
+        vu += rateV * waves.v[0];
+        vv += rateV * waves.v[1];
+    }
+    // What is looked up so far aside, from an offset so small that the gradient lasts.
+    Four near(const Four& offset) const {
+        return {offset.u + by.u + uu * offset.u + uv * offset.v,
+                offset.v + by.v + vu * offset.u + vv * offset.v};
+    }
+    // Derivatives of what is looked up there.
+    Four along(const Float4& u, const Float4& v) const { return {u + u * uu + v * vu, v + u * uv + v * vv}; }
+};
+
 // Four points: where they lie on each tile, in samples, and how far from them the water rests that is seen
 // there.
 struct Search {
     std::array<Four, maxCascades> sample;
+    std::array<Four, warpScales> turns; ///< of the warp's waves
+    Warped warped;                      ///< at the points themselves
     Four offset;
     Int4 steep;   ///< on the way, or out of reach: to be sought with care
     Int4 nowhere; ///< not finite
@@ -104,18 +151,18 @@ struct Search {
 
 // All that is known at four resting points, as in a sample.
 struct Found {
-    std::array<Float4, 4> moves, shape, velocity;
+    Four moved, movedU, movedV; ///< and how either part changes along u and v
+    Float4 height;
+    Four slope;
+    std::array<Float4, 4> velocity;
 
-    Float4 stretchU() const { return moves[2]; }
-    Float4 stretchV() const { return moves[3]; }
-    Float4 shear() const { return shape[1]; }
-    Float4 jacobian() const { return (1 + stretchU()) * (1 + stretchV()) - shear() * shear(); }
-    Four residual(const Four& offset) const { return {offset.u + moves[0], offset.v + moves[1]}; }
+    Float4 jacobian() const { return (1 + movedU.u) * (1 + movedV.v) - movedU.v * movedV.u; }
+    Four residual(const Four& offset) const { return {offset.u + moved.u, offset.v + moved.v}; }
     // Newton's step to where the displacement leads to the point.
     Four step(const Four& offset) const {
         const Four r = residual(offset);
         const Float4 j = jacobian();
-        return {-((1 + stretchV()) * r.u - shear() * r.v) / j, -((1 + stretchU()) * r.v - shear() * r.u) / j};
+        return {-((1 + movedV.v) * r.u - movedU.v * r.v) / j, -((1 + movedU.u) * r.v - movedV.u * r.u) / j};
     }
 };
 
@@ -131,6 +178,7 @@ struct HeightGrid {
     Lattice lattice;
     InverseFourier fourier;
     std::vector<Tile> tiles;
+    std::vector<WarpWaves> warp; ///< none of a sea without
     std::vector<Complex4> columns, rows, scratch;
     std::vector<Complex> heights, rates; ///< of the modes of one cascade
     float near = 0;                      ///< from where one linear step does [m]
@@ -148,7 +196,8 @@ struct HeightGrid {
 
     void place(Search& search, const double* points) const;
     using AllCells = std::array<Cells, maxCascades>;
-    void enter(const Search& search, AllCells& cells) const;
+    Warped warpedAt(const Search& search, const Four& offset) const;
+    void enter(const Search& search, const Four& aside, AllCells& cells) const;
     Corners cornersOf(size_t c, const Cells& cells, size_t l) const {
         return {&tiles[c].samples[static_cast<size_t>(cells.at[l])], lattice.pitch(), cells.shares.here[l],
                 cells.shares.next[l]};
@@ -204,6 +253,8 @@ HeightGrid::HeightGrid(const Sea& from)
         tiles[c].samples.resize(kept);
         widest = std::max(widest, groupsOf(2 * static_cast<size_t>(from.modes[c].reach) + 1));
     }
+    if (from.warp[0].amplitude > 0)
+        for (const WarpScale& scale : from.warp) warp.emplace_back(scale);
     if (from.count > 0) near = 0.25f / tiles.back().texelsPerMetre;
     columns.resize(samples * widest);
     rows.resize(from.count > 0 ? samples * groupsOf(samples) : 0);
@@ -353,6 +404,16 @@ void HeightGrid::place(Search& search, const double* points) const {
         search.nowhere[l] = isFinite(asked[l]) ? 0 : -1;
     }
     const auto samples = static_cast<float>(sea.desc.samples);
+    for (size_t s = 0; s < warp.size(); ++s) {
+        for (size_t l = 0; l < 4; ++l) {
+            const bool somewhere = search.nowhere[l] == 0;
+            search.turns[s].u[l] =
+                somewhere ? static_cast<float>(warpTurns(sea.warp[s].u, asked[l][0], asked[l][1])) : 0;
+            search.turns[s].v[l] =
+                somewhere ? static_cast<float>(warpTurns(sea.warp[s].v, asked[l][0], asked[l][1])) : 0;
+        }
+    }
+    search.warped = warpedAt(search, Four{});
     for (size_t c = 0; c < tiles.size(); ++c) {
         const Tile& tile = tiles[c];
         for (size_t l = 0; anyFar && l < 4; ++l)
@@ -365,11 +426,18 @@ void HeightGrid::place(Search& search, const double* points) const {
     }
 }
 
-void HeightGrid::enter(const Search& search, AllCells& cells) const {
+Warped HeightGrid::warpedAt(const Search& search, const Four& offset) const {
+    Warped warped{};
+    for (size_t s = 0; s < warp.size(); ++s) warped.add(warp[s], search.turns[s], offset);
+    return warped;
+}
+
+// The cells so far aside of the points.
+void HeightGrid::enter(const Search& search, const Four& aside, AllCells& cells) const {
     for (size_t c = 0; c < tiles.size(); ++c) {
         const float scale = tiles[c].texelsPerMetre;
         const Four& sample = search.sample[c];
-        cells[c] = cellsAt({sample.u + search.offset.u * scale, sample.v + search.offset.v * scale}, lattice);
+        cells[c] = cellsAt({sample.u + aside.u * scale, sample.v + aside.v * scale}, lattice);
     }
 }
 
@@ -396,7 +464,8 @@ void HeightGrid::guess(Search& search) const {
     const size_t count = std::max<size_t>(tiles.size(), 2) - 1;
     for (size_t c = 0; c < count; ++c) {
         const Tile& tile = tiles[c];
-        const Four& sample = search.sample[c];
+        const Four &by = search.warped.by, from = search.sample[c];
+        const Four sample{from.u + by.u * tile.texelsPerMetre, from.v + by.v * tile.texelsPerMetre};
         const Int4 i = floorOf(sample.u + 0.5f), j = floorOf(sample.v + 0.5f);
         const Int4 at = lattice.number(i, j);
         std::array<Float4, 4> moves;
@@ -417,7 +486,7 @@ void HeightGrid::guess(Search& search) const {
 // registers; so in foundAt().
 void HeightGrid::nearer(Search& search) const {
     AllCells cells;
-    enter(search, cells);
+    enter(search, search.warped.near(search.offset), cells);
     const size_t count = tiles.size();
     std::array<Float4, 4> moves;
     for (size_t l = 0; l < 4; ++l) {
@@ -434,9 +503,11 @@ void HeightGrid::nearer(Search& search) const {
 }
 
 Found HeightGrid::foundAt(const Search& search) const {
+    const Warped warped = warpedAt(search, search.offset);
     AllCells cells;
-    enter(search, cells);
+    enter(search, {search.offset.u + warped.by.u, search.offset.v + warped.by.v}, cells);
     const size_t count = tiles.size();
+    std::array<Float4, 4> allMoves, allShape;
     Found found;
     for (size_t l = 0; l < 4; ++l) {
         Float4 moves{}, shape{}, velocity{};
@@ -446,13 +517,20 @@ Found HeightGrid::foundAt(const Search& search) const {
             shape += tiles[c].scales[1] * fourBetween(corners, heightField);
             velocity += tiles[c].scales[2] * fourBetween(corners, velocityField);
         }
-        found.moves[l] = moves;
-        found.shape[l] = shape;
+        allMoves[l] = moves;
+        allShape[l] = shape;
         found.velocity[l] = velocity;
     }
-    transpose(found.moves);
-    transpose(found.shape);
+    transpose(allMoves);
+    transpose(allShape);
     transpose(found.velocity);
+    const auto& [movedU, movedV, stretchU, stretchV] = allMoves;
+    const auto& [height, shear, slopeU, slopeV] = allShape;
+    found.moved = {movedU, movedV};
+    found.movedU = warped.along(stretchU, shear);
+    found.movedV = warped.along(shear, stretchV);
+    found.height = height;
+    found.slope = warped.along(slopeU, slopeV);
     return found;
 }
 
@@ -461,12 +539,12 @@ namespace {
 // With a last step of the search, along which the surface is taken for flat.
 // `folded` is 1 or 0.
 void writeSamples(const Found& found, const Four& last, const Int4& folded, HeightSample* out) {
-    const auto [height, shear, slopeU, slopeV] = found.shape;
-    const Float4 jacobian = found.jacobian(), level = height + slopeU * last.u + slopeV * last.v;
+    const auto& [slopeU, slopeV] = found.slope;
+    const Float4 jacobian = found.jacobian(), level = found.height + slopeU * last.u + slopeV * last.v;
     // Across the displaced surface's tangents; turned upwards where it has overturned.
     const Float4 side = jacobian < 0 ? all(-1) : all(1), up = side * jacobian;
-    const Float4 u = side * (slopeV * shear - slopeU * (1 + found.stretchV()));
-    const Float4 v = side * (slopeU * shear - slopeV * (1 + found.stretchU()));
+    const Float4 u = side * (slopeV * found.movedV.u - slopeU * (1 + found.movedV.v));
+    const Float4 v = side * (slopeU * found.movedU.v - slopeV * (1 + found.movedU.u));
     const Float4 squared = u * u + up * up + v * v;
     const Int4 upright = squared > 0;
     Float4 length;
@@ -494,6 +572,8 @@ HeightSample HeightGrid::seekWithCare(const Search& search, size_t l) const {
     Search alone{}; // four times the same
     for (size_t c = 0; c < tiles.size(); ++c)
         alone.sample[c] = {all(search.sample[c].u[l]), all(search.sample[c].v[l])};
+    for (size_t s = 0; s < warp.size(); ++s)
+        alone.turns[s] = {all(search.turns[s].u[l]), all(search.turns[s].v[l])};
     Found found{};
     Four last{};
     bool smooth = true, settled = false;

@@ -123,15 +123,21 @@ class Carrier {
 // The horizontal displacement and its gradient.
 struct Shift {
     Vec2 d;
-    double duDu = 0, duDv = 0, dvDv = 0;
+    double duDu = 0, duDv = 0, dvDu = 0, dvDv = 0;
 
     void add(const Shift& other, double share) {
         d = {d.u + share * other.d.u, d.v + share * other.d.v};
         duDu += share * other.duDu;
         duDv += share * other.duDv;
+        dvDu += share * other.dvDu;
         dvDv += share * other.dvDv;
     }
-    double jacobian() const { return (1 + duDu) * (1 + dvDv) - duDv * duDv; }
+    /// Of what is looked up elsewhere: by the chain rule.
+    Shift warped(const WarpShift& by) const {
+        return {d, duDu + duDu * by.uu + duDv * by.vu, duDv + duDu * by.uv + duDv * by.vv,
+                dvDu + dvDu * by.uu + dvDv * by.vu, dvDv + dvDu * by.uv + dvDv * by.vv};
+    }
+    double jacobian() const { return (1 + duDu) * (1 + dvDv) - duDv * dvDu; }
 };
 
 // The displacement is the real field of i k G, so that its gradient is that of -k k^T G.
@@ -164,6 +170,7 @@ void addShift(const Instant& instant, Vec2 x, double choppiness, Shift& shift) {
         shift.duDv -= scale * instant.dk * row * mRe.total();
         shift.dvDv -= scale * instant.dk * row * row * re.total();
     }
+    shift.dvDu = shift.duDv;
 }
 
 // Height, slope and the velocity of the water particle.
@@ -178,6 +185,12 @@ struct Surface {
         slope = {slope.u + share * other.slope.u, slope.v + share * other.slope.v};
         drift = {drift.u + share * other.drift.u, drift.v + share * other.drift.v};
         rise += share * other.rise;
+    }
+    Surface warped(const WarpShift& by) const {
+        Surface turned = *this;
+        turned.slope.u += slope.u * by.uu + slope.v * by.vu;
+        turned.slope.v += slope.u * by.uv + slope.v * by.vv;
+        return turned;
     }
 };
 
@@ -219,7 +232,7 @@ void addSurface(const Instant& instant, Vec2 x, double choppiness, Surface& surf
 class Heights {
   public:
     Heights(const Sea& sea, double time)
-        : choppiness_(sea.desc.choppiness), tolerance_(1e-6 * std::sqrt(sea.variance)) {
+        : choppiness_(sea.desc.choppiness), tolerance_(1e-6 * std::sqrt(sea.variance)), warp_(sea.warp) {
         cascades_.reserve(sea.count);
         for (uint32_t c = 0; c < sea.count; ++c)
             cascades_.emplace_back(sea.modes[c], sea.cascades[c], sea.desc.loopPeriod, time);
@@ -234,10 +247,12 @@ class Heights {
         const Found found = invert(point);
         Surface surface;
         const ShoreWave shore = shoreAt(point, found.offset);
+        const WarpShift aside = asideAt(point, found.offset);
         for (size_t c = 0; c < cascades_.size(); ++c) {
             Surface one;
-            addSurface(cascades_[c], onTile(point, found.offset, cascades_[c].patch), choppiness_, one);
-            surface.add(one, shore_ ? shore.kept[c] : 1);
+            addSurface(cascades_[c], onTile(point, found.offset, aside, cascades_[c].patch), choppiness_,
+                       one);
+            surface.add(one.warped(aside), shore_ ? shore.kept[c] : 1);
         }
         surface.add(
             {shore.height, {shore.slope[0], shore.slope[1]}, {shore.drift[0], shore.drift[1]}, shore.rise},
@@ -262,18 +277,28 @@ class Heights {
     };
 
     // Far from the origin the tile's remainder keeps the digits that the sum would lose.
-    static Vec2 onTile(Vec2 point, Vec2 offset, double patch) {
-        return {std::fmod(point.u, patch) + offset.u, std::fmod(point.v, patch) + offset.v};
+    static Vec2 onTile(Vec2 point, Vec2 offset, const WarpShift& aside, double patch) {
+        return {std::fmod(point.u, patch) + offset.u + aside.u,
+                std::fmod(point.v, patch) + offset.v + aside.v};
+    }
+
+    WarpShift asideAt(Vec2 point, Vec2 offset) const {
+        return warpAt(warp_, point.u + offset.u, point.v + offset.v);
     }
 
     // What the bed leaves of a cascade changes so slowly that its own slope is left out.
     Shift shiftAt(Vec2 point, Vec2 offset) const {
         const ShoreWave shore = shoreAt(point, offset);
-        Shift shift{{shore.move[0], shore.move[1]}, shore.stretch[0], shore.stretch[2], shore.stretch[1]};
+        Shift shift{{shore.move[0], shore.move[1]},
+                    shore.stretch[0],
+                    shore.stretch[2],
+                    shore.stretch[2],
+                    shore.stretch[1]};
+        const WarpShift aside = asideAt(point, offset);
         for (size_t c = 0; c < cascades_.size(); ++c) {
             Shift one;
-            addShift(cascades_[c], onTile(point, offset, cascades_[c].patch), choppiness_, one);
-            shift.add(one, shore_ ? shore.kept[c] : 1);
+            addShift(cascades_[c], onTile(point, offset, aside, cascades_[c].patch), choppiness_, one);
+            shift.add(one.warped(aside), shore_ ? shore.kept[c] : 1);
         }
         return shift;
     }
@@ -300,7 +325,7 @@ class Heights {
             Vec2 move{-0.5 * residual.u, -0.5 * residual.v};
             if (jacobian > leastJacobian) {
                 move.u = -((1 + s.dvDv) * residual.u - s.duDv * residual.v) / jacobian;
-                move.v = -((1 + s.duDu) * residual.v - s.duDv * residual.u) / jacobian;
+                move.v = -((1 + s.duDu) * residual.v - s.dvDu * residual.u) / jacobian;
                 const double excess = length(move) / (2 * length(residual));
                 if (excess > 1) move = {move.u / excess, move.v / excess};
             }
@@ -312,7 +337,7 @@ class Heights {
     // Across the displaced surface's tangents; turned upwards where the surface has overturned.
     static void setNormal(HeightSample& sample, Vec2 slope, const Shift& s) {
         const double side = s.jacobian() < 0 ? -1 : 1;
-        const double u = side * (slope.v * s.duDv - slope.u * (1 + s.dvDv));
+        const double u = side * (slope.v * s.dvDu - slope.u * (1 + s.dvDv));
         const double v = side * (slope.u * s.duDv - slope.v * (1 + s.duDu));
         const double up = side * s.jacobian();
         const double size = std::sqrt(u * u + up * up + v * v);
@@ -324,6 +349,7 @@ class Heights {
 
     double choppiness_;
     double tolerance_;
+    const Warp& warp_;
     std::vector<Instant> cascades_;
     const Shore* shore_ = nullptr;
     ShoreSignal signal_;

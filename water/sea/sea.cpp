@@ -30,6 +30,7 @@ std::unique_ptr<Sea> makeSea(const SeaDesc& desc) {
     sea->peak = dominantSystem(sea->systems).spectrum.peak;
     sea->count = desc.cascades;
     layCascades(desc, sea->systems, sea->cascades.data());
+    sea->warp = warpOf(sea->cascades[0].patch, static_cast<double>(desc.warp));
     for (uint32_t c = 0; c < sea->count; ++c)
         sea->modes[c] = drawModes(desc, sea->systems, c, sea->cascades[c]);
     limitSlopes(*sea);

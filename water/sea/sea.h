@@ -3,6 +3,7 @@
 
 #include "seaglass/sea.h"
 #include "water/sea/modes.h"
+#include "water/sea/warp.h"
 #include "water/shore/shore.h"
 
 #include <array>
@@ -22,6 +23,7 @@ struct Sea {
     uint32_t count = 0; ///< of cascades; 0 when flat
     std::array<Cascade, maxCascades> cascades;
     std::array<Modes, maxCascades> modes;
+    Warp warp;
     double peak = 0;        ///< [rad/s]
     double variance = 0;    ///< of height [m^2]
     SlopeCovariance slopes; ///< of the modes

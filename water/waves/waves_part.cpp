@@ -48,18 +48,27 @@ void WavesPart::fill(const Body& body, const BodyView& view, BodyBlock& block) c
     block.roughness = glm::vec4(rough.uu, rough.vv, rough.uv, whole);
     block.within.z = static_cast<float>(significantWaveHeight(sea) / 4);
     const glm::dvec3& eye = view.geometry.eye;
+    static_assert(bodyWarpScales == warpScales);
+    for (size_t s = 0; s < warpScales; ++s) {
+        const auto& [alongU, alongV, amplitude] = sea.warp[s];
+        block.warpAlong[s] = glm::vec4(alongU[0], alongU[1], alongV[0], alongV[1]);
+        block.warpFrom[s] =
+            glm::vec4(warpTurns(alongU, eye.x, eye.z), warpTurns(alongV, eye.x, eye.z), 8 * amplitude, 0);
+    }
+    const double atRest = warpAtRest(sea.warp);
     for (uint32_t i = 0; i < maps.cascades; ++i) {
         const double patch = cascade(sea, i).patch;
         // Maps hold samples at i * patch / samples, textures at half a texel more.
         const double half = 0.5 / maps.samples;
-        block.cascade[i] = glm::vec4(inTile(eye.x, patch) + half, inTile(eye.z, patch) + half, 1 / patch,
-                                     maps.samples / patch);
+        block.cascade[i] = glm::vec4(inTile(eye.x - atRest, patch) + half,
+                                     inTile(eye.z - atRest, patch) + half, 1 / patch, maps.samples / patch);
     }
 }
 
 void WavesPart::vary(const Body& body, const SurfaceDraw&, SurfaceVariant& variant) const {
     variant.hasWaves = true;
     variant.cascades = static_cast<int>(cascadeCount(*body.sea));
+    variant.isWarped = description(*body.sea).warp > 0;
     variant.reflectionSamples = static_cast<int>(body.shading.reflectionSamples);
     variant.slopeSamples = static_cast<int>(body.shading.slopeSamples);
     variant.waveShadowSteps = static_cast<int>(body.shading.waveShadowSteps);

@@ -127,6 +127,7 @@ bool seaOf(const WavesDesc& waves, SceneSea& out, Error& error) {
     sea.samples = waves.samples;
     sea.cascades = waves.cascades;
     sea.largestPatch = static_cast<float>(waves.largestPatchM);
+    sea.warp = static_cast<float>(waves.warp);
     sea.seed = waves.seed;
     return true;
 }

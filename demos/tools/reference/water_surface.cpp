@@ -26,8 +26,14 @@ void addLevels(std::vector<std::vector<glm::vec4>>& map, uint32_t size) {
     for (; size > 1; size /= 2) map.push_back(halved(map.back(), size));
 }
 
-float jacobianOf(const glm::vec4& derivatives, float shear) {
-    return (1 + derivatives.z) * (1 + derivatives.w) - shear * shear;
+glm::dvec2 aside(const glm::dvec2& calm, const seaglass::WarpShift& warped) {
+    return calm + glm::dvec2(warped.u, warped.v);
+}
+
+/// Derivatives along u and v of what is looked up there.
+glm::vec2 along(const glm::vec2& derivatives, const seaglass::WarpShift& warped) {
+    return derivatives + derivatives.x * glm::vec2(warped.uu, warped.uv) +
+           derivatives.y * glm::vec2(warped.vu, warped.vv);
 }
 
 /// The azimuths that a camera sees of a plane, as a middle and half a width [rad].
@@ -128,6 +134,7 @@ bool WaterSurface::create(const seaglass::Sea* sea, const seaglass::FoamDesc* fo
     }
     const seaglass::SlopeCovariance rough = seaglass::roughness(*sea);
     roughness_ = glm::vec3(rough.uu, rough.vv, rough.uv);
+    warp_ = sea->warp;
     for (uint32_t i = 0; i < count; ++i) {
         const seaglass::Cascade& from = seaglass::cascade(*sea, i);
         Cascade& to = cascades_.emplace_back();
@@ -151,6 +158,7 @@ void WaterSurface::addFoam(const seaglass::Sea& sea, const seaglass::FoamDesc& f
                            const seaglass::WavesBackend& backend, void* state, double timeS) {
     foamStreak_ = streakOf(seaglass::description(sea));
     const std::vector<std::vector<float>> left = foamLeft(sea, foam, backend, state, timeS);
+    foamGate_ = seaglass::FoamGate(seaglass::description(sea), timeS);
     for (size_t i = 0; i < left.size(); ++i) {
         Level& level = cascades_[i].foam.emplace_back();
         for (const float cover : left[i]) level.emplace_back(cover);
@@ -201,12 +209,14 @@ glm::vec3 WaterSurface::displacement(const glm::dvec2& calm, double footprint) c
 
 glm::vec3 WaterSurface::displacement(const glm::dvec2& calm, double footprint, const ShoreWave& shore) const {
     glm::vec3 sum(0);
+    const seaglass::WarpShift warped = seaglass::warpAt(warp_, calm.x, calm.y);
     for (size_t i = 0; i < cascades_.size(); ++i) {
         const Cascade& cascade = cascades_[i];
         const double mip = mipOf(footprint, cascade.texel());
         // The last mip is the tile's mean, which is zero.
         if (mip < static_cast<double>(cascade.displacement.size() - 1))
-            sum += kept(shore, i) * glm::vec3(trilinear(cascade, cascade.displacement, mip, calm));
+            sum += kept(shore, i) *
+                   glm::vec3(trilinear(cascade, cascade.displacement, mip, aside(calm, warped)));
     }
     if (!shore_) return sum;
     sum += glm::vec3(shore.move.x, shore.height, shore.move.y);
@@ -238,29 +248,33 @@ WaterSurface::Edge WaterSurface::edge(const ShoreWave& shore) const {
 
 WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footprint) const {
     Slopes s;
-    glm::vec4 derivatives(0);
-    float shear = 0;
+    glm::vec2 height(0), movedU(0), movedV(0); // how they change along u and v
     glm::vec3 variance(0);
+    const seaglass::WarpShift warped = seaglass::warpAt(warp_, calm.x, calm.y);
     const ShoreWave shore = shoreAt(calm, footprint);
     for (size_t i = 0; i < cascades_.size(); ++i) {
         const Cascade& cascade = cascades_[i];
         const double mip = mipOf(footprint, cascade.texel());
         const float share = kept(shore, i);
-        const glm::vec4 d = share * trilinear(cascade, cascade.derivatives, mip, calm);
-        derivatives += d;
-        shear += share * trilinear(cascade, cascade.displacement, mip, calm).w;
-        variance += share * share * glm::vec3(trilinear(cascade, cascade.moments, mip, calm)) -
+        const glm::dvec2 there = aside(calm, warped);
+        const glm::vec4 d = share * trilinear(cascade, cascade.derivatives, mip, there);
+        const float shear = share * trilinear(cascade, cascade.displacement, mip, there).w;
+        height += along({d.x, d.y}, warped);
+        movedU += along({d.z, shear}, warped);
+        movedV += along({shear, d.w}, warped);
+        variance += share * share * glm::vec3(trilinear(cascade, cascade.moments, mip, there)) -
                     glm::vec3(d.x * d.x, d.y * d.y, d.x * d.y);
     }
-    derivatives += glm::vec4(shore.slope[0], shore.slope[1], shore.stretch[0], shore.stretch[1]);
-    shear += static_cast<float>(shore.stretch[2]);
+    height += glm::vec2(shore.slope[0], shore.slope[1]);
+    movedU += glm::vec2(shore.stretch[0], shore.stretch[2]);
+    movedV += glm::vec2(shore.stretch[2], shore.stretch[1]);
     variance.x = std::max(variance.x, 0.0f);
     variance.y = std::max(variance.y, 0.0f);
-    // The tangents' cross product, as in shaders/water/surface/surface.frag.
-    const glm::vec2 diagonal(1 + derivatives.z, 1 + derivatives.w);
-    const glm::vec2 bent(derivatives.x * diagonal.y - derivatives.y * shear,
-                         derivatives.y * diagonal.x - derivatives.x * shear);
-    s.mean = bent / std::max(jacobianOf(derivatives, shear), 0.15f);
+    // The tangents' cross product, as slopeOfWaves() of shaders/water/waves/wave_warp.glsl.
+    const glm::vec2 diagonal(1 + movedU.x, 1 + movedV.y);
+    const glm::vec2 bent(height.x * diagonal.y - height.y * movedV.x,
+                         height.y * diagonal.x - height.x * movedU.y);
+    s.mean = bent / std::max(diagonal.x * diagonal.y - movedU.y * movedV.x, 0.15f);
     s.covariance = variance + roughness_;
     if (!shore_) return s;
     const float ripples = kept(shore, cascades_.size() - 1);
@@ -271,17 +285,26 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
 }
 
 float WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const {
+    const seaglass::WarpShift warped = seaglass::warpAt(warp_, calm.x, calm.y);
     const ShoreWave shore = shoreAt(calm, footprint);
     float clear = 1 - static_cast<float>(edge(shore).foam);
     for (size_t i = 0; i < cascades_.size(); ++i) {
         const Cascade& cascade = cascades_[i];
         if (cascade.foam.empty()) continue;
-        const glm::dvec2 place = calm + bend * std::min(0.7 * cascade.texel(), 2.5);
+        const glm::dvec2 place = aside(calm, warped) + bend * std::min(0.7 * cascade.texel(), 2.5);
         const float share = kept(shore, i);
-        clear *=
-            1 - share * share * trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), place).x;
+        const float left = trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), place).x;
+        clear *= 1 - share * share * left * (i == 0 ? foamGate(aside(calm, warped), footprint) : 1.0f);
     }
     return 1 - clear;
+}
+
+float WaterSurface::foamGate(const glm::dvec2& place, double footprint) const {
+    const Cascade& cascade = cascades_.front();
+    const glm::dvec2 tiles = place / cascade.patch + 0.5 / cascade.samples;
+    const float seen = foamGate_.at(tiles.x, tiles.y);
+    const double blurred = glm::smoothstep(0.5, 2.0, footprint / cascade.patch * seaglass::foamGateCells);
+    return glm::mix(seen, static_cast<float>(seaglass::foamGateMean), static_cast<float>(blurred));
 }
 
 SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc) {

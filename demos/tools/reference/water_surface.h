@@ -13,6 +13,10 @@
 #include "reference/water/shore_wave.h"
 #include "seaglass/foam.h"
 
+// Not public: of the sea itself.
+#include "water/interface/foam_gate.h"
+#include "water/sea/warp.h"
+
 namespace demos::reference {
 
 struct SeaDeleter {
@@ -82,10 +86,15 @@ class WaterSurface {
     glm::vec3 displacement(const glm::dvec2& calm, double footprint, const ShoreWave& shore) const;
     Edge edge(const ShoreWave& shore) const;
 
+    /// foamGate() of shaders/water/foam/foam_gate.glsl, of a place on the first cascade's plane.
+    float foamGate(const glm::dvec2& place, double footprint) const;
+
     std::vector<Cascade> cascades_;
+    seaglass::Warp warp_;
     std::optional<ShoreWaves> shore_;
     glm::vec3 roughness_{0};
     glm::dvec2 foamStreak_{0};
+    seaglass::FoamGate foamGate_;
 };
 
 struct SurfaceMeshDesc {

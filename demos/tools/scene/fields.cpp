@@ -154,6 +154,7 @@ constexpr std::array wavesFields = {
     like<seaglass::seaFields, &WavesDesc::samples>("samples", "samples"),
     like<seaglass::seaFields, &WavesDesc::cascades>("cascades", "cascades"),
     like<seaglass::seaFields, &WavesDesc::largestPatchM>("largestPatch", "largest_patch_m"),
+    like<seaglass::seaFields, &WavesDesc::warp>("warp", "warp"),
     // TOML's integers are signed.
     Field{"seed", at<&WavesDesc::seed>, 0, 9223372036854774784.0, "", "of the random phases"},
     Field{"backend", at<&WavesDesc::backend>, 0, 0, "", "what computes them", false, Rule::none, backends},

@@ -45,6 +45,7 @@ struct WavesDesc {
     uint32_t samples = 256;
     uint32_t cascades = 3;
     double largestPatchM = 0;
+    double warp = 1;
     uint64_t seed = 1;
     std::string backend = "automatic"; ///< automatic | gpu | fftw: where they are computed
 };

@@ -21,6 +21,8 @@ layout(set = 0, binding = causticSumsBinding, std430) buffer Sums {
     uint sums[];
 };
 int cascades = water.seaCascades;
+const bool isWarped = true;
+#include "wave_warp.glsl"
 #include "shore.glsl"
 #include "wave_displacement.glsl"
 
@@ -40,23 +42,21 @@ struct Ray {
 vec2 slopeAt(vec2 calm, float width) {
     vec4 derivatives = vec4(0.0);
     float shear = 0.0;
-    vec4 kept = vec4(1.0);
-    if (hasShore) {
-        ShoreWave shore = shoreWave(calm, width);
-        derivatives = vec4(shore.slope, shore.stretch.xy);
-        shear = shore.stretch.z;
-        kept = shore.kept;
-    }
+    ShoreWave shore = withoutTrains(vec4(1.0), 0.0, vec2(0.0), 0.0);
+    if (hasShore) shore = shoreWave(calm, width);
+    vec2 place = warped(calm);
     int i = 0;
     do {
         float mip = max(log2(width * water.cascade[i].w), 0.0);
         if (mip < water.maxMip) {
-            vec3 at = vec3(water.cascade[i].xy + calm * water.cascade[i].z, i);
-            derivatives += kept[i] * textureLod(waveDerivatives, at, mip);
-            shear += kept[i] * textureLod(waveMoments, at, mip).w;
+            vec3 at = vec3(water.cascade[i].xy + place * water.cascade[i].z, i);
+            derivatives += shore.kept[i] * textureLod(waveDerivatives, at, mip);
+            shear += shore.kept[i] * textureLod(waveMoments, at, mip).w;
         }
     } while (++i < cascades);
-    return slopeOfWaves(derivatives, shear);
+    WaveGradient gradient = waveGradient(derivatives, shear, calm);
+    if (hasShore) addShore(shore, gradient);
+    return slopeOfWaves(gradient);
 }
 
 // Through the surface where waves have moved it to (u, v): rays that stand evenly there light still water evenly.

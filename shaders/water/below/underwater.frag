@@ -19,8 +19,10 @@ layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDi
 layout(location = 0) out vec4 outColor;
 
 int cascades = water.seaCascades;
+const bool isWarped = true;
 
 #include "near_plane.glsl"
+#include "wave_warp.glsl"
 #include "shore.glsl"
 #include "wave_displacement.glsl"
 #include "waterline.glsl"

@@ -1,5 +1,7 @@
 // Foam on the surface: its cover from the waves' history, broken up by a pattern, and its light.
 
+#include "foam_gate.glsl"
+
 const float foamTile = 24.0;             // [m], as in water/foam/foam_pattern.h
 const float foamRepeat = 16.0 * foamTile;
 
@@ -30,15 +32,18 @@ float shareBelow(float x, vec3 widths) {
 }
 
 // Share of the surface that is white: what each cascade's breakers left (water/foam/foam_history.h). `bend`, -1..1, moves
-// the place looked up by as much as hides that the history has samples.
-float foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth) {
+// the place looked up by as much as hides that the history has samples. `gate`: foam_gate.glsl.
+float foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, float gate) {
     float clear = 1.0;
+    vec2 calm = s.calm + aside;
+    vec2 under = warped(calm);
     for (int i = 0; i < foamCascades; ++i) {
         float texels = water.cascade[i].w;
-        vec2 place = s.calm + aside + bend * min(0.7 / texels, 2.5);
+        vec2 place = under + bend * min(0.7 / texels, 2.5);
         float mip = log2(max(pixelWidth * texels, 1.0));
         vec2 steps = textureLod(foamHistory, vec3(water.cascade[i].xy + place * water.cascade[i].z, i), mip).rg;
         float left = mix(steps.x, steps.y, water.foam.x);
+        if (i == 0) left *= gate;
         if (hasShore) left *= s.shore.kept[i] * s.shore.kept[i];
         clear *= 1.0 - left;
     }
@@ -84,7 +89,7 @@ vec2 drawnOut(vec2 calm) {
 // white is a share `cover` of the surface either way.
 //
 // One look, `aside` of the pixel's middle on the calm plane. It covers `pixelWidth` there, and `patternWidth` of the pattern [m].
-Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, float patternWidth) {
+Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, float patternWidth, float gate) {
     const vec3 weights = vec3(0.3, 0.4, 0.3);
     const vec3 tiles = foamTile / vec3(1.0, 5.0, 17.0);
     const float patternSamples = 256.0;
@@ -109,7 +114,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, f
         slope += texel.zw;
         bend[i] = 2.0 * texel.y;
     }
-    float cover = foamCover(s, aside, vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth);
+    float cover = foamCover(s, aside, vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth, gate);
     // Mips that are looked at between their texels have longer ends than even distributions do.
     widths = max(widths, 0.15 * (widths.x + widths.y + widths.z) + 1e-3);
     // As its own distribution function the octaves' sum is even again, so that a share `cover` of it lies below `cover`.
@@ -134,12 +139,13 @@ Foam foamOver(const SurfacePoint s) {
     vec2 wide = part * clamp(length(pixel.shorter) / max(length(part), 1e-9), 0.5, 1.0);
     float width = max(length(wide), length(pixel.shorter));
     float patternWidth = max(length(drawnOut(wide)), length(drawnOut(pixel.shorter)));
+    float gate = foamGate(warped(s.calm), width);
     Foam sum = Foam(0.0, vec2(0.0), 0.0);
     int i = 0;
     do {
         vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeSamples));
         vec2 drawn = drawnOut(aside);
-        Foam tap = foamAt(s, aside, FoamPart(here.here + drawn, here.beside + drawn, here.share), width, patternWidth);
+        Foam tap = foamAt(s, aside, FoamPart(here.here + drawn, here.beside + drawn, here.share), width, patternWidth, gate);
         sum.mask += tap.mask;
         sum.slope += tap.slope;
         sum.height += tap.height;

@@ -98,3 +98,10 @@ float withFilm(ShoreWave w, float height, float lift) {
     float bed = -w.depth + dot(w.bedSlope, w.move);
     return w.wetTo > bed ? max(height, bed + lift) : height;
 }
+
+// The slopes and stretch of its own trains.
+void addShore(ShoreWave shore, inout WaveGradient gradient) {
+    gradient.height += shore.slope;
+    gradient.movedU += shore.stretch.xz;
+    gradient.movedV += shore.stretch.zy;
+}

@@ -9,14 +9,6 @@ vec2 slopeOf(vec3 normal) {
     return -normal.xz / max(normal.y, 1e-6);
 }
 
-// Of the surface, by dh/du, dh/dv, dDx/du, dDz/dv and dDx/dv: tangents (1 + dDx/du, dh/du, shear) and (shear, dh/dv, 1 + dDz/dv),
-// whose cross product is the normal. Where the surface folds the Jacobian passes zero and the slope is vertical.
-vec2 slopeOfWaves(vec4 derivatives, float shear) {
-    vec2 diagonal = 1.0 + derivatives.zw;
-    vec2 bent = vec2(derivatives.x * diagonal.y - derivatives.y * shear, derivatives.y * diagonal.x - derivatives.x * shear);
-    return bent / max(diagonal.x * diagonal.y - shear * shear, 0.15);
-}
-
 // The unit vector of the calm plane that a direction runs along.
 vec2 horizontal(vec3 direction) {
     return direction.xz / max(length(direction.xz), 1e-6);

@@ -4,6 +4,7 @@
 #include "surface_constants.h"
 #include "water_bindings.h"
 #include "body.glsl"
+#include "wave_warp.glsl"
 
 const bool isOutlined = shape == 1u;   // pixels within an outline are kept
 const bool isHostMesh = shape == 2u;

@@ -92,8 +92,9 @@ void findSlopes(inout SurfacePoint s) {
     vec4 derivatives = vec4(0.0);
     float shear = 0.0;
     vec3 variance = vec3(0.0);
+    vec2 place = warped(s.calm);
     for (int i = 0; i < cascades; ++i) {
-        vec3 at = vec3(water.cascade[i].xy + s.calm * water.cascade[i].z, i);
+        vec3 at = vec3(water.cascade[i].xy + place * water.cascade[i].z, i);
         vec4 d, moments;
         sampleWaves(at, water.cascade[i].z, s.footprint, d, moments);
         if (hasShore) {
@@ -108,14 +109,14 @@ void findSlopes(inout SurfacePoint s) {
         s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(s.footprint.longer) * water.cascade[i].w);
     }
     variance.xy = max(variance.xy, 0.0);
+    WaveGradient gradient = waveGradient(derivatives, shear, s.calm);
     if (hasShore) {
-        derivatives += vec4(s.shore.slope, s.shore.stretch.xy);
-        shear += s.shore.stretch.z;
+        addShore(s.shore, gradient);
         float ripples = s.shore.kept[cascades - 1];
         s.covariance *= ripples * ripples;
         variance += s.shore.covariance;
     }
-    s.slope = slopeOfWaves(derivatives, shear);
+    s.slope = slopeOfWaves(gradient);
     s.covariance += variance;
     if (hasShore) s.slope = mix(s.slope, s.shore.bedSlope, onSand(s.shore));
     vec2 change = max(abs(dFdx(s.slope)), abs(dFdy(s.slope)));

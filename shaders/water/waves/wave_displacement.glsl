@@ -1,15 +1,16 @@
-// How far the waves move a point of the calm plane, as a mean over `width` metres. Needs body.glsl, shore.glsl
-// and `cascades`.
+// How far the waves move a point of the calm plane, as a mean over `width` metres. Needs body.glsl, shore.glsl,
+// wave_warp.glsl and `cascades`.
 
 // `kept` is a share of each cascade.
 vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, vec4 kept) {
     vec3 sum = vec3(0.0);
+    vec2 place = warped(calm);
     int i = 0;
     do {
         float mip = max(log2(width * water.cascade[i].w), 0.0);
         // The last mip is the tile's mean, which is zero.
         if (mip < water.maxMip)
-            sum += kept[i] * textureLod(displacements, vec3(water.cascade[i].xy + calm * water.cascade[i].z, i), mip).xyz;
+            sum += kept[i] * textureLod(displacements, vec3(water.cascade[i].xy + place * water.cascade[i].z, i), mip).xyz;
     } while (++i < cascades);
     return sum;
 }

@@ -23,6 +23,7 @@ class Caustics : public WaterTest {
         sea_.samples = 128;
         sea_.cascades = 3;
         sea_.largestPatch = 16;
+        sea_.warp = 0; // pictures hold a whole tile
         desc_.waves = &sea_;
         desc_.wavesBackend = fftwWaves();
         desc_.refraction = &refraction_;

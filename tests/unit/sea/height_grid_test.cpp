@@ -89,6 +89,7 @@ TEST(HeightGrid, LiesWhereTheMapsPutTheirSamples) {
     desc.windDirection = 1.1f;
     desc.samples = 128;
     desc.choppiness = 0.8f;
+    desc.warp = 0;
     const auto sea = makeSea(desc);
     constexpr double time = 25;
     const Maps maps = Waves(*sea).at(0, time);

@@ -16,13 +16,14 @@ inline SeaPtr makeSea(const SeaDesc& desc) {
     return {createSea(&desc, nullptr), &destroySea};
 }
 
-/// A small sea of one cascade, gentle enough not to fold.
+/// A small sea of one cascade, gentle enough not to fold, and no warp: the tile as it is.
 inline SeaDesc oneCascade() {
     SeaDesc desc;
     desc.samples = 64;
     desc.cascades = 1;
     desc.largestPatch = 512;
     desc.choppiness = 0.8f;
+    desc.warp = 0;
     return desc;
 }
 

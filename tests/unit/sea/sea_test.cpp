@@ -207,6 +207,7 @@ TEST(Sea, IsTheOneThatItsSeedHasAlwaysMeant) {
     desc.choppiness = 0;
     desc.samples = 64;
     desc.seed = 20;
+    desc.warp = 0;
     const auto sea = makeSea(desc);
     const double points[] = {0, 0, 31, -12};
     HeightSample samples[2];
@@ -514,6 +515,7 @@ TEST(Sea, NamesTheFieldItRejects) {
         {"largestPatch", "0.5", "1 to 100000", [](SeaDesc& d) { d.largestPatch = 0.5f; }},
         {"largestPatch", "nan", "1 to 100000", [&](SeaDesc& d) { d.largestPatch = notANumber; }},
         {"largestPatch", "200000", "1 to 100000", [](SeaDesc& d) { d.largestPatch = 200000; }},
+        {"warp", "1.5", "0 to 1", [](SeaDesc& d) { d.warp = 1.5f; }},
         {"loopPeriod", "0", "16 to 1e+06", [](SeaDesc& d) { d.loopPeriod = 0; }},
         {"loopPeriod", "nan", "16 to 1e+06", [](SeaDesc& d) { d.loopPeriod = nan; }},
     };

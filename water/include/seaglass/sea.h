@@ -81,6 +81,9 @@ struct SeaDesc {
     /// Edge of the largest cascade [m], 1..1e5; resolvedShare() says what it loses. 0 chooses: 16 of the
     /// longest peak's wavelengths in 60..2000 m, but 6 at least, and no more than the samples can carry.
     float largestPatch = 0.0f;
+    /// How far waves stand aside of where their tiles have them, 0..1, so that tiles do not show from afar:
+    /// their lengths vary by a tenth or two. At 0 the sea repeats exactly after each cascade's patch.
+    float warp = 1.0f;
     const ShoreDesc* shore = nullptr; ///< null: no bed is felt but `depth`, and none costs anything
     double loopPeriod = 4096.0;       ///< time after which the sea repeats exactly [s], 16..1e6
     uint64_t seed = 1;                ///< of the waves' phases and amplitudes
@@ -144,7 +147,8 @@ double coxMunkSlopeVariance(double windSpeed);
 
 /// The surface on one cascade's grid at one time: three maps of samples*samples texels, four floats each,
 /// rows along v. Texel (i, j) is at u = i patch/samples, v = j patch/samples, and at [(j*samples + i)*4]; the
-/// tile repeats. With h the height and (Dx, Dz) the horizontal displacement (choppiness included):
+/// tile repeats, and `warp` shifts what lies where. With h the height and (Dx, Dz) the horizontal
+/// displacement (choppiness included):
 struct CascadeMaps {
     float* displacement = nullptr; ///< Dx, h, Dz, dDx/dv (= dDz/du)            [m, m, m, 1]
     float* derivatives = nullptr;  ///< dh/du, dh/dv, dDx/du, dDz/dv            [1]

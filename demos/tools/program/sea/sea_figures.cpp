@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "program/sea/fft.h"
+#include "metrics/fft.h"
 #include "seaglass/foam.h"
 
 namespace demos {

@@ -35,6 +35,7 @@ inline constexpr Field seaFieldRows[] = {
     field<&SeaDesc::cascades>("cascades", 1, maxCascades, "", "Bands of wavelengths."),
     field<&SeaDesc::largestPatch>("largestPatch", 1, 1e5, "m", "Edge of the largest cascade; 0 chooses.")
         .orZero(),
+    field<&SeaDesc::warp>("warp", 0, 1, "", "Keeps tiles from showing; 0: they repeat exactly."),
     field<&SeaDesc::loopPeriod>("loopPeriod", 16, 1e6, "s", "After which the sea repeats."),
 };
 /// Of SeaDesc, but its seed, which may be any.

@@ -1,4 +1,4 @@
-#include "program/sea/fft.h"
+#include "metrics/fft.h"
 
 #include <numbers>
 #include <utility>

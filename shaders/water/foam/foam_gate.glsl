@@ -1,0 +1,28 @@
+// Where the whitecaps of a tile are to be seen: water/interface/foam_gate.h, at its places and bits. Needs wave_warp.glsl.
+
+float foamGateCorner(uvec2 cell, uint turns, uint now) {
+    uint bits = cell.x * 0x9e3779b9u ^ cell.y * 0x85ebca6bu;
+    bits = (bits ^ (bits >> 15)) * 0x2c1b3c6du;
+    bits = (bits ^ (bits >> 12)) * 0x297a2d39u;
+    bits ^= bits >> 15;
+    uint phase = bits + (turns + ((bits & 255u) * turns >> 9)) * now;
+    return abs(float(int(phase))) * 4.656613e-10;
+}
+
+// Of the first cascade, `place` from the eye on its plane [m], as a mean over `width`.
+float foamGate(vec2 place, float width) {
+    const float cells = 6.0;
+    const float mean = 0.307;
+    if (!isWarped) return mean;
+    float blurred = smoothstep(0.5, 2.0, width * water.cascade[0].z * cells);
+    ivec4 first = water.foamCell;
+    vec2 at = cells * (water.cascade[0].xy + place * water.cascade[0].z);
+    vec2 whole = floor(at);
+    uvec2 cell = uvec2(first.xy) + uvec2(ivec2(whole));
+    vec2 past = at - whole;
+    past *= past * (3.0 - 2.0 * past);
+    uint turns = uint(first.z), now = uint(first.w);
+    float low = mix(foamGateCorner(cell, turns, now), foamGateCorner(cell + uvec2(1, 0), turns, now), past.x);
+    float high = mix(foamGateCorner(cell + uvec2(0, 1), turns, now), foamGateCorner(cell + uvec2(1, 1), turns, now), past.x);
+    return mix(smoothstep(0.5, 0.75, mix(low, high, past.y)), mean, blurred);
+}

@@ -1,0 +1,53 @@
+#include "water/interface/foam_gate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "water/sea/phase.h"
+
+namespace seaglass {
+namespace {
+
+constexpr double secondsATurn = 40;
+// Of the noise: nothing is seen below the first, all above the second.
+constexpr float opens = 0.5f, isOpen = 0.75f;
+
+float smooth(float x) {
+    return x * x * (3 - 2 * x);
+}
+
+} // namespace
+
+int32_t foamGateCell(double tiles) {
+    const double whole = std::fmod(foamGateCells * std::floor(tiles), 0x1p32);
+    return static_cast<int32_t>(static_cast<uint32_t>(static_cast<int64_t>(whole)));
+}
+
+FoamGate::FoamGate(const SeaDesc& sea, double time)
+    : even_(!(sea.warp > 0)),
+      turns_(static_cast<uint32_t>(std::max(std::round(sea.loopPeriod / secondsATurn), 1.0))),
+      now_(loopPhase(time, sea.loopPeriod)) {}
+
+float FoamGate::corner(uint32_t cellU, uint32_t cellV) const {
+    uint32_t bits = cellU * 0x9e3779b9u ^ cellV * 0x85ebca6bu;
+    bits = (bits ^ (bits >> 15)) * 0x2c1b3c6du;
+    bits = (bits ^ (bits >> 12)) * 0x297a2d39u;
+    bits ^= bits >> 15;
+    const uint32_t phase = bits + (turns_ + ((bits & 255u) * turns_ >> 9)) * now_;
+    return std::abs(static_cast<float>(static_cast<int32_t>(phase))) * 0x1p-31f;
+}
+
+float FoamGate::at(double tilesU, double tilesV) const {
+    if (even_) return static_cast<float>(foamGateMean);
+    const double u = foamGateCells * (tilesU - std::floor(tilesU));
+    const double v = foamGateCells * (tilesV - std::floor(tilesV));
+    const double left = std::floor(u), top = std::floor(v);
+    const uint32_t i = static_cast<uint32_t>(foamGateCell(tilesU)) + static_cast<uint32_t>(left);
+    const uint32_t j = static_cast<uint32_t>(foamGateCell(tilesV)) + static_cast<uint32_t>(top);
+    const float x = smooth(static_cast<float>(u - left)), y = smooth(static_cast<float>(v - top));
+    const float noise = std::lerp(std::lerp(corner(i, j), corner(i + 1, j), x),
+                                  std::lerp(corner(i, j + 1), corner(i + 1, j + 1), x), y);
+    return smooth(std::clamp((noise - opens) / (isOpen - opens), 0.0f, 1.0f));
+}
+
+} // namespace seaglass
