@@ -7,6 +7,7 @@ const float foamRepeat = 16.0 * foamTile;
 
 struct Foam {
     float mask;    // share that is white
+    float fresh;   // 1 where waves break, less as what they leave thins
     vec2 slope;    // of its own relief
     float height;  // of the white's own, -1..1 and 0 in the mean: more light reaches what stands out
 };
@@ -95,7 +96,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, f
     const float patternSamples = 256.0;
     const float patternMips = 8.0;   // beyond the finest
     const float patternVariance = dot(weights, weights) / 12.0;   // of even distributions
-    const float softEdges = 0.05;   // share of it, so that rafts' edges fade out over a fifth of a deviation
+    const float softEdges = 0.2;   // share of it, so that rafts' edges fade out over half a deviation
     float pattern = 0.0;
     float variance = 0.0;
     vec3 widths;
@@ -125,7 +126,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, f
     float kept2 = (1.0 - softEdges) * variance / patternVariance;
     float white = gaussianBelow((gaussianQuantile(cover) - sqrt(kept2) * gaussianQuantile(even)) * inversesqrt(1.0 - kept2));
     // Where white is but likely, where it stands out is no longer told.
-    return Foam(white, slope, kept2 * kept2 * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0));
+    return Foam(white, cover, slope, kept2 * kept2 * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0));
 }
 
 // A pixel is long and narrow at a grazing angle, and is taken in as many parts as there are looks at its waves. A look is
@@ -140,26 +141,32 @@ Foam foamOver(const SurfacePoint s) {
     float width = max(length(wide), length(pixel.shorter));
     float patternWidth = max(length(drawnOut(wide)), length(drawnOut(pixel.shorter)));
     float gate = foamGate(warped(s.calm), width);
-    Foam sum = Foam(0.0, vec2(0.0), 0.0);
+    Foam sum = Foam(0.0, 0.0, vec2(0.0), 0.0);
     int i = 0;
     do {
         vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeSamples));
         vec2 drawn = drawnOut(aside);
         Foam tap = foamAt(s, aside, FoamPart(here.here + drawn, here.beside + drawn, here.share), width, patternWidth, gate);
         sum.mask += tap.mask;
+        sum.fresh += tap.fresh;
         sum.slope += tap.slope;
         sum.height += tap.height;
     } while (++i < slopeSamples);
     float each = 1.0 / float(slopeSamples);
-    return Foam(each * sum.mask, each * sum.slope, each * sum.height);
+    return Foam(each * sum.mask, each * sum.fresh, each * sum.slope, each * sum.height);
 }
 
 // Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
-// water mirrors a share shines from it too. `ahead`: towards the sun.
+// water mirrors a share shines from it too. As it ages it thins, to what makes whitecaps as bright in the mean as they are
+// found, two fifths of fresh foam (Koepke 1984). Between the rafts shines the plume of bubbles that waves broke into the
+// water, through some two metres of it. `ahead`: towards the sun.
 vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirrored, WavesAhead ahead) {
     const float relief = 0.7;
     const float filmVariance = 0.12;   // of the film's slopes
     const float filmShare = 0.4;
+    const float thinnest = 0.3;
+    const float plumeReflects = 0.1;
+    const float throughWater = 4.0;   // there and back [m]
     SurfacePoint film = s;
     film.slope += relief * white.slope;
     film.covariance += vec3(filmVariance, filmVariance, 0.0);
@@ -172,5 +179,7 @@ vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirr
     float glint = sunGlint(film, toEye) * sunClear(toSun, slopeOf(toEye + toSun), ahead);
     vec3 light = water.sunIrradiance.rgb * sun + water.skyIrradiance.rgb * open;
     vec3 foamy = light * water.foam.y / pi + filmShare * (mirrored + water.sunIrradiance.rgb * glint);
-    return mix(bare, foamy, white.mask);
+    vec3 plume = light * (plumeReflects / pi * white.fresh) * exp(-throughWater * extinction());
+    if (water.absorption.r > 0.0) bare += plume;
+    return mix(bare, foamy, white.mask * mix(thinnest, 1.0, white.fresh));
 }

@@ -127,7 +127,7 @@ vec4 shaded(SurfacePoint s) {
     vec3 normal = normalOf(s.slope);
     if (surfaceOutput != outputShaded) return debugOutput(s, normal, toEye);
     if (hasSunShadow) s.sunSeen = sunSeenOver(s);
-    Foam white = Foam(0.0, vec2(0.0), 0.0);
+    Foam white = Foam(0.0, 0.0, vec2(0.0), 0.0);
     if (hasFoam) white = foamOver(s);
     vec3 radiance;
     if (isSeenFromWater(s)) radiance = shadedBelow(s, white.mask);

@@ -85,7 +85,7 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
     const glm::dvec2 carried = calm - surface.edge(calm, static_cast<double>(pixelWidth)).advected;
     const glm::dvec2 streak = surface.foamStreak(), place = carried - streak * glm::dot(streak, carried);
     const Part part = partOf(place);
-    constexpr float patternVariance = (0.3f * 0.3f + 0.4f * 0.4f + 0.3f * 0.3f) / 12, softEdges = 0.05f;
+    constexpr float patternVariance = (0.3f * 0.3f + 0.4f * 0.4f + 0.3f * 0.3f) / 12, softEdges = 0.2f;
     float pattern = 0, variance = 0;
     glm::vec3 widths;
     std::array<float, 3> bend;
@@ -109,6 +109,7 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
     const float kept2 = (1 - softEdges) * variance / patternVariance;
     foam.mask = gaussianBelow((gaussianQuantile(cover) - std::sqrt(kept2) * gaussianQuantile(even)) /
                               std::sqrt(1 - kept2));
+    foam.fresh = cover;
     foam.height = kept2 * kept2 * std::clamp(1 - 2 * even / std::max(cover, 1e-3f), -1.0f, 1.0f);
     return foam;
 }

@@ -94,9 +94,10 @@ glm::vec3 sampledGlint(const Frame& frame, const Facet& facet, const glm::vec3& 
 }
 
 /// withFoam() of shaders/water/foam/foam_cover.glsl.
-glm::vec3 foamRadiance(const Frame& frame, const Facet& facet, const Foam& white, const glm::vec3& toEye,
-                       const glm::vec3& toSun, const glm::vec3& mirror, bool lit) {
+glm::vec3 withFoam(const glm::vec3& bare, const Frame& frame, const Facet& facet, const Foam& white,
+                   const glm::vec3& toEye, const glm::vec3& toSun, const glm::vec3& mirror, bool lit) {
     constexpr float relief = 0.7f, filmVariance = 0.12f, filmShare = 0.4f;
+    constexpr float thinnest = 0.3f, plumeReflects = 0.1f, throughWater = 4;
     Facet film = facet;
     film.slopes.mean += relief * white.slope;
     film.slopes.covariance += glm::vec3(filmVariance, filmVariance, 0);
@@ -106,7 +107,12 @@ glm::vec3 foamRadiance(const Frame& frame, const Facet& facet, const Foam& white
     const float open = (0.5f + 0.5f * facing.y) * (1 + 0.4f * white.height);
     const glm::vec3 falls = light.sunIrradiance() * sun + light.filtered.irradianceUp * open;
     const glm::vec3 glint = lit ? meanGlint(frame, film, toEye, toSun) : glm::vec3(0);
-    return falls * (frame.world->water->foam->albedo / pi) + filmShare * (mirror + glint);
+    const glm::vec3 foamy = falls * (frame.world->water->foam->albedo / pi) + filmShare * (mirror + glint);
+    glm::vec3 water = bare;
+    if (frame.world->water->refraction)
+        water += falls * (plumeReflects / pi * white.fresh * facet.weight) *
+                 glm::exp(-throughWater * waterLightOf(frame).extinction());
+    return glm::mix(water, foamy * facet.weight, white.mask * glm::mix(thinnest, 1.0f, white.fresh));
 }
 
 /// What is seen where the surface is not.
@@ -159,9 +165,7 @@ WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int
 
     if (world.water->foam && !flat) {
         const Foam white = foamAt(frame.surface, frame.calmAt(hit), foamWidth(ray, hit, random));
-        radiance =
-            glm::mix(radiance, foamRadiance(frame, facet, white, toEye, toSun, mirror, lit) * facet.weight,
-                     white.mask);
+        radiance = withFoam(radiance, frame, facet, white, toEye, toSun, mirror, lit);
     }
     const auto presence = static_cast<float>(
         frame.surface.edge(frame.calmAt(hit), static_cast<double>(footprintOn(ray, hit))).presence);
