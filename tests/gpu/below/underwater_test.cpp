@@ -123,37 +123,40 @@ TEST_F(Underwater, WhatIsSeenThroughWaterKeepsBeersAndLambertsLaw) {
     for (float& channel : lighting.skyIrradiance) channel = 2;
     Camera camera = level(-1.5);
     camera.target = {3, -4, -3};
-    const double bed = -6;
     constexpr float radiance = 4;
     const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-    const WaterPicture p =
-        picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, planeBelow(camera, bed, radiance));
+    Body* const body = makeBody(desc_);
     const double sine = 0.6 / index, inside = std::sqrt(1 - sine * sine);
     const double s = (0.8 - index * inside) / (0.8 + index * inside);
     const double t = (index * 0.8 - inside) / (index * 0.8 + inside);
     const double sun = 5 * 0.8 * (1 - (s * s + t * t) / 2), sky = 2 * 0.934, down = sun + sky;
     size_t checked = 0;
-    for (uint32_t y = 5; y < p.height; y += 9)
-        for (uint32_t x = 3; x < p.width; x += 17) {
-            const glm::dvec3 ray = rayThrough(camera, x, y);
-            if (ray.y > -0.05) continue;
-            const double nearPlane = camera.near / glm::dot(ray, forward);
-            const double path = (bed - camera.eye.y) / ray.y - nearPlane;
-            for (size_t channel = 0; channel < 3; ++channel) {
-                const double a = double{refraction_.absorption[channel]},
-                             b = double{refraction_.backscatter[channel]};
-                // In 5 * 0.8 + 2 of light a white bed sends back no more; in water it has what comes down to
-                // it, and what the surface turns back of its own.
-                const double depth = -(a + b) * -bed;
-                const double arriving = sun * std::exp(depth / inside) + sky * std::exp(1.2 * depth);
-                const double again = (1 - 0.934 / (index * index)) * std::exp(6 * depth);
-                const double lit = radiance * arriving / (5 * 0.8 + 2) / (1 - again);
-                const double expected =
-                    lit * std::exp(-(a + b) * path) + scatteredIn(a, b, down, -camera.eye.y, ray.y, path);
-                EXPECT_NEAR(p.color[(size_t{y} * p.width + x) * 4 + channel], expected, 2e-3 * expected);
-                ++checked;
+    // In the shallow the surface turns back half as much as the bed sends up.
+    for (const double bed : {-6.0, -2.0}) {
+        const WaterPicture p =
+            picture({body}, camera, 0, SurfaceOutput::shaded, planeBelow(camera, bed, radiance));
+        for (uint32_t y = 5; y < p.height; y += 9)
+            for (uint32_t x = 3; x < p.width; x += 17) {
+                const glm::dvec3 ray = rayThrough(camera, x, y);
+                if (ray.y > -0.05) continue;
+                const double nearPlane = camera.near / glm::dot(ray, forward);
+                const double path = (bed - camera.eye.y) / ray.y - nearPlane;
+                for (size_t channel = 0; channel < 3; ++channel) {
+                    const double a = double{refraction_.absorption[channel]},
+                                 b = double{refraction_.backscatter[channel]};
+                    // In 5 * 0.8 + 2 of light a white bed sends back no more; in water it has what comes down
+                    // to it, and what the surface turns back of its own.
+                    const double depth = -(a + b) * -bed;
+                    const double arriving = sun * std::exp(depth / inside) + sky * std::exp(1.2 * depth);
+                    const double again = (1 - 0.934 / (index * index)) * std::exp(6 * depth);
+                    const double lit = radiance * arriving / (5 * 0.8 + 2) / (1 - again);
+                    const double expected =
+                        lit * std::exp(-(a + b) * path) + scatteredIn(a, b, down, -camera.eye.y, ray.y, path);
+                    EXPECT_NEAR(p.color[(size_t{y} * p.width + x) * 4 + channel], expected, 2e-3 * expected);
+                    ++checked;
+                }
             }
-        }
+    }
     EXPECT_GT(checked, 100u);
 }
 
@@ -258,6 +261,28 @@ TEST_F(Underwater, TheWaterlineIsWhereTheNearPlaneLeavesTheSurface) {
         EXPECT_GT(count.dry, 200u);
         EXPECT_EQ(count.wrong, 0u) << "of " << count.wet + count.dry << ", roll " << roll;
     }
+}
+
+TEST_F(Underwater, TheWaterlineIsAsWideAboveTheSurfaceAsBelow) {
+    // So steeply up that Snell's window is before the lens.
+    Camera camera = level(-0.37);
+    camera.target = {3, 40, -10};
+    camera.near = 0.4;
+    camera.fovDegrees = 36;
+    const auto drawn = [&](float meniscus) {
+        underwater_.meniscus = meniscus;
+        const SceneBehind wall =
+            drawnOver(camera, nothingBehind(camera), 3, [](const glm::dvec3&) { return 5.0; });
+        return picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, wall);
+    };
+    const WaterPicture without = drawn(0), with = drawn(0.04f);
+    size_t wet = 0, dry = 0;
+    for (size_t i = 0; i < with.depth.size(); ++i)
+        if (with.color[i * 4] != without.color[i * 4]) ++(without.covered(i) ? wet : dry);
+    std::printf("%zu pixels of the line below the surface, %zu above\n", wet, dry);
+    EXPECT_GT(wet, 500u);
+    EXPECT_GT(dry, 500u);
+    EXPECT_NEAR(static_cast<double>(wet), static_cast<double>(dry), 0.1 * static_cast<double>(wet));
 }
 
 TEST_F(Underwater, CostsNothingWhereItIsNotAskedForOrNotSeen) {
