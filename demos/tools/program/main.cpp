@@ -73,6 +73,9 @@ ExitCode guarded(int argc, char** argv, Error& error) {
 int main(int argc, char** argv) {
     demos::Error error;
     const demos::ExitCode code = demos::guarded(argc, argv, error);
+    // What names and values are too long to read is cut amid them: what was expected comes last.
+    constexpr size_t most = 2000;
+    if (error.text.size() > most) error.text.replace(most / 2, error.text.size() - most, "...");
     // One line whatever a file's name, a value or a library's message holds.
     std::replace(error.text.begin(), error.text.end(), '\n', ' ');
     if (code != demos::ok) std::fprintf(stderr, "%s\n", error.text.c_str());

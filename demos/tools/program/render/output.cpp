@@ -37,6 +37,8 @@ bool checkOutput(const std::string& option, const fs::path& file, const std::vec
         for (const std::string& extension : extensions) known += (known.empty() ? "" : " or ") + extension;
         return fail("'" + file.extension().string() + "' is no known extension, expected " + known);
     }
+    // It is written under a longer one first, and file systems take 255 bytes.
+    if (file.filename().string().size() > 200) return fail("has over 200 bytes in its name, expected fewer");
     std::error_code code;
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     if (!fs::exists(folder, code))
