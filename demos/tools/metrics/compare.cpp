@@ -29,6 +29,14 @@ double greatest(std::span<const float> rgba) {
     return static_cast<double>(most);
 }
 
+std::string describe(const Blob& blob, double over) {
+    char text[160];
+    std::snprintf(text, sizeof(text), "%llu pixels of FLIP over %.4g lie together, %ux%u at %u,%u",
+                  static_cast<unsigned long long>(blob.pixels), over, blob.width, blob.height, blob.left,
+                  blob.top);
+    return text;
+}
+
 void pool(Comparison& comparison) {
     std::vector<float> values = comparison.flipMap;
     if (values.empty()) return;
@@ -63,6 +71,7 @@ Comparison compare(const Image& reference, const Image& test, PictureKind kind, 
         if (!isFinite(reference, i) || !isFinite(test, i)) found.flipMap[i] = 1;
     }
     pool(found);
+    found.wrong = findWrong(found.flipMap, reference.width, limits.wrong.over);
 
     found.difference = difference(reference, test);
     found.psnrDb =
@@ -70,6 +79,23 @@ Comparison compare(const Image& reference, const Image& test, PictureKind kind, 
     std::transform(limits.shares.begin(), limits.shares.end(), found.shares.begin(),
                    [&](const ShareLimit& limit) { return shareOver(reference, test, limit.over); });
     return found;
+}
+
+double badness(const Comparison& comparison, const Limits& limits) {
+    if (comparison.notFiniteInReference + comparison.notFiniteInTest > 0) return HUGE_VAL;
+    double worst = 0;
+    const auto add = [&worst](double is, const std::optional<double>& limit) {
+        if (limit && is > 0) worst = std::max(worst, is / *limit);
+    };
+    add(comparison.flipMean, limits.flipMean);
+    add(comparison.flipP99, limits.flipP99);
+    add(comparison.flipMax, limits.flipMax);
+    add(comparison.difference.mean, limits.differenceMean);
+    for (size_t i = 0; i < limits.shares.size(); ++i) add(comparison.shares[i], limits.shares[i].share);
+    add(comparison.wrongShare(), limits.wrong.share);
+    if (limits.wrong.blob)
+        add(static_cast<double>(comparison.wrong.largest.pixels), static_cast<double>(*limits.wrong.blob));
+    return worst;
 }
 
 std::vector<std::string> objections(const Comparison& comparison, const Limits& limits) {
@@ -90,11 +116,23 @@ std::vector<std::string> objections(const Comparison& comparison, const Limits& 
         all.push_back(what + text);
     };
     if (limits.flipMean) object("mean FLIP", comparison.flipMean, *limits.flipMean);
+    if (limits.flipP99) object("99th percentile of FLIP", comparison.flipP99, *limits.flipP99);
+    if (limits.flipMax) object("greatest FLIP of a pixel", comparison.flipMax, *limits.flipMax);
     if (limits.differenceMean) object("mean difference", comparison.difference.mean, *limits.differenceMean);
     for (size_t i = 0; i < limits.shares.size(); ++i) {
         char what[64];
         std::snprintf(what, sizeof(what), "share of pixels off by more than %.4g", limits.shares[i].over);
         object(what, comparison.shares[i], limits.shares[i].share);
+    }
+    const WrongLimit& wrong = limits.wrong;
+    if (wrong.share) {
+        char what[64];
+        std::snprintf(what, sizeof(what), "share of pixels of FLIP over %.4g", wrong.over);
+        object(what, comparison.wrongShare(), *wrong.share);
+    }
+    if (wrong.blob && comparison.wrong.largest.pixels > *wrong.blob) {
+        all.push_back(describe(comparison.wrong.largest, wrong.over) + ", expected at most " +
+                      std::to_string(*wrong.blob));
     }
     return all;
 }

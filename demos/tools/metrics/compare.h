@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "metrics/blob.h"
 #include "metrics/difference.h"
 #include "metrics/flip_hdr.h"
 
@@ -19,11 +20,21 @@ struct ShareLimit {
     double over = 0, share = 0;
 };
 
+/// Of pixels whose FLIP is over `over`. Those that lie together are a thing that is lost, or one too many.
+struct WrongLimit {
+    double over = 0.15;
+    std::optional<double> share;  ///< of all pixels
+    std::optional<uint64_t> blob; ///< pixels that touch each other
+};
+
 /// What is not given is not looked at, but for NaN and infinity, which always fail.
 struct Limits {
     std::optional<double> flipMean;
     std::optional<double> differenceMean;
     std::vector<ShareLimit> shares;
+    std::optional<double> flipP99 = {};
+    std::optional<double> flipMax = {}; ///< of any single pixel
+    WrongLimit wrong = {};
 };
 
 struct Comparison {
@@ -33,11 +44,20 @@ struct Comparison {
     double psnrDb = 0; ///< infinite when equal; of the peak 1, or the reference's greatest when linear
     double flipMean = 0, flipP99 = 0, flipMax = 0;
     std::vector<float> flipMap; ///< 1 where there is NaN or infinity
+    Wrong wrong;                ///< by Limits::wrong
     ExposureRange exposures;    ///< of HDR-FLIP, when linear
     std::vector<double> shares; ///< of pixels, for each of Limits::shares
+
+    double wrongShare() const {
+        return flipMap.empty() ? 0 : static_cast<double>(wrong.pixels) / static_cast<double>(flipMap.size());
+    }
 };
 
 Comparison compare(const Image& reference, const Image& test, PictureKind kind, const Limits& limits);
+
+/// The greatest of the measures as a multiple of its limit: over 1 where there are objections, infinite where
+/// there is NaN or where nothing at all is allowed.
+double badness(const Comparison& comparison, const Limits& limits);
 
 /// What is beyond the limits, in words; empty when nothing is.
 std::vector<std::string> objections(const Comparison& comparison, const Limits& limits);

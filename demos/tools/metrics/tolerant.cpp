@@ -1,0 +1,18 @@
+#include "metrics/tolerant.h"
+
+namespace demos {
+
+Limits tolerantLimits(PictureKind kind) {
+    Limits limits;
+    limits.flipMean = 0.01;
+    limits.flipP99 = 0.1;
+    limits.wrong = {0.15, 0.002, 16};
+    // Light has no white that a step could be a share of.
+    if (kind == PictureKind::display)
+        limits.shares = {{3.0 / 255, 0.01}, {0.5, 0}};
+    else
+        limits.flipMax = 0.6;
+    return limits;
+}
+
+} // namespace demos

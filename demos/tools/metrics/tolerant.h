@@ -1,0 +1,12 @@
+#pragma once
+
+#include "metrics/compare.h"
+
+namespace demos {
+
+/// For pictures of one renderer on one driver, before and after a change: wide enough for rounding that moves
+/// an edge here and there by a pixel, too narrow for a lost mast. What plants defects says which limit
+/// catches which.
+Limits tolerantLimits(PictureKind kind);
+
+} // namespace demos
