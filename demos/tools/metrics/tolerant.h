@@ -5,8 +5,8 @@
 namespace demos {
 
 /// For pictures of one renderer on one driver, before and after a change: wide enough for rounding that moves
-/// an edge here and there by a pixel, too narrow for a lost mast. What plants defects says which limit
-/// catches which.
+/// an edge here and there by a pixel, too narrow for a lost mast. Its test holds each limit to planted
+/// defects.
 Limits tolerantLimits(PictureKind kind);
 
 } // namespace demos

@@ -1,9 +1,11 @@
 // seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass view SCENE.toml ..., seaglass reference ...,
-// seaglass measure ..., seaglass compare A B ..., seaglass sea ..., seaglass devices: see --help.
+// seaglass measure ..., seaglass compare A B ..., seaglass bless A B ..., seaglass sea ..., seaglass devices:
+// see --help.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 
+#include "program/bless/bless.h"
 #include "program/compare/compare.h"
 #include "program/device/no_device.h"
 #include "program/exit_code.h"
@@ -42,6 +44,8 @@ ExitCode runCommand(const Options& options, Error& error) {
         return renderReference(options.reference, error);
     case Options::Command::compare:
         return comparePictures(options.compare, error);
+    case Options::Command::bless:
+        return blessPictures(options.bless, error);
     case Options::Command::measure:
         return measureTechniques(options.measure, error);
     case Options::Command::sea:

@@ -198,6 +198,7 @@ struct Line {
     Raw raw;
     RawView view;
     RawCompare compare;
+    RawBless bless;
     RawMeasure measure;
     RawSea sea;
 };
@@ -207,7 +208,8 @@ struct Commands {
         : app(program), render(*app.add_subcommand("render", "Render a scene file")),
           view(*app.add_subcommand("view", "Show a scene file in a window")),
           reference(*app.add_subcommand("reference", "Ray-trace a scene file on the CPU")),
-          compare(*app.add_subcommand("compare", "Compare two pictures")),
+          compare(*app.add_subcommand("compare", "Compare two pictures, or folders of them")),
+          bless(*app.add_subcommand("bless", "Make new pictures the references")),
           measure(*app.add_subcommand("measure", "Measure cost and error of the techniques side by side")),
           sea(*app.add_subcommand("sea", "Print what a sea is, beside the published tables")),
           devices(*app.add_subcommand("devices", "List the Vulkan devices")) {
@@ -216,17 +218,19 @@ struct Commands {
         describeReference(reference, line.raw);
         describeView(view, line.view);
         describeCompare(compare, line.compare);
+        describeBless(bless, line.bless);
         describeMeasure(measure, line.measure);
         describeSea(sea, line.sea);
     }
 
     bool checkExtras(Error& error) const {
-        for (const CLI::App* command : {&app, &render, &view, &reference, &compare, &measure, &sea, &devices})
+        for (const CLI::App* command :
+             {&app, &render, &view, &reference, &compare, &bless, &measure, &sea, &devices})
             if (!demos::checkExtras(*command, command->remaining(), error)) return false;
         return true;
     }
 
-    CLI::App &app, &render, &view, &reference, &compare, &measure, &sea, &devices;
+    CLI::App &app, &render, &view, &reference, &compare, &bless, &measure, &sea, &devices;
 };
 
 template<class T>
@@ -246,12 +250,14 @@ bool check(const Commands& commands, const Line& line, Options& out, Error& erro
     if (is(commands.view, Command::view)) return take(checkView(line.view, error), out.view);
     if (is(commands.reference, Command::reference)) return check(line.raw, out.reference, error);
     if (is(commands.compare, Command::compare)) return take(checkCompare(line.compare, error), out.compare);
+    if (is(commands.bless, Command::bless)) return take(checkBless(line.bless, error), out.bless);
     if (is(commands.measure, Command::measure)) return take(checkMeasure(line.measure, error), out.measure);
     if (is(commands.sea, Command::sea)) return take(checkSea(line.sea, error), out.sea);
     if (is(commands.render, Command::render)) return check(line.raw, out.render, error);
-    return fail("no command, expected seaglass render, view, reference, compare, measure, sea or devices "
-                "(see seaglass --help)",
-                error);
+    return fail(
+        "no command, expected seaglass render, view, reference, compare, bless, measure, sea or devices "
+        "(see seaglass --help)",
+        error);
 }
 
 } // namespace

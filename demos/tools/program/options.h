@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "program/bless/bless_options.h"
 #include "program/compare/compare_options.h"
 #include "program/measure/measure_options.h"
 #include "program/render/render_options.h"
@@ -23,12 +24,13 @@ struct ReferenceOptions {
 };
 
 struct Options {
-    enum class Command { render, view, reference, compare, measure, sea, devices, printed };
+    enum class Command { render, view, reference, compare, bless, measure, sea, devices, printed };
     Command command = Command::printed; ///< printed: help or version, and all is done
     RenderOptions render;
     ViewOptions view;
     ReferenceOptions reference;
     CompareOptions compare;
+    BlessOptions bless;
     MeasureOptions measure;
     SeaOptions sea;
 };

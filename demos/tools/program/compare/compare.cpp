@@ -1,14 +1,13 @@
 #include "program/compare/compare.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <new>
 
-#include "host/files/image_file.h"
-#include "host/files/image_source.h"
 #include "program/compare/compare_notes.h"
+#include "program/compare/folders.h"
+#include "program/compare/junit.h"
+#include "program/compare/pair.h"
 #include "program/measure/measures.h"
 #include "program/measure/report.h"
 #include "program/render/output.h"
@@ -19,91 +18,46 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool checkExtension(const fs::path& file, Error& error) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension == ".png" || extension == ".exr" || extension == ".hdr") return true;
-    error.text = file.string() + ": '" + file.extension().string() +
-                 "' is no known extension, expected .png, .exr or .hdr";
-    return false;
-}
-
-/// By what the files hold, whatever their names. Null as well when the pictures are of two kinds.
-std::optional<PictureKind> commonKind(const CompareOptions& options, const ImageHeader& reference,
-                                      const ImageHeader& test, Error& error) {
-    if (reference.integer != test.integer) {
-        error.text = options.reference.string() + " and " + options.test.string() +
-                     ": a PNG is display-encoded, an EXR or HDR linear, expected two of a kind";
-        return std::nullopt;
-    }
-    if (options.exposureEv && reference.integer) {
-        error.text = "--exposure is given for PNG, which needs none, expected EXR or HDR";
-        return std::nullopt;
-    }
-    return reference.integer ? PictureKind::display : PictureKind::linear;
-}
-
 bool checkOutputs(const CompareOptions& options, Error& error) {
     if (!options.json.empty() && !checkOutput("--json", options.json, {".json"}, error)) return false;
+    if (!options.junit.empty() && !checkOutput("--junit", options.junit, {".xml"}, error)) return false;
     return options.report.empty() || checkReport(options, error);
 }
 
-std::optional<PictureFile> read(const fs::path& file, const std::string& layer, bool large, Error& error) {
-    const limits::Allowance pixels = large ? limits::largePixels : limits::comparedPixels;
-    std::optional<PictureFile> picture = readPictureFile(file, {layer, "--layer"}, pixels, error);
-    // Most errors say what was expected; the libraries' own do not.
-    if (!picture && error.text.find(", expected ") == std::string::npos)
-        error.text += ", expected a PNG, EXR or HDR picture";
-    if (!picture && !large && error.text.ends_with(unpacksFar)) error.text += ", or --large";
-    return picture;
+bool writePair(const CompareOptions& options, const Pair& pair, Error& error) {
+    Judged judged = judgedPair(options, pair);
+    if (!options.json.empty() && !writeText(options.json, judged.json, error)) return false;
+    return options.report.empty() ||
+           (addSection(options, pair, {}, judged, error) && writeReport(options, {judged}, error));
 }
 
-std::string sizeOf(const Picture& picture) {
-    return std::to_string(picture.width) + "x" + std::to_string(picture.height);
-}
-
-Image view(const Picture& picture) {
-    return {picture.width, picture.height, picture.rgba};
-}
-
-ExitCode judge(const CompareOptions& options, Error& error) {
-    if (!checkExtension(options.reference, error) || !checkExtension(options.test, error) ||
-        !checkOutputs(options, error))
-        return badInput;
-    const std::optional<PictureFile> first =
-        read(options.reference, options.referenceLayer, options.large, error);
-    if (!first) return badInput;
-    const std::optional<PictureFile> second = read(options.test, options.testLayer, options.large, error);
-    if (!second) return badInput;
-    const std::optional<PictureKind> kind = commonKind(options, first->header, second->header, error);
-    if (!kind) return badInput;
-    const Picture &reference = first->picture, &test = second->picture;
-    if (reference.width != test.width || reference.height != test.height) {
-        error.text = options.reference.string() + " is " + sizeOf(reference) + " and " +
-                     options.test.string() + " is " + sizeOf(test) + ", expected one size";
-        return badInput;
-    }
-
-    const Comparison comparison = compare(view(reference), view(test), *kind, options.limits);
-    std::fputs(compareNotes(first->header, second->header).c_str(), stdout);
-    std::fputs(measuresTable(measures(comparison, *kind, options.limits)).c_str(), stdout);
-    if (!options.json.empty() &&
-        !writeText(options.json, measuresJson(comparison, *kind, options, view(reference)), error)) {
-        return badInput;
-    }
-    if (!options.report.empty()) {
-        if (!writeReport(options, *kind, reference, test, comparison, error)) return badInput;
-        std::printf("report: %s\n", fs::absolute(options.report / "index.html").c_str());
-    }
-    const std::vector<std::string> found = objections(comparison, options.limits);
-    if (found.empty()) {
+ExitCode judgePair(const CompareOptions& options, Error& error) {
+    const std::optional<Pair> pair = measurePair(options, error);
+    if (!pair) return badInput;
+    std::fputs(compareNotes(pair->reference.header, pair->test.header).c_str(), stdout);
+    std::fputs(measuresTable(measures(pair->comparison, pair->kind, pair->limits)).c_str(), stdout);
+    if (!writePair(options, *pair, error)) return badInput;
+    if (pair->objections.empty()) {
         std::puts("same");
         return ok;
     }
-    for (const std::string& objection : found) error.text += (error.text.empty() ? "" : "; ") + objection;
-    error.text = "different: " + error.text;
+    error.text = "different: " + joined(pair->objections);
     return different;
+}
+
+ExitCode judgeFiles(const CompareOptions& options, Error& error) {
+    const ExitCode code = judgePair(options, error);
+    if (options.junit.empty()) return code;
+    Error unwritten;
+    if (writeText(options.junit, junitXml({{options.test.string(), code, error.text, {}}}), unwritten))
+        return code;
+    error = unwritten;
+    return badInput;
+}
+
+ExitCode judge(const CompareOptions& options, Error& error) {
+    if (!checkOutputs(options, error)) return badInput;
+    return areFolders(options) ? compareFolders(options, error) : judgeFiles(options, error);
 }
 
 } // namespace

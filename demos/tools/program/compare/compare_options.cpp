@@ -9,14 +9,19 @@ namespace demos {
 namespace {
 
 constexpr const char* footer =
-    R"(Without a limit, any difference of colour is one too many. A mean forgives a spot: give --max-diff
-and --max-share beside --max-flip. NaN or infinity in either picture always fails. Only colour is compared:
-of an EXR its unnamed layer, or the one of a beauty pass' name; what else it holds is listed. A PNG's gamma and
+    R"(Without a limit, any difference of colour is one too many. --tolerant allows what rounding does, and no lost
+mast; a limit that is given as well counts instead of its own. A mean forgives a spot: --max-pixel and --max-blob
+do not. NaN or infinity in either picture always fails. Only colour is compared: of an EXR its unnamed layer, or
+the one of a beauty pass' name; what else it holds is listed. A PNG's gamma and
 primaries are brought to sRGB and named; a colour profile is named alone.
+
+Of two folders all pictures are compared, those in folders of theirs too, by their names; what is in one alone
+differs.
 
 Examples:
   seaglass compare golden.png mine.png --max-flip 0.02 --max-diff 0.1 --max-share 0.001
   seaglass compare before.exr after.exr --report out/report
+  seaglass compare screenshots/ out/ --tolerant --junit out/compared.xml
 
 Exit codes: 0 the same within the limits, 1 different, 2 bad input, or no room for what was to be written.)";
 
@@ -28,13 +33,42 @@ bool checkNumber(const char* option, const std::string& text, double most, const
     return out.has_value();
 }
 
+bool checkLimits(const RawCompare& raw, CompareOptions& options, Error& error) {
+    Limits& limits = options.limits;
+    std::optional<double> over, share, wrong;
+    constexpr const char *flip = "a FLIP, 0 to 1", *pixels = "a share of the pixels, 0 to 1";
+    if (!checkNumber("--max-flip", raw.maxFlip, 1, "a mean FLIP, 0 to 1", limits.flipMean, error) ||
+        !checkNumber("--max-p99", raw.maxP99, 1, flip, limits.flipP99, error) ||
+        !checkNumber("--max-pixel", raw.maxPixel, 1, flip, limits.flipMax, error) ||
+        !checkNumber("--wrong", raw.wrong, 1, flip, wrong, error) ||
+        !checkNumber("--max-wrong", raw.maxWrong, 1, pixels, limits.wrong.share, error) ||
+        !checkNumber("--max-diff", raw.maxDiff, 1e9, "a difference, 0 to 1e9", over, error) ||
+        !checkNumber("--max-share", raw.maxShare, 1, pixels, share, error)) {
+        return false;
+    }
+    if (!raw.maxBlob.empty()) {
+        const std::optional<uint32_t> blob = parseCount("--max-blob", raw.maxBlob, 1u << 25, error);
+        if (!blob) return false;
+        limits.wrong.blob = *blob;
+    }
+    if (wrong && !limits.wrong.share && !limits.wrong.blob && !raw.tolerant) {
+        error.text = "--wrong is given alone, expected --max-wrong, --max-blob or --tolerant beside it";
+        return false;
+    }
+    limits.wrong.over = wrong.value_or(limits.wrong.over);
+    const bool none = !raw.tolerant && !limits.flipMean && !limits.flipP99 && !limits.flipMax &&
+                      !limits.wrong.share && !limits.wrong.blob;
+    if (over || share || none) limits.shares = {{over.value_or(0), share.value_or(0)}};
+    return true;
+}
+
 } // namespace
 
 void describeCompare(CLI::App& command, RawCompare& raw) {
     command.footer(footer);
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    command.add_option("REFERENCE", raw.reference, "PNG (display-encoded), or EXR or HDR (linear)");
-    command.add_option("TEST", raw.test, "The picture to judge, of the same kind and size");
+    command.add_option("REFERENCE", raw.reference, "PNG (display-encoded), EXR or HDR (linear), or a folder");
+    command.add_option("TEST", raw.test, "The picture to judge, of the same kind and size, or a folder");
     command.add_option("--max-flip", raw.maxFlip, "Mean FLIP may be X, 0 to 1")->type_name("X");
     command
         .add_option("--max-diff", raw.maxDiff,
@@ -45,6 +79,18 @@ void describeCompare(CLI::App& command, RawCompare& raw) {
         .add_option("--max-share", raw.maxShare,
                     "The share P of pixels, 0 to 1, may differ by more, 0 if only --max-diff is given")
         ->type_name("P");
+    command.add_flag("--tolerant", raw.tolerant,
+                     "Limits for one renderer on one driver before and after a change, where none is given");
+    command.add_option("--max-p99", raw.maxP99, "99 % of pixels may have a FLIP of X, 0 to 1")
+        ->type_name("X");
+    command.add_option("--max-pixel", raw.maxPixel, "Any pixel may have a FLIP of X, 0 to 1")->type_name("X");
+    command
+        .add_option("--wrong", raw.wrong,
+                    "Pixels of a FLIP over X are wrong, for the next two; 0.15 if not given")
+        ->type_name("X");
+    command.add_option("--max-wrong", raw.maxWrong, "The share P of pixels, 0 to 1, may be wrong")
+        ->type_name("P");
+    command.add_option("--max-blob", raw.maxBlob, "N wrong pixels may touch each other")->type_name("N");
     command
         .add_option("--layer", raw.layers,
                     "Of EXRs with several layers of colour; given twice, the reference's and the test's")
@@ -65,6 +111,7 @@ void describeCompare(CLI::App& command, RawCompare& raw) {
         "--large", raw.large,
         "Take pictures of up to 2^25 pixels from files of any size: 4 GiB of memory and a minute");
     command.add_option("--json", raw.json, "Write the measures as JSON")->type_name("FILE");
+    command.add_option("--junit", raw.junit, "Write what failed as JUnit's XML, for CI")->type_name("FILE");
     command.allow_extras();
 }
 
@@ -79,6 +126,8 @@ std::optional<CompareOptions> checkCompare(const RawCompare& raw, Error& error) 
     options.report = raw.report;
     options.json = raw.json;
     options.large = raw.large;
+    options.junit = raw.junit;
+    options.tolerant = raw.tolerant;
     if (raw.layers.size() > 2) {
         error.text = "--layer is given " + std::to_string(raw.layers.size()) +
                      " times, expected one for both pictures, or the reference's and the test's";
@@ -88,15 +137,7 @@ std::optional<CompareOptions> checkCompare(const RawCompare& raw, Error& error) 
         options.referenceLayer = raw.layers.front();
         options.testLayer = raw.layers.back();
     }
-    std::optional<double> over, share;
-    if (!checkNumber("--max-flip", raw.maxFlip, 1, "a mean FLIP, 0 to 1", options.limits.flipMean, error) ||
-        !checkNumber("--max-diff", raw.maxDiff, 1e9, "a difference, 0 to 1e9", over, error) ||
-        !checkNumber("--max-share", raw.maxShare, 1, "a share of the pixels, 0 to 1", share, error)) {
-        return std::nullopt;
-    }
-    if (over || share || !options.limits.flipMean) {
-        options.limits.shares = {{over.value_or(0), share.value_or(0)}};
-    }
+    if (!checkLimits(raw, options, error)) return std::nullopt;
     if (raw.exposure.empty()) return options;
     options.exposureEv = parseNumber("--exposure", raw.exposure, -100, 100, "stops, -100 to 100", error);
     if (!options.exposureEv) return std::nullopt;

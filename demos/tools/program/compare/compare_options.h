@@ -18,15 +18,18 @@ namespace demos {
 struct CompareOptions {
     std::filesystem::path reference, test;
     std::string referenceLayer, testLayer; ///< of EXRs with several; empty: the one that is the picture
-    Limits limits;
-    bool large = false;                 ///< takes pictures that unpack to far more than their files hold
-    std::filesystem::path report, json; ///< empty: none
-    std::optional<double> exposureEv;   ///< of the report's pictures of linear light
+    Limits limits;                         ///< those that are given
+    bool tolerant = false;                 ///< tolerantLimits() where none is given
+    bool large = false;                    ///< takes pictures that unpack to far more than their files hold
+    std::filesystem::path report, json, junit; ///< empty: none
+    std::optional<double> exposureEv;          ///< of the report's pictures of linear light
 };
 
 /// What the line says, before any of it is checked.
 struct RawCompare {
-    std::string reference, test, maxFlip, maxDiff, maxShare, report, exposure, json;
+    std::string reference, test, maxFlip, maxDiff, maxShare, maxP99, maxPixel, wrong, maxWrong, maxBlob,
+        report, exposure, json, junit;
+    bool tolerant = false;
     std::vector<std::string> layers;
     bool large = false;
 };

@@ -41,8 +41,8 @@ std::vector<Measure> measures(const Comparison& comparison, PictureKind kind, co
         {"NaN or infinity, reference", pixels(comparison.notFiniteInReference), "none"},
         {"NaN or infinity, test", pixels(comparison.notFiniteInTest), "none"},
         {name + std::string(", mean"), print("%.6f", comparison.flipMean), atMost(limits.flipMean)},
-        {name + std::string(", 99th percentile"), print("%.6f", comparison.flipP99), ""},
-        {name + std::string(", greatest"), print("%.6f", comparison.flipMax), ""},
+        {name + std::string(", 99th percentile"), print("%.6f", comparison.flipP99), atMost(limits.flipP99)},
+        {name + std::string(", greatest"), print("%.6f", comparison.flipMax), atMost(limits.flipMax)},
         {linear ? "PSNR, of the reference's greatest" : "PSNR",
          std::isfinite(comparison.psnrDb) ? print("%.2f dB", comparison.psnrDb) : "infinite", ""},
         {"difference, mean", print("%.6g", comparison.difference.mean), atMost(limits.differenceMean)},
@@ -52,6 +52,11 @@ std::vector<Measure> measures(const Comparison& comparison, PictureKind kind, co
         all.push_back({print("share off by more than %.6g", limits.shares[i].over),
                        print("%.6g", comparison.shares[i]), atMost(limits.shares[i].share)});
     }
+    const WrongLimit& wrong = limits.wrong;
+    all.push_back({print("share of FLIP over %.6g", wrong.over), print("%.6g", comparison.wrongShare()),
+                   atMost(wrong.share)});
+    all.push_back({"most of those that touch", pixels(comparison.wrong.largest.pixels),
+                   wrong.blob ? print("at most %llu", static_cast<unsigned long long>(*wrong.blob)) : ""});
     const ExposureRange& range = comparison.exposures;
     if (linear) {
         all.push_back({"exposures of HDR-FLIP",
@@ -71,24 +76,30 @@ std::string measuresTable(const std::vector<Measure>& measures) {
     return table;
 }
 
-std::string measuresJson(const Comparison& comparison, PictureKind kind, const CompareOptions& options,
-                         const Image& size) {
+std::string measuresJson(const Pair& pair, const CompareOptions& options) {
+    const Comparison& comparison = pair.comparison;
+    const Limits& limits = pair.limits;
+    const bool linear = pair.kind == PictureKind::linear;
+    const auto orNull = [](const auto& value) {
+        return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+    };
     nlohmann::ordered_json json;
-    const std::vector<std::string> found = objections(comparison, options.limits);
     json["reference"] = options.reference.string();
     json["test"] = options.test.string();
-    json["size"] = {size.width, size.height};
-    json["same"] = found.empty();
-    json["objections"] = found;
+    json["size"] = {pair.expected().width, pair.expected().height};
+    json["same"] = pair.objections.empty();
+    json["objections"] = pair.objections;
     json["not_finite_pixels"] = {{"reference", comparison.notFiniteInReference},
                                  {"test", comparison.notFiniteInTest}};
-    json["flip"] = {{"kind", kind == PictureKind::linear ? "hdr" : "ldr"},
+    json["flip"] = {{"kind", linear ? "hdr" : "ldr"},
                     {"pixels_per_degree", standardPixelsPerDegree},
                     {"mean", comparison.flipMean},
                     {"p99", comparison.flipP99},
                     {"max", comparison.flipMax}};
-    if (options.limits.flipMean) json["flip"]["max_mean"] = *options.limits.flipMean;
-    if (kind == PictureKind::linear) {
+    if (limits.flipMean) json["flip"]["max_mean"] = *limits.flipMean;
+    if (limits.flipP99) json["flip"]["max_p99"] = *limits.flipP99;
+    if (limits.flipMax) json["flip"]["max_pixel"] = *limits.flipMax;
+    if (linear) {
         const ExposureRange& range = comparison.exposures;
         json["flip"]["exposures"] = {
             {"start_ev", range.startEv}, {"stop_ev", range.stopEv}, {"count", range.count}};
@@ -97,13 +108,30 @@ std::string measuresJson(const Comparison& comparison, PictureKind kind, const C
     json["psnr_db"] = comparison.psnrDb;
     json["difference"] = {{"mean", comparison.difference.mean}, {"max", comparison.difference.max}};
     json["shares"] = nlohmann::ordered_json::array();
-    for (size_t i = 0; i < options.limits.shares.size(); ++i) {
-        const ShareLimit& limit = options.limits.shares[i];
+    for (size_t i = 0; i < limits.shares.size(); ++i) {
+        const ShareLimit& limit = limits.shares[i];
         json["shares"].push_back(
             {{"over", limit.over}, {"share", comparison.shares[i]}, {"max_share", limit.share}});
     }
+    const Blob& blob = comparison.wrong.largest;
+    json["wrong"] = {{"over", limits.wrong.over},
+                     {"share", comparison.wrongShare()},
+                     {"max_share", orNull(limits.wrong.share)},
+                     {"blob",
+                      {{"pixels", blob.pixels},
+                       {"max_pixels", orNull(limits.wrong.blob)},
+                       {"box", {blob.left, blob.top, blob.width, blob.height}}}}};
     // Names come from file systems: what is no UTF-8 is replaced rather than thrown over.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+Judged judgedPair(const CompareOptions& options, const Pair& pair) {
+    return {options.test.string(),
+            pair.objections.empty() ? ok : different,
+            joined(pair.objections),
+            measuresJson(pair, options),
+            {},
+            badness(pair.comparison, pair.limits)};
 }
 
 } // namespace demos

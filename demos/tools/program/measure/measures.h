@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "metrics/compare.h"
-#include "program/compare/compare_options.h"
+#include "program/compare/judged.h"
+#include "program/compare/pair.h"
 
 namespace demos {
 
@@ -19,7 +20,9 @@ std::vector<Measure> measures(const Comparison& comparison, PictureKind kind, co
 /// As lines of two or three columns.
 std::string measuresTable(const std::vector<Measure>& measures);
 
-std::string measuresJson(const Comparison& comparison, PictureKind kind, const CompareOptions& options,
-                         const Image& size);
+std::string measuresJson(const Pair& pair, const CompareOptions& options);
+
+/// The verdict and the measures; what is in a report comes after.
+Judged judgedPair(const CompareOptions& options, const Pair& pair);
 
 } // namespace demos

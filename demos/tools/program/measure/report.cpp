@@ -67,32 +67,72 @@ std::vector<uint8_t> shown(const Picture& picture, PictureKind kind, double expo
     return rgb;
 }
 
-std::string page(const CompareOptions& options, PictureKind kind, const Picture& size,
-                 const Comparison& comparison, double exposureEv) {
-    const std::vector<std::string> found = objections(comparison, options.limits);
-    std::string listed;
-    for (const std::string& objection : found) listed += "<p>" + escaped(objection) + "</p>\n";
-    char exposure[80] = "", ppd[16];
-    const bool linear = kind == PictureKind::linear;
+bool isWithin(const fs::path& inner, const fs::path& outer) {
+    std::error_code code;
+    const fs::path a = fs::weakly_canonical(inner, code), b = fs::weakly_canonical(outer, code);
+    return std::mismatch(b.begin(), b.end(), a.begin(), a.end()).first == b.end();
+}
+
+std::string boxHtml(const Blob& blob, const Picture& size) {
+    if (blob.pixels == 0) return {};
+    const auto percent = [](uint32_t of, uint32_t whole) { return 100.0 * of / whole; };
+    char html[160];
+    std::snprintf(html, sizeof(html),
+                  "\n  <div class=\"box\" style=\"left:%.3f%%;top:%.3f%%;width:%.3f%%;height:%.3f%%\"></div>",
+                  percent(blob.left, size.width), percent(blob.top, size.height),
+                  percent(blob.width, size.width), percent(blob.height, size.height));
+    return html;
+}
+
+std::string section(const CompareOptions& options, const Pair& pair, const std::string& folder,
+                    double exposureEv) {
+    const Picture& size = pair.expected();
+    char exposure[80] = "";
+    const bool linear = pair.kind == PictureKind::linear;
     if (linear) {
         std::snprintf(exposure, sizeof(exposure), " Both are tone-mapped at an exposure of %.2f EV.",
                       exposureEv);
     }
-    std::snprintf(ppd, sizeof(ppd), "%.0f", static_cast<double>(standardPixelsPerDegree));
-    return filled(reportPage,
-                  {{"VERDICT", found.empty() ? "same" : "different"},
-                   {"CLASS", found.empty() ? "same" : "different"},
-                   {"OBJECTIONS", listed},
-                   {"REFERENCE", escaped(options.reference.string())},
+    return filled(reportPictures,
+                  {{"REFERENCE", escaped(options.reference.string())},
                    {"TEST", escaped(options.test.string())},
                    {"SIZE", std::to_string(size.width) + " &times; " + std::to_string(size.height)},
-                   {"WIDTH", std::to_string(std::max(size.width, pageWidth))},
-                   {"RENDERING", size.width < pageWidth ? "image-rendering: pixelated;" : ""},
-                   {"GRADIENT", gradient()},
+                   {"SMALL", size.width < pageWidth ? "small" : ""},
+                   {"ID", escaped(folder)},
+                   {"FOLDER", folder},
+                   {"BOX", boxHtml(pair.comparison.wrong.largest, size)},
                    {"EXPOSURE", exposure},
                    {"FLIP", linear ? "HDR-FLIP" : "FLIP"},
-                   {"PPD", ppd},
-                   {"ROWS", rows(measures(comparison, kind, options.limits))}});
+                   {"ROWS", rows(measures(pair.comparison, pair.kind, pair.limits))}});
+}
+
+std::string heading(const Judged& one) {
+    const char* const verdict = toString(one.code);
+    return filled(reportHeading,
+                  {{"PASSED", one.code == ok ? "passed" : "failed"},
+                   {"CLASS", one.code == badInput ? "bad" : verdict},
+                   {"VERDICT", verdict},
+                   {"NAME", escaped(one.name)},
+                   {"OBJECTIONS", one.why.empty() ? "" : "<p>" + escaped(one.why) + "</p>\n"}});
+}
+
+std::string page(const std::vector<Judged>& all) {
+    std::vector<const Judged*> worstFirst;
+    for (const Judged& one : all) worstFirst.push_back(&one);
+    std::stable_sort(worstFirst.begin(), worstFirst.end(), [](const Judged* a, const Judged* b) {
+        return a->code != b->code ? a->code > b->code : a->badness > b->badness;
+    });
+    const auto failed =
+        std::count_if(all.begin(), all.end(), [](const Judged& one) { return one.code != ok; });
+    char ppd[16];
+    std::snprintf(ppd, sizeof(ppd), "%.0f", static_cast<double>(standardPixelsPerDegree));
+    std::string html = filled(
+        reportHead, {{"TITLE", std::to_string(failed) + " of " + std::to_string(all.size()) + " failed"},
+                     {"WIDTH", std::to_string(pageWidth)},
+                     {"GRADIENT", gradient()},
+                     {"PPD", ppd}});
+    for (const Judged* const one : worstFirst) html += heading(*one) + one->section + "</section>\n";
+    return html + reportTail;
 }
 
 } // namespace
@@ -101,6 +141,12 @@ bool checkReport(const CompareOptions& options, Error& error) {
     const fs::path& folder = options.report;
     if (!checkFolder("--report", folder, error)) return false;
     std::error_code code;
+    for (const fs::path& read : {options.reference, options.test}) {
+        if (!fs::is_directory(read, code) || !isWithin(folder, read)) continue;
+        error.text = "--report " + folder.string() + ": is within " + read.string() +
+                     ", which is read, expected another folder";
+        return false;
+    }
     if (!fs::exists(folder, code)) return true;
     for (const char* const name : pictures) {
         if (!checkOutput("--report", folder / name, {".png"}, error) ||
@@ -111,24 +157,34 @@ bool checkReport(const CompareOptions& options, Error& error) {
     return checkOutput("--report", folder / "index.html", {".html"}, error);
 }
 
-bool writeReport(const CompareOptions& options, PictureKind kind, const Picture& reference,
-                 const Picture& test, const Comparison& comparison, Error& error) {
+bool addSection(const CompareOptions& options, const Pair& pair, const fs::path& folder, Judged& judged,
+                Error& error) {
     std::error_code code;
-    fs::create_directories(options.report, code);
+    fs::create_directories(options.report / folder, code);
     if (code) {
         error.text = "--report " + options.report.string() + ": cannot be made: " + code.message();
         return false;
     }
-    const double exposureEv = options.exposureEv.value_or(middleGreyEv(comparison.exposures));
-    const std::array<std::vector<uint8_t>, 3> contents = {
-        shown(reference, kind, exposureEv), shown(test, kind, exposureEv), magma(comparison.flipMap)};
+    const Picture& size = pair.expected();
+    const double exposureEv = options.exposureEv.value_or(middleGreyEv(pair.comparison.exposures));
+    const std::array<std::vector<uint8_t>, 3> contents = {shown(size, pair.kind, exposureEv),
+                                                          shown(pair.actual(), pair.kind, exposureEv),
+                                                          magma(pair.comparison.flipMap)};
     for (size_t i = 0; i < pictures.size(); ++i) {
-        if (!writePng(options.report / pictures[i], reference.width, reference.height, contents[i], error)) {
+        if (!writePng(options.report / folder / pictures[i], size.width, size.height, contents[i], error))
             return false;
-        }
     }
-    return writeText(options.report / "index.html", page(options, kind, reference, comparison, exposureEv),
-                     error);
+    judged.section = section(options, pair, folder.string(), exposureEv);
+    return true;
+}
+
+bool writeReport(const CompareOptions& options, const std::vector<Judged>& all, Error& error) {
+    std::error_code code;
+    fs::create_directories(options.report, code);
+    const fs::path index = options.report / "index.html";
+    if (!writeText(index, page(all), error)) return false;
+    std::printf("report: %s\n", fs::absolute(index).c_str());
+    return true;
 }
 
 } // namespace demos

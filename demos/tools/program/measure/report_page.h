@@ -2,34 +2,44 @@
 
 namespace demos {
 
-/// @NAME@ is filled in by report.cpp.
-constexpr const char* reportPage = R"html(<!DOCTYPE html>
+/// @NAME@ is filled in by report.cpp: of the page, and of each section.
+constexpr const char* reportHead = R"html(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>@VERDICT@: @REFERENCE@, @TEST@</title>
+<title>@TITLE@</title>
 <style>
-:root { color-scheme: dark; }
-body { margin: 0 auto; padding: 1.5rem; max-width: max(60rem, @WIDTH@px); background: #1b1d1f; color: #dcdfe2;
+:root { color-scheme: light dark; }
+body { margin: 0 auto; padding: 1.5rem; max-width: max(60rem, @WIDTH@px); background: Canvas; color: CanvasText;
        font: 15px/1.5 system-ui, sans-serif; }
-h1 { margin: 0 0 .25rem; font-size: 1.3rem; font-weight: 600; }
-h2 { margin: 2rem 0 .5rem; font-size: 1rem; font-weight: 600; }
-p { margin: .25rem 0; }
-code { overflow-wrap: anywhere; }
+h1 { margin: 0 0 .5rem; font-size: 1.3rem; font-weight: 600; }
+h2 { margin: 0 0 .25rem; font-size: 1.1rem; font-weight: 600; overflow-wrap: anywhere; }
+section { margin: 2rem 0; padding-top: 1rem; border-top: 1px solid #8886; content-visibility: auto;
+          contain-intrinsic-size: auto 60rem; }
+p { margin: .25rem 0; overflow-wrap: anywhere; }
 .verdict { display: inline-block; margin-right: .6rem; padding: .1rem .6rem; border-radius: .3rem; color: #fff; }
 .same { background: #1f7a4d; }
 .different { background: #b3392f; }
-.picture { display: block; width: 100%; @RENDERING@ }
-#stage { position: relative; --split: 50%; cursor: ew-resize; touch-action: pan-y; user-select: none; }
-#stage:focus-visible { outline: 3px solid #6cb2ff; outline-offset: 3px; }
-#before { position: absolute; inset: 0; clip-path: inset(0 calc(100% - var(--split)) 0 0); }
-#line { position: absolute; top: 0; bottom: 0; left: var(--split); width: 2px; margin-left: -1px; background: #fff;
+.bad { background: #8a5a00; }
+fieldset { margin: .6rem 0; padding: 0; border: 0; }
+label { margin-right: 1rem; }
+.failures section.passed { display: none; }
+.picture { display: block; width: 100%; }
+.small .picture { image-rendering: pixelated; }
+.stage { position: relative; --split: 50%; cursor: ew-resize; touch-action: pan-y; user-select: none; }
+.stage:focus-visible { outline: 3px solid #2f7fd6; outline-offset: 3px; }
+.before { position: absolute; inset: 0; clip-path: inset(0 calc(100% - var(--split)) 0 0); }
+.line { position: absolute; top: 0; bottom: 0; left: var(--split); width: 2px; margin-left: -1px; background: #fff;
         box-shadow: 0 0 3px #000; pointer-events: none; }
-#line::after { content: "\2194"; position: absolute; top: 50%; left: 50%; width: 2rem; height: 2rem;
+.line::after { content: "\2194"; position: absolute; top: 50%; left: 50%; width: 2rem; height: 2rem;
                transform: translate(-50%, -50%); border-radius: 50%; background: #fff; color: #1b1d1f;
                line-height: 2rem; text-align: center; box-shadow: 0 0 3px #000; }
-.tag { position: absolute; bottom: .6rem; padding: 0 .5rem; border-radius: .2rem; background: #000a;
+.box { position: absolute; border: 2px dashed #ff2fd0; pointer-events: none; }
+.flicker .line, .flicker .left { visibility: hidden; }
+.flicker .before { clip-path: none; }
+.flicker.blink .before { visibility: hidden; }
+.tag { position: absolute; bottom: .6rem; padding: 0 .5rem; border-radius: .2rem; background: #000a; color: #fff;
        font-size: .85rem; pointer-events: none; }
 .left { left: .6rem; }
 .right { right: .6rem; }
@@ -38,65 +48,82 @@ code { overflow-wrap: anywhere; }
 .ticks span { position: absolute; transform: translateX(-50%); }
 .ticks span:first-child { transform: none; }
 .ticks span:last-child { transform: translateX(-100%); }
-table { border-collapse: collapse; }
-th, td { padding: .2rem 1.5rem .2rem 0; border-bottom: 1px solid #3a3e42; text-align: left;
+table { margin-top: .6rem; border-collapse: collapse; }
+th, td { padding: .2rem 1.5rem .2rem 0; border-bottom: 1px solid #8886; text-align: left;
          font-variant-numeric: tabular-nums; }
 th { font-weight: 600; }
-.note { color: #a4abb2; font-size: .85rem; }
+.note { opacity: .75; font-size: .85rem; }
 </style>
 </head>
 <body>
-<h1><span class="verdict @CLASS@">@VERDICT@</span>@SIZE@</h1>
-@OBJECTIONS@
-<p>Reference: <code>@REFERENCE@</code></p>
-<p>Test: <code>@TEST@</code></p>
+<h1>@TITLE@</h1>
+<fieldset><label><input type="checkbox" id="failures"> only what failed</label></fieldset>
+<p class="note">Worst first. Drag a picture, or focus it and use the arrow keys, Home and End. FLIP is for @PPD@ pixels
+per degree: a 0.7 m wide screen of 3840 pixels, seen from 0.7 m. A dashed box is around most wrong pixels that touch.</p>
+)html";
 
-<h2>Reference and test</h2>
-<div id="stage" role="slider" tabindex="0" aria-label="How much of the reference is shown" aria-valuemin="0"
+/// Of what could not be compared, only as far as the objections.
+constexpr const char* reportHeading = R"html(<section class="@PASSED@">
+<h2><span class="verdict @CLASS@">@VERDICT@</span>@NAME@</h2>
+@OBJECTIONS@)html";
+
+constexpr const char* reportPictures = R"html(<p>@SIZE@. Reference: <code>@REFERENCE@</code>.
+Test: <code>@TEST@</code>.@EXPOSURE@</p>
+<fieldset aria-label="View">
+<label><input type="radio" name="view@ID@" value="slider" checked> slider</label>
+<label><input type="radio" name="view@ID@" value="flicker"> flicker</label>
+</fieldset>
+<div class="stage @SMALL@" role="slider" tabindex="0" aria-label="How much of the reference is shown" aria-valuemin="0"
      aria-valuemax="100" aria-valuenow="50">
-  <img class="picture" src="test.png" alt="Test" draggable="false">
-  <img class="picture" id="before" src="reference.png" alt="Reference" draggable="false">
-  <div id="line"></div>
+  <img class="picture" src="@FOLDER@test.png" alt="Test" draggable="false" loading="lazy">
+  <img class="picture before" src="@FOLDER@reference.png" alt="Reference" draggable="false" loading="lazy">
+  <div class="line"></div>@BOX@
   <span class="tag left">reference</span>
   <span class="tag right">test</span>
 </div>
-<p class="note">Drag, or focus the picture and use the arrow keys, Home and End.@EXPOSURE@</p>
-
-<h2>@FLIP@ map</h2>
-<img class="picture" src="flip.png" alt="@FLIP@ map">
+<p class="note">@FLIP@ map</p>
+<div class="@SMALL@"><img class="picture" src="@FOLDER@flip.png" alt="@FLIP@ map" loading="lazy"></div>
 <div class="scale"></div>
 <div class="ticks"><span>0, unseen</span><span style="left: 25%">0.25</span><span style="left: 50%">0.5</span>
 <span style="left: 75%">0.75</span><span style="left: 100%; white-space: nowrap">1, plain</span></div>
-
-<h2>Measures</h2>
 <table>
 <tr><th>measure</th><th>value</th><th>expected</th></tr>
 @ROWS@</table>
-<p class="note">FLIP is for @PPD@ pixels per degree: a 0.7 m wide screen of 3840 pixels, seen from 0.7 m.</p>
+)html";
 
+constexpr const char* reportTail = R"html(
 <script>
 'use strict';
-const stage = document.getElementById('stage');
-let split = 50;
-function show(percent) {
-  split = Math.min(100, Math.max(0, percent));
+function show(stage, percent) {
+  const split = Math.min(100, Math.max(0, percent));
   stage.style.setProperty('--split', split + '%');
   stage.setAttribute('aria-valuenow', Math.round(split));
 }
 function follow(event) {
-  const box = stage.getBoundingClientRect();
-  show(100 * (event.clientX - box.left) / box.width);
+  const box = event.currentTarget.getBoundingClientRect();
+  show(event.currentTarget, 100 * (event.clientX - box.left) / box.width);
 }
-stage.addEventListener('pointerdown', event => { stage.setPointerCapture(event.pointerId); follow(event); });
-stage.addEventListener('pointermove', event => { if (stage.hasPointerCapture(event.pointerId)) follow(event); });
-stage.addEventListener('keydown', event => {
-  const step = event.shiftKey ? 10 : 1;
-  const target = { ArrowLeft: split - step, ArrowDown: split - step, ArrowRight: split + step, ArrowUp: split + step,
-                   PageDown: split - 10, PageUp: split + 10, Home: 0, End: 100 }[event.key];
-  if (target === undefined) return;
-  event.preventDefault();
-  show(target);
+for (const stage of document.querySelectorAll('.stage')) {
+  stage.addEventListener('pointerdown', event => { stage.setPointerCapture(event.pointerId); follow(event); });
+  stage.addEventListener('pointermove', event => { if (stage.hasPointerCapture(event.pointerId)) follow(event); });
+  stage.addEventListener('keydown', event => {
+    const split = Number(stage.getAttribute('aria-valuenow')), step = event.shiftKey ? 10 : 1;
+    const target = { ArrowLeft: split - step, ArrowDown: split - step, ArrowRight: split + step, ArrowUp: split + step,
+                     PageDown: split - 10, PageUp: split + 10, Home: 0, End: 100 }[event.key];
+    if (target === undefined) return;
+    event.preventDefault();
+    show(stage, target);
+  });
+}
+document.addEventListener('change', event => {
+  if (event.target.id === 'failures') document.body.classList.toggle('failures', event.target.checked);
+  if (event.target.type !== 'radio') return;
+  const stage = event.target.closest('section').querySelector('.stage');
+  stage.classList.toggle('flicker', event.target.value === 'flicker');
 });
+setInterval(() => {
+  for (const stage of document.querySelectorAll('.flicker')) stage.classList.toggle('blink');
+}, 500);
 </script>
 </body>
 </html>

@@ -1,0 +1,156 @@
+#include "program/bless/bless.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "metrics/finite.h"
+#include "program/bless/drivers.h"
+#include "program/compare/pair.h"
+#include "program/compare/picture_pairs.h"
+#include "scene/text_file.h"
+
+namespace demos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A picture that may become a reference.
+struct Candidate {
+    fs::path name, reference, test;
+    std::string news; ///< how it differs; empty where it does not
+};
+
+std::optional<std::vector<Candidate>> candidates(const BlessOptions& options, Error& error) {
+    std::error_code code;
+    if (!fs::is_directory(options.test, code))
+        return {{{options.test.filename(), options.reference, options.test, {}}}};
+    if (fs::exists(options.reference, code) && !fs::is_directory(options.reference, code)) {
+        error.text =
+            options.reference.string() + ": is a file, expected a folder as " + options.test.string() + " is";
+        return std::nullopt;
+    }
+    std::vector<Candidate> all;
+    for (const auto& [name, files] : picturePairs(options.test, options.test)) {
+        if (!files.problem.empty()) {
+            error.text = files.problem;
+            return std::nullopt;
+        }
+        all.push_back({name, options.reference / name, options.test / name, {}});
+    }
+    if (!all.empty()) return all;
+    error.text = options.test.string() + ": no pictures, expected PNG, EXR or HDR";
+    return std::nullopt;
+}
+
+/// False with `error` set when the picture is not fit for a reference.
+bool checkTest(const fs::path& file, Error& error) {
+    if (!isPictureName(file)) {
+        error.text = file.string() + ": is no picture by its name, expected .png, .exr or .hdr";
+        return false;
+    }
+    const std::optional<Picture> picture = readPicture(file, error);
+    if (!picture) return false;
+    const uint64_t broken = countNotFinite({picture->width, picture->height, picture->rgba});
+    if (broken == 0) return true;
+    error.text = file.string() + ": NaN or infinity in " + std::to_string(broken) + " pixels, expected none";
+    return false;
+}
+
+std::string newsOf(const Candidate& one) {
+    std::error_code code;
+    if (!fs::exists(one.reference, code)) return "new";
+    CompareOptions options;
+    options.reference = one.reference;
+    options.test = one.test;
+    options.limits.shares = {{0, 0}};
+    Error error;
+    const std::optional<Pair> pair = measurePair(options, error);
+    if (!pair) return "cannot be compared: " + error.text;
+    if (pair->objections.empty()) return {};
+    const Comparison& found = pair->comparison;
+    char text[200];
+    std::snprintf(
+        text, sizeof(text),
+        "FLIP mean %.4f, 99th percentile %.4f, greatest %.4f; %.4g of pixels differ, by at most %.4g",
+        found.flipMean, found.flipP99, found.flipMax, found.shares.front(), found.difference.max);
+    return text;
+}
+
+bool checkNames(const BlessOptions& options, const std::vector<Candidate>& all, Error& error) {
+    for (const fs::path& name : options.names) {
+        const auto has = [&name](const Candidate& one) { return one.name == name; };
+        if (std::any_of(all.begin(), all.end(), has)) continue;
+        error.text =
+            name.string() + ": no such picture in " + options.test.string() + ", expected one that is there";
+        return false;
+    }
+    return true;
+}
+
+bool checkDrivers(const BlessOptions& options, const std::vector<Candidate>& chosen,
+                  const std::string& driver, Error& error) {
+    for (const Candidate& one : chosen) {
+        const std::string theirs = driverOf(one.reference);
+        if (options.otherDriver || theirs.empty() || theirs == driver) continue;
+        error.text = one.reference.string() + ": references here are of the driver '" + theirs +
+                     "' and this is '" + driver + "', expected that one, or --other-driver";
+        return false;
+    }
+    return true;
+}
+
+bool renew(const Candidate& one, const std::string& driver, Error& error) {
+    std::error_code code;
+    const fs::path folder = one.reference.parent_path();
+    if (!folder.empty()) fs::create_directories(folder, code);
+    std::ifstream file(one.test, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    if (code || !file) {
+        error.text =
+            one.reference.string() + ": cannot be made: " + (code ? code.message() : "reading failed");
+        return false;
+    }
+    return writeText(one.reference, bytes, error) && noteDriver(one.reference, driver, error);
+}
+
+/// Those that differ and are chosen go to `chosen`; of the rest that differ the number.
+size_t list(const BlessOptions& options, std::vector<Candidate>& all, std::vector<Candidate>& chosen) {
+    size_t left = 0;
+    for (Candidate& one : all) {
+        one.news = newsOf(one);
+        if (one.news.empty()) continue;
+        std::printf("%s: %s\n  old: %s\n  new: %s\n", one.name.c_str(), one.news.c_str(),
+                    one.reference.c_str(), one.test.c_str());
+        if (options.yes || options.names.contains(one.name))
+            chosen.push_back(one);
+        else
+            ++left;
+    }
+    return left;
+}
+
+} // namespace
+
+ExitCode blessPictures(const BlessOptions& options, Error& error) {
+    std::optional<std::vector<Candidate>> all = candidates(options, error);
+    if (!all || !checkNames(options, *all, error)) return badInput;
+    for (const Candidate& one : *all)
+        if (!checkTest(one.test, error)) return badInput;
+    std::vector<Candidate> chosen;
+    const size_t left = list(options, *all, chosen);
+    const std::string driver = options.driver.empty() && !chosen.empty() ? thisDriver() : options.driver;
+    if (!checkDrivers(options, chosen, driver, error)) return badInput;
+    for (const Candidate& one : chosen) {
+        if (!renew(one, driver, error)) return badInput;
+        std::printf("renewed: %s\n", one.reference.c_str());
+    }
+    if (left == 0) return ok;
+    error.text = std::to_string(left) + " left as they were, expected their names, or --yes for all";
+    return different;
+}
+
+} // namespace demos

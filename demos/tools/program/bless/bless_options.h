@@ -1,0 +1,35 @@
+// The command line of seaglass bless.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace demos {
+
+struct BlessOptions {
+    std::filesystem::path reference, test;
+    std::set<std::filesystem::path> names; ///< within the folders; empty: all, if `yes`
+    bool yes = false;
+    std::string driver; ///< that made the test's pictures; empty: this machine's first that is supported
+    bool otherDriver = false;
+};
+
+struct RawBless {
+    std::string reference, test, driver;
+    std::vector<std::string> names;
+    bool yes = false, otherDriver = false;
+};
+
+void describeBless(CLI::App& command, RawBless& raw);
+std::optional<BlessOptions> checkBless(const RawBless& raw, Error& error);
+
+} // namespace demos

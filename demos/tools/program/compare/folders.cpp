@@ -1,0 +1,171 @@
+#include "program/compare/folders.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "host/files/quiet.h"
+#include "program/compare/junit.h"
+#include "program/compare/pair.h"
+#include "program/compare/picture_pairs.h"
+#include "program/measure/measures.h"
+#include "program/measure/report.h"
+#include "program/render/output.h"
+
+namespace demos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Each holds two pictures and their measures.
+constexpr unsigned mostThreads = 4;
+constexpr size_t mostNamed = 8;
+
+bool checkBoth(const CompareOptions& options, Error& error) {
+    std::error_code code;
+    if (!fs::exists(options.reference, code)) {
+        error.text = options.reference.string() +
+                     ": no such folder, expected one of references: seaglass bless " +
+                     options.reference.string() + " " + options.test.string() + " makes it";
+        return false;
+    }
+    const bool reference = fs::is_directory(options.reference, code),
+               test = fs::is_directory(options.test, code);
+    if (reference && test) return true;
+    const fs::path& other = reference ? options.test : options.reference;
+    const fs::path& folder = reference ? options.reference : options.test;
+    error.text = other.string() + (fs::exists(other, code) ? " is a file and " : " is not there and ") +
+                 folder.string() + " a folder, expected two of a kind";
+    return false;
+}
+
+/// `number` is the pair's among all: its folder in the report.
+Judged measured(const CompareOptions& options, const fs::path& name, size_t number) {
+    CompareOptions one = options;
+    one.reference /= name;
+    one.test /= name;
+    Error error;
+    const std::optional<Pair> pair = measurePair(one, error);
+    if (!pair) return {name.string(), badInput, error.text, {}};
+    Judged judged = judgedPair(one, *pair);
+    judged.name = name.string();
+    const std::string folder = "pictures/" + std::to_string(number) + "/";
+    if (!options.report.empty() && !addSection(one, *pair, folder, judged, error))
+        return {name.string(), badInput, error.text, {}};
+    return judged;
+}
+
+Judged judgedFiles(const CompareOptions& options, const fs::path& name, const PairOfFiles& files,
+                   size_t number) {
+    const std::string reference = (options.reference / name).string(), test = (options.test / name).string();
+    if (!files.problem.empty()) return {name.string(), badInput, files.problem, {}};
+    if (!files.inReference) {
+        return {name.string(),
+                different,
+                "no reference " + reference + ", expected one: seaglass bless " + options.reference.string() +
+                    " " + options.test.string() + " makes it",
+                {}};
+    }
+    if (!files.inTest)
+        return {name.string(), different, "no picture " + test + ", expected one as " + reference, {}};
+    try {
+        return measured(options, name, number);
+    } catch (const std::bad_alloc&) {
+        return {name.string(), badInput, test + ": out of memory, expected a smaller picture", {}};
+    } catch (const std::exception& problem) {
+        return {name.string(), badInput, test + ": " + problem.what(), {}};
+    }
+}
+
+std::vector<Judged> judgedAll(const CompareOptions& options, const PicturePairs& pairs) {
+    const std::vector<std::pair<fs::path, PairOfFiles>> list(pairs.begin(), pairs.end());
+    std::vector<Judged> all(list.size());
+    std::atomic<size_t> next = 0;
+    const auto work = [&] {
+        for (size_t i = next++; i < list.size(); i = next++)
+            all[i] = judgedFiles(options, list[i].first, list[i].second, i);
+    };
+    // Around all of them: each picture that is read has one of its own, which threads would mix up.
+    const QuietStderr quiet;
+    std::vector<std::jthread> others;
+    const unsigned cores = std::max(std::thread::hardware_concurrency(), 1u);
+    const unsigned wanted = options.large ? 1 : std::min(cores, mostThreads);
+    for (unsigned i = 1; i < wanted && i < list.size(); ++i) others.emplace_back(work);
+    work();
+    others.clear();
+    return all;
+}
+
+std::string jsonOf(const std::vector<Judged>& all, ExitCode code) {
+    using Json = nlohmann::ordered_json;
+    Json json;
+    json["same"] = code == ok;
+    json["pictures"] = Json::array();
+    for (const Judged& one : all) {
+        Json picture;
+        picture["name"] = one.name;
+        picture["verdict"] = toString(one.code);
+        picture["why"] = one.why;
+        picture["measures"] = one.json.empty() ? Json(nullptr) : Json::parse(one.json);
+        json["pictures"].push_back(picture);
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string namesOf(const std::vector<Judged>& all, ExitCode code) {
+    std::string names;
+    size_t count = 0;
+    for (const Judged& one : all) {
+        if (one.code != code || ++count > mostNamed) continue;
+        names += (names.empty() ? "" : "; ") + one.name + ": " + one.why;
+    }
+    return count > mostNamed ? names + "; and " + std::to_string(count - mostNamed) + " more" : names;
+}
+
+ExitCode worst(const std::vector<Judged>& all) {
+    ExitCode code = ok;
+    for (const Judged& one : all) code = std::max(code, one.code);
+    return code;
+}
+
+void say(const std::vector<Judged>& all, Error& error) {
+    for (const Judged& one : all) {
+        std::printf("%s: %s%s%s\n", toString(one.code), one.name.c_str(), one.why.empty() ? "" : ": ",
+                    one.why.c_str());
+    }
+    const std::string bad = namesOf(all, badInput), other = namesOf(all, different);
+    if (!bad.empty()) error.text = "not compared: " + bad;
+    if (!other.empty()) error.text += (bad.empty() ? "different: " : "; different: ") + other;
+}
+
+} // namespace
+
+bool areFolders(const CompareOptions& options) {
+    std::error_code code;
+    return fs::is_directory(options.reference, code) || fs::is_directory(options.test, code);
+}
+
+ExitCode compareFolders(const CompareOptions& options, Error& error) {
+    if (!checkBoth(options, error)) return badInput;
+    const PicturePairs pairs = picturePairs(options.reference, options.test);
+    if (pairs.empty()) {
+        error.text = options.reference.string() + " and " + options.test.string() +
+                     ": no pictures, expected PNG, EXR or HDR";
+        return badInput;
+    }
+    const std::vector<Judged> all = judgedAll(options, pairs);
+    const ExitCode code = worst(all);
+    if (!options.json.empty() && !writeText(options.json, jsonOf(all, code), error)) return badInput;
+    if (!options.junit.empty() && !writeText(options.junit, junitXml(all), error)) return badInput;
+    if (!options.report.empty() && !writeReport(options, all, error)) return badInput;
+    say(all, error);
+    return code;
+}
+
+} // namespace demos

@@ -1,0 +1,42 @@
+#include "program/compare/junit.h"
+
+#include <algorithm>
+
+#include "measure/page/html.h"
+
+namespace demos {
+
+namespace {
+
+/// XML knows no control characters, not even by number.
+std::string attribute(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return escaped(text);
+}
+
+std::string count(const std::vector<Judged>& all, ExitCode code) {
+    return std::to_string(
+        std::count_if(all.begin(), all.end(), [code](const Judged& one) { return one.code == code; }));
+}
+
+} // namespace
+
+std::string junitXml(const std::vector<Judged>& all) {
+    const std::string counts = " tests=\"" + std::to_string(all.size()) + "\" failures=\"" +
+                               count(all, different) + "\" errors=\"" + count(all, badInput) + "\"";
+    std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts +
+                      ">\n<testsuite name=\"seaglass compare\"" + counts + ">\n";
+    for (const Judged& one : all) {
+        xml += "<testcase classname=\"seaglass.compare\" name=\"" + attribute(one.name) + "\"";
+        if (one.code == ok) {
+            xml += "/>\n";
+            continue;
+        }
+        const std::string kind = one.code == different ? "failure" : "error";
+        xml += "><" + kind + " message=\"" + attribute(one.why) + "\"/></testcase>\n";
+    }
+    return xml + "</testsuite>\n</testsuites>\n";
+}
+
+} // namespace demos

@@ -1,0 +1,117 @@
+#include "program/compare/pair.h"
+
+#include <filesystem>
+
+#include "host/files/image_source.h"
+#include "metrics/tolerant.h"
+#include "program/compare/picture_pairs.h"
+
+namespace demos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool checkExtension(const fs::path& file, Error& error) {
+    if (isPictureName(file)) return true;
+    error.text = file.string() + ": '" + file.extension().string() +
+                 "' is no known extension, expected .png, .exr or .hdr";
+    return false;
+}
+
+/// By what the files hold, whatever their names. Null as well when the pictures are of two kinds.
+std::optional<PictureKind> commonKind(const CompareOptions& options, const ImageHeader& reference,
+                                      const ImageHeader& test, Error& error) {
+    if (reference.integer != test.integer) {
+        error.text = options.reference.string() + " and " + options.test.string() +
+                     ": a PNG is display-encoded, an EXR or HDR linear, expected two of a kind";
+        return std::nullopt;
+    }
+    if (options.exposureEv && reference.integer) {
+        error.text = "--exposure is given for PNG, which needs none, expected EXR or HDR";
+        return std::nullopt;
+    }
+    return reference.integer ? PictureKind::display : PictureKind::linear;
+}
+
+std::optional<PictureFile> read(const fs::path& file, const std::string& layer, bool large, Error& error) {
+    const limits::Allowance pixels = large ? limits::largePixels : limits::comparedPixels;
+    std::optional<PictureFile> picture = readPictureFile(file, {layer, "--layer"}, pixels, error);
+    // Most errors say what was expected; the libraries' own do not.
+    if (!picture && error.text.find(", expected ") == std::string::npos)
+        error.text += ", expected a PNG, EXR or HDR picture";
+    if (!picture && !large && error.text.ends_with(unpacksFar)) error.text += ", or --large";
+    return picture;
+}
+
+std::string sizeOf(const Picture& picture) {
+    return std::to_string(picture.width) + "x" + std::to_string(picture.height);
+}
+
+Image view(const Picture& picture) {
+    return {picture.width, picture.height, picture.rgba};
+}
+
+/// Says what to do about a reference that is not there yet.
+bool checkReference(const CompareOptions& options, Error& error) {
+    std::error_code code;
+    const fs::path& reference = options.reference;
+    if (fs::exists(reference, code) || !fs::exists(options.test, code)) return true;
+    if (fs::is_symlink(reference, code)) {
+        error.text = reference.string() + ": is a link to nowhere, expected a picture";
+        return false;
+    }
+    error.text = reference.string() + ": no such file, expected a reference: seaglass bless " +
+                 reference.string() + " " + options.test.string() + " makes it";
+    return false;
+}
+
+/// What is given counts before what is tolerated.
+Limits limitsOf(const CompareOptions& options, PictureKind kind) {
+    Limits limits = options.limits;
+    if (!options.tolerant) return limits;
+    const Limits tolerant = tolerantLimits(kind);
+    const auto fill = [](auto& given, const auto& usual) {
+        if (!given) given = usual;
+    };
+    fill(limits.flipMean, tolerant.flipMean);
+    fill(limits.flipP99, tolerant.flipP99);
+    fill(limits.flipMax, tolerant.flipMax);
+    fill(limits.wrong.share, tolerant.wrong.share);
+    fill(limits.wrong.blob, tolerant.wrong.blob);
+    if (limits.shares.empty()) limits.shares = tolerant.shares;
+    return limits;
+}
+
+} // namespace
+
+std::optional<Pair> measurePair(const CompareOptions& options, Error& error) {
+    if (!checkExtension(options.reference, error) || !checkExtension(options.test, error) ||
+        !checkReference(options, error))
+        return std::nullopt;
+    std::optional<PictureFile> reference =
+        read(options.reference, options.referenceLayer, options.large, error);
+    if (!reference) return std::nullopt;
+    std::optional<PictureFile> test = read(options.test, options.testLayer, options.large, error);
+    if (!test) return std::nullopt;
+    const std::optional<PictureKind> kind = commonKind(options, reference->header, test->header, error);
+    if (!kind) return std::nullopt;
+    const Picture &expected = reference->picture, &actual = test->picture;
+    if (expected.width != actual.width || expected.height != actual.height) {
+        error.text = options.reference.string() + " is " + sizeOf(expected) + " and " +
+                     options.test.string() + " is " + sizeOf(actual) + ", expected one size";
+        return std::nullopt;
+    }
+    Pair pair{std::move(*reference), std::move(*test), *kind, limitsOf(options, *kind), {}, {}};
+    pair.comparison = compare(view(pair.expected()), view(pair.actual()), pair.kind, pair.limits);
+    pair.objections = objections(pair.comparison, pair.limits);
+    return pair;
+}
+
+std::string joined(const std::vector<std::string>& objections) {
+    std::string line;
+    for (const std::string& objection : objections) line += (line.empty() ? "" : "; ") + objection;
+    return line;
+}
+
+} // namespace demos

@@ -1,0 +1,28 @@
+// Two pictures, read and measured.
+#pragma once
+
+#include <optional>
+
+#include "host/files/image_file.h"
+#include "program/compare/compare_options.h"
+
+namespace demos {
+
+struct Pair {
+    PictureFile reference, test;
+    PictureKind kind = PictureKind::display;
+    Limits limits; ///< those given, and the tolerant ones where they are asked for
+    Comparison comparison;
+    std::vector<std::string> objections; ///< empty when the two are the same within the limits
+
+    const Picture& expected() const { return reference.picture; }
+    const Picture& actual() const { return test.picture; }
+};
+
+/// Null with `error` set when the two cannot be compared.
+std::optional<Pair> measurePair(const CompareOptions& options, Error& error);
+
+/// Objections on one line.
+std::string joined(const std::vector<std::string>& objections);
+
+} // namespace demos
