@@ -25,10 +25,11 @@ foreach(name medium reflection_blur reflection_info reflection_source reflection
 endforeach()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/seaglassConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/seaglassConfig.cmake INSTALL_DESTINATION ${package_dir} PATH_VARS glsl_dir)
+  ${PROJECT_BINARY_DIR}/seaglassConfig.cmake INSTALL_DESTINATION ${package_dir} PATH_VARS glsl_dir CMAKE_INSTALL_BINDIR)
 # Until 1.0 any minor version may break (SemVer).
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/seaglassConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/seaglassConfig.cmake ${PROJECT_BINARY_DIR}/seaglassConfigVersion.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/seaglassScreenshotTest.cmake ${CMAKE_CURRENT_LIST_DIR}/seaglassRunScreenshotTest.cmake
   DESTINATION ${package_dir})
 
 # seaglass_pkg_config(NAME DESCRIPTION LIBS [OURS module...] [OTHERS module...]): who links a static library links what it

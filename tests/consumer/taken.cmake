@@ -83,3 +83,7 @@ if(way MATCHES "find_package|deb")
   run(${CMAKE_COMMAND} -G ${generator} -S ${pages}/demos/minimal -B ${work}/minimal -D CMAKE_PREFIX_PATH=${prefix})
   run(${CMAKE_COMMAND} --build ${work}/minimal)
 endif()
+
+if(way STREQUAL "find_package" AND NOT shared)
+  include(${CMAKE_CURRENT_LIST_DIR}/screenshots.cmake)
+endif()

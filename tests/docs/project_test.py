@@ -1,4 +1,5 @@
-"""project_test.py BUILD WORK: README's cmake block makes a project that links and runs, with Seaglass installed from BUILD."""
+"""project_test.py BUILD WORK: with Seaglass installed from BUILD, README's cmake block makes a project that links and runs, and
+that of docs/screenshot-tests.md one that has the tests it speaks of."""
 import pathlib
 import shutil
 import subprocess
@@ -10,6 +11,10 @@ BEFORE = """cmake_minimum_required(VERSION 3.25)
 project(game LANGUAGES CXX)
 add_executable(game main.cpp)
 """
+PICTURES = """cmake_minimum_required(VERSION 3.25)
+project(pictures LANGUAGES NONE)
+enable_testing()
+"""
 MAIN = """#include <seaglass/water.h>
 int main() { return seaglass::version() == SEAGLASS_VERSION ? 0 : 1; }
 """
@@ -17,24 +22,32 @@ int main() { return seaglass::version() == SEAGLASS_VERSION ? 0 : 1; }
 
 def main():
     build, work = (pathlib.Path(argument) for argument in sys.argv[1:])
-    blocks = [block for block in all_blocks("cmake") if block.document == "README.md"]
-    if len(blocks) != 1 or len(all_blocks("cmake")) != 1:
-        print("expected one cmake block in all, README's")
+    blocks = {str(block.document): block for block in all_blocks("cmake")}
+    if len(all_blocks("cmake")) != 2 or set(blocks) != {"README.md", "docs/screenshot-tests.md"}:
+        print("expected two cmake blocks in all, README's and that of docs/screenshot-tests.md")
         return 1
     shutil.rmtree(work, ignore_errors=True)
     game = work / "game"
+    pictures = work / "pictures"
     game.mkdir(parents=True)
-    (game / "CMakeLists.txt").write_text(BEFORE + blocks[0].text)
+    pictures.mkdir()
+    (pictures / "CMakeLists.txt").write_text(PICTURES + blocks["docs/screenshot-tests.md"].text)
+    (game / "CMakeLists.txt").write_text(BEFORE + blocks["README.md"].text)
     (game / "main.cpp").write_text(MAIN)
     for command in (["cmake", "--install", build, "--prefix", work / "prefix"],
                     ["cmake", "-S", game, "-B", work / "build", f"-DCMAKE_PREFIX_PATH={work / 'prefix'}",
                      "-DCMAKE_CXX_STANDARD=17"],
                     ["cmake", "--build", work / "build"],
-                    [work / "build" / "game"]):
+                    [work / "build" / "game"],
+                    ["cmake", "-S", pictures, "-B", work / "tests", f"-DCMAKE_PREFIX_PATH={work / 'prefix'}"],
+                    ["ctest", "--test-dir", work / "tests", "-N"]):
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode != 0:
-            print(f"{blocks[0]}: {' '.join(map(str, command))} ended with {done.returncode}\n{done.stdout}{done.stderr}")
+            print(f"{' '.join(map(str, command))} ended with {done.returncode}\n{done.stdout}{done.stderr}")
             return 1
+    if "Total Tests: 3" not in done.stdout:
+        print(f"expected three screenshot tests:\n{done.stdout}")
+        return 1
     return 0
 
 

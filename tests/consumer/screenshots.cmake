@@ -1,0 +1,34 @@
+# Takes the package's seaglass_add_screenshot_test() into the project in screenshots/: it fails without references,
+# passes with them, and fails when a picture is another.
+set(project ${work}/screenshots)
+file(COPY ${CMAKE_CURRENT_LIST_DIR}/screenshots/CMakeLists.txt DESTINATION ${project})
+set(seaglass ${prefix}/bin/seaglass)
+set(scenes ${prefix}/share/doc/seaglass/demos/scenes)
+
+# tested(NAME CODE WORDS): runs one of its tests, which ends with CODE and says WORDS.
+function(tested name code words)
+  execute_process(COMMAND ctest --test-dir ${project}/build -R "^${name}$" --output-on-failure --no-tests=error
+    RESULT_VARIABLE ended OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT ended EQUAL code OR NOT said MATCHES "${words}")
+    message(FATAL_ERROR "${name} ended with ${ended}, expected ${code} and '${words}':\n${said}")
+  endif()
+endfunction()
+# drawn(SIZE): the renderer's picture from now on.
+function(drawn size)
+  run(${seaglass} render ${scenes}/floor.toml --size ${size} -o ${project}/build/drawn.png)
+endfunction()
+
+run(${CMAKE_COMMAND} -G ${generator} -S ${project} -B ${project}/build -D SCENE=${scenes}/floor.toml
+  -D CMAKE_PREFIX_PATH=${prefix})
+tested(own 8 "what draws it ended with 1, expected 0")
+tested(silent 8 "no PNG, EXR or HDR in")
+drawn(48x27)
+tested(own 8 "no such folder, expected one of references: seaglass bless")
+tested("scene|scene.reflection" 8 "2 tests failed out of 2")
+run(${seaglass} bless ${project}/screenshots ${project}/build/screenshots/out --yes)
+tested("own|scene|scene.reflection" 0 "100% tests passed")
+if(NOT EXISTS ${project}/build/screenshots/report/own/index.html)
+  message(FATAL_ERROR "own leaves no report")
+endif()
+drawn(40x27)
+tested(own 8 "own.png is 48x27 and .*own.png is 40x27, expected one size")
