@@ -76,7 +76,7 @@ TEST_P(BadInput, InAViewIsRefusedBeforeAnythingIsRecorded) {
         v.sceneColor.format = VK_FORMAT_B8G8R8A8_SRGB;
         v.sceneColor.encoding = Encoding::srgb;
     });
-    expectRefused("ViewDesc.sceneColor.encoding is none",
+    expectRefused("ViewDesc.sceneColor.encoding is out of range",
                   [](ViewDesc& v) { v.sceneColor.encoding = static_cast<Encoding>(3); });
     expectRefused("ViewDesc.sceneColor.layout",
                   [](ViewDesc& v) { v.sceneColor.layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL; });
