@@ -49,14 +49,14 @@ Exit exitOf(const MirrorBlock mirror, vec2 q, vec2 along) {
 }
 
 vec2 insideOf(const MirrorBlock mirror, Exit at, float pixels) {
-    return clamp(at.border - pixels * at.outward, vec2(0.5), vec2(mirror.region.zw) - 0.5);
+    return clamp(at.border - pixels * at.outward, vec2(0.5), vec2(regionSize(mirror)) - 0.5);
 }
 
 // From infinity; none of the sky and of what lies below the plane.
 float nearnessAt(const MirrorBlock mirror, vec2 point) {
-    ivec2 pixel = texelAt(point, mirror.region.zw - 1);
+    ivec2 pixel = regionPixel(mirror, point);
     float depth = depthAt(mirror, pixel);
-    return solid(mirror, pixel, depth) ? mirror.depthSign * (depth - mirror.infinityDepth) : 0.0;
+    return solid(mirror, pixel, depth) ? signedDepth(mirror, fromInfinity(mirror, depth)) : 0.0;
 }
 
 // What a line's nearness is at the border, and how much more a pixel beyond.
@@ -71,8 +71,8 @@ float nearnessBeyond(Nearness line, float pixels) {
 }
 
 Nearness nearnessOf(const MirrorBlock mirror, ScreenRay ray, Exit at) {
-    float atBorder = mirror.depthSign * rayDepthAt(ray, at.border);
-    float inside = mirror.depthSign * rayDepthAt(ray, at.border - leastInside * at.outward);
+    float atBorder = signedDepth(mirror, rayDepthAt(ray, at.border));
+    float inside = signedDepth(mirror, rayDepthAt(ray, at.border - leastInside * at.outward));
     return Nearness(atBorder > 0.0, atBorder, (atBorder - inside) / leastInside);
 }
 
@@ -111,7 +111,7 @@ bool isCut(ivec2 texel) {
 }
 
 vec3 colorAt(const MirrorBlock mirror, ivec2 pixel) {
-    return linearOf(texelFetch(sceneColor, mirror.region.xy + min(pixel, mirror.region.zw - 1), 0).rgb, sceneIsEncoded);
+    return linearOf(texelFetch(sceneColor, sceneTexel(mirror, min(pixel, regionSize(mirror) - 1)), 0).rgb, sceneIsEncoded);
 }
 
 void reachBeyond(const MirrorBlock mirror, ivec2 texel) {
@@ -129,7 +129,7 @@ void reachBeyond(const MirrorBlock mirror, ivec2 texel) {
     bool goesOn = infoIsHit(info) && abs(info - distance) <= sameDistance * distance && confidence > known.a;
     if (!goesOn && (infoIsHit(info) || meeting.beyond < 0.0)) return;
     // Beyond the border a plane looks as it does as far inside.
-    ivec2 inside = texelAt(insideOf(mirror, at, abs(meeting.beyond)), mirror.region.zw - 1);
+    ivec2 inside = regionPixel(mirror, insideOf(mirror, at, abs(meeting.beyond)));
     vec3 other = colorAt(mirror, inside ^ ivec2(1, 0));
     vec3 light = besides(colorAt(mirror, inside), other, other);
     bool hasColor = goesOn && known.a > leastColor;

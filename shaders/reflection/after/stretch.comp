@@ -5,7 +5,6 @@
 #include "mirror.glsl"
 #include "stretch_block.h"
 #include "reflection_info.glsl"
-#include "sight_line.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -46,7 +45,7 @@ bool beyondBorder(const MirrorBlock mirror, vec2 q, SightLine sight, float dista
     float depth = (reach * near.w - dot(direction, near.xyz)) / (dot(direction, perDepth.xyz) - reach * perDepth.w);
     vec4 source = mirror.sceneFromPixel * vec4(q, depth, 1.0);
     float at = source[settings.along] / source.w;
-    return source.w > 0.0 && (atEnd ? at >= float(mirror.region.zw[settings.along]) : at < 0.0);
+    return source.w > 0.0 && (atEnd ? at >= float(regionSize(mirror)[settings.along]) : at < 0.0);
 }
 
 // Where a stretched line has what is `height` metres above the plane and now at `index`.
@@ -71,7 +70,7 @@ void main() {
         float nearest = infoAt(line, known);
         ivec2 texel = line.border + line.inward * index;
         vec2 q = middleOf(mirror, texel);
-        SightLine sight = sightLine(mirror.relativeFromPixel, q, mirror.plane, mirror.depthSign);
+        SightLine sight = sightThrough(mirror, q);
         float rise = sight.towardsPlane;
         if (!infoIsHit(nearest) || !(rise > 0.0)) continue;
         // What is open for another reason stays so.

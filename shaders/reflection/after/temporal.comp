@@ -6,7 +6,6 @@
 #include "mirror.glsl"
 #include "temporal_block.h"
 #include "reflection_info.glsl"
-#include "sight_line.glsl"
 #include "tiles.glsl"
 
 layout(set = 0, binding = settingsBinding, std140) uniform Temporal {
@@ -88,11 +87,11 @@ Row rowAt(const MirrorBlock mirror, ivec2 pixel, vec3 infos) {
 
 vec2 lastTexel(const MirrorBlock mirror, const TemporalBlock settings, vec3 image) {
     vec4 p = settings.lastFromRelative * vec4(image, 1.0);
-    return p.w > 0.0 ? p.xy / (p.w * float(1 << mirror.pixelShift)) : vec2(-1.0);
+    return p.w > 0.0 ? p.xy / (p.w * pixelEdge(mirror)) : vec2(-1.0);
 }
 
 SightLine lastSightLine(const MirrorBlock mirror, const TemporalBlock settings, vec2 texel) {
-    return sightLine(settings.relativeFromLast, texel * float(1 << mirror.pixelShift), mirror.plane, mirror.depthSign);
+    return sightLine(settings.relativeFromLast, texel * pixelEdge(mirror), mirror.plane, mirror.depthSign);
 }
 
 struct Remembered {
@@ -225,7 +224,7 @@ Pixel settled(const MirrorBlock mirror, const TemporalBlock settings, ivec2 pixe
     // Sky among sky is the same in all frames.
     if (settings.share == 0.0 || known && around.distances.y == 0.0) return found;
     vec2 q = middleOf(mirror, pixel) + settings.jitter;
-    SightLine sight = sightLine(mirror.relativeFromPixel, q, mirror.plane, mirror.depthSign);
+    SightLine sight = sightThrough(mirror, q);
     if (!(sight.towardsPlane > 0.0)) return found;
     // The least distance tells, since the border of what is in front moves with that.
     Place place = lastPlace(mirror, settings, sight, around.distances.x, !known);

@@ -7,5 +7,5 @@ vec2 perDepthTexel() {
 // Of the pixels to the lower left, lower right, upper right and upper left of a corner between pixels, y down. Some may lie
 // outside of the region.
 vec4 depthsAround(const MirrorBlock mirror, ivec2 corner, vec2 perTexel) {
-    return textureGather(sceneDepth, vec2(mirror.region.xy + corner) * perTexel);
+    return textureGather(sceneDepth, vec2(sceneTexel(mirror, corner)) * perTexel);
 }

@@ -2,7 +2,7 @@
 
 // How many times `along` leads from a point to the border.
 float stepsToBorder(const MirrorBlock mirror, vec2 point, vec2 along) {
-    vec2 room = mix(point, vec2(mirror.region.zw) - point, step(0.0, along));
+    vec2 room = mix(point, vec2(regionSize(mirror)) - point, step(0.0, along));
     vec2 steps = room / max(abs(along), vec2(1e-6));
     return min(steps.x, steps.y);
 }
@@ -23,6 +23,6 @@ float confidenceWithin(const MirrorBlock mirror, float left) {
 
 // Of the border ahead, or of any: the others are moved `edgeFadeApart` farther away.
 float edgeConfidence(const MirrorBlock mirror, vec2 q, vec2 source) {
-    vec2 aside = min(source, vec2(mirror.region.zw) - source);
+    vec2 aside = min(source, vec2(regionSize(mirror)) - source);
     return confidenceWithin(mirror, min(borderDistance(mirror, q, source), min(aside.x, aside.y) + mirror.edgeFadeApart));
 }

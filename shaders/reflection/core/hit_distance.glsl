@@ -3,7 +3,6 @@
 // From the mirror to what is hit: the mirrored ray is as long below the plane as the way to its end.
 float distanceToHit(const MirrorBlock mirror, vec2 q, float mirroredDepth) {
     vec3 end = unprojected(mirror, vec3(q, mirroredDepth));
-    // Along the line of sight, from the eye or from infinity, whichever way depth runs.
-    vec3 along = mirror.depthSign * (end * mirror.relativeFromPixel[2].w - mirror.relativeFromPixel[2].xyz);
+    vec3 along = sightAt(mirror, end);
     return length(along) * (dot(mirror.plane.xyz, end) + mirror.plane.w) / dot(mirror.plane.xyz, along);
 }

@@ -2,6 +2,7 @@
 
 #include "mirror_block.h"
 #include "reflection_bindings.h"
+#include "sight_line.glsl"
 #include "texel_at.glsl"
 
 // main() loads it once and hands it on: CPU devices load uniforms anew at each use and in each turn of a loop.
@@ -9,18 +10,56 @@ layout(set = 0, binding = mirrorBinding, std140) uniform Mirror {
     MirrorBlock storedMirror;
 };
 
+ivec2 regionSize(const MirrorBlock mirror) {
+    return mirror.region.zw;
+}
+
+bool beyondRegion(const MirrorBlock mirror, ivec2 pixel) {
+    return any(greaterThanEqual(pixel, regionSize(mirror)));
+}
+
+bool insideRegion(const MirrorBlock mirror, vec2 point) {
+    return all(greaterThanEqual(point, vec2(0.0))) && all(lessThan(point, vec2(regionSize(mirror))));
+}
+
+// The pixel of the region that a point falls in, or else the nearest.
+ivec2 regionPixel(const MirrorBlock mirror, vec2 point) {
+    return texelAt(point, regionSize(mirror) - 1);
+}
+
+// Where the scene's images have a pixel of the region.
+ivec2 sceneTexel(const MirrorBlock mirror, ivec2 pixel) {
+    return mirror.region.xy + pixel;
+}
+
+// Pixels of the region to one of the reflection, and to one key, each way.
+float pixelEdge(const MirrorBlock mirror) {
+    return float(1 << mirror.pixelShift);
+}
+int keyEdge(const MirrorBlock mirror) {
+    return 1 << mirror.keyShift;
+}
+
+// The reflection's pixel, and the key's cell, in which a pixel of the region lies.
+ivec2 reflectionPixel(const MirrorBlock mirror, ivec2 pixel) {
+    return pixel >> mirror.pixelShift;
+}
+ivec2 keyCell(const MirrorBlock mirror, ivec2 pixel) {
+    return pixel >> mirror.keyShift;
+}
+
 // The reflection's pixels, and its keys'.
 ivec2 reflectionSize(const MirrorBlock mirror) {
-    return (mirror.region.zw + (1 << mirror.pixelShift) - 1) >> mirror.pixelShift;
+    return reflectionPixel(mirror, regionSize(mirror) + (1 << mirror.pixelShift) - 1);
 }
 
 ivec2 keyGrid(const MirrorBlock mirror) {
-    return (mirror.region.zw + (1 << mirror.keyShift) - 1) >> mirror.keyShift;
+    return keyCell(mirror, regionSize(mirror) + keyEdge(mirror) - 1);
 }
 
 // The middle of a pixel of the reflection, in the region's pixels.
 vec2 middleOf(const MirrorBlock mirror, ivec2 imagePixel) {
-    return (vec2(imagePixel) + 0.5) * float(1 << mirror.pixelShift);
+    return (vec2(imagePixel) + 0.5) * pixelEdge(mirror);
 }
 
 const uint noKey = 0u;
@@ -39,6 +78,21 @@ vec4 aboveRow(const MirrorBlock mirror) {
     return mirror.heightRow - 1e-3 * mirror.weightRow - vec4(0.0, 0.0, 0.0, mirror.contactPerMetre);
 }
 
+// The screen point at the far end of a line of sight.
+vec4 atInfinity(const MirrorBlock mirror, vec2 point) {
+    return vec4(point, mirror.infinityDepth, 1.0);
+}
+
+// Above the plane [m], of a screen point.
+float heightOf(const MirrorBlock mirror, vec4 point) {
+    return dot(mirror.heightRow, point) / dot(mirror.weightRow, point);
+}
+
+// To a factor, of the far end of a line of sight: negative under the plane's horizon.
+float heightAtInfinity(const MirrorBlock mirror, vec2 point) {
+    return dot(mirror.heightRow, atInfinity(mirror, point));
+}
+
 bool onOrBelowPlane(const MirrorBlock mirror, vec3 screenPoint) {
     return dot(aboveRow(mirror), vec4(screenPoint, 1.0)) <= 0.0;
 }
@@ -49,12 +103,42 @@ bool wellBelowPlane(const MirrorBlock mirror, vec3 screenPoint) {
     return dot(mirror.heightRow, p) < -(1e-3 * dot(mirror.weightRow, p) + mirror.contactPerMetre);
 }
 
-bool insideRegion(const MirrorBlock mirror, vec2 pixel) {
-    return all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(mirror.region.zw)));
+// Greater is nearer, whichever way depth runs; and back.
+float signedDepth(const MirrorBlock mirror, float depth) {
+    return mirror.depthSign * depth;
+}
+vec4 signedDepths(const MirrorBlock mirror, vec4 depths) {
+    return mirror.depthSign * depths;
+}
+
+// Depth less infinity's, whose first digits all that is far shares; and back.
+float fromInfinity(const MirrorBlock mirror, float depth) {
+    return depth - mirror.infinityDepth;
+}
+vec4 allFromInfinity(const MirrorBlock mirror, vec4 depths) {
+    return depths - mirror.infinityDepth;
+}
+float depthFromInfinity(const MirrorBlock mirror, float off) {
+    return off + mirror.infinityDepth;
 }
 
 bool isFar(const MirrorBlock mirror, float depth) {
-    return mirror.depthSign * (depth - mirror.farDepth) <= 0.0;
+    return signedDepth(mirror, depth - mirror.farDepth) <= 0.0;
+}
+
+// How deep a pixel lets the plane be seen, which goes on behind a far plane.
+float throughFarPlane(const MirrorBlock mirror, bool far, float depth) {
+    return far ? mirror.infinityDepth : depth;
+}
+
+// Along the line of sight, from the eye or from infinity, that a place relative to the eye lies on; of any length.
+vec3 sightAt(const MirrorBlock mirror, vec3 place) {
+    return alongSight(mirror.relativeFromPixel, vec4(place, 1.0), mirror.depthSign);
+}
+
+// The line of sight through a point of the region.
+SightLine sightThrough(const MirrorBlock mirror, vec2 point) {
+    return sightLine(mirror.relativeFromPixel, point, mirror.plane, mirror.depthSign);
 }
 
 // Positive floats order like their bits; the nearest mirrored point must win an atomicMax whichever way depth runs.

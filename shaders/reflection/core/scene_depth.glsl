@@ -1,7 +1,7 @@
 // What the image sceneDepth says of its pixels.
 
 float depthAt(const MirrorBlock mirror, ivec2 pixel) {
-    return texelFetch(sceneDepth, mirror.region.xy + pixel, 0).r;
+    return texelFetch(sceneDepth, sceneTexel(mirror, pixel), 0).r;
 }
 
 // Whether what shows at a pixel can be mirrored: neither the far plane nor deeper under the mirror than is told apart.

@@ -4,29 +4,29 @@
 
 // Of a picture one pixel wide none lies before the first.
 vec3 texelColor(const MirrorBlock mirror, ivec2 pixel) {
-    return linearOf(texelFetch(sceneColor, mirror.region.xy + max(pixel, 0), 0).rgb, sceneIsEncoded);
+    return linearOf(texelFetch(sceneColor, sceneTexel(mirror, max(pixel, 0)), 0).rgb, sceneIsEncoded);
 }
 
 // Between the four texels around, where these show one plane on which the ray is there: depth is affine on the screen over
 // a plane. Else the one texel that the point falls in, since what does not belong together is not blended. `nearness` is
 // the ray's depth from infinityDepth.
 vec3 sourceColor(const MirrorBlock mirror, vec2 source, float nearness) {
-    ivec2 corner = max(texelAt(source + 0.5, mirror.region.zw - 1), 1);
+    ivec2 corner = max(regionPixel(mirror, source + 0.5), 1);
     vec2 beyond = clamp(source + 0.5 - vec2(corner), 0.0, 1.0);
     vec4 depths = depthsAround(mirror, corner, perDepthTexel());
-    vec4 seen = depths - mirror.infinityDepth;
+    vec4 seen = allFromInfinity(mirror, depths);
     vec2 rows = mix(seen.wx, seen.zy, beyond.x);
     float off = abs(mix(rows.x, rows.y, beyond.y) - nearness);
     float twist = abs(seen.x + seen.z - seen.y - seen.w);
     float least = min(min(seen.x, seen.y), min(seen.z, seen.w));
     float most = max(max(seen.x, seen.y), max(seen.z, seen.w));
-    float rounding = 4e-6 * abs(nearness + mirror.infinityDepth) + 2.0 * mirror.depthStep;
+    float rounding = 4e-6 * abs(depthFromInfinity(mirror, nearness)) + 2.0 * mirror.depthStep;
     Four colors = withoutFireflies(Four(texelColor(mirror, corner - 1), texelColor(mirror, corner - ivec2(0, 1)),
                                         texelColor(mirror, corner - ivec2(1, 0)), texelColor(mirror, corner)));
-    vec4 signedDepths = mirror.depthSign * depths;
-    float farthest = min(min(signedDepths.x, signedDepths.y), min(signedDepths.z, signedDepths.w));
+    vec4 nears = signedDepths(mirror, depths);
+    float farthest = min(min(nears.x, nears.y), min(nears.z, nears.w));
     // Under the plane's horizon the far plane shows what no ray can meet.
-    float depth = mirror.depthSign * farthest;
+    float depth = signedDepth(mirror, farthest);
     bool mixesIn = isFar(mirror, depth) && wellBelowPlane(mirror, vec3(vec2(corner), depth));
     bool apart = max(off, twist) > 0.05 * (most - least) + rounding || mixesIn;
     vec2 share = apart ? step(0.5, beyond) : beyond;

@@ -4,7 +4,6 @@
 #include "mirror.glsl"
 #include "overlay_block.h"
 #include "reflection_info.glsl"
-#include "sight_line.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -54,8 +53,8 @@ vec3 distanceColor(float metres) {
 }
 
 vec4 seenAt(const MirrorBlock mirror, ivec2 pixel) {
-    ivec2 inside = clamp(pixel, ivec2(0), mirror.region.zw - 1);
-    return vec4(vec2(inside) + 0.5, texelFetch(sceneDepth, mirror.region.xy + inside, 0).r, 1.0);
+    ivec2 inside = clamp(pixel, ivec2(0), regionSize(mirror) - 1);
+    return vec4(vec2(inside) + 0.5, texelFetch(sceneDepth, sceneTexel(mirror, inside), 0).r, 1.0);
 }
 
 bool isDepth(float depth) {
@@ -64,7 +63,7 @@ bool isDepth(float depth) {
 
 // Whether the plane comes before what was drawn.
 bool mirrorBefore(const MirrorBlock mirror, vec4 seen) {
-    if (isFar(mirror, seen.z)) return dot(mirror.heightRow, vec4(seen.xy, mirror.infinityDepth, 1.0)) < 0.0;
+    if (isFar(mirror, seen.z)) return heightAtInfinity(mirror, seen.xy) < 0.0;
     return onOrBelowPlane(mirror, seen.xyz);
 }
 
@@ -75,12 +74,8 @@ vec3 depthColor(const MirrorBlock mirror, vec4 seen) {
 }
 
 float metresToPlane(const MirrorBlock mirror, vec2 pixel) {
-    SightLine sight = sightLine(mirror.relativeFromPixel, pixel, mirror.plane, mirror.depthSign);
+    SightLine sight = sightThrough(mirror, pixel);
     return dot(sight.onPlane, sight.direction);
-}
-
-float heightOf(const MirrorBlock mirror, vec4 seen) {
-    return dot(mirror.heightRow, seen) / dot(mirror.weightRow, seen);
 }
 
 bool contourBetween(const MirrorBlock mirror, float height, vec4 other) {
@@ -109,7 +104,7 @@ vec3 hitDistanceColor(float info) {
 
 vec3 knownColor(const MirrorBlock mirror, ivec2 pixel, vec4 seen) {
     if (!mirrorBefore(mirror, seen)) return noMirror;
-    ivec2 texel = pixel >> mirror.pixelShift;
+    ivec2 texel = reflectionPixel(mirror, pixel);
     float info = texelFetch(reflectionInfo, texel, 0).r;
     if (settings.kind == kindClasses) return classColor(info);
     if (settings.kind == kindConfidence) return mix(noConfidence, fullConfidence, texelFetch(reflectionColor, texel, 0).a);
@@ -119,7 +114,7 @@ vec3 knownColor(const MirrorBlock mirror, ivec2 pixel, vec4 seen) {
 void main() {
     MirrorBlock mirror = storedMirror;
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, mirror.region.zw))) return;
+    if (beyondRegion(mirror, pixel)) return;
     vec4 seen = seenAt(mirror, pixel);
     vec3 color = noDepth;
     if (isDepth(seen.z)) {
@@ -127,5 +122,5 @@ void main() {
         else if (settings.kind == kindPlane) color = planeColor(mirror, pixel, seen);
         else color = knownColor(mirror, pixel, seen);
     }
-    imageStore(target, mirror.region.xy + pixel, vec4(color, 1.0));
+    imageStore(target, sceneTexel(mirror, pixel), vec4(color, 1.0));
 }

@@ -21,8 +21,8 @@ layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
 
 // Whether lookups that waves bend may reach what stands before the plane here.
 bool planeBehind(const MirrorBlock mirror, ivec2 first) {
-    ivec2 last = min(first + (1 << cellShift), mirror.region.zw);
-    vec4 corner = vec4(vec2(first), mirror.infinityDepth, 1.0);
+    ivec2 last = min(first + (1 << cellShift), regionSize(mirror));
+    vec4 corner = atInfinity(mirror, vec2(first));
     vec2 span = vec2(last - first);
     vec4 row = mirror.heightRow;
     return dot(row, corner) + min(row.x * span.x, 0.0) + min(row.y * span.y, 0.0) < 0.0;
@@ -34,7 +34,7 @@ void main() {
     if (index >= cellCount(mirror)) return;
     int across = squaresAcross(mirror, cellShift);
     ivec2 first = ivec2(index % across, index / across) << cellShift;
-    ivec2 last = min(first + (1 << cellShift), mirror.region.zw);
+    ivec2 last = min(first + (1 << cellShift), regionSize(mirror));
     bool planeSeen = false;
     uint nearest = noKey;
     vec2 perTexel = perDepthTexel();
@@ -47,7 +47,7 @@ void main() {
                 ivec2 pixel = ivec2(x, y) + ivec2(i & 1, i >> 1);
                 if (any(greaterThanEqual(pixel, last))) continue;
                 bool far = isFar(mirror, depths[i]);
-                bool onPlane = onOrBelowPlane(mirror, vec3(vec2(pixel) + 0.5, far ? mirror.infinityDepth : depths[i]));
+                bool onPlane = onOrBelowPlane(mirror, vec3(vec2(pixel) + 0.5, throughFarPlane(mirror, far, depths[i])));
                 planeSeen = planeSeen || onPlane;
                 nearest = far || onPlane ? nearest : max(nearest, keyFromDepth(mirror, depths[i]));
             }
@@ -59,6 +59,6 @@ void main() {
     ivec2 block = first >> blockShift;
     int square = firstSquare(mirror, blockShift) + block.y * squaresAcross(mirror, blockShift) + block.x;
     if (nearest != noKey) atomicMax(cells[square], nearest);
-    int tile = tileAt(mirror, first >> (tileShift + mirror.pixelShift));
+    int tile = tileAt(mirror, tileOf(mirror, first));
     if (planeSeen || mirror.bent != 0u && planeBehind(mirror, first)) atomicOr(tiles[tile], tileSeesPlane);
 }

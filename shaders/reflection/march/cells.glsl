@@ -5,11 +5,11 @@ const int cellShift = 3;
 const int blockShift = 6;
 
 int squaresAcross(const MirrorBlock mirror, int shift) {
-    return (mirror.region.z + (1 << shift) - 1) >> shift;
+    return (regionSize(mirror).x + (1 << shift) - 1) >> shift;
 }
 
 int squaresDown(const MirrorBlock mirror, int shift) {
-    return (mirror.region.w + (1 << shift) - 1) >> shift;
+    return (regionSize(mirror).y + (1 << shift) - 1) >> shift;
 }
 
 int cellCount(const MirrorBlock mirror) {

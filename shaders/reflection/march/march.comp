@@ -7,7 +7,6 @@
 #include "edge_fade.glsl"
 #include "reflection_info.glsl"
 #include "tiles.glsl"
-#include "sight_line.glsl"
 #include "march.glsl"
 
 #include "constant.glsl"
@@ -58,7 +57,7 @@ layout(set = 0, binding = surfaceNormalsBinding) uniform sampler2D surfaceNormal
 
 // Kept above the plane, as what shades the surface keeps it.
 vec3 mirroredBySurface(const MirrorBlock mirror, vec2 q, vec3 direction) {
-    vec3 normal = texelFetch(surfaceNormals, mirror.region.xy + ivec2(q), 0).xyz;
+    vec3 normal = texelFetch(surfaceNormals, sceneTexel(mirror, ivec2(q)), 0).xyz;
     float squared = dot(normal, normal);
     if (settings.hasNormals == 0u || !(squared > 0.01) || isinf(squared)) return reflect(direction, mirror.plane.xyz);
     vec3 r = reflect(direction, normalize(normal));
@@ -89,7 +88,7 @@ void main() {
     vec4 color = vec4(0.0);
     float info = infoUnknown;
     int worth = refused;
-    SightLine sight = sightLine(mirror.relativeFromPixel, q, mirror.plane, mirror.depthSign);
+    SightLine sight = sightThrough(mirror, q);
     if (sight.towardsPlane > 0.0) {
         March found = marched(mirror, sight.onPlane, mirroredBySurface(mirror, q, sight.direction), metresToMarch(pixel),
                               noiseAt(vec2(pixel)));

@@ -24,8 +24,8 @@ struct Scene {
 };
 
 Scene loadedScene(const MirrorBlock mirror) {
-    return Scene(mirror.region.xy, mirror.region.zw - 1, mirror.depthSign, mirror.depthSign * mirror.farDepth,
-                 aboveRow(mirror), settings.thickness, mirror.depthSign * mirror.weightRow.z);
+    return Scene(sceneTexel(mirror, ivec2(0)), regionSize(mirror) - 1, mirror.depthSign, signedDepth(mirror, mirror.farDepth),
+                 aboveRow(mirror), settings.thickness, signedDepth(mirror, mirror.weightRow.z));
 }
 
 // A ray on the screen. All but the metres is linear in the share of its length there; depths are signed so that the nearer
@@ -58,11 +58,11 @@ vec4 screenPoint(vec4 homogeneous) {
 // How distance ahead turns with depth at a screen point whose 1/w is `weight`; see within().
 float turnsWithDepth(const MirrorBlock mirror, vec3 point, float weight) {
     vec4 row = settings.forwardRow;
-    return mirror.depthSign * (dot(row, vec4(point, 1.0)) * mirror.weightRow.z - row.z * weight);
+    return signedDepth(mirror, dot(row, vec4(point, 1.0)) * mirror.weightRow.z - row.z * weight);
 }
 
 Track trackOf(const MirrorBlock mirror, vec4 start, vec4 perMetre, float metres) {
-    vec2 size = vec2(mirror.region.zw);
+    vec2 size = vec2(regionSize(mirror));
     vec2 picture = vec2(0.0, metres);
     keepWhere(start.x, perMetre.x, picture);
     keepWhere(start.y, perMetre.y, picture);
@@ -101,7 +101,7 @@ float trackMetres(Track track, float share) {
 }
 
 float depthAt(const MirrorBlock mirror, vec2 pixel) {
-    return texelFetch(sceneDepth, mirror.region.xy + ivec2(pixel), 0).r;
+    return texelFetch(sceneDepth, sceneTexel(mirror, ivec2(pixel)), 0).r;
 }
 
 // What a ray can be behind.
@@ -161,7 +161,7 @@ Slope slopeOf(const MirrorBlock mirror, float before2, float before, float here,
 }
 
 float signedDepthAt(const MirrorBlock mirror, vec2 pixel) {
-    return mirror.depthSign * depthAt(mirror, clamp(pixel, vec2(0.0), vec2(mirror.region.zw) - 0.5));
+    return signedDepth(mirror, depthAt(mirror, clamp(pixel, vec2(0.0), vec2(regionSize(mirror)) - 0.5)));
 }
 
 Slope slopeAlong(const MirrorBlock mirror, vec2 pixel, vec2 step, float here) {
@@ -247,7 +247,7 @@ vec3 shownIn(Track track, float share, vec2 middle) {
 // goes on as far as that.
 int settled(const MirrorBlock mirror, Track track, inout Crossing crossing) {
     vec3 point = trackPoint(track, crossing.share);
-    vec2 middle = floor(min(point.xy, vec2(mirror.region.zw) - 0.5)) + 0.5;
+    vec2 middle = floor(min(point.xy, vec2(regionSize(mirror)) - 0.5)) + 0.5;
     Seen here = seenAt(track.scene, ivec2(middle));
     if (!here.counts) return refused;
     float seen = here.depth;

@@ -29,7 +29,7 @@ March marched(const MirrorBlock mirror, vec3 from, vec3 direction, float metres,
         }
     } while (++alarms <= falseAlarms && found < underside && at.taps > 0 && at.reached < 1.0);
     if (found != refused) {
-        shown.z = mirror.depthSign * shown.z - mirror.infinityDepth;
+        shown.z = fromInfinity(mirror, signedDepth(mirror, shown.z));
         return March(infoOfHit(trackMetres(track, share)), shown, found);
     }
     bool sky = at.reached >= 1.0 && !at.hidden && !track.leavesPicture && reachesSky(mirror, track, perMetre);

@@ -7,7 +7,6 @@
 #include "planar_block.h"
 #include "encoding.glsl"
 #include "reflection_info.glsl"
-#include "sight_line.glsl"
 
 #include "constant.glsl"
 #include "scene_constants.h"
@@ -43,7 +42,7 @@ float drawnHeight(vec3 screenPoint) {
 }
 
 float infoOfDrawn(const MirrorBlock mirror, vec2 q, float depth) {
-    float towardsPlane = sightLine(mirror.relativeFromPixel, q, mirror.plane, mirror.depthSign).towardsPlane;
+    float towardsPlane = sightThrough(mirror, q).towardsPlane;
     if (!(towardsPlane > 0.0)) return infoUnknown;
     if (isFar(mirror, depth)) return infoSky;
     float height = drawnHeight(vec3(q, depth));

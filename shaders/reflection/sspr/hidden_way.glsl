@@ -22,7 +22,7 @@ struct Entry {
 };
 
 bool hides(const MirrorBlock mirror, vec2 point, float depth) {
-    return mirror.depthSign * (depthAt(mirror, texelAt(point, mirror.region.zw - 1)) - mirror.infinityDepth - depth) >= 0.0;
+    return signedDepth(mirror, fromInfinity(mirror, depthAt(mirror, regionPixel(mirror, point))) - depth) >= 0.0;
 }
 
 // How many of the next pixels of its way hide a ray, whose depth is linear there: looked for in strides, then in pixels.
@@ -57,14 +57,13 @@ Entry entryBefore(const MirrorBlock mirror, ScreenRay ray, vec2 q, vec2 from, fl
     float pixels = min(floor(way), mostPixels);
     float hidden = hiddenPixels(mirror, ray, from, step, pixels);
     vec2 point = from + hidden * step;
-    ivec2 last = mirror.region.zw - 1;
-    Guesses between = Guesses(texelAt(point + step, last), texelAt(point, last));
+    Guesses between = Guesses(regionPixel(mirror, point + step), regionPixel(mirror, point));
     return Entry(hidden < pixels ? between : noGuesses, point, rayDepthAt(ray, point));
 }
 
 // The last hidden point of a ray before it is seen again.
 vec2 exitAfter(const MirrorBlock mirror, ScreenRay ray, vec2 from, vec2 step, float mostPixels) {
-    vec2 left = (mix(vec2(0.0), vec2(mirror.region.zw), greaterThan(step, vec2(0.0))) - from) / step;
+    vec2 left = (mix(vec2(0.0), vec2(regionSize(mirror)), greaterThan(step, vec2(0.0))) - from) / step;
     left = mix(left, vec2(mostPixels), lessThan(abs(step), vec2(1e-3)));
     float pixels = clamp(floor(min(left.x, left.y)) - 1.0, 0.0, mostPixels);
     return from + hiddenPixels(mirror, ray, from, step, pixels) * step;

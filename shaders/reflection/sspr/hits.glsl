@@ -19,7 +19,7 @@ struct LineKey {
 // What left a key in another cell.
 ivec2 sourceOf(const MirrorBlock mirror, LineKey from) {
     if (from.key == noKey) return nowhere;
-    vec2 q = (vec2(from.cell) + 0.5) * float(1 << mirror.keyShift);
+    vec2 q = (vec2(from.cell) + 0.5) * float(keyEdge(mirror));
     vec4 p = mirror.sceneFromPixel * vec4(q, depthFromKey(mirror, from.key), 1.0);
-    return texelAt(p.xy / p.w, mirror.region.zw - 1);
+    return regionPixel(mirror, p.xy / p.w);
 }

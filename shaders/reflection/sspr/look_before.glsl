@@ -20,5 +20,5 @@ vec2 awayFrom(const MirrorBlock mirror, vec2 q) {
 // Halfway between two such looks lies another: what stands on what hangs hides half of it.
 ivec2 cellBefore(const MirrorBlock mirror, vec2 q, vec2 away, int tap) {
     float cells = 0.5 * float((firstLook * (2 + (tap & 1))) << (tap >> 1));
-    return texelAt(q / float(1 << mirror.keyShift) - cells * away, lastCell);
+    return texelAt(q / float(keyEdge(mirror)) - cells * away, lastCell);
 }

@@ -27,7 +27,7 @@ void main() {
     if (column.rows == 0) return;
     ivec2 pixel = column.top;
     FarEnd end = farEndOf(mirror, middleOf(mirror, pixel));
-    FarEnd perRow = farEndPerRow(mirror, float(1 << mirror.pixelShift));
+    FarEnd perRow = farEndPerRow(mirror, pixelEdge(mirror));
     int row = 0;
     do {
         if (!colorIsCleared) imageStore(reflectionColor, pixel, vec4(0.0));

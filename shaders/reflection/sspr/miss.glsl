@@ -7,7 +7,7 @@ struct FarEnd {
 };
 
 FarEnd farEndOf(const MirrorBlock mirror, vec2 q) {
-    return FarEnd(mirror.skyFromPixel * vec3(q, 1.0), dot(mirror.heightRow, vec4(q, mirror.infinityDepth, 1.0)));
+    return FarEnd(mirror.skyFromPixel * vec3(q, 1.0), heightAtInfinity(mirror, q));
 }
 
 FarEnd farEndPerRow(const MirrorBlock mirror, float pixels) {
@@ -26,5 +26,5 @@ float infoOfMiss(const MirrorBlock mirror, vec2 q) {
 }
 
 bool planeAhead(const MirrorBlock mirror, vec2 q) {
-    return dot(mirror.heightRow, vec4(q, mirror.infinityDepth, 1.0)) < 0.0;
+    return heightAtInfinity(mirror, q) < 0.0;
 }

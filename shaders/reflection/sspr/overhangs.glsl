@@ -21,13 +21,9 @@ ivec2 overhangBefore(const MirrorBlock mirror, vec2 q, vec2 away, uint here) {
     return sourceOf(mirror, overhang);
 }
 
-float heightOf(const MirrorBlock mirror, vec4 point) {
-    return dot(mirror.heightRow, point) / dot(mirror.weightRow, point);
-}
-
 // What is seen at a point, as a screen point.
 vec4 seenPoint(const MirrorBlock mirror, vec2 point) {
-    return vec4(point, depthAt(mirror, texelAt(point, mirror.region.zw - 1)), 1.0);
+    return vec4(point, depthAt(mirror, regionPixel(mirror, point)), 1.0);
 }
 
 // The mirrored depth at which a ray is as high.
@@ -46,7 +42,7 @@ float metresPerPixel(const MirrorBlock mirror, vec4 point) {
 // Whether a top is level there, as a rail or a wall is not.
 bool isLevel(const MirrorBlock mirror, vec2 point, vec2 away, float edgeHeight) {
     vec4 here = seenPoint(mirror, point);
-    vec4 before = seenPoint(mirror, clamp(point - away, vec2(0.5), vec2(mirror.region.zw) - 0.5));
+    vec4 before = seenPoint(mirror, clamp(point - away, vec2(0.5), vec2(regionSize(mirror)) - 0.5));
     if (isFar(mirror, here.z) || isFar(mirror, before.z)) return false;
     float top = heightOf(mirror, here);
     float rise = abs(heightOf(mirror, before) - top);
@@ -85,7 +81,7 @@ bool topShowsBeside(const MirrorBlock mirror, vec2 point, vec2 aside, float top,
 // Where the ray is as high as the edge that it goes in under, it meets an underside, provided that straight above a level top
 // is seen, as high as the one by which the ray gets out of sight, or what stands on that.
 Hit hitUnderTop(const MirrorBlock mirror, vec2 q, ScreenRay ray, float height, float depth, float top) {
-    vec4 mirrored = vec4(q, depth - mirror.infinityDepth, 1.0);
+    vec4 mirrored = vec4(q, fromInfinity(mirror, depth), 1.0);
     vec4 above = mix(mirrored, ray.origin + depth * ray.along, 0.5 * (top / height + 1.0));
     vec2 source = above.xy / above.w;
     bool shows = top > height && above.w > 0.0 && insideRegion(mirror, source);
@@ -118,7 +114,7 @@ Hit underOverhang(const MirrorBlock mirror, vec2 q, ScreenRay ray, Hit shown) {
         float height = heightOf(mirror, edge);
         float depth = depthAtHeight(mirror, q, height);
         bool above = height > leastHeight * metresPerPixel(mirror, edge);
-        bool before = !shown.valid || mirror.depthSign * (depth - shown.depth) > 0.0;
+        bool before = !shown.valid || signedDepth(mirror, depth - shown.depth) > 0.0;
         if (above && before) {
             vec2 end = exitAfter(mirror, ray, from, away, mostPixels);
             vec2 on;

@@ -70,7 +70,7 @@ Surface surfaceAt(const MirrorBlock mirror, ivec2 pixel) {
     vec4 before = depthsAround(mirror, pixel, perTexel);
     vec4 after = depthsAround(mirror, pixel + 1, perTexel);
     bvec2 first = equal(pixel, ivec2(0));
-    bvec2 last = equal(pixel, mirror.region.zw - 1);
+    bvec2 last = equal(pixel, regionSize(mirror) - 1);
     return Surface(after.w, mix(after.w - before.xz, vec2(0.0), first), mix(after.zx - after.w, vec2(0.0), last));
 }
 
@@ -80,7 +80,7 @@ Hit metWithin(const MirrorBlock mirror, float accepted, ScreenRay ray, vec2 midd
     float depth = seen.depth;
     vec2 gradient = vec2(edgeAwareStep(seen.before.x, seen.after.x), edgeAwareStep(seen.before.y, seen.after.y));
     // z - depth w - gradient . (xy - middle w) = 0 on the plane.
-    vec4 surface = vec4(-gradient, 1.0, dot(gradient, middle) - (depth - mirror.infinityDepth));
+    vec4 surface = vec4(-gradient, 1.0, dot(gradient, middle) - fromInfinity(mirror, depth));
     float perMet = dot(surface, ray.along);
     float met = -dot(surface, ray.origin) / perMet;
     vec4 p = ray.origin + met * ray.along;
@@ -91,7 +91,7 @@ Hit metWithin(const MirrorBlock mirror, float accepted, ScreenRay ray, vec2 midd
     float off = max(away.x, away.y);
     vec2 across = ray.along.xy - middle * ray.along.w;
     vec2 most = max(-seen.before * across, -seen.after * across) + mirror.depthStep * abs(across);
-    bool front = ray.along.z - (depth - mirror.infinityDepth) * ray.along.w + most.x + most.y > 0.0;
+    bool front = ray.along.z - fromInfinity(mirror, depth) * ray.along.w + most.x + most.y > 0.0;
     return Hit(met > 0.0 && met <= 1.0 && p.w > 0.0 && off <= accepted, front, source, off, met);
 }
 
@@ -104,7 +104,7 @@ vec2 besides(vec2 middle, vec2 point) {
 // A point that was met, or where the pixel by which it was met is nearest to it, if what lies under the plane's horizon shows
 // beside that. Sky beside it softens the outline.
 vec2 shownIn(const MirrorBlock mirror, vec2 source, vec2 middle) {
-    ivec2 pixel = texelAt(source, mirror.region.zw - 1);
+    ivec2 pixel = regionPixel(mirror, source);
     bool below = wellBelowPlane(mirror, vec3(vec2(pixel) + 0.5, depthAt(mirror, pixel)));
     return below ? clamp(source, middle - 0.49, middle + 0.49) : source;
 }
@@ -165,7 +165,7 @@ uint beyond(const MirrorBlock mirror, ScreenRay ray, float mirroredDepth) {
     vec4 p = ray.origin + mirroredDepth * ray.along;
     vec2 shift = ray.along.xy - p.xy / p.w * ray.along.w;
     float quarterPixel = 0.25 * abs(p.w) / max(length(shift), 1e-30);
-    return keyFromDepth(mirror, clamp(mirroredDepth - mirror.depthSign * quarterPixel, 0.0, 1.0));
+    return keyFromDepth(mirror, clamp(mirroredDepth - signedDepth(mirror, quarterPixel), 0.0, 1.0));
 }
 
 const int keysAroundCell = 9;
@@ -200,7 +200,7 @@ Hole holeAround(const MirrorBlock mirror, vec2 q, ScreenRay ray, uint here) {
     vec4 p = ray.origin + 0.5 * ray.along;
     vec2 direction = p.xy / p.w - q;
     vec2 step = direction / max(farthest(direction), 1e-6);
-    vec2 cell = q / float(1 << mirror.keyShift);
+    vec2 cell = q / float(keyEdge(mirror));
     LineKey ahead = LineKey(noKey, ivec2(0));
     LineKey behind = ahead;
     bvec2 keysBeside = bvec2(false);
@@ -225,7 +225,7 @@ Hit hitOnThin(const MirrorBlock mirror, ScreenRay ray, Entry entry) {
     if (!solid(mirror, entry.between.other, depth)) return noHit;
     vec4 seen = mirror.relativeFromPixel * vec4(entry.hidden, depth, 1.0);
     vec4 beside = seen + mirror.relativeFromPixel[0];
-    vec4 hidden = seen + mirror.relativeFromPixel[2] * (entry.depth + mirror.infinityDepth - depth);
+    vec4 hidden = seen + mirror.relativeFromPixel[2] * (depthFromInfinity(mirror, entry.depth) - depth);
     vec3 at = seen.xyz / seen.w;
     bool thin = distance(hidden.xyz / hidden.w, at) <= 2.0 * distance(beside.xyz / beside.w, at);
     return Hit(thin, thin, entry.hidden, 0.0, depthOn(ray, entry.hidden));
@@ -253,7 +253,7 @@ Hit metBetween(const MirrorBlock mirror, Guesses guesses, Hit one, Hit other) {
 
 // How near what is seen at a point is, of how near something else is.
 float nearnessAt(const MirrorBlock mirror, vec2 point, float than) {
-    return (depthAt(mirror, texelAt(point, mirror.region.zw - 1)) - mirror.infinityDepth) / than;
+    return fromInfinity(mirror, depthAt(mirror, regionPixel(mirror, point))) / than;
 }
 
 // Where the ray meets, out of sight, the plane of what shows beside: that is hidden from there on, and does not end; and goes on
@@ -261,7 +261,7 @@ float nearnessAt(const MirrorBlock mirror, vec2 point, float than) {
 Hit unseen(const MirrorBlock mirror, ScreenRay ray, ivec2 pixel, Hit hit) {
     if (!hit.valid) return hit;
     vec2 shown = vec2(pixel) + 0.5;
-    float nearness = depthAt(mirror, ivec2(shown)) - mirror.infinityDepth;
+    float nearness = fromInfinity(mirror, depthAt(mirror, ivec2(shown)));
     vec2 way = hit.source - shown;
     vec2 step = way / max(farthest(way), 1.0);
     float next = min(nearnessAt(mirror, shown + step, nearness),
@@ -290,7 +290,7 @@ void main() {
     float info = infoUnknown;
     if (planeAhead(mirror, q)) {
         ScreenRay ray = rayOf(mirror, q);
-        ivec2 cell = ivec2(q) >> mirror.keyShift;
+        ivec2 cell = keyCell(mirror, ivec2(q));
         Hit hit = nearestHit(mirror, cell, ray);
         bool comesOut = hit.valid && !hit.front;
         bool inHole = false;

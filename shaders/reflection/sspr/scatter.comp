@@ -30,9 +30,9 @@ void scatter(const MirrorBlock mirror, vec4 target, bool far) {
     vec3 point = target.xyz / target.w;
     if (far || !(target.w > 0.0) || !(point.z > 0.0 && point.z <= 1.0) || !insideRegion(mirror, point.xy)) return;
     ivec2 pixel = ivec2(point.xy);
-    ivec2 cell = pixel >> mirror.keyShift;
+    ivec2 cell = keyCell(mirror, pixel);
     atomicMax(keys[cell.y * keysAcross + cell.x], keyFromDepth(mirror, point.z));
-    ivec2 inTile = pixel >> tileShift + mirror.pixelShift;
+    ivec2 inTile = tileOf(mirror, pixel);
     int tile = inTile.y * tilesInRow + inTile.x;
     if (tile != keyTile) atomicOr(tiles[tile], tileHasKeys);
     keyTile = tile;
@@ -40,20 +40,20 @@ void scatter(const MirrorBlock mirror, vec4 target, bool far) {
 
 #ifdef COARSE
 vec4 nearerOf(const MirrorBlock mirror, vec4 a, vec4 b) {
-    return mirror.depthSign * b.z > mirror.depthSign * a.z ? b : a;
+    return signedDepth(mirror, b.z) > signedDepth(mirror, a.z) ? b : a;
 }
 
 vec4 fartherOf(const MirrorBlock mirror, vec4 a, vec4 b) {
-    return mirror.depthSign * b.z < mirror.depthSign * a.z ? b : a;
+    return signedDepth(mirror, b.z) < signedDepth(mirror, a.z) ? b : a;
 }
 
 // Of a cell's pixels the nearest stands for all, since any fixed one would lose what is thin; the farthest tells whether
 // the plane is seen, which goes on behind a far plane.
 bool scatterCells(const MirrorBlock mirror, ivec2 first, int rows) {
     vec4 above = aboveRow(mirror);
-    ivec2 last = mirror.region.zw - 1;
+    ivec2 last = regionSize(mirror) - 1;
     vec2 perTexel = perDepthTexel();
-    int quads = (1 << mirror.keyShift) >> 1;
+    int quads = keyEdge(mirror) >> 1;
     bool planeSeen = false;
     int row = 0;
     do {
@@ -73,10 +73,10 @@ bool scatterCells(const MirrorBlock mirror, ivec2 first, int rows) {
             farthest = i == 0 ? far : fartherOf(mirror, farthest, far);
         }
         bool far = isFar(mirror, nearest.z);
-        if (isFar(mirror, farthest.z)) farthest.z = mirror.infinityDepth;
+        farthest.z = throughFarPlane(mirror, isFar(mirror, farthest.z), farthest.z);
         if (far || dot(above, nearest) > 0.0) scatter(mirror, mirror.screenMirror * nearest, far);
         planeSeen = planeSeen || dot(above, farthest) <= 0.0;
-        first.y += 1 << mirror.keyShift;
+        first.y += keyEdge(mirror);
     } while (++row < rows && first.y <= last.y);
     return planeSeen;
 }
@@ -87,7 +87,7 @@ vec4 targetPerDepth;
 // All that a pixel needs is affine in (x, y, depth): only the depth's share is left for the loop.
 bool scatterPixel(const MirrorBlock mirror, vec4 target, float above, float depth) {
     bool far = isFar(mirror, depth);
-    bool seesPlane = above + abovePerDepth * (far ? mirror.infinityDepth : depth) <= 0.0;
+    bool seesPlane = above + abovePerDepth * throughFarPlane(mirror, far, depth) <= 0.0;
     if (!seesPlane) scatter(mirror, target + targetPerDepth * depth, far);
     return seesPlane;
 }
@@ -101,7 +101,7 @@ bool scatterPixels(const MirrorBlock mirror, ivec2 first, int rows) {
     vec4 row = aboveRow(mirror);
     abovePerDepth = row.z;
     float above = dot(row, corner);
-    ivec2 last = mirror.region.zw - 1;
+    ivec2 last = regionSize(mirror) - 1;
     bool goesOn = first.x < last.x;
     vec2 perTexel = perDepthTexel();
     bool planeSeen = false;
@@ -128,14 +128,14 @@ void main() {
     MirrorBlock mirror = storedMirror;
     keysAcross = keyGrid(mirror).x;
     tilesInRow = tilesAcross(mirror);
-    int rows = (tileEdge << mirror.pixelShift) >> mirror.keyShift;
+    int rows = tilePixels(mirror) >> mirror.keyShift;
     ivec2 first = ivec2(gl_GlobalInvocationID.x << max(mirror.keyShift, 1),
                         int(gl_GlobalInvocationID.y) * rows << mirror.keyShift);
-    if (first.x >= mirror.region.z || first.y >= mirror.region.w) return;
+    if (beyondRegion(mirror, first)) return;
 #ifdef COARSE
     bool planeSeen = scatterCells(mirror, first, rows);
 #else
     bool planeSeen = scatterPixels(mirror, first, rows);
 #endif
-    if (planeSeen) atomicOr(tiles[tileAt(mirror, first >> (tileShift + mirror.pixelShift))], tileSeesPlane);
+    if (planeSeen) atomicOr(tiles[tileAt(mirror, tileOf(mirror, first))], tileSeesPlane);
 }

@@ -29,7 +29,7 @@ layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
 // What hangs over a mirror may reach farther than any keys are near: here and there in a tile.
 bool hangsOver(const MirrorBlock mirror, ivec2 tile) {
     loadKeyGrid(mirror);
-    float pixels = float(tileEdge << mirror.pixelShift);
+    float pixels = float(tilePixels(mirror));
     for (int i = 0; i < 4; ++i) {
         vec2 q = (vec2(tile) + vec2(0.25) + 0.5 * vec2(i & 1, i >> 1)) * pixels;
         if (underOverhang(mirror, q, rayOf(mirror, q), noHit).valid) return true;

@@ -18,6 +18,15 @@ int tileAt(const MirrorBlock mirror, ivec2 tile) {
     return tile.y * tilesAcross(mirror) + tile.x;
 }
 
+// Pixels of the region to a tile, each way, and the tile that one of them lies in.
+int tilePixels(const MirrorBlock mirror) {
+    return tileEdge << mirror.pixelShift;
+}
+
+ivec2 tileOf(const MirrorBlock mirror, ivec2 pixel) {
+    return pixel >> (tileShift + mirror.pixelShift);
+}
+
 uint packedTile(ivec2 tile) {
     return uint(tile.x) | uint(tile.y) << 16;
 }
