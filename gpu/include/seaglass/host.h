@@ -204,12 +204,8 @@ struct LightingDesc {
     const FogDesc* fog = nullptr;
 };
 
-/// What the sky of a null LightingDesc::skyCube sends from a unit direction, for hosts that draw it.
-inline void skyRadiance(const LightingDesc& lighting, const double (&direction)[3], float (&out)[3]) {
-    const double y = direction[1], rises = y < 0 ? -y : y;
-    const float(&end)[3] = y < 0 ? lighting.skyGround : lighting.skyZenith;
-    const auto share = static_cast<float>(rises * (2 - rises));
-    for (int i = 0; i < 3; ++i) out[i] = lighting.skyHorizon[i] + (end[i] - lighting.skyHorizon[i]) * share;
-}
+/// What the sky of a null LightingDesc::skyCube sends from a unit direction, for hosts that draw it. Any
+/// thread.
+void skyRadiance(const LightingDesc& lighting, const double (&direction)[3], float (&out)[3]);
 
 } // namespace seaglass

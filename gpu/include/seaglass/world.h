@@ -1,5 +1,5 @@
 // Hosts whose world is not right-handed with +Y up, in metres: turns what they say into Seaglass's, and back.
-// Apart: no other header includes it, and nothing in the libraries was compiled with it.
+// Apart: no other header includes it. Any thread.
 //
 // A view is turned so that it shows the same picture: clip space, viewport and images stay the host's. Which
 // way y runs there, by the projection or by a viewport of negative height, is no matter of this.
@@ -32,108 +32,33 @@ struct World {
 };
 
 /// Seaglass's direction of the host's.
-inline void directionFrom(const World& world, const double (&host)[3], double (&out)[3]) {
-    const double x = host[0], y = host[1], z = host[2];
-    const double handed = world.leftHanded ? -1 : 1;
-    const bool zIsUp = world.up == WorldUp::z;
-    const double upwards = world.up == WorldUp::minusY ? -1 : 1;
-    out[0] = x;
-    out[1] = zIsUp ? z : upwards * y;
-    out[2] = zIsUp ? -handed * y : upwards * handed * z;
-}
+void directionFrom(const World& world, const double (&host)[3], double (&out)[3]);
 
 /// Seaglass's point of the host's.
-inline void pointFrom(const World& world, const double (&host)[3], double (&out)[3]) {
-    directionFrom(world, host, out);
-    for (double& value : out) value /= world.unitsPerMetre;
-}
+void pointFrom(const World& world, const double (&host)[3], double (&out)[3]);
 
 /// Seaglass's plane of the host's, n.p + d = 0 in both: BodyDesc::plane, ExclusionVolume::planes.
-inline void planeFrom(const World& world, const double (&host)[4], double (&out)[4]) {
-    const double normal[3] = {host[0], host[1], host[2]};
-    double turned[3];
-    directionFrom(world, normal, turned);
-    for (int i = 0; i < 3; ++i) out[i] = turned[i];
-    out[3] = host[3] / world.unitsPerMetre;
-}
+void planeFrom(const World& world, const double (&host)[4], double (&out)[4]);
 
 /// A matrix that takes the host's points, to one that takes Seaglass's.
-inline void matrixFrom(const World& world, const double (&host)[16], double (&out)[16]) {
-    double turned[16];
-    for (int row = 0; row < 4; ++row) {
-        // A row is a direction's coefficients, and turns as one does.
-        const double linear[3] = {host[row], host[4 + row], host[8 + row]};
-        double coefficients[3];
-        directionFrom(world, linear, coefficients);
-        for (int i = 0; i < 3; ++i) turned[4 * i + row] = world.unitsPerMetre * coefficients[i];
-        turned[12 + row] = host[12 + row];
-    }
-    for (int i = 0; i < 16; ++i) out[i] = turned[i];
-}
+void matrixFrom(const World& world, const double (&host)[16], double (&out)[16]);
 
 /// A projection of lengths `scale` times as long: w stays the distance ahead, or 1 by parallel lines of
 /// sight.
-inline void scaleProjection(double (&projection)[16], double scale) {
-    const bool parallel = projection[3] == 0 && projection[7] == 0 && projection[11] == 0;
-    for (int i = 0; i < 12; ++i) projection[i] *= parallel ? 1 / scale : 1;
-    for (int i = 12; i < 16; ++i) projection[i] *= parallel ? 1 : scale;
-}
+void scaleProjection(double (&projection)[16], double scale);
 
 /// Turns a view that is filled in as the host has it.
-inline void worldFrom(const World& world, ViewDesc* view) {
-    double turned[16];
-    matrixFrom(world, view->view, turned);
-    // The view's space comes to metres too: what its matrix loses the projection gains.
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 3; ++row)
-            view->view[4 * column + row] = turned[4 * column + row] / world.unitsPerMetre;
-    scaleProjection(view->projection, 1 / world.unitsPerMetre);
-    if (!world.sightAlongZ) return;
-    for (int i = 2; i < 16; i += 4) view->view[i] *= -1;
-    for (int i = 8; i < 12; ++i) view->projection[i] *= -1;
-}
+void worldFrom(const World& world, ViewDesc* view);
 
 /// Turns the sun's direction and, where there is one, `shadow`, which `lighting->shadow` may point at.
-inline void worldFrom(const World& world, LightingDesc* lighting, SunShadow* shadow = nullptr) {
-    const double toSun[3] = {lighting->toSun[0], lighting->toSun[1], lighting->toSun[2]};
-    directionFrom(world, toSun, lighting->toSun);
-    if (!shadow) return;
-    for (auto& cascade : shadow->textureFromWorld) {
-        double host[16];
-        for (int i = 0; i < 16; ++i) host[i] = cascade[i];
-        matrixFrom(world, host, cascade);
-    }
-}
+void worldFrom(const World& world, LightingDesc* lighting, SunShadow* shadow = nullptr);
 
 /// The other way: the host's point of Seaglass's.
-inline void pointTo(const World& world, const double (&point)[3], double (&host)[3]) {
-    // Its axes are the columns of a matrix whose inverse is its transpose.
-    for (int axis = 0; axis < 3; ++axis) {
-        const double unit[3] = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
-        double column[3];
-        directionFrom(world, unit, column);
-        host[axis] =
-            world.unitsPerMetre * (column[0] * point[0] + column[1] * point[1] + column[2] * point[2]);
-    }
-}
+void pointTo(const World& world, const double (&point)[3], double (&host)[3]);
 
 /// The matrices of planarView() or bedView(), of a view that was turned, as the host draws by them: `view`
 /// takes its world's points, `projection` follows it.
-inline void worldTo(const World& world, const double (&turnedView)[16], const double (&turnedProjection)[16],
-                    double (&view)[16], double (&projection)[16]) {
-    for (int row = 0; row < 4; ++row) {
-        const double linear[3] = {turnedView[row], turnedView[4 + row], turnedView[8 + row]};
-        const World turnsOnly = {world.up, world.leftHanded, 1, false};
-        double host[3];
-        pointTo(turnsOnly, linear, host);
-        for (int i = 0; i < 3; ++i) view[4 * i + row] = host[i];
-        view[12 + row] = turnedView[12 + row] * (row < 3 ? world.unitsPerMetre : 1);
-    }
-    for (int i = 0; i < 16; ++i) projection[i] = turnedProjection[i];
-    scaleProjection(projection, world.unitsPerMetre);
-    if (!world.sightAlongZ) return;
-    for (int i = 2; i < 16; i += 4) view[i] *= -1;
-    for (int i = 8; i < 12; ++i) projection[i] *= -1;
-}
+void worldTo(const World& world, const double (&turnedView)[16], const double (&turnedProjection)[16],
+             double (&view)[16], double (&projection)[16]);
 
 } // namespace seaglass
