@@ -986,6 +986,12 @@ std::vector<Refused> refusedBuffers() {
              p.root["buffers"] = {{{"byteLength", 2}, {"uri", "https://x.org/a.bin"}}};
          }),
          {"only files"}},
+    };
+}
+
+/// Small files that ask for much.
+std::vector<Refused> refusedLoads() {
+    return {
         {"AMeshTooOften",
          changed([](Plate& p) {
              std::vector<float> positions;
@@ -1073,5 +1079,6 @@ INSTANTIATE_TEST_SUITE_P(Versions, Refuses, testing::ValuesIn(refusedVersions())
 INSTANTIATE_TEST_SUITE_P(Scenes, Refuses, testing::ValuesIn(refusedScenes()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Vertices, Refuses, testing::ValuesIn(refusedVertices()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Buffers, Refuses, testing::ValuesIn(refusedBuffers()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Loads, Refuses, testing::ValuesIn(refusedLoads()), nameOf);
 
 } // namespace
