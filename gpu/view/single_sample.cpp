@@ -25,13 +25,7 @@ gpu::ImageDesc imageDesc(VkExtent2D extent, VkFormat format) {
 }
 
 Status prepare(Context& context, SingleSamples& samples, const ViewDesc& view) {
-    if (!samples.depth)
-        if (const Status s = context.share(samples.depth); s != Status::ok) return s;
-    const bool many = hasManySamples(view.sceneColor);
-    if (many && !samples.color)
-        if (const Status s = context.share(samples.color); s != Status::ok) return s;
-    if (!many && !samples.resolved)
-        if (const Status s = context.share(samples.resolved); s != Status::ok) return s;
+    if (const Status s = shareKernels(context, view, samples); s != Status::ok) return s;
     SingleSampledScene& scene = samples.views[view.viewIndex];
     if (scene.fits(view)) return Status::ok;
     SingleSampledScene fresh;
@@ -66,6 +60,15 @@ Status recordSingleSample(Context& context, VkCommandBuffer commands, const View
 }
 
 } // namespace
+
+Status shareKernels(Context& context, const ViewDesc& view, SingleSamples& samples) {
+    if (!samples.depth)
+        if (const Status s = context.share(samples.depth); s != Status::ok) return s;
+    const bool many = hasManySamples(view.sceneColor);
+    if (many && !samples.color)
+        if (const Status s = context.share(samples.color); s != Status::ok) return s;
+    return many || samples.resolved ? Status::ok : context.share(samples.resolved);
+}
 
 gpu::ImageDesc firstDepthDesc(VkExtent2D extent) {
     return imageDesc(extent, VK_FORMAT_R32_SFLOAT);

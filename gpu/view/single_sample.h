@@ -54,6 +54,9 @@ struct SingleSamples {
     Status create(Context&) { return Status::ok; }
 };
 
+/// Makes the kernels that a multisampled view needs, where `samples` has them not.
+Status shareKernels(Context& context, const ViewDesc& view, SingleSamples& samples);
+
 /// The scene of one call, which its reflectors read one after the other.
 struct SceneOfCall {
     explicit SceneOfCall(const ViewDesc& view) : given(view), read(view) {}

@@ -98,8 +98,7 @@ Status CausticsPart::prepare(const Body& body, const PrepareCall& call) const {
         if (const Status s = target.prepared.keep<ShadowedCausticBlurKernel>(*body.context); s != Status::ok)
             return s;
     if (call.output != SurfaceOutput::shaded || !holdsLight(target.desc)) return Status::ok;
-    const DrawPipeline* pipeline = nullptr;
-    return target.underwater.get(variantOf(body), pipeline);
+    return prepareUnderwater(target.underwater, variantOf(body));
 }
 
 Part causticsPart() {

@@ -75,11 +75,10 @@ Status RefractionPart::bind(Body& body, const BodyView& view, Resources& out) {
 
 Status prepareSamples(const Body& body, const PrepareCall& call) {
     if (!call.view || !hasScene(*call.view) || !isMultisampled(*call.view)) return Status::ok;
-    PreparedKernels& prepared = call.target.prepared;
-    if (const Status s = prepared.keep<DepthSampleKernel>(*body.context); s != Status::ok) return s;
-    return call.view->sceneColor.samples == VK_SAMPLE_COUNT_1_BIT
-               ? prepared.keep<ResolvedColorKernel>(*body.context)
-               : prepared.keep<ColorSampleKernel>(*body.context);
+    auto samples = std::make_shared<SingleSamples>();
+    if (const Status s = shareKernels(*body.context, *call.view, *samples); s != Status::ok) return s;
+    call.target.prepared.add(std::move(samples));
+    return Status::ok;
 }
 
 Status RefractionPart::prepare(const Body& body, const PrepareCall& call) const {

@@ -42,6 +42,11 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
                               "underwater pipeline", out);
 }
 
+Status prepareUnderwater(UnderwaterPipelines& pipelines, const UnderwaterVariant& variant) {
+    const DrawPipeline* pipeline = nullptr;
+    return pipelines.get(variant, pipeline);
+}
+
 Status recordUnderwater(Context& context, const DrawCall& call, const BodyView& view,
                         const UnderwaterVariant& variant, std::span<const gpu::Bound> resources) {
     const DrawPipeline* pipeline = nullptr;

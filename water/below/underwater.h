@@ -28,6 +28,9 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
 struct BodyView;
 struct DrawCall;
 
+/// Makes a variant's pipeline ahead of its first draw.
+Status prepareUnderwater(UnderwaterPipelines& pipelines, const UnderwaterVariant& variant);
+
 /// `resources`: all that the variant's shaders read.
 Status recordUnderwater(Context& context, const DrawCall& call, const BodyView& view,
                         const UnderwaterVariant& variant, std::span<const gpu::Bound> resources);

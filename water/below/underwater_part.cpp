@@ -45,8 +45,7 @@ Status UnderwaterPart::draw(Body& body, const DrawCall& call, DrawMoment moment)
 Status UnderwaterPart::prepare(const Body& body, const PrepareCall& call) const {
     if (call.output != SurfaceOutput::shaded) return Status::ok;
     const auto prepared = [&](const UnderwaterVariant& variant) {
-        const DrawPipeline* pipeline = nullptr;
-        return call.target.underwater.get(variant, pipeline);
+        return prepareUnderwater(call.target.underwater, variant);
     };
     UnderwaterVariant over = {.pass = UnderwaterPass::water};
     over.sceneIsEncoded = call.sceneIsEncoded;

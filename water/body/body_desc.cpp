@@ -8,6 +8,10 @@
 
 namespace seaglass {
 
+FieldError badAsked(const FieldTable& table, const void* asked) {
+    return asked ? badField(table, asked) : FieldError();
+}
+
 FieldError badField(const BodyDesc& desc) {
     glm::dvec4 plane;
     if (const char* bad = readPlane(desc.plane, plane)) return bad;

@@ -146,9 +146,6 @@ constexpr Part partFrom() {
 }
 
 /// What is wrong with what a description points at, if it does and anything is.
-template<typename Desc>
-FieldError badAsked(const FieldTable& table, const Desc* desc) {
-    return desc ? badField(table, desc) : FieldError();
-}
+FieldError badAsked(const FieldTable& table, const void* asked);
 
 } // namespace seaglass

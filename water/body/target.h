@@ -20,9 +20,12 @@ struct PreparedKernels {
     Status keep(Context& context) {
         std::shared_ptr<Kernel> kernel;
         if (const Status s = context.share(kernel); s != Status::ok) return s;
-        const std::lock_guard lock(adding);
-        kept.push_back(std::move(kernel));
+        add(std::move(kernel));
         return Status::ok;
+    }
+    void add(std::shared_ptr<void> kernels) {
+        const std::lock_guard lock(adding);
+        kept.push_back(std::move(kernels));
     }
 };
 
