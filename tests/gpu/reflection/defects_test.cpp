@@ -25,6 +25,7 @@
 #include "tests/gpu/rig/traced_scene.h"
 #include "tests/gpu/rig/water_rig.h"
 #include "water/body/body.h"
+#include "water/reflection/reflection_part.h"
 
 namespace {
 
@@ -114,8 +115,9 @@ class Defects : public WaterTest {
         look(boxes);
         measured();
         const std::vector<MirroredDepth> expected = mirroredDepths(camera_, traced_);
-        const std::vector<uint32_t> keys =
-            downloadWords(body_->reflector->views[0].scratchOf<SsprScratch>().keys.handle(), expected.size());
+        const std::vector<uint32_t> keys = downloadWords(
+            body_->find<ReflectionPart>()->reflector->views[0].scratchOf<SsprScratch>().keys.handle(),
+            expected.size());
         size_t wrong = 0;
         for (size_t i = 0; i < keys.size(); ++i)
             wrong += expected[i].differsFrom(std::bit_cast<float>(keys[i]));
@@ -126,7 +128,8 @@ class Defects : public WaterTest {
     void replaceShaders(std::span<const uint32_t> scatter, std::span<const uint32_t> resolve,
                         std::span<const uint32_t> miss = {}) {
         Context& context = *body_->context;
-        SsprKernels& kernels = *static_cast<SsprKernels*>(body_->reflector->kernels.get());
+        SsprKernels& kernels =
+            *static_cast<SsprKernels*>(body_->find<ReflectionPart>()->reflector->kernels.get());
         kernels.scatter = std::make_shared<ScatterKernel>();
         kernels.resolve = std::make_shared<ResolveKernel>();
         ASSERT_EQ(kernels.resolve->create(context), Status::ok) << message();
@@ -241,7 +244,7 @@ TEST_F(Defects, HolesLeftOpenAreSeenInCoverageAndColor) {
 
 TEST_F(Defects, APlaneTooHighIsSeenInPlaceAndColor) {
     const PictureError sound = measured();
-    body_->reflector->plane.w -= 0.1;
+    body_->find<ReflectionPart>()->reflector->plane.w -= 0.1;
     const PictureError error = measured();
     EXPECT_GT(error.positionPxP50.value(), 0.4);
     EXPECT_LT(error.psnrDb.value(), sound.psnrDb.value() - 3);

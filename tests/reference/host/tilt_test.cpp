@@ -91,7 +91,7 @@ TEST(TiltedWater, HasItsExclusionVolumesWhereTheyAreInTheWorld) {
     Error error;
     ASSERT_TRUE(reference::loadWorld(scene, world, error)) << error.text;
     const auto dry = [&](const glm::dvec3& at) {
-        return seaglass::isExcluded(world.exclusionVolumes, world.frame.fromWorld(at));
+        return demos::reference::isExcluded(world.excludedVolumes, world.frame.fromWorld(at));
     };
     EXPECT_TRUE(dry({30.8, 3.2, -19.2}));
     EXPECT_FALSE(dry({31.2, 3.2, -19.2}));
