@@ -110,7 +110,7 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
     out.visible = !isEmpty(pixelsThatMayShow(bounds, geometry));
     if (!out.visible) return Status::ok;
     if (const Status s = prepare(reflected, extentOf(geometry)); s != Status::ok) return s;
-    const MirroredCamera camera = mirroredCamera(view, geometry, plane);
+    const MirroredCamera camera = mirroredCamera(view, geometry, mirroredPlane());
     PlanarScratch& planar = reflected.scratchOf<PlanarScratch>();
     out = describe(camera, view, geometry, reflected.downscale, planar, reflected.found(desc));
     planar.handedOut = true;
@@ -121,12 +121,12 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
 Status Reflector::recordReuse(const ReflectPass& pass, ReflectedView& view) {
     const gpu::Buffer& tiles = view.tiles(technique());
     if (!technique().tiles) recordAllSeen(pass.context.device, pass.commands, tiles);
-    return recordTemporal(pass, *temporal, plane, tiles, view.temporal, view.images);
+    return recordTemporal(pass, *temporal, mirroredPlane(), tiles, view.temporal, view.images);
 }
 
 Status Reflector::uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
                                gpu::Slice& out) {
-    MirrorBlock uniforms = mirrorBlock(geometry, plane, sizedFor(desc, extentOf(geometry)), shown);
+    MirrorBlock uniforms = mirrorBlock(geometry, mirroredPlane(), sizedFor(desc, extentOf(geometry)), shown);
     // A surface with normals of its own stands where the flat plane is not seen.
     if (view.surfaceNormals) uniforms.bent = 1;
     return context->frame().upload(uniforms, out);
@@ -154,7 +154,8 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     gpu::Slice slice;
     if (const Status s = uploadMirror(view, geometry, shown, slice); s != Status::ok) return s;
     const ReflectionDesc sized = sizedFor(desc, extent);
-    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice, plane};
+    const glm::dvec4 mirrored = mirroredPlane();
+    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice, mirrored};
     if (!drawn)
         if (const Status s = takeSamples(*context, commands, geometry, singleSamples, scene); s != Status::ok)
             return s;
@@ -198,7 +199,8 @@ Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
         return s;
     SceneOfCall scene(view);
     const ReflectionDesc sized = sizedFor(desc, extentOf(geometry));
-    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice, plane};
+    const glm::dvec4 mirrored = mirroredPlane();
+    const ReflectPass pass{*context, commands, scene.read, geometry, sized, slice, mirrored};
     if (const Status s = takeSamples(*context, commands, geometry, singleSamples, scene); s != Status::ok)
         return s;
     return recordOverlay(pass, *overlay, images(view.viewIndex), overlayDesc);
@@ -289,6 +291,10 @@ Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t 
             if (const Status s = reflectors[i]->record(commands, scene); s != Status::ok) return s;
         return Status::ok;
     });
+}
+
+void raiseMirror(Reflector& reflector, double by) {
+    reflector.raised = by;
 }
 
 Status reflect(VkCommandBuffer commands, Reflector& reflector, SceneOfCall& scene) {

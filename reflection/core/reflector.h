@@ -56,6 +56,7 @@ Status check(const gpu::Device& device, const ReflectionDesc& desc);
 
 struct Reflector : Held {
     glm::dvec4 plane{0}; ///< world, unit normal
+    double raised = 0;   ///< by which what is mirrored next lies above it [m]
     Bounds bounds;
     ReflectionDesc desc;
     std::shared_ptr<void> kernels;                ///< the technique's
@@ -72,6 +73,7 @@ struct Reflector : Held {
     Status record(VkCommandBuffer commands, SceneOfCall& scene);
     Status drawOverlay(VkCommandBuffer commands, const ViewDesc& view, const OverlayDesc& overlayDesc);
     ReflectionImages images(uint32_t viewIndex) const;
+    glm::dvec4 mirroredPlane() const { return plane - glm::dvec4(0, 0, 0, raised); }
     const Technique& technique() const { return techniqueOf(desc.technique); }
     /// How soon it is to be renewed for a view; 0: never.
     uint64_t urgency(const ViewGeometry& geometry, uint32_t viewIndex) const;

@@ -14,6 +14,9 @@ namespace seaglass {
 Status createReflector(Context& context, const ReflectorDesc& desc, const glm::dmat3& axes,
                        std::shared_ptr<Reflector>& out);
 
+/// What it mirrors next lies that much above its plane [m].
+void raiseMirror(Reflector& reflector, double by);
+
 /// Of a scene that all who read it in one call share.
 Status reflect(VkCommandBuffer commands, Reflector& reflector, SceneOfCall& scene);
 

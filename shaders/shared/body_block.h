@@ -21,6 +21,7 @@ struct BodyBlock {
     vec4 warpFrom[bodyWarpScales];  // of both, turns at the eye; eight amplitudes [m]
     ivec4 foamCell; // water/interface/foam_gate.h: the first cell of the tile that the eye is on; turns; now
     vec4 plane;     // up, and the eye's height [m]
+    vec4 mirror;            // the eye's height over the mirrored plane [m], share of the reflection
     vec4 sight; // where lines of sight are parallel their direction, and 0; else 0, and 1: they come from the
                 // eye
     vec4 toSun;

@@ -64,6 +64,7 @@ Status Body::simulate(VkCommandBuffer commands, double time) {
     if (drawnIn == context->frameNumber)
         return context->device.misused("simulate: the body was drawn in this frame before");
     simulatedIn = context->frameNumber;
+    simulatedTime = time;
     for (const auto& [part, state] : has)
         if (part->simulate)
             if (const Status s = part->simulate(state.get(), *this, commands, time); s != Status::ok)

@@ -46,6 +46,7 @@ struct Body : Held {
     std::vector<PartOfBody> has; ///< in the order of parts()
     LastViews lastViews;
     uint64_t simulatedIn = 0, drawnIn = 0; ///< what frame, last; 0: none
+    double simulatedTime = 0;              ///< of what the maps hold [s]
     bool warnedOfEye = false;              ///< that it is under water
 
     Status create(Context& owner, const BodyDesc& desc);
@@ -84,6 +85,8 @@ struct Body : Held {
     /// unless it is `wanted` by name.
     Status read(const ViewDesc& view, const LightingDesc& lighting, const char* wanted, BodyView& out);
     SidesSeen sidesSeen(const ViewGeometry& geometry) const;
+    /// Whether water may be where lines of sight begin.
+    bool mayBeWet(const glm::dvec3& point) const;
     /// False: the view sees nothing of the body.
     bool maySee(const ViewGeometry& geometry);
     /// What of the body cannot do without the scene's images, by its field; null: nothing.

@@ -83,11 +83,13 @@ Status Body::read(const ViewDesc& view, const LightingDesc& lighting, const char
     return refraction->standIn(*context, view, out.read);
 }
 
+bool Body::mayBeWet(const glm::dvec3& point) const {
+    return find<UnderwaterPart>() && placing.covers(point) && !isExcluded(exclusionVolumes, point);
+}
+
 SidesSeen Body::sidesSeen(const ViewGeometry& geometry) const {
-    if (!find<UnderwaterPart>()) return SidesSeen::above;
     const SightStart start = sightStart(geometry);
-    if (!placing.covers(start.middle)) return SidesSeen::above;
-    if (isExcluded(exclusionVolumes, start.middle)) return SidesSeen::above;
+    if (!mayBeWet(start.middle)) return SidesSeen::above;
     const double height = heightOf(start.middle);
     const double reach = placing.displacement + start.reach;
     if (height > reach) return SidesSeen::above;

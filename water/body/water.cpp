@@ -126,10 +126,11 @@ Status planarView(Body* body, const ViewDesc* view, PlanarView* out) {
         s != Status::ok)
         return s;
     if (const Status s = gpu::refuseDestroyed("planarView", "body", *body); s != Status::ok) return s;
-    const ReflectionPart* reflection = body->find<ReflectionPart>();
+    ReflectionPart* reflection = body->find<ReflectionPart>();
     if (!reflection)
         return body->context->device.fail(Status::invalidArgument,
                                           "planarView: the body's reflection is the sky alone");
+    reflection->aim(*body, *view);
     return planarView(reflection->reflector.get(), view, out);
 }
 

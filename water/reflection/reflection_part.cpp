@@ -76,19 +76,29 @@ Status ReflectionPart::create(Body& body, const BodyDesc& of) {
     return createReflector(*body.context, made, body.frame.worldFromBody, reflector);
 }
 
+void ReflectionPart::aim(const Body& body, const ViewDesc& view) {
+    ViewGeometry geometry;
+    if (!body.readTurned(view, false, geometry))
+        raiseMirror(*reflector, mirroredLevel(body, geometry, eyeOverWaves).raised);
+}
+
 Status ReflectionPart::reflect(Body& body, VkCommandBuffer commands, SceneOfCall& scene) {
     const uint32_t view = scene.given.viewIndex;
     const uint64_t now = body.context->frameNumber;
     if (view < maxViews && mirroredIn[view] == now && reflectedIn[view] != now)
         return body.context->device.misused("reflect: the body was drawn in this view and frame before");
+    aim(body, scene.given);
     if (const Status s = seaglass::reflect(commands, *reflector, scene); s != Status::ok) return s;
     reflectedIn[view] = now;
     return Status::ok;
 }
 
-void ReflectionPart::fill(const Body&, const BodyView& view, BodyBlock& block) const {
+void ReflectionPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
     const bool bent = view.surface && !view.surface->isMotion() &&
                       reflectionImages(reflector.get(), view.given->viewIndex).bent;
+    const MirroredLevel mirrored = mirroredLevel(body, view.geometry, eyeOverWaves);
+    block.mirror.x = static_cast<float>(body.heightOf(view.geometry.eye) - mirrored.raised);
+    block.mirror.y = mirrored.share;
     block.reflectionDistortion = bent ? 0 : distortion;
     block.reflectionScale = static_cast<float>(sizedFor(desc, extentOf(view.geometry)).downscale);
     block.reflectionLook = {desc.clearDistance, desc.scatter, desc.skyFadeDistance, 0};

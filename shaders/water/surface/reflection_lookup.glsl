@@ -15,9 +15,9 @@ const float endlesslyFar = 1e9;   // the eye of parallel lines of sight [m]
 // A ray from a trough may meet what stands there lower than the mirror's plane: the image begins with what is just above that.
 vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
     vec3 p = from + direction * t;
-    float above = p.y + water.plane.w;
-    if (hasWaves && direction.y > 0.0) above = max(above, clamp(-water.plane.w - from.y, 0.0, 2.5 * water.reflectionScale * pixelWidth(from)));
-    p.y = -water.plane.w - above;
+    float above = p.y + water.mirror.x;
+    if (hasWaves && direction.y > 0.0) above = max(above, clamp(-water.mirror.x - from.y, 0.0, 2.5 * water.reflectionScale * pixelWidth(from)));
+    p.y = -water.mirror.x - above;
     vec4 pixel = pixelOf(p);
     // Behind the camera: outside of every image.
     return pixel.w > 0.0 ? pixel.xy : vec2(-1e4);
@@ -48,7 +48,7 @@ Ray rayThrough(vec2 pixel) {
 // What the image shows at a pixel, of which `info` is known.
 vec3 shownBy(vec2 pixel, float info) {
     Ray ray = rayThrough(pixel);
-    return mirroredPoint(ray, ray, info, water.plane.xyz, water.plane.w);
+    return mirroredPoint(ray, ray, info, water.plane.xyz, water.mirror.x);
 }
 
 // How far along the ray what the image shows at a pixel lies [m], else `t`. Not what `info` says: another place of the
@@ -89,7 +89,7 @@ BentPoint bentPoint(vec2 here, vec3 from, vec3 direction, float t, int rounds) {
     vec2 pixel = mirroredPixel(from, direction, t);
     int i = 0;
     // From a trough what a flat mirror shows here lies nearer than it is to that mirror: so near that the image may end before.
-    bool inTrough = direction.y > 0.0 && from.y < -water.plane.w && t < farAway;
+    bool inTrough = direction.y > 0.0 && from.y < -water.mirror.x && t < farAway;
     bool inside = all(greaterThan(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(water.region.zw)));
     if (inTrough && inside && !infoIsHit(infoAt(pixel))) {
         pixel = here;
@@ -165,6 +165,7 @@ vec4 reflectionAlong(const SurfacePoint s, vec3 direction, float spread, inout f
     BentPoint point = bentPoint(s.pixel, s.position, direction, hit, 1);
     hit = point.distance;
     float inside = heldInside(point.pixel, direction.y < 0.0);
+    if (hasWaves) inside *= water.mirror.y;
     if (inside <= 0.0) return vec4(0.0);
     if (hasShore) inside *= shareAboveSand(s, point);
     float mip = bundleMip(blurTexels(s.position, spread, point.distance));
@@ -187,7 +188,7 @@ vec4 reflectionSource(const SurfacePoint s, vec3 direction) {
     float info = infoMet(point);
     if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
     Ray throughTexel = rayThrough((floor(pixel / water.reflectionScale) + 0.5) * water.reflectionScale);
-    vec3 source = mirroredPoint(rayThrough(pixel), throughTexel, info, water.plane.xyz, water.plane.w);
+    vec3 source = mirroredPoint(rayThrough(pixel), throughTexel, info, water.plane.xyz, water.mirror.x);
     vec4 seen = pixelOf(source);
     return seen.w > 0.0 ? vec4(seen.xy, info, 2.0) : vec4(-1.0, -1.0, info, 2.0);
 }
