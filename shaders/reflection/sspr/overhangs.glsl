@@ -5,25 +5,33 @@ const float leastHeight = 3.0;   // of its edge above the mirror [pixels]: what 
 const float levelWithin = 0.15;  // of its thickness
 const float steepestTop = 0.2;   // its rise for each metre of the way between two pixels
 const int sideLooks = 9;         // each twice as far aside
-const int mostTries = 16;        // at a level top, each twice as far off: more than any picture holds
+const float sidePixels = 4.0;    // that its edge is followed, to tell which way it runs
+const int mostHalvings = 10;     // of the way from its edge to what stands on it
 
 // What left a key nearer than what shows here, nearer to the eye on the mirror: on the screen, it hides the ray before that
-// comes to what shows here.
-ivec2 overhangBefore(const MirrorBlock mirror, vec2 q, vec2 away, uint here) {
-    LineKey overhang = LineKey(noKey, ivec2(0));
+// comes to what shows here. What stands on what hangs does not where the ray comes out before it: then, the nearest.
+ivec2 overhangBefore(const MirrorBlock mirror, vec2 q, ScreenRay ray, vec2 away, uint here) {
+    LineKey first = LineKey(noKey, ivec2(0));
+    LineKey last = first;
     for (int i = 0; i < 2 * int(mirror.overhangSamples); ++i) {
         ivec2 cell = cellBefore(mirror, q, away, i);
         uint key = keyAt(cell);
-        bool found = overhang.key == noKey && key > here;
-        overhang.key = found ? key : overhang.key;
-        overhang.cell = found ? cell : overhang.cell;
+        bool found = key > here;
+        bool isFirst = found && first.key == noKey;
+        first.key = isFirst ? key : first.key;
+        first.cell = isFirst ? cell : first.cell;
+        last.key = found ? key : last.key;
+        last.cell = found ? cell : last.cell;
     }
-    return sourceOf(mirror, overhang);
+    ivec2 overhang = sourceOf(mirror, first);
+    vec2 middle = vec2(overhang) + 0.5;
+    return hides(mirror, middle, rayDepthAt(ray, middle)) ? overhang : sourceOf(mirror, last);
 }
 
-// What is seen at a point, as a screen point.
+// What is seen in the pixel of a point, as a screen point.
 vec4 seenPoint(const MirrorBlock mirror, vec2 point) {
-    return vec4(point, depthAt(mirror, regionPixel(mirror, point)), 1.0);
+    ivec2 pixel = regionPixel(mirror, point);
+    return vec4(vec2(pixel) + 0.5, depthAt(mirror, pixel), 1.0);
 }
 
 // The mirrored depth at which a ray is as high.
@@ -39,77 +47,105 @@ float metresPerPixel(const MirrorBlock mirror, vec4 point) {
     return distance(p.xyz / p.w, beside.xyz / beside.w);
 }
 
-// Whether a top is level there, as a rail or a wall is not.
+float riseOf(const MirrorBlock mirror, vec4 here, vec4 next) {
+    return isFar(mirror, next.z) ? 1e30 : abs(heightOf(mirror, next) - heightOf(mirror, here));
+}
+
+// Whether a top is level there, as a rail or a wall is not: to the more level side, since it may be two pixels high.
 bool isLevel(const MirrorBlock mirror, vec2 point, vec2 away, float edgeHeight) {
     vec4 here = seenPoint(mirror, point);
-    vec4 before = seenPoint(mirror, clamp(point - away, vec2(0.5), vec2(regionSize(mirror)) - 0.5));
-    if (isFar(mirror, here.z) || isFar(mirror, before.z)) return false;
-    float top = heightOf(mirror, here);
-    float rise = abs(heightOf(mirror, before) - top);
-    vec3 way = unprojected(mirror, here.xyz) - unprojected(mirror, before.xyz);
-    return rise < levelWithin * (top - edgeHeight) && rise < steepestTop * length(way);
+    vec4 next = seenPoint(mirror, point - away);
+    vec4 after = seenPoint(mirror, point + away);
+    float rise = riseOf(mirror, here, next);
+    float riseAfter = riseOf(mirror, here, after);
+    if (riseAfter < rise) next = after;
+    rise = min(rise, riseAfter);
+    vec3 way = unprojected(mirror, here.xyz) - unprojected(mirror, next.xyz);
+    bool level = rise < levelWithin * (heightOf(mirror, here) - edgeHeight) && rise < steepestTop * length(way);
+    return level && !isFar(mirror, here.z);
 }
 
-// A level point of the top: the first that is tried from where the ray is hidden on, or where that ends, since posts may
-// stand on it.
-bool levelPoint(const MirrorBlock mirror, vec2 from, vec2 end, vec2 away, float edgeHeight, out vec2 point) {
-    float most = farthest(end - from);
-    bool level, last;
+// A level point of the top between its edge and what stands on it, which is nearer the end: halfway in depth, which is
+// affine on the screen over the top and hardly changes over what is upright.
+bool levelBetween(const MirrorBlock mirror, vec4 edge, vec2 end, vec2 away, float edgeHeight, out vec2 point) {
+    float halfway = 0.5 * (edge.z + seenPoint(mirror, end).z);
+    float before = 0.0;
+    float after = max(farthest(end - edge.xy), 1.0);
+    int halvings = mostHalvings;
+    do {
+        float middle = 0.5 * (before + after);
+        bool beyond = signedDepth(mirror, seenPoint(mirror, edge.xy + middle * away).z - halfway) < 0.0;
+        before = beyond ? before : middle;
+        after = beyond ? middle : after;
+    } while (--halvings > 0 && after - before > 0.5);
+    point = edge.xy + after * away;
+    return isLevel(mirror, point, away, edgeHeight);
+}
+
+// On the screen, along a line at that height over a point that is parallel to the edge of the upright face at another.
+vec2 alongEdge(const MirrorBlock mirror, vec4 edge, vec4 over, float top) {
+    vec2 horizon = vec2(-mirror.heightRow.y, mirror.heightRow.x) / max(length(mirror.heightRow.xy), 1e-30);
+    vec2 to = sidePixels * horizon;
+    vec3 before = edge.xyz - seenPoint(mirror, edge.xy - to).xyz;
+    vec3 after = seenPoint(mirror, edge.xy + to).xyz - edge.xyz;
+    vec4 mirrored = mirror.screenMirror * edge;
+    vec3 face = cross(abs(before.z) < abs(after.z) ? before : after, mirrored.xyz - mirrored.w * edge.xyz);
+    face -= dot(face, over.xyz - edge.xyz) / dot(mirror.weightRow, over) * mirror.weightRow.xyz;
+    vec2 along = cross(face, mirror.heightRow.xyz - top * mirror.weightRow.xyz).xy;
+    return along / max(farthest(along), 1e-30);
+}
+
+// Whether a level top of that height is seen, there or past what stands on it and hides it there: to one side, where all the
+// way what is seen is no lower.
+bool topShows(const MirrorBlock mirror, inout vec2 point, vec2 aside, vec2 away, float edgeHeight, float top) {
+    float within = levelWithin * (top - edgeHeight);
+    vec2 middle = point;
+    bvec2 higher = bvec2(true);
+    bool level;
     int i = 0;
     do {
-        float pixels = float((1 << i) - 1);
-        last = !(pixels <= most) || i == mostTries;
-        point = last ? end : from + pixels * away;
-        level = isLevel(mirror, point, away, edgeHeight);
-    } while (++i <= mostTries && !level && !last);
+        bool other = (i & 1) != 0;
+        point = middle + (i == 0 ? 0.0 : other ? -float(1 << ((i + 1) >> 1)) : float(1 << (i >> 1))) * aside;
+        vec4 seen = seenPoint(mirror, point);
+        float rise = insideRegion(mirror, point) && !isFar(mirror, seen.z) ? heightOf(mirror, seen) - top : -top;
+        bool still = rise >= -within && (other ? higher.y : higher.x);
+        level = still && rise <= within && isLevel(mirror, point, away, edgeHeight);
+        higher = bvec2(other ? higher.x : still, (other || i == 0) ? still && higher.y : higher.y);
+    } while (++i < 2 * sideLooks && any(higher) && !level);
     return level;
-}
-
-// Whether a top of that height is seen, to one side along the horizon, past what stands on it and hides a point of it: that
-// is seen to be higher all the way.
-bool topShowsBeside(const MirrorBlock mirror, vec2 point, vec2 aside, float top, float within, out vec2 beside) {
-    float height;
-    int i = 1;
-    do {
-        beside = point + float(1 << i) * aside;
-        vec4 seen = seenPoint(mirror, beside);
-        height = insideRegion(mirror, beside) && !isFar(mirror, seen.z) ? heightOf(mirror, seen) : -1.0;
-    } while (++i < sideLooks && height > top + within);
-    return abs(height - top) <= within;
 }
 
 // Where the ray is as high as the edge that it goes in under, it meets an underside, provided that straight above a level top
 // is seen, as high as the one by which the ray gets out of sight, or what stands on that.
-Hit hitUnderTop(const MirrorBlock mirror, vec2 q, ScreenRay ray, float height, float depth, float top) {
+Hit hitUnderTop(const MirrorBlock mirror, vec2 q, ScreenRay ray, vec2 away, vec4 edge, float depth, vec2 on) {
+    float height = heightOf(mirror, edge);
+    float top = heightOf(mirror, seenPoint(mirror, on));
     vec4 mirrored = vec4(q, fromInfinity(mirror, depth), 1.0);
     vec4 above = mix(mirrored, ray.origin + depth * ray.along, 0.5 * (top / height + 1.0));
-    vec2 source = above.xy / above.w;
-    bool shows = top > height && above.w > 0.0 && insideRegion(mirror, source);
-    vec2 middle = floor(shows ? source : vec2(0.0)) + 0.5;
-    vec4 seen = seenPoint(mirror, middle);
-    float within = levelWithin * (top - height);
-    bool level = !isFar(mirror, seen.z) && abs(heightOf(mirror, seen) - top) < within;
-    if (shows && !isFar(mirror, seen.z) && heightOf(mirror, seen) > top + within) {
-        vec2 aside = vec2(-mirror.heightRow.y, mirror.heightRow.x) / max(length(mirror.heightRow.xy), 1e-30);
-        vec2 beside;
-        level = topShowsBeside(mirror, middle, aside, top, within, beside) ||
-                topShowsBeside(mirror, middle, -aside, top, within, beside);
-        middle = level ? beside : middle;
-    }
-    return Hit(shows && level, false, middle, 0.0, depth);
+    vec4 over = vec4(above.xyz / above.w, 1.0);
+    over.z = depthFromInfinity(mirror, over.z);
+    if (!(top > height && above.w > 0.0 && insideRegion(mirror, over.xy))) return noHit;
+    vec4 seen = seenPoint(mirror, over.xy);
+    vec2 source = over.xy;
+    if (isFar(mirror, seen.z)) return noHit;
+    // The pixel may show more of the edge than of the top.
+    bool onEdge = heightOf(mirror, seen) < top - levelWithin * (top - height);
+    if (onEdge) source += away;
+    bool level = topShows(mirror, source, alongEdge(mirror, edge, over, top), away, height, top);
+    return Hit(level, false, source, 0.0, depth);
 }
 
 Hit underOverhang(const MirrorBlock mirror, vec2 q, ScreenRay ray, Hit shown) {
     vec2 away = awayFrom(mirror, q);
-    ivec2 overhang = overhangBefore(mirror, q, away, shown.valid ? keyFromDepth(mirror, shown.depth) : noKey);
+    ivec2 overhang = overhangBefore(mirror, q, ray, away, shown.valid ? keyFromDepth(mirror, shown.depth) : noKey);
     vec2 from = vec2(overhang) + 0.5;
-    bool first = !shown.valid || dot(shown.source - from, away) > 2.0;
+    bool first = !shown.valid || dot(shown.source - from, away) > 0.75;
     float mostPixels = float(firstLook << mirror.overhangSamples);
     Hit hit = noHit;
     if (overhang != nowhere && first) {
         Entry entry = entryBefore(mirror, ray, q, from, mostPixels);
         if (entry.between == noGuesses) return noHit;
-        vec4 edge = vec4(entry.hidden, depthAt(mirror, entry.between.other), 1.0);
+        vec4 edge = seenPoint(mirror, entry.hidden);
         if (isFar(mirror, edge.z)) return noHit;
         float height = heightOf(mirror, edge);
         float depth = depthAtHeight(mirror, q, height);
@@ -118,10 +154,8 @@ Hit underOverhang(const MirrorBlock mirror, vec2 q, ScreenRay ray, Hit shown) {
         if (above && before) {
             vec2 end = exitAfter(mirror, ray, from, away, mostPixels);
             vec2 on;
-            bool level = levelPoint(mirror, from, end, away, height, on);
-            // The key may be that of what stands on the top, which shows before its foot.
-            if (!level && (!shown.valid || shown.front)) level = levelPoint(mirror, from, entry.hidden, -away, height, on);
-            if (level) hit = hitUnderTop(mirror, q, ray, height, depth, heightOf(mirror, seenPoint(mirror, on)));
+            bool level = levelBetween(mirror, edge, end, away, height, on);
+            if (level) hit = hitUnderTop(mirror, q, ray, away, edge, depth, on);
         }
     }
     return hit;

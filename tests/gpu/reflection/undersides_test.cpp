@@ -253,7 +253,13 @@ TEST_P(Overhangs, AreWholeUnderWhatStandsOnThem) {
     Camera aside = higher;
     aside.eye.x = 4;
     aside.rollDegrees = 15;
-    for (const Pose& pose : {Pose{"higher", higher}, Pose{"aside", aside}})
+    Camera low = higher; // sees the top but three pixels high
+    low.eye.y = 1.7;
+    Camera turned = higher; // no edge of the deck lies along the horizon
+    turned.eye = {3.5, 1.9, 2.5};
+    turned.target = {-0.5, 0.5, -3};
+    for (const Pose& pose :
+         {Pose{"higher", higher}, Pose{"aside", aside}, Pose{"low", low}, Pose{"turned", turned}})
         for (const bool walled : {false, true}) {
             std::vector<Box> boxes = deckOnPosts(false);
             boxes.push_back(crate);
@@ -268,8 +274,8 @@ TEST_P(Overhangs, AreWholeUnderWhatStandsOnThem) {
                 through += ways[i] > 0 && (!(info > 0) || std::abs(double{info} - ways[i]) > 0.25 * ways[i]);
             }
             std::printf("%-8s %zu undersides, %zu seen through\n", pose.name, undersides, through);
-            EXPECT_GT(undersides, 150u) << pose.name;
-            EXPECT_LE(static_cast<double>(through), 0.25 * static_cast<double>(undersides)) << pose.name;
+            EXPECT_GT(undersides, 100u) << pose.name;
+            EXPECT_LE(static_cast<double>(through), 0.1 * static_cast<double>(undersides)) << pose.name;
         }
 }
 
