@@ -17,11 +17,11 @@ struct BodyBlock {
     mat4 relativeFromPixel; // of the scene's pixels; for motion, the last frame's pixels of points relative
                             // to this frame's eye
     vec4 cascade[4];        // eye's (u, v) in the tile, in tiles; 1 / patch; 1 / texel [1/m]
-    vec4 warpAlong[bodyWarpScales]; // water/sea/warp.h: wave vectors along u, along v [turns/m]
+    vec4 warpAlong[bodyWarpScales]; // water/interface/warp.h: wave vectors along u, along v [turns/m]
     vec4 warpFrom[bodyWarpScales];  // of both, turns at the eye; eight amplitudes [m]
     ivec4 foamCell; // water/interface/foam_gate.h: the first cell of the tile that the eye is on; turns; now
     vec4 plane;     // up, and the eye's height [m]
-    vec4 mirror;            // the eye's height over the mirrored plane [m], share of the reflection
+    vec4 mirror;    // the eye's height over the mirrored plane [m], share of the reflection
     vec4 sight; // where lines of sight are parallel their direction, and 0; else 0, and 1: they come from the
                 // eye
     vec4 toSun;

@@ -1,4 +1,4 @@
-#include "metrics/repetition.h"
+#include "metrics/repetition/repetition.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "demos/host/files/image_file.h"
-#include "demos/tools/metrics/repetition.h"
+#include "demos/tools/metrics/repetition/repetition.h"
 #include "tests/program/run.h"
 
 namespace {

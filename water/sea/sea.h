@@ -2,8 +2,8 @@
 #pragma once
 
 #include "seaglass/sea.h"
+#include "water/interface/warp.h"
 #include "water/sea/modes.h"
-#include "water/sea/warp.h"
 #include "water/shore/shore.h"
 
 #include <array>

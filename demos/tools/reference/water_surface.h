@@ -15,7 +15,7 @@
 
 // Not public: of the sea itself.
 #include "water/interface/foam_gate.h"
-#include "water/sea/warp.h"
+#include "water/interface/warp.h"
 
 namespace demos::reference {
 

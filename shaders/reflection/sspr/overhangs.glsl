@@ -47,22 +47,25 @@ float metresPerPixel(const MirrorBlock mirror, vec4 point) {
     return distance(p.xyz / p.w, beside.xyz / beside.w);
 }
 
+const float noRise = 1e30;
+
 float riseOf(const MirrorBlock mirror, vec4 here, vec4 next) {
-    return isFar(mirror, next.z) ? 1e30 : abs(heightOf(mirror, next) - heightOf(mirror, here));
+    return isFar(mirror, next.z) ? noRise : abs(heightOf(mirror, next) - heightOf(mirror, here));
 }
 
 // Whether a top is level there, as a rail or a wall is not: to the more level side, since it may be two pixels high.
 bool isLevel(const MirrorBlock mirror, vec2 point, vec2 away, float edgeHeight) {
     vec4 here = seenPoint(mirror, point);
+    if (isFar(mirror, here.z)) return false;
     vec4 next = seenPoint(mirror, point - away);
     vec4 after = seenPoint(mirror, point + away);
     float rise = riseOf(mirror, here, next);
     float riseAfter = riseOf(mirror, here, after);
     if (riseAfter < rise) next = after;
     rise = min(rise, riseAfter);
+    if (rise == noRise) return false;
     vec3 way = unprojected(mirror, here.xyz) - unprojected(mirror, next.xyz);
-    bool level = rise < levelWithin * (heightOf(mirror, here) - edgeHeight) && rise < steepestTop * length(way);
-    return level && !isFar(mirror, here.z);
+    return rise < levelWithin * (heightOf(mirror, here) - edgeHeight) && rise < steepestTop * length(way);
 }
 
 // A level point of the top between its edge and what stands on it, which is nearer the end: halfway in depth, which is

@@ -1,4 +1,4 @@
-// How the waves' tiles are drawn out of shape: where maps are looked up for a place (water/sea/warp.h). Needs body.glsl and
+// How the waves' tiles are drawn out of shape: where maps are looked up for a place (water/interface/warp.h). Needs body.glsl and
 // `isWarped`.
 
 struct WarpWaves {

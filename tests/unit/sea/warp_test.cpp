@@ -1,4 +1,4 @@
-#include "water/sea/warp.h"
+#include "water/interface/warp.h"
 
 #include "tests/unit/sea/sea_support.h"
 

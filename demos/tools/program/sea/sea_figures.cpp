@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "metrics/fft.h"
+#include "metrics/repetition/fft.h"
 #include "seaglass/foam.h"
 
 namespace demos {

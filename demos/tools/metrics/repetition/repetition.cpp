@@ -1,10 +1,10 @@
-#include "metrics/repetition.h"
+#include "metrics/repetition/repetition.h"
 
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "metrics/fft.h"
+#include "metrics/repetition/fft.h"
 
 namespace demos {
 

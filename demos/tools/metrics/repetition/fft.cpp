@@ -1,4 +1,4 @@
-#include "metrics/fft.h"
+#include "metrics/repetition/fft.h"
 
 #include <numbers>
 #include <utility>
