@@ -13,7 +13,9 @@ const int mostHalvings = 10;     // of the way from its edge to what stands on i
 ivec2 overhangBefore(const MirrorBlock mirror, vec2 q, ScreenRay ray, vec2 away, uint here) {
     LineKey first = LineKey(noKey, ivec2(0));
     LineKey last = first;
-    for (int i = 0; i < 2 * int(mirror.overhangSamples); ++i) {
+    // Not by a uniform alone: llvmpipe compiles a shader that a uniform halves anew in each frame.
+    int looks = farthest(away) > 0.0 ? 2 * int(mirror.overhangSamples) : 0;
+    for (int i = 0; i < looks; ++i) {
         ivec2 cell = cellBefore(mirror, q, away, i);
         uint key = keyAt(cell);
         bool found = key > here;
