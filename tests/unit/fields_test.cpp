@@ -204,8 +204,9 @@ std::vector<double> justBeyond(const Field& field) {
     return values;
 }
 
-/// Makes a description one that reads a field, by the table's first.
+/// Makes a fog one that reads a field, by its shape.
 void readIt(const Held& held, const Field& field) {
+    if (held.table != &fogFields) return;
     uint32_t kind = 0;
     while (field.readBy != 0 && (field.readBy >> kind & 1u) == 0) ++kind;
     if (kind > 0) held.table->fields[0].set(held.desc, 0, kind);

@@ -104,6 +104,7 @@ TEST_F(ShoreOnGpu, TheWaterlineIsThatOfTheWavesOverTheBed) {
     underwater.meniscus = 0;
     desc_.refraction = &refraction;
     desc_.underwater = &underwater;
+    sea_.warp = 0; // strays beyond what is unsure are so few that each sea has its own number of them
     Body* const body = makeBody(desc_);
     const Camera camera = straddling();
     NearPlaneCount all;

@@ -544,6 +544,7 @@ TEST_P(Tilts, HeightQueriesAnswerForPlacesInThePlane) {
 TEST_P(Tilts, FarFromTheOriginThePictureIsTheSame) {
     sea_.cascades = 1;
     sea_.largestPatch = 100;
+    sea_.warp = 0; // the same sea lies there
     addWaves();
     desc_.reflection = &reflection_;
     desc_.extent.shape = ExtentShape::rectangle;
