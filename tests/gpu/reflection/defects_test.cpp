@@ -91,12 +91,15 @@ class Defects : public WaterTest {
         body_ = makeBody(desc);
     }
 
-    std::optional<PictureError> measured(demos::Error& error) {
+    demos::measure::Shots shotsOf() {
         demos::measure::Shots shots;
         shots.reflection = pictureOf(picture({body_}, camera_, 0, SurfaceOutput::reflection, behind_));
         shots.sources = pictureOf(picture({body_}, camera_, 0, SurfaceOutput::reflectionSource, behind_));
         shots.color = shots.scene = shots.reflection;
-        return errorOf(truthOf(traced_), shots, 0, error);
+        return shots;
+    }
+    std::optional<PictureError> measured(demos::Error& error) {
+        return errorOf(truthOf(traced_), shotsOf(), 0, error);
     }
     PictureError measured() {
         demos::Error error;
@@ -273,10 +276,11 @@ TEST_F(Defects, AScatteredSkyIsSeenInHitsOnSky) {
 TEST_F(Defects, NaNIsRefusedByItsCount) {
     const PictureError sound = measured();
     EXPECT_TRUE(sound.psnrDb);
-    for (size_t i = 0; i < behind_.depth.size(); i += 7)
-        behind_.color[i * 4] = std::numeric_limits<float>::quiet_NaN();
+    demos::measure::Shots shots = shotsOf();
+    for (size_t i = 0; i < shots.reflection.rgba.size(); i += size_t{4} * 7)
+        shots.reflection.rgba[i] = std::numeric_limits<float>::quiet_NaN();
     demos::Error error;
-    EXPECT_FALSE(measured(error));
+    EXPECT_FALSE(errorOf(truthOf(traced_), shots, 0, error));
     EXPECT_NE(error.text.find("NaN or infinity in "), std::string::npos) << error.text;
     EXPECT_NE(error.text.find(" pixels of the "), std::string::npos) << error.text;
 }
