@@ -42,8 +42,7 @@ Status recordScatter(const ReflectPass& pass, const ScatterKernel& scatter, cons
 
     const gpu::PassScope scope(device, pass.commands, "sspr_scatter");
     const VkExtent2D grid = scaledDown(pass.extent(), std::max(keyScale(pass.desc), 2u));
-    const uint32_t tileRows =
-        (scaledDown(pass.extent(), pass.desc).height + tileEdge - 1) / tileEdge;
+    const uint32_t tileRows = (scaledDown(pass.extent(), pass.desc).height + tileEdge - 1) / tileEdge;
     scatter.kernel.dispatchAlong(pass.commands, set, grid.width, tileRows);
     recordScanned(pass);
     return Status::ok;

@@ -255,7 +255,8 @@ TEST_F(EncodingMessages, RefuseWhatIsEncodedTwice) {
     EXPECT_EQ(heard_.lines.back(),
               "TargetDesc.encoding is srgb, which TargetDesc.colorFormat applies by itself");
     EXPECT_EQ(make(VK_FORMAT_B8G8R8A8_UNORM, static_cast<Encoding>(3)), Status::invalidArgument);
-    EXPECT_EQ(heard_.lines.back(), "TargetDesc.encoding is out of range, expected 0 to 2: unspecified, linear or srgb");
+    EXPECT_EQ(heard_.lines.back(),
+              "TargetDesc.encoding is out of range, expected 0 to 2: unspecified, linear or srgb");
 }
 
 } // namespace
