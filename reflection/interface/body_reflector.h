@@ -26,7 +26,4 @@ ReflectionDesc sizedFor(const ReflectionDesc& desc, VkExtent2D extent);
 /// Its colour is of the view's images; else the host draws it.
 bool readsScene(const ReflectionDesc& desc);
 
-/// What is wrong with them, if anything is.
-const char* badField(const SceneSamples& samples);
-
 } // namespace seaglass

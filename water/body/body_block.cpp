@@ -14,7 +14,6 @@ BodyBlock bodyBlock(const Body& body, const BodyView& view) {
     block.pixelFromRelative = glm::mat4(geometry.pixelFromRelative);
     block.relativeFromPixel = glm::mat4(relativeFromScenePixel(geometry));
     block.worldFromBody = glm::mat3x4(body.frame.worldFromBody);
-    block.mirror = glm::vec4(body.heightOf(view.geometry.eye), 1, 0, 0);
     block.plane = glm::vec4(glm::vec3(body.plane), body.heightOf(geometry.eye));
     block.sight = geometry.parallel ? glm::vec4(glm::vec3(geometry.sight), 0) : glm::vec4(0, 0, 0, 1);
     block.sceneShift = glm::vec2(geometry.sceneShift);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "water/body/body.h"
-#include "water/sea/sea.h"
+#include "water/sea/smoothstep.h"
 
 namespace seaglass {
 
@@ -32,8 +32,7 @@ MirroredLevel mirroredLevel(const Body& body, const ViewGeometry& geometry,
     if (std::abs(height) > body.placing.displacement + leastHeight) return {};
     const double over = body.mayBeWet(geometry.eye) ? heightOverWaves(body, geometry.eye, last) : leastHeight;
     const double kept = over < 0 ? std::min(height, -leastHeight) : std::max(height, leastHeight);
-    const double share = std::min(std::abs(over) / leastHeight, 1.0);
-    return {height - kept, static_cast<float>(share * share * (3 - 2 * share))};
+    return {height - kept, static_cast<float>(smoothstep(0, leastHeight, std::abs(over)))};
 }
 
 } // namespace seaglass
