@@ -15,7 +15,7 @@ namespace seaglass {
 namespace {
 
 // In (0, 1], for the logarithm's sake.
-double uniform(uint64_t bits) {
+double unitAboveZero(uint64_t bits) {
     return (static_cast<double>(bits >> 11) + 1) * 0x1p-53;
 }
 
@@ -24,7 +24,8 @@ std::complex<double> normals(uint64_t seed, uint32_t cascade, int32_t m, int32_t
     const uint64_t place = static_cast<uint64_t>(static_cast<uint32_t>(m)) << 32 | static_cast<uint32_t>(n);
     const uint64_t first = scramble(scramble(scramble(seed) ^ cascade) ^ place);
     const uint64_t second = scramble(first);
-    return std::polar(std::sqrt(-2 * std::log(uniform(first))), 2 * std::numbers::pi * uniform(second));
+    return std::polar(std::sqrt(-2 * std::log(unitAboveZero(first))),
+                      2 * std::numbers::pi * unitAboveZero(second));
 }
 
 struct Amplitudes {

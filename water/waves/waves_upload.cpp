@@ -8,12 +8,12 @@ VkDeviceSize stagingBytes(const Sea& sea) {
     return WaveMaps::mip0Bytes(cascade(sea, 0).samples, cascadeCount(sea));
 }
 
-constexpr VkBufferUsageFlags stagingUsage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+constexpr VkBufferUsageFlags uploadUsage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
 
 } // namespace
 
 VkDeviceSize UploadedWaves::bytes(const Context& context, const Sea& sea) {
-    return gpu::heldBytes(context.device, stagingBytes(sea), stagingUsage) * context.frameCount;
+    return gpu::heldBytes(context.device, stagingBytes(sea), uploadUsage) * context.frameCount;
 }
 
 Status UploadedWaves::create(Context& context, const Sea& sea, const WavesBackend& backend) {
@@ -22,7 +22,7 @@ Status UploadedWaves::create(Context& context, const Sea& sea, const WavesBacken
     if (!state_)
         return context.device.fail(Status::outOfHostMemory, "waves backend %s: out of memory", backend.name);
     for (uint32_t slot = 0; slot < context.frameCount; ++slot)
-        if (const Status s = staging_[slot].createMapped(context.device, stagingBytes(sea), stagingUsage,
+        if (const Status s = staging_[slot].createMapped(context.device, stagingBytes(sea), uploadUsage,
                                                          "wave staging buffer");
             s != Status::ok)
             return s;
