@@ -33,6 +33,8 @@ EXCUSED = {
     "scripts/drivers": "takes hours",
     "scripts/drivers swiftshader": "takes an hour",
     "ctest --preset release -L nightly": "takes hours",
+    "ctest --preset release -R sea_tests.Spectrum": "runs tests, as does the one that would run it",
+    "build/release/bin/sea_tests --gtest_filter=Spectrum.*": "likewise",
     "cmake --preset release -B build/nan -DSEAGLASS_HOSTILE_ARITHMETIC=nan": "Spirv.HostileArithmeticOfNaN does so",
     "cmake --build build/nan --target reflection_gpu_tests": "likewise",
     "build/nan/bin/reflection_gpu_tests --gtest_filter=-Atomics.*": "likewise",
