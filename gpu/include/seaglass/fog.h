@@ -15,6 +15,8 @@ enum class FogShape : uint32_t {
     exponentialSquared, ///< exp(-(density way)^2)
     height, ///< exp(-the integral of density exp(-falloff (y - baseHeight)) along the way), y of the world
 };
+/// Its names, from 1 on.
+inline constexpr const char* fogShapes[] = {"linear", "exponential", "exponential-squared", "height"};
 
 /// Of one frame: LightingDesc::fog. It lies in the air alone.
 struct FogDesc {

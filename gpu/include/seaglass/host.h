@@ -110,6 +110,8 @@ enum class Encoding : uint32_t {
     linear, ///< in proportion to light, as sampled and as written; an sRGB format's is, too
     srgb,   ///< by the sRGB curve (IEC 61966-2-1), which the format does not apply: the shaders do
 };
+/// Its names, from 0 on.
+inline constexpr const char* encodings[] = {"unspecified", "linear", "srgb"};
 
 /// One of the host's images, as a sampled view: made of an image with VK_IMAGE_USAGE_SAMPLED_BIT, type 2D,
 /// its swizzle the identity. Of an image that holds stencil too, the view selects VK_IMAGE_ASPECT_DEPTH_BIT

@@ -20,6 +20,8 @@ enum class ReflectionTechnique : uint32_t {
     hybrid = 3, ///< sspr, and ssr where it knows nothing
     planar = 4, ///< the host draws its scene once more, as planarView() says
 };
+/// Its names, from 0 on.
+inline constexpr const char* reflectionTechniques[] = {"sky", "sspr", "ssr", "hybrid", "planar"};
 
 /// Samples a pixel of a view's scene; see ViewDesc::sceneDepth.
 struct SceneSamples {
@@ -223,6 +225,8 @@ enum class OverlayKind : uint32_t {
     /// From the mirror to what it shows. Light blue: sky, red: unknown, near black: no plane seen.
     hitDistance = 4,
 };
+/// Its names, from 0 on.
+inline constexpr const char* overlayKinds[] = {"depth", "plane", "classes", "confidence", "hit-distance"};
 
 /// Debugging: what the library makes of its inputs.
 struct OverlayDesc {

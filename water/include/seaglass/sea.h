@@ -24,6 +24,8 @@ enum class SpectrumModel : uint32_t {
                   ///< an amplitude of 1.29e-3 without his cos^2, which the spreading replaces
     table = 4     ///< SeaDesc.spectrumTable
 };
+/// Its names, from 0 on.
+inline constexpr const char* spectrumModels[] = {"jonswap", "pierson-moskowitz", "tma", "phillips", "table"};
 
 /// How energy lies over direction, at each frequency; each integrates to 1 over the circle.
 enum class SpreadingModel : uint32_t {
@@ -32,6 +34,8 @@ enum class SpreadingModel : uint32_t {
     donelanBanner = 2, ///< sech^2(beta theta) (Donelan et al. 1985, Banner 1990)
     cosine2s = 3       ///< cos^2s(theta/2) with SeaDesc.spreadingShape everywhere
 };
+/// Its names, from 0 on.
+inline constexpr const char* spreadingModels[] = {"hasselmann", "mitsuyasu", "donelan-banner", "cos2s"};
 
 /// One point of a measured spectrum, as buoys report it.
 struct SpectrumSample {

@@ -49,6 +49,8 @@ struct MeshDesc {
 
 /// What share of light is mirrored: exact (Born and Wolf 1999, 1.5.2), or as Schlick approximates it (1994).
 enum class Fresnel : uint32_t { exact = 0, schlick };
+/// Its names, from 0 on.
+inline constexpr const char* fresnels[] = {"exact", "schlick"};
 
 /// How closely the surface is looked at, in texture looks a pixel; docs/tradeoffs.md has what each costs.
 struct ShadingDesc {
@@ -69,6 +71,8 @@ enum class ExtentShape : uint32_t {
     polygon,       ///< a lake by its shore line
     mesh,          ///< triangles of the host's own, drawn as they are
 };
+/// Its names, from 0 on.
+inline constexpr const char* extentShapes[] = {"unbounded", "rectangle", "polygon", "mesh"};
 
 /// Points are (u, v), as sea.h has them [m]. At the outline waves move water up and down but not to the side,
 /// which comes back within 2.5 significant wave heights (times a choppiness over 1). Queries know of none.
@@ -101,6 +105,8 @@ enum class WavesOn : uint32_t {
     gpu,           ///< compute shaders, on any device; nothing is kept or done on the CPU
     cpu,           ///< `wavesBackend`, in simulate(), and uploaded
 };
+/// Its names, from 0 on.
+inline constexpr const char* wavesOn[] = {"automatic", "gpu", "cpu"};
 
 /// One water body. A null feature costs no memory, pipeline or dispatch. Copied, pointees included.
 struct BodyDesc {

@@ -6,9 +6,6 @@
 
 namespace seaglass {
 
-/// Names of FogShape, which begins at 1.
-inline constexpr const char* fogShapes[] = {"linear", "exponential", "exponential-squared", "height"};
-
 /// Rows of fogFields.
 inline constexpr Field fogFieldRows[] = {
     field<&FogDesc::shape>("shape", fogShapes, "How it grows with distance.", 1),

@@ -6,9 +6,6 @@
 
 namespace seaglass {
 
-/// Names of Encoding.
-inline constexpr const char* encodings[] = {"unspecified", "linear", "srgb"};
-
 /// Rows of deviceFields.
 inline constexpr Field deviceFieldRows[] = {
     field<&DeviceDesc::framesInFlight>("framesInFlight", 1, 4, "",

@@ -6,12 +6,6 @@
 
 namespace seaglass {
 
-/// Names of ReflectionTechnique.
-inline constexpr const char* reflectionTechniques[] = {"sky", "sspr", "ssr", "hybrid", "planar"};
-
-/// Names of OverlayKind.
-inline constexpr const char* overlayKinds[] = {"depth", "plane", "classes", "confidence", "hit-distance"};
-
 /// Rows of reflectionFields.
 inline constexpr Field reflectionFieldRows[] = {
     field<&ReflectionDesc::technique>("technique", reflectionTechniques, "How what is mirrored is found.")

@@ -9,11 +9,6 @@
 
 namespace seaglass {
 
-/// Names of SpectrumModel.
-inline constexpr const char* spectrumModels[] = {"jonswap", "pierson-moskowitz", "tma", "phillips", "table"};
-/// Names of SpreadingModel.
-inline constexpr const char* spreadingModels[] = {"hasselmann", "mitsuyasu", "donelan-banner", "cos2s"};
-
 /// Rows of seaFields.
 inline constexpr Field seaFieldRows[] = {
     field<&SeaDesc::spectrum>("spectrum", spectrumModels, "Model of the wind sea's spectrum."),

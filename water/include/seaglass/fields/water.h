@@ -6,14 +6,6 @@
 
 namespace seaglass {
 
-/// Names of Fresnel.
-inline constexpr const char* fresnels[] = {"exact", "schlick"};
-/// Names of WavesOn.
-inline constexpr const char* wavesOn[] = {"automatic", "gpu", "cpu"};
-
-/// Names of ExtentShape.
-inline constexpr const char* extentShapes[] = {"unbounded", "rectangle", "polygon", "mesh"};
-
 /// Rows of meshFields.
 inline constexpr Field meshFieldRows[] = {
     field<&MeshDesc::cellSize>("cellSize", 0.01, 100, "m", "Edge of the finest cells."),
