@@ -62,17 +62,13 @@ Status TemporalKernel::create(Context& context) {
 
 Status TemporalScratch::create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc) {
     if (const Status s = found.create(device, extent, 0, drawnInPlace(desc)); s != Status::ok) return s;
-    if (desc.technique == ReflectionTechnique::planar)
-        if (const Status s = createTiles(device, extent, "temporal tiles", tiles); s != Status::ok) return s;
     return other.create(device, extent, desc.blurLevels, false);
 }
 
 VkDeviceSize TemporalScratch::bytes(const gpu::Device& device, VkExtent2D extent,
                                     const ReflectionDesc& desc) {
-    const bool planar = desc.technique == ReflectionTechnique::planar;
     return OwnedReflection::bytes(device, extent, 0, drawnInPlace(desc)) +
-           OwnedReflection::bytes(device, extent, desc.blurLevels, false) +
-           (planar ? heldByTiles(device, extent) : 0);
+           OwnedReflection::bytes(device, extent, desc.blurLevels, false);
 }
 
 Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, const glm::dvec4& worldPlane,

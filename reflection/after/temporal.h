@@ -32,8 +32,6 @@ struct LastFrame {
 struct TemporalScratch {
     OwnedReflection found; ///< in this frame alone: what techniques write
     OwnedReflection other; ///< the last frame's images, which take turns with the view's own
-    /// Where the host draws what is mirrored; techniques over the picture know where it is looked up.
-    gpu::Buffer tiles;
     LastFrame last;
     Status create(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);
     static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc);

@@ -7,6 +7,7 @@
 #include "reflection/core/mirror.h"
 #include "reflection/interface/body_reflector.h"
 #include "reflection/planar/planar.h"
+#include "reflection/sspr/tiles.h"
 #include "seaglass/fields/reflection.h"
 
 namespace seaglass {
@@ -16,6 +17,11 @@ namespace {
 /// What is drawn by the host needs no guess.
 bool reachesBeyond(const ReflectionDesc& desc) {
     return desc.edgeReach > 0 && techniqueOf(desc.technique).readsScene;
+}
+
+/// Of a technique that does not know where its images are looked up.
+bool takesAllTiles(const ReflectionDesc& desc) {
+    return !techniqueOf(desc.technique).tiles && (desc.temporal > 0 || reachesBeyond(desc));
 }
 
 } // namespace
@@ -29,6 +35,8 @@ Status ReflectedView::create(const gpu::Device& device, VkExtent2D extent, const
         return s;
     if (desc.temporal > 0)
         if (const Status s = temporal.create(device, scaled, desc); s != Status::ok) return s;
+    if (takesAllTiles(desc))
+        if (const Status s = createTiles(device, scaled, "all tiles", allTiles); s != Status::ok) return s;
     return images.create(device, scaled, desc.blurLevels, drawnInPlace(desc) && desc.temporal == 0);
 }
 
@@ -43,6 +51,7 @@ Estimate estimateOf(const gpu::Device& device, const ReflectionDesc& given, VkEx
         OwnedReflection::bytes(device, scaled, desc.blurLevels, drawnInPlace(desc) && desc.temporal == 0) +
         technique.bytes(device, extent, desc);
     estimate.dispatchesPerView = technique.dispatches(device, desc);
+    if (takesAllTiles(desc)) estimate.bytesPerView += heldByTiles(device, scaled);
     if (technique.readsScene) {
         estimate.bytesPerSharedView = SingleSampledScene::bytes(device, extent, samples.depth);
         estimate.dispatchesPerSharedView = SingleSampledScene::dispatches(samples.depth);
@@ -118,12 +127,6 @@ Status Reflector::handOut(const ViewDesc& view, PlanarView& out) {
     return Status::ok;
 }
 
-Status Reflector::recordReuse(const ReflectPass& pass, ReflectedView& view) {
-    const gpu::Buffer& tiles = view.tiles(technique());
-    if (!technique().tiles) recordAllSeen(pass.context.device, pass.commands, tiles);
-    return recordTemporal(pass, *temporal, mirroredPlane(), tiles, view.temporal, view.images);
-}
-
 Status Reflector::uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
                                gpu::Slice& out) {
     MirrorBlock uniforms = mirrorBlock(geometry, mirroredPlane(), sizedFor(desc, extentOf(geometry)), shown);
@@ -164,6 +167,7 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     if (const Status s = technique().record(pass, kernels.get(), reflected.scratch.get(), found);
         s != Status::ok)
         return s;
+    if (takesAllTiles(desc)) recordAllSeen(context->device, commands, reflected.allTiles);
     if (edgeReach && !view.surfaceNormals)
         if (const Status s = recordEdgeReach(pass, *edgeReach, reflected.tiles(technique()), found);
             s != Status::ok)
@@ -171,7 +175,10 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     if (stretch)
         if (const Status s = recordStretch(pass, *stretch, found); s != Status::ok) return s;
     if (temporal)
-        if (const Status s = recordReuse(pass, reflected); s != Status::ok) return s;
+        if (const Status s = recordTemporal(pass, *temporal, mirrored, reflected.tiles(technique()),
+                                            reflected.temporal, reflected.images);
+            s != Status::ok)
+            return s;
     if (const Status s = recordBlur(*context, commands, blur.get(), reflected.images.color); s != Status::ok)
         return s;
     reflected.reflected = true;

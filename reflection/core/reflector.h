@@ -25,6 +25,7 @@ struct ReflectedView {
     OwnedReflection images;
     std::shared_ptr<void> scratch; ///< the technique's
     TemporalScratch temporal;      ///< empty without temporal reuse
+    gpu::Buffer allTiles;          ///< in the place of the technique's: empty where it has some, or none asks
     bool reflected = false;        ///< the images hold what reflect() has left
     bool bent = false;             ///< by the view's own normals
     VkExtent2D region = {0, 0};    ///< the view's, in pixels
@@ -37,7 +38,7 @@ struct ReflectedView {
     OwnedReflection& found(const ReflectionDesc& desc) { return desc.temporal > 0 ? temporal.found : images; }
     /// Whose flags say where the technique's images are looked up.
     const gpu::Buffer& tiles(const Technique& technique) const {
-        return technique.tiles ? technique.tiles(scratch.get()) : temporal.tiles;
+        return technique.tiles ? technique.tiles(scratch.get()) : allTiles;
     }
     template<typename Scratch>
     Scratch& scratchOf() const {
@@ -83,8 +84,6 @@ struct Reflector : Held {
     Status prepare(ReflectedView& view, VkExtent2D extent);
     Status uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
                         gpu::Slice& out);
-    /// Of what the technique found and the view's last frame.
-    Status recordReuse(const ReflectPass& pass, ReflectedView& view);
 };
 
 } // namespace seaglass

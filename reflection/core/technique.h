@@ -33,11 +33,12 @@ struct Technique {
 const Technique& techniqueOf(ReflectionTechnique which);
 
 /// Of kernels with create(context, desc), of what a view needs with create(device, extent, desc) and bytes(),
-/// and of `recordOf`.
+/// of `recordOf`, and of how much that dispatches.
 template<typename Kernels, typename Scratch,
          Status (*recordOf)(const ReflectPass&, Kernels&, Scratch&, const OwnedReflection&)>
-constexpr Technique techniqueFrom() {
+constexpr Technique techniqueFrom(uint32_t (*dispatches)(const gpu::Device&, const ReflectionDesc&)) {
     Technique technique;
+    technique.dispatches = dispatches;
     technique.createKernels = [](Context& context, const ReflectionDesc& desc, std::shared_ptr<void>& out) {
         auto made = std::make_shared<Kernels>();
         const Status status = made->create(context, desc);

@@ -1,4 +1,6 @@
 // All techniques, by their names: each is defined in its own folder.
+#include <iterator>
+
 #include "reflection/core/technique.h"
 
 namespace seaglass {
@@ -9,21 +11,16 @@ Technique hybridTechnique();
 Technique planarTechnique();
 
 const Technique& techniqueOf(ReflectionTechnique which) {
-    static const Technique sky, sspr = ssprTechnique(), ssr = ssrTechnique(), hybrid = hybridTechnique(),
-                                planar = planarTechnique();
-    switch (which) {
-    case ReflectionTechnique::sky:
-        break;
-    case ReflectionTechnique::sspr:
-        return sspr;
-    case ReflectionTechnique::ssr:
-        return ssr;
-    case ReflectionTechnique::hybrid:
-        return hybrid;
-    case ReflectionTechnique::planar:
-        return planar;
-    }
-    return sky;
+    // In the order of ReflectionTechnique.
+    static const Technique all[] = {
+        {}, // sky
+        ssprTechnique(),
+        ssrTechnique(),
+        hybridTechnique(),
+        planarTechnique(),
+    };
+    static_assert(std::size(all) == std::size(reflectionTechniques));
+    return all[static_cast<uint32_t>(which)];
 }
 
 } // namespace seaglass

@@ -64,12 +64,12 @@ Status record(const ReflectPass& pass, HybridKernels& kernels, HybridScratch& sc
 } // namespace
 
 Technique hybridTechnique() {
-    Technique technique = techniqueFrom<HybridKernels, HybridScratch, record>();
+    Technique technique = techniqueFrom<HybridKernels, HybridScratch, record>(
+        [](const gpu::Device& device, const ReflectionDesc& desc) {
+            return ssprDispatches + (desc.marchCells ? cellsDispatches : 0) + 1 + marchDispatches +
+                   unseenTilesDispatches(device);
+        });
     technique.followsRays = true;
-    technique.dispatches = [](const gpu::Device& device, const ReflectionDesc& desc) {
-        return ssprDispatches + (desc.marchCells ? cellsDispatches : 0) + 1 + marchDispatches +
-               unseenTilesDispatches(device);
-    };
     technique.tiles = [](const void* scratch) -> const gpu::Buffer& {
         return static_cast<const HybridScratch*>(scratch)->tiles;
     };

@@ -41,11 +41,11 @@ Status record(const ReflectPass& pass, SsrKernels& kernels, SsrScratch& scratch,
 } // namespace
 
 Technique ssrTechnique() {
-    Technique technique = techniqueFrom<SsrKernels, SsrScratch, record>();
+    Technique technique =
+        techniqueFrom<SsrKernels, SsrScratch, record>([](const gpu::Device& device, const ReflectionDesc&) {
+            return cellsDispatches + 1 + marchDispatches + unseenTilesDispatches(device);
+        });
     technique.followsNormals = true;
-    technique.dispatches = [](const gpu::Device& device, const ReflectionDesc&) {
-        return cellsDispatches + 1 + marchDispatches + unseenTilesDispatches(device);
-    };
     technique.tiles = [](const void* scratch) -> const gpu::Buffer& {
         return static_cast<const SsrScratch*>(scratch)->tiles;
     };

@@ -176,9 +176,9 @@ Status record(const ReflectPass& pass, PlanarKernels& kernels, PlanarScratch& sc
 } // namespace
 
 Technique planarTechnique() {
-    Technique technique = techniqueFrom<PlanarKernels, PlanarScratch, record>();
+    Technique technique = techniqueFrom<PlanarKernels, PlanarScratch, record>(
+        [](const gpu::Device&, const ReflectionDesc&) { return 1u; });
     technique.readsScene = false;
-    technique.dispatches = [](const gpu::Device&, const ReflectionDesc&) { return 1u; };
     return technique;
 }
 

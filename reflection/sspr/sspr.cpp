@@ -77,10 +77,10 @@ Status recordSspr(const ReflectPass& pass, SsprKernels& kernels, SsprScratch& sc
 }
 
 Technique ssprTechnique() {
-    Technique technique = techniqueFrom<SsprKernels, SsprScratch, recordSspr>();
-    technique.dispatches = [](const gpu::Device& device, const ReflectionDesc&) {
-        return ssprDispatches + unseenTilesDispatches(device);
-    };
+    Technique technique = techniqueFrom<SsprKernels, SsprScratch, recordSspr>(
+        [](const gpu::Device& device, const ReflectionDesc&) {
+            return ssprDispatches + unseenTilesDispatches(device);
+        });
     technique.tiles = [](const void* scratch) -> const gpu::Buffer& {
         return static_cast<const SsprScratch*>(scratch)->tiles;
     };
