@@ -29,7 +29,6 @@ SurfaceVariant Body::surfaceVariant(const SurfaceDraw& drawn) const {
     SurfaceVariant variant;
     variant.surfaceOutput = static_cast<uint32_t>(drawn.output);
     variant.sidesSeen = static_cast<uint32_t>(drawn.sides);
-    variant.bySchlick = shading.fresnel == Fresnel::schlick;
     variant.tilted = frame.tilted;
     for (const auto& [part, state] : has)
         if (part->vary) part->vary(state.get(), *this, drawn, variant);

@@ -16,6 +16,7 @@ Part refractionPart();
 Part reflectionPart();
 Part causticsPart();
 Part underwaterPart();
+Part shadingPart();
 
 std::span<const Part> parts() {
     // Foam steps with the waves' maps, which are to end at the time asked for.
@@ -26,7 +27,7 @@ std::span<const Part> parts() {
         foamPart(),       wavesPart(),
         bedPart(),        refractionPart(),
         reflectionPart(), causticsPart(),
-        underwaterPart(),
+        underwaterPart(), shadingPart(),
     };
     return all;
 }
