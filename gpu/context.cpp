@@ -51,6 +51,17 @@ FieldError badField(const DeviceDesc& desc) {
     return badField(deviceFields, &desc);
 }
 
+Status Context::shareMade(const void* what, Status (*make)(Context& context, std::shared_ptr<void>& out),
+                          std::shared_ptr<void>& out) {
+    const std::lock_guard sharing(sharing_);
+    std::weak_ptr<void>& known = shared_[what];
+    out = known.lock();
+    if (out) return Status::ok;
+    const Status status = make(*this, out);
+    known = out;
+    return status;
+}
+
 Status createContext(const DeviceDesc* desc, Context** out) {
     if (out) *out = nullptr;
     if (!desc) return Status::invalidArgument;

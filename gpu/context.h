@@ -39,20 +39,25 @@ struct Context {
     /// `Status create(Context&)`, which may share others. Any thread: who asks meanwhile waits.
     template<typename T>
     Status share(std::shared_ptr<T>& out) {
-        const std::lock_guard sharing(sharing_);
-        std::weak_ptr<void>& known = shared_[&tag<T>];
-        out = std::static_pointer_cast<T>(known.lock());
-        if (out) return Status::ok;
-        const auto made = std::make_shared<T>();
-        if (const Status s = made->create(*this); s != Status::ok) return s;
-        known = made;
-        out = made;
-        return Status::ok;
+        std::shared_ptr<void> shared;
+        const Status status = shareMade(&tag<T>, makeFor<T>, shared);
+        out = std::static_pointer_cast<T>(shared);
+        return status;
     }
 
   private:
     template<typename T>
     static constexpr char tag = 0;
+    template<typename T>
+    static Status makeFor(Context& context, std::shared_ptr<void>& out) {
+        auto made = std::make_shared<T>();
+        const Status status = made->create(context);
+        if (status == Status::ok) out = std::move(made);
+        return status;
+    }
+    Status shareMade(const void* what, Status (*make)(Context& context, std::shared_ptr<void>& out),
+                     std::shared_ptr<void>& out);
+
     std::recursive_mutex sharing_;
     std::unordered_map<const void*, std::weak_ptr<void>> shared_;
 };

@@ -33,6 +33,10 @@ Status Frame::begin() {
     return Status::ok;
 }
 
+void Frame::keep(std::shared_ptr<void> object) {
+    retired_.push_back(std::move(object));
+}
+
 Status Frame::addPool() {
     const VkDescriptorPoolSize sizes[] = {
         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, setsPerPool},

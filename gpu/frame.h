@@ -67,20 +67,12 @@ class Frame {
     /// Keeps a movable object alive until this slot begins again.
     template<typename T>
     void retire(T&& object) {
-        retired_.push_back(std::make_unique<Holder<std::decay_t<T>>>(std::forward<T>(object)));
+        keep(std::make_shared<std::decay_t<T>>(std::forward<T>(object)));
     }
     void releaseRetired() { retired_.clear(); }
 
   private:
-    struct HolderBase {
-        virtual ~HolderBase() = default;
-    };
-    template<typename T>
-    struct Holder : HolderBase {
-        explicit Holder(T&& o) : object(std::move(o)) {}
-        T object;
-    };
-
+    void keep(std::shared_ptr<void> object);
     Status addPool();
 
     const Device* device_ = nullptr;
@@ -89,7 +81,7 @@ class Frame {
     std::vector<Buffer> blocks_;
     size_t blockInUse_ = 0;
     VkDeviceSize blockOffset_ = 0;
-    std::vector<std::unique_ptr<HolderBase>> retired_;
+    std::vector<std::shared_ptr<void>> retired_;
 };
 
 } // namespace seaglass::gpu
