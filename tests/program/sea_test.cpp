@@ -197,7 +197,7 @@ TEST_F(SeaCommand, BadLinesAreRefused) {
     expectRefused({"--wind", "5", "--fetch", "0"}, {"--fetch is '0'", "1 to 1e+06 m"});
     expectRefused({"--wind", "5", "--depth", "-2"}, {"--depth is '-2'", "0 to inf m"});
     expectRefused({"--wind", "5", "--spectrum", "jonswop"},
-                  {"--spectrum is 'jonswop', expected ", ", phillips or table; the nearest is jonswap"});
+                  {"--spectrum is 'jonswop', expected ", " tma, phillips", "; the nearest is jonswap"});
     expectRefused({"--wind", "5", "--spreading", "cos"}, {"--spreading is 'cos'", "nearest is cos2s"});
     expectRefused({"--wind", "5", "--swell", "2"}, {"--swell is '2'", "0 to 1"});
     expectRefused({"--wind", "5", "--samples", "100"}, {"--samples is '100'", "power of two"});

@@ -89,14 +89,14 @@ double tableEnergy(std::span<const SpectrumSample> table, double omega) {
 }
 
 // By the midpoint rule over equal ratios; below are e^-150 of the peak, above 1e-8 of the whole.
-double windSeaVariance(const Spectrum& spectrum) {
+double integrated(const Spectrum& spectrum) {
     constexpr double low = 0.3, high = 100, ratio = 0.005;
     const double first = spectrum.peak * low;
     const auto steps = static_cast<int>(std::log(high / low) / ratio);
     double sum = 0;
     for (int i = 0; i < steps; ++i) {
         const double omega = first * std::exp((i + 0.5) * ratio);
-        sum += windSeaEnergy(spectrum, omega) * omega * ratio;
+        sum += energy(spectrum, omega) * omega * ratio;
     }
     return sum;
 }
@@ -159,7 +159,7 @@ double variance(const Spectrum& spectrum) {
     case Spectrum::Form::windSea:
         break;
     }
-    return windSeaVariance(spectrum);
+    return integrated(spectrum);
 }
 
 double kitaigorodskii(double omega, double depth) {

@@ -32,9 +32,12 @@ Examples:
 
 Exit codes: 0 all is well, 1 the run failed, 2 bad input, or no display to open a window on.)";
 
+std::span<const std::string_view> techniques() {
+    return choicesOf("water.reflection.technique");
+}
+
 bool checkSplit(const std::string& half, Error& error) {
-    const std::span<const std::string_view> known = choicesOf("water.reflection.technique");
-    std::vector<std::string_view> names(known.begin(), known.end());
+    std::vector<std::string_view> names(techniques().begin(), techniques().end());
     names.push_back(referenceName);
     return half.empty() || isOneOf("--split", half, names, error);
 }
@@ -72,10 +75,9 @@ void describeView(CLI::App& command, RawView& raw) {
                     "With --frames: PNG of what the window shows at the last of them")
         ->type_name("FILE");
     command
-        .add_option(
-            "--split", raw.split,
-            "Mirror the right half by another technique: sky sspr ssr hybrid planar; or trace its rays: "
-            "reference")
+        .add_option("--split", raw.split,
+                    "Mirror the right half by another technique: " + oneOf(techniques()) +
+                        "; or trace its rays: reference")
         ->type_name("NAME");
     command
         .add_option(

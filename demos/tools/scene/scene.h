@@ -27,7 +27,7 @@ struct SwellDesc {
 struct WavesDesc {
     static constexpr uint32_t noForce = 13;
 
-    std::string spectrum = "jonswap";    ///< jonswap | pierson-moskowitz | tma | phillips | table
+    std::string spectrum = "jonswap";    ///< one of seaglass::spectrumModels
     std::filesystem::path spectrumTable; ///< CSV of `table`: Hz, m^2/Hz; absolute
     uint32_t beaufort = noForce;         ///< sets wind, fetch and the first swell in place of those here
     double windMps = 10;
@@ -36,7 +36,7 @@ struct WavesDesc {
     bool capFetch = true;
     double depthM = std::numeric_limits<double>::infinity(); ///< deep unless it is said
     double peakEnhancement = 3.3;
-    std::string spreading = "hasselmann"; ///< hasselmann | mitsuyasu | donelan-banner | cos2s
+    std::string spreading = "hasselmann"; ///< one of seaglass::spreadingModels
     double spreadingShape = 5;            ///< s of cos2s
     double swell = 0;
     std::vector<SwellDesc> swells;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace {
@@ -141,10 +142,9 @@ void expectTruncation(SeaDesc desc, uint32_t samples) {
 
 TEST(Cascades, SharedModesAreTheSameWhenSamplesDouble) {
     const SpectrumSample table[] = {{0.05f, 0}, {0.1f, 4}, {0.2f, 1}, {0.4f, 0}};
-    for (const auto model : {SpectrumModel::jonswap, SpectrumModel::piersonMoskowitz, SpectrumModel::tma,
-                             SpectrumModel::phillips, SpectrumModel::table}) {
+    for (uint32_t model = 0; model < std::size(spectrumModels); ++model) {
         SeaDesc desc = withSamples(64);
-        desc.spectrum = model;
+        desc.spectrum = static_cast<SpectrumModel>(model);
         desc.depth = 20;
         desc.spectrumTable = table;
         desc.spectrumTableCount = 4;

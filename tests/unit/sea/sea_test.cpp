@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -439,9 +440,8 @@ TEST(Sea, IsFiniteAtItsExtremes) {
 
 TEST(Sea, EveryModelIsFiniteAtItsExtremes) {
     const SpectrumSample table[] = {{0.01f, 1e6f}, {50, 1e6f}};
-    for (uint32_t model = 0; model <= static_cast<uint32_t>(SpectrumModel::table); ++model) {
-        for (uint32_t spreading = 0; spreading <= static_cast<uint32_t>(SpreadingModel::cosine2s);
-             ++spreading) {
+    for (uint32_t model = 0; model < std::size(spectrumModels); ++model) {
+        for (uint32_t spreading = 0; spreading < std::size(spreadingModels); ++spreading) {
             for (const float depth : {0.0f, 1e-40f, 1e-3f, 5.0f, 1e30f, infinity}) {
                 for (const float wind : {0.0f, 1e-30f, 3.0f, 100.0f}) {
                     for (const float fetch : {1.0f, 1e6f}) {

@@ -111,14 +111,14 @@ void describeSea(CLI::App& command, RawSea& raw) {
     command.add_flag("--uncapped", raw.uncapped,
                      "Let JONSWAP and TMA grow with the fetch past a fully developed sea");
     command.add_option("--depth", raw.depth, "Of the water, inf if not given")->type_name("M");
-    command
-        .add_option("--spectrum", raw.spectrum,
-                    "jonswap (if not given), pierson-moskowitz, tma, phillips or table")
+    const WavesDesc unsaid;
+    const auto choices = [](std::string_view path, const std::string& usual) {
+        return oneOf(choicesOf(path)) + "; " + usual + " if not given";
+    };
+    command.add_option("--spectrum", raw.spectrum, choices("water.waves.spectrum", unsaid.spectrum))
         ->type_name("NAME");
     command.add_option("--table", raw.table, "Of --spectrum table: CSV of Hz,m^2/Hz")->type_name("FILE");
-    command
-        .add_option("--spreading", raw.spreading,
-                    "hasselmann (if not given), mitsuyasu, donelan-banner or cos2s")
+    command.add_option("--spreading", raw.spreading, choices("water.waves.spreading", unsaid.spreading))
         ->type_name("NAME");
     command.add_option("--shape", raw.shape, "s of --spreading cos2s, 5 if not given")->type_name("S");
     command.add_option("--swell", raw.swell, "Elongation of the spreading, 0 to 1, 0 if not given")

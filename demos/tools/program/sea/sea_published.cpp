@@ -106,7 +106,7 @@ PublishedSea publishedFor(const seaglass::SeaDesc& desc, const WavesDesc& waves)
     case seaglass::SpectrumModel::table:
         buoy(desc, out);
         break;
-    case seaglass::SpectrumModel::phillips: // a shape, published without a height
+    default: // a shape, published without a height
         break;
     }
     return out;
