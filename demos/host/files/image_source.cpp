@@ -187,6 +187,12 @@ double greatestOf(OIIO::TypeDesc format) {
     return std::pow(2.0, static_cast<double>(8 * format.basesize())) - 1;
 }
 
+/// The nearest of 0, 1 / greatest, 2 / greatest, ... 1 to a value of these.
+float wholeSteps(float value, double greatest) {
+    const auto step = static_cast<int64_t>(static_cast<double>(value) * greatest + 0.5);
+    return static_cast<float>(static_cast<double>(step) / greatest);
+}
+
 /// By the first bytes, whatever its name is. Empty: none that is read.
 std::string formatOf(const std::filesystem::path& file) {
     std::array<char, 4> bytes{};
@@ -353,9 +359,7 @@ void ImageSource::Opened::convert(std::span<glm::vec4> pixels) const {
         if (opaque) pixel.a = 1;
         // OpenImageIO multiplies by a rounded inverse: then 8 and 16 bits of one value are not the same.
         if (greatest > 0)
-            for (int i = 0; i < 4; ++i)
-                pixel[i] =
-                    static_cast<float>(std::round(static_cast<double>(pixel[i]) * greatest) / greatest);
+            for (int i = 0; i < 4; ++i) pixel[i] = wholeSteps(pixel[i], greatest);
         if (!plain)
             pixel =
                 glm::vec4(greatest > 0 ? broughtToSRgb(pixel, meaning) : matrix * glm::vec3(pixel), pixel.a);

@@ -14,10 +14,10 @@ class Taker {
     Taker(std::span<const float> map, uint32_t width, double over)
         : width_(width), height_(map.size() / width), wrong_(map.size()) {
         std::transform(map.begin(), map.end(), wrong_.begin(),
-                       [over](float value) { return static_cast<double>(value) > over; });
+                       [over](float value) { return static_cast<double>(value) > over ? 1 : 0; });
     }
 
-    bool isWrong(size_t pixel) const { return wrong_[pixel]; }
+    bool isWrong(size_t pixel) const { return wrong_[pixel] != 0; }
 
     Blob take(size_t first) {
         size_t left = first % width_, right = left, bottom = first / width_;
@@ -40,8 +40,8 @@ class Taker {
 
   private:
     void push(size_t pixel) {
-        if (!wrong_[pixel]) return;
-        wrong_[pixel] = false;
+        if (wrong_[pixel] == 0) return;
+        wrong_[pixel] = 0;
         open_.push_back(pixel);
     }
 
@@ -55,7 +55,7 @@ class Taker {
     }
 
     size_t width_, height_;
-    std::vector<bool> wrong_;
+    std::vector<uint8_t> wrong_;
     std::vector<size_t> open_;
 };
 

@@ -1,8 +1,10 @@
 #include "metrics/compare.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <numeric>
 
 #include "metrics/finite.h"
@@ -21,10 +23,12 @@ std::vector<float> mended(const Image& image, const Image& other) {
     return rgba;
 }
 
-double greatest(std::span<const float> rgba) {
+/// Of what is finite.
+double greatest(const Image& image) {
     float most = 0;
-    for (size_t i = 0; i < rgba.size(); ++i) {
-        if (i % 4 != 3) most = std::max(most, rgba[i]);
+    for (size_t i = 0; i < image.pixels(); ++i) {
+        if (isFinite(image, i))
+            most = std::max({most, image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2]});
     }
     return static_cast<double>(most);
 }
@@ -37,15 +41,39 @@ std::string describe(const Blob& blob, double over) {
     return text;
 }
 
+/// The value that 99 % of 0 .. 1 are not over. By their first bits, which order them, most are set aside.
+float percentile99(std::span<const float> values) {
+    constexpr uint32_t setAside = 14;
+    const auto binOf = [](float value) { return std::bit_cast<uint32_t>(value) >> setAside; };
+    std::vector<size_t> counts(binOf(1.0f) + 1);
+    for (const float value : values) ++counts[binOf(value)];
+    size_t rank = (values.size() * 99 + 99) / 100 - 1;
+    uint32_t bin = 0;
+    for (; rank >= counts[bin]; ++bin) rank -= counts[bin];
+    std::vector<float> same;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(same),
+                 [&](float value) { return binOf(value) == bin; });
+    const auto found = same.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(same.begin(), found, same.end());
+    return *found;
+}
+
 void pool(Comparison& comparison) {
-    std::vector<float> values = comparison.flipMap;
-    if (values.empty()) return;
+    const std::vector<float>& values = comparison.flipMap;
     comparison.flipMean =
         std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
     comparison.flipMax = static_cast<double>(*std::max_element(values.begin(), values.end()));
-    const auto rank = values.begin() + static_cast<std::ptrdiff_t>((values.size() * 99 + 99) / 100 - 1);
-    std::nth_element(values.begin(), rank, values.end());
-    comparison.flipP99 = static_cast<double>(*rank);
+    comparison.flipP99 = static_cast<double>(percentile99(values));
+}
+
+void see(Comparison& found, const Image& reference, const Image& test, PictureKind kind) {
+    if (kind == PictureKind::display) {
+        found.flipMap = flip(reference, test);
+        return;
+    }
+    HdrFlip hdr = hdrFlip(reference, test);
+    found.flipMap = std::move(hdr.map);
+    found.exposures = hdr.exposures;
 }
 
 } // namespace
@@ -58,24 +86,20 @@ Comparison compare(const Image& reference, const Image& test, PictureKind kind, 
     found.notFiniteInReference = countNotFinite(reference);
     found.notFiniteInTest = countNotFinite(test);
 
-    const std::vector<float> soundReference = mended(reference, test), soundTest = mended(test, reference);
-    const Image a{reference.width, reference.height, soundReference}, b{test.width, test.height, soundTest};
-    if (kind == PictureKind::linear) {
-        HdrFlip hdr = hdrFlip(a, b);
-        found.flipMap = std::move(hdr.map);
-        found.exposures = hdr.exposures;
+    if (found.notFiniteInReference + found.notFiniteInTest == 0) {
+        see(found, reference, test, kind);
     } else {
-        found.flipMap = flip(a, b);
-    }
-    for (size_t i = 0; i < found.flipMap.size(); ++i) {
-        if (!isFinite(reference, i) || !isFinite(test, i)) found.flipMap[i] = 1;
+        const std::vector<float> a = mended(reference, test), b = mended(test, reference);
+        see(found, {reference.width, reference.height, a}, {test.width, test.height, b}, kind);
+        for (size_t i = 0; i < found.flipMap.size(); ++i)
+            if (!isFinite(reference, i) || !isFinite(test, i)) found.flipMap[i] = 1;
     }
     pool(found);
     found.wrong = findWrong(found.flipMap, reference.width, limits.wrong.over);
 
     found.difference = difference(reference, test);
     found.psnrDb =
-        psnrDb(found.difference.meanSquare, kind == PictureKind::display ? 1 : greatest(soundReference));
+        psnrDb(found.difference.meanSquare, kind == PictureKind::display ? 1 : greatest(reference));
     std::transform(limits.shares.begin(), limits.shares.end(), found.shares.begin(),
                    [&](const ShareLimit& limit) { return shareOver(reference, test, limit.over); });
     return found;

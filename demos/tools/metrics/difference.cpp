@@ -9,8 +9,8 @@ namespace demos {
 
 namespace {
 
-double off(const Image& a, const Image& b, size_t value) {
-    return std::abs(static_cast<double>(a.rgba[value]) - static_cast<double>(b.rgba[value]));
+double off(const float* a, const float* b, size_t channel) {
+    return std::abs(static_cast<double>(a[channel]) - static_cast<double>(b[channel]));
 }
 
 } // namespace
@@ -21,7 +21,7 @@ Difference difference(const Image& a, const Image& b) {
     for (size_t i = 0; i < a.pixels(); ++i) {
         if (!isFinite(a, i) || !isFinite(b, i)) continue;
         for (size_t channel = 0; channel < 3; ++channel) {
-            const double by = off(a, b, 4 * i + channel);
+            const double by = off(&a.rgba[4 * i], &b.rgba[4 * i], channel);
             found.mean += by;
             found.meanSquare += by * by;
             found.max = std::max(found.max, by);
@@ -38,8 +38,9 @@ double shareOver(const Image& a, const Image& b, double limit) {
     if (a.pixels() == 0) return 0;
     uint64_t over = 0;
     for (size_t i = 0; i < a.pixels(); ++i) {
-        const double worst = std::max({off(a, b, 4 * i), off(a, b, 4 * i + 1), off(a, b, 4 * i + 2)});
-        if (!isFinite(a, i) || !isFinite(b, i) || worst > limit) ++over;
+        const float *const p = &a.rgba[4 * i], *const q = &b.rgba[4 * i];
+        const double worst = std::max(std::max(off(p, q, 0), off(p, q, 1)), off(p, q, 2));
+        if (worst > limit || !isFinite(a, i) || !isFinite(b, i)) ++over;
     }
     return static_cast<double>(over) / static_cast<double>(a.pixels());
 }

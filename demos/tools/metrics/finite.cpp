@@ -1,11 +1,25 @@
 #include "metrics/finite.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace demos {
 
+namespace {
+
+bool anyNotFinite(std::span<const float> values) {
+    constexpr uint32_t exponent = 0x7f800000;
+    uint32_t found = 0;
+    for (const float value : values)
+        found |= (std::bit_cast<uint32_t>(value) & exponent) == exponent ? 1u : 0u;
+    return found != 0;
+}
+
+} // namespace
+
 uint64_t countNotFinite(const Image& image, Infinity infinity) {
+    if (!anyNotFinite(image.rgba)) return 0;
     const auto sound = [infinity](float value) {
         return std::isfinite(value) || (infinity == Infinity::far && value == HUGE_VALF);
     };
@@ -15,11 +29,6 @@ uint64_t countNotFinite(const Image& image, Infinity infinity) {
         if (!std::all_of(pixel.begin(), pixel.end(), sound)) ++count;
     }
     return count;
-}
-
-bool isFinite(const Image& image, size_t pixel) {
-    const float* const rgb = &image.rgba[4 * pixel];
-    return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]);
 }
 
 } // namespace demos

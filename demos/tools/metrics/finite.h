@@ -1,6 +1,8 @@
 // Counted before anything is compared: NaN passes every comparison with a limit.
 #pragma once
 
+#include <cmath>
+
 #include "metrics/image.h"
 
 namespace demos {
@@ -12,6 +14,9 @@ enum class Infinity { broken, far };
 uint64_t countNotFinite(const Image& image, Infinity infinity = Infinity::broken);
 
 /// Whether the colour of a pixel is finite.
-bool isFinite(const Image& image, size_t pixel);
+inline bool isFinite(const Image& image, size_t pixel) {
+    const float* const rgb = &image.rgba[4 * pixel];
+    return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]);
+}
 
 } // namespace demos

@@ -2,144 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
-#include "metrics/color_space.h"
-#include "metrics/convolve.h"
+#include "metrics/flip/color_space.h"
+#include "metrics/flip/seen.h"
 
 namespace demos {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-
 /// The paper's exponents, and the knee that gives its lower 40 % of colour differences 95 % of the range.
 constexpr float colorExponent = 0.7f, featureExponent = 0.5f;
 constexpr float kneeOfRange = 0.4f, kneeOfError = 0.95f;
-/// Width of the eye's edge and point detectors, in degrees.
-constexpr float featureWidthDegrees = 0.082f;
 
-/// A Gaussian of the contrast sensitivity functions, in frequency: a exp(-b f^2), b in degrees squared.
-struct Sensitivity {
-    float a, b;
-};
-constexpr Sensitivity achromatic = {1, 0.0047f}, redGreen = {1, 0.0053f};
-constexpr Sensitivity blueYellowWide = {34.1f, 0.04f}, blueYellowNarrow = {13.5f, 0.025f};
-
-using Planes = std::array<Plane, 3>;
-
-template<class Value>
-Kernel sample(int radius, const Value& value) {
-    Kernel kernel;
-    for (int i = -radius; i <= radius; ++i) kernel.push_back(value(static_cast<float>(i)));
-    return kernel;
-}
-
-float sum(const Kernel& kernel) {
-    float total = 0;
-    for (const float weight : kernel) total += weight;
-    return total;
-}
-
-void scale(Kernel& kernel, float by) {
-    for (float& weight : kernel) weight *= by;
-}
-
-/// What of a picture the eye resolves: each opponent channel through its contrast sensitivity.
-class Eye {
-  public:
-    explicit Eye(float pixelsPerDegree) : pixelsPerDegree_(pixelsPerDegree) {
-        // One radius for all: three standard deviations of the widest.
-        radius_ =
-            static_cast<int>(std::ceil(3 * std::sqrt(blueYellowWide.b / (2 * pi * pi)) * pixelsPerDegree));
-        achromatic_ = normalised(achromatic);
-        redGreen_ = normalised(redGreen);
-        wide_ = normalised(blueYellowWide);
-        narrow_ = normalised(blueYellowNarrow);
-        wideShare_ = volume(blueYellowWide) / (volume(blueYellowWide) + volume(blueYellowNarrow));
-    }
-
-    Planes operator()(const Planes& opponent) const {
-        Plane blueYellow = convolve(opponent[2], wide_, wide_);
-        const Plane narrow = convolve(opponent[2], narrow_, narrow_);
-        for (size_t i = 0; i < narrow.values.size(); ++i) {
-            blueYellow.values[i] = std::lerp(narrow.values[i], blueYellow.values[i], wideShare_);
-        }
-        return {convolve(opponent[0], achromatic_, achromatic_), convolve(opponent[1], redGreen_, redGreen_),
-                std::move(blueYellow)};
-    }
-
-  private:
-    /// One axis of the Fourier transform of a Gaussian, which is the filter in space.
-    Kernel gaussian(const Sensitivity& csf) const {
-        return sample(radius_, [&](float i) {
-            const float degrees = i / pixelsPerDegree_;
-            return std::exp(-pi * pi * degrees * degrees / csf.b);
-        });
-    }
-    Kernel normalised(const Sensitivity& csf) const {
-        Kernel kernel = gaussian(csf);
-        scale(kernel, 1 / sum(kernel));
-        return kernel;
-    }
-    /// Sum of the filter over both axes.
-    float volume(const Sensitivity& csf) const {
-        const float along = sum(gaussian(csf));
-        return csf.a * std::sqrt(pi / csf.b) * along * along;
-    }
-
-    float pixelsPerDegree_, wideShare_ = 0;
-    int radius_ = 0;
-    Kernel achromatic_, redGreen_, wide_, narrow_;
-};
-
-/// Edges and points in the lightness of a picture: lengths of its first and second derivatives.
-struct Features {
-    Plane edges, points;
-};
-
-class FeatureDetector {
-  public:
-    explicit FeatureDetector(float pixelsPerDegree) {
-        const float deviation = 0.5f * featureWidthDegrees * pixelsPerDegree;
-        const int radius = static_cast<int>(std::ceil(3 * deviation));
-        const auto bell = [=](float i) { return std::exp(-i * i / (2 * deviation * deviation)); };
-        smooth_ = sample(radius, bell);
-        scale(smooth_, 1 / sum(smooth_));
-        slope_ = balanced(sample(radius, [&](float i) { return -i * bell(i); }));
-        bend_ = balanced(
-            sample(radius, [&](float i) { return (i * i / (deviation * deviation) - 1) * bell(i); }));
-    }
-
-    Features operator()(const Plane& lightness) const {
-        return {length(convolve(lightness, slope_, smooth_), convolve(lightness, smooth_, slope_)),
-                length(convolve(lightness, bend_, smooth_), convolve(lightness, smooth_, bend_))};
-    }
-
-  private:
-    /// Its positive weights sum to 1, its negative ones to -1.
-    static Kernel balanced(Kernel kernel) {
-        float positive = 0, negative = 0;
-        for (const float weight : kernel) (weight > 0 ? positive : negative) += weight;
-        for (float& weight : kernel) weight /= weight > 0 ? positive : -negative;
-        return kernel;
-    }
-    static Plane length(Plane x, const Plane& y) {
-        for (size_t i = 0; i < x.values.size(); ++i) x.values[i] = std::hypot(x.values[i], y.values[i]);
-        return x;
-    }
-
-    Kernel smooth_, slope_, bend_;
-};
-
-/// Colours fade as it darkens (the Hunt effect).
-Lab huntAdjusted(const Lab& lab) {
-    return {lab[0], 0.01f * lab[0] * lab[1], 0.01f * lab[0] * lab[2]};
-}
+/// Columns at once: what the filters keep of two such strips stays in a core's cache.
+constexpr size_t stripWidth = 256;
 
 /// HyAB, for large differences of colour (Abasi, Amani Tehran and Fairchild 2020).
 float colorDistance(const Lab& a, const Lab& b) {
-    return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
+    const float da = a[1] - b[1], db = a[2] - b[2];
+    return std::abs(a[0] - b[0]) + std::sqrt(da * da + db * db);
 }
 
 /// The greatest that sRGB holds: between its green and its blue.
@@ -149,70 +32,91 @@ float greatestColorDistance() {
 }
 
 float colorError(float distance, float greatest) {
-    const float error = std::pow(distance, colorExponent), knee = kneeOfRange * greatest;
-    if (error < knee) return kneeOfError * error / knee;
-    return kneeOfError + (1 - kneeOfError) * (error - knee) / (greatest - knee);
+    const float error = power(distance, colorExponent), knee = kneeOfRange * greatest;
+    return error < knee ? kneeOfError * error / knee
+                        : kneeOfError + (1 - kneeOfError) * (error - knee) / (greatest - knee);
 }
 
-Planes opponentPlanes(const Image& linear) {
-    Planes planes;
-    for (Plane& plane : planes) plane = {linear.width, linear.height, std::vector<float>(linear.pixels())};
-    for (size_t i = 0; i < linear.pixels(); ++i) {
-        const float* const rgb = &linear.rgba[4 * i];
-        const Opponent opponent = opponentOfXyz(xyzOfRgb({rgb[0], rgb[1], rgb[2]}));
-        for (size_t channel = 0; channel < 3; ++channel) planes[channel].values[i] = opponent[channel];
-    }
-    return planes;
-}
+/// What the compiler takes several pixels of at once: no index leads to another.
+struct SeenRow {
+    explicit SeenRow(const Seen& seen)
+        : lightness(seen.lab()[0].data()), redGreen(seen.lab()[1].data()), blueYellow(seen.lab()[2].data()),
+          edges(seen.edges().data()), points(seen.points().data()) {}
 
-/// A picture as the eye has it: its colours, and what stands out.
-struct Seen {
-    Planes colors; ///< opponent, filtered
-    Features features;
+    Lab lab(size_t i) const { return {lightness[i], redGreen[i], blueYellow[i]}; }
 
-    Lab color(size_t i) const {
-        const Opponent opponent = {colors[0].values[i], colors[1].values[i], colors[2].values[i]};
-        Rgb rgb = rgbOfXyz(xyzOfOpponent(opponent));
-        for (float& value : rgb) value = std::clamp(value, 0.0f, 1.0f);
-        return huntAdjusted(labOfXyz(xyzOfRgb(rgb)));
-    }
+    const float *lightness, *redGreen, *blueYellow, *edges, *points;
 };
 
-Seen see(const Image& linear, const Eye& eye, const FeatureDetector& detect) {
-    const Planes opponent = opponentPlanes(linear);
-    Plane lightness = opponent[0];
-    for (float& value : lightness.values) value = (value + 16) / 116;
-    return {eye(opponent), detect(lightness)};
+void combine(const SeenRow a, const SeenRow b, float greatest, std::vector<float>& to) {
+    for (size_t i = 0; i < to.size(); ++i) {
+        const float color = colorError(colorDistance(a.lab(i), b.lab(i)), greatest);
+        const float edges = std::abs(a.edges[i] - b.edges[i]);
+        const float points = std::abs(a.points[i] - b.points[i]);
+        const float feature =
+            power(std::max(edges, points) * (1 / std::numbers::sqrt2_v<float>), featureExponent);
+        to[i] = power(color, 1 - std::min(feature, 1.0f));
+    }
+}
+
+/// Of two pictures as far as a strip is filtered from.
+class Sameness {
+  public:
+    Sameness(const Image& a, const Image& b, const Strip& strip, size_t radius)
+        : a_(a), b_(b), first_(strip.left - std::min(strip.left, radius)),
+          count_(std::min<size_t>(strip.left + strip.width + radius, a.width) - first_), radius_(radius) {}
+
+    /// Whether all that row y is filtered from is the same. Rows are asked for from the top.
+    bool around(size_t y) {
+        for (; next_ < std::min<size_t>(y + radius_ + 1, a_.height); ++next_) {
+            const size_t at = 4 * (next_ * a_.width + first_);
+            if (std::memcmp(&a_.rgba[at], &b_.rgba[at], 4 * count_ * sizeof(float)) != 0)
+                changedUntil_ = next_ + radius_ + 1;
+        }
+        return y >= changedUntil_;
+    }
+
+  private:
+    const Image &a_, &b_;
+    size_t first_, count_, radius_, next_ = 0;
+    size_t changedUntil_ = 0; ///< the row below what is filtered from rows that differ
+};
+
+void flipOfStrip(const Image& reference, const Image& test, const Strip& strip, const EyeFilters& eye,
+                 const ToLight& toLight, std::vector<float>& map) {
+    const float greatest = std::pow(greatestColorDistance(), colorExponent);
+    Seen a({reference, strip.left, strip.width}, eye, toLight),
+        b({test, strip.left, strip.width}, eye, toLight);
+    Sameness same(reference, test, strip, eye.radius);
+    std::vector<float> row(a.edges().size());
+    for (size_t y = 0; y < reference.height; ++y) {
+        if (same.around(y)) continue;
+        a.goTo(y);
+        b.goTo(y);
+        combine(SeenRow(a), SeenRow(b), greatest, row);
+        std::copy_n(row.begin(), strip.width,
+                    map.begin() + static_cast<std::ptrdiff_t>(y * reference.width + strip.left));
+    }
 }
 
 } // namespace
 
-std::vector<float> flipOfLinear(const Image& reference, const Image& test, float pixelsPerDegree) {
-    const Eye eye(pixelsPerDegree);
-    const FeatureDetector detect(pixelsPerDegree);
-    const Seen a = see(reference, eye, detect), b = see(test, eye, detect);
-    const float greatest = std::pow(greatestColorDistance(), colorExponent);
+std::vector<float> flipOf(const Image& reference, const Image& test, const ToLight& toLight,
+                          float pixelsPerDegree) {
+    const EyeFilters eye(pixelsPerDegree);
     std::vector<float> map(reference.pixels());
-    for (size_t i = 0; i < map.size(); ++i) {
-        const float color = colorError(colorDistance(a.color(i), b.color(i)), greatest);
-        const float edges = std::abs(a.features.edges.values[i] - b.features.edges.values[i]);
-        const float points = std::abs(a.features.points.values[i] - b.features.points.values[i]);
-        const float feature =
-            std::pow(std::max(edges, points) / std::numbers::sqrt2_v<float>, featureExponent);
-        map[i] = std::pow(color, 1 - std::min(feature, 1.0f));
+    for (size_t left = 0; left < reference.width; left += stripWidth) {
+        const Strip strip{reference, left, std::min(stripWidth, reference.width - left)};
+        flipOfStrip(reference, test, strip, eye, toLight, map);
     }
     return map;
 }
 
 std::vector<float> flip(const Image& reference, const Image& test, float pixelsPerDegree) {
-    const auto decoded = [](const Image& image) {
-        std::vector<float> linear(image.rgba.begin(), image.rgba.end());
-        for (float& value : linear) value = decodeSrgb(std::clamp(value, 0.0f, 1.0f));
-        return linear;
+    const auto decode = [](std::vector<float>& row) {
+        for (float& value : row) value = decodeSrgb(std::clamp(value, 0.0f, 1.0f));
     };
-    const std::vector<float> a = decoded(reference), b = decoded(test);
-    return flipOfLinear({reference.width, reference.height, a}, {test.width, test.height, b},
-                        pixelsPerDegree);
+    return flipOf(reference, test, decode, pixelsPerDegree);
 }
 
 } // namespace demos

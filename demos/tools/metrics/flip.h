@@ -3,6 +3,7 @@
 // Comput. Graph. Interact. Tech. 3(2), 2020.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "metrics/image.h"
@@ -17,8 +18,9 @@ constexpr float standardPixelsPerDegree = 67.0206f;
 std::vector<float> flip(const Image& reference, const Image& test,
                         float pixelsPerDegree = standardPixelsPerDegree);
 
-/// The same of linear light, 0..1.
-std::vector<float> flipOfLinear(const Image& reference, const Image& test,
-                                float pixelsPerDegree = standardPixelsPerDegree);
+/// The same of pictures that `toLight` makes light of, 0..1: it is given the values of a row.
+std::vector<float> flipOf(const Image& reference, const Image& test,
+                          const std::function<void(std::vector<float>&)>& toLight,
+                          float pixelsPerDegree = standardPixelsPerDegree);
 
 } // namespace demos

@@ -16,11 +16,12 @@ constexpr double shownAs = 0.85, middleGrey = 0.18;
 constexpr double gain = 0.6;
 constexpr double a = 2.51 * gain * gain, b = 0.03 * gain, c = 2.43 * gain * gain, d = 0.59 * gain, e = 0.14;
 
-float toneMapped(double light) {
-    if (!(light > 0)) return 0;
+float toneMapped(float light) {
     // Divided by x^2, which may be too large for any number.
-    const double dark = 1 / light;
-    return static_cast<float>(std::min((a + b * dark) / (c + d * dark + e * dark * dark), 1.0));
+    constexpr float least = 1e-15f;
+    const float dark = 1 / std::max(light, least);
+    const float shown = (float(a) + float(b) * dark) / (float(c) + float(d) * dark + float(e) * dark * dark);
+    return light > 0 ? std::min(shown, 1.0f) : 0.0f;
 }
 
 /// The light that is shown as `shownAs`: the positive root of a quadratic.
@@ -58,13 +59,6 @@ std::optional<ExposureRange> rangeOf(const Image& image) {
     return range;
 }
 
-std::vector<float> shownAt(const Image& image, double exposureEv) {
-    const double exposure = std::exp2(exposureEv);
-    std::vector<float> shown(image.rgba.begin(), image.rgba.end());
-    for (float& value : shown) value = toneMapped(exposure * static_cast<double>(value));
-    return shown;
-}
-
 } // namespace
 
 ExposureRange exposureRange(const Image& reference) {
@@ -82,9 +76,12 @@ HdrFlip hdrFlip(const Image& reference, const Image& test, float pixelsPerDegree
     const ExposureRange& range = result.exposures;
     for (int i = 0; i < range.count; ++i) {
         const double ev = std::lerp(range.startEv, range.stopEv, i / static_cast<double>(range.count - 1));
-        const std::vector<float> left = shownAt(reference, ev), right = shownAt(test, ev);
-        const std::vector<float> map = flipOfLinear({reference.width, reference.height, left},
-                                                    {test.width, test.height, right}, pixelsPerDegree);
+        const double exposure = std::exp2(ev);
+        const auto show = [exposure](std::vector<float>& row) {
+            for (float& value : row)
+                value = toneMapped(static_cast<float>(exposure * static_cast<double>(value)));
+        };
+        const std::vector<float> map = flipOf(reference, test, show, pixelsPerDegree);
         std::transform(map.begin(), map.end(), result.map.begin(), result.map.begin(),
                        [](float one, float other) { return std::max(one, other); });
     }
