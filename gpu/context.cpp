@@ -62,6 +62,14 @@ Status Context::shareMade(const void* what, Status (*make)(Context& context, std
     return status;
 }
 
+void Context::releaseDestroyed(uint32_t ofSlot) {
+    for (Held* held = std::exchange(destroyed[ofSlot], nullptr); held;) {
+        Held& last = *held;
+        held = last.destroyedBefore;
+        last.release(last);
+    }
+}
+
 Status createContext(const DeviceDesc* desc, Context** out) {
     if (out) *out = nullptr;
     if (!desc) return Status::invalidArgument;
@@ -94,7 +102,10 @@ void destroyContext(Context* context) {
         return;
     }
     // Retired objects may share pipelines, which need the device: let go of them first.
-    for (gpu::Frame& frame : context->frames) frame.releaseRetired();
+    for (uint32_t slot = 0; slot < context->frames.size(); ++slot) {
+        context->frames[slot].releaseRetired();
+        context->releaseDestroyed(slot);
+    }
     delete context;
 }
 
@@ -105,7 +116,9 @@ Status beginFrame(Context* context, uint32_t slot) {
                                        context->frameCount - 1);
     context->slot = slot;
     ++context->frameNumber;
-    return context->frame().begin();
+    const Status s = context->frame().begin();
+    if (s == Status::ok) context->releaseDestroyed(slot);
+    return s;
 }
 
 } // namespace seaglass

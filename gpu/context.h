@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <unordered_map>
+#include <utility>
 
 #include "gpu/device.h"
 #include "gpu/fields.h"
@@ -20,7 +21,9 @@ FieldError badField(const DeviceDesc& desc);
 /// What a host holds of a context: a body, a reflector or a target.
 struct Held {
     Context* context = nullptr;
-    bool destroyed = false; ///< by the host; it is kept until its frame slot begins again
+    bool destroyed = false;                ///< by the host; it is kept until its frame slot begins again
+    Held* destroyedBefore = nullptr;       ///< in the same slot
+    void (*release)(Held& held) = nullptr; ///< of what was destroyed
 };
 
 struct Context {
@@ -29,11 +32,14 @@ struct Context {
     std::array<gpu::Frame, 4> frames;
     uint32_t frameCount = 0;
     uint32_t slot = 0;
-    uint64_t frameNumber = 0;    ///< of the frame that was begun last, from 1; 0: none was
-    uint32_t inUse = 0;          ///< bodies, reflectors and targets that the host holds
-    bool toldOfEncoding = false; ///< that a format without a word about it is taken for linear
+    std::array<Held*, 4> destroyed{}; ///< in each slot, the last first: no memory need be had to destroy
+    uint64_t frameNumber = 0;         ///< of the frame that was begun last, from 1; 0: none was
+    uint32_t inUse = 0;               ///< bodies, reflectors and targets that the host holds
+    bool toldOfEncoding = false;      ///< that a format without a word about it is taken for linear
 
     gpu::Frame& frame() { return frames[slot]; }
+    /// Lets go of what the host destroyed in that slot.
+    void releaseDestroyed(uint32_t ofSlot);
 
     /// One T for all who ask for it while any of them lives: pipelines that several bodies use. T has
     /// `Status create(Context&)`, which may share others. Any thread: who asks meanwhile waits.
@@ -73,7 +79,8 @@ void destroyHeld(T* held, const char* call) {
     }
     held->destroyed = true;
     --context.inUse;
-    context.frame().retire(std::unique_ptr<T>(held));
+    held->destroyedBefore = std::exchange(context.destroyed[context.slot], held);
+    held->release = [](Held& destroyed) { delete static_cast<T*>(&destroyed); };
 }
 
 } // namespace seaglass

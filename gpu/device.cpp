@@ -63,7 +63,9 @@ Status Device::allocateOwn(const VkMemoryRequirements& needs, VkMemoryPropertyFl
         s != Status::ok)
         return s;
     if (!(wanted & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT)) return Status::ok;
-    return check(table_.MapMemory(device_, out.memory, 0, VK_WHOLE_SIZE, 0, &out.mapped), what);
+    const Status s = check(table_.MapMemory(device_, out.memory, 0, VK_WHOLE_SIZE, 0, &out.mapped), what);
+    if (s != Status::ok) out.mapped = nullptr;
+    return s;
 }
 
 Status Device::allocateHosts(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted, bool image,

@@ -40,11 +40,15 @@ class Device {
     [[gnu::format(printf, 2, 3)]] Status misused(const char* format, ...) const;
     /// VK_SUCCESS is ok; anything else is reported as the failure of `what`.
     Status check(VkResult result, const char* what) const;
-    /// As check() of what made `handle`, which debuggers then know as `what`.
+    /// As check() of what made `handle`, which debuggers then know as `what`. What a failed call left there
+    /// is undefined (Vulkan 1.3, Return Codes): it becomes null.
     template<typename Handle>
-    Status made(VkResult result, VkObjectType type, const Handle& handle, const char* what) const {
+    Status made(VkResult result, VkObjectType type, Handle& handle, const char* what) const {
         const Status s = check(result, what);
-        if (s == Status::ok) names_.name(device_, type, handle, what);
+        if (s == Status::ok)
+            names_.name(device_, type, handle, what);
+        else
+            handle = VK_NULL_HANDLE;
         return s;
     }
 

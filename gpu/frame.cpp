@@ -33,8 +33,8 @@ Status Frame::begin() {
     return Status::ok;
 }
 
-void Frame::keep(std::shared_ptr<void> object) {
-    retired_.push_back(std::move(object));
+std::shared_ptr<void>& Frame::keptNext() {
+    return retired_.emplace_back();
 }
 
 Status Frame::addPool() {
@@ -48,14 +48,12 @@ Status Frame::addPool() {
     info.maxSets = setsPerPool;
     info.poolSizeCount = static_cast<uint32_t>(std::size(sizes));
     info.pPoolSizes = sizes;
-    VkDescriptorPool pool = VK_NULL_HANDLE;
-    if (const Status s = device_->made(
-            device_->vk().CreateDescriptorPool(device_->handle(), &info, device_->allocator(), &pool),
-            VK_OBJECT_TYPE_DESCRIPTOR_POOL, pool, "frame descriptors");
-        s != Status::ok)
-        return s;
-    pools_.push_back(pool);
-    return Status::ok;
+    VkDescriptorPool& pool = pools_.emplace_back(VK_NULL_HANDLE);
+    const Status s = device_->made(
+        device_->vk().CreateDescriptorPool(device_->handle(), &info, device_->allocator(), &pool),
+        VK_OBJECT_TYPE_DESCRIPTOR_POOL, pool, "frame descriptors");
+    if (s != Status::ok) pools_.pop_back();
+    return s;
 }
 
 Status Frame::allocateSet(const Layout& layout, std::span<const Bound> resources, VkDescriptorSet& out) {

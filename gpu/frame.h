@@ -64,15 +64,22 @@ class Frame {
         return Status::ok;
     }
 
-    /// Keeps a movable object alive until this slot begins again.
+    /// Keeps a movable object alive until this slot begins again. Throws before it takes it.
     template<typename T>
     void retire(T&& object) {
-        keep(std::make_shared<std::decay_t<T>>(std::forward<T>(object)));
+        std::shared_ptr<void>& place = keptNext();
+        place = std::make_shared<std::decay_t<T>>(std::forward<T>(object));
+    }
+    /// `fresh` takes the place of what the GPU may still be using.
+    template<typename T>
+    void replace(T& held, T fresh) {
+        retire(std::move(held));
+        held = std::move(fresh);
     }
     void releaseRetired() { retired_.clear(); }
 
   private:
-    void keep(std::shared_ptr<void> object);
+    std::shared_ptr<void>& keptNext();
     Status addPool();
 
     const Device* device_ = nullptr;

@@ -30,7 +30,7 @@ Status prepare(Context& context, SingleSamples& samples, const ViewDesc& view) {
     if (scene.fits(view)) return Status::ok;
     SingleSampledScene fresh;
     if (const Status s = fresh.create(context.device, view); s != Status::ok) return s;
-    context.frame().retire(std::exchange(scene, std::move(fresh)));
+    context.frame().replace(scene, std::move(fresh));
     return Status::ok;
 }
 
@@ -160,7 +160,7 @@ Status takeSamples(Context& context, VkCommandBuffer commands, const ViewGeometr
 void dropSamples(Context& context, SingleSamples* samples, uint32_t viewIndex) {
     if (!samples || viewIndex >= maxViews) return;
     SingleSampledScene& held = samples->views[viewIndex];
-    if (held.depth.handle()) context.frame().retire(std::exchange(held, {}));
+    if (held.depth.handle()) context.frame().replace(held, {});
 }
 
 } // namespace seaglass

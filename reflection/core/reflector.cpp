@@ -102,7 +102,7 @@ Status Reflector::prepare(ReflectedView& view, VkExtent2D extent) {
     ReflectedView fresh;
     if (const Status s = fresh.create(context->device, extent, sizedFor(desc, extent)); s != Status::ok)
         return s;
-    context->frame().retire(std::exchange(view, std::move(fresh)));
+    context->frame().replace(view, std::move(fresh));
     return Status::ok;
 }
 

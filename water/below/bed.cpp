@@ -133,7 +133,7 @@ Status Bed::handOut(Context& context, const ViewDesc& view, const ViewGeometry& 
     if (!picture.color.isOf(extent)) {
         BedPicture fresh;
         if (const Status s = fresh.create(device, desc.drawn, extent); s != Status::ok) return s;
-        context.frame().retire(std::exchange(picture, std::move(fresh)));
+        context.frame().replace(picture, std::move(fresh));
     }
     camera.sceneShift = glm::dvec2(0.5) - samplePlace(desc.drawn.samples.depth);
     picture.camera = camera;

@@ -229,7 +229,7 @@ Status Caustics::fit(Context& context, VkExtent2D texels, Picture& picture) cons
             fresh.blurred.create(context.device, blurredDesc(context.device, wanted), "caustics' blur");
         s != Status::ok)
         return s;
-    context.frame().retire(std::exchange(picture, std::move(fresh)));
+    context.frame().replace(picture, std::move(fresh));
     return Status::ok;
 }
 

@@ -4,6 +4,7 @@
 
 #include "gpu/view/plane.h"
 #include "water/body/body_desc.h"
+#include "water/sea/sea_desc.h"
 #include "water/spectrum/spectrum.h"
 
 namespace seaglass {
@@ -26,7 +27,12 @@ Status seaOf(const gpu::Device& device, const BodyDesc& desc, SeaPointer& out) {
     if (!desc.waves) return Status::ok;
     SeaError error;
     SeaPointer made(createSea(desc.waves, &error));
-    if (!made) return device.fail(Status::invalidArgument, "BodyDesc.waves: %s", error.text);
+    if (!made) {
+        // What is as it should be has failed for want of memory.
+        SeaError none;
+        const Status status = validate(*desc.waves, none) ? Status::outOfHostMemory : Status::invalidArgument;
+        return device.fail(status, "BodyDesc.waves: %s", error.text);
+    }
     if (cascadeCount(*made) > 0) out = std::move(made);
     return Status::ok;
 }

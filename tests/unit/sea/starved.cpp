@@ -1,5 +1,6 @@
 #include "tests/unit/sea/starved.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
@@ -7,6 +8,7 @@
 namespace {
 
 thread_local int allocationsLeft = -1; // negative: any number
+std::atomic<size_t> held = 0;
 
 } // namespace
 
@@ -14,14 +16,18 @@ thread_local int allocationsLeft = -1; // negative: any number
 void* operator new(size_t size) {
     if (allocationsLeft == 0) throw std::bad_alloc();
     if (allocationsLeft > 0) --allocationsLeft;
-    if (void* memory = std::malloc(size ? size : 1)) return memory;
+    if (void* memory = std::malloc(size ? size : 1)) {
+        held.fetch_add(1, std::memory_order_relaxed);
+        return memory;
+    }
     throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept {
+    if (memory) held.fetch_sub(1, std::memory_order_relaxed);
     std::free(memory);
 }
 void operator delete(void* memory, size_t) noexcept {
-    std::free(memory);
+    operator delete(memory);
 }
 
 namespace seaglass::tests {
@@ -31,6 +37,17 @@ Starved::Starved(int allocations) {
 }
 Starved::~Starved() {
     allocationsLeft = -1;
+}
+
+Fed::Fed() : left_(allocationsLeft) {
+    allocationsLeft = -1;
+}
+Fed::~Fed() {
+    allocationsLeft = left_;
+}
+
+size_t allocationsHeld() {
+    return held.load(std::memory_order_relaxed);
 }
 
 } // namespace seaglass::tests
