@@ -287,7 +287,7 @@ TEST_F(SceneFile, MissingFieldsAreNamed) {
     expectProblems(
         {{"file = \"tetra.gltf\"\n", "", "scene.toml:13: mesh.0.file is missing, expected a glTF file"},
          {"target_m = [0, 1, -5]", "",
-          "scene.toml:35: camera.0.target_m is missing, expected three numbers, each -1e+06 to 1e+06 m"},
+          "scene.toml:35: camera.0.target_m is missing, expected three numbers, each -1e+07 to 1e+07 m"},
          {"[sky]\nfile = \"sky.hdr\"", "", "scene.toml: sky is missing, expected [sky]"}});
     EXPECT_EQ(problem("[sky]\nfile = 'sky.hdr'"), "scene.toml: camera is missing, expected [[camera]]");
     EXPECT_EQ(problem("camera = []\n[sky]\nfile = 'sky.hdr'"),
@@ -415,9 +415,9 @@ TEST_F(SceneFile, AnOffsetMovesEverythingThatHasAPlace) {
     EXPECT_EQ(camera.positionM, (demos::Vec3{100, 21, 7}));
     EXPECT_EQ(camera.targetM, (demos::Vec3{100, 21, -2}));
     EXPECT_EQ(camera.offsetM, (demos::Vec3{0, 0, 0}));
-    EXPECT_EQ(problemOf("camera.low.offset_m=[1e7, 0, 0]"),
-              "--set camera.low.offset_m=[1e7, 0, 0]: camera.1.offset_m is [ 10000000.0, 0, 0 ], expected "
-              "three numbers, each -1e+06 to 1e+06 m");
+    EXPECT_EQ(problemOf("camera.low.offset_m=[1e8, 0, 0]"),
+              "--set camera.low.offset_m=[1e8, 0, 0]: camera.1.offset_m is [ 100000000.0, 0, 0 ], expected "
+              "three numbers, each -1e+07 to 1e+07 m");
 }
 
 TEST_F(SceneFile, WaterMayEnd) {
@@ -441,7 +441,7 @@ TEST_F(SceneFile, WaterMayEnd) {
     EXPECT_NE(problemOf("water.extent.shape=mesh").find("expected water.extent.file too"), std::string::npos);
     EXPECT_EQ(problemOf("water.extent.points_m=[[0, 1], [2]]"),
               "--set water.extent.points_m=[[0, 1], [2]]: water.extent.points_m is [ [ 0, 1 ], [ 2 ] ], "
-              "expected pairs of numbers, [[x, z], ...], each -1e+06 to 1e+06 m");
+              "expected pairs of numbers, [[x, z], ...], each -1e+07 to 1e+07 m");
     EXPECT_NE(problemOf("water.extent.size_m=[25]").find("expected two numbers, each 0.01 to 1e+06 m"),
               std::string::npos);
 }

@@ -59,7 +59,7 @@ bool checkScene(const RawScene& raw, const char* expected, RenderOptions& out, E
         out.size = *size;
     }
     if (!raw.time.empty()) {
-        out.timeS = parseNumber("--time", raw.time, -1e6, 1e6, "a number of seconds, -1e6 to 1e6", error);
+        out.timeS = parseNumber("--time", raw.time, -1e9, 1e9, "a number of seconds, -1e9 to 1e9", error);
         if (!out.timeS) return false;
     }
     if (!raw.quality.empty() && !isOneOf("--quality", raw.quality, qualities(), error)) return false;

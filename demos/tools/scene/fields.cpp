@@ -92,7 +92,7 @@ consteval Field positive(Field field) {
     return field;
 }
 
-constexpr double far = 1e6; // metres: beyond it a float no longer resolves a wave
+constexpr double far = 1e7; // metres, as of glTF: what is drawn is relative to the eye
 constexpr double turn = 360;
 constexpr bool required = true;
 
@@ -143,7 +143,7 @@ constexpr std::array wavesFields = {
           "where it blows towards, from +X towards +Z"},
     like<seaglass::seaFields, &WavesDesc::fetchM>("fetch", "fetch_m"),
     like<seaglass::seaFields, &WavesDesc::capFetch>("capFetch", "cap_fetch"),
-    upTo(1e5, like<seaglass::seaFields, &WavesDesc::depthM>("depth", "depth_m")),
+    upTo(1e30, like<seaglass::seaFields, &WavesDesc::depthM>("depth", "depth_m")),
     like<seaglass::seaFields, &WavesDesc::peakEnhancement>("peakEnhancement", "peak_enhancement"),
     like<seaglass::seaFields, &WavesDesc::spreading>("spreading", "spreading",
                                                      wordsOf<seaglass::spreadingModels>),
@@ -171,7 +171,7 @@ constexpr std::array swellFields = {
 
 constexpr std::array shoreFields = {
     Field{"file", at<&ShoreDesc::file>, 0, 0, "", "glTF file", required},
-    Field{"position_m", at<&ShoreDesc::positionM>, -far, far, "m", "of the mesh's origin"},
+    Field{"position_m", at<&ShoreDesc::positionM>, -1e6, 1e6, "m", "of the mesh's origin"},
     like<seaglass::shoreFields, &ShoreDesc::spacingM>("spacing", "spacing_m"),
 };
 
@@ -269,12 +269,12 @@ constexpr std::array cameraFields = {
     Field{"orthographic_height_m", at<&CameraDesc::orthographicHeightM>, 0.01, 1e4, "m",
           "of what parallel lines of sight show, in the place of an angle of view"},
     Field{"offset_m", at<&CameraDesc::offsetM>, -far, far, "m", "how far the whole scene is moved"},
-    Field{"near_m", at<&CameraDesc::nearM>, 1e-3, 1e3, "m", "distance of the near plane"},
+    Field{"near_m", at<&CameraDesc::nearM>, 1e-6, 1e3, "m", "distance of the near plane"},
 };
 
 constexpr std::array sceneFields = {
     Field{"title", at<&Scene::title>, 0, 0, "", "what it shows"},
-    Field{"time_s", at<&Scene::timeS>, -1e6, 1e6, "s", "when it is drawn, unless --time says"},
+    Field{"time_s", at<&Scene::timeS>, -1e9, 1e9, "s", "when it is drawn, unless --time says"},
     Field{"exposure_ev", at<&Scene::exposureEv>, -20, 20, "stops", "added before tone mapping"},
 };
 
