@@ -113,7 +113,7 @@ bool parse(std::string_view text, Json& out, std::string& problem) {
 
 bool isRead(const Json& root, std::string& problem) {
     const Json& asset = member(root, "asset");
-    const std::string version = textOf(asset, "version"), least = textOf(asset, "minVersion");
+    const std::string &version = textOf(asset, "version"), &least = textOf(asset, "minVersion");
     if (version.empty()) {
         problem = "has no asset.version, expected 2.0";
         return false;

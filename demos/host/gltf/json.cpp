@@ -46,7 +46,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string placeOf(const char* array, size_t index, const Json& object) {
-    const std::string name = textOf(object, "name");
+    const std::string& name = textOf(object, "name");
     return std::string(array) + "[" + std::to_string(index) + "]" + (name.empty() ? "" : " " + quoted(name));
 }
 
@@ -74,9 +74,10 @@ bool isHarmless(const std::string& extension) {
                        [&](const char* beginning) { return extension.starts_with(beginning); });
 }
 
-std::string textOf(const Json& object, const char* key) {
+const std::string& textOf(const Json& object, const char* key) {
+    static const std::string empty;
     const Json& value = member(object, key);
-    return value.is_string() ? value.get<std::string>() : std::string();
+    return value.is_string() ? value.get_ref<const std::string&>() : empty;
 }
 
 bool isTrue(const Json& object, const char* key) {
@@ -84,12 +85,17 @@ bool isTrue(const Json& object, const char* key) {
     return value.is_boolean() && value.get<bool>();
 }
 
+std::optional<size_t> indexOf(const Json& value, size_t count) {
+    const std::optional<size_t> index = wholeOf(value);
+    return index && *index < count ? index : std::nullopt;
+}
+
 bool readIndex(const Json& object, const char* key, size_t count, const std::string& where,
                std::optional<size_t>& out, Error& error) {
     const Json& value = member(object, key);
     if (value.is_null()) return true;
-    const std::optional<size_t> index = wholeOf(value);
-    if (!index || *index >= count) {
+    const std::optional<size_t> index = indexOf(value, count);
+    if (!index) {
         const std::string some = count == 1 ? "0, the only one" : "0 to " + std::to_string(count - 1);
         return fail(where, key, count == 0 ? "none, since the file has none" : some, error);
     }

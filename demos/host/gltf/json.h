@@ -28,10 +28,12 @@ const Json& extension(const Json& object, const char* name);
 /// Whether an extension that is not read changes no picture of a file at rest.
 bool isHarmless(const std::string& extension);
 
-/// Empty where it is no text.
-std::string textOf(const Json& object, const char* key);
+/// Empty where it is no text; lies in `object`, which may hold a megabyte of it.
+const std::string& textOf(const Json& object, const char* key);
 bool isTrue(const Json& object, const char* key);
 
+/// A whole number below `count`.
+std::optional<size_t> indexOf(const Json& value, size_t count);
 /// An index of something of which there are `count`, or a count below that. Absent leaves `out` as it is.
 bool readIndex(const Json& object, const char* key, size_t count, const std::string& where,
                std::optional<size_t>& out, Error& error);

@@ -169,7 +169,7 @@ bool Materials::readLight(const Source& source, MeshMaterial& material, Error& e
 
 bool Materials::readAlpha(const Source& source, MeshMaterial& material, Error& error) {
     const Json& stated = member(source.json, "alphaMode");
-    const std::string mode = textOf(source.json, "alphaMode");
+    const std::string& mode = textOf(source.json, "alphaMode");
     double cutoff = 0.5;
     if (!stated.is_null() && mode != "OPAQUE" && mode != "MASK" && mode != "BLEND")
         notes_->add(source.where, "its alphaMode is " + (mode.empty() ? "no text" : quoted(mode)) +
@@ -218,8 +218,9 @@ bool Materials::readTexture(size_t index, bool srgb, const std::string& where, s
     }
     const Json& texture = document_->at("textures", index);
     Pixels pixels;
+    size_t image = 0;
     std::string problem;
-    if (!decode(texture, where, pixels, problem, error)) return false;
+    if (!decode(texture, where, pixels, image, problem, error)) return false;
     notes_->addExtensions(placeOf("textures", index, texture), texture,
                           {"EXT_texture_webp", "KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds"});
     if (!problem.empty()) {
@@ -241,14 +242,15 @@ bool Materials::readTexture(size_t index, bool srgb, const std::string& where, s
         return false;
     if (sampler) readSampler(*sampler, made);
     known->second = out = static_cast<uint32_t>(mesh_->textures.size());
+    decoded_.emplace(image, *out);
     mesh_->textures.push_back(std::move(made));
     return true;
 }
 
-/// The first of a texture's images that can be read. False on indices that lead nowhere; a `problem` where
-/// none can.
-bool Materials::decode(const Json& texture, const std::string& where, Pixels& out, std::string& problem,
-                       Error& error) {
+/// The first of a texture's images that can be read, `from`. False on indices that lead nowhere; a `problem`
+/// where none can.
+bool Materials::decode(const Json& texture, const std::string& where, Pixels& out, size_t& from,
+                       std::string& problem, Error& error) {
     const Json* const sources[] = {
         &texture, &extension(texture, "EXT_texture_webp"), &extension(texture, "KHR_texture_basisu"),
         &extension(texture, "EXT_texture_avif"), &extension(texture, "MSFT_texture_dds")};
@@ -263,6 +265,7 @@ bool Materials::decode(const Json& texture, const std::string& where, Pixels& ou
         std::string& why = broken_[*image];
         if (why.empty() && !readImage(*image, place, out, why, error)) return false;
         if (why.empty()) {
+            from = *image;
             problem.clear();
             return true;
         }
@@ -275,15 +278,22 @@ bool Materials::decode(const Json& texture, const std::string& where, Pixels& ou
 /// A `problem` is the image's alone; false where the file is refused.
 bool Materials::readImage(size_t index, const std::string& place, Pixels& out, std::string& problem,
                           Error& error) {
-    std::span<const uint8_t> bytes;
-    std::shared_ptr<const std::vector<uint8_t>> held;
-    if (!imageBytes(index, bytes, held, problem)) return true;
     const uint64_t allowed = buffers_->allowed(limits::gltfTexels);
     out = {};
-    const bool decoded = decodeImage(bytes, allowed - std::min(allowed, pixels_), out, problem);
+    if (const auto before = decoded_.find(index); before != decoded_.end()) {
+        const MeshTexture& texture = mesh_->textures[before->second];
+        out.width = texture.width;
+        out.height = texture.height;
+        // Counted before it is copied.
+        if (pixels_ + uint64_t{out.width} * out.height <= allowed) out.rgba = texture.rgba;
+    } else {
+        std::span<const uint8_t> bytes;
+        std::shared_ptr<const std::vector<uint8_t>> held;
+        if (!imageBytes(index, bytes, held, problem)) return true;
+        if (decodeImage(bytes, allowed - std::min(allowed, pixels_), out, problem)) problem.clear();
+    }
     // Broken ones cost as much as whole ones.
     pixels_ += uint64_t{out.width} * out.height;
-    if (decoded) problem.clear();
     if (pixels_ <= allowed) return true;
     error.text = place + " brings the textures over " + std::to_string(allowed) +
                  " pixels: the most for so many bytes";

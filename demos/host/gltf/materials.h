@@ -48,8 +48,8 @@ class Materials {
     bool readMapping(const Json& info, const std::string& where, UvMapping& out, Error& error);
     bool readTexture(size_t index, bool srgb, const std::string& where, std::optional<uint32_t>& out,
                      Error& error);
-    bool decode(const Json& texture, const std::string& where, Pixels& out, std::string& problem,
-                Error& error);
+    bool decode(const Json& texture, const std::string& where, Pixels& out, size_t& from,
+                std::string& problem, Error& error);
     bool readImage(size_t index, const std::string& place, Pixels& out, std::string& problem, Error& error);
     bool imageBytes(size_t index, std::span<const uint8_t>& out,
                     std::shared_ptr<const std::vector<uint8_t>>& held, std::string& problem);
@@ -65,6 +65,7 @@ class Materials {
     std::vector<UvMappings> mappings_;
     std::map<std::pair<size_t, bool>, std::optional<uint32_t>> textures_;
     std::map<size_t, std::string> broken_; ///< images, and what is wrong with them
+    std::map<size_t, uint32_t> decoded_;   ///< images, and a texture that has their pixels
     uint64_t pixels_ = 0;
 };
 

@@ -65,11 +65,12 @@ bool Nodes::read(Error& error) {
 
 bool Nodes::readList(const Json& list, const std::string& where, std::vector<size_t>& out,
                      Error& error) const {
+    const size_t count = document_.count("nodes");
     for (size_t i = 0; list.is_array() && i < list.size(); ++i) {
-        std::optional<size_t> index;
-        const Json entry = {{"index", list[i]}};
-        if (!readIndex(entry, "index", document_.count("nodes"), where + "[" + std::to_string(i) + "]", index,
-                       error))
+        std::optional<size_t> index = indexOf(list[i], count);
+        // Which names what is wrong.
+        if (!index && !readIndex({{"index", list[i]}}, "index", count, where + "[" + std::to_string(i) + "]",
+                                 index, error))
             return false;
         if (index) out.push_back(*index);
     }
@@ -232,15 +233,24 @@ bool Nodes::readInstances(const Json& node, const std::string& where, const glm:
     return true;
 }
 
-/// A skinned mesh stands where its joints have it, whatever node it hangs on (glTF 2.0, 3.7.3.3).
+/// A skinned mesh stands where its joints have it, whatever node it hangs on (glTF 2.0, 3.7.3.3). Read once,
+/// however many nodes have it.
 bool Nodes::readSkin(size_t index, Stand& out, Error& error) {
     const Json& skin = document_.at("skins", index);
     const std::string where = placeOf("skins", index, skin);
+    if (!buffers_.spend(16 * member(skin, "joints").size(), where, error)) return false;
+    const auto [known, fresh] = skins_.try_emplace(index);
+    if (fresh && !readJoints(skin, where, known->second, error)) return false;
+    out.joints = known->second;
+    return true;
+}
+
+bool Nodes::readJoints(const Json& skin, const std::string& where, std::vector<glm::dmat4>& out,
+                       Error& error) {
     std::vector<size_t> joints;
     std::optional<size_t> inverse;
     Elements matrices;
-    if (!buffers_.spend(16 * member(skin, "joints").size(), where, error) ||
-        !readList(member(skin, "joints"), where + ".joints", joints, error) ||
+    if (!readList(member(skin, "joints"), where + ".joints", joints, error) ||
         !readIndex(skin, "inverseBindMatrices", document_.count("accessors"), where, inverse, error) ||
         (inverse && !buffers_.elements(*inverse, where + ".inverseBindMatrices", matrices, error)))
         return false;
@@ -257,7 +267,7 @@ bool Nodes::readSkin(size_t index, Stand& out, Error& error) {
             error.text = placeOfNode(joints[i]) + " is its own descendant, expected a tree";
             return false;
         }
-        out.joints.push_back(*world * bound);
+        out.push_back(*world * bound);
     }
     return true;
 }

@@ -1,6 +1,8 @@
 // The scene that a file shows first: its nodes, where they stand, and what hangs on them.
 #pragma once
 
+#include <map>
+
 #include "host/gltf/primitives.h"
 
 namespace demos::gltf {
@@ -24,6 +26,7 @@ class Nodes {
     bool readInstances(const Json& node, const std::string& where, const glm::dmat4& world, Stand& out,
                        Error& error);
     bool readSkin(size_t skin, Stand& out, Error& error);
+    bool readJoints(const Json& skin, const std::string& where, std::vector<glm::dmat4>& out, Error& error);
     bool readWeights(const Json& node, const Json& mesh, const std::string& where, Stand& out, Error& error);
     std::string placeOfNode(size_t node) const { return placeOf("nodes", node, document_.at("nodes", node)); }
 
@@ -33,7 +36,8 @@ class Nodes {
     Notes& notes_;
     std::vector<std::vector<size_t>> children_;
     std::vector<bool> isChild_;
-    std::vector<std::optional<glm::dmat4>> world_; ///< none on a cycle
+    std::vector<std::optional<glm::dmat4>> world_;    ///< none on a cycle
+    std::map<size_t, std::vector<glm::dmat4>> skins_; ///< Stand::joints of those that were read
     size_t instances_ = 0;
 };
 

@@ -21,6 +21,7 @@ void Notes::add(const std::string& where, const std::string& what) {
 
 void Notes::addExtensions(const std::string& where, const Json& object,
                           std::initializer_list<const char*> read) {
+    if (!looked_.insert(&object).second) return;
     for (const auto& entry : member(object, "extensions").items()) {
         const std::string& name = entry.key();
         if (!isHarmless(name) && std::find(read.begin(), read.end(), name) == read.end())

@@ -14,7 +14,7 @@ namespace demos::gltf {
 class Notes {
   public:
     void add(const std::string& where, const std::string& what);
-    /// The extensions of a part of the file but for those that are read.
+    /// The extensions of a part of the file but for those that are read; of each part once.
     void addExtensions(const std::string& where, const Json& object,
                        std::initializer_list<const char*> read = {});
     std::vector<std::string> lines() const;
@@ -26,7 +26,8 @@ class Notes {
     };
     std::vector<Note> notes_;
     std::map<std::string, size_t> byWhat_;
-    size_t more_ = 0; ///< kinds beyond those that are kept
+    std::set<const Json*> looked_; ///< of which the extensions are noted
+    size_t more_ = 0;              ///< kinds beyond those that are kept
 };
 
 } // namespace demos::gltf
