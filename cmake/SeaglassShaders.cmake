@@ -1,7 +1,8 @@
 # seaglass_shaders(target FILE... [NAME name] [DEFINES NAME...]): compiles each GLSL file to SPIR-V while building and
 # embeds it, so that a program carries its shaders. `shaders/reflection/sspr/scatter.comp` becomes
 #     #include "spirv/scatter.comp.h"     ->     const uint32_t scatter_comp[] = {...};
-# With DEFINES, one file gives several variants; NAME then replaces the file's name.
+# With DEFINES, one file gives several variants; NAME then replaces the file's name. Variants carry no names of functions and
+# variables, which would be a fifth of their bytes; nor do those that are NAMELESS.
 find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang REQUIRED)
 # SPIR-V 1.6 states group sizes by id, which needs the feature maintenance4; 1.5 serves and asks for nothing.
 set(SEAGLASS_GLSLANG_FLAGS --quiet -V --target-env vulkan1.2)
@@ -40,9 +41,13 @@ namespace { const seaglass::gpu::ShaderName @symbol@_name(@symbol@, "@name@"); }
 endfunction()
 
 function(seaglass_shaders target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "NAME" "DEFINES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NAMELESS" "NAME" "DEFINES")
   set(out_dir ${CMAKE_CURRENT_BINARY_DIR}/generated/spirv)
   file(MAKE_DIRECTORY ${out_dir})
+  set(names "")
+  if((arg_NAMELESS OR arg_DEFINES) AND NOT SEAGLASS_SHADER_LINES)
+    set(names -g0)
+  endif()
   list(TRANSFORM arg_DEFINES PREPEND "-D")
   foreach(source IN LISTS arg_UNPARSED_ARGUMENTS)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
@@ -64,7 +69,7 @@ function(seaglass_shaders target)
     add_custom_command(
       OUTPUT ${header}
       COMMAND ${GLSLANG_VALIDATOR} ${SEAGLASS_GLSLANG_FLAGS} ${SEAGLASS_SHADER_FOLDERS}
-              ${arg_DEFINES} --depfile ${header}.d --vn ${symbol} -o ${header} ${source}
+              ${names} ${arg_DEFINES} --depfile ${header}.d --vn ${symbol} -o ${header} ${source}
       ${hostile}
       DEPENDS ${source} ${seaglass_hostile_script}
       DEPFILE ${header}.d

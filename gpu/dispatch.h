@@ -17,6 +17,7 @@
     X(AllocateMemory)                                                                                        \
     X(BindBufferMemory)                                                                                      \
     X(BindImageMemory)                                                                                       \
+    X(CmdBeginRenderPass)                                                                                    \
     X(CmdBindDescriptorSets)                                                                                 \
     X(CmdBindIndexBuffer)                                                                                    \
     X(CmdBindPipeline)                                                                                       \
@@ -29,6 +30,7 @@
     X(CmdDispatchIndirect)                                                                                   \
     X(CmdDraw)                                                                                               \
     X(CmdDrawIndexed)                                                                                        \
+    X(CmdEndRenderPass)                                                                                      \
     X(CmdFillBuffer)                                                                                         \
     X(CmdPipelineBarrier2)                                                                                   \
     X(CmdPushConstants)                                                                                      \
@@ -38,19 +40,23 @@
     X(CreateComputePipelines)                                                                                \
     X(CreateDescriptorPool)                                                                                  \
     X(CreateDescriptorSetLayout)                                                                             \
+    X(CreateFramebuffer)                                                                                     \
     X(CreateGraphicsPipelines)                                                                               \
     X(CreateImage)                                                                                           \
     X(CreateImageView)                                                                                       \
     X(CreatePipelineLayout)                                                                                  \
+    X(CreateRenderPass)                                                                                      \
     X(CreateSampler)                                                                                         \
     X(CreateShaderModule)                                                                                    \
     X(DestroyBuffer)                                                                                         \
     X(DestroyDescriptorPool)                                                                                 \
     X(DestroyDescriptorSetLayout)                                                                            \
+    X(DestroyFramebuffer)                                                                                    \
     X(DestroyImage)                                                                                          \
     X(DestroyImageView)                                                                                      \
     X(DestroyPipeline)                                                                                       \
     X(DestroyPipelineLayout)                                                                                 \
+    X(DestroyRenderPass)                                                                                     \
     X(DestroySampler)                                                                                        \
     X(DestroyShaderModule)                                                                                   \
     X(FreeMemory)                                                                                            \

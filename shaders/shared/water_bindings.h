@@ -26,6 +26,10 @@ const int sunShadowMapBinding = 18;
 const int causticSumsBinding = 19;
 const int causticLightBinding = 20; // gathered, or blurred
 const int causticBlurredBinding = 21;
+const int foundDepthBinding = 22;
+const int foundAsideBinding = 23;
+const int foundTilesBinding = 24;
+const int shadedBinding = 25;
 
 #ifdef __cplusplus
 }

@@ -51,6 +51,7 @@ constexpr Ceiling kernels[] = {
     {"single_sample_depth.comp", 16},
     {"single_sample_resolved.comp", 32},
     {"stretch.comp", 32},
+    {"surface_tiles.comp", 24},
     {"temporal.comp", 104},
     {"tiles.comp", 24},
     {"tiles_overhangs.comp", 48},
@@ -69,6 +70,13 @@ constexpr SurfaceCeiling surfaces[] = {
     {"lr", Quality::medium, 72},   {"w", Quality::highest, 72},     {"wl", Quality::highest, 136},
     {"wlr", Quality::medium, 120}, {"wflr", Quality::low, 128},     {"wflr", Quality::medium, 128},
     {"wflr", Quality::high, 136},  {"wflr", Quality::highest, 136}, {"wfslroh", Quality::highest, 176},
+};
+
+/// What shades them once where they are deferred, and what finds and places that.
+constexpr SurfaceCeiling shadedOnce[] = {
+    {"w", Quality::medium, 96},
+    {"wflr", Quality::medium, 136},
+    {"wflr", Quality::highest, 144},
 };
 
 class Ceilings : public Compiles {
@@ -115,6 +123,22 @@ TEST_F(Ceilings, OfSurfaces) {
         expectWithin(ceiling.registers, made.front().last());
         expectWithin(64, made.front().stages.front());
     }
+}
+
+TEST_F(Ceilings, OfSurfacesThatAreShadedOnce) {
+    for (const SurfaceCeiling& ceiling : shadedOnce) {
+        SCOPED_TRACE(std::string(ceiling.letters) + ", quality " +
+                     std::to_string(static_cast<int>(ceiling.quality)));
+        const std::vector<CompiledPipeline> made = water_->deferred({ceiling.letters, ceiling.quality});
+        ASSERT_EQ(made.size(), 3u) << water_->message();
+        expectWithin(24, made[0].last());
+        expectWithin(24, made[1].last());
+        expectWithin(ceiling.registers, made[2].last());
+    }
+    const std::vector<CompiledPipeline> placed =
+        water_->overView({.pass = seaglass::UnderwaterPass::surface}, false);
+    ASSERT_EQ(placed.size(), 1u) << water_->message();
+    EXPECT_LE(placed.front().last().costs.instructions, 60u);
 }
 
 } // namespace

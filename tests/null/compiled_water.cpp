@@ -21,6 +21,8 @@
 #include "tests/null/built_shaders.h"
 #include "water/below/caustics.h"
 #include "water/body/body.h"
+#include "water/deferred/placed_samples.h"
+#include "water/deferred/shaded_surface.h"
 #include "water/foam/foam_gpu.h"
 #include "water/waves/waves_gpu.h"
 
@@ -181,7 +183,7 @@ void CompiledWater::makeKernels() {
               PlanarKernelOf<PlanarForm::resolved>, PlanarKernelOf<PlanarForm::multisampled>,
               DepthSampleKernel, ColorSampleKernel, ResolvedColorKernel, FoamKernel, CastKernel,
               CastOnShoreKernel, GatherKernel, CausticBlurKernel, ShadowedCausticBlurKernel,
-              UnseenTilesKernel>(*context_);
+              UnseenTilesKernel, SurfaceTilesKernel>(*context_);
     for (const VkFormat format : {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16_SFLOAT}) {
         gpu::MipChain chain;
         (void)chain.create(*context_, format);
@@ -198,16 +200,39 @@ void CompiledWater::makeKernels() {
     }
 }
 
-std::vector<CompiledPipeline> CompiledWater::surface(const SurfaceChoice& choice) {
+template<typename Make>
+std::vector<CompiledPipeline> CompiledWater::madeOf(const SurfaceChoice& choice, Make&& make) {
     // Takes back what the bodies before held.
     (void)beginFrame(context_, slot_ ^= 1);
     const Chosen chosen(choice);
     Body* body = nullptr;
     if (createBody(context_, &chosen.desc(), &body) != Status::ok) return {};
     compiledPipelines().clear();
-    build(context_->device, targetDesc(choice.multiview), variantOf(*body, choice));
+    make(variantOf(*body, choice));
     destroyBody(body);
     return std::move(compiledPipelines());
+}
+
+std::vector<CompiledPipeline> CompiledWater::surface(const SurfaceChoice& choice) {
+    return madeOf(choice, [&](const SurfaceVariant& variant) {
+        build(context_->device, targetDesc(choice.multiview), variant);
+    });
+}
+
+std::vector<CompiledPipeline> CompiledWater::deferred(const SurfaceChoice& choice) {
+    return madeOf(choice, [&](const SurfaceVariant& variant) {
+        const gpu::Device& device = context_->device;
+        TargetDesc found = targetDesc(false);
+        found.colorFormat = VK_FORMAT_R32_UINT;
+        build(device, found, foundVariant(variant));
+        TargetDesc sampled = targetDesc(choice.multiview);
+        sampled.samples = VK_SAMPLE_COUNT_4_BIT;
+        build(device, sampled, placedSamplesVariant(variant));
+        ShadingKernels kernels;
+        (void)kernels.create(*context_);
+        const gpu::Kernel* kernel = nullptr;
+        (void)kernels.get(shadingVariant(variant), kernel);
+    });
 }
 
 std::vector<CompiledPipeline> CompiledWater::overView(const UnderwaterVariant& variant, bool multiview) {

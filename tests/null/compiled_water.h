@@ -40,11 +40,16 @@ class CompiledWater {
     // What these make; less than was asked for where the library fails, which then says why.
     std::vector<CompiledPipeline> kernels(); ///< those of compute, waves at each number of samples
     std::vector<CompiledPipeline> surface(const SurfaceChoice& choice);
+    /// What finds, shades and places it where it is deferred.
+    std::vector<CompiledPipeline> deferred(const SurfaceChoice& choice);
     std::vector<CompiledPipeline> overView(const seaglass::UnderwaterVariant& variant, bool multiview);
 
   private:
     CompiledWater() = default;
     void makeKernels();
+    /// Calls `make` with the variant of the choice's body, and tells what that made.
+    template<typename Make>
+    std::vector<CompiledPipeline> madeOf(const SurfaceChoice& choice, Make&& make);
 
     std::unique_ptr<NullDevice> null_;
     std::unique_ptr<demos::Device> device_;

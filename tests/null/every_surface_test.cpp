@@ -29,6 +29,11 @@ TEST_F(Compiles, EverythingDrawn) {
                     if (!hostMesh || !hasLetter(letters, 'o'))
                         expectCompiled(water_->surface(
                             {letters, Quality::medium, output, SidesSeen::above, hostMesh, multiview}));
+    for (const char* const letters : {"", "lroh", "wo", "wfslroh"})
+        for (const Quality quality : {Quality::low, Quality::highest})
+            expectCompiled(water_->deferred({letters, quality}));
+    for (const bool multiview : {false, true})
+        expectCompiled(water_->overView({.pass = UnderwaterPass::surface}, multiview));
     for (const UnderwaterPass pass :
          {UnderwaterPass::water, UnderwaterPass::waterline, UnderwaterPass::caustics})
         for (const bool multiview : {false, true}) {

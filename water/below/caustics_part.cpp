@@ -49,7 +49,9 @@ Status CausticsPart::cast(Body& body, VkCommandBuffer commands, const ViewDesc& 
             Status::unsupported,
             "castCaustics: ViewDesc.sceneDepth.samples is not 1: nothing has taken one sample of each yet");
     BodyView read;
-    if (const Status s = body.read(view, lighting, "BodyDesc.caustics", read); s != Status::ok) return s;
+    if (const Status s = body.read("castCaustics", view, lighting, "BodyDesc.caustics", read);
+        s != Status::ok)
+        return s;
     if (body.toSun(lighting).y <= 0) return Status::ok;
     CausticInputs inputs;
     inputs.viewIndex = view.viewIndex;
@@ -67,7 +69,8 @@ Status CausticsPart::drawLight(Body& body, const DrawCall& call) const {
             Status::invalidArgument,
             "drawCaustics: TargetDesc.colorFormat holds no floats, and light that is gathered exceeds 1");
     BodyView view;
-    if (const Status s = body.read(call.view, call.lighting, "BodyDesc.caustics", view); s != Status::ok)
+    if (const Status s = body.read("drawCaustics", call.view, call.lighting, "BodyDesc.caustics", view);
+        s != Status::ok)
         return s;
     if (body.toSun(call.lighting).y <= 0) return Status::ok;
     const VkImageView light = caustics.lightOf(*body.context, call.view.viewIndex, view.geometry.regionSize);

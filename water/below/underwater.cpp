@@ -2,6 +2,7 @@
 
 #include "spirv/caustics.frag.h"
 #include "spirv/caustics.vert.h"
+#include "spirv/placed_surface.frag.h"
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
 #include "spirv/waterline.frag.h"
@@ -24,6 +25,8 @@ PassInfo infoOf(UnderwaterPass pass) {
         return {"underwater", underwater_vert, underwater_frag, Drawing::over};
     case UnderwaterPass::waterline:
         return {"waterline", underwater_vert, waterline_frag, Drawing::blended};
+    case UnderwaterPass::surface:
+        return {"placed_surface", underwater_vert, placed_surface_frag, Drawing::solid};
     case UnderwaterPass::caustics:
         break;
     }

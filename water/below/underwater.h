@@ -1,6 +1,6 @@
 // What is drawn over a whole view. For an eye in the water: the water before the opaque scene, drawn before
 // any surface, and the line where the near plane leaves it, drawn after. For any: caustics on what lies
-// below.
+// below, and surfaces that are shaded already.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace seaglass {
 
-enum class UnderwaterPass : uint32_t { water, waterline, caustics };
+enum class UnderwaterPass : uint32_t { water, waterline, caustics, surface };
 
 struct UnderwaterVariant {
     UnderwaterPass pass = UnderwaterPass::water;

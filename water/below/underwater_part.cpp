@@ -25,7 +25,8 @@ void UnderwaterPart::fill(const Body&, const BodyView&, BodyBlock& block) const 
 
 Status UnderwaterPart::draw(Body& body, const DrawCall& call, DrawMoment moment) const {
     BodyView view;
-    if (const Status s = body.read(call.view, call.lighting, body.needsScene(), view); s != Status::ok)
+    if (const Status s = body.read("draw", call.view, call.lighting, body.needsScene(), view);
+        s != Status::ok)
         return s;
     const SidesSeen sides = body.sidesSeen(view.geometry);
     const bool straddles = sides == SidesSeen::either, isWater = moment == DrawMoment::beforeSurfaces;

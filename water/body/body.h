@@ -34,6 +34,14 @@ struct PartOfBody {
     std::shared_ptr<void> state;
 };
 
+/// What is seen of a body's surface.
+struct SeenSurface {
+    BodyView view;
+    SurfaceDraw drawn;
+    PlacedMesh mesh; ///< no instance: nothing
+    BodyBlock block; ///< where there is something
+};
+
 /// Whatever is not of a Reflector is in the body's own axes.
 struct Body : Held {
     BodyFrame frame;
@@ -81,9 +89,18 @@ struct Body : Held {
     }
     /// Of a view in the world. Says what is wrong with it.
     FieldError readTurned(const ViewDesc& view, bool seesScene, ViewGeometry& out) const;
-    /// For draw() and its like, which must have called before what they draw. The view may have no scene
-    /// unless it is `wanted` by name.
-    Status read(const ViewDesc& view, const LightingDesc& lighting, const char* wanted, BodyView& out);
+    /// For draw() and its like, by name, which must have called before what they draw. The view may have no
+    /// scene unless it is `wanted` by name.
+    Status read(const char* call, const ViewDesc& view, const LightingDesc& lighting, const char* wanted,
+                BodyView& out);
+    /// The same of a view of the surface. `out` refers to `drawn`.
+    Status readSurface(const char* call, const ViewDesc& view, const LightingDesc& lighting,
+                       SurfaceOutput output, BodyView& out, SurfaceDraw& drawn);
+    /// `target`: that it is drawn into; null: images of the library's own.
+    Status see(const char* call, const ViewDesc& view, const LightingDesc& lighting, SurfaceOutput output,
+               const Target* target, SeenSurface& out);
+    /// That it runs the view's way.
+    Status checkDepth(const Target& target, const ViewGeometry& geometry) const;
     SidesSeen sidesSeen(const ViewGeometry& geometry) const;
     /// Whether water may be where lines of sight begin.
     bool mayBeWet(const glm::dvec3& point) const;
@@ -95,7 +112,7 @@ struct Body : Held {
   private:
     /// An eye under water that the body is not made for: refused where the view must be another matrix than
     /// is asked for, else warned of once.
-    Status checkEye(const ViewDesc& view, const ViewGeometry& geometry);
+    Status checkEye(const char* call, const ViewDesc& view, const ViewGeometry& geometry);
     Status prepareSurface(const PrepareCall& call) const;
 };
 

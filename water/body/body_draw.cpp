@@ -1,8 +1,8 @@
 // What a body draws in a view: its surface, and what its parts have over it.
-#include "gpu/view/encoding.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/target.h"
+#include "water/deferred/deferred_part.h"
 
 namespace seaglass {
 
@@ -42,48 +42,55 @@ Status Body::drawParts(const DrawCall& call, DrawMoment moment) {
     return Status::ok;
 }
 
-Status Body::draw(const DrawCall& call, SurfaceOutput output) {
-    const gpu::Device& device = context->device;
-    const ViewDesc& given = call.view;
-    Target& target = call.target;
-    BodyView view;
-    if (const Status s = read(given, call.lighting, needsScene(), view); s != Status::ok) return s;
-    const ViewGeometry& geometry = view.geometry;
-    if (const Status s = checkEye(given, geometry); s != Status::ok) return s;
-    if (geometry.reversedDepth != target.desc.reversedDepth)
-        return device.fail(
-            Status::invalidArgument,
-            "draw: ViewDesc.projection makes what is nearer %s, expected TargetDesc.reversedDepth to be %s",
-            geometry.reversedDepth ? "greater" : "less", geometry.reversedDepth ? "true" : "false");
+Status Body::checkDepth(const Target& target, const ViewGeometry& geometry) const {
+    if (geometry.reversedDepth == target.desc.reversedDepth) return Status::ok;
+    return context->device.fail(
+        Status::invalidArgument,
+        "draw: ViewDesc.projection makes what is nearer %s, expected TargetDesc.reversedDepth to be %s",
+        geometry.reversedDepth ? "greater" : "less", geometry.reversedDepth ? "true" : "false");
+}
+
+Status Body::see(const char* call, const ViewDesc& given, const LightingDesc& lighting, SurfaceOutput output,
+                 const Target* target, SeenSurface& out) {
+    if (const Status s = readSurface(call, given, lighting, output, out.view, out.drawn); s != Status::ok)
+        return s;
+    const ViewGeometry& geometry = out.view.geometry;
+    if (target)
+        if (const Status s = checkDepth(*target, geometry); s != Status::ok) return s;
     const bool motion = output == SurfaceOutput::motion;
     if (motion && sea && !keepsMotion)
-        return device.fail(Status::invalidArgument, "draw: SurfaceOutput::motion needs BodyDesc.motion");
+        return context->device.fail(Status::invalidArgument,
+                                    "%s: SurfaceOutput::motion needs BodyDesc.motion", call);
     const glm::mat4 lastPixel = motion ? lastViews.pixelFromRelative(given, geometry) : glm::mat4(1);
     if (placing.outline && !maySee(geometry)) return Status::ok;
 
     MeshView asMeshed = placing.meshView(geometry);
-    asMeshed.farthestFirst = !target.desc.depthWrite;
-    PlacedMesh mesh;
-    if (const Status s = placing.place(*context, asMeshed, mesh); s != Status::ok) return s;
-    if (mesh.instanceCount == 0) return Status::ok;
+    asMeshed.farthestFirst = target && !target->desc.depthWrite;
+    if (const Status s = placing.place(*context, asMeshed, out.mesh); s != Status::ok) return s;
+    if (out.mesh.instanceCount == 0) return Status::ok;
+    out.block = bodyBlock(*this, out.view);
+    if (motion) out.block.relativeFromPixel = lastPixel;
+    if (asMeshed.parallel) out.block.within.w = static_cast<float>(asMeshed.parallel->distance);
+    return Status::ok;
+}
 
-    const SurfaceDraw drawn = {.output = output,
-                               .sides = motion ? SidesSeen::above : sidesSeen(geometry),
-                               .seesScene = hasScene(given),
-                               .sceneIsEncoded = isEncoded(given.sceneColor),
-                               .manySamples = isMultisampled(given),
-                               .view = &given,
-                               .lighting = &call.lighting};
-    view.surface = &drawn;
-    BodyBlock block = bodyBlock(*this, view);
-    if (motion) block.relativeFromPixel = lastPixel;
-    if (asMeshed.parallel) block.within.w = static_cast<float>(asMeshed.parallel->distance);
+Status Body::draw(const DrawCall& call, SurfaceOutput output) {
+    if (DeferredPart* const deferred = output == SurfaceOutput::shaded ? find<DeferredPart>() : nullptr) {
+        bool placed = false;
+        if (const Status s = deferred->place(*this, call, placed); s != Status::ok || placed) return s;
+    }
+    SeenSurface seen;
+    if (const Status s = see("draw", call.view, call.lighting, output, &call.target, seen);
+        s != Status::ok || seen.mesh.instanceCount == 0)
+        return s;
     Resources resources;
-    if (const Status s = bindBody(*this, view, block, resources); s != Status::ok) return s;
+    if (const Status s = bindBody(*this, seen.view, seen.block, resources); s != Status::ok) return s;
     const DrawPipeline* pipeline = nullptr;
-    if (const Status s = target.pipelines.get(surfaceVariant(drawn), pipeline); s != Status::ok) return s;
-    setViewport(device, call.commands, given, geometry);
-    return recordSurface(*context, call.commands, *pipeline, mesh, std::move(resources), given.viewIndex);
+    if (const Status s = call.target.pipelines.get(surfaceVariant(seen.drawn), pipeline); s != Status::ok)
+        return s;
+    setViewport(context->device, call.commands, call.view, seen.view.geometry);
+    return recordSurface(*context, call.commands, *pipeline, seen.mesh, std::move(resources),
+                         call.view.viewIndex);
 }
 
 } // namespace seaglass

@@ -5,6 +5,7 @@
 #include "water/below/underwater_part.h"
 #include "water/body/body.h"
 #include "water/body/target.h"
+#include "water/deferred/deferred_part.h"
 
 namespace seaglass {
 
@@ -21,7 +22,9 @@ Status Body::prepareSurface(const PrepareCall& call) const {
         const DrawPipeline* pipeline = nullptr;
         return call.target.pipelines.get(surfaceVariant(drawn), pipeline);
     };
-    if (const Status s = prepared(SidesSeen::above); s != Status::ok) return s;
+    const bool isPlaced = find<DeferredPart>() && call.output == SurfaceOutput::shaded;
+    if (!isPlaced)
+        if (const Status s = prepared(SidesSeen::above); s != Status::ok) return s;
     if (!find<UnderwaterPart>() || drawn.isMotion()) return Status::ok;
     if (const Status s = prepared(SidesSeen::below); s != Status::ok) return s;
     return prepared(SidesSeen::either);

@@ -58,20 +58,21 @@ FieldError Body::readTurned(const ViewDesc& view, bool seesScene, ViewGeometry& 
     return {};
 }
 
-Status Body::read(const ViewDesc& view, const LightingDesc& lighting, const char* wanted, BodyView& out) {
+Status Body::read(const char* call, const ViewDesc& view, const LightingDesc& lighting, const char* wanted,
+                  BodyView& out) {
     const gpu::Device& device = context->device;
     const RefractionPart* refraction = find<RefractionPart>();
     const bool seesScene = refraction && hasScene(view);
     if (const FieldError bad = readTurned(view, seesScene, out.geometry))
-        return device.fail(Status::invalidArgument, "draw: %s", bad.text());
+        return device.fail(Status::invalidArgument, "%s: %s", call, bad.text());
     if (wanted && !seesScene)
         return device.fail(Status::invalidArgument,
-                           "draw: ViewDesc.sceneColor.view and sceneDepth.view are null, and %s reads them",
-                           wanted);
+                           "%s: ViewDesc.sceneColor.view and sceneDepth.view are null, and %s reads them",
+                           call, wanted);
     if (const FieldError bad = badField(lighting))
-        return device.fail(Status::invalidArgument, "draw: %s", bad.text());
+        return device.fail(Status::invalidArgument, "%s: %s", call, bad.text());
     if (sea && simulatedIn == 0)
-        return device.misused("draw: the body has waves but simulate() was never called");
+        return device.misused("%s: the body has waves but simulate() was never called", call);
     drawnIn = context->frameNumber;
     out.given = &view;
     out.read = view;
@@ -81,6 +82,20 @@ Status Body::read(const ViewDesc& view, const LightingDesc& lighting, const char
     if (!isMultisampled(view)) return Status::ok;
     if (!maySee(out.geometry)) return Status::ok; // nothing was taken, and nothing will be drawn
     return refraction->standIn(*context, view, out.read);
+}
+
+Status Body::readSurface(const char* call, const ViewDesc& view, const LightingDesc& lighting,
+                         SurfaceOutput output, BodyView& out, SurfaceDraw& drawn) {
+    if (const Status s = read(call, view, lighting, needsScene(), out); s != Status::ok) return s;
+    drawn = {.output = output,
+             .sides = output == SurfaceOutput::motion ? SidesSeen::above : sidesSeen(out.geometry),
+             .seesScene = hasScene(view),
+             .sceneIsEncoded = isEncoded(view.sceneColor),
+             .manySamples = isMultisampled(view),
+             .view = &view,
+             .lighting = &lighting};
+    out.surface = &drawn;
+    return checkEye(call, view, out.geometry);
 }
 
 bool Body::mayBeWet(const glm::dvec3& point) const {
@@ -107,7 +122,7 @@ const char* Body::needsScene() const {
     return field;
 }
 
-Status Body::checkEye(const ViewDesc& view, const ViewGeometry& geometry) {
+Status Body::checkEye(const char* call, const ViewDesc& view, const ViewGeometry& geometry) {
     const bool isInverse = looksInverse(view);
     const glm::dvec3& eye = geometry.eye;
     const double depth = -heightOf(eye);
@@ -119,16 +134,17 @@ Status Body::checkEye(const ViewDesc& view, const ViewGeometry& geometry) {
     if (isBelow && isInverse && heightOf(other) > 0)
         return context->device.fail(
             Status::invalidArgument,
-            "draw: ViewDesc.view takes the camera to the world, expected world to view: its inverse");
+            "%s: ViewDesc.view takes the camera to the world, expected world to view: its inverse", call);
     if (std::exchange(warnedOfEye, true)) return Status::ok;
     if (isBelow)
         context->device.warn(
-            "draw: the eye is %.3g m under a body without BodyDesc.underwater, which is made to be "
+            "%s: the eye is %.3g m under a body without BodyDesc.underwater, which is made to be "
             "seen from above; is ViewDesc.view world to view, of a world with y up?",
-            depth);
+            call, depth);
     else
-        context->device.warn("draw: the camera of ViewDesc.view is rolled, and its inverse's is level; is it "
-                             "world to view?");
+        context->device.warn(
+            "%s: the camera of ViewDesc.view is rolled, and its inverse's is level; is it world to view?",
+            call);
     return Status::ok;
 }
 

@@ -17,6 +17,7 @@ Part reflectionPart();
 Part causticsPart();
 Part underwaterPart();
 Part shadingPart();
+Part deferredPart();
 
 std::span<const Part> parts() {
     // Foam steps with the waves' maps, which are to end at the time asked for.
@@ -28,6 +29,7 @@ std::span<const Part> parts() {
         bedPart(),        refractionPart(),
         reflectionPart(), causticsPart(),
         underwaterPart(), shadingPart(),
+        deferredPart(),
     };
     return all;
 }

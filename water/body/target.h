@@ -8,6 +8,7 @@
 #include "gpu/context.h"
 #include "seaglass/water.h"
 #include "water/below/underwater.h"
+#include "water/deferred/placed_samples.h"
 #include "water/surface/surface.h"
 
 namespace seaglass {
@@ -33,6 +34,7 @@ struct Target : Held {
     TargetDesc desc;
     SurfacePipelines pipelines;
     UnderwaterPipelines underwater;
+    PlacedSamplesPipelines placedSamples;
     PreparedKernels prepared;
 };
 

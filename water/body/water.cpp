@@ -8,6 +8,7 @@
 #include "water/body/body.h"
 #include "water/body/body_desc.h"
 #include "water/body/target.h"
+#include "water/deferred/deferred_part.h"
 #include "water/reflection/reflection_part.h"
 
 namespace seaglass {
@@ -182,6 +183,20 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
     if (const Status s = drawParts(DrawMoment::beforeSurfaces); s != Status::ok) return s;
     const Status surfaces = forEach(bodies, count, [&](Body& body) { return body.draw(call, output); });
     return surfaces == Status::ok ? drawParts(DrawMoment::afterSurfaces) : surfaces;
+}
+
+Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
+             const LightingDesc* lighting) {
+    if (const Status s = refuseUnusable("shade", nullptr, commands, bodies, count,
+                                        {{"view", !view}, {"lighting", !lighting}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(bodies, count), "shade"); s != Status::ok)
+        return s;
+    return forEach(bodies, count, [&](Body& body) {
+        DeferredPart* deferred = body.find<DeferredPart>();
+        return deferred ? deferred->shade(body, commands, *view, *lighting) : Status::ok;
+    });
 }
 
 Status prepare(Target* target, Body* body, const ViewDesc* view, const LightingDesc* lighting,

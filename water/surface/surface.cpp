@@ -9,15 +9,21 @@
 
 namespace seaglass {
 
-Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SurfaceVariant& variant,
-                     DrawPipeline& out) {
+Status buildMeshPipeline(const gpu::Device& device, const TargetDesc& target,
+                         std::span<const uint32_t> fragment, const SurfaceVariant& variant, const char* what,
+                         DrawPipeline& out) {
     SurfaceVariant drawn = variant;
     drawn.inViews = target.viewMask != 0;
     drawn.targetIsEncoded = target.encoding == Encoding::srgb;
-    const std::span<const uint32_t> fragment =
-        drawn.forMotion ? motion_frag : std::span<const uint32_t>(surface_frag);
     return createDrawPipeline(device, target, {surface_vert, fragment, drawn.constants()}, Drawing::solid,
-                              "surface pipeline", out);
+                              what, out);
+}
+
+Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SurfaceVariant& variant,
+                     DrawPipeline& out) {
+    const std::span<const uint32_t> fragment =
+        variant.forMotion ? motion_frag : std::span<const uint32_t>(surface_frag);
+    return buildMeshPipeline(device, target, fragment, variant, "surface pipeline", out);
 }
 
 Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,

@@ -39,6 +39,11 @@ using SurfacePipelines = DrawPipelines<SurfaceVariant>;
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SurfaceVariant& variant,
                      DrawPipeline& out);
 
+/// Of the surface's mesh, by another fragment shader.
+Status buildMeshPipeline(const gpu::Device& device, const TargetDesc& target,
+                         std::span<const uint32_t> fragment, const SurfaceVariant& variant, const char* what,
+                         DrawPipeline& out);
+
 /// `resources`: all that some pipeline's shaders read, but for the mesh.
 Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,
                      const PlacedMesh& mesh, std::vector<gpu::Bound> resources, uint32_t viewIndex);

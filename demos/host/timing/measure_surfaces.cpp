@@ -9,9 +9,9 @@ namespace {
 constexpr StageName sceneStages[] = {stages[1], stages[2]};
 constexpr StageName copyStage = stages[4];
 constexpr StageName surfaceStages[] = {stages[0], stages[3], stages[5], stages[6],
-                                       stages[7], stages[8], stages[9]};
+                                       stages[7], stages[8], stages[9], stages[10]};
 static_assert(sceneStages[0].stage == Stage::shadow && copyStage.stage == Stage::copy);
-static_assert(surfaceStages[1].stage == Stage::caustics && surfaceStages[6].stage == Stage::mirror);
+static_assert(surfaceStages[1].stage == Stage::caustics && surfaceStages[7].stage == Stage::mirror);
 
 /// What one surface took, round by round.
 struct SurfaceSamples {

@@ -193,6 +193,8 @@ bool FrameRecorder::needed(Stage stage) const {
         return hasWater && water->parts().bed;
     case Stage::reflect:
         return hasWater || (floor && floor->reflector);
+    case Stage::shade:
+        return hasWater && water->parts().deferred && frame_.aov == Aov::color;
     case Stage::overlay:
         return overlay;
     // Without a surface the other outputs are black.
@@ -290,6 +292,8 @@ bool FrameRecorder::recordCommands(VkCommandBuffer commands, Stage stage, Error&
     case Stage::reflect:
         if (floor()) return mirror_.reflect(commands, *floor(), camera_, targets_, error);
         return water_.reflect(commands, *water(), camera_, targets_, error);
+    case Stage::shade:
+        return water_.shade(commands, *water(), camera_, targets_, lighting_, error);
     case Stage::overlay:
         return recordOverlay(commands, error);
     case Stage::water:

@@ -37,7 +37,20 @@ struct LoadedScene {
     std::vector<Surface> surfaces; ///< of which a frame draws one
 };
 
-enum class Stage { simulate, shadow, opaque, caustics, copy, mirrored, bed, reflect, water, mirror, overlay };
+enum class Stage {
+    simulate,
+    shadow,
+    opaque,
+    caustics,
+    copy,
+    mirrored,
+    bed,
+    reflect,
+    shade,
+    water,
+    mirror,
+    overlay
+};
 
 struct StageName {
     Stage stage;
@@ -50,8 +63,8 @@ constexpr StageName stages[] = {
     {Stage::opaque, "host_opaque", false}, {Stage::caustics, "caustics", false},
     {Stage::copy, "host_copy", false},     {Stage::mirrored, "host_mirrored", false},
     {Stage::bed, "host_bed", false},       {Stage::reflect, "reflect", true},
-    {Stage::water, "water_draw", false},   {Stage::mirror, "mirror_draw", false},
-    {Stage::overlay, "overlay", true},
+    {Stage::shade, "water_shade", false},  {Stage::water, "water_draw", false},
+    {Stage::mirror, "mirror_draw", false}, {Stage::overlay, "overlay", true},
 };
 
 constexpr const char* nameOf(Stage stage) {

@@ -104,7 +104,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     }
     const bool planar =
         body.reflection && body.reflection->technique == seaglass::ReflectionTechnique::planar;
-    out = WaterBody(made, {planar, body.caustics != nullptr, body.bed != nullptr});
+    out = WaterBody(made, {planar, body.caustics != nullptr, body.bed != nullptr, body.shading.deferred});
     return true;
 }
 
@@ -139,6 +139,13 @@ bool WaterPass::reflect(VkCommandBuffer commands, const WaterBody& body, const C
     seaglass::Body* const bodies[] = {body.get()};
     const seaglass::ViewDesc view = viewOf(camera, targets);
     return context_.ok(seaglass::reflect(commands, bodies, 1, &view), error);
+}
+
+bool WaterPass::shade(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
+                      const FrameTargets& targets, const seaglass::LightingDesc& lighting, Error& error) {
+    seaglass::Body* const bodies[] = {body.get()};
+    const seaglass::ViewDesc view = viewOf(camera, targets);
+    return context_.ok(seaglass::shade(commands, bodies, 1, &view, &lighting), error);
 }
 
 bool WaterPass::overlay(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,

@@ -13,7 +13,8 @@ namespace demos {
 struct WaterParts {
     bool planar = false; ///< to draw what it mirrors
     bool caustics = false;
-    bool bed = false; ///< to draw what lies below it
+    bool bed = false;      ///< to draw what lies below it
+    bool deferred = false; ///< to shade it before it is drawn
 };
 
 /// One water body of a scene. Destroy it before the WaterPass it comes from.
@@ -65,6 +66,9 @@ class WaterPass {
                  seaglass::PlanarView& out, Error& error);
     bool reflect(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                  const FrameTargets& targets, Error& error);
+    /// Before draw() of a deferred one, after reflect().
+    bool shade(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
+               const FrameTargets& targets, const seaglass::LightingDesc& lighting, Error& error);
     /// Draws into targets.overlay how the library understands the frame, after reflect().
     bool overlay(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                  const FrameTargets& targets, Aov aov, Error& error);

@@ -11,11 +11,10 @@ layout(location = 3) in vec4 lastPixel;
 layout(location = 0) out vec4 outColor;
 
 #include "exclusion_volumes.glsl"
+#include "surface_cut.glsl"
 
 void main() {
-    if (!(gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0)) demote;   // as in surface.frag
-    if (isOutlined && !isWithin(calmPosition, edgeRange)) demote;
-    if (isExcluded(position)) demote;
+    if (!isSurface(calmPosition, position)) demote;
     vec2 here = gl_FragCoord.xy - vec2(water.region.xy);
     vec2 moved = lastPixel.w > 0.0 ? here - lastPixel.xy / lastPixel.w : vec2(0.0);   // it was behind the eye
     outColor = vec4(moved, 0.0, 1.0);

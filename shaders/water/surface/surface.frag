@@ -10,7 +10,10 @@ layout(location = 1) in vec3 meshPosition;   // likewise, and before it sinks on
 layout(location = 2) flat in uvec2 edgeRange;
 layout(location = 0) out vec4 outColor;
 
+#include "quad.glsl"
 #include "surface_shading.glsl"
+#include "surface_outputs.glsl"
+#include "surface_cut.glsl"
 
 // Metres of calm water to the next pixel.
 float calmPixelWidth(vec2 right, vec2 down) {
@@ -43,9 +46,7 @@ void main() {
     vec2 pixel = gl_FragCoord.xy - vec2(water.region.xy);
     vec3 position = vec3(meshPosition.x, meshPosition.y - globeDrop(meshCalm), meshPosition.z);
     bool fromWater = mayBeInWater && (sidesSeen == seenBelow || seenFromBelow(pixel));
-    // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.
-    bool shows = gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0 && !isExcluded(position);
-    if (isOutlined) shows = shows && isWithin(meshCalm, edgeRange);
+    bool shows = isSurface(meshCalm, position);
     bool quadIsAlike = hasWaves && abs(meanOfQuad(vec4(shows ? (fromWater ? -1.0 : 1.0) : 0.0)).x) == 1.0;
     if (!shows) demote;   // `discard` would leave derivatives from here on undefined
     outColor = shaded(shownPoint(pixel, position, fromWater, quadIsAlike));

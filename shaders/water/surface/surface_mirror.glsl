@@ -1,7 +1,7 @@
 // What the surface mirrors: an integral over the slopes that the eye can see, along the line of sight, each with its own
-// Fresnel term and weighted by its visible area. Without it the mean normal makes the far sea a mirror of the horizon.
+// Fresnel term and weighted by its visible area. Without it the mean normal makes the far sea a mirror of the horizon. Needs
+// quad.glsl or tile_quad.glsl.
 
-#include "quad.glsl"
 #include "reflection_lookup.glsl"
 
 // `spread` is the standard deviation of the mirrored direction [rad]. A texel of a cube's mip, read linearly, spreads by
@@ -151,7 +151,7 @@ Reflection reflectedByWaves(const SurfacePoint s, vec3 toEye) {
         float share = sharedInQuad(s, seen, spread, hit);
         vec3 ofShare = reflect(-toEye, normalOf(s.slope + v.towards * slopeOfShare(tap, seen)));
         vec3 ray = keptAbove(mix(total.xyz / max(total.w, 1e-6), ofShare, share));
-        found = meanFound(mirroredScene(s, ray, spread, hit), share);
+        if (hasReflection) found = meanFound(mirroredScene(s, ray, spread, hit), share);
         sum.radiance += clear.w * found.rgb;
         sum.sceneOverFog += clear.w * overFog(found.rgb, vec3(found.a), s.air);
         if (found.a < 0.999 && clear.w > 1e-6)

@@ -59,12 +59,14 @@ vec4 keptAt(const SurfacePoint s) {
 
 // Derivatives of the waves over the pixel, and their moments: at a grazing angle a pixel is long and narrow, and is taken in
 // as many parts as there are looks.
-void sampleWaves(vec3 at, float texels, Footprint pixel, out vec4 derivatives, out vec4 moments) {
+void sampleWaves(vec3 at, int cascade, Footprint pixel, out vec4 derivatives, out vec4 moments) {
     if (slopeSamples == 1) {
-        derivatives = texture(waveDerivatives, at);
-        moments = texture(waveMoments, at);
+        float covered = length(pixel.longer) * water.cascade[cascade].w;
+        derivatives = meanOverPixel(waveDerivatives, at, covered);
+        moments = meanOverPixel(waveMoments, at, covered);
         return;
     }
+    float texels = water.cascade[cascade].z;
     derivatives = vec4(0.0);
     moments = vec4(0.0);
     vec2 part = pixel.longer * texels / float(slopeSamples);
@@ -96,7 +98,7 @@ void findSlopes(inout SurfacePoint s) {
     for (int i = 0; i < cascades; ++i) {
         vec3 at = vec3(water.cascade[i].xy + place * water.cascade[i].z, i);
         vec4 d, moments;
-        sampleWaves(at, water.cascade[i].z, s.footprint, d, moments);
+        sampleWaves(at, i, s.footprint, d, moments);
         if (hasShore) {
             float kept = s.shore.kept[i];
             d *= kept;
@@ -119,6 +121,6 @@ void findSlopes(inout SurfacePoint s) {
     s.slope = slopeOfWaves(gradient);
     s.covariance += variance;
     if (hasShore) s.slope = mix(s.slope, s.shore.bedSlope, onSand(s.shore));
-    vec2 change = max(abs(dFdx(s.slope)), abs(dFdy(s.slope)));
+    vec2 change = changeInQuad(s.slope);
     s.slopeStep = max(change.x, change.y);
 }

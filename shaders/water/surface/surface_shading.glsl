@@ -1,22 +1,11 @@
-// Shades a point of the water's surface: what it mirrors, what shines through, the sun's glint and foam.
+// Shades a point of the water's surface that is seen from above: what it mirrors, what shines through, the sun's glint and foam.
+// Needs quad.glsl or tile_quad.glsl.
 #include "encoding.glsl"
 #include "optics.glsl"
 #include "texel_at.glsl"
 #include "turns.glsl"
 #include "slopes.glsl"
 #include "surface_fresnel.glsl"
-
-const uint outputShaded = 0;
-const uint outputReflection = 1;
-const uint outputClass = 2;
-const uint outputHeight = 3;
-const uint outputNormal = 4;
-const uint outputFoam = 5;
-const uint outputReflectionSource = 6;
-const uint outputSlopes = 7;
-
-const uint seenAbove = 0;
-const uint seenBelow = 1;
 
 #include "globe.glsl"
 
@@ -40,9 +29,6 @@ vec3 inWorld(vec3 direction) {
 #include "water_light.glsl"
 #include "refraction.glsl"
 #include "subsurface_scattering.glsl"
-#include "underwater_light.glsl"
-#include "waterline.glsl"
-#include "surface_below.glsl"
 #include "foam_cover.glsl"
 
 // A mean over the pixel, by as many looks as its waves get.
@@ -56,38 +42,6 @@ float sunSeenOver(const SurfacePoint s) {
         sum += sunSeenAt(s.position + vec3(aside.x, 0.0, aside.y));
     } while (++i < slopeSamples);
     return sum / float(slopeSamples);
-}
-
-const bool mayBeInWater = hasRefraction && sidesSeen != seenAbove;
-
-bool isSeenFromWater(const SurfacePoint s) {
-    return mayBeInWater && s.fromWater;
-}
-
-// Of the facet in the middle of the pixel.
-vec3 mirroredDirection(const SurfacePoint s, vec3 normal, vec3 toEye) {
-    vec3 direction = reflect(-toEye, normal);
-    return isSeenFromWater(s) ? keptBelow(direction) : keptAbove(direction);
-}
-
-// Before Fresnel.
-vec3 mirroredRadiance(const SurfacePoint s, vec3 toEye) {
-    if (isSeenFromWater(s)) return mirroredBelow(s, -toEye);
-    Reflection r = reflected(s, toEye);
-    return r.radiance / max(r.fresnel, 1e-4);
-}
-
-vec4 debugOutput(const SurfacePoint s, vec3 normal, vec3 toEye) {
-    if (surfaceOutput == outputHeight) return vec4(s.height, 0.0, 0.0, 1.0);
-    if (surfaceOutput == outputNormal) return vec4(inWorld(fromLevel(s, normal)), 1.0);
-    if (surfaceOutput == outputSlopes) return vec4(s.slope, s.covariance.xy);
-    if (hasFoam && surfaceOutput == outputFoam) return vec4(foamOver(s).mask, 0.0, 0.0, 1.0);
-    vec3 mirrored = fromLevel(s, mirroredDirection(s, normal, toEye));
-    if (hasReflection && surfaceOutput == outputClass) return vec4(classColor(s, mirrored), 1.0);
-    if (hasReflection && surfaceOutput == outputReflectionSource) return reflectionSource(s, mirrored);
-    if (surfaceOutput == outputReflectionSource) return vec4(-1.0, -1.0, 0.0, 1.0);   // the sky
-    if (surfaceOutput == outputReflection) return vec4(heldOf(mirroredRadiance(s, toEye), targetIsEncoded), 1.0);
-    return vec4(0.0, 0.0, 0.0, 1.0);
 }
 
 // Radiance, with `white` on it.
@@ -120,17 +74,12 @@ vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye) {
     return radiance;
 }
 
-// Radiance that goes to the eye, or what `surfaceOutput` asks for. Of `s` the sun and the air are found here.
-vec4 shaded(SurfacePoint s) {
+// In the axes of what is level at the point.
+vec3 toEyeFrom(const SurfacePoint s) {
     vec3 toEye = -normalize(sightTo(s.position));
-    if (onGlobe) toEye = toEye * s.level;
-    vec3 normal = normalOf(s.slope);
-    if (surfaceOutput != outputShaded) return debugOutput(s, normal, toEye);
-    if (hasSunShadow) s.sunSeen = sunSeenOver(s);
-    Foam white = Foam(0.0, 0.0, vec2(0.0), 0.0);
-    if (hasFoam) white = foamOver(s);
-    vec3 radiance;
-    if (isSeenFromWater(s)) radiance = shadedBelow(s, white.mask);
-    else radiance = shadedAbove(s, white, normal, toEye);
-    return vec4(heldOf(radiance, targetIsEncoded), 1.0);
+    return onGlobe ? toEye * s.level : toEye;
+}
+
+Foam foamOn(const SurfacePoint s) {
+    return hasFoam ? foamOver(s) : Foam(0.0, 0.0, vec2(0.0), 0.0);
 }

@@ -1,8 +1,8 @@
 // Water bodies: an FFT-displaced sea, its reflection, refraction and foam, in the host's command buffer.
 //
-// A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> (host begins its pass) ->
-// draw. With caustics, castCaustics and drawCaustics after the opaque scene; with a bed, bedView before
-// reflect.
+// A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> shade -> (host begins its
+// pass) -> draw. With caustics, castCaustics and drawCaustics after the opaque scene; with a bed, bedView
+// before reflect.
 #pragma once
 
 #include "seaglass/foam.h"
@@ -62,6 +62,7 @@ struct ShadingDesc {
     uint32_t waveShadowSteps = 0;   ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
     bool parallax = false; ///< shades waves too short for the mesh at their own height; not on a shore
     Fresnel fresnel = Fresnel::exact; ///< of what the eye sees; light for the bed enters by exact's share
+    bool deferred = false; ///< found first, then shaded once a pixel, by shade(), but for an eye in it
 };
 
 /// What a body covers of its plane.
@@ -193,6 +194,14 @@ Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, co
 /// As recordOverlay() for reflectors; of a body whose reflection is the sky alone there is nothing to see.
 Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view, const OverlayDesc* desc);
 
+/// Finds the surfaces of bodies with `ShadingDesc::deferred` in `view` and shades each of their pixels once,
+/// for draw() of the same view, with this lighting, later in this frame. Records nothing of other bodies.
+/// Outside any render pass, after reflect(). Reads view.sceneColor, view.sceneDepth, the sky cube and the
+/// shadow map in compute shaders, and view.sceneDepth in fragment shaders. Allocates when an index sees its
+/// largest view.
+Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
+             const LightingDesc* lighting);
+
 /// What draw() writes. Everything but `shaded` is for looking at and measuring the inputs.
 enum class SurfaceOutput : uint32_t {
     shaded = 0,
@@ -218,7 +227,8 @@ enum class SurfaceOutput : uint32_t {
 /// they must not be the attachments written (a copy of the colour; depth may be a read-only attachment or a
 /// copy). Both may be null unless a body has `underwater` or `bed`; see RefractionDesc. Leaves pipeline,
 /// descriptor sets, push constants and index buffer bound to its own; the viewport and scissor are set from
-/// the view. Of a multisampled scene refraction wants reflect() before.
+/// the view. Of a multisampled scene refraction wants reflect() before. A body with `ShadingDesc::deferred`
+/// wants shade() before, for `shaded`, and is then placed as that shaded it.
 ///
 /// For an eye, or a near plane of parallel lines of sight, in a body with `underwater` each pixel whose line
 /// begins in the water first becomes sceneColor as it looks through it, then surfaces are drawn as ever, then

@@ -44,6 +44,7 @@ inline constexpr Field shadingFieldRows[] = {
                                   "Shades waves shorter than the mesh's cells at their own height.")
         .byQuality(false, false, true, true),
     field<&ShadingDesc::fresnel>("fresnel", fresnels, "What share of light is mirrored."),
+    field<&ShadingDesc::deferred>("deferred", "Found first, then each pixel shaded once, by shade()."),
 };
 /// Of ShadingDesc.
 inline constexpr FieldTable shadingFields = fieldTable("ShadingDesc", shadingFieldRows);

@@ -1,0 +1,43 @@
+// Places what was shaded of a surface in a multisampled pass, by the mesh: samples that water covers beside the middle of a pixel
+// that shows none take a neighbour's.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_demote_to_helper_invocation : require
+#include "surface.glsl"
+
+layout(location = 0) in vec2 meshCalm;
+layout(location = 1) in vec3 meshPosition;
+layout(location = 2) flat in uvec2 edgeRange;
+layout(location = 0) out vec4 outColor;
+
+layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;
+layout(set = 0, binding = shadedBinding) uniform sampler2D shadedColor;
+
+#include "encoding.glsl"
+#include "globe.glsl"
+#include "exclusion_volumes.glsl"
+#include "surface_cut.glsl"
+#include "found_surface.glsl"
+
+bool isFound(ivec2 at) {
+    return texelFetch(foundDepth, at, 0).r > 0.0;
+}
+
+// The pixel itself, or one beside it.
+ivec2 foundNear(ivec2 here) {
+    const ivec2 beside[9] = ivec2[](ivec2(0, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 0), ivec2(-1, 0),
+                                    ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
+    ivec2 at = here;
+    int i = 0;
+    do at = clamp(here + beside[i], ivec2(0), foundSize() - 1);
+    while (++i < 9 && !isFound(at));
+    return at;
+}
+
+void main() {
+    vec3 position = vec3(meshPosition.x, meshPosition.y - globeDrop(meshCalm), meshPosition.z);
+    if (!isSurface(meshCalm, position)) demote;
+    ivec2 at = foundNear(foundPixel(gl_FragCoord.xy));
+    if (!isFound(at)) demote;
+    outColor = vec4(heldOf(texelFetch(shadedColor, at, 0).rgb, targetIsEncoded), 1.0);
+}

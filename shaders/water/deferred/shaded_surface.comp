@@ -1,0 +1,108 @@
+// Shades what found_surface.frag found of a surface, each pixel once: a group a tile of the list.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#include "surface.glsl"
+#include "found_tiles_block.h"
+#include "tile_quad.glsl"
+#include "surface_shading.glsl"
+#include "found_surface.glsl"
+
+layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;
+layout(set = 0, binding = foundAsideBinding) uniform usampler2D foundAside;
+layout(set = 0, binding = foundTilesBinding, std430) readonly buffer Tiles {
+    FoundTilesHeader header;
+    uint tiles[];
+};
+layout(set = 0, binding = shadedBinding, rgba16f) uniform writeonly image2D shadedColor;
+
+// What a pixel shows.
+struct Found {
+    bool shows;
+    vec2 calm;
+    vec3 position;
+};
+
+Found foundAt(ivec2 at) {
+    Found found;
+    ivec2 held = clamp(at, ivec2(0), foundSize() - 1);
+    float depth = texelFetch(foundDepth, held, 0).r;
+    found.shows = depth > 0.0 && held == at;
+    vec4 p = water.relativeFromFound * vec4(vec2(held) + 0.5, depth > 0.0 ? depth : 1.0, 1.0);
+    found.position = p.xyz / p.w;
+    found.calm = found.position.xz - movedAside(texelFetch(foundAside, held, 0).r);
+    return found;
+}
+
+// To what the next pixel along an axis shows, on the calm plane and in space.
+struct Step {
+    vec2 calm;
+    vec3 position;
+};
+
+// To the one before or behind, whichever shows what is nearer on the calm plane: across a wave's edge another one shows.
+Step stepBetween(Found here, Found before, Found behind) {
+    Step back = Step(here.calm - before.calm, here.position - before.position);
+    Step ahead = Step(behind.calm - here.calm, behind.position - here.position);
+    bool isAhead = behind.shows && (!before.shows || dot(ahead.calm, ahead.calm) < dot(back.calm, back.calm));
+    return isAhead ? ahead : back;
+}
+
+// Of a pixel that none beside it goes on from: over level water.
+Step stepOverLevel(Found here, ivec2 at, vec2 aside) {
+    vec4 p = water.relativeFromFound * vec4(vec2(at) + 0.5 + aside, texelFetch(foundDepth, at, 0).r, 1.0);
+    vec3 there = p.xyz / p.w;
+    vec3 sight = sightTo(there);
+    float rise = abs(sight.y) > 1e-6 * length(sight) ? sight.y : 1e-6 * length(sight);
+    vec3 moved = there + sight * ((here.position.y - there.y) / rise) - here.position;
+    return Step(moved.xz, moved);
+}
+
+Step stepAlong(Found here, ivec2 at, ivec2 axis) {
+    Found before = foundAt(at - axis), behind = foundAt(at + axis);
+    if (before.shows || behind.shows) return stepBetween(here, before, behind);
+    return stepOverLevel(here, at, vec2(axis));
+}
+
+// All four of its quad.
+bool quadShows(ivec2 at) {
+    ivec2 first = at & ~1;
+    bool all4 = true;
+    for (int i = 0; i < 4; ++i) all4 = all4 && foundAt(first + ivec2(i & 1, i >> 1)).shows;
+    return all4;
+}
+
+// All of it but what light alone asks for: `sunSeen` and `air`.
+SurfacePoint shownPoint(Found found, ivec2 at) {
+    Step right = stepAlong(found, at, ivec2(1, 0)), down = stepAlong(found, at, ivec2(0, 1));
+    SurfacePoint s;
+    s.pixel = vec2(at) + 0.5;
+    s.fromWater = false;
+    s.quadIsAlike = hasWaves && quadShows(at);
+    s.footprint = footprintOf(right.calm, down.calm);
+    vec2 widest = max(abs(right.calm), abs(down.calm));
+    s.pixelLength = max(widest.x, widest.y);
+    s.position = found.position;
+    s.overPlane = found.position + vec3(0.0, globeDrop(found.calm), 0.0);
+    s.height = s.overPlane.y + water.plane.w;
+    if (onGlobe) s.level = levelAt(found.calm);
+    if (hasShore) s.shore = shoreWave(found.calm, s.pixelLength);
+    s.calm = shownCalm(found.calm, s.footprint, found.position, s.height, cross(right.position, down.position));
+    findSlopes(s);
+    s.sunSeen = 1.0;
+    s.air = vec4(vec3(0.0), 1.0);
+    return s;
+}
+
+void main() {
+    uint n = gl_WorkGroupID.y * foundGroupsPerRow + gl_WorkGroupID.x;
+    bool isListed = n < header.groups.w;
+    uint tile = tiles[isListed ? n : 0u];
+    ivec2 at = ivec2(tile & 0xffffu, tile >> 16) * 8 + placeInTile();
+    Found found = foundAt(at);
+    SurfacePoint s = shownPoint(found, min(at, foundSize() - 1));
+    if (hasSunShadow) s.sunSeen = sunSeenOver(s);
+    vec3 radiance = shadedAbove(s, foamOn(s), normalOf(s.slope), toEyeFrom(s));
+    const float most = 65504.0;   // that a half holds
+    if (isListed && found.shows) imageStore(shadedColor, at, vec4(min(radiance, vec3(most)), 1.0));
+}

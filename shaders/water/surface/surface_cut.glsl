@@ -1,0 +1,8 @@
+// Which fragments of the mesh are the surface's. Needs surface.glsl, exclusion_volumes.glsl and, of an outline alone, the input
+// `edgeRange`.
+
+bool isSurface(vec2 calm, vec3 position) {
+    // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.
+    bool shows = gl_FragCoord.z > 0.0 && gl_FragCoord.z < 1.0 && !isExcluded(position);
+    return isOutlined ? shows && isWithin(calm, edgeRange) : shows;
+}

@@ -1,0 +1,211 @@
+#include "water/deferred/deferred_part.h"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include "shaders/shared/water_bindings.h"
+#include "water/below/underwater.h"
+#include "water/body/body.h"
+#include "water/body/body_block.h"
+#include "water/body/target.h"
+
+namespace seaglass {
+
+namespace {
+
+/// Depth the other way round, of homogeneous coordinates: an involution.
+glm::dmat4 turnedDepth() {
+    glm::dmat4 turn(1);
+    turn[2][2] = -1;
+    turn[3][2] = 1;
+    return turn;
+}
+
+/// What a surface is drawn by to be found: its depth runs from 1 down to 0, which keeps far places apart.
+glm::mat4 clipFromRelative(const ViewGeometry& geometry) {
+    return glm::mat4(geometry.reversedDepth ? geometry.clipFromRelative
+                                            : turnedDepth() * geometry.clipFromRelative);
+}
+
+bool isSame(const BodyBlock& a, const BodyBlock& b) {
+    static_assert(std::is_trivially_copyable_v<BodyBlock>);
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+constexpr UnderwaterVariant overView = {.pass = UnderwaterPass::surface};
+
+/// For what places it.
+void bindPicture(const Context& context, const FoundSurface& found, const ShadedSurface& shaded,
+                 Resources& out) {
+    const VkSampler nearest = context.samplers.nearestClamp();
+    out.push_back({foundDepthBinding, gpu::sampledImage(nearest, found.depth())});
+    out.push_back({shadedBinding, gpu::sampledImage(nearest, shaded.color.view())});
+}
+
+} // namespace
+
+Status DeferredPart::addCost(const AskedBody& asked, Estimate& sum) {
+    const gpu::Device& device = asked.context.device;
+    sum.bytesPerView +=
+        FoundSurface::bytes(device, asked.extent) + ShadedSurface::bytes(device, asked.extent);
+    return Status::ok;
+}
+
+Status DeferredPart::create(Body& body, const BodyDesc&) {
+    Context& context = *body.context;
+    if (const Status s = context.share(pass_); s != Status::ok) return s;
+    if (const Status s = context.share(tiles_); s != Status::ok) return s;
+    return context.share(kernels_);
+}
+
+void DeferredPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
+    const ViewGeometry& geometry = view.geometry;
+    block.relativeFromFound = glm::mat4(geometry.reversedDepth ? geometry.relativeFromPixel
+                                                               : geometry.relativeFromPixel * turnedDepth());
+    const double most = std::max(body.placing.displacement, 1e-3);
+    block.found = glm::vec4(most, 1 / most, 0, 0);
+}
+
+DeferredPart::Sources DeferredPart::sourcesOf(const ViewDesc& view, const LightingDesc& lighting) {
+    return {view.sceneColor.view, view.sceneDepth.view, lighting.skyCube,
+            lighting.shadow ? lighting.shadow->map.view : VK_NULL_HANDLE};
+}
+
+Status DeferredPart::fit(Context& context, VkExtent2D region, Picture& picture) const {
+    if (picture.found.holds(region)) return Status::ok;
+    VkExtent2D wanted = region;
+    if (picture.found.holds({1, 1})) {
+        const VkExtent2D held = picture.found.extent();
+        wanted = {std::max(region.width, held.width), std::max(region.height, held.height)};
+    }
+    Picture fresh;
+    if (const Status s = fresh.found.create(*pass_, wanted); s != Status::ok) return s;
+    if (const Status s = fresh.shaded.create(context.device, wanted); s != Status::ok) return s;
+    context.frame().retire(std::exchange(picture, std::move(fresh)));
+    return Status::ok;
+}
+
+Status DeferredPart::record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture) {
+    Context& context = *body.context;
+    const ViewGeometry& geometry = seen.view.geometry;
+    const SurfaceVariant variant = body.surfaceVariant(seen.drawn);
+    const gpu::Kernel* shading = nullptr;
+    if (const Status s = kernels_->get(shadingVariant(variant), shading); s != Status::ok) return s;
+    if (const Status s = fit(context, extentOf(geometry), picture); s != Status::ok) return s;
+    BodyBlock block = seen.block;
+    block.clipFromRelative = clipFromRelative(geometry);
+    Resources resources;
+    if (const Status s = bindBody(body, seen.view, block, resources); s != Status::ok) return s;
+    if (const Status s = picture.found.record(context, commands, *pass_, foundVariant(variant), seen.mesh,
+                                              resources, *seen.view.given, geometry);
+        s != Status::ok)
+        return s;
+    return picture.shaded.record(context, commands, *tiles_, *shading, picture.found, std::move(resources),
+                                 extentOf(geometry));
+}
+
+Status DeferredPart::shade(Body& body, VkCommandBuffer commands, const ViewDesc& view,
+                           const LightingDesc& lighting) {
+    SeenSurface seen;
+    if (const Status s = body.see("shade", view, lighting, SurfaceOutput::shaded, nullptr, seen);
+        s != Status::ok)
+        return s;
+    if (seen.drawn.sides != SidesSeen::above) return Status::ok; // draw() shades it
+    Picture& picture = views_[view.viewIndex];
+    picture.frame = 0; // until all of it is recorded
+    const bool shows = seen.mesh.instanceCount > 0;
+    if (shows)
+        if (const Status s = record(body, commands, seen, picture); s != Status::ok) return s;
+    picture.frame = body.context->frameNumber;
+    picture.shows = shows;
+    picture.block = bodyBlock(body, seen.view);
+    picture.sources = sourcesOf(view, lighting);
+    return Status::ok;
+}
+
+Status DeferredPart::check(const Body& body, const BodyView& view) const {
+    const Context& context = *body.context;
+    const Picture& picture = views_[view.given->viewIndex];
+    if (picture.frame != context.frameNumber)
+        return context.device.misused("draw: ShadingDesc.deferred is true, and shade() was not called for "
+                                      "the body and this view in this frame before");
+    if (!isSame(picture.block, bodyBlock(body, view)) ||
+        picture.sources != sourcesOf(*view.given, *view.lighting))
+        return context.device.misused(
+            "draw: the view or the lighting has changed since shade(), which comes before with the same");
+    return Status::ok;
+}
+
+Status DeferredPart::place(Body& body, const DrawCall& call, bool& placed) {
+    SurfaceDraw drawn;
+    BodyView view;
+    if (const Status s =
+            body.readSurface("draw", call.view, call.lighting, SurfaceOutput::shaded, view, drawn);
+        s != Status::ok)
+        return s;
+    placed = drawn.sides == SidesSeen::above;
+    if (!placed) return Status::ok;
+    if (const Status s = body.checkDepth(call.target, view.geometry); s != Status::ok) return s;
+    if (const Status s = check(body, view); s != Status::ok) return s;
+    if (!views_[call.view.viewIndex].shows) return Status::ok;
+    const bool isSampled = call.target.desc.samples != VK_SAMPLE_COUNT_1_BIT;
+    return isSampled ? placeSamples(body, call) : placeView(body, call, view);
+}
+
+Status DeferredPart::placeView(Body& body, const DrawCall& call, const BodyView& view) const {
+    Context& context = *body.context;
+    const Picture& picture = views_[call.view.viewIndex];
+    gpu::Slice slice;
+    if (const Status s = context.frame().upload(picture.block, slice); s != Status::ok) return s;
+    Resources resources = {{bodyBinding, gpu::uniformBuffer(slice)}};
+    bindPicture(context, picture.found, picture.shaded, resources);
+    return recordUnderwater(context, call, view, overView, resources);
+}
+
+Status DeferredPart::placeSamples(Body& body, const DrawCall& call) const {
+    Context& context = *body.context;
+    SeenSurface seen;
+    if (const Status s =
+            body.see("draw", call.view, call.lighting, SurfaceOutput::shaded, &call.target, seen);
+        s != Status::ok)
+        return s;
+    const Picture& picture = views_[call.view.viewIndex];
+    const DrawPipeline* pipeline = nullptr;
+    if (const Status s =
+            call.target.placedSamples.get(placedSamplesVariant(body.surfaceVariant(seen.drawn)), pipeline);
+        s != Status::ok)
+        return s;
+    Resources resources;
+    if (const Status s = bindBody(body, seen.view, seen.block, resources); s != Status::ok) return s;
+    bindPicture(context, picture.found, picture.shaded, resources);
+    setViewport(context.device, call.commands, call.view, seen.view.geometry);
+    return recordSurface(context, call.commands, *pipeline, seen.mesh, std::move(resources),
+                         call.view.viewIndex);
+}
+
+Status DeferredPart::prepare(const Body& body, const PrepareCall& call) const {
+    if (call.output != SurfaceOutput::shaded) return Status::ok;
+    const SurfaceVariant variant =
+        body.surfaceVariant({.seesScene = !call.view || hasScene(*call.view),
+                             .sceneIsEncoded = call.sceneIsEncoded,
+                             .manySamples = call.view && isMultisampled(*call.view),
+                             .isAhead = true,
+                             .view = call.view,
+                             .lighting = &call.lighting});
+    const gpu::Kernel* shading = nullptr;
+    if (const Status s = kernels_->get(shadingVariant(variant), shading); s != Status::ok) return s;
+    const DrawPipeline* pipeline = nullptr;
+    if (const Status s = pass_->pipelines.get(foundVariant(variant), pipeline); s != Status::ok) return s;
+    Target& target = call.target;
+    return target.desc.samples == VK_SAMPLE_COUNT_1_BIT
+               ? prepareUnderwater(target.underwater, overView)
+               : target.placedSamples.get(placedSamplesVariant(variant), pipeline);
+}
+
+Part deferredPart() {
+    return partFrom<DeferredPart>();
+}
+
+} // namespace seaglass

@@ -1,0 +1,52 @@
+// What shows of a surface in a view, shaded once a pixel: kernels over the tiles in which it was found.
+#pragma once
+
+#include <memory>
+
+#include "gpu/context.h"
+#include "gpu/made_once.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/image.h"
+#include "gpu/pipeline/kernel.h"
+#include "water/deferred/found_surface.h"
+
+namespace seaglass {
+
+struct SurfaceTilesKernel {
+    gpu::Kernel kernel;
+    Status create(Context& context);
+};
+
+/// One for each variant of the surface that shades alike.
+class ShadingKernels {
+  public:
+    Status create(Context& context) {
+        device_ = &context.device;
+        return Status::ok;
+    }
+    /// Any thread.
+    Status get(const SurfaceVariant& variant, const gpu::Kernel*& out);
+
+  private:
+    const gpu::Device* device_ = nullptr;
+    gpu::MadeOnce<SurfaceVariant, gpu::Kernel> kernels_;
+};
+
+/// What shading depends on.
+SurfaceVariant shadingVariant(const SurfaceVariant& all);
+
+/// Of one view, as large as what was found of it.
+struct ShadedSurface {
+    gpu::OwnedImage color; ///< RGBA16F, linear
+    gpu::Buffer tiles;     ///< shaders/shared/found_tiles_block.h
+
+    Status create(const gpu::Device& device, VkExtent2D extent);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent);
+    /// Leaves the colour to be sampled where a surface was found. `resources`: all that shaders of the body
+    /// read.
+    Status record(Context& context, VkCommandBuffer commands, const SurfaceTilesKernel& list,
+                  const gpu::Kernel& shading, const FoundSurface& found, Resources resources,
+                  VkExtent2D region) const;
+};
+
+} // namespace seaglass
