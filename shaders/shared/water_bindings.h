@@ -30,6 +30,7 @@ const int foundDepthBinding = 22;
 const int foundAsideBinding = 23;
 const int foundTilesBinding = 24;
 const int shadedBinding = 25;
+const int sprayBinding = 26; // SprayBlock
 
 #ifdef __cplusplus
 }

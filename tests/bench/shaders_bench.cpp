@@ -55,6 +55,9 @@ std::vector<Row> measured(CompiledWater& water) {
             add(rows, water.overView(variant, false), "");
         }
     add(rows, water.overView({.pass = UnderwaterPass::caustics}, false), "");
+    for (const uint32_t fog : {0u, 28u})
+        add(rows, water.spray({.cascades = 4, .foamCascades = 3, .isWarped = true, .fogKind = fog}, false),
+            fog ? "fog" : "");
     for (const char* const letters : surfaces)
         for (size_t q = 0; q < demos::qualities().size(); ++q)
             add(rows, water.surface({letters, static_cast<Quality>(q)}),

@@ -150,6 +150,7 @@ std::string settingsPage() {
         described<ReflectionDesc>(reflectionFields, "seaglass/reflection.h"),
         described<UnderwaterDesc>(underwaterFields, "seaglass/water.h"),
         described<CausticsDesc>(causticsFields, "seaglass/water.h"),
+        described<SprayDesc>(sprayFields, "seaglass/water.h"),
         described<BedDesc>(bedFields, "seaglass/water.h"),
         described<LightingDesc>(lightingFields, "seaglass/host.h"),
         described<SunShadow>(sunShadowFields, "seaglass/host.h"),

@@ -141,6 +141,20 @@ TEST_F(Ceilings, OfSurfacesThatAreShadedOnce) {
     EXPECT_LE(placed.front().last().costs.instructions, 60u);
 }
 
+TEST_F(Ceilings, OfSpray) {
+    for (const bool all : {false, true}) {
+        const std::vector<CompiledPipeline> made = water_->spray({.cascades = 4,
+                                                                  .foamCascades = 3,
+                                                                  .isWarped = true,
+                                                                  .hasSunShadow = all,
+                                                                  .fogKind = all ? 28u : 0u},
+                                                                 false);
+        ASSERT_EQ(made.size(), 1u) << water_->message();
+        expectWithin(all ? 72 : 64, made.front().stages.front());
+        expectWithin(32, made.front().last());
+    }
+}
+
 } // namespace
 
 } // namespace tests

@@ -33,6 +33,10 @@ TEST_F(Compiles, ASelectionOfSurfaces) {
     for (const SurfaceChoice& choice : choices) expectCompiled(water_->surface(choice));
 }
 
+TEST_F(Compiles, Spray) {
+    expectCompiled(water_->spray({.cascades = 4, .foamCascades = 2, .isWarped = true}, false));
+}
+
 } // namespace
 
 } // namespace tests

@@ -241,4 +241,10 @@ std::vector<CompiledPipeline> CompiledWater::overView(const UnderwaterVariant& v
     return std::move(compiledPipelines());
 }
 
+std::vector<CompiledPipeline> CompiledWater::spray(const SprayVariant& variant, bool multiview) {
+    compiledPipelines().clear();
+    build(context_->device, targetDesc(multiview), variant);
+    return std::move(compiledPipelines());
+}
+
 } // namespace tests

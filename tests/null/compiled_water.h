@@ -9,6 +9,7 @@
 #include "seaglass/water.h"
 #include "tests/null/compiled_twice.h"
 #include "water/below/underwater.h"
+#include "water/spray/spray.h"
 #include "water/surface/surface.h"
 
 namespace tests {
@@ -43,6 +44,7 @@ class CompiledWater {
     /// What finds, shades and places it where it is deferred.
     std::vector<CompiledPipeline> deferred(const SurfaceChoice& choice);
     std::vector<CompiledPipeline> overView(const seaglass::UnderwaterVariant& variant, bool multiview);
+    std::vector<CompiledPipeline> spray(const seaglass::SprayVariant& variant, bool multiview);
 
   private:
     CompiledWater() = default;

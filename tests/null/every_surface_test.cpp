@@ -43,6 +43,17 @@ TEST_F(Compiles, EverythingDrawn) {
                     expectCompiled(water_->overView(
                         {.pass = pass, .straddles = true, .hasWaves = true, .hasShore = shore}, multiview));
         }
+    for (const bool all : {false, true})
+        for (const bool multiview : {false, true})
+            expectCompiled(water_->spray({.cascades = 4,
+                                          .foamCascades = 3,
+                                          .isWarped = true,
+                                          .hasShore = all,
+                                          .onGlobe = all,
+                                          .hasSunShadow = all,
+                                          .fogKind = all ? 28u : 0u,
+                                          .tilted = all},
+                                         multiview));
     expectAllWith(".frag");
     expectAllWith(".vert");
 }

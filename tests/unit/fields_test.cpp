@@ -52,6 +52,7 @@ class Tables : public testing::Test {
         body.reflection = &reflection;
         body.underwater = &underwater;
         body.caustics = &caustics;
+        body.spray = &spray;
         body.bed = &bed;
         lighting.fog = &fog;
         basin.shape = ExtentShape::rectangle;
@@ -138,6 +139,7 @@ class Tables : public testing::Test {
                 {&reflectionFields, &reflection, body_},
                 {&underwaterFields, &underwater, body_},
                 {&causticsFields, &caustics, body_},
+                {&sprayFields, &spray, body_},
                 {&bedFields, &bed, body_},
                 {&seaFields, &sea, [this] { return ofSea(); }},
                 {&swellFields, &sea.swells[0], [this] { return ofSea(); }},
@@ -151,6 +153,7 @@ class Tables : public testing::Test {
     ReflectionDesc reflection;
     UnderwaterDesc underwater;
     CausticsDesc caustics;
+    SprayDesc spray;
     BedDesc bed;
     BodyDesc body;
     FogDesc fog;

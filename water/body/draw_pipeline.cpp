@@ -19,13 +19,13 @@ struct PipelineState {
         rasterization.cullMode = VK_CULL_MODE_NONE;
         rasterization.lineWidth = 1;
         multisample.rasterizationSamples = desc.samples;
-        depth.depthTestEnable = drawing == Drawing::solid;
+        depth.depthTestEnable = drawing == Drawing::solid || drawing == Drawing::floating;
         depth.depthWriteEnable = drawing == Drawing::solid && desc.depthWrite;
         depth.depthCompareOp =
             desc.reversedDepth ? VK_COMPARE_OP_GREATER_OR_EQUAL : VK_COMPARE_OP_LESS_OR_EQUAL;
         attachment.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                                     VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-        if (drawing == Drawing::blended || drawing == Drawing::scaled) {
+        if (drawing == Drawing::blended || drawing == Drawing::floating || drawing == Drawing::scaled) {
             const bool scaled = drawing == Drawing::scaled;
             if (!scaled) attachment.colorWriteMask &= ~VkColorComponentFlags(VK_COLOR_COMPONENT_A_BIT);
             attachment.blendEnable = VK_TRUE;

@@ -12,10 +12,11 @@ namespace seaglass {
 
 /// What becomes of what is drawn.
 enum class Drawing {
-    solid,   ///< depth tested and, if the target wants it, written; no blending
-    over,    ///< replaces the colour, whatever the depth
-    blended, ///< the same by its alpha; the target's alpha stays
-    scaled,  ///< multiplies the colour; the target's alpha stays
+    solid,    ///< depth tested and, if the target wants it, written; no blending
+    over,     ///< replaces the colour, whatever the depth
+    blended,  ///< the same by its alpha; the target's alpha stays
+    floating, ///< depth tested, not written, and blended likewise
+    scaled,   ///< multiplies the colour; the target's alpha stays
 };
 
 struct DrawPipeline {

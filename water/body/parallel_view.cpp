@@ -33,10 +33,6 @@ double distanceOf(const ViewGeometry& view) {
     return metresPerPixel * view.regionSize.y / heightOfDistance;
 }
 
-glm::dvec3 cornerOf(int index) {
-    return {index & 1, index >> 1 & 1, index >> 2 & 1};
-}
-
 /// Around what of the edge from `a` to `b` lies from `low` to `high`.
 void addWithin(const glm::dvec3& a, const glm::dvec3& b, double low, double high, OutlineBox& box) {
     double first = 0, last = 1;
@@ -55,19 +51,23 @@ void addWithin(const glm::dvec3& a, const glm::dvec3& b, double low, double high
     }
 }
 
-/// Around what the view holds between two heights above the eye: all corners of that lie on the view's edges.
-OutlineBox seenBetween(const ViewGeometry& view, double low, double high) {
-    constexpr double most = std::numeric_limits<double>::max();
-    OutlineBox box{glm::dvec2(most), glm::dvec2(-most)};
-    for (int corner = 0; corner < 8; ++corner)
-        for (const int axis : {1, 2, 4})
-            if (!(corner & axis))
-                addWithin(inView(view, cornerOf(corner)), inView(view, cornerOf(corner | axis)), low, high,
-                          box);
-    return box;
+ViewCorners cornersOf(const ViewGeometry& view) {
+    ViewCorners corners{};
+    for (size_t i = 0; i < corners.size(); ++i)
+        corners[i] = inView(view, glm::dvec3(i & 1, i >> 1 & 1, i >> 2));
+    return corners;
 }
 
 } // namespace
+
+OutlineBox boxBetween(const ViewCorners& corners, double low, double high) {
+    constexpr double most = std::numeric_limits<double>::max();
+    OutlineBox box{glm::dvec2(most), glm::dvec2(-most)};
+    for (size_t corner = 0; corner < corners.size(); ++corner)
+        for (const size_t axis : {1u, 2u, 4u})
+            if (!(corner & axis)) addWithin(corners[corner], corners[corner | axis], low, high, box);
+    return box;
+}
 
 void placeEye(ViewGeometry& view, double level) {
     if (!view.parallel) return;
@@ -87,7 +87,7 @@ std::optional<ParallelLines> parallelLines(const ViewGeometry& view, double eyeH
     if (!view.parallel) return std::nullopt;
     ParallelLines lines;
     lines.along = {view.sight.x, view.sight.z};
-    lines.seen = seenBetween(view, -eyeHeight - displacement, -eyeHeight + displacement);
+    lines.seen = boxBetween(cornersOf(view), -eyeHeight - displacement, -eyeHeight + displacement);
     const glm::dvec2 size = glm::max(lines.seen.high - lines.seen.low, glm::dvec2(0));
     const double least = std::max(size.x, size.y) * patchesOfDistance / mostPatches;
     lines.distance = std::max(distanceOf(view), least);

@@ -2,6 +2,7 @@
 // which all is relative, and a distance at which such an eye would see the mesh's cells as large.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <glm/vec2.hpp>
@@ -20,6 +21,13 @@ struct ParallelLines {
     double distance = 0;
     OutlineBox seen; ///< of the water, relative to the eye
 };
+
+/// Of a view's near plane, then of its end; the lowest bit is right, the next down.
+using ViewCorners = std::array<glm::dvec3, 8>;
+
+/// Around what lies in a view between two heights, as its corners are given: all corners of that lie on the
+/// view's edges. Low is above high where nothing does.
+OutlineBox boxBetween(const ViewCorners& corners, double low, double high);
 
 /// Moves the eye along the middle line, to before what it sees of a plane at `level`, and to the near plane
 /// where lines begin below it: hosts have such eyes anywhere, and floats are coarse far from them. Of other

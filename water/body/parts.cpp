@@ -18,6 +18,7 @@ Part causticsPart();
 Part underwaterPart();
 Part shadingPart();
 Part deferredPart();
+Part sprayPart();
 
 std::span<const Part> parts() {
     // Foam steps with the waves' maps, which are to end at the time asked for.
@@ -29,7 +30,7 @@ std::span<const Part> parts() {
         bedPart(),        refractionPart(),
         reflectionPart(), causticsPart(),
         underwaterPart(), shadingPart(),
-        deferredPart(),
+        deferredPart(),   sprayPart(),
     };
     return all;
 }

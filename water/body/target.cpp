@@ -68,6 +68,7 @@ Status createTarget(Context* context, const TargetDesc* desc, Target** out) {
         target->pipelines.init(context->device, *desc);
         target->underwater.init(context->device, *desc);
         target->placedSamples.init(context->device, *desc);
+        target->spray.init(context->device, *desc);
         tellUnspecified(*context, *desc);
         *out = target.release();
         ++context->inUse;

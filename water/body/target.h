@@ -9,6 +9,7 @@
 #include "seaglass/water.h"
 #include "water/below/underwater.h"
 #include "water/deferred/placed_samples.h"
+#include "water/spray/spray.h"
 #include "water/surface/surface.h"
 
 namespace seaglass {
@@ -35,6 +36,7 @@ struct Target : Held {
     SurfacePipelines pipelines;
     UnderwaterPipelines underwater;
     PlacedSamplesPipelines placedSamples;
+    SprayPipelines spray;
     PreparedKernels prepared;
 };
 

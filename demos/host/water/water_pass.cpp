@@ -91,6 +91,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     if (desc.reflection) body.reflection = &*desc.reflection;
     if (desc.underwater) body.underwater = &*desc.underwater;
     if (desc.caustics) body.caustics = &*desc.caustics;
+    if (desc.spray) body.spray = &*desc.spray;
     if (desc.bed && desc.bedDrawn) body.bed = &*desc.bed;
     std::vector<seaglass::ExclusionVolume> volumes;
     if (!exclusionVolumesOf(desc.exclusionVolumes, volumes, error)) return false;

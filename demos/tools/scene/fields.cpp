@@ -202,6 +202,11 @@ constexpr std::array causticsFields =
     joined(Settings<seaglass::causticsFields, WaterDesc, &WaterDesc::caustics>::allBut(),
            std::array{ShadingSettings::one("causticStep", "step_px")});
 
+constexpr std::array sprayFields = joined(
+    Settings<seaglass::sprayFields, WaterDesc, &WaterDesc::spray>::allBut<1>({"shutterTime"}),
+    std::array{Settings<seaglass::sprayFields, WaterDesc, &WaterDesc::spray>::one("shutterTime", "shutter_s"),
+               ShadingSettings::one("sprayParticles", "particles")});
+
 constexpr std::array bedFields =
     joined(std::array{Field{"drawn", at<&WaterDesc::bedDrawn>, 0, 0, "", "false: as without"}},
            Settings<seaglass::bedFields, WaterDesc, &WaterDesc::bed>::allBut(),
@@ -243,9 +248,10 @@ constexpr std::array ownWaterFields = {
           "of the ball on which the open sea falls away, 0: flat", false, Rule::zeroOrRange},
 };
 
-constexpr std::array waterFields = joined(ownWaterFields, MeshSettings::allBut<1>({"cellSize"}),
-                                          std::array{MeshSettings::one("cellSize", "cell_m")},
-                                          ShadingSettings::allBut<2>({"bedDownscale", "causticStep"}));
+constexpr std::array waterFields =
+    joined(ownWaterFields, MeshSettings::allBut<1>({"cellSize"}),
+           std::array{MeshSettings::one("cellSize", "cell_m")},
+           ShadingSettings::allBut<3>({"bedDownscale", "causticStep", "sprayParticles"}));
 
 constexpr std::array floorFields = {
     Field{"point_m", at<&FloorDesc::pointM>, -far, far, "m", "of its middle"},
@@ -300,6 +306,9 @@ constexpr Section extent = {"extent", extentFields, {}, "what the water covers; 
 constexpr Section caustics = {
     "caustics", causticsFields, {}, "sunlight that waves gather below; without it light is even"};
 
+constexpr Section spray = {
+    "spray", sprayFields, {}, "drops that wind tears off breaking crests; without it there are none"};
+
 constexpr Section bed = {
     "bed", bedFields, {}, "the bed drawn once more for refraction; without it, it sees the picture"};
 
@@ -317,6 +326,7 @@ constexpr std::array waterChildren = {
     Child{&reflection, open<&WaterDesc::reflection>},
     Child{&underwater, open<&WaterDesc::underwater>},
     Child{&caustics, beside<&WaterDesc::caustics>},
+    Child{&spray, beside<&WaterDesc::spray>},
     Child{&bed, beside<&WaterDesc::bed>},
     Child{&exclusionVolumes, open<&WaterDesc::exclusionVolumes>, true},
 };

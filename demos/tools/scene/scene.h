@@ -103,6 +103,7 @@ struct WaterDesc {
     std::optional<seaglass::ReflectionDesc> reflection;
     std::optional<seaglass::UnderwaterDesc> underwater;
     std::optional<seaglass::CausticsDesc> caustics;
+    std::optional<seaglass::SprayDesc> spray;
     std::optional<seaglass::BedDesc> bed; ///< none: refraction sees what the picture shows
     bool bedDrawn = true;                 ///< false: as without a bed
     std::vector<ExclusionVolumeDesc> exclusionVolumes;

@@ -8,6 +8,7 @@ namespace demos {
 inline void takeWaves(WaterDesc& water) {
     water.waves.reset();
     water.foam.reset();
+    water.spray.reset();
     water.caustics.reset();
 }
 

@@ -64,6 +64,7 @@ struct Water {
     ReflectionDesc reflection;
     UnderwaterDesc underwater;
     CausticsDesc caustics;
+    SprayDesc spray;
     BedDesc bed;
     ExtentDesc extent;
     std::array<float, 256> heights{};
@@ -206,6 +207,14 @@ std::vector<Feature> featuresOfParts() {
         {"caustics",
          [](Water& w) { w.desc.caustics = nullptr; },
          {&memory, &objects, &computes, &dispatches, &pipelines, &draws, &bound, &reads, &code}},
+        {"spray",
+         [](Water& w) { w.desc.spray = nullptr; },
+         {&pipelines, &draws, &bound, &reads, &code},
+         [](Water& w) {
+             w.desc.extent = {};
+             w.sea.windSpeed = 20;
+             w.desc.spray = &w.spray;
+         }},
         // Its shader's places for the bed's images hold the scene's, and are not read. Bent rays are then
         // looked for in the scene's picture.
         {"bed", [](Water& w) { w.desc.bed = nullptr; }, {&memory, &objects, &reads}, nullptr, &code},

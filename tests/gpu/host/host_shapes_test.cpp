@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <type_traits>
 
 #include <glm/common.hpp>
@@ -208,6 +209,51 @@ TEST_F(HostShapes, HandOverNoSceneImages) {
         EXPECT_LT(apart(far, picture(SceneGiven::noImages, renderPass), 0.002f), 0.001);
 }
 
+/// What a gale makes of the water.
+struct Gale {
+    Gale() {
+        sea.windSpeed = 26;
+        sea.fetch = 30e3f;
+        sea.samples = 64;
+        sea.seed = 3;
+    }
+    std::function<void(BodyDesc&)> blowing(bool sprays) const {
+        return [this, sprays](BodyDesc& desc) {
+            desc.waves = &sea;
+            desc.spray = sprays ? &spray : nullptr;
+            desc.shading.sprayParticles = 32768;
+        };
+    }
+    static Camera camera(bool reversed = true) {
+        Camera camera = shoreCamera();
+        camera.eye.y = 14;
+        camera.reversed = reversed;
+        return camera;
+    }
+    SeaDesc sea;
+    SprayDesc spray{4, 1.0f / 48};
+};
+
+TEST_F(HostShapes, HaveTheSameSpray) {
+    const Gale gale;
+    const auto drawn = [&](const HostShape& shape, bool sprays, bool reversed = true) {
+        return ShapedHost(device(), shape, reversed, {}, gale.blowing(sprays))
+            .picture(Gale::camera(reversed));
+    };
+    const Picture plain = drawn({}, true);
+    EXPECT_GT(apart(plain, drawn({}, false), 0.02f), 0.1);
+    EXPECT_EQ(drawn(inPass(), true), plain);
+    EXPECT_LE(apart(plain, drawn(flipped(), true), 0.004f), 0.02);
+    EXPECT_LE(apart(plain, drawn(inWorld(3), true, false), 0.004f), 0.02);
+    EXPECT_LE(apart(plain, drawn(inWorld(5), true), 0.004f), 0.02);
+    if (canDraw(withFourSamples())) {
+        EXPECT_LE(apart(plain, drawn(withFourSamples(), true), 0.02f), 0.3);
+    }
+    Picture shown = drawn(displaying(VK_FORMAT_R16G16B16A16_SFLOAT), true);
+    // Blended as it is held: docs/contract.md.
+    EXPECT_LE(apart(displayed(plain), shown, 0.06f), 0.02);
+}
+
 TEST_F(HostShapes, HaveOneToFourFramesInFlight) {
     const Camera camera = shoreCamera();
     std::vector<Picture> alone;
@@ -346,6 +392,14 @@ TEST_F(OwnDevices, DrawSeveralViewsInOnePass) {
             EXPECT_GT(apart(level[0], alone[0], 0.01f), 0.1);
         }
     }
+    const Gale gale;
+    const std::vector<Camera> above = {Gale::camera(), Gale::camera()};
+    HostShape shape;
+    const Picture alone = ShapedHost(*device, shape, true, {}, gale.blowing(true)).picture(above[0]);
+    shape.multiview = true;
+    ShapedHost host(*device, shape, true, {}, gale.blowing(true));
+    host.submit(0, above, 5);
+    EXPECT_EQ(host.fetch(0), std::vector<Picture>(2, alone)) << "spray";
 }
 
 } // namespace

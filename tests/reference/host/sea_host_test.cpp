@@ -194,6 +194,7 @@ Scene stormInLowSun(const char* camera) {
     std::optional<Scene> scene = loadScene(tests::demoScene("storm"), sun, error);
     EXPECT_TRUE(scene) << error.text;
     scene->cameras = {tests::cameraOf(*scene, camera)};
+    scene->water->spray.reset(); // which is not traced
     setQuality("highest", *scene->water);
     return *scene;
 }

@@ -34,6 +34,15 @@ struct CausticsDesc {
     float strength = 1.0f; ///< of the contrast, 0..1: 1 as the waves say
 };
 
+/// Drops that wind tears off breaking crests, from 9 m/s on (Andreas 1998), drawn after the surfaces and
+/// tested against the target's depth, which must be written. Of unbounded bodies. A function of the sea and
+/// the time, whatever frames were drawn before.
+struct SprayDesc {
+    float density = 1.0f; ///< of the optical depth, 0..4: 1 by the wind; 0: none
+    /// Along which drops streak [s], 0..0.1; 0: none. Half of what a film's frame takes.
+    float shutterTime = 1.0f / 48;
+};
+
 /// What lies below in a picture of its own, which the host draws as bedView() says: refraction then finds
 /// what the view's picture ends before, or hides behind a pool's edge. For an eye above the water.
 struct BedDesc {
@@ -54,12 +63,13 @@ inline constexpr const char* fresnels[] = {"exact", "schlick"};
 
 /// How closely the surface is looked at, in texture looks a pixel; docs/tradeoffs.md has what each costs.
 struct ShadingDesc {
-    uint32_t reflectionSamples = 2; ///< for what the slopes within a pixel mirror: 1, 2 or 4
-    uint32_t refractionSamples = 6; ///< for where the bent ray ends, 1 (straight through) .. 16
-    uint32_t bedDownscale = 1;      ///< pixels of the view to one of `BodyDesc::bed`, each way, 1..8
-    uint32_t causticStep = 1;       ///< pixels from one ray of the sun to the next, each way, 1..8
-    uint32_t slopeSamples = 1;      ///< along a pixel's longer side, at waves, foam, shadow: 1, 2 or 4
-    uint32_t waveShadowSteps = 0;   ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
+    uint32_t reflectionSamples = 2;   ///< for what the slopes within a pixel mirror: 1, 2 or 4
+    uint32_t refractionSamples = 6;   ///< for where the bent ray ends, 1 (straight through) .. 16
+    uint32_t bedDownscale = 1;        ///< pixels of the view to one of `BodyDesc::bed`, each way, 1..8
+    uint32_t causticStep = 1;         ///< pixels from one ray of the sun to the next, each way, 1..8
+    uint32_t slopeSamples = 1;        ///< along a pixel's longer side, at waves, foam, shadow: 1, 2 or 4
+    uint32_t waveShadowSteps = 0;     ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
+    uint32_t sprayParticles = 131072; ///< of spray in a view, at most, 1024..262144
     bool parallax = false; ///< shades waves too short for the mesh at their own height; not on a shore
     Fresnel fresnel = Fresnel::exact; ///< of what the eye sees; light for the bed enters by exact's share
     bool deferred = false; ///< found first, then shaded once a pixel, by shade(), but for an eye in it
@@ -122,6 +132,7 @@ struct BodyDesc {
     const ReflectionDesc* reflection = nullptr;
     const UnderwaterDesc* underwater = nullptr; ///< needs `refraction`; null: seen from above alone
     const CausticsDesc* caustics = nullptr;     ///< needs `waves` and `refraction`; null: even light
+    const SprayDesc* spray = nullptr;           ///< needs `foam`; null: none
     const BedDesc* bed = nullptr; ///< needs `refraction`; null: bent rays see what the view's picture shows
     bool motion = false; ///< with `waves`, keeps those of the last simulate() for SurfaceOutput::motion
     MeshDesc mesh;       ///< how finely it is drawn

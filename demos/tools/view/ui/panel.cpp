@@ -110,8 +110,10 @@ bool layOutQuality(WaterDesc& water) {
     changed |= layOutFields(sectionOf("water"), &water, &asNew);
     asNew.bed.emplace();
     asNew.caustics.emplace();
+    asNew.spray.emplace();
     if (water.bed) changed |= layOutSection("bed", "water.bed", &water, &asNew);
     if (water.caustics) changed |= layOutSection("caustics", "water.caustics", &water, &asNew);
+    if (water.spray) changed |= layOutSection("spray", "water.spray", &water, &asNew);
     return changed;
 }
 

@@ -40,6 +40,8 @@ inline constexpr Field shadingFieldRows[] = {
                                          "Looks for the waves that hide low sky and sun; 0: a mean.")
         .orZero()
         .byQuality(0, 0, 8, 16),
+    field<&ShadingDesc::sprayParticles>("sprayParticles", 1024, 262144, "", "Of spray in a view, at most.")
+        .byQuality(32768, 65536, 131072, 262144),
     field<&ShadingDesc::parallax>("parallax",
                                   "Shades waves shorter than the mesh's cells at their own height.")
         .byQuality(false, false, true, true),
@@ -73,6 +75,14 @@ inline constexpr Field causticsFieldRows[] = {
 };
 /// Of CausticsDesc.
 inline constexpr FieldTable causticsFields = fieldTable("CausticsDesc", causticsFieldRows);
+
+/// Rows of sprayFields.
+inline constexpr Field sprayFieldRows[] = {
+    field<&SprayDesc::density>("density", 0, 4, "", "Of its optical depth; 1: by the wind."),
+    field<&SprayDesc::shutterTime>("shutterTime", 0, 0.1, "s", "Along which drops streak."),
+};
+/// Of SprayDesc.
+inline constexpr FieldTable sprayFields = fieldTable("SprayDesc", sprayFieldRows);
 
 /// Rows of bedFields.
 inline constexpr Field bedFieldRows[] = {

@@ -1,0 +1,55 @@
+// A cloud of drops: an ellipse of noise that thins out to its rim, drawn out along its flight. Light is scattered by what its
+// optical depth there stops.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_demote_to_helper_invocation : require
+#include "constant.glsl"
+#include "spray_constants.h"
+#include "encoding.glsl"
+
+layout(location = 0) in vec2 within;
+layout(location = 1) flat in vec4 light;
+layout(location = 2) flat in vec4 texture_;
+layout(location = 3) flat in uint seed;
+layout(location = 0) out vec4 outColor;
+
+uint scrambled(uint bits) {
+    bits = (bits ^ (bits >> 16)) * 0x7feb352du;
+    bits = (bits ^ (bits >> 15)) * 0x846ca68bu;
+    return bits ^ (bits >> 16);
+}
+
+float cornerAt(ivec2 cell, uint of) {
+    return float(scrambled(uint(cell.x) * 0x9e3779b9u ^ uint(cell.y) * 0x85ebca6bu ^ of) >> 8) * 5.9604645e-8;
+}
+
+// Smooth noise of mean 1/2, a unit from one corner to the next.
+float noiseAt(vec2 at, uint of) {
+    vec2 whole = floor(at);
+    ivec2 cell = ivec2(whole);
+    vec2 past = at - whole;
+    past *= past * (3.0 - 2.0 * past);
+    return mix(mix(cornerAt(cell, of), cornerAt(cell + ivec2(1, 0), of), past.x),
+               mix(cornerAt(cell + ivec2(0, 1), of), cornerAt(cell + ivec2(1, 1), of), past.x), past.y);
+}
+
+// An octave that is finer than what shows is its mean.
+float octave(vec2 at, float wave, uint of) {
+    float shows = smoothstep(0.5, 1.5, wave / texture_.z);
+    return shows > 0.0 ? mix(0.5, noiseAt(at / (wave * vec2(3.0, 1.0)), of), shows) : 0.5;
+}
+
+void main() {
+    float rim = 1.0 - dot(within, within);
+    if (rim <= 0.0) demote;
+    vec2 at = within * texture_.xy;
+    float widest = 0.9 * texture_.y;
+    float noise = 0.45 * octave(at, widest, seed) + 0.3 * octave(at, 0.4 * widest, seed + 1u) + 0.25 * octave(at, 0.16 * widest, seed + 2u);
+    // Torn, most so at the rim and where drops are few.
+    float torn = smoothstep(0.35, mix(0.8, 0.65, texture_.w), noise + 0.2 * (rim - 0.6));
+    float depth = light.w * rim * rim * 2.4 * torn;
+    float hides = 1.0 - exp(-depth);
+    // What shows through dims as light does.
+    if (targetIsEncoded) hides = 1.0 - heldGrowth(vec3(1.0 - hides)).x;
+    outColor = vec4(heldOf(light.rgb, targetIsEncoded), hides);
+}

@@ -1,0 +1,170 @@
+// Places spray: drops that wind tears off breaking crests. Each cell of water/spray/spray_lattice.h has a particle, which is
+// where the air has carried it since the water there broke: how long ago that was, the foam's history says, which fades at a
+// known rate. What crest it came from has run on since, and has kept its height.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "constant.glsl"
+#include "spray_constants.h"
+#include "water_bindings.h"
+#include "one_view.glsl"
+#include "body.glsl"
+#include "spray_block.h"
+
+layout(set = 0, binding = sprayBinding, std140) uniform Spray {
+    SprayBlock spray;
+};
+layout(set = 0, binding = skyCubeBinding) uniform samplerCube skyCube;
+layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDisplacement;
+layout(set = 0, binding = foamHistoryBinding) uniform sampler2DArray foamHistory;
+
+layout(location = 0) out vec2 within;            // of an ellipse, which is the unit circle in it
+layout(location = 1) flat out vec4 light;        // radiance, optical depth in the middle
+layout(location = 2) flat out vec4 texture_;     // half axes [m], finest wave of it that shows [m], how ragged
+layout(location = 3) flat out uint seed;
+
+const float pi = 3.14159265358979;
+
+vec3 inWorld(vec3 direction) {
+    return tilted ? mat3(water.worldFromBody) * direction : direction;
+}
+
+#include "wave_warp.glsl"
+#include "shore.glsl"
+#include "wave_displacement.glsl"
+#include "foam_gate.glsl"
+#include "globe.glsl"
+#include "sun_shadow.glsl"
+#include "near_plane.glsl"
+#include "sky_seen.glsl"
+#include "surface_fog.glsl"
+#include "spray_flight.glsl"
+
+// What the cell of a particle says.
+struct Particle {
+    uint seed;
+    vec2 calm;    // (u, v) of the water that sheds it
+    float cell;
+    float shown;  // of its level, by distance
+};
+
+uint scrambled(uint bits) {
+    bits = (bits ^ (bits >> 16)) * 0x7feb352du;
+    bits = (bits ^ (bits >> 15)) * 0x846ca68bu;
+    return bits ^ (bits >> 16);
+}
+
+// The next of a row of even shares, 0..1.
+float share(inout uint bits) {
+    bits = scrambled(bits + 0x9e3779b9u);
+    return float(bits >> 8) * 5.9604645e-8;
+}
+
+// Each level fades where the next takes over; parallel lines see all as from one distance.
+float shownOf(vec4 place, vec2 calm, int level) {
+    float away = water.sight.w * length(vec3(calm, water.plane.w)) + water.within.w;
+    float ends = 1.0 - smoothstep(0.7 * place.w, place.w, away);
+    return level == 0 ? ends : ends * smoothstep(0.35 * place.w, 0.5 * place.w, away);
+}
+
+Particle particleAt(uint index) {
+    int level = 0;
+    for (int i = 1; i < sprayLevels; ++i)
+        if (index >= uint(spray.cells[i].w)) level = i;
+    ivec4 cells = spray.cells[level];
+    vec4 place = spray.places[level];
+    uint here = index - uint(cells.w);
+    uvec2 at = uvec2(here % uint(cells.z), here / uint(cells.z));
+    uvec2 cell = uvec2(cells.xy) + at;
+    Particle p;
+    p.seed = scrambled(scrambled(cell.x + 0x632be5abu * uint(level)) ^ (cell.y * 0x9e3779b9u + 0x85ebca6bu));
+    float u = share(p.seed), v = share(p.seed);
+    p.calm = place.xy + (vec2(at) + vec2(u, v)) * place.z;
+    p.cell = place.z;
+    p.shown = shownOf(place, p.calm, level);
+    return p;
+}
+
+// When water broke, and by how fast a crest.
+struct Breaking {
+    float ago;    // [s]; more than drops are seen where it has not for long
+    float runs;
+    float share;  // that is shown of it
+};
+
+// By the cascade that did last, as foamCover() sees it. `within` is the share of a step of the history at which it began.
+Breaking breakingAt(vec2 calm, float within) {
+    vec2 place = warped(calm);
+    Breaking last = Breaking(1e9, 0.0, 0.0);
+    int i = 0;
+    do {
+        vec2 steps = textureLod(foamHistory, vec3(water.cascade[i].xy + place * water.cascade[i].z, i), 0.0).rg;
+        bool begins = steps.y > steps.x;
+        float left = begins ? steps.y : mix(steps.x, steps.y, water.foam.x);
+        float ago = -spray.foam.x * log(max(left, 1e-6)) + (within - (begins ? 1.0 - water.foam.x : 0.0)) * spray.foam.y;
+        if (ago < last.ago && ago >= 0.0) last = Breaking(ago, spray.crests[i], i == 0 ? -1.0 : 1.0);
+    } while (++i < foamCascades);
+    if (last.share < 0.0) last.share = last.ago < spray.wind.z ? foamGate(place, 1.0) : 0.0;
+    return last;
+}
+
+// Irradiance of the sun, and the sky's mean radiance, as drops scatter them to the eye: half forwards by a narrow lobe (Henyey
+// and Greenstein), half as a cloud does. Sums to 1 over the sphere, so no cloud is brighter than what lights it.
+vec3 scattered(vec3 position) {
+    const float g = 0.7;
+    vec3 sight = normalize(sightTo(position));
+    float d = 1.0 + g * g - 2.0 * g * dot(sight, water.toSun.xyz);
+    float turned = (0.4 * (1.0 - g * g) / (d * sqrt(d)) + 0.6) / (4.0 * pi);
+    float seen = hasSunShadow ? sunSeenAt(position) : 1.0;
+    // The sea below is dark, but for its foam.
+    return water.sunIrradiance.rgb * (turned * seen) + water.skyIrradiance.rgb * (0.75 / pi);
+}
+
+void hide() {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+    within = vec2(0.0);
+    light = texture_ = vec4(0.0);
+    seed = 0u;
+}
+
+void main() {
+    hide();
+    if (inViews && isOtherView()) return;
+    Particle p = particleAt(uint(gl_VertexIndex) / 3u);
+    if (p.shown <= 0.0) return;
+    uint draws = p.seed;
+    Breaking broke = breakingAt(p.calm, share(draws));
+    if (broke.ago >= spray.wind.z || broke.share <= 0.0) return;
+    Flight flight = flightOf(draws, broke.ago, spray.wind.xy, broke.runs);
+
+    vec2 crest = p.calm + broke.runs * broke.ago * normalize(spray.wind.xy);
+    vec3 position = vec3(p.calm.x, -water.plane.w, p.calm.y) + surfaceDisplacement(waveDisplacement, crest, 0.5) + flight.moved;
+    vec3 overPlane = position;
+    position.y -= globeDrop(position.xz);
+    vec4 pixelHere = pixelOf(position);
+    if (pixelHere.w <= 0.0) return;
+
+    float radius = max(flight.radius, 0.3 * p.cell);
+    vec3 sight = normalize(sightTo(position));
+    vec3 streak = flight.velocity - dot(flight.velocity, sight) * sight;
+    float speed = length(streak);
+    vec3 along = speed > 1e-3 ? streak / speed : normalize(cross(sight, vec3(0.31, 0.9, 0.2)));
+    vec3 across = cross(sight, along);
+    float pixel = pixelWidth(position);
+    float shortHalf = max(radius, 0.7 * pixel);
+    // As long as it looks from here.
+    float turned = speed / max(length(flight.velocity), 1e-3);
+    float longHalf = max(radius * sqrt(1.0 + (flight.stretch * flight.stretch - 1.0) * turned * turned), 0.7 * pixel) + 0.5 * speed * spray.form.y;
+    float depth = spray.form.x * broke.share * p.shown * flight.shown * p.cell * p.cell / (pi * shortHalf * longHalf);
+    // What is right before the eye is no cloud any more.
+    depth *= smoothstep(0.5, 3.0, distanceTo(position) - radius);
+    if (depth <= 1e-3) return;
+
+    vec4 air = airBefore(pixelHere.xy, position, overPlane);
+    vec3 radiance = scattered(position);
+    light = vec4(hasFog ? mix(air.rgb, radiance, air.a) : radiance, min(depth, 0.35));
+    texture_ = vec4(longHalf, shortHalf, pixel, flight.ragged);
+    seed = draws;
+    int corner = gl_VertexIndex % 3;
+    within = corner == 0 ? vec2(-1.7320508, -1.0) : corner == 1 ? vec2(1.7320508, -1.0) : vec2(0.0, 2.0);
+    gl_Position = water.clipFromRelative * vec4(position + within.x * longHalf * along + within.y * shortHalf * across, 1.0);
+}

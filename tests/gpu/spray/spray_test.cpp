@@ -1,0 +1,219 @@
+// Spray: from breaking crests alone, the same whatever was drawn before, never brighter than what lights it.
+#include <algorithm>
+#include <cmath>
+
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/host/spy.h"
+#include "tests/gpu/rig/water_rig.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+constexpr float radiance = 0.5f;
+
+class Spray : public WaterTest {
+  protected:
+    void SetUp() override {
+        WaterTest::SetUp();
+        sea_.windSpeed = 24;
+        sea_.fetch = 100e3f;
+        sea_.samples = 64;
+        sea_.cascades = 3;
+        camera_.eye = {0, 7, 0};
+        camera_.target = {10, 4, -20};
+        lighting.skyCube = VK_NULL_HANDLE;
+        for (int i = 0; i < 3; ++i) {
+            lighting.skyZenith[i] = lighting.skyHorizon[i] = radiance;
+            lighting.skyIrradiance[i] = radiance * 3.14159265f;
+        }
+    }
+
+    BodyDesc described(bool sprays = true) const {
+        BodyDesc desc;
+        desc.waves = &sea_;
+        desc.wavesBackend = fftwWaves();
+        desc.foam = &foam_;
+        if (sprays) desc.spray = &spray_;
+        return desc;
+    }
+    WaterPicture drawn(bool sprays, double time, const Camera& camera) {
+        return picture({makeBody(described(sprays))}, camera, time);
+    }
+
+    /// What spray changes.
+    struct Spread {
+        double cover = 0;     ///< share of the pixels, by more than 1 % of the sky's radiance
+        double mean = 0;      ///< of all, in the sky's radiance
+        double brightest = 0; ///< of those
+    };
+    Spread spread(double time, const Camera& camera) {
+        const WaterPicture with = drawn(true, time, camera), without = drawn(false, time, camera);
+        Spread sum;
+        for (size_t i = 0; i < with.color.size(); i += 4) {
+            const double apart = std::abs(double{with.color[i]} - double{without.color[i]});
+            if (apart == 0 || !without.covered(i / 4)) continue;
+            sum.cover += apart > 0.01 * double{radiance};
+            sum.mean += apart / double{radiance};
+            sum.brightest = std::max(sum.brightest, double{with.color[i]});
+        }
+        sum.cover /= static_cast<double>(with.color.size() / 4);
+        sum.mean /= static_cast<double>(with.color.size() / 4);
+        return sum;
+    }
+
+    Camera straightDown(double height) const {
+        Camera camera = camera_;
+        camera.eye = {0, height, 0};
+        camera.target = {0, 0, 0};
+        camera.width = camera.height = 192;
+        return camera;
+    }
+
+    SeaDesc sea_;
+    FoamDesc foam_;
+    SprayDesc spray_;
+    Camera camera_;
+};
+
+TEST_F(Spray, IsTheSameWhateverWasDrawnBefore) {
+    Body* const watched = makeBody(described());
+    const Camera aside = straightDown(30);
+    for (const double time : {11.0, 11.4, 200.0, 11.9}) picture({watched}, aside, time);
+    const WaterPicture late = picture({watched}, camera_, 12), early = drawn(true, 12, camera_);
+    EXPECT_TRUE(late.color == early.color);
+    EXPECT_GT(spread(12, camera_).cover, 0.01);
+}
+
+TEST_F(Spray, MovesWithTheTime) {
+    Body* const body = makeBody(described());
+    EXPECT_FALSE(picture({body}, camera_, 12).color == picture({body}, camera_, 12.02).color);
+}
+
+// There is more foam upwind of spray than downwind of it, and more than anywhere.
+TEST_F(Spray, BlowsOffBreakingCrests) {
+    sea_.windSpeed = 18; // to the right
+    const Camera camera = straightDown(60);
+    Body *const with = makeBody(described()), *const without = makeBody(described(false));
+    double all = 0, upwind = 0, downwind = 0, anywhere = 0, pixels = 0;
+    for (const double time : {5.0, 9.0, 14.0}) {
+        const WaterPicture sprayed = picture({with}, camera, time), bare = picture({without}, camera, time),
+                           foam = picture({without}, camera, time, SurfaceOutput::foam);
+        const auto size = static_cast<size_t>(camera.width);
+        constexpr size_t along = 40; // 12 m
+        const auto meanFrom = [&](size_t y, size_t x) {
+            double sum = 0;
+            for (size_t i = 0; i < along; ++i) sum += double{foam.color[(y * size + x + i) * 4]} / along;
+            return sum;
+        };
+        for (size_t y = 0; y < size; ++y)
+            for (size_t x = along; x < size - along; ++x) {
+                const size_t i = (y * size + x) * 4;
+                const double change = std::abs(double{sprayed.color[i]} - double{bare.color[i]});
+                if (change > 0) {
+                    upwind += change * meanFrom(y, x - along);
+                    downwind += change * meanFrom(y, x);
+                }
+                all += change;
+                anywhere += double{foam.color[i]};
+                pixels += 1;
+            }
+    }
+    std::printf("foam upwind of spray %.4f, downwind %.4f, anywhere %.4f\n", upwind / all, downwind / all,
+                anywhere / pixels);
+    EXPECT_GT(upwind, 1.3 * downwind);
+    EXPECT_GT(upwind / all, 1.5 * anywhere / pixels);
+}
+
+// No whitecaps, no spray, however strong the wind.
+TEST_F(Spray, IsNotThereWhereNothingBreaks) {
+    foam_.bias = -0.35f;
+    EXPECT_EQ(spread(12, camera_).cover, 0);
+}
+
+TEST_F(Spray, TakesAWindThatTearsDropsOff) {
+    const auto drawsOf = [&](float wind) {
+        sea_.windSpeed = wind;
+        Body* const body = makeBody(described());
+        spiedCalls().clear();
+        picture({body}, camera_, 12);
+        return countSpied("CmdDraw");
+    };
+    EXPECT_EQ(drawsOf(8.9f), 0u);
+    EXPECT_EQ(drawsOf(9.5f), 1u);
+    spray_.density = 0;
+    EXPECT_EQ(drawsOf(24), 0u);
+}
+
+TEST_F(Spray, GrowsWithTheWind) {
+    double before = 0;
+    for (const float wind : {12.0f, 18.0f, 28.0f}) {
+        sea_.windSpeed = wind;
+        const double mean = spread(12, camera_).mean;
+        std::printf("%.0f m/s: %.5f of the sky's light\n", double{wind}, mean);
+        EXPECT_GT(mean, 1.5 * before);
+        before = mean;
+    }
+    EXPECT_LT(before, 0.15) << "a veil over all";
+}
+
+// Under an even sky no cloud shines brighter than that.
+TEST_F(Spray, IsNoBrighterThanWhatLightsIt) {
+    spray_.density = 4;
+    foam_.albedo = 0;
+    const Spread all = spread(12, camera_);
+    EXPECT_GT(all.cover, 0.02);
+    EXPECT_LE(all.brightest, double{radiance} * 1.001);
+}
+
+TEST_F(Spray, IsHiddenByWhatIsNearer) {
+    const auto hiding = [&](bool sprays) {
+        Body* const other = makeBody(described(sprays));
+        drawing = [this, other](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
+            const VkClearAttachment nearest = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, {.depthStencil = {1, 0}}};
+            const VkClearRect left = {{{0, 0}, {camera_.width / 2, camera_.height}}, 0, 1};
+            vkCmdClearAttachments(commands, 1, &nearest, 1, &left);
+            return draw(commands, target, &other, 1, &view, &lighting);
+        };
+        return picture({other}, camera_, 12);
+    };
+    const WaterPicture with = hiding(true), without = hiding(false);
+    size_t behind = 0, beside = 0;
+    for (size_t i = 0; i < with.color.size() / 4; ++i) {
+        const bool isLeft = i % camera_.width < camera_.width / 2;
+        (isLeft ? behind : beside) += with.color[4 * i] != without.color[4 * i];
+    }
+    EXPECT_EQ(behind, 0u);
+    EXPECT_GT(beside, 50u);
+    EXPECT_TRUE(with.depth == without.depth);
+}
+
+TEST_F(Spray, IsRefusedWhereItWouldBeWrong) {
+    const auto refused = [&](const BodyDesc& desc, const char* why) {
+        Body* body = nullptr;
+        EXPECT_EQ(createBody(context(), &desc, &body), Status::invalidArgument);
+        EXPECT_NE(message().find(why), std::string::npos) << message();
+    };
+    BodyDesc desc = described();
+    desc.foam = nullptr;
+    refused(desc, "BodyDesc.spray needs BodyDesc.foam");
+    desc = described();
+    desc.extent.shape = ExtentShape::rectangle;
+    desc.extent.size[0] = desc.extent.size[1] = 50;
+    refused(desc, "expected BodyDesc.extent to be unbounded");
+    spray_.density = 5;
+    refused(described(), "SprayDesc.density");
+    spray_.density = 1;
+    leaveDepth();
+    Body* const body = makeBody(described());
+    drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
+        EXPECT_EQ(draw(commands, target, &body, 1, &view, &lighting), Status::invalidArgument);
+        EXPECT_NE(message().find("expected TargetDesc.depthWrite to be true"), std::string::npos)
+            << message();
+        return Status::ok;
+    };
+    picture({body}, camera_, 12);
+}
+
+} // namespace

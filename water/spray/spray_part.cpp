@@ -1,0 +1,137 @@
+#include "water/spray/spray_part.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "seaglass/fields/water.h"
+#include "shaders/shared/water_bindings.h"
+#include "water/body/body.h"
+#include "water/body/body_block.h"
+#include "water/body/parallel_view.h"
+#include "water/body/target.h"
+#include "water/foam/foam_history.h"
+#include "water/light/lighting.h"
+#include "water/spray/spume.h"
+
+namespace seaglass {
+
+namespace {
+
+constexpr double life = 2; ///< how long drops are seen [s]
+/// Of the wind at 10 m, what blows at 1 m over a sea whose roughness length is 1 mm (logarithmic profile).
+constexpr double windAtCrests = 0.75;
+/// Optical depth, seen from above, of all that is torn off where waves break.
+constexpr double opticalDepth = 2.4;
+
+/// Of the waves of a cascade whose slopes add up to its breakers: the mean phase speed by slope variance.
+double crestSpeed(const Sea& sea, uint32_t cascade) {
+    const Modes& modes = sea.modes[cascade];
+    double slopes = 0, speeds = 0;
+    for (size_t at = 0; at < modes.inverseK.size(); ++at) {
+        const auto inverseK = static_cast<double>(modes.inverseK[at]);
+        if (!(inverseK > 0)) continue;
+        const double slope = varianceAt(modes, at) / (inverseK * inverseK);
+        const double frequency = 2 * std::numbers::pi * modes.frequency[at] / sea.desc.loopPeriod;
+        slopes += slope;
+        speeds += slope * frequency * inverseK;
+    }
+    return slopes > 0 ? speeds / slopes : 0;
+}
+
+} // namespace
+
+FieldError SprayPart::validate(const BodyDesc& desc) {
+    if (!desc.spray) return {};
+    if (!desc.foam) return "BodyDesc.spray needs BodyDesc.foam";
+    if (desc.extent.shape != ExtentShape::unbounded)
+        return "BodyDesc.spray is of the open sea, expected BodyDesc.extent to be unbounded";
+    return badAsked(sprayFields, desc.spray);
+}
+
+bool SprayPart::wanted(const BodyDesc& desc, const Sea* sea) {
+    return desc.spray && desc.spray->density > 0 && sea && breakingOf(*sea, *desc.foam).count > 0 &&
+           tornShare(static_cast<double>(description(*sea).windSpeed)) > 0;
+}
+
+Status SprayPart::create(Body& body, const BodyDesc& of) {
+    desc = *of.spray;
+    particles = of.shading.sprayParticles;
+    fading = static_cast<double>(of.foam->decayTime);
+    breaking = breakingOf(*body.sea, *of.foam).count;
+    for (uint32_t c = 0; c < breaking; ++c)
+        crests[static_cast<int>(c)] = static_cast<float>(crestSpeed(*body.sea, c));
+    const SeaDesc& sea = description(*body.sea);
+    const auto wind = static_cast<double>(sea.windSpeed), towards = static_cast<double>(sea.windDirection);
+    blows = windAtCrests * wind * glm::dvec2(std::cos(towards), std::sin(towards));
+    torn = tornShare(wind);
+    return Status::ok;
+}
+
+SprayVariant SprayPart::variant(const Body& body, const LightingDesc& lighting) const {
+    const SeaDesc& sea = description(*body.sea);
+    SprayVariant variant;
+    variant.cascades = static_cast<int>(cascadeCount(*body.sea));
+    variant.foamCascades = static_cast<int>(breaking);
+    variant.isWarped = sea.warp > 0;
+    variant.hasShore = body.sea->shore.has_value();
+    variant.onGlobe = !body.placing.globe.flat();
+    variant.hasSunShadow = lighting.shadow != nullptr;
+    variant.fogKind = fogKind(lighting.fog);
+    variant.skyHasColors = lighting.skyCube == VK_NULL_HANDLE;
+    variant.tilted = body.frame.tilted;
+    return variant;
+}
+
+SprayLattice SprayPart::lattice(const Body& body, const BodyView& view) const {
+    return sprayLattice({view.geometry, body.heightOf(view.geometry.eye), body.placing.displacement,
+                         life * glm::length(blows)},
+                        particles);
+}
+
+SprayBlock SprayPart::block(const BodyView& view, const SprayLattice& lattice) const {
+    SprayBlock block{};
+    lattice.fill(view.geometry.eye, block);
+    block.crests = crests;
+    block.wind = {blows.x, blows.y, life, 0};
+    block.foam = {fading, 1 / foamStepsPerSecond, 0, 0};
+    block.form = {opticalDepth * torn * static_cast<double>(desc.density), desc.shutterTime, 0, 0};
+    return block;
+}
+
+Status SprayPart::draw(Body& body, const DrawCall& call, DrawMoment moment) const {
+    if (moment != DrawMoment::afterSurfaces) return Status::ok;
+    if (!call.target.desc.depthWrite)
+        return body.context->device.fail(
+            Status::invalidArgument,
+            "draw: BodyDesc.spray is hidden by waves before it, expected TargetDesc.depthWrite to be true");
+    BodyView view;
+    if (const Status s = body.read(call.view, call.lighting, body.needsScene(), view); s != Status::ok)
+        return s;
+    if (body.sidesSeen(view.geometry) == SidesSeen::below) return Status::ok;
+    const SprayLattice seen = lattice(body, view);
+    if (seen.count == 0) return Status::ok;
+    BodyBlock drawn = bodyBlock(body, view);
+    const auto lines =
+        parallelLines(view.geometry, body.heightOf(view.geometry.eye), body.placing.displacement);
+    if (lines) drawn.within.w = static_cast<float>(lines->distance);
+    Resources resources;
+    if (const Status s = bindBody(body, view, drawn, resources); s != Status::ok) return s;
+    gpu::Slice slice;
+    if (const Status s = body.context->frame().upload(block(view, seen), slice); s != Status::ok) return s;
+    resources.push_back({sprayBinding, gpu::uniformBuffer(slice)});
+    return recordSpray(*body.context, call, view, variant(body, call.lighting), seen.count, resources);
+}
+
+Status SprayPart::prepare(const Body& body, const PrepareCall& call) const {
+    if (call.output != SurfaceOutput::shaded) return Status::ok;
+    const DrawPipeline* pipeline = nullptr;
+    return call.target.spray.get(variant(body, call.lighting), pipeline);
+}
+
+Part sprayPart() {
+    return partFrom<SprayPart>();
+}
+
+} // namespace seaglass

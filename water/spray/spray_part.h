@@ -1,0 +1,34 @@
+// What wind tears off a body's crests.
+#pragma once
+
+#include "shaders/shared/spray/spray_block.h"
+#include "water/body/part.h"
+#include "water/spray/spray.h"
+#include "water/spray/spray_lattice.h"
+
+namespace seaglass {
+
+struct SprayPart {
+    SprayDesc desc;
+    uint32_t particles = 0; ///< at most
+    uint32_t breaking = 0;  ///< cascades
+    glm::vec4 crests{0};    ///< their speeds [m/s]
+    glm::dvec2 blows{0};    ///< the air at the crests [m/s]
+    double fading = 0;      ///< of foam, to 1/e [s]
+    double torn = 0;        ///< share of what breaks
+
+    static FieldError validate(const BodyDesc& desc);
+    /// Only of a wind that tears drops off, and a sea that breaks.
+    static bool wanted(const BodyDesc& desc, const Sea* sea);
+    Status create(Body& body, const BodyDesc& of);
+    /// Records nothing for eyes in the water.
+    Status draw(Body& body, const DrawCall& call, DrawMoment moment) const;
+    Status prepare(const Body& body, const PrepareCall& call) const;
+
+  private:
+    SprayVariant variant(const Body& body, const LightingDesc& lighting) const;
+    SprayLattice lattice(const Body& body, const BodyView& view) const;
+    SprayBlock block(const BodyView& view, const SprayLattice& lattice) const;
+};
+
+} // namespace seaglass
