@@ -107,7 +107,8 @@ Status SprayPart::draw(Body& body, const DrawCall& call, DrawMoment moment) cons
             Status::invalidArgument,
             "draw: BodyDesc.spray is hidden by waves before it, expected TargetDesc.depthWrite to be true");
     BodyView view;
-    if (const Status s = body.read(call.view, call.lighting, body.needsScene(), view); s != Status::ok)
+    if (const Status s = body.read("draw", call.view, call.lighting, body.needsScene(), view);
+        s != Status::ok)
         return s;
     if (body.sidesSeen(view.geometry) == SidesSeen::below) return Status::ok;
     const SprayLattice seen = lattice(body, view);
