@@ -60,8 +60,8 @@ def build(patch, cmake, generator, folder):
     for name in MOST_FILES:
         if said := applied(patch, name, tree):
             raise SystemExit(said)
-    run(cmake, "-G", generator, "-S", tree, "-B", folder / "build", "-DCMAKE_BUILD_TYPE=Release", "-DSEAGLASS_TESTS=OFF",
-        "-DSEAGLASS_VIEWER=OFF", "-DSEAGLASS_WARNINGS_AS_ERRORS=ON")
+    run(cmake, "-G", generator, "-S", tree, "-B", folder / "build", "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
+        "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2", "-DSEAGLASS_TESTS=OFF", "-DSEAGLASS_VIEWER=OFF", "-DSEAGLASS_WARNINGS_AS_ERRORS=ON")
     run(cmake, "--build", folder / "build", "--target", "seaglass")
     return folder / "build/bin/seaglass"
 

@@ -61,7 +61,7 @@ enum class Fresnel : uint32_t { exact = 0, schlick };
 /// Its names, from 0 on.
 inline constexpr const char* fresnels[] = {"exact", "schlick"};
 
-/// How closely the surface is looked at, in texture looks a pixel; docs/tradeoffs.md has what each costs.
+/// How the surface is shaded: mostly, samples a pixel. docs/tradeoffs.md has what each costs.
 struct ShadingDesc {
     uint32_t reflectionSamples = 2;   ///< for what the slopes within a pixel mirror: 1, 2 or 4
     uint32_t refractionSamples = 6;   ///< for where the bent ray ends, 1 (straight through) .. 16
