@@ -1,42 +1,55 @@
-// As quad.glsl, for kernels: of an 8 x 8 tile four invocations in a row are a quad. To be asked where all invocations go.
+// As quad.glsl, for kernels: of an 8 x 8 tile four invocations in a row are a quad. To be asked where all invocations go. Needs
+// `quadsInStep`, a constant.
+#extension GL_KHR_shader_subgroup_basic : require
 
 layout(local_size_x = 64) in;
 
 shared vec4 ofQuads[2][64];
 uint quadTurn = 0u;   // which of both is told next: what was told before is read meanwhile
 
-// Of this invocation in its tile.
+// Of this invocation among those of the tile.
+uint indexInTile() {
+    return quadsInStep ? gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID : gl_LocalInvocationIndex;
+}
+
+// Where it is in its tile.
 ivec2 placeInTile() {
-    uint i = gl_LocalInvocationIndex;
+    uint i = indexInTile();
     return ivec2((i & 1u) | (i >> 1 & 6u), (i >> 1 & 1u) | (i >> 3 & 6u));
 }
 
 vec2 placeInQuad() {
-    return vec2(gl_LocalInvocationIndex & 1u, gl_LocalInvocationIndex >> 1 & 1u);
+    uint i = indexInTile();
+    return vec2(i & 1u, i >> 1 & 1u);
 }
 
 // 1 for the pixel's own place of four, 0 for the others.
 vec4 partOfQuad() {
-    return vec4(equal(uvec4(0u, 1u, 2u, 3u), uvec4(gl_LocalInvocationIndex & 3u)));
+    return vec4(equal(uvec4(0u, 1u, 2u, 3u), uvec4(indexInTile() & 3u)));
 }
 
 // In which array all of the tile have told theirs.
 uint tellQuad(vec4 own) {
     uint turn = quadTurn;
     quadTurn ^= 1u;
-    ofQuads[turn][gl_LocalInvocationIndex] = own;
-    barrier();
+    ofQuads[turn][indexInTile()] = own;
+    if (quadsInStep) {
+        subgroupMemoryBarrierShared();
+        subgroupBarrier();
+    } else {
+        barrier();
+    }
     return turn;
 }
 
 vec4 meanOfQuad(vec4 own) {
-    uint told = tellQuad(own), first = gl_LocalInvocationIndex & ~3u;
+    uint told = tellQuad(own), first = indexInTile() & ~3u;
     vec4 upper = ofQuads[told][first] + ofQuads[told][first + 1u];
     return 0.25 * (upper + (ofQuads[told][first + 2u] + ofQuads[told][first + 3u]));
 }
 
 vec2 changeInQuad(vec2 own) {
-    uint told = tellQuad(vec4(own, 0.0, 0.0)), i = gl_LocalInvocationIndex;
+    uint told = tellQuad(vec4(own, 0.0, 0.0)), i = indexInTile();
     return max(abs(ofQuads[told][i ^ 1u].xy - own), abs(ofQuads[told][i ^ 2u].xy - own));
 }
 

@@ -34,3 +34,4 @@ CONSTANT(28, bool, manySamples,
          false) // only with refraction: of the scene, of which sample 0 may lie before the surface
 CONSTANT(29, uint, fogKind, 0)      // water/light/lighting.h: fogKind()
 CONSTANT(30, bool, isWarped, false) // only with waves
+CONSTANT(31, bool, quadsInStep, false) // of kernels, where full subgroups hold whole quads

@@ -36,8 +36,12 @@ Status SurfaceTilesKernel::create(Context& context) {
 Status ShadingKernels::get(const SurfaceVariant& variant, const gpu::Kernel*& out) {
     return kernels_.get(
         variant,
-        [&](gpu::Kernel& made) {
-            return made.create(*device_, shaded_surface_comp, "shaded surface", variant.constants());
+        [&](gpu::Kernel& kernel) {
+            SurfaceVariant made = variant;
+            // A barrier of the whole group costs CPU devices most: all that is alive goes to memory. Of those
+            // that there are, subgroups are full, and of four or eight.
+            made.quadsInStep = device_->isCpu();
+            return kernel.create(*device_, shaded_surface_comp, "shaded surface", made.constants());
         },
         out);
 }
