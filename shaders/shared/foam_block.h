@@ -6,17 +6,17 @@ namespace seaglass {
 #endif
 
 struct FoamBand {
-    float threshold;   // Jacobian below which the cascade breaks
-    float perJacobian; // whiteness, for as much below
-    float pad0, pad1;
+    float threshold;      // compression above which the cascade breaks
+    float perCompression; // whiteness, for as much above
+    float fade;
+    float floor;
 };
 
 struct FoamBlock {
     FoamBand bands[4];
-    float fade;
-    float floor;
-    uint anew; // nothing was there before
-    uint pad0;
+    vec4 along; // water/interface/whitecaps.h: Breaking::along
+    uint anew;  // nothing was there before
+    uint pad0, pad1, pad2;
 };
 
 #ifdef __cplusplus

@@ -20,8 +20,9 @@ VkDeviceSize Foam::bytes(const Context& context, const Sea& sea, const FoamDesc&
 Status Foam::create(Context& context, const Sea& sea, const FoamDesc& foam, const WavesBackend* backend) {
     loopPeriod_ = description(sea).loopPeriod;
     albedo_ = foam.albedo;
+    breaking_ = breakingOf(sea, foam);
     if (const Status s =
-            image_.create(context, cascade(sea, 0).samples, breakingOf(sea, foam).count, imageUsage(backend));
+            image_.create(context, cascade(sea, 0).samples, breaking_.count, imageUsage(backend));
         s != Status::ok)
         return s;
     if (backend) return source_.emplace<UploadedFoam>().create(context, sea, foam);

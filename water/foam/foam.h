@@ -23,6 +23,7 @@ class Foam {
     VkImageView view() const { return image_.image.view(); }
     VkImage image() const { return image_.image.handle(); }
     uint32_t cascades() const { return image_.image.desc().layers; }
+    const Breaking& breaking() const { return breaking_; }
     float albedo() const { return albedo_; }
     /// Share of the way from the image's first step to its second at the time recorded last.
     float past() const { return past_; }
@@ -34,6 +35,7 @@ class Foam {
 
     double loopPeriod_ = 1;
     float albedo_ = 0;
+    Breaking breaking_;
     float past_ = 0;
     double time_ = 0;
     FoamImage image_;

@@ -9,8 +9,8 @@ namespace seaglass {
 namespace {
 
 constexpr double secondsATurn = 40;
-// Of the noise: nothing is seen below the first, all above the second.
-constexpr float opens = 0.5f, isOpen = 0.75f;
+// Of the noise: `least` of the foam is seen below the first, all above the second.
+constexpr float opens = 0.5f, isOpen = 0.75f, least = 0.3f;
 
 float smooth(float x) {
     return x * x * (3 - 2 * x);
@@ -38,7 +38,7 @@ float FoamGate::corner(uint32_t cellU, uint32_t cellV) const {
 }
 
 float FoamGate::at(double tilesU, double tilesV) const {
-    if (even_) return static_cast<float>(foamGateMean);
+    if (even_) return 1;
     const double u = foamGateCells * (tilesU - std::floor(tilesU));
     const double v = foamGateCells * (tilesV - std::floor(tilesV));
     const double left = std::floor(u), top = std::floor(v);
@@ -47,7 +47,7 @@ float FoamGate::at(double tilesU, double tilesV) const {
     const float x = smooth(static_cast<float>(u - left)), y = smooth(static_cast<float>(v - top));
     const float noise = std::lerp(std::lerp(corner(i, j), corner(i + 1, j), x),
                                   std::lerp(corner(i, j + 1), corner(i + 1, j + 1), x), y);
-    return smooth(std::clamp((noise - opens) / (isOpen - opens), 0.0f, 1.0f));
+    return std::lerp(least, 1.0f, smooth(std::clamp((noise - opens) / (isOpen - opens), 0.0f, 1.0f)));
 }
 
 } // namespace seaglass

@@ -12,13 +12,13 @@ Status FoamKernel::create(Context& context) {
 
 Status ComputedFoam::create(Context& context, const Sea& sea, const FoamDesc& foam) {
     breaking_ = breakingOf(sea, foam);
-    fading_ = fadingOf(foam);
+    fading_ = fadingsOf(foam, breaking_);
     return context.share(kernel_);
 }
 
 Status ComputedFoam::record(Context& context, VkCommandBuffer commands, ComputedWaves& waves,
                             const WaveMaps& maps, const FoamImage& foam, int64_t step) {
-    const FoamSteps steps = stepsUntil(known_, step, fading_);
+    const FoamSteps steps = stepsUntil(known_, step, fading_[0]);
     known_ = {}; // until all of it is recorded
     const gpu::PassScope pass(context.device, commands, "foam");
     const VkImage image = foam.image.handle();
@@ -30,8 +30,8 @@ Status ComputedFoam::record(Context& context, VkCommandBuffer commands, Computed
                 waves.recordFirst(context, commands, maps, breaking_.count, foamStepTime(steps.at(i)));
             s != Status::ok)
             return s;
-        if (const Status s = recordStep(context, commands, maps, foam, fading_.over(steps.fadings(i)),
-                                        steps.anew && i == 1);
+        if (const Status s =
+                recordStep(context, commands, maps, foam, steps.fadings(i), steps.anew && i == 1);
             s != Status::ok)
             return s;
     }
@@ -41,13 +41,13 @@ Status ComputedFoam::record(Context& context, VkCommandBuffer commands, Computed
 }
 
 Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, const WaveMaps& maps,
-                                const FoamImage& foam, float fade, bool anew) {
+                                const FoamImage& foam, int64_t fadings, bool anew) {
     FoamBlock block{};
     static_assert(std::size(FoamBlock{}.bands) == maxCascades);
     for (uint32_t c = 0; c < breaking_.count; ++c)
-        block.bands[c] = {breaking_.threshold[c], 1 / breaking_.softness[c], 0, 0};
-    block.fade = fade;
-    block.floor = fading_.floor;
+        block.bands[c] = {breaking_.threshold[c], 1 / breaking_.softness[c], fading_[c].over(fadings),
+                          fading_[c].floor};
+    block.along = {breaking_.along[0], breaking_.along[1], breaking_.along[2], 0};
     block.anew = anew;
     gpu::Slice slice;
     if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;

@@ -28,11 +28,11 @@ class ComputedFoam {
 
   private:
     Status recordStep(Context& context, VkCommandBuffer commands, const WaveMaps& maps, const FoamImage& foam,
-                      float fade, bool anew);
+                      int64_t fadings, bool anew);
 
     std::shared_ptr<FoamKernel> kernel_;
     Breaking breaking_;
-    FoamFading fading_;
+    FoamFadings fading_;
     FoamKnown known_; ///< its newest step is the later that the image holds
 };
 

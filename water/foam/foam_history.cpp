@@ -6,16 +6,21 @@
 #include <cmath>
 
 namespace seaglass {
-
-FoamFading fadingOf(const FoamDesc& foam) {
+FoamFading fadingOf(const FoamDesc& foam, float share) {
     const double steps = foamStepsPerSecond * static_cast<double>(foam.decayTime);
-    const double end = std::exp(-foamLifetime);
+    const double end = std::exp(-foamLifetime * static_cast<double>(share));
     FoamFading fading;
-    fading.fade = static_cast<float>(std::exp(-1 / steps));
+    fading.fade = static_cast<float>(std::exp(-static_cast<double>(share) / steps));
     fading.floor = static_cast<float>(end / (1 - end));
-    // Half floats may round each step up: by 3.5 % of what it takes off at the slowest fading.
-    fading.steps = static_cast<int64_t>(std::ceil(1.05 * foamLifetime * steps)) + 1;
+    // Half floats may round each step up: by 6 % of what it takes off at the slowest fading.
+    fading.steps = static_cast<int64_t>(std::ceil(1.07 * foamLifetime * steps)) + 1;
     return fading;
+}
+
+FoamFadings fadingsOf(const FoamDesc& foam, const Breaking& breaking) {
+    FoamFadings fadings;
+    for (uint32_t c = 0; c < breaking.count; ++c) fadings[c] = fadingOf(foam, breaking.share[c]);
+    return fadings;
 }
 
 FoamSteps stepsUntil(const FoamKnown& known, int64_t step, const FoamFading& fading) {
@@ -41,7 +46,7 @@ FoamTime foamTimeOf(double time, double loopPeriod) {
 }
 
 FoamHistory::FoamHistory(const Sea& sea, const FoamDesc& foam)
-    : breaking_(breakingOf(sea, foam)), fading_(fadingOf(foam)), bands_(breaking_.count) {
+    : breaking_(breakingOf(sea, foam)), fading_(fadingsOf(foam, breaking_)), bands_(breaking_.count) {
     if (breaking_.count == 0) return;
     const size_t texels = size_t{sea.desc.samples} * sea.desc.samples;
     for (Band& band : bands_) {
@@ -52,10 +57,9 @@ FoamHistory::FoamHistory(const Sea& sea, const FoamDesc& foam)
 }
 
 void FoamHistory::advance(const WavesBackend& backend, void* state, int64_t step) {
-    const FoamSteps steps = stepsUntil(known_, step, fading_);
+    const FoamSteps steps = stepsUntil(known_, step, fading_[0]);
     if (steps.anew) clear();
-    for (int64_t i = 1; i <= steps.count; ++i)
-        stepTo(backend, state, steps.at(i), fading_.over(steps.fadings(i)));
+    for (int64_t i = 1; i <= steps.count; ++i) stepTo(backend, state, steps.at(i), steps.fadings(i));
     known_ = {steps.last, steps.caughtUp};
 }
 
@@ -66,18 +70,18 @@ void FoamHistory::clear() {
     }
 }
 
-void FoamHistory::stepTo(const WavesBackend& backend, void* state, int64_t step, float fade) {
-    const double time = foamStepTime(step);
+void FoamHistory::stepTo(const WavesBackend& backend, void* state, int64_t step, int64_t fadings) {
     for (uint32_t c = 0; c < breaking_.count; ++c) {
-        backend.evaluate(state, c, time, {maps_[0].data(), maps_[1].data(), maps_[2].data()});
+        backend.evaluate(state, c, foamStepTime(step), {maps_[0].data(), maps_[1].data(), maps_[2].data()});
         Band& band = bands_[c];
         std::swap(band.now, band.next);
-        const float threshold = breaking_.threshold[c], perJacobian = 1 / breaking_.softness[c];
+        const float threshold = breaking_.threshold[c], perCompression = 1 / breaking_.softness[c];
+        const float floor = fading_[c].floor, fade = fading_[c].over(fadings);
         for (size_t i = 0; i < band.now.size(); ++i) {
-            const float shear = maps_[0][4 * i + 3];
-            const float jacobian = (1 + maps_[1][4 * i + 2]) * (1 + maps_[1][4 * i + 3]) - shear * shear;
-            const float breaks = std::min((threshold - jacobian) * perJacobian, 1.0f);
-            const float faded = (band.now[i] + fading_.floor) * fade - fading_.floor;
+            const float compression =
+                breaking_.compression(maps_[1][4 * i + 2], maps_[1][4 * i + 3], maps_[0][4 * i + 3]);
+            const float breaks = std::min((compression - threshold) * perCompression, 1.0f);
+            const float faded = (band.now[i] + floor) * fade - floor;
             band.next[i] = std::max(std::max(faded, breaks), 0.0f);
         }
     }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -27,7 +28,12 @@ struct FoamFading {
     float over(int64_t count) const { return count == 1 ? fade : std::pow(fade, static_cast<float>(count)); }
 };
 
-FoamFading fadingOf(const FoamDesc& foam);
+/// Of a cascade that does a `share` of the breaking: the product of all fades to 1/e in a decay time.
+FoamFading fadingOf(const FoamDesc& foam, float share = 1);
+
+/// Of each cascade that breaks; all take as many steps.
+using FoamFadings = std::array<FoamFading, maxCascades>;
+FoamFadings fadingsOf(const FoamDesc& foam, const Breaking& breaking);
 
 /// Of the sea when it makes a step's foam [s]: exact.
 constexpr double foamStepTime(int64_t step) {
@@ -93,10 +99,10 @@ class FoamHistory {
         std::vector<float> next;
     };
     void clear();
-    void stepTo(const WavesBackend& backend, void* state, int64_t step, float fade);
+    void stepTo(const WavesBackend& backend, void* state, int64_t step, int64_t fadings);
 
     Breaking breaking_;
-    FoamFading fading_;
+    FoamFadings fading_;
     std::vector<Band> bands_;
     std::vector<float> maps_[3]; ///< scratch
     FoamKnown known_;            ///< its newest step is what `next` holds

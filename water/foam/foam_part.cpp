@@ -4,10 +4,22 @@
 #include "shaders/shared/water_bindings.h"
 #include "water/body/body.h"
 #include "water/interface/foam_gate.h"
+#include "water/interface/foam_layers.h"
 #include "water/waves/in_tile.h"
 #include "water/waves/waves_part.h"
 
 namespace seaglass {
+
+namespace {
+
+/// The eye's on a layer, which comes round again after `repeat` [m].
+glm::dvec2 placeIn(const FoamLayer& layer, const glm::dvec3& eye, double repeat) {
+    double u = eye.x, v = eye.z;
+    layer.apply(u, v);
+    return {inTile(u, repeat) * repeat, inTile(v, repeat) * repeat};
+}
+
+} // namespace
 
 FieldError FoamPart::validate(const BodyDesc& desc) {
     if (desc.foam && !desc.waves) return "BodyDesc.foam needs BodyDesc.waves";
@@ -42,12 +54,16 @@ void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) co
     const double atRest = warpAtRest(sea.warp), patch = cascade(sea, 0).patch;
     block.foamCell = {foamGateCell((eye.x - atRest) / patch), foamGateCell((eye.z - atRest) / patch),
                       static_cast<int32_t>(gate.turns()), static_cast<int32_t>(gate.now())};
-    const FoamStreak streak = foamStreakOf(description(sea));
-    double placeU = eye.x, placeV = eye.z;
-    streak.apply(placeU, placeV);
-    block.foam = glm::vec4(foam.past(), foam.albedo(), inTile(placeU, foamRepeat) * foamRepeat,
-                           inTile(placeV, foamRepeat) * foamRepeat);
-    block.foamStreak = {streak.u, streak.v};
+    const FoamLayer lace = foamLaceOf(description(sea), foam.time(), foamRepeat);
+    const glm::dvec2 laceAt = placeIn(lace, eye, foamRepeat);
+    block.foam = glm::vec4(foam.past(), foam.albedo(), laceAt);
+    block.foamStreak = {lace.u, lace.v};
+    const FoamLayer windrows = foamWindrowsOf(description(sea), foam.time(), windrowTile);
+    block.windrows = glm::vec4(windrows.u, windrows.v,
+                               placeIn(windrows, eye - glm::dvec3(atRest, 0, atRest), windrowTile));
+    const Breaking& breaking = foam.breaking();
+    block.breaking = {breaking.now, breaking.nowWidth * breaking.nowWidth, breaking.hidden, 0};
+    block.compression = {breaking.along[0], breaking.along[1], breaking.along[2], 0};
 }
 
 void FoamPart::vary(const Body&, const SurfaceDraw&, SurfaceVariant& variant) const {

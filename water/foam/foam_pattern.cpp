@@ -220,13 +220,6 @@ std::vector<std::vector<FoamTexel>> foamPattern() {
     return mips;
 }
 
-FoamStreak foamStreakOf(const SeaDesc& sea) {
-    // Streaks show from Beaufort 6 on and are the mark of 8.
-    const double stretch = 1 + std::clamp((static_cast<double>(sea.windSpeed) - 8) / 4, 0.0, 3.0);
-    const double length = std::sqrt(1 - 1 / stretch), direction = sea.windDirection;
-    return {length * std::cos(direction), length * std::sin(direction)};
-}
-
 VkDeviceSize FoamPattern::bytes(const gpu::Device& device) {
     return FixedImage::bytes(device, imageDesc());
 }

@@ -2,29 +2,19 @@
 // mips.
 #pragma once
 
-#include "seaglass/sea.h"
 #include "water/interface/foam_texels.h"
 #include "water/waves/fixed_image.h"
 
 namespace seaglass {
 
-/// Edge of the tile that it repeats in [m]; shaders/water/foam/foam_cover.glsl samples divisions of it.
+/// Edge of the tile whose divisions rafts and lace repeat in [m], as in shaders/water/foam/foam_cover.glsl.
 constexpr double foamTile = 24.0;
 
 /// After this [m] the parts of the tile that places show come round again.
 constexpr double foamRepeat = 16 * foamTile;
 
-/// How the wind draws the pattern out: a place p has what lies at p - w (w.p) of the tile.
-struct FoamStreak {
-    double u = 0, v = 0; ///< w: the wind's direction, times sqrt(1 - 1/stretch)
-
-    void apply(double& placeU, double& placeV) const {
-        const double along = u * placeU + v * placeV;
-        placeU -= u * along;
-        placeV -= v * along;
-    }
-};
-FoamStreak foamStreakOf(const SeaDesc& sea);
+/// Edge of the tile of its windrows [m].
+constexpr double windrowTile = 150.0;
 
 class FoamPattern {
   public:

@@ -34,17 +34,21 @@ struct Grid {
 
     // Foam at a point, and how much of the displaced surface the point stands for.
     void at(double u, double v, double& cover, double& area) const {
-        double clear = 1, uu = 1, vv = 1, uv = 0;
+        const double seen = gate.at(u / sea.cascades[0].patch, v / sea.cascades[0].patch);
+        double left = seen, uu = 1, vv = 1, uv = 0, compression = 0;
         for (uint32_t c = 0; c < foam.breaking().count; ++c) {
             const size_t i = nearest(c, u, v);
             const float f = foam.at(c)[i] + (foam.after(c)[i] - foam.at(c)[i]) * past;
-            const double patch = sea.cascades[c].patch;
-            clear *= 1 - static_cast<double>(c == 0 ? f * gate.at(u / patch, v / patch) : f);
+            left *= static_cast<double>(f);
+            compression += static_cast<double>(foam.breaking().compression(
+                derivatives[c][4 * i + 2], derivatives[c][4 * i + 3], displacement[c][4 * i + 3]));
             uu += static_cast<double>(derivatives[c][4 * i + 2]);
             vv += static_cast<double>(derivatives[c][4 * i + 3]);
             uv += static_cast<double>(displacement[c][4 * i + 3]);
         }
-        cover = 1 - clear;
+        const double now = 0.5 * std::erfc((double{foam.breaking().now} - compression) /
+                                           (std::numbers::sqrt2 * double{foam.breaking().nowWidth}));
+        cover = 1 - (1 - left) * (1 - seen * now);
         area = std::max(uu * vv - uv * uv, 0.0);
     }
 };

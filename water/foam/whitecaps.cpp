@@ -1,5 +1,6 @@
 #include "water/interface/whitecaps.h"
 
+#include "water/interface/foam_gate.h"
 #include "water/sea/sea.h"
 #include "water/spectrum/dispersion.h"
 
@@ -16,43 +17,115 @@ double shortestBreaker(const Sea& sea) {
     return std::max(12 * sea.peak * sea.peak / gravity, 2 * std::numbers::pi / 10);
 }
 
-// Below how many deviations of its Jacobian a cascade breaks. Foam is rarer in less wind though waves are
-// about as steep: fitted, for what foam_gate.h shows of the first one, to the geometric mean of the two laws
-// at 8 to 20 m/s (docs/physics.md).
-double deviationsToBreak(double wind, uint32_t cascade) {
-    return cascade == 0 ? 5.735 - 1.32 * std::log(wind) : 5.53 - 1.09 * std::log(wind);
+// The geometric mean of the two laws.
+double whitecapsWanted(double wind) {
+    return std::sqrt(whitecapsOfMonahan(wind) * whitecapsOfCallaghan(wind));
 }
 
-// Of the Jacobian of one cascade at full amplitude and choppiness 1: to first order 1 + div D, whose variance
-// is that of the slope. Calmer water than the wind's own keeps the threshold and so foams less.
-double jacobianDeviation(const Sea& sea, uint32_t cascade) {
+// Foam goes with the square of the threshold as exp(-0.57 z^2).
+constexpr double rarer = 0.57;
+
+// Below how many deviations of the Jacobian of all cascades the sea breaks. Foam is rarer in less wind though
+// waves are about as steep: fitted, for what foam_gate.h shows, to the geometric mean of the two laws at 8 to
+// 20 m/s (docs/physics.md).
+double deviationsToBreak(double wind, bool gated) {
+    const double z = std::max(6.57 - 1.65 * std::log(wind), 0.5);
+    return gated ? z : std::sqrt(z * z - std::log(foamGateMean) / rarer);
+}
+
+// Beyond what e a share of the unit Gaussian lies (Abramowitz and Stegun 26.2.23), within 5e-4.
+double deviationsBeyond(double share) {
+    const double t = std::sqrt(-2 * std::log(std::clamp(share, 1e-9, 0.5)));
+    return t -
+           (2.515517 + t * (0.802853 + t * 0.010328)) / (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
+}
+
+// Crests that run with the wind break along their length: of what runs across it so much counts.
+constexpr double acrossTheWind = 0.2;
+
+void lookAlongTheWind(const SeaDesc& desc, Breaking& breaking) {
+    const double u = std::cos(double{desc.windDirection}), v = std::sin(double{desc.windDirection});
+    breaking.along[0] = static_cast<float>(u * u + acrossTheWind * v * v);
+    breaking.along[1] = static_cast<float>(v * v + acrossTheWind * u * u);
+    breaking.along[2] = static_cast<float>(2 * (1 - acrossTheWind) * u * v);
+}
+
+// Variances of one cascade at full amplitude and choppiness 1. Calmer water than the wind's own keeps the
+// threshold and so foams less.
+struct Variance {
+    double compression = 0;
+    double whitecaps = 0; ///< of the compression, by the waves that make those that are seen
+    double slopes = 0;
+};
+
+Variance varianceOf(const Sea& sea, uint32_t cascade, const Breaking& breaking) {
     const Modes& modes = sea.modes[cascade];
-    double variance = 0;
-    for (size_t i = 0; i < modes.inverseK.size(); ++i) {
-        if (modes.inverseK[i] == 0) continue;
-        const auto sum = [](double re, double im) { return re * re + im * im; };
-        const double k = 1 / static_cast<double>(modes.inverseK[i]);
-        variance += 2 * k * k *
-                    (sum(static_cast<double>(modes.forwardRe[i]), static_cast<double>(modes.forwardIm[i])) +
-                     sum(static_cast<double>(modes.backwardRe[i]), static_cast<double>(modes.backwardIm[i])));
+    const double shortest = shortestBreaker(sea), dk = 2 * std::numbers::pi / sea.cascades[cascade].patch;
+    Variance sum;
+    for (int32_t n = 0; n <= modes.reach; ++n)
+        for (int32_t m = -modes.reach; m <= modes.reach; ++m) {
+            const size_t at = modes.at(m, n);
+            if (modes.inverseK[at] == 0) continue;
+            const double perK = static_cast<double>(modes.inverseK[at]), u = m * dk * perK, v = n * dk * perK;
+            const double along = double{breaking.along[0]} * u * u + double{breaking.along[1]} * v * v +
+                                 double{breaking.along[2]} * u * v;
+            const double slopes = varianceAt(modes, at) / (perK * perK);
+            sum.slopes += slopes;
+            sum.compression += slopes * along * along;
+            sum.whitecaps += slopes * along * along / (1 + std::pow(1 / (perK * shortest), 4));
+        }
+    for (double* const variance : {&sum.compression, &sum.whitecaps, &sum.slopes})
+        *variance /= double{sea.desc.amplitude} * double{sea.desc.amplitude};
+    return sum;
+}
+
+/// Of the first cascades, as many as count.
+struct Variances {
+    uint32_t count = 0;
+    Variance of[maxCascades], sum;
+};
+
+Variances variancesOf(const Sea& sea, const Breaking& breaking) {
+    constexpr double leastShare = 0.1; // what has less decides nothing
+    Variances all;
+    for (; all.count < sea.count; ++all.count) {
+        const Variance more = varianceOf(sea, all.count, breaking);
+        if (all.count > 0 && more.whitecaps < leastShare * (all.sum.whitecaps + more.whitecaps)) break;
+        all.of[all.count] = more;
+        all.sum.compression += more.compression;
+        all.sum.whitecaps += more.whitecaps;
+        all.sum.slopes += more.slopes;
     }
-    return std::sqrt(variance) / static_cast<double>(sea.desc.amplitude);
+    return all;
 }
 
 Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
+    constexpr double leastWind = 2;          // [m/s]; either law leaves less than 5e-5 here
+    constexpr double never = 7;              // deviations: no sample of a loop's whole time
+    constexpr double shareThatBreaks = 0.15; // of the foam, at a moment
     Breaking breaking;
-    constexpr double leastWind = 2; // [m/s]; either law leaves less than 5e-5 here
-    constexpr double never = 7;     // deviations: no sample of a loop's whole time
-    const auto wind = static_cast<double>(sea.desc.windSpeed);
+    const double wind = sea.desc.windSpeed, bias = foam.bias;
     if (wind < leastWind) return breaking;
-    const double drawn = double{sea.desc.amplitude} * double{sea.desc.choppiness};
-    const double shortest = shortestBreaker(sea);
-    for (uint32_t c = 0; c < sea.count && sea.cascades[c].kMin < shortest; ++c) {
-        const double deviation = jacobianDeviation(sea, c);
-        breaking.threshold[c] = foam.bias + static_cast<float>(1 - deviationsToBreak(wind, c) * deviation);
-        breaking.softness[c] = static_cast<float>(0.1 * deviation);
-        if (1 - never * drawn * deviation < double{breaking.threshold[c]}) breaking.count = c + 1;
+    lookAlongTheWind(sea.desc, breaking);
+    const Variances variances = variancesOf(sea, breaking);
+    const double toBreak = deviationsToBreak(wind, sea.desc.warp > 0), choppiness = sea.desc.choppiness;
+    const double drawn = double{sea.desc.amplitude} * choppiness, all = std::sqrt(variances.sum.whitecaps);
+    if (!(all > 0) || never * drawn * all < toBreak * all - bias) return breaking;
+    breaking.count = variances.count;
+    for (uint32_t c = 0; c < breaking.count; ++c) {
+        const Variance& own = variances.of[c];
+        const double share = own.whitecaps / variances.sum.whitecaps, deviation = std::sqrt(own.compression);
+        breaking.share[c] = static_cast<float>(share);
+        breaking.threshold[c] = static_cast<float>(toBreak * std::sqrt(share) * deviation - share * bias);
+        breaking.softness[c] = static_cast<float>(0.3 * deviation);
     }
+    const double gate = sea.desc.warp > 0 ? foamGateMean : 1,
+                 deviation = std::sqrt(variances.sum.compression);
+    breaking.now = static_cast<float>(
+        deviationsBeyond(shareThatBreaks * whitecapsWanted(wind) / gate) * deviation - bias);
+    breaking.nowWidth = static_cast<float>(0.12 * deviation);
+    breaking.hidden =
+        static_cast<float>(choppiness * choppiness * variances.sum.compression / variances.sum.slopes);
     return breaking;
 }
 
@@ -64,8 +137,8 @@ Breaking breakingOf(const Sea& sea, const FoamDesc& foam) {
     breaking = breakingInTheOpen(sea, foam);
     if (breaking.count == 0 && sea.shore) {
         // A history is kept, in which nothing happens.
-        breaking.threshold[0] = -1e6f;
-        breaking.softness[0] = 1;
+        breaking.threshold[0] = breaking.now = 1e6f;
+        breaking.softness[0] = breaking.share[0] = 1;
         breaking.count = 1;
     }
     return breaking;

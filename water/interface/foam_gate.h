@@ -1,8 +1,8 @@
-// Where the whitecaps of the largest tile are to be seen: in some of the places that show the tile, which are
-// others for each of them, and others half a minute later. So foam, which stands out from the air as waves do
-// not, shows no tile, and comes in groups as it does at sea. It is noise on a lattice in the tile's own
-// plane, whose corners come and go by whole numbers of times in a loop: exact at any time. Of a sea without a
-// warp, whose tiles repeat, the mean is taken everywhere.
+// Where whitecaps are thick: in some of the places that show the largest tile, which are others for each of
+// its copies, and others half a minute later. So foam, which stands out from the air as waves do not, shows
+// no tile, and comes in groups as it does at sea. It is noise on a lattice in the tile's own plane, whose
+// corners come and go by whole numbers of times in a loop: exact at any time. A sea without a warp, whose
+// tiles repeat, has none.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace seaglass {
 constexpr int foamGateCells = 6; ///< of the lattice across a tile
 
 /// Of all places and times.
-constexpr double foamGateMean = 0.307;
+constexpr double foamGateMean = 0.515;
 
 /// The first cell, as it wraps, of the tile on which a place lies [tiles].
 int32_t foamGateCell(double tiles);
@@ -24,8 +24,9 @@ class FoamGate {
     FoamGate() = default;
     FoamGate(const SeaDesc& sea, double time);
 
-    /// Share, 0..1, of the first cascade's foam that is seen at a place [tiles].
+    /// Share, 0..1, of the foam that is seen at a place [tiles].
     float at(double tilesU, double tilesV) const;
+    float mean() const { return even_ ? 1.0f : static_cast<float>(foamGateMean); }
 
     /// How often a corner comes and goes in a loop, at the least; half as often again at most.
     uint32_t turns() const { return turns_; }

@@ -1,15 +1,28 @@
-// Which cascades break, and below which Jacobian: set so that foam covers what the whitecap laws say.
+// Which cascades break, and from which compression on: set so that foam covers what the whitecap laws say.
 #pragma once
 
 #include "seaglass/foam.h"
 
 namespace seaglass {
 
-/// The first `count` cascades break, each by itself: the cover is a sum over scales (Phillips 1985).
+/// The first `count` cascades break, together: foam is the product of what each of them lets through. Where a
+/// sum of Gaussians is rare its parts are, most likely, as large as their shares of its variance are: each is
+/// asked for that much.
 struct Breaking {
     uint32_t count = 0;
-    float threshold[maxCascades] = {}; ///< Jacobian of the cascade alone, below which it foams
-    float softness[maxCascades] = {};  ///< how far below it foams fully
+    float threshold[maxCascades] = {}; ///< compression of the cascade alone, above which it foams
+    float softness[maxCascades] = {};  ///< how far above it foams fully
+    float share[maxCascades] = {};     ///< of the variance; they sum to 1
+    /// How compressed water is: of -dDx/du, -dDz/dv and -dDx/dv. It is along the wind above all, since crests
+    /// stand across it.
+    float along[3] = {};
+    /// Sum of these cascades' compressions from which waves break at this moment, give or take `nowWidth`.
+    float now = 0, nowWidth = 1;
+    float hidden = 0; ///< variance of it, to one of the slopes, both axes together
+
+    float compression(float uu, float vv, float uv) const {
+        return -(along[0] * uu + along[1] * vv + along[2] * uv);
+    }
 };
 
 Breaking breakingOf(const Sea& sea, const FoamDesc& foam);

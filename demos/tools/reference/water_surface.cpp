@@ -5,6 +5,7 @@
 #include <new>
 
 #include "host/water/waves.h"
+#include "reference/shade/optics.h"
 #include "reference/water/foam_history.h"
 
 namespace demos::reference {
@@ -98,14 +99,6 @@ double farthestOf(const Outline& outline, const glm::dvec2& foot) {
     return 1.1 * glm::length(glm::max(glm::abs(outline.low - foot), glm::abs(outline.high - foot)));
 }
 
-/// w of the pattern, in which a place p has what lies at p - w (w.p) of the tile: streaks show from Beaufort
-/// 6 on and are the mark of 8.
-glm::dvec2 streakOf(const seaglass::SeaDesc& sea) {
-    const double stretch = 1 + std::clamp((double{sea.windSpeed} - 8) / 4, 0.0, 3.0);
-    const double direction{sea.windDirection};
-    return std::sqrt(1 - 1 / stretch) * glm::dvec2(std::cos(direction), std::sin(direction));
-}
-
 } // namespace
 
 double farthestMove(const seaglass::Sea& sea) {
@@ -156,9 +149,12 @@ bool WaterSurface::create(const seaglass::Sea* sea, const seaglass::FoamDesc* fo
 
 void WaterSurface::addFoam(const seaglass::Sea& sea, const seaglass::FoamDesc& foam,
                            const seaglass::WavesBackend& backend, void* state, double timeS) {
-    foamStreak_ = streakOf(seaglass::description(sea));
+    const seaglass::SeaDesc& desc = seaglass::description(sea);
+    lace_ = seaglass::foamLaceOf(desc, timeS, laceRepeatM);
+    windrows_ = seaglass::foamWindrowsOf(desc, timeS, windrowTileM);
+    breaking_ = seaglass::breakingOf(sea, foam);
     const std::vector<std::vector<float>> left = foamLeft(sea, foam, backend, state, timeS);
-    foamGate_ = seaglass::FoamGate(seaglass::description(sea), timeS);
+    foamGate_ = seaglass::FoamGate(desc, timeS);
     for (size_t i = 0; i < left.size(); ++i) {
         Level& level = cascades_[i].foam.emplace_back();
         for (const float cover : left[i]) level.emplace_back(cover);
@@ -287,16 +283,36 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
 float WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const {
     const seaglass::WarpShift warped = seaglass::warpAt(warp_, calm.x, calm.y);
     const ShoreWave shore = shoreAt(calm, footprint);
-    float clear = 1 - static_cast<float>(edge(shore).foam);
+    const float gate = foamGate(aside(calm, warped), footprint);
+    const float now = gate * breakingNow(aside(calm, warped), shore, footprint);
+    float foamy = gate;
     for (size_t i = 0; i < cascades_.size(); ++i) {
         const Cascade& cascade = cascades_[i];
-        if (cascade.foam.empty()) continue;
+        if (cascade.foam.empty()) break;
         const glm::dvec2 place = aside(calm, warped) + bend * std::min(0.7 * cascade.texel(), 2.5);
         const float share = kept(shore, i);
         const float left = trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), place).x;
-        clear *= 1 - share * share * left * (i == 0 ? foamGate(aside(calm, warped), footprint) : 1.0f);
+        foamy *= share * share * left;
     }
-    return 1 - clear;
+    return 1 - (1 - foamy) * (1 - now) * (1 - static_cast<float>(edge(shore).foam));
+}
+
+// Where water is compressed most, of all cascades that break: a Gaussian, of which a footprint hides a part.
+float WaterSurface::breakingNow(const glm::dvec2& place, const ShoreWave& shore, double footprint) const {
+    double compressed = 0, hidden = 0;
+    for (size_t i = 0; i < breaking_.count; ++i) {
+        const Cascade& cascade = cascades_[i];
+        const double mip = mipOf(footprint, cascade.texel());
+        const glm::vec4 d = kept(shore, i) * trilinear(cascade, cascade.derivatives, mip, place);
+        const glm::vec4 squares =
+            kept(shore, i) * kept(shore, i) * trilinear(cascade, cascade.moments, mip, place);
+        const float shear = kept(shore, i) * trilinear(cascade, cascade.displacement, mip, place).w;
+        compressed += static_cast<double>(breaking_.compression(d.z, d.w, shear));
+        hidden += std::max(static_cast<double>(squares.x + squares.y - d.x * d.x - d.y * d.y), 0.0);
+    }
+    const double width = double{breaking_.nowWidth};
+    return gaussianBelow(static_cast<float>((compressed - double{breaking_.now}) /
+                                            std::sqrt(width * width + double{breaking_.hidden} * hidden)));
 }
 
 float WaterSurface::foamGate(const glm::dvec2& place, double footprint) const {
@@ -304,7 +320,7 @@ float WaterSurface::foamGate(const glm::dvec2& place, double footprint) const {
     const glm::dvec2 tiles = place / cascade.patch + 0.5 / cascade.samples;
     const float seen = foamGate_.at(tiles.x, tiles.y);
     const double blurred = glm::smoothstep(0.5, 2.0, footprint / cascade.patch * seaglass::foamGateCells);
-    return glm::mix(seen, static_cast<float>(seaglass::foamGateMean), static_cast<float>(blurred));
+    return glm::mix(seen, foamGate_.mean(), static_cast<float>(blurred));
 }
 
 SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc) {

@@ -15,7 +15,9 @@
 
 // Not public: of the sea itself.
 #include "water/interface/foam_gate.h"
+#include "water/interface/foam_layers.h"
 #include "water/interface/warp.h"
+#include "water/interface/whitecaps.h"
 
 namespace demos::reference {
 
@@ -46,10 +48,17 @@ class WaterSurface {
     /// Covariance uu, vv, uv of slopes of waves too short for any map.
     const glm::vec3& roughness() const { return roughness_; }
 
-    /// Share of the footprint that is white, and how the wind draws its pattern out: foamCover() and the
-    /// streak of shaders/water/foam/foam_cover.glsl.
+    /// Share of the footprint that is white: foamCover() of shaders/water/foam/foam_cover.glsl.
     float foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const;
-    const glm::dvec2& foamStreak() const { return foamStreak_; }
+    /// Where a place lies in the pattern's lace, and in its windrows [m].
+    glm::dvec2 onLace(const glm::dvec2& place) const { return onLayer(lace_, place); }
+    glm::dvec2 onWindrows(const glm::dvec2& place) const { return onLayer(windrows_, place); }
+    /// `place` shifted as the waves of `calm` are.
+    glm::dvec2 onWaves(const glm::dvec2& place, const glm::dvec2& calm) const {
+        const seaglass::WarpShift shift = seaglass::warpAt(warp_, calm.x, calm.y);
+        return place + glm::dvec2(shift.u, shift.v);
+    }
+    static constexpr double laceRepeatM = 16 * 24, windrowTileM = 150;
 
     /// The water's edge on a shore: as shaders/water/surface/surface_point.glsl and foam_cover.glsl have it.
     struct Edge {
@@ -93,7 +102,14 @@ class WaterSurface {
     seaglass::Warp warp_;
     std::optional<ShoreWaves> shore_;
     glm::vec3 roughness_{0};
-    glm::dvec2 foamStreak_{0};
+    float breakingNow(const glm::dvec2& place, const ShoreWave& shore, double footprint) const;
+    static glm::dvec2 onLayer(const seaglass::FoamLayer& layer, glm::dvec2 place) {
+        layer.apply(place.x, place.y);
+        return place;
+    }
+
+    seaglass::FoamLayer lace_, windrows_;
+    seaglass::Breaking breaking_;
     seaglass::FoamGate foamGate_;
 };
 

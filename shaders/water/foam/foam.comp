@@ -18,11 +18,11 @@ void main() {
     uint samples = uint(imageSize(history).x);
     ivec3 at = ivec3(gl_GlobalInvocationID.x, gl_GlobalInvocationID.y % samples, gl_GlobalInvocationID.y / samples);
     float shear = texelFetch(displacementMap, at, 0).w;
-    vec2 stretch = 1.0 + texelFetch(derivativeMap, at, 0).zw;
-    float jacobian = stretch.x * stretch.y - shear * shear;
+    vec2 stretch = texelFetch(derivativeMap, at, 0).zw;
+    float compression = -dot(foam.along.xyz, vec3(stretch, shear));
     FoamBand band = foam.bands[at.z];
-    float breaks = min((band.threshold - jacobian) * band.perJacobian, 1.0);
+    float breaks = min((compression - band.threshold) * band.perCompression, 1.0);
     float before = foam.anew != 0u ? 0.0 : imageLoad(history, at).g;
-    float faded = (before + foam.floor) * foam.fade - foam.floor;
+    float faded = (before + band.floor) * band.fade - band.floor;
     imageStore(history, at, vec4(before, max(max(faded, breaks), 0.0), 0.0, 0.0));
 }

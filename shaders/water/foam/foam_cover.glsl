@@ -4,6 +4,7 @@
 
 const float foamTile = 24.0;             // [m], as in water/foam/foam_pattern.h
 const float foamRepeat = 16.0 * foamTile;
+const float windrowTile = 150.0;
 
 struct Foam {
     float mask;    // share that is white
@@ -32,10 +33,22 @@ float shareBelow(float x, vec3 widths) {
     return x < 0.0 ? tail : 1.0 - tail;
 }
 
-// Share of the surface that is white: what each cascade's breakers left (water/foam/foam_history.h). `bend`, -1..1, moves
-// the place looked up by as much as hides that the history has samples. `gate`: foam_gate.glsl.
-float foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, float gate) {
-    float clear = 1.0;
+// Share of the pixel where waves break at this moment: where they are compressed most, all cascades together. Compression is a
+// Gaussian, so that the mean is kept however much a pixel shows (Dupuy and Bruneton 2012).
+float breakingNow(const SurfacePoint s) {
+    return gaussianBelow((s.compressed.x - water.breaking.x) * inversesqrt(water.breaking.y + water.breaking.z * s.compressed.y));
+}
+
+// Where foam can be: foam_gate.glsl, and what of it breaks now.
+struct Whitecaps {
+    float gate;
+    float now;
+};
+
+// Share of the surface that is white: what breakers left, of which each cascade has a factor (water/foam/foam_history.h), and
+// what breaks. `bend`, -1..1, moves the place looked up by as much as hides that the history has samples.
+float foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, Whitecaps caps) {
+    float foamy = caps.gate;
     vec2 calm = s.calm + aside;
     vec2 under = warped(calm);
     for (int i = 0; i < foamCascades; ++i) {
@@ -44,10 +57,10 @@ float foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, f
         float mip = log2(max(pixelWidth * texels, 1.0));
         vec2 steps = textureLod(foamHistory, vec3(water.cascade[i].xy + place * water.cascade[i].z, i), mip).rg;
         float left = mix(steps.x, steps.y, water.foam.x);
-        if (i == 0) left *= gate;
         if (hasShore) left *= s.shore.kept[i] * s.shore.kept[i];
-        clear *= 1.0 - left;
+        foamy *= left;
     }
+    float clear = (1.0 - foamy) * (1.0 - caps.now);
     if (hasShore) clear *= 1.0 - shoreFoam(s.shore);
     return 1.0 - clear;
 }
@@ -57,17 +70,18 @@ float foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, f
 struct FoamPart {
     vec2 here;    // [m]
     vec2 beside;
+    vec2 windrows;   // likewise, of the longest tile
     float share;  // of `beside`
 };
 
-FoamPart foamPartOf(vec2 place) {
+FoamPart foamPartOf(vec2 place, vec2 windrows) {
     vec2 turn = fract(place / foamRepeat);
     vec3 turns = vec3(7.0 * turn.x + 3.0 * turn.y, 9.0 * turn.y - 5.0 * turn.x, 11.0 * turn.x - 4.0 * turn.y);
     float index = 4.0 + 1.1 * dot(sin(withinHalfTurn(turns + vec3(0.0, 0.1591549, 0.3183099))), vec3(1.0));
     const vec2 spread = foamTile * vec2(0.7548777, 0.5698403);   // over the tile, evenly (Roberts 2018)
     float part = floor(index + 0.5);
     float off = index - part;
-    return FoamPart(place + part * spread, place + (part + (off < 0.0 ? -1.0 : 1.0)) * spread, 0.5 * smoothstep(0.38, 0.5, abs(off)));
+    return FoamPart(place + part * spread, place + (part + (off < 0.0 ? -1.0 : 1.0)) * spread, windrows, 0.5 * smoothstep(0.38, 0.5, abs(off)));
 }
 
 // Centred on 0. Two parts that meet keep the contrast of one.
@@ -81,8 +95,7 @@ vec4 foamPatternAt(FoamPart part, float tile, float mip) {
 }
 
 // A place's own in the pattern, which passes more slowly along the wind: so wind draws foam out.
-vec2 drawnOut(vec2 calm) {
-    vec2 streak = water.foamStreak;
+vec2 drawnOut(vec2 calm, vec2 streak) {
     return calm - streak * dot(streak, calm);
 }
 
@@ -90,9 +103,9 @@ vec2 drawnOut(vec2 calm) {
 // white is a share `cover` of the surface either way.
 //
 // One look, `aside` of the pixel's middle on the calm plane. It covers `pixelWidth` there, and `patternWidth` of the pattern [m].
-Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, float patternWidth, float gate) {
-    const vec3 weights = vec3(0.3, 0.4, 0.3);
-    const vec3 tiles = foamTile / vec3(1.0, 5.0, 17.0);
+Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, vec2 patternWidth, Whitecaps caps) {
+    const vec3 weights = vec3(0.33, 0.39, 0.28);   // of windrows, rafts and lace
+    const vec3 tiles = vec3(windrowTile, foamTile, foamTile / 7.0);
     const float patternSamples = 256.0;
     const float patternMips = 8.0;   // beyond the finest
     const float patternVariance = dot(weights, weights) / 12.0;   // of even distributions
@@ -103,9 +116,10 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, f
     vec2 slope = vec2(0.0);
     float bend[3];
     for (int i = 0; i < 3; ++i) {
-        float texels = max(patternWidth * patternSamples / tiles[i], 1.0);
+        float texels = i == 0 ? max(patternWidth.x * patternSamples / windrowTile, 4.0)   // finer lines would look combed
+                              : max(patternWidth.y * patternSamples / tiles[i], 1.0);
         float mip = log2(texels);
-        vec4 texel = foamPatternAt(part, tiles[i], mip);
+        vec4 texel = i == 0 ? textureLod(foamPattern, part.windrows / windrowTile, mip) - 0.5 : foamPatternAt(part, tiles[i], mip);
         // The last mip has no contrast, and a byte for it that is not quite the mean.
         float last = clamp(patternMips - mip, 0.0, 1.0);
         float kept = weights[i] * last * last * 30.0 / (29.15 + texels);   // keptContrast() of water/foam/foam_pattern.cpp
@@ -115,7 +129,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, f
         slope += texel.zw;
         bend[i] = 2.0 * texel.y;
     }
-    float cover = foamCover(s, aside, vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth, gate);
+    float cover = foamCover(s, aside, vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth, caps);
     // Mips that are looked at between their texels have longer ends than even distributions do.
     widths = max(widths, 0.15 * (widths.x + widths.y + widths.z) + 1e-3);
     // As its own distribution function the octaves' sum is even again, so that a share `cover` of it lies below `cover`.
@@ -134,19 +148,25 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, f
 Foam foamOver(const SurfacePoint s) {
     vec2 calm = s.calm;
     if (hasShore) calm -= s.shore.advected;
-    FoamPart here = foamPartOf(water.foam.zw + drawnOut(calm));
+    vec2 streak = water.foamStreak, windrow = water.windrows.xy;
+    vec2 under = warped(s.calm);
+    vec2 wander = under - s.calm;   // as the waves do, so that windrows are not straight, and no tile stands in rows
+    FoamPart here = foamPartOf(water.foam.zw + drawnOut(calm, streak), water.windrows.zw + drawnOut(calm + wander, windrow));
     Footprint pixel = s.footprint;
     vec2 part = pixel.longer / float(slopeSamples);
     vec2 wide = part * clamp(length(pixel.shorter) / max(length(part), 1e-9), 0.5, 1.0);
     float width = max(length(wide), length(pixel.shorter));
-    float patternWidth = max(length(drawnOut(wide)), length(drawnOut(pixel.shorter)));
-    float gate = foamGate(warped(s.calm), width);
+    vec2 patternWidth = vec2(max(length(drawnOut(wide, windrow)), length(drawnOut(pixel.shorter, windrow))),
+                             max(length(drawnOut(wide, streak)), length(drawnOut(pixel.shorter, streak))));
+    float gate = foamGate(under, width);
+    Whitecaps caps = Whitecaps(gate, gate * breakingNow(s));
     Foam sum = Foam(0.0, 0.0, vec2(0.0), 0.0);
     int i = 0;
     do {
         vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeSamples));
-        vec2 drawn = drawnOut(aside);
-        Foam tap = foamAt(s, aside, FoamPart(here.here + drawn, here.beside + drawn, here.share), width, patternWidth, gate);
+        vec2 drawn = drawnOut(aside, streak);
+        FoamPart there = FoamPart(here.here + drawn, here.beside + drawn, here.windrows + drawnOut(aside, windrow), here.share);
+        Foam tap = foamAt(s, aside, there, width, patternWidth, caps);
         sum.mask += tap.mask;
         sum.fresh += tap.fresh;
         sum.slope += tap.slope;

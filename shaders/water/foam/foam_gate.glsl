@@ -1,4 +1,4 @@
-// Where the whitecaps of a tile are to be seen: water/interface/foam_gate.h, at its places and bits. Needs wave_warp.glsl.
+// Where whitecaps are thick: water/interface/foam_gate.h, at its places and bits. Needs wave_warp.glsl.
 
 float foamGateCorner(uvec2 cell, uint turns, uint now) {
     uint bits = cell.x * 0x9e3779b9u ^ cell.y * 0x85ebca6bu;
@@ -12,8 +12,8 @@ float foamGateCorner(uvec2 cell, uint turns, uint now) {
 // Of the first cascade, `place` from the eye on its plane [m], as a mean over `width`.
 float foamGate(vec2 place, float width) {
     const float cells = 6.0;
-    const float mean = 0.307;
-    if (!isWarped) return mean;
+    const float mean = 0.515;
+    if (!isWarped) return 1.0;
     float blurred = smoothstep(0.5, 2.0, width * water.cascade[0].z * cells);
     ivec4 first = water.foamCell;
     vec2 at = cells * (water.cascade[0].xy + place * water.cascade[0].z);
@@ -24,5 +24,5 @@ float foamGate(vec2 place, float width) {
     uint turns = uint(first.z), now = uint(first.w);
     float low = mix(foamGateCorner(cell, turns, now), foamGateCorner(cell + uvec2(1, 0), turns, now), past.x);
     float high = mix(foamGateCorner(cell + uvec2(0, 1), turns, now), foamGateCorner(cell + uvec2(1, 1), turns, now), past.x);
-    return mix(smoothstep(0.5, 0.75, mix(low, high, past.y)), mean, blurred);
+    return mix(mix(0.3, 1.0, smoothstep(0.5, 0.75, mix(low, high, past.y))), mean, blurred);
 }

@@ -16,6 +16,7 @@ struct SurfacePoint {
     vec2 slope;         // mean over the pixel
     vec3 covariance;    // of the slopes within it: uu, vv, uv
     float slopeStep;    // change of slope to the next pixel
+    vec2 compressed;    // with foam: the cascades that break, together, by whitecaps.h; variance of slopes that this mean over the pixel hides
     float bounded;      // of the covariance, variance along both axes that ends within the pixel
     float sunSeen;      // share of the sun's light that reaches the surface here
     vec4 air;           // airBefore()
@@ -90,6 +91,7 @@ void findSlopes(inout SurfacePoint s) {
     s.slope = vec2(0.0);
     s.covariance = water.roughness.xyz;
     s.slopeStep = s.bounded = 0.0;
+    s.compressed = vec2(0.0);
     if (!hasWaves) return;
     vec4 derivatives = vec4(0.0);
     float shear = 0.0;
@@ -108,6 +110,7 @@ void findSlopes(inout SurfacePoint s) {
         shear += moments.w;
         vec3 lost = moments.xyz - vec3(d.xy * d.xy, d.x * d.y);
         variance += lost;
+        if (hasFoam && i < foamCascades) s.compressed += vec2(-dot(water.compression.xyz, vec3(d.zw, moments.w)), max(lost.x + lost.y, 0.0));
         s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(s.footprint.longer) * water.cascade[i].w);
     }
     variance.xy = max(variance.xy, 0.0);

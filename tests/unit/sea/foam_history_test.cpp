@@ -159,27 +159,44 @@ TEST(FoamHistory, WhatBreaksIsWhiteAndTheRestIsWhatWasThereFaded) {
     tests::Waves waves(*sea);
     const double time = 40;
     foam.at(time);
-    const FoamFading fading = fadingOf({});
-    for (uint32_t c = 0; c < foam.history.breaking().count; ++c) {
+    const Breaking& breaking = foam.history.breaking();
+    const FoamFadings fadings = fadingsOf({}, breaking);
+    for (uint32_t c = 0; c < breaking.count; ++c) {
         const tests::Maps maps = waves.at(c, time + 1 / foamStepsPerSecond);
-        const float threshold = foam.history.breaking().threshold[c];
-        const float softness = foam.history.breaking().softness[c];
-        size_t breaking = 0;
+        const float threshold = breaking.threshold[c], softness = breaking.softness[c];
+        size_t white = 0;
         for (size_t i = 0; i < maps.texels(); ++i) {
             const float before = foam.history.at(c)[i], after = foam.history.after(c)[i];
-            const double jacobian = maps.jacobian(i);
-            if (jacobian < static_cast<double>(threshold - softness)) {
-                ++breaking;
+            const float compression = breaking.compression(
+                maps.derivatives[4 * i + 2], maps.derivatives[4 * i + 3], maps.displacement[4 * i + 3]);
+            if (compression > threshold + softness) {
+                ++white;
                 EXPECT_NEAR(after, 1, 1e-5);
             }
-            if (jacobian > static_cast<double>(threshold)) {
-                const float faded = (before + fading.floor) * fading.fade - fading.floor;
+            if (compression < threshold) {
+                const float faded = (before + fadings[c].floor) * fadings[c].fade - fadings[c].floor;
                 EXPECT_NEAR(after, std::max(faded, 0.0f), 1e-5);
             }
         }
-        EXPECT_GT(breaking, 0u);
-        EXPECT_LT(breaking, maps.texels() / 10);
+        EXPECT_GT(white, 0u);
+        EXPECT_LT(white, maps.texels() / 5);
     }
+}
+
+// Whatever its share, a cascade's foam ends as soon as the others', and all fade as one would alone.
+TEST(FoamHistory, SharesFadeTogetherAsOne) {
+    const FoamDesc desc;
+    const FoamFading parts[] = {fadingOf(desc, 0.3f), fadingOf(desc, 0.7f)};
+    double foam[] = {1, 1}, seconds = 0;
+    while (foam[0] * foam[1] > std::exp(-1.0)) {
+        for (int i = 0; i < 2; ++i) {
+            const double floor = parts[i].floor;
+            foam[i] = (foam[i] + floor) * static_cast<double>(parts[i].fade) - floor;
+        }
+        seconds += 1 / foamStepsPerSecond;
+    }
+    EXPECT_NEAR(seconds, static_cast<double>(desc.decayTime), 0.25 * static_cast<double>(desc.decayTime));
+    EXPECT_EQ(parts[0].steps, parts[1].steps);
 }
 
 TEST(FoamHistory, FoamFadesWithTimeAndDies) {
@@ -201,14 +218,16 @@ TEST(FoamHistory, FoamFadesWithTimeAndDies) {
 // In half floats, as the GPU keeps it, nothing may stick.
 TEST(FoamHistory, HalfFloatsFadeToo) {
     constexpr float step = 0x1p-11f; // of halves in 0.5..1
-    const FoamFading slowest = fadingOf({.decayTime = 20});
-    for (float foam = 0; foam <= 1; foam += step) {
-        const float faded = (foam + slowest.floor) * slowest.fade - slowest.floor;
-        const float spacing = foam >= 0.5f     ? step
-                              : foam >= 0.25f  ? step / 2
-                              : foam >= 0.125f ? step / 4
-                                               : step / 8;
-        EXPECT_LT(faded, foam - spacing / 2) << foam;
+    for (const float share : {0.1f, 1.0f}) {
+        const FoamFading slowest = fadingOf({.decayTime = 20}, share);
+        for (float foam = 0; foam <= 1; foam += step) {
+            const float faded = (foam + slowest.floor) * slowest.fade - slowest.floor;
+            const float spacing = foam >= 0.5f     ? step
+                                  : foam >= 0.25f  ? step / 2
+                                  : foam >= 0.125f ? step / 4
+                                                   : step / 8;
+            EXPECT_LT(faded, foam - spacing / 2) << foam;
+        }
     }
 }
 

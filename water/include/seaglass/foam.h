@@ -1,7 +1,7 @@
 // Foam on breaking crests, and the whitecap laws that it is held to. No Vulkan.
 //
-// A wave breaks where its surface is compressed: where the Jacobian of the horizontal displacement falls
-// below a threshold. What it leaves behind stays with the water and fades. Foam is stepped at fixed times, a
+// A wave breaks where its surface is compressed, along the wind above all: where the horizontal displacement
+// of all cascades together passes a threshold. What it leaves behind stays with the water and fades. Foam is stepped at fixed times, a
 // whole multiple of 1/4 s each, and dies after three decay times: it is a function of the sea and the time
 // alone, whatever frames were drawn before. But for hosts that fall behind: a call of simulate() more than 2
 // s after another that had to catch up by more takes eight times in place of all between, at even distances.
@@ -13,7 +13,7 @@ namespace seaglass {
 
 /// How much breaks, and how long it shows.
 struct FoamDesc {
-    /// Added to the Jacobian below which waves break, -1..1: 0 covers what the whitecap laws say for the
+    /// Taken off the compression at which waves break, -1..1: 0 covers what the whitecap laws say for the
     /// wind, more is foamier.
     float bias = 0.0f;
     /// In which foam fades to 1/e [s], 0.1..20 (Monahan and Zietlow 1969: 3.85 s in salt water).

@@ -13,7 +13,7 @@
 namespace demos::reference {
 namespace {
 
-constexpr double tileM = 24, repeat = 16 * tileM; // [m]
+constexpr double tileM = 24, repeat = WaterSurface::laceRepeatM; // [m]
 
 using Mips = std::vector<std::vector<seaglass::FoamTexel>>;
 
@@ -80,20 +80,21 @@ float shareBelow(float x, const glm::vec3& widths) {
 } // namespace
 
 Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidth) {
-    constexpr std::array weights = {0.3f, 0.4f, 0.3f};
-    constexpr std::array tiles = {tileM, tileM / 5, tileM / 17};
+    constexpr std::array weights = {0.33f, 0.39f, 0.28f}; // of windrows, rafts and lace
+    constexpr std::array tiles = {WaterSurface::windrowTileM, tileM, tileM / 7};
     const glm::dvec2 carried = calm - surface.edge(calm, static_cast<double>(pixelWidth)).advected;
-    const glm::dvec2 streak = surface.foamStreak(), place = carried - streak * glm::dot(streak, carried);
-    const Part part = partOf(place);
-    constexpr float patternVariance = (0.3f * 0.3f + 0.4f * 0.4f + 0.3f * 0.3f) / 12, softEdges = 0.2f;
+    const Part part = partOf(surface.onLace(carried));
+    const glm::dvec2 windrows = surface.onWindrows(surface.onWaves(carried, calm));
+    constexpr float patternVariance = (0.33f * 0.33f + 0.39f * 0.39f + 0.28f * 0.28f) / 12, softEdges = 0.2f;
     float pattern = 0, variance = 0;
     glm::vec3 widths;
     std::array<float, 3> bend;
     Foam foam;
     for (size_t i = 0; i < 3; ++i) {
-        const float texels =
-            std::max(pixelWidth * static_cast<float>(seaglass::foamPatternSamples / tiles[i]), 1.0f);
-        const glm::vec4 texel = patternAt(part, tiles[i], texels);
+        const float texels = std::max(
+            pixelWidth * static_cast<float>(seaglass::foamPatternSamples / tiles[i]), i == 0 ? 4.0f : 1.0f);
+        const glm::vec4 texel =
+            i == 0 ? texelAt(windrows / tiles[0], texels) : patternAt(part, tiles[i], texels);
         const float last = std::clamp(8 - std::log2(texels), 0.0f, 1.0f);
         const float kept = weights[i] * last * last * 30 / (29.15f + texels);
         pattern += weights[i] * last * texel.x;

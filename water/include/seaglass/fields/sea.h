@@ -68,7 +68,7 @@ inline constexpr FieldTable shoreFields = fieldTable("ShoreDesc", shoreFieldRows
 
 /// Rows of foamFields.
 inline constexpr Field foamFieldRows[] = {
-    field<&FoamDesc::bias>("bias", -1, 1, "", "Added to the Jacobian below which waves break."),
+    field<&FoamDesc::bias>("bias", -1, 1, "", "Taken off the compression at which waves break."),
     field<&FoamDesc::decayTime>("decayTime", 0.1, 20, "s", "In which foam fades to 1/e."),
     field<&FoamDesc::albedo>("albedo", 0, 1, "", "Of full foam."),
 };
