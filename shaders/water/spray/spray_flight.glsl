@@ -39,6 +39,7 @@ Flight flightOf(inout uint draws, float age, vec2 blows, float runs) {
     f.radius = (thrown ? 0.2 + 0.3 * age : 0.2 + 0.5 * age) * mix(0.6, 1.5, share(draws));
     f.stretch = thrown ? 2.0 : 3.0 + 3.0 * age;
     f.ragged = thrown ? 1.0 : 0.0;
-    f.shown = smoothstep(0.0, 0.15, age) * (1.0 - smoothstep(0.3 * spray.wind.z, spray.wind.z, age));
+    // What still breaks is foam, and all of one age.
+    f.shown = smoothstep(0.1, 0.5, age) * (1.0 - smoothstep(0.3 * spray.wind.z, spray.wind.z, age));
     return f;
 }
