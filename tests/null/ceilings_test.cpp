@@ -150,7 +150,7 @@ TEST_F(Ceilings, OfSpray) {
                                                                   .fogKind = all ? 28u : 0u},
                                                                  false);
         ASSERT_EQ(made.size(), 1u) << water_->message();
-        expectWithin(all ? 72 : 64, made.front().stages.front());
+        expectWithin(all ? 56 : 48, made.front().stages.front());
         expectWithin(32, made.front().last());
     }
 }
