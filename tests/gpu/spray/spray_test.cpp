@@ -36,6 +36,8 @@ class Spray : public WaterTest {
         desc.wavesBackend = fftwWaves();
         desc.foam = &foam_;
         if (sprays) desc.spray = &spray_;
+        desc.plane[0] = lean_;
+        desc.extent.planetRadius = planetRadius_;
         return desc;
     }
     WaterPicture drawn(bool sprays, double time, const Camera& camera) {
@@ -74,6 +76,7 @@ class Spray : public WaterTest {
     SeaDesc sea_;
     FoamDesc foam_;
     SprayDesc spray_;
+    double lean_ = 0, planetRadius_ = 0;
     Camera camera_;
 };
 
@@ -156,6 +159,29 @@ TEST_F(Spray, GrowsWithTheWind) {
         before = mean;
     }
     EXPECT_LT(before, 0.15) << "a veil over all";
+}
+
+// About as much of it, however the water lies and is looked at.
+TEST_F(Spray, IsOnTiltedSeasOnGlobesAndBeforeParallelLines) {
+    const double level = spread(12, camera_).mean;
+    EXPECT_GT(level, 0.005);
+    lean_ = 0.02;
+    EXPECT_NEAR(spread(12, camera_).mean / level, 1, 0.5);
+    lean_ = 0;
+    planetRadius_ = 6.371e6;
+    EXPECT_NEAR(spread(12, camera_).mean / level, 1, 0.05);
+    planetRadius_ = 0;
+    Camera steep = camera_;
+    steep.eye = {0, 40, 0};
+    steep.target = {10, 0, -20};
+    steep.fovDegrees = 40;
+    const double fromAnEye = spread(12, steep).mean;
+    steep.parallelHeight = 0.73 * glm::length(steep.eye - steep.target);
+    steep.far = 200;
+    const double byParallelLines = spread(12, steep).mean;
+    std::printf("level %.5f; from an eye %.5f, by parallel lines %.5f\n", level, fromAnEye, byParallelLines);
+    EXPECT_GT(byParallelLines / fromAnEye, 0.5);
+    EXPECT_LT(byParallelLines / fromAnEye, 2);
 }
 
 // Under an even sky no cloud shines brighter than that.
