@@ -190,11 +190,13 @@ TEST(SeaOfTheHost, MirrorsWavesInWaves) {
 Scene stormInLowSun(const char* camera) {
     Error error;
     const std::vector<std::string> sun = {"sky.intensity=0", "sun.azimuth_deg=298", "sun.elevation_deg=7.5",
-                                          "sun.irradiance=[8.685, 4.944, 1.910]"};
+                                          "sun.irradiance=[8.685, 4.944, 1.910]",
+                                          "water.refraction.backscatter_per_m=[0.004, 0.0062, 0.006]"};
     std::optional<Scene> scene = loadScene(tests::demoScene("storm"), sun, error);
     EXPECT_TRUE(scene) << error.text;
     scene->cameras = {tests::cameraOf(*scene, camera)};
     scene->water->spray.reset(); // which is not traced
+    scene->fog.reset();
     setQuality("highest", *scene->water);
     return *scene;
 }
