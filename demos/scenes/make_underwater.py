@@ -42,16 +42,20 @@ class Underwater:
         near_x, near_z = np.linspace(-9, 9, 76), np.linspace(-13, 8, 85)
         edge = lambda x, z: np.clip(np.minimum(9 - np.abs(x), np.minimum(8 - z, z + 13)) / 2, 0, 1)
         asset = Asset().add("sand", seabed.sheet(near_x, near_z, lambda x, z: seabed.ripples(x, z) * edge(x, z)))
-        wide = land.spaced((-70, -28, 6), (-28, -9, 2.4), (-9, 9, 2.25), (9, 27, 1.5), (27, 70, 4.3))
-        # The wider net goes on a little under the finer one, so that no crack opens where they meet.
-        under = lambda x, z: np.where((np.abs(x) < 8.9) & (z < 7.9) & (z > -12.9), -0.7, 0.0)
-        for xs, zs in (
-            (wide, np.append([7.4], land.spaced((8, 30, 4.4)))),
-            (wide, np.append(land.spaced((-120, -40, 8), (-40, -13, 3)), [-12.4])),
-            (np.append(wide[wide <= -9], [-8.4]), land.spaced((-13, 8, 1.5))),
-            (np.append([8.4], wide[wide >= 9]), land.spaced((-13, 8, 1.5))),
+        # A wider net around it, joined to it vertex by vertex.
+        xs = land.spaced((-70, -28, 6), (-28, -9, 2.4), (-9, 9, 2.25), (9, 27, 1.5), (27, 70, 4.3))
+        zs = land.spaced((-120, -40, 8), (-40, -13, 3), (-13, 8, 1.5), (8, 30, 4.4))
+        left, right, back, front = xs[xs < -9][-1], xs[xs > 9][0], zs[zs < -13][-1], zs[zs > 8][0]
+        between, beside = xs[(xs >= left) & (xs <= right)], zs[(zs >= -13) & (zs <= 8)]
+        for x, z in (
+            (xs[xs <= left], zs), (xs[xs >= right], zs), (between, zs[zs <= back]), (between, zs[zs >= front]),
+            *((x, z) for x in ([left, -9], [9, right]) for z in ([back, -13], [8, front])),
         ):
-            asset.add("sand", seabed.sheet(xs, zs, under))
+            asset.add("sand", seabed.sheet(x, z))
+        for rim, beyond in ((-9, left), (9, right)):
+            asset.add("sand", seabed.seam(shape.row(rim, near_z), shape.row(beyond, beside), 1))
+        for rim, beyond in ((-13, back), (8, front)):
+            asset.add("sand", seabed.seam(shape.row(near_x, rim), shape.row(between[1:-1], beyond), 0))
         self.glb.node(self.mesh("bed", asset))
 
     def foot(self, x, z, sunk=0.0):

@@ -1,11 +1,14 @@
-// The bed of a scene's shore, measured over its water's plane.
+// The bed of a scene's shore, measured over its water's plane; and that the demo's joins the land around it.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
+#include "host/files/mesh_file.h"
 #include "host/water/shore.h"
 #include "tests/program/sample.h"
 
@@ -51,6 +54,58 @@ TEST(SceneShore, IsMeasuredFromTiltedPlanes) {
             ++onMesh;
         }
     EXPECT_GT(onMesh, 100u);
+}
+
+using Place = std::tuple<long, long, long>;           ///< [cm]
+using Edges = std::map<std::pair<Place, Place>, int>; ///< and how many triangles have each
+
+Place placeOf(const glm::vec3& p) {
+    return {std::lround(100 * p.x), std::lround(100 * p.y), std::lround(100 * p.z)};
+}
+
+/// Of a file's ground, its widest part.
+void addGround(const char* file, Edges& edges) {
+    demos::Error error;
+    const std::optional<demos::Mesh> mesh =
+        demos::readMesh(std::filesystem::path(SEAGLASS_SCENES) / file, error);
+    ASSERT_TRUE(mesh) << error.text;
+    const auto width = [](const demos::MeshPart& part) { return part.high.x - part.low.x; };
+    const demos::MeshPart& ground = *std::ranges::max_element(mesh->parts, {}, width);
+    for (uint32_t i = 0; i < ground.indexCount; i += 3)
+        for (uint32_t k = 0; k < 3; ++k) {
+            const auto corner = [&](uint32_t which) {
+                return placeOf(mesh->vertices[mesh->indices[ground.firstIndex + i + which % 3]].position);
+            };
+            const Place a = corner(k), b = corner(k + 1);
+            ++edges[{std::min(a, b), std::max(a, b)}];
+        }
+}
+
+/// Of one triangle alone, within the ground's border [m]: what lies beyond shows through, or casts a shadow.
+size_t cracks(const Edges& edges, const glm::vec2& low, const glm::vec2& high) {
+    size_t count = 0;
+    const auto within = [&](const Place& place) {
+        const double x = double(std::get<0>(place)) / 100, z = double(std::get<2>(place)) / 100;
+        return x > double{low.x} && x < double{high.x} && z > double{low.y} && z < double{high.y};
+    };
+    for (const auto& [edge, triangles] : edges)
+        count += triangles == 1 && (within(edge.first) || within(edge.second)) ? 1 : 0;
+    return count;
+}
+
+TEST(SceneGround, TheBaysHillsHaveNoGaps) {
+    Edges edges;
+    addGround("shore_bed.glb", edges);
+    addGround("shore.glb", edges);
+    EXPECT_GT(edges.size(), 50000u);
+    EXPECT_EQ(cracks(edges, {-1199, -419}, {1199, 419}), 0u);
+}
+
+TEST(SceneGround, TheSandUnderWaterHasNoCracks) {
+    Edges edges;
+    addGround("underwater.glb", edges);
+    EXPECT_GT(edges.size(), 10000u);
+    EXPECT_EQ(cracks(edges, {-69, -119}, {69, 29}), 0u);
 }
 
 } // namespace

@@ -4,7 +4,7 @@ import numpy as np
 from . import land, shape, texture
 from .shape import rgb
 
-DRY, DAMP, SHELLS, DEEP = rgb("#e6d3a8"), rgb("#b59a6c"), rgb("#f1e6cf"), rgb("#c2b083")
+DRY, SHELLS, DEEP = rgb("#e6d3a8"), rgb("#f1e6cf"), rgb("#c2b083")
 SLOPE = 1 / 21
 WIDE, NEAR_Z, FAR_Z = 170, 80, -420  # of what waves are told of
 
@@ -27,11 +27,9 @@ def height(x, z):
 
 
 def paint(x, y, z):
-    """Sand: dark where waves keep it damp, a line of shells where they end, grassy on the dunes."""
+    """Dry sand, which the renderer wets: a line of shells where waves end, grassy on the dunes."""
     patch = land.waves(x, z, 21, 5.0, 3)[..., None]
-    damp = (1 - land.smooth(0.05, 0.30, y + 0.04 * land.waves(x, z, 22, 3.0, 2)))[..., None]
     color = DRY * (1 + 0.06 * patch)
-    color = color * (1 - damp) + DAMP * damp
     line = np.exp(-(((y - 0.36 - 0.03 * land.waves(x, z, 23, 4.0, 3)) / 0.035) ** 2))[..., None]
     color = color * (1 - 0.12 * line) + SHELLS * 0.12 * line
     below = land.smooth(0.2, 3.0, -y)[..., None]
@@ -50,17 +48,34 @@ def sheet(xs, zs):
     return shape.grid(np.stack([x, y, z], -1), paint(x, y, z), uv, shape.SMOOTH)
 
 
+def across():
+    return land.spaced((-WIDE, -64, 5), (-64, 64, 1.25), (64, WIDE, 5))
+
+
+SHOREWARDS = ((FAR_Z, -70, 14), (-70, -32, 2.5), (-32, 22, 1), (22, NEAR_Z, 2.5))
+
+
 def bed():
-    xs = land.spaced((-WIDE, -64, 5), (-64, 64, 1.25), (64, WIDE, 5))
-    return sheet(xs, land.spaced((FAR_Z, -70, 14), (-70, -32, 2.5), (-32, 22, 1), (22, NEAR_Z, 2.5)))
+    return sheet(across(), land.spaced(*SHOREWARDS))
+
+
+def seam(fine, coarse, along):
+    x, z = shape.seam(fine, coarse, along)
+    y = height(x, z)
+    return shape.fromTriangles(np.stack([x, y, z], -1), paint(x, y, z), np.stack([x, z], -1) / 1.9, shape.SMOOTH)
 
 
 def outskirts():
-    """What waves are not told of: beside the bay, and behind it."""
-    zs = land.spaced((FAR_Z - 60, -150, 30), (-150, 40, 9), (40, NEAR_Z, 8), (NEAR_Z, 420, 24))
-    sides = [sheet(side * land.spaced((WIDE, 330, 14), (330, 1200, 90))[::side], zs) for side in (-1, 1)]
-    behind = sheet(land.spaced((-WIDE, WIDE, 10)), land.spaced((NEAR_Z, 180, 8), (180, 420, 24)))
-    return [*sides, behind]
+    """What waves are not told of: beside the bay, and behind it. Where sheets meet they share every vertex, or the sky would shine
+    through the hills."""
+    beside, inland = WIDE + 14, NEAR_Z + 8
+    behind = ((inland, 180, 8), (180, 420, 24))
+    zs = land.spaced((FAR_Z - 60, -150, 30), (-150, 40, 9), (40, NEAR_Z, 8), (NEAR_Z, inland, 8), *behind)
+    border = land.spaced((FAR_Z - 60, FAR_Z, 30), *SHOREWARDS, (NEAR_Z, inland, 8), *behind)
+    sides = [sheet(side * land.spaced((beside, 324, 14), (324, 1200, 90))[::side], zs) for side in (-1, 1)]
+    seams = [seam(shape.row(side * WIDE, border), shape.row(side * beside, zs), 1) for side in (-1, 1)]
+    xs = land.spaced((-WIDE, WIDE, 10))
+    return [*sides, *seams, seam(shape.row(across(), NEAR_Z), shape.row(xs, inland), 0), sheet(xs, land.spaced(*behind))]
 
 
 def sand(size=256):

@@ -21,14 +21,23 @@ def ripples(x, z):
     return 0.035 * crest**0.8
 
 
+def paint(x, z):
+    patch = np.clip(land.waves(x, z, 84, 4.0, 3) + 0.2, 0, 1)[..., None]
+    dark = np.clip((x - 8.5) / 3, 0, 1)[..., None] * 0.75
+    return (SAND * (1 - 0.35 * patch) + DUST * 0.35 * patch) * (1 - dark) + WEEDY * dark
+
+
 def sheet(xs, zs, lift=None):
     x, z = np.meshgrid(xs, zs, indexing="ij")
     y = height(x, z) + (0 if lift is None else lift(x, z))
-    patch = np.clip(land.waves(x, z, 84, 4.0, 3) + 0.2, 0, 1)[..., None]
-    dark = np.clip((x - 8.5) / 3, 0, 1)[..., None] * 0.75
-    color = (SAND * (1 - 0.35 * patch) + DUST * 0.35 * patch) * (1 - dark) + WEEDY * dark
     uv = np.stack([x, z], -1) * 0.45
-    return shape.grid(np.stack([x, y, z], -1), color, uv, shape.SMOOTH, flip=True)
+    return shape.grid(np.stack([x, y, z], -1), paint(x, z), uv, shape.SMOOTH, flip=True)
+
+
+def seam(fine, coarse, along):
+    x, z = shape.seam(fine, coarse, along)
+    uv = np.stack([x, z], -1) * 0.45
+    return shape.fromTriangles(np.stack([x, height(x, z), z], -1), paint(x, z), uv, shape.SMOOTH)
 
 
 def kelp(seed, tall=4.5, blades=34):

@@ -87,6 +87,26 @@ def grid(points, color, uv=None, crease=SMOOTH, flip=False):
     )
 
 
+def row(xs, zs):
+    return np.stack(np.broadcast_arrays(xs, zs), -1).astype(float)
+
+
+def seam(fine, coarse, along):
+    """Triangles' x and z [m,3], fronts above, between two rows of places [n,2] that rise along one axis and end side by side: sheets
+    that share every vertex leave no crack."""
+    i = j = 0
+    corners = []
+    while i + 1 < len(fine) or j + 1 < len(coarse):
+        onFine = j + 1 == len(coarse) or (i + 1 < len(fine) and fine[i + 1][along] <= coarse[j + 1][along])
+        corners += [fine[i], coarse[j], fine[i + 1] if onFine else coarse[j + 1]]
+        i, j = (i + 1, j) if onFine else (i, j + 1)
+    xz = np.array(corners).reshape(-1, 3, 2)
+    first, second = xz[:, 1] - xz[:, 0], xz[:, 2] - xz[:, 0]
+    below = first[:, 0] * second[:, 1] > second[:, 0] * first[:, 1]
+    xz[below] = xz[below][:, ::-1]
+    return xz[..., 0], xz[..., 1]
+
+
 def box(size, center=(0, 0, 0), color=(1, 1, 1), texture=None, top=None, cuts=1):
     """`texture`: tiles a metre, or None; the grain (v) runs along the longest side. `top`: scale of the upper face.
     `cuts`: quads along each side, for colours that vary over it."""
