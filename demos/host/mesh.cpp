@@ -6,7 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "host/water/placement.h"
+#include "host/water/afloat.h"
 
 namespace demos {
 namespace {
@@ -149,15 +149,15 @@ bool outside(const MeshPart& part, const glm::dmat4& clipFromMesh) {
 
 } // namespace
 
-bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDesc>& descs, MeshSet& out,
-                Error& error) {
+bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDesc>& descs, double levelM,
+                MeshSet& out, Error& error) {
     if (!createWhite(device, out, error)) return false;
     PlacedTriangles triangles;
     for (const MeshDesc& desc : descs) {
         const auto [entry, fresh] = out.meshes.try_emplace(desc.file);
+        std::optional<Mesh> mesh;
+        if ((fresh || desc.floats) && !(mesh = readMesh(desc.file, error))) return false;
         if (fresh) {
-            const std::optional<Mesh> mesh = readMesh(desc.file, error);
-            if (!mesh) return false;
             triangles.readFile(mesh->fileBytes);
             for (const std::string& line : mesh->leftOut)
                 out.leftOut.push_back(desc.file.string() + ": " + line);
@@ -169,12 +169,17 @@ bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDe
         uint64_t count = 0;
         for (const MeshPart& part : entry->second.parts) count += part.indexCount / 3;
         if (!triangles.place(count, desc.file, error)) return false;
-        MeshInstance instance;
+        MeshInstance& instance = out.instances.emplace_back();
         instance.mesh = &entry->second;
-        if (!placement(desc, instance.worldFromMesh, error)) return false;
-        out.instances.push_back(instance);
+        if (!placedOf(desc, mesh ? *mesh : Mesh{}, levelM, instance.placed, error)) return false;
     }
-    return true;
+    return placeMeshes(out, 0, {nullptr, 0}, error);
+}
+
+bool placeMeshes(MeshSet& meshes, double timeS, const WaterAt& water, Error& error) {
+    return std::ranges::all_of(meshes.instances, [&](MeshInstance& instance) {
+        return placement(instance.placed, timeS, water, instance.worldFromMesh, error);
+    });
 }
 
 bool FeaturePipelines::make(const Device& device, VkPipelineLayout layout, const PipelineDesc& desc,

@@ -9,6 +9,7 @@
 #include "host/vulkan/layouts.h"
 #include "host/vulkan/pipeline.h"
 #include "host/water/bent_sun.h"
+#include "host/water/placement.h"
 
 namespace demos {
 
@@ -36,7 +37,8 @@ struct GpuMesh {
 
 struct MeshInstance {
     const GpuMesh* mesh = nullptr;
-    glm::dmat4 worldFromMesh{1};
+    Placed placed;
+    glm::dmat4 worldFromMesh{1}; ///< as placeMeshes() last set it
 };
 
 struct MeshSet {
@@ -47,8 +49,12 @@ struct MeshSet {
     std::vector<std::string> leftOut; ///< Mesh::leftOut, behind the file's name
 };
 
-bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDesc>& descs, MeshSet& out,
-                Error& error);
+/// For water that lies at `levelM` where it is calm.
+bool loadMeshes(Device& device, const Layouts& layouts, const std::vector<MeshDesc>& descs, double levelM,
+                MeshSet& out, Error& error);
+
+/// Where they are at a time, when the water is so.
+bool placeMeshes(MeshSet& meshes, double timeS, const WaterAt& water, Error& error);
 
 /// Of all materials that are drawn.
 std::set<uint32_t> featuresOf(const MeshSet& meshes);

@@ -9,7 +9,7 @@ import pathlib
 import numpy as np
 
 import glb
-from make import boats, bridge, land, moorings, occlusion, pier, rocks, shape, texture
+from make import bridge, land, moorings, occlusion, pier, rocks, shape, texture
 from make.shape import Asset, rgb
 
 START, LENGTH, Z = 8.6, 25.0, 50.0  # x of the skerry's end [m]
@@ -29,7 +29,6 @@ class Bridge:
             "paint": self.glb.material("paint", roughness=0.7),
             "gloss": self.glb.material("gloss", roughness=0.35),
             "reeds": self.glb.material("reeds", roughness=0.9, doubleSided=True),
-            "hull": self.glb.material("green hull", rgb("#3f7a55"), roughness=0.45),
         }
 
     def mesh(self, name, asset):
@@ -81,8 +80,8 @@ class Bridge:
         for x, z in spots:
             self.glb.node(clumps[self.rng.integers(3)], (x, 0, z), glb.yaw(self.rng.uniform(0, 360)))
 
-    def boat(self):
-        self.glb.node(self.mesh("rowing boat", occlusion.bake(boats.rowingBoat(), 0.05, 0.75)), (26.2, 0, 55.2), glb.yaw(62))
+    def mooring(self):
+        """Of a boat that harbour.toml has."""
         ropes = Asset().add("paint", moorings.rope((27.8, 0.6, 54.5), (29.2, 1.0, 51.4), 0.1))
         posts = Asset().add("wood", pier.post(9, 1.3, -3.0, 0.10))
         self.glb.node(self.mesh("rope", ropes))
@@ -91,7 +90,7 @@ class Bridge:
 
 def main():
     made = Bridge()
-    parts = (made.bridge, made.skerry, made.stakes, made.reeds, made.boat)
+    parts = (made.bridge, made.skerry, made.stakes, made.reeds, made.mooring)
     glb.build(made.glb, parts, pathlib.Path(__file__).parent / "bridge.glb")
 
 

@@ -55,7 +55,6 @@ class Harbour:
             "glass": self.glb.material("glass", roughness=0.12),
             "leaves": self.glb.material("leaves", roughness=0.9, doubleSided=True),
             "hull": self.glb.material("blue hull", rgb("#2f6f8f"), roughness=0.45),
-            "red hull": self.glb.material("red hull", rgb("#b5432f"), roughness=0.45),
             "hills": self.glb.material("hills", roughness=1.0),
         }
 
@@ -375,34 +374,15 @@ class Harbour:
             )
         self.still("lighthouse", occlusion.bake(asset, 0.14, 0.6))
 
-    # --- afloat -----------------------------------------------------------------------------------------------------
+    # --- boats -----------------------------------------------------------------------------------------------------
 
     def fleet(self):
-        boat = occlusion.bake(boats.rowingBoat(), 0.05, 0.75)
-        rowing = self.mesh("rowing boat", boat)
-        self.materials["hull"] = self.materials["red hull"]
-        other = self.mesh("dinghy", boat)
-        self.glb.node(rowing, (-4.6, 0, 9.5), glb.yaw(24))
-        self.glb.node(other, (1.2, 0, -0.9), glb.yaw(-174))
+        """The boat that is ashore; make_afloat.py makes the others, and buoys and marks: harbour.toml says where they are."""
         self.glb.node(
-            rowing,
+            self.mesh("rowing boat", occlusion.bake(boats.rowingBoat(), 0.05, 0.75)),
             (15.2, 0.62, 14.2),
             glb.times(glb.yaw(118), np.array([np.sin(np.radians(6)), 0, 0, np.cos(np.radians(6))])),
         )
-        sail = self.mesh("sailing boat", occlusion.bake(boats.sailingBoat(), 0.08, 0.6))
-        self.glb.node(sail, (-10.5, 0, -8.5), glb.yaw(152))
-        fishing = self.mesh("fishing boat", occlusion.bake(boats.fishingBoat(), 0.09, 0.7))
-        at, turn = np.array([8.9, 0, 1.0]), 176
-        aboard = lambda p: shape.about("y", turn) @ np.array(p) + at
-        self.glb.node(fishing, at, glb.yaw(turn))
-        tyre = self.mesh("tyre", Asset().add("paint", moorings.tyre()))
-        for p in boats.fenders():
-            self.glb.node(tyre, aboard(p), glb.yaw(turn))
-        self.glb.node(self.ring, aboard((-1.95, 1.15, 1.0)), glb.yaw(turn))
-        for k, p in enumerate(
-            ((-3.2, 0.48, -0.6), (-3.2, 0.48, 0.1), (-3.15, 0.78, -0.55), (-3.3, 0.48, 0.8), (2.7, 0.62, 0.3))
-        ):
-            self.glb.node(self.crates[k % 3], aboard(p), glb.yaw(turn + 9 * k))
 
     def moorings(self):
         poles = [
@@ -415,14 +395,6 @@ class Harbour:
                 glb.yaw(self.rng.uniform(0, 360)),
             )
             self.glb.node(poles[k % 2], (x, 0, z), q)
-        orange = self.mesh("buoy", moorings.ballBuoy())
-        white = self.mesh("white buoy", moorings.ballBuoy("#eeeae0", 0.3))
-        for mesh, x, z in ((orange, -9.4, 6.2), (white, -5.6, -13), (orange, -17, -20), (white, -15.5, 3.5)):
-            self.glb.node(mesh, (x, 0, z), glb.yaw(x * 40))
-        red = self.mesh("red mark", moorings.sparBuoy())
-        green = self.mesh("green mark", moorings.sparBuoy("#2d7a4a", "#2d7a4a"))
-        self.glb.node(red, (-12.5, 0, -31))
-        self.glb.node(green, (-24, 0, -29))
         ropes = Asset().add(
             "paint",
             moorings.rope((-2.7, 0.55, 8.7), (-1.8, 1.2, 3.6), 0.35),

@@ -29,6 +29,12 @@ std::vector<std::string> render(const std::vector<std::string>& more,
     return arguments;
 }
 
+std::string nineOf(const std::string& element) {
+    std::string all = element;
+    for (int i = 1; i < 9; ++i) all += ", " + element;
+    return all;
+}
+
 std::vector<BadInput> commandLines() {
     return {
         {"NoCommand", {}, {"expected seaglass render"}},
@@ -70,6 +76,16 @@ std::vector<BadInput> commandLines() {
          {"--set water.fresnel=shlick: water.fresnel is 'shlick'", "expected exact or schlick"}},
         {"BothValidations", render({"--validation", "--no-validation"}), {"--validation"}},
         {"SetWithoutValue", render({"--set", "time_s"}), {"--set time_s", "path=value"}},
+        {"FloatsAboveTheWater",
+         render({"--set", "mesh.0.floats=true"}),
+         {"scene.toml:14: mesh.0.file: ", "tetra.gltf: is to float", "expected a mesh that reaches"}},
+        {"MeshHasTooManyVolumes",
+         render(
+             {"--set", "mesh.0.exclusion_volumes=[" + nineOf("{points_m = [[0, 0], [1, 0], [0, 1]]}") + "]"}),
+         {"count is out of range, expected 0 to 8"}},
+        {"VolumeIsNotConvex",
+         render({"--set", "mesh.0.exclusion_volumes=[{points_m = [[0, 0], [1, 0]]}]"}),
+         {"scene.toml:14: mesh.0.file: ", "mesh.exclusion_volumes.0.points_m are 2, expected 3 to 7"}},
         {"SetUnknownKey",
          render({"--set", "water.wave=1"}),
          {"--set water.wave=1", "nearest is water.waves"}},

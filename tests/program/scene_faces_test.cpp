@@ -43,6 +43,8 @@ constexpr Known known[] = {
     {"harbour.glb", 0, 0, 2450},
     {"harbour.glb", 2, 2, 50},
     {"harbour.glb", 6, 6, 8500},
+    {"sailing_boat.glb", 1, 1, 80},
+    {"sailing_boat_at_anchor.glb", 1, 1, 80},
     {"pool.glb", 1, 1, 2750},
     {"pool.glb", 3, 3, 930},
     {"pool.glb", 5, 5, 29000},
@@ -72,7 +74,7 @@ void add(const demos::MeshDesc& desc, Faces& out) {
     demos::Error error;
     const auto mesh = demos::readMesh(desc.file, error);
     glm::dmat4 worldFromMesh;
-    ASSERT_TRUE(mesh && demos::placement(desc, worldFromMesh, error)) << error.text;
+    ASSERT_TRUE(mesh && demos::placement(desc, 0, worldFromMesh, error)) << error.text;
     for (const demos::MeshPart& part : mesh->parts) {
         const auto source = static_cast<uint32_t>(out.sources.size());
         out.sources.push_back({desc.file.filename().string(), part.material});

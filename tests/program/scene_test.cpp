@@ -669,8 +669,13 @@ TEST_F(SceneFile, EveryFieldIsInTheTableOnce) {
 
 /// The sample, with one of everything that can be repeated, and what else wants more than one field.
 std::string fullSample() {
-    return withColour("tint = [0.1, 0.2, 0.1]\nvisibility_m = 6") +
-           "[[water.waves.swells]]\n[water.extent]\nsize_m = [25, 10]\n" +
+    std::string text = withColour("tint = [0.1, 0.2, 0.1]\nvisibility_m = 6");
+    text.insert(text.find("\n[water]"),
+                "[[mesh.keyframes]]\ntime_s = 3\nposition_m = [0, 0, 0]\nyaw_deg = 9\n"
+                "[[mesh.exclusion_volumes]]\npoints_m = [[0, 0], [1, 0], [0, 1]]\n");
+    text.insert(text.rfind("\n[[camera]]"),
+                "[[camera.keyframes]]\ntime_s = 3\nposition_m = [0, 0, 0]\ntarget_m = [0, 0, 1]\n");
+    return text + "[[water.waves.swells]]\n[water.extent]\nsize_m = [25, 10]\n" +
            "[water.shore]\nfile = 'tetra.gltf'\n" +
            "[[water.exclusion_volumes]]\npoints_m = [[0, 0], [1, 0], [0, 1]]\n[fog]\nend_m = 1e9\n";
 }

@@ -56,7 +56,7 @@ bool lightWorld(const glm::vec3& sky, demos::reference::World& out) {
 
 void addMesh(const std::string& name, demos::Mesh mesh, demos::reference::World& out) {
     const auto entry = out.models.emplace(name, demos::reference::Model(std::move(mesh))).first;
-    out.instances.push_back({&entry->second, glm::dmat4(1)});
+    out.instances.push_back({&entry->second, {}});
 }
 
 demos::reference::FrameDesc smallFrame() {

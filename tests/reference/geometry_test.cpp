@@ -69,7 +69,7 @@ class Square {
     Square(bool doubleSided, bool masked) : model_(square(doubleSided, masked)) {
         Error error;
         EXPECT_TRUE(geometry_.create(error)) << error.text;
-        geometry_.add({&model_, glm::dmat4(1)}, {0, 0, 0});
+        geometry_.add(model_, glm::dmat4(1), {0, 0, 0});
         EXPECT_TRUE(geometry_.build(error)) << error.text;
     }
     /// Along Z from 5 m before it (+1) or behind it (-1).
@@ -106,7 +106,7 @@ TEST(Geometry, RoundThingsDoNotShadeThemselvesBeforeTheTerminator) {
     const reference::Model model(ball());
     reference::Geometry geometry;
     ASSERT_TRUE(geometry.create(error)) << error.text;
-    geometry.add({&model, glm::dmat4(1)}, glm::dvec3(0));
+    geometry.add(model, glm::dmat4(1), glm::dvec3(0));
     ASSERT_TRUE(geometry.build(error)) << error.text;
     const glm::vec3 towardsLight = glm::normalize(glm::vec3(0.9f, 0.4f, 0.1f));
     int lit = 0, dark = 0, fromFacets = 0;

@@ -20,6 +20,18 @@ TEST(ViewState, TimePassesUnlessItIsPaused) {
     EXPECT_EQ(state.camera.positionM[2], -demos::flySpeedMps * 0.25) << "the camera still flies";
 }
 
+TEST(ViewState, WhoFliesLeavesTheCamerasPath) {
+    ViewState state;
+    state.camera.positionM = {0, 2, 0};
+    state.camera.targetM = {0, 2, -10};
+    state.camera.keyframes = {{.timeS = 4, .positionM = {8, 2, 0}, .targetM = {8, 2, -10}}};
+    demos::advance(state, {}, 2);
+    EXPECT_EQ(state.camera.keyframes.size(), 1u) << "it plays on";
+    demos::advance(state, {.forward = 1}, 0.25);
+    EXPECT_TRUE(state.camera.keyframes.empty());
+    EXPECT_EQ(state.camera.positionM, (demos::Vec3{4, 2, -demos::flySpeedMps * 0.25}));
+}
+
 TEST(SavedView, IsTheScenesFirstCameraAndTime) {
     ViewState state;
     state.scene.cameras.resize(2);

@@ -34,7 +34,7 @@ struct Samples {
 /// One round of all surfaces.
 class RoundTimer {
   public:
-    RoundTimer(Device& device, FrameRecorder& recorder, const LoadedScene& scene, const FrameDesc& frame,
+    RoundTimer(Device& device, FrameRecorder& recorder, LoadedScene& scene, const FrameDesc& frame,
                Yardsticks& yardsticks)
         : device_(device), recorder_(recorder), scene_(scene), frame_(frame), yardsticks_(yardsticks) {
         frame_.follows = true;
@@ -98,7 +98,7 @@ class RoundTimer {
 
     Device& device_;
     FrameRecorder& recorder_;
-    const LoadedScene& scene_;
+    LoadedScene& scene_;
     FrameDesc frame_;
     Yardsticks& yardsticks_;
     YardstickMs beside_;

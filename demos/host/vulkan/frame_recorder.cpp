@@ -6,6 +6,9 @@
 #include "host/passes/fog.h"
 #include "host/passes/fog_uniforms.h"
 #include "host/seaglass_view.h"
+#include "host/water/afloat.h"
+#include "host/water/exclusion_volumes.h"
+#include "scene/motion/motion.h"
 
 namespace demos {
 
@@ -23,6 +26,13 @@ bool isPlanar(const SurfaceDesc& desc) {
 bool hasBed(const SurfaceDesc& desc) {
     const auto* const water = std::get_if<WaterDesc>(&desc);
     return water && water->bed && water->bedDrawn;
+}
+
+std::vector<seaglass::ExclusionVolume> carriedVolumes(const MeshSet& meshes) {
+    std::vector<seaglass::ExclusionVolume> volumes;
+    for (const MeshInstance& instance : meshes.instances)
+        addCarried(instance.placed.desc, instance.worldFromMesh, volumes);
+    return volumes;
 }
 
 } // namespace
@@ -51,14 +61,23 @@ bool FrameRecorder::createFrameSet(const Sky& sky, FrameSet& out, Error& error) 
 
 bool FrameRecorder::load(const Scene& scene, LoadedScene& out, Error& error) {
     if (!loadSky(*device_, scene.sky, scene.sun, out.sky, error) ||
-        !loadMeshes(*device_, layouts_, scene.meshes, out.meshes, error) ||
+        !loadMeshes(*device_, layouts_, scene.meshes, scene.water ? scene.water->levelM : 0, out.meshes,
+                    error) ||
         !opaque_.prepare(*device_, layouts_, out.meshes, error) ||
         !shadow_.prepare(*device_, layouts_, out.meshes, error) || !createFrameSet(out.sky, out.frame, error))
         return false;
-    out.bounds = worldBounds(out.meshes);
     if (scene.fog && !fogOf(*scene.fog, out.fog.emplace(), error)) return false;
     const std::optional<SurfaceDesc> surface = surfaceOf(scene);
     return !surface || addSurface(*surface, out, error);
+}
+
+bool FrameRecorder::move(LoadedScene& scene, double timeS, Error& error) {
+    const WaterBody* const water = this->water();
+    const bool hasWater = water && *water;
+    const WaterAt heights(hasWater ? seaglass::sea(water->get()) : nullptr, timeS);
+    if (!placeMeshes(scene.meshes, timeS, heights, error)) return false;
+    const std::vector<seaglass::ExclusionVolume> volumes = carriedVolumes(scene.meshes);
+    return !hasWater || volumes.empty() || water_.exclude(*water, volumes, error);
 }
 
 bool FrameRecorder::createSurface(const WaterDesc& desc, LoadedScene& scene, Error& error) {
@@ -71,6 +90,8 @@ bool FrameRecorder::createSurface(const WaterDesc& desc, LoadedScene& scene, Err
         waves = {seaglass::resolvedSlopeVariance(*sea) + seaglass::unresolvedSlopeVariance(*sea),
                  seaglass::significantWaveHeight(*sea)};
     if (!bentSunOf(desc, scene.sky.sun.direction, waves, sun, error)) return false;
+    const std::vector<seaglass::ExclusionVolume> volumes = carriedVolumes(scene.meshes);
+    if (!volumes.empty() && !water_.exclude(body, volumes, error)) return false;
     scene.surfaces.push_back({std::move(body), sun});
     return true;
 }
@@ -120,7 +141,7 @@ const MirrorSurface* FrameRecorder::floor() const {
     return std::get_if<MirrorSurface>(&surface_->body);
 }
 
-bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Error& error) {
+bool FrameRecorder::begin(LoadedScene& scene, const FrameDesc& frame, Error& error) {
     scene_ = &scene;
     frame_ = frame;
     if (!std::isfinite(frame.timeS)) {
@@ -144,7 +165,9 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
     }
     if (needsExact(frame.aov) && !createExactTarget(*device_, targets_, error)) return false;
     if (isOverlay(frame.aov) && !createOverlayTarget(*device_, targets_, error)) return false;
-    if (!makeCamera(frame.camera, static_cast<double>(extent.width) / extent.height, camera_, error))
+    if (!makeCamera(cameraAt(frame.camera, frame.timeS), static_cast<double>(extent.width) / extent.height,
+                    camera_, error) ||
+        !move(scene, frame.timeS, error))
         return false;
     camera_.jitterPx = {frame.jitterPx[0], frame.jitterPx[1]};
     camera_.follows = frame.follows;
@@ -154,7 +177,7 @@ bool FrameRecorder::begin(const LoadedScene& scene, const FrameDesc& frame, Erro
     column.x = camera_.parallel() ? moved.x : -moved.x;
     column.y = camera_.parallel() ? moved.y : -moved.y;
     camera_.toldProjection = mistaken(camera_.projection, frame.mistake);
-    shadowFits_ = fitShadows(scene.bounds, camera_, scene.sky.sun.direction, surface_->sun);
+    shadowFits_ = fitShadows(worldBounds(scene.meshes), camera_, scene.sky.sun.direction, surface_->sun);
     lighting_ = lightingOf(scene.sky);
     lighting_.fog = scene.fog ? &*scene.fog : nullptr;
     if (sunShadowOf(shadow_, shadowFits_, camera_.eye, sunShadow_)) lighting_.shadow = &sunShadow_;

@@ -30,7 +30,6 @@ struct LoadedScene {
     Sky sky;
     std::optional<seaglass::FogDesc> fog;
     MeshSet meshes;
-    std::vector<Box> bounds;
     FrameSet frame;
     FrameSet mirrored;             ///< only where a reflection is planar
     FrameSet bed;                  ///< only where a water has one
@@ -90,8 +89,9 @@ class FrameRecorder {
     /// What the library says that a surface's reflection holds for one view of this size.
     bool estimateReflection(const SurfaceDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error);
 
-    /// Checks the frame and readies everything for recording it; the frame before has finished.
-    bool begin(const LoadedScene& scene, const FrameDesc& frame, Error& error);
+    /// Checks the frame, moves what moves to where it is then, and readies everything for recording it; the frame
+    /// before has finished.
+    bool begin(LoadedScene& scene, const FrameDesc& frame, Error& error);
     /// Whether a stage has anything to record.
     bool needed(Stage stage) const;
     /// As a pass by its name, around those of the library.
@@ -109,6 +109,8 @@ class FrameRecorder {
   private:
     bool createFrameSet(const Sky& sky, FrameSet& out, Error& error);
     void bindFrameSet(VkCommandBuffer commands, const FrameSet& frame) const;
+    /// To where things are at a time, on the frame's surface.
+    bool move(LoadedScene& scene, double timeS, Error& error);
     void writeUniforms();
     bool createSurface(const WaterDesc& desc, LoadedScene& scene, Error& error);
     bool createSurface(const FloorDesc& desc, LoadedScene& scene, Error& error);

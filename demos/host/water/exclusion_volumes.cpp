@@ -55,12 +55,12 @@ seaglass::ExclusionVolume roomOf(const ExclusionVolumeDesc& desc, int turning) {
 
 } // namespace
 
-bool exclusionVolumesOf(const std::vector<ExclusionVolumeDesc>& volumes,
+bool exclusionVolumesOf(const std::vector<ExclusionVolumeDesc>& volumes, const std::string& path,
                         std::vector<seaglass::ExclusionVolume>& out, Error& error) {
     out.clear();
     for (const ExclusionVolumeDesc& desc : volumes) {
         const size_t corners = desc.pointsM.size();
-        const std::string name = "water.exclusion_volumes." + std::to_string(out.size()) + ".points_m ";
+        const std::string name = path + "." + std::to_string(out.size()) + ".points_m ";
         if (corners < 3 || corners > mostWalls) {
             error.text =
                 name + "are " + std::to_string(corners) + ", expected 3 to " + std::to_string(mostWalls);
@@ -74,6 +74,18 @@ bool exclusionVolumesOf(const std::vector<ExclusionVolumeDesc>& volumes,
         out.push_back(roomOf(desc, turning));
     }
     return true;
+}
+
+void addCarried(const MeshDesc& mesh, const glm::dmat4& worldFromMesh,
+                std::vector<seaglass::ExclusionVolume>& out) {
+    const glm::dmat4 planes = glm::transpose(glm::inverse(worldFromMesh));
+    for (const ExclusionVolumeDesc& desc : mesh.exclusionVolumes) {
+        seaglass::ExclusionVolume& volume = out.emplace_back(roomOf(desc, turningOf(desc.pointsM)));
+        for (double(&plane)[4] : volume.planes) {
+            const glm::dvec4 moved = planes * glm::dvec4(plane[0], plane[1], plane[2], plane[3]);
+            for (glm::length_t i = 0; i < 4; ++i) plane[i] = moved[i];
+        }
+    }
 }
 
 } // namespace demos

@@ -94,19 +94,22 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     if (desc.spray) body.spray = &*desc.spray;
     if (desc.bed && desc.bedDrawn) body.bed = &*desc.bed;
     std::vector<seaglass::ExclusionVolume> volumes;
-    if (!exclusionVolumesOf(desc.exclusionVolumes, volumes, error)) return false;
+    if (!exclusionVolumesOf(desc.exclusionVolumes, "water.exclusion_volumes", volumes, error)) return false;
     seaglass::Body* made = nullptr;
     if (!context_.ok(seaglass::createBody(context_.get(), &body, &made), error)) return false;
-    const seaglass::Status dried =
-        seaglass::setExclusionVolumes(made, volumes.data(), static_cast<uint32_t>(volumes.size()));
-    if (!context_.ok(dried, error)) {
-        seaglass::destroyBody(made);
-        return false;
-    }
     const bool planar =
         body.reflection && body.reflection->technique == seaglass::ReflectionTechnique::planar;
-    out = WaterBody(made, {planar, body.caustics != nullptr, body.bed != nullptr, body.shading.deferred});
-    return true;
+    out = WaterBody(made, {planar, body.caustics != nullptr, body.bed != nullptr, body.shading.deferred,
+                           std::move(volumes)});
+    return exclude(out, {}, error);
+}
+
+bool WaterPass::exclude(const WaterBody& body, const std::vector<seaglass::ExclusionVolume>& carried,
+                        Error& error) {
+    std::vector<seaglass::ExclusionVolume> all = body.parts().volumes;
+    all.insert(all.end(), carried.begin(), carried.end());
+    return context_.ok(
+        seaglass::setExclusionVolumes(body.get(), all.data(), static_cast<uint32_t>(all.size())), error);
 }
 
 bool WaterPass::estimateReflection(const WaterDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error) {

@@ -13,17 +13,18 @@ namespace demos {
 struct WaterParts {
     bool planar = false; ///< to draw what it mirrors
     bool caustics = false;
-    bool bed = false;      ///< to draw what lies below it
-    bool deferred = false; ///< to shade it before it is drawn
+    bool bed = false;                               ///< to draw what lies below it
+    bool deferred = false;                          ///< to shade it before it is drawn
+    std::vector<seaglass::ExclusionVolume> volumes; ///< that stay where they are
 };
 
 /// One water body of a scene. Destroy it before the WaterPass it comes from.
 class WaterBody {
   public:
     WaterBody() = default;
-    WaterBody(seaglass::Body* body, WaterParts parts) : body_(body), parts_(parts) {}
+    WaterBody(seaglass::Body* body, WaterParts parts) : body_(body), parts_(std::move(parts)) {}
     WaterBody(WaterBody&& other) noexcept
-        : body_(std::exchange(other.body_, nullptr)), parts_(other.parts_) {}
+        : body_(std::exchange(other.body_, nullptr)), parts_(std::move(other.parts_)) {}
     WaterBody& operator=(WaterBody&& other) noexcept {
         std::swap(body_, other.body_);
         std::swap(parts_, other.parts_);
@@ -53,6 +54,9 @@ class WaterPass {
 
     /// What the library says that a water's reflection holds for one view of this size.
     bool estimateReflection(const WaterDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error);
+
+    /// Keeps it out of those that meshes carry along, too.
+    bool exclude(const WaterBody& body, const std::vector<seaglass::ExclusionVolume>& carried, Error& error);
 
     seaglass::Context* context() const { return context_.get(); }
     bool beginFrame(Error& error) { return context_.beginFrame(error); }

@@ -1,10 +1,15 @@
 #include "reference/frame.h"
 
+#include "host/water/afloat.h"
+#include "host/water/exclusion_volumes.h"
 #include "host/water/waves.h"
+#include "scene/motion/motion.h"
 
 namespace demos::reference {
 
 namespace {
+
+constexpr size_t mostVolumes = 8; ///< as seaglass::setExclusionVolumes() has it
 
 /// Front faces counter-clockwise.
 SurfaceMesh rectangleOf(const Floor& floor, const glm::dvec3& eye) {
@@ -24,6 +29,26 @@ void turn(Camera& camera, const LevelAxes& frame) {
         *vector = frame.fromWorld(*vector);
 }
 
+/// With what they keep dry, where there is water.
+bool placeInstances(const World& world, double timeS, Frame& out, Error& error) {
+    out.excludedVolumes = world.excludedVolumes;
+    std::vector<seaglass::ExclusionVolume> carried;
+    const WaterAt water(world.sea.get(), timeS);
+    const glm::dmat4 bodyFromWorld(glm::transpose(world.frame.worldFromBody));
+    for (const Instance& instance : world.instances) {
+        glm::dmat4 worldFromMesh;
+        if (!placement(instance.placed, timeS, water, worldFromMesh, error)) return false;
+        out.geometry.add(*instance.model, bodyFromWorld * worldFromMesh, out.camera.eye);
+        if (world.water) addCarried(instance.placed.desc, worldFromMesh, carried);
+    }
+    for (const seaglass::ExclusionVolume& volume : carried)
+        out.excludedVolumes.push_back(excludedVolumeOf(volume, world.frame));
+    if (out.excludedVolumes.size() <= mostVolumes) return true;
+    error.text =
+        "exclusion volumes are " + std::to_string(out.excludedVolumes.size()) + ", expected 8 at most";
+    return false;
+}
+
 } // namespace
 
 bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& error) {
@@ -34,7 +59,9 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
         error.text = "the time of a frame must be finite";
         return false;
     }
-    if (!makeCamera(desc.camera, aspect, out.camera, error) || !out.geometry.create(error)) return false;
+    if (!makeCamera(cameraAt(desc.camera, desc.timeS), aspect, out.camera, error) ||
+        !out.geometry.create(error))
+        return false;
     turn(out.camera, world.frame);
     out.pixelAngle = static_cast<float>(2 * out.camera.tanHalfFovY / desc.height);
     if (out.camera.parallel()) {
@@ -43,9 +70,7 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
         out.apexM = static_cast<float>(apex);
         out.pixelAngle = static_cast<float>(2 * out.camera.half.y / desc.height / apex);
     }
-    const glm::dmat4 bodyFromWorld(glm::transpose(world.frame.worldFromBody));
-    for (const Instance& instance : world.instances)
-        out.geometry.add({instance.model, bodyFromWorld * instance.worldFromMesh}, out.camera.eye);
+    if (!placeInstances(world, desc.timeS, out, error)) return false;
     if (world.floor) {
         out.mesh = rectangleOf(*world.floor, out.camera.eye);
         out.geometry.add(out.mesh);
@@ -63,12 +88,12 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
             if (world.sea) mesh.pinned = 2 * farthestMove(*world.sea);
         }
         out.mesh = meshOf(out.surface, out.camera, mesh);
-        if (world.outline || !world.excludedVolumes.empty())
+        if (world.outline || !out.excludedVolumes.empty())
             out.mesh.covers = [&out](uint32_t triangle, const glm::vec3& weights) {
                 return out.covers(triangle, weights);
             };
         out.geometry.add(out.mesh);
-        if (world.excludedVolumes.empty()) out.mesh.positions = {};
+        if (out.excludedVolumes.empty()) out.mesh.positions = {};
         out.sky = skyBeams(world.light);
     }
     if (!out.geometry.build(error)) return false;
@@ -119,12 +144,12 @@ glm::dvec3 Frame::seenAt(const glm::vec3& position) const {
 
 bool Frame::covers(uint32_t triangle, const glm::vec3& weights) const {
     if (world->outline && !world->outline->contains(calmAt(triangle, weights))) return false;
-    if (world->excludedVolumes.empty()) return true;
+    if (excludedVolumes.empty()) return true;
     const glm::uvec3 corners = mesh.triangles[triangle];
     glm::dvec3 at = camera.eye;
     for (glm::length_t i = 0; i < 3; ++i)
         at += static_cast<double>(weights[i]) * glm::dvec3(mesh.positions[corners[i]]);
-    return !isExcluded(world->excludedVolumes, at);
+    return !isExcluded(excludedVolumes, at);
 }
 
 glm::dvec2 Frame::calmAt(const Hit& waterHit) const {

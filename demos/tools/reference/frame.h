@@ -27,7 +27,8 @@ struct Frame {
     WaterSurface surface;
     SurfaceMesh mesh; ///< without its positions, which the geometry holds, but among exclusion volumes
     Geometry geometry;
-    SkyBeams sky; ///< under water; dark where there is none
+    std::vector<ExcludedVolume> excludedVolumes; ///< the world's, and those that meshes carry along
+    SkyBeams sky;                                ///< under water; dark where there is none
     Caustics caustics;
 
     /// Through a point of the picture, in pixels from its left top corner, for as many of them as `width`

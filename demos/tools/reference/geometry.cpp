@@ -157,11 +157,11 @@ bool Geometry::create(Error& error) {
     return true;
 }
 
-void Geometry::add(const Instance& instance, const glm::dvec3& eye) {
-    const Mesh& mesh = instance.model->mesh;
+void Geometry::add(const Model& model, const glm::dmat4& worldFromMesh, const glm::dvec3& eye) {
+    const Mesh& mesh = model.mesh;
     auto part = std::make_unique<OpaquePart>();
-    part->model = instance.model;
-    part->eyeFromMesh = glm::mat3(glm::dmat3(instance.worldFromMesh));
+    part->model = &model;
+    part->eyeFromMesh = glm::mat3(glm::dmat3(worldFromMesh));
     part->materials.resize(mesh.indices.size() / 3);
     for (const MeshPart& range : mesh.parts)
         std::fill_n(part->materials.begin() + range.firstIndex / 3, range.indexCount / 3, range.material);
@@ -170,8 +170,7 @@ void Geometry::add(const Instance& instance, const glm::dvec3& eye) {
     auto* const positions =
         newBuffer<glm::vec3>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertices.size());
     for (size_t i = 0; i < mesh.vertices.size(); ++i)
-        positions[i] =
-            glm::vec3(glm::dvec3(instance.worldFromMesh * glm::dvec4(mesh.vertices[i].position, 1)) - eye);
+        positions[i] = glm::vec3(glm::dvec3(worldFromMesh * glm::dvec4(mesh.vertices[i].position, 1)) - eye);
     part->positions = positions;
     auto* const triangles =
         newBuffer<glm::uvec3>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.indices.size() / 3);

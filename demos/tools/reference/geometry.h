@@ -11,6 +11,7 @@
 #include <embree3/rtcore.h>
 
 #include "host/files/mesh_file.h"
+#include "host/water/placement.h"
 #include "reference/ray.h"
 #include "reference/texture.h"
 
@@ -25,7 +26,7 @@ struct Model {
 
 struct Instance {
     const Model* model = nullptr;
-    glm::dmat4 worldFromMesh{1};
+    Placed placed;
 };
 
 /// Bits that say what a ray may hit.
@@ -72,7 +73,7 @@ class Geometry {
     ~Geometry();
 
     bool create(Error& error);
-    void add(const Instance& instance, const glm::dvec3& eye);
+    void add(const Model& model, const glm::dmat4& worldFromMesh, const glm::dvec3& eye);
     void add(const SurfaceMesh& surface);
     /// After the last add(), before the first ray.
     bool build(Error& error);

@@ -4,7 +4,6 @@
 #include "host/passes/fog.h"
 #include "host/water/exclusion_volumes.h"
 #include "host/water/extent.h"
-#include "host/water/placement.h"
 #include "host/water/shore.h"
 #include "host/water/waves.h"
 #include "water/interface/checks.h"
@@ -27,9 +26,10 @@ bool loadWorld(const Scene& scene, World& out, Error& error) {
             known = out.models.emplace(desc.file, Model(std::move(*mesh))).first;
         }
         if (!triangles.place(known->second.mesh.indices.size() / 3, desc.file, error)) return false;
-        Instance instance{&known->second, glm::dmat4(1)};
-        if (!placement(desc, instance.worldFromMesh, error)) return false;
-        out.instances.push_back(instance);
+        Instance& instance = out.instances.emplace_back();
+        instance.model = &known->second;
+        const double levelM = scene.water ? scene.water->levelM : 0;
+        if (!placedOf(desc, known->second.mesh, levelM, instance.placed, error)) return false;
     }
     return setFloor(scene.floor, out, error) && setWater(scene.water, out, error);
 }
@@ -57,7 +57,7 @@ bool setOutline(const ExtentDesc& desc, World& out, Error& error) {
 
 bool setExclusionVolumes(const std::vector<ExclusionVolumeDesc>& volumes, World& out, Error& error) {
     std::vector<seaglass::ExclusionVolume> read;
-    if (!exclusionVolumesOf(volumes, read, error)) return false;
+    if (!exclusionVolumesOf(volumes, "water.exclusion_volumes", read, error)) return false;
     if (const char* const bad = seaglass::badVolumes(read.data(), static_cast<uint32_t>(read.size()))) {
         error.text = std::string("water: ") + bad;
         return false;

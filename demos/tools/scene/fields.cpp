@@ -131,6 +131,15 @@ constexpr std::array meshFields = {
     Field{"position_m", at<&MeshDesc::positionM>, -far, far, "m", "of the mesh's origin"},
     Field{"yaw_deg", at<&MeshDesc::yawDeg>, -turn, turn, "degrees", "turn about +Y"},
     Field{"scale", at<&MeshDesc::scale>, 0, 1e6, "", "size", false, Rule::positive},
+    Field{"floats", at<&MeshDesc::floats>, 0, 0, "", "heave, pitch and roll with the water"},
+    Field{"loops", at<&MeshDesc::loops>, 0, 0, "", "after the last keyframe, where it began, all anew"},
+};
+
+constexpr std::array meshKeyframeFields = {
+    Field{"time_s", at<&MeshKeyframe::timeS>, 0, 1e6, "s", "when it is there", required, Rule::positive},
+    Field{"position_m", at<&MeshKeyframe::positionM>, -far, far, "m", "of the mesh's origin", required},
+    Field{"yaw_deg", at<&MeshKeyframe::yawDeg>, -turn, turn, "degrees",
+          "turn about +Y, the short way from that before", required},
 };
 
 constexpr std::array wavesFields = {
@@ -275,7 +284,16 @@ constexpr std::array cameraFields = {
     Field{"orthographic_height_m", at<&CameraDesc::orthographicHeightM>, 0.01, 1e4, "m",
           "of what parallel lines of sight show, in the place of an angle of view"},
     Field{"offset_m", at<&CameraDesc::offsetM>, -far, far, "m", "how far the whole scene is moved"},
+    Field{"loops", at<&CameraDesc::loops>, 0, 0, "", "after the last keyframe, where it began, all anew"},
     Field{"near_m", at<&CameraDesc::nearM>, 1e-6, 1e3, "m", "distance of the near plane"},
+};
+
+constexpr std::array cameraKeyframeFields = {
+    Field{"time_s", at<&CameraKeyframe::timeS>, 0, 1e6, "s", "when it is there", required, Rule::positive},
+    Field{"position_m", at<&CameraKeyframe::positionM>, -far, far, "m", "of the eye", required},
+    Field{"target_m", at<&CameraKeyframe::targetM>, -far, far, "m", "a point looked at", required},
+    Field{"roll_deg", at<&CameraKeyframe::rollDeg>, -turn, turn, "degrees",
+          "about the view axis, the short way from that before"},
 };
 
 constexpr std::array sceneFields = {
@@ -287,7 +305,19 @@ constexpr std::array sceneFields = {
 constexpr Section sky = {"sky", skyFields, {}, "the light from afar"};
 constexpr Section sun = {"sun", sunFields, {}, "the light from one direction"};
 constexpr Section fog = {"fog", fogFields, {}, "fog in the air; without it there is none"};
-constexpr Section mesh = {"mesh", meshFields, {}, "a glTF model"};
+constexpr Section meshKeyframes = {
+    "keyframes", meshKeyframeFields, {}, "where it is later; at time 0 it is where the mesh itself says"};
+constexpr Section exclusionVolumes = {
+    "exclusion_volumes",
+    exclusionVolumeFields,
+    {},
+    "hollows without water, such as a boat's inside, eight at most; of a mesh, they go with it"};
+
+constexpr std::array meshChildren = {
+    Child{&meshKeyframes, open<&MeshDesc::keyframes>, true},
+    Child{&exclusionVolumes, open<&MeshDesc::exclusionVolumes>, true},
+};
+constexpr Section mesh = {"mesh", meshFields, meshChildren, "a glTF model"};
 constexpr Section swells = {"swells", swellFields, {}, "waves from afar, four systems at most"};
 constexpr std::array wavesChildren = {Child{&swells, open<&WavesDesc::swells>, true}};
 constexpr Section waves = {"waves", wavesFields, wavesChildren,
@@ -312,11 +342,6 @@ constexpr Section spray = {
 constexpr Section bed = {
     "bed", bedFields, {}, "the bed drawn once more for refraction; without it, it sees the picture"};
 
-constexpr Section exclusionVolumes = {"exclusion_volumes",
-                                      exclusionVolumeFields,
-                                      {},
-                                      "hollows without water, such as a boat's inside, eight at most"};
-
 constexpr std::array waterChildren = {
     Child{&extent, open<&WaterDesc::extent>},
     Child{&waves, open<&WaterDesc::waves>},
@@ -335,7 +360,10 @@ constexpr Section water = {"water", waterFields, waterChildren, "the water; with
 constexpr std::array floorChildren = {Child{&reflection, open<&FloorDesc::reflection>}};
 constexpr Section floor = {"floor", floorFields, floorChildren,
                            "a polished floor or a mirror, instead of water"};
-constexpr Section camera = {"camera", cameraFields, {}, "a place to look from"};
+constexpr Section cameraKeyframes = {
+    "keyframes", cameraKeyframeFields, {}, "where it is later; at time 0 it is where the camera itself says"};
+constexpr std::array cameraChildren = {Child{&cameraKeyframes, open<&CameraDesc::keyframes>, true}};
+constexpr Section camera = {"camera", cameraFields, cameraChildren, "a place to look from"};
 
 constexpr std::array sceneChildren = {
     Child{&sky, open<&Scene::sky>, false, required},

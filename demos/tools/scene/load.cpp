@@ -14,6 +14,7 @@
 #include "scene/fields.h"
 #include "scene/former_keys.h"
 #include "scene/input_limits.h"
+#include "scene/motion/motion.h"
 #include "scene/nearest.h"
 
 namespace demos {
@@ -153,17 +154,17 @@ class Reader {
         const toml::node* node = parent.get(key);
         if (!node) {
             if (!child.required) return true;
-            return fail(file_, childPath + " is missing, expected " + heading(child, childPath));
+            return fail(file_, childPath + " is missing, expected " + heading(child, childSchemaPath));
         }
         if (!child.repeated) {
             const toml::table* table = node->as_table();
-            if (!table) return wrong(*node, childPath, "a table: " + heading(child, childPath));
+            if (!table) return wrong(*node, childPath, "a table: " + heading(child, childSchemaPath));
             return read(*table, *child.section, child.access.open(owner), childPath, childSchemaPath);
         }
         const toml::array* tables = node->as_array();
-        if (!tables) return wrong(*node, childPath, "an array of tables: " + heading(child, childPath));
+        if (!tables) return wrong(*node, childPath, "an array of tables: " + heading(child, childSchemaPath));
         if (tables->empty() && child.required) {
-            return wrong(*node, childPath, "at least one: " + heading(child, childPath));
+            return wrong(*node, childPath, "at least one: " + heading(child, childSchemaPath));
         }
         if (tables->size() > limits::sceneTables)
             return fail(place(*node, file_), childPath + " has " + std::to_string(tables->size()) +
@@ -172,7 +173,7 @@ class Reader {
             const toml::node& element = (*tables)[i];
             const std::string elementPath = join(childPath, std::to_string(i));
             if (!element.is_table())
-                return wrong(element, elementPath, "a table: " + heading(child, childPath));
+                return wrong(element, elementPath, "a table: " + heading(child, childSchemaPath));
             if (!read(*element.as_table(), *child.section, child.access.open(owner), elementPath,
                       childSchemaPath))
                 return false;
@@ -533,6 +534,28 @@ bool checkOrthographic(const Scene& scene, const CameraDesc& camera, const toml:
     return scene.floor ? fail("expected no [floor], which is seen from an eye") : true;
 }
 
+/// Keyframes come one after another, and what loops ends where it began.
+template<class Moving>
+bool checkKeyframes(const Moving& moving, const toml::table& table, const std::string& path, Reader& reader) {
+    if (moving.keyframes.empty()) {
+        return !moving.loops || reader.fail(place(*table.get("loops"), reader.file()),
+                                            path + ".loops is true, expected keyframes to go through");
+    }
+    const auto keyframe = [&](size_t i) { return path + ".keyframes." + std::to_string(i); };
+    const toml::array& tables = *table.get_as<toml::array>("keyframes");
+    for (size_t i = 1; i < moving.keyframes.size(); ++i) {
+        if (moving.keyframes[i].timeS > moving.keyframes[i - 1].timeS) continue;
+        const toml::node& time = *tables[i].as_table()->get("time_s");
+        return reader.fail(place(time, reader.file()), keyframe(i) + ".time_s is " + quote(time) +
+                                                           ", expected a later time than that of " +
+                                                           keyframe(i - 1));
+    }
+    if (!moving.loops || endsWhereItBegins(moving)) return true;
+    return reader.fail(place(tables.back(), reader.file()),
+                       keyframe(moving.keyframes.size() - 1) + " is elsewhere than " + path +
+                           " begins, expected the same pose: " + path + ".loops is true");
+}
+
 bool checkCameras(const Scene& scene, const toml::table& root, Reader& reader) {
     const toml::array& tables = *root.get_as<toml::array>("camera");
     for (size_t i = 0; i < scene.cameras.size(); ++i) {
@@ -555,6 +578,19 @@ bool checkCameras(const Scene& scene, const toml::table& root, Reader& reader) {
                                path + ".target_m is its position_m, expected a point away from the eye");
         }
         if (!checkOrthographic(scene, camera, table, path, reader)) return false;
+        if (!checkKeyframes(camera, table, path, reader)) return false;
+    }
+    return true;
+}
+
+bool checkMeshes(const Scene& scene, const toml::table& root, Reader& reader) {
+    for (size_t i = 0; i < scene.meshes.size(); ++i) {
+        const toml::table& table = *root["mesh"][i].as_table();
+        const std::string path = "mesh." + std::to_string(i);
+        if (!checkKeyframes(scene.meshes[i], table, path, reader)) return false;
+        if (scene.meshes[i].floats && !(scene.water && scene.water->tiltDeg == 0))
+            return reader.fail(place(*table.get("floats"), reader.file()),
+                               path + ".floats is true, expected [water], and water.tilt_deg of 0");
     }
     return true;
 }
@@ -713,10 +749,10 @@ std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::stri
     scene.file = fs::absolute(file).lexically_normal();
     Reader reader(file, error);
     if (!reader.read(root, sceneSection(), &scene, "", "")) return std::nullopt;
-    if (!checkCameras(scene, root, reader) || !checkWater(scene, root, reader) ||
-        !checkRefraction(scene, root, reader) || !checkExtent(scene, root, reader) ||
-        !checkWaves(scene, root, reader) || !checkFloor(scene, root, reader) ||
-        !checkFog(scene, root, reader))
+    if (!checkCameras(scene, root, reader) || !checkMeshes(scene, root, reader) ||
+        !checkWater(scene, root, reader) || !checkRefraction(scene, root, reader) ||
+        !checkExtent(scene, root, reader) || !checkWaves(scene, root, reader) ||
+        !checkFloor(scene, root, reader) || !checkFog(scene, root, reader))
         return std::nullopt;
     rememberPlaces(scene, root, file.string());
     return scene;

@@ -24,7 +24,10 @@ void applyOffset(Scene& scene, CameraDesc& camera) {
     const auto move = [&offset](Vec3& place) {
         for (size_t i = 0; i < 3; ++i) place[i] += offset[i];
     };
-    for (MeshDesc& mesh : scene.meshes) move(mesh.positionM);
+    for (MeshDesc& mesh : scene.meshes) {
+        move(mesh.positionM);
+        for (MeshKeyframe& keyframe : mesh.keyframes) move(keyframe.positionM);
+    }
     if (scene.water) moveWater(*scene.water, offset);
     if (scene.water && scene.water->shore) move(scene.water->shore->positionM);
     if (scene.water)
@@ -33,6 +36,10 @@ void applyOffset(Scene& scene, CameraDesc& camera) {
     if (scene.floor) move(scene.floor->pointM);
     move(camera.positionM);
     move(camera.targetM);
+    for (CameraKeyframe& keyframe : camera.keyframes) {
+        move(keyframe.positionM);
+        move(keyframe.targetM);
+    }
 }
 
 void moveCameras(Scene& scene, const Vec3& offset) {
@@ -41,6 +48,10 @@ void moveCameras(Scene& scene, const Vec3& offset) {
             camera.positionM[i] += offset[i];
             camera.targetM[i] += offset[i];
             camera.offsetM[i] -= offset[i];
+            for (CameraKeyframe& keyframe : camera.keyframes) {
+                keyframe.positionM[i] += offset[i];
+                keyframe.targetM[i] += offset[i];
+            }
         }
     }
 }

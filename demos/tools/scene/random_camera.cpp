@@ -35,6 +35,8 @@ CameraDesc randomCamera(const Scene& scene, uint32_t number) {
     Dice dice(number);
     const auto chosen = static_cast<size_t>(dice.between(0, static_cast<double>(scene.cameras.size())));
     CameraDesc camera = scene.cameras[chosen];
+    camera.loops = false;
+    camera.keyframes.clear();
     camera.name = randomCameraName(number);
     camera.orthographicHeightM = 0;
     const Vec3 from = camera.positionM, to = camera.targetM;

@@ -79,15 +79,6 @@ struct ShoreDesc {
     std::string where = {}; ///< of `file` in the scene, for errors
 };
 
-/// A hollow that the water stays out of, as a boat's inside: walls along a convex outline, down to a bottom.
-struct ExclusionVolumeDesc {
-    Vec3 positionM = {0, 0, 0};
-    double yawDeg = 0;         ///< about +Y, as a mesh's
-    std::vector<Vec2> pointsM; ///< of the outline, from its position and at its height
-    double flareDeg = 0;       ///< by which walls lean outwards
-    double bottomM = -1;       ///< likewise
-};
-
 struct WaterDesc {
     double levelM = 0;         ///< over the origin, where it is tilted
     double tiltDeg = 0;        ///< of its surface; its extent then lies along the plane's own axes

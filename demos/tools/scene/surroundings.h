@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace demos {
 
@@ -46,12 +47,42 @@ struct FogDesc {
     bool overSky = true;
 };
 
+/// A hollow that the water stays out of, as a boat's inside: walls along a convex outline, down to a bottom.
+struct ExclusionVolumeDesc {
+    Vec3 positionM = {0, 0, 0};
+    double yawDeg = 0;         ///< about +Y, as a mesh's
+    std::vector<Vec2> pointsM; ///< of the outline, from its position and at its height
+    double flareDeg = 0;       ///< by which walls lean outwards
+    double bottomM = -1;       ///< likewise
+};
+
+/// Where a mesh is later than at time 0.
+struct MeshKeyframe {
+    double timeS = 0;
+    Vec3 positionM = {0, 0, 0};
+    double yawDeg = 0;
+};
+
 struct MeshDesc {
     std::filesystem::path file; ///< glTF, absolute
     Vec3 positionM = {0, 0, 0};
     double yawDeg = 0;
     double scale = 1;
+    bool floats = false; ///< it heaves, pitches and rolls with the water
+    bool loops = false;  ///< from the last keyframe on, where it began, all anew
+    std::vector<MeshKeyframe> keyframes;
+    std::vector<ExclusionVolumeDesc> exclusionVolumes; ///< in the mesh's own axes
     std::string where = {}; ///< of `file` in the scene, for errors: "harbour.toml:21: mesh.0.file"
+};
+
+/// Where a camera is later than at time 0.
+struct CameraKeyframe {
+    double timeS = 0;
+    Vec3 positionM = {0, 2, 0};
+    Vec3 targetM = {0, 2, -1};
+    double rollDeg = 0;
+
+    bool operator==(const CameraKeyframe&) const = default;
 };
 
 struct CameraDesc {
@@ -63,6 +94,8 @@ struct CameraDesc {
     double orthographicHeightM = 0; ///< of what parallel lines of sight show; 0: they come from the eye
     double nearM = 0.1;
     Vec3 offsetM = {0, 0, 0}; ///< added to every place in the scene, this camera's own included
+    bool loops = false;       ///< from the last keyframe on, where it began, all anew
+    std::vector<CameraKeyframe> keyframes;
 
     bool operator==(const CameraDesc&) const = default;
 };

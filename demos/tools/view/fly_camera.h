@@ -12,6 +12,11 @@ struct FlyInput {
     bool fast = false;
 };
 
+inline bool moves(const FlyInput& input) {
+    return input.right != 0 || input.up != 0 || input.forward != 0 || input.turnRightPx != 0 ||
+           input.turnDownPx != 0;
+}
+
 constexpr double flySpeedMps = 4, fastFlySpeedMps = 24;
 constexpr double flyTurnDegPerPx = 0.15;
 constexpr double flySteepestDeg = 89; ///< above or below the horizon

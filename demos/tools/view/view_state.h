@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/host.h"
+#include "scene/motion/motion.h"
 #include "view/fly_camera.h"
 #include "view/split.h"
 
@@ -21,6 +22,8 @@ struct ViewState {
 
 /// What passes from one frame to the next.
 inline void advance(ViewState& state, const FlyInput& input, double seconds) {
+    // Whoever flies leaves the camera's own path, from where that has come to.
+    if (moves(input)) state.camera = cameraAt(state.camera, state.timeS);
     fly(state.camera, input, seconds);
     if (!state.paused) state.timeS += seconds * state.timeScale;
 }

@@ -36,7 +36,7 @@ WaterLight waterLightOf(const Frame& frame) {
 bool isInWater(const Frame& frame, const glm::vec3& position) {
     const auto& water = frame.world->water;
     if (!water || !water->underwater) return false;
-    if (isExcluded(frame.world->excludedVolumes, frame.camera.eye + glm::dvec3(position))) return false;
+    if (isExcluded(frame.excludedVolumes, frame.camera.eye + glm::dvec3(position))) return false;
     Ray up;
     up.origin = position;
     up.direction = {0, 1, 0};

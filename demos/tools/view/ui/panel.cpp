@@ -193,7 +193,7 @@ void layOutTime(ViewState& state) {
 }
 
 void layOutCamera(ViewState& state) {
-    const Vec3& at = state.camera.positionM;
+    const Vec3 at = cameraAt(state.camera, state.timeS).positionM;
     ImGui::Text("at %.1f, %.1f, %.1f m", at[0], at[1], at[2]);
     if (!ImGui::BeginCombo("camera", state.camera.name.c_str())) return;
     for (const CameraDesc& camera : state.scene.cameras) {
