@@ -259,6 +259,10 @@ TEST_F(InWindow, TheReferenceComesWhenNothingMovesAndGoesWhenSomethingDoes) {
     ASSERT_TRUE(viewer_->change(state, {}, error_)) << error_.text;
     expectSoon(traced);
     EXPECT_EQ(shown(), first) << "the same samples";
+    char* title = nullptr;
+    ASSERT_TRUE(XFetchName(display(), xWindow(), &title) && title);
+    EXPECT_NE(std::string(title).find(" ms a frame, "), std::string::npos) << title;
+    XFree(title);
 
     state.scene.water->waves->beaufort = 7;
     ASSERT_TRUE(viewer_->change(state, {.surface = true}, error_)) << error_.text;

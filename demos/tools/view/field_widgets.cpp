@@ -12,7 +12,7 @@ namespace demos {
 namespace {
 
 bool slideNumber(const char* label, const Field& field, const SliderRange& range, double& value) {
-    std::string format = range.most > 1 && !range.logarithmic ? "%.2f" : "%.3f";
+    std::string format = "%.4g";
     if (!field.unit.empty()) format.append(" ").append(field.unit);
     const ImGuiSliderFlags scale = range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
     ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &range.least, &range.most, format.c_str(),
@@ -28,17 +28,14 @@ bool slideWhole(const char* label, const Field& field, const SliderRange& range,
     return ImGui::IsItemDeactivatedAfterEdit();
 }
 
-/// Side by side. True when another was chosen.
+/// True when another was chosen.
 bool choosePower(const char* label, const SliderRange& range, uint32_t& value) {
     const uint32_t before = value;
-    ImGui::PushID(label);
+    if (!ImGui::BeginCombo(label, std::to_string(value).c_str())) return false;
     for (auto power = static_cast<uint32_t>(range.least); power <= static_cast<uint32_t>(range.most);
-         power *= 2) {
-        if (ImGui::RadioButton(std::to_string(power).c_str(), value == power)) value = power;
-        ImGui::SameLine();
-    }
-    ImGui::PopID();
-    ImGui::TextUnformatted(label);
+         power *= 2)
+        if (ImGui::Selectable(std::to_string(power).c_str(), power == value)) value = power;
+    ImGui::EndCombo();
     return value != before;
 }
 
@@ -57,7 +54,8 @@ bool choose(const char* label, const Field& field, std::string_view& value) {
 
 class Widget {
   public:
-    Widget(const Field& field, const SliderRange& range) : field_(field), range_(range), label_(field.key) {}
+    Widget(const Field& field, const SliderRange& range)
+        : field_(field), range_(range), label_(labelOf(field)) {}
 
     bool operator()(double* value) const { return slideNumber(label_.c_str(), field_, range_, *value); }
     bool operator()(uint32_t* value) const {
@@ -117,6 +115,25 @@ double numberIn(const Target& target) {
 
 } // namespace
 
+std::string labelOf(const Field& field) {
+    std::string label(field.key);
+    constexpr std::string_view ends[] = {"_per_m", "_m_s", "_deg", "_px", "_m", "_s"};
+    for (const std::string_view end : ends)
+        if (!field.unit.empty() && label.ends_with(end)) {
+            label.resize(label.size() - end.size());
+            break;
+        }
+    std::ranges::replace(label, '_', ' ');
+    return label;
+}
+
+bool hasWidget(const Target& target) {
+    return !std::holds_alternative<Vec2*>(target) && !std::holds_alternative<Vec3*>(target) &&
+           !std::holds_alternative<std::vector<Vec2>*>(target) &&
+           !std::holds_alternative<uint64_t*>(target) &&
+           !std::holds_alternative<std::filesystem::path*>(target);
+}
+
 SliderRange sliderRangeOf(const Field& field, void* asNew) {
     const double least = field.rule == Rule::zeroOrRange ? 0 : field.least;
     const bool whole = field.row && field.row->type == seaglass::FieldType::integer;
@@ -141,6 +158,7 @@ bool isRead(const Field& field, void* owner) {
 
 bool layOutField(const Field& field, void* owner, void* asNew) {
     const Target target = field.target(owner);
+    if (!hasWidget(target)) return false;
     const bool complete = std::visit(Widget(field, sliderRangeOf(field, asNew)), target);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s\n%s", std::string(field.about).c_str(), expectation(field, target).c_str());

@@ -1,11 +1,18 @@
-// The scene's fields as widgets, by its table: names, ranges and words are those of --set.
+// The scene's fields as widgets, by its table: names, ranges and words are its.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "scene/fields.h"
 
 namespace demos {
+
+/// A field's name in words, without its unit, which stands behind the number.
+std::string labelOf(const Field& field);
+
+/// Of a colour, a file and so on there are none.
+bool hasWidget(const Target& target);
 
 /// Where a slider runs: over all that the field may hold.
 struct SliderRange {

@@ -1,5 +1,7 @@
 #include "view/viewer.h"
 
+#include <cmath>
+
 #include "host/files/image_file.h"
 #include "host/host_impl.h"
 #include "scene/save.h"
@@ -19,6 +21,8 @@ namespace demos {
 namespace {
 
 constexpr uint32_t measuredRuns = 5;
+constexpr double keptOfFrameMs = 0.9; ///< from one frame to the next
+constexpr uint32_t framesATitle = 15;
 /// After which a window that is given no image is heard again.
 constexpr uint64_t momentNs = 100'000'000;
 
@@ -124,7 +128,7 @@ class Viewer::Impl {
     bool layOut(double seconds, Error& error) {
         info_.width = swapchain_.extent().width;
         info_.height = swapchain_.extent().height;
-        if (!clock_.fixed()) info_.frameMs = 1000 * seconds;
+        if (!clock_.fixed() && seconds > 0) sayFrameTime(1000 * seconds);
         ui_.begin(swapchain_.extent(), seconds);
         PanelWishes wishes;
         if (state_.panel) wishes = layOutPanel(state_, info_);
@@ -135,6 +139,13 @@ class Viewer::Impl {
         Error problem;
         if (!change(ViewState(state_), wishes, problem)) info_.message = problem.text;
         return true;
+    }
+
+    /// In the window's title, where it stays when the panel is hidden and is in no picture.
+    void sayFrameTime(double ms) {
+        // Single frames could not be read.
+        info_.frameMs = std::lerp(ms, info_.frameMs.value_or(ms), keptOfFrameMs);
+        if (shown_ % framesATitle == 1) window_.say(frameText(info_));
     }
 
     bool reload(const PanelWishes& wishes, Error& problem) {

@@ -36,10 +36,14 @@ std::unique_ptr<Window> Window::open(const std::string& title, uint32_t width, u
         glfwTerminate();
         return nullptr;
     }
-    std::unique_ptr<Window> window(new Window(handle));
+    std::unique_ptr<Window> window(new Window(handle, title));
     glfwSetWindowUserPointer(handle, window.get());
     glfwSetKeyCallback(handle, onKey);
     return window;
+}
+
+void Window::say(const std::string& text) {
+    glfwSetWindowTitle(window_, (title_ + ", " + text).c_str());
 }
 
 Window::~Window() {

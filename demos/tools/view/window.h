@@ -39,16 +39,19 @@ class Window {
     FlyInput flyInput(bool keysTaken, bool mouseTaken);
     WindowWishes takeWishes();
     bool shouldClose() const;
+    /// Behind its title.
+    void say(const std::string& text);
     /// In pixels; 0 while it is minimised.
     uint32_t width() const;
     uint32_t height() const;
     GLFWwindow* handle() const { return window_; }
 
   private:
-    explicit Window(GLFWwindow* window) : window_(window) {}
+    Window(GLFWwindow* window, const std::string& title) : window_(window), title_(title) {}
     static void onKey(GLFWwindow* handle, int key, int scancode, int action, int modifiers);
 
     GLFWwindow* window_;
+    const std::string title_;
     WindowWishes wishes_;
     bool looking_ = false;
     double mouseX_ = 0, mouseY_ = 0; ///< where it was when it last looked
