@@ -93,6 +93,10 @@ struct FrameDesc {
     /// The same surface was drawn just before, from nearby: reflections may reuse what that frame knew.
     bool follows = false;
     std::array<double, 2> jitterPx = {0, 0}; ///< moves the picture right and down, but for the sky
+    /// Of colour alone, and not for measuring: light strays in the lens.
+    bool bloom = false;
+    /// Likewise: averaged with the frames before. Wants `follows`, and jitterOf() another index in each.
+    bool temporal = false;
 };
 
 struct PassTime {

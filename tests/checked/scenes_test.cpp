@@ -75,7 +75,7 @@ TEST_P(CheckedScene, HasNoViolations) {
     const std::filesystem::path report = folder.path() / "report";
     // A later frame finds a history.
     std::vector<std::string> arguments = {
-        "render", tests::demoScene(shot.scene).string(),   "--size", "160x90", "--frames", "2",
+        "render", tests::demoScene(shot.scene).string(),   "--size", "160x90", "--frames", "2", "--plain",
         "-o",     (folder.path() / "frame%d.png").string()};
     if (!shot.camera.empty()) arguments.insert(arguments.end(), {"--camera", shot.camera});
     if (!shot.quality.empty()) arguments.insert(arguments.end(), {"--quality", shot.quality});

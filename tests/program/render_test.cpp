@@ -70,6 +70,17 @@ TEST_F(Render, WritesEveryOutputAndSaysWhere) {
     EXPECT_NE(outcome.out.find(" ms a frame, " + out("a.png").string()), std::string::npos) << outcome.out;
 }
 
+TEST_F(Render, WhatIsToBeLookedAtIsSeenThroughAirAndLens) {
+    ASSERT_EQ(render({"-o", "out/seen.png"}).code, 0);
+    ASSERT_EQ(render({"-o", "out/plain.png", "--plain"}).code, 0);
+    ASSERT_EQ(render({"-o", "out/measured.png", "-o", "out/measured.exr"}).code, 0);
+    ASSERT_EQ(render({"-o", "out/foggy.png", "--set", "fog.density_per_m=0", "--supersample", "1"}).code, 0);
+    const std::string plain = tests::readAll(out("plain.png"));
+    EXPECT_TRUE(tests::readAll(out("measured.png")) == plain);
+    EXPECT_FALSE(tests::readAll(out("seen.png")) == plain);
+    EXPECT_FALSE(tests::readAll(out("foggy.png")) == plain) << "its light strays";
+}
+
 TEST_F(Render, TheSameCommandGivesTheSameBytes) {
     ASSERT_EQ(render({"-o", "out/a.exr", "--time", "7.25"}).code, 0);
     ASSERT_EQ(render({"-o", "out/b.exr", "--time", "7.25"}).code, 0);

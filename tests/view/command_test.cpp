@@ -36,9 +36,9 @@ class View : public testing::Test {
 
 class ViewOnDisplay : public View {
   protected:
-    /// Shows the sample without its panel.
+    /// Shows the sample without its panel, as it is measured.
     Outcome view(const Names& more) {
-        Names arguments = {"--size", "160x90", "--no-ui", "--validation"};
+        Names arguments = {"--size", "160x90", "--no-ui", "--validation", "--plain"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return run("view", arguments, xvfb_.display());
     }
@@ -79,10 +79,24 @@ TEST_F(ViewOnDisplay, ShowsWhatRenderDraws) {
     ASSERT_EQ(viewed.code, 0) << viewed.err;
     EXPECT_EQ(viewed.out + viewed.err, "");
     const Outcome rendered =
-        run("render", {"--size", "160x90", "--frames", "3", "--fps", "4", "-o", "out/%d.png"});
+        run("render", {"--size", "160x90", "--plain", "--frames", "3", "--fps", "4", "-o", "out/%d.png"});
     ASSERT_EQ(rendered.code, 0) << rendered.err;
     EXPECT_LE(difference("view.png", "2.png"), 1.01);
     EXPECT_GT(difference("0.png", "2.png"), 10) << "the waves move";
+}
+
+TEST_F(ViewOnDisplay, ShowsThroughAirAndLensUnlessPlain) {
+    REQUIRE_DISPLAY(xvfb_);
+    const Names shown = {"--frames", "3", "--dt", "0", "--screenshot"};
+    Names plain = shown, seen = {"--size", "160x90", "--no-ui", "--validation"};
+    plain.push_back("out/plain.png");
+    seen.insert(seen.end(), shown.begin(), shown.end());
+    seen.push_back("out/seen.png");
+    ASSERT_EQ(view(plain).code, 0);
+    const Outcome viewed = run("view", seen, xvfb_.display());
+    ASSERT_EQ(viewed.code, 0) << viewed.err;
+    const double most = difference("seen.png", "plain.png");
+    EXPECT_GT(most, 3) << "edges are soft";
 }
 
 TEST_F(ViewOnDisplay, ShowsOutputsAsRenderDoes) {
@@ -118,7 +132,7 @@ TEST_F(ViewOnDisplay, SplitAgainstTheReferenceShowsItsSamples) {
     const Outcome viewed = view({"--frames", "2", "--dt", "0.25", "--screenshot", "out/view.png", "--split",
                                  "reference", "--spp", "3"});
     ASSERT_EQ(viewed.code, 0) << viewed.err;
-    const Names still = {"--size", "160x90", "--time", "1.75", "-o"};
+    const Names still = {"--size", "160x90", "--plain", "--time", "1.75", "-o"};
     Names left = still, right = still;
     left.push_back("out/left.png");
     right.insert(right.end(), {"out/right.png", "--spp", "3"});

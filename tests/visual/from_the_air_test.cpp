@@ -13,13 +13,21 @@ namespace {
 demos::Repetition repetitionFrom(double height, const std::vector<std::string>& options) {
     const tests::TemporaryFolder folder;
     const std::string file = folder.path() / "sea.png", eye = std::to_string(height);
-    std::vector<std::string> command = {"render",   SEAGLASS_SOURCE "/demos/scenes/ocean.toml",
-                                        "--camera", "high",
-                                        "--size",   "512x512",
-                                        "--device", "llvmpipe",
-                                        "-o",       file,
-                                        "--set",    "camera.high.position_m=[0," + eye + ",0]",
-                                        "--set",    "camera.high.target_m=[0,0,-0.001]"};
+    std::vector<std::string> command = {"render",
+                                        SEAGLASS_SOURCE "/demos/scenes/ocean.toml",
+                                        "--camera",
+                                        "high",
+                                        "--size",
+                                        "512x512",
+                                        "--device",
+                                        "llvmpipe",
+                                        "-o",
+                                        file,
+                                        "--plain",
+                                        "--set",
+                                        "camera.high.position_m=[0," + eye + ",0]",
+                                        "--set",
+                                        "camera.high.target_m=[0,0,-0.001]"};
     command.insert(command.end(), options.begin(), options.end());
     const tests::Outcome outcome = tests::run(SEAGLASS_PROGRAM, {command});
     EXPECT_EQ(outcome.code, 0) << outcome.err;

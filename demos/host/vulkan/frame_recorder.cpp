@@ -155,6 +155,8 @@ bool FrameRecorder::begin(LoadedScene& scene, const FrameDesc& frame, Error& err
     const VkExtent2D extent = {frame.width, frame.height};
     if (extent.width != targets_.extent.width || extent.height != targets_.extent.height) {
         targets_ = {}; // the old ones go first: both may not fit
+        bloom_.drop();
+        temporal_.drop();
         FrameTargets made;
         if (!createFrameTargets(*device_, extent, made, error)) return false;
         targets_ = std::move(made);
@@ -165,10 +167,14 @@ bool FrameRecorder::begin(LoadedScene& scene, const FrameDesc& frame, Error& err
     }
     if (needsExact(frame.aov) && !createExactTarget(*device_, targets_, error)) return false;
     if (isOverlay(frame.aov) && !createOverlayTarget(*device_, targets_, error)) return false;
+    if (frame.bloom && !bloom_.fit(*device_, targets_, error)) return false;
+    if (!frame.temporal) temporal_.forget();
+    if (frame.temporal && !temporal_.fit(*device_, targets_, error)) return false;
     if (!makeCamera(cameraAt(frame.camera, frame.timeS), static_cast<double>(extent.width) / extent.height,
                     camera_, error) ||
         !move(scene, frame.timeS, error))
         return false;
+    sight_ = {frame.camera, frame.timeS, camera_.eye, camera_.projection * camera_.rotation};
     camera_.jitterPx = {frame.jitterPx[0], frame.jitterPx[1]};
     camera_.follows = frame.follows;
     const glm::dvec2 moved = 2.0 * camera_.jitterPx / glm::dvec2(extent.width, extent.height);
@@ -220,6 +226,8 @@ bool FrameRecorder::needed(Stage stage) const {
         return hasWater && water->parts().deferred && frame_.aov == Aov::color;
     case Stage::overlay:
         return overlay;
+    case Stage::lens:
+        return frame_.aov == Aov::color && (frame_.bloom || frame_.temporal);
     // Without a surface the other outputs are black.
     case Stage::water:
         return !overlay && (hasWater || (water && frame_.aov != Aov::color && frame_.aov != Aov::depth));
@@ -268,6 +276,11 @@ bool FrameRecorder::recordOverlay(VkCommandBuffer commands, Error& error) {
                                : water_.overlay(commands, *water(), camera_, targets_, frame_.aov, error);
     targets_.endOverlay(commands);
     return drawn;
+}
+
+void FrameRecorder::recordLens(VkCommandBuffer commands) {
+    if (frame_.temporal) temporal_.record(commands, targets_, sight_, frame_.follows);
+    if (frame_.bloom) bloom_.record(commands, targets_);
 }
 
 bool FrameRecorder::record(VkCommandBuffer commands, const StageName& stage, Heard heard, Error& error) {
@@ -319,6 +332,9 @@ bool FrameRecorder::recordCommands(VkCommandBuffer commands, Stage stage, Error&
         return water_.shade(commands, *water(), camera_, targets_, lighting_, error);
     case Stage::overlay:
         return recordOverlay(commands, error);
+    case Stage::lens:
+        recordLens(commands);
+        return true;
     case Stage::water:
         if (!needed(Stage::copy)) targets_.betweenPasses(commands);
         return water_.draw(commands, *water(), camera_, targets_, lighting_, frame_.aov, error);

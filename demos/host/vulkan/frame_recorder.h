@@ -3,6 +3,8 @@
 
 #include <variant>
 
+#include "host/lens/bloom.h"
+#include "host/lens/temporal.h"
 #include "host/passes/mirror_pass.h"
 #include "host/passes/opaque.h"
 #include "host/passes/shadow.h"
@@ -48,7 +50,8 @@ enum class Stage {
     shade,
     water,
     mirror,
-    overlay
+    overlay,
+    lens
 };
 
 struct StageName {
@@ -64,6 +67,7 @@ constexpr StageName stages[] = {
     {Stage::bed, "host_bed", false},       {Stage::reflect, "reflect", true},
     {Stage::shade, "water_shade", false},  {Stage::water, "water_draw", false},
     {Stage::mirror, "mirror_draw", false}, {Stage::overlay, "overlay", true},
+    {Stage::lens, "host_lens", false},
 };
 
 constexpr const char* nameOf(Stage stage) {
@@ -89,8 +93,8 @@ class FrameRecorder {
     /// What the library says that a surface's reflection holds for one view of this size.
     bool estimateReflection(const SurfaceDesc& desc, VkExtent2D extent, uint64_t& bytes, Error& error);
 
-    /// Checks the frame, moves what moves to where it is then, and readies everything for recording it; the frame
-    /// before has finished.
+    /// Checks the frame, moves what moves to where it is then, and readies everything for recording it; the
+    /// frame before has finished.
     bool begin(LoadedScene& scene, const FrameDesc& frame, Error& error);
     /// Whether a stage has anything to record.
     bool needed(Stage stage) const;
@@ -121,6 +125,7 @@ class FrameRecorder {
     bool recordBed(VkCommandBuffer commands, Error& error);
     bool recordCommands(VkCommandBuffer commands, Stage stage, Error& error);
     bool recordOverlay(VkCommandBuffer commands, Error& error);
+    void recordLens(VkCommandBuffer commands);
     /// The frame's, or null; a water without a body where the scene has no surface.
     const WaterBody* water() const;
     const MirrorSurface* floor() const;
@@ -132,11 +137,14 @@ class FrameRecorder {
     WaterPass water_;
     MirrorPass mirror_;
     FrameTargets targets_;
+    Bloom bloom_;
+    Temporal temporal_;
 
     const LoadedScene* scene_ = nullptr;
     const Surface* surface_ = nullptr;
     FrameDesc frame_;
     Camera camera_;
+    Sight sight_;
     ShadowFits shadowFits_;
     seaglass::SunShadow sunShadow_;
     seaglass::LightingDesc lighting_;

@@ -12,6 +12,7 @@
 
 #include "program/device/device_options.h"
 #include "program/render/aov_names.h"
+#include "program/scene_input.h"
 #include "program/scene_options.h"
 #include "scene/nearest.h"
 
@@ -48,6 +49,7 @@ void describePicture(CLI::App& command, Raw& raw) {
     // Scripts append to a command line: the last of an option counts, but for those that collect.
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     describeScene(command, raw);
+    describePlain(command, raw);
     command
         .add_option("-o,--output", raw.outputs,
                     "PNG (tone-mapped) or EXR (linear); may be given more than once")
@@ -85,7 +87,7 @@ void describe(CLI::App& app, CLI::App& render, Raw& raw) {
     describeQuality(render, raw);
     render
         .add_option("--supersample", raw.supersample,
-                    "Render N times larger each way and average, 1 to 4, 1 if not given")
+                    "Render N times larger each way and average, 1 to 4; if not given 2, or 1 with --plain")
         ->type_name("N");
     render
         .add_option("--frames", raw.frames,
@@ -134,6 +136,12 @@ bool checkExtras(const CLI::App& app, const std::vector<std::string>& extras, Er
                 error);
 }
 
+/// Whether all that is asked for is to be looked at, and nothing to be measured.
+bool isToLookAt(const RenderOptions& options) {
+    return options.aov == Aov::color && options.mistake == Mistake::none && options.stats.empty() &&
+           std::ranges::all_of(options.outputs, isPng);
+}
+
 bool check(const Raw& raw, RenderOptions& out, Error& error) {
     if (!checkScene(raw, "seaglass render SCENE.toml -o OUT.png", out, error)) return false;
     if (raw.outputs.empty()) return fail("no output, expected -o OUT.png or -o OUT.exr", error);
@@ -172,6 +180,7 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
         out.mistake = found->second;
     }
     out.stats = raw.stats;
+    out.lens = !raw.plain && isToLookAt(out);
     return checkDevice(raw, out, error);
 }
 
@@ -190,6 +199,7 @@ bool check(const Raw& raw, ReferenceOptions& out, Error& error) {
     }
     out.truth = raw.truth;
     out.mirrored = raw.mirrored;
+    out.picture.lens = out.picture.lens && out.truth.empty() && out.mirrored.empty();
     return true;
 }
 

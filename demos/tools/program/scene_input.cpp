@@ -26,6 +26,19 @@ bool setsSun(const std::vector<std::string>& overrides) {
     });
 }
 
+/// Of a visual range of 33 km over the water (Koschmieder 1924), as on a fair day at sea; its haze thins out to 1/e
+/// in 2 km of height.
+FogDesc clearAir(const WaterDesc& water) {
+    FogDesc air;
+    air.shape = "height";
+    air.densityPerM = 3.912 / 33e3;
+    air.falloffPerM = 1 / 2e3;
+    air.baseHeightM = water.levelM;
+    air.fromSky = 1;
+    air.overSky = false;
+    return air;
+}
+
 /// What the quality sets, to go before the overrides that are given by hand.
 bool addQuality(const RenderOptions& options, std::vector<std::string>& overrides, Error& error) {
     if (options.quality.empty()) return true;
@@ -62,6 +75,7 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
     std::optional<Scene> scene = loadScene(options.scene, overrides, error);
     if (scene && sky) scene->sky.where = "--sky";
     if (scene && mesh && !scene->meshes.empty()) scene->meshes.front().where = "--mesh";
+    if (scene && options.lens && scene->water && !scene->fog) scene->fog = clearAir(*scene->water);
     return scene;
 }
 

@@ -6,7 +6,8 @@
 
 namespace demos {
 
-/// The scene with --sky, --mesh and --set applied, in this order.
+/// The scene with --sky, --mesh and --set applied, in this order; to be looked at, with air where it says
+/// nothing of fog.
 std::optional<Scene> readScene(const RenderOptions& options, Error& error);
 
 /// Everything that is read, for outputs to stay away from.

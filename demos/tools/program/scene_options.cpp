@@ -15,6 +15,11 @@ void describeQuality(CLI::App& command, RawScene& raw) {
         ->type_name("NAME");
 }
 
+void describePlain(CLI::App& command, RawScene& raw) {
+    command.add_flag("--plain", raw.plain,
+                     "Without air, bloom and antialiasing, as what is measured: EXR files, --aov, --stats");
+}
+
 void describeStrict(CLI::App& command, bool& strict) {
     command.add_flag("--strict", strict,
                      "An error where a mesh's file says what is not drawn so, instead of a warning");

@@ -16,10 +16,12 @@ namespace demos {
 struct RawScene {
     std::string scene, size, time, camera, sky, mesh, quality;
     std::vector<std::string> overrides;
-    bool strict = false;
+    bool strict = false, plain = false;
 };
 
 void describeStrict(CLI::App& command, bool& strict);
+/// For those that make pictures to be looked at.
+void describePlain(CLI::App& command, RawScene& raw);
 void describeScene(CLI::App& command, RawScene& raw);
 /// For those that draw it with the library.
 void describeQuality(CLI::App& command, RawScene& raw);

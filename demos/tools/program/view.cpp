@@ -53,6 +53,7 @@ std::optional<ViewState> startOf(const ViewOptions& options, Error& error) {
     state.paused = options.paused;
     state.aov = options.picture.aov;
     state.panel = options.panel;
+    state.lens = options.picture.lens;
     return state;
 }
 

@@ -65,6 +65,7 @@ void describeView(CLI::App& command, RawView& raw) {
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     describeScene(command, raw);
     describeQuality(command, raw);
+    describePlain(command, raw);
     command.add_option("--aov", raw.aov, "What to show, as render's; without depth and reflection_source")
         ->type_name("NAME");
     command.add_option("--frames", raw.frames, "Show so many, then close")->type_name("N");
@@ -124,6 +125,7 @@ std::optional<ViewOptions> checkView(const RawView& raw, Error& error) {
     }
     if (!checkSplit(raw.split, error) || !checkReference(raw, options, error)) return std::nullopt;
     if (!options.splitReference) options.split = raw.split;
+    options.picture.lens = !raw.plain && options.picture.aov == Aov::color;
     options.paused = raw.paused;
     options.panel = !raw.noPanel;
     return options;

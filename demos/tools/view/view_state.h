@@ -17,6 +17,7 @@ struct ViewState {
     Aov aov = Aov::color;
     double whiteHeightM = 1; ///< shown as white where heights are
     bool panel = true;
+    bool lens = false; ///< bloom and antialiasing, of colour in one picture
     std::optional<Split> split;
 };
 

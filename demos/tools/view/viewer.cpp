@@ -4,6 +4,7 @@
 
 #include "host/files/image_file.h"
 #include "host/host_impl.h"
+#include "host/lens/temporal.h"
 #include "scene/save.h"
 #include "view/clock.h"
 #include "view/display.h"
@@ -194,7 +195,10 @@ class Viewer::Impl {
 #endif
 
     bool measure(Error& problem) {
-        info_.costs = host_.measure(frame(0), measuredRuns, problem);
+        FrameDesc bare = frame(0);
+        bare.bloom = bare.temporal = false;
+        bare.jitterPx = {};
+        info_.costs = host_.measure(bare, measuredRuns, problem);
         return info_.costs.has_value();
     }
 
@@ -223,6 +227,9 @@ class Viewer::Impl {
         const VkExtent2D extent = swapchain_.extent();
         FrameDesc frame{extent.width, extent.height, state_.camera, state_.timeS, state_.aov, surface};
         frame.follows = follows_;
+        // Halves are compared.
+        frame.bloom = frame.temporal = state_.lens && state_.aov == Aov::color && !state_.split;
+        if (frame.temporal) frame.jitterPx = jitterOf(shown_);
         return frame;
     }
 

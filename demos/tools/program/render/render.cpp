@@ -35,6 +35,15 @@ bool checkMemory(const RenderOptions& options, Error& error) {
     return fitsMemory(options.size, frameBytesAPixel * options.supersample * options.supersample, error);
 }
 
+/// Nobody has asked for it, so that it may be left.
+void supersampleWherePossible(RenderOptions& options, const DeviceInfo& device) {
+    RenderOptions larger = options;
+    larger.supersample = 2;
+    Error unheard;
+    if (fitsDevice(larger.size, larger.supersample, device, unheard) && checkMemory(larger, unheard))
+        options.supersample = larger.supersample;
+}
+
 bool checkOutputs(const RenderOptions& options, const Scene& scene, Error& error) {
     if (!checkPictures(options, scene, error)) return false;
     if (options.stats.empty()) return true;
@@ -66,6 +75,7 @@ class Run {
                   options.aov,
                   0,
                   options.mistake};
+        frame_.bloom = options.lens;
     }
 
     bool all(Progress& progress, Error& error) {
@@ -153,7 +163,9 @@ class Run {
 
 } // namespace
 
-ExitCode renderScene(const RenderOptions& options, Error& error) {
+ExitCode renderScene(const RenderOptions& asked, Error& error) {
+    RenderOptions options = asked;
+    options.supersample = std::max(asked.supersample, 1u);
     std::optional<Scene> scene = readScene(options, error);
     if (!scene) return badInput;
     std::optional<CameraDesc> camera = chooseCamera(*scene, options.camera, error);
@@ -168,6 +180,7 @@ ExitCode renderScene(const RenderOptions& options, Error& error) {
         return badInput;
     }
     if (!fitsDevice(options.size, options.supersample, host->device(), error)) return badInput;
+    if (asked.supersample == 0 && options.lens) supersampleWherePossible(options, host->device());
     progress.say("loading " + scene->file.filename().string());
     if (!host->load(*scene, error)) {
         endIfLost(*host, error);

@@ -15,7 +15,9 @@ struct RenderOptions {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs; ///< at least one; every one gets each frame
     Size size;
-    uint32_t supersample = 1; ///< render so many times larger each way, then average
+    bool lens = false; ///< with air, bloom and antialiasing: to be looked at, not to be measured
+    uint32_t supersample =
+        0; ///< render so many times larger each way, then average; 0: 2 by the lens, else 1
     std::optional<double> timeS;
     std::string camera; ///< empty takes the scene's first
     uint32_t frames = 1;

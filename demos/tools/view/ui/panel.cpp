@@ -76,6 +76,7 @@ void layOutPicture(ViewState& state) {
     }
     if (state.aov == Aov::height)
         slider("white at", state.whiteHeightM, 0.01, 20, "%.2f m", ImGuiSliderFlags_Logarithmic);
+    ImGui::Checkbox("bloom, antialiasing", &state.lens);
     slider("exposure", state.scene.exposureEv, -10, 10, "%.1f stops");
 }
 
