@@ -22,6 +22,14 @@ void* operator new(size_t size) {
     }
     throw std::bad_alloc();
 }
+// Else a sanitizer's own would come in between.
+void* operator new(size_t size, const std::nothrow_t&) noexcept {
+    try {
+        return operator new(size);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
 void operator delete(void* memory) noexcept {
     if (memory) held.fetch_sub(1, std::memory_order_relaxed);
     std::free(memory);

@@ -1,0 +1,230 @@
+// Descriptors of the API, of any values, on a device that does nothing: whatever they hold, a call returns a
+// status, with a line when it fails, and keeps nothing of what it refused.
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "seaglass/water.h"
+#include "tests/faults/failing_device.h"
+#include "tests/fuzz/taken.h"
+
+namespace fuzz {
+
+namespace {
+
+using namespace seaglass;
+
+/// Most fields are as they are by default, and one in some bytes is anything: what is wrong in all would be
+/// refused for the first.
+class Spoilt {
+  public:
+    explicit Spoilt(Taken& from) : from_(from) {}
+    template<typename T>
+    void operator()(T& field) {
+        if (from_.below(4) == 0) field = from_.value<T>();
+    }
+    /// Enums and flags whose values no host's compiler lets be others.
+    void operator()(bool& field) {
+        if (from_.below(4) == 0) field = from_.yes();
+    }
+
+  private:
+    Taken& from_;
+};
+
+struct Water {
+    explicit Water(Taken& from) {
+        Spoilt spoil(from);
+        spoilSea(spoil, from);
+        for (float* const field : {&foam.bias, &foam.decayTime, &foam.albedo}) spoil(*field);
+        for (float& value : refraction.absorption) spoil(value);
+        for (float& value : refraction.backscatter) spoil(value);
+        spoil(refraction.distortion), spoil(refraction.scattering);
+        spoilReflection(spoil);
+        spoil(underwater.meniscus), spoil(caustics.strength), spoil(bed.margin);
+        if (from.yes()) body.waves = &sea;
+        if (from.yes()) body.foam = &foam;
+        if (from.yes()) body.refraction = &refraction;
+        if (from.yes()) body.reflection = &reflection;
+        if (from.yes()) body.underwater = &underwater;
+        if (from.yes()) body.caustics = &caustics;
+        if (from.yes()) body.bed = &bed;
+        for (double& value : body.plane) spoil(value);
+        spoil(body.motion);
+        spoilExtent(spoil, from);
+        spoil(body.mesh.cellSize), spoil(body.mesh.cellsPerLevel);
+        for (uint32_t* const field :
+             {&body.shading.reflectionSamples, &body.shading.refractionSamples, &body.shading.bedDownscale,
+              &body.shading.causticStep, &body.shading.slopeSamples, &body.shading.waveShadowSteps})
+            spoil(*field);
+        spoil(body.shading.parallax);
+        body.wavesOn = WavesOn::gpu;
+    }
+
+    void spoilSea(Spoilt& spoil, Taken& from) {
+        sea.samples = 16;
+        sea.cascades = 1;
+        sea.spectrum = static_cast<SpectrumModel>(from.below(6));
+        sea.spreading = static_cast<SpreadingModel>(from.below(5));
+        for (float* const field :
+             {&sea.windSpeed, &sea.windDirection, &sea.fetch, &sea.peakEnhancement, &sea.depth,
+              &sea.spreadingShape, &sea.swell, &sea.amplitude, &sea.choppiness, &sea.largestPatch, &sea.warp})
+            spoil(*field);
+        spoil(sea.loopPeriod), spoil(sea.seed), spoil(sea.capFetch);
+        // Large ones are no mistake, and take long.
+        if (from.below(8) == 0) sea.samples = from.value<uint8_t>();
+        if (from.below(8) == 0) sea.cascades = from.value<uint8_t>();
+        for (SwellDesc& swell : sea.swells)
+            for (float* const field :
+                 {&swell.height, &swell.peakPeriod, &swell.direction, &swell.bandwidth, &swell.spreading})
+                spoil(*field);
+        for (SpectrumSample& sample : table) spoil(sample.frequency), spoil(sample.density);
+        sea.spectrumTable = table;
+        sea.spectrumTableCount = from.below(5);
+        for (float& height : heights) spoil(height);
+        if (from.below(4) != 0) return;
+        shore.bed = heights;
+        shore.samples[0] = shore.samples[1] = 2;
+        spoil(shore.spacing);
+        for (double& value : shore.origin) spoil(value);
+        sea.shore = &shore;
+    }
+
+    void spoilReflection(Spoilt& spoil) {
+        for (float* const field :
+             {&reflection.edgeFade, &reflection.edgeReach, &reflection.undersideLight, &reflection.distortion,
+              &reflection.clearDistance, &reflection.scatter, &reflection.skyFadeDistance,
+              &reflection.edgeStretch, &reflection.edgeStretchBand, &reflection.temporal,
+              &reflection.marchThickness, &reflection.marchDistance, &reflection.marchJitter})
+            spoil(*field);
+        for (uint32_t* const field : {&reflection.downscale, &reflection.height, &reflection.overhangSamples,
+                                      &reflection.blurLevels, &reflection.marchSteps})
+            spoil(*field);
+        for (bool* const field : {&reflection.coarseKeys, &reflection.edgeFadeAround, &reflection.marchCells})
+            spoil(*field);
+    }
+
+    void spoilExtent(Spoilt& spoil, Taken& from) {
+        ExtentDesc& extent = body.extent;
+        extent.shape = static_cast<ExtentShape>(from.below(5));
+        spoil(extent.planetRadius), spoil(extent.yaw);
+        extent.size[0] = extent.size[1] = 20;
+        for (double& value : extent.center) spoil(value);
+        for (double& value : extent.size) spoil(value);
+        for (double& value : points) spoil(value);
+        for (uint32_t& value : indices) spoil(value);
+        extent.points = points;
+        extent.pointCount = from.below(6);
+        extent.indices = indices;
+        extent.indexCount = from.below(8);
+    }
+
+    SpectrumSample table[4] = {{0.05f, 0}, {0.1f, 1}, {0.2f, 0.5f}, {0.5f, 0}};
+    float heights[4] = {-5, -4, -3, -2};
+    double points[10] = {0, 0, 10, 0, 10, 10, 0, 10, -5, 5};
+    uint32_t indices[6] = {0, 1, 2, 0, 2, 3};
+    ShoreDesc shore;
+    SeaDesc sea;
+    FoamDesc foam;
+    RefractionDesc refraction;
+    ReflectionDesc reflection;
+    UnderwaterDesc underwater;
+    CausticsDesc caustics;
+    BedDesc bed;
+    BodyDesc body;
+};
+
+struct Frame {
+    Frame(Taken& from, ::tests::FailingDevice& device) {
+        Spoilt spoil(from);
+        for (int i = 0; i < 4; ++i) view.view[5 * i] = 1;
+        view.view[13] = -2;
+        view.projection[0] = 1.2, view.projection[5] = -2, view.projection[11] = -1,
+        view.projection[14] = 0.1;
+        view.viewport = {0, 0, 64, 48, 0, 1};
+        for (double& value : view.view) spoil(value);
+        for (double& value : view.projection) spoil(value);
+        for (float* const field : {&view.viewport.x, &view.viewport.y, &view.viewport.minDepth})
+            spoil(*field);
+        // Large ones are no mistake either.
+        view.viewport.width = static_cast<float>(from.value<uint8_t>() + 1);
+        view.viewport.height = static_cast<float>(from.value<int8_t>());
+        spoil(view.viewIndex), spoil(view.cut);
+        for (double& value : view.jitter) spoil(value);
+        view.sceneColor = imageOf(spoil, device, VK_FORMAT_R16G16B16A16_SFLOAT);
+        view.sceneDepth = imageOf(spoil, device, VK_FORMAT_D32_SFLOAT);
+        for (double& value : lighting.toSun) spoil(value);
+        for (auto* const colors : {&lighting.sunIrradiance, &lighting.skyIrradiance, &lighting.skyZenith,
+                                   &lighting.skyHorizon, &lighting.skyGround})
+            for (float& value : *colors) spoil(value);
+        for (float* const field : {&fog.density, &fog.start, &fog.end, &fog.falloff, &fog.fromSky, &fog.most})
+            spoil(*field);
+        spoil(fog.baseHeight);
+        fog.shape = static_cast<FogShape>(from.below(6));
+        if (from.yes()) lighting.fog = &fog;
+        if (from.yes()) lighting.skyCube = device.hosts<VkImageView>();
+        time = from.yes() ? from.value<double>() : 5;
+    }
+
+    static Image imageOf(Spoilt& spoil, ::tests::FailingDevice& device, VkFormat format) {
+        Image image;
+        image.view = device.hosts<VkImageView>();
+        image.format = format;
+        image.extent = {256, 256};
+        image.layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+        uint32_t as = static_cast<uint32_t>(image.format);
+        spoil(as);
+        image.format = static_cast<VkFormat>(as);
+        spoil(image.extent.width), spoil(image.extent.height);
+        return image;
+    }
+
+    FogDesc fog;
+    LightingDesc lighting;
+    ViewDesc view;
+    double time = 0;
+};
+
+/// What a call says must fit: a line with each failure.
+void said(Status status, std::string& message) {
+    if (status != Status::ok && message.empty()) std::abort();
+    message.clear();
+}
+
+} // namespace
+
+void callApi(Bytes bytes) {
+    Taken from(bytes);
+    ::tests::FailingDevice device;
+    std::string message;
+    DeviceDesc desc = device.desc();
+    desc.message = {[](void* user, const char* text) { *static_cast<std::string*>(user) = text; }, &message};
+    Context* context = nullptr;
+    said(createContext(&desc, &context), message);
+    TargetDesc targetDesc;
+    targetDesc.colorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+    targetDesc.depthFormat = VK_FORMAT_D32_SFLOAT;
+    seaglass::Target* target = nullptr;
+    said(createTarget(context, &targetDesc, &target), message);
+
+    const Water water(from);
+    const size_t held = device.held();
+    Body* body = nullptr;
+    const Status made = createBody(context, &water.body, &body);
+    said(made, message);
+    if (made != Status::ok && (body || device.held() != held)) std::abort();
+    if (body) {
+        const Frame frame(from, device);
+        said(beginFrame(context, 0), message);
+        said(simulate(device.commands(), &body, 1, frame.time), message);
+        said(reflect(device.commands(), &body, 1, &frame.view), message);
+        said(castCaustics(device.commands(), &body, 1, &frame.view, &frame.lighting), message);
+        said(draw(device.commands(), target, &body, 1, &frame.view, &frame.lighting), message);
+    }
+    destroyBody(body);
+    destroyTarget(target);
+    destroyContext(context);
+    if (device.held() || device.garbageDestroyed() || device.garbageUsed()) std::abort();
+}
+
+} // namespace fuzz
