@@ -1,6 +1,7 @@
 #include "tests/null/compiled_water.h"
 
 #include <array>
+#include <iterator>
 #include <tuple>
 
 #include "gpu/memory/mip_chain.h"
@@ -9,6 +10,7 @@
 #include "reflection/after/edge_reach.h"
 #include "reflection/after/stretch.h"
 #include "reflection/after/temporal.h"
+#include "reflection/core/technique.h"
 #include "reflection/debug/overlay.h"
 #include "reflection/march/cells.h"
 #include "reflection/march/march.h"
@@ -176,6 +178,12 @@ std::vector<CompiledPipeline> CompiledWater::kernels() {
 }
 
 void CompiledWater::makeKernels() {
+    // Those of each technique, held so that the others of its kind share what both have.
+    std::array<std::shared_ptr<void>, std::size(reflectionTechniques)> held;
+    for (uint32_t which = 0; which < held.size(); ++which) {
+        const Technique& technique = techniqueOf(static_cast<ReflectionTechnique>(which));
+        if (technique.createKernels) (void)technique.createKernels(*context_, {}, held[which]);
+    }
     shareEach<ScatterKernel, CoarseScatterKernel, TilesKernel, OverhangsTilesKernel, ResolveKernel,
               OverhangsResolveKernel, CellsKernel, SeenTilesKernel, SeenColumnsKernel, OpenTilesKernel,
               BlurKernel, StretchKernel, EdgeReachKernel, TemporalKernel, OverlayKernel,
