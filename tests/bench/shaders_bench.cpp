@@ -58,10 +58,15 @@ std::vector<Row> measured(CompiledWater& water) {
     for (const uint32_t fog : {0u, 28u})
         add(rows, water.spray({.cascades = 4, .foamCascades = 3, .isWarped = true, .fogKind = fog}, false),
             fog ? "fog" : "");
+    add(rows, water.overView({.pass = UnderwaterPass::surface}, false), "");
     for (const char* const letters : surfaces)
-        for (size_t q = 0; q < demos::qualities().size(); ++q)
-            add(rows, water.surface({letters, static_cast<Quality>(q)}),
-                std::string(letters) + (*letters ? " " : "") + std::string(demos::qualities()[q]));
+        for (size_t q = 0; q < demos::qualities().size(); ++q) {
+            const SurfaceChoice choice = {letters, static_cast<Quality>(q)};
+            const std::string variant =
+                std::string(letters) + (*letters ? " " : "") + std::string(demos::qualities()[q]);
+            add(rows, water.surface(choice), variant);
+            add(rows, water.deferred(choice), variant);
+        }
     return rows;
 }
 

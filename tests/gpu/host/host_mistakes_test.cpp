@@ -110,6 +110,8 @@ TEST_F(Mistakes, NullsAreNamed) {
         expectRefused(draw(commands, target, nullptr, 1, &view, &lighting), "draw: bodies is null");
         expectRefused(draw(commands, nullptr, &body, 1, &view, &lighting), "draw: target is null");
         expectRefused(draw(commands, target, &body, 1, &view, nullptr), "draw: lighting is null");
+        expectRefused(shade(commands, bodies, 2, &view, &lighting), "shade: bodies[1] is null");
+        expectRefused(shade(commands, &body, 1, &view, nullptr), "shade: lighting is null");
         expectRefused(castCaustics(commands, bodies, 2, &view, &lighting), "castCaustics: bodies[1]");
         expectRefused(castCaustics(commands, &body, 1, &view, nullptr), "castCaustics: lighting is null");
         expectRefused(drawCaustics(commands, target, bodies, 2, &view, &lighting), "drawCaustics: bodies[1]");

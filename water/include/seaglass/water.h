@@ -207,9 +207,9 @@ Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view,
 
 /// Finds the surfaces of bodies with `ShadingDesc::deferred` in `view` and shades each of their pixels once,
 /// for draw() of the same view, with this lighting, later in this frame. Records nothing of other bodies.
-/// Outside any render pass, after reflect(). Reads view.sceneColor, view.sceneDepth, the sky cube and the
-/// shadow map in compute shaders, and view.sceneDepth in fragment shaders. Allocates when an index sees its
-/// largest view.
+/// In a primary command buffer, outside any render pass, after reflect(). Reads the view's scene, the sky
+/// cube and the shadow map in compute shaders, and sceneDepth in fragment shaders. Allocates when an index
+/// sees its largest view.
 Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
              const LightingDesc* lighting);
 
