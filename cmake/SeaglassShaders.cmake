@@ -2,7 +2,7 @@
 # embeds it, so that a program carries its shaders. `shaders/reflection/sspr/scatter.comp` becomes
 #     #include "spirv/scatter.comp.h"     ->     const uint32_t scatter_comp[] = {...};
 # With DEFINES, one file gives several variants; NAME then replaces the file's name. Variants carry no names of functions and
-# variables, which would be a fifth of their bytes; nor do those that are NAMELESS.
+# variables, which would be a fifth of their bytes; nor do those that are NAMELESS. Tests then tell them by number.
 find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang REQUIRED)
 # SPIR-V 1.6 states group sizes by id, which needs the feature maintenance4; 1.5 serves and asks for nothing.
 set(SEAGLASS_GLSLANG_FLAGS --quiet -V --target-env vulkan1.2)

@@ -619,7 +619,7 @@ class Analysis:
         name, type = self.shader.name(root), self.shader.pointee(self.shader.type_of[root])
         for index in reversed(path):
             op, _, *members = self.shader.types[type]
-            name += "." + (self.shader.names[type, index] if op == Op.TypeStruct else "xyzw"[index])
+            name += "." + (str(self.shader.names.get((type, index), index)) if op == Op.TypeStruct else "xyzw"[index])
             type = members[index] if op == Op.TypeStruct else members[0]
         return name
 

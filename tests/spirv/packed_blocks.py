@@ -70,7 +70,7 @@ class Layout:
     def holes_of_members(self, struct, name):
         end = 0
         for i, member in enumerate(self.types[struct][1:]):
-            called = f"{name}.{self.names[struct, i]}"
+            called = f"{name}.{self.names.get((struct, i), i)}"
             if self.offset(struct, i) != end:
                 yield f"{called}: begins at {self.offset(struct, i)}, the one before it ends at {end}"
             yield from self.holes(member, called, self.columns(struct, i))
@@ -82,7 +82,7 @@ class Layout:
 def holes_of(path):
     layout = Layout(read(path))
     blocks = list(layout.blocks.values())
-    return [f"{path}: {line}" for type in blocks for line in layout.holes(type, layout.names[type])]
+    return [f"{path}: {line}" for type in blocks for line in layout.holes(type, layout.names.get(type, f"%{type}"))]
 
 
 def main(paths):
