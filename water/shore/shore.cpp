@@ -113,7 +113,14 @@ Shore::Shore(const ShoreDesc& desc, const SeaDesc& sea, const WaveSystem& system
     for (const ShorePlace& place : places_) deepest = std::max(deepest, double{place.depth});
     const Shoaling shoaling(peak_, offshore, deepest);
     std::vector<double> speeds(places_.size());
-    for (size_t i = 0; i < speeds.size(); ++i) speeds[i] = peak_ / shoaling.at(double{places_[i].depth}).k;
+    for (size_t i = 0; i < speeds.size(); ++i) {
+        const double depth = double{places_[i].depth},
+                     shallows = std::max(depth, 0.0) / std::max(runUp_, 1e-9);
+        // A bore that collapses at the edge runs up in front of itself as water behind a dam that breaks
+        // does, at 2 sqrt(g h) (Ritter 1892; Shen and Meyer 1963).
+        const double rush = 2 * std::sqrt(gravity * runUp_) * std::exp(-shallows * shallows);
+        speeds[i] = std::hypot(peak_ / shoaling.at(depth).k, rush);
+    }
     bool arrive = true;
     for (uint32_t train = 0; train < shoreTrains; ++train)
         arrive &= findArrivals(system.direction + fan * (static_cast<double>(train) - 1), train, speeds);

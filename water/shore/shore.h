@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -83,10 +84,19 @@ class Shore {
     ShorePlace at(double u, double v) const;
     /// Breakers' foam fades in `decayTime` seconds.
     ShoreSignal signalAt(double time, double decayTime) const;
+    /// Seconds from a row to the next.
+    double rowStep() const;
+    uint32_t rowCount() const; ///< of a train
+    /// A train's rows that end with row 0, the last at or after `time`: from `oldest` before it, by
+    /// visit(back, row).
+    void follow(uint32_t train, double time, double decayTime, uint32_t oldest,
+                const std::function<void(uint32_t, const ShoreRow&)>& visit) const;
     /// Without what is shorter than four `width`s.
     ShoreWave waveAt(const ShoreSignal& signal, double u, double v, double width) const;
 
     std::span<const ShorePlace> places() const { return places_; }
+    /// Whether any train comes in.
+    bool runs() const { return !trains_[0].empty(); }
     const uint32_t* samples() const { return samples_; }
     double spacing() const { return spacing_; }
     const double* origin() const { return origin_; }
@@ -96,7 +106,7 @@ class Shore {
     double runUp() const { return runUp_; } ///< [m]
     double slope() const { return slope_; } ///< of the beach at the water's edge
     /// How far the swash carries foam to the side for each metre up; water starts later than the edge rises.
-    double carried() const { return 0.4 / slope_; }
+    double carried() const { return 0.15 / slope_; }
 
   private:
     struct Wave {
