@@ -63,22 +63,26 @@ Place placeOf(const glm::vec3& p) {
     return {std::lround(100 * p.x), std::lround(100 * p.y), std::lround(100 * p.z)};
 }
 
-/// Of a file's ground, its widest part.
+/// Of a file's ground: of all that is made as its widest part.
 void addGround(const char* file, Edges& edges) {
     demos::Error error;
     const std::optional<demos::Mesh> mesh =
         demos::readMesh(std::filesystem::path(SEAGLASS_SCENES) / file, error);
     ASSERT_TRUE(mesh) << error.text;
     const auto width = [](const demos::MeshPart& part) { return part.high.x - part.low.x; };
-    const demos::MeshPart& ground = *std::ranges::max_element(mesh->parts, {}, width);
-    for (uint32_t i = 0; i < ground.indexCount; i += 3)
-        for (uint32_t k = 0; k < 3; ++k) {
-            const auto corner = [&](uint32_t which) {
-                return placeOf(mesh->vertices[mesh->indices[ground.firstIndex + i + which % 3]].position);
-            };
-            const Place a = corner(k), b = corner(k + 1);
-            ++edges[{std::min(a, b), std::max(a, b)}];
-        }
+    const uint32_t ground = std::ranges::max_element(mesh->parts, {}, width)->material;
+    for (const demos::MeshPart& part : mesh->parts) {
+        if (part.material != ground) continue;
+        for (uint32_t i = 0; i < part.indexCount; i += 3)
+            for (uint32_t k = 0; k < 3; ++k) {
+                const auto corner = [&](uint32_t which) {
+                    const uint32_t index = mesh->indices[part.firstIndex + i + which % 3];
+                    return placeOf(mesh->vertices[index].position);
+                };
+                const Place a = corner(k), b = corner(k + 1);
+                ++edges[{std::min(a, b), std::max(a, b)}];
+            }
+    }
 }
 
 /// Of one triangle alone, within the ground's border [m]: what lies beyond shows through, or casts a shadow.
