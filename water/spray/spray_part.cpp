@@ -59,9 +59,10 @@ Status SprayPart::create(Body& body, const BodyDesc& of) {
     desc = *of.spray;
     particles = of.shading.sprayParticles;
     fading = static_cast<double>(of.foam->decayTime);
-    breaking = breakingOf(*body.sea, *of.foam).count;
-    for (uint32_t c = 0; c < breaking; ++c)
-        crests[static_cast<int>(c)] = static_cast<float>(crestSpeed(*body.sea, c));
+    const Breaking breaks = breakingOf(*body.sea, *of.foam);
+    breaking = breaks.count;
+    for (uint32_t c = 0; c < breaks.count; ++c)
+        crestsRun += static_cast<double>(breaks.share[c]) * crestSpeed(*body.sea, c);
     const SeaDesc& sea = description(*body.sea);
     const auto wind = static_cast<double>(sea.windSpeed), towards = static_cast<double>(sea.windDirection);
     blows = windAtCrests * wind * glm::dvec2(std::cos(towards), std::sin(towards));
@@ -93,8 +94,7 @@ SprayLattice SprayPart::lattice(const Body& body, const BodyView& view) const {
 SprayBlock SprayPart::block(const BodyView& view, const SprayLattice& lattice) const {
     SprayBlock block{};
     lattice.fill(view.geometry.eye, block);
-    block.crests = crests;
-    block.wind = {blows.x, blows.y, life, 0};
+    block.wind = {blows.x, blows.y, life, crestsRun};
     block.foam = {fading, 1 / foamStepsPerSecond, 0, 0};
     block.form = {opticalDepth * torn * static_cast<double>(desc.density), desc.shutterTime, 0, 0};
     return block;

@@ -12,7 +12,7 @@ struct SprayPart {
     SprayDesc desc;
     uint32_t particles = 0; ///< at most
     uint32_t breaking = 0;  ///< cascades
-    glm::vec4 crests{0};    ///< their speeds [m/s]
+    double crestsRun = 0;   ///< in the mean, by what each cascade does of the breaking [m/s]
     glm::dvec2 blows{0};    ///< the air at the crests [m/s]
     double fading = 0;      ///< of foam, to 1/e [s]
     double torn = 0;        ///< share of what breaks

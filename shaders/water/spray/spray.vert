@@ -84,27 +84,26 @@ Particle particleAt(uint index) {
     return p;
 }
 
-// When water broke, and by how fast a crest.
 struct Breaking {
-    float ago;    // [s]; more than drops are seen where it has not for long
-    float runs;
+    float ago;    // [s] since water broke there; more than drops are seen where it has not for long
     float share;  // that is shown of it
 };
 
-// By the cascade that did last, as foamCover() sees it. `within` is the share of a step of the history at which it began.
+// Of all cascades together, as foamCover() sees it: the product of what they left has faded since. `within` is the share of a
+// step of the history at which it began.
 Breaking breakingAt(vec2 calm, float within) {
     vec2 place = warped(calm);
-    Breaking last = Breaking(1e9, 0.0, 0.0);
+    float left = 1.0;
+    bool begins = false;
     int i = 0;
     do {
         vec2 steps = textureLod(foamHistory, vec3(water.cascade[i].xy + place * water.cascade[i].z, i), 0.0).rg;
-        bool begins = steps.y > steps.x;
-        float left = begins ? steps.y : mix(steps.x, steps.y, water.foam.x);
-        float ago = -spray.foam.x * log(max(left, 1e-6)) + (within - (begins ? 1.0 - water.foam.x : 0.0)) * spray.foam.y;
-        if (ago < last.ago && ago >= 0.0) last = Breaking(ago, spray.crests[i], i == 0 ? -1.0 : 1.0);
+        begins = begins || steps.y > steps.x;
+        left *= steps.y > steps.x ? steps.y : mix(steps.x, steps.y, water.foam.x);
     } while (++i < foamCascades);
-    if (last.share < 0.0) last.share = last.ago < spray.wind.z ? foamGate(place, 1.0) : 0.0;
-    return last;
+    float ago = -spray.foam.x * log(max(left, 1e-6)) + (within - (begins ? 1.0 - water.foam.x : 0.0)) * spray.foam.y;
+    if (ago < 0.0 || ago >= spray.wind.z) return Breaking(1e9, 0.0);
+    return Breaking(ago, foamGate(place, 1.0));
 }
 
 // Irradiance of the sun, and the sky's mean radiance, as drops scatter them to the eye: half forwards by a narrow lobe (Henyey
@@ -134,9 +133,9 @@ void main() {
     uint draws = p.seed;
     Breaking broke = breakingAt(p.calm, share(draws));
     if (broke.ago >= spray.wind.z || broke.share <= 0.0) return;
-    Flight flight = flightOf(draws, broke.ago, spray.wind.xy, broke.runs);
+    Flight flight = flightOf(draws, broke.ago, spray.wind.xy, spray.wind.w);
 
-    vec2 crest = p.calm + broke.runs * broke.ago * normalize(spray.wind.xy);
+    vec2 crest = p.calm + spray.wind.w * broke.ago * normalize(spray.wind.xy);
     vec3 position = vec3(p.calm.x, -water.plane.w, p.calm.y) + surfaceDisplacement(waveDisplacement, crest, 0.5) + flight.moved;
     vec3 overPlane = position;
     position.y -= globeDrop(position.xz);
