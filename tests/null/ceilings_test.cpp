@@ -51,7 +51,7 @@ constexpr Ceiling kernels[] = {
     {"single_sample_depth.comp", 16},
     {"single_sample_resolved.comp", 32},
     {"stretch.comp", 32},
-    {"surface_tiles.comp", 24},
+    {"surface_tiles.comp", 16},
     {"temporal.comp", 104},
     {"tiles.comp", 24},
     {"tiles_overhangs.comp", 48},
@@ -74,9 +74,10 @@ constexpr SurfaceCeiling surfaces[] = {
 
 /// What shades them once where they are deferred, and what finds and places that.
 constexpr SurfaceCeiling shadedOnce[] = {
-    {"w", Quality::medium, 96},
+    {"w", Quality::medium, 56},
     {"wflr", Quality::medium, 136},
-    {"wflr", Quality::highest, 144},
+    {"wflr", Quality::highest, 136},
+    {"wfslroh", Quality::highest, 176},
 };
 
 class Ceilings : public Compiles {
