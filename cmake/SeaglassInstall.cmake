@@ -20,7 +20,7 @@ endif()
 
 # What a host's own shaders include to look reflections up, and to lie in the water's fog.
 set(glsl_dir ${CMAKE_INSTALL_DATADIR}/seaglass/glsl)
-foreach(name medium reflection_blur reflection_info reflection_source reflection_texels)
+foreach(name medium reflection_blur reflection_info reflection_source reflection_texels shore_wetness)
   install(FILES ${seaglass_GLSL_DIR}/${name}.glsl DESTINATION ${glsl_dir})
 endforeach()
 

@@ -4,6 +4,7 @@
 
 #include "host/passes/fog_uniforms.h"
 #include "host/vulkan/rendering.h"
+#include "host/water/wet_sand.h"
 #include "seaglass/record.h"
 
 namespace demos {
@@ -36,6 +37,7 @@ FrameUniforms otherUniforms(const FrameUniforms& frame, const Camera& camera, co
     for (glm::mat4& shadow : uniforms.shadowFromEye) shadow = glm::mat4(glm::dmat4(shadow) * toFrame);
     moveBentUniforms(eye.position - camera.eye, uniforms);
     moveFogUniforms(eye.position - camera.eye, uniforms);
+    moveShoreUniforms(eye.position - camera.eye, uniforms);
     return uniforms;
 }
 

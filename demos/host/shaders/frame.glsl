@@ -24,6 +24,12 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 fogEye;            // whose lines of sight it lies on; w: their near plane's distance
     vec4 fogSight;          // likewise, as `sight`
     vec4 fogWater;          // height over the calm water, of positions relative to that eye; under it there is no fog
+    vec4 shorePlace;        // SeaglassShore
+    vec4 shoreRows;
+    vec4 shoreForm;
+    vec4 shoreU;            // of positions relative to the eye: along u, up from the calm water, along v
+    vec4 shoreUp;
+    vec4 shoreV;
 } frame;
 
 // Irradiance from the sky on a plane with unit normal n (Ramamoorthi and Hanrahan 2001).

@@ -23,6 +23,7 @@ layout(set = 1, binding = 3) uniform sampler2D normalMap;
 layout(set = 1, binding = 4) uniform sampler2D occlusionMap;
 
 #include "air.glsl"
+#include "wet_sand.glsl"
 
 layout(location = 0) in vec3 inFromEye;
 layout(location = 1) in vec3 inNormal;
@@ -89,6 +90,11 @@ void main() {
         f0 = draw.specular.rgb * mr.rgb;
         diffuse = base.rgb * (1.0 - max(f0.r, max(f0.g, f0.b)));
     }
+
+    const vec2 wet = wetnessOf(inFromEye, roughness);
+    diffuse = seaglass_wetAlbedo(diffuse, wet);
+    roughness = seaglass_wetRoughness(roughness, wet);
+    f0 *= 1.0 - 0.5 * wet.x;   // of index 1.33, not 1.5
 
     vec3 n = normalize(inNormal);
     if (!gl_FrontFacing) n = -n;

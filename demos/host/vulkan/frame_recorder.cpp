@@ -46,9 +46,11 @@ bool FrameRecorder::create(Device& device, const HostDesc& desc, Error& error) {
 
 bool FrameRecorder::createFrameSet(const Sky& sky, FrameSet& out, Error& error) {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4}};
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 5},
+                                          {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1}};
     if (!allocateSet(*device_, layouts_.frame.get(), sizes, out.pool, out.set, error) ||
-        !createBuffer(*device_, sizeof(FrameUniforms), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+        !createBuffer(*device_, sizeof(FrameUniforms),
+                      VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                       BufferPlace::upload, out.uniforms, error))
         return false;
     writeUniformBuffer(*device_, out.set, out.uniforms.buffer.get(), sizeof(FrameUniforms));
@@ -92,7 +94,9 @@ bool FrameRecorder::createSurface(const WaterDesc& desc, LoadedScene& scene, Err
     if (!bentSunOf(desc, scene.sky.sun.direction, waves, sun, error)) return false;
     const std::vector<seaglass::ExclusionVolume> volumes = carriedVolumes(scene.meshes);
     if (!volumes.empty() && !water_.exclude(body, volumes, error)) return false;
-    scene.surfaces.push_back({std::move(body), sun});
+    WetSand sand;
+    if (!sand.create(*device_, sea, error)) return false;
+    scene.surfaces.push_back({std::move(body), sun, std::move(sand)});
     return true;
 }
 
@@ -101,7 +105,7 @@ bool FrameRecorder::createSurface(const FloorDesc& desc, LoadedScene& scene, Err
         scene.surfaces.empty() ? nullptr : std::get_if<MirrorSurface>(&scene.surfaces.front().body);
     MirrorSurface surface;
     if (!mirror_.createSurface(desc, first, surface, error)) return false;
-    scene.surfaces.push_back({std::move(surface), {}});
+    scene.surfaces.push_back({std::move(surface), {}, {}});
     return true;
 }
 
@@ -197,11 +201,27 @@ void FrameRecorder::writeUniforms() {
     setSkyUniforms(scene_->sky, camera_, targets_.extent, uniforms_);
     setShadowUniforms(shadowFits_, uniforms_);
     setBentUniforms(surface_->sun, camera_.eye, uniforms_);
+    wetSand();
     if (scene_->fog) {
         const bool hasWater = water() && *water();
         setFogUniforms(*scene_->fog, camera_, hasWater ? &surface_->sun : nullptr, uniforms_);
     }
     std::memcpy(scene_->frame.uniforms.mapped, &uniforms_, sizeof(uniforms_));
+}
+
+void FrameRecorder::wetSand() {
+    const WetSand& sand = surface_->sand;
+    if (sand) sand.set(frame_.timeS, surface_->sun, camera_.eye, uniforms_);
+    for (const FrameSet* const drawn : {&scene_->frame, &scene_->mirrored, &scene_->bed}) {
+        if (!drawn->set) continue;
+        if (sand) {
+            sand.write(*device_, drawn->set);
+            continue;
+        }
+        // Without a shore these are there and never read.
+        writeTexture(*device_, drawn->set, 5, scene_->sky.image.view.get(), scene_->sky.imageSampler.get());
+        writeStorageBuffer(*device_, drawn->set, 6, drawn->uniforms.buffer.get(), sizeof(FrameUniforms));
+    }
 }
 
 bool FrameRecorder::needed(Stage stage) const {

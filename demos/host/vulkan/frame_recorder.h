@@ -10,6 +10,7 @@
 #include "host/passes/shadow.h"
 #include "host/scene_again.h"
 #include "host/water/water_pass.h"
+#include "host/water/wet_sand.h"
 #include "scene/scene.h"
 
 namespace demos {
@@ -25,6 +26,7 @@ struct FrameSet {
 struct Surface {
     std::variant<WaterBody, MirrorSurface> body;
     BentSun sun;
+    WetSand sand;
 };
 
 /// A scene as it lies on the device.
@@ -116,6 +118,7 @@ class FrameRecorder {
     /// To where things are at a time, on the frame's surface.
     bool move(LoadedScene& scene, double timeS, Error& error);
     void writeUniforms();
+    void wetSand();
     bool createSurface(const WaterDesc& desc, LoadedScene& scene, Error& error);
     bool createSurface(const FloorDesc& desc, LoadedScene& scene, Error& error);
     /// With a frame set of its own.

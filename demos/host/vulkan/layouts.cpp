@@ -49,7 +49,8 @@ void setClip(const glm::dmat4& clipFromEye, FrameUniforms& uniforms) {
 bool createLayouts(const Device& device, Layouts& out, Error& error) {
     constexpr VkDescriptorType uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     constexpr VkDescriptorType texture = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    constexpr VkDescriptorType frame[] = {uniform, texture, texture, texture, texture};
+    constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    constexpr VkDescriptorType frame[] = {uniform, texture, texture, texture, texture, texture, storage};
     constexpr VkDescriptorType material[] = {texture, texture, texture, texture, texture};
     static_assert(std::size(material) == textureSlots);
     if (!createSetLayout(device, frame, out.frame, error) ||
@@ -79,14 +80,29 @@ bool allocateSet(const Device& device, VkDescriptorSetLayout layout,
                      error);
 }
 
-void writeUniformBuffer(const Device& device, VkDescriptorSet set, VkBuffer buffer, VkDeviceSize size) {
+namespace {
+
+void writeBuffer(const Device& device, VkDescriptorSet set, uint32_t binding, VkDescriptorType type,
+                 VkBuffer buffer, VkDeviceSize size) {
     const VkDescriptorBufferInfo range = {buffer, 0, size};
     VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstSet = set;
+    write.dstBinding = binding;
     write.descriptorCount = 1;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    write.descriptorType = type;
     write.pBufferInfo = &range;
     vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
+}
+
+} // namespace
+
+void writeUniformBuffer(const Device& device, VkDescriptorSet set, VkBuffer buffer, VkDeviceSize size) {
+    writeBuffer(device, set, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, buffer, size);
+}
+
+void writeStorageBuffer(const Device& device, VkDescriptorSet set, uint32_t binding, VkBuffer buffer,
+                        VkDeviceSize size) {
+    writeBuffer(device, set, binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffer, size);
 }
 
 void writeTexture(const Device& device, VkDescriptorSet set, uint32_t binding, VkImageView view,

@@ -30,6 +30,8 @@ struct FrameUniforms {
     glm::vec4 sight;
     seaglass::FogBlock fog;
     glm::vec4 fogEye, fogSight, fogWater;
+    glm::vec4 shorePlace, shoreRows, shoreForm; ///< seaglass::ShoreBlock
+    glm::vec4 shoreU, shoreUp, shoreV;
 };
 
 /// What follows from eye-relative positions' way to clip space, with reversed depth.
@@ -67,6 +69,9 @@ bool createLayouts(const Device& device, Layouts& out, Error& error);
 bool allocateSet(const Device& device, VkDescriptorSetLayout layout,
                  std::span<const VkDescriptorPoolSize> sizes, UniqueDescriptorPool& pool,
                  VkDescriptorSet& set, Error& error);
+/// All of a storage buffer of `size` bytes.
+void writeStorageBuffer(const Device& device, VkDescriptorSet set, uint32_t binding, VkBuffer buffer,
+                        VkDeviceSize size);
 /// All of a uniform buffer of `size` bytes at binding 0.
 void writeUniformBuffer(const Device& device, VkDescriptorSet set, VkBuffer buffer, VkDeviceSize size);
 /// Points one combined image sampler of a set at an image in SHADER_READ_ONLY_OPTIMAL.

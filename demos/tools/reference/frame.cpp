@@ -94,6 +94,7 @@ bool prepareFrame(const World& world, const FrameDesc& desc, Frame& out, Error& 
             };
         out.geometry.add(out.mesh);
         if (out.excludedVolumes.empty()) out.mesh.positions = {};
+        out.shore = wettedShore(world.sea.get(), desc.timeS, glm::dvec2(out.camera.eye.x, out.camera.eye.z));
         out.sky = skyBeams(world.light);
     }
     if (!out.geometry.build(error)) return false;

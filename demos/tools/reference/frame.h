@@ -4,6 +4,7 @@
 #include "reference/light/caustics.h"
 #include "reference/light/light_below.h"
 #include "reference/random.h"
+#include "reference/shade/wet_sand.h"
 #include "reference/world.h"
 
 namespace demos::reference {
@@ -28,7 +29,8 @@ struct Frame {
     SurfaceMesh mesh; ///< without its positions, which the geometry holds, but among exclusion volumes
     Geometry geometry;
     std::vector<ExcludedVolume> excludedVolumes; ///< the world's, and those that meshes carry along
-    SkyBeams sky;                                ///< under water; dark where there is none
+    WettedShore shore;
+    SkyBeams sky; ///< under water; dark where there is none
     Caustics caustics;
 
     /// Through a point of the picture, in pixels from its left top corner, for as many of them as `width`

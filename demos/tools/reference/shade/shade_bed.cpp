@@ -4,6 +4,7 @@
 
 #include "reference/light/water_light.h"
 #include "reference/shade/shade_opaque.h"
+#include "reference/shade/wet_sand.h"
 
 namespace demos::reference {
 namespace {
@@ -50,7 +51,7 @@ Sunlit sunlitOf(const Frame& frame, const Bed& bed, const Hit& hit, const glm::v
 
 glm::vec3 shadeBed(const Frame& frame, const Ray& ray, const Hit& hit, Random* random) {
     const Light& light = frame.world->light;
-    const Look look = lookAt(hit, ray.footprint);
+    const Look look = wetLookAt(frame, hit, ray.footprint);
     if (look.unlit) return look.emissive;
     const glm::vec3 normal = mappedNormal(hit, normalAt(hit), ray.footprint);
     const Bed bed = {lightLeavesFrom(hit), normal, std::max(-frame.heightOf(hit.position), 0.0f),

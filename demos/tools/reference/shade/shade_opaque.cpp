@@ -44,8 +44,7 @@ glm::vec3 lightLeavesFrom(const Hit& hit) {
 }
 
 glm::vec3 shadeOpaque(const Geometry& geometry, const Light& light, const Ray& ray, const Hit& hit,
-                      const glm::vec3& towardsSun) {
-    const Look look = lookAt(hit, ray.footprint);
+                      const Look& look, const glm::vec3& towardsSun) {
     if (look.unlit) return look.emissive;
     const float roughness = look.roughness;
     const glm::vec3 f0 = look.mirrored, diffuse = look.diffuse;

@@ -17,6 +17,6 @@ glm::vec3 normalAt(const Hit& hit);
 /// Radiance towards where the ray came from. `towardsSun` is a direction to a point of the sun's disc: a ray
 /// is traced there in place of the host's shadow map.
 glm::vec3 shadeOpaque(const Geometry& geometry, const Light& light, const Ray& ray, const Hit& hit,
-                      const glm::vec3& towardsSun);
+                      const Look& look, const glm::vec3& towardsSun);
 
 } // namespace demos::reference

@@ -12,6 +12,7 @@
 #include "reference/shade/shade_bed.h"
 #include "reference/shade/shade_opaque.h"
 #include "reference/shade/shade_water_below.h"
+#include "reference/shade/wet_sand.h"
 
 namespace demos::reference {
 namespace {
@@ -128,7 +129,7 @@ glm::vec3 dryUnder(const Frame& frame, const Ray& ray, const Hit& hit, Random* r
 glm::vec3 shadeHit(const Frame& frame, const Ray& ray, const Hit& hit, Random* random) {
     const Light& light = frame.world->light;
     const glm::vec3 towardsSun = random ? light.towardsSun(random->next2()) : light.toSun();
-    return shadeOpaque(frame.geometry, light, ray, hit, towardsSun);
+    return shadeOpaque(frame.geometry, light, ray, hit, wetLookAt(frame, hit, ray.footprint), towardsSun);
 }
 
 MirroredRay mirrorOfMean(const Frame& frame, const Ray& ray, const Hit& hit) {
