@@ -188,6 +188,13 @@ TEST(View, PixelsCountFromTheViewportsCorner) {
     EXPECT_NEAR(glm::length(pixelOf(geometry, world) - whole), 0, 1e-9);
 }
 
+TEST(View, TheMiddleOfTheViewportIsStraightAhead) {
+    const Camera camera;
+    const glm::dvec3 ahead = pixelOf(geometryOf(camera), camera.target);
+    EXPECT_NEAR(ahead.x, 0.5 * camera.width, 1e-9);
+    EXPECT_NEAR(ahead.y, 0.5 * camera.height, 1e-9);
+}
+
 TEST(View, ANegativeHeightFlips) {
     Camera camera;
     ViewDesc flipped = describedView(camera);
