@@ -24,7 +24,7 @@ UNTESTED = {
 # Options in the prose that are not the program's.
 OTHERS = {"--preset", "--build", "--install", "--prefix", "--config", "--cflags", "--libs", "--parallel", "--target",
           "--gtest_filter", "--json", "--no-install", "--check", "--bless", "--label-exclude", "--overlay-ports",
-          "--variable"}
+          "--variable", "--list", "--large", "--replay"}
 
 
 def wrong_blocks():
@@ -81,8 +81,25 @@ def wrong_options(program):
                         yield f"{document.relative_to(SOURCE)}:{number}: {option} is no option of seaglass {name}"
 
 
+def known_tests():
+    sources = "\n".join(path.read_text() for path in (SOURCE / "tests").rglob("*_test.cpp"))
+    return {".".join(names) for names in re.findall(r"TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", sources)}
+
+
+def wrong_tests():
+    """Tests that a page says hold something."""
+    tests = known_tests()
+    for document in DOCUMENTS:
+        if document.name not in ("domain.md", "reliability.md"):
+            continue
+        for number, line in lines_of_prose(document):
+            for name in re.findall(r"`([A-Z]\w+\.[A-Z]\w+)`", line):
+                if name not in tests:
+                    yield f"{document.relative_to(SOURCE)}:{number}: there is no test {name}"
+
+
 def main():
-    problems = [*wrong_blocks(), *wrong_links(), *wrong_options(sys.argv[1])]
+    problems = [*wrong_blocks(), *wrong_links(), *wrong_options(sys.argv[1]), *wrong_tests()]
     print("\n".join(problems))
     return 1 if problems else 0
 
