@@ -1,22 +1,26 @@
 # seaglass_add_screenshot_test(NAME name (SCENE scene.toml | COMMAND program argument...)
 #   [REFERENCES folder] [CAMERA name] [TIME seconds] [SIZE WxH] [QUALITY name] [DEVICE name] [AOVS aov...] [FRAMES n]
-#   [LIMITS measure=most...] [LABELS label...] [TIMEOUT seconds])
+#   [LIMITS measure=most...] [IGNORE WxH+X+Y...] [MASK file] [STAGES name...] [DRIVER text] [LABELS label...]
+#   [TIMEOUT seconds])
 #
 # A CTest test that draws pictures and compares them with references, in the folder `name` of REFERENCES, which is
 # `screenshots` beside the CMakeLists.txt if not given. A picture without a reference fails, and says how to make one.
-#   SCENE    is drawn by `seaglass render`. AOVS: one test more for each but color, such as name.height.
+#   SCENE    is drawn by `seaglass render`. AOVS: what is drawn of it, color if not given, such as depth height color. Where
+#            the picture differs, the first of them that does is named.
 #   COMMAND  a program or target of yours. It writes PNG, EXR or HDR into the folder that {out} stands for in its
 #            arguments, and the environment's SEAGLASS_OUT.
-#   LIMITS   of FLIP: mean, p99, pixel; of wrong pixels: share, blob; of values: diff. Those of `seaglass compare
-#            --tolerant` where none is given.
+#   LIMITS   of FLIP: mean, p99, pixel; of wrong pixels: share, blob; of values: diff; of sequences: flicker. Those of
+#            `seaglass compare --tolerant` where none is given.
+#   IGNORE, MASK, STAGES, DRIVER  as --ignore, --mask, --stages, --driver of `seaglass compare`.
 # Pictures and a page lie in ${CMAKE_CURRENT_BINARY_DIR}/screenshots. seaglass_PROGRAM is the program that compares.
 
 function(seaglass_add_screenshot_test)
-  set(one NAME SCENE REFERENCES CAMERA TIME SIZE QUALITY DEVICE FRAMES TIMEOUT)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "${one}" "COMMAND;AOVS;LIMITS;LABELS")
+  set(one NAME SCENE REFERENCES CAMERA TIME SIZE QUALITY DEVICE FRAMES MASK DRIVER TIMEOUT)
+  set(several COMMAND AOVS LIMITS IGNORE STAGES LABELS)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "${one}" "${several}")
   set(where "seaglass_add_screenshot_test(NAME ${arg_NAME})")
   if(arg_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "${where}: '${arg_UNPARSED_ARGUMENTS}' is not known, expected ${one};COMMAND;AOVS;LIMITS;LABELS")
+    message(FATAL_ERROR "${where}: '${arg_UNPARSED_ARGUMENTS}' is not known, expected ${one};${several}")
   endif()
   if(NOT arg_NAME MATCHES "^[A-Za-z0-9_.+-]+$")
     message(FATAL_ERROR "${where}: NAME is '${arg_NAME}', expected letters, digits and _.+-")
@@ -32,13 +36,28 @@ function(seaglass_add_screenshot_test)
   endif()
   cmake_path(ABSOLUTE_PATH arg_REFERENCES BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
   _seaglass_screenshot_limits(limits "${where}" ${arg_LIMITS})
+  foreach(region IN LISTS arg_IGNORE)
+    list(APPEND limits --ignore ${region})
+  endforeach()
+  if(arg_MASK)
+    cmake_path(ABSOLUTE_PATH arg_MASK BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+    list(APPEND limits --mask "[==[${arg_MASK}]==]")
+  endif()
+  if(arg_STAGES)
+    list(JOIN arg_STAGES "," stages)
+    list(APPEND limits --stages ${stages})
+  endif()
+  if(arg_DRIVER)
+    list(APPEND limits --driver "[==[${arg_DRIVER}]==]")
+  endif()
 
   if(arg_COMMAND)
     list(POP_FRONT arg_COMMAND program)
     if(TARGET ${program})
       set(program $<TARGET_FILE:${program}>)
     endif()
-    _seaglass_screenshot_test(${arg_NAME} "${limits}" ${program} ${arg_COMMAND})
+    _seaglass_screenshot_drawing(draw ${program} ${arg_COMMAND})
+    _seaglass_screenshot_test(${arg_NAME} "${limits}" "${draw}")
     return()
   endif()
 
@@ -57,19 +76,16 @@ function(seaglass_add_screenshot_test)
   if(NOT arg_AOVS)
     set(arg_AOVS color)
   endif()
+  set(draws "")
   foreach(aov IN LISTS arg_AOVS)
     if(aov STREQUAL "color")
-      _seaglass_screenshot_test(${arg_NAME} "${limits}" ${render} -o {out}/color${number}.png)
+      _seaglass_screenshot_drawing(draw ${render} -o {out}/color${number}.png)
     else()
-      # What is no light has no FLIP: metres and shares of one, a hundredth of which may be off by two.
-      set(limits_of_values ${limits})
-      if(NOT arg_LIMITS)
-        set(limits_of_values --max-diff 0.02 --max-share 0.01)
-      endif()
-      _seaglass_screenshot_test(${arg_NAME}.${aov} "${limits_of_values}"
-        ${render} --aov ${aov} -o {out}/${aov}${number}.exr)
+      _seaglass_screenshot_drawing(draw ${render} --aov ${aov} -o {out}/${aov}${number}.exr)
     endif()
+    string(APPEND draws "${draw}")
   endforeach()
+  _seaglass_screenshot_test(${arg_NAME} "${limits}" "${draws}")
 endfunction()
 
 function(_seaglass_screenshot_limits result where)
@@ -80,23 +96,32 @@ function(_seaglass_screenshot_limits result where)
   set(option_share --max-wrong)
   set(option_blob --max-blob)
   set(option_diff --max-diff)
+  set(option_flicker --max-flicker)
   foreach(limit IN LISTS ARGN)
-    if(NOT limit MATCHES "^(mean|p99|pixel|share|blob|diff)=(.+)$")
-      message(FATAL_ERROR "${where}: LIMITS has '${limit}', expected mean, p99, pixel, share, blob or diff=NUMBER")
+    if(NOT limit MATCHES "^(mean|p99|pixel|share|blob|diff|flicker)=(.+)$")
+      message(FATAL_ERROR "${where}: LIMITS has '${limit}', expected mean, p99, pixel, share, blob, diff or flicker=NUMBER")
     endif()
     list(APPEND options ${option_${CMAKE_MATCH_1}} ${CMAKE_MATCH_2})
   endforeach()
   set(${result} ${options} PARENT_SCOPE)
 endfunction()
 
-# In the scope of seaglass_add_screenshot_test(): ARGN is the command that draws.
-function(_seaglass_screenshot_test name limits)
-  set(folder ${CMAKE_CURRENT_BINARY_DIR}/screenshots)
-  set(draw "")
+# A line that runs ARGN, unless what was run before has failed. In the scope of seaglass_add_screenshot_test().
+function(_seaglass_screenshot_drawing result)
+  set(words "")
   foreach(word IN LISTS ARGN)
-    string(REPLACE "{out}" "${folder}/out/${name}" word "${word}")
-    string(APPEND draw " [==[${word}]==]")
+    string(REPLACE "{out}" "${CMAKE_CURRENT_BINARY_DIR}/screenshots/out/${arg_NAME}" word "${word}")
+    string(APPEND words " [==[${word}]==]")
   endforeach()
+  set(${result} "  if(code EQUAL 0)
+    execute_process(COMMAND${words} RESULT_VARIABLE code)
+  endif()
+" PARENT_SCOPE)
+endfunction()
+
+# Likewise: `draws` are such lines.
+function(_seaglass_screenshot_test name limits draws)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/screenshots)
   list(JOIN limits " " limits)
   set(script "${folder}/$<CONFIG>/${name}.cmake")
   file(GENERATE OUTPUT "${script}" CONTENT "set(name ${name})
@@ -107,8 +132,8 @@ set(seaglass [==[${seaglass_PROGRAM}]==])
 set(limits ${limits})
 function(draw)
   set(ENV{SEAGLASS_OUT} \"\${out}\")
-  execute_process(COMMAND${draw} RESULT_VARIABLE code)
-  set(code \${code} PARENT_SCOPE)
+  set(code 0)
+${draws}  set(code \${code} PARENT_SCOPE)
 endfunction()
 include([==[${CMAKE_CURRENT_FUNCTION_LIST_DIR}/seaglassRunScreenshotTest.cmake]==])
 ")

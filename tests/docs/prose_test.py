@@ -11,6 +11,7 @@ TESTED = {
     "cpp": "code_test.py",
     "cmake": "code_test.py",
     "diff": "diff_test.py",
+    "yaml": "recipes_test.py",
     "": None,
 }
 # Blocks without a language, by their first line: that none is forgotten which could be tested.

@@ -41,13 +41,14 @@ std::string describe(const Blob& blob, double over) {
     return text;
 }
 
-/// The value that 99 % of 0 .. 1 are not over. By their first bits, which order them, most are set aside.
-float percentile99(std::span<const float> values) {
+/// The value that 99 % of 0 .. 1 are not over, where as many zeros as are left out do not count. By their
+/// first bits, which order them, most are set aside.
+float percentile99(std::span<const float> values, size_t leftOut) {
     constexpr uint32_t setAside = 14;
     const auto binOf = [](float value) { return std::bit_cast<uint32_t>(value) >> setAside; };
     std::vector<size_t> counts(binOf(1.0f) + 1);
     for (const float value : values) ++counts[binOf(value)];
-    size_t rank = (values.size() * 99 + 99) / 100 - 1;
+    size_t rank = leftOut + ((values.size() - leftOut) * 99 + 99) / 100 - 1;
     uint32_t bin = 0;
     for (; rank >= counts[bin]; ++bin) rank -= counts[bin];
     std::vector<float> same;
@@ -61,9 +62,9 @@ float percentile99(std::span<const float> values) {
 void pool(Comparison& comparison) {
     const std::vector<float>& values = comparison.flipMap;
     comparison.flipMean =
-        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(comparison.compared());
     comparison.flipMax = static_cast<double>(*std::max_element(values.begin(), values.end()));
-    comparison.flipP99 = static_cast<double>(percentile99(values));
+    comparison.flipP99 = static_cast<double>(percentile99(values, comparison.leftOut));
 }
 
 void see(Comparison& found, const Image& reference, const Image& test, PictureKind kind) {
@@ -76,16 +77,29 @@ void see(Comparison& found, const Image& reference, const Image& test, PictureKi
     found.exposures = hdr.exposures;
 }
 
-} // namespace
+/// The reference, with black in place of what is not finite and left out.
+std::vector<float> withoutBroken(const Image& reference, const Mask& leftOut) {
+    std::vector<float> rgba(reference.rgba.begin(), reference.rgba.end());
+    for (size_t i = 0; i < leftOut.size(); ++i) {
+        const auto pixel = rgba.begin() + static_cast<std::ptrdiff_t>(4 * i);
+        const auto sound = [](float value) { return std::isfinite(value); };
+        if (leftOut[i] != 0 && !std::all_of(pixel, pixel + 4, sound)) std::fill_n(pixel, 4, 0.0f);
+    }
+    return rgba;
+}
 
-Comparison compare(const Image& reference, const Image& test, PictureKind kind, const Limits& limits) {
-    Comparison found;
-    found.shares.resize(limits.shares.size());
-    found.sameSize = reference.width == test.width && reference.height == test.height;
-    if (!found.sameSize || reference.pixels() == 0) return found;
+/// The test, with the reference's pixels in place of those that are left out: then no filter spreads them.
+std::vector<float> masked(const Image& test, const std::vector<float>& reference, const Mask& leftOut) {
+    std::vector<float> rgba(test.rgba.begin(), test.rgba.end());
+    for (size_t i = 0; i < leftOut.size(); ++i)
+        if (leftOut[i] != 0) std::copy_n(&reference[4 * i], 4, &rgba[4 * i]);
+    return rgba;
+}
+
+void measure(Comparison& found, const Image& reference, const Image& test, PictureKind kind,
+             const Limits& limits, const Mask& leftOut = {}) {
     found.notFiniteInReference = countNotFinite(reference);
     found.notFiniteInTest = countNotFinite(test);
-
     if (found.notFiniteInReference + found.notFiniteInTest == 0) {
         see(found, reference, test, kind);
     } else {
@@ -94,19 +108,45 @@ Comparison compare(const Image& reference, const Image& test, PictureKind kind, 
         for (size_t i = 0; i < found.flipMap.size(); ++i)
             if (!isFinite(reference, i) || !isFinite(test, i)) found.flipMap[i] = 1;
     }
+    for (size_t i = 0; i < leftOut.size(); ++i)
+        if (leftOut[i] != 0) found.flipMap[i] = 0;
     pool(found);
     found.wrong = findWrong(found.flipMap, reference.width, limits.wrong.over);
 
-    found.difference = difference(reference, test);
+    found.difference = difference(reference, test, found.leftOut);
     found.psnrDb =
         psnrDb(found.difference.meanSquare, kind == PictureKind::display ? 1 : greatest(reference));
-    std::transform(limits.shares.begin(), limits.shares.end(), found.shares.begin(),
-                   [&](const ShareLimit& limit) { return shareOver(reference, test, limit.over); });
+    const double ofCompared = static_cast<double>(reference.pixels()) / static_cast<double>(found.compared());
+    std::transform(
+        limits.shares.begin(), limits.shares.end(), found.shares.begin(),
+        [&](const ShareLimit& limit) { return ofCompared * shareOver(reference, test, limit.over); });
+}
+
+} // namespace
+
+Comparison compare(const Image& reference, const Image& test, PictureKind kind, const Limits& limits,
+                   const Mask& leftOut) {
+    Comparison found;
+    found.shares.resize(limits.shares.size());
+    found.sameSize = reference.width == test.width && reference.height == test.height;
+    if (!found.sameSize || reference.pixels() == 0) return found;
+    if (leftOut.empty()) {
+        measure(found, reference, test, kind, limits);
+        return found;
+    }
+    found.leftOut = static_cast<size_t>(
+        std::count_if(leftOut.begin(), leftOut.end(), [](uint8_t one) { return one != 0; }));
+    found.flipMap.resize(reference.pixels());
+    if (found.compared() == 0) return found;
+    const std::vector<float> sound = withoutBroken(reference, leftOut), same = masked(test, sound, leftOut);
+    measure(found, {reference.width, reference.height, sound}, {test.width, test.height, same}, kind, limits,
+            leftOut);
     return found;
 }
 
 double badness(const Comparison& comparison, const Limits& limits) {
-    if (comparison.notFiniteInReference + comparison.notFiniteInTest > 0) return HUGE_VAL;
+    const bool none = comparison.leftOut > 0 && comparison.compared() == 0;
+    if (none || comparison.notFiniteInReference + comparison.notFiniteInTest > 0) return HUGE_VAL;
     double worst = 0;
     const auto add = [&worst](double is, const std::optional<double>& limit) {
         if (limit && is > 0) worst = std::max(worst, is / *limit);
@@ -124,6 +164,8 @@ double badness(const Comparison& comparison, const Limits& limits) {
 
 std::vector<std::string> objections(const Comparison& comparison, const Limits& limits) {
     if (!comparison.sameSize) return {"the pictures differ in size"};
+    if (comparison.leftOut > 0 && comparison.compared() == 0)
+        return {"every pixel is left out, expected some to compare"};
     std::vector<std::string> all;
     const auto notFinite = [&all](const char* which, uint64_t pixels) {
         if (pixels == 0) return;

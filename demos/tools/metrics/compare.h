@@ -37,8 +37,12 @@ struct Limits {
     WrongLimit wrong = {};
 };
 
+/// One value a pixel: others than 0 are left out. Empty: none is.
+using Mask = std::vector<uint8_t>;
+
 struct Comparison {
     bool sameSize = false;                                  ///< else nothing below is filled in
+    size_t leftOut = 0;                                     ///< pixels; all measures are of the rest
     uint64_t notFiniteInReference = 0, notFiniteInTest = 0; ///< pixels; the other measures are over the rest
     Difference difference;
     double psnrDb = 0; ///< infinite when equal; of the peak 1, or the reference's greatest when linear
@@ -48,12 +52,14 @@ struct Comparison {
     ExposureRange exposures;    ///< of HDR-FLIP, when linear
     std::vector<double> shares; ///< of pixels, for each of Limits::shares
 
+    size_t compared() const { return flipMap.size() - leftOut; }
     double wrongShare() const {
-        return flipMap.empty() ? 0 : static_cast<double>(wrong.pixels) / static_cast<double>(flipMap.size());
+        return compared() == 0 ? 0 : static_cast<double>(wrong.pixels) / static_cast<double>(compared());
     }
 };
 
-Comparison compare(const Image& reference, const Image& test, PictureKind kind, const Limits& limits);
+Comparison compare(const Image& reference, const Image& test, PictureKind kind, const Limits& limits,
+                   const Mask& leftOut = {});
 
 /// The greatest of the measures as a multiple of its limit: over 1 where there are objections, infinite where
 /// there is NaN or where nothing at all is allowed.

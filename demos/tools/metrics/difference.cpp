@@ -15,7 +15,7 @@ double off(const float* a, const float* b, size_t channel) {
 
 } // namespace
 
-Difference difference(const Image& a, const Image& b) {
+Difference difference(const Image& a, const Image& b, size_t leftOut) {
     Difference found;
     uint64_t values = 0;
     for (size_t i = 0; i < a.pixels(); ++i) {
@@ -28,6 +28,7 @@ Difference difference(const Image& a, const Image& b) {
         }
         values += 3;
     }
+    values -= 3 * leftOut;
     if (values == 0) return found;
     found.mean /= static_cast<double>(values);
     found.meanSquare /= static_cast<double>(values);

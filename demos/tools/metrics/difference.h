@@ -12,7 +12,8 @@ struct Difference {
     double max = 0;
 };
 
-Difference difference(const Image& a, const Image& b);
+/// Of the pixels `leftOut` count as none; both pictures have the same there.
+Difference difference(const Image& a, const Image& b, size_t leftOut = 0);
 
 /// Share of the pixels, 0..1, that differ by more than `limit` in some channel. Those with NaN or infinity
 /// do.

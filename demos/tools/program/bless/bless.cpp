@@ -10,6 +10,7 @@
 #include "program/bless/drivers.h"
 #include "program/compare/pair.h"
 #include "program/compare/picture_pairs.h"
+#include "program/screenshots/stages.h"
 #include "scene/text_file.h"
 
 namespace demos {
@@ -54,7 +55,8 @@ bool checkTest(const fs::path& file, Error& error) {
     }
     const std::optional<Picture> picture = readPicture(file, error);
     if (!picture) return false;
-    const uint64_t broken = countNotFinite({picture->width, picture->height, picture->rgba});
+    const Infinity infinity = Stages().of(file.filename()) == "depth" ? Infinity::far : Infinity::broken;
+    const uint64_t broken = countNotFinite({picture->width, picture->height, picture->rgba}, infinity);
     if (broken == 0) return true;
     error.text = file.string() + ": NaN or infinity in " + std::to_string(broken) + " pixels, expected none";
     return false;
@@ -97,7 +99,7 @@ bool checkDrivers(const BlessOptions& options, const std::vector<Candidate>& cho
         const std::string theirs = driverOf(one.reference);
         if (options.otherDriver || theirs.empty() || theirs == driver) continue;
         error.text = one.reference.string() + ": references here are of the driver '" + theirs +
-                     "' and this is '" + driver + "', expected that one, or --other-driver";
+                     "' and this is '" + driver + "', expected that one, --advice or --other-driver";
         return false;
     }
     return true;
@@ -135,14 +137,26 @@ size_t list(const BlessOptions& options, std::vector<Candidate>& all, std::vecto
 
 } // namespace
 
-ExitCode blessPictures(const BlessOptions& options, Error& error) {
+/// With --advice those of another driver go beside.
+BlessOptions besideOthers(BlessOptions options) {
+    if (!options.advice) return options;
+    options.driver = statedDriver(options.driver.empty() ? "auto" : options.driver);
+    const std::string theirs = driverOfAny(options.reference);
+    if (!theirs.empty() && theirs != options.driver)
+        options.reference = advisoryFolder(options.reference, options.driver);
+    return options;
+}
+
+ExitCode blessPictures(const BlessOptions& given, Error& error) {
+    const BlessOptions options = besideOthers(given);
     std::optional<std::vector<Candidate>> all = candidates(options, error);
     if (!all || !checkNames(options, *all, error)) return badInput;
     for (const Candidate& one : *all)
         if (!checkTest(one.test, error)) return badInput;
     std::vector<Candidate> chosen;
     const size_t left = list(options, *all, chosen);
-    const std::string driver = options.driver.empty() && !chosen.empty() ? thisDriver() : options.driver;
+    const std::string driver =
+        options.driver.empty() && !chosen.empty() ? thisDriver() : statedDriver(options.driver);
     if (!checkDrivers(options, chosen, driver, error)) return badInput;
     for (const Candidate& one : chosen) {
         if (!renew(one, driver, error)) return badInput;

@@ -34,6 +34,9 @@ void describeBless(CLI::App& command, RawBless& raw) {
         ->type_name("TEXT");
     command.add_flag("--other-driver", raw.otherDriver,
                      "Renew references of another driver, and note this one as theirs");
+    command.add_flag("--advice", raw.advice,
+                     "On another driver than the references', keep its own beside them, in REFERENCE@DRIVER: "
+                     "compare --driver takes those, and they advise");
     command.allow_extras();
 }
 
@@ -46,7 +49,11 @@ std::optional<BlessOptions> checkBless(const RawBless& raw, Error& error) {
         error.text = "--yes is given beside names, expected one of them";
         return std::nullopt;
     }
-    BlessOptions options{raw.reference, raw.test, {}, raw.yes, raw.driver, raw.otherDriver};
+    if (raw.advice && raw.otherDriver) {
+        error.text = "--advice is given beside --other-driver, expected one of them";
+        return std::nullopt;
+    }
+    BlessOptions options{raw.reference, raw.test, {}, raw.yes, raw.driver, raw.otherDriver, raw.advice};
     for (const std::string& name : raw.names)
         options.names.insert(std::filesystem::path(name).lexically_normal());
     return options;

@@ -21,12 +21,13 @@ struct BlessOptions {
     bool yes = false;
     std::string driver; ///< that made the test's pictures; empty: this machine's first that is supported
     bool otherDriver = false;
+    bool advice = false; ///< references of another driver are kept beside, for it alone
 };
 
 struct RawBless {
     std::string reference, test, driver;
     std::vector<std::string> names;
-    bool yes = false, otherDriver = false;
+    bool yes = false, otherDriver = false, advice = false;
 };
 
 void describeBless(CLI::App& command, RawBless& raw);

@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 
+#include "program/bless/drivers.h"
 #include "program/compare/compare_notes.h"
 #include "program/compare/folders.h"
 #include "program/compare/junit.h"
@@ -41,6 +42,10 @@ ExitCode judgePair(const CompareOptions& options, Error& error) {
         std::puts("same");
         return ok;
     }
+    if (options.advice) {
+        std::printf("advice: %s\n", joined(pair->objections).c_str());
+        return ok;
+    }
     error.text = "different: " + joined(pair->objections);
     return different;
 }
@@ -55,7 +60,21 @@ ExitCode judgeFiles(const CompareOptions& options, Error& error) {
     return badInput;
 }
 
-ExitCode judge(const CompareOptions& options, Error& error) {
+/// References of the driver that made the test's pictures gate. Else they advise: those that are kept for it,
+/// if there are some.
+CompareOptions byDriver(CompareOptions options) {
+    const std::string driver = statedDriver(options.driver), gating = driverOfAny(options.reference);
+    if (driver.empty() || gating.empty() || driver == gating) return options;
+    options.advice = true;
+    const fs::path kept = advisoryReference(options.reference, driver);
+    if (!kept.empty()) options.reference = kept;
+    std::printf("advice alone: pictures are of '%s', references %s of '%s'\n", driver.c_str(),
+                options.reference.c_str(), kept.empty() ? gating.c_str() : driver.c_str());
+    return options;
+}
+
+ExitCode judge(const CompareOptions& given, Error& error) {
+    const CompareOptions options = byDriver(given);
     if (!checkOutputs(options, error)) return badInput;
     return areFolders(options) ? compareFolders(options, error) : judgeFiles(options, error);
 }

@@ -16,7 +16,8 @@ the one of a beauty pass' name; what else it holds is listed. A PNG's gamma and
 primaries are brought to sRGB and named; a colour profile is named alone.
 
 Of two folders all pictures are compared, those in folders of theirs too, by their names; what is in one alone
-differs.
+differs. Numbered pictures, such as color_0000.png, are a sequence, whose changes are compared as well. Of
+intermediates in a picture's folder the first that differs is named.
 
 Examples:
   seaglass compare golden.png mine.png --max-flip 0.02 --max-diff 0.1 --max-share 0.001
@@ -24,6 +25,9 @@ Examples:
   seaglass compare screenshots/ out/ --tolerant --junit out/compared.xml
 
 Exit codes: 0 the same within the limits, 1 different, 2 bad input, or no room for what was to be written.)";
+
+/// Of sequences, with --tolerant.
+constexpr double tolerantFlicker = 0.2;
 
 /// Sets `out` if the option is there.
 bool checkNumber(const char* option, const std::string& text, double most, const char* expected,
@@ -46,6 +50,10 @@ bool checkLimits(const RawCompare& raw, CompareOptions& options, Error& error) {
         !checkNumber("--max-share", raw.maxShare, 1, pixels, share, error)) {
         return false;
     }
+    if (!checkNumber("--max-flicker", raw.maxFlicker, 1, "a share of the reference's change, 0 to 1",
+                     options.flicker, error))
+        return false;
+    if (raw.tolerant && !options.flicker) options.flicker = tolerantFlicker;
     if (!raw.maxBlob.empty()) {
         const std::optional<uint32_t> blob = parseCount("--max-blob", raw.maxBlob, 1u << 25, error);
         if (!blob) return false;
@@ -60,6 +68,39 @@ bool checkLimits(const RawCompare& raw, CompareOptions& options, Error& error) {
                       !limits.wrong.share && !limits.wrong.blob;
     if (over || share || none) limits.shares = {{over.value_or(0), share.value_or(0)}};
     return true;
+}
+
+void describeScreenshots(CLI::App& command, RawCompare& raw) {
+    command
+        .add_option("--max-flicker", raw.maxFlicker,
+                    "The change from frame to frame of a sequence in folders may be more or less than the "
+                    "reference's by the share P of it, 0 to 1; 0.2 if --tolerant")
+        ->type_name("P");
+    command
+        .add_option("--ignore", raw.ignored,
+                    "Leave out a rectangle: WIDTHxHEIGHT+LEFT+TOP in pixels; may be given several times")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false)
+        ->type_name("RECT");
+    command
+        .add_option(
+            "--mask", raw.mask,
+            "Leave out what is black in a PNG of the pictures' size; that beside the reference if not "
+            "given: NAME.mask.png for NAME.png, NAME.exr and NAME_0000.png")
+        ->type_name("FILE");
+    command
+        .add_option("--stages", raw.stages,
+                    "What intermediates beside a picture are called, in the order in which they are made: "
+                    "depth,shadow,color; the names of seaglass render --aov if not given")
+        ->delimiter(',')
+        ->type_name("NAMES");
+    command
+        .add_option(
+            "--driver", raw.driver,
+            "What made the test's pictures; 'auto' is this machine's first Vulkan device, 'auto:NAME' the "
+            "first of that name. Where references are of another driver, differences are advice: exit "
+            "code 0")
+        ->type_name("TEXT");
 }
 
 } // namespace
@@ -91,6 +132,7 @@ void describeCompare(CLI::App& command, RawCompare& raw) {
     command.add_option("--max-wrong", raw.maxWrong, "The share P of pixels, 0 to 1, may be wrong")
         ->type_name("P");
     command.add_option("--max-blob", raw.maxBlob, "N wrong pixels may touch each other")->type_name("N");
+    describeScreenshots(command, raw);
     command
         .add_option("--layer", raw.layers,
                     "Of EXRs with several layers of colour; given twice, the reference's and the test's")
@@ -128,6 +170,14 @@ std::optional<CompareOptions> checkCompare(const RawCompare& raw, Error& error) 
     options.large = raw.large;
     options.junit = raw.junit;
     options.tolerant = raw.tolerant;
+    options.leftOut.mask = raw.mask;
+    for (const std::string& text : raw.ignored) {
+        const std::optional<Region> region = parseRegion("--ignore", text, error);
+        if (!region) return std::nullopt;
+        options.leftOut.regions.push_back(*region);
+    }
+    options.stages = Stages(raw.stages);
+    options.driver = raw.driver;
     if (raw.layers.size() > 2) {
         error.text = "--layer is given " + std::to_string(raw.layers.size()) +
                      " times, expected one for both pictures, or the reference's and the test's";

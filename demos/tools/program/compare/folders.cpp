@@ -16,6 +16,7 @@
 #include "program/measure/measures.h"
 #include "program/measure/report.h"
 #include "program/render/output.h"
+#include "program/screenshots/sequence.h"
 
 namespace demos {
 
@@ -85,18 +86,22 @@ Judged judgedFiles(const CompareOptions& options, const fs::path& name, const Pa
 
 std::vector<Judged> judgedAll(const CompareOptions& options, const PicturePairs& pairs) {
     const std::vector<std::pair<fs::path, PairOfFiles>> list(pairs.begin(), pairs.end());
-    std::vector<Judged> all(list.size());
+    const std::vector<Sequence> sequences = options.flicker ? sequencesOf(pairs) : std::vector<Sequence>();
+    std::vector<Judged> all(list.size() + sequences.size());
     std::atomic<size_t> next = 0;
+    const auto judged = [&](size_t i) {
+        return i < list.size() ? judgedFiles(options, list[i].first, list[i].second, i)
+                               : judgedSequence(options, sequences[i - list.size()]);
+    };
     const auto work = [&] {
-        for (size_t i = next++; i < list.size(); i = next++)
-            all[i] = judgedFiles(options, list[i].first, list[i].second, i);
+        for (size_t i = next++; i < all.size(); i = next++) all[i] = judged(i);
     };
     // Around all of them: each picture that is read has one of its own, which threads would mix up.
     const QuietStderr quiet;
     std::vector<std::jthread> others;
     const unsigned cores = std::max(std::thread::hardware_concurrency(), 1u);
     const unsigned wanted = options.large ? 1 : std::min(cores, mostThreads);
-    for (unsigned i = 1; i < wanted && i < list.size(); ++i) others.emplace_back(work);
+    for (unsigned i = 1; i < wanted && i < all.size(); ++i) others.emplace_back(work);
     work();
     others.clear();
     return all;
@@ -110,7 +115,7 @@ std::string jsonOf(const std::vector<Judged>& all, ExitCode code) {
     for (const Judged& one : all) {
         Json picture;
         picture["name"] = one.name;
-        picture["verdict"] = toString(one.code);
+        picture["verdict"] = verdict(one);
         picture["why"] = one.why;
         picture["measures"] = one.json.empty() ? Json(nullptr) : Json::parse(one.json);
         json["pictures"].push_back(picture);
@@ -122,7 +127,7 @@ std::string namesOf(const std::vector<Judged>& all, ExitCode code) {
     std::string names;
     size_t count = 0;
     for (const Judged& one : all) {
-        if (one.code != code || ++count > mostNamed) continue;
+        if (gating(one) != code || ++count > mostNamed) continue;
         names += (names.empty() ? "" : "; ") + one.name + ": " + one.why;
     }
     return count > mostNamed ? names + "; and " + std::to_string(count - mostNamed) + " more" : names;
@@ -130,13 +135,13 @@ std::string namesOf(const std::vector<Judged>& all, ExitCode code) {
 
 ExitCode worst(const std::vector<Judged>& all) {
     ExitCode code = ok;
-    for (const Judged& one : all) code = std::max(code, one.code);
+    for (const Judged& one : all) code = std::max(code, gating(one));
     return code;
 }
 
 void say(const std::vector<Judged>& all, Error& error) {
     for (const Judged& one : all) {
-        std::printf("%s: %s%s%s\n", toString(one.code), one.name.c_str(), one.why.empty() ? "" : ": ",
+        std::printf("%s: %s%s%s\n", verdict(one), one.name.c_str(), one.why.empty() ? "" : ": ",
                     one.why.c_str());
     }
     const std::string bad = namesOf(all, badInput), other = namesOf(all, different);
@@ -159,7 +164,9 @@ ExitCode compareFolders(const CompareOptions& options, Error& error) {
                      ": no pictures, expected PNG, EXR or HDR";
         return badInput;
     }
-    const std::vector<Judged> all = judgedAll(options, pairs);
+    std::vector<Judged> all = judgedAll(options, pairs);
+    options.stages.nameFirst(all);
+    for (Judged& one : all) one.advice = options.advice;
     const ExitCode code = worst(all);
     if (!options.json.empty() && !writeText(options.json, jsonOf(all, code), error)) return badInput;
     if (!options.junit.empty() && !writeText(options.junit, junitXml(all), error)) return badInput;

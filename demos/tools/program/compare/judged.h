@@ -15,10 +15,18 @@ struct Judged {
     std::string json;         ///< the measures; empty where none were taken
     std::string section = {}; ///< of the report; likewise
     double badness = 0;       ///< the greatest measure as a multiple of its limit
+    bool advice = false;      ///< by references of another driver: what differs fails nothing
 };
 
-constexpr const char* toString(ExitCode code) {
-    return code == ok ? "same" : code == different ? "different" : "bad input";
+/// What it is called.
+constexpr const char* verdict(const Judged& one) {
+    if (one.code == badInput) return "bad input";
+    return one.code == ok ? "same" : one.advice ? "advice" : "different";
+}
+
+/// What counts of it.
+constexpr ExitCode gating(const Judged& one) {
+    return one.advice && one.code == different ? ok : one.code;
 }
 
 } // namespace demos

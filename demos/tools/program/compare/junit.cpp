@@ -17,7 +17,7 @@ std::string attribute(std::string text) {
 
 std::string count(const std::vector<Judged>& all, ExitCode code) {
     return std::to_string(
-        std::count_if(all.begin(), all.end(), [code](const Judged& one) { return one.code == code; }));
+        std::count_if(all.begin(), all.end(), [code](const Judged& one) { return gating(one) == code; }));
 }
 
 } // namespace
@@ -29,8 +29,10 @@ std::string junitXml(const std::vector<Judged>& all) {
                       ">\n<testsuite name=\"seaglass compare\"" + counts + ">\n";
     for (const Judged& one : all) {
         xml += "<testcase classname=\"seaglass.compare\" name=\"" + attribute(one.name) + "\"";
-        if (one.code == ok) {
-            xml += "/>\n";
+        if (gating(one) == ok) {
+            xml += one.why.empty()
+                       ? "/>\n"
+                       : "><system-out>advice: " + attribute(one.why) + "</system-out></testcase>\n";
             continue;
         }
         const std::string kind = one.code == different ? "failure" : "error";

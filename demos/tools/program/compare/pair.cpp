@@ -1,5 +1,6 @@
 #include "program/compare/pair.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include "host/files/image_source.h"
@@ -66,8 +67,19 @@ bool checkReference(const CompareOptions& options, Error& error) {
     return false;
 }
 
+/// Of values that are no light, and of which FLIP says nothing: a hundredth may be off by two.
+Limits limitsOfData(const CompareOptions& options) {
+    Limits limits;
+    limits.shares = options.limits.shares;
+    if (limits.shares.empty()) limits.shares = {{0.02, 0.01}};
+    return limits;
+}
+
 /// What is given counts before what is tolerated.
 Limits limitsOf(const CompareOptions& options, PictureKind kind) {
+    if (options.tolerant && kind == PictureKind::linear &&
+        isData(options.stages.of(options.reference.filename())))
+        return limitsOfData(options);
     Limits limits = options.limits;
     if (!options.tolerant) return limits;
     const Limits tolerant = tolerantLimits(kind);
@@ -83,9 +95,15 @@ Limits limitsOf(const CompareOptions& options, PictureKind kind) {
     return limits;
 }
 
+/// Sky is as far in both: no distance that could be off.
+void levelSky(Picture& a, Picture& b) {
+    for (size_t i = 0; i < a.rgba.size(); ++i)
+        if (a.rgba[i] == HUGE_VALF && b.rgba[i] == HUGE_VALF) a.rgba[i] = b.rgba[i] = 0;
+}
+
 } // namespace
 
-std::optional<Pair> measurePair(const CompareOptions& options, Error& error) {
+std::optional<Pair> readPair(const CompareOptions& options, Error& error) {
     if (!checkExtension(options.reference, error) || !checkExtension(options.test, error) ||
         !checkReference(options, error))
         return std::nullopt;
@@ -102,9 +120,27 @@ std::optional<Pair> measurePair(const CompareOptions& options, Error& error) {
                      options.test.string() + " is " + sizeOf(actual) + ", expected one size";
         return std::nullopt;
     }
-    Pair pair{std::move(*reference), std::move(*test), *kind, limitsOf(options, *kind), {}, {}};
-    pair.comparison = compare(view(pair.expected()), view(pair.actual()), pair.kind, pair.limits);
-    pair.objections = objections(pair.comparison, pair.limits);
+    std::optional<Mask> leftOut =
+        maskOf(options.leftOut, options.reference, expected.width, expected.height, error);
+    if (!leftOut) return std::nullopt;
+    Pair pair{std::move(*reference),
+              std::move(*test),
+              *kind,
+              limitsOf(options, *kind),
+              std::move(*leftOut),
+              {},
+              {}};
+    if (options.stages.of(options.reference.filename()) == "depth")
+        levelSky(pair.reference.picture, pair.test.picture);
+    return pair;
+}
+
+std::optional<Pair> measurePair(const CompareOptions& options, Error& error) {
+    std::optional<Pair> pair = readPair(options, error);
+    if (!pair) return std::nullopt;
+    pair->comparison =
+        compare(view(pair->expected()), view(pair->actual()), pair->kind, pair->limits, pair->leftOut);
+    pair->objections = objections(pair->comparison, pair->limits);
     return pair;
 }
 

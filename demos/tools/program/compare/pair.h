@@ -12,6 +12,7 @@ struct Pair {
     PictureFile reference, test;
     PictureKind kind = PictureKind::display;
     Limits limits; ///< those given, and the tolerant ones where they are asked for
+    Mask leftOut;
     Comparison comparison;
     std::vector<std::string> objections; ///< empty when the two are the same within the limits
 
@@ -19,7 +20,10 @@ struct Pair {
     const Picture& actual() const { return test.picture; }
 };
 
-/// Null with `error` set when the two cannot be compared.
+/// Both pictures, and by what they are to be compared. Null with `error` set when they cannot be.
+std::optional<Pair> readPair(const CompareOptions& options, Error& error);
+
+/// Likewise, and compared.
 std::optional<Pair> measurePair(const CompareOptions& options, Error& error);
 
 /// Objections on one line.

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <system_error>
 
+#include "program/screenshots/regions.h"
+
 namespace demos {
 
 namespace {
@@ -30,6 +32,7 @@ class Lister {
         const bool isLink = fs::is_symlink(root_ / name, code),
                    isFolder = fs::is_directory(root_ / name, code);
         if (isLink && isFolder) return object(name, "is a link to a folder, expected a folder itself");
+        if (isMaskName(name)) return;
         if (isPictureName(name)) return notePicture(name, isLink, isFolder);
         if (isFolder) list(name);
     }

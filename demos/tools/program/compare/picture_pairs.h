@@ -14,8 +14,8 @@ struct PairOfFiles {
     std::string problem; ///< why one of them cannot be read: known without opening it
 };
 
-/// By name within the folder, folders of theirs too; sorted. What is no PNG, EXR or HDR by its name is left
-/// out.
+/// By name within the folder, folders of theirs too; sorted. What is no PNG, EXR or HDR by its name, or is
+/// a mask, is left out.
 using PicturePairs = std::map<std::filesystem::path, PairOfFiles>;
 
 PicturePairs picturePairs(const std::filesystem::path& reference, const std::filesystem::path& test);

@@ -57,6 +57,7 @@ std::vector<Measure> measures(const Comparison& comparison, PictureKind kind, co
                    atMost(wrong.share)});
     all.push_back({"most of those that touch", pixels(comparison.wrong.largest.pixels),
                    wrong.blob ? print("at most %llu", static_cast<unsigned long long>(*wrong.blob)) : ""});
+    if (comparison.leftOut > 0) all.push_back({"left out", pixels(comparison.leftOut), ""});
     const ExposureRange& range = comparison.exposures;
     if (linear) {
         all.push_back({"exposures of HDR-FLIP",
@@ -89,6 +90,7 @@ std::string measuresJson(const Pair& pair, const CompareOptions& options) {
     json["size"] = {pair.expected().width, pair.expected().height};
     json["same"] = pair.objections.empty();
     json["objections"] = pair.objections;
+    json["left_out_pixels"] = comparison.leftOut;
     json["not_finite_pixels"] = {{"reference", comparison.notFiniteInReference},
                                  {"test", comparison.notFiniteInTest}};
     json["flip"] = {{"kind", linear ? "hdr" : "ldr"},

@@ -67,6 +67,15 @@ std::vector<uint8_t> shown(const Picture& picture, PictureKind kind, double expo
     return rgb;
 }
 
+/// Grey is left out.
+std::vector<uint8_t> mapOf(const Pair& pair) {
+    constexpr uint8_t grey = 96;
+    std::vector<uint8_t> rgb = magma(pair.comparison.flipMap);
+    for (size_t i = 0; i < pair.leftOut.size(); ++i)
+        if (pair.leftOut[i] != 0) std::fill_n(&rgb[3 * i], 3, grey);
+    return rgb;
+}
+
 bool isWithin(const fs::path& inner, const fs::path& outer) {
     std::error_code code;
     const fs::path a = fs::weakly_canonical(inner, code), b = fs::weakly_canonical(outer, code);
@@ -82,6 +91,31 @@ std::string boxHtml(const Blob& blob, const Picture& size) {
                   percent(blob.left, size.width), percent(blob.top, size.height),
                   percent(blob.width, size.width), percent(blob.height, size.height));
     return html;
+}
+
+/// Both pictures and the map around the most wrong pixels that touch, enlarged.
+std::string zoomHtml(const Blob& blob, const Picture& size, const std::string& folder) {
+    constexpr uint32_t least = 24, shownWidth = 300;
+    if (blob.pixels == 0) return {};
+    const uint32_t wide = std::min(std::max(blob.width + blob.width / 2, least), size.width),
+                   high = std::min(std::max(blob.height + blob.height / 2, least), size.height);
+    const auto from = [](uint32_t start, uint32_t extent, uint32_t shown, uint32_t whole) {
+        const uint32_t middle = start + extent / 2;
+        return std::min(middle - std::min(middle, shown / 2), whole - shown);
+    };
+    const double scale = static_cast<double>(shownWidth) / std::max(wide, high);
+    char style[200];
+    std::snprintf(style, sizeof(style),
+                  "width:%.1fpx;height:%.1fpx;background-size:%.1fpx;background-position:%.1fpx %.1fpx",
+                  scale * wide, scale * high, scale * size.width,
+                  -scale * from(blob.left, blob.width, wide, size.width),
+                  -scale * from(blob.top, blob.height, high, size.height));
+    std::string html =
+        "<p class=\"note\">Where most wrong pixels touch: reference, test, map</p>\n<div class=\"zooms\">";
+    for (const char* const name : pictures)
+        html +=
+            "<div style=\"" + std::string(style) + ";background-image:url('" + folder + name + "')\"></div>";
+    return html + "</div>\n";
 }
 
 std::string section(const CompareOptions& options, const Pair& pair, const std::string& folder,
@@ -101,17 +135,17 @@ std::string section(const CompareOptions& options, const Pair& pair, const std::
                    {"ID", escaped(folder)},
                    {"FOLDER", folder},
                    {"BOX", boxHtml(pair.comparison.wrong.largest, size)},
+                   {"ZOOM", zoomHtml(pair.comparison.wrong.largest, size, folder)},
                    {"EXPOSURE", exposure},
                    {"FLIP", linear ? "HDR-FLIP" : "FLIP"},
                    {"ROWS", rows(measures(pair.comparison, pair.kind, pair.limits))}});
 }
 
 std::string heading(const Judged& one) {
-    const char* const verdict = toString(one.code);
     return filled(reportHeading,
-                  {{"PASSED", one.code == ok ? "passed" : "failed"},
-                   {"CLASS", one.code == badInput ? "bad" : verdict},
-                   {"VERDICT", verdict},
+                  {{"PASSED", gating(one) == ok ? "passed" : "failed"},
+                   {"CLASS", one.code == badInput ? "bad" : verdict(one)},
+                   {"VERDICT", verdict(one)},
                    {"NAME", escaped(one.name)},
                    {"OBJECTIONS", one.why.empty() ? "" : "<p>" + escaped(one.why) + "</p>\n"}});
 }
@@ -123,7 +157,7 @@ std::string page(const std::vector<Judged>& all) {
         return a->code != b->code ? a->code > b->code : a->badness > b->badness;
     });
     const auto failed =
-        std::count_if(all.begin(), all.end(), [](const Judged& one) { return one.code != ok; });
+        std::count_if(all.begin(), all.end(), [](const Judged& one) { return gating(one) != ok; });
     char ppd[16];
     std::snprintf(ppd, sizeof(ppd), "%.0f", static_cast<double>(standardPixelsPerDegree));
     std::string html = filled(
@@ -167,9 +201,8 @@ bool addSection(const CompareOptions& options, const Pair& pair, const fs::path&
     }
     const Picture& size = pair.expected();
     const double exposureEv = options.exposureEv.value_or(middleGreyEv(pair.comparison.exposures));
-    const std::array<std::vector<uint8_t>, 3> contents = {shown(size, pair.kind, exposureEv),
-                                                          shown(pair.actual(), pair.kind, exposureEv),
-                                                          magma(pair.comparison.flipMap)};
+    const std::array<std::vector<uint8_t>, 3> contents = {
+        shown(size, pair.kind, exposureEv), shown(pair.actual(), pair.kind, exposureEv), mapOf(pair)};
     for (size_t i = 0; i < pictures.size(); ++i) {
         if (!writePng(options.report / folder / pictures[i], size.width, size.height, contents[i], error))
             return false;

@@ -21,7 +21,7 @@ p { margin: .25rem 0; overflow-wrap: anywhere; }
 .verdict { display: inline-block; margin-right: .6rem; padding: .1rem .6rem; border-radius: .3rem; color: #fff; }
 .same { background: #1f7a4d; }
 .different { background: #b3392f; }
-.bad { background: #8a5a00; }
+.bad, .advice { background: #8a5a00; }
 fieldset { margin: .6rem 0; padding: 0; border: 0; }
 label { margin-right: 1rem; }
 .failures section.passed { display: none; }
@@ -36,6 +36,8 @@ label { margin-right: 1rem; }
                transform: translate(-50%, -50%); border-radius: 50%; background: #fff; color: #1b1d1f;
                line-height: 2rem; text-align: center; box-shadow: 0 0 3px #000; }
 .box { position: absolute; border: 2px dashed #ff2fd0; pointer-events: none; }
+.zooms { display: flex; flex-wrap: wrap; gap: .6rem; margin: .3rem 0 .9rem; }
+.zooms div { image-rendering: pixelated; }
 .flicker .line, .flicker .left { visibility: hidden; }
 .flicker .before { clip-path: none; }
 .flicker.blink .before { visibility: hidden; }
@@ -86,7 +88,7 @@ Test: <code>@TEST@</code>.@EXPOSURE@</p>
 <div class="scale"></div>
 <div class="ticks"><span>0, unseen</span><span style="left: 25%">0.25</span><span style="left: 50%">0.5</span>
 <span style="left: 75%">0.75</span><span style="left: 100%; white-space: nowrap">1, plain</span></div>
-<table>
+@ZOOM@<table>
 <tr><th>measure</th><th>value</th><th>expected</th></tr>
 @ROWS@</table>
 )html";
