@@ -31,7 +31,7 @@ struct BodyBlock {
     vec4 backscatter;
     ivec4 region;  // origin in the scene images, size [pixel]
     vec4 foam;     // share of the way between the history's steps, albedo, the eye's place in the pattern [m]
-    vec4 breaking; // water/interface/whitecaps.h: now, nowWidth^2, hidden
+    vec4 breaking; // water/interface/whitecaps.h: now, nowWidth^2, hidden, narrower
     vec4 compression; // likewise: along
     vec4 windrows;    // as foamStreak, of the pattern's longest tile; the eye's place in it [m]
     vec4 roughness;   // slope covariance that no cascade holds: uu, vv, uv; deviation of all slopes, mean of

@@ -62,7 +62,8 @@ void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) co
     block.windrows = glm::vec4(windrows.u, windrows.v,
                                placeIn(windrows, eye - glm::dvec3(atRest, 0, atRest), windrowTile));
     const Breaking& breaking = foam.breaking();
-    block.breaking = {breaking.now, breaking.nowWidth * breaking.nowWidth, breaking.hidden, 0};
+    block.breaking = {breaking.now, breaking.nowWidth * breaking.nowWidth, breaking.hidden,
+                      breaking.narrower};
     block.compression = {breaking.along[0], breaking.along[1], breaking.along[2], 0};
 }
 

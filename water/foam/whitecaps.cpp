@@ -126,6 +126,9 @@ Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
     breaking.nowWidth = static_cast<float>(0.12 * deviation);
     breaking.hidden =
         static_cast<float>(choppiness * choppiness * variances.sum.compression / variances.sum.slopes);
+    breaking.narrower =
+        static_cast<float>(std::min(double{breaking.now}, 0.9) /
+                           (variances.sum.slopes * double{sea.desc.amplitude} * double{sea.desc.amplitude}));
     return breaking;
 }
 

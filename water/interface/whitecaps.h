@@ -18,7 +18,8 @@ struct Breaking {
     float along[3] = {};
     /// Sum of these cascades' compressions from which waves break at this moment, give or take `nowWidth`.
     float now = 0, nowWidth = 1;
-    float hidden = 0; ///< variance of it, to one of the slopes, both axes together
+    float hidden = 0;   ///< variance of it, to one of the slopes, both axes together
+    float narrower = 0; ///< of what breaks now, share that compression takes, to a variance of slopes
 
     float compression(float uu, float vv, float uv) const {
         return -(along[0] * uu + along[1] * vv + along[2] * uv);

@@ -311,7 +311,9 @@ float WaterSurface::breakingNow(const glm::dvec2& place, const ShoreWave& shore,
         hidden += std::max(static_cast<double>(squares.x + squares.y - d.x * d.x - d.y * d.y), 0.0);
     }
     const double width = double{breaking_.nowWidth};
-    return gaussianBelow(static_cast<float>((compressed - double{breaking_.now}) /
+    const double seen = std::max(1 - double{breaking_.narrower} * hidden, 0.0);
+    return static_cast<float>(seen) *
+           gaussianBelow(static_cast<float>((compressed - double{breaking_.now}) /
                                             std::sqrt(width * width + double{breaking_.hidden} * hidden)));
 }
 

@@ -4,7 +4,7 @@
 
 const float foamTile = 24.0;             // [m], as in water/foam/foam_pattern.h
 const float foamRepeat = 16.0 * foamTile;
-const float windrowTile = 150.0;
+const float windrowTile = 128.0;
 
 struct Foam {
     float mask;    // share that is white
@@ -35,8 +35,11 @@ float shareBelow(float x, vec3 widths) {
 
 // Share of the pixel where waves break at this moment: where they are compressed most, all cascades together. Compression is a
 // Gaussian, so that the mean is kept however much a pixel shows (Dupuy and Bruneton 2012).
+//
+// What is compressed is narrow, and counts for less as seen from above: where it is too small to be seen, by the last factor.
 float breakingNow(const SurfacePoint s) {
-    return gaussianBelow((s.compressed.x - water.breaking.x) * inversesqrt(water.breaking.y + water.breaking.z * s.compressed.y));
+    float share = gaussianBelow((s.compressed.x - water.breaking.x) * inversesqrt(water.breaking.y + water.breaking.z * s.compressed.y));
+    return share * max(1.0 - water.breaking.w * s.compressed.y, 0.0);
 }
 
 // Where foam can be: foam_gate.glsl, and what of it breaks now.

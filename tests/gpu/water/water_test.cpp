@@ -1327,7 +1327,7 @@ TEST_P(WaterFoamFromAbove, CoversAsMuchFromAnyHeight) {
     // a line.
     EXPECT_LE(static_cast<double>(holes()), limitOnGrid(0, 50));
 }
-INSTANTIATE_TEST_SUITE_P(, WaterFoamFromAbove, testing::Values(0.0f, 0.03f),
+INSTANTIATE_TEST_SUITE_P(, WaterFoamFromAbove, testing::Values(0.0f, 0.06f),
                          [](const auto& info) { return info.param > 0 ? "Thick" : "Thin"; });
 
 // The pattern repeats every 24 m, across the wind without a bend: from the air its rafts would stand in rows.
