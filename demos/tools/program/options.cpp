@@ -12,7 +12,7 @@
 
 #include "program/device/device_options.h"
 #include "program/render/aov_names.h"
-#include "program/scene_input.h"
+#include "program/render/output.h"
 #include "program/scene_options.h"
 #include "scene/nearest.h"
 

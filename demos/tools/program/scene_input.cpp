@@ -26,8 +26,8 @@ bool setsSun(const std::vector<std::string>& overrides) {
     });
 }
 
-/// Of a visual range of 33 km over the water (Koschmieder 1924), as on a fair day at sea; its haze thins out to 1/e
-/// in 2 km of height.
+/// Of a visual range of 33 km over the water (Koschmieder 1924), as on a fair day at sea; its haze thins out
+/// to 1/e in 2 km of height.
 FogDesc clearAir(const WaterDesc& water) {
     FogDesc air;
     air.shape = "height";
@@ -94,11 +94,6 @@ bool checkPictures(const RenderOptions& options, const Scene& scene, Error& erro
         if (!checkApart("-o", first, inputs, error)) return false;
     }
     return true;
-}
-
-bool isPng(const fs::path& file) {
-    const std::string extension = file.extension().string();
-    return extension.size() == 4 && (extension[1] == 'p' || extension[1] == 'P');
 }
 
 void addPlace(const Scene& scene, Error& error) {

@@ -16,8 +16,6 @@ std::vector<std::filesystem::path> sceneFiles(const Scene& scene);
 /// Whether every -o can be written and is none of the scene's own files.
 bool checkPictures(const RenderOptions& options, const Scene& scene, Error& error);
 
-bool isPng(const std::filesystem::path& file);
-
 /// Says where in the scene the file was named that could not be read.
 void addPlace(const Scene& scene, Error& error);
 

@@ -80,6 +80,11 @@ bool checkApart(const std::string& option, const fs::path& output, const std::ve
     return true;
 }
 
+bool isPng(const fs::path& file) {
+    const std::string extension = file.extension().string();
+    return extension.size() == 4 && (extension[1] == 'p' || extension[1] == 'P');
+}
+
 fs::path numbered(const fs::path& file, uint32_t frame) {
     const std::string name = file.filename().string();
     for (size_t start = name.find('%'); start != name.npos; start = name.find('%', start + 1)) {

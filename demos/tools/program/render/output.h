@@ -22,6 +22,9 @@ bool checkFolder(const std::string& option, const std::filesystem::path& folder,
 bool checkApart(const std::string& option, const std::filesystem::path& output,
                 const std::vector<std::filesystem::path>& inputs, Error& error);
 
+/// Of what can be written, which is PNG or EXR.
+bool isPng(const std::filesystem::path& file);
+
 /// The file of one frame of a sequence: in place of %d or %04d, or else _0000 before the extension.
 std::filesystem::path numbered(const std::filesystem::path& file, uint32_t frame);
 
