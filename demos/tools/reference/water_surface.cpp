@@ -311,10 +311,11 @@ float WaterSurface::breakingNow(const glm::dvec2& place, const ShoreWave& shore,
         hidden += std::max(static_cast<double>(squares.x + squares.y - d.x * d.x - d.y * d.y), 0.0);
     }
     const double width = double{breaking_.nowWidth};
-    const double seen = std::max(1 - double{breaking_.narrower} * hidden, 0.0);
+    const double blurred = double{breaking_.hidden} * hidden, variance = width * width + blurred;
+    const double seen = std::max(1 - double{breaking_.narrower} * hidden, 0.0) *
+                        glm::mix(1.0, seaglass::foamBreaksApart, blurred / variance);
     return static_cast<float>(seen) *
-           gaussianBelow(static_cast<float>((compressed - double{breaking_.now}) /
-                                            std::sqrt(width * width + double{breaking_.hidden} * hidden)));
+           gaussianBelow(static_cast<float>((compressed - double{breaking_.now}) / std::sqrt(variance)));
 }
 
 float WaterSurface::foamGate(const glm::dvec2& place, double footprint) const {

@@ -4,7 +4,7 @@
 
 const float foamTile = 24.0;             // [m], as in water/foam/foam_pattern.h
 const float foamRepeat = 16.0 * foamTile;
-const float windrowTile = 128.0;
+const float windrowTile = 150.0;
 
 struct Foam {
     float mask;    // share that is white
@@ -38,7 +38,11 @@ float shareBelow(float x, vec3 widths) {
 //
 // What is compressed is narrow, and counts for less as seen from above: where it is too small to be seen, by the last factor.
 float breakingNow(const SurfacePoint s) {
-    float share = gaussianBelow((s.compressed.x - water.breaking.x) * inversesqrt(water.breaking.y + water.breaking.z * s.compressed.y));
+    float hidden = water.breaking.z * s.compressed.y;
+    float share = gaussianBelow((s.compressed.x - water.breaking.x) * inversesqrt(water.breaking.y + hidden));
+    // Most of it lies where the history is white already: as much as that is taken off where a pixel hides what lies where.
+    const float apart = 0.6;   // foamBreaksApart of water/interface/whitecaps.h
+    share *= mix(1.0, apart, hidden / (water.breaking.y + hidden));
     return share * max(1.0 - water.breaking.w * s.compressed.y, 0.0);
 }
 
