@@ -52,7 +52,7 @@ vec2 seaglass_wetness(SeaglassShore shore, sampler2D map, vec2 place, float heig
     float left = 1.0;   // of the water that a look's film brought
     int look = 0;
     do {
-        wet.x = max(wet.x, left * smoothstep(-wicks, 0.0, reached - height));
+        wet.x = max(wet.x, left * smoothstep(-max(wicks, 1e-4), 0.0, reached - height));
         reached = moves * seaglass_shoreReach(shore, here, float(look + 1) * shore.rows.w).x;
         left = 1.0 - smoothstep(0.0, 1.0, float(look + 1) * shore.form.y / shore.form.z);
     } while (++look < min(int(shore.form.x), seaglass_mostLooks) && left > wet.x);

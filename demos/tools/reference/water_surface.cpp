@@ -283,6 +283,8 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
 float WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const {
     const seaglass::WarpShift warped = seaglass::warpAt(warp_, calm.x, calm.y);
     const ShoreWave shore = shoreAt(calm, footprint);
+    const float dark = 1 - static_cast<float>(edge(shore).foam);
+    if (breaking_.count == 0) return 1 - dark;
     const float gate = foamGate(aside(calm, warped), footprint);
     const float now = gate * breakingNow(aside(calm, warped), shore, footprint);
     float foamy = gate;
@@ -294,7 +296,7 @@ float WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend, do
         const float left = trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), place).x;
         foamy *= share * share * left;
     }
-    return 1 - (1 - foamy) * (1 - now) * (1 - static_cast<float>(edge(shore).foam));
+    return 1 - (1 - foamy) * (1 - now) * dark;
 }
 
 // Where water is compressed most, of all cascades that break: a Gaussian, of which a footprint hides a part.
