@@ -35,6 +35,10 @@ template<>
 constexpr const char* kindOf<VkDescriptorPool> = "descriptor pool";
 template<>
 constexpr const char* kindOf<VkDeviceMemory> = "memory";
+template<>
+constexpr const char* kindOf<VkRenderPass> = "render pass";
+template<>
+constexpr const char* kindOf<VkFramebuffer> = "framebuffer";
 
 /// A command that nothing is checked of.
 template<typename Function>
@@ -233,6 +237,11 @@ struct FailingDevice::Calls {
         if constexpr (std::is_same_v<Info, VkPipelineLayoutCreateInfo>)
             for (uint32_t i = 0; i < info.setLayoutCount; ++i)
                 self.use("vkCreatePipelineLayout", bitsOf(info.pSetLayouts[i]));
+        if constexpr (std::is_same_v<Info, VkFramebufferCreateInfo>) {
+            self.use("vkCreateFramebuffer", bitsOf(info.renderPass));
+            for (uint32_t i = 0; i < info.attachmentCount; ++i)
+                self.use("vkCreateFramebuffer", bitsOf(info.pAttachments[i]));
+        }
     }
 
     static VkResult VKAPI_CALL allocateMemory(VkDevice device, const VkMemoryAllocateInfo* info,
@@ -403,19 +412,23 @@ PFN_vkVoidFunction FailingDevice::Calls::find(std::string_view name) {
     IS(CreateComputePipelines, createPipelines)
     IS(CreateDescriptorPool, create)
     IS(CreateDescriptorSetLayout, create)
+    IS(CreateFramebuffer, create)
     IS(CreateGraphicsPipelines, createPipelines)
     IS(CreateImage, create)
     IS(CreateImageView, create)
     IS(CreatePipelineLayout, create)
+    IS(CreateRenderPass, create)
     IS(CreateSampler, create)
     IS(CreateShaderModule, create)
     IS(DestroyBuffer, destroy)
     IS(DestroyDescriptorPool, destroy)
     IS(DestroyDescriptorSetLayout, destroy)
+    IS(DestroyFramebuffer, destroy)
     IS(DestroyImage, destroy)
     IS(DestroyImageView, destroy)
     IS(DestroyPipeline, destroy)
     IS(DestroyPipelineLayout, destroy)
+    IS(DestroyRenderPass, destroy)
     IS(DestroySampler, destroy)
     IS(DestroyShaderModule, destroy)
     IS(FreeMemory, destroy)
@@ -434,6 +447,7 @@ PFN_vkVoidFunction FailingDevice::Calls::find(std::string_view name) {
 #undef IS
 #define IGNORED(function)                                                                                    \
     if (name == "vk" #function) return erased(&Ignored<PFN_vk##function>::call);
+    IGNORED(CmdBeginRenderPass)
     IGNORED(CmdBindIndexBuffer)
     IGNORED(CmdBlitImage)
     IGNORED(CmdClearColorImage)
@@ -444,6 +458,7 @@ PFN_vkVoidFunction FailingDevice::Calls::find(std::string_view name) {
     IGNORED(CmdDispatchIndirect)
     IGNORED(CmdDraw)
     IGNORED(CmdDrawIndexed)
+    IGNORED(CmdEndRenderPass)
     IGNORED(CmdPushConstants)
     IGNORED(CmdSetScissor)
     IGNORED(CmdSetViewport)

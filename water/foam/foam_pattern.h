@@ -14,7 +14,7 @@ constexpr double foamTile = 24.0;
 constexpr double foamRepeat = 16 * foamTile;
 
 /// Edge of the tile of its windrows [m].
-constexpr double windrowTile = 150.0;
+constexpr double windrowTile = 160.0;
 
 class FoamPattern {
   public:

@@ -58,7 +58,7 @@ class WaterSurface {
         const seaglass::WarpShift shift = seaglass::warpAt(warp_, calm.x, calm.y);
         return place + glm::dvec2(shift.u, shift.v);
     }
-    static constexpr double laceRepeatM = 16 * 24, windrowTileM = 150;
+    static constexpr double laceRepeatM = 16 * 24, windrowTileM = 160;
 
     /// The water's edge on a shore: as shaders/water/surface/surface_point.glsl and foam_cover.glsl have it.
     struct Edge {

@@ -4,7 +4,7 @@
 
 const float foamTile = 24.0;             // [m], as in water/foam/foam_pattern.h
 const float foamRepeat = 16.0 * foamTile;
-const float windrowTile = 150.0;
+const float windrowTile = 160.0;
 
 struct Foam {
     float mask;    // share that is white
