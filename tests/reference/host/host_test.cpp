@@ -38,7 +38,7 @@ TEST_P(HostScene, OpaqueThingsLookAsTraced) {
         host->render({width, height, *camera, scene->timeS, Aov::color}, error);
     ASSERT_TRUE(rendered) << error.text;
 
-    const Picture traced = tests::traced(*scene, {width, height, *camera}).color;
+    const Picture traced = tests::traced(*scene, {width, height, *camera, scene->timeS}).color;
 
     size_t differ = 0, far = 0;
     double sumRendered = 0, sumTraced = 0;

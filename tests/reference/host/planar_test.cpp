@@ -43,7 +43,7 @@ bool mirror(const Scene& scene, const CameraDesc& camera, Mirrored& out, Error& 
     const std::optional<Picture> drawn = host->render(frameDesc, error);
     if (!drawn) return false;
     const reference::Pictures traced =
-        tests::traced(scene, {frameDesc.width, frameDesc.height, camera}, true);
+        tests::traced(scene, {frameDesc.width, frameDesc.height, camera, scene.timeS}, true);
     out = {averaged(*drawn, samples), averaged(traced.mirrored, samples), solidPixels(traced.truth)};
     return true;
 }
