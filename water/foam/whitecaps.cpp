@@ -123,12 +123,13 @@ Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
                  deviation = std::sqrt(variances.sum.compression);
     breaking.now = static_cast<float>(
         deviationsBeyond(shareThatBreaks * whitecapsWanted(wind) / gate) * deviation - bias);
-    breaking.nowWidth = static_cast<float>(0.12 * deviation);
+    // A pond's few ripples are no division by nothing, in floats either.
+    constexpr double least = 1e-6;
+    breaking.nowWidth = static_cast<float>(std::max(0.12 * deviation, least));
     breaking.hidden =
         static_cast<float>(choppiness * choppiness * variances.sum.compression / variances.sum.slopes);
-    breaking.narrower =
-        static_cast<float>(std::min(double{breaking.now}, 0.9) /
-                           (variances.sum.slopes * double{sea.desc.amplitude} * double{sea.desc.amplitude}));
+    const double slopes = variances.sum.slopes * double{sea.desc.amplitude} * double{sea.desc.amplitude};
+    breaking.narrower = static_cast<float>(std::min(double{breaking.now}, 0.9) / std::max(slopes, least));
     return breaking;
 }
 
