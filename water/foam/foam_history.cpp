@@ -6,11 +6,13 @@
 #include <cmath>
 
 namespace seaglass {
-FoamFading fadingOf(const FoamDesc& foam, float share) {
+FoamFading fadingOf(const FoamDesc& foam, float of) {
+    // What has no share would fade to nothing, in no time that floats tell from never.
+    const double share = std::max(static_cast<double>(of), 1e-4);
     const double steps = foamStepsPerSecond * static_cast<double>(foam.decayTime);
-    const double end = std::exp(-foamLifetime * static_cast<double>(share));
+    const double end = std::exp(-foamLifetime * share);
     FoamFading fading;
-    fading.fade = static_cast<float>(std::exp(-static_cast<double>(share) / steps));
+    fading.fade = static_cast<float>(std::exp(-share / steps));
     fading.floor = static_cast<float>(end / (1 - end));
     // Half floats may round each step up: by 6 % of what it takes off at the slowest fading.
     fading.steps = static_cast<int64_t>(std::ceil(1.07 * foamLifetime * steps)) + 1;

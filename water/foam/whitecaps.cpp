@@ -103,6 +103,7 @@ Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
     constexpr double leastWind = 2;          // [m/s]; either law leaves less than 5e-5 here
     constexpr double never = 7;              // deviations: no sample of a loop's whole time
     constexpr double shareThatBreaks = 0.15; // of the foam, at a moment
+    constexpr double least = 1e-6;           // that is divided by: a puddle has hardly any waves
     Breaking breaking;
     const double wind = sea.desc.windSpeed, bias = foam.bias;
     if (wind < leastWind) return breaking;
@@ -116,15 +117,16 @@ Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
         const Variance& own = variances.of[c];
         const double share = own.whitecaps / variances.sum.whitecaps, deviation = std::sqrt(own.compression);
         breaking.share[c] = static_cast<float>(share);
-        breaking.threshold[c] = static_cast<float>(toBreak * std::sqrt(share) * deviation - share * bias);
-        breaking.softness[c] = static_cast<float>(0.3 * deviation);
+        // Waves that are too long for this sea leave it to the others.
+        const bool breaks = share > least;
+        breaking.threshold[c] =
+            static_cast<float>(breaks ? toBreak * std::sqrt(share) * deviation - share * bias : -1);
+        breaking.softness[c] = static_cast<float>(std::max(0.3 * deviation, least));
     }
     const double gate = sea.desc.warp > 0 ? foamGateMean : 1,
                  deviation = std::sqrt(variances.sum.compression);
     breaking.now = static_cast<float>(
         deviationsBeyond(shareThatBreaks * whitecapsWanted(wind) / gate) * deviation - bias);
-    // A pond's few ripples are no division by nothing, in floats either.
-    constexpr double least = 1e-6;
     breaking.nowWidth = static_cast<float>(std::max(0.12 * deviation, least));
     breaking.hidden =
         static_cast<float>(choppiness * choppiness * variances.sum.compression / variances.sum.slopes);
