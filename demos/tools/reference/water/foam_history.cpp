@@ -22,7 +22,8 @@ struct Fading {
     float fade, floor;
 };
 
-Fading fadingOf(double share, double decaySteps) {
+Fading fadingOf(double of, double decaySteps) {
+    const double share = std::max(of, 1e-4); // as nothing, it would fade in no time
     const double end = std::exp(-lifetimeInDecays * share);
     return {static_cast<float>(std::exp(-share / decaySteps)), static_cast<float>(end / (1 - end))};
 }
