@@ -1,4 +1,5 @@
-// The list of the 8 x 8 tiles of a view that show a surface, for GLSL and C++ alike: its head, then a tile an entry.
+// The list of the 8 x 8 tiles of a view that show a surface, for GLSL and C++ alike: its head, then a tile an
+// entry.
 #ifdef __cplusplus
 #pragma once
 #include "gpu/pipeline/shader_types.h"

@@ -1,10 +1,11 @@
 // Foam on breaking crests, and the whitecap laws that it is held to. No Vulkan.
 //
 // A wave breaks where its surface is compressed, along the wind above all: where the horizontal displacement
-// of all cascades together passes a threshold. What it leaves behind stays with the water and fades. Foam is stepped at fixed times, a
-// whole multiple of 1/4 s each, and dies after three decay times: it is a function of the sea and the time
-// alone, whatever frames were drawn before. But for hosts that fall behind: a call of simulate() more than 2
-// s after another that had to catch up by more takes eight times in place of all between, at even distances.
+// of all cascades together passes a threshold. What it leaves behind stays with the water and fades. Foam is
+// stepped at fixed times, a whole multiple of 1/4 s each, and dies after three decay times: it is a function
+// of the sea and the time alone, whatever frames were drawn before. But for hosts that fall behind: a call of
+// simulate() more than 2 s after another that had to catch up by more takes eight times in place of all
+// between, at even distances.
 #pragma once
 
 #include "seaglass/sea.h"
