@@ -96,9 +96,8 @@ struct Body : Held {
     /// The same of a view of the surface. `out` refers to `drawn`.
     Status readSurface(const char* call, const ViewDesc& view, const LightingDesc& lighting,
                        SurfaceOutput output, BodyView& out, SurfaceDraw& drawn);
-    /// `target`: that it is drawn into; null: images of the library's own.
-    Status see(const char* call, const ViewDesc& view, const LightingDesc& lighting, SurfaceOutput output,
-               const Target* target, SeenSurface& out);
+    /// What that shows of the surface. `target`: that it is drawn into; null: images of the library's own.
+    Status see(const char* call, const Target* target, SeenSurface& seen);
     /// That it runs the view's way.
     Status checkDepth(const Target& target, const ViewGeometry& geometry) const;
     SidesSeen sidesSeen(const ViewGeometry& geometry) const;

@@ -10,16 +10,9 @@ namespace {
 
 /// What is drawn of motion is where the surface is, and was.
 SurfaceVariant ofMotion(const SurfaceVariant& all) {
-    SurfaceVariant v;
+    SurfaceVariant v = shapeVariant(all);
     v.surfaceOutput = all.surfaceOutput;
     v.forMotion = true;
-    v.hasWaves = all.hasWaves;
-    v.hasShore = all.hasShore;
-    v.shape = all.shape;
-    v.cascades = all.cascades;
-    v.isWarped = all.isWarped;
-    v.exclusionVolumes = all.exclusionVolumes;
-    v.onGlobe = all.onGlobe;
     return v;
 }
 
@@ -50,18 +43,14 @@ Status Body::checkDepth(const Target& target, const ViewGeometry& geometry) cons
         geometry.reversedDepth ? "greater" : "less", geometry.reversedDepth ? "true" : "false");
 }
 
-Status Body::see(const char* call, const ViewDesc& given, const LightingDesc& lighting, SurfaceOutput output,
-                 const Target* target, SeenSurface& out) {
-    if (const Status s = readSurface(call, given, lighting, output, out.view, out.drawn); s != Status::ok)
-        return s;
+Status Body::see(const char* call, const Target* target, SeenSurface& out) {
     const ViewGeometry& geometry = out.view.geometry;
-    if (target)
-        if (const Status s = checkDepth(*target, geometry); s != Status::ok) return s;
-    const bool motion = output == SurfaceOutput::motion;
+    const bool motion = out.drawn.isMotion();
     if (motion && sea && !keepsMotion)
         return context->device.fail(Status::invalidArgument,
                                     "%s: SurfaceOutput::motion needs BodyDesc.motion", call);
-    const glm::mat4 lastPixel = motion ? lastViews.pixelFromRelative(given, geometry) : glm::mat4(1);
+    const glm::mat4 lastPixel =
+        motion ? lastViews.pixelFromRelative(*out.view.given, geometry) : glm::mat4(1);
     if (placing.outline && !maySee(geometry)) return Status::ok;
 
     MeshView asMeshed = placing.meshView(geometry);
@@ -75,13 +64,14 @@ Status Body::see(const char* call, const ViewDesc& given, const LightingDesc& li
 }
 
 Status Body::draw(const DrawCall& call, SurfaceOutput output) {
-    if (DeferredPart* const deferred = output == SurfaceOutput::shaded ? find<DeferredPart>() : nullptr) {
-        bool placed = false;
-        if (const Status s = deferred->place(*this, call, placed); s != Status::ok || placed) return s;
-    }
     SeenSurface seen;
-    if (const Status s = see("draw", call.view, call.lighting, output, &call.target, seen);
-        s != Status::ok || seen.mesh.instanceCount == 0)
+    if (const Status s = readSurface("draw", call.view, call.lighting, output, seen.view, seen.drawn);
+        s != Status::ok)
+        return s;
+    if (const Status s = checkDepth(call.target, seen.view.geometry); s != Status::ok) return s;
+    const DeferredPart* const deferred = find<DeferredPart>();
+    if (deferred && deferred->shades(seen.drawn)) return deferred->place(*this, call, seen);
+    if (const Status s = see("draw", &call.target, seen); s != Status::ok || seen.mesh.instanceCount == 0)
         return s;
     Resources resources;
     if (const Status s = bindBody(*this, seen.view, seen.block, resources); s != Status::ok) return s;

@@ -89,6 +89,23 @@ Status refuseUnusable(const char* call, const Context* context, VkCommandBuffer 
     return gpu::refuseUnusable(call, "bodies", bodies, count);
 }
 
+/// A call that one part records, outside any render pass. `record` is for bodies that have it.
+template<class PartOf>
+Status recordParts(const char* call, VkCommandBuffer commands, Body* const* bodies, uint32_t count,
+                   const ViewDesc* view, const LightingDesc* lighting,
+                   Status (PartOf::*record)(Body&, VkCommandBuffer, const ViewDesc&, const LightingDesc&)) {
+    if (const Status s = refuseUnusable(call, nullptr, commands, bodies, count,
+                                        {{"view", !view}, {"lighting", !lighting}});
+        s != Status::ok)
+        return s;
+    if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(bodies, count), call); s != Status::ok)
+        return s;
+    return forEach(bodies, count, [&](Body& body) {
+        PartOf* part = body.find<PartOf>();
+        return part ? (part->*record)(body, commands, *view, *lighting) : Status::ok;
+    });
+}
+
 /// What calls that draw are handed.
 Status refuseDraw(const char* call, VkCommandBuffer commands, const Target* target, Body* const* bodies,
                   uint32_t count, const ViewDesc* view, const LightingDesc* lighting) {
@@ -187,16 +204,7 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
 
 Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
              const LightingDesc* lighting) {
-    if (const Status s = refuseUnusable("shade", nullptr, commands, bodies, count,
-                                        {{"view", !view}, {"lighting", !lighting}});
-        s != Status::ok)
-        return s;
-    if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(bodies, count), "shade"); s != Status::ok)
-        return s;
-    return forEach(bodies, count, [&](Body& body) {
-        DeferredPart* deferred = body.find<DeferredPart>();
-        return deferred ? deferred->shade(body, commands, *view, *lighting) : Status::ok;
-    });
+    return recordParts("shade", commands, bodies, count, view, lighting, &DeferredPart::shade);
 }
 
 Status prepare(Target* target, Body* body, const ViewDesc* view, const LightingDesc* lighting,
@@ -215,17 +223,7 @@ Status prepare(Target* target, Body* body, const ViewDesc* view, const LightingD
 
 Status castCaustics(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
                     const LightingDesc* lighting) {
-    if (const Status s = refuseUnusable("castCaustics", nullptr, commands, bodies, count,
-                                        {{"view", !view}, {"lighting", !lighting}});
-        s != Status::ok)
-        return s;
-    if (const Status s = gpu::refuseOutsideFrame(gpu::contextOf(bodies, count), "castCaustics");
-        s != Status::ok)
-        return s;
-    return forEach(bodies, count, [&](Body& body) {
-        CausticsPart* caustics = body.find<CausticsPart>();
-        return caustics ? caustics->cast(body, commands, *view, *lighting) : Status::ok;
-    });
+    return recordParts("castCaustics", commands, bodies, count, view, lighting, &CausticsPart::cast);
 }
 
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,

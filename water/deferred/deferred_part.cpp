@@ -109,10 +109,12 @@ Status DeferredPart::record(Body& body, VkCommandBuffer commands, const SeenSurf
 Status DeferredPart::shade(Body& body, VkCommandBuffer commands, const ViewDesc& view,
                            const LightingDesc& lighting) {
     SeenSurface seen;
-    if (const Status s = body.see("shade", view, lighting, SurfaceOutput::shaded, nullptr, seen);
+    if (const Status s =
+            body.readSurface("shade", view, lighting, SurfaceOutput::shaded, seen.view, seen.drawn);
         s != Status::ok)
         return s;
-    if (seen.drawn.sides != SidesSeen::above) return Status::ok; // draw() shades it
+    if (!shades(seen.drawn)) return Status::ok; // draw() does
+    if (const Status s = body.see("shade", nullptr, seen); s != Status::ok) return s;
     Picture& picture = views_[view.viewIndex];
     picture.frame = 0; // until all of it is recorded
     const bool shows = seen.mesh.instanceCount > 0;
@@ -138,20 +140,15 @@ Status DeferredPart::check(const Body& body, const BodyView& view) const {
     return Status::ok;
 }
 
-Status DeferredPart::place(Body& body, const DrawCall& call, bool& placed) {
-    SurfaceDraw drawn;
-    BodyView view;
-    if (const Status s =
-            body.readSurface("draw", call.view, call.lighting, SurfaceOutput::shaded, view, drawn);
-        s != Status::ok)
-        return s;
-    placed = drawn.sides == SidesSeen::above;
-    if (!placed) return Status::ok;
-    if (const Status s = body.checkDepth(call.target, view.geometry); s != Status::ok) return s;
-    if (const Status s = check(body, view); s != Status::ok) return s;
+bool DeferredPart::shades(const SurfaceDraw& drawn) {
+    return drawn.output == SurfaceOutput::shaded && drawn.sides == SidesSeen::above;
+}
+
+Status DeferredPart::place(Body& body, const DrawCall& call, SeenSurface& seen) const {
+    if (const Status s = check(body, seen.view); s != Status::ok) return s;
     if (!views_[call.view.viewIndex].shows) return Status::ok;
     const bool isSampled = call.target.desc.samples != VK_SAMPLE_COUNT_1_BIT;
-    return isSampled ? placeSamples(body, call) : placeView(body, call, view);
+    return isSampled ? placeSamples(body, call, seen) : placeView(body, call, seen.view);
 }
 
 Status DeferredPart::placeView(Body& body, const DrawCall& call, const BodyView& view) const {
@@ -164,13 +161,9 @@ Status DeferredPart::placeView(Body& body, const DrawCall& call, const BodyView&
     return recordUnderwater(context, call, view, overView, resources);
 }
 
-Status DeferredPart::placeSamples(Body& body, const DrawCall& call) const {
+Status DeferredPart::placeSamples(Body& body, const DrawCall& call, SeenSurface& seen) const {
     Context& context = *body.context;
-    SeenSurface seen;
-    if (const Status s =
-            body.see("draw", call.view, call.lighting, SurfaceOutput::shaded, &call.target, seen);
-        s != Status::ok)
-        return s;
+    if (const Status s = body.see("draw", &call.target, seen); s != Status::ok) return s;
     const Picture& picture = views_[call.view.viewIndex];
     const DrawPipeline* pipeline = nullptr;
     if (const Status s =

@@ -19,9 +19,10 @@ struct DeferredPart {
     Status prepare(const Body& body, const PrepareCall& call) const;
 
     Status shade(Body& body, VkCommandBuffer commands, const ViewDesc& view, const LightingDesc& lighting);
-    /// Draws what that left over the host's pass. `placed` is false of a view from within the water, which is
-    /// not shaded this way.
-    Status place(Body& body, const DrawCall& call, bool& placed);
+    /// Whether that is shaded this way: the surface from above, and nothing else.
+    static bool shades(const SurfaceDraw& drawn);
+    /// Draws what shade() left over the host's pass. `seen`: as it was read for this call.
+    Status place(Body& body, const DrawCall& call, SeenSurface& seen) const;
 
   private:
     /// What shade() was given that a BodyBlock does not hold.
@@ -43,7 +44,7 @@ struct DeferredPart {
     /// Refused unless shade() was given the same before.
     Status check(const Body& body, const BodyView& view) const;
     Status placeView(Body& body, const DrawCall& call, const BodyView& view) const;
-    Status placeSamples(Body& body, const DrawCall& call) const;
+    Status placeSamples(Body& body, const DrawCall& call, SeenSurface& seen) const;
     Status record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture);
 
     std::shared_ptr<FoundPass> pass_;

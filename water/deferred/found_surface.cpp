@@ -52,16 +52,9 @@ ViewDesc withoutOrigin(const ViewDesc& view, const ViewGeometry& geometry) {
 } // namespace
 
 FoundVariant foundVariant(const SurfaceVariant& all) {
-    SurfaceVariant v;
-    v.hasWaves = all.hasWaves;
-    v.hasShore = all.hasShore;
+    SurfaceVariant v = shapeVariant(all);
     v.hasRefraction = all.hasRefraction;
     v.manySamples = all.manySamples;
-    v.shape = all.shape;
-    v.cascades = all.cascades;
-    v.isWarped = all.isWarped;
-    v.exclusionVolumes = all.exclusionVolumes;
-    v.onGlobe = all.onGlobe;
     return {v};
 }
 

@@ -5,9 +5,7 @@
 namespace seaglass {
 
 PlacedSamplesVariant placedSamplesVariant(const SurfaceVariant& all) {
-    PlacedSamplesVariant v = {foundVariant(all).surface};
-    v.surface.hasRefraction = v.surface.manySamples = false;
-    return v;
+    return {shapeVariant(all)};
 }
 
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const PlacedSamplesVariant& variant,

@@ -9,6 +9,18 @@
 
 namespace seaglass {
 
+SurfaceVariant shapeVariant(const SurfaceVariant& all) {
+    SurfaceVariant v;
+    v.hasWaves = all.hasWaves;
+    v.hasShore = all.hasShore;
+    v.shape = all.shape;
+    v.cascades = all.cascades;
+    v.isWarped = all.isWarped;
+    v.exclusionVolumes = all.exclusionVolumes;
+    v.onGlobe = all.onGlobe;
+    return v;
+}
+
 Status buildMeshPipeline(const gpu::Device& device, const TargetDesc& target,
                          std::span<const uint32_t> fragment, const SurfaceVariant& variant, const char* what,
                          DrawPipeline& out) {

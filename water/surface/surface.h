@@ -35,6 +35,9 @@ struct SurfaceVariant {
     auto operator<=>(const SurfaceVariant&) const = default;
 };
 
+/// What says where the surface is, and where it is cut.
+SurfaceVariant shapeVariant(const SurfaceVariant& all);
+
 using SurfacePipelines = DrawPipelines<SurfaceVariant>;
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SurfaceVariant& variant,
                      DrawPipeline& out);
