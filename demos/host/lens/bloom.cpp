@@ -12,11 +12,6 @@ constexpr float strays = 0.02f;
 constexpr float farther = 0.6f;
 constexpr uint32_t leastHeight = 6; ///< of a level [pixel]
 
-/// As in shaders/bloom.frag.
-struct BloomConstants {
-    float pixel[2], reach[2], share;
-};
-
 void draw(const PicturePass& pass, VkCommandBuffer commands, VkDescriptorSet from, VkExtent2D fromExtent,
           const Image& to, float reachTexels, float share) {
     const BloomConstants constants = {

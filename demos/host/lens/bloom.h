@@ -9,6 +9,11 @@
 
 namespace demos {
 
+/// As in shaders/bloom.frag, which copies where nothing is blurred.
+struct BloomConstants {
+    float pixel[2], reach[2] = {0, 0}, share = 1;
+};
+
 class Bloom {
   public:
     /// Readies it for frames in these targets.

@@ -5,6 +5,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include "host/lens/bloom.h"
+#include "host/lens/halton.h"
 #include "spirv/bloom.frag.h"
 #include "spirv/temporal.frag.h"
 
@@ -21,32 +23,17 @@ struct TemporalConstants {
     float pixel[2], kept, moves;
 };
 
-/// As in shaders/bloom.frag, which copies where nothing is blurred.
-struct CopyConstants {
-    float pixel[2], reach[2] = {0, 0}, share = 1;
-};
-
-double halton(uint32_t index, uint32_t base) {
-    double value = 0, part = 1;
-    for (uint32_t rest = index; rest > 0; rest /= base) {
-        part /= base;
-        value += part * (rest % base);
-    }
-    return value;
-}
-
 } // namespace
 
 std::array<double, 2> jitterOf(uint32_t index) {
-    const uint32_t i = index % jitters + 1;
-    return {halton(i, 2) - 0.5, halton(i, 3) - 0.5};
+    return haltonPx(index % jitters);
 }
 
 bool Temporal::fit(const Device& device, const FrameTargets& targets, Error& error) {
     if (histories_[0].image.view) return true;
     if (!pass_.exists() &&
         (!pass_.create(device, temporal_frag, 3, sizeof(TemporalConstants), false, error) ||
-         !copy_.create(device, bloom_frag, 1, sizeof(CopyConstants), false, error)))
+         !copy_.create(device, bloom_frag, 1, sizeof(BloomConstants), false, error)))
         return false;
     for (History& history : histories_) {
         const bool made = createPicture(device, targets.extent, history.image, error);
@@ -95,7 +82,7 @@ void Temporal::record(VkCommandBuffer commands, const FrameTargets& targets, con
     pass_.record(commands, now.image, before.set, &constants);
     drawnToRead(commands, now.image);
     readToDrawn(commands, targets.color);
-    const CopyConstants copy = {{constants.pixel[0], constants.pixel[1]}};
+    const BloomConstants copy = {{constants.pixel[0], constants.pixel[1]}};
     copy_.record(commands, targets.color, now.copySet, &copy);
     before.drawn = now.drawn = true;
     next_ = 1 - next_;

@@ -1,5 +1,6 @@
 #include "measure/run.h"
 
+#include "host/lens/halton.h"
 #include "host/passes/supersample.h"
 #include "measure/picture_error.h"
 #include "reference/reference.h"
@@ -13,20 +14,6 @@ constexpr uint32_t settlingFrames = 8;
 bool reusesFrames(const SurfaceDesc& desc) {
     return std::visit(
         [](const auto& surface) { return surface.reflection && surface.reflection->temporal > 0; }, desc);
-}
-
-/// Within half a pixel; of Halton's sequence to the bases 2 and 3.
-std::array<double, 2> haltonPx(uint32_t index) {
-    std::array<double, 2> at = {-0.5, -0.5};
-    for (size_t axis = 0; axis < 2; ++axis) {
-        const uint32_t base = axis == 0 ? 2 : 3;
-        double digit = 1;
-        for (uint32_t i = index + 1; i > 0; i /= base) {
-            digit /= base;
-            at[axis] += digit * (i % base);
-        }
-    }
-    return at;
 }
 
 bool load(Host& host, const Subject& subject, reference::World& world, Error& error) {

@@ -281,17 +281,17 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
 }
 
 float WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const {
-    const seaglass::WarpShift warped = seaglass::warpAt(warp_, calm.x, calm.y);
+    const glm::dvec2 under = aside(calm, seaglass::warpAt(warp_, calm.x, calm.y));
     const ShoreWave shore = shoreAt(calm, footprint);
     const float dark = 1 - static_cast<float>(edge(shore).foam);
     if (breaking_.count == 0) return 1 - dark;
-    const float gate = foamGate(aside(calm, warped), footprint);
-    const float now = gate * breakingNow(aside(calm, warped), shore, footprint);
+    const float gate = foamGate(under, footprint);
+    const float now = gate * breakingNow(under, shore, footprint);
     float foamy = gate;
     for (size_t i = 0; i < cascades_.size(); ++i) {
         const Cascade& cascade = cascades_[i];
         if (cascade.foam.empty()) break;
-        const glm::dvec2 place = aside(calm, warped) + bend * std::min(0.7 * cascade.texel(), 2.5);
+        const glm::dvec2 place = under + bend * std::min(0.7 * cascade.texel(), 2.5);
         const float share = kept(shore, i);
         const float left = trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), place).x;
         foamy *= share * share * left;
@@ -315,7 +315,7 @@ float WaterSurface::breakingNow(const glm::dvec2& place, const ShoreWave& shore,
     const double width = double{breaking_.nowWidth};
     const double blurred = double{breaking_.hidden} * hidden, variance = width * width + blurred;
     const double seen = std::max(1 - double{breaking_.narrower} * hidden, 0.0) *
-                        glm::mix(1.0, seaglass::foamBreaksApart, blurred / variance);
+                        glm::mix(1.0, double{seaglass::foamBreaksApart}, blurred / variance);
     return static_cast<float>(seen) *
            gaussianBelow(static_cast<float>((compressed - double{breaking_.now}) / std::sqrt(variance)));
 }
