@@ -32,7 +32,7 @@ struct BodyBlock {
     ivec4 region;  // origin in the scene images, size [pixel]
     vec4 foam;     // share of the way between the history's steps, albedo, the eye's place in the pattern [m]
     vec4 breaking; // water/interface/whitecaps.h: now, nowWidth^2, hidden, narrower
-    vec4 compression; // likewise: along
+    vec4 compression; // likewise: along, foamBreaksApart
     vec4 windrows;    // as foamStreak, of the pattern's longest tile; the eye's place in it [m]
     vec4 roughness;   // slope covariance that no cascade holds: uu, vv, uv; deviation of all slopes, mean of
                       // both directions
@@ -70,10 +70,10 @@ struct BodyBlock {
     vec4 fogReach;
     mat4 relativeFromFound; // of the pixels and depth of shaders/water/deferred/found_surface.glsl
     vec4 found;             // how far waves move a point aside at the most [m]; 1 / that
-    vec4 sunInWater;    // water/below/caustics.h: SunInWater::from
-    vec4 sunTurned;     // likewise: turnedAlong, turnedAcross
-    vec4 lostSlopes[2]; // likewise: LostSlopes
-    ivec4 causticGrid;  // likewise, CausticGrid: step, margin, rowLength, firstRow
+    vec4 sunInWater;        // water/below/caustics.h: SunInWater::from
+    vec4 sunTurned;         // likewise: turnedAlong, turnedAcross
+    vec4 lostSlopes[2];     // likewise: LostSlopes
+    ivec4 causticGrid;      // likewise, CausticGrid: step, margin, rowLength, firstRow
     vec4 shadowLayers;
     vec4 shadow; // cascades; 1, or -1 where what is nearer to the sun is greater
     mat4 shadowFromRelative[maxShadowCascades]; // to u, v and depth of each cascade

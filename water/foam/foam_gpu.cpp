@@ -1,6 +1,6 @@
 #include "water/foam/foam_gpu.h"
 
-#include "shaders/shared/foam_block.h"
+#include "shaders/shared/foam/foam_block.h"
 #include "shaders/shared/waves_bindings.h"
 #include "spirv/foam.comp.h"
 

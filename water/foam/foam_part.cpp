@@ -1,10 +1,12 @@
 #include "water/foam/foam_part.h"
 
 #include "seaglass/fields/sea.h"
+#include "shaders/shared/foam/foam_tiles.h"
 #include "shaders/shared/water_bindings.h"
 #include "water/body/body.h"
 #include "water/interface/foam_gate.h"
 #include "water/interface/foam_layers.h"
+#include "water/interface/whitecaps.h"
 #include "water/waves/in_tile.h"
 #include "water/waves/waves_part.h"
 
@@ -64,7 +66,7 @@ void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) co
     const Breaking& breaking = foam.breaking();
     block.breaking = {breaking.now, breaking.nowWidth * breaking.nowWidth, breaking.hidden,
                       breaking.narrower};
-    block.compression = {breaking.along[0], breaking.along[1], breaking.along[2], 0};
+    block.compression = {breaking.along[0], breaking.along[1], breaking.along[2], foamBreaksApart};
 }
 
 void FoamPart::vary(const Body&, const SurfaceDraw&, SurfaceVariant& variant) const {

@@ -7,15 +7,6 @@
 
 namespace seaglass {
 
-/// Edge of the tile whose divisions rafts and lace repeat in [m], as in shaders/water/foam/foam_cover.glsl.
-constexpr double foamTile = 24.0;
-
-/// After this [m] the parts of the tile that places show come round again.
-constexpr double foamRepeat = 16 * foamTile;
-
-/// Edge of the tile of its windrows [m].
-constexpr double windrowTile = 160.0;
-
 class FoamPattern {
   public:
     Status create(Context& context);

@@ -28,7 +28,7 @@ struct Breaking {
 
 /// Of what breaks at a moment, the share that lies where the foam before it is not white already: of a sea
 /// at 15 m/s, such that a picture from any height is as white as the sea.
-constexpr double foamBreaksApart = 0.6;
+constexpr float foamBreaksApart = 0.6f;
 
 Breaking breakingOf(const Sea& sea, const FoamDesc& foam);
 

@@ -1,10 +1,7 @@
 // Foam on the surface: its cover from the waves' history, broken up by a pattern, and its light.
 
 #include "foam_gate.glsl"
-
-const float foamTile = 24.0;             // [m], as in water/foam/foam_pattern.h
-const float foamRepeat = 16.0 * foamTile;
-const float windrowTile = 160.0;
+#include "foam_tiles.h"
 
 struct Foam {
     float mask;    // share that is white
@@ -41,8 +38,7 @@ float breakingNow(const SurfacePoint s) {
     float hidden = water.breaking.z * s.compressed.y;
     float share = gaussianBelow((s.compressed.x - water.breaking.x) * inversesqrt(water.breaking.y + hidden));
     // Most of it lies where the history is white already: as much as that is taken off where a pixel hides what lies where.
-    const float apart = 0.6;   // foamBreaksApart of water/interface/whitecaps.h
-    share *= mix(1.0, apart, hidden / (water.breaking.y + hidden));
+    share *= mix(1.0, water.compression.w, hidden / (water.breaking.y + hidden));
     return share * max(1.0 - water.breaking.w * s.compressed.y, 0.0);
 }
 

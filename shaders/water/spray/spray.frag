@@ -6,6 +6,7 @@
 #include "constant.glsl"
 #include "spray_constants.h"
 #include "encoding.glsl"
+#include "spray_hash.glsl"
 
 layout(location = 0) in vec2 within;
 layout(location = 1) flat in vec4 light;
@@ -13,14 +14,8 @@ layout(location = 2) flat in vec4 texture_;
 layout(location = 3) flat in uint seed;
 layout(location = 0) out vec4 outColor;
 
-uint scrambled(uint bits) {
-    bits = (bits ^ (bits >> 16)) * 0x7feb352du;
-    bits = (bits ^ (bits >> 15)) * 0x846ca68bu;
-    return bits ^ (bits >> 16);
-}
-
 float cornerAt(ivec2 cell, uint of) {
-    return float(scrambled(uint(cell.x) * 0x9e3779b9u ^ uint(cell.y) * 0x85ebca6bu ^ of) >> 8) * 5.9604645e-8;
+    return shareOf(scrambled(uint(cell.x) * 0x9e3779b9u ^ uint(cell.y) * 0x85ebca6bu ^ of));
 }
 
 // Smooth noise of mean 1/2, a unit from one corner to the next.

@@ -37,6 +37,7 @@ vec3 inWorld(vec3 direction) {
 #include "near_plane.glsl"
 #include "sky_seen.glsl"
 #include "surface_fog.glsl"
+#include "spray_hash.glsl"
 #include "spray_flight.glsl"
 
 // What the cell of a particle says.
@@ -47,16 +48,10 @@ struct Particle {
     float shown;  // of its level, by distance
 };
 
-uint scrambled(uint bits) {
-    bits = (bits ^ (bits >> 16)) * 0x7feb352du;
-    bits = (bits ^ (bits >> 15)) * 0x846ca68bu;
-    return bits ^ (bits >> 16);
-}
-
 // The next of a row of even shares, 0..1.
 float share(inout uint bits) {
     bits = scrambled(bits + 0x9e3779b9u);
-    return float(bits >> 8) * 5.9604645e-8;
+    return shareOf(bits);
 }
 
 // Each level fades where the next takes over; parallel lines see all as from one distance.
@@ -84,9 +79,10 @@ Particle particleAt(uint index) {
     return p;
 }
 
+// When water broke.
 struct Breaking {
-    float ago;    // [s] since water broke there; more than drops are seen where it has not for long
-    float share;  // that is shown of it
+    float ago;    // [s]
+    float share;  // that is shown of it; 0: too long ago for drops to be seen
 };
 
 // Of all cascades together, as foamCover() sees it: the product of what they left has faded since. `within` is the share of a
@@ -102,7 +98,7 @@ Breaking breakingAt(vec2 calm, float within) {
         left *= steps.y > steps.x ? steps.y : mix(steps.x, steps.y, water.foam.x);
     } while (++i < foamCascades);
     float ago = -spray.foam.x * log(max(left, 1e-6)) + (within - (begins ? 1.0 - water.foam.x : 0.0)) * spray.foam.y;
-    if (ago < 0.0 || ago >= spray.wind.z) return Breaking(1e9, 0.0);
+    if (ago < 0.0 || ago >= spray.wind.z) return Breaking(ago, 0.0);
     return Breaking(ago, foamGate(place, 1.0));
 }
 
@@ -132,7 +128,7 @@ void main() {
     if (p.shown <= 0.0) return;
     uint draws = p.seed;
     Breaking broke = breakingAt(p.calm, share(draws));
-    if (broke.ago >= spray.wind.z || broke.share <= 0.0) return;
+    if (broke.share <= 0.0) return;
     Flight flight = flightOf(draws, broke.ago, spray.wind.xy, spray.wind.w);
 
     vec2 crest = p.calm + spray.wind.w * broke.ago * normalize(spray.wind.xy);

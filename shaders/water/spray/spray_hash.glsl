@@ -1,0 +1,12 @@
+// Bits without order, of any.
+
+uint scrambled(uint bits) {
+    bits = (bits ^ (bits >> 16)) * 0x7feb352du;
+    bits = (bits ^ (bits >> 15)) * 0x846ca68bu;
+    return bits ^ (bits >> 16);
+}
+
+// 0 <= x < 1, evenly.
+float shareOf(uint scrambled) {
+    return float(scrambled >> 8) * 5.9604645e-8;
+}
