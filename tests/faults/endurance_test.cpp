@@ -64,7 +64,7 @@ class Host {
         for (Target* const target : targets) destroyTarget(target);
     }
 
-    Held held() const { return {device_.held(), device_.heldBytes(), seaglass::tests::allocationsHeld()}; }
+    Held held() const { return {device_.held(), device_.heldBytes(), tests::allocationsHeld()}; }
 
   private:
     FailingDevice device_;

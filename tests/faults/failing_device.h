@@ -62,7 +62,7 @@ class FailingDevice {
     /// While it lives, the device has the memory that the library lacks.
     struct Lock {
         explicit Lock(const FailingDevice& device) : locked(device.mutex_) {}
-        seaglass::tests::Fed fed;
+        tests::Fed fed;
         std::lock_guard<std::mutex> locked;
     };
     struct Object {

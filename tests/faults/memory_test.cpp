@@ -85,7 +85,7 @@ TEST(HostsCallbacks, GiveNullInEachCall) {
 void sweepNew(double growth) {
     // What is made once for the program.
     (void)runEmptyAt(~size_t{0});
-    const size_t heldBefore = seaglass::tests::allocationsHeld();
+    const size_t heldBefore = tests::allocationsHeld();
     size_t thrown = 0;
     {
         FailingDevice device;
@@ -99,7 +99,7 @@ void sweepNew(double growth) {
                 const size_t deviceHeld = device.held();
                 Status status = Status::ok;
                 {
-                    const seaglass::tests::Starved starved(i == hungry ? static_cast<int>(left) : -1);
+                    const tests::Starved starved(i == hungry ? static_cast<int>(left) : -1);
                     ASSERT_NO_THROW(status = steps[i].call());
                 }
                 if (status == Status::ok) {
@@ -121,7 +121,7 @@ void sweepNew(double growth) {
         EXPECT_EQ(device.held(), 0u);
         EXPECT_EQ(device.garbageDestroyed() + device.garbageUsed(), 0u) << device.complaint();
     }
-    EXPECT_EQ(seaglass::tests::allocationsHeld(), heldBefore);
+    EXPECT_EQ(tests::allocationsHeld(), heldBefore);
     std::printf("new threw %zu times\n", thrown);
     EXPECT_GT(thrown, 50u);
 }

@@ -96,7 +96,7 @@ std::vector<Step> WholeScene::steps() {
              DeviceDesc desc = device_.desc();
              desc.allocator = allocator_;
              desc.message = {[](void* user, const char* text) {
-                                 const seaglass::tests::Fed fed;
+                                 const tests::Fed fed;
                                  *static_cast<std::string*>(user) = text;
                              },
                              &message_};

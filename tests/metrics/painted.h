@@ -19,7 +19,7 @@ class Painted {
     Painted(uint32_t w, uint32_t h, std::vector<float> pixels)
         : width(w), height(h), rgba(std::move(pixels)) {}
 
-    demos::Image view() const { return {width, height, rgba}; }
+    demos::PixelView view() const { return {width, height, rgba}; }
     float& at(int x, int y, int channel) { return rgba[index(x, y, channel)]; }
     float at(int x, int y, int channel) const { return rgba[index(x, y, channel)]; }
 

@@ -55,7 +55,7 @@ std::array<double, 3> mean(const std::vector<uint8_t>& rgb, const Box& box) {
     return sums;
 }
 
-demos::Image view(const demos::Picture& picture) {
+demos::PixelView view(const demos::Picture& picture) {
     return {picture.width, picture.height, picture.rgba};
 }
 

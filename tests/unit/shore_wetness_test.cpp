@@ -12,7 +12,9 @@
 
 #include <gtest/gtest.h>
 
-namespace seaglass::tests {
+using namespace seaglass;
+using namespace tests;
+
 namespace {
 
 constexpr double slope = 1.0 / 21, dryingTime = 45;
@@ -197,4 +199,3 @@ TEST(ShoreWetness, ThereIsNoneWithoutAShore) {
 }
 
 } // namespace
-} // namespace seaglass::tests

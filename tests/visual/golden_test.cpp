@@ -44,7 +44,7 @@ std::vector<Golden> listGoldens() {
     return goldens;
 }
 
-demos::Image view(const demos::Picture& picture) {
+demos::PixelView view(const demos::Picture& picture) {
     return {picture.width, picture.height, picture.rgba};
 }
 

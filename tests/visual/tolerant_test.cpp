@@ -88,7 +88,7 @@ Picture noisy(float amplitude, float share, unsigned seed) {
     });
 }
 
-demos::Image view(const Picture& picture) {
+demos::PixelView view(const Picture& picture) {
     return {picture.width, picture.height, picture.rgba};
 }
 

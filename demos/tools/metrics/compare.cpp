@@ -15,7 +15,7 @@ namespace demos {
 namespace {
 
 /// Black wherever either picture is not finite, so that no filter spreads it.
-std::vector<float> mended(const Image& image, const Image& other) {
+std::vector<float> mended(const PixelView& image, const PixelView& other) {
     std::vector<float> rgba(image.rgba.begin(), image.rgba.end());
     for (size_t i = 0; i < image.pixels(); ++i) {
         if (!isFinite(image, i) || !isFinite(other, i)) std::fill_n(&rgba[4 * i], 4, 0.0f);
@@ -24,7 +24,7 @@ std::vector<float> mended(const Image& image, const Image& other) {
 }
 
 /// Of what is finite.
-double greatest(const Image& image) {
+double greatest(const PixelView& image) {
     float most = 0;
     for (size_t i = 0; i < image.pixels(); ++i) {
         if (isFinite(image, i))
@@ -67,7 +67,7 @@ void pool(Comparison& comparison) {
     comparison.flipP99 = static_cast<double>(percentile99(values, comparison.leftOut));
 }
 
-void see(Comparison& found, const Image& reference, const Image& test, PictureKind kind) {
+void see(Comparison& found, const PixelView& reference, const PixelView& test, PictureKind kind) {
     if (kind == PictureKind::display) {
         found.flipMap = flip(reference, test);
         return;
@@ -78,7 +78,7 @@ void see(Comparison& found, const Image& reference, const Image& test, PictureKi
 }
 
 /// The reference, with black in place of what is not finite and left out.
-std::vector<float> withoutBroken(const Image& reference, const Mask& leftOut) {
+std::vector<float> withoutBroken(const PixelView& reference, const Mask& leftOut) {
     std::vector<float> rgba(reference.rgba.begin(), reference.rgba.end());
     for (size_t i = 0; i < leftOut.size(); ++i) {
         const auto pixel = rgba.begin() + static_cast<std::ptrdiff_t>(4 * i);
@@ -89,14 +89,14 @@ std::vector<float> withoutBroken(const Image& reference, const Mask& leftOut) {
 }
 
 /// The test, with the reference's pixels in place of those that are left out: then no filter spreads them.
-std::vector<float> masked(const Image& test, const std::vector<float>& reference, const Mask& leftOut) {
+std::vector<float> masked(const PixelView& test, const std::vector<float>& reference, const Mask& leftOut) {
     std::vector<float> rgba(test.rgba.begin(), test.rgba.end());
     for (size_t i = 0; i < leftOut.size(); ++i)
         if (leftOut[i] != 0) std::copy_n(&reference[4 * i], 4, &rgba[4 * i]);
     return rgba;
 }
 
-void measure(Comparison& found, const Image& reference, const Image& test, PictureKind kind,
+void measure(Comparison& found, const PixelView& reference, const PixelView& test, PictureKind kind,
              const Limits& limits, const Mask& leftOut = {}) {
     found.notFiniteInReference = countNotFinite(reference);
     found.notFiniteInTest = countNotFinite(test);
@@ -124,7 +124,7 @@ void measure(Comparison& found, const Image& reference, const Image& test, Pictu
 
 } // namespace
 
-Comparison compare(const Image& reference, const Image& test, PictureKind kind, const Limits& limits,
+Comparison compare(const PixelView& reference, const PixelView& test, PictureKind kind, const Limits& limits,
                    const Mask& leftOut) {
     Comparison found;
     found.shares.resize(limits.shares.size());

@@ -58,7 +58,7 @@ struct Comparison {
     }
 };
 
-Comparison compare(const Image& reference, const Image& test, PictureKind kind, const Limits& limits,
+Comparison compare(const PixelView& reference, const PixelView& test, PictureKind kind, const Limits& limits,
                    const Mask& leftOut = {});
 
 /// The greatest of the measures as a multiple of its limit: over 1 where there are objections, infinite where

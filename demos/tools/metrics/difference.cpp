@@ -15,7 +15,7 @@ double off(const float* a, const float* b, size_t channel) {
 
 } // namespace
 
-Difference difference(const Image& a, const Image& b, size_t leftOut) {
+Difference difference(const PixelView& a, const PixelView& b, size_t leftOut) {
     Difference found;
     uint64_t values = 0;
     for (size_t i = 0; i < a.pixels(); ++i) {
@@ -35,7 +35,7 @@ Difference difference(const Image& a, const Image& b, size_t leftOut) {
     return found;
 }
 
-double shareOver(const Image& a, const Image& b, double limit) {
+double shareOver(const PixelView& a, const PixelView& b, double limit) {
     if (a.pixels() == 0) return 0;
     uint64_t over = 0;
     for (size_t i = 0; i < a.pixels(); ++i) {

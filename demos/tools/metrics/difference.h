@@ -13,10 +13,10 @@ struct Difference {
 };
 
 /// Of the pixels `leftOut` count as none; both pictures have the same there.
-Difference difference(const Image& a, const Image& b, size_t leftOut = 0);
+Difference difference(const PixelView& a, const PixelView& b, size_t leftOut = 0);
 
 /// Share of the pixels, 0..1, that differ by more than `limit` in some channel. Those with NaN or infinity
 /// do.
-double shareOver(const Image& a, const Image& b, double limit);
+double shareOver(const PixelView& a, const PixelView& b, double limit);
 
 } // namespace demos

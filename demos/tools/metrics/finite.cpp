@@ -18,7 +18,7 @@ bool anyNotFinite(std::span<const float> values) {
 
 } // namespace
 
-uint64_t countNotFinite(const Image& image, Infinity infinity) {
+uint64_t countNotFinite(const PixelView& image, Infinity infinity) {
     if (!anyNotFinite(image.rgba)) return 0;
     const auto sound = [infinity](float value) {
         return std::isfinite(value) || (infinity == Infinity::far && value == HUGE_VALF);

@@ -11,10 +11,10 @@ namespace demos {
 enum class Infinity { broken, far };
 
 /// Pixels with NaN or infinity in any channel, alpha too.
-uint64_t countNotFinite(const Image& image, Infinity infinity = Infinity::broken);
+uint64_t countNotFinite(const PixelView& image, Infinity infinity = Infinity::broken);
 
 /// Whether the colour of a pixel is finite.
-inline bool isFinite(const Image& image, size_t pixel) {
+inline bool isFinite(const PixelView& image, size_t pixel) {
     const float* const rgb = &image.rgba[4 * pixel];
     return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]);
 }

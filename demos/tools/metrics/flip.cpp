@@ -62,7 +62,7 @@ void combine(const SeenRow a, const SeenRow b, float greatest, std::vector<float
 /// Of two pictures as far as a strip is filtered from.
 class Sameness {
   public:
-    Sameness(const Image& a, const Image& b, const Strip& strip, size_t radius)
+    Sameness(const PixelView& a, const PixelView& b, const Strip& strip, size_t radius)
         : a_(a), b_(b), first_(strip.left - std::min(strip.left, radius)),
           count_(std::min<size_t>(strip.left + strip.width + radius, a.width) - first_), radius_(radius) {}
 
@@ -77,12 +77,12 @@ class Sameness {
     }
 
   private:
-    const Image &a_, &b_;
+    const PixelView &a_, &b_;
     size_t first_, count_, radius_, next_ = 0;
     size_t changedUntil_ = 0; ///< the row below what is filtered from rows that differ
 };
 
-void flipOfStrip(const Image& reference, const Image& test, const Strip& strip, const EyeFilters& eye,
+void flipOfStrip(const PixelView& reference, const PixelView& test, const Strip& strip, const EyeFilters& eye,
                  const ToLight& toLight, std::vector<float>& map) {
     const float greatest = std::pow(greatestColorDistance(), colorExponent);
     Seen a({reference, strip.left, strip.width}, eye, toLight),
@@ -101,7 +101,7 @@ void flipOfStrip(const Image& reference, const Image& test, const Strip& strip, 
 
 } // namespace
 
-std::vector<float> flipOf(const Image& reference, const Image& test, const ToLight& toLight,
+std::vector<float> flipOf(const PixelView& reference, const PixelView& test, const ToLight& toLight,
                           float pixelsPerDegree) {
     const EyeFilters eye(pixelsPerDegree);
     std::vector<float> map(reference.pixels());
@@ -112,7 +112,7 @@ std::vector<float> flipOf(const Image& reference, const Image& test, const ToLig
     return map;
 }
 
-std::vector<float> flip(const Image& reference, const Image& test, float pixelsPerDegree) {
+std::vector<float> flip(const PixelView& reference, const PixelView& test, float pixelsPerDegree) {
     const auto decode = [](std::vector<float>& row) {
         for (float& value : row) value = decodeSrgb(std::clamp(value, 0.0f, 1.0f));
     };

@@ -15,11 +15,11 @@ constexpr float standardPixelsPerDegree = 67.0206f;
 
 /// 0 (not seen) .. 1 for each pixel. The pictures have one size and finite values, display-encoded sRGB,
 /// clamped to 0..1. Symmetric.
-std::vector<float> flip(const Image& reference, const Image& test,
+std::vector<float> flip(const PixelView& reference, const PixelView& test,
                         float pixelsPerDegree = standardPixelsPerDegree);
 
 /// The same of pictures that `toLight` makes light of, 0..1: it is given the values of a row.
-std::vector<float> flipOf(const Image& reference, const Image& test,
+std::vector<float> flipOf(const PixelView& reference, const PixelView& test,
                           const std::function<void(std::vector<float>&)>& toLight,
                           float pixelsPerDegree = standardPixelsPerDegree);
 

@@ -30,7 +30,7 @@ double lightShown() {
     return -half + std::sqrt(half * half + shownAs * e / square);
 }
 
-std::vector<double> luminances(const Image& image) {
+std::vector<double> luminances(const PixelView& image) {
     std::vector<double> found;
     for (size_t i = 0; i < image.pixels(); ++i) {
         const auto light = [&](size_t channel) {
@@ -48,7 +48,7 @@ double median(std::vector<double>& values) {
     return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-std::optional<ExposureRange> rangeOf(const Image& image) {
+std::optional<ExposureRange> rangeOf(const PixelView& image) {
     std::vector<double> light = luminances(image);
     if (median(light) == 0) std::erase(light, 0.0);
     if (light.empty()) return std::nullopt;
@@ -61,7 +61,7 @@ std::optional<ExposureRange> rangeOf(const Image& image) {
 
 } // namespace
 
-ExposureRange exposureRange(const Image& reference) {
+ExposureRange exposureRange(const PixelView& reference) {
     return rangeOf(reference).value_or(ExposureRange{});
 }
 
@@ -69,7 +69,7 @@ double middleGreyEv(const ExposureRange& range) {
     return range.stopEv + std::log2(middleGrey / lightShown());
 }
 
-HdrFlip hdrFlip(const Image& reference, const Image& test, float pixelsPerDegree) {
+HdrFlip hdrFlip(const PixelView& reference, const PixelView& test, float pixelsPerDegree) {
     HdrFlip result;
     result.exposures = rangeOf(reference).value_or(exposureRange(test));
     result.map.resize(reference.pixels());

@@ -15,7 +15,7 @@ struct ExposureRange {
 /// From where the brightest of a picture is shown at 85 % white, to where its median is. Steps are at most
 /// one stop, but for pictures of more than 32 stops. Where more than half of a picture is black, which no
 /// exposure shows, the median is that of the rest.
-ExposureRange exposureRange(const Image& reference);
+ExposureRange exposureRange(const PixelView& reference);
 
 /// The exposure that shows the median as middle grey (18 %).
 double middleGreyEv(const ExposureRange& range);
@@ -27,6 +27,7 @@ struct HdrFlip {
 
 /// Of linear light without limit; negative counts as none. The exposures are the reference's (the test's,
 /// where the reference is black), so this is not symmetric.
-HdrFlip hdrFlip(const Image& reference, const Image& test, float pixelsPerDegree = standardPixelsPerDegree);
+HdrFlip hdrFlip(const PixelView& reference, const PixelView& test,
+                float pixelsPerDegree = standardPixelsPerDegree);
 
 } // namespace demos

@@ -7,7 +7,7 @@
 namespace demos {
 
 /// A view of float RGBA pixels, top row first: 4 * width * height values. Measures look at colour alone.
-struct Image {
+struct PixelView {
     uint32_t width = 0, height = 0;
     std::span<const float> rgba;
 

@@ -16,10 +16,10 @@
 namespace {
 
 using namespace seaglass;
-using seaglass::tests::Maps;
-using seaglass::tests::WaveError;
-using seaglass::tests::waveError;
-using seaglass::tests::waveTruth;
+using tests::Maps;
+using tests::WaveError;
+using tests::waveError;
+using tests::waveTruth;
 
 constexpr double day = 86400;
 
@@ -118,7 +118,7 @@ TEST_P(GpuWavesOnEachDevice, AreTheCpusOnAllMaps) {
         constexpr double time = 4321.0625;
         simulateAt(body, time);
         const double tolerance = 1e-5 * significantWaveHeight(*sea(body));
-        seaglass::tests::Waves cpu(*sea(body));
+        tests::Waves cpu(*sea(body));
         for (uint32_t c = 0; c < cascadeCount(*sea(body)); ++c) {
             const Maps found = mapsOf(*body, c), expected = cpu.at(c, time);
             const auto worst = [](const std::vector<float>& a, const std::vector<float>& b) {
@@ -239,7 +239,7 @@ TEST_F(GpuWaves, FramesInFlightDoNotMeet) {
                 },
                 error))
                 << error.text;
-            seaglass::tests::Waves cpu(*sea(body));
+            tests::Waves cpu(*sea(body));
             for (uint32_t slot = 0; slot < frames; ++slot) {
                 const Maps expected = cpu.at(0, 10.0 * slot);
                 const auto* heights = static_cast<const float*>(found[slot].mapped);

@@ -19,7 +19,7 @@ namespace {
 using namespace demos;
 using tests::cameraOf;
 
-Image view(const Picture& picture) {
+PixelView view(const Picture& picture) {
     return {picture.width, picture.height, picture.rgba};
 }
 

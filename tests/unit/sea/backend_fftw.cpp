@@ -1,10 +1,12 @@
 #include "seaglass/waves_fftw.h"
 #include "tests/unit/sea/sea_support.h"
 
-namespace seaglass::tests {
+namespace tests {
+
+using namespace seaglass;
 
 const WavesBackend& builtBackend() {
     return *fftwWaves();
 }
 
-} // namespace seaglass::tests
+} // namespace tests

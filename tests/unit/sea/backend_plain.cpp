@@ -4,7 +4,9 @@
 
 #include <cmath>
 
-namespace seaglass::tests {
+namespace tests {
+
+using namespace seaglass;
 namespace {
 
 void* create(const Sea& sea) {
@@ -39,4 +41,4 @@ const WavesBackend& builtBackend() {
     return backend;
 }
 
-} // namespace seaglass::tests
+} // namespace tests

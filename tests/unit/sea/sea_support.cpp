@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace seaglass::tests {
+namespace tests {
+
+using namespace seaglass;
 namespace {
 
 constexpr double tau = 2 * std::numbers::pi;
@@ -84,4 +86,4 @@ double slopeVariance(const Spectrum& spectrum, double kMax) {
     return sum;
 }
 
-} // namespace seaglass::tests
+} // namespace tests

@@ -8,7 +8,9 @@
 #include <memory>
 #include <vector>
 
-namespace seaglass::tests {
+namespace tests {
+
+using namespace seaglass;
 
 using SeaPtr = std::unique_ptr<Sea, decltype(&destroySea)>;
 
@@ -87,4 +89,4 @@ double moment(const Spectrum& spectrum, double low, double high, int power = 0);
 /// The integral of k^2 S over the waves up to kMax [rad/m].
 double slopeVariance(const Spectrum& spectrum, double kMax);
 
-} // namespace seaglass::tests
+} // namespace tests

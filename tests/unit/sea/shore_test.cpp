@@ -11,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
-namespace seaglass::tests {
+using namespace seaglass;
+using namespace tests;
+
 namespace {
 
 constexpr double g = 9.81, pi = std::numbers::pi;
@@ -311,4 +313,3 @@ TEST(Shore, BadFieldsAreNamed) {
 }
 
 } // namespace
-} // namespace seaglass::tests

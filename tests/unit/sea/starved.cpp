@@ -38,7 +38,7 @@ void operator delete(void* memory, size_t) noexcept {
     operator delete(memory);
 }
 
-namespace seaglass::tests {
+namespace tests {
 
 Starved::Starved(int allocations) {
     allocationsLeft = allocations;
@@ -58,4 +58,4 @@ size_t allocationsHeld() {
     return held.load(std::memory_order_relaxed);
 }
 
-} // namespace seaglass::tests
+} // namespace tests

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace seaglass::tests {
+namespace tests {
 
 class Starved {
   public:
@@ -28,4 +28,4 @@ class Fed {
 /// Of all threads: what `new` gave and `delete` has not got back.
 size_t allocationsHeld();
 
-} // namespace seaglass::tests
+} // namespace tests

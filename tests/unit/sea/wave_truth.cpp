@@ -6,7 +6,9 @@
 #include <numbers>
 #include <utility>
 
-namespace seaglass::tests {
+namespace tests {
+
+using namespace seaglass;
 namespace {
 
 using Complex = std::complex<double>;
@@ -129,4 +131,4 @@ WaveError waveError(const WaveTruth& truth, const std::vector<float>& displaceme
     return error;
 }
 
-} // namespace seaglass::tests
+} // namespace tests

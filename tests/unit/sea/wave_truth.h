@@ -7,7 +7,9 @@
 #include <array>
 #include <vector>
 
-namespace seaglass::tests {
+namespace tests {
+
+using namespace seaglass;
 
 /// In the order of displacement, then derivatives: Dx, h, Dz, dDx/dv, dh/du, dh/dv, dDx/du, dDz/dv.
 constexpr size_t waveFields = 8;
@@ -25,4 +27,4 @@ struct WaveError {
 WaveError waveError(const WaveTruth& truth, const std::vector<float>& displacement,
                     const std::vector<float>& derivatives);
 
-} // namespace seaglass::tests
+} // namespace tests

@@ -25,7 +25,7 @@ struct EyeFilters {
 
 /// Some columns of a picture.
 struct Strip {
-    Image picture;
+    PixelView picture;
     size_t left = 0, width = 0;
 };
 

@@ -16,7 +16,7 @@ std::array<double, 3> legendre(size_t at, size_t size) {
     return {1, std::sqrt(3.0) * x, std::sqrt(5.0) * (3 * x * x - 1) / 2};
 }
 
-std::vector<double> luminances(const Image& image) {
+std::vector<double> luminances(const PixelView& image) {
     std::vector<double> values(image.pixels());
     for (size_t i = 0; i < values.size(); ++i)
         values[i] = 0.2126 * double{image.rgba[4 * i]} + 0.7152 * double{image.rgba[4 * i + 1]} +
@@ -38,7 +38,7 @@ void takeSmoothPart(std::vector<double>& values, size_t size) {
 
 } // namespace
 
-Repetition repetition(const Image& image, double beyond) {
+Repetition repetition(const PixelView& image, double beyond) {
     const size_t size = image.width, padded = 2 * size;
     std::vector<double> values = luminances(image);
     takeSmoothPart(values, size);

@@ -12,6 +12,6 @@ struct Repetition {
     double most = 0;
     int right = 0, down = 0; ///< the lag
 };
-Repetition repetition(const Image& image, double beyond = 20);
+Repetition repetition(const PixelView& image, double beyond = 20);
 
 } // namespace demos

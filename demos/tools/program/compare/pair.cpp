@@ -49,7 +49,7 @@ std::string sizeOf(const Picture& picture) {
     return std::to_string(picture.width) + "x" + std::to_string(picture.height);
 }
 
-Image view(const Picture& picture) {
+PixelView view(const Picture& picture) {
     return {picture.width, picture.height, picture.rgba};
 }
 

@@ -129,7 +129,7 @@ class Run {
 
     bool keep(const Picture& picture, uint32_t index, Progress& progress, Error& error) {
         const Infinity infinity = options_.aov == Aov::depth ? Infinity::far : Infinity::broken;
-        const Image image{picture.width, picture.height, picture.rgba};
+        const PixelView image{picture.width, picture.height, picture.rgba};
         if (const uint64_t broken = countNotFinite(image, infinity)) {
             progress.clear();
             std::fprintf(stderr, "warning: frame %u holds %llu pixels of NaN or infinity\n", index,

@@ -25,7 +25,7 @@ struct Change {
 
 Change changeOf(const Picture& from, const Picture& to, PictureKind kind, const Mask& leftOut) {
     const auto view = [](const Picture& picture) {
-        return Image{picture.width, picture.height, picture.rgba};
+        return PixelView{picture.width, picture.height, picture.rgba};
     };
     const Comparison found = compare(view(from), view(to), kind, {}, leftOut);
     return {found.flipMean, found.flipP99};
