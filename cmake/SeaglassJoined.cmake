@@ -1,7 +1,7 @@
-# seaglass_join(OUT name SOURCE...): a target's sources with its tests eight to a file, for builds from nothing: of the time
-# that a test's file takes, over half goes into headers. Each keeps a namespace of its own, so that two may have helpers of
-# one name. What they include comes first, for headers know not to come twice. Tests with directives of their own stay alone.
-option(SEAGLASS_JOIN_TESTS "Compile tests several files at once: faster from nothing, slower after an edit" OFF)
+# seaglass_join(OUT name SOURCE...): with SEAGLASS_JOIN a target's sources with its tests eight to a file: of the time that a
+# test's file takes, over half goes into headers. Unlike CMake's unity builds each keeps a namespace of its own, so that two
+# may have helpers of one name. What they include comes first, for headers know not to come twice. Tests with directives of
+# their own stay alone.
 
 function(seaglass_write_joined written)
   set(includes "")
@@ -24,7 +24,7 @@ function(seaglass_join out name)
   foreach(source IN LISTS ARGN)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
     set(directives alone)
-    if(SEAGLASS_JOIN_TESTS AND source MATCHES "_test\\.cpp$")
+    if(SEAGLASS_JOIN AND source MATCHES "_test\\.cpp$")
       file(STRINGS ${source} directives REGEX "^(#define|#if|extern |template *<>|int main|namespace [a-z:]+ {)")
     endif()
     if(directives)

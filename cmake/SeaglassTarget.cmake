@@ -7,6 +7,8 @@ function(seaglass_target target)
     -Wno-missing-field-initializers
     # A fused multiply-add that only some machines have would make their results differ.
     -ffp-contract=off
+    # Among several files at once GCC takes each for a header, whose structs may not use anonymous namespaces.
+    $<$<AND:$<BOOL:${SEAGLASS_JOIN}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
     $<$<BOOL:${SEAGLASS_WARNINGS_AS_ERRORS}>:-Werror>)
   if(SEAGLASS_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${SEAGLASS_SANITIZE} -fno-omit-frame-pointer

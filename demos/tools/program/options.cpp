@@ -27,7 +27,7 @@ constexpr std::array<std::pair<std::string_view, Mistake>, 2> mistakes = {{
     {"forward_depth", Mistake::forwardDepth},
 }};
 
-constexpr const char* footer = R"(Examples:
+constexpr const char* examples = R"(Examples:
   seaglass render demos/scenes/harbour.toml -o harbour.png
   seaglass render demos/scenes/ocean.toml -o sea.exr --set water.waves.wind_m_s=16 --camera low
   seaglass render demos/scenes/ocean.toml -o frame%04d.png --frames 240 --fps 24 --quality high
@@ -45,7 +45,7 @@ struct Raw : RawScene, RawDevice {
 
 /// What render and reference have in common.
 void describePicture(CLI::App& command, Raw& raw) {
-    command.footer(footer);
+    command.footer(examples);
     // Scripts append to a command line: the last of an option counts, but for those that collect.
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     describeScene(command, raw);
@@ -82,7 +82,7 @@ std::string versionText() {
 void describe(CLI::App& app, CLI::App& render, Raw& raw) {
     app.set_help_flag("-h,--help", "Print this help");
     app.set_version_flag("--version", "seaglass " + versionText());
-    app.footer(footer);
+    app.footer(examples);
     describePicture(render, raw);
     describeQuality(render, raw);
     render

@@ -15,7 +15,7 @@ namespace {
 constexpr uint32_t mostFrames = 100000;
 constexpr const char* referenceName = "reference";
 
-constexpr const char* footer = R"(In the window:
+constexpr const char* keysInWindow = R"(In the window:
   W A S D, Q E    fly forwards, left, back, right, down and up; with shift faster
   right button    hold it and move the mouse to look around
   space           pause or go on
@@ -61,7 +61,7 @@ bool checkReference(const RawView& raw, ViewOptions& options, Error& error) {
 } // namespace
 
 void describeView(CLI::App& command, RawView& raw) {
-    command.footer(footer);
+    command.footer(keysInWindow);
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     describeScene(command, raw);
     describeQuality(command, raw);

@@ -27,7 +27,7 @@ std::string line(const Entry& entry) {
            cell(" %.2f |", error.falseSkyHitsInside, 100) + cell(" %.2f |", error.skyOnGeometry, 100) + "\n";
 }
 
-constexpr const char* head =
+constexpr const char* tableHead =
     "| camera | technique | quality | ms | \u00b1 | x floor | whole surface, ms | x trivial | MB | FLIP | "
     "wrong, % "
     "| PSNR, dB | exactly placed | found, % | "
@@ -44,7 +44,7 @@ std::string tradeoffMarkdown(const Tradeoff& tradeoff) {
     std::string text = tradeoff.device + ", " + tradeoff.driver + about;
     const std::string* scene = nullptr;
     for (const Entry& entry : tradeoff.entries) {
-        if (!scene || *scene != entry.scene) text += "\n### " + entry.scene + "\n\n" + head;
+        if (!scene || *scene != entry.scene) text += "\n### " + entry.scene + "\n\n" + tableHead;
         scene = &entry.scene;
         text += line(entry);
     }

@@ -8,7 +8,7 @@ namespace demos {
 
 namespace {
 
-constexpr const char* footer =
+constexpr const char* compareExamples =
     R"(Without a limit, any difference of colour is one too many. --tolerant allows what rounding does, and no lost
 mast; a limit that is given as well counts instead of its own. A mean forgives a spot: --max-pixel and --max-blob
 do not. NaN or infinity in either picture always fails. Only colour is compared: of an EXR its unnamed layer, or
@@ -106,7 +106,7 @@ void describeScreenshots(CLI::App& command, RawCompare& raw) {
 } // namespace
 
 void describeCompare(CLI::App& command, RawCompare& raw) {
-    command.footer(footer);
+    command.footer(compareExamples);
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     command.add_option("REFERENCE", raw.reference, "PNG (display-encoded), EXR or HDR (linear), or a folder");
     command.add_option("TEST", raw.test, "The picture to judge, of the same kind and size, or a folder");

@@ -12,7 +12,7 @@ namespace {
 constexpr Size quickSize = {320, 180};
 constexpr uint32_t quickRounds = 5, mostRounds = 1000, mostRandomCameras = 1000;
 
-constexpr const char* footer =
+constexpr const char* measureExamples =
     R"(For each scene, camera and technique: what the reflection costs, in milliseconds and as a multiple of
 the floor (a compute copy of the frame's colour and depth, timed between the same frames), and how far the
 picture is from the ray-traced one. Writes tradeoff.json, .csv and .md, and index.html with plots and pictures.
@@ -41,7 +41,7 @@ Files are written view by view. Exit codes: 0 all is well, 1 the run failed, 2 b
 } // namespace
 
 void describeMeasure(CLI::App& command, RawMeasure& raw) {
-    command.footer(footer);
+    command.footer(measureExamples);
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     command
         .add_option("SCENE", raw.scenes,

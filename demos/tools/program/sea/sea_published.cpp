@@ -13,13 +13,12 @@ namespace demos {
 namespace {
 
 constexpr double g = 9.81;
-constexpr double tau = 2 * std::numbers::pi;
 
 /// Significant height and periods of Pierson and Moskowitz 1964, by the wind at 19.5 m.
 void piersonMoskowitz(double wind, PublishedSea& out) {
     const double wind195 = 1.026 * wind;
     out.hsM = 0.21 * wind195 * wind195 / g;
-    out.tpS = tau * wind195 / (0.877 * g);
+    out.tpS = 2 * std::numbers::pi * wind195 / (0.877 * g);
     out.tzS = 0.710 * *out.tpS;
 }
 
@@ -63,7 +62,7 @@ void grown(const seaglass::SeaDesc& desc, PublishedSea& out) {
     for (double omega = 0.3 * jonswap.peak; omega < 100 * jonswap.peak; omega *= 1 + ratio)
         m0 += jonswap.at(omega) * (tma ? shallow(omega, static_cast<double>(desc.depth)) : 1) * omega * ratio;
     out.hsM = 4 * std::sqrt(m0);
-    if (!tma) out.tpS = tau / jonswap.peak;
+    if (!tma) out.tpS = 2 * std::numbers::pi / jonswap.peak;
 }
 
 /// As a buoy reports the spectrum that it measured: 4 sqrt(m0) by the trapezoids between its rows, and the

@@ -21,8 +21,8 @@ glm::vec3 keptOn(const glm::vec3& side, const glm::vec3& direction) {
     return along > 0 ? direction : glm::normalize(direction - (2 * along) * side);
 }
 
-glm::vec3 mirrored(const Frame& frame, const Ray& ray, const Hit& hit, const Facet& facet, int bounces,
-                   Random* random) {
+glm::vec3 mirroredDown(const Frame& frame, const Ray& ray, const Hit& hit, const Facet& facet, int bounces,
+                       Random* random) {
     const glm::vec3 direction = keptOn(facet.up, glm::normalize(glm::reflect(ray.direction, facet.normal)));
     Ray down = bentRay(ray, hit, facet.up, direction);
     down.inWater = true;
@@ -65,7 +65,7 @@ WaterRadiance shadeWaterBelow(const Frame& frame, const Ray& ray, const Hit& hit
     const Facet facet =
         random ? randomFacet(frame, ray, hit, leastCosine, *random) : meanFacet(frame, ray, hit);
     const float fresnel = fresnelFromWater(-glm::dot(ray.direction, facet.normal));
-    glm::vec3 radiance = fresnel * mirrored(frame, ray, hit, facet, bounces, random);
+    glm::vec3 radiance = fresnel * mirroredDown(frame, ray, hit, facet, bounces, random);
     if (fresnel < 1)
         radiance += (1 - fresnel) * gathered * aboveWater(frame, ray, hit, facet, bounces, random);
 
