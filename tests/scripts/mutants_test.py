@@ -1,4 +1,4 @@
-"""mutants_test.py: scripts/mutants over a tree of one file, whose test program reads that file."""
+"""mutants_test.py: scripts/mutants over a tree of one source and one shader, whose test program reads them."""
 import os
 import pathlib
 import subprocess
@@ -11,8 +11,10 @@ MUTANTS = ROOT / "scripts/mutants"
 
 # Sees a sign that is turned; what it is asked for beside fails without any mutant, too.
 PROGRAM = f"""#!{sys.executable}
-import pathlib, sys
+import os, pathlib, sys
 text = (pathlib.Path(__file__).parents[2] / "a.cpp").read_text()
+if "SEAGLASS_SWAPPED_SHADERS" in os.environ:
+    text = (pathlib.Path(os.environ["SEAGLASS_SWAPPED_SHADERS"]) / "a.comp.spv").read_text()
 wanted = next(word for word in sys.argv if word.startswith("--gtest_filter=")).split("=")[1]
 if wanted == "None.*":
     print("[==========] Running 0 tests from 0 test suites.")
@@ -21,8 +23,28 @@ elif wanted == "Broken.*" or (wanted == "Sign.*" and "+" in text):
     sys.exit(1)
 print("[  PASSED  ] 1 test.")
 """
+# Words are the text of what is included.
+NINJA = f"""#!{sys.executable}
+import pathlib, sys
+root = pathlib.Path(sys.argv[2]).parent.resolve()
+if sys.argv[4] == "deps":
+    print("spirv/words_a.comp.h: #deps 2, deps mtime 1 (VALID)\\n    ../shaders/a.comp\\n    ../shaders/a.glsl\\n")
+    print("spirv/words_b.comp.h: #deps 1, deps mtime 1 (VALID)\\n    ../shaders/b.comp\\n")
+else:
+    print(f"cd x && glslang -I{{root}}/shaders --depfile d --vn a_comp -o h {{root}}/shaders/a.comp")
+"""
+GLSLANG = f"""#!{sys.executable}
+import pathlib, sys
+text = (pathlib.Path(sys.argv[1][2:]) / "a.glsl").read_text()
+if "!" in text:
+    print("ERROR: a.glsl:1: what is that")
+    sys.exit(1)
+pathlib.Path(sys.argv[sys.argv.index("-o") + 1]).write_text(text)
+"""
 MAKE = f"""#!{sys.executable}
 import pathlib, sys
+if sys.argv[1] == "-S":
+    sys.exit(0)
 text = (pathlib.Path(sys.argv[2]).parent / "a.cpp").read_text()
 if "!" in text:
     print("a.cpp:1: error: what is that")
@@ -30,8 +52,8 @@ if "!" in text:
 """
 
 
-def entry(name, before="-b", after="+b", tests="Sign.*", kind="sign"):
-    return f'[[mutant]]\nname = "{name}"\nkind = "{kind}"\nfile = "a.cpp"\nfrom = "{before}"\nto = "{after}"\ntests = {{ prog = "{tests}" }}\n'
+def entry(name, before="-b", after="+b", tests="Sign.*", kind="sign", file="a.cpp"):
+    return f'[[mutant]]\nname = "{name}"\nkind = "{kind}"\nfile = "{file}"\nfrom = "{before}"\nto = "{after}"\ntests = {{ prog = "{tests}" }}\n'
 
 
 class Mutants(unittest.TestCase):
@@ -39,12 +61,15 @@ class Mutants(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
-        for name, text in (("build/bin/prog", PROGRAM), ("tools/cmake", MAKE)):
+        for name, text in (("build/bin/prog", PROGRAM), ("tools/cmake", MAKE), ("tools/ninja", NINJA), ("tools/glslang", GLSLANG)):
             path = self.root / name
-            path.parent.mkdir(parents=True)
+            path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)
             path.chmod(0o755)
         (self.root / "a.cpp").write_text("a -b c\n")
+        (self.root / "shaders").mkdir()
+        (self.root / "shaders/a.glsl").write_text("a -b c\n")
+        (self.root / "shaders/a.comp").write_text("void main\n")
 
     def mutants(self, table, *options):
         (self.root / "tests/mutants").mkdir(parents=True, exist_ok=True)
@@ -52,7 +77,8 @@ class Mutants(unittest.TestCase):
         environment = {**os.environ, "PATH": f"{self.root / 'tools'}:{os.environ['PATH']}"}
         done = subprocess.run([MUTANTS, "--root", self.root, "--build", self.root / "build", *options], capture_output=True,
                               text=True, env=environment, timeout=60)
-        self.assertEqual((self.root / "a.cpp").read_text(), "a -b c\n")
+        for name in ("a.cpp", "shaders/a.glsl"):
+            self.assertEqual((self.root / name).read_text(), "a -b c\n")
         return done.returncode, done.stdout + done.stderr
 
     def test_one_that_a_test_sees_is_seen(self):
@@ -65,6 +91,20 @@ class Mutants(unittest.TestCase):
         code, said = self.mutants(entry("turned", tests="Other.*") + entry("seen"))
         self.assertEqual(code, 1, said)
         self.assertEqual(said.splitlines()[-1], "2 mutants: 1 seen, 1 survived, 0 could not be planted")
+
+    def test_shaders_are_swapped(self):
+        for after, tests, words in (("+b", "Sign.*", "Sign.IsSeen"), ("+b", "Other.*", "survived"), ("!", "Sign.*", "a.glsl:1: what is that")):
+            code, said = self.mutants(entry("turned", after=after, tests=tests, file="shaders/a.glsl"))
+            self.assertEqual(code, {"Sign.IsSeen": 0, "survived": 1}.get(words, 2), said)
+            self.assertIn(words, said)
+
+    def test_shaders_that_none_includes_are_said(self):
+        code, said = self.mutants(entry("turned", before="void", file="shaders/b.glsl"))
+        self.assertEqual(code, 2, said)
+        (self.root / "shaders/b.glsl").write_text("void")
+        code, said = self.mutants(entry("turned", before="void", file="shaders/b.glsl"))
+        self.assertEqual(code, 2, said)
+        self.assertIn("has no shader that includes shaders/b.glsl", said)
 
     def test_tests_that_fail_anyway_see_nothing(self):
         code, said = self.mutants(entry("turned", tests="Broken.*"))
@@ -102,7 +142,7 @@ class Mutants(unittest.TestCase):
         done = subprocess.run([MUTANTS, "--list"], capture_output=True, text=True, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
         number = int(done.stdout.splitlines()[-1].split()[0])
-        self.assertGreaterEqual(number, 60)
+        self.assertGreaterEqual(number, 100)
 
 
 if __name__ == "__main__":

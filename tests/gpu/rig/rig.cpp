@@ -5,6 +5,9 @@
 #include <glm/gtc/packing.hpp>
 
 #include "tests/gpu/host/spy.h"
+#ifdef SEAGLASS_SHADER_RELOAD
+#include "tests/gpu/rig/swapped_shaders.h"
+#endif
 
 namespace tests {
 
@@ -72,6 +75,9 @@ demos::Device& device() {
             std::fprintf(stderr, "no device to test on: %s\n", error.text.c_str());
             std::exit(2);
         }
+#ifdef SEAGLASS_SHADER_RELOAD
+        swapShaders();
+#endif
         return d;
     }();
     return *made;
