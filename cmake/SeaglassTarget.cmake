@@ -29,7 +29,13 @@ function(seaglass_library target)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${part} WINDOWS_EXPORT_ALL_SYMBOLS ON INSTALL_RPATH "$ORIGIN"
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} POSITION_INDEPENDENT_CODE ON)
   seaglass_target(${target})
-  seaglass_precompiled(${target})
+  if(SEAGLASS_COVERAGE)
+    # Threads count alike, and lines stay what they are in the source.
+    target_compile_options(${target} PRIVATE --coverage -fprofile-update=atomic -O1)
+    target_link_options(${target} INTERFACE --coverage)
+  else()
+    seaglass_precompiled(${target})
+  endif()
 endfunction()
 
 # What most files read, compiled once: it is a third of the time that a file takes. Portable.* go without, and see what a
