@@ -107,7 +107,7 @@ MISTAKES = [
             shows=lambda right, wrong: brightness(wrong, NEAR) > brightness(right, NEAR) * 1.2),
     Mistake("black_sky", ("engine.cpp", LIGHT, CHANGED_LIGHT + "    for (int i = 0; i < 3; ++i)\n"
                           "        light.skyZenith[i] = light.skyHorizon[i] = light.skyGround[i] = 0;\n"),
-            shows=lambda right, wrong: brightness(wrong, NEAR) < brightness(right, NEAR) * 0.8),
+            shows=lambda right, wrong: brightness(wrong, HORIZON) < brightness(right, HORIZON) * 0.3),
     Mistake("no_reflect", ("engine.cpp", "    check(seaglass::reflect(commands, &water_, 1, &view));\n", ""),
             shows=lambda right, wrong: share_changed(right, wrong, MIRROR) > 0.5),
     Mistake("no_refraction", ("engine.cpp", "    body.refraction = &refraction;\n", ""),
@@ -117,6 +117,7 @@ MISTAKES = [
     Mistake("near_far_plane", ("scene.cpp", "0.1f, 500.0f)", "0.1f, 40.0f)"),
             shows=lambda right, wrong: share_changed(right, wrong, HORIZON) > 0.5),
     Mistake("eye_in_water", ("scene.cpp", "glm::vec3(-1, 2.2f, 6)", "glm::vec3(-1, -0.8f, 6)"),
+            says="under a body without BodyDesc.underwater",
             shows=lambda right, wrong: share_changed(right, wrong) > 0.5),
     Mistake("wrong_wind", ("engine.cpp", "SpectrumModel::jonswap, 3, 0, 300}", "SpectrumModel::jonswap, 12, 0, 100e3f}"),
             shows=lambda right, wrong: share_changed(right, wrong) > 0.2),
