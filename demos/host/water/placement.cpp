@@ -36,7 +36,7 @@ bool placement(const MeshDesc& moving, double timeS, glm::dmat4& out, Error& err
         return false;
     }
     out = glm::translate(glm::dmat4(1), position);
-    out = glm::rotate(out, glm::radians(-desc.yawDeg), glm::dvec3(0, 1, 0));
+    out = glm::rotate(out, glm::radians(desc.yawDeg), glm::dvec3(0, 1, 0));
     out = glm::scale(out, glm::dvec3(desc.scale));
     return true;
 }

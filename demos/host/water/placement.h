@@ -18,8 +18,8 @@ struct Placed {
 /// where it keeps dry what cannot be.
 bool placedOf(const MeshDesc& desc, const Mesh& mesh, double levelM, Placed& out, Error& error);
 
-/// Where it stands at a time, or, where it floats, is in calm water. Its yaw turns as every azimuth here
-/// does, from +X towards +Z.
+/// Where it stands at a time, or, where it floats, is in calm water. Its yaw turns as glTF's rotations do,
+/// against the clock as seen from above: +X towards -Z.
 bool placement(const MeshDesc& desc, double timeS, glm::dmat4& worldFromMesh, Error& error);
 
 /// Where it is at a time, when the water is so.

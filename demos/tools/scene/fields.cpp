@@ -102,7 +102,8 @@ constexpr std::array<std::string_view, 4> waterTypes = {"pool", "clear-ocean", "
 constexpr std::array skyFields = {
     Field{"file", at<&SkyDesc::file>, 0, 0, "", "lat-long HDR or EXR file", required},
     Field{"layer", at<&SkyDesc::layer>, 0, 0, "", "of an EXR with several, or empty"},
-    Field{"rotation_deg", at<&SkyDesc::rotationDeg>, -turn, turn, "degrees", "turn about +Y"},
+    Field{"rotation_deg", at<&SkyDesc::rotationDeg>, -turn, turn, "degrees",
+          "turn about +Y, from +X towards +Z"},
     Field{"intensity", at<&SkyDesc::intensity>, 0, 1e6, "", "scale of the radiance"},
 };
 
@@ -129,7 +130,7 @@ constexpr std::array fogFields = {
 constexpr std::array meshFields = {
     Field{"file", at<&MeshDesc::file>, 0, 0, "", "glTF file", required},
     Field{"position_m", at<&MeshDesc::positionM>, -far, far, "m", "of the mesh's origin"},
-    Field{"yaw_deg", at<&MeshDesc::yawDeg>, -turn, turn, "degrees", "turn about +Y"},
+    Field{"yaw_deg", at<&MeshDesc::yawDeg>, -turn, turn, "degrees", "turn about +Y, from +X towards -Z"},
     Field{"scale", at<&MeshDesc::scale>, 0, 1e6, "", "size", false, Rule::positive},
     Field{"floats", at<&MeshDesc::floats>, 0, 0, "", "heave, pitch and roll with the water"},
     Field{"loops", at<&MeshDesc::loops>, 0, 0, "", "after the last keyframe, where it began, all anew"},
@@ -232,7 +233,7 @@ constexpr std::array extentFields = {
     Field{"shape", at<&ExtentDesc::shape>, 0, 0, "", "what says where the water ends", false, Rule::none,
           extentShapes},
     Field{"center_m", at<&ExtentDesc::centerM>, -far, far, "m", "x and z of its middle, or its origin"},
-    Field{"yaw_deg", at<&ExtentDesc::yawDeg>, -turn, turn, "degrees", "turn about +Y"},
+    Field{"yaw_deg", at<&ExtentDesc::yawDeg>, -turn, turn, "degrees", "turn about +Y, from +X towards -Z"},
     Field{"size_m", at<&ExtentDesc::sizeM>, 0.01, 1e6, "m", "of a rectangle, along its x and z"},
     Field{"points_m", at<&ExtentDesc::pointsM>, -far, far, "m", "x and z of a polygon's corners"},
     Field{"file", at<&ExtentDesc::file>, 0, 0, "", "glTF file"},
@@ -240,7 +241,8 @@ constexpr std::array extentFields = {
 
 constexpr std::array exclusionVolumeFields = {
     Field{"position_m", at<&ExclusionVolumeDesc::positionM>, -far, far, "m", "of its origin"},
-    Field{"yaw_deg", at<&ExclusionVolumeDesc::yawDeg>, -turn, turn, "degrees", "turn about +Y"},
+    Field{"yaw_deg", at<&ExclusionVolumeDesc::yawDeg>, -turn, turn, "degrees",
+          "turn about +Y, from +X towards -Z"},
     Field{"points_m", at<&ExclusionVolumeDesc::pointsM>, -1e3, 1e3, "m", "x and z of its outline's corners",
           required},
     Field{"flare_deg", at<&ExclusionVolumeDesc::flareDeg>, -80, 80, "degrees",
