@@ -57,7 +57,7 @@ struct BodyBlock {
     vec4 shorePlace;  // of the eye on the shore's map, and of a metre
     vec4 shoreSignal; // rows a second, the first one's, their number; the map's spacing [m]
     vec4 shoreForm; // 1 / period; how far foam is carried for each metre of swash; the first row in the last
-                    // frame
+                    // frame; e-folds of breakers' foam in a period
     mat3x4 worldFromBody; // a column each
     mat4 bedFromRelative; // to pixels of the bed's picture
     mat4 relativeFromBed;

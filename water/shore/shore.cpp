@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 
 #include "water/sea/phase.h"
 #include "water/sea/scramble.h"
 #include "water/sea/smoothstep.h"
+#include "water/shore/surf.h"
 #include "water/spectrum/dispersion.h"
 #include "water/spectrum/wave_systems.h"
 
@@ -22,6 +24,8 @@ constexpr double leastDepth = 0.08;
 constexpr double fan = 0.28;
 /// omega^2 d / g at which trains begin to stand for the sea's long waves, and at which they have taken over.
 constexpr double feelsBed = 1.6, guided = 0.6;
+/// Foam in the swash follows the crest a seventh of a wave later.
+constexpr double lagCosine = 0.64, lagSine = 0.77;
 
 /// The lesser, with a rounded corner.
 double limited(double value, double most) {
@@ -147,7 +151,8 @@ Shore::Shore(const ShoreDesc& desc, const SeaDesc& sea, const WaveSystem& system
             place.kept[c] = static_cast<float>(c < longWaves ? std::sqrt(1 - taken) * left : left);
             if (depth <= 0) place.kept[c] = 0;
         }
-        reach_ = std::max({reach_, 3.5 * height + 2.5 * double{place.swash}, 3.5 * double{place.sideways}});
+        const double crest = std::min(highestSurf * height, highestSurfToDepth * std::max(depth, leastDepth));
+        reach_ = std::max({reach_, crest + 2.5 * double{place.swash}, 3.5 * double{place.sideways}});
         if (depth > -2 * runUp_)
             for (const float arrival : place.arrival) longest_ = std::max(longest_, double{arrival});
     }
@@ -273,7 +278,9 @@ ShoreWave Shore::waveAt(const ShoreSignal& signal, double u, double v, double wi
     for (size_t c = 0; c < maxCascades; ++c) wave.kept[c] = double{here.kept[c]};
     if (here.height == 0 && here.swash == 0) return wave;
     const double lean = 0.6 * double{here.breaking};
-    double swash = 0, wet = 0, white = 0, swashRate = 0, swashSlope[2] = {};
+    double swash = 0, wet = 0, swashRate = 0, swashSlope[2] = {};
+    SurfPlace place{double{here.height}, double{here.depth}, 0, width, double{here.breaking}};
+    std::complex<double> all, wide, rise, slope[2]; // height and sideways; of waves wide enough to be seen
     for (size_t t = 0; t < shoreTrains; ++t) {
         const double slowness[2] = {double{alongU.arrival(t) - here.arrival[t]} / spacing_,
                                     double{alongV.arrival(t) - here.arrival[t]} / spacing_};
@@ -289,36 +296,44 @@ ShoreWave Shore::waveAt(const ShoreSignal& signal, double u, double v, double wi
             return double{a.*m - b.*m} * double{signal.rowsPerSecond};
         };
         const double seen = 1 - smoothstep(0.15, 0.4, width * length * peak_ / (2 * pi));
-        const double height = double{here.height} * seen, sideways = double{here.sideways} * seen / length;
-        const double heightRate = rate(&ShoreRow::height);
-        const double g = value(&ShoreRow::sideways) + lean * value(&ShoreRow::height);
-        const double gRate = rate(&ShoreRow::sideways) + lean * heightRate;
-        wave.height += height * value(&ShoreRow::height);
-        wave.rise += height * heightRate;
+        const double sideways = double{here.sideways} * seen / length;
+        const std::complex<double> now(value(&ShoreRow::height), value(&ShoreRow::sideways)),
+            nowRate(rate(&ShoreRow::height), rate(&ShoreRow::sideways));
+        const double g = now.imag() + lean * now.real(), gRate = nowRate.imag() + lean * nowRate.real();
+        all += now;
+        wide += seen * now;
+        rise += seen * nowRate;
+        place.wavesPerMetre += length * peak_ / (2 * pi) / shoreTrains;
         swash += value(&ShoreRow::swash);
         wet += value(&ShoreRow::wet);
         swashRate += rate(&ShoreRow::swash);
         for (size_t axis = 0; axis < 2; ++axis) {
-            wave.slope[axis] -= height * heightRate * slowness[axis];
+            slope[axis] -= seen * nowRate * slowness[axis];
             swashSlope[axis] -= rate(&ShoreRow::swash) * slowness[axis];
             wave.move[axis] += sideways * g * slowness[axis];
             wave.drift[axis] += sideways * gRate * slowness[axis];
             wave.stretch[axis] -= sideways * gRate * slowness[axis] * slowness[axis];
-            wave.advected[axis] +=
-                slowness[axis] / length * value(&ShoreRow::swash) * double{here.swash} * carried();
+            wave.advected[axis] += slowness[axis] / length * (lagCosine * now.real() + lagSine * now.imag()) *
+                                   double{here.swash} * carried();
         }
         wave.stretch[2] -= sideways * gRate * slowness[0] * slowness[1];
-        white += value(&ShoreRow::foam);
     }
+    const Surf surf = surfOf(wide, place);
+    const auto change = [&](const std::complex<double>& of) {
+        return double{here.height} * (surf.changes[0] * of.real() + surf.changes[1] * of.imag());
+    };
     const double amount = double{here.swash};
-    wave.height += amount * std::max(swash, lowestSwash);
+    wave.height = double{here.height} * surf.height + amount * std::max(swash, lowestSwash);
+    wave.rise = change(rise);
+    for (size_t axis = 0; axis < 2; ++axis) wave.slope[axis] = change(slope[axis]);
     if (swash > lowestSwash) {
         wave.rise += amount * swashRate;
+        wave.rushes = amount * swashRate;
         for (size_t axis = 0; axis < 2; ++axis) wave.slope[axis] += amount * swashSlope[axis];
     }
     wave.swash = amount;
     wave.wetTo = amount * wet;
-    wave.foam = double{here.breaking} * std::min(0.5 * white, 1.0);
+    wave.foam = surfFoam(all, surf.biphase, place, double{signal.foamFades});
     return wave;
 }
 

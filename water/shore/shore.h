@@ -42,14 +42,13 @@ struct ShoreRow {
           sideways = 0; ///< of the surface, and of its points: of unit variance with the other trains
     float swash = 0;    ///< of the water's edge
     float wet = 0;      ///< up to where the edge has left the sand wet, in the same unit
-    float foam = 0;     ///< cover that a breaker leaves
-    float unused[3] = {};
 };
 
 struct ShoreSignal {
     float rowsPerSecond = 0;    ///< of arrival
     float offset = 0;           ///< row of what arrives now at the edge
     uint32_t count = 0;         ///< rows of a train, 2 at least
+    float foamFades = 0;        ///< e-folds of what breakers leave, in a period of the peak
     std::vector<ShoreRow> rows; ///< train after train
 };
 
@@ -62,6 +61,7 @@ struct ShoreWave {
     double swash = 0;        ///< how far the water's edge moves [m]
     double wetTo = -1e9;     ///< the height up to which sand is wet [m]
     double advected[2] = {}; ///< what the swash has carried foam to the side by [m]
+    double rushes = 0;       ///< how fast the water's edge rises [m/s]
     double foam = 0;
     std::array<double, maxCascades> kept{};
     double depth = 0;
@@ -89,7 +89,7 @@ class Shore {
     uint32_t rowCount() const; ///< of a train
     /// A train's rows that end with row 0, the last at or after `time`: from `oldest` before it, by
     /// visit(back, row).
-    void follow(uint32_t train, double time, double decayTime, uint32_t oldest,
+    void follow(uint32_t train, double time, uint32_t oldest,
                 const std::function<void(uint32_t, const ShoreRow&)>& visit) const;
     /// Without what is shorter than four `width`s.
     ShoreWave waveAt(const ShoreSignal& signal, double u, double v, double width) const;
@@ -106,7 +106,7 @@ class Shore {
     double runUp() const { return runUp_; } ///< [m]
     double slope() const { return slope_; } ///< of the beach at the water's edge
     /// How far the swash carries foam to the side for each metre up; water starts later than the edge rises.
-    double carried() const { return 0.15 / slope_; }
+    double carried() const { return 0.4 / slope_; }
 
   private:
     struct Wave {

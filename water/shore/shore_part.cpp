@@ -36,7 +36,8 @@ void ShorePart::fill(const Body& body, const BodyView& view, BodyBlock& block) c
         (glm::dvec2(eye.x, eye.z) - glm::dvec2(shore.origin()[0], shore.origin()[1])) / spacing;
     block.shorePlace = glm::vec4((fromFirst + 0.5) / samples, 1.0 / (samples * spacing));
     block.shoreSignal = {signal.rowsPerSecond, signal.offset, signal.count, spacing};
-    block.shoreForm = {shore.peak() / (2 * std::numbers::pi), shore.carried(), map.last().offset, 0};
+    block.shoreForm = {shore.peak() / (2 * std::numbers::pi), shore.carried(), map.last().offset,
+                       signal.foamFades};
 }
 
 void ShorePart::vary(const Body&, const SurfaceDraw&, SurfaceVariant& variant) const {

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "water/sea/smoothstep.h"
-
 namespace seaglass {
 namespace {
 
@@ -15,7 +13,7 @@ constexpr uint32_t mostRows = 2048;
 constexpr double stepsAPeriod = 40;
 /// Water rushes up in a part of the peak's period and takes the rest to run down.
 constexpr double rushesUp = 0.1, runsDown = 0.34;
-/// Sand dries, and the water's edge leaves it, in so long [s].
+/// The film stays where the water's edge has left it, and has gone after so long [s].
 constexpr double dries = 9;
 constexpr double dry = -0.5;
 
@@ -30,16 +28,14 @@ uint32_t Shore::rowCount() const {
     return std::max(2u, static_cast<uint32_t>(longest_ / rowStep()) + 3);
 }
 
-void Shore::follow(uint32_t train, double time, double decayTime, uint32_t oldest,
+void Shore::follow(uint32_t train, double time, uint32_t oldest,
                    const std::function<void(uint32_t, const ShoreRow&)>& visit) const {
     const double period = 2 * std::numbers::pi / peak_, step = rowStep();
     const double last = std::ceil(time / step);
-    const auto before = static_cast<uint32_t>(std::max(5 * decayTime, 5 * dries) / step);
-    // Foam on broken water is thin, and goes sooner than where a crest broke out at sea.
+    const auto before = static_cast<uint32_t>(5 * dries / step);
     const double up = 1 - std::exp(-step / (rushesUp * period)),
                  down = 1 - std::exp(-step / (runsDown * period));
-    const double fades = std::exp(-step / (0.6 * decayTime)), stays = std::exp(-step / dries);
-    double edge = 0, wet = dry, foam = 0;
+    double edge = 0, wet = dry, most = dry, since = 0;
     for (uint32_t back = oldest + before + 1; back-- > 0;) {
         const double at = (last - back) * step;
         double height = 0, sideways = 0;
@@ -49,15 +45,15 @@ void Shore::follow(uint32_t train, double time, double decayTime, uint32_t oldes
             sideways += wave.amplitude * std::sin(phase);
         }
         edge += (height - edge) * (height > edge ? up : down);
-        wet = std::max(edge, dry + (wet - dry) * stays);
-        foam = std::max(smoothstep(0.45, 0.95, height), foam * fades);
+        since += step;
+        wet = dry + (most - dry) * std::exp(-(since / dries) * (since / dries));
+        if (edge >= wet) {
+            most = wet = edge;
+            since = 0;
+        }
         if (back > oldest) continue;
-        visit(back, {static_cast<float>(height),
-                     static_cast<float>(sideways),
-                     static_cast<float>(edge),
-                     static_cast<float>(wet),
-                     static_cast<float>(foam),
-                     {}});
+        visit(back, {static_cast<float>(height), static_cast<float>(sideways), static_cast<float>(edge),
+                     static_cast<float>(wet)});
     }
 }
 
@@ -66,12 +62,14 @@ ShoreSignal Shore::signalAt(double time, double decayTime) const {
     ShoreSignal signal;
     signal.rowsPerSecond = static_cast<float>(1 / step);
     signal.count = rowCount();
+    // Foam on broken water is thin, and goes sooner than where a crest broke out at sea.
+    signal.foamFades = static_cast<float>(2 * std::numbers::pi / peak_ / (0.6 * decayTime));
     signal.offset = static_cast<float>(std::ceil(time / step) - time / step);
     signal.rows.resize(size_t{signal.count} * shoreTrains);
     if (trains_[0].empty()) return signal;
     for (uint32_t train = 0; train < shoreTrains; ++train) {
         ShoreRow* const rows = &signal.rows[size_t{train} * signal.count];
-        follow(train, time, decayTime, signal.count - 1,
+        follow(train, time, signal.count - 1,
                [rows](uint32_t back, const ShoreRow& row) { rows[back] = row; });
     }
     return signal;

@@ -41,8 +41,7 @@ Looks looksOf(const Shore& shore, double dryingTime) {
 void fillTrain(const Shore& shore, uint32_t train, double time, const Looks& looks, Row* rows) {
     const uint32_t oldest = looks.rows + looks.stride;
     std::vector<float> films(oldest + 1);
-    constexpr double foamIsNotAsked = 1;
-    shore.follow(train, time, foamIsNotAsked, oldest, [&](uint32_t back, const ShoreRow& row) {
+    shore.follow(train, time, oldest, [&](uint32_t back, const ShoreRow& row) {
         films[back] = row.wet;
         if (back < looks.rows) rows[back] = {0, row.wet, row.swash, 0};
     });

@@ -194,6 +194,11 @@ glm::vec4 WaterSurface::trilinear(const Cascade& cascade, const std::vector<Leve
 }
 
 namespace {
+/// How far wet sand has been left behind by the water's edge; 0: it is dry.
+double wetnessOf(const ShoreWave& shore) {
+    return std::clamp((shore.wetTo + shore.depth) / std::max(0.8 * shore.swash, 1e-3), 0.0, 1.0);
+}
+
 double mipOf(double footprint, double texel) {
     return footprint > texel ? std::log2(footprint / texel) : 0.0;
 }
@@ -229,14 +234,8 @@ WaterSurface::Edge WaterSurface::edge(const ShoreWave& shore) const {
     Edge edge;
     if (!shore_) return edge;
     const double thick = shore.height - shore.bed();
-    const double wetness =
-        std::clamp((shore.wetTo + shore.depth) / std::max(0.8 * shore.swash, 1e-3), 0.0, 1.0);
-    edge.presence = std::max(glm::smoothstep(0.0, 0.025, thick), wetness);
+    edge.presence = std::max(glm::smoothstep(0.0, 0.025, thick), wetnessOf(shore));
     edge.onSand = 1 - glm::smoothstep(0.0, 0.04, thick);
-    const auto bell = [](double x) { return std::exp(-x * x); };
-    const double line = bell((thick - 0.03) / 0.03) + 0.4 * bell(thick / 0.12);
-    const double left = (thick > 0 ? line : 0.4 * wetness) * glm::smoothstep(0.0, 0.02, shore.swash);
-    edge.foam = 1 - (1 - 0.9 * shore.foam) * (1 - std::min(left, 0.9));
     edge.advected = shore.advected;
     edge.bedSlope = shore.bedSlope;
     return edge;
@@ -280,10 +279,23 @@ WaterSurface::Slopes WaterSurface::slopes(const glm::dvec2& calm, double footpri
     return s;
 }
 
+// The edge of the water, white where it rushes up, and what it lays down where it turns, in lobes by `bend`.
+double WaterSurface::edgeFoam(const ShoreWave& shore, double bend) {
+    const auto bell = [](double x) { return std::exp(-x * x); };
+    const double thick = shore.height - shore.bed() + 0.012 * bend;
+    const double rushes = glm::smoothstep(-0.02, 0.1, shore.rushes);
+    const double wet = wetnessOf(shore) + 0.15 * bend;
+    const double rim = glm::smoothstep(0.0, 0.12, wet) * (1 - glm::smoothstep(0.15, 0.45, wet));
+    const double line =
+        (0.35 + 0.65 * rushes) * bell((thick - 0.025) / 0.025) + 0.5 * rushes * bell(thick / 0.12);
+    const double left = (thick > 0 ? line : 0.7 * rim) * glm::smoothstep(0.0, 0.02, shore.swash);
+    return 1 - (1 - 0.95 * shore.surfFoam(bend)) * (1 - std::min(left, 0.9));
+}
+
 float WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const {
     const glm::dvec2 under = aside(calm, seaglass::warpAt(warp_, calm.x, calm.y));
     const ShoreWave shore = shoreAt(calm, footprint);
-    const float dark = 1 - static_cast<float>(edge(shore).foam);
+    const float dark = shore_ ? 1 - static_cast<float>(edgeFoam(shore, bend.y)) : 1.0f;
     if (breaking_.count == 0) return 1 - dark;
     const float gate = foamGate(under, footprint);
     const float now = gate * breakingNow(under, shore, footprint);

@@ -60,11 +60,10 @@ class WaterSurface {
     }
     static constexpr double laceRepeatM = 16 * 24, windrowTileM = 160;
 
-    /// The water's edge on a shore: as shaders/water/surface/surface_point.glsl and foam_cover.glsl have it.
+    /// The water's edge on a shore: as shaders/water/surface/surface_point.glsl has it.
     struct Edge {
         double presence = 1;    ///< share of the surface that is to be seen
         double onSand = 0;      ///< 1 where it is but a film
-        double foam = 0;        ///< cover, breakers' included
         glm::dvec2 advected{0}; ///< what the swash has carried foam by [m]
         glm::dvec2 bedSlope{0};
     };
@@ -94,6 +93,8 @@ class WaterSurface {
     }
     glm::vec3 displacement(const glm::dvec2& calm, double footprint, const ShoreWave& shore) const;
     Edge edge(const ShoreWave& shore) const;
+    /// shoreFoam() of shaders/water/foam/foam_cover.glsl.
+    static double edgeFoam(const ShoreWave& shore, double bend);
 
     /// foamGate() of shaders/water/foam/foam_gate.glsl, of a place on the first cascade's plane.
     float foamGate(const glm::dvec2& place, double footprint) const;

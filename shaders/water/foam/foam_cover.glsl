@@ -10,15 +10,18 @@ struct Foam {
     float height;  // of the white's own, -1..1 and 0 in the mean: more light reaches what stands out
 };
 
-// What breakers leave, the line at the water's edge, and what stays on the sand as it runs down.
-float shoreFoam(const ShoreWave shore) {
-    float thick = thickness(shore);
-    vec2 x = vec2((thick - 0.03) / 0.03, thick / 0.12);
+// What breakers leave; the edge of the water, wide and white where it rushes up; what it lays down where it turns, in lobes, as
+// much as `bend`, -1..1, moves the edge of that.
+float shoreFoam(const ShoreWave shore, float bend) {
+    float thick = thickness(shore) + 0.012 * bend;
+    vec2 x = vec2((thick - 0.025) / 0.025, thick / 0.12);
     vec2 bells = exp(-x * x);
-    float line = bells.x + 0.4 * bells.y;
-    float left = thick > 0.0 ? line : 0.4 * wetness(shore);
+    float rushes = smoothstep(-0.02, 0.1, shore.rushes);
+    float wet = wetness(shore) + 0.15 * bend;
+    float rim = smoothstep(0.0, 0.12, wet) * (1.0 - smoothstep(0.15, 0.45, wet));
+    float left = thick > 0.0 ? (0.35 + 0.65 * rushes) * bells.x + 0.5 * rushes * bells.y : 0.7 * rim;
     left *= smoothstep(0.0, 0.02, shore.swash);
-    return 1.0 - (1.0 - 0.9 * shore.foam) * (1.0 - min(left, 0.9));
+    return 1.0 - (1.0 - 0.95 * surfFoam(shore.breakers, bend)) * (1.0 - min(left, 0.9));
 }
 
 // Share of the places where a sum of three even distributions, of these widths and of mean 0, is below `x`.
@@ -64,7 +67,7 @@ float foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, W
         foamy *= left;
     }
     float clear = (1.0 - foamy) * (1.0 - caps.now);
-    if (hasShore) clear *= 1.0 - shoreFoam(s.shore);
+    if (hasShore) clear *= 1.0 - shoreFoam(s.shore, bend.y);
     return 1.0 - clear;
 }
 

@@ -3,12 +3,14 @@
 
 layout(set = 0, binding = shoreMapBinding) uniform sampler2DArray shoreMap;
 layout(set = 0, binding = shoreSignalBinding, std430) readonly buffer ShoreSignal {
-    vec4 shoreRows[];   // two a row: height, sideways, swash, wet; foam
+    vec4 shoreRows[];   // height, sideways, swash, wet
 };
 
 const int shoreTrains = 3;
 const float lowestSwash = -1.2;
 const float filmLift = 0.012;   // of a film over the sand, so that none of its grains hides it [m]
+
+#include "surf.glsl"
 
 struct ShoreWave {
     vec4 kept;       // of each cascade's amplitude
@@ -22,11 +24,64 @@ struct ShoreWave {
     float swash;     // how far the water's edge moves [m]
     float wetTo;     // height up to which sand is wet
     vec2 advected;   // what the swash has carried foam by [m]
-    float foam;
+    float rushes;    // how fast the water's edge rises [m/s]
+    Breakers breakers;
 };
 
 ShoreWave withoutTrains(vec4 kept, float depth, vec2 bedSlope, float swash) {
-    return ShoreWave(kept, depth, bedSlope, 0.0, vec2(0.0), vec2(0.0), vec3(0.0), vec3(0.0), swash, -1e9, vec2(0.0), 0.0);
+    return ShoreWave(kept, depth, bedSlope, 0.0, vec2(0.0), vec2(0.0), vec3(0.0), vec3(0.0), swash, -1e9, vec2(0.0), 0.0, Breakers(0.0, 0.0, 0.0));
+}
+
+const float lagCosine = 0.64, lagSine = 0.77;   // foam in the swash follows the crest a seventh of a wave later
+
+// What the trains make there, by the map's rows; `alongU` and `alongV` change in a metre.
+void addTrains(inout ShoreWave w, vec4 here, vec4 alongU, vec4 alongV, vec4 form, float width, int rows, float arrives) {
+    float lean = 0.6 * form.y;
+    float perTrain = inversesqrt(float(shoreTrains));
+    float swash = 0.0, rushes = 0.0, wet = 0.0, turns = 0.0;
+    vec2 swashSlope = vec2(0.0);
+    vec2 all = vec2(0.0), wide = vec2(0.0);   // height and sideways; of waves wide enough to be seen
+    mat2 slopes = mat2(0.0);   // of both
+    float shown = 0.0;
+    int t = 0;
+    do {
+        vec2 slowness = vec2(alongU[t + 1], alongV[t + 1]);
+        float size = max(length(slowness), 1e-4);
+        vec2 towards = slowness / size;
+        float row = here[t + 1] * water.shoreSignal.x + arrives;
+        row = row > 0.0 ? min(row, water.shoreSignal.z - 1.001) : 0.0;   // a map of the host's may hold anything
+        int i = rows + t * int(water.shoreSignal.z) + int(row);
+        vec4 a = shoreRows[i];
+        vec4 b = shoreRows[i + 1];
+        vec4 now = mix(a, b, fract(row));
+        vec4 rate = (a - b) * water.shoreSignal.x;   // rows go back in time
+        float seen = 1.0 - smoothstep(0.15, 0.4, width * size * water.shoreForm.x);
+        float sideways = form.z * seen;
+        float lost = form.x * perTrain * size * 6.2832 * water.shoreForm.x;
+        all += now.xy;
+        wide += seen * now.xy;
+        shown += seen / float(shoreTrains);
+        slopes -= outerProduct(slowness, seen * rate.xy);
+        w.covariance += lost * lost * (1.0 - seen * seen) * vec3(towards * towards, towards.x * towards.y);
+        swash += now.z;
+        wet += now.w;
+        rushes += rate.z;
+        swashSlope -= rate.z * slowness;
+        w.move += sideways * (now.y + lean * now.x) * towards;
+        float stretches = -sideways * (rate.y + lean * rate.x) * size;
+        w.stretch += stretches * vec3(towards * towards, towards.x * towards.y);
+        w.advected += towards * ((lagCosine * now.x + lagSine * now.y) * form.w * water.shoreForm.y);
+        turns += size * water.shoreForm.x / float(shoreTrains);
+    } while (++t < shoreTrains);
+    Surf surf = surfOf(wide, form.x, here.x, turns, width);
+    w.height = form.x * surf.height + form.w * max(swash, lowestSwash);
+    w.slope = form.x * (slopes * surf.changes);
+    if (swash > lowestSwash) {
+        w.slope += form.w * swashSlope;
+        w.rushes = form.w * rushes;
+    }
+    w.wetTo = form.w * wet;
+    w.breakers = breakersOf(all, surf.biphase, form, here.x, shown);
 }
 
 // At calm (u, v); `width` is what is seen as one [m]. Of the moment whose rows begin at `rows`, `arrives` the row of what
@@ -41,46 +96,7 @@ ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
     vec4 form = textureLod(shoreMap, vec3(at, 1.0), 0.0);   // height, breaking, sideways, swash
     vec4 kept = textureLod(shoreMap, vec3(at, 2.0), 0.0);
     ShoreWave w = withoutTrains(kept, here.x, -vec2(alongU.x, alongV.x), form.w);
-    if (form.x + form.w > 0.0) {
-        float lean = 0.6 * form.y;
-        float perTrain = inversesqrt(float(shoreTrains));
-        float swash = 0.0;
-        float wet = 0.0;
-        float white = 0.0;
-        vec2 swashSlope = vec2(0.0);
-        int t = 0;
-        do {
-            vec2 slowness = vec2(alongU[t + 1], alongV[t + 1]);
-            float size = max(length(slowness), 1e-4);
-            vec2 towards = slowness / size;
-            float row = here[t + 1] * water.shoreSignal.x + arrives;
-            row = row > 0.0 ? min(row, water.shoreSignal.z - 1.001) : 0.0;   // a map of the host's may hold anything
-            int i = rows + 2 * (t * int(water.shoreSignal.z) + int(row));
-            vec4 a = shoreRows[i];
-            vec4 b = shoreRows[i + 2];
-            vec4 now = mix(a, b, fract(row));
-            vec4 rate = (a - b) * water.shoreSignal.x;   // rows go back in time
-            float seen = 1.0 - smoothstep(0.15, 0.4, width * size * water.shoreForm.x);
-            float height = form.x * seen;
-            float sideways = form.z * seen;
-            float lost = form.x * perTrain * size * 6.2832 * water.shoreForm.x;
-            w.height += height * now.x;
-            w.slope -= height * rate.x * slowness;
-            w.covariance += lost * lost * (1.0 - seen * seen) * vec3(towards * towards, towards.x * towards.y);
-            swash += now.z;
-            wet += now.w;
-            swashSlope -= rate.z * slowness;
-            w.move += sideways * (now.y + lean * now.x) * towards;
-            float stretches = -sideways * (rate.y + lean * rate.x) * size;
-            w.stretch += stretches * vec3(towards * towards, towards.x * towards.y);
-            w.advected += towards * (now.z * form.w * water.shoreForm.y);
-            white += mix(shoreRows[i + 1].x, shoreRows[i + 3].x, fract(row));
-        } while (++t < shoreTrains);
-        w.height += form.w * max(swash, lowestSwash);
-        w.slope += swash > lowestSwash ? form.w * swashSlope : vec2(0.0);
-        w.wetTo = form.w * wet;
-        w.foam = form.y * min(0.5 * white, 1.0);
-    }
+    if (form.x + form.w > 0.0) addTrains(w, here, alongU, alongV, form, width, rows, arrives);
     return w;
 }
 
@@ -90,7 +106,7 @@ ShoreWave shoreWave(vec2 calm, float width) {
 
 // In the last frame.
 ShoreWave lastShoreWave(vec2 calm, float width) {
-    return shoreWaveOf(calm, width, 2 * shoreTrains * int(water.shoreSignal.z), water.shoreForm.z);
+    return shoreWaveOf(calm, width, shoreTrains * int(water.shoreSignal.z), water.shoreForm.z);
 }
 
 // The height above calm water of a film that lies on the sand, or of the surface where that is higher.

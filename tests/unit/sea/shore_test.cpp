@@ -221,7 +221,7 @@ TEST(Shore, IsAFunctionOfTheTimeAlone) {
     const SeaPtr sea = beach.make(), again = beach.make();
     const ShoreSignal one = sea->shore->signalAt(77.3, 3.85), two = again->shore->signalAt(77.3, 3.85);
     ASSERT_EQ(one.rows.size(), two.rows.size());
-    for (size_t i = 0; i < one.rows.size(); ++i) ASSERT_EQ(one.rows[i].foam, two.rows[i].foam);
+    for (size_t i = 0; i < one.rows.size(); ++i) ASSERT_EQ(one.rows[i].wet, two.rows[i].wet);
     // A little later everything is nearly as it was: history is stepped on a grid of its own.
     for (double time = 77.3; time < 79; time += 0.031)
         for (const double v : {-40.0, -12.0, -1.0, 1.0}) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include <glm/common.hpp>
@@ -27,12 +28,46 @@ ShorePlace mix(const ShorePlace& a, const ShorePlace& b, float share) {
     return out;
 }
 
+/// Waves with their bound harmonics, and how these change with the free ones.
+struct Bound {
+    double height;
+    std::complex<double> change;
+    double biphase;
+};
+
+constexpr double leastWater = 0.08; ///< [m]
+
+/// z / (1 - c), where |c| is Stokes' ratio of second to first harmonic, 0.6 at the most, and its phase the
+/// biphase of waves on beaches (Ruessink et al. 2012); of the variance that z has.
+Bound boundTo(const std::complex<double>& z, double deviation, double depth, double wavesPerM, double width) {
+    const double water = std::max(depth, leastWater), k = 2 * std::numbers::pi * wavesPerM;
+    const double steepnessToDepth = 2 * std::abs(z) * deviation / (0.9 * water);
+    const double borne = std::pow(1 + std::pow(steepnessToDepth, 4), -0.25);
+    const double kd = k * water, tanhKd = std::max(kd / std::hypot(1, kd), 0.01);
+    const double stokes = k * deviation * (3 - tanhKd * tanhKd) / (4 * std::pow(tanhKd, 3));
+    const double biphase = std::numbers::pi / 2 * stokes / (stokes + 0.8);
+    const double unlimited = stokes * borne * std::abs(z);
+    const double seen = 1 + std::pow(4 * width * wavesPerM, 2);
+    const double size = unlimited / std::hypot(1, unlimited / 0.6) / seen;
+    const std::complex<double> c = std::polar(size, std::arg(z) + biphase);
+    const double whole = borne * std::sqrt(1 - size * size);
+    return {whole * (z / (1.0 - c)).real(), whole / ((1.0 - c) * (1.0 - c)), biphase};
+}
+
+/// Which share of the waves breaks there.
+double brokenOf(const std::complex<double>& z, const ShorePlace& here) {
+    const double height = 2 * std::abs(z) * double{here.height} / std::max(double{here.depth}, leastWater);
+    const double breaking{here.breaking};
+    return glm::smoothstep(0.75, 1.25, height / glm::mix(0.62, 0.3, breaking)) *
+           glm::smoothstep(0.0, 0.3, breaking);
+}
+
 } // namespace
 
 /// A train where it arrives, and how fast that changes [1/s].
 struct ShoreWaves::Train {
-    double height, sideways, swash, wet, foam;
-    double heightRate, sidewaysRate, swashRate;
+    std::complex<double> height, heightRate; ///< and a quarter of a wave later
+    double swash, swashRate, wet;
 };
 
 ShorePlace ShoreWaves::placeAt(const glm::dvec2& calm) const {
@@ -58,9 +93,17 @@ ShoreWaves::Train ShoreWaves::trainAt(size_t which, double arrival) const {
     };
     // Rows go back in time.
     const auto rate = [&](float now, float before) { return double{now - before} * perSecond; };
-    return {value(a.height, b.height),    value(a.sideways, b.sideways), value(a.swash, b.swash),
-            value(a.wet, b.wet),          value(a.foam, b.foam),         rate(a.height, b.height),
-            rate(a.sideways, b.sideways), rate(a.swash, b.swash)};
+    return {{value(a.height, b.height), value(a.sideways, b.sideways)},
+            {rate(a.height, b.height), rate(a.sideways, b.sideways)},
+            value(a.swash, b.swash),
+            rate(a.swash, b.swash),
+            value(a.wet, b.wet)};
+}
+
+double ShoreWave::surfFoam(double bend) const {
+    constexpr double rolls = 0.17; // of the period
+    const double age = glm::fract(turns + 0.03 * bend);
+    return broken * (age < rolls ? 1 : 0.8 * std::exp((rolls - age) * foamFades));
 }
 
 ShoreWave ShoreWaves::at(const glm::dvec2& calm, double width) const {
@@ -74,8 +117,9 @@ ShoreWave ShoreWaves::at(const glm::dvec2& calm, double width) const {
     if (here.height == 0 && here.swash == 0) return wave;
     // A breaker leans forwards.
     const double lean = 0.6 * double{here.breaking}, amount{here.swash};
-    double swash = 0, wet = 0, white = 0;
+    double swash = 0, rushes = 0, wet = 0, wavesPerM = 0;
     glm::dvec2 swashSlope(0);
+    std::complex<double> all, wide, slopeU, slopeV; // of waves that are seen
     for (size_t t = 0; t < seaglass::shoreTrains; ++t) {
         const Train train = trainAt(t, double{here.arrival[t]});
         const glm::dvec2 slowness =
@@ -84,25 +128,40 @@ ShoreWave ShoreWaves::at(const glm::dvec2& calm, double width) const {
         const glm::dvec2 ahead = slowness / length;
         const double samplesAWave = width * length * shore_.peak() / (2 * std::numbers::pi);
         const double seen = 1 - glm::smoothstep(0.15, 0.4, samplesAWave);
-        const double height = double{here.height} * seen, sideways = double{here.sideways} * seen;
-        const double forward = train.sideways + lean * train.height;
-        const double forwardRate = train.sidewaysRate + lean * train.heightRate;
-        wave.height += height * train.height;
-        wave.slope -= height * train.heightRate * slowness;
+        const double sideways = double{here.sideways} * seen;
+        const double forward = train.height.imag() + lean * train.height.real();
+        const double forwardRate = train.heightRate.imag() + lean * train.heightRate.real();
+        all += train.height;
+        wide += seen * train.height;
+        slopeU -= seen * slowness.x * train.heightRate;
+        slopeV -= seen * slowness.y * train.heightRate;
+        wavesPerM += length * shore_.peak() / (2 * std::numbers::pi) / seaglass::shoreTrains;
         wave.move += sideways * forward * ahead;
         wave.stretch -= sideways * forwardRate *
                         glm::dvec3(ahead.x * slowness.x, ahead.y * slowness.y, ahead.x * slowness.y);
-        wave.advected += amount * train.swash * shore_.carried() * ahead;
+        // The swash follows the crest a seventh of a wave later.
+        wave.advected += amount * (train.height * std::polar(1.0, -0.873)).real() * shore_.carried() * ahead;
         swash += train.swash;
         swashSlope -= train.swashRate * slowness;
+        rushes += train.swashRate;
         wet += train.wet;
-        white += train.foam;
     }
-    wave.height += amount * std::max(swash, lowestSwash);
-    if (swash > lowestSwash) wave.slope += amount * swashSlope;
+    const double deviation{here.height};
+    const Bound bound = boundTo(wide, deviation, wave.depth, wavesPerM, width);
+    const auto along = [&](const std::complex<double>& slope) {
+        return deviation * (bound.change * slope).real();
+    };
+    wave.height = deviation * bound.height + amount * std::max(swash, lowestSwash);
+    wave.slope = {along(slopeU), along(slopeV)};
+    if (swash > lowestSwash) {
+        wave.slope += amount * swashSlope;
+        wave.rushes = amount * rushes;
+    }
     wave.swash = amount;
     wave.wetTo = amount * wet;
-    wave.foam = double{here.breaking} * std::min(0.5 * white, 1.0);
+    wave.broken = brokenOf(all, here);
+    wave.turns = (std::arg(all) + wave.broken * (bound.biphase + 0.45)) / (2 * std::numbers::pi);
+    wave.foamFades = double{signal_.foamFades};
     return wave;
 }
 

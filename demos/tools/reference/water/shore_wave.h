@@ -19,13 +19,18 @@ struct ShoreWave {
     double swash = 0;                                 ///< how far the water's edge moves [m]
     double wetTo = -1e9;                              ///< the height up to which sand is wet [m]
     glm::dvec2 advected{0};                           ///< what the swash has carried foam to the side by [m]
-    double foam = 0;                                  ///< cover that breakers leave
+    double rushes = 0;                                ///< how fast the water's edge rises [m/s]
+    double broken = 0;                                ///< share of the waves
+    double turns = 0;                                 ///< of the phase since the roller's toe passed
+    double foamFades = 1;                             ///< e-folds a period
     std::array<double, seaglass::maxCascades> kept{}; ///< of each cascade's amplitude
     double depth = 0;                                 ///< of calm water [m]
     glm::dvec2 bedSlope{0};
 
     /// Where the surface's point comes to lie [m].
     double bed() const { return bedSlope.x * move.x + bedSlope.y * move.y - depth; }
+    /// Cover of breakers' rollers and of what they leave; `bend`, -1..1, moves the toe.
+    double surfFoam(double bend) const;
     /// Of a surface `lift` over wet sand, and elsewhere at `surface` [m].
     double withFilm(double surface, double lift) const {
         return wetTo > bed() ? std::max(surface, bed() + lift) : surface;

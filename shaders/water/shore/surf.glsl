@@ -1,0 +1,66 @@
+// Waves that feel the bed. Their crests grow narrow, then their fronts steep: harmonics bound to the trains' sum, of which
+// z = height + i sideways turns with the phase, as z / (1 - c), c in proportion to z. How much is Stokes' second order; where
+// along the wave is the biphase of field data (Ruessink et al. 2012). Their variance stays what it is without.
+
+const float steepest = 0.6;   // |c|
+const float highestToDepth = 0.9;   // a single wave's height
+const float breaksAt = 0.62, breaksOnAt = 0.3;   // at such a share of the depth, at first and where all are broken
+
+struct Surf {
+    float height;    // of unit variance
+    vec2 changes;    // with that of z's two parts
+    float biphase;   // by which its fronts come before where crests would be [rad]
+};
+
+// `turns`: waves a metre. What is much shorter than `width` is left out.
+Surf surfOf(vec2 z, float deviation, float depth, float turns, float width) {
+    float k = 6.2832 * turns;
+    float water_ = max(depth, 0.08);
+    float amount = length(z);
+    // Of a crest that no depth can bear there is less.
+    float most = highestToDepth * water_ / max(2.0 * deviation, 1e-6);
+    float over = amount * amount / (most * most);
+    float kept = inversesqrt(sqrt(1.0 + over * over));
+    float x = k * water_;
+    float deep = max(x * inversesqrt(1.0 + x * x), 0.01);   // tanh, within a tenth
+    float second = k * deviation * (3.0 - deep * deep) / (4.0 * deep * deep * deep);
+    float biphase = 1.5708 * second / (second + 0.8);
+    float bound = second * kept;
+    float unseen = 4.0 * width * turns;
+    bound *= inversesqrt(1.0 + bound * bound * amount * amount / (steepest * steepest)) / (1.0 + unseen * unseen);
+    vec2 a = bound * z;
+    vec2 turn = vec2(cos(biphase), sin(biphase));
+    vec2 c = vec2(a.x * turn.x - a.y * turn.y, a.x * turn.y + a.y * turn.x);
+    vec2 d = vec2(1.0 - c.x, c.y);
+    float size = 1.0 / dot(d, d);
+    float gain = kept * sqrt(1.0 - dot(c, c));
+    vec2 changes = gain * size * size * vec2(d.x * d.x - d.y * d.y, -2.0 * d.x * d.y);
+    return Surf(gain * size * dot(z, vec2(d.x, -d.y)), changes, biphase);
+}
+
+// Waves that break there.
+struct Breakers {
+    float broken;   // share of them
+    float turns;    // since the toe of the roller passed, whole ones too
+    float shown;    // share of the waves that is wide enough to be seen
+};
+
+// A roller comes down from the crest as more of a wave breaks.
+Breakers breakersOf(vec2 z, float biphase, vec4 form, float depth, float shown) {
+    float amount = length(z);
+    float height = 2.0 * amount * form.x / max(depth, 0.08);
+    float broken = smoothstep(0.75, 1.25, height / mix(breaksAt, breaksOnAt, form.y)) * smoothstep(0.0, 0.3, form.y);
+    float phase = amount > 1e-5 ? atan(z.y, z.x) : 0.0;
+    return Breakers(broken, (phase + broken * (biphase + 0.45)) / 6.2832, shown);
+}
+
+// Cover of the roller and of what it leaves until the next, or their mean; `bend` moves its toe.
+float surfFoam(Breakers b, float bend) {
+    const float rollsFor = 0.17;   // of the period
+    const float leaves = 0.8;
+    float fades = water.shoreForm.w;   // e-folds a period
+    float age = fract(b.turns + 0.03 * bend) - rollsFor;
+    float left = leaves * exp(-max(age, 0.0) * fades);
+    float mean = rollsFor + leaves / fades * (1.0 - exp((rollsFor - 1.0) * fades));
+    return b.broken * mix(mean, age < 0.0 ? 1.0 : left, b.shown);
+}

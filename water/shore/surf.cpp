@@ -1,0 +1,48 @@
+// As shaders/water/shore/surf.glsl.
+#include "water/shore/surf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "water/sea/smoothstep.h"
+
+namespace seaglass {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double steepest = 0.6;                    ///< |c|
+constexpr double highestToDepth = 0.9;              ///< a single wave's height
+constexpr double breaksAt = 0.62, breaksOnAt = 0.3; ///< at such a share of the depth: at first, where all do
+constexpr double leastWater = 0.08;                 ///< [m]
+
+} // namespace
+
+Surf surfOf(const std::complex<double>& z, const SurfPlace& place) {
+    const double k = turn * place.wavesPerMetre, water = std::max(place.depth, leastWater);
+    const double amount = std::abs(z);
+    const double most = highestToDepth * water / std::max(2 * place.deviation, 1e-6);
+    const double over = amount * amount / (most * most), kept = 1 / std::sqrt(std::sqrt(1 + over * over));
+    const double x = k * water, deep = std::max(x / std::sqrt(1 + x * x), 0.01); // tanh, within a tenth
+    const double second = k * place.deviation * (3 - deep * deep) / (4 * deep * deep * deep);
+    const double biphase = turn / 4 * second / (second + 0.8), unseen = 4 * place.width * place.wavesPerMetre;
+    const double strained = second * kept * amount / steepest;
+    const double bound = second * kept / std::sqrt(1 + strained * strained) / (1 + unseen * unseen);
+    const std::complex<double> c = bound * z * std::polar(1.0, biphase), shape = 1.0 / (1.0 - c);
+    const double gain = kept * std::sqrt(1 - std::norm(c));
+    const std::complex<double> change = gain * shape * shape;
+    return {gain * (z * shape).real(), {change.real(), -change.imag()}, biphase};
+}
+
+double surfFoam(const std::complex<double>& z, double biphase, const SurfPlace& place, double fades) {
+    constexpr double rollsFor = 0.17; // of the period
+    constexpr double leaves = 0.8;
+    const double height = 2 * std::abs(z) * place.deviation / std::max(place.depth, leastWater);
+    const double broken = smoothstep(0.75, 1.25, height / std::lerp(breaksAt, breaksOnAt, place.breaking)) *
+                          smoothstep(0, 0.3, place.breaking);
+    const double turns = (std::arg(z) + broken * (biphase + 0.45)) / turn;
+    const double age = turns - std::floor(turns) - rollsFor;
+    return broken * (age < 0 ? 1 : leaves * std::exp(-age * fades));
+}
+
+} // namespace seaglass
