@@ -30,8 +30,15 @@ Surf surfOf(const std::complex<double>& z, const SurfPlace& place) {
     const double bound = second * kept / std::sqrt(1 + strained * strained) / (1 + unseen * unseen);
     const std::complex<double> c = bound * z * std::polar(1.0, biphase), shape = 1.0 / (1.0 - c);
     const double gain = kept * std::sqrt(1 - std::norm(c));
-    const std::complex<double> change = gain * shape * shape;
-    return {gain * (z * shape).real(), {change.real(), -change.imag()}, biphase};
+    const double height = gain * (z * shape).real();
+    std::complex<double> change = gain * shape * shape;
+    // Both limits go by the amount: how `kept` and `bound` change as it grows, in shares.
+    const double fewer = over * over / (1 + over * over);
+    const double loosens = -fewer - (1 - fewer) * strained * strained / (1 + strained * strained);
+    const double grows = loosens * (z * c * change).real() -
+                         height * (fewer + std::norm(c) * (1 + loosens) / (1 - std::norm(c)));
+    change += grows * std::conj(z) / std::max(amount * amount, 1e-12);
+    return {height, {change.real(), -change.imag()}, biphase};
 }
 
 double surfFoam(const std::complex<double>& z, double biphase, const SurfPlace& place, double fades) {

@@ -25,17 +25,23 @@ Surf surfOf(vec2 z, float deviation, float depth, float turns, float width) {
     float deep = max(x * inversesqrt(1.0 + x * x), 0.01);   // tanh, within a tenth
     float second = k * deviation * (3.0 - deep * deep) / (4.0 * deep * deep * deep);
     float biphase = 1.5708 * second / (second + 0.8);
-    float bound = second * kept;
     float unseen = 4.0 * width * turns;
-    bound *= inversesqrt(1.0 + bound * bound * amount * amount / (steepest * steepest)) / (1.0 + unseen * unseen);
+    float strained = second * kept * amount / steepest;
+    float bound = second * kept * inversesqrt(1.0 + strained * strained) / (1.0 + unseen * unseen);
     vec2 a = bound * z;
     vec2 turn = vec2(cos(biphase), sin(biphase));
     vec2 c = vec2(a.x * turn.x - a.y * turn.y, a.x * turn.y + a.y * turn.x);
     vec2 d = vec2(1.0 - c.x, c.y);
     float size = 1.0 / dot(d, d);
     float gain = kept * sqrt(1.0 - dot(c, c));
+    float height = gain * size * dot(z, vec2(d.x, -d.y));
     vec2 changes = gain * size * size * vec2(d.x * d.x - d.y * d.y, -2.0 * d.x * d.y);
-    return Surf(gain * size * dot(z, vec2(d.x, -d.y)), changes, biphase);
+    // Both limits go by the amount: how `kept` and `bound` change as it grows, in shares.
+    float fewer = over * over / (1.0 + over * over);
+    float loosens = -fewer - (1.0 - fewer) * strained * strained / (1.0 + strained * strained);
+    vec2 ofSecond = vec2(z.x * c.x - z.y * c.y, z.x * c.y + z.y * c.x);
+    float grows = loosens * dot(ofSecond, changes) - height * (fewer + dot(c, c) * (1.0 + loosens) / (1.0 - dot(c, c)));
+    return Surf(height, changes + grows * z / max(amount * amount, 1e-12), biphase);
 }
 
 // Waves that break there.

@@ -51,7 +51,16 @@ Bound boundTo(const std::complex<double>& z, double deviation, double depth, dou
     const double size = unlimited / std::hypot(1, unlimited / 0.6) / seen;
     const std::complex<double> c = std::polar(size, std::arg(z) + biphase);
     const double whole = borne * std::sqrt(1 - size * size);
-    return {whole * (z / (1.0 - c)).real(), whole / ((1.0 - c) * (1.0 - c)), biphase};
+    const double height = whole * (z / (1.0 - c)).real();
+    std::complex<double> change = whole / ((1.0 - c) * (1.0 - c));
+    // As waves grow, that they are limited takes these shares of what they would gain.
+    const double fourth = std::pow(steepnessToDepth, 4), lost = fourth / (1 + fourth);
+    const double strained = std::pow(unlimited / 0.6, 2);
+    const double eased = lost + (1 - lost) * strained / (1 + strained);
+    const double grows =
+        -eased * (z * c * change).real() - height * (lost + size * size * (1 - eased) / (1 - size * size));
+    change += grows * std::conj(z) / std::max(std::norm(z), 1e-12);
+    return {height, change, biphase};
 }
 
 /// Which share of the waves breaks there.
