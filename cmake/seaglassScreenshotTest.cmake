@@ -1,12 +1,13 @@
 # seaglass_add_screenshot_test(NAME name (SCENE scene.toml | COMMAND program argument...)
 #   [REFERENCES folder] [CAMERA name] [TIME seconds] [SIZE WxH] [QUALITY name] [DEVICE name] [AOVS aov...] [FRAMES n]
-#   [LIMITS measure=most...] [IGNORE WxH+X+Y...] [MASK file] [STAGES name...] [DRIVER text] [LABELS label...]
-#   [TIMEOUT seconds])
+#   [OPTIONS option...] [LIMITS measure=most...] [IGNORE WxH+X+Y...] [MASK file] [STAGES name...] [DRIVER text]
+#   [LABELS label...] [TIMEOUT seconds])
 #
 # A CTest test that draws pictures and compares them with references, in the folder `name` of REFERENCES, which is
 # `screenshots` beside the CMakeLists.txt if not given. A picture without a reference fails, and says how to make one.
 #   SCENE    is drawn by `seaglass render`. AOVS: what is drawn of it, color if not given, such as depth height color. Where
-#            the picture differs, the first of them that does is named.
+#            the picture differs, the first of them that does is named. OPTIONS: any others of `seaglass render`.
+#            A picture that holds NaN or infinity fails.
 #   COMMAND  a program or target of yours. It writes PNG, EXR or HDR into the folder that {out} stands for in its
 #            arguments, and the environment's SEAGLASS_OUT.
 #   LIMITS   of FLIP: mean, p99, pixel; of wrong pixels: share, blob; of values: diff; of sequences: flicker. Those of
@@ -16,7 +17,7 @@
 
 function(seaglass_add_screenshot_test)
   set(one NAME SCENE REFERENCES CAMERA TIME SIZE QUALITY DEVICE FRAMES MASK DRIVER TIMEOUT)
-  set(several COMMAND AOVS LIMITS IGNORE STAGES LABELS)
+  set(several COMMAND AOVS OPTIONS LIMITS IGNORE STAGES LABELS)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "${one}" "${several}")
   set(where "seaglass_add_screenshot_test(NAME ${arg_NAME})")
   if(arg_UNPARSED_ARGUMENTS)
@@ -69,6 +70,7 @@ function(seaglass_add_screenshot_test)
       list(APPEND render --${name} ${arg_${option}})
     endif()
   endforeach()
+  list(APPEND render ${arg_OPTIONS})
   set(number "")
   if(arg_FRAMES)
     set(number _%04d)
@@ -86,6 +88,8 @@ function(seaglass_add_screenshot_test)
     string(APPEND draws "${draw}")
   endforeach()
   _seaglass_screenshot_test(${arg_NAME} "${limits}" "${draws}")
+  # A PNG cannot hold them, so that what draws it says so.
+  set_tests_properties(${arg_NAME} PROPERTIES FAIL_REGULAR_EXPRESSION "pixels of NaN or infinity")
 endfunction()
 
 function(_seaglass_screenshot_limits result where)

@@ -1,10 +1,7 @@
 // demos/tutorial: the renderer before it has water, and after each of its steps.
 #include <gtest/gtest.h>
 
-#include "demos/host/files/image_file.h"
-#include "demos/tools/metrics/compare.h"
 #include "tests/program/run.h"
-#include "tests/visual/limits.h"
 
 namespace {
 
@@ -55,10 +52,6 @@ std::array<double, 3> mean(const std::vector<uint8_t>& rgb, const Box& box) {
     return sums;
 }
 
-demos::PixelView view(const demos::Picture& picture) {
-    return {picture.width, picture.height, picture.rgba};
-}
-
 constexpr Box sky{10, 5, 60, 20}, near{60, 110, 200, 140}, lighthouse{64, 91, 80, 122};
 
 double brightness(const std::vector<uint8_t>& rgb, const Box& box) {
@@ -107,22 +100,6 @@ TEST(Minimal, GainsASeaByItsDiff) {
     EXPECT_GT(meanOfRow(350), 30) << "not nearly black";
     EXPECT_GT(meanOfRow(190), meanOfRow(350) + 20) << "mirrors more of the sky the flatter it is seen";
     EXPECT_NE(meanOfRow(350), meanOfRow(340)) << "waves";
-}
-
-TEST(Tutorial, IsAsApproved) {
-    const std::vector<uint8_t> rgb = draw("mirrors");
-    const fs::path png = fs::path(SEAGLASS_ACTUAL) / "tutorial_water.png";
-    fs::create_directories(SEAGLASS_ACTUAL);
-    demos::Error error;
-    ASSERT_TRUE(demos::writePng(png, width, height, rgb, error)) << error.text;
-    const auto expected = demos::readPicture(SEAGLASS_GOLDEN, error);
-    ASSERT_TRUE(expected) << error.text << "; the picture to approve is " << png;
-    const auto actual = demos::readPicture(png, error);
-    ASSERT_TRUE(actual) << error.text;
-    const demos::Limits limits = tests::goldenLimits();
-    const std::vector<std::string> objections = demos::objections(
-        demos::compare(view(*expected), view(*actual), demos::PictureKind::display, limits), limits);
-    for (const std::string& objection : objections) ADD_FAILURE() << objection << "; see " << png;
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 #include "demos/tools/metrics/tolerant.h"
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -23,18 +22,18 @@ constexpr int width = 160, height = 90;
 /// The middle of one: FLIP takes its time.
 Picture middleOf(const std::string& name) {
     demos::Error error;
-    const std::string file = SEAGLASS_SOURCE "/tests/visual/golden/" + name + ".png";
+    const std::string file = SEAGLASS_SOURCE "/tests/visual/golden/" + name + "/color.png";
     const std::optional<Picture> whole = demos::readPicture(file, error);
     if (!whole) throw std::runtime_error(error.text);
     Picture middle{width, height, {}};
     for (size_t y = 0; y < height; ++y) {
-        const float* const row = &whole->rgba[4 * ((80 + y) * whole->width + 70)];
+        const float* const row = &whole->rgba[4 * ((27 + y) * whole->width + 48)];
         middle.rgba.insert(middle.rgba.end(), row, row + 4 * size_t{width});
     }
     return middle;
 }
 
-/// Boats at a pier, a mast, and their mirror images.
+/// Boats at a pier, its poles, and their mirror images.
 const Picture& golden() {
     static const Picture picture = middleOf("harbour_level");
     return picture;
@@ -123,7 +122,7 @@ std::vector<Defect> localDefects() {
         {"fireflies", single, noisy(1, 0.002f, 1)},
         {"a seam across, a pixel wide", blob, added(-0.1f, {0, 60, width, 1})},
         {"a seam down, a pixel wide", blob, added(0.1f, {80, 0, 1, height})},
-        {"the mast is missing", blob, moved(12, 0, {41, 0, 6, 36})},
+        {"a pole is missing", blob, moved(8, 0, {74, 44, 5, 26})},
         {"a mirror image is missing", blob, moved(-60, 0, {70, 60, 40, 20})},
         {"a mirror image is moved by a pixel", blob, moved(1, 0, {0, 50, width, 40})},
         {"a mirror image is moved down by two", mean, moved(0, 2, {0, 50, width, 40})},
@@ -231,14 +230,10 @@ void expectRoundingPasses(const Picture& picture, const std::string& name) {
 }
 
 TEST(TolerantLimits, LetRoundingPass) {
-    size_t count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(SEAGLASS_SOURCE "/tests/visual/golden")) {
-        const std::string name = entry.path().stem();
-        if (std::count(name.begin(), name.end(), '_') != 1) continue; // the small ones of a quality
+    for (const char* name :
+         {"floor_level", "harbour_level", "harbour_high", "lake_near", "ocean_level", "ocean_high", "pool_near",
+          "shore_near", "storm_near", "underwater_middle", "underwater_straddle"})
         expectRoundingPasses(middleOf(name), name);
-        ++count;
-    }
-    EXPECT_GE(count, 10u);
 }
 
 TEST(TolerantLimits, TakeLightAsWell) {
@@ -249,7 +244,7 @@ TEST(TolerantLimits, TakeLightAsWell) {
     };
     EXPECT_TRUE(judged(golden()).empty());
     EXPECT_TRUE(judged(noisy(0.001f, 0.1f, 3)).empty());
-    EXPECT_FALSE(judged(moved(12, 0, {41, 0, 6, 36})).empty());
+    EXPECT_FALSE(judged(moved(8, 0, {74, 44, 5, 26})).empty());
 }
 
 } // namespace
