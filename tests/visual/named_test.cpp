@@ -1,5 +1,5 @@
-// Faults planted in a stage of a golden picture, or in a sequence, and carried on to what is made of it: each is
-// caught, and named for the stage where it lies.
+// Faults planted in a stage of a golden picture, or in a sequence, and carried on to what is made of it: each
+// is caught, and named for the stage where it lies.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -28,7 +28,8 @@ using Pictures = std::map<std::string, Picture>;
 
 Pictures goldens(const std::string& test) {
     Pictures all;
-    for (const auto& entry : fs::directory_iterator(fs::path(SEAGLASS_SOURCE "/tests/visual/golden") / test)) {
+    for (const auto& entry :
+         fs::directory_iterator(fs::path(SEAGLASS_SOURCE "/tests/visual/golden") / test)) {
         demos::Error error;
         std::optional<Picture> picture = demos::readPicture(entry.path(), error);
         if (!picture) throw std::runtime_error(error.text);
@@ -60,7 +61,8 @@ void change(Picture& picture, const Box& box, const Value& value) {
 /// A box shows what is `dx`, `dy` from it.
 void move(Picture& picture, int dx, int dy, const Box& box = {}) {
     const Picture before = picture;
-    change(picture, box, [&](float, int x, int y, int channel) { return at(before, x + dx, y + dy, channel); });
+    change(picture, box,
+           [&](float, int x, int y, int channel) { return at(before, x + dx, y + dy, channel); });
 }
 
 void blur(Picture& picture, const Box& box = {}) {
@@ -165,7 +167,9 @@ std::vector<Fault> waveFaults() {
              fill(p["color.png"], 0, {64, 60, 1, 1});
          }},
         {"waves end too near", storm, "height",
-         [=](Pictures& p) { both(p, [](Picture& picture) { scale(picture, 0, {0, 30, width, 14}); }); }},
+         [=](Pictures& p) { both(p, [](Picture& picture) {
+                                scale(picture, 0, {0, 30, width, 14});
+                            }); }},
         {"no foam", storm, "foam",
          [=](Pictures& p) { foamed(p, [](Picture& picture) { scale(picture, 0.4f, water); }); }},
         {"twice the foam", storm, "foam",
@@ -191,13 +195,26 @@ std::vector<Fault> mirrorFaults() {
     return {
         of("sky is mirrored in the place of boats", "class", [](Picture& p) { fill(p, 0.25f, mirrored); }),
         of("classes are two pixels off", "class", [](Picture& p) { move(p, 2, 0, water); }),
-        of("a tile of classes is stale", "class", [](Picture& p) { move(p, 30, -12, {40, 40, 16, 16}); }),
-        of("a lighthouse's mirror image is missing", "reflection", [](Picture& p) { move(p, 14, 0, mirrored); }),
+        of("a tile of classes is stale", "class",
+           [](Picture& p) {
+               move(p, 30, -12, {40, 40, 16, 16});
+           }),
+        of("a lighthouse's mirror image is missing", "reflection",
+           [](Picture& p) { move(p, 14, 0, mirrored); }),
         of("mirror images are moved by a pixel", "reflection", [](Picture& p) { move(p, 1, 0, water); }),
         of("mirror images are moved down by two", "reflection", [](Picture& p) { move(p, 0, 2, water); }),
-        of("a seam in the mirror", "reflection", [](Picture& p) { scale(p, 0.6f, {0, 50, width, 1}); }),
-        of("a black tile in the mirror", "reflection", [](Picture& p) { fill(p, 0, {64, 48, 8, 8}); }),
-        of("one NaN in the mirror", "reflection", [](Picture& p) { fill(p, nan, {64, 60, 1, 1}); }),
+        of("a seam in the mirror", "reflection",
+           [](Picture& p) {
+               scale(p, 0.6f, {0, 50, width, 1});
+           }),
+        of("a black tile in the mirror", "reflection",
+           [](Picture& p) {
+               fill(p, 0, {64, 48, 8, 8});
+           }),
+        of("one NaN in the mirror", "reflection",
+           [](Picture& p) {
+               fill(p, nan, {64, 60, 1, 1});
+           }),
         of("nothing is mirrored", "reflection", [](Picture& p) { fill(p, 0.05f, water); }),
         of("mirror images are 5 % too bright", "reflection", [](Picture& p) { scale(p, 1.05f, water); }),
         of("mirror images are blurred", "reflection", [](Picture& p) { blur(p, water); }),
@@ -232,11 +249,26 @@ std::vector<Fault> colorFaults() {
                    return v + 0.15f * std::exp(-far * far);
                });
            }),
-        of("a logo is missing", [](Picture& p) { fill(p, 0.9f, {110, 62, 14, 6}); }),
-        of("a tiny logo is missing", [](Picture& p) { fill(p, 0.9f, {120, 64, 4, 4}); }),
-        of("one white pixel", [](Picture& p) { fill(p, 1, {100, 66, 1, 1}); }),
-        of("the last row is black", [](Picture& p) { fill(p, 0, {0, height - 1, width, 1}); }),
-        of("the upper half is black", [](Picture& p) { fill(p, 0, {0, 0, width, height / 2}); }),
+        of("a logo is missing",
+           [](Picture& p) {
+               fill(p, 0.9f, {110, 62, 14, 6});
+           }),
+        of("a tiny logo is missing",
+           [](Picture& p) {
+               fill(p, 0.9f, {120, 64, 4, 4});
+           }),
+        of("one white pixel",
+           [](Picture& p) {
+               fill(p, 1, {100, 66, 1, 1});
+           }),
+        of("the last row is black",
+           [](Picture& p) {
+               fill(p, 0, {0, height - 1, width, 1});
+           }),
+        of("the upper half is black",
+           [](Picture& p) {
+               fill(p, 0, {0, 0, width, height / 2});
+           }),
         of("noise", [](Picture& p) { makeNoise(p, 0.06f); }),
         of("dithering is another", [](Picture& p) { makeNoise(p, 2.0f / 255); }),
         of("blurred", [](Picture& p) { blur(p); }),
@@ -292,15 +324,17 @@ std::map<std::string, std::string> saidOf(const std::vector<Fault>& faults) {
     for (const auto& picture : json.at("pictures")) {
         const fs::path name = picture.at("name").get<std::string>();
         if (picture.at("verdict") != "same")
-            said[name.parent_path()] += name.filename().string() + ": " + picture.at("why").get<std::string>() + "\n";
+            said[name.parent_path()] +=
+                name.filename().string() + ": " + picture.at("why").get<std::string>() + "\n";
     }
     return said;
 }
 
 bool named(const Fault& fault, const std::string& said) {
     const std::string stage = fault.stage;
-    return said.find(stage.ends_with(".png") ? "the change to " + stage
-                                             : "the first stage that differs is " + stage) != std::string::npos;
+    return said.find(stage.ends_with(".png")
+                         ? "the change to " + stage
+                         : "the first stage that differs is " + stage) != std::string::npos;
 }
 
 TEST(PlantedFaults, AreNamedForWhereTheyLie) {

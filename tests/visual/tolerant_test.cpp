@@ -231,8 +231,8 @@ void expectRoundingPasses(const Picture& picture, const std::string& name) {
 
 TEST(TolerantLimits, LetRoundingPass) {
     for (const char* name :
-         {"floor_level", "harbour_level", "harbour_high", "lake_near", "ocean_level", "ocean_high", "pool_near",
-          "shore_near", "storm_near", "underwater_middle", "underwater_straddle"})
+         {"floor_level", "harbour_level", "harbour_high", "lake_near", "ocean_level", "ocean_high",
+          "pool_near", "shore_near", "storm_near", "underwater_middle", "underwater_straddle"})
         expectRoundingPasses(middleOf(name), name);
 }
 
