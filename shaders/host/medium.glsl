@@ -52,14 +52,14 @@ vec3 seaglass_fogColor(SeaglassFog fog, vec3 sky) {
     return mix(fog.color.rgb, sky, fog.color.w);
 }
 
-// Below the horizon fog is lit as at the horizon.
+// Below the horizon fog is lit as at the horizon: the sky there, without the darker ground that a blur would mix in.
 vec3 seaglass_fogSight(vec3 sight) {
-    return vec3(sight.x, max(sight.y, 0.0), sight.z);
+    return vec3(sight.x, max(sight.y, 0.03), sight.z);
 }
 
-// Smooth: of 8 texels across each face.
+// Smooth: of 32 texels across each face, nearly three degrees. Coarser ones are darker than the horizon that fog fades into.
 float seaglass_fogMip(float mips) {
-    return max(mips - 4.0, 0.0);
+    return max(mips - 6.0, 0.0);
 }
 
 // What fog of that `color` adds, and what share of light it lets through.

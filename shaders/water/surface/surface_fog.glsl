@@ -21,9 +21,9 @@ vec3 foggedSky(vec3 sky, vec3 from, vec3 direction) {
     return seaglass_foggedSky(fogShape, airFog(), sky, worldRise(from), inWorld(direction));
 }
 
-// Blurred alike: 0.16 rad are 0.65 of a texel of that mip.
+// Blurred alike: 0.04 rad are 0.65 of a texel of that mip.
 vec3 skyOfFog(vec3 along) {
-    if (skyHasColors) return skyOfColors(along, 0.16);
+    if (skyHasColors) return skyOfColors(along, 0.04);
     return cubeAt(along, seaglass_fogMip(cubeMips()));
 }
 

@@ -140,4 +140,36 @@ TEST_F(FogInScenes, DimsWaterAndAPlateAtTheSameDistanceAlike) {
         }
 }
 
+/// Mean of a row's luminance.
+double rowLuminance(const Picture& picture, uint32_t y) {
+    double sum = 0;
+    for (uint32_t x = 0; x < width; ++x) {
+        const float* const p = &picture.rgba[(size_t{y} * width + x) * 4];
+        sum += 0.2126 * static_cast<double>(p[0]) + 0.7152 * static_cast<double>(p[1]) +
+               0.0722 * static_cast<double>(p[2]);
+    }
+    return sum / width;
+}
+
+// Where haze hides the sea, the horizon is no edge: from 1 km up the sea ends in haze of the sky's
+// brightness.
+TEST_F(FogInScenes, MeetsTheSkyAtTheHorizon) {
+    for (const char* const sky : {"ocean_sky.exr", "pool_sky.exr", "storm_sky.exr"}) {
+        Scene scene;
+        scene.sky.file = tests::demoTexture(sky);
+        scene.sun.irradiance = {0, 0, 0};
+        scene.fog = FogDesc{
+            .shape = "height", .densityPerM = 1.2e-4, .falloffPerM = 5e-4, .fromSky = 1, .overSky = false};
+        scene.water.emplace();
+        CameraDesc camera;
+        camera.positionM = {0, 1000, 0};
+        camera.targetM = {0, 1000, -100};
+        scene.cameras = {camera};
+        const Picture seen = draw(scene);
+        const double above = rowLuminance(seen, height / 2 - 2), below = rowLuminance(seen, height / 2 + 1);
+        std::printf("%s: the horizon's haze has %.2f of the sky's light\n", sky, below / above);
+        EXPECT_NEAR(below / above, 1, 0.12) << sky;
+    }
+}
+
 } // namespace

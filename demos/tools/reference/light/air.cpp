@@ -21,11 +21,11 @@ glm::vec3 fogged(const seaglass::FogDesc& fog, const glm::vec3& radiance, const 
     return glm::mix(weight * glm::mix(own, sky, fog.fromSky), radiance, static_cast<float>(passes));
 }
 
-/// Smooth, and below the horizon as at it.
+/// As seaglass_fogSight() and seaglass_fogMip() of medium.glsl.
 glm::vec3 skyOfFog(const Light& light, const glm::vec3& direction) {
     const glm::dvec3 d = light.axes * glm::dvec3(direction);
     const auto mips = static_cast<float>(light.filtered.cube.mips.size());
-    return sampleCube(light.filtered.cube, {d.x, std::max(d.y, 0.0), d.z}, std::max(mips - 4, 0.0f));
+    return sampleCube(light.filtered.cube, {d.x, std::max(d.y, 0.03), d.z}, std::max(mips - 6, 0.0f));
 }
 
 } // namespace
