@@ -191,7 +191,11 @@ void CompiledWater::makeKernels() {
               PlanarKernelOf<PlanarForm::resolved>, PlanarKernelOf<PlanarForm::multisampled>,
               DepthSampleKernel, ColorSampleKernel, ResolvedColorKernel, FoamKernel, CastKernel,
               CastOnShoreKernel, GatherKernel, CausticBlurKernel, ShadowedCausticBlurKernel,
-              UnseenTilesKernel, SurfaceTilesKernel>(*context_);
+              UnseenTilesKernel>(*context_);
+    SurfaceTilesKernels tiles;
+    (void)tiles.create(*context_);
+    const TilesKernels* steps = nullptr;
+    (void)tiles.get({.hasReflection = true, .hasRefraction = true, .mirrors = true, .bed = true}, steps);
     for (const VkFormat format : {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16_SFLOAT}) {
         gpu::MipChain chain;
         (void)chain.create(*context_, format);

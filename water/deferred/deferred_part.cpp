@@ -87,12 +87,21 @@ Status DeferredPart::fit(Context& context, VkExtent2D region, Picture& picture) 
     return Status::ok;
 }
 
+Status DeferredPart::getKernels(const SurfaceVariant& variant, const TilesKernels*& listing,
+                                ListedKernels& shading) const {
+    TileSorting sorting = tileSorting(variant);
+    if (!sortsTiles) sorting.mirrors = sorting.bed = false;
+    if (const Status s = tiles_->get(sorting, listing); s != Status::ok) return s;
+    return getListed(*kernels_, variant, sorting, shading);
+}
+
 Status DeferredPart::record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture) {
     Context& context = *body.context;
     const ViewGeometry& geometry = seen.view.geometry;
     const SurfaceVariant variant = body.surfaceVariant(seen.drawn);
-    const gpu::Kernel* shading = nullptr;
-    if (const Status s = kernels_->get(shadingVariant(variant), shading); s != Status::ok) return s;
+    const TilesKernels* listing = nullptr;
+    ListedKernels shading{};
+    if (const Status s = getKernels(variant, listing, shading); s != Status::ok) return s;
     if (const Status s = fit(context, extentOf(geometry), picture); s != Status::ok) return s;
     BodyBlock block = seen.block;
     block.clipFromRelative = clipFromRelative(geometry);
@@ -102,7 +111,7 @@ Status DeferredPart::record(Body& body, VkCommandBuffer commands, const SeenSurf
                                               resources, *seen.view.given, geometry);
         s != Status::ok)
         return s;
-    return picture.shaded.record(context, commands, *tiles_, *shading, picture.found, std::move(resources),
+    return picture.shaded.record(context, commands, *listing, shading, picture.found, std::move(resources),
                                  extentOf(geometry));
 }
 
@@ -187,8 +196,9 @@ Status DeferredPart::prepare(const Body& body, const PrepareCall& call) const {
                              .isAhead = true,
                              .view = call.view,
                              .lighting = &call.lighting});
-    const gpu::Kernel* shading = nullptr;
-    if (const Status s = kernels_->get(shadingVariant(variant), shading); s != Status::ok) return s;
+    const TilesKernels* listing = nullptr;
+    ListedKernels shading{};
+    if (const Status s = getKernels(variant, listing, shading); s != Status::ok) return s;
     const DrawPipeline* pipeline = nullptr;
     if (const Status s = pass_->pipelines.get(foundVariant(variant), pipeline); s != Status::ok) return s;
     Target& target = call.target;

@@ -24,6 +24,11 @@ struct DeferredPart {
     /// Draws what shade() left over the host's pass. `seen`: as it was read for this call.
     Status place(Body& body, const DrawCall& call, SeenSurface& seen) const;
 
+    /// Tiles are shaded by kernels without what they do not need; false: all by the same, for comparison.
+    bool sortsTiles = true;
+    /// As shade() left them.
+    const SurfaceTiles& tiles(uint32_t viewIndex) const { return views_[viewIndex].shaded.tiles; }
+
   private:
     /// What shade() was given that a BodyBlock does not hold.
     struct Sources {
@@ -45,10 +50,12 @@ struct DeferredPart {
     Status check(const Body& body, const BodyView& view) const;
     Status placeView(Body& body, const DrawCall& call, const BodyView& view) const;
     Status placeSamples(Body& body, const DrawCall& call, SeenSurface& seen) const;
+    Status getKernels(const SurfaceVariant& variant, const TilesKernels*& listing,
+                      ListedKernels& shading) const;
     Status record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture);
 
     std::shared_ptr<FoundPass> pass_;
-    std::shared_ptr<SurfaceTilesKernel> tiles_;
+    std::shared_ptr<SurfaceTilesKernels> tiles_;
     std::shared_ptr<ShadingKernels> kernels_;
     std::array<Picture, maxViews> views_;
 };

@@ -1,6 +1,7 @@
 // What shows of a surface in a view, shaded once a pixel: kernels over the tiles in which it was found.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "gpu/context.h"
@@ -8,14 +9,9 @@
 #include "gpu/memory/buffer.h"
 #include "gpu/memory/image.h"
 #include "gpu/pipeline/kernel.h"
-#include "water/deferred/found_surface.h"
+#include "water/deferred/surface_tiles.h"
 
 namespace seaglass {
-
-struct SurfaceTilesKernel {
-    gpu::Kernel kernel;
-    Status create(Context& context);
-};
 
 /// One for each variant of the surface that shades alike.
 class ShadingKernels {
@@ -35,17 +31,22 @@ class ShadingKernels {
 /// What shading depends on.
 SurfaceVariant shadingVariant(const SurfaceVariant& all);
 
+/// Of each list of tiles the kernel that shades it; null: no tile is in it.
+using ListedKernels = std::array<const gpu::Kernel*, foundLists>;
+Status getListed(ShadingKernels& kernels, const SurfaceVariant& variant, const TileSorting& sorting,
+                 ListedKernels& out);
+
 /// Of one view, as large as what was found of it.
 struct ShadedSurface {
     gpu::OwnedImage color; ///< RGBA16F, linear
-    gpu::Buffer tiles;     ///< shaders/shared/found_tiles_block.h
+    SurfaceTiles tiles;
 
     Status create(const gpu::Device& device, VkExtent2D extent);
     static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent);
     /// Leaves the colour to be sampled where a surface was found. `resources`: all that shaders of the body
     /// read.
-    Status record(Context& context, VkCommandBuffer commands, const SurfaceTilesKernel& list,
-                  const gpu::Kernel& shading, const FoundSurface& found, Resources resources,
+    Status record(Context& context, VkCommandBuffer commands, const TilesKernels& listing,
+                  const ListedKernels& shading, const FoundSurface& found, Resources resources,
                   VkExtent2D region) const;
 };
 

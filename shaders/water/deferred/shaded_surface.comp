@@ -7,14 +7,14 @@
 #include "tile_quad.glsl"
 #include "surface_shading.glsl"
 #include "found_surface.glsl"
+#include "found_tiles.glsl"
 
 layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;
 layout(set = 0, binding = foundAsideBinding) uniform usampler2D foundAside;
-layout(set = 0, binding = foundTilesBinding, std430) readonly buffer Tiles {
-    FoundTilesHeader header;
-    uint tiles[];
-};
 layout(set = 0, binding = shadedBinding, rgba16f) uniform writeonly image2D shadedColor;
+
+// Of tiles that need as much as this kernel has.
+const uint listShaded = (hasReflection ? foundMirrors : 0u) | (hasRefraction ? foundSeesBed : 0u);
 
 // What a pixel shows.
 struct Found {
@@ -96,9 +96,8 @@ SurfacePoint shownPoint(Found found, ivec2 at) {
 
 void main() {
     uint n = gl_WorkGroupID.y * foundGroupsPerRow + gl_WorkGroupID.x;
-    bool isListed = n < header.groups.w;
-    uint tile = tiles[isListed ? n : 0u];
-    ivec2 at = ivec2(tile & 0xffffu, tile >> 16) * 8 + placeInTile();
+    bool isListed = n < header.groups[listShaded].w;
+    ivec2 at = firstPixel(tiles[placeInList(listShaded, isListed ? int(n) : 0)]) + placeInTile();
     Found found = foundAt(at);
     SurfacePoint s = shownPoint(found, min(at, foundSize() - 1));
     if (hasSunShadow) s.sunSeen = sunSeenOver(s);

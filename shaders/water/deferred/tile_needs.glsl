@@ -1,0 +1,73 @@
+// What the shading of a tile may do without: a reflection whose rays from there meet nothing, and a bed where the rays that the
+// surface bends meet none. Both are told by a box around all that there is in the picture, and by how far slopes turn rays.
+// Needs found_tiles.glsl.
+
+// Slopes are taken to lean by no more: four deviations of all that there are.
+float steepest() {
+    return 4.0 * water.roughness.w;
+}
+
+struct Box {
+    vec2 low, high;   // [pixel]
+};
+
+bool isEmpty(uvec4 held) {
+    return held.z == 0u;
+}
+
+Box boxOf(uvec4 held, float margin) {
+    return Box(vec2(~held.xy) - margin, vec2(held.zw) + margin);
+}
+
+// Of homogeneous pixels, how far beyond each side of a box: left, right, above, below. Negative: on the box's side of it.
+vec4 beyondSides(Box box, vec3 p) {
+    return vec4(box.low * p.z - p.xy, p.xy - box.high * p.z).xzyw;
+}
+
+// By which sides the whole tile is.
+bvec4 tileBeyond(Box box, ivec2 first) {
+    vec2 low = vec2(first), high = low + 8.0;
+    return greaterThan(vec4(box.low.x - high.x, low.x - box.high.x, box.low.y - high.y, low.y - box.high.y), vec4(0.0));
+}
+
+vec3 sightThrough(vec2 pixel) {
+    vec4 p = water.relativeFromPixel * vec4(pixel, 0.5, 1.0);
+    return normalize(sightTo(p.xyz / p.w));
+}
+
+vec3 towardsPixel(vec3 direction) {
+    return (water.pixelFromRelative * vec4(direction, 0.0)).xyw;
+}
+
+// A flat mirror shows a ray's goal where its own line of sight goes on; a facet turns that by twice as much as it leans. Rays
+// stay beyond a side of the box where both ends of their way on the screen do. Facets that lean every way stand for all.
+bool mayMirror(ivec2 first) {
+    if (!sortsMirrors) return hasReflection;
+    if (isEmpty(header.mirrored)) return false;
+    // A texel of a mip holds what lies within 1.5 of its widths, and is read together with the next.
+    float blurred = 2.5 * exp2(float(textureQueryLevels(reflectionColor) - 1)) * water.reflectionScale;
+    Box box = boxOf(header.mirrored, blurred + 16.0);
+    bvec4 beyond = tileBeyond(box, first);
+    vec3 sight = sightThrough(vec2(first) + 4.0);
+    for (int i = 0; i < 8; ++i) {
+        vec2 lean = steepest() * cosineSine(0.125 * float(i));
+        vec3 ray = reflect(sight, normalize(vec3(lean.x, 1.0, lean.y)));
+        vec3 there = towardsPixel(vec3(ray.x, -abs(ray.y), ray.z));
+        if (there.z >= 0.0) beyond = bvec4(uvec4(beyond) & uvec4(greaterThanEqual(beyondSides(box, there), vec4(0.0))));
+    }
+    return !any(beyond);
+}
+
+// A bent ray runs between the line of sight and straight into the facet: on the screen, from the pixel towards where that goes.
+bool maySeeBed(ivec2 first) {
+    if (!sortsBed) return hasRefraction;
+    if (isEmpty(header.behind)) return false;
+    Box box = boxOf(header.behind, 8.0);
+    mat4 rows = transpose(water.pixelFromRelative);
+    vec3 sides[4] = vec3[](box.low.x * rows[3].xyz - rows[0].xyz, rows[0].xyz - box.high.x * rows[3].xyz,
+                           box.low.y * rows[3].xyz - rows[1].xyz, rows[1].xyz - box.high.y * rows[3].xyz);
+    bvec4 beyond = tileBeyond(box, first);
+    for (int i = 0; i < 4; ++i)
+        if (beyond[i] && -sides[i].y >= steepest() * length(sides[i].xz)) return false;
+    return true;
+}

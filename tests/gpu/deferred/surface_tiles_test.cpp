@@ -1,0 +1,144 @@
+// Tiles of a deferred surface, sorted by what their shading needs: that they show what all shaded alike do,
+// to the bit; that many need little; and that the lists hold each tile once, in the order of rows.
+#include <algorithm>
+#include <cstring>
+#include <ostream>
+
+#include "seaglass/waves_fftw.h"
+#include "shaders/shared/found_tiles_block.h"
+#include "tests/gpu/rig/water_rig.h"
+#include "water/body/body.h"
+#include "water/deferred/deferred_part.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+struct Place {
+    const char* name;
+    void (*change)(Camera&, BodyDesc&);
+    size_t leastSpared; ///< tiles that do without the bed or the reflection
+};
+
+void PrintTo(const Place& place, std::ostream* out) {
+    *out << place.name;
+}
+
+/// A sea under a low sun, before a post that stands in it.
+class SurfaceTilesTest : public WaterTest, public testing::WithParamInterface<Place> {
+  protected:
+    static constexpr uint32_t headerWords = sizeof(FoundTilesHeader) / 4;
+
+    void SetUp() override {
+        WaterTest::SetUp();
+        body_.waves = &sea_;
+        body_.wavesBackend = fftwWaves();
+        body_.foam = &foam_;
+        body_.refraction = &refraction_;
+        body_.reflection = &reflection_;
+        setQuality(Quality::medium, &body_, &reflection_);
+        body_.shading.deferred = true;
+        camera_.eye = {3, 4, 7};
+        camera_.target = {3, 2, -13};
+        camera_.width = 188;
+        camera_.height = 108;
+        const glm::dvec3 toSun = glm::normalize(glm::dvec3(0.3, 0.15, -0.94));
+        for (int i = 0; i < 3; ++i) lighting.toSun[i] = toSun[i];
+        std::ranges::fill(lighting.sunIrradiance, 5.0f);
+        GetParam().change(camera_, body_);
+    }
+
+    SceneBehind post() const {
+        return drawnOver(camera_, nothingBehind(camera_), 7.0f, [&](const glm::dvec3& ray) {
+            const double t = ray.z < 0 ? -(camera_.eye.z + 20) / ray.z : -1.0;
+            const glm::dvec3 at = camera_.eye + t * ray;
+            return at.x > -3 && at.x < -2 && at.y > -2 && at.y < 3 ? t : -1.0;
+        });
+    }
+
+    WaterPicture shadedBy(bool sorted) {
+        shown_ = makeBody(body_);
+        shown_->find<DeferredPart>()->sortsTiles = sorted;
+        beforeDrawing = [this](VkCommandBuffer commands, const ViewDesc& view) {
+            return shade(commands, &shown_, 1, &view, &lighting);
+        };
+        return picture({shown_}, camera_, 5, SurfaceOutput::shaded, post());
+    }
+
+    const Camera& camera() const { return camera_; }
+    uint32_t tileCount() const { return (camera_.width + 7) / 8 * ((camera_.height + 7) / 8); }
+
+    /// Header and all, of what was shaded last.
+    std::vector<uint32_t> words() const {
+        return downloadWords(shown_->find<DeferredPart>()->tiles(0).handle(),
+                             headerWords + size_t{foundLists + 1} * tileCount());
+    }
+
+  private:
+    SeaDesc sea_ = breeze();
+    FoamDesc foam_;
+    RefractionDesc refraction_;
+    ReflectionDesc reflection_;
+    BodyDesc body_;
+    Camera camera_;
+    Body* shown_ = nullptr;
+};
+
+TEST_P(SurfaceTilesTest, SortedShowTheSame) {
+    const WaterPicture alike = shadedBy(false);
+    const std::vector<uint32_t> inOne = words();
+    EXPECT_EQ(inOne[3] + inOne[7] + inOne[11], 0u);
+    const WaterPicture sorted = shadedBy(true);
+    EXPECT_EQ(std::memcmp(alike.color.data(), sorted.color.data(), alike.color.size() * sizeof(float)), 0);
+    const std::vector<uint32_t> lists = words();
+    EXPECT_EQ(lists[3] + lists[7] + lists[11] + lists[15], inOne[15]);
+    EXPECT_GE(lists[3] + lists[7] + lists[11], GetParam().leastSpared);
+    EXPECT_GT(lists[15], 0u);
+}
+
+TEST_P(SurfaceTilesTest, HoldEachTileOnceInTheOrderOfRows) {
+    shadedBy(true);
+    const std::vector<uint32_t> held = words();
+    const uint32_t count = tileCount();
+    const uint32_t across = (camera().width + 7) / 8;
+    std::vector<uint32_t> next(foundLists, 0);
+    for (uint32_t tile = 0; tile < count; ++tile) {
+        const uint32_t needs = held[headerWords + size_t{foundLists} * count + tile];
+        ASSERT_LE(needs, foundLists);
+        if (needs == 0) continue;
+        const uint32_t list = needs - 1;
+        EXPECT_EQ(held[headerWords + size_t{list} * count + next[list]++],
+                  tile % across | tile / across << 16);
+    }
+    for (uint32_t list = 0; list < foundLists; ++list) {
+        EXPECT_EQ(held[4 * list], next[list]);
+        EXPECT_EQ(held[4 * list + 1], next[list] > 0 ? 1u : 0u);
+        EXPECT_EQ(held[4 * list + 2], 1u);
+        EXPECT_EQ(held[4 * list + 3], next[list]);
+    }
+}
+
+const Place places[] = {
+    {"Level", [](Camera&, BodyDesc&) {}, 60},
+    {"Rolled", [](Camera& c, BodyDesc&) { c.rollDegrees = 30; }, 1},
+    {"FromHighUp",
+     [](Camera& c, BodyDesc&) {
+         c.eye.y = 30;
+         c.target = {0, 0, -15};
+     },
+     1},
+    {"Parallel",
+     [](Camera& c, BodyDesc&) {
+         c.parallelHeight = 12;
+         c.far = 200;
+         c.target = {3, -2, -3};
+     },
+     1},
+    {"Still", [](Camera&, BodyDesc& body) { body.waves = nullptr, body.foam = nullptr; }, 60},
+};
+
+INSTANTIATE_TEST_SUITE_P(Every, SurfaceTilesTest, testing::ValuesIn(places),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+} // namespace

@@ -1,0 +1,61 @@
+// The tiles of a view in which a surface was found, in lists by what their shading needs.
+#pragma once
+
+#include <array>
+#include <compare>
+
+#include "gpu/context.h"
+#include "gpu/made_once.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/pipeline/kernel.h"
+#include "shaders/shared/found_tiles_block.h"
+#include "water/deferred/found_surface.h"
+
+namespace seaglass {
+
+/// Which tiles are told apart, of a surface that has the feature at all.
+struct TileSorting {
+    bool hasReflection = false, hasRefraction = false;
+    bool mirrors = false, bed = false; ///< by whether they need it
+    auto operator<=>(const TileSorting&) const = default;
+
+    /// That some tile may be in it.
+    bool uses(uint32_t list) const;
+};
+TileSorting tileSorting(const SurfaceVariant& variant);
+
+/// One for each step of the listing.
+using TilesKernels = std::array<gpu::Kernel, 3>;
+
+class SurfaceTilesKernels {
+  public:
+    Status create(Context& context) {
+        device_ = &context.device;
+        return Status::ok;
+    }
+    /// Any thread.
+    Status get(const TileSorting& sorting, const TilesKernels*& out);
+
+  private:
+    const gpu::Device* device_ = nullptr;
+    gpu::MadeOnce<TileSorting, TilesKernels> kernels_;
+};
+
+/// Of one view, as large as what was found of it.
+class SurfaceTiles {
+  public:
+    Status create(const gpu::Device& device, VkExtent2D extent);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent);
+    VkBuffer handle() const { return buffer_.handle(); }
+    /// Of the VkDispatchIndirectCommand of a list.
+    static VkDeviceSize groupsOffset(uint32_t list);
+
+    /// Leaves the lists to be read by compute shaders, and dispatched by.
+    Status record(Context& context, VkCommandBuffer commands, const TilesKernels& kernels,
+                  const Resources& resources, VkExtent2D region) const;
+
+  private:
+    gpu::Buffer buffer_; ///< shaders/shared/found_tiles_block.h
+};
+
+} // namespace seaglass
