@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shaders/shared/mip_chain_block.h"
-#include "spirv/mip_chain_rg16f.comp.h"
+#include "spirv/mip_chain_rgba16f.comp.h"
 #include "spirv/mip_chain_rgba32f.comp.h"
 
 namespace seaglass::gpu {
@@ -86,7 +86,7 @@ struct WideMipKernel {
 struct NarrowMipKernel {
     MipKernel mips;
     Status create(Context& context) {
-        return mips.kernel.create(context.device, mip_chain_rg16f_comp, "mips pipeline");
+        return mips.kernel.create(context.device, mip_chain_rgba16f_comp, "mips pipeline");
     }
 };
 

@@ -29,13 +29,15 @@ struct BodyBlock {
     vec4 skyIrradiance;
     vec4 absorption; // and scattering by particles [1/m]
     vec4 backscatter;
-    ivec4 region;  // origin in the scene images, size [pixel]
-    vec4 foam;     // share of the way between the history's steps, albedo, the eye's place in the pattern [m]
-    vec4 breaking; // water/interface/whitecaps.h: now, nowWidth^2, hidden, narrower
-    vec4 compression; // likewise: along, foamBreaksApart
-    vec4 windrows;    // as foamStreak, of the pattern's longest tile; the eye's place in it [m]
-    vec4 roughness;   // slope covariance that no cascade holds: uu, vv, uv; deviation of all slopes, mean of
-                      // both directions
+    ivec4 region; // origin in the scene images, size [pixel]
+    vec4 foam;    // share of the way between the history's steps, albedo, the eye's place in the pattern [m]
+    vec4 foamDrift[4];   // (u, v) of a cascade's foam [tiles]; share of the way between the history's plumes
+    vec4 breaking;       // water/interface/whitecaps.h: now, nowWidth^2, hidden, narrower
+    vec4 compression;    // likewise: along, foamBreaksApart
+    vec4 breakingCounts; // likewise: counts
+    vec4 windrows;       // as foamStreak, of the pattern's longest tile; the eye's place in it [m]
+    vec4 roughness; // slope covariance that no cascade holds: uu, vv, uv; deviation of all slopes, mean of
+                    // both directions
     float refractionDistortion;
     float reflectionDistortion;
     float farDepth;

@@ -196,7 +196,7 @@ void CompiledWater::makeKernels() {
     (void)tiles.create(*context_);
     const TilesKernels* steps = nullptr;
     (void)tiles.get({.hasReflection = true, .hasRefraction = true, .mirrors = true, .bed = true}, steps);
-    for (const VkFormat format : {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16_SFLOAT}) {
+    for (const VkFormat format : {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT}) {
         gpu::MipChain chain;
         (void)chain.create(*context_, format);
     }

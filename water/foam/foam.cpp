@@ -30,13 +30,12 @@ Status Foam::create(Context& context, const Sea& sea, const FoamDesc& foam, cons
 }
 
 Status Foam::record(Context& context, VkCommandBuffer commands, Waves& waves, double time) {
-    const FoamTime now = foamTimeOf(time, loopPeriod_);
-    past_ = now.past;
+    at_ = foamTimeOf(time, loopPeriod_);
     time_ = time;
-    if (step_ == now.step) return Status::ok;
+    if (step_ == at_.step) return Status::ok;
     step_.reset();
-    if (const Status s = recordSteps(context, commands, waves, now.step); s != Status::ok) return s;
-    step_ = now.step;
+    if (const Status s = recordSteps(context, commands, waves, at_.step); s != Status::ok) return s;
+    step_ = at_.step;
     return Status::ok;
 }
 

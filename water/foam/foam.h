@@ -25,8 +25,8 @@ class Foam {
     uint32_t cascades() const { return image_.image.desc().layers; }
     const Breaking& breaking() const { return breaking_; }
     float albedo() const { return albedo_; }
-    /// Share of the way from the image's first step to its second at the time recorded last.
-    float past() const { return past_; }
+    /// Where the time recorded last lies between the image's steps.
+    const FoamTime& at() const { return at_; }
     /// Recorded last [s].
     double time() const { return time_; }
 
@@ -36,7 +36,7 @@ class Foam {
     double loopPeriod_ = 1;
     float albedo_ = 0;
     Breaking breaking_;
-    float past_ = 0;
+    FoamTime at_;
     double time_ = 0;
     FoamImage image_;
     std::variant<ComputedFoam, UploadedFoam> source_;

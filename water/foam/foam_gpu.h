@@ -6,8 +6,9 @@
 #include <optional>
 
 #include "gpu/pipeline/kernel.h"
-#include "water/foam/foam_history.h"
+#include "shaders/shared/foam/foam_block.h"
 #include "water/foam/foam_image.h"
+#include "water/foam/foam_steps.h"
 #include "water/waves/waves_gpu.h"
 
 namespace seaglass {
@@ -21,6 +22,7 @@ class ComputedFoam {
   public:
     static constexpr VkImageUsageFlags imageUsage = VK_IMAGE_USAGE_STORAGE_BIT;
 
+    /// `sea` outlives the foam.
     Status create(Context& context, const Sea& sea, const FoamDesc& foam);
     /// Sets the image to `step` and the one after it. Leaves the maps at some step's time.
     Status record(Context& context, VkCommandBuffer commands, ComputedWaves& waves, const WaveMaps& maps,
@@ -28,9 +30,11 @@ class ComputedFoam {
 
   private:
     Status recordStep(Context& context, VkCommandBuffer commands, const WaveMaps& maps, const FoamImage& foam,
-                      int64_t fadings, bool anew);
+                      const FoamStep& step);
+    FoamBand bandOf(uint32_t cascade, const FoamStep& step) const;
 
     std::shared_ptr<FoamKernel> kernel_;
+    const Sea* sea_ = nullptr;
     Breaking breaking_;
     FoamFadings fading_;
     FoamKnown known_; ///< its newest step is the later that the image holds

@@ -1,6 +1,6 @@
 // The foam history as shaders read it: of each cascade that breaks, the step before the drawn time and the
-// one after, with whole mip chains. What a mip holds is the mean over its footprint, so cover is kept with
-// distance.
+// one after, and two steps of plumes likewise, with whole mip chains. What a mip holds is the mean over its
+// footprint, so cover is kept with distance.
 #pragma once
 
 #include "gpu/context.h"

@@ -24,7 +24,24 @@ FoamLayer layerOf(const SeaDesc& sea, double stretch, double time, double repeat
     return {length * along[0], length * along[1], drift(along[0]), drift(along[1])};
 }
 
+/// In which a grid drifts by whole samples along both axes: a whole part of a loop [s].
+double driftPeriod(double loopPeriod) {
+    constexpr double wanted = 1024; // longer would follow the wind better than anyone sees
+    return loopPeriod / std::max(std::round(loopPeriod / wanted), 1.0);
+}
+
 } // namespace
+
+FoamDrift foamDriftOf(const SeaDesc& sea, const Cascade& cascade, double time) {
+    const double period = driftPeriod(sea.loopPeriod), sample = cascade.patch / cascade.samples;
+    const uint32_t now = loopPhase(time, period * cascade.samples);
+    const auto drift = [&](double part) {
+        const double wanted = driftOfWind * double{sea.windSpeed} * part;
+        const auto samples = static_cast<int32_t>(std::lround(wanted * period / sample));
+        return static_cast<double>(static_cast<uint32_t>(samples) * now) * 0x1p-32;
+    };
+    return {drift(std::cos(double{sea.windDirection})), drift(std::sin(double{sea.windDirection}))};
+}
 
 FoamLayer foamLaceOf(const SeaDesc& sea, double time, double repeat) {
     return layerOf(sea, 1 + std::clamp((double{sea.windSpeed} - 8) / 12, 0.0, 1.0), time, repeat);

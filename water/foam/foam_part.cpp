@@ -58,7 +58,12 @@ void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) co
                       static_cast<int32_t>(gate.turns()), static_cast<int32_t>(gate.now())};
     const FoamLayer lace = foamLaceOf(description(sea), foam.time(), foamRepeat);
     const glm::dvec2 laceAt = placeIn(lace, eye, foamRepeat);
-    block.foam = glm::vec4(foam.past(), foam.albedo(), laceAt);
+    block.foam = glm::vec4(foam.at().past, foam.albedo(), laceAt);
+    for (uint32_t c = 0; c < foam.cascades(); ++c) {
+        const Cascade& of = cascade(sea, c);
+        const FoamDrift drift = foamDriftOf(description(sea), of, foam.time());
+        block.foamDrift[c] = glm::vec4(drift.u, drift.v, foam.at().pastPlume, 0);
+    }
     block.foamStreak = {lace.u, lace.v};
     const FoamLayer windrows = foamWindrowsOf(description(sea), foam.time(), windrowTile);
     block.windrows = glm::vec4(windrows.u, windrows.v,
@@ -66,6 +71,7 @@ void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) co
     const Breaking& breaking = foam.breaking();
     block.breaking = {breaking.now, breaking.nowWidth * breaking.nowWidth, breaking.hidden,
                       breaking.narrower};
+    for (uint32_t c = 0; c < maxCascades; ++c) block.breakingCounts[static_cast<int>(c)] = breaking.counts[c];
     block.compression = {breaking.along[0], breaking.along[1], breaking.along[2], foamBreaksApart};
 }
 

@@ -7,7 +7,7 @@ namespace seaglass {
 namespace {
 
 VkDeviceSize stagingBytes(uint32_t samples, uint32_t cascades) {
-    return VkDeviceSize{samples} * samples * cascades * sizeof(uint32_t);
+    return VkDeviceSize{samples} * samples * cascades * 4 * sizeof(uint16_t);
 }
 
 constexpr VkBufferUsageFlags stagingUsage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
@@ -32,8 +32,11 @@ Status UploadedFoam::create(Context& context, const Sea& sea, const FoamDesc& fo
 void UploadedFoam::write(void* staging) const {
     auto* texel = static_cast<uint32_t*>(staging);
     for (uint32_t c = 0; c < history_->breaking().count; ++c) {
-        const std::vector<float>&now = history_->at(c), &next = history_->after(c);
-        for (size_t i = 0; i < now.size(); ++i) *texel++ = glm::packHalf2x16({now[i], next[i]});
+        const FoamHistory::Band& band = history_->band(c);
+        for (size_t i = 0; i < band.foam.size(); ++i) {
+            *texel++ = glm::packHalf2x16({band.foam[i], band.foamNext[i]});
+            *texel++ = glm::packHalf2x16({band.plume[i], band.plumeNext[i]});
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 #include "seaglass/fields/sea.h"
 #include "water/foam/foam_history.h"
 #include "water/interface/foam_gate.h"
+#include "water/interface/foam_layers.h"
 #include "water/sea/sea.h"
 
 #include <cmath>
@@ -20,7 +21,8 @@ struct Grid {
     const FoamHistory& foam;
     float past;
     FoamGate gate;
-    std::vector<std::vector<float>> displacement, derivatives; ///< of each cascade that breaks
+    std::vector<FoamDrift> drift; ///< of each cascade that counts where waves break
+    std::vector<std::vector<float>> displacement, derivatives; ///< likewise
 
     // The sample of cascade c nearest to a point of the calm plane.
     size_t nearest(uint32_t c, double u, double v) const {
@@ -32,19 +34,28 @@ struct Grid {
         return along(v) * sea.cascades[c].samples + along(u);
     }
 
+    // What breakers of a cascade left at a point.
+    double leftBy(uint32_t c, double u, double v) const {
+        const double patch = sea.cascades[c].patch;
+        const size_t i = nearest(c, u - drift[c].u * patch, v - drift[c].v * patch);
+        const FoamHistory::Band& band = foam.band(c);
+        return static_cast<double>(std::lerp(band.foam[i], band.foamNext[i], past));
+    }
+
     // Foam at a point, and how much of the displaced surface the point stands for.
     void at(double u, double v, double& cover, double& area) const {
         const double seen = gate.at(u / sea.cascades[0].patch, v / sea.cascades[0].patch);
         double left = seen, uu = 1, vv = 1, uv = 0, compression = 0;
-        for (uint32_t c = 0; c < foam.breaking().count; ++c) {
+        for (uint32_t c = 0; c < displacement.size(); ++c) {
             const size_t i = nearest(c, u, v);
-            const float f = foam.at(c)[i] + (foam.after(c)[i] - foam.at(c)[i]) * past;
-            left *= static_cast<double>(f);
-            compression += static_cast<double>(foam.breaking().compression(
-                derivatives[c][4 * i + 2], derivatives[c][4 * i + 3], displacement[c][4 * i + 3]));
-            uu += static_cast<double>(derivatives[c][4 * i + 2]);
-            vv += static_cast<double>(derivatives[c][4 * i + 3]);
-            uv += static_cast<double>(displacement[c][4 * i + 3]);
+            const float *const moved = &displacement[c][4 * i], *const changed = &derivatives[c][4 * i];
+            compression += static_cast<double>(foam.breaking().counts[c] *
+                                               foam.breaking().compression(changed[2], changed[3], moved[3]));
+            if (c >= foam.breaking().count) continue; // as much as is seen of it
+            left *= leftBy(c, u, v);
+            uu += static_cast<double>(changed[2]);
+            vv += static_cast<double>(changed[3]);
+            uv += static_cast<double>(moved[3]);
         }
         const double now = 0.5 * std::erfc((double{foam.breaking().now} - compression) /
                                            (std::numbers::sqrt2 * double{foam.breaking().nowWidth}));
@@ -60,9 +71,10 @@ double coverOf(const Sea& sea, const WavesBackend& backend, void* state, const F
     const FoamTime now = foamTimeOf(time, sea.desc.loopPeriod);
     foam.advance(backend, state, now.step);
     const size_t floats = size_t{4} * sea.desc.samples * sea.desc.samples;
-    Grid grid{sea, foam, now.past, FoamGate(sea.desc, time), {}, {}};
+    Grid grid{sea, foam, now.past, FoamGate(sea.desc, time), {}, {}, {}};
     std::vector<float> moments(floats);
-    for (uint32_t c = 0; c < count; ++c) {
+    for (uint32_t c = 0; c < sea.count && foam.breaking().counts[c] > 0; ++c) {
+        grid.drift.push_back(foamDriftOf(sea.desc, sea.cascades[c], time));
         grid.displacement.emplace_back(floats);
         grid.derivatives.emplace_back(floats);
         backend.evaluate(state, c, time,

@@ -79,6 +79,22 @@ Variance varianceOf(const Sea& sea, uint32_t cascade, const Breaking& breaking) 
     return sum;
 }
 
+/// Of the waves of a cascade whose slopes add up to its breakers: the mean phase speed by slope variance
+/// [m/s].
+double crestSpeed(const Sea& sea, uint32_t cascade) {
+    const Modes& modes = sea.modes[cascade];
+    double slopes = 0, speeds = 0;
+    for (size_t at = 0; at < modes.inverseK.size(); ++at) {
+        const auto inverseK = static_cast<double>(modes.inverseK[at]);
+        if (!(inverseK > 0)) continue;
+        const double slope = varianceAt(modes, at) / (inverseK * inverseK);
+        const double frequency = 2 * std::numbers::pi * modes.frequency[at] / sea.desc.loopPeriod;
+        slopes += slope;
+        speeds += slope * frequency * inverseK;
+    }
+    return slopes > 0 ? speeds / slopes : 0;
+}
+
 /// Of the first cascades, as many as count.
 struct Variances {
     uint32_t count = 0;
@@ -97,6 +113,25 @@ Variances variancesOf(const Sea& sea, const Breaking& breaking) {
         all.sum.slopes += more.slopes;
     }
     return all;
+}
+
+// What the cascade counts that is too short to leave foam: in more wind more, so that breakers are as long,
+// and as much in line with the wind, as at sea (Korinenko, Malinovsky and Kudryavtsev 2018; docs/physics.md).
+double shortWavesCount(double wind) {
+    return std::clamp((wind - 5) / 14, 0.0, 1.0);
+}
+
+/// How compressed are all that count at a moment.
+Variance countedAtOnce(const Sea& sea, const Variances& variances, Breaking& breaking) {
+    Variance sum = variances.sum;
+    for (uint32_t c = 0; c < variances.count; ++c) breaking.counts[c] = 1;
+    if (variances.count == sea.count) return sum;
+    const double counts = shortWavesCount(double{sea.desc.windSpeed});
+    const Variance shorter = varianceOf(sea, variances.count, breaking);
+    breaking.counts[variances.count] = static_cast<float>(counts);
+    sum.compression += counts * counts * shorter.compression;
+    sum.slopes += counts * counts * shorter.slopes;
+    return sum;
 }
 
 Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
@@ -122,15 +157,17 @@ Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
         breaking.threshold[c] =
             static_cast<float>(breaks ? toBreak * std::sqrt(share) * deviation - share * bias : -1);
         breaking.softness[c] = static_cast<float>(std::max(0.3 * deviation, least));
+        const double speed = crestSpeed(sea, c), towards = double{sea.desc.windDirection};
+        breaking.runs[c][0] = static_cast<float>(speed * std::cos(towards));
+        breaking.runs[c][1] = static_cast<float>(speed * std::sin(towards));
     }
-    const double gate = sea.desc.warp > 0 ? foamGateMean : 1,
-                 deviation = std::sqrt(variances.sum.compression);
+    const Variance counted = countedAtOnce(sea, variances, breaking);
+    const double gate = sea.desc.warp > 0 ? foamGateMean : 1, deviation = std::sqrt(counted.compression);
     breaking.now = static_cast<float>(
         deviationsBeyond(shareThatBreaks * whitecapsWanted(wind) / gate) * deviation - bias);
     breaking.nowWidth = static_cast<float>(std::max(0.12 * deviation, least));
-    breaking.hidden =
-        static_cast<float>(choppiness * choppiness * variances.sum.compression / variances.sum.slopes);
-    const double slopes = variances.sum.slopes * double{sea.desc.amplitude} * double{sea.desc.amplitude};
+    breaking.hidden = static_cast<float>(choppiness * choppiness * counted.compression / counted.slopes);
+    const double slopes = counted.slopes * double{sea.desc.amplitude} * double{sea.desc.amplitude};
     breaking.narrower = static_cast<float>(std::min(double{breaking.now}, 0.9) / std::max(slopes, least));
     return breaking;
 }

@@ -1,10 +1,18 @@
-// How the pattern that foam breaks up into lies on the sea: in two layers, which the wind draws out and
-// carries.
+// How foam lies on the sea: it drifts with the water at the surface, and the pattern that it breaks up into
+// with it, in two layers, which the wind draws out.
 #pragma once
 
 #include "seaglass/sea.h"
 
 namespace seaglass {
+
+/// How far a cascade's foam has drifted along u and v, as far as its tile tells, 0..1 [tiles]. The wind
+/// drives it, and Stokes drift is in that. In a loop it goes by whole samples, so that foam loops with the
+/// sea.
+struct FoamDrift {
+    double u = 0, v = 0;
+};
+FoamDrift foamDriftOf(const SeaDesc& sea, const Cascade& cascade, double time);
 
 /// A place p shows what lies at p - w (w.p) - drift of a layer.
 struct FoamLayer {

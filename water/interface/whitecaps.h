@@ -16,9 +16,12 @@ struct Breaking {
     /// How compressed water is: of -dDx/du, -dDz/dv and -dDx/dv. It is along the wind above all, since crests
     /// stand across it.
     float along[3] = {};
-    /// Sum of these cascades' compressions from which waves break at this moment, give or take `nowWidth`.
+    /// Sum of the compressions, each times what it counts, from which waves break at this moment, give or
+    /// take `nowWidth`. Beside the cascades that break the next one does, whose waves break up long crests.
     float now = 0, nowWidth = 1;
-    float hidden = 0;   ///< variance of it, to one of the slopes, both axes together
+    float counts[maxCascades] = {};
+    float runs[maxCascades][2] = {}; ///< how fast crests of a cascade run with the wind, along u and v [m/s]
+    float hidden = 0;                ///< variance of it, to one of the slopes, both axes together
     float narrower = 0; ///< of what breaks now, share that compression takes, to a variance of slopes
 
     float compression(float uu, float vv, float uv) const {

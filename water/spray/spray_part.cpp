@@ -1,7 +1,6 @@
 #include "water/spray/spray_part.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -11,7 +10,7 @@
 #include "water/body/body_block.h"
 #include "water/body/parallel_view.h"
 #include "water/body/target.h"
-#include "water/foam/foam_history.h"
+#include "water/foam/foam_fading.h"
 #include "water/light/lighting.h"
 #include "water/spray/spume.h"
 
@@ -24,21 +23,6 @@ constexpr double life = 2; ///< how long drops are seen [s]
 constexpr double windAtCrests = 0.75;
 /// Optical depth, seen from above, of all that is torn off where waves break.
 constexpr double opticalDepth = 2.4;
-
-/// Of the waves of a cascade whose slopes add up to its breakers: the mean phase speed by slope variance.
-double crestSpeed(const Sea& sea, uint32_t cascade) {
-    const Modes& modes = sea.modes[cascade];
-    double slopes = 0, speeds = 0;
-    for (size_t at = 0; at < modes.inverseK.size(); ++at) {
-        const auto inverseK = static_cast<double>(modes.inverseK[at]);
-        if (!(inverseK > 0)) continue;
-        const double slope = varianceAt(modes, at) / (inverseK * inverseK);
-        const double frequency = 2 * std::numbers::pi * modes.frequency[at] / sea.desc.loopPeriod;
-        slopes += slope;
-        speeds += slope * frequency * inverseK;
-    }
-    return slopes > 0 ? speeds / slopes : 0;
-}
 
 } // namespace
 
@@ -58,11 +42,12 @@ bool SprayPart::wanted(const BodyDesc& desc, const Sea* sea) {
 Status SprayPart::create(Body& body, const BodyDesc& of) {
     desc = *of.spray;
     particles = of.shading.sprayParticles;
-    fading = static_cast<double>(of.foam->decayTime);
+    fading = oddsDecayTime(*of.foam);
     const Breaking breaks = breakingOf(*body.sea, *of.foam);
     breaking = breaks.count;
     for (uint32_t c = 0; c < breaks.count; ++c)
-        crestsRun += static_cast<double>(breaks.share[c]) * crestSpeed(*body.sea, c);
+        crestsRun += static_cast<double>(breaks.share[c]) *
+                     std::hypot(double{breaks.runs[c][0]}, double{breaks.runs[c][1]});
     const SeaDesc& sea = description(*body.sea);
     const auto wind = static_cast<double>(sea.windSpeed), towards = static_cast<double>(sea.windDirection);
     blows = windAtCrests * wind * glm::dvec2(std::cos(towards), std::sin(towards));

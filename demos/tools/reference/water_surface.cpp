@@ -153,11 +153,14 @@ void WaterSurface::addFoam(const seaglass::Sea& sea, const seaglass::FoamDesc& f
     lace_ = seaglass::foamLaceOf(desc, timeS, laceRepeatM);
     windrows_ = seaglass::foamWindrowsOf(desc, timeS, windrowTileM);
     breaking_ = seaglass::breakingOf(sea, foam);
-    const std::vector<std::vector<float>> left = foamLeft(sea, foam, backend, state, timeS);
+    const std::vector<FoamLeft> left = foamLeft(sea, foam, backend, state, timeS);
     foamGate_ = seaglass::FoamGate(desc, timeS);
     for (size_t i = 0; i < left.size(); ++i) {
         Level& level = cascades_[i].foam.emplace_back();
-        for (const float cover : left[i]) level.emplace_back(cover);
+        for (size_t t = 0; t < left[i].foam.size(); ++t)
+            level.emplace_back(left[i].foam[t], left[i].plume[t], 0, 0);
+        cascades_[i].drift =
+            seaglass::foamDriftOf(desc, seaglass::cascade(sea, static_cast<uint32_t>(i)), timeS);
         addLevels(cascades_[i].foam, cascades_[i].samples);
     }
 }
@@ -292,37 +295,42 @@ double WaterSurface::edgeFoam(const ShoreWave& shore, double bend) {
     return 1 - (1 - 0.95 * shore.surfFoam(bend)) * (1 - std::min(left, 0.9));
 }
 
-float WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const {
+WaterSurface::FoamCover WaterSurface::foamCover(const glm::dvec2& calm, const glm::dvec2& bend,
+                                                double footprint) const {
     const glm::dvec2 under = aside(calm, seaglass::warpAt(warp_, calm.x, calm.y));
     const ShoreWave shore = shoreAt(calm, footprint);
     const float dark = shore_ ? 1 - static_cast<float>(edgeFoam(shore, bend.y)) : 1.0f;
-    if (breaking_.count == 0) return 1 - dark;
+    if (breaking_.count == 0) return {1 - dark, 1 - dark};
     const float gate = foamGate(under, footprint);
     const float now = gate * breakingNow(under, shore, footprint);
-    float foamy = gate;
+    glm::vec2 foamy(gate);
     for (size_t i = 0; i < cascades_.size(); ++i) {
         const Cascade& cascade = cascades_[i];
         if (cascade.foam.empty()) break;
-        const glm::dvec2 place = under + bend * std::min(0.7 * cascade.texel(), 2.5);
+        const glm::dvec2 place = under + bend * std::min(0.7 * cascade.texel(), 2.5) -
+                                 cascade.patch * glm::dvec2(cascade.drift.u, cascade.drift.v);
         const float share = kept(shore, i);
-        const float left = trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), place).x;
-        foamy *= share * share * left;
+        foamy *= share * share *
+                 glm::vec2(trilinear(cascade, cascade.foam, mipOf(footprint, cascade.texel()), place));
     }
-    return 1 - (1 - foamy) * (1 - now) * dark;
+    const float white = 1 - (1 - foamy.x) * (1 - now) * dark;
+    return {white, std::max(foamy.y, white)};
 }
 
 // Where water is compressed most, of all cascades that break: a Gaussian, of which a footprint hides a part.
 float WaterSurface::breakingNow(const glm::dvec2& place, const ShoreWave& shore, double footprint) const {
     double compressed = 0, hidden = 0;
-    for (size_t i = 0; i < breaking_.count; ++i) {
+    for (size_t i = 0; i < cascades_.size(); ++i) {
+        const auto counts = static_cast<double>(breaking_.counts[i]);
         const Cascade& cascade = cascades_[i];
         const double mip = mipOf(footprint, cascade.texel());
         const glm::vec4 d = kept(shore, i) * trilinear(cascade, cascade.derivatives, mip, place);
         const glm::vec4 squares =
             kept(shore, i) * kept(shore, i) * trilinear(cascade, cascade.moments, mip, place);
         const float shear = kept(shore, i) * trilinear(cascade, cascade.displacement, mip, place).w;
-        compressed += static_cast<double>(breaking_.compression(d.z, d.w, shear));
-        hidden += std::max(static_cast<double>(squares.x + squares.y - d.x * d.x - d.y * d.y), 0.0);
+        compressed += counts * static_cast<double>(breaking_.compression(d.z, d.w, shear));
+        hidden += counts * counts *
+                  std::max(static_cast<double>(squares.x + squares.y - d.x * d.x - d.y * d.y), 0.0);
     }
     const double width = double{breaking_.nowWidth};
     const double blurred = double{breaking_.hidden} * hidden, variance = width * width + blurred;

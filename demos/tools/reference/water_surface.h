@@ -48,8 +48,12 @@ class WaterSurface {
     /// Covariance uu, vv, uv of slopes of waves too short for any map.
     const glm::vec3& roughness() const { return roughness_; }
 
-    /// Share of the footprint that is white: foamCover() of shaders/water/foam/foam_cover.glsl.
-    float foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const;
+    /// Share of the footprint that is white, and bubbles below: foamCover() of
+    /// shaders/water/foam/foam_cover.glsl.
+    struct FoamCover {
+        float white = 0, plume = 0;
+    };
+    FoamCover foamCover(const glm::dvec2& calm, const glm::dvec2& bend, double footprint) const;
     /// Where a place lies in the pattern's lace, and in its windrows [m].
     glm::dvec2 onLace(const glm::dvec2& place) const { return onLayer(lace_, place); }
     glm::dvec2 onWindrows(const glm::dvec2& place) const { return onLayer(windrows_, place); }
@@ -75,7 +79,8 @@ class WaterSurface {
         double patch = 0;
         uint32_t samples = 0;
         std::vector<Level> displacement, derivatives, moments; ///< by mip
-        std::vector<Level> foam;                               ///< in x; none where the cascade never breaks
+        std::vector<Level> foam; ///< in x, plume in y; none where the cascade never breaks
+        seaglass::FoamDrift drift;
         double texel() const { return patch / samples; }
     };
     void addFoam(const seaglass::Sea& sea, const seaglass::FoamDesc& foam,

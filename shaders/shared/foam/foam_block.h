@@ -6,17 +6,18 @@ namespace seaglass {
 #endif
 
 struct FoamBand {
-    float threshold;      // compression above which the cascade breaks
-    float perCompression; // whiteness, for as much above
-    float fade;
-    float floor;
+    vec4 foam;  // compression above which the cascade breaks; whiteness, for as much above; fade; floor
+    vec4 plume; // fade; floor; (u, v) that its crests run ahead from one look of plumes to the next [tiles]
+    vec4 drift; // (u, v) of its foam [tiles]
 };
 
 struct FoamBlock {
     FoamBand bands[4];
-    vec4 along; // water/interface/whitecaps.h: Breaking::along
-    uint anew;  // nothing was there before
-    uint pad0, pad1, pad2;
+    vec4 along;     // water/interface/whitecaps.h: Breaking::along
+    uint foamAnew;  // nothing was there before
+    uint plumeAnew; // likewise
+    uint plumes;    // looks ahead for them; 0: they stay as they are
+    uint pad0;
 };
 
 #ifdef __cplusplus

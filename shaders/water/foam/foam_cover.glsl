@@ -8,6 +8,7 @@ struct Foam {
     float fresh;   // 1 where waves break, less as what they leave thins
     vec2 slope;    // of its own relief
     float height;  // of the white's own, -1..1 and 0 in the mean: more light reaches what stands out
+    float plume;   // bubbles in the water below: 1 where it has just broken, less as they rise and thin
 };
 
 // What breakers leave; the edge of the water, wide and white where it rushes up; what it lays down where it turns, in lobes, as
@@ -52,23 +53,25 @@ struct Whitecaps {
 };
 
 // Share of the surface that is white: what breakers left, of which each cascade has a factor (water/foam/foam_history.h), and
-// what breaks. `bend`, -1..1, moves the place looked up by as much as hides that the history has samples.
-float foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, Whitecaps caps) {
-    float foamy = caps.gate;
+// what breaks; and what plume of bubbles is below. `bend`, -1..1, moves the place looked up by as much as hides that the history
+// has samples.
+vec2 foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, Whitecaps caps) {
+    vec2 foamy = vec2(caps.gate);
     vec2 calm = s.calm + aside;
     vec2 under = warped(calm);
     for (int i = 0; i < foamCascades; ++i) {
         float texels = water.cascade[i].w;
         vec2 place = under + bend * min(0.7 / texels, 2.5);
         float mip = log2(max(pixelWidth * texels, 1.0));
-        vec2 steps = textureLod(foamHistory, vec3(water.cascade[i].xy + place * water.cascade[i].z, i), mip).rg;
-        float left = mix(steps.x, steps.y, water.foam.x);
+        vec2 at = water.cascade[i].xy + place * water.cascade[i].z - water.foamDrift[i].xy;
+        vec4 steps = textureLod(foamHistory, vec3(at, i), mip);
+        vec2 left = mix(steps.xz, steps.yw, vec2(water.foam.x, water.foamDrift[i].z));
         if (hasShore) left *= s.shore.kept[i] * s.shore.kept[i];
         foamy *= left;
     }
-    float clear = (1.0 - foamy) * (1.0 - caps.now);
+    float clear = (1.0 - foamy.x) * (1.0 - caps.now);
     if (hasShore) clear *= 1.0 - shoreFoam(s.shore, bend.y);
-    return 1.0 - clear;
+    return vec2(1.0 - clear, max(foamy.y, 1.0 - clear));
 }
 
 // Where in the pattern a place looks: a tile seen over and over stands in rows, so each place has its own part of it, by an
@@ -135,7 +138,8 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, v
         slope += texel.zw;
         bend[i] = 2.0 * texel.y;
     }
-    float cover = foamCover(s, aside, vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth, caps);
+    vec2 found = foamCover(s, aside, vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth, caps);
+    float cover = found.x;
     // Mips that are looked at between their texels have longer ends than even distributions do.
     widths = max(widths, 0.15 * (widths.x + widths.y + widths.z) + 1e-3);
     // As its own distribution function the octaves' sum is even again, so that a share `cover` of it lies below `cover`.
@@ -146,7 +150,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, v
     float kept2 = (1.0 - softEdges) * variance / patternVariance;
     float white = gaussianBelow((gaussianQuantile(cover) - sqrt(kept2) * gaussianQuantile(even)) * inversesqrt(1.0 - kept2));
     // Where white is but likely, where it stands out is no longer told.
-    return Foam(white, cover, slope, kept2 * kept2 * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0));
+    return Foam(white, cover, slope, kept2 * kept2 * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0), found.y);
 }
 
 // A pixel is long and narrow at a grazing angle, and is taken in as many parts as there are looks at its waves. A look is
@@ -166,7 +170,7 @@ Foam foamOver(const SurfacePoint s) {
                              max(length(drawnOut(wide, streak)), length(drawnOut(pixel.shorter, streak))));
     float gate = foamGate(under, width);
     Whitecaps caps = Whitecaps(gate, gate * breakingNow(s));
-    Foam sum = Foam(0.0, 0.0, vec2(0.0), 0.0);
+    Foam sum = Foam(0.0, 0.0, vec2(0.0), 0.0, 0.0);
     int i = 0;
     do {
         vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeSamples));
@@ -177,22 +181,30 @@ Foam foamOver(const SurfacePoint s) {
         sum.fresh += tap.fresh;
         sum.slope += tap.slope;
         sum.height += tap.height;
+        sum.plume += tap.plume;
     } while (++i < slopeSamples);
     float each = 1.0 / float(slopeSamples);
-    return Foam(each * sum.mask, each * sum.fresh, each * sum.slope, each * sum.height);
+    return Foam(each * sum.mask, each * sum.fresh, each * sum.slope, each * sum.height, each * sum.plume);
+}
+
+// Radiance of the bubbles that waves broke into the water, just above its surface. The upper ones rise and are gone first, so that
+// what is left shines through more water: blue-green, then blue.
+vec3 plumeGlow(const SurfacePoint s, vec3 toSun, float plume) {
+    const float reflects = 0.16;
+    float throughWater = mix(9.0, 2.5, plume);   // there and back [m]
+    vec3 light = s.sunSeen * sunEntering(toSun) + water.skyIrradiance.rgb * skyEnters;
+    return light * (reflects / pi * plume) * exp(-throughWater * extinction());
 }
 
 // Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
 // water mirrors a share shines from it too. As it ages it thins, to what makes whitecaps as bright in the mean as they are
-// found, two fifths of fresh foam (Koepke 1984). Between the rafts shines the plume of bubbles that waves broke into the
-// water, through some two metres of it. `ahead`: towards the sun.
-vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirrored, WavesAhead ahead) {
+// found, two fifths of fresh foam (Koepke 1984). Between the rafts shines the plume, of which a share `leaves` the water.
+// `ahead`: towards the sun.
+vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirrored, float leaves, WavesAhead ahead) {
     const float relief = 0.7;
     const float filmVariance = 0.12;   // of the film's slopes
     const float filmShare = 0.4;
     const float thinnest = 0.3;
-    const float plumeReflects = 0.1;
-    const float throughWater = 4.0;   // there and back [m]
     SurfacePoint film = s;
     film.slope += relief * white.slope;
     film.covariance += vec3(filmVariance, filmVariance, 0.0);
@@ -205,7 +217,6 @@ vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirr
     float glint = sunGlint(film, toEye) * sunClear(toSun, slopeOf(toEye + toSun), ahead);
     vec3 light = water.sunIrradiance.rgb * sun + water.skyIrradiance.rgb * open;
     vec3 foamy = light * water.foam.y / pi + filmShare * (mirrored + water.sunIrradiance.rgb * glint);
-    vec3 plume = light * (plumeReflects / pi * white.fresh) * exp(-throughWater * extinction());
-    if (water.absorption.r > 0.0) bare += plume;
+    if (water.absorption.r > 0.0) bare += leaves * plumeGlow(s, toSun, white.plume);
     return mix(bare, foamy, white.mask * mix(thinnest, 1.0, white.fresh));
 }

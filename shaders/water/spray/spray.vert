@@ -9,6 +9,7 @@
 #include "one_view.glsl"
 #include "body.glsl"
 #include "spray_block.h"
+#include "foam_fading.h"
 
 layout(set = 0, binding = sprayBinding, std140) uniform Spray {
     SprayBlock spray;
@@ -85,19 +86,21 @@ struct Breaking {
     float share;  // that is shown of it; 0: too long ago for drops to be seen
 };
 
-// Of all cascades together, as foamCover() sees it: the product of what they left has faded since. `within` is the share of a
+// Of all cascades together: the product of the odds of what they left has faded since. `within` is the share of a
 // step of the history at which it began.
 Breaking breakingAt(vec2 calm, float within) {
     vec2 place = warped(calm);
-    float left = 1.0;
+    float faded = 0.0;   // decay times of the odds of foam
     bool begins = false;
     int i = 0;
     do {
-        vec2 steps = textureLod(foamHistory, vec3(water.cascade[i].xy + place * water.cascade[i].z, i), 0.0).rg;
+        vec2 at = water.cascade[i].xy + place * water.cascade[i].z - water.foamDrift[i].xy;
+        vec2 steps = textureLod(foamHistory, vec3(at, i), 0.0).rg;
         begins = begins || steps.y > steps.x;
-        left *= steps.y > steps.x ? steps.y : mix(steps.x, steps.y, water.foam.x);
+        float left = max(steps.y > steps.x ? steps.y : mix(steps.x, steps.y, water.foam.x), 1e-6);
+        faded += log(foamMostOdds * (foamOddsScale - left) / left);
     } while (++i < foamCascades);
-    float ago = -spray.foam.x * log(max(left, 1e-6)) + (within - (begins ? 1.0 - water.foam.x : 0.0)) * spray.foam.y;
+    float ago = spray.foam.x * faded + (within - (begins ? 1.0 - water.foam.x : 0.0)) * spray.foam.y;
     if (ago < 0.0 || ago >= spray.wind.z) return Breaking(ago, 0.0);
     return Breaking(ago, foamGate(place, 1.0));
 }

@@ -16,7 +16,7 @@ struct SurfacePoint {
     vec2 slope;         // mean over the pixel
     vec3 covariance;    // of the slopes within it: uu, vv, uv
     float slopeStep;    // change of slope to the next pixel
-    vec2 compressed;    // with foam: the cascades that break, together, by whitecaps.h; variance of slopes that this mean over the pixel hides
+    vec2 compressed;    // with foam: the cascades that count, together, by whitecaps.h; variance of slopes that this mean over the pixel hides
     float bounded;      // of the covariance, variance along both axes that ends within the pixel
     float sunSeen;      // share of the sun's light that reaches the surface here
     vec4 air;           // airBefore()
@@ -110,7 +110,10 @@ void findSlopes(inout SurfacePoint s) {
         shear += moments.w;
         vec3 lost = moments.xyz - vec3(d.xy * d.xy, d.x * d.y);
         variance += lost;
-        if (hasFoam && i < foamCascades) s.compressed += vec2(-dot(water.compression.xyz, vec3(d.zw, moments.w)), max(lost.x + lost.y, 0.0));
+        if (hasFoam) {
+            float counts = water.breakingCounts[i];
+            s.compressed += counts * vec2(-dot(water.compression.xyz, vec3(d.zw, moments.w)), counts * max(lost.x + lost.y, 0.0));
+        }
         s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(s.footprint.longer) * water.cascade[i].w);
     }
     variance.xy = max(variance.xy, 0.0);

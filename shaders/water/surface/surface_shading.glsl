@@ -64,7 +64,7 @@ vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye) {
         glint *= sunClear(toSun, slopeOf(toEye + toSun), ahead);
     }
     radiance += water.sunIrradiance.rgb * glint;
-    if (hasFoam) radiance = withFoam(radiance, white, s, toEye, mirror.radiance, ahead);
+    if (hasFoam) radiance = withFoam(radiance, white, s, toEye, mirror.radiance, entering, ahead);
     if (hasFog) radiance = fogged(radiance, (1.0 - white.mask) * (mirror.sceneOverFog + entering * through.overFog), s.air);
     if (hasShore && hasRefraction) {
         // Wet sand dries, and water thins out into it.
@@ -81,5 +81,5 @@ vec3 toEyeFrom(const SurfacePoint s) {
 }
 
 Foam foamOn(const SurfacePoint s) {
-    return hasFoam ? foamOver(s) : Foam(0.0, 0.0, vec2(0.0), 0.0);
+    return hasFoam ? foamOver(s) : Foam(0.0, 0.0, vec2(0.0), 0.0, 0.0);
 }

@@ -23,15 +23,13 @@ struct Shape {
     uint32_t mips, layers, images;
 };
 
-constexpr VkFormat wide = VK_FORMAT_R32G32B32A32_SFLOAT, narrow = VK_FORMAT_R16G16_SFLOAT;
+constexpr VkFormat wide = VK_FORMAT_R32G32B32A32_SFLOAT, narrow = VK_FORMAT_R16G16B16A16_SFLOAT;
 
-uint32_t channelsOf(const Shape& shape) {
-    return shape.format == wide ? 4 : 2;
-}
+constexpr uint32_t channels = 4;
 
 /// One image's texels of one mip, layer after layer.
 std::vector<float> halved(const std::vector<float>& finer, VkExtent2D extent, const Shape& shape) {
-    const uint32_t channels = channelsOf(shape), width = extent.width / 2, height = extent.height / 2;
+    const uint32_t width = extent.width / 2, height = extent.height / 2;
     std::vector<float> out;
     for (uint32_t layer = 0; layer < shape.layers; ++layer)
         for (uint32_t y = 0; y < height; ++y)

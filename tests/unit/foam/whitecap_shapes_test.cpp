@@ -4,13 +4,17 @@
 // and by Callaghan et al. 2012.
 #include "tests/unit/sea/sea_support.h"
 #include "water/foam/foam_history.h"
+#include "water/interface/foam_layers.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <memory>
 #include <numbers>
+#include <vector>
 
 namespace {
 
@@ -36,19 +40,24 @@ double between(const Cascade& cascade, double u, double v, At&& at) {
                      std::lerp(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), x - x0), y - y0);
 }
 
-/// The sea of one time, as its breaking cascades make it.
+/// The sea of one time.
 class Snapshot {
   public:
     Snapshot(const Sea& sea, double time) : sea_(sea), breaking_(breakingOf(sea, {})) {
         tests::Waves waves(sea);
-        for (uint32_t c = 0; c < breaking_.count; ++c) maps_.push_back(waves.at(c, time));
+        for (uint32_t c = 0; c < cascadeCount(sea); ++c) maps_.push_back(waves.at(c, time));
     }
 
     bool breaks(double u, double v) const {
-        return sum(u, v, [&](const tests::Maps& m, size_t i) {
-                   return breaking_.compression(m.derivatives[4 * i + 2], m.derivatives[4 * i + 3],
-                                                m.displacement[4 * i + 3]);
-               }) > static_cast<double>(breaking_.now);
+        double compression = 0;
+        for (uint32_t c = 0; c < maps_.size(); ++c)
+            compression +=
+                static_cast<double>(breaking_.counts[c]) * between(cascade(sea_, c), u, v, [&](size_t i) {
+                    const tests::Maps& m = maps_[c];
+                    return breaking_.compression(m.derivatives[4 * i + 2], m.derivatives[4 * i + 3],
+                                                 m.displacement[4 * i + 3]);
+                });
+        return compression > static_cast<double>(breaking_.now);
     }
     double height(double u, double v) const {
         return sum(u, v, [](const tests::Maps& m, size_t i) { return m.displacement[4 * i + 1]; });
@@ -63,7 +72,7 @@ class Snapshot {
     template<typename At>
     double sum(double u, double v, At&& at) const {
         double sum = 0;
-        for (uint32_t c = 0; c < breaking_.count; ++c)
+        for (uint32_t c = 0; c < maps_.size(); ++c)
             sum += between(cascade(sea_, c), u, v, [&](size_t i) { return at(maps_[c], i); });
         return sum;
     }
@@ -132,7 +141,7 @@ std::vector<Breaker> breakersOf(const Snapshot& sea) {
 std::vector<Breaker> breakersAt(float wind) {
     SeaDesc desc;
     desc.windSpeed = wind;
-    desc.cascades = 2;
+    desc.cascades = 3;
     desc.windDirection = 0.6f;
     std::vector<Breaker> all;
     for (uint64_t seed = 1; seed <= 2; ++seed) {
@@ -157,13 +166,13 @@ double exponentOf(const std::vector<Breaker>& breakers, double shortest, size_t*
 }
 
 TEST(WhitecapShapes, BreakersAreAsLongAndWideAsAtSea) {
-    for (const float wind : {10.0f, 13.0f, 16.0f}) {
+    for (const float wind : {10.0f, 13.0f, 16.0f, 20.0f}) {
         const std::vector<Breaker> breakers = breakersAt(wind);
         size_t count = 0;
         const double exponent = exponentOf(breakers, 4, &count);
         double ratio = 0, withWind = 0, longest = 0;
         for (const Breaker& b : breakers) {
-            ratio += b.width / b.length / static_cast<double>(breakers.size());
+            if (b.length >= 4) ratio += b.width / b.length / static_cast<double>(count);
             const double along = std::cos(b.towards - 0.6);
             withWind += along * along / static_cast<double>(breakers.size());
             longest = std::max(longest, b.length);
@@ -183,7 +192,7 @@ TEST(WhitecapShapes, BreakersAreAsLongAndWideAsAtSea) {
 TEST(WhitecapShapes, WavesBreakAtTheCrestAndAheadOfIt) {
     SeaDesc desc;
     desc.windSpeed = 13;
-    desc.cascades = 2;
+    desc.cascades = 3;
     const auto sea = makeSea(desc);
     constexpr double step = 0.05;
     const Snapshot before(*sea, 100 - step), now(*sea, 100), after(*sea, 100 + step);
@@ -207,15 +216,45 @@ TEST(WhitecapShapes, WavesBreakAtTheCrestAndAheadOfIt) {
     EXPECT_GT(static_cast<double>(front), 0.75 * static_cast<double>(breaking));
 }
 
+SeaDesc seaOf(float wind) {
+    SeaDesc desc;
+    desc.windSpeed = wind;
+    desc.cascades = 3;
+    return desc;
+}
+
+/// Foam of all cascades together, as it is where the water has drifted to that was at a place at first.
+class DriftingFoam {
+  public:
+    explicit DriftingFoam(float wind)
+        : sea_(makeSea(seaOf(wind))),
+          state_(tests::builtBackend().create(*sea_), tests::builtBackend().destroy), foam_(*sea_, {}) {}
+    /// Where foam has drifted to by then is where places lie from now on.
+    void placeAt(int64_t step) {
+        for (uint32_t c = 0; c < foam_.breaking().count; ++c)
+            drift_[c] = foamDriftOf(description(*sea_), cascade(*sea_, c), foamStepTime(step));
+    }
+    void goTo(int64_t step) { foam_.advance(tests::builtBackend(), state_.get(), step); }
+    double at(double u, double v) const {
+        double thick = 1;
+        for (uint32_t c = 0; c < foam_.breaking().count; ++c) {
+            const double patch = cascade(*sea_, c).patch;
+            thick *= between(cascade(*sea_, c), u - patch * drift_[c].u, v - patch * drift_[c].v,
+                             [&](size_t texel) { return foam_.band(c).foam[texel]; });
+        }
+        return thick;
+    }
+
+  private:
+    tests::SeaPtr sea_;
+    std::unique_ptr<void, void (*)(void*)> state_;
+    FoamHistory foam_;
+    std::array<FoamDrift, maxCascades> drift_{};
+};
+
 // Of what is thick, each place by itself: some is broken into again, some is thin and soon gone.
 TEST(WhitecapShapes, FoamLastsAsLongAsAtSea) {
-    SeaDesc desc;
-    desc.windSpeed = 13;
-    desc.cascades = 2;
-    const auto sea = makeSea(desc);
-    const WavesBackend& backend = tests::builtBackend();
-    const std::unique_ptr<void, void (*)(void*)> state(backend.create(*sea), backend.destroy);
-    FoamHistory foam(*sea, {});
+    DriftingFoam foam(13);
     constexpr size_t places = 100 * 100;
     struct Place {
         double most = 0;
@@ -223,14 +262,12 @@ TEST(WhitecapShapes, FoamLastsAsLongAsAtSea) {
     };
     std::vector<Place> of(places);
     std::vector<double> lasted;
+    foam.placeAt(400);
     for (int64_t step = 400; step < 400 + 30 * static_cast<int64_t>(foamStepsPerSecond); ++step) {
-        foam.advance(backend, state.get(), step);
+        foam.goTo(step);
         for (size_t i = 0; i < places; ++i) {
-            double thick = 1;
-            for (uint32_t c = 0; c < foam.breaking().count; ++c)
-                thick *= between(cascade(*sea, c), 4.0 * static_cast<double>(i % 100),
-                                 4.0 * static_cast<double>(i / 100),
-                                 [&](size_t texel) { return foam.at(c)[texel]; });
+            const double thick =
+                foam.at(4.0 * static_cast<double>(i % 100), 4.0 * static_cast<double>(i / 100));
             Place& place = of[i];
             if (thick >= std::max(0.5, place.most)) place = {thick, 0};
             if (place.since < 0) continue;
@@ -254,6 +291,87 @@ TEST(WhitecapShapes, FoamLastsAsLongAsAtSea) {
     EXPECT_NEAR(mean, 3.85, 1);
     EXPECT_GT(at(0.05), 0.5);
     EXPECT_LT(at(0.95), 8);
+}
+
+/// Foam that hangs together at first.
+struct Whitecap {
+    std::vector<std::array<double, 2>> places;
+    double first = 0;
+    double most = 0;    ///< since, of `first`
+    double lasted = -1; ///< to 1/e [s]; less than 0: longer than was looked at
+};
+
+std::vector<Whitecap> whitecapsOf(const DriftingFoam& foam) {
+    constexpr size_t points = 384;
+    std::vector<uint8_t> white(points * points);
+    const auto placeOf = [](size_t i) {
+        return std::array{2.0 * static_cast<double>(i % points), 2.0 * static_cast<double>(i / points)};
+    };
+    for (size_t i = 0; i < white.size(); ++i) white[i] = foam.at(placeOf(i)[0], placeOf(i)[1]) > 0.3;
+    std::vector<Whitecap> found;
+    std::vector<size_t> open;
+    for (size_t first = 0; first < white.size(); ++first) {
+        if (!white[first]) continue;
+        Whitecap& cap = found.emplace_back();
+        white[first] = 0;
+        open.assign(1, first);
+        while (!open.empty()) {
+            const size_t i = open.back();
+            open.pop_back();
+            cap.places.push_back(placeOf(i));
+            cap.first += foam.at(placeOf(i)[0], placeOf(i)[1]);
+            const auto visit = [&](bool within, size_t next) {
+                if (within && white[next]) {
+                    white[next] = 0;
+                    open.push_back(next);
+                }
+            };
+            visit(i % points > 0, i - 1);
+            visit(i % points + 1 < points, i + 1);
+            visit(i >= points, i - points);
+            visit(i + points < white.size(), i + points);
+        }
+    }
+    return found;
+}
+
+// Each whitecap by itself, from when it grows no more and as long as nothing breaks into it.
+TEST(WhitecapShapes, LargeWhitecapsOutlastSmallOnes) {
+    DriftingFoam foam(13);
+    std::vector<Whitecap> all;
+    for (const int64_t start : {400, 460, 520}) {
+        foam.goTo(start);
+        foam.placeAt(start);
+        std::vector<Whitecap> caps = whitecapsOf(foam);
+        for (int64_t step = start + 1; step < start + 40; ++step) {
+            foam.goTo(step);
+            for (Whitecap& cap : caps) {
+                if (cap.lasted >= 0) continue;
+                double now = 0;
+                for (const auto& [u, v] : cap.places) now += foam.at(u, v);
+                cap.most = std::max(cap.most, now / cap.first);
+                if (now < cap.first / std::numbers::e)
+                    cap.lasted = static_cast<double>(step - start) / foamStepsPerSecond;
+            }
+        }
+        for (Whitecap& cap : caps)
+            if (cap.lasted >= 0 && cap.most < 1.02) all.push_back(std::move(cap));
+    }
+    std::ranges::sort(all, {}, [](const Whitecap& cap) { return cap.places.size(); });
+    double lasts[2] = {};
+    const size_t fifth = all.size() / 5;
+    for (size_t i = 0; i < fifth; ++i) {
+        lasts[0] += all[i].lasted / static_cast<double>(fifth);
+        lasts[1] += all[all.size() - 1 - i].lasted / static_cast<double>(fifth);
+    }
+    std::printf(
+        "%zu whitecaps: to 1/e in %.1f s the smallest fifth, up to %.0f m2, in %.1f s the largest, from %.0f "
+        "m2 on: a ratio of %.1f (Callaghan et al. 2012: up to 3 to 4)\n",
+        all.size(), lasts[0], 4.0 * static_cast<double>(all[fifth].places.size()), lasts[1],
+        4.0 * static_cast<double>(all[all.size() - fifth].places.size()), lasts[1] / lasts[0]);
+    EXPECT_GT(all.size(), 40u);
+    EXPECT_GT(lasts[1], 1.3 * lasts[0]);
+    EXPECT_LT(lasts[1], 4 * lasts[0]);
 }
 
 } // namespace

@@ -1,11 +1,11 @@
 // Foam on breaking crests, and the whitecap laws that it is held to. No Vulkan.
 //
 // A wave breaks where its surface is compressed, along the wind above all: where the horizontal displacement
-// of all cascades together passes a threshold. What it leaves behind stays with the water and fades. Foam is
-// stepped at fixed times, a whole multiple of 1/4 s each, and dies after three decay times: it is a function
-// of the sea and the time alone, whatever frames were drawn before. But for hosts that fall behind: a call of
-// simulate() more than 2 s after another that had to catch up by more takes eight times in place of all
-// between, at even distances.
+// of all cascades together passes a threshold. What it leaves behind drifts with the water and fades. Foam is
+// stepped at fixed times, a whole multiple of 1/4 s each, and dies after two or three decay times, the
+// bubbles below it after nine: it is a function of the sea and the time alone, whatever frames were drawn
+// before. But for hosts that fall behind: a call of simulate() more than 2 s after another that had to catch
+// up by more takes eight times in place of all between, at even distances.
 #pragma once
 
 #include "seaglass/sea.h"
@@ -17,7 +17,8 @@ struct FoamDesc {
     /// Taken off the compression at which waves break, -1..1: 0 covers what the whitecap laws say for the
     /// wind, more is foamier.
     float bias = 0.0f;
-    /// In which foam fades to 1/e [s], 0.1..20 (Monahan and Zietlow 1969: 3.85 s in salt water).
+    /// In which whitecaps fade to 1/e in the mean [s], 0.1..20, large ones later than small ones, and bubbles
+    /// below them in three times as long (Monahan and Zietlow 1969: 3.85 s in salt water).
     float decayTime = 3.85f;
     float albedo = 0.6f; ///< diffuse albedo of full foam, 0..1 (Koepke 1984: fresh foam about 0.5)
 };
@@ -29,7 +30,7 @@ double whitecapsOfCallaghan(double windSpeed);
 
 /// Share of the sea, as seen from above, that the foam drawn at `time` covers: measured on the simulated
 /// surface, with the backend's maps. 0 for a flat sea. False when out of memory, or when `foam` is out of
-/// range. Costs some fifty evaluations of the sea: tenths of a second.
+/// range. Costs some seventy evaluations of the sea: tenths of a second.
 bool whitecapCover(const Sea& sea, const WavesBackend& backend, const FoamDesc& foam, double time,
                    double* cover);
 

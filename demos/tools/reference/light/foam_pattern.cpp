@@ -104,13 +104,14 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
         bend[i] = 2 * texel.y;
     }
     const glm::dvec2 bent(bend[0] + 0.4f * bend[2], bend[1] - 0.4f * bend[2]);
-    const float cover = surface.foamCover(calm, bent, static_cast<double>(pixelWidth));
+    const auto [cover, plume] = surface.foamCover(calm, bent, static_cast<double>(pixelWidth));
     widths = glm::max(widths, 0.15f * (widths.x + widths.y + widths.z) + 1e-3f);
     const float even = std::clamp(shareBelow(pattern, widths), 2e-4f, 1 - 2e-4f);
     const float kept2 = (1 - softEdges) * variance / patternVariance;
     foam.mask = gaussianBelow((gaussianQuantile(cover) - std::sqrt(kept2) * gaussianQuantile(even)) /
                               std::sqrt(1 - kept2));
     foam.fresh = cover;
+    foam.plume = plume;
     foam.height = kept2 * kept2 * std::clamp(1 - 2 * even / std::max(cover, 1e-3f), -1.0f, 1.0f);
     return foam;
 }

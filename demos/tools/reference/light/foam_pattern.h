@@ -13,6 +13,7 @@ struct Foam {
     float fresh = 0;    ///< 1 where waves break, less as what they leave thins
     glm::vec2 slope{0}; ///< of its own relief
     float height = 0;   ///< of the white's own, -1..1
+    float plume = 0;    ///< bubbles in the water below
 };
 
 /// `pixelWidth` is in metres of calm water.

@@ -94,11 +94,22 @@ glm::vec3 sampledGlint(const Frame& frame, const Facet& facet, const glm::vec3& 
            (fresnelWater(glm::dot(toEye, halfway)) * density / (4 * up2 * up2 * facet.meshCosine));
 }
 
+/// plumeGlow() of shaders/water/foam/foam_cover.glsl.
+glm::vec3 plumeGlow(const Frame& frame, const glm::vec3& toSun, float plume, bool lit) {
+    constexpr float reflects = 0.16f, skyEnters = 0.934f;
+    const float up = lit ? std::max(toSun.y, 0.0f) : 0.0f, through = glm::mix(9.0f, 2.5f, plume);
+    const Light& light = frame.world->light;
+    const glm::vec3 enters =
+        light.sunIrradiance() * (up * (1 - fresnelWater(up))) + light.filtered.irradianceUp * skyEnters;
+    return enters * (reflects / pi * plume) * glm::exp(-through * waterLightOf(frame).extinction());
+}
+
 /// withFoam() of shaders/water/foam/foam_cover.glsl.
 glm::vec3 withFoam(const glm::vec3& bare, const Frame& frame, const Facet& facet, const Foam& white,
-                   const glm::vec3& toEye, const glm::vec3& toSun, const glm::vec3& mirror, bool lit) {
+                   const glm::vec3& toEye, const glm::vec3& toSun, const glm::vec3& mirror, float leaves,
+                   bool lit) {
     constexpr float relief = 0.7f, filmVariance = 0.12f, filmShare = 0.4f;
-    constexpr float thinnest = 0.3f, plumeReflects = 0.1f, throughWater = 4;
+    constexpr float thinnest = 0.3f;
     Facet film = facet;
     film.slopes.mean += relief * white.slope;
     film.slopes.covariance += glm::vec3(filmVariance, filmVariance, 0);
@@ -111,8 +122,7 @@ glm::vec3 withFoam(const glm::vec3& bare, const Frame& frame, const Facet& facet
     const glm::vec3 foamy = falls * (frame.world->water->foam->albedo / pi) + filmShare * (mirror + glint);
     glm::vec3 water = bare;
     if (frame.world->water->refraction)
-        water += falls * (plumeReflects / pi * white.fresh * facet.weight) *
-                 glm::exp(-throughWater * waterLightOf(frame).extinction());
+        water += leaves * facet.weight * plumeGlow(frame, toSun, white.plume, lit);
     return glm::mix(water, foamy * facet.weight, white.mask * glm::mix(thinnest, 1.0f, white.fresh));
 }
 
@@ -166,7 +176,7 @@ WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int
 
     if (world.water->foam && !flat) {
         const Foam white = foamAt(frame.surface, frame.calmAt(hit), foamWidth(ray, hit, random));
-        radiance = withFoam(radiance, frame, facet, white, toEye, toSun, mirror, lit);
+        radiance = withFoam(radiance, frame, facet, white, toEye, toSun, mirror, 1 - fresnel, lit);
     }
     const auto presence = static_cast<float>(
         frame.surface.edge(frame.calmAt(hit), static_cast<double>(footprintOn(ray, hit))).presence);

@@ -1,4 +1,5 @@
-// The foam that breaking waves have left at one time, stepped from long enough before.
+// The foam that breaking waves have left at one time, and the bubbles below it, stepped from long enough
+// before.
 #pragma once
 
 #include <vector>
@@ -7,8 +8,13 @@
 
 namespace demos::reference {
 
-/// Of each cascade that breaks, samples^2 in rows along v. `state`: the backend's for the sea.
-std::vector<std::vector<float>> foamLeft(const seaglass::Sea& sea, const seaglass::FoamDesc& foam,
-                                         const seaglass::WavesBackend& backend, void* state, double timeS);
+/// samples^2 each in rows along v, of a grid that has drifted with the water.
+struct FoamLeft {
+    std::vector<float> foam, plume;
+};
+
+/// Of each cascade that breaks. `state`: the backend's for the sea.
+std::vector<FoamLeft> foamLeft(const seaglass::Sea& sea, const seaglass::FoamDesc& foam,
+                               const seaglass::WavesBackend& backend, void* state, double timeS);
 
 } // namespace demos::reference
