@@ -90,7 +90,7 @@ class MipChains : public GpuTest, public testing::WithParamInterface<VkPhysicalD
         std::uniform_real_distribution<float> value(-1, 1);
         std::vector<std::vector<float>> out(shape.images);
         for (std::vector<float>& image : out) {
-            image.resize(size_t{shape.extent.width} * shape.extent.height * shape.layers * channelsOf(shape));
+            image.resize(size_t{shape.extent.width} * shape.extent.height * shape.layers * channels);
             for (float& v : image) v = value(random);
         }
         return out;

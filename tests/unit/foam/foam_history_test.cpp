@@ -215,8 +215,9 @@ TEST(FoamHistory, WhatBreaksIsWhiteAndTheRestIsWhatWasThereFaded) {
                 ++white;
                 EXPECT_NEAR(after, 1, 1e-5);
             }
-            if (compression < threshold)
+            if (compression < threshold) {
                 EXPECT_NEAR(after, fadedFoam(before, fadings[c].foam.fade, fadings[c].foam.floor), 1e-4);
+            }
         }
         EXPECT_GT(white, 0u);
         EXPECT_LT(white, maps.texels() / 5);

@@ -13,7 +13,9 @@
 
 #include <gtest/gtest.h>
 
-namespace seaglass::tests {
+using namespace seaglass;
+using namespace tests;
+
 namespace {
 
 constexpr double pi = std::numbers::pi, slope = 1.0 / 21;
@@ -142,4 +144,3 @@ TEST(Surf, FoamIsCarriedWithoutBeingCombed) {
 }
 
 } // namespace
-} // namespace seaglass::tests
