@@ -3,7 +3,10 @@
 #ifdef __cplusplus
 #pragma once
 #include "gpu/pipeline/shader_types.h"
+#include "shaders/shared/marine_snow_lattice.h"
 namespace seaglass {
+#else
+#include "marine_snow_lattice.h"
 #endif
 
 const int maxExclusionVolumes = 8;
@@ -55,9 +58,13 @@ struct BodyBlock {
     vec4 extent;   // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the
                    // waves; 1 / globe's radius
     vec4 caustics; // strength
-    vec4 covered;  // (u, v) of the box around the body, low and high
-    vec4 shorePlace;  // of the eye on the shore's map, and of a metre
-    vec4 shoreSignal; // rows a second, the first one's, their number; the map's spacing [m]
+    vec4 shafts;   // strength; by how much of a depth waves blur them; SunInWater::turnedAcross
+    vec4 snow;     // share of its cells that hold something, turns of the waves that carry it
+    ivec4 snowCells[snowSizes]; // of marine_snow_lattice.h: the first along each axis, as they wrap
+    vec4 snowPlaces[snowSizes]; // that one's corner, a cell's edge [m]
+    vec4 covered;               // (u, v) of the box around the body, low and high
+    vec4 shorePlace;            // of the eye on the shore's map, and of a metre
+    vec4 shoreSignal;           // rows a second, the first one's, their number; the map's spacing [m]
     vec4 shoreForm; // 1 / period; how far foam is carried for each metre of swash; the first row in the last
                     // frame; e-folds of breakers' foam in a period
     mat3x4 worldFromBody; // a column each

@@ -48,13 +48,15 @@ std::vector<Row> measured(CompiledWater& water) {
     using namespace seaglass;
     std::vector<Row> rows;
     add(rows, water.kernels(), "");
-    for (const UnderwaterPass pass : {UnderwaterPass::water, UnderwaterPass::waterline})
+    for (const UnderwaterPass pass :
+         {UnderwaterPass::water, UnderwaterPass::shafts, UnderwaterPass::waterline})
         for (const bool shore : {false, true}) {
             const UnderwaterVariant variant = {
                 .pass = pass, .straddles = true, .hasWaves = true, .hasShore = shore};
             add(rows, water.overView(variant, false), "");
         }
     add(rows, water.overView({.pass = UnderwaterPass::caustics}, false), "");
+    add(rows, water.overView({.pass = UnderwaterPass::snow}, false), "");
     for (const uint32_t fog : {0u, 28u})
         add(rows, water.spray({.cascades = 4, .foamCascades = 3, .isWarped = true, .fogKind = fog}, false),
             fog ? "fog" : "");

@@ -43,6 +43,11 @@ constexpr Part parts[] = {
     {"high, deferred", [](WaterDesc& water) { deferAt("high", water); }},
     {"highest, deferred", [](WaterDesc& water) { deferAt("highest", water); }},
     {"Schlick", [](WaterDesc& water) { water.shading.fresnel = seaglass::Fresnel::schlick; }},
+    {"no shafts",
+     [](WaterDesc& water) {
+         if (water.underwater) water.underwater->shafts = 0;
+     }},
+    {"no shafts, no snow", takeUntraced},
     {"no spray", [](WaterDesc& water) { water.spray.reset(); }},
     {"no foam", [](WaterDesc& water) { water.foam.reset(), water.spray.reset(); }},
     {"no refraction", takeRefraction},

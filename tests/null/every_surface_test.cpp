@@ -33,9 +33,10 @@ TEST_F(Compiles, EverythingDrawn) {
         for (const Quality quality : {Quality::low, Quality::highest})
             expectCompiled(water_->deferred({letters, quality}));
     for (const bool multiview : {false, true})
-        expectCompiled(water_->overView({.pass = UnderwaterPass::surface}, multiview));
+        for (const UnderwaterPass pass : {UnderwaterPass::surface, UnderwaterPass::snow})
+            expectCompiled(water_->overView({.pass = pass}, multiview));
     for (const UnderwaterPass pass :
-         {UnderwaterPass::water, UnderwaterPass::waterline, UnderwaterPass::caustics})
+         {UnderwaterPass::water, UnderwaterPass::shafts, UnderwaterPass::waterline, UnderwaterPass::caustics})
         for (const bool multiview : {false, true}) {
             expectCompiled(water_->overView({.pass = pass}, multiview));
             for (const bool shore : {false, true})

@@ -2,6 +2,8 @@
 
 #include "spirv/caustics.frag.h"
 #include "spirv/caustics.vert.h"
+#include "spirv/marine_snow.frag.h"
+#include "spirv/marine_snow.vert.h"
 #include "spirv/placed_surface.frag.h"
 #include "spirv/underwater.frag.h"
 #include "spirv/underwater.vert.h"
@@ -17,6 +19,7 @@ struct PassInfo {
     const char* name;
     std::span<const uint32_t> vertex, fragment;
     Drawing drawing;
+    uint32_t triangles = 1;
 };
 
 PassInfo infoOf(UnderwaterPass pass) {
@@ -27,6 +30,10 @@ PassInfo infoOf(UnderwaterPass pass) {
         return {"waterline", underwater_vert, waterline_frag, Drawing::blended};
     case UnderwaterPass::surface:
         return {"placed_surface", underwater_vert, placed_surface_frag, Drawing::solid};
+    case UnderwaterPass::shafts:
+        return {"shafts", underwater_vert, underwater_frag, Drawing::added};
+    case UnderwaterPass::snow:
+        return {"marine_snow", marine_snow_vert, marine_snow_frag, Drawing::floating, snowParticles};
     case UnderwaterPass::caustics:
         break;
     }
@@ -38,6 +45,7 @@ PassInfo infoOf(UnderwaterPass pass) {
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
                      DrawPipeline& out) {
     UnderwaterVariant drawn = variant;
+    drawn.ofShafts = variant.pass == UnderwaterPass::shafts;
     drawn.inViews = target.viewMask != 0;
     drawn.targetIsEncoded = target.encoding == Encoding::srgb;
     const PassInfo info = infoOf(variant.pass);
@@ -58,9 +66,10 @@ Status recordUnderwater(Context& context, const DrawCall& call, const BodyView& 
     if (const Status s = context.frame().allocateSet(pipeline->layout, resources, set); s != Status::ok)
         return s;
     setViewport(context.device, call.commands, *view.given, view.geometry);
-    const gpu::PassScope pass(context.device, call.commands, infoOf(variant.pass).name);
+    const PassInfo info = infoOf(variant.pass);
+    const gpu::PassScope pass(context.device, call.commands, info.name);
     bindDraw(context.device, call.commands, *pipeline, set, view.given->viewIndex);
-    context.device.vk().CmdDraw(call.commands, 3, 1, 0, 0);
+    context.device.vk().CmdDraw(call.commands, 3 * info.triangles, 1, 0, 0);
     return Status::ok;
 }
 

@@ -8,11 +8,15 @@
 #include "gpu/context.h"
 #include "gpu/frame.h"
 #include "gpu/pipeline/constants.h"
+#include "shaders/shared/marine_snow_lattice.h"
 #include "water/body/draw_pipeline.h"
 
 namespace seaglass {
 
-enum class UnderwaterPass : uint32_t { water, waterline, caustics, surface };
+/// What drifts before an eye in the water.
+constexpr uint32_t snowParticles = snowSizes * snowCellsAcross * snowCellsAcross * snowCellsAcross;
+
+enum class UnderwaterPass : uint32_t { water, waterline, caustics, surface, shafts, snow };
 
 struct UnderwaterVariant {
     UnderwaterPass pass = UnderwaterPass::water;

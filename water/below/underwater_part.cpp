@@ -1,13 +1,37 @@
 #include "water/below/underwater_part.h"
 
+#include <cmath>
+
 #include "gpu/view/encoding.h"
 #include "seaglass/fields/water.h"
+#include "water/below/caustics.h"
 #include "water/below/underwater.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/target.h"
 
 namespace seaglass {
+
+namespace {
+
+/// In the order in which they are drawn.
+constexpr UnderwaterPass passes[] = {UnderwaterPass::water, UnderwaterPass::shafts, UnderwaterPass::snow,
+                                     UnderwaterPass::waterline};
+
+UnderwaterVariant passVariant(const Body& body, UnderwaterPass pass, bool straddles) {
+    if (pass == UnderwaterPass::snow) return {.pass = pass};
+    return {.pass = pass,
+            .straddles = straddles,
+            .hasWaves = straddles && body.sea,
+            .hasShore = straddles && body.sea && body.sea->shore};
+}
+
+/// As it wraps.
+int32_t wrappedCell(double cell) {
+    return static_cast<int32_t>(static_cast<uint32_t>(static_cast<uint64_t>(static_cast<int64_t>(cell))));
+}
+
+} // namespace
 
 FieldError UnderwaterPart::validate(const BodyDesc& desc) {
     if (desc.underwater && !desc.refraction) return "BodyDesc.underwater needs BodyDesc.refraction";
@@ -19,45 +43,80 @@ Status UnderwaterPart::create(Body&, const BodyDesc& of) {
     return Status::ok;
 }
 
-void UnderwaterPart::fill(const Body&, const BodyView&, BodyBlock& block) const {
+void UnderwaterPart::fillSnow(const Body& body, const BodyView& view, BodyBlock& block) const {
+    constexpr double finestCell = 0.16, sinks = 1e-3, sways = 1 / 4.0; // [m], [m/s], [1/s]
+    const double time = body.simulatedTime;
+    const glm::dvec3 eye = view.geometry.eye + glm::dvec3(0, time * sinks, 0);
+    block.snow = {desc.snow, sways * time - std::floor(sways * time), 0, 0};
+    for (int i = 0; i < snowSizes; ++i) {
+        const double cell = std::pow(2.2, i) * finestCell;
+        const glm::dvec3 first = glm::floor(eye / cell) - snowCellsAcross / 2.0;
+        block.snowCells[i] = {wrappedCell(first.x), wrappedCell(first.y), wrappedCell(first.z), 0};
+        block.snowPlaces[i] = glm::vec4(glm::vec3(first * cell - eye), cell);
+    }
+}
+
+void UnderwaterPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
     block.within.y = desc.meniscus / 2;
+    if (desc.snow > 0) fillSnow(body, view, block);
+    if (!draws(body, UnderwaterPass::shafts)) return;
+    const SunInWater sun = sunInWater(glm::dvec3(glm::vec4(block.toSun)));
+    block.sunInWater = glm::vec4(glm::vec3(sun.from), 0);
+    const double slopes = resolvedSlopeVariance(*body.sea) + unresolvedSlopeVariance(*body.sea);
+    // A deviation to each side of what slopes make of a ray.
+    block.shafts = {desc.shafts, 2 * sun.turnedAcross * std::sqrt(slopes / 2), sun.turnedAcross, 0};
 }
 
 Status UnderwaterPart::draw(Body& body, const DrawCall& call, DrawMoment moment) const {
+    for (const UnderwaterPass pass : passes) {
+        const bool isNow = (pass == UnderwaterPass::water) == (moment == DrawMoment::beforeSurfaces);
+        if (!isNow || !draws(body, pass)) continue;
+        if (const Status s = record(body, call, pass); s != Status::ok) return s;
+    }
+    return Status::ok;
+}
+
+Status UnderwaterPart::record(Body& body, const DrawCall& call, UnderwaterPass pass) const {
     BodyView view;
     if (const Status s = body.read("draw", call.view, call.lighting, body.needsScene(), view);
         s != Status::ok)
         return s;
     const SidesSeen sides = body.sidesSeen(view.geometry);
-    const bool straddles = sides == SidesSeen::either, isWater = moment == DrawMoment::beforeSurfaces;
-    const bool wanted = isWater ? sides != SidesSeen::above : straddles && desc.meniscus > 0;
-    if (!wanted) return Status::ok;
+    const bool straddles = sides == SidesSeen::either;
+    if (pass == UnderwaterPass::waterline ? !straddles : sides == SidesSeen::above) return Status::ok;
+    if (pass == UnderwaterPass::snow && view.geometry.parallel) return Status::ok;
+    if (pass == UnderwaterPass::shafts && body.toSun(call.lighting).y <= 0) return Status::ok;
+    UnderwaterVariant variant = passVariant(body, pass, straddles);
+    variant.sceneIsEncoded = pass == UnderwaterPass::water && isEncoded(call.view.sceneColor);
     Resources resources;
     if (const Status s = bindBody(body, view, resources); s != Status::ok) return s;
-    return recordUnderwater(*body.context, call, view,
-                            {.pass = isWater ? UnderwaterPass::water : UnderwaterPass::waterline,
-                             .straddles = straddles,
-                             .hasWaves = straddles && body.sea,
-                             .hasShore = straddles && body.sea && body.sea->shore,
-                             .sceneIsEncoded = isWater && isEncoded(call.view.sceneColor)},
-                            resources);
+    return recordUnderwater(*body.context, call, view, variant, resources);
+}
+
+bool UnderwaterPart::draws(const Body& body, UnderwaterPass pass) const {
+    switch (pass) {
+    case UnderwaterPass::shafts:
+        return desc.shafts > 0 && body.sea;
+    case UnderwaterPass::snow:
+        return desc.snow > 0;
+    case UnderwaterPass::waterline:
+        return desc.meniscus > 0;
+    default:
+        return true;
+    }
 }
 
 Status UnderwaterPart::prepare(const Body& body, const PrepareCall& call) const {
     if (call.output != SurfaceOutput::shaded) return Status::ok;
-    const auto prepared = [&](const UnderwaterVariant& variant) {
-        return prepareUnderwater(call.target.underwater, variant);
-    };
-    UnderwaterVariant over = {.pass = UnderwaterPass::water};
-    over.sceneIsEncoded = call.sceneIsEncoded;
-    if (const Status s = prepared(over); s != Status::ok) return s;
-    over.straddles = true;
-    over.hasWaves = body.sea != nullptr;
-    over.hasShore = body.sea && body.sea->shore;
-    if (const Status s = prepared(over); s != Status::ok || desc.meniscus <= 0) return s;
-    over.pass = UnderwaterPass::waterline;
-    over.sceneIsEncoded = false;
-    return prepared(over);
+    for (const UnderwaterPass pass : passes)
+        for (const bool straddles : {false, true}) {
+            if (!draws(body, pass) || (pass == UnderwaterPass::waterline && !straddles)) continue;
+            UnderwaterVariant variant = passVariant(body, pass, straddles);
+            variant.sceneIsEncoded = pass == UnderwaterPass::water && call.sceneIsEncoded;
+            if (const Status s = prepareUnderwater(call.target.underwater, variant); s != Status::ok)
+                return s;
+        }
+    return Status::ok;
 }
 
 Part underwaterPart() {

@@ -1,6 +1,7 @@
 // A body that can be seen from within.
 #pragma once
 
+#include "water/below/underwater.h"
 #include "water/body/part.h"
 
 namespace seaglass {
@@ -15,6 +16,12 @@ struct UnderwaterPart {
     /// Of an eye in the water; records nothing for other eyes.
     Status draw(Body& body, const DrawCall& call, DrawMoment moment) const;
     Status prepare(const Body& body, const PrepareCall& call) const;
+
+  private:
+    /// Whether the body has such a pass at all.
+    bool draws(const Body& body, UnderwaterPass pass) const;
+    void fillSnow(const Body& body, const BodyView& view, BodyBlock& block) const;
+    Status record(Body& body, const DrawCall& call, UnderwaterPass pass) const;
 };
 
 } // namespace seaglass

@@ -37,6 +37,11 @@ struct PipelineState {
                                                       : VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
             attachment.srcAlphaBlendFactor = doubled ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_DST_ALPHA;
         }
+        if (drawing == Drawing::added) {
+            attachment.blendEnable = VK_TRUE;
+            attachment.srcColorBlendFactor = attachment.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
+            attachment.colorWriteMask &= ~VkColorComponentFlags(VK_COLOR_COMPONENT_A_BIT);
+        }
         blend.attachmentCount = 1;
         blend.pAttachments = &attachment;
         dynamic.dynamicStateCount = 2;

@@ -17,6 +17,7 @@ enum class Drawing {
     blended,  ///< the same by its alpha; the target's alpha stays
     floating, ///< depth tested, not written, and blended likewise
     scaled,   ///< multiplies the colour; the target's alpha stays
+    added,    ///< to the colour, whatever the depth; the target's alpha stays
 };
 
 struct DrawPipeline {

@@ -23,7 +23,7 @@ std::optional<Scene> sceneWith(const Technique& technique, const std::string& su
     if (!technique.part && scene->floor) scene->floor->reflection.reset();
     if (technique.isPreset) setQuality(technique.quality, *scene->water);
     if (desc.flat && scene->water) takeWaves(*scene->water);
-    if (scene->water) scene->water->spray.reset(); // of which the reference has none
+    if (scene->water) takeUntraced(*scene->water);
     return scene;
 }
 

@@ -19,4 +19,10 @@ inline void takeRefraction(WaterDesc& water) {
     water.caustics.reset();
 }
 
+/// Of which the reference has none.
+inline void takeUntraced(WaterDesc& water) {
+    water.spray.reset();
+    if (water.underwater) water.underwater->shafts = water.underwater->snow = 0;
+}
+
 } // namespace demos

@@ -10,6 +10,7 @@
 #include "optics.glsl"
 
 #include "water_light.glsl"
+#include "lit_below.glsl"
 #include "underwater_light.glsl"
 
 layout(set = 0, binding = sceneColorBinding) uniform sampler2D sceneColor;
@@ -26,6 +27,12 @@ const bool isWarped = true;
 #include "shore.glsl"
 #include "wave_displacement.glsl"
 #include "waterline.glsl"
+#include "shafts.glsl"
+
+// To what shows of the opaque scene, or where the line of sight leaves calm water, if that is nearer.
+float pathInWater(vec3 start, vec3 view, float depth, float toScene) {
+    return view.y > 0.0 ? min(depth / view.y, toScene) : toScene;
+}
 
 void main() {
     vec3 start = onNearPlane(gl_FragCoord.xy - vec2(water.region.xy));
@@ -34,15 +41,25 @@ void main() {
     float depth = depthOfSight(start);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float seen = texelFetch(sceneDepth, pixel, 0).r;
-    // To the surface, which is drawn over it, or without an end.
-    if (water.depthSign * (seen - water.farDepth) <= 0.0) {
-        float path = view.y > 0.0 ? depth / view.y : 1e6;
-        outColor = vec4(heldOf(scatteredIn(water.toSun.xyz, depth, view.y, min(path, 1e6)), targetIsEncoded), 1.0);
-        return;
-    }
+    bool endless = water.depthSign * (seen - water.farDepth) <= 0.0;
     vec4 q = water.relativeFromPixel * vec4(gl_FragCoord.xy - vec2(water.region.xy), seen, 1.0);
     vec3 at = q.xyz / q.w;
-    float path = max(distanceTo(at) - distanceTo(start), 0.0);
+    float path = endless ? 1e6 : max(distanceTo(at) - distanceTo(start), 0.0);
+    if (ofShafts) {
+        vec3 added = shaftsIn(water.toSun.xyz, start, view, depth, pathInWater(start, view, depth, path));
+        outColor = vec4(added, 0.0);
+        if (targetIsEncoded) {   // over no less than what the water shows
+            vec3 least = scatteredIn(water.toSun.xyz, depth, view.y, pathInWater(start, view, depth, path));
+            outColor.rgb = heldOf(least + added, true) - heldOf(least, true);
+        }
+        return;
+    }
+    // To the surface, which is drawn over it, or without an end.
+    if (endless) {
+        path = pathInWater(start, view, depth, path);
+        outColor = vec4(heldOf(scatteredIn(water.toSun.xyz, depth, view.y, path), targetIsEncoded), 1.0);
+        return;
+    }
     vec4 color = texelFetch(sceneColor, pixel, 0);
     vec3 lit = litBelow(water.toSun.xyz, linearOf(color.rgb, sceneIsEncoded), -(at.y + water.plane.w), gatheredIn(color));
     outColor = vec4(heldOf(throughWater(water.toSun.xyz, lit, depth, view.y, path), targetIsEncoded), 1.0);

@@ -27,6 +27,7 @@ vec3 inWorld(vec3 direction) {
 #include "surface_mirror.glsl"
 #include "sun_glint.glsl"
 #include "water_light.glsl"
+#include "lit_below.glsl"
 #include "refraction.glsl"
 #include "subsurface_scattering.glsl"
 #include "foam_cover.glsl"

@@ -31,6 +31,8 @@ struct Water {
         desc.foam = &foam;
         desc.refraction = &refraction;
         desc.reflection = &reflection;
+        underwater.shafts = 1;
+        underwater.snow = 1;
         desc.underwater = &underwater;
         desc.caustics = &caustics;
         desc.bed = &bed;
@@ -204,6 +206,8 @@ std::vector<Feature> featuresOfParts() {
         {"meniscus",
          [](Water& w) { w.underwater.meniscus = 0; },
          {&pipelines, &draws, &bound, &reads, &code}},
+        {"shafts", [](Water& w) { w.underwater.shafts = 0; }, {&pipelines, &draws, &bound, &reads, &code}},
+        {"marine snow", [](Water& w) { w.underwater.snow = 0; }, {&pipelines, &draws, &code}},
         {"caustics",
          [](Water& w) { w.desc.caustics = nullptr; },
          {&memory, &objects, &computes, &dispatches, &pipelines, &draws, &bound, &reads, &code}},

@@ -23,6 +23,11 @@ PixelView view(const Picture& picture) {
     return {picture.width, picture.height, picture.rgba};
 }
 
+/// Rougher than the scene's, so that what is mirrored is blurred.
+std::vector<std::string> breeze() {
+    return {"water.waves.wind_m_s=4.5", "water.waves.swells=[]"};
+}
+
 class UnderwaterHost : public testing::Test {
   protected:
     void SetUp() override {
@@ -38,6 +43,7 @@ class UnderwaterHost : public testing::Test {
         const auto scene = loadScene(tests::demoScene(name), overrides, error);
         ASSERT_TRUE(scene) << error.text;
         scene_ = *scene;
+        takeUntraced(*scene_.water);
     }
     Picture render(const CameraDesc& camera) {
         Error error;
@@ -101,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(, CrossedSurface, testing::Values(8, 30),
 
 /// Ripples that nothing resolves blur what the surface mirrors of the bed: the more so the farther it lies.
 TEST_F(UnderwaterHost, MirrorsTheBedAsSoftlyAsItIsTraced) {
-    take("underwater");
+    take("underwater", breeze());
     Error error;
     const CameraDesc camera = cameraOf(scene_, "far");
     const std::vector<uint8_t> traced = toneMap(trace(camera, 16), scene_.exposureEv);
@@ -122,7 +128,7 @@ TEST_F(UnderwaterHost, MirrorsTheBedAsSoftlyAsItIsTraced) {
 /// Towards the picture's border what is mirrored lies beyond it, and the picture shows no bed where the ray
 /// is first thought to end.
 TEST_F(UnderwaterHost, MirrorsABedBeyondThePictureThatEndsFarOff) {
-    take("underwater");
+    take("underwater", breeze());
     Error error;
     ASSERT_TRUE(host_->load(scene_, error)) << error.text;
     const CameraDesc camera = cameraOf(scene_, "near");
@@ -141,7 +147,7 @@ TEST_F(UnderwaterHost, MirrorsABedBeyondThePictureThatEndsFarOff) {
 /// An eye that looks up: what the surface mirrors around the window is a bed that no pixel of the scene
 /// shows, and beyond the border of the mirrored picture where waves tilt it.
 TEST_F(UnderwaterHost, MirrorsABedThatThePictureDoesNotShow) {
-    take("underwater");
+    take("underwater", breeze());
     Error error;
     ASSERT_TRUE(host_->load(scene_, error)) << error.text;
     const CameraDesc camera = cameraOf(scene_, "up");
@@ -157,7 +163,7 @@ TEST_F(UnderwaterHost, MirrorsABedThatThePictureDoesNotShow) {
 
 /// What stands in the water goes on above it: no sky between both, nor behind what is thin.
 TEST_F(UnderwaterHost, SeesNoSkyBetweenABoatsSidesAndItsBottom) {
-    take("underwater");
+    take("underwater", breeze());
     Error error;
     ASSERT_TRUE(host_->load(scene_, error)) << error.text;
     const CameraDesc camera = cameraOf(scene_, "up");
@@ -184,8 +190,11 @@ TEST_F(UnderwaterHost, SeesNoSkyBetweenABoatsSidesAndItsBottom) {
 
 /// A low sun's bright sky is overhead under water: sides and undersides of what swims there are dim.
 TEST_F(UnderwaterHost, TheSkyOfAnEveningLightsSidesAsDimlyAsItIsTraced) {
-    take("underwater",
-         {"sun.azimuth_deg=298", "sun.elevation_deg=7.5", "sun.irradiance=[8.685, 4.944, 1.910]"});
+    std::vector<std::string> evening = breeze();
+    for (const char* const sun :
+         {"sun.azimuth_deg=298", "sun.elevation_deg=7.5", "sun.irradiance=[8.685, 4.944, 1.910]"})
+        evening.emplace_back(sun);
+    take("underwater", evening);
     Error error;
     ASSERT_TRUE(host_->load(scene_, error)) << error.text;
     CameraDesc camera = cameraOf(scene_, "middle");

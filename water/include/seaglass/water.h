@@ -26,6 +26,9 @@ struct RefractionDesc {
 struct UnderwaterDesc {
     /// Of the dark line where the near plane leaves the water (capillary length 2.7 mm) [m], 0..0.1; 0: none.
     float meniscus = 0.003f;
+    /// Sunlight that `waves` gather, seen on its way down as water scatters it, 0..1: 1 as they say; 0: none.
+    float shafts = 0;
+    float snow = 0; ///< what drifts in the water, of all that may, 0..1; 0: none. Not before parallel lines
 };
 
 /// Sunlight that the waves gather on what lies below them: drawCaustics(). By the curvature of the waves that

@@ -65,6 +65,8 @@ inline constexpr FieldTable refractionFields = fieldTable("RefractionDesc", refr
 /// Rows of underwaterFields.
 inline constexpr Field underwaterFieldRows[] = {
     field<&UnderwaterDesc::meniscus>("meniscus", 0, 0.1, "m", "Width of the waterline; 0: none."),
+    field<&UnderwaterDesc::shafts>("shafts", 0, 1, "", "Of sunlight; 1: as the waves gather it, 0: none."),
+    field<&UnderwaterDesc::snow>("snow", 0, 1, "", "Share of all particles that may drift there; 0: none."),
 };
 /// Of UnderwaterDesc.
 inline constexpr FieldTable underwaterFields = fieldTable("UnderwaterDesc", underwaterFieldRows);

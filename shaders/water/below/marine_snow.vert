@@ -1,0 +1,79 @@
+// Places what drifts in the water around the eye: its places are a function of the lattice's cells and the time alone.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "constant.glsl"
+#include "underwater_constants.h"
+#include "water_bindings.h"
+#include "one_view.glsl"
+#include "body.glsl"
+#include "optics.glsl"
+#include "turns.glsl"
+#include "spray_hash.glsl"
+#include "water_light.glsl"
+#include "underwater_light.glsl"
+
+layout(location = 0) out vec2 within;       // of a circle, which is the unit one in it
+layout(location = 1) flat out vec4 light;   // radiance, how much it hides in the middle
+
+float share(inout uint bits) {
+    bits = scrambled(bits + 0x9e3779b9u);
+    return shareOf(bits);
+}
+
+struct Particle {
+    vec3 at;
+    float radius;   // [m]
+    float shown;    // by distance, and where there are so many
+};
+
+// Round its place each is carried as waves carry water.
+Particle particleAt(uint index) {
+    const uint across = uint(snowCellsAcross);
+    uint size = index / (across * across * across);
+    uvec3 cell = uvec3(index, index / across, index / (across * across)) % across;
+    ivec4 first = water.snowCells[size];
+    vec4 corner = water.snowPlaces[size];
+    uvec3 c = uvec3(first.xyz) + cell;
+    uint bits = scrambled(scrambled(scrambled(c.x + 0x632be5abu * size) ^ (c.y * 0x9e3779b9u)) ^ (c.z * 0x85ebca6bu));
+    float there = share(bits);
+    vec3 place = vec3(share(bits), share(bits), share(bits));
+    vec2 turned = cosineSine(water.snow.y + share(bits));
+    vec2 sways = vec2(share(bits), share(bits)) - 0.5;
+    Particle p;
+    p.at = corner.xyz + (vec3(cell) + place) * corner.w + 0.05 * vec3(turned.x * sways, turned.y * sways.x).xzy;
+    p.radius = 1e-3 * exp2(float(size)) * (0.4 + 0.8 * share(bits));
+    float reach = corner.w * float(snowCellsAcross / 2 - 1);
+    float away = length(p.at);
+    p.shown = there < water.snow.x ? (1.0 - smoothstep(0.6 * reach, reach, away)) * smoothstep(0.15, 0.4, away) : 0.0;
+    // Between crests and troughs it might hang in the air.
+    p.shown *= smoothstep(water.within.z, 0.05 + 2.0 * water.within.z, -(p.at.y + water.plane.w));
+    return p;
+}
+
+// What light reaches it there, white that it is.
+vec3 radianceAt(float depth) {
+    vec3 k = extinction() * depth;
+    vec3 arriving = sunEntering(water.toSun.xyz) * exp(-k) + water.skyIrradiance.rgb * skyEnters * exp(-1.2 * k);
+    return 0.5 / pi * arriving;
+}
+
+void main() {
+    gl_Position = outOfSight;
+    within = vec2(0.0);
+    light = vec4(0.0);
+    if (inViews && isOtherView()) return;
+    Particle p = particleAt(uint(gl_VertexIndex) / 3u);
+    vec4 pixel = pixelOf(p.at);
+    if (p.shown <= 0.0 || pixel.w <= 0.0) return;
+    float least = 0.7 * pixelWidth(p.at);
+    float radius = max(p.radius, least);
+    float hides = p.shown * p.radius * p.radius / (radius * radius);
+    if (hides < 1e-3) return;
+    vec3 view = normalize(p.at);
+    vec3 radiance = radianceAt(-(p.at.y + water.plane.w));
+    light = vec4(throughWater(water.toSun.xyz, radiance, max(-water.plane.w, 0.0), view.y, length(p.at)), hides);
+    vec3 right = normalize(cross(view, abs(view.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
+    int corner = gl_VertexIndex % 3;
+    within = corner == 0 ? vec2(-1.7320508, -1.0) : corner == 1 ? vec2(1.7320508, -1.0) : vec2(0.0, 2.0);
+    gl_Position = water.clipFromRelative * vec4(p.at + radius * (within.x * right + within.y * cross(right, view)), 1.0);
+}

@@ -1,0 +1,52 @@
+// Shafts of light: what the waves gather of the sun on its way down, and the water scatters to the eye. Needs body.glsl,
+// water_light.glsl, wave_warp.glsl and `cascades`.
+
+// Times what calm water lets through, at a depth under the calm place where the sun's ray comes in; a mean over `width` metres.
+// Where rays cross, what they gather stays between none and twice the mean.
+float gatheredUnder(vec2 enters, float depth, float width) {
+    vec2 place = warped(enters);
+    float curvature = 0.0;
+    int i = 0;
+    do {
+        float texels = max(width * water.cascade[i].w, 1.0);
+        float mip = log2(texels);
+        if (mip + 1.0 >= water.maxMip) continue;
+        vec3 at = vec3(water.cascade[i].xy + place * water.cascade[i].z, i);
+        float perWidth = water.cascade[i].w / texels;
+        float rise = textureLod(waveDisplacement, at, mip + 1.0).y - textureLod(waveDisplacement, at, mip).y;
+        curvature += rise * perWidth * perWidth;
+    } while (++i < cascades);
+    // A linear look at texels of w has a variance of w^2/4 each way, so the next mip is higher by 3/8 w^2 of the curvature.
+    float turned = 8.0 / 3.0 * curvature * water.shafts.z * depth;
+    return 1.0 - turned * inversesqrt(1.0 + turned * turned);
+}
+
+// How many times more than to its side water scatters at an angle to the beam: Henyey and Greenstein's, of particles. Light that
+// is turned by less than some ten degrees still counts as the beam.
+float scatteredAhead(float cosine) {
+    const float g = 0.8;
+    float share = (1.0 + g * g) / (1.0 + g * g - 2.0 * g * cosine);
+    return max(share * sqrt(share), 1.0);
+}
+
+// What they add to scatteredIn() of the same line of sight, which has the mean of all directions. Each step sees as much of the
+// waves as it is long, so that none is missed.
+vec3 shaftsIn(vec3 toSun, vec3 start, vec3 view, float depth, float path) {
+    const int steps = 16;
+    vec3 from = water.sunInWater.xyz;
+    vec2 aside = from.xz / from.y;
+    vec2 perMetre = view.xz - aside * view.y;   // of where the sun's ray came in
+    vec3 k = extinction();
+    float ahead = scatteredAhead(dot(view, from));
+    float reach = min(path, 4.0 / min(k.r, min(k.g, k.b)));
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < steps; ++i) {
+        float u = (float(i) + 0.5) / float(steps);
+        float way = reach * u * u, step = 2.0 * reach * u / float(steps);
+        vec3 at = start + view * way;
+        float below = max(depth - view.y * way, 0.0);
+        float width = max(step * length(perMetre), below * water.shafts.y);
+        sum += step * (ahead * gatheredUnder(at.xz + aside * below, below, width) - 1.0) * exp(-k * (below + way));
+    }
+    return water.shafts.x * sum * sunEntering(toSun) / pi * (2.0 * 0.33 * water.backscatter.rgb);
+}

@@ -1,0 +1,185 @@
+// Shafts of sunlight under water: they stand along the sun's rays, gather no light that is not there, and
+// what drifts in the water hangs where it is.
+#include <algorithm>
+#include <cmath>
+
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/host/spy.h"
+#include "tests/gpu/rig/water_rig.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+class InTheWater : public WaterTest {
+  protected:
+    void SetUp() override {
+        WaterTest::SetUp();
+        sea_.windSpeed = 3;
+        sea_.fetch = 1e3f;
+        sea_.samples = 64;
+        sea_.cascades = 2;
+        lighting.toSun[0] = 0.6;
+        lighting.toSun[1] = 0.8;
+        lighting.toSun[2] = 0;
+        for (int i = 0; i < 3; ++i) lighting.sunIrradiance[i] = 5, lighting.skyIrradiance[i] = 1;
+        camera_.eye = {3, -5, 7};
+        camera_.width = 192;
+        camera_.height = 96;
+    }
+    /// From the eye, by what it looks along.
+    Camera along(const glm::dvec3& view) const {
+        Camera camera = camera_;
+        camera.target = camera.eye + view;
+        return camera;
+    }
+    Body* made(float shafts, float snow) {
+        const UnderwaterDesc underwater{0, shafts, snow};
+        BodyDesc desc;
+        desc.waves = &sea_;
+        desc.wavesBackend = fftwWaves();
+        desc.refraction = &refraction_;
+        desc.underwater = &underwater;
+        return makeBody(desc);
+    }
+    /// What they add to the green light of each pixel.
+    std::vector<double> added(float shafts, float snow, const Camera& camera, double time = 4) {
+        const WaterPicture with = picture({made(shafts, snow)}, camera, time),
+                           without = picture({made(0, 0)}, camera, time);
+        std::vector<double> more(with.color.size() / 4);
+        for (size_t i = 0; i < more.size(); ++i)
+            more[i] = double{with.color[4 * i + 1]} - double{without.color[4 * i + 1]};
+        return more;
+    }
+
+    SeaDesc sea_;
+    RefractionDesc refraction_;
+    Camera camera_;
+};
+
+double mean(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value / static_cast<double>(values.size());
+    return sum;
+}
+
+class Shafts : public InTheWater {};
+
+TEST_F(Shafts, StandAlongTheSunsRays) {
+    const Camera camera = along({-0.2, 0.35, -1});
+    const std::vector<double> more = added(1, 0, camera);
+    // Where the sun's rays seem to come from: in water, by Snell's law.
+    const glm::dvec3 sun(0.6 / 1.333, std::sqrt(1 - 0.36 / (1.333 * 1.333)), 0);
+    const auto width = static_cast<size_t>(camera.width), height = static_cast<size_t>(camera.height);
+    double alongRays = 0, across = 0;
+    for (uint32_t y = 1; y + 1 < height; ++y)
+        for (uint32_t x = 1; x + 1 < width; ++x) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            const glm::dvec3 right = rayThrough(camera, x + 1, y) - ray,
+                             down = rayThrough(camera, x, y + 1) - ray;
+            const glm::dvec3 towards = sun - glm::dot(sun, ray) * ray; // across the line of sight
+            glm::dvec2 way(glm::dot(towards, right) / glm::dot(right, right),
+                           glm::dot(towards, down) / glm::dot(down, down));
+            way = glm::normalize(way);
+            const size_t i = y * width + x;
+            const glm::dvec2 change(more[i + 1] - more[i - 1], more[i + width] - more[i - width]);
+            alongRays += std::abs(glm::dot(change, way));
+            across += std::abs(change.x * way.y - change.y * way.x);
+        }
+    std::printf("change along the sun's rays over that across them: %.3f\n", alongRays / across);
+    EXPECT_LT(alongRays, 0.6 * across);
+}
+
+// Away from the sun they take as much light as they give.
+TEST_F(Shafts, GatherNoLightThatIsNotThere) {
+    double brighter = 0, all = 0;
+    for (const double time : {4.0, 9.0, 17.0}) {
+        const std::vector<double> more = added(1, 0, along({-1, -0.3, 0.1}), time);
+        brighter += mean(more);
+        for (const double value : more) all += std::abs(value) / static_cast<double>(more.size());
+    }
+    std::printf("of what they change, %.3f is left in the mean\n", brighter / all);
+    EXPECT_GT(all, 1e-4);
+    EXPECT_LT(std::abs(brighter), 0.35 * all);
+}
+
+TEST_F(Shafts, AreBrightestTowardsTheSun) {
+    const double towards = mean(added(1, 0, along({0.8, 0.6, 0}))),
+                 away = mean(added(1, 0, along({-1, 0, 0})));
+    std::printf("towards the sun %.4f, away from it %.4f\n", towards, away);
+    EXPECT_GT(towards, 10 * std::abs(away));
+}
+
+TEST_F(Shafts, DimAsTheyAreAskedTo) {
+    const Camera camera = along({0.2, 0.4, -1});
+    const std::vector<double> whole = added(1, 0, camera), half = added(0.5f, 0, camera);
+    for (size_t i = 0; i < whole.size(); i += 97)
+        EXPECT_NEAR(half[i], whole[i] / 2, 1e-3 * std::abs(whole[i]) + 1e-5);
+}
+
+class MarineSnow : public InTheWater {
+  protected:
+    MarineSnow() { camera_.near = 0.05; }
+    static size_t specks(const std::vector<double>& more) {
+        return static_cast<size_t>(std::ranges::count_if(more, [](double value) { return value > 1e-4; }));
+    }
+};
+
+TEST_F(MarineSnow, IsAFunctionOfPlaceAndTime) {
+    Body* const watched = made(0, 1);
+    const Camera camera = along({0, 0, -1});
+    for (const double time : {1.0, 30.0, 2.0}) picture({watched}, along({1, 0, 0}), time);
+    const WaterPicture late = picture({watched}, camera, 4), early = picture({made(0, 1)}, camera, 4),
+                       later = picture({watched}, camera, 4.5);
+    EXPECT_TRUE(late.color == early.color);
+    EXPECT_FALSE(late.color == later.color);
+    const std::vector<double> more = added(0, 1, camera), few = added(0, 0.2f, camera);
+    std::printf("%zu pixels of 1, %zu of 0.2\n", specks(more), specks(few));
+    EXPECT_GT(specks(more), 60u);
+    EXPECT_LT(specks(few), specks(more) / 2);
+}
+
+// As the eye moves to the right what hangs before it moves to the left in the picture, near things most.
+TEST_F(MarineSnow, HangsInTheWater) {
+    const Camera before = along({0, 0, -1});
+    Camera after = before;
+    after.eye.x += 0.004;
+    after.target.x += 0.004;
+    const std::vector<double> first = added(0, 1, before), second = added(0, 1, after);
+    const auto width = static_cast<size_t>(before.width);
+    const auto likeShifted = [&](size_t by) {
+        double sum = 0;
+        for (size_t i = 0; i + by < first.size(); ++i)
+            if (i % width + by < width) sum += first[i + by] * second[i];
+        return sum;
+    };
+    EXPECT_GT(likeShifted(1), 0.2 * likeShifted(0));
+    EXPECT_GT(likeShifted(0) + likeShifted(1), 3 * likeShifted(20));
+}
+
+TEST_F(MarineSnow, IsNoBrighterThanWhatLightsIt) {
+    const std::vector<double> more = added(0, 1, along({0.5, 0.2, -1}));
+    EXPECT_LT(*std::ranges::max_element(more), 0.5 * (5 * 0.8 + 1) / 3.14159265);
+}
+
+TEST_F(InTheWater, WhatIsOffIsNotDrawn) {
+    const auto draws = [&](float shafts, float snow, double height) {
+        Body* const body = made(shafts, snow);
+        Camera camera = along({0, 0, -1});
+        camera.eye.y = camera.target.y = height;
+        picture({body}, camera);
+        spiedCalls().clear();
+        picture({body}, camera);
+        EXPECT_EQ(countSpied("CmdDispatch"), 0u);
+        return countSpied("CmdDraw");
+    };
+    const size_t water = draws(0, 0, -5);
+    EXPECT_EQ(draws(1, 0, -5), water + 1);
+    EXPECT_EQ(draws(0, 1, -5), water + 1);
+    EXPECT_EQ(draws(1, 1, 5), draws(0, 0, 5));
+    lighting.toSun[1] = -0.8;
+    EXPECT_EQ(draws(1, 0, -5), water) << "at night";
+}
+
+} // namespace
