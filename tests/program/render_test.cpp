@@ -81,6 +81,24 @@ TEST_F(Render, WhatIsToBeLookedAtIsSeenThroughAirAndLens) {
     EXPECT_FALSE(tests::readAll(out("foggy.png")) == plain) << "its light strays";
 }
 
+/// What a meter said.
+double exposureIn(const Outcome& outcome) {
+    const std::string name = "exposure_ev: ";
+    const size_t at = outcome.out.find(name);
+    EXPECT_NE(at, std::string::npos) << outcome.out << outcome.err;
+    return at == std::string::npos ? 0 : std::stod(outcome.out.substr(at + name.size()));
+}
+
+// Four times the light asks for two stops less, and the picture is the same.
+TEST_F(Render, AMeterExposesAnyLightAlike) {
+    const Outcome dim = render({"-o", "out/dim.png", "--metered"});
+    const Outcome bright = render({"-o", "out/bright.png", "--metered", "--set", "sky.intensity=4", "--set",
+                                   "sun.irradiance=[12, 8, 4]", "--set", "exposure_ev=9"});
+    EXPECT_NEAR(exposureIn(dim) - exposureIn(bright), 2, 0.02);
+    ASSERT_EQ(render({"-o", "out/unmetered.png"}).code, 0);
+    EXPECT_FALSE(tests::readAll(out("unmetered.png")) == tests::readAll(out("dim.png")));
+}
+
 TEST_F(Render, TheSameCommandGivesTheSameBytes) {
     ASSERT_EQ(render({"-o", "out/a.exr", "--time", "7.25"}).code, 0);
     ASSERT_EQ(render({"-o", "out/b.exr", "--time", "7.25"}).code, 0);

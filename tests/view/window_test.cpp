@@ -1,4 +1,5 @@
 // The viewer in a real window: keys, mouse and sizes come from the display's server, as from a desktop.
+#include "host/lens/meter.h"
 #include "tests/view/in_window.h"
 
 // Last: X11 defines words that others use.
@@ -227,6 +228,8 @@ TEST_F(InWindow, ChangesShowAndWhatCannotBeLeavesTheScene) {
 
     ASSERT_TRUE(host_->load(state.scene, error_)) << error_.text;
     EXPECT_LE(difference(sunny, demos::toneMap(rendered(), state.scene.exposureEv)), 1) << "as loaded anew";
+    ASSERT_TRUE(viewer_->change(state, {.meter = true}, error_)) << error_.text;
+    EXPECT_NEAR(viewer_->state().scene.exposureEv, demos::meteredEv(rendered()), 0.1);
     EXPECT_EQ(host_->validationMessages(), 0u);
 }
 

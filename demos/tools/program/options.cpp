@@ -41,6 +41,7 @@ Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)
 struct Raw : RawScene, RawDevice {
     std::string supersample, frames, fps, aov, mistake, stats, spp, seed, truth, mirrored;
     std::vector<std::string> outputs;
+    bool metered = false;
 };
 
 /// What render and reference have in common.
@@ -50,6 +51,8 @@ void describePicture(CLI::App& command, Raw& raw) {
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     describeScene(command, raw);
     describePlain(command, raw);
+    command.add_flag("--metered", raw.metered,
+                     "Expose PNGs as a camera's light meter would, whatever the scene's exposure_ev");
     command
         .add_option("-o,--output", raw.outputs,
                     "PNG (tone-mapped) or EXR (linear); may be given more than once")
@@ -180,6 +183,7 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
         out.mistake = found->second;
     }
     out.stats = raw.stats;
+    out.metered = raw.metered;
     out.lens = !raw.plain && isToLookAt(out);
     return checkDevice(raw, out, error);
 }

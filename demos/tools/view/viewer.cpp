@@ -4,6 +4,7 @@
 
 #include "host/files/image_file.h"
 #include "host/host_impl.h"
+#include "host/lens/meter.h"
 #include "host/lens/temporal.h"
 #include "scene/save.h"
 #include "view/clock.h"
@@ -71,7 +72,7 @@ class Viewer::Impl {
         savesPicture_ = wishes.savePicture;
         const bool reloads = wishes.light || wishes.surface || wishes.split;
         return (!reloads || reload(wishes, error)) && (!wishes.measure || measure(error)) &&
-               (!wishes.saveScene || saveTheScene(error));
+               (!wishes.meter || meter(error)) && (!wishes.saveScene || saveTheScene(error));
     }
 
     Display& display() {
@@ -200,6 +201,17 @@ class Viewer::Impl {
         bare.jitterPx = {};
         info_.costs = host_.measure(bare, measuredRuns, problem);
         return info_.costs.has_value();
+    }
+
+    /// What is seen, in colour.
+    bool meter(Error& problem) {
+        FrameDesc seen = frame(0);
+        seen.aov = Aov::color;
+        seen.follows = seen.temporal = false;
+        const std::optional<Picture> picture = host_.render(seen, problem);
+        if (picture) state_.scene.exposureEv = meteredEv(*picture);
+        follows_ = false;
+        return picture.has_value();
     }
 
     std::filesystem::path nameFor(const char* extension) const {

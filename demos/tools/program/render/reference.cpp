@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "host/files/image_file.h"
+#include "host/lens/meter.h"
 #include "program/measure/left_out.h"
 #include "program/render/output.h"
 #include "program/render/progress.h"
@@ -95,7 +96,8 @@ ExitCode renderReference(const ReferenceOptions& options, Error& error) {
             progress.say("tracing row", done, all);
             return true;
         });
-    if (!write(options, pictures, scene->exposureEv, error)) return runFailed;
+    const double exposureEv = picture.metered ? meteredEv(pictures.color) : scene->exposureEv;
+    if (!write(options, pictures, exposureEv, error)) return runFailed;
     progress.clear();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     for (const fs::path& file : picture.outputs)

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "host/files/image_file.h"
+#include "host/lens/meter.h"
 #include "host/passes/supersample.h"
 #include "metrics/finite.h"
 #include "program/compare/visualise.h"
@@ -67,7 +68,7 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 class Run {
   public:
     Run(const RenderOptions& options, const Scene& scene, const CameraDesc& camera, Host& host)
-        : options_(options), scene_(scene), host_(host) {
+        : options_(options), scene_(scene), host_(host), exposureEv_(scene.exposureEv) {
         frame_ = {options.size.width * options.supersample,
                   options.size.height * options.supersample,
                   camera,
@@ -89,6 +90,7 @@ class Run {
             const std::optional<Picture> picture = host_.render(frame_, error);
             if (!picture) return false;
             lastMs = millisecondsSince(began);
+            if (options_.metered && i == 0) exposureEv_ = meteredEv(*picture);
             const bool larger = options_.supersample > 1;
             if (!keep(larger ? averaged(*picture, options_.supersample) : *picture, i, progress, error))
                 return false;
@@ -100,6 +102,7 @@ class Run {
     void summarise() const {
         if (times_) std::fputs(statsTable(*times_).c_str(), stdout);
         if (!scale_.empty()) std::printf("scale: %s\n", scale_.c_str());
+        if (options_.metered) std::printf("exposure_ev: %.2f, metered\n", exposureEv_);
         for (const auto& [first, last] : written_) {
             const std::string until = first == last ? "" : " .. " + last.filename().string();
             const std::string sampled =
@@ -137,7 +140,7 @@ class Run {
         }
         std::optional<Visualised> visualised;
         if (std::any_of(options_.outputs.begin(), options_.outputs.end(), isPng)) {
-            visualised = visualise(picture, options_.aov, scene_.exposureEv);
+            visualised = visualise(picture, options_.aov, exposureEv_);
             scale_ = visualised->scale;
         }
         written_.resize(options_.outputs.size());
@@ -155,6 +158,7 @@ class Run {
     const Scene& scene_;
     Host& host_;
     FrameDesc frame_;
+    double exposureEv_; // of all frames
     double frameMs_ = 0;
     std::optional<FrameTimes> times_; // by pass, if asked for
     std::string scale_;

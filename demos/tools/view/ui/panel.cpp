@@ -65,7 +65,7 @@ constexpr NamedOutput outputs[] = {{Aov::color, "color"},
                                    {Aov::overlayConfidence, "overlay: confidence"},
                                    {Aov::overlayDistance, "overlay: distance"}};
 
-void layOutPicture(ViewState& state) {
+void layOutPicture(ViewState& state, PanelWishes& wishes) {
     const NamedOutput* now = outputs;
     for (const NamedOutput& candidate : outputs)
         if (candidate.aov == state.aov) now = &candidate;
@@ -78,6 +78,7 @@ void layOutPicture(ViewState& state) {
         slider("white at", state.whiteHeightM, 0.01, 20, "%.2f m", ImGuiSliderFlags_Logarithmic);
     ImGui::Checkbox("bloom, antialiasing", &state.lens);
     slider("exposure", state.scene.exposureEv, -10, 10, "%.1f stops");
+    wishes.meter = ImGui::Button("meter the exposure");
 }
 
 void layOutTime(ViewState& state) {
@@ -141,7 +142,7 @@ PanelWishes layOutPanel(ViewState& state, const PanelInfo& info) {
     if (!info.reference.empty()) ImGui::TextWrapped("%s", info.reference.c_str());
     layOutTime(state);
     layOutCamera(state);
-    layOutPicture(state);
+    layOutPicture(state, wishes);
     layOutButtons(info, wishes);
     if (state.scene.water) wishes.surface |= layOutWater(*state.scene.water);
     if (std::optional<seaglass::ReflectionDesc>* const reflection = reflectionOf(state.scene)) {

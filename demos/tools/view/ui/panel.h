@@ -24,6 +24,7 @@ struct PanelWishes {
     bool light = false;   ///< its sun or sky has
     bool split = false;   ///< the right half has
     bool measure = false;
+    bool meter = false;
     bool savePicture = false;
     bool saveScene = false;
 };
