@@ -280,6 +280,7 @@ glm::dvec3 faceDirection(uint32_t face, double s, double t) {
 }
 
 std::optional<SkyImage> readSkyImage(const SkyDesc& sky, Error& error) {
+    if (sky.clear) return SkyImage{};
     std::optional<ImageSource> source =
         ImageSource::open(sky.file, {sky.layer, "sky.layer"}, limits::skyPixels, error);
     if (!source || !checkHeader(source->header(), sky.file.string(), error)) return std::nullopt;

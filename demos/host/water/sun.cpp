@@ -3,11 +3,18 @@
 #include <algorithm>
 
 #include "host/camera.h"
+#include "host/passes/clear_sky.h"
 
 namespace demos {
 
 bool chooseSun(const SkyDesc& sky, const SunDesc& desc, SkyImage& image, Sun& out, Error& error) {
-    if (desc.fromSky) {
+    if (sky.clear) {
+        ClearSky made = clearSky(glm::radians(desc.azimuthDeg - sky.rotationDeg),
+                                 glm::radians(desc.elevationDeg), sky.haze);
+        image = std::move(made.image);
+        out.direction = directionOf(desc.azimuthDeg, desc.elevationDeg);
+        out.irradiance = made.sunIrradiance * sky.intensity;
+    } else if (desc.fromSky) {
         const ImageSun inImage = takeOutSun(image);
         const double angle = glm::radians(sky.rotationDeg), c = std::cos(angle), s = std::sin(angle);
         const glm::dvec3& d = inImage.direction;

@@ -14,7 +14,8 @@ struct Sun {
     glm::dvec3 irradiance{0};
 };
 
-/// A sun from the sky is taken out of its image, which otherwise stays as it is: nothing is lost.
+/// A sun from the sky is taken out of its image, which otherwise stays as it is: nothing is lost. A clear sky
+/// becomes the image, and has the sun that belongs to it.
 bool chooseSun(const SkyDesc& sky, const SunDesc& desc, SkyImage& image, Sun& out, Error& error);
 
 /// Half the width of the soft edge that the background's disc is drawn with [rad], for pixels of an angle

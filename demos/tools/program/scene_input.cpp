@@ -62,6 +62,7 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
         if (!isRegularFile("--sky", options.sky, "a lat-long HDR or EXR file", error)) return std::nullopt;
         overrides.push_back("sky.file=" + fs::absolute(options.sky).string());
         overrides.push_back("sky.layer=''");
+        overrides.push_back("sky.clear=false");
         // The scene's sun is that of the scene's sky.
         if (!setsSun(options.overrides)) overrides.push_back("sun.from_sky=true");
     }

@@ -20,6 +20,8 @@ struct Error {
 struct SkyDesc {
     std::filesystem::path file; ///< lat-long HDR or EXR, absolute
     std::string layer = {};     ///< of an EXR with several; empty: the one that is the picture
+    bool clear = false;         ///< computed for the sun's place instead, and the sun's irradiance with it
+    double haze = 2;            ///< of a clear sky: 1 is clean air
     double rotationDeg = 0;     ///< turns it about +Y
     double intensity = 1;       ///< radiance scale
     std::string where = {};     ///< of `file` in the scene, for errors: "harbour.toml:9: sky.file"

@@ -20,7 +20,7 @@ bool layOutSun(SunDesc& sun) {
 
 bool layOutSky(SkyDesc& sky) {
     SkyDesc asNew;
-    return layOutKeys("sky", {"rotation_deg", "intensity"}, &sky, &asNew);
+    return layOutKeys("sky", {"clear", "haze", "rotation_deg", "intensity"}, &sky, &asNew);
 }
 
 } // namespace
