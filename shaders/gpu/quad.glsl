@@ -22,6 +22,11 @@ vec2 changeInQuad(vec2 own) {
     return max(abs(dFdx(own)), abs(dFdy(own)));
 }
 
+// All bits of any pixel whose way through the code this one shares: its own alone, where others may leave it.
+uint bitsAround(uint own) {
+    return own;
+}
+
 // Of a map that repeats, as a mean over the pixel, which covers about so many `texels` across.
 vec4 meanOverPixel(sampler2DArray map, vec3 at, float texels) {
     return texture(map, at);

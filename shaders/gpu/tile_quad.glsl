@@ -53,6 +53,17 @@ vec2 changeInQuad(vec2 own) {
     return max(abs(ofQuads[told][i ^ 1u].xy - own), abs(ofQuads[told][i ^ 2u].xy - own));
 }
 
+shared uint bitsOfTile;
+
+// All bits of any pixel of the tile, whatever the quads are in step with. To be asked once.
+uint bitsAround(uint own) {
+    if (gl_LocalInvocationIndex == 0u) bitsOfTile = 0u;
+    barrier();
+    atomicOr(bitsOfTile, own);
+    barrier();
+    return bitsOfTile;
+}
+
 vec4 meanOverPixel(sampler2DArray map, vec3 at, float texels) {
     return textureLod(map, at, log2(max(texels, 1e-6)));
 }

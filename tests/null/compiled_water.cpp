@@ -235,11 +235,12 @@ std::vector<CompiledPipeline> CompiledWater::deferred(const SurfaceChoice& choic
     return madeOf(choice, [&](const SurfaceVariant& variant) {
         const gpu::Device& device = context_->device;
         TargetDesc found = targetDesc(false);
-        found.colorFormat = VK_FORMAT_R32_UINT;
+        found.colorFormat = variant.forMotion ? VK_FORMAT_R32G32_SFLOAT : VK_FORMAT_R32_UINT;
         build(device, found, foundVariant(variant));
         TargetDesc sampled = targetDesc(choice.multiview);
         sampled.samples = VK_SAMPLE_COUNT_4_BIT;
         build(device, sampled, placedSamplesVariant(variant));
+        if (variant.forMotion) return;
         ShadingKernels kernels;
         (void)kernels.create(*context_);
         const gpu::Kernel* kernel = nullptr;

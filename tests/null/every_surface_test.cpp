@@ -32,9 +32,18 @@ TEST_F(Compiles, EverythingDrawn) {
     for (const char* const letters : {"", "lroh", "wo", "wfslroh"})
         for (const Quality quality : {Quality::low, Quality::highest})
             expectCompiled(water_->deferred({letters, quality}));
+    for (const char* const letters : {"lr", "wfslroh"})
+        for (const SidesSeen sides : {SidesSeen::below, SidesSeen::either})
+            for (const SurfaceOutput output : {SurfaceOutput::shaded, SurfaceOutput::reflection})
+                expectCompiled(water_->deferred({letters, Quality::medium, output, sides}));
+    for (uint32_t output = 1; output <= static_cast<uint32_t>(SurfaceOutput::motion); ++output)
+        expectCompiled(water_->deferred({"wfslroh", Quality::medium, static_cast<SurfaceOutput>(output)}));
     for (const bool multiview : {false, true})
-        for (const UnderwaterPass pass : {UnderwaterPass::surface, UnderwaterPass::snow})
-            expectCompiled(water_->overView({.pass = pass}, multiview));
+        for (const bool figures : {false, true})
+            expectCompiled(
+                water_->overView({.pass = UnderwaterPass::surface, .placesFigures = figures}, multiview));
+    for (const bool multiview : {false, true})
+        expectCompiled(water_->overView({.pass = UnderwaterPass::snow}, multiview));
     for (const UnderwaterPass pass :
          {UnderwaterPass::water, UnderwaterPass::shafts, UnderwaterPass::waterline, UnderwaterPass::caustics})
         for (const bool multiview : {false, true}) {

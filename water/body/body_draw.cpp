@@ -69,8 +69,7 @@ Status Body::draw(const DrawCall& call, SurfaceOutput output) {
         s != Status::ok)
         return s;
     if (const Status s = checkDepth(call.target, seen.view.geometry); s != Status::ok) return s;
-    const DeferredPart* const deferred = find<DeferredPart>();
-    if (deferred && deferred->shades(seen.drawn)) return deferred->place(*this, call, seen);
+    if (const DeferredPart* const deferred = find<DeferredPart>()) return deferred->place(*this, call, seen);
     if (const Status s = see("draw", &call.target, seen); s != Status::ok || seen.mesh.instanceCount == 0)
         return s;
     Resources resources;

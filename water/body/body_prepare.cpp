@@ -22,9 +22,8 @@ Status Body::prepareSurface(const PrepareCall& call) const {
         const DrawPipeline* pipeline = nullptr;
         return call.target.pipelines.get(surfaceVariant(drawn), pipeline);
     };
-    const bool isPlaced = find<DeferredPart>() && call.output == SurfaceOutput::shaded;
-    if (!isPlaced)
-        if (const Status s = prepared(SidesSeen::above); s != Status::ok) return s;
+    if (find<DeferredPart>()) return Status::ok; // which prepares its own
+    if (const Status s = prepared(SidesSeen::above); s != Status::ok) return s;
     if (!find<UnderwaterPart>() || drawn.isMotion()) return Status::ok;
     if (const Status s = prepared(SidesSeen::below); s != Status::ok) return s;
     return prepared(SidesSeen::either);

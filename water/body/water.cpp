@@ -90,10 +90,12 @@ Status refuseUnusable(const char* call, const Context* context, VkCommandBuffer 
 }
 
 /// A call that one part records, outside any render pass. `record` is for bodies that have it.
-template<class PartOf>
+template<class PartOf, typename... More>
 Status recordParts(const char* call, VkCommandBuffer commands, Body* const* bodies, uint32_t count,
                    const ViewDesc* view, const LightingDesc* lighting,
-                   Status (PartOf::*record)(Body&, VkCommandBuffer, const ViewDesc&, const LightingDesc&)) {
+                   Status (PartOf::*record)(Body&, VkCommandBuffer, const ViewDesc&, const LightingDesc&,
+                                            More...),
+                   More... more) {
     if (const Status s = refuseUnusable(call, nullptr, commands, bodies, count,
                                         {{"view", !view}, {"lighting", !lighting}});
         s != Status::ok)
@@ -102,7 +104,7 @@ Status recordParts(const char* call, VkCommandBuffer commands, Body* const* bodi
         return s;
     return forEach(bodies, count, [&](Body& body) {
         PartOf* part = body.find<PartOf>();
-        return part ? (part->*record)(body, commands, *view, *lighting) : Status::ok;
+        return part ? (part->*record)(body, commands, *view, *lighting, more...) : Status::ok;
     });
 }
 
@@ -203,8 +205,8 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
 }
 
 Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
-             const LightingDesc* lighting) {
-    return recordParts("shade", commands, bodies, count, view, lighting, &DeferredPart::shade);
+             const LightingDesc* lighting, SurfaceOutput output) {
+    return recordParts("shade", commands, bodies, count, view, lighting, &DeferredPart::shade, output);
 }
 
 Status prepare(Target* target, Body* body, const ViewDesc* view, const LightingDesc* lighting,

@@ -7,6 +7,7 @@
 
 #include "shaders/shared/water_bindings.h"
 #include "water/below/underwater.h"
+#include "water/below/underwater_part.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/target.h"
@@ -34,14 +35,9 @@ bool isSame(const BodyBlock& a, const BodyBlock& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-constexpr UnderwaterVariant overView = {.pass = UnderwaterPass::surface};
-
-/// For what places it.
-void bindPicture(const Context& context, const FoundSurface& found, const ShadedSurface& shaded,
-                 Resources& out) {
-    const VkSampler nearest = context.samplers.nearestClamp();
-    out.push_back({foundDepthBinding, gpu::sampledImage(nearest, found.depth())});
-    out.push_back({shadedBinding, gpu::sampledImage(nearest, shaded.color.view())});
+UnderwaterVariant overView(SurfaceOutput output) {
+    const bool isLight = output == SurfaceOutput::shaded || output == SurfaceOutput::reflection;
+    return {.pass = UnderwaterPass::surface, .placesFigures = !isLight};
 }
 
 } // namespace
@@ -55,7 +51,7 @@ Status DeferredPart::addCost(const AskedBody& asked, Estimate& sum) {
 
 Status DeferredPart::create(Body& body, const BodyDesc&) {
     Context& context = *body.context;
-    if (const Status s = context.share(pass_); s != Status::ok) return s;
+    if (const Status s = context.share(passes_); s != Status::ok) return s;
     if (const Status s = context.share(tiles_); s != Status::ok) return s;
     return context.share(kernels_);
 }
@@ -73,7 +69,7 @@ DeferredPart::Sources DeferredPart::sourcesOf(const ViewDesc& view, const Lighti
             lighting.shadow ? lighting.shadow->map.view : VK_NULL_HANDLE};
 }
 
-Status DeferredPart::fit(Context& context, VkExtent2D region, Picture& picture) const {
+Status DeferredPart::fit(Context& context, VkExtent2D region, SurfaceOutput output, Picture& picture) const {
     if (picture.found.holds(region)) return Status::ok;
     VkExtent2D wanted = region;
     if (picture.found.holds({1, 1})) {
@@ -81,8 +77,9 @@ Status DeferredPart::fit(Context& context, VkExtent2D region, Picture& picture) 
         wanted = {std::max(region.width, held.width), std::max(region.height, held.height)};
     }
     Picture fresh;
-    if (const Status s = fresh.found.create(*pass_, wanted); s != Status::ok) return s;
-    if (const Status s = fresh.shaded.create(context.device, wanted); s != Status::ok) return s;
+    if (const Status s = fresh.found.create(passes_->of(output), wanted); s != Status::ok) return s;
+    if (output != SurfaceOutput::motion)
+        if (const Status s = fresh.shaded.create(context.device, wanted, output); s != Status::ok) return s;
     context.frame().retire(std::exchange(picture, std::move(fresh)));
     return Status::ok;
 }
@@ -98,33 +95,35 @@ Status DeferredPart::getKernels(const SurfaceVariant& variant, const TilesKernel
 Status DeferredPart::record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture) {
     Context& context = *body.context;
     const ViewGeometry& geometry = seen.view.geometry;
+    const SurfaceOutput output = seen.drawn.output;
+    const bool isMotion = seen.drawn.isMotion();
     const SurfaceVariant variant = body.surfaceVariant(seen.drawn);
     const TilesKernels* listing = nullptr;
     ListedKernels shading{};
-    if (const Status s = getKernels(variant, listing, shading); s != Status::ok) return s;
-    if (const Status s = fit(context, extentOf(geometry), picture); s != Status::ok) return s;
+    if (!isMotion)
+        if (const Status s = getKernels(variant, listing, shading); s != Status::ok) return s;
+    if (const Status s = fit(context, extentOf(geometry), output, picture); s != Status::ok) return s;
     BodyBlock block = seen.block;
     block.clipFromRelative = clipFromRelative(geometry);
+    if (isMotion) block.region.x = block.region.y = 0; // whose pixels are counted in these images
     Resources resources;
     if (const Status s = bindBody(body, seen.view, block, resources); s != Status::ok) return s;
-    if (const Status s = picture.found.record(context, commands, *pass_, foundVariant(variant), seen.mesh,
-                                              resources, *seen.view.given, geometry);
-        s != Status::ok)
+    if (const Status s = picture.found.record(context, commands, passes_->of(output), foundVariant(variant),
+                                              seen.mesh, resources, *seen.view.given, geometry);
+        s != Status::ok || isMotion)
         return s;
     return picture.shaded.record(context, commands, *listing, shading, picture.found, std::move(resources),
                                  extentOf(geometry));
 }
 
 Status DeferredPart::shade(Body& body, VkCommandBuffer commands, const ViewDesc& view,
-                           const LightingDesc& lighting) {
+                           const LightingDesc& lighting, SurfaceOutput output) {
     SeenSurface seen;
-    if (const Status s =
-            body.readSurface("shade", view, lighting, SurfaceOutput::shaded, seen.view, seen.drawn);
+    if (const Status s = body.readSurface("shade", view, lighting, output, seen.view, seen.drawn);
         s != Status::ok)
         return s;
-    if (!shades(seen.drawn)) return Status::ok; // draw() does
     if (const Status s = body.see("shade", nullptr, seen); s != Status::ok) return s;
-    Picture& picture = views_[view.viewIndex];
+    Picture& picture = views_[view.viewIndex][output];
     picture.frame = 0; // until all of it is recorded
     const bool shows = seen.mesh.instanceCount > 0;
     if (shows)
@@ -136,74 +135,99 @@ Status DeferredPart::shade(Body& body, VkCommandBuffer commands, const ViewDesc&
     return Status::ok;
 }
 
-Status DeferredPart::check(const Body& body, const BodyView& view) const {
+Status DeferredPart::find(const Body& body, const BodyView& view, const Picture*& out) const {
     const Context& context = *body.context;
-    const Picture& picture = views_[view.given->viewIndex];
-    if (picture.frame != context.frameNumber)
+    const auto& pictures = views_[view.given->viewIndex];
+    const auto found = pictures.find(view.surface->output);
+    if (found == pictures.end() || found->second.frame != context.frameNumber)
         return context.device.misused("draw: ShadingDesc.deferred is true, and shade() was not called for "
-                                      "the body and this view in this frame before");
+                                      "the body and this view, with this output, in this frame before");
+    const Picture& picture = found->second;
     if (!isSame(picture.block, bodyBlock(body, view)) ||
         picture.sources != sourcesOf(*view.given, *view.lighting))
         return context.device.misused(
             "draw: the view or the lighting has changed since shade(), which comes before with the same");
+    out = &picture;
     return Status::ok;
 }
 
-bool DeferredPart::shades(const SurfaceDraw& drawn) {
-    return drawn.output == SurfaceOutput::shaded && drawn.sides == SidesSeen::above;
+void DeferredPart::bindPicture(const Context& context, const Picture& picture, SurfaceOutput output,
+                               Resources& out) {
+    const VkSampler nearest = context.samplers.nearestClamp();
+    const VkImageView shown =
+        output == SurfaceOutput::motion ? picture.found.beside() : picture.shaded.color.view();
+    out.push_back({foundDepthBinding, gpu::sampledImage(nearest, picture.found.depth())});
+    out.push_back({shadedBinding, gpu::sampledImage(nearest, shown)});
 }
 
 Status DeferredPart::place(Body& body, const DrawCall& call, SeenSurface& seen) const {
-    if (const Status s = check(body, seen.view); s != Status::ok) return s;
-    if (!views_[call.view.viewIndex].shows) return Status::ok;
+    const Picture* picture = nullptr;
+    if (const Status s = find(body, seen.view, picture); s != Status::ok) return s;
+    if (!picture->shows) return Status::ok;
     const bool isSampled = call.target.desc.samples != VK_SAMPLE_COUNT_1_BIT;
-    return isSampled ? placeSamples(body, call, seen) : placeView(body, call, seen.view);
+    return isSampled ? placeSamples(body, call, seen, *picture) : placeView(body, call, seen.view, *picture);
 }
 
-Status DeferredPart::placeView(Body& body, const DrawCall& call, const BodyView& view) const {
+Status DeferredPart::placeView(Body& body, const DrawCall& call, const BodyView& view,
+                               const Picture& picture) const {
     Context& context = *body.context;
-    const Picture& picture = views_[call.view.viewIndex];
+    const SurfaceOutput output = view.surface->output;
     gpu::Slice slice;
     if (const Status s = context.frame().upload(picture.block, slice); s != Status::ok) return s;
     Resources resources = {{bodyBinding, gpu::uniformBuffer(slice)}};
-    bindPicture(context, picture.found, picture.shaded, resources);
-    return recordUnderwater(context, call, view, overView, resources);
+    bindPicture(context, picture, output, resources);
+    return recordUnderwater(context, call, view, overView(output), resources);
 }
 
-Status DeferredPart::placeSamples(Body& body, const DrawCall& call, SeenSurface& seen) const {
+Status DeferredPart::placeSamples(Body& body, const DrawCall& call, SeenSurface& seen,
+                                  const Picture& picture) const {
     Context& context = *body.context;
+    const PlacedSamplesVariant variant = placedSamplesVariant(body.surfaceVariant(seen.drawn));
+    // The mesh is that of light: where the last frame showed it has been asked once.
+    const SurfaceOutput output = std::exchange(seen.drawn.output, SurfaceOutput::shaded);
     if (const Status s = body.see("draw", &call.target, seen); s != Status::ok) return s;
-    const Picture& picture = views_[call.view.viewIndex];
     const DrawPipeline* pipeline = nullptr;
-    if (const Status s =
-            call.target.placedSamples.get(placedSamplesVariant(body.surfaceVariant(seen.drawn)), pipeline);
-        s != Status::ok)
-        return s;
+    if (const Status s = call.target.placedSamples.get(variant, pipeline); s != Status::ok) return s;
     Resources resources;
     if (const Status s = bindBody(body, seen.view, seen.block, resources); s != Status::ok) return s;
-    bindPicture(context, picture.found, picture.shaded, resources);
+    bindPicture(context, picture, output, resources);
     setViewport(context.device, call.commands, call.view, seen.view.geometry);
     return recordSurface(context, call.commands, *pipeline, seen.mesh, std::move(resources),
                          call.view.viewIndex);
 }
 
+Status DeferredPart::prepareShading(const Body& body, const PrepareCall& call,
+                                    SurfaceVariant& variant) const {
+    SurfaceDraw drawn = {.output = call.output,
+                         .seesScene = !call.view || hasScene(*call.view),
+                         .sceneIsEncoded = call.sceneIsEncoded,
+                         .manySamples = call.view && isMultisampled(*call.view),
+                         .isAhead = true,
+                         .view = call.view,
+                         .lighting = &call.lighting};
+    const bool hasSides = body.find<UnderwaterPart>() && !drawn.isMotion();
+    for (const SidesSeen sides : {SidesSeen::either, SidesSeen::below, SidesSeen::above}) {
+        if (sides != SidesSeen::above && !hasSides) continue;
+        drawn.sides = sides;
+        variant = body.surfaceVariant(drawn);
+        if (drawn.isMotion()) continue;
+        const TilesKernels* listing = nullptr;
+        ListedKernels shading{};
+        if (const Status s = getKernels(variant, listing, shading); s != Status::ok) return s;
+    }
+    return Status::ok;
+}
+
 Status DeferredPart::prepare(const Body& body, const PrepareCall& call) const {
-    if (call.output != SurfaceOutput::shaded) return Status::ok;
-    const SurfaceVariant variant =
-        body.surfaceVariant({.seesScene = !call.view || hasScene(*call.view),
-                             .sceneIsEncoded = call.sceneIsEncoded,
-                             .manySamples = call.view && isMultisampled(*call.view),
-                             .isAhead = true,
-                             .view = call.view,
-                             .lighting = &call.lighting});
-    const TilesKernels* listing = nullptr;
-    ListedKernels shading{};
-    if (const Status s = getKernels(variant, listing, shading); s != Status::ok) return s;
+    SurfaceVariant variant;
+    if (const Status s = prepareShading(body, call, variant); s != Status::ok) return s;
     const DrawPipeline* pipeline = nullptr;
-    if (const Status s = pass_->pipelines.get(foundVariant(variant), pipeline); s != Status::ok) return s;
+    if (const Status s = passes_->of(call.output).pipelines.get(foundVariant(variant), pipeline);
+        s != Status::ok)
+        return s;
     Target& target = call.target;
     return target.desc.samples == VK_SAMPLE_COUNT_1_BIT
-               ? prepareUnderwater(target.underwater, overView)
+               ? prepareUnderwater(target.underwater, overView(call.output))
                : target.placedSamples.get(placedSamplesVariant(variant), pipeline);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 
 #include "gpu/view/limits.h"
 #include "water/body/part.h"
@@ -18,9 +19,8 @@ struct DeferredPart {
     void fill(const Body& body, const BodyView& view, BodyBlock& block) const;
     Status prepare(const Body& body, const PrepareCall& call) const;
 
-    Status shade(Body& body, VkCommandBuffer commands, const ViewDesc& view, const LightingDesc& lighting);
-    /// Whether that is shaded this way: the surface from above, and nothing else.
-    static bool shades(const SurfaceDraw& drawn);
+    Status shade(Body& body, VkCommandBuffer commands, const ViewDesc& view, const LightingDesc& lighting,
+                 SurfaceOutput output);
     /// Draws what shade() left over the host's pass. `seen`: as it was read for this call.
     Status place(Body& body, const DrawCall& call, SeenSurface& seen) const;
 
@@ -39,25 +39,28 @@ struct DeferredPart {
     static Sources sourcesOf(const ViewDesc& view, const LightingDesc& lighting);
     struct Picture {
         FoundSurface found;
-        ShadedSurface shaded;
-        uint64_t frame = 0; ///< in which it was shaded last; 0: never
-        bool shows = false; ///< anything of the body
-        BodyBlock block{};  ///< as it was shaded by
+        ShadedSurface shaded; ///< but of motion
+        uint64_t frame = 0;   ///< in which it was shaded last; 0: never
+        bool shows = false;   ///< anything of the body
+        BodyBlock block{};    ///< as it was shaded by
         Sources sources;
     };
-    Status fit(Context& context, VkExtent2D region, Picture& picture) const;
-    /// Refused unless shade() was given the same before.
-    Status check(const Body& body, const BodyView& view) const;
-    Status placeView(Body& body, const DrawCall& call, const BodyView& view) const;
-    Status placeSamples(Body& body, const DrawCall& call, SeenSurface& seen) const;
+    Status fit(Context& context, VkExtent2D region, SurfaceOutput output, Picture& picture) const;
+    /// What shade() was given the same for before; else refused.
+    Status find(const Body& body, const BodyView& view, const Picture*& out) const;
+    static void bindPicture(const Context& context, const Picture& picture, SurfaceOutput output,
+                            Resources& out);
+    Status placeView(Body& body, const DrawCall& call, const BodyView& view, const Picture& picture) const;
+    Status placeSamples(Body& body, const DrawCall& call, SeenSurface& seen, const Picture& picture) const;
     Status getKernels(const SurfaceVariant& variant, const TilesKernels*& listing,
                       ListedKernels& shading) const;
+    Status prepareShading(const Body& body, const PrepareCall& call, SurfaceVariant& variant) const;
     Status record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture);
 
-    std::shared_ptr<FoundPass> pass_;
+    std::shared_ptr<FoundPasses> passes_;
     std::shared_ptr<SurfaceTilesKernels> tiles_;
     std::shared_ptr<ShadingKernels> kernels_;
-    std::array<Picture, maxViews> views_;
+    std::array<std::map<SurfaceOutput, Picture>, maxViews> views_; ///< of what was asked for
 };
 
 } // namespace seaglass

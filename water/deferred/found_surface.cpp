@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "spirv/found_surface.frag.h"
+#include "spirv/motion.frag.h"
 
 namespace seaglass {
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 constexpr VkFormat asideFormat = VK_FORMAT_R32_UINT; // two of 16 bits
+constexpr VkFormat motionFormat = VK_FORMAT_R32G32_SFLOAT;
 
 constexpr gpu::Use depthDrawn = {
     VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
@@ -23,8 +25,8 @@ gpu::ImageDesc depthDesc(VkExtent2D extent) {
             .aspect = VK_IMAGE_ASPECT_DEPTH_BIT};
 }
 
-gpu::ImageDesc asideDesc(VkExtent2D extent) {
-    return {.format = asideFormat,
+gpu::ImageDesc besideDesc(VkFormat format, VkExtent2D extent) {
+    return {.format = format,
             .extent = extent,
             .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
 }
@@ -55,26 +57,29 @@ FoundVariant foundVariant(const SurfaceVariant& all) {
     SurfaceVariant v = shapeVariant(all);
     v.hasRefraction = all.hasRefraction;
     v.manySamples = all.manySamples;
+    v.forMotion = all.forMotion;
     return {v};
 }
 
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const FoundVariant& variant,
                      DrawPipeline& out) {
-    return buildMeshPipeline(device, target, found_surface_frag, variant.surface, "found surface pipeline",
-                             out);
+    const std::span<const uint32_t> fragment =
+        variant.surface.forMotion ? motion_frag : std::span<const uint32_t>(found_surface_frag);
+    return buildMeshPipeline(device, target, fragment, variant.surface, "found surface pipeline", out);
 }
 
 FoundPass::~FoundPass() {
     if (device) device->vk().DestroyRenderPass(device->handle(), renderPass, device->allocator());
 }
 
-Status FoundPass::create(Context& context) {
+Status FoundPass::create(Context& context, VkFormat keptBeside) {
     device = &context.device;
+    beside = keptBeside;
     if (!(device->optimalFeatures(depthFormat) & VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
         return device->fail(Status::unsupported,
                             "ShadingDesc.deferred: this device draws no depth of D32_SFLOAT");
     const VkAttachmentDescription attachments[] = {
-        attachment(asideFormat, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL),
+        attachment(beside, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL),
         attachment(depthFormat, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL)};
     const VkAttachmentReference color = {0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
     const VkAttachmentReference depth = {1, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
@@ -94,11 +99,16 @@ Status FoundPass::create(Context& context) {
         s != Status::ok)
         return s;
     TargetDesc target;
-    target.colorFormat = asideFormat;
+    target.colorFormat = beside;
     target.depthFormat = depthFormat;
     target.renderPass = renderPass;
     pipelines.init(*device, target);
     return Status::ok;
+}
+
+Status FoundPasses::create(Context& context) {
+    if (const Status s = places.create(context, asideFormat); s != Status::ok) return s;
+    return motion.create(context, motionFormat);
 }
 
 FoundSurface& FoundSurface::operator=(FoundSurface&& other) noexcept {
@@ -106,7 +116,7 @@ FoundSurface& FoundSurface::operator=(FoundSurface&& other) noexcept {
     release();
     device_ = std::exchange(other.device_, nullptr);
     depth_ = std::move(other.depth_);
-    aside_ = std::move(other.aside_);
+    beside_ = std::move(other.beside_);
     framebuffer_ = std::exchange(other.framebuffer_, VK_NULL_HANDLE);
     return *this;
 }
@@ -123,8 +133,10 @@ Status FoundSurface::create(const FoundPass& pass, VkExtent2D extent) {
     const gpu::Device& device = *pass.device;
     if (const Status s = depth_.create(device, depthDesc(extent), "found surface's depth"); s != Status::ok)
         return s;
-    if (const Status s = aside_.create(device, asideDesc(extent), "found surface"); s != Status::ok) return s;
-    const VkImageView views[] = {aside_.view(), depth_.view()};
+    if (const Status s = beside_.create(device, besideDesc(pass.beside, extent), "found surface");
+        s != Status::ok)
+        return s;
+    const VkImageView views[] = {beside_.view(), depth_.view()};
     VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
     info.renderPass = pass.renderPass;
     info.attachmentCount = 2;
@@ -143,13 +155,14 @@ bool FoundSurface::holds(VkExtent2D wanted) const {
 }
 
 VkDeviceSize FoundSurface::bytes(const gpu::Device& device, VkExtent2D extent) {
-    return gpu::heldBytes(device, depthDesc(extent)) + gpu::heldBytes(device, asideDesc(extent));
+    return gpu::heldBytes(device, depthDesc(extent)) +
+           gpu::heldBytes(device, besideDesc(asideFormat, extent));
 }
 
 void FoundSurface::begin(VkCommandBuffer commands, const FoundPass& pass, VkExtent2D region) const {
     const gpu::Device& device = *pass.device;
     VkImageMemoryBarrier2 before[] = {
-        gpu::imageBarrier(aside_.handle(), gpu::discardedAfterSampling, gpu::drawnColor),
+        gpu::imageBarrier(beside_.handle(), gpu::discardedAfterSampling, gpu::drawnColor),
         gpu::imageBarrier(depth_.handle(), gpu::discardedAfterSampling, depthDrawn)};
     before[1].subresourceRange.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
     gpu::recordBarriers(device, commands, before, 2);
@@ -176,7 +189,7 @@ Status FoundSurface::record(Context& context, VkCommandBuffer commands, FoundPas
     const Status drawn = recordSurface(context, commands, *pipeline, mesh, resources, view.viewIndex);
     device.vk().CmdEndRenderPass(commands);
     VkImageMemoryBarrier2 after[] = {
-        gpu::imageBarrier(aside_.handle(), gpu::drawnColor, gpu::sampledByShaders),
+        gpu::imageBarrier(beside_.handle(), gpu::drawnColor, gpu::sampledByShaders),
         gpu::imageBarrier(depth_.handle(), depthDrawn, gpu::sampledByShaders)};
     after[1].subresourceRange.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
     gpu::recordBarriers(device, commands, after, 2);

@@ -1,5 +1,5 @@
-// Where a view shows a surface: its depth, and how far waves moved what shows there, drawn outside the host's
-// pass into images of the library's own.
+// Where a view shows a surface: its depth, and how far waves moved what shows there, or of motion how far it
+// has come in the picture. Drawn outside the host's pass into images of the library's own.
 #pragma once
 
 #include <memory>
@@ -21,9 +21,10 @@ FoundVariant foundVariant(const SurfaceVariant& all);
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const FoundVariant& variant,
                      DrawPipeline& out);
 
-/// What all bodies of a context share.
+/// A pass into images of one kind.
 struct FoundPass {
     const gpu::Device* device = nullptr;
+    VkFormat beside = VK_FORMAT_UNDEFINED; ///< of what is kept beside depth
     VkRenderPass renderPass = VK_NULL_HANDLE;
     DrawPipelines<FoundVariant> pipelines;
 
@@ -31,7 +32,14 @@ struct FoundPass {
     ~FoundPass();
     FoundPass(const FoundPass&) = delete;
     FoundPass& operator=(const FoundPass&) = delete;
+    Status create(Context& context, VkFormat keptBeside);
+};
+
+/// What all bodies of a context share.
+struct FoundPasses {
+    FoundPass places, motion;
     Status create(Context& context);
+    FoundPass& of(SurfaceOutput output) { return output == SurfaceOutput::motion ? motion : places; }
 };
 
 /// Of one view, as large as the largest of its index so far.
@@ -46,7 +54,9 @@ class FoundSurface {
     bool holds(VkExtent2D extent) const;
     VkExtent2D extent() const { return depth_.desc().extent; }
     VkImageView depth() const { return depth_.view(); }
-    VkImageView aside() const { return aside_.view(); }
+    /// How far waves moved it, or its motion.
+    VkImageView beside() const { return beside_.view(); }
+    /// To be shaded.
     static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent);
 
     /// Draws the mesh, and leaves both images to be sampled.
@@ -59,7 +69,7 @@ class FoundSurface {
     void release();
 
     const gpu::Device* device_ = nullptr;
-    gpu::OwnedImage depth_, aside_;
+    gpu::OwnedImage depth_, beside_;
     VkFramebuffer framebuffer_ = VK_NULL_HANDLE;
 };
 

@@ -5,7 +5,9 @@
 namespace seaglass {
 
 PlacedSamplesVariant placedSamplesVariant(const SurfaceVariant& all) {
-    return {shapeVariant(all)};
+    SurfaceVariant v = shapeVariant(all);
+    v.surfaceOutput = all.surfaceOutput;
+    return {v};
 }
 
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const PlacedSamplesVariant& variant,

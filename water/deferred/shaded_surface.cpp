@@ -7,8 +7,9 @@ namespace seaglass {
 
 namespace {
 
-gpu::ImageDesc colorDesc(VkExtent2D extent) {
-    return {.format = VK_FORMAT_R16G16B16A16_SFLOAT,
+gpu::ImageDesc colorDesc(VkExtent2D extent, SurfaceOutput output) {
+    return {.format = output == SurfaceOutput::shaded ? VK_FORMAT_R16G16B16A16_SFLOAT
+                                                      : VK_FORMAT_R32G32B32A32_SFLOAT,
             .extent = extent,
             .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
 }
@@ -48,13 +49,15 @@ Status getListed(ShadingKernels& kernels, const SurfaceVariant& variant, const T
     return Status::ok;
 }
 
-Status ShadedSurface::create(const gpu::Device& device, VkExtent2D extent) {
-    if (const Status s = color.create(device, colorDesc(extent), "shaded surface"); s != Status::ok) return s;
+Status ShadedSurface::create(const gpu::Device& device, VkExtent2D extent, SurfaceOutput output) {
+    if (const Status s = color.create(device, colorDesc(extent, output), "shaded surface"); s != Status::ok)
+        return s;
     return tiles.create(device, extent);
 }
 
 VkDeviceSize ShadedSurface::bytes(const gpu::Device& device, VkExtent2D extent) {
-    return gpu::heldBytes(device, colorDesc(extent)) + SurfaceTiles::bytes(device, extent);
+    return gpu::heldBytes(device, colorDesc(extent, SurfaceOutput::shaded)) +
+           SurfaceTiles::bytes(device, extent);
 }
 
 Status ShadedSurface::record(Context& context, VkCommandBuffer commands, const TilesKernels& listing,
@@ -63,7 +66,7 @@ Status ShadedSurface::record(Context& context, VkCommandBuffer commands, const T
     const gpu::Device& device = context.device;
     const VkSampler nearest = context.samplers.nearestClamp();
     resources.push_back({foundDepthBinding, gpu::sampledImage(nearest, found.depth())});
-    resources.push_back({foundAsideBinding, gpu::sampledImage(nearest, found.aside())});
+    resources.push_back({foundAsideBinding, gpu::sampledImage(nearest, found.beside())});
     resources.push_back({foundTilesBinding, gpu::storageBuffer(tiles.handle())});
     resources.push_back({shadedBinding, gpu::storageImage(color.view())});
     if (const Status s = tiles.record(context, commands, listing, resources, region); s != Status::ok)

@@ -38,10 +38,11 @@ Status getListed(ShadingKernels& kernels, const SurfaceVariant& variant, const T
 
 /// Of one view, as large as what was found of it.
 struct ShadedSurface {
-    gpu::OwnedImage color; ///< RGBA16F, linear
+    gpu::OwnedImage color; ///< linear: RGBA16F; of other outputs than `shaded` RGBA32F
     SurfaceTiles tiles;
 
-    Status create(const gpu::Device& device, VkExtent2D extent);
+    Status create(const gpu::Device& device, VkExtent2D extent, SurfaceOutput output);
+    /// Of `shaded`.
     static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent);
     /// Leaves the colour to be sampled where a surface was found. `resources`: all that shaders of the body
     /// read.

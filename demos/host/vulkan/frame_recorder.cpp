@@ -243,7 +243,7 @@ bool FrameRecorder::needed(Stage stage) const {
     case Stage::reflect:
         return hasWater || (floor && floor->reflector);
     case Stage::shade:
-        return hasWater && water->parts().deferred && frame_.aov == Aov::color;
+        return hasWater && water->parts().deferred && !overlay;
     case Stage::overlay:
         return overlay;
     case Stage::lens:
@@ -349,7 +349,7 @@ bool FrameRecorder::recordCommands(VkCommandBuffer commands, Stage stage, Error&
         if (floor()) return mirror_.reflect(commands, *floor(), camera_, targets_, error);
         return water_.reflect(commands, *water(), camera_, targets_, error);
     case Stage::shade:
-        return water_.shade(commands, *water(), camera_, targets_, lighting_, error);
+        return water_.shade(commands, *water(), camera_, targets_, lighting_, frame_.aov, error);
     case Stage::overlay:
         return recordOverlay(commands, error);
     case Stage::lens:

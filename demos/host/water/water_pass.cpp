@@ -146,10 +146,11 @@ bool WaterPass::reflect(VkCommandBuffer commands, const WaterBody& body, const C
 }
 
 bool WaterPass::shade(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
-                      const FrameTargets& targets, const seaglass::LightingDesc& lighting, Error& error) {
+                      const FrameTargets& targets, const seaglass::LightingDesc& lighting, Aov aov,
+                      Error& error) {
     seaglass::Body* const bodies[] = {body.get()};
     const seaglass::ViewDesc view = viewOf(camera, targets);
-    return context_.ok(seaglass::shade(commands, bodies, 1, &view, &lighting), error);
+    return context_.ok(seaglass::shade(commands, bodies, 1, &view, &lighting, outputOf(aov)), error);
 }
 
 bool WaterPass::overlay(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,

@@ -72,7 +72,7 @@ class WaterPass {
                  const FrameTargets& targets, Error& error);
     /// Before draw() of a deferred one, after reflect().
     bool shade(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
-               const FrameTargets& targets, const seaglass::LightingDesc& lighting, Error& error);
+               const FrameTargets& targets, const seaglass::LightingDesc& lighting, Aov aov, Error& error);
     /// Draws into targets.overlay how the library understands the frame, after reflect().
     bool overlay(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                  const FrameTargets& targets, Aov aov, Error& error);

@@ -39,5 +39,6 @@ void main() {
     if (!isSurface(meshCalm, position)) demote;
     ivec2 at = foundNear(foundPixel(gl_FragCoord.xy));
     if (!isFound(at)) demote;
-    outColor = vec4(heldOf(texelFetch(shadedColor, at, 0).rgb, targetIsEncoded), 1.0);
+    vec4 shown = texelFetch(shadedColor, at, 0);
+    outColor = writesLight ? vec4(heldOf(shown.rgb, targetIsEncoded), 1.0) : shown;
 }

@@ -19,5 +19,6 @@ void main() {
     float depth = texelFetch(foundDepth, at, 0).r;
     if (depth <= 0.0) demote;
     gl_FragDepth = hostDepth(depth);
-    outColor = vec4(heldOf(texelFetch(shadedColor, at, 0).rgb, targetIsEncoded), 1.0);
+    vec4 shown = texelFetch(shadedColor, at, 0);
+    outColor = placesFigures ? shown : vec4(heldOf(shown.rgb, targetIsEncoded), 1.0);
 }

@@ -6,12 +6,14 @@
 #include "found_tiles_block.h"
 #include "tile_quad.glsl"
 #include "surface_shading.glsl"
+#include "surface_outputs.glsl"
 #include "found_surface.glsl"
 #include "found_tiles.glsl"
 
 layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;
 layout(set = 0, binding = foundAsideBinding) uniform usampler2D foundAside;
 layout(set = 0, binding = shadedBinding, rgba16f) uniform writeonly image2D shadedColor;
+layout(set = 0, binding = shadedBinding, rgba32f) uniform writeonly image2D shadedOutput;   // in its place, of all but light
 
 // Of tiles that need as much as this kernel has.
 const uint listShaded = (hasReflection ? foundMirrors : 0u) | (hasRefraction ? foundSeesBed : 0u);
@@ -72,13 +74,21 @@ bool quadShows(ivec2 at) {
     return all4;
 }
 
+// They show this water, and from the same side.
+bool quadIsAlike(Found found, bool fromWater, ivec2 at) {
+    if (!hasWaves) return false;
+    if (!mayBeInBoth) return quadShows(at);
+    float side = fromWater ? -1.0 : 1.0;
+    return abs(meanOfQuad(vec4(found.shows ? side : 0.0)).x) == 1.0;
+}
+
 // All of it but what light alone asks for: `sunSeen` and `air`.
 SurfacePoint shownPoint(Found found, ivec2 at) {
     Step right = stepAlong(found, at, ivec2(1, 0)), down = stepAlong(found, at, ivec2(0, 1));
     SurfacePoint s;
     s.pixel = vec2(at) + 0.5;
-    s.fromWater = false;
-    s.quadIsAlike = hasWaves && quadShows(at);
+    s.fromWater = isFromWater(s.pixel);
+    s.quadIsAlike = quadIsAlike(found, s.fromWater, at);
     s.footprint = footprintOf(right.calm, down.calm);
     vec2 widest = max(abs(right.calm), abs(down.calm));
     s.pixelLength = max(widest.x, widest.y);
@@ -100,8 +110,9 @@ void main() {
     ivec2 at = firstPixel(tiles[placeInList(listShaded, isListed ? int(n) : 0)]) + placeInTile();
     Found found = foundAt(at);
     SurfacePoint s = shownPoint(found, min(at, foundSize() - 1));
-    if (hasSunShadow) s.sunSeen = sunSeenOver(s);
-    vec3 radiance = shadedAbove(s, foamOn(s), normalOf(s.slope), toEyeFrom(s));
+    vec4 made = shaded(s);
+    if (!isListed || !found.shows) return;
     const float most = 65504.0;   // that a half holds
-    if (isListed && found.shows) imageStore(shadedColor, at, vec4(min(radiance, vec3(most)), 1.0));
+    if (surfaceOutput == outputShaded) imageStore(shadedColor, at, min(made, vec4(most)));
+    else imageStore(shadedOutput, at, made);
 }

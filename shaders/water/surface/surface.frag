@@ -45,7 +45,7 @@ SurfacePoint shownPoint(vec2 pixel, vec3 position, bool fromWater, bool quadIsAl
 void main() {
     vec2 pixel = gl_FragCoord.xy - vec2(water.region.xy);
     vec3 position = vec3(meshPosition.x, meshPosition.y - globeDrop(meshCalm), meshPosition.z);
-    bool fromWater = mayBeInWater && (sidesSeen == seenBelow || seenFromBelow(pixel));
+    bool fromWater = isFromWater(pixel);
     bool shows = isSurface(meshCalm, position);
     bool quadIsAlike = hasWaves && abs(meanOfQuad(vec4(shows ? (fromWater ? -1.0 : 1.0) : 0.0)).x) == 1.0;
     if (!shows) demote;   // `discard` would leave derivatives from here on undefined

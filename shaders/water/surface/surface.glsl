@@ -9,6 +9,17 @@
 const bool isOutlined = shape == 1u;   // pixels within an outline are kept
 const bool isHostMesh = shape == 2u;
 
+// seaglass/water.h: SurfaceOutput
+const uint outputShaded = 0;
+const uint outputReflection = 1;
+const uint outputClass = 2;
+const uint outputHeight = 3;
+const uint outputNormal = 4;
+const uint outputFoam = 5;
+const uint outputReflectionSource = 6;
+const uint outputSlopes = 7;
+const bool writesLight = surfaceOutput <= outputReflection;   // and else figures, which no target encodes
+
 struct MeshPatch {
     vec2 corner;
     float cell;

@@ -1,22 +1,19 @@
-// What the surface's fragments write: light to the eye, from whichever side it is seen, or what `surfaceOutput` asks for. Needs
+// What the surface's pixels show: light to the eye, from whichever side it is seen, or what `surfaceOutput` asks for. Needs
 // surface_shading.glsl.
 #include "underwater_light.glsl"
 #include "waterline.glsl"
 #include "surface_below.glsl"
 
-const uint outputShaded = 0;
-const uint outputReflection = 1;
-const uint outputClass = 2;
-const uint outputHeight = 3;
-const uint outputNormal = 4;
-const uint outputFoam = 5;
-const uint outputReflectionSource = 6;
-const uint outputSlopes = 7;
-
 const uint seenAbove = 0;
 const uint seenBelow = 1;
 
 const bool mayBeInWater = hasRefraction && sidesSeen != seenAbove;
+const bool mayBeInAir = !hasRefraction || sidesSeen != seenBelow;
+const bool mayBeInBoth = mayBeInWater && mayBeInAir;
+
+bool isFromWater(vec2 pixel) {
+    return mayBeInWater && (!mayBeInAir || seenFromBelow(pixel));
+}
 
 bool isSeenFromWater(const SurfacePoint s) {
     return mayBeInWater && s.fromWater;
@@ -28,11 +25,41 @@ vec3 mirroredDirection(const SurfacePoint s, vec3 normal, vec3 toEye) {
     return isSeenFromWater(s) ? keptBelow(direction) : keptAbove(direction);
 }
 
+// Whether any pixel that is shaded with this one is seen from air, and from water: all of them go through the code of both.
+struct SidesAround {
+    bool air, water;
+};
+
+SidesAround sidesAround(const SurfacePoint s) {
+    if (!mayBeInBoth) return SidesAround(mayBeInAir, mayBeInWater);
+    uint sides = bitsAround(s.fromWater ? 2u : 1u);
+    return SidesAround((sides & 1u) != 0u, (sides & 2u) != 0u);
+}
+
 // Before Fresnel.
 vec3 mirroredRadiance(const SurfacePoint s, vec3 toEye) {
-    if (isSeenFromWater(s)) return mirroredBelow(s, -toEye);
-    Reflection r = reflected(s, toEye);
-    return r.radiance / max(r.fresnel, 1e-4);
+    SidesAround sides = sidesAround(s);
+    vec3 radiance = vec3(0.0);
+    if (mayBeInAir && sides.air) {
+        Reflection r = reflected(s, toEye);
+        radiance = r.radiance / max(r.fresnel, 1e-4);
+    }
+    if (mayBeInWater && sides.water) {
+        vec3 below = mirroredBelow(s, -toEye);
+        if (isSeenFromWater(s)) radiance = below;
+    }
+    return radiance;
+}
+
+vec3 radianceFrom(const SurfacePoint s, Foam white, vec3 normal, vec3 toEye) {
+    SidesAround sides = sidesAround(s);
+    vec3 radiance = vec3(0.0);
+    if (mayBeInAir && sides.air) radiance = shadedAbove(s, white, normal, toEye);
+    if (mayBeInWater && sides.water) {
+        vec3 below = shadedBelow(s, white.mask);
+        if (isSeenFromWater(s)) radiance = below;
+    }
+    return radiance;
 }
 
 vec4 debugOutput(const SurfacePoint s, vec3 normal, vec3 toEye) {
@@ -54,9 +81,5 @@ vec4 shaded(SurfacePoint s) {
     vec3 normal = normalOf(s.slope);
     if (surfaceOutput != outputShaded) return debugOutput(s, normal, toEye);
     if (hasSunShadow) s.sunSeen = sunSeenOver(s);
-    Foam white = foamOn(s);
-    vec3 radiance;
-    if (isSeenFromWater(s)) radiance = shadedBelow(s, white.mask);
-    else radiance = shadedAbove(s, white, normal, toEye);
-    return vec4(heldOf(radiance, targetIsEncoded), 1.0);
+    return vec4(heldOf(radianceFrom(s, foamOn(s), normal, toEye), targetIsEncoded), 1.0);
 }

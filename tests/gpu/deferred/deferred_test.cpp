@@ -18,6 +18,7 @@ using namespace tests;
 struct Described {
     SeaDesc sea = breeze();
     FoamDesc foam;
+    UnderwaterDesc underwater;
     RefractionDesc refraction;
     ReflectionDesc reflection;
     ShoreDesc shore;
@@ -32,6 +33,9 @@ struct Look {
     void (*change)(Described&, Camera&, LightingDesc&);
     /// Shares of what the pictures differ by in the mean, and of pixels that differ by a tenth.
     double mean = 0.02, many = 0.04;
+    SurfaceOutput output = SurfaceOutput::shaded;
+    double least = 0.02; ///< what is less differs by shares of this
+    bool wades = false;  ///< the eye stands on the water, and looks level
 };
 
 void PrintTo(const Look& look, std::ostream* out) {
@@ -50,6 +54,29 @@ void withWaves(Described& d) {
     d.body.wavesBackend = fftwWaves();
 }
 
+void mirrors(Described& d, Camera&, LightingDesc&) {
+    withWaves(d);
+    d.body.refraction = &d.refraction;
+    d.body.reflection = &d.reflection;
+}
+
+void mayDive(Described& d) {
+    d.body.refraction = &d.refraction;
+    d.body.reflection = &d.reflection;
+    d.body.underwater = &d.underwater;
+}
+
+/// An eye amid the waves, before which some stand above it and some below.
+/// Of an eye that wades.
+void atTheWaterline(Described& d, Camera&, LightingDesc&) {
+    withWaves(d);
+    mayDive(d);
+}
+
+void ofWaves(Described& d, Camera&, LightingDesc&) {
+    withWaves(d);
+}
+
 class Deferred : public WaterTest {
   protected:
     static Camera camera() {
@@ -61,13 +88,9 @@ class Deferred : public WaterTest {
         return camera;
     }
 
-    WaterPicture deferredPicture(Body* body, const Camera& camera, const SceneBehind& behind = {}) {
-        beforeDrawing = [this, body](VkCommandBuffer commands, const ViewDesc& view) {
-            return shade(commands, &body, 1, &view, &lighting);
-        };
-        WaterPicture drawn = picture({body}, camera, 5, SurfaceOutput::shaded, behind);
-        beforeDrawing = nullptr;
-        return drawn;
+    WaterPicture deferredPicture(Body* body, const Camera& camera, const SceneBehind& behind = {},
+                                 SurfaceOutput output = SurfaceOutput::shaded, double time = 5) {
+        return picture({body}, camera, time, output, behind);
     }
 
     Body* deferredBody(Described& d) {
@@ -92,7 +115,7 @@ struct Difference {
     double many = 0; ///< share of pixels
 };
 
-Difference differenceOf(const WaterPicture& drawn, const WaterPicture& placed) {
+Difference differenceOf(const WaterPicture& drawn, const WaterPicture& placed, double least) {
     Difference d;
     for (size_t i = 0; i < drawn.depth.size(); ++i) {
         const bool differs =
@@ -104,7 +127,7 @@ Difference differenceOf(const WaterPicture& drawn, const WaterPicture& placed) {
         double most = 0;
         for (size_t k = 4 * i; k < 4 * i + 3; ++k) {
             const double a{drawn.color[k]}, b{placed.color[k]};
-            most = std::max(most, std::abs(a - b) / std::max(std::abs(a), 0.02));
+            most = std::max(most, std::abs(a - b) / std::max(std::abs(a), least));
         }
         EXPECT_TRUE(std::isfinite(most)) << "pixel " << i;
         d.mean += std::min(most, 1.0);
@@ -115,6 +138,14 @@ Difference differenceOf(const WaterPicture& drawn, const WaterPicture& placed) {
     return d;
 }
 
+double heightUnder(const Body& body, const Camera& camera) {
+    if (!sea(&body)) return 0;
+    const double place[2] = {camera.eye.x, camera.eye.z};
+    HeightSample sample;
+    sampleHeights(*sea(&body), 5, place, 1, &sample);
+    return double{sample.height};
+}
+
 class DeferredLooks : public Deferred, public testing::WithParamInterface<Look> {};
 
 TEST_P(DeferredLooks, AsWhatFragmentsDraw) {
@@ -123,22 +154,25 @@ TEST_P(DeferredLooks, AsWhatFragmentsDraw) {
     lowSun(lighting);
     GetParam().change(d, c, lighting);
     if (!c.reversed) useDepth(false);
-    const SceneBehind behind = planeBelow(c, -4, 0.3f);
-    Body* drawn = makeBody(d.body);
-    const WaterPicture by = picture({drawn}, c, 5, SurfaceOutput::shaded, behind);
-    const WaterPicture placed = deferredPicture(deferredBody(d), c, behind);
-    const Difference differs = differenceOf(by, placed);
+    const SurfaceOutput output = GetParam().output;
+    Body* const drawn = makeBody(d.body);
+    if (GetParam().wades) c.target.y = c.eye.y = heightUnder(*drawn, c) + 0.004;
+    // A bed that lies before no water, which this host would draw all the same.
+    const SceneBehind behind = planeBelow(c, GetParam().wades ? -12 : -4, 0.3f);
+    const WaterPicture by = picture({drawn}, c, 5, output, behind);
+    const WaterPicture placed = deferredPicture(deferredBody(d), c, behind, output);
+    const Difference differs = differenceOf(by, placed, GetParam().least);
     EXPECT_GT(differs.covered, by.depth.size() / 8);
     EXPECT_LE(differs.places, by.depth.size() / 2000);
     EXPECT_LE(differs.mean, GetParam().mean);
     EXPECT_LE(differs.many, GetParam().many);
     // And the same bits from the same input.
-    const WaterPicture again = deferredPicture(deferredBody(d), c, behind);
+    const WaterPicture again = deferredPicture(deferredBody(d), c, behind, output);
     EXPECT_EQ(std::memcmp(again.color.data(), placed.color.data(), again.color.size() * sizeof(float)), 0);
 }
 
 const Look looks[] = {
-    {"Waves", [](Described& d, Camera&, LightingDesc&) { withWaves(d); }},
+    {"Waves", ofWaves},
     {"ForwardDepth",
      [](Described& d, Camera& c, LightingDesc&) {
          withWaves(d);
@@ -210,6 +244,35 @@ const Look looks[] = {
          withWaves(d);
          d.body.plane[0] = 0.1;
      }},
+    {"FromBelow",
+     [](Described& d, Camera& c, LightingDesc&) {
+         withWaves(d);
+         mayDive(d);
+         c.eye.y = -3;
+         c.target.y = 0;
+     }},
+    {"StillFromBelow",
+     [](Described& d, Camera& c, LightingDesc&) {
+         mayDive(d);
+         c.eye.y = -2;
+         c.target.y = 0;
+     }},
+    {"Waterline", atTheWaterline, 0.02, 0.04, SurfaceOutput::shaded, 0.02, true},
+    {"Mirrored", mirrors, 0.02, 0.04, SurfaceOutput::reflection},
+    {"MirroredAtTheWaterline", atTheWaterline, 0.02, 0.04, SurfaceOutput::reflection, 0.02, true},
+    {"ClassOfWhatIsMirrored", mirrors, 0.02, 0.02, SurfaceOutput::reflectionClass},
+    {"ClassAtTheWaterline", atTheWaterline, 0.02, 0.02, SurfaceOutput::reflectionClass, 0.02, true},
+    {"Height", ofWaves, 0.01, 0.02, SurfaceOutput::height},
+    {"Normal", ofWaves, 0.02, 0.04, SurfaceOutput::normal, 0.5},
+    {"FoamAlone",
+     [](Described& d, Camera&, LightingDesc&) {
+         withWaves(d);
+         d.sea.windSpeed = 14;
+         d.body.foam = &d.foam;
+     },
+     0.02, 0.04, SurfaceOutput::foam, 0.5},
+    {"SourceOfWhatIsMirrored", mirrors, 0.02, 0.04, SurfaceOutput::reflectionSource},
+    {"Slopes", ofWaves, 0.02, 0.04, SurfaceOutput::slopes, 0.25},
 };
 
 INSTANTIATE_TEST_SUITE_P(Every, DeferredLooks, testing::ValuesIn(looks),
@@ -225,7 +288,6 @@ TEST_F(Deferred, StandsBehindWhatTheHostHasBeforeIt) {
     const SceneBehind behind = drawnOver(c, planeBelow(c, -4, 0.3f), 7.0f, [&](const glm::dvec3& ray) {
         return ray.x < 0 && ray.z < 0 ? -12 / ray.z : -1.0;
     });
-    beforeDrawing = nullptr;
     const WaterPicture by = picture({makeBody(d.body)}, c, 5, SurfaceOutput::shaded, behind);
     const WaterPicture placed = deferredPicture(deferredBody(d), c, behind);
     // The tests' host clears its depth: all that the scene lies before is left out as the surface is found.
@@ -306,6 +368,10 @@ TEST_F(Deferred, WhatComesFirstIsNamed) {
     };
     shadeWith([](ViewDesc& view, LightingDesc&) { view.viewIndex = 1; });
     expectMisuse("shade\\(\\) was not called for the body and this view");
+    beforeDrawing = [&](VkCommandBuffer commands, const ViewDesc& view) {
+        return shade(commands, &body, 1, &view, &lighting, SurfaceOutput::slopes);
+    };
+    expectMisuse("with this output, in this frame");
     const char* const changed = "draw: the view or the lighting has changed since shade\\(\\)";
     shadeWith([](ViewDesc&, LightingDesc& light) { light.sunIrradiance[1] = 3; });
     expectMisuse(changed);
@@ -318,25 +384,81 @@ TEST_F(Deferred, WhatComesFirstIsNamed) {
     drawing = nullptr;
     picture({body}, c);
     beforeDrawing = nullptr;
-    expectMisuse("shade\\(\\) was not called for the body and this view in this frame");
+    expectMisuse("shade\\(\\) was not called for the body and this view, with this output, in this frame");
 }
 
-TEST_F(Deferred, FromWithinTheWaterItIsDrawnByFragments) {
+/// Two frames of an eye that moves: how far the second's water has come.
+TEST_F(Deferred, HasTheSameMotion) {
     Described d;
-    UnderwaterDesc underwater;
-    d.body.refraction = &d.refraction;
-    d.body.underwater = &underwater;
+    withWaves(d);
+    d.body.motion = true;
+    d.body.extent.shape = ExtentShape::rectangle;
+    d.body.extent.size[0] = d.body.extent.size[1] = 60;
     Camera c = camera();
-    c.eye.y = -2;
-    c.target.y = 0;
-    const SceneBehind behind = planeBelow(c, -4, 0.3f);
-    const WaterPicture by = picture({makeBody(d.body)}, c, 5, SurfaceOutput::shaded, behind);
-    Body* body = deferredBody(d);
-    const WaterPicture below = deferredPicture(body, c, behind);
-    EXPECT_EQ(std::memcmp(by.color.data(), below.color.data(), by.color.size() * sizeof(float)), 0);
-    // Which wants no shade().
-    const WaterPicture unshaded = picture({body}, c, 5, SurfaceOutput::shaded, behind);
-    EXPECT_EQ(std::memcmp(by.color.data(), unshaded.color.data(), by.color.size() * sizeof(float)), 0);
+    Camera next = c;
+    next.eye += glm::dvec3(0.2, -0.1, -0.3);
+    // The second view begins at a corner of its own.
+    const auto inRegion = [](ViewDesc& view) {
+        view.viewport.x = 16;
+        view.viewport.y = 8;
+        view.viewport.width -= 16;
+        view.viewport.height -= 8;
+    };
+    for (const VkSampleCountFlagBits samples : {VK_SAMPLE_COUNT_1_BIT, VK_SAMPLE_COUNT_4_BIT}) {
+        useSamples(samples);
+        Body* const drawn = makeBody(d.body);
+        picture({drawn}, c, 5, SurfaceOutput::motion);
+        changeView = inRegion;
+        const WaterPicture by = picture({drawn}, next, 5.1, SurfaceOutput::motion);
+        changeView = nullptr;
+        d.body.shading.deferred = true;
+        Body* const placed = makeBody(d.body);
+        d.body.shading.deferred = false;
+        deferredPicture(placed, c, {}, SurfaceOutput::motion);
+        changeView = inRegion;
+        const WaterPicture of = deferredPicture(placed, next, {}, SurfaceOutput::motion, 5.1);
+        changeView = nullptr;
+        size_t covered = 0, differ = 0;
+        double greatest = 0;
+        for (size_t i = 0; i < by.depth.size(); ++i) {
+            const bool both = by.color[4 * i + 3] == 1 && of.color[4 * i + 3] == 1;
+            covered += both;
+            if (!both) continue;
+            const double x{by.color[4 * i]}, y{by.color[4 * i + 1]};
+            greatest = std::max(greatest, std::hypot(x, y));
+            // Two triangles meet in a pixel, here and there, and either is drawn; of samples their mean.
+            differ += std::hypot(x - double{of.color[4 * i]}, y - double{of.color[4 * i + 1]}) >
+                      (samples == VK_SAMPLE_COUNT_1_BIT ? 0.02 : 0.1);
+        }
+        EXPECT_GT(covered, by.depth.size() / 8);
+        EXPECT_GT(greatest, 1);
+        EXPECT_LE(differ, samples == VK_SAMPLE_COUNT_1_BIT ? covered / 1000 : covered / 20);
+    }
+}
+
+/// Each is shaded for itself, and is there until the frame ends.
+TEST_F(Deferred, OutputsOfAFrameStandBesideEachOther) {
+    lowSun(lighting);
+    Body* body = wavyBody();
+    const WaterPicture heights = deferredPicture(body, camera(), {}, SurfaceOutput::height);
+    const WaterPicture light = deferredPicture(body, camera());
+    beforeDrawing = [&](VkCommandBuffer commands, const ViewDesc& view) {
+        const Status first = shade(commands, &body, 1, &view, &lighting, SurfaceOutput::height);
+        return first == Status::ok ? shade(commands, &body, 1, &view, &lighting) : first;
+    };
+    const auto drawnOf = [&](SurfaceOutput output) {
+        drawing = [&, output](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
+            return draw(commands, target, &body, 1, &view, &lighting, output);
+        };
+        return picture({body}, camera(), 5);
+    };
+    const WaterPicture height = drawnOf(SurfaceOutput::height), lit = drawnOf(SurfaceOutput::shaded);
+    const auto same = [](const WaterPicture& a, const WaterPicture& b) {
+        return std::memcmp(a.color.data(), b.color.data(), a.color.size() * sizeof(float)) == 0;
+    };
+    EXPECT_TRUE(same(heights, height));
+    EXPECT_TRUE(same(light, lit));
+    EXPECT_FALSE(same(heights, lit));
 }
 
 TEST_F(Deferred, SamplesBesideTheMiddleTakeANeighboursColour) {
@@ -369,24 +491,28 @@ TEST_F(Deferred, OfAHostThatLeavesDepthAloneIsTheNearest) {
     EXPECT_EQ(std::memcmp(tested.color.data(), left.color.data(), tested.color.size() * sizeof(float)), 0);
 }
 
-TEST_F(Deferred, OtherOutputsWantNoShade) {
-    Body* body = wavyBody();
-    const WaterPicture heights = picture({body}, camera(), 5, SurfaceOutput::height);
-    EXPECT_TRUE(heights.covered(heights.depth.size() - 1));
-}
-
 TEST_F(Deferred, IsMadeAheadByPrepare) {
     lowSun(lighting);
-    Body* body = wavyBody();
-    const Camera c = camera();
-    drawing = [&](VkCommandBuffer, Target* target, const ViewDesc& view) {
-        return prepare(target, body, &view, &lighting);
-    };
-    picture({body}, c);
-    drawing = nullptr;
-    spiedCalls().clear();
-    deferredPicture(body, c);
-    EXPECT_EQ(countSpied("CreateGraphicsPipelines") + countSpied("CreateComputePipelines"), 0u);
+    Described d;
+    withWaves(d);
+    mayDive(d);
+    d.body.motion = true;
+    Body* body = deferredBody(d);
+    for (const SurfaceOutput output : {SurfaceOutput::shaded, SurfaceOutput::normal, SurfaceOutput::motion}) {
+        drawing = [&](VkCommandBuffer, Target* target, const ViewDesc& view) {
+            return prepare(target, body, &view, &lighting, output);
+        };
+        picture({body}, camera());
+        drawing = nullptr;
+        spiedCalls().clear();
+        for (const double height : {4.0, 0.1, -3.0}) {
+            Camera c = camera();
+            c.eye.y = height;
+            deferredPicture(body, c, {}, output);
+        }
+        EXPECT_EQ(countSpied("CreateGraphicsPipelines") + countSpied("CreateComputePipelines"), 0u)
+            << static_cast<int>(output);
+    }
 }
 
 TEST_F(Deferred, ItsImagesAreEstimated) {

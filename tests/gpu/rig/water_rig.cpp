@@ -170,6 +170,10 @@ WaterPicture WaterTest::picture(const std::vector<seaglass::Body*>& bodies, cons
         if (beforeDrawing) {
             EXPECT_EQ(beforeDrawing(commands, view), Status::ok) << message();
         }
+        if (!drawing) {
+            EXPECT_EQ(seaglass::shade(commands, bodies.data(), count, &view, &lighting, output), Status::ok)
+                << message();
+        }
         toAttachment(commands, color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, false);
         toAttachment(commands, depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, true);
         VkClearValue untouched{};

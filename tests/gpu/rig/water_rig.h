@@ -39,7 +39,7 @@ class WaterTest : public GpuTest {
     /// From here on, water leaves the depth alone.
     void leaveDepth();
     seaglass::Body* makeBody(seaglass::BodyDesc desc);
-    /// A frame: simulate at `time`, reflect, draw.
+    /// A frame: simulate at `time`, reflect, shade, draw.
     WaterPicture picture(const std::vector<seaglass::Body*>& bodies, const Camera& camera, double time = 0,
                          seaglass::SurfaceOutput output = seaglass::SurfaceOutput::shaded,
                          const SceneBehind& behind = {});
@@ -57,7 +57,7 @@ class WaterTest : public GpuTest {
     std::function<void(VkCommandBuffer)> beforeReflection;
     /// Recorded before that pass; null: nothing.
     std::function<seaglass::Status(VkCommandBuffer, const seaglass::ViewDesc&)> beforeDrawing;
-    /// What picture() records in its pass; null: draw().
+    /// What picture() records in its pass, without shade() before; null: draw().
     std::function<seaglass::Status(VkCommandBuffer, seaglass::Target*, const seaglass::ViewDesc&)> drawing;
     seaglass::LightingDesc lighting; ///< no sun; the sky cube's radiance is 1, 2, 3
 
