@@ -161,6 +161,8 @@ void WholeScene::addFrame(std::vector<Step>& steps, uint32_t slot, double time, 
     add("reflect", [this] { return reflect(device_.commands(), &body_, 1, &view_); });
     add("reflect of a reflector", [this] { return reflect(device_.commands(), &reflector_, 1, &view_); });
     add("shade", [this] { return shade(device_.commands(), &body_, 1, &view_, &lighting_); });
+    add("shade of motion",
+        [this] { return shade(device_.commands(), &body_, 1, &view_, &lighting_, SurfaceOutput::motion); });
     add("recordOverlay", [this] { return recordOverlay(device_.commands(), reflector_, &view_, &overlay_); });
     add("draw", [this] { return draw(device_.commands(), target_, &body_, 1, &view_, &lighting_); });
     add("draw of motion", [this] {
