@@ -32,6 +32,7 @@ CONSTANT(26, bool, sceneIsEncoded, false) // only with refraction: what is read 
 CONSTANT(27, bool, targetIsEncoded, false)
 CONSTANT(28, bool, manySamples,
          false) // only with refraction: of the scene, of which sample 0 may lie before the surface
-CONSTANT(29, uint, fogKind, 0)         // water/light/lighting.h: fogKind()
-CONSTANT(30, bool, isWarped, false)    // only with waves
-CONSTANT(31, bool, quadsInStep, false) // of kernels, where full subgroups hold whole quads
+CONSTANT(29, uint, fogKind, 0)          // water/light/lighting.h: fogKind()
+CONSTANT(30, bool, isWarped, false)     // only with waves
+CONSTANT(31, bool, quadsInStep, false)  // of kernels, where full subgroups hold whole quads
+CONSTANT(32, uint, pixelsPerShading, 1) // of a deferred surface: 1, 2 or 4 to one that is shaded

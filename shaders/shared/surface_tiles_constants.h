@@ -5,3 +5,4 @@ CONSTANT(1, bool, hasReflection, false)
 CONSTANT(2, bool, hasRefraction, false)
 CONSTANT(3, bool, sortsMirrors, false) // only with a reflection: some tiles may do without it
 CONSTANT(4, bool, sortsBed, false)     // likewise with refraction
+CONSTANT(5, uint, pixelsPerShading, 1) // surface_constants.h

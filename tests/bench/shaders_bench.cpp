@@ -26,7 +26,7 @@ struct Row {
 };
 
 /// More and more of what a surface has: SurfaceChoice::letters.
-constexpr std::array surfaces = {"", "l", "lr", "w", "wl", "wlr", "wflr", "wfslr", "wfslroh"};
+constexpr std::array surfaces = {"", "l", "lr", "w", "wl", "wlr", "wf", "wflr", "wfslr", "wfslroh"};
 
 /// One for each stage, but for those that an earlier variant of the same shader equals.
 void add(std::vector<Row>& rows, const std::vector<CompiledPipeline>& pipelines, const std::string& variant) {

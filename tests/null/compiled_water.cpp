@@ -174,7 +174,21 @@ CompiledWater::~CompiledWater() {
 std::vector<CompiledPipeline> CompiledWater::kernels() {
     compiledPipelines().clear();
     makeKernels();
+    makeTilesKernels();
     return std::move(compiledPipelines());
+}
+
+void CompiledWater::makeTilesKernels() {
+    SurfaceTilesKernels tiles;
+    (void)tiles.create(*context_);
+    const TilesKernels* steps = nullptr;
+    (void)tiles.get({.hasReflection = true, .hasRefraction = true, .mirrors = true, .bed = true}, steps);
+    CompletingKernels completing;
+    (void)completing.create(*context_);
+    for (const uint32_t pixels : {2u, 4u}) {
+        const gpu::Kernel* kernel = nullptr;
+        (void)completing.get(pixels, kernel);
+    }
 }
 
 void CompiledWater::makeKernels() {
@@ -192,10 +206,6 @@ void CompiledWater::makeKernels() {
               DepthSampleKernel, ColorSampleKernel, ResolvedColorKernel, FoamKernel, CastKernel,
               CastOnShoreKernel, GatherKernel, CausticBlurKernel, ShadowedCausticBlurKernel,
               UnseenTilesKernel>(*context_);
-    SurfaceTilesKernels tiles;
-    (void)tiles.create(*context_);
-    const TilesKernels* steps = nullptr;
-    (void)tiles.get({.hasReflection = true, .hasRefraction = true, .mirrors = true, .bed = true}, steps);
     for (const VkFormat format : {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT}) {
         gpu::MipChain chain;
         (void)chain.create(*context_, format);

@@ -49,6 +49,7 @@ class CompiledWater {
   private:
     CompiledWater() = default;
     void makeKernels();
+    void makeTilesKernels(); ///< what lists the tiles of a deferred surface, and completes its pixels
     /// Calls `make` with the variant of the choice's body, and tells what that made.
     template<typename Make>
     std::vector<CompiledPipeline> madeOf(const SurfaceChoice& choice, Make&& make);

@@ -53,6 +53,7 @@ Status DeferredPart::create(Body& body, const BodyDesc&) {
     Context& context = *body.context;
     if (const Status s = context.share(passes_); s != Status::ok) return s;
     if (const Status s = context.share(tiles_); s != Status::ok) return s;
+    if (const Status s = context.share(completing_); s != Status::ok) return s;
     return context.share(kernels_);
 }
 
@@ -84,12 +85,14 @@ Status DeferredPart::fit(Context& context, VkExtent2D region, SurfaceOutput outp
     return Status::ok;
 }
 
-Status DeferredPart::getKernels(const SurfaceVariant& variant, const TilesKernels*& listing,
-                                ListedKernels& shading) const {
+Status DeferredPart::getKernels(const SurfaceVariant& variant, ShadedBy& out) const {
     TileSorting sorting = tileSorting(variant);
     if (!sortsTiles) sorting.mirrors = sorting.bed = false;
-    if (const Status s = tiles_->get(sorting, listing); s != Status::ok) return s;
-    return getListed(*kernels_, variant, sorting, shading);
+    out.pixelsPerShading = sorting.pixelsPerShading;
+    if (const Status s = tiles_->get(sorting, out.listing); s != Status::ok) return s;
+    if (const Status s = completing_->get(sorting.pixelsPerShading, out.completing); s != Status::ok)
+        return s;
+    return getListed(*kernels_, variant, sorting, out.shading);
 }
 
 Status DeferredPart::record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture) {
@@ -98,10 +101,9 @@ Status DeferredPart::record(Body& body, VkCommandBuffer commands, const SeenSurf
     const SurfaceOutput output = seen.drawn.output;
     const bool isMotion = seen.drawn.isMotion();
     const SurfaceVariant variant = body.surfaceVariant(seen.drawn);
-    const TilesKernels* listing = nullptr;
-    ListedKernels shading{};
+    ShadedBy kernels;
     if (!isMotion)
-        if (const Status s = getKernels(variant, listing, shading); s != Status::ok) return s;
+        if (const Status s = getKernels(variant, kernels); s != Status::ok) return s;
     if (const Status s = fit(context, extentOf(geometry), output, picture); s != Status::ok) return s;
     BodyBlock block = seen.block;
     block.clipFromRelative = clipFromRelative(geometry);
@@ -112,7 +114,7 @@ Status DeferredPart::record(Body& body, VkCommandBuffer commands, const SeenSurf
                                               seen.mesh, resources, *seen.view.given, geometry);
         s != Status::ok || isMotion)
         return s;
-    return picture.shaded.record(context, commands, *listing, shading, picture.found, std::move(resources),
+    return picture.shaded.record(context, commands, kernels, picture.found, std::move(resources),
                                  extentOf(geometry));
 }
 
@@ -211,9 +213,8 @@ Status DeferredPart::prepareShading(const Body& body, const PrepareCall& call,
         drawn.sides = sides;
         variant = body.surfaceVariant(drawn);
         if (drawn.isMotion()) continue;
-        const TilesKernels* listing = nullptr;
-        ListedKernels shading{};
-        if (const Status s = getKernels(variant, listing, shading); s != Status::ok) return s;
+        ShadedBy kernels;
+        if (const Status s = getKernels(variant, kernels); s != Status::ok) return s;
     }
     return Status::ok;
 }

@@ -52,14 +52,14 @@ struct DeferredPart {
                             Resources& out);
     Status placeView(Body& body, const DrawCall& call, const BodyView& view, const Picture& picture) const;
     Status placeSamples(Body& body, const DrawCall& call, SeenSurface& seen, const Picture& picture) const;
-    Status getKernels(const SurfaceVariant& variant, const TilesKernels*& listing,
-                      ListedKernels& shading) const;
+    Status getKernels(const SurfaceVariant& variant, ShadedBy& out) const;
     Status prepareShading(const Body& body, const PrepareCall& call, SurfaceVariant& variant) const;
     Status record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture);
 
     std::shared_ptr<FoundPasses> passes_;
     std::shared_ptr<SurfaceTilesKernels> tiles_;
     std::shared_ptr<ShadingKernels> kernels_;
+    std::shared_ptr<CompletingKernels> completing_;
     std::array<std::map<SurfaceOutput, Picture>, maxViews> views_; ///< of what was asked for
 };
 

@@ -1,6 +1,9 @@
 #include "water/deferred/shaded_surface.h"
 
+#include <algorithm>
+
 #include "shaders/shared/water_bindings.h"
+#include "spirv/completed_surface.comp.h"
 #include "spirv/shaded_surface.comp.h"
 
 namespace seaglass {
@@ -49,6 +52,18 @@ Status getListed(ShadingKernels& kernels, const SurfaceVariant& variant, const T
     return Status::ok;
 }
 
+Status CompletingKernels::get(uint32_t pixelsPerShading, const gpu::Kernel*& out) {
+    out = nullptr;
+    if (pixelsPerShading == 1) return Status::ok;
+    return kernels_.get(
+        pixelsPerShading,
+        [&](gpu::Kernel& kernel) {
+            return kernel.create(*device_, completed_surface_comp, "completed surface",
+                                 std::array{pixelsPerShading});
+        },
+        out);
+}
+
 Status ShadedSurface::create(const gpu::Device& device, VkExtent2D extent, SurfaceOutput output) {
     if (const Status s = color.create(device, colorDesc(extent, output), "shaded surface"); s != Status::ok)
         return s;
@@ -60,29 +75,55 @@ VkDeviceSize ShadedSurface::bytes(const gpu::Device& device, VkExtent2D extent) 
            SurfaceTiles::bytes(device, extent);
 }
 
-Status ShadedSurface::record(Context& context, VkCommandBuffer commands, const TilesKernels& listing,
-                             const ListedKernels& shading, const FoundSurface& found, Resources resources,
-                             VkExtent2D region) const {
+Status ShadedSurface::recordShading(Context& context, VkCommandBuffer commands, const ListedKernels& kernels,
+                                    const Resources& resources) const {
+    for (uint32_t list = 0; list < foundLists; ++list) {
+        if (!kernels[list]) continue;
+        VkDescriptorSet set = VK_NULL_HANDLE;
+        if (const Status s = context.frame().allocateSet(kernels[list]->layout(), resources, set);
+            s != Status::ok)
+            return s;
+        kernels[list]->dispatchIndirect(commands, set, tiles.handle(), SurfaceTiles::groupsOffset(list));
+    }
+    return Status::ok;
+}
+
+Status ShadedSurface::recordCompleting(Context& context, VkCommandBuffer commands, const gpu::Kernel& kernel,
+                                       const Resources& resources, uint32_t tileCount) const {
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
+        return s;
+    const gpu::PassScope pass(context.device, commands, "completed_surface");
+    gpu::recordBarrier(context.device, commands,
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
+    kernel.dispatch(commands, set, std::min(tileCount, foundGroupsPerRow),
+                    (tileCount + foundGroupsPerRow - 1) / foundGroupsPerRow);
+    return Status::ok;
+}
+
+Status ShadedSurface::record(Context& context, VkCommandBuffer commands, const ShadedBy& kernels,
+                             const FoundSurface& found, Resources resources, VkExtent2D region) const {
     const gpu::Device& device = context.device;
     const VkSampler nearest = context.samplers.nearestClamp();
     resources.push_back({foundDepthBinding, gpu::sampledImage(nearest, found.depth())});
     resources.push_back({foundAsideBinding, gpu::sampledImage(nearest, found.beside())});
     resources.push_back({foundTilesBinding, gpu::storageBuffer(tiles.handle())});
     resources.push_back({shadedBinding, gpu::storageImage(color.view())});
-    if (const Status s = tiles.record(context, commands, listing, resources, region); s != Status::ok)
+    const uint32_t count = tileCount(region, kernels.pixelsPerShading);
+    if (const Status s = tiles.record(context, commands, *kernels.listing, resources, count); s != Status::ok)
         return s;
     const gpu::PassScope pass(device, commands, "shaded_surface");
     const VkImageMemoryBarrier2 before =
         gpu::imageBarrier(color.handle(), gpu::discardedAfterSampling, gpu::storageWritten);
     gpu::recordBarriers(device, commands, &before, 1);
-    for (uint32_t list = 0; list < foundLists; ++list) {
-        if (!shading[list]) continue;
-        VkDescriptorSet set = VK_NULL_HANDLE;
-        if (const Status s = context.frame().allocateSet(shading[list]->layout(), resources, set);
+    if (const Status s = recordShading(context, commands, kernels.shading, resources); s != Status::ok)
+        return s;
+    if (kernels.completing)
+        if (const Status s = recordCompleting(context, commands, *kernels.completing, resources, count);
             s != Status::ok)
             return s;
-        shading[list]->dispatchIndirect(commands, set, tiles.handle(), SurfaceTiles::groupsOffset(list));
-    }
     const VkImageMemoryBarrier2 after =
         gpu::imageBarrier(color.handle(), gpu::storageWritten, gpu::sampledByShaders);
     gpu::recordBarriers(device, commands, &after, 1);

@@ -36,6 +36,29 @@ using ListedKernels = std::array<const gpu::Kernel*, foundLists>;
 Status getListed(ShadingKernels& kernels, const SurfaceVariant& variant, const TileSorting& sorting,
                  ListedKernels& out);
 
+/// What makes of one pixel of 2 or of 4 all of them: one for each.
+class CompletingKernels {
+  public:
+    Status create(Context& context) {
+        device_ = &context.device;
+        return Status::ok;
+    }
+    /// Any thread. Null where each pixel is shaded.
+    Status get(uint32_t pixelsPerShading, const gpu::Kernel*& out);
+
+  private:
+    const gpu::Device* device_ = nullptr;
+    gpu::MadeOnce<uint32_t, gpu::Kernel> kernels_;
+};
+
+/// What a surface is shaded by.
+struct ShadedBy {
+    const TilesKernels* listing = nullptr;
+    ListedKernels shading{};
+    const gpu::Kernel* completing = nullptr;
+    uint32_t pixelsPerShading = 1;
+};
+
 /// Of one view, as large as what was found of it.
 struct ShadedSurface {
     gpu::OwnedImage color; ///< linear: RGBA16F; of other outputs than `shaded` RGBA32F
@@ -46,9 +69,14 @@ struct ShadedSurface {
     static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent);
     /// Leaves the colour to be sampled where a surface was found. `resources`: all that shaders of the body
     /// read.
-    Status record(Context& context, VkCommandBuffer commands, const TilesKernels& listing,
-                  const ListedKernels& shading, const FoundSurface& found, Resources resources,
-                  VkExtent2D region) const;
+    Status record(Context& context, VkCommandBuffer commands, const ShadedBy& kernels,
+                  const FoundSurface& found, Resources resources, VkExtent2D region) const;
+
+  private:
+    Status recordShading(Context& context, VkCommandBuffer commands, const ListedKernels& kernels,
+                         const Resources& resources) const;
+    Status recordCompleting(Context& context, VkCommandBuffer commands, const gpu::Kernel& kernel,
+                            const Resources& resources, uint32_t tileCount) const;
 };
 
 } // namespace seaglass

@@ -15,15 +15,17 @@ struct TilesConstants {
 #include "gpu/pipeline/constants.inl"
 };
 
-uint32_t tileCount(VkExtent2D extent) {
-    return (extent.width + 7) / 8 * ((extent.height + 7) / 8);
-}
-
 VkDeviceSize tilesBytes(VkExtent2D extent) {
-    return sizeof(FoundTilesHeader) + VkDeviceSize{tileCount(extent)} * foundUintsPerTile * sizeof(uint32_t);
+    return sizeof(FoundTilesHeader) +
+           VkDeviceSize{tileCount(extent, 1)} * foundUintsPerTile * sizeof(uint32_t);
 }
 
 } // namespace
+
+uint32_t tileCount(VkExtent2D view, uint32_t pixelsPerShading) {
+    const uint32_t width = 8 * pixelsPerShading;
+    return (view.width + width - 1) / width * ((view.height + 7) / 8);
+}
 
 bool TileSorting::uses(uint32_t list) const {
     const auto maybe = [&](uint32_t need, bool has, bool sorted) {
@@ -33,7 +35,9 @@ bool TileSorting::uses(uint32_t list) const {
 }
 
 TileSorting tileSorting(const SurfaceVariant& variant) {
-    TileSorting sorting{.hasReflection = variant.hasReflection, .hasRefraction = variant.hasRefraction};
+    TileSorting sorting{.hasReflection = variant.hasReflection,
+                        .hasRefraction = variant.hasRefraction,
+                        .pixelsPerShading = variant.pixelsPerShading};
     // How slopes turn rays is told of flat seas, of the eye above them, and of light alone.
     if (variant.onGlobe || variant.sidesSeen != static_cast<uint32_t>(SidesSeen::above) ||
         variant.surfaceOutput != static_cast<uint32_t>(SurfaceOutput::shaded))
@@ -52,6 +56,7 @@ Status SurfaceTilesKernels::get(const TileSorting& sorting, const TilesKernels*&
             constants.hasRefraction = sorting.hasRefraction;
             constants.sortsMirrors = sorting.mirrors;
             constants.sortsBed = sorting.bed;
+            constants.pixelsPerShading = sorting.pixelsPerShading;
             for (uint32_t step = 0; step < kernels.size(); ++step) {
                 constants.listingStep = step;
                 if (const Status s = kernels[step].create(*device_, surface_tiles_comp, "surface tiles",
@@ -77,7 +82,7 @@ VkDeviceSize SurfaceTiles::groupsOffset(uint32_t list) {
 }
 
 Status SurfaceTiles::record(Context& context, VkCommandBuffer commands, const TilesKernels& kernels,
-                            const Resources& resources, VkExtent2D region) const {
+                            const Resources& resources, uint32_t tiles) const {
     const gpu::Device& device = context.device;
     std::array<VkDescriptorSet, std::tuple_size_v<TilesKernels>> sets{};
     for (size_t step = 0; step < sets.size(); ++step)
@@ -87,7 +92,7 @@ Status SurfaceTiles::record(Context& context, VkCommandBuffer commands, const Ti
     const gpu::PassScope pass(device, commands, "surface_tiles");
     gpu::recordBuffersCleared(device, commands, {buffer_.handle()}, sizeof(FoundTilesHeader));
     for (size_t step = 0; step < sets.size(); ++step) {
-        kernels[step].dispatchAlong(commands, sets[step], tileCount(region));
+        kernels[step].dispatchAlong(commands, sets[step], tiles);
         gpu::recordBarrier(device, commands,
                            {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                             VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},

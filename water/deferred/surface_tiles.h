@@ -17,12 +17,16 @@ namespace seaglass {
 struct TileSorting {
     bool hasReflection = false, hasRefraction = false;
     bool mirrors = false, bed = false; ///< by whether they need it
+    uint32_t pixelsPerShading = 1;
     auto operator<=>(const TileSorting&) const = default;
 
     /// That some tile may be in it.
     bool uses(uint32_t list) const;
 };
 TileSorting tileSorting(const SurfaceVariant& variant);
+
+/// Of a view, of 8 x 8 blocks of so many pixels.
+uint32_t tileCount(VkExtent2D view, uint32_t pixelsPerShading);
 
 /// One for each step of the listing.
 using TilesKernels = std::array<gpu::Kernel, 3>;
@@ -52,7 +56,7 @@ class SurfaceTiles {
 
     /// Leaves the lists to be read by compute shaders, and dispatched by.
     Status record(Context& context, VkCommandBuffer commands, const TilesKernels& kernels,
-                  const Resources& resources, VkExtent2D region) const;
+                  const Resources& resources, uint32_t tiles) const;
 
   private:
     gpu::Buffer buffer_; ///< shaders/shared/found_tiles_block.h

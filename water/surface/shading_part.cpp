@@ -12,8 +12,10 @@ struct ShadingPart {
 
     static bool wanted(const BodyDesc&, const Sea*) { return true; }
 
-    void vary(const Body& body, const SurfaceDraw&, SurfaceVariant& variant) const {
+    void vary(const Body& body, const SurfaceDraw& draw, SurfaceVariant& variant) const {
         variant.bySchlick = body.shading.fresnel == Fresnel::schlick;
+        if (body.shading.deferred && draw.output == SurfaceOutput::shaded && draw.sides == SidesSeen::above)
+            variant.pixelsPerShading = body.shading.pixelsPerShading;
     }
 };
 

@@ -1,7 +1,16 @@
-// The lists of the 8 x 8 tiles of a view that show a surface. Needs found_surface.glsl.
+// The lists of the tiles of a view that show a surface: 8 x 8 blocks of pixels, of which one is shaded each. Needs `pixelsPerShading`
+// and found_surface.glsl.
 //
 // Behind the header lie the lists, each with room for all tiles; then what each tile needs, 0 where it shows no surface, else
 // its list and 1; then, for each 64 tiles in a row, how many of them each list gets.
+
+ivec2 blockSize() {
+    return ivec2(pixelsPerShading, 1);
+}
+
+ivec2 tileSize() {
+    return 8 * blockSize();
+}
 
 layout(set = 0, binding = foundTilesBinding, std430) buffer Tiles {
     FoundTilesHeader header;
@@ -9,7 +18,7 @@ layout(set = 0, binding = foundTilesBinding, std430) buffer Tiles {
 };
 
 ivec2 tilesAcross() {
-    return (foundSize() + 7) / 8;
+    return (foundSize() + tileSize() - 1) / tileSize();
 }
 
 int tileCount() {
@@ -36,5 +45,5 @@ uint heldTile(int tile) {
 }
 
 ivec2 firstPixel(uint held) {
-    return ivec2(held & 0xffffu, held >> 16) * 8;
+    return ivec2(held & 0xffffu, held >> 16) * tileSize();
 }

@@ -15,6 +15,8 @@ layout(set = 0, binding = foundAsideBinding) uniform usampler2D foundAside;
 layout(set = 0, binding = shadedBinding, rgba16f) uniform writeonly image2D shadedColor;
 layout(set = 0, binding = shadedBinding, rgba32f) uniform writeonly image2D shadedOutput;   // in its place, of all but light
 
+#include "shaded_pixels.glsl"
+
 // Of tiles that need as much as this kernel has.
 const uint listShaded = (hasReflection ? foundMirrors : 0u) | (hasRefraction ? foundSeesBed : 0u);
 
@@ -77,7 +79,7 @@ bool quadShows(ivec2 at) {
 // They show this water, and from the same side.
 bool quadIsAlike(Found found, bool fromWater, ivec2 at) {
     if (!hasWaves) return false;
-    if (!mayBeInBoth) return quadShows(at);
+    if (!mayBeInBoth && pixelsPerShading == 1u) return quadShows(at);
     float side = fromWater ? -1.0 : 1.0;
     return abs(meanOfQuad(vec4(found.shows ? side : 0.0)).x) == 1.0;
 }
@@ -107,7 +109,8 @@ SurfacePoint shownPoint(Found found, ivec2 at) {
 void main() {
     uint n = gl_WorkGroupID.y * foundGroupsPerRow + gl_WorkGroupID.x;
     bool isListed = n < header.groups[listShaded].w;
-    ivec2 at = firstPixel(tiles[placeInList(listShaded, isListed ? int(n) : 0)]) + placeInTile();
+    ivec2 first = firstPixel(tiles[placeInList(listShaded, isListed ? int(n) : 0)]);
+    ivec2 at = shadedPixel(first / blockSize() + placeInTile());
     Found found = foundAt(at);
     SurfacePoint s = shownPoint(found, min(at, foundSize() - 1));
     vec4 made = shaded(s);

@@ -23,15 +23,15 @@ layout(set = 0, binding = reflectionInfoBinding) uniform sampler2D reflectionInf
 
 bool showsSurface(ivec2 first) {
     ivec2 last = foundSize() - 1;
-    for (int i = 0; i < 64; ++i)
-        if (texelFetch(foundDepth, min(first + ivec2(i & 7, i >> 3), last), 0).r > 0.0) return true;
+    for (int i = 0; i < tileSize().x * tileSize().y; ++i)
+        if (texelFetch(foundDepth, min(first + ivec2(i % tileSize().x, i / tileSize().x), last), 0).r > 0.0) return true;
     return false;
 }
 
 bool showsScene(ivec2 first) {
     ivec2 last = foundSize() - 1;
-    for (int i = 0; i < 64; ++i) {
-        float depth = texelFetch(sceneDepth, water.region.xy + min(first + ivec2(i & 7, i >> 3), last), 0).r;
+    for (int i = 0; i < tileSize().x * tileSize().y; ++i) {
+        float depth = texelFetch(sceneDepth, water.region.xy + min(first + ivec2(i % tileSize().x, i / tileSize().x), last), 0).r;
         if (water.depthSign * (depth - water.farDepth) > 0.0) return true;
     }
     return false;
@@ -39,10 +39,10 @@ bool showsScene(ivec2 first) {
 
 bool mirrorsScene(ivec2 first) {
     int scale = clamp(int(water.reflectionScale), 1, 8);
-    int across = 8 / scale + 1;
+    ivec2 across = tileSize() / scale + 1;
     ivec2 last = textureSize(reflectionInfo, 0) - 1;
-    for (int i = 0; i < across * across; ++i)
-        if (infoIsHit(texelFetch(reflectionInfo, min(first / scale + ivec2(i % across, i / across), last), 0).r)) return true;
+    for (int i = 0; i < across.x * across.y; ++i)
+        if (infoIsHit(texelFetch(reflectionInfo, min(first / scale + ivec2(i % across.x, i / across.x), last), 0).r)) return true;
     return false;
 }
 
@@ -52,7 +52,7 @@ shared uint needed[64];
 
 // The tile's pixels, as a box is held.
 uvec4 boxAround(ivec2 first) {
-    return uvec4(~uvec2(first), uvec2(first) + 8u);
+    return uvec4(~uvec2(first), uvec2(first) + uvec2(tileSize()));
 }
 
 void growBox(int which, uvec4 by) {

@@ -26,7 +26,7 @@ vec4 beyondSides(Box box, vec3 p) {
 
 // By which sides the whole tile is.
 bvec4 tileBeyond(Box box, ivec2 first) {
-    vec2 low = vec2(first), high = low + 8.0;
+    vec2 low = vec2(first), high = low + vec2(tileSize());
     return greaterThan(vec4(box.low.x - high.x, low.x - box.high.x, box.low.y - high.y, low.y - box.high.y), vec4(0.0));
 }
 
@@ -46,9 +46,9 @@ bool mayMirror(ivec2 first) {
     if (isEmpty(header.mirrored)) return false;
     // A texel of a mip holds what lies within 1.5 of its widths, and is read together with the next.
     float blurred = 2.5 * exp2(float(textureQueryLevels(reflectionColor) - 1)) * water.reflectionScale;
-    Box box = boxOf(header.mirrored, blurred + 16.0);
+    Box box = boxOf(header.mirrored, blurred + float(tileSize().x) + 8.0);
     bvec4 beyond = tileBeyond(box, first);
-    vec3 sight = sightThrough(vec2(first) + 4.0);
+    vec3 sight = sightThrough(vec2(first) + 0.5 * vec2(tileSize()));
     for (int i = 0; i < 8; ++i) {
         vec2 lean = steepest() * cosineSine(0.125 * float(i));
         vec3 ray = reflect(sight, normalize(vec3(lean.x, 1.0, lean.y)));

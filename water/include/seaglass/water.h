@@ -76,6 +76,7 @@ struct ShadingDesc {
     bool parallax = false; ///< shades waves too short for the mesh at their own height; not on a shore
     Fresnel fresnel = Fresnel::exact; ///< of what the eye sees; light for the bed enters by exact's share
     bool deferred = false; ///< found first, then shaded once a pixel, by shade(), which comes before draw()
+    uint32_t pixelsPerShading = 1; ///< of a deferred one, 1, 2 or 4: others are as those beside them are
 };
 
 /// What a body covers of its plane.
