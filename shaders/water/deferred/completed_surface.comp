@@ -27,7 +27,7 @@ struct Mean {
 void addShaded(inout Mean mean, ivec2 at, float depth, int away) {
     if (!showsSurface(at)) return;
     float apart = texelFetch(foundDepth, at, 0).r / depth - 1.0;
-    float counts = 1.0 / ((1e-5 + apart * apart) * float(away));
+    float counts = 1.0 / ((1e-4 + apart * apart) * float(away));
     mean.sum += counts * imageLoad(shadedColor, at).rgb;
     mean.weights += counts;
 }

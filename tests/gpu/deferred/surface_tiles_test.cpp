@@ -18,7 +18,8 @@ using namespace tests;
 struct Place {
     const char* name;
     void (*change)(Camera&, BodyDesc&);
-    size_t leastSpared; ///< tiles that do without the bed or the reflection
+    size_t leastSpared;   ///< tiles that do without the bed or the reflection
+    bool seesPost = true; ///< which some tiles need both for
 };
 
 void PrintTo(const Place& place, std::ostream* out) {
@@ -94,7 +95,7 @@ TEST_P(SurfaceTilesTest, SortedShowTheSame) {
     const std::vector<uint32_t> lists = words();
     EXPECT_EQ(lists[3] + lists[7] + lists[11] + lists[15], inOne[15]);
     EXPECT_GE(lists[3] + lists[7] + lists[11], GetParam().leastSpared);
-    EXPECT_GT(lists[15], 0u);
+    EXPECT_EQ(lists[15] > 0, GetParam().seesPost);
 }
 
 TEST_P(SurfaceTilesTest, HoldEachTileOnceInTheOrderOfRows) {
@@ -134,7 +135,7 @@ const Place places[] = {
          c.far = 200;
          c.target = {3, -2, -3};
      },
-     1},
+     60, false},
     {"Still", [](Camera&, BodyDesc& body) { body.waves = nullptr, body.foam = nullptr; }, 60},
 };
 
