@@ -307,7 +307,7 @@ WaterSurface::FoamCover WaterSurface::foamCover(const glm::dvec2& calm, const gl
     for (size_t i = 0; i < cascades_.size(); ++i) {
         const Cascade& cascade = cascades_[i];
         if (cascade.foam.empty()) break;
-        const glm::dvec2 place = under + bend * std::min(0.7 * cascade.texel(), 2.5) -
+        const glm::dvec2 place = under + bend * std::min(0.7 * cascade.texel(), 4.0) -
                                  cascade.patch * glm::dvec2(cascade.drift.u, cascade.drift.v);
         const float share = kept(shore, i);
         foamy *= share * share *

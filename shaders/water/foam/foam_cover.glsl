@@ -61,7 +61,7 @@ vec2 foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, Wh
     vec2 under = warped(calm);
     for (int i = 0; i < foamCascades; ++i) {
         float texels = water.cascade[i].w;
-        vec2 place = under + bend * min(0.7 / texels, 2.5);
+        vec2 place = under + bend * min(0.7 / texels, 4.0);
         float mip = log2(max(pixelWidth * texels, 1.0));
         vec2 at = water.cascade[i].xy + place * water.cascade[i].z - water.foamDrift[i].xy;
         vec4 steps = textureLod(foamHistory, vec3(at, i), mip);
@@ -124,6 +124,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, v
     vec3 widths;
     vec2 slope = vec2(0.0);
     float bend[3];
+    float inWindrows;
     for (int i = 0; i < 3; ++i) {
         float texels = i == 0 ? max(patternWidth.x * patternSamples / windrowTile, 4.0)   // finer lines would look combed
                               : max(patternWidth.y * patternSamples / tiles[i], 1.0);
@@ -137,9 +138,11 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, v
         widths[i] = kept;
         slope += texel.zw;
         bend[i] = 2.0 * texel.y;
+        if (i == 0) inWindrows = last * texel.x;
     }
     vec2 found = foamCover(s, aside, vec2(bend[0] + 0.4 * bend[2], bend[1] - 0.4 * bend[2]), pixelWidth, caps);
     float cover = found.x;
+    float streaks = 1.0 - 1.2 * inWindrows;   // as foam does, bubbles gather there
     // Mips that are looked at between their texels have longer ends than even distributions do.
     widths = max(widths, 0.15 * (widths.x + widths.y + widths.z) + 1e-3);
     // As its own distribution function the octaves' sum is even again, so that a share `cover` of it lies below `cover`.
@@ -150,7 +153,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, v
     float kept2 = (1.0 - softEdges) * variance / patternVariance;
     float white = gaussianBelow((gaussianQuantile(cover) - sqrt(kept2) * gaussianQuantile(even)) * inversesqrt(1.0 - kept2));
     // Where white is but likely, where it stands out is no longer told.
-    return Foam(white, cover, slope, kept2 * kept2 * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0), found.y);
+    return Foam(white, cover, slope, kept2 * kept2 * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0), min(streaks * found.y, 1.0));
 }
 
 // A pixel is long and narrow at a grazing angle, and is taken in as many parts as there are looks at its waves. A look is
@@ -189,11 +192,10 @@ Foam foamOver(const SurfacePoint s) {
 
 // Radiance of the bubbles that waves broke into the water, just above its surface. The upper ones rise and are gone first, so that
 // what is left shines through more water: blue-green, then blue.
-vec3 plumeGlow(const SurfacePoint s, vec3 toSun, float plume) {
-    const float reflects = 0.16;
-    float throughWater = mix(9.0, 2.5, plume);   // there and back [m]
-    vec3 light = s.sunSeen * sunEntering(toSun) + water.skyIrradiance.rgb * skyEnters;
-    return light * (reflects / pi * plume) * exp(-throughWater * extinction());
+vec3 plumeGlow(vec3 toSun, float plume) {
+    const float reflects = 0.13;
+    float throughWater = mix(12.0, 2.5, plume);   // there and back [m]
+    return lightEntering(toSun) * (reflects / pi * plume) * exp(-throughWater * extinction());
 }
 
 // Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
@@ -217,6 +219,6 @@ vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirr
     float glint = sunGlint(film, toEye) * sunClear(toSun, slopeOf(toEye + toSun), ahead);
     vec3 light = water.sunIrradiance.rgb * sun + water.skyIrradiance.rgb * open;
     vec3 foamy = light * water.foam.y / pi + filmShare * (mirrored + water.sunIrradiance.rgb * glint);
-    if (water.absorption.r > 0.0) bare += leaves * plumeGlow(s, toSun, white.plume);
+    if (water.absorption.r > 0.0) bare += leaves * plumeGlow(toSun, white.plume);
     return mix(bare, foamy, white.mask * mix(thinnest, 1.0, white.fresh));
 }

@@ -82,10 +82,12 @@ vec3 intoWater(const SurfacePoint s, vec3 toEye) {
     return refract(-toEye, normalOf(s.slope - towards * leansTo(steepness, deviation)), 1.0 / waterIndex);
 }
 
-// `behind` as the water before it leaves it, `path` metres of it. Where all around is of one radiance it stays so.
-vec3 throughScattering(vec3 behind, const SurfacePoint s, vec3 toEye, float path) {
+// `behind` as the water before it leaves it, `path` metres of it. Where all around is of one radiance it stays so. `plume`: of
+// bubbles, which scatter as particles do.
+vec3 throughScattering(vec3 behind, const SurfacePoint s, vec3 toEye, float path, float plume) {
     const int points = clamp(refractionSamples / 2, 1, 3);
-    float scattering = water.absorption.w;
+    const float byBubbles = 2.0;   // where a wave has just broken [1/m]
+    float scattering = water.absorption.w + byBubbles * plume;
     float bottom = s.height + water.within.z;
     if (bottom > 0.0) {
         vec3 along = intoWater(s, toEye);

@@ -54,7 +54,7 @@ vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye) {
     vec3 below = through.radiance;
     if (hasRefraction && hasWaves)
         below = meanFound(vec4(below, 1.0), s.quadIsAlike ? smoothstep(1.0, 3.0, through.blurred / sharpBed) : 0.0).rgb;
-    if (hasSubsurfaceScattering) below = throughScattering(below, s, toEye, through.path);
+    if (hasSubsurfaceScattering) below = throughScattering(below, s, toEye, through.path, white.plume);
     vec3 radiance = mirror.radiance + entering * below;
     float glint = sunGlint(s, toEye);
     WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);

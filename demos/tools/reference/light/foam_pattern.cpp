@@ -102,6 +102,7 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
         widths[static_cast<int>(i)] = kept;
         foam.slope += glm::vec2(texel.z, texel.w);
         bend[i] = 2 * texel.y;
+        if (i == 0) foam.plume = 1 - 1.2f * last * texel.x;
     }
     const glm::dvec2 bent(bend[0] + 0.4f * bend[2], bend[1] - 0.4f * bend[2]);
     const auto [cover, plume] = surface.foamCover(calm, bent, static_cast<double>(pixelWidth));
@@ -111,7 +112,7 @@ Foam foamAt(const WaterSurface& surface, const glm::dvec2& calm, float pixelWidt
     foam.mask = gaussianBelow((gaussianQuantile(cover) - std::sqrt(kept2) * gaussianQuantile(even)) /
                               std::sqrt(1 - kept2));
     foam.fresh = cover;
-    foam.plume = plume;
+    foam.plume = std::min(foam.plume * plume, 1.0f);
     foam.height = kept2 * kept2 * std::clamp(1 - 2 * even / std::max(cover, 1e-3f), -1.0f, 1.0f);
     return foam;
 }

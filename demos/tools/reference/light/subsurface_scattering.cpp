@@ -96,9 +96,11 @@ glm::vec3 fromSun(const Frame& frame, const glm::vec3& at, const glm::vec3& alon
 } // namespace
 
 glm::vec3 throughScattering(const Frame& frame, const Ray& ray, float path, const glm::vec3& behind,
-                            Random random) {
-    const auto scattering = static_cast<float>(frame.world->water->refraction->scatteringPerM);
-    if (scattering == 0 || frame.surface.flat()) return behind;
+                            float plume, Random random) {
+    constexpr float byBubbles = 2; // where a wave has just broken [1/m]
+    const auto byParticles = static_cast<float>(frame.world->water->refraction->scatteringPerM);
+    const float scattering = byParticles + byBubbles * plume;
+    if (byParticles == 0 || frame.surface.flat()) return behind;
     const glm::vec3 extinction = waterLightOf(frame).extinction();
     const float rate = std::min({extinction.x, extinction.y, extinction.z}) + 0.15f;
     const float t = -std::log(1 - random.next()) / rate;

@@ -41,7 +41,8 @@ glm::vec3 mirrored(const Frame& frame, const Ray& ray, const Hit& hit, const Fac
     return kept * radianceAlong(frame, bentRay(ray, hit, facet.up, direction), bounces - 1, random);
 }
 
-glm::vec3 refracted(const Frame& frame, const Ray& ray, const Hit& hit, const Facet& facet, Random* random) {
+glm::vec3 refracted(const Frame& frame, const Ray& ray, const Hit& hit, const Facet& facet, float plume,
+                    Random* random) {
     const auto& desc = frame.world->water->refraction;
     const WaterLight light = waterLightOf(frame);
     if (!desc) return light.glow(endless);
@@ -57,7 +58,7 @@ glm::vec3 refracted(const Frame& frame, const Ray& ray, const Hit& hit, const Fa
         radiance = shadeBed(frame, below, bed, random) * through;
     }
     radiance += light.glow(path);
-    return random ? throughScattering(frame, below, path, radiance, *random) : radiance;
+    return random ? throughScattering(frame, below, path, radiance, plume, *random) : radiance;
 }
 
 // In what follows directions are in the axes of what is level there, as slopes are.
@@ -95,13 +96,11 @@ glm::vec3 sampledGlint(const Frame& frame, const Facet& facet, const glm::vec3& 
 }
 
 /// plumeGlow() of shaders/water/foam/foam_cover.glsl.
-glm::vec3 plumeGlow(const Frame& frame, const glm::vec3& toSun, float plume, bool lit) {
-    constexpr float reflects = 0.16f, skyEnters = 0.934f;
-    const float up = lit ? std::max(toSun.y, 0.0f) : 0.0f, through = glm::mix(9.0f, 2.5f, plume);
-    const Light& light = frame.world->light;
-    const glm::vec3 enters =
-        light.sunIrradiance() * (up * (1 - fresnelWater(up))) + light.filtered.irradianceUp * skyEnters;
-    return enters * (reflects / pi * plume) * glm::exp(-through * waterLightOf(frame).extinction());
+glm::vec3 plumeGlow(const Frame& frame, float plume) {
+    constexpr float reflects = 0.13f;
+    const WaterLight light = waterLightOf(frame);
+    return light.entering * (reflects / pi * plume) *
+           glm::exp(-glm::mix(12.0f, 2.5f, plume) * light.extinction());
 }
 
 /// withFoam() of shaders/water/foam/foam_cover.glsl.
@@ -121,8 +120,7 @@ glm::vec3 withFoam(const glm::vec3& bare, const Frame& frame, const Facet& facet
     const glm::vec3 glint = lit ? meanGlint(frame, film, toEye, toSun) : glm::vec3(0);
     const glm::vec3 foamy = falls * (frame.world->water->foam->albedo / pi) + filmShare * (mirror + glint);
     glm::vec3 water = bare;
-    if (frame.world->water->refraction)
-        water += leaves * facet.weight * plumeGlow(frame, toSun, white.plume, lit);
+    if (frame.world->water->refraction) water += leaves * facet.weight * plumeGlow(frame, white.plume);
     return glm::mix(water, foamy * facet.weight, white.mask * glm::mix(thinnest, 1.0f, white.fresh));
 }
 
@@ -160,11 +158,14 @@ WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int
         random ? randomFacet(frame, ray, hit, leastCosine, *random) : meanFacet(frame, ray, hit);
     const float fresnel = fresnelWater(-glm::dot(ray.direction, facet.normal));
     const glm::vec3 mirror = fresnel * mirrored(frame, ray, hit, facet, bounces, random);
-    glm::vec3 radiance = mirror + (1 - fresnel) * refracted(frame, ray, hit, facet, random);
+    const bool flat = frame.surface.flat();
+    Foam white;
+    if (world.water->foam && !flat)
+        white = foamAt(frame.surface, frame.calmAt(hit), foamWidth(ray, hit, random));
+    glm::vec3 radiance = mirror + (1 - fresnel) * refracted(frame, ray, hit, facet, white.plume, random);
     radiance *= facet.weight;
 
     // What mirrors the sun on flat water is the mirrored ray itself.
-    const bool flat = frame.surface.flat();
     const glm::vec3 towardsSun = random ? world.light.towardsSun(random->next2()) : world.light.toSun();
     const bool sunUp = towardsSun.y > 0 && world.light.sunIrradiance() != glm::vec3(0);
     const bool lit = sunUp && !flat &&
@@ -174,10 +175,8 @@ WaterRadiance shadeWater(const Frame& frame, const Ray& ray, const Hit& hit, int
         radiance += random ? sampledGlint(frame, facet, toEye, towardsSun * level)
                            : meanGlint(frame, facet, toEye, toSun);
 
-    if (world.water->foam && !flat) {
-        const Foam white = foamAt(frame.surface, frame.calmAt(hit), foamWidth(ray, hit, random));
+    if (world.water->foam && !flat)
         radiance = withFoam(radiance, frame, facet, white, toEye, toSun, mirror, 1 - fresnel, lit);
-    }
     const auto presence = static_cast<float>(
         frame.surface.edge(frame.calmAt(hit), static_cast<double>(footprintOn(ray, hit))).presence);
     if (presence < 1 && world.water->refraction)
