@@ -17,8 +17,7 @@ struct FoamDesc {
     /// Taken off the compression at which waves break, -1..1: 0 covers what the whitecap laws say for the
     /// wind, more is foamier.
     float bias = 0.0f;
-    /// In which whitecaps fade to 1/e in the mean [s], 0.1..20, large ones later than small ones, and bubbles
-    /// below them in three times as long (Monahan and Zietlow 1969: 3.85 s in salt water).
+    /// In which whitecaps fade to 1/e in the mean [s], 0.1..20 (Monahan and Zietlow 1969: salt water 3.85).
     float decayTime = 3.85f;
     float albedo = 0.6f; ///< diffuse albedo of full foam, 0..1 (Koepke 1984: fresh foam about 0.5)
 };
