@@ -12,6 +12,7 @@ from bounded_loops import unbounded_loops
 from defined_derivatives import undefined_derivatives
 from module import Op, read, text
 from packed_blocks import holes_of
+from parted_memory import unparted_memory
 
 PLANTED = pathlib.Path(__file__).parent / "planted"
 # Which look for faults, and those that the functions but for these have.
@@ -20,6 +21,8 @@ FILES = [
     ("bounded.comp", lambda path: unbounded_loops(path)[1], None),
     ("undefined.frag", undefined_derivatives, {"main", "stop"}),
     ("defined.frag", undefined_derivatives, None),
+    ("unparted.comp", unparted_memory, {"main"}),
+    ("parted.comp", unparted_memory, None),
 ]
 BLOCKS = [("holes.comp", {"begins", "columns", "ends", "elements"}), ("packed.comp", set())]
 
