@@ -129,6 +129,65 @@ TEST_F(Spray, BlowsOffBreakingCrests) {
     EXPECT_GT(upwind / all, 1.5 * anywhere / pixels);
 }
 
+// As far from picture to picture as what is seen straight from above is most alike.
+TEST_F(Spray, DriftsWithTheAir) {
+    sea_.windSpeed = 18; // to the right
+    const Camera camera = straightDown(60);
+    const double metresPerPixel = 60 * 2 * std::tan(radians(camera.fovDegrees) / 2) / camera.height;
+    Body *const with = makeBody(described()), *const without = makeBody(described(false));
+    const auto sprayAt = [&](double time) {
+        const WaterPicture sprayed = picture({with}, camera, time), bare = picture({without}, camera, time);
+        std::vector<double> change(sprayed.color.size() / 4);
+        for (size_t i = 0; i < change.size(); ++i)
+            change[i] = std::abs(double{sprayed.color[4 * i]} - double{bare.color[4 * i]});
+        return change;
+    };
+    constexpr double step = 0.3;
+    constexpr size_t farthest = 48; // pixels
+    std::vector<double> alike(farthest);
+    for (const double time : {5.0, 9.0, 14.0}) {
+        const std::vector<double> before = sprayAt(time), after = sprayAt(time + step);
+        for (size_t shift = 0; shift < farthest; ++shift)
+            for (size_t i = 0; i + shift < before.size(); ++i)
+                if (i % camera.width + shift < camera.width) alike[shift] += before[i] * after[i + shift];
+    }
+    const auto most = static_cast<size_t>(std::ranges::max_element(alike) - alike.begin());
+    const double speed = static_cast<double>(most) * metresPerPixel / step;
+    std::printf("%zu pixels, %.2f m/s\n", most, speed);
+    EXPECT_NEAR(speed, 0.65 * double{sea_.windSpeed},
+                1.3); // slower by what drops lag, and less high than 10 m
+}
+
+// By parallel lines of sight, which tell heights.
+TEST_F(Spray, FliesOffCrestsAndFalls) {
+    Camera aside = camera_;
+    aside.eye = {0, 3, 60};
+    aside.target = {0, 3, 0};
+    aside.parallelHeight = 30;
+    aside.far = 200;
+    const auto heightOf = [&](size_t row) {
+        return 3 + (0.5 - (static_cast<double>(row) + 0.5) / aside.height) * aside.parallelHeight;
+    };
+    double sum = 0, count = 0, highest = -100, crest = -100;
+    for (const double time : {5.0, 9.0, 14.0}) {
+        const WaterPicture with = drawn(true, time, aside), without = drawn(false, time, aside);
+        for (size_t i = 0; i < with.color.size() / 4; ++i) {
+            const double height = heightOf(i / aside.width);
+            if (without.covered(i)) crest = std::max(crest, height);
+            if (with.color[4 * i] == without.color[4 * i]) continue;
+            sum += height;
+            count += 1;
+            highest = std::max(highest, height);
+        }
+    }
+    std::printf("%.0f pixels, %.2f m high in the mean, %.2f at most, crests %.2f\n", count, sum / count,
+                highest, crest);
+    EXPECT_GT(count, 500);
+    EXPECT_GT(sum / count, 0.4);
+    EXPECT_LT(sum / count, 1.0);
+    EXPECT_LT(highest, crest + 5);
+}
+
 // No whitecaps, no spray, however strong the wind.
 TEST_F(Spray, IsNotThereWhereNothingBreaks) {
     foam_.bias = -0.35f;

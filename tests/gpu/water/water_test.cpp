@@ -975,6 +975,74 @@ TEST_F(Water, NormalsAreUnitAndFaceUp) {
     EXPECT_GT(tilted, 0.01);
 }
 
+// From so near that a pixel is narrower than the waves are.
+TEST_F(Water, NormalsAreThoseOfHeightQueries) {
+    SeaDesc desc = breeze();
+    desc.windDirection = 0.6f;
+    desc.cascades = 2;
+    desc.samples = 256;
+    Body* const body = wavyBody(desc);
+    Camera camera = seaCamera();
+    camera.target = {3, 0, 6.9};
+    camera.width = 96;
+    camera.height = 54;
+    double apart = 0, steep = 0;
+    for (const double time : {1.0, 5.0, 9.0}) {
+        const WaterPicture places = picture({body}, camera, time, SurfaceOutput::height),
+                           normals = picture({body}, camera, time, SurfaceOutput::normal);
+        for (uint32_t y = 0; y < camera.height; y += 3)
+            for (uint32_t x = 0; x < camera.width; x += 3) {
+                const glm::dvec3 world = worldAt(camera, places, x, y);
+                const double point[] = {world.x, world.z};
+                HeightSample sample;
+                sampleHeights(*sea(body), time, point, 1, &sample);
+                const float* const drawn = &normals.color[(size_t{y} * camera.width + x) * 4];
+                for (const int axis : {0, 2}) {
+                    const double expected = double{sample.normal[axis]} / double{sample.normal[1]};
+                    const double off = double{drawn[axis]} / double{drawn[1]} - expected;
+                    apart += off * off;
+                    steep += expected * expected;
+                }
+            }
+    }
+    std::printf("slopes are off by %.4f of what they are\n", std::sqrt(apart / steep));
+    EXPECT_LT(std::sqrt(apart / steep), 0.068); // 0.076 with tiles' warp along the other axis
+}
+
+// Waves far too narrow to be seen: what their slopes make of sun and sky depends on how all lies to each
+// other.
+TEST_F(Water, LooksTheSameTurnedWithItsWind) {
+    const auto brightness = [&](double falls, double turn) {
+        const auto turned = [&](const glm::dvec3& p) {
+            return glm::dvec3(p.x * std::cos(turn) - p.z * std::sin(turn), p.y,
+                              p.x * std::sin(turn) + p.z * std::cos(turn));
+        };
+        SeaDesc desc = breeze();
+        desc.windSpeed = 14;
+        desc.windDirection = static_cast<float>(turn);
+        Camera camera;
+        camera.eye = {0, 5e3, 0};
+        camera.target = camera.eye + turned({10, -10 * falls, 0});
+        camera.width = camera.height = 16;
+        camera.fovDegrees = 2;
+        const glm::dvec3 toSun = turned(glm::normalize(glm::dvec3(1, 1.6, 0)));
+        for (int i = 0; i < 3; ++i) lighting.toSun[i] = toSun[i];
+        const WaterPicture p = picture({wavyBody(desc)}, camera, 5);
+        double sum = 0;
+        for (size_t i = 0; i < p.color.size(); i += 4) sum += double{p.color[i]};
+        return sum / (16 * 16);
+    };
+    for (const double falls : {0.05, 0.1, 1.0}) {
+        std::ranges::fill(lighting.sunIrradiance, falls == 1.0 ? 20.0f : 0.0f);
+        const double straight = brightness(falls, 0);
+        for (const double turn : {0.25, -0.25, 0.5}) {
+            const double share = brightness(falls, turn * std::numbers::pi) / straight;
+            std::printf("%.2f down, turned by %.2f: %.4f of it\n", falls, turn, share);
+            EXPECT_NEAR(share, 1, falls == 1.0 ? 0.03 : 0.01) << turn;
+        }
+    }
+}
+
 TEST_F(Water, StaysFiniteWhateverTheSea) {
     for (const float wind : {0.0f, 0.01f, 3.0f, 60.0f})
         for (const float choppiness : {0.0f, 1.0f, 10.0f}) {
@@ -1142,9 +1210,11 @@ TEST_P(WaterFromAfar, RadianceIsTheSameOfWavesAndOfTheirRoughness) {
 
 class WaterFoam : public Water {
   protected:
+    /// Under a wind along no axis.
     Body* foamyBody(WavesOn on = WavesOn::cpu) {
         SeaDesc sea = breeze();
         sea.windSpeed = 15;
+        sea.windDirection = 0.6f;
         sea.fetch = 300e3f;
         const FoamDesc foam;
         BodyDesc desc;
