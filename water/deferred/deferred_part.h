@@ -26,8 +26,10 @@ struct DeferredPart {
 
     /// Tiles are shaded by kernels without what they do not need; false: all by the same, for comparison.
     bool sortsTiles = true;
-    /// As shade() left them.
-    const SurfaceTiles& tiles(uint32_t viewIndex) const { return views_[viewIndex].shaded.tiles; }
+    /// As shade() left them of SurfaceOutput::shaded.
+    const SurfaceTiles& tiles(uint32_t viewIndex) const {
+        return views_[viewIndex].find(SurfaceOutput::shaded)->second.shaded.tiles;
+    }
 
   private:
     /// What shade() was given that a BodyBlock does not hold.

@@ -9,7 +9,7 @@ Limits tolerantLimits(PictureKind kind) {
     limits.wrong = {0.15, 0.002, 16};
     // Light has no white that a step could be a share of.
     if (kind == PictureKind::display)
-        limits.shares = {{3.0 / 255, 0.01}, {0.5, 0}};
+        limits.shares = {{3.0 / 255, 0.025}, {0.5, 0}};
     else
         limits.flipMax = 0.6;
     return limits;
