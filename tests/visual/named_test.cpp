@@ -114,8 +114,8 @@ std::vector<Fault> sceneFaults() {
     return {
         {"a lighthouse is missing", harbour, "depth",
          [](Pictures& p) {
-             for (const char* name : {"depth.exr", "color.png"}) move(p[name], 12, 0, lighthouse);
-             for (const char* name : {"reflection.exr", "color.png"}) move(p[name], 14, 0, mirrored);
+             for (const char* name : {"depth.exr", "color.png"}) move(p.at(name), 12, 0, lighthouse);
+             for (const char* name : {"reflection.exr", "color.png"}) move(p.at(name), 14, 0, mirrored);
          }},
         {"all is a pixel to the left", harbour, "depth",
          [](Pictures& p) {
@@ -125,15 +125,15 @@ std::vector<Fault> sceneFaults() {
          [](Pictures& p) {
              for (auto& [name, picture] : p) turn(picture);
          }},
-        {"distances are 2 % off", harbour, "depth", [](Pictures& p) { scale(p["depth.exr"], 1.02f); }},
+        {"distances are 2 % off", harbour, "depth", [](Pictures& p) { scale(p.at("depth.exr"), 1.02f); }},
         {"a tile of depth is stale", harbour, "depth",
          [](Pictures& p) {
-             for (const char* name : {"depth.exr", "color.png"}) move(p[name], 30, 12, {40, 24, 16, 16});
+             for (const char* name : {"depth.exr", "color.png"}) move(p.at(name), 30, 12, {40, 24, 16, 16});
          }},
         {"one NaN in depth", harbour, "depth",
          [](Pictures& p) {
-             fill(p["depth.exr"], nan, {60, 50, 1, 1});
-             fill(p["color.png"], 0, {60, 50, 1, 1});
+             fill(p.at("depth.exr"), nan, {60, 50, 1, 1});
+             fill(p.at("color.png"), 0, {60, 50, 1, 1});
          }},
     };
 }
@@ -141,20 +141,20 @@ std::vector<Fault> sceneFaults() {
 /// Of waves and foam.
 std::vector<Fault> waveFaults() {
     const auto both = [](Pictures& p, const auto& plant) {
-        plant(p["height.exr"]);
-        plant(p["color.png"]);
+        plant(p.at("height.exr"));
+        plant(p.at("color.png"));
     };
     const auto foamed = [](Pictures& p, const auto& plant) {
-        plant(p["foam.exr"]);
-        plant(p["color.png"]);
+        plant(p.at("foam.exr"));
+        plant(p.at("color.png"));
     };
     return {
         {"no waves", storm, "height",
          [=](Pictures& p) { both(p, [](Picture& picture) { scale(picture, 0, water); }); }},
         {"waves 5 % too high", storm, "height",
          [](Pictures& p) {
-             scale(p["height.exr"], 1.05f);
-             move(p["color.png"], 0, 1, water);
+             scale(p.at("height.exr"), 1.05f);
+             move(p.at("color.png"), 0, 1, water);
          }},
         {"waves of another time", storm, "height",
          [=](Pictures& p) { both(p, [](Picture& picture) { move(picture, 6, 0, water); }); }},
@@ -163,8 +163,8 @@ std::vector<Fault> waveFaults() {
          [=](Pictures& p) { both(p, [](Picture& picture) { blur(picture, water); }); }},
         {"one NaN in height", storm, "height",
          [](Pictures& p) {
-             fill(p["height.exr"], nan, {64, 60, 1, 1});
-             fill(p["color.png"], 0, {64, 60, 1, 1});
+             fill(p.at("height.exr"), nan, {64, 60, 1, 1});
+             fill(p.at("color.png"), 0, {64, 60, 1, 1});
          }},
         {"waves end too near", storm, "height",
          [=](Pictures& p) { both(p, [](Picture& picture) {
@@ -187,9 +187,9 @@ std::vector<Fault> waveFaults() {
 std::vector<Fault> mirrorFaults() {
     const auto of = [](const char* name, const char* stage, const std::function<void(Picture&)>& plant) {
         return Fault{name, harbour, stage, [=](Pictures& p) {
-                         if (std::string("class") == stage) plant(p["class.exr"]);
-                         plant(p["reflection.exr"]);
-                         plant(p["color.png"]);
+                         if (std::string("class") == stage) plant(p.at("class.exr"));
+                         plant(p.at("reflection.exr"));
+                         plant(p.at("color.png"));
                      }};
     };
     return {
@@ -224,7 +224,7 @@ std::vector<Fault> mirrorFaults() {
 /// Of the picture itself.
 std::vector<Fault> colorFaults() {
     const auto of = [](const char* name, const std::function<void(Picture&)>& plant) {
-        return Fault{name, harbour, "color", [=](Pictures& p) { plant(p["color.png"]); }};
+        return Fault{name, harbour, "color", [=](Pictures& p) { plant(p.at("color.png")); }};
     };
     const auto to = [&of](const char* name, const std::function<float(float)>& value) {
         return of(name, [=](Picture& p) {
@@ -279,8 +279,8 @@ std::vector<Fault> colorFaults() {
 std::vector<Fault> frameFaults() {
     const auto name = [](int frame) { return "color_000" + std::to_string(frame) + ".png"; };
     return {
-        {"a frame pops", tour, "color_0004.png", [=](Pictures& p) { scale(p[name(4)], 1.03f); }},
-        {"a frame comes twice", tour, "color_0003.png", [=](Pictures& p) { p[name(3)] = p[name(2)]; }},
+        {"a frame pops", tour, "color_0004.png", [=](Pictures& p) { scale(p.at(name(4)), 1.03f); }},
+        {"a frame comes twice", tour, "color_0003.png", [=](Pictures& p) { p.at(name(3)) = p.at(name(2)); }},
     };
 }
 
