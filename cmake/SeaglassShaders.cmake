@@ -81,12 +81,15 @@ function(seaglass_shaders target)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated)
 endfunction()
 
-# seaglass_shader_folder(target FOLDER [BUT file...]): every shader of a folder as it is, but those named.
+# seaglass_shader_folder(target FOLDER [BUT file...] [NAMELESS]): every shader of a folder as it is, but those named.
 function(seaglass_shader_folder target folder)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "BUT")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "NAMELESS" "" "BUT")
   file(GLOB_RECURSE found CONFIGURE_DEPENDS ${folder}/*.comp ${folder}/*.frag ${folder}/*.vert)
   foreach(name IN LISTS arg_BUT)
     list(FILTER found EXCLUDE REGEX "/${name}$")
   endforeach()
+  if(arg_NAMELESS)
+    list(APPEND found NAMELESS)
+  endif()
   seaglass_shaders(${target} ${found})
 endfunction()

@@ -58,8 +58,10 @@ Status CompletingKernels::get(uint32_t pixelsPerShading, const gpu::Kernel*& out
     return kernels_.get(
         pixelsPerShading,
         [&](gpu::Kernel& kernel) {
+            TilesConstants constants;
+            constants.pixelsPerShading = pixelsPerShading;
             return kernel.create(*device_, completed_surface_comp, "completed surface",
-                                 std::array{pixelsPerShading});
+                                 constants.constants());
         },
         out);
 }

@@ -10,11 +10,6 @@ constexpr VkBufferUsageFlags tilesUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                           VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
                                           VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
 
-struct TilesConstants {
-#define CONSTANTS "shaders/shared/surface_tiles_constants.h"
-#include "gpu/pipeline/constants.inl"
-};
-
 VkDeviceSize tilesBytes(VkExtent2D extent) {
     return sizeof(FoundTilesHeader) +
            VkDeviceSize{tileCount(extent, 1)} * foundUintsPerTile * sizeof(uint32_t);

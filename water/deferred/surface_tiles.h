@@ -7,6 +7,7 @@
 #include "gpu/context.h"
 #include "gpu/made_once.h"
 #include "gpu/memory/buffer.h"
+#include "gpu/pipeline/constants.h"
 #include "gpu/pipeline/kernel.h"
 #include "shaders/shared/found_tiles_block.h"
 #include "water/deferred/found_surface.h"
@@ -24,6 +25,11 @@ struct TileSorting {
     bool uses(uint32_t list) const;
 };
 TileSorting tileSorting(const SurfaceVariant& variant);
+
+struct TilesConstants {
+#define CONSTANTS "shaders/shared/surface_tiles_constants.h"
+#include "gpu/pipeline/constants.inl"
+};
 
 /// Of a view, of 8 x 8 blocks of so many pixels.
 uint32_t tileCount(VkExtent2D view, uint32_t pixelsPerShading);

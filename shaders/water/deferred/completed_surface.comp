@@ -3,7 +3,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "constant.glsl"
-#include "completed_surface_constants.h"
+#include "surface_tiles_constants.h"
 #include "water_bindings.h"
 #include "body.glsl"
 #include "found_tiles_block.h"
