@@ -52,7 +52,7 @@ constexpr Ceiling kernels[] = {
     {"single_sample_depth.comp", 16},
     {"single_sample_resolved.comp", 32},
     {"stretch.comp", 32},
-    {"surface_tiles.comp", 40},
+    {"surface_tiles.comp", 32},
     {"temporal.comp", 104},
     {"tiles.comp", 24},
     {"tiles_overhangs.comp", 48},
