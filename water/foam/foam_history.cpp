@@ -62,6 +62,8 @@ void FoamHistory::stepTo(const WavesBackend& backend, void* state, const FoamSte
         for (size_t i = 0; i < compression_.size(); ++i)
             compression_[i] =
                 breaking_.compression(maps_[1][4 * i + 2], maps_[1][4 * i + 3], maps_[0][4 * i + 3]);
+        if (step.plumeAnew)
+            for (auto* plumes : {&bands_[c].plume, &bands_[c].plumeNext}) std::ranges::fill(*plumes, 0.0f);
         stepFoam(c, time, step);
         if (step.plumeFadings > 0) stepPlume(c, time, step);
     }
@@ -92,7 +94,6 @@ void FoamHistory::stepPlume(uint32_t c, double time, const FoamStep& step) {
     const float threshold = breaking_.threshold[c], perCompression = 1 / breaking_.softness[c];
     const float floor = fading_[c].plume.floor, fade = fading_[c].plume.over(step.plumeFadings);
     std::swap(band.plume, band.plumeNext);
-    if (step.plumeAnew) std::ranges::fill(band.plume, 0.0f);
     for (size_t n = 0; n < band.plume.size(); ++n) band.plumeNext[n] = fadedPlume(band.plume[n], fade, floor);
     for (int look = 0; look < plumeLooks; ++look) {
         const double ahead = plumeLook(look) * samples / cascade.patch;

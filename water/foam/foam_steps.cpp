@@ -39,7 +39,7 @@ FoamSteps stepsUntil(const FoamKnown& known, int64_t step, const FoamFading& fad
     steps.caughtUp = all > mostFoamSteps;
     steps.count = forward && known.caughtUp ? std::min(all, mostFoamSteps) : all;
     // The image holds two steps of plumes, either of which has a whole lifetime before it.
-    if (steps.anew)
+    if (steps.anew && !(forward && known.caughtUp))
         steps.plumesAlone =
             std::max<int64_t>(fading.plume.steps + 1 - (plumeStepAt(last) - plumeStepAt(steps.before)), 0);
     return steps;

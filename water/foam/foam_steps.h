@@ -30,7 +30,7 @@ struct FoamStep {
 /// What is to be computed for a step and the one after it to be known. From a step shortly before only what
 /// lies between; on the first call, backwards or after a gap a whole lifetime, from nothing: of plumes alone
 /// while foam of that time is long gone. A call that comes late after one that had to catch up takes
-/// mostFoamSteps at even distances instead of them all.
+/// mostFoamSteps at even distances instead of them all, and no plumes before them.
 struct FoamSteps {
     bool anew = false;
     bool caughtUp = false; ///< for FoamKnown
