@@ -106,7 +106,7 @@ class Shore {
     double runUp() const { return runUp_; } ///< [m]
     double slope() const { return slope_; } ///< of the beach at the water's edge
     /// How far the swash carries foam to the side for each metre up; water starts later than the edge rises.
-    double carried() const { return 0.4 / slope_; }
+    double carried() const { return 0.2 / slope_; }
 
   private:
     struct Wave {

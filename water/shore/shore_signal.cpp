@@ -62,8 +62,9 @@ ShoreSignal Shore::signalAt(double time, double decayTime) const {
     ShoreSignal signal;
     signal.rowsPerSecond = static_cast<float>(1 / step);
     signal.count = rowCount();
-    // Foam on broken water is thin, and goes sooner than where a crest broke out at sea.
-    signal.foamFades = static_cast<float>(2 * std::numbers::pi / peak_ / (0.6 * decayTime));
+    // What a wave leaves in the surf is stirred until the next comes, and goes a little later than out at
+    // sea.
+    signal.foamFades = static_cast<float>(2 * std::numbers::pi / peak_ / (1.2 * decayTime));
     signal.offset = static_cast<float>(std::ceil(time / step) - time / step);
     signal.rows.resize(size_t{signal.count} * shoreTrains);
     if (trains_[0].empty()) return signal;

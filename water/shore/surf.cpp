@@ -45,7 +45,7 @@ double surfFoam(const std::complex<double>& z, double biphase, const SurfPlace& 
     constexpr double rollsFor = 0.17; // of the period
     constexpr double leaves = 0.8;
     const double height = 2 * std::abs(z) * place.deviation / std::max(place.depth, leastWater);
-    const double broken = smoothstep(0.75, 1.25, height / std::lerp(breaksAt, breaksOnAt, place.breaking)) *
+    const double broken = smoothstep(0.6, 1.1, height / std::lerp(breaksAt, breaksOnAt, place.breaking)) *
                           smoothstep(0, 0.3, place.breaking);
     const double turns = (std::arg(z) + broken * (biphase + 0.45)) / turn;
     const double age = turns - std::floor(turns) - rollsFor;

@@ -55,7 +55,7 @@ struct Breakers {
 Breakers breakersOf(vec2 z, float biphase, vec4 form, float depth, float shown) {
     float amount = length(z);
     float height = 2.0 * amount * form.x / max(depth, 0.08);
-    float broken = smoothstep(0.75, 1.25, height / mix(breaksAt, breaksOnAt, form.y)) * smoothstep(0.0, 0.3, form.y);
+    float broken = smoothstep(0.6, 1.1, height / mix(breaksAt, breaksOnAt, form.y)) * smoothstep(0.0, 0.3, form.y);
     float phase = amount > 1e-5 ? atan(z.y, z.x) : 0.0;
     return Breakers(broken, (phase + broken * (biphase + 0.45)) / 6.2832, shown);
 }

@@ -98,7 +98,7 @@ TEST(Surf, CrestsSharpenAndLeanAsOnBeaches) {
                     seen.biphaseDegrees(), found.bound(), found.biphaseDegrees());
         EXPECT_NEAR(seen.biphaseDegrees(), found.biphaseDegrees(), 20) << depth;
         EXPECT_GT(seen.bound(), 0.7 * found.bound()) << depth;
-        EXPECT_LT(seen.bound(), 2.5 * found.bound()) << depth;
+        EXPECT_LT(seen.bound(), 2.3 * found.bound() + 0.3) << depth;
     }
 }
 
@@ -140,7 +140,7 @@ TEST(Surf, FoamIsCarriedWithoutBeingCombed) {
     }
     std::printf("carried %.2f m at most, drawn out by %.2f\n", farthest, most);
     EXPECT_GT(farthest, 1);
-    EXPECT_LT(most, 0.5);
+    EXPECT_LT(most, 0.4);
 }
 
 } // namespace

@@ -67,7 +67,7 @@ Bound boundTo(const std::complex<double>& z, double deviation, double depth, dou
 double brokenOf(const std::complex<double>& z, const ShorePlace& here) {
     const double height = 2 * std::abs(z) * double{here.height} / std::max(double{here.depth}, leastWater);
     const double breaking{here.breaking};
-    return glm::smoothstep(0.75, 1.25, height / glm::mix(0.62, 0.3, breaking)) *
+    return glm::smoothstep(0.6, 1.1, height / glm::mix(0.62, 0.3, breaking)) *
            glm::smoothstep(0.0, 0.3, breaking);
 }
 
