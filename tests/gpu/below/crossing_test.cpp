@@ -1,8 +1,13 @@
 // An eye that passes the calm plane amid waves: what it sees is mirrored by where the waves are, not that
 // plane.
 #include <cmath>
+#include <optional>
+#include <tuple>
+
+#include <glm/gtc/packing.hpp>
 
 #include "seaglass/waves_fftw.h"
+#include "tests/gpu/rig/drawn_view.h"
 #include "tests/gpu/rig/reflection_rig.h"
 #include "tests/gpu/rig/water_rig.h"
 
@@ -11,49 +16,65 @@ namespace {
 using namespace seaglass;
 using namespace tests;
 
-class Crossing : public WaterTest, public testing::WithParamInterface<ReflectionTechnique> {
+constexpr double place[2] = {3, 7}; ///< of the eye
+constexpr float wallRadiance = 3;
+
+/// How far along a ray from the eye's place the wall stands, or less than 0.
+double toWall(double height, const glm::dvec3& ray) {
+    const double along = ray.z < 0 ? -12 / ray.z : -1;
+    return std::abs(along * ray.x) < 5 && height + along * ray.y < 4 ? along : -1;
+}
+
+class CrossingTest : public WaterTest {
   protected:
-    Crossing() {
+    CrossingTest() {
         for (float& channel : lighting.skyIrradiance) channel = 2;
         desc_.refraction = &refraction_;
         desc_.waves = &sea_;
         desc_.wavesBackend = fftwWaves();
-        reflection_.technique = GetParam();
         desc_.reflection = &reflection_;
+    }
+
+    double wavesAt(const Body& body, double time) const {
+        HeightSample sample;
+        sampleHeights(*seaglass::sea(&body), time, place, 1, &sample);
+        return double{sample.height};
     }
 
     /// When the waves at the eye are so high.
     double timeOf(const Body& body, double low, double high) const {
-        constexpr double place[2] = {3, 7};
-        for (double time = 0; time < 200; time += 0.25) {
-            HeightSample sample;
-            sampleHeights(*seaglass::sea(&body), time, place, 1, &sample);
-            if (double{sample.height} >= low && double{sample.height} <= high) return time;
-        }
+        for (double time = 0; time < 200; time += 0.25)
+            if (const double height = wavesAt(body, time); height >= low && height <= high) return time;
         ADD_FAILURE() << "no wave of " << low << " to " << high << " m";
         return 0;
     }
 
     WaterPicture at(Body* body, double height, double time) {
         Camera camera;
-        camera.eye = {3, height, 7};
-        camera.target = {3, height - 0.5, -10};
-        camera.width = 160;
-        camera.height = 90;
-        const auto wall = [&](const glm::dvec3& ray) {
-            const double along = ray.z < 0 ? -12 / ray.z : -1;
-            const double x = along * ray.x, y = height + along * ray.y;
-            return std::abs(x) < 5 && y < 4 ? along : -1.0;
-        };
-        return picture({body}, camera, time, SurfaceOutput::shaded,
-                       drawnOver(camera, nothingBehind(camera), 3, wall));
-    }
-
-    /// Share of pixels that differ by over 2 % of the wall's radiance.
-    static double apart(const WaterPicture& a, const WaterPicture& b) {
-        size_t off = 0;
-        for (size_t i = 0; i < a.color.size(); i += 4) off += std::abs(a.color[i] - b.color[i]) > 0.06f;
-        return static_cast<double>(off) / static_cast<double>(a.color.size() / 4);
+        camera.eye = {place[0], height, place[1]};
+        camera.target = {place[0], height - 0.5, -10};
+        camera.width = width_;
+        camera.height = width_ * 9 / 16;
+        const ViewDesc view = viewDesc(camera);
+        PlanarView wanted;
+        std::optional<DrawnBuffers> mirrored;
+        if (reflection_.technique == ReflectionTechnique::planar) {
+            // Once more for the buffers, which take a submission of their own.
+            frame([&](VkCommandBuffer commands) {
+                EXPECT_EQ(simulate(commands, &body, 1, time), Status::ok) << message();
+                EXPECT_EQ(planarView(body, &view, &wanted), Status::ok) << message();
+            });
+            mirrored.emplace(wallIn(wanted, projectionMatrix(camera)));
+            beforeReflection = [&](VkCommandBuffer commands) {
+                EXPECT_EQ(planarView(body, &view, &wanted), Status::ok) << message();
+                recordDrawing(commands, wanted, *mirrored);
+            };
+        }
+        WaterPicture drawn = picture({body}, camera, time, SurfaceOutput::shaded,
+                                     drawnOver(camera, nothingBehind(camera), wallRadiance,
+                                               [&](const glm::dvec3& ray) { return toWall(height, ray); }));
+        beforeReflection = nullptr;
+        return drawn;
     }
 
     SeaDesc sea_ = breeze();
@@ -61,6 +82,40 @@ class Crossing : public WaterTest, public testing::WithParamInterface<Reflection
     RefractionDesc refraction_{{0.4f, 0.15f, 0.05f}, {0.01f, 0.02f, 0.03f}, 1};
     UnderwaterDesc underwater_;
     BodyDesc desc_;
+    uint32_t width_ = 160;
+
+  private:
+    /// As the mirrored camera sees the wall, clipped by its depth as a rasterizer clips.
+    static Drawn wallIn(const PlanarView& view, const glm::dmat4& hostProjection) {
+        Drawn out;
+        const glm::dmat4 clip = matrix(view.projection) * matrix(view.view);
+        const glm::dmat4 inverse = glm::inverse(hostProjection * matrix(view.view));
+        const auto eye = glm::dvec3(glm::inverse(matrix(view.view))[3]);
+        for (uint32_t y = 0; y < view.extent.height; ++y)
+            for (uint32_t x = 0; x < view.extent.width; ++x) {
+                const glm::dvec4 p = inverse * glm::dvec4((x + 0.5) / view.extent.width * 2 - 1,
+                                                          (y + 0.5) / view.extent.height * 2 - 1, 0.5, 1);
+                const glm::dvec3 ray = glm::normalize(glm::dvec3(p) / p.w - eye);
+                const double along = toWall(eye.y, ray);
+                const glm::dvec4 hit = clip * glm::dvec4(eye + along * ray, 1);
+                const bool shown = along > 0 && hit.w > 0 && hit.z >= 0 && hit.z <= hit.w;
+                out.depth.push_back(shown ? static_cast<float>(hit.z / hit.w) : view.clearDepth);
+                out.color.push_back(shown ? glm::packHalf4x16(glm::vec4(wallRadiance)) : 0);
+            }
+        return out;
+    }
+};
+
+class Crossing : public CrossingTest, public testing::WithParamInterface<ReflectionTechnique> {
+  protected:
+    Crossing() { reflection_.technique = GetParam(); }
+
+    /// Share of pixels that differ by over 2 % of the wall's radiance.
+    static double apart(const WaterPicture& a, const WaterPicture& b) {
+        size_t off = 0;
+        for (size_t i = 0; i < a.color.size(); i += 4) off += std::abs(a.color[i] - b.color[i]) > 0.06f;
+        return static_cast<double>(off) / static_cast<double>(a.color.size() / 4);
+    }
 };
 
 TEST_P(Crossing, TheCalmPlaneIsNoBorder) {
@@ -84,13 +139,11 @@ TEST_P(Crossing, TheReflectionGoesAndComesWithTheWaves) {
     desc_.underwater = &underwater_;
     Body* const body = makeBody(desc_);
     const double time = timeOf(*body, -0.6, -0.3);
-    constexpr double place[2] = {3, 7};
-    HeightSample sample;
-    sampleHeights(*seaglass::sea(body), time, place, 1, &sample);
+    const double waves = wavesAt(*body, time);
     std::vector<double> steps;
-    WaterPicture last = at(body, double{sample.height} + 0.15, time);
+    WaterPicture last = at(body, waves + 0.15, time);
     for (int i = 1; i <= 60; ++i) {
-        WaterPicture next = at(body, double{sample.height} + 0.15 - 0.005 * i, time);
+        WaterPicture next = at(body, waves + 0.15 - 0.005 * i, time);
         steps.push_back(apart(last, next));
         last = std::move(next);
     }
@@ -106,7 +159,90 @@ TEST_P(Crossing, TheReflectionGoesAndComesWithTheWaves) {
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Crossing,
                          testing::Values(ReflectionTechnique::sspr, ReflectionTechnique::ssr,
-                                         ReflectionTechnique::hybrid),
+                                         ReflectionTechnique::hybrid, ReflectionTechnique::planar),
                          nameOf);
+
+struct Steps {
+    ReflectionTechnique technique;
+    float wind; ///< [m/s]
+};
+
+/// An eye that rises by a millimetre from picture to picture.
+class CrossingInSteps : public CrossingTest, public testing::WithParamInterface<Steps> {
+  protected:
+    static constexpr double step = 1e-3;
+    static constexpr int beside = 4; ///< steps before one, and behind it, that it is compared with
+
+    CrossingInSteps() {
+        reflection_.technique = GetParam().technique;
+        sea_.windSpeed = GetParam().wind;
+        desc_.underwater = &underwater_;
+        width_ = 96;
+    }
+
+    /// Of the wall's radiance, in the mean over all pixels.
+    static double apart(const WaterPicture& a, const WaterPicture& b) {
+        double sum = 0;
+        for (size_t i = 0; i < a.color.size(); ++i)
+            if (i % 4 != 3)
+                sum += std::min(std::abs(double{a.color[i]} - double{b.color[i]}), double{wallRadiance});
+        return sum / static_cast<double>(a.color.size() / 4 * 3) / double{wallRadiance};
+    }
+
+    /// Steps from `low` on: none stands out of those beside it.
+    void expectNoJump(Body* body, double time, double low, int count) {
+        constexpr double anyway = 1e-3; // as much as a few pixels at outlines
+        std::vector<double> steps;
+        WaterPicture last = at(body, low, time);
+        for (int i = 1; i <= count; ++i) {
+            WaterPicture next = at(body, low + step * i, time);
+            steps.push_back(apart(last, next));
+            last = std::move(next);
+        }
+        for (int i = 0; i < count; ++i) {
+            std::vector<double> around;
+            for (int k = std::max(i - beside, 0); k <= std::min(i + beside, count - 1); ++k)
+                if (k != i) around.push_back(steps[static_cast<size_t>(k)]);
+            std::ranges::nth_element(around, around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2));
+            const double excess = steps[static_cast<size_t>(i)] - 1.5 * around[around.size() / 2];
+            EXPECT_LE(excess, anyway) << "from " << low + step * i << " m on, at " << time << " s";
+            if (excess > worst_) worst_ = excess, worstAt_ = low + step * i;
+        }
+    }
+
+    void TearDown() override {
+        std::printf("%.0f m/s: at most %.5f beyond 1.5 times the steps beside, from %.3f m on\n",
+                    double{sea_.windSpeed}, worst_, worstAt_);
+        CrossingTest::TearDown();
+    }
+
+  private:
+    double worst_ = 0, worstAt_ = 0;
+};
+
+// The waves' own height, where the reflection comes and goes beside them, and the calm plane.
+TEST_P(CrossingInSteps, JumpNowhereThatAnythingChanges) {
+    Body* const body = makeBody(desc_);
+    const double waves = wavesAt(*body, 10);
+    for (const double height : {waves - 0.1, waves, waves + 0.1, 0.0, 0.1})
+        expectNoJump(body, 10, height - 6.5e-3, 13);
+}
+
+TEST_P(CrossingInSteps, JumpNowhereWithinTwoMetres) {
+    expectNoJump(makeBody(desc_), 10, -2, 4000);
+}
+
+std::vector<Steps> everyStep() {
+    std::vector<Steps> all;
+    for (const auto technique : {ReflectionTechnique::sspr, ReflectionTechnique::ssr,
+                                 ReflectionTechnique::hybrid, ReflectionTechnique::planar})
+        for (const float wind : {3.0f, 8.0f, 15.0f}) all.push_back({technique, wind});
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(, CrossingInSteps, testing::ValuesIn(everyStep()), [](const auto& info) {
+    return std::string(reflectionTechniques[static_cast<size_t>(info.param.technique)]) +
+           std::to_string(static_cast<int>(info.param.wind));
+});
 
 } // namespace
