@@ -46,8 +46,9 @@ class Encodings : public WaterTest {
     }
 
     SceneBehind bedAndWall() const {
-        const SceneBehind bed = planeBelow(camera_, -1, 0.4f);
-        return drawnOver(camera_, bed, 0.8f, [](const glm::dvec3& ray) { return ray.x > 0.1 ? 12 : -1; });
+        const SceneBehind bed = planeBelow(camera_, -1, 0.4f * bright_);
+        return drawnOver(camera_, bed, 0.8f * bright_,
+                         [](const glm::dvec3& ray) { return ray.x > 0.1 ? 12 : -1; });
     }
 
     WaterPicture picture(Encoding encoding, SurfaceOutput output = SurfaceOutput::shaded) {
@@ -78,6 +79,7 @@ class Encodings : public WaterTest {
         expectHeld(linear, picture(Encoding::srgb), most);
     }
 
+    float bright_ = 1; ///< of bed and wall
     SeaDesc sea_ = breeze();
     FoamDesc foam_;
     RefractionDesc refraction_;
@@ -95,6 +97,15 @@ TEST_F(Encodings, OfSceneAndTargetAreUndoneAndDone) {
         reflection_.technique = technique;
         reflection_.edgeReach = technique == ReflectionTechnique::hybrid ? 0.3f : 0;
         reflection_.overhangSamples = technique == ReflectionTechnique::hybrid ? 4 : 0;
+        expectTheSame();
+    }
+}
+
+// Down to where the curve begins with a line.
+TEST_F(Encodings, OfDarkScenesAreUndone) {
+    for (float* const light : {lighting.sunIrradiance, lighting.skyIrradiance}) std::fill_n(light, 3, 0.0f);
+    for (const float bright : {0.2f, 0.02f, 0.002f}) {
+        bright_ = bright;
         expectTheSame();
     }
 }
