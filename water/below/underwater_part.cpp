@@ -63,8 +63,8 @@ void UnderwaterPart::fill(const Body& body, const BodyView& view, BodyBlock& blo
     const SunInWater sun = sunInWater(glm::dvec3(glm::vec4(block.toSun)));
     block.sunInWater = glm::vec4(glm::vec3(sun.from), 0);
     const double slopes = resolvedSlopeVariance(*body.sea) + unresolvedSlopeVariance(*body.sea);
-    // A deviation to each side of what slopes make of a ray.
-    block.shafts = {desc.shafts, 2 * sun.turnedAcross * std::sqrt(slopes / 2), sun.turnedAcross, 0};
+    // By a deviation of where slopes turn a ray.
+    block.shafts = {desc.shafts, sun.turnedAcross * std::sqrt(slopes / 2), sun.turnedAcross, 0};
 }
 
 Status UnderwaterPart::draw(Body& body, const DrawCall& call, DrawMoment moment) const {

@@ -95,7 +95,7 @@ TEST_F(Shafts, StandAlongTheSunsRays) {
     const glm::dvec3 sun(0.6 / 1.333, std::sqrt(1 - 0.36 / (1.333 * 1.333)), 0);
     const glm::dvec2 changes = changesAlongRays(waves, camera, sun);
     std::printf("change along the sun's rays over that across them: %.3f\n", changes.x / changes.y);
-    EXPECT_LT(changes.x, 0.6 * changes.y);
+    EXPECT_LT(changes.x, 0.45 * changes.y); // 0.57 where they stand upright
 }
 
 // Away from the sun they take as much light as they give, over many places.
@@ -114,7 +114,7 @@ TEST_F(Shafts, GatherNoLightThatIsNotThere) {
     }
     std::printf("of the water's light %.4f is changed, %.4f in the mean\n", changed / water, left / water);
     EXPECT_GT(changed / water, 0.01);
-    EXPECT_LT(std::abs(left) / water, 0.02);
+    EXPECT_LT(std::abs(left) / water, 0.006);
 }
 
 TEST_F(Shafts, AreBrightestTowardsTheSun) {
