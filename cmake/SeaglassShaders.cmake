@@ -1,8 +1,8 @@
 # seaglass_shaders(target FILE... [NAME name] [DEFINES NAME...]): compiles each GLSL file to SPIR-V while building and
 # embeds it, so that a program carries its shaders. `shaders/reflection/sspr/scatter.comp` becomes
 #     #include "spirv/scatter.comp.h"     ->     const uint32_t scatter_comp[] = {...};
-# With DEFINES, one file gives several variants; NAME then replaces the file's name. Variants carry no names of functions and
-# variables, which would be a fifth of their bytes; nor do those that are NAMELESS. Tests then tell them by number.
+# With DEFINES, one file gives several variants; NAME then replaces the file's name. But for those that are NAMED they carry no
+# names of functions and variables, which would be a fifth of their bytes. Tests then tell them by number.
 find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang REQUIRED)
 # SPIR-V 1.6 states group sizes by id, which needs the feature maintenance4; 1.5 serves and asks for nothing.
 set(SEAGLASS_GLSLANG_FLAGS --quiet -V --target-env vulkan1.2)
@@ -41,11 +41,11 @@ namespace { const seaglass::gpu::ShaderName @symbol@_name(@symbol@, "@name@"); }
 endfunction()
 
 function(seaglass_shaders target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NAMELESS" "NAME" "DEFINES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NAMED" "NAME" "DEFINES")
   set(out_dir ${CMAKE_CURRENT_BINARY_DIR}/generated/spirv)
   file(MAKE_DIRECTORY ${out_dir})
   set(names "")
-  if((arg_NAMELESS OR arg_DEFINES) AND NOT SEAGLASS_SHADER_LINES)
+  if(NOT arg_NAMED AND NOT SEAGLASS_SHADER_LINES)
     set(names -g0)
   endif()
   list(TRANSFORM arg_DEFINES PREPEND "-D")
@@ -81,15 +81,12 @@ function(seaglass_shaders target)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated)
 endfunction()
 
-# seaglass_shader_folder(target FOLDER [BUT file...] [NAMELESS]): every shader of a folder as it is, but those named.
+# seaglass_shader_folder(target FOLDER [BUT file...]): every shader of a folder as it is, but those named.
 function(seaglass_shader_folder target folder)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "NAMELESS" "" "BUT")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "BUT")
   file(GLOB_RECURSE found CONFIGURE_DEPENDS ${folder}/*.comp ${folder}/*.frag ${folder}/*.vert)
   foreach(name IN LISTS arg_BUT)
     list(FILTER found EXCLUDE REGEX "/${name}$")
   endforeach()
-  if(arg_NAMELESS)
-    list(APPEND found NAMELESS)
-  endif()
   seaglass_shaders(${target} ${found})
 endfunction()

@@ -3,7 +3,7 @@
 #ifdef __cplusplus
 #pragma once
 #include "gpu/pipeline/shader_types.h"
-#include "shaders/shared/marine_snow_lattice.h"
+#include "shaders/shared/below/marine_snow_lattice.h"
 namespace seaglass {
 #else
 #include "marine_snow_lattice.h"

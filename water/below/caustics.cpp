@@ -22,7 +22,7 @@ namespace {
 constexpr const char* what = "caustics pipeline";
 
 struct CausticConstants {
-#define CONSTANTS "shaders/shared/caustics_constants.h"
+#define CONSTANTS "shaders/shared/below/caustics_constants.h"
 #include "gpu/pipeline/constants.inl"
 };
 

@@ -8,7 +8,7 @@
 #include "gpu/context.h"
 #include "gpu/frame.h"
 #include "gpu/pipeline/constants.h"
-#include "shaders/shared/marine_snow_lattice.h"
+#include "shaders/shared/below/marine_snow_lattice.h"
 #include "water/body/draw_pipeline.h"
 
 namespace seaglass {
@@ -20,7 +20,7 @@ enum class UnderwaterPass : uint32_t { water, waterline, caustics, surface, shaf
 
 struct UnderwaterVariant {
     UnderwaterPass pass = UnderwaterPass::water;
-#define CONSTANTS "shaders/shared/underwater_constants.h"
+#define CONSTANTS "shaders/shared/below/underwater_constants.h"
 #include "gpu/pipeline/constants.inl"
     auto operator<=>(const UnderwaterVariant&) const = default;
 };

@@ -44,8 +44,9 @@ struct SkyLight {
 /// Selection", solved for the direction). Of no unit length.
 glm::dvec3 faceDirection(uint32_t face, double s, double t);
 
-/// Empty for a clear sky, which chooseSun() makes. Else reads an HDR or EXR of up to 16384 pixels' width, averaged down to at most 4096. NaN takes its left
-/// neighbour's value, infinity is taken for 1e7, and negative pixels for 0.
+/// Empty for a clear sky, which chooseSun() makes. Else reads an HDR or EXR of up to 16384 pixels' width,
+/// averaged down to at most 4096. NaN takes its left neighbour's value, infinity is taken for 1e7, and
+/// negative pixels for 0.
 std::optional<SkyImage> readSkyImage(const SkyDesc& sky, Error& error);
 
 /// Cuts the sun's disc out of the image: around the brightest pixel above the horizon, what exceeds the

@@ -15,7 +15,7 @@ struct RenderOptions {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs; ///< at least one; every one gets each frame
     Size size;
-    bool lens = false; ///< with air, bloom and antialiasing: to be looked at, not to be measured
+    bool lens = false;    ///< with air, bloom and antialiasing: to be looked at, not to be measured
     bool metered = false; ///< exposed by a light meter, not by the scene
     uint32_t supersample =
         0; ///< render so many times larger each way, then average; 0: 2 by the lens, else 1
