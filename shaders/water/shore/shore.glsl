@@ -18,18 +18,24 @@ struct ShoreWave {
     vec2 bedSlope;
     float height;
     vec2 move;
-    vec2 slope;
+    mat2 slopes;     // of the trains' height and sideways, before the surf
+    vec2 swashSlope;
     vec3 stretch;    // dDx/du, dDz/dv, dDx/dv
     vec3 covariance; // of slopes too narrow to be seen
     float swash;     // how far the water's edge moves [m]
     float wetTo;     // height up to which sand is wet
     vec2 advected;   // what the swash has carried foam by [m]
     float rushes;    // how fast the water's edge rises [m/s]
-    Breakers breakers;
+    float deviation; // of the trains' height [m]
+    float breaking;  // share of the waves, by the depth
+    vec2 all;        // the trains' height and sideways, of waves too narrow to be seen too
+    float shown;     // share of the waves that is wide enough to be seen
+    Surf surf;
 };
 
 ShoreWave withoutTrains(vec4 kept, float depth, vec2 bedSlope, float swash) {
-    return ShoreWave(kept, depth, bedSlope, 0.0, vec2(0.0), vec2(0.0), vec3(0.0), vec3(0.0), swash, -1e9, vec2(0.0), 0.0, Breakers(0.0, 0.0, 0.0));
+    Surf still = Surf(0.0, 0.0, vec2(0.0), vec2(0.0), 0.0, 0.0, 0.0);
+    return ShoreWave(kept, depth, bedSlope, 0.0, vec2(0.0), mat2(0.0), vec2(0.0), vec3(0.0), vec3(0.0), swash, -1e9, vec2(0.0), 0.0, 0.0, 0.0, vec2(0.0), 0.0, still);
 }
 
 const float lagCosine = 0.64, lagSine = 0.77;   // foam in the swash follows the crest a seventh of a wave later
@@ -40,9 +46,7 @@ void addTrains(inout ShoreWave w, vec4 here, vec4 alongU, vec4 alongV, vec4 form
     float perTrain = inversesqrt(float(shoreTrains));
     float swash = 0.0, rushes = 0.0, wet = 0.0, turns = 0.0;
     vec2 swashSlope = vec2(0.0);
-    vec2 all = vec2(0.0), wide = vec2(0.0);   // height and sideways; of waves wide enough to be seen
-    mat2 slopes = mat2(0.0);   // of both
-    float shown = 0.0;
+    vec2 wide = vec2(0.0);   // height and sideways of waves wide enough to be seen
     int t = 0;
     do {
         vec2 slowness = vec2(alongU[t + 1], alongV[t + 1]);
@@ -58,10 +62,10 @@ void addTrains(inout ShoreWave w, vec4 here, vec4 alongU, vec4 alongV, vec4 form
         float seen = 1.0 - smoothstep(0.15, 0.4, width * size * water.shoreForm.x);
         float sideways = form.z * seen;
         float lost = form.x * perTrain * size * 6.2832 * water.shoreForm.x;
-        all += now.xy;
+        w.all += now.xy;
         wide += seen * now.xy;
-        shown += seen / float(shoreTrains);
-        slopes -= outerProduct(slowness, seen * rate.xy);
+        w.shown += seen / float(shoreTrains);
+        w.slopes -= outerProduct(slowness, seen * rate.xy);
         w.covariance += lost * lost * (1.0 - seen * seen) * vec3(towards * towards, towards.x * towards.y);
         swash += now.z;
         wet += now.w;
@@ -73,15 +77,15 @@ void addTrains(inout ShoreWave w, vec4 here, vec4 alongU, vec4 alongV, vec4 form
         w.advected += towards * ((lagCosine * now.x + lagSine * now.y) * form.w * water.shoreForm.y);
         turns += size * water.shoreForm.x / float(shoreTrains);
     } while (++t < shoreTrains);
-    Surf surf = surfOf(wide, form.x, here.x, turns, width);
-    w.height = form.x * surf.height + form.w * max(swash, lowestSwash);
-    w.slope = form.x * (slopes * surf.changes);
+    w.deviation = form.x;
+    w.breaking = form.y;
+    w.surf = surfOf(wide, form.x, here.x, turns, width);
+    w.height = form.x * w.surf.height + form.w * max(swash, lowestSwash);
     if (swash > lowestSwash) {
-        w.slope += form.w * swashSlope;
+        w.swashSlope = form.w * swashSlope;
         w.rushes = form.w * rushes;
     }
     w.wetTo = form.w * wet;
-    w.breakers = breakersOf(all, surf.biphase, form, here.x, shown);
 }
 
 // At calm (u, v); `width` is what is seen as one [m]. Of the moment whose rows begin at `rows`, `arrives` the row of what
@@ -117,7 +121,11 @@ float withFilm(ShoreWave w, float height, float lift) {
 
 // The slopes and stretch of its own trains.
 void addShore(ShoreWave shore, inout WaveGradient gradient) {
-    gradient.height += shore.slope;
+    gradient.height += shore.deviation * (shore.slopes * surfChanges(shore.surf)) + shore.swashSlope;
     gradient.movedU += shore.stretch.xz;
     gradient.movedV += shore.stretch.zy;
+}
+
+Breakers breakersOf(ShoreWave w) {
+    return breakersOf(w.all, w.surf.biphase, w.deviation, w.breaking, w.depth, w.shown);
 }

@@ -8,8 +8,10 @@ const float breaksAt = 0.62, breaksOnAt = 0.3;   // at such a share of the depth
 
 struct Surf {
     float height;    // of unit variance
-    vec2 changes;    // with that of z's two parts
     float biphase;   // by which its fronts come before where crests would be [rad]
+    vec2 z, c;
+    float kept;      // of crests, by the depth
+    float over, strained;   // squared: past that limit, and that of c
 };
 
 // `turns`: waves a metre. What is much shorter than `width` is left out.
@@ -32,16 +34,22 @@ Surf surfOf(vec2 z, float deviation, float depth, float turns, float width) {
     vec2 turn = vec2(cos(biphase), sin(biphase));
     vec2 c = vec2(a.x * turn.x - a.y * turn.y, a.x * turn.y + a.y * turn.x);
     vec2 d = vec2(1.0 - c.x, c.y);
+    float height = kept * sqrt(1.0 - dot(c, c)) / dot(d, d) * dot(z, vec2(d.x, -d.y));
+    return Surf(height, biphase, z, c, kept, over * over, strained * strained);
+}
+
+// How its height changes with z's two parts: apart, since what only moves vertices asks for none.
+vec2 surfChanges(Surf s) {
+    vec2 d = vec2(1.0 - s.c.x, s.c.y);
     float size = 1.0 / dot(d, d);
-    float gain = kept * sqrt(1.0 - dot(c, c));
-    float height = gain * size * dot(z, vec2(d.x, -d.y));
-    vec2 changes = gain * size * size * vec2(d.x * d.x - d.y * d.y, -2.0 * d.x * d.y);
+    vec2 changes = s.kept * sqrt(1.0 - dot(s.c, s.c)) * size * size * vec2(d.x * d.x - d.y * d.y, -2.0 * d.x * d.y);
     // Both limits go by the amount: how `kept` and `bound` change as it grows, in shares.
-    float fewer = over * over / (1.0 + over * over);
-    float loosens = -fewer - (1.0 - fewer) * strained * strained / (1.0 + strained * strained);
-    vec2 ofSecond = vec2(z.x * c.x - z.y * c.y, z.x * c.y + z.y * c.x);
-    float grows = loosens * dot(ofSecond, changes) - height * (fewer + dot(c, c) * (1.0 + loosens) / (1.0 - dot(c, c)));
-    return Surf(height, changes + grows * z / max(amount * amount, 1e-12), biphase);
+    float fewer = s.over / (1.0 + s.over);
+    float loosens = -fewer - (1.0 - fewer) * s.strained / (1.0 + s.strained);
+    vec2 ofSecond = vec2(s.z.x * s.c.x - s.z.y * s.c.y, s.z.x * s.c.y + s.z.y * s.c.x);
+    float second = dot(s.c, s.c);
+    float grows = loosens * dot(ofSecond, changes) - s.height * (fewer + second * (1.0 + loosens) / (1.0 - second));
+    return changes + grows * s.z / max(dot(s.z, s.z), 1e-12);
 }
 
 // Waves that break there.
@@ -51,11 +59,11 @@ struct Breakers {
     float shown;    // share of the waves that is wide enough to be seen
 };
 
-// A roller comes down from the crest as more of a wave breaks.
-Breakers breakersOf(vec2 z, float biphase, vec4 form, float depth, float shown) {
+// A roller comes down from the crest as more of a wave breaks, of waves of this deviation.
+Breakers breakersOf(vec2 z, float biphase, float deviation, float breaking, float depth, float shown) {
     float amount = length(z);
-    float height = 2.0 * amount * form.x / max(depth, 0.08);
-    float broken = smoothstep(0.6, 1.1, height / mix(breaksAt, breaksOnAt, form.y)) * smoothstep(0.0, 0.3, form.y);
+    float height = 2.0 * amount * deviation / max(depth, 0.08);
+    float broken = smoothstep(0.6, 1.1, height / mix(breaksAt, breaksOnAt, breaking)) * smoothstep(0.0, 0.3, breaking);
     float phase = amount > 1e-5 ? atan(z.y, z.x) : 0.0;
     return Breakers(broken, (phase + broken * (biphase + 0.45)) / 6.2832, shown);
 }
