@@ -64,11 +64,11 @@ Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, cons
     gpu::Slice slice;
     if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
 
-    const VkSampler nearest = context.samplers.nearestClamp();
+    const VkSampler repeat = context.samplers.trilinearRepeat();
     const gpu::Bound resources[] = {
         {foamBinding, gpu::uniformBuffer(slice)},
-        {displacementMapBinding, gpu::sampledImage(nearest, maps.images[0].view())},
-        {derivativeMapBinding, gpu::sampledImage(nearest, maps.images[1].view())},
+        {displacementMapBinding, gpu::sampledImage(repeat, maps.images[0].view())},
+        {derivativeMapBinding, gpu::sampledImage(repeat, maps.images[1].view())},
         {foamStepsBinding, gpu::storageImage(foam.image.firstMipView())},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;

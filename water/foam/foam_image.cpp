@@ -4,7 +4,7 @@
 
 namespace seaglass {
 
-constexpr VkFormat foamFormat = VK_FORMAT_R16G16B16A16_SFLOAT; // two steps of foam, two of plumes
+constexpr VkFormat foamFormat = VK_FORMAT_R16G16B16A16_SFLOAT; // two steps clear of foam, two of plumes
 
 VkDeviceSize FoamImage::bytes(const gpu::Device& device, uint32_t samples, uint32_t cascades,
                               VkImageUsageFlags filledBy) {

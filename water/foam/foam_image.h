@@ -1,6 +1,9 @@
-// The foam history as shaders read it: of each cascade that breaks, the step before the drawn time and the
-// one after, and two steps of plumes likewise, with whole mip chains. What a mip holds is the mean over its
-// footprint, so cover is kept with distance.
+// The foam history as shaders read it: of each cascade that breaks, what is clear of foam at the step before
+// the drawn time and at the one after, and two steps of plumes, with whole mip chains. What a mip holds is
+// the mean over its footprint, so cover is kept with distance.
+//
+// 1 - F, since halves tell it apart where F is close to 1: there 0.0005 of F are 0.05 of its odds, and what
+// is lost of those in thick foam is a tenth of F when it is thin.
 #pragma once
 
 #include "gpu/context.h"

@@ -34,7 +34,7 @@ void UploadedFoam::write(void* staging) const {
     for (uint32_t c = 0; c < history_->breaking().count; ++c) {
         const FoamHistory::Band& band = history_->band(c);
         for (size_t i = 0; i < band.foam.size(); ++i) {
-            *texel++ = glm::packHalf2x16({band.foam[i], band.foamNext[i]});
+            *texel++ = glm::packHalf2x16({1 - band.foam[i], 1 - band.foamNext[i]});
             *texel++ = glm::packHalf2x16({band.plume[i], band.plumeNext[i]});
         }
     }

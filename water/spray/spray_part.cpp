@@ -1,5 +1,6 @@
 #include "water/spray/spray_part.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -42,8 +43,10 @@ bool SprayPart::wanted(const BodyDesc& desc, const Sea* sea) {
 Status SprayPart::create(Body& body, const BodyDesc& of) {
     desc = *of.spray;
     particles = of.shading.sprayParticles;
-    fading = oddsDecayTime(*of.foam);
     const Breaking breaks = breakingOf(*body.sea, *of.foam);
+    most = static_cast<uint32_t>(std::ranges::max_element(breaks.share) - breaks.share);
+    floor = fadingsOf(*of.foam, breaks)[most].foam.floor;
+    fading = oddsDecayTime(*of.foam) / double{breaks.share[most]};
     breaking = breaks.count;
     for (uint32_t c = 0; c < breaks.count; ++c)
         crestsRun += static_cast<double>(breaks.share[c]) *
@@ -80,7 +83,7 @@ SprayBlock SprayPart::block(const BodyView& view, const SprayLattice& lattice) c
     SprayBlock block{};
     lattice.fill(view.geometry.eye, block);
     block.wind = {blows.x, blows.y, life, crestsRun};
-    block.foam = {fading, 1 / foamStepsPerSecond, 0, 0};
+    block.foam = {fading, 1 / foamStepsPerSecond, floor, most};
     block.form = {opticalDepth * torn * static_cast<double>(desc.density), desc.shutterTime, 0, 0};
     return block;
 }

@@ -14,7 +14,9 @@ struct SprayPart {
     uint32_t breaking = 0;  ///< cascades
     double crestsRun = 0;   ///< in the mean, by what each cascade does of the breaking [m/s]
     glm::dvec2 blows{0};    ///< the air at the crests [m/s]
-    double fading = 0;      ///< of foam, to 1/e [s]
+    uint32_t most = 0;      ///< the cascade that does most of the breaking
+    double fading = 0;      ///< of the odds of its foam, to 1/e [s]
+    float floor = 0;        ///< of that
     double torn = 0;        ///< share of what breaks
 
     static FieldError validate(const BodyDesc& desc);

@@ -12,7 +12,8 @@ struct SprayBlock {
     ivec4 cells[sprayLevels]; // the first along u and v, as they wrap; how many along u; the first particle
     vec4 places[sprayLevels]; // (u, v) of the first one's corner, a cell's edge, how far away it ends
     vec4 wind; // the air's speed at the crests along u and v; how long drops are seen; how fast crests run
-    vec4 foam; // in which it fades to 1/e, from one of its steps to the next
+    vec4 foam; // of the cascade that breaks most: in which its odds fade to 1/e, from one of its steps to the
+               // next, floor of its fading (water/foam/foam_fading.h), which it is
     vec4 form; // optical depth of what is torn off a level square metre; shutter time
 };
 

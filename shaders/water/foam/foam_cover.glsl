@@ -66,7 +66,7 @@ vec2 foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, Wh
         float mip = log2(max(pixelWidth * texels, 1.0));
         vec2 at = water.cascade[i].xy + place * water.cascade[i].z - water.foamDrift[i].xy;
         vec4 steps = textureLod(foamHistory, vec3(at, i), mip);
-        vec2 left = mix(steps.xz, steps.yw, vec2(water.foam.x, water.foamDrift[i].z));
+        vec2 left = mix(vec2(1.0 - steps.x, steps.z), vec2(1.0 - steps.y, steps.w), vec2(water.foam.x, water.foamDrift[i].z));
         if (hasShore) left *= s.shore.kept[i] * s.shore.kept[i];
         foamy *= left;
     }

@@ -86,23 +86,29 @@ struct Breaking {
     float share;  // that is shown of it; 0: too long ago for drops to be seen
 };
 
-// Of all cascades together: the product of the odds of what they left has faded since. `within` is the share of a
-// step of the history at which it began.
+// Foam is the product of what each cascade leaves. How long ago water broke, the one says that does most of the breaking: of
+// the others' waves several may have passed since, and what none broke wholly looks old. They say how much. `within` is the
+// share of a step of the history at which it began.
 Breaking breakingAt(vec2 calm, float within) {
     vec2 place = warped(calm);
-    float faded = 0.0;   // decay times of the odds of foam
-    bool begins = false;
+    float share = foamGate(place, 1.0);
+    float ago = 0.0;
     int i = 0;
     do {
         vec2 at = water.cascade[i].xy + place * water.cascade[i].z - water.foamDrift[i].xy;
-        vec2 steps = textureLod(foamHistory, vec3(at, i), 0.0).rg;
-        begins = begins || steps.y > steps.x;
-        float left = max(steps.y > steps.x ? steps.y : mix(steps.x, steps.y, water.foam.x), 1e-6);
-        faded += log(foamMostOdds * (foamOddsScale - left) / left);
+        vec2 steps = 1.0 - textureLod(foamHistory, vec3(at, i), 0.0).rg;
+        float left = mix(steps.x, steps.y, water.foam.x);
+        if (i == int(spray.foam.w)) {
+            bool begins = steps.y > steps.x;
+            if (begins) left = steps.y;
+            float odds = left / (foamOddsScale - left);
+            ago = spray.foam.x * log((foamMostOdds + spray.foam.z) / (odds + spray.foam.z));
+            ago += (within - (begins ? 1.0 - water.foam.x : 0.0)) * spray.foam.y;
+        } else {
+            share *= left;
+        }
     } while (++i < foamCascades);
-    float ago = spray.foam.x * faded + (within - (begins ? 1.0 - water.foam.x : 0.0)) * spray.foam.y;
-    if (ago < 0.0 || ago >= spray.wind.z) return Breaking(ago, 0.0);
-    return Breaking(ago, foamGate(place, 1.0));
+    return Breaking(ago, ago < 0.0 || ago >= spray.wind.z ? 0.0 : share);
 }
 
 // Irradiance of the sun, and the sky's mean radiance, as drops scatter them to the eye: half forwards by a narrow lobe (Henyey

@@ -291,9 +291,10 @@ TEST(FoamHistory, HalfFloatsFadeToo) {
                                   : held >= 0.25f  ? step / 2
                                   : held >= 0.125f ? step / 4
                                                    : step / 8;
-            EXPECT_LT(fadedFoam(held, slowest.foam.fade, slowest.foam.floor),
-                      std::max(held - spacing / 2, 1e-9f))
-                << held;
+            const float white = 1 - held; // of foam it keeps what is clear
+            EXPECT_LT(fadedFoam(white, slowest.foam.fade, slowest.foam.floor),
+                      std::max(white - spacing / 2, 1e-9f))
+                << white;
             EXPECT_LT(fadedPlume(held, slowest.plume.fade, slowest.plume.floor),
                       std::max(held - spacing / 2, 1e-9f))
                 << held;
