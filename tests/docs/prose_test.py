@@ -84,7 +84,9 @@ def wrong_options(program):
 
 def known_tests():
     sources = "\n".join(path.read_text() for path in (SOURCE / "tests").rglob("*_test.cpp"))
-    return {".".join(names) for names in re.findall(r"TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", sources)}
+    of_spirv = re.findall(r"^seaglass_spirv_test\((\w+)", (SOURCE / "tests/spirv/CMakeLists.txt").read_text(), re.M)
+    return {".".join(names) for names in re.findall(r"TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", sources)} | {
+        f"Spirv.{name}" for name in of_spirv}
 
 
 def wrong_tests():

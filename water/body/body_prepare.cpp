@@ -9,20 +9,24 @@
 
 namespace seaglass {
 
+SurfaceDraw drawnAhead(const PrepareCall& call) {
+    return {.output = call.output,
+            .seesScene = !call.view || hasScene(*call.view),
+            .sceneIsEncoded = call.sceneIsEncoded,
+            .manySamples = call.view && isMultisampled(*call.view),
+            .isAhead = true,
+            .view = call.view,
+            .lighting = &call.lighting};
+}
+
 Status Body::prepareSurface(const PrepareCall& call) const {
-    SurfaceDraw drawn = {.output = call.output,
-                         .seesScene = !call.view || hasScene(*call.view),
-                         .sceneIsEncoded = call.sceneIsEncoded,
-                         .manySamples = call.view && isMultisampled(*call.view),
-                         .isAhead = true,
-                         .view = call.view,
-                         .lighting = &call.lighting};
+    if (find<DeferredPart>()) return Status::ok; // which prepares its own
+    SurfaceDraw drawn = drawnAhead(call);
     const auto prepared = [&](SidesSeen sides) {
         drawn.sides = sides;
         const DrawPipeline* pipeline = nullptr;
         return call.target.pipelines.get(surfaceVariant(drawn), pipeline);
     };
-    if (find<DeferredPart>()) return Status::ok; // which prepares its own
     if (const Status s = prepared(SidesSeen::above); s != Status::ok) return s;
     if (!find<UnderwaterPart>() || drawn.isMotion()) return Status::ok;
     if (const Status s = prepared(SidesSeen::below); s != Status::ok) return s;

@@ -44,6 +44,8 @@ struct PrepareCall {
     SurfaceOutput output = SurfaceOutput::shaded;
     bool sceneIsEncoded = false;
 };
+/// The surface of what will be drawn, as it is seen from above.
+SurfaceDraw drawnAhead(const PrepareCall& call);
 
 /// A view of a body, read and found usable.
 struct BodyView {

@@ -200,13 +200,7 @@ Status DeferredPart::placeSamples(Body& body, const DrawCall& call, SeenSurface&
 
 Status DeferredPart::prepareShading(const Body& body, const PrepareCall& call,
                                     SurfaceVariant& variant) const {
-    SurfaceDraw drawn = {.output = call.output,
-                         .seesScene = !call.view || hasScene(*call.view),
-                         .sceneIsEncoded = call.sceneIsEncoded,
-                         .manySamples = call.view && isMultisampled(*call.view),
-                         .isAhead = true,
-                         .view = call.view,
-                         .lighting = &call.lighting};
+    SurfaceDraw drawn = drawnAhead(call);
     const bool hasSides = body.find<UnderwaterPart>() && !drawn.isMotion();
     for (const SidesSeen sides : {SidesSeen::either, SidesSeen::below, SidesSeen::above}) {
         if (sides != SidesSeen::above && !hasSides) continue;

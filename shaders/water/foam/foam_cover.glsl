@@ -194,10 +194,11 @@ Foam foamOver(const SurfacePoint s) {
 
 // Radiance of the bubbles that waves broke into the water, just above its surface. The upper ones rise and are gone first, so that
 // what is left shines through more water: blue-green, then blue.
-vec3 plumeGlow(vec3 toSun, float plume) {
+vec3 plumeGlow(vec3 toSun, float sunSeen, float plume) {
     const float reflects = 0.13;
     float throughWater = mix(12.0, 2.5, plume);   // there and back [m]
-    return lightEntering(toSun) * (reflects / pi * plume) * exp(-throughWater * extinction());
+    vec3 light = sunSeen * sunEntering(toSun) + water.skyIrradiance.rgb * skyEnters;
+    return light * (reflects / pi * plume) * exp(-throughWater * extinction());
 }
 
 // Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
@@ -221,6 +222,6 @@ vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirr
     float glint = sunGlint(film, toEye) * sunClear(toSun, slopeOf(toEye + toSun), ahead);
     vec3 light = water.sunIrradiance.rgb * sun + water.skyIrradiance.rgb * open;
     vec3 foamy = light * water.foam.y / pi + filmShare * (mirrored + water.sunIrradiance.rgb * glint);
-    if (water.absorption.r > 0.0) bare += leaves * plumeGlow(toSun, white.plume);
+    if (water.absorption.r > 0.0) bare += leaves * plumeGlow(toSun, s.sunSeen, white.plume);
     return mix(bare, foamy, white.mask * mix(thinnest, 1.0, white.fresh));
 }

@@ -29,7 +29,8 @@ WaterLight waterLightOf(const Frame& frame) {
     const float sunUp = std::max(light.toSun().y, 0.0f);
     const float sunEnters = sunUp * (1 - fresnelWater(sunUp));
     constexpr float skyEnters = 0.934f; // 1 - 0.066, diffuse Fresnel reflectance of water
-    water.entering = light.sunIrradiance() * sunEnters + light.filtered.irradianceUp * skyEnters;
+    water.enteringFromSky = light.filtered.irradianceUp * skyEnters;
+    water.entering = light.sunIrradiance() * sunEnters + water.enteringFromSky;
     return water;
 }
 

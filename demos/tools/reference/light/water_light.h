@@ -10,6 +10,7 @@ namespace demos::reference {
 struct WaterLight {
     glm::vec3 absorption{1e-5f}, backscatter{0}; ///< [1/m]
     glm::vec3 entering{0};                       ///< irradiance just below the surface
+    glm::vec3 enteringFromSky{0};                ///< the part of it that shadows leave
 
     glm::vec3 extinction() const { return absorption + backscatter; }
     /// All that is scattered, forwards too [1/m]: particles send 0.0183 of it back (Petzold 1972), and

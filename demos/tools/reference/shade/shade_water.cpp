@@ -96,10 +96,10 @@ glm::vec3 sampledGlint(const Frame& frame, const Facet& facet, const glm::vec3& 
 }
 
 /// plumeGlow() of shaders/water/foam/foam_cover.glsl.
-glm::vec3 plumeGlow(const Frame& frame, float plume) {
+glm::vec3 plumeGlow(const Frame& frame, bool lit, float plume) {
     constexpr float reflects = 0.13f;
     const WaterLight light = waterLightOf(frame);
-    return light.entering * (reflects / pi * plume) *
+    return (lit ? light.entering : light.enteringFromSky) * (reflects / pi * plume) *
            glm::exp(-glm::mix(12.0f, 2.5f, plume) * light.extinction());
 }
 
@@ -120,7 +120,7 @@ glm::vec3 withFoam(const glm::vec3& bare, const Frame& frame, const Facet& facet
     const glm::vec3 glint = lit ? meanGlint(frame, film, toEye, toSun) : glm::vec3(0);
     const glm::vec3 foamy = falls * (frame.world->water->foam->albedo / pi) + filmShare * (mirror + glint);
     glm::vec3 water = bare;
-    if (frame.world->water->refraction) water += leaves * facet.weight * plumeGlow(frame, white.plume);
+    if (frame.world->water->refraction) water += leaves * facet.weight * plumeGlow(frame, lit, white.plume);
     return glm::mix(water, foamy * facet.weight, white.mask * glm::mix(thinnest, 1.0f, white.fresh));
 }
 
