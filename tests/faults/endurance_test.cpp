@@ -58,6 +58,7 @@ class Host {
         PlanarView bed;
         EXPECT_EQ(bedView(body, &view, &bed), Status::ok);
         EXPECT_EQ(reflect(device_.commands(), &body, 1, &view), Status::ok);
+        EXPECT_EQ(shade(device_.commands(), &body, 1, &view, &scene_.lighting()), Status::ok);
         EXPECT_EQ(draw(device_.commands(), targets[0], &body, 1, &view, &scene_.lighting()), Status::ok);
         for (std::thread& thread : threads) thread.join();
         destroyBody(body);

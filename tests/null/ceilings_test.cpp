@@ -23,7 +23,7 @@ constexpr Ceiling kernels[] = {
     {"caustics_blur.comp", 32, "000"},
     {"caustics_blur.comp", 48, "001"},
     {"caustics_cast.comp", 40, "000"},
-    {"caustics_cast.comp", 56, "010"},
+    {"caustics_cast.comp", 64, "010"},
     {"caustics_gather.comp", 16},
     {"cells.comp", 32},
     {"completed_surface.comp", 32},
@@ -70,7 +70,7 @@ struct SurfaceCeiling {
 constexpr SurfaceCeiling surfaces[] = {
     {"lr", Quality::medium, 72},   {"w", Quality::highest, 72},     {"wl", Quality::highest, 136},
     {"wlr", Quality::medium, 120}, {"wflr", Quality::low, 128},     {"wflr", Quality::medium, 128},
-    {"wflr", Quality::high, 136},  {"wflr", Quality::highest, 136}, {"wfslroh", Quality::highest, 176},
+    {"wflr", Quality::high, 136},  {"wflr", Quality::highest, 136}, {"wfslroh", Quality::highest, 184},
 };
 
 /// What shades them once where they are deferred, and what finds and places that.
@@ -78,7 +78,7 @@ constexpr SurfaceCeiling shadedOnce[] = {
     {"w", Quality::medium, 56},
     {"wflr", Quality::medium, 136},
     {"wflr", Quality::highest, 136},
-    {"wfslroh", Quality::highest, 176},
+    {"wfslroh", Quality::highest, 184},
 };
 
 class Ceilings : public Compiles {

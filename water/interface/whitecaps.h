@@ -31,7 +31,7 @@ struct Breaking {
 
 /// Of what breaks at a moment, the share that lies where the foam before it is not white already: of a sea
 /// at 15 m/s, such that a picture from any height is as white as the sea.
-constexpr float foamBreaksApart = 0.6f;
+constexpr float foamBreaksApart = 0.85f;
 
 Breaking breakingOf(const Sea& sea, const FoamDesc& foam);
 

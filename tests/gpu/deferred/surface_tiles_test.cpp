@@ -40,6 +40,7 @@ class SurfaceTilesTest : public WaterTest, public testing::WithParamInterface<Pl
         body_.reflection = &reflection_;
         setQuality(Quality::medium, &body_, &reflection_);
         body_.shading.deferred = true;
+        body_.shading.pixelsPerShading = 1; // tiles are counted, of 8 x 8 pixels each
         camera_.eye = {3, 4, 7};
         camera_.target = {3, 2, -13};
         camera_.width = 188;
