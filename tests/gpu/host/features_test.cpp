@@ -159,8 +159,8 @@ using Switch = void (*)(Water&);
 struct Feature {
     const char* name;
     Switch off;
-    std::vector<const Part*> gone; ///< what becomes less; nothing becomes more
-    Switch on = nullptr;           ///< what it takes beside all the rest
+    std::vector<const Part*> gone;        ///< what becomes less; nothing becomes more
+    Switch on = nullptr;                  ///< what it takes beside all the rest
     std::vector<const Part*> traded = {}; ///< but these may, where something else is done in its place
 };
 
