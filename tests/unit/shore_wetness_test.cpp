@@ -22,23 +22,8 @@ constexpr double noEye[2] = {0, 0};
 
 /// Swell that runs up a plane; the water's edge is at v = 0.
 SeaPtr beach(double height = 1.6, double period = 9) {
-    ShoreDesc shore;
-    shore.samples[0] = 41;
-    shore.samples[1] = 301;
-    shore.origin[0] = -20;
-    shore.origin[1] = -260;
-    std::vector<float> bed;
-    for (uint32_t j = 0; j < shore.samples[1]; ++j)
-        bed.insert(bed.end(), shore.samples[0], static_cast<float>(slope * (shore.origin[1] + j)));
-    shore.bed = bed.data();
-    SeaDesc desc;
-    desc.windSpeed = 0;
-    desc.swells[0] = {static_cast<float>(height), static_cast<float>(period),
-                      static_cast<float>(72 * std::numbers::pi / 180), 0.1f, 30};
-    desc.samples = 64;
-    desc.cascades = 2;
-    desc.shore = &shore;
-    return makeSea(desc);
+    const auto towards = static_cast<float>(72 * std::numbers::pi / 180);
+    return beachOf({static_cast<float>(height), static_cast<float>(period), towards, 0.1f, 30}, slope, 260);
 }
 
 /// One time of it.

@@ -35,6 +35,25 @@ void addWave(DirectSum& sum, std::complex<double> a, double ku, double kv, doubl
 
 } // namespace
 
+SeaPtr beachOf(const SwellDesc& swell, double slope, uint32_t offshore) {
+    ShoreDesc shore;
+    shore.samples[0] = 41;
+    shore.samples[1] = offshore + 41;
+    shore.origin[0] = -20;
+    shore.origin[1] = -static_cast<double>(offshore);
+    std::vector<float> bed;
+    for (uint32_t j = 0; j < shore.samples[1]; ++j)
+        bed.insert(bed.end(), shore.samples[0], static_cast<float>(slope * (shore.origin[1] + j)));
+    shore.bed = bed.data();
+    SeaDesc desc;
+    desc.windSpeed = 0;
+    desc.swells[0] = swell;
+    desc.samples = 64;
+    desc.cascades = 2;
+    desc.shore = &shore;
+    return makeSea(desc);
+}
+
 DirectSum directSum(const Sea& sea, uint32_t cascade, double time, double u, double v) {
     const Modes& modes = sea.modes[cascade];
     const double dk = tau / sea.cascades[cascade].patch;

@@ -29,6 +29,10 @@ inline SeaDesc oneCascade() {
     return desc;
 }
 
+/// Swell without wind over a plane that rises towards +v, from `offshore` metres before the water's edge at v
+/// = 0.
+SeaPtr beachOf(const SwellDesc& swell, double slope, uint32_t offshore);
+
 /// One cascade's maps at one time.
 struct Maps {
     size_t samples;

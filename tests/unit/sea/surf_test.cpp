@@ -22,22 +22,7 @@ constexpr double pi = std::numbers::pi, slope = 1.0 / 21;
 
 /// The demos' swell, straight onto a plane; the water's edge is at v = 0.
 SeaPtr surfBeach() {
-    ShoreDesc shore;
-    shore.samples[0] = 41;
-    shore.samples[1] = 441;
-    shore.origin[0] = -20;
-    shore.origin[1] = -400;
-    std::vector<float> bed;
-    for (uint32_t j = 0; j < shore.samples[1]; ++j)
-        bed.insert(bed.end(), shore.samples[0], static_cast<float>(slope * (shore.origin[1] + j)));
-    shore.bed = bed.data();
-    SeaDesc desc;
-    desc.windSpeed = 0;
-    desc.swells[0] = {1.6f, 9.0f, static_cast<float>(pi / 2), 0.1f, 30};
-    desc.samples = 64;
-    desc.cascades = 2;
-    desc.shore = &shore;
-    return makeSea(desc);
+    return beachOf({1.6f, 9.0f, static_cast<float>(pi / 2), 0.1f, 30}, slope, 400);
 }
 
 /// Third moments of a record and of its Hilbert transform, in deviations: 0 for waves that nothing sharpens.
