@@ -60,6 +60,7 @@ TEST_P(EdgeReach, WallsGoOnBeyondTheBorder) {
         const Reflected plain = reflected(camera, traced, 0);
         const Reflected result = reflected(camera, traced, share);
         size_t near = 0, plainHits = 0, found = 0, wrong = 0;
+        double farther = 0; // in the mean, as a share
         for (size_t i = 0; i < traced.truth.size(); ++i) {
             if (traced.truth[i] != Truth::lost) continue;
             const double beyond = beyondThePicture(traced, traced.source[i]);
@@ -70,13 +71,18 @@ TEST_P(EdgeReach, WallsGoOnBeyondTheBorder) {
             const bool right =
                 std::abs(double{result.info[i]} - traced.distance[i]) < 0.02 * traced.distance[i];
             ++(right ? found : wrong);
+            if (right) farther += double{result.info[i]} / traced.distance[i] - 1;
         }
-        std::printf("%zu near beyond the border: %zu found without, %zu with, %zu at wrong distances\n", near,
-                    plainHits, found, wrong);
+        farther /= static_cast<double>(found);
+        std::printf("%zu near beyond the border: %zu found without, %zu with, farther by %.5f, %zu at wrong "
+                    "distances\n",
+                    near, plainHits, found, farther, wrong);
         EXPECT_GT(near, 2000u);
         EXPECT_LT(plainHits, near / 50);
         EXPECT_GT(found, near * 9 / 10);
         EXPECT_LT(wrong, near / 50);
+        // No pixel that the border is off by.
+        EXPECT_NEAR(farther, 0, 0.002);
     }
 }
 

@@ -51,6 +51,7 @@ TEST_F(Ssr, AgreesWithTheTracedTruth) {
         EXPECT_GE(s.coverage, coverage.at(pose.name)) << pose.name;
         EXPECT_LE(s.medianPixels, 0.2) << pose.name;
         EXPECT_LE(s.p95Pixels, pose.name == std::string("steep") ? 1.1 : 0.65) << pose.name;
+        EXPECT_LE(s.p90Distance, 0.02) << pose.name;
         EXPECT_LE(s.falseOnSky, 0.004) << pose.name;
         EXPECT_LE(s.skyOnGeometry, 0.004) << pose.name;
     }
@@ -65,6 +66,7 @@ TEST_F(Ssr, InStridesAgreesWithTheTracedTruth) {
         EXPECT_GE(s.coverage, coverage.at(pose.name)) << pose.name;
         EXPECT_LE(s.medianPixels, 0.25) << pose.name;
         EXPECT_LE(s.p95Pixels, 0.8) << pose.name;
+        EXPECT_LE(s.p90Distance, 0.02) << pose.name;
         EXPECT_LE(s.falseOnSky, 0.004) << pose.name;
         EXPECT_LE(s.skyOnGeometry, 0.022) << pose.name;
     }
@@ -219,6 +221,56 @@ TEST_F(Ssr, ThicknessDecidesWhatARayPassesBehind) {
     };
     EXPECT_LT(falseHits(0.02f), 0.002);
     EXPECT_GT(falseHits(5.0f), 4 * falseHits(0.02f));
+}
+
+/// How far ahead of the eye [m].
+double ahead(const Camera& camera, const glm::dvec3& point) {
+    return glm::dot(point - camera.eye, glm::normalize(camera.target - camera.eye));
+}
+
+/// How far behind `box`, ahead of the eye, a ray from the plane first is where that hides it [m]; infinite
+/// where it never is.
+double firstBehind(const Camera& camera, const Box& box, const glm::dvec3& from, const glm::dvec3& ray) {
+    for (double along = 0; along < 20; along += 0.02) {
+        const glm::dvec3 point = from + along * ray;
+        const glm::dvec3 sight = glm::normalize(point - camera.eye);
+        const double hit = hitDistance(box, camera.eye, sight);
+        if (hit < glm::length(point - camera.eye))
+            return ahead(camera, point) - ahead(camera, camera.eye + hit * sight);
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+// As far as that is, in metres ahead of the eye: a board that is thinner, and rays that go behind it before
+// they meet the sky.
+TEST_F(Ssr, ThicknessIsInMetresAheadOfTheEye) {
+    const Camera camera = testCamera();
+    const Box board{{-3, 1, -1.05}, {2, 2, -1}};
+    const TracedView traced = Tracer(camera, {board}).run();
+    const glm::dmat4 inverse = glm::inverse(projectionMatrix(camera) * viewMatrix(camera));
+    std::vector<double> behind;
+    for (size_t i = 0; i < traced.truth.size(); ++i) {
+        // One column of four tells.
+        if (i % 4 || traced.truth[i] != Truth::sky) continue;
+        const glm::dvec2 pixel(static_cast<double>(i % traced.width) + 0.5,
+                               static_cast<double>(i / traced.width) + 0.5);
+        const glm::dvec4 p =
+            inverse * glm::dvec4(pixel / glm::dvec2(traced.width, traced.height) * 2.0 - 1.0, 0.5, 1);
+        const glm::dvec3 ray = glm::normalize(glm::dvec3(p) / p.w - camera.eye);
+        const glm::dvec3 on = camera.eye - ray * (camera.eye.y / ray.y);
+        behind.push_back(firstBehind(camera, board, on, ray * glm::dvec3(1, -1, 1)));
+    }
+    for (const double thickness : {1.0, 1.4, 2.0}) {
+        ReflectorDesc desc = with(ReflectionTechnique::ssr);
+        desc.reflection.marchSteps = 512;
+        desc.reflection.marchThickness = static_cast<float>(thickness);
+        const double hits = score(traced, reflectScene(camera, traced, desc)).falseOnSky;
+        const double expected = static_cast<double>(std::ranges::count_if(
+                                    behind, [&](double metres) { return metres < thickness; })) /
+                                static_cast<double>(behind.size());
+        std::printf("%.1f m thick: %.5f of the sky is hit, %.5f expected\n", thickness, hits, expected);
+        EXPECT_NEAR(hits, expected, 0.04 * expected);
+    }
 }
 
 // Rays that pass between rails go behind the next one above, by more than that is wide.

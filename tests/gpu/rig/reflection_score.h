@@ -23,6 +23,7 @@ struct Score {
     double falseOnSky = 0;    ///< share of true sky that was hit
     double skyOnGeometry = 0; ///< share of recoverable pixels called sky
     double misplaced = 0;     ///< share of hits that are off by more than misplacedPixels
+    double p90Distance = 0;   ///< error of the distance to what is mirrored, as a share of it
 };
 
 constexpr double misplacedPixels = 4;
@@ -36,7 +37,7 @@ inline double quantile(std::vector<double>& values, double q) {
 
 inline Score score(const TracedView& view, const Reflected& result) {
     double recoverable = 0, hits = 0, sky = 0, falseHits = 0, falseSky = 0;
-    std::vector<double> errors;
+    std::vector<double> errors, distances;
     for (size_t i = 0; i < view.truth.size(); ++i) {
         const auto found = seaglass::reflectionClass(result.info[i]);
         if (view.truth[i] == Truth::sky) {
@@ -48,6 +49,7 @@ inline Score score(const TracedView& view, const Reflected& result) {
         falseSky += found == seaglass::ReflectionClass::sky;
         if (found != seaglass::ReflectionClass::hit) continue;
         ++hits;
+        distances.push_back(std::abs(double{result.info[i]} / view.distance[i] - 1));
         const double confidence = double{result.color[i * 4 + 3]};
         if (confidence < 0.1) continue; // faded out at the border: its colour has no digits left
         const double light = double{result.color[i * 4 + 2]}; // undersides are darker than their tops
@@ -57,15 +59,16 @@ inline Score score(const TracedView& view, const Reflected& result) {
     }
     const auto misplaced = static_cast<double>(
         std::ranges::count_if(errors, [](double error) { return error > misplacedPixels; }));
-    return {hits / recoverable,     quantile(errors, 0.5),
-            quantile(errors, 0.95), falseHits / std::max(sky, 1.0),
-            falseSky / recoverable, misplaced / std::max(hits, 1.0)};
+    return {hits / recoverable,      quantile(errors, 0.5),
+            quantile(errors, 0.95),  falseHits / std::max(sky, 1.0),
+            falseSky / recoverable,  misplaced / std::max(hits, 1.0),
+            quantile(distances, 0.9)};
 }
 
 inline void print(const char* what, const Score& s) {
     std::printf("%-8s coverage %.4f, position error %.3f px median %.3f px p95, hits on sky %.5f, sky on "
-                "geometry %.5f\n",
-                what, s.coverage, s.medianPixels, s.p95Pixels, s.falseOnSky, s.skyOnGeometry);
+                "geometry %.5f, distance off by %.4f p90\n",
+                what, s.coverage, s.medianPixels, s.p95Pixels, s.falseOnSky, s.skyOnGeometry, s.p90Distance);
 }
 
 } // namespace tests

@@ -127,6 +127,27 @@ TEST_F(SunShadows, LieWhereTheMapHasThem) {
     expectDarkWhere(leftIsDark);
 }
 
+// As wide as a texel of the map, and half lit where the map's texels meet.
+TEST_F(SunShadows, EndWhereTexelsMeet) {
+    constexpr double half = 160, texel = 2 * half / mapSize; // [m]
+    setMap([](double u) { return u < 0.5 ? above : nothing; });
+    setCascade(0, half);
+    const WaterPicture lit = shaded(true, false), dark = shaded(false, false), got = shaded(true, true);
+    size_t compared = 0;
+    for (uint32_t y = 0; y < got.height; ++y)
+        for (uint32_t x = 0; x < got.width; ++x) {
+            const size_t at = (size_t{y} * got.width + x) * 4;
+            const float range = lit.color[at] - dark.color[at];
+            if (!got.covered(at / 4) || range < 0.05f) continue;
+            const glm::dvec3 point = worldAt(overTheSea(), got, x, y);
+            const double expected = std::clamp(0.5 + point.x / texel, 0.0, 1.0);
+            if (!isNear(point) || expected == 0 || expected == 1) continue;
+            ++compared;
+            ASSERT_NEAR((got.color[at] - dark.color[at]) / range, expected, 0.02) << x << ", " << y;
+        }
+    EXPECT_GT(compared, 200u);
+}
+
 /// Steep, so that its own axes have the shadow's edge metres away from where the world's have it.
 TEST_F(SunShadows, LieThereOnATiltedBody) {
     const double plane[] = {0.5, 1, 0.05, -4};
