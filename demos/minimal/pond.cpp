@@ -129,10 +129,12 @@ int main(int argc, char** argv) {
     draw(gpu, triangle, camera);
     vkCmdEndRendering(gpu.commands);
 
-    // Behind the opaque scene: what the pond mirrors of it, in compute; then the pond, over it.
+    // Behind the opaque scene: what the pond mirrors of it, and how it looks, outside of any pass; then the
+    // pond, over it.
     copy(gpu, color, colorCopy);
     copy(gpu, depth, depthCopy);
     check(seaglass::reflect(gpu.commands, &pond, 1, &view), "reflect");
+    check(seaglass::shade(gpu.commands, &pond, 1, &view, &light), "shade");
     beginPass(gpu, color, depth, VK_ATTACHMENT_LOAD_OP_LOAD);
     check(seaglass::draw(gpu.commands, target, &pond, 1, &view, &light), "draw");
     vkCmdEndRendering(gpu.commands);

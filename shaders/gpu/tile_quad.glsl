@@ -1,5 +1,5 @@
-// As quad.glsl, for kernels: of an 8 x 8 tile four invocations in a row are a quad. To be asked where all invocations go. Needs
-// `quadsInStep`, a constant.
+// The quad of 2 x 2 pixels that share what they find: of an 8 x 8 tile four invocations in a row. To be asked where all invocations
+// go. Needs `quadsInStep`, a constant.
 #extension GL_KHR_shader_subgroup_basic : require
 
 layout(local_size_x = 64) in;
@@ -48,6 +48,7 @@ vec4 meanOfQuad(vec4 own) {
     return 0.25 * (upper + (ofQuads[told][first + 2u] + ofQuads[told][first + 3u]));
 }
 
+// From this pixel to the next, whichever way is more.
 vec2 changeInQuad(vec2 own) {
     uint told = tellQuad(vec4(own, 0.0, 0.0)), i = indexInTile();
     return max(abs(ofQuads[told][i ^ 1u].xy - own), abs(ofQuads[told][i ^ 2u].xy - own));
@@ -62,8 +63,4 @@ uint bitsAround(uint own) {
     atomicOr(bitsOfTile, own);
     barrier();
     return bitsOfTile;
-}
-
-vec4 meanOverPixel(sampler2DArray map, vec3 at, float texels) {
-    return textureLod(map, at, log2(max(texels, 1e-6)));
 }

@@ -77,7 +77,7 @@ struct BodyBlock {
     vec4 fogColor; // SeaglassFog of medium.glsl
     vec4 fogForm;
     vec4 fogReach;
-    mat4 relativeFromFound; // of the pixels and depth of shaders/water/deferred/found_surface.glsl
+    mat4 relativeFromFound; // of the pixels and depth of shaders/water/shading/found_surface.glsl
     vec4 found;             // how far waves move a point aside at the most [m]; 1 / that
     vec4 sunInWater;        // water/below/caustics.h: SunInWater::from
     vec4 sunTurned;         // likewise: turnedAlong, turnedAcross

@@ -10,7 +10,6 @@ const uint foundGroupsPerRow = 32768u; // a group a tile, in rows that every dev
 const uint foundLists = 4u;            // numbered by what is needed:
 const uint foundMirrors = 1u;          // the reflection of the scene
 const uint foundSeesBed = 2u;          // what lies under the surface
-const uint foundUintsPerTile = 6u;     // at most, of all lists and what they are made of
 
 struct FoundTilesHeader {
     uvec4 groups[foundLists]; // VkDispatchIndirectCommand of each, and how many tiles it holds

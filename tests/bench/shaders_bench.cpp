@@ -48,26 +48,24 @@ std::vector<Row> measured(CompiledWater& water) {
     using namespace seaglass;
     std::vector<Row> rows;
     add(rows, water.kernels(), "");
-    for (const UnderwaterPass pass :
-         {UnderwaterPass::water, UnderwaterPass::shafts, UnderwaterPass::waterline})
+    for (const ViewPass pass : {ViewPass::water, ViewPass::shafts, ViewPass::waterline})
         for (const bool shore : {false, true}) {
-            const UnderwaterVariant variant = {
+            const ViewPassVariant variant = {
                 .pass = pass, .straddles = true, .hasWaves = true, .hasShore = shore};
             add(rows, water.overView(variant, false), "");
         }
-    add(rows, water.overView({.pass = UnderwaterPass::caustics}, false), "");
-    add(rows, water.overView({.pass = UnderwaterPass::snow}, false), "");
+    add(rows, water.overView({.pass = ViewPass::caustics}, false), "");
+    add(rows, water.overView({.pass = ViewPass::snow}, false), "");
     for (const uint32_t fog : {0u, 28u})
         add(rows, water.spray({.cascades = 4, .foamCascades = 3, .isWarped = true, .fogKind = fog}, false),
             fog ? "fog" : "");
-    add(rows, water.overView({.pass = UnderwaterPass::surface}, false), "");
+    add(rows, water.overView({.pass = ViewPass::surface}, false), "");
     for (const char* const letters : surfaces)
         for (size_t q = 0; q < demos::qualities().size(); ++q) {
             const SurfaceChoice choice = {letters, static_cast<Quality>(q)};
             const std::string variant =
                 std::string(letters) + (*letters ? " " : "") + std::string(demos::qualities()[q]);
             add(rows, water.surface(choice), variant);
-            add(rows, water.deferred(choice), variant);
         }
     return rows;
 }

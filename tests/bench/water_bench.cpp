@@ -27,21 +27,12 @@ struct Part {
     void (*change)(WaterDesc&);
 };
 
-void deferAt(const char* quality, WaterDesc& water) {
-    setQuality(quality, water);
-    water.shading.deferred = true;
-}
-
 constexpr Part parts[] = {
     {"whole", [](WaterDesc&) {}},
     {"low", [](WaterDesc& water) { setQuality("low", water); }},
     {"medium", [](WaterDesc& water) { setQuality("medium", water); }},
     {"high", [](WaterDesc& water) { setQuality("high", water); }},
     {"highest", [](WaterDesc& water) { setQuality("highest", water); }},
-    {"low, deferred", [](WaterDesc& water) { deferAt("low", water); }},
-    {"medium, deferred", [](WaterDesc& water) { deferAt("medium", water); }},
-    {"high, deferred", [](WaterDesc& water) { deferAt("high", water); }},
-    {"highest, deferred", [](WaterDesc& water) { deferAt("highest", water); }},
     {"Schlick", [](WaterDesc& water) { water.shading.fresnel = seaglass::Fresnel::schlick; }},
     {"no shafts",
      [](WaterDesc& water) {

@@ -75,9 +75,6 @@ def differences(program, folder):
                                     (harbour, "harbour.toml", "water.reflection.technique=plain")):
         if pixels(program, folder, scene, setting) == picture:
             yield f"{scene} looks the same with {setting}"
-    deferred = [pixels(program, folder, "ocean.toml", "water.deferred=true", f"water.height_tint={tint}") for tint in (0, 1)]
-    if deferred[0] == deferred[1]:
-        yield "a deferred surface looks the same with the tint"
     if pixels(program, folder, "ocean.toml", "water.height_tint=0") != ocean:
         yield "a tint of 0 is seen"
 

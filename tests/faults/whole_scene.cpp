@@ -47,7 +47,6 @@ void WholeScene::describeWater(ReflectionTechnique technique) {
     bodyDesc_.caustics = &caustics_;
     bodyDesc_.bed = &bedDesc_;
     bodyDesc_.motion = true;
-    bodyDesc_.shading.deferred = true;
 }
 
 void WholeScene::describeView(VkSampleCountFlagBits samples) {

@@ -219,6 +219,7 @@ void callApi(Bytes bytes) {
         said(simulate(device.commands(), &body, 1, frame.time), message);
         said(reflect(device.commands(), &body, 1, &frame.view), message);
         said(castCaustics(device.commands(), &body, 1, &frame.view, &frame.lighting), message);
+        said(shade(device.commands(), &body, 1, &frame.view, &frame.lighting), message);
         said(draw(device.commands(), target, &body, 1, &frame.view, &frame.lighting), message);
     }
     destroyBody(body);

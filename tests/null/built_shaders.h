@@ -9,7 +9,7 @@
 namespace tests {
 
 struct BuiltShader {
-    std::string_view name; ///< such as "surface.frag"
+    std::string_view name; ///< such as "surface.vert"
     std::span<const uint32_t> words;
 };
 

@@ -11,7 +11,7 @@ using seaglass::SurfaceOutput;
 
 TEST_F(Compiles, EveryKernel) {
     expectCompiled(water_->kernels());
-    expectCompiled(water_->deferred({"wflr"}));
+    expectCompiled(water_->surface({"wflr"}));
     expectAllWith(".comp");
 }
 

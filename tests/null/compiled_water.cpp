@@ -23,9 +23,9 @@
 #include "tests/null/built_shaders.h"
 #include "water/below/caustics.h"
 #include "water/body/body.h"
-#include "water/deferred/placed_samples.h"
-#include "water/deferred/shaded_surface.h"
 #include "water/foam/foam_gpu.h"
+#include "water/shading/placed_samples.h"
+#include "water/shading/shaded_surface.h"
 #include "water/waves/waves_gpu.h"
 
 namespace tests {
@@ -237,12 +237,6 @@ std::vector<CompiledPipeline> CompiledWater::madeOf(const SurfaceChoice& choice,
 
 std::vector<CompiledPipeline> CompiledWater::surface(const SurfaceChoice& choice) {
     return madeOf(choice, [&](const SurfaceVariant& variant) {
-        build(context_->device, targetDesc(choice.multiview), variant);
-    });
-}
-
-std::vector<CompiledPipeline> CompiledWater::deferred(const SurfaceChoice& choice) {
-    return madeOf(choice, [&](const SurfaceVariant& variant) {
         const gpu::Device& device = context_->device;
         TargetDesc found = targetDesc(false);
         found.colorFormat = variant.forMotion ? VK_FORMAT_R32G32_SFLOAT : VK_FORMAT_R32_UINT;
@@ -258,7 +252,7 @@ std::vector<CompiledPipeline> CompiledWater::deferred(const SurfaceChoice& choic
     });
 }
 
-std::vector<CompiledPipeline> CompiledWater::overView(const UnderwaterVariant& variant, bool multiview) {
+std::vector<CompiledPipeline> CompiledWater::overView(const ViewPassVariant& variant, bool multiview) {
     compiledPipelines().clear();
     build(context_->device, targetDesc(multiview), variant);
     return std::move(compiledPipelines());

@@ -8,7 +8,7 @@
 #include "host/vulkan/device.h"
 #include "seaglass/water.h"
 #include "tests/null/compiled_twice.h"
-#include "water/below/underwater.h"
+#include "water/below/view_pass.h"
 #include "water/spray/spray.h"
 #include "water/surface/surface.h"
 
@@ -40,16 +40,15 @@ class CompiledWater {
 
     // What these make; less than was asked for where the library fails, which then says why.
     std::vector<CompiledPipeline> kernels(); ///< those of compute, waves at each number of samples
+    /// Those that find it, place it in multisampled passes and, but for motion, shade it.
     std::vector<CompiledPipeline> surface(const SurfaceChoice& choice);
-    /// What finds, shades and places it where it is deferred.
-    std::vector<CompiledPipeline> deferred(const SurfaceChoice& choice);
-    std::vector<CompiledPipeline> overView(const seaglass::UnderwaterVariant& variant, bool multiview);
+    std::vector<CompiledPipeline> overView(const seaglass::ViewPassVariant& variant, bool multiview);
     std::vector<CompiledPipeline> spray(const seaglass::SprayVariant& variant, bool multiview);
 
   private:
     CompiledWater() = default;
     void makeKernels();
-    void makeTilesKernels(); ///< what lists the tiles of a deferred surface, and completes its pixels
+    void makeTilesKernels(); ///< what lists a surface's tiles, and completes its pixels
     /// Calls `make` with the variant of the choice's body, and tells what that made.
     template<typename Make>
     std::vector<CompiledPipeline> madeOf(const SurfaceChoice& choice, Make&& make);

@@ -9,7 +9,7 @@ namespace {
 using seaglass::Quality;
 using seaglass::SidesSeen;
 using seaglass::SurfaceOutput;
-using seaglass::UnderwaterPass;
+using seaglass::ViewPass;
 
 TEST_F(Compiles, EverythingDrawn) {
     for (const std::string& letters : surfaceLetters()) {
@@ -29,27 +29,20 @@ TEST_F(Compiles, EverythingDrawn) {
                     if (!hostMesh || !hasLetter(letters, 'o'))
                         expectCompiled(water_->surface(
                             {letters, Quality::medium, output, SidesSeen::above, hostMesh, multiview}));
-    for (const char* const letters : {"", "lroh", "wo", "wfslroh"})
-        for (const Quality quality : {Quality::low, Quality::highest})
-            expectCompiled(water_->deferred({letters, quality}));
     for (const char* const letters : {"lr", "wfslroh"})
         for (const SidesSeen sides : {SidesSeen::below, SidesSeen::either})
-            for (const SurfaceOutput output : {SurfaceOutput::shaded, SurfaceOutput::reflection})
-                expectCompiled(water_->deferred({letters, Quality::medium, output, sides}));
-    for (uint32_t output = 1; output <= static_cast<uint32_t>(SurfaceOutput::motion); ++output)
-        expectCompiled(water_->deferred({"wfslroh", Quality::medium, static_cast<SurfaceOutput>(output)}));
+            expectCompiled(water_->surface({letters, Quality::medium, SurfaceOutput::reflection, sides}));
     for (const bool multiview : {false, true})
         for (const bool figures : {false, true})
             expectCompiled(
-                water_->overView({.pass = UnderwaterPass::surface, .placesFigures = figures}, multiview));
+                water_->overView({.pass = ViewPass::surface, .placesFigures = figures}, multiview));
     for (const bool multiview : {false, true})
-        expectCompiled(water_->overView({.pass = UnderwaterPass::snow}, multiview));
-    for (const UnderwaterPass pass :
-         {UnderwaterPass::water, UnderwaterPass::shafts, UnderwaterPass::waterline, UnderwaterPass::caustics})
+        expectCompiled(water_->overView({.pass = ViewPass::snow}, multiview));
+    for (const ViewPass pass : {ViewPass::water, ViewPass::shafts, ViewPass::waterline, ViewPass::caustics})
         for (const bool multiview : {false, true}) {
             expectCompiled(water_->overView({.pass = pass}, multiview));
             for (const bool shore : {false, true})
-                if (pass != UnderwaterPass::caustics)
+                if (pass != ViewPass::caustics)
                     expectCompiled(water_->overView(
                         {.pass = pass, .straddles = true, .hasWaves = true, .hasShore = shore}, multiview));
         }

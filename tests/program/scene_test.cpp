@@ -272,6 +272,21 @@ TEST_F(SceneFile, FormerKeysAreReadAsWhatTheyAreCalledNow) {
               "--set water.dry_rooms.0.bottom_m=-2: water.dry_rooms is called exclusion_volumes now");
 }
 
+TEST_F(SceneFile, KeysThatWentAreNamedAndLeftOut) {
+    const auto scene = loadText(replaced("cells_per_level = 128", "cells_per_level = 128\ndeferred = 3"),
+                                {"water.deferred=true"});
+    ASSERT_TRUE(scene) << error_.text;
+    ASSERT_EQ(scene->notes.size(), 2u);
+    EXPECT_TRUE(scene->notes[0].ends_with(
+        "scene.toml:20: water.deferred is no more: every surface is found first and shaded once"))
+        << scene->notes[0];
+    EXPECT_EQ(scene->notes[1], "--set water.deferred=true: water.deferred is no more: every surface is found "
+                               "first and shaded once");
+    EXPECT_NE(
+        problem(replaced("distortion = 1", "deferred = true")).find("refraction.deferred is not a known"),
+        std::string::npos);
+}
+
 TEST_F(SceneFile, FormerKeysAreOnlyThoseOfTheirSections) {
     const auto loaded = loadText(replaced("cells_per_level = 128", "relief = true\nslope_looks = 2"));
     ASSERT_TRUE(loaded) << error_.text;

@@ -19,8 +19,6 @@ from shader import READ_ONLY, Op, Shader
 DERIVATIVES = set(range(207, 216)) | {87, 89, 91, 93, 105}
 ENDINGS = {Op.Kill, 4416}
 FRAGMENT, ENTRY_POINT, INPUT = 4, 15, 1
-# Its callers throw away what it gives where the quad's pixels do not go the same way.
-EXCEPT = {"meanOfQuad"}
 
 
 class Divergence:
@@ -129,7 +127,7 @@ def undefined_derivatives(path):
             for instruction in function.blocks[label]:
                 if instruction[0] in ENDINGS:
                     lines.append(f"{path}: {name}() discards, expected `demote`")
-                if instruction[0] in DERIVATIVES and (function.id, label) in divergence.blocks and name not in EXCEPT:
+                if instruction[0] in DERIVATIVES and (function.id, label) in divergence.blocks:
                     lines.append(f"{path}: {name}() takes a derivative, or looks without a level, where pixels may go different ways")
     return list(dict.fromkeys(lines))
 

@@ -55,21 +55,22 @@ class ShaderReload : public tests::InWindow {
     fs::file_time_type stamp_ = fs::file_time_type::clock::now();
 };
 
-const std::string shaded = "    outColor = shaded(shownPoint(pixel, position, fromWater, quadIsAlike));";
-const std::string red = "    outColor = vec4(1.0, 0.0, 0.0, 1.0);";
+const char* const kernel = "water/shading/shaded_surface.comp";
+const std::string shaded = "    vec4 made = shaded(s);";
+const std::string red = "    vec4 made = vec4(1.0, 0.0, 0.0, 1.0);";
 
 TEST_F(ShaderReload, DrawsWhatTheShaderSaysNow) {
     REQUIRE_DISPLAY(xvfb_);
     ASSERT_NO_FATAL_FAILURE(openOver());
     const std::vector<uint8_t> before = shown();
     EXPECT_EQ(redShare(), 0);
-    const std::string text = read("surface.frag");
-    ASSERT_NO_FATAL_FAILURE(edit("surface.frag", shaded, red));
+    const std::string text = read(kernel);
+    ASSERT_NO_FATAL_FAILURE(edit(kernel, shaded, red));
     stepOn(1);
     EXPECT_EQ(message(), "shaders reloaded");
     EXPECT_GT(redShare(), 0.2);
 
-    write("surface.frag", text);
+    write(kernel, text);
     stepOn(1);
     EXPECT_EQ(shown(), before);
     EXPECT_EQ(host_->validationMessages(), 0u);
@@ -78,24 +79,24 @@ TEST_F(ShaderReload, DrawsWhatTheShaderSaysNow) {
 TEST_F(ShaderReload, BrokenItLeavesThePictureAndNamesTheLine) {
     REQUIRE_DISPLAY(xvfb_);
     ASSERT_NO_FATAL_FAILURE(openOver());
-    ASSERT_NO_FATAL_FAILURE(edit("surface.frag", shaded, red));
+    ASSERT_NO_FATAL_FAILURE(edit(kernel, shaded, red));
     stepOn(1);
     const std::vector<uint8_t> before = shown();
-    const std::string good = read("surface.frag");
+    const std::string good = read(kernel);
     const size_t at = good.find(red);
     const auto line = 1 + std::count(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    ASSERT_NO_FATAL_FAILURE(edit("surface.frag", red, "    outColor = nothing;"));
+    ASSERT_NO_FATAL_FAILURE(edit(kernel, red, "    vec4 made = nothing;"));
     testing::internal::CaptureStderr();
     stepOn(1);
     const std::string said = testing::internal::GetCapturedStderr();
-    const std::string place = "surface.frag:" + std::to_string(line) + ": 'nothing'";
+    const std::string place = "shaded_surface.comp:" + std::to_string(line) + ": 'nothing'";
     expectMessage(place);
     EXPECT_NE(said.find(place), std::string::npos) << said;
     EXPECT_EQ(shown(), before);
     stepOn(2);
     EXPECT_EQ(shown(), before);
 
-    write("surface.frag", good);
+    write(kernel, good);
     stepOn(1);
     EXPECT_EQ(message(), "shaders reloaded");
     EXPECT_EQ(shown(), before);

@@ -4,7 +4,7 @@
 
 #include "seaglass/fields/water.h"
 #include "shaders/shared/water_bindings.h"
-#include "water/below/underwater.h"
+#include "water/below/view_pass.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/target.h"
@@ -13,8 +13,8 @@ namespace seaglass {
 
 namespace {
 
-UnderwaterVariant variantOf(const Body& body) {
-    UnderwaterVariant variant = {UnderwaterPass::caustics};
+ViewPassVariant variantOf(const Body& body) {
+    ViewPassVariant variant = {ViewPass::caustics};
     variant.exclusionVolumes = volumesPacked(body.exclusionVolumes);
     return variant;
 }
@@ -81,7 +81,7 @@ Status CausticsPart::drawLight(Body& body, const DrawCall& call) const {
     if (const Status s = bindBody(body, view, resources); s != Status::ok) return s;
     resources.push_back(
         {causticLightBinding, gpu::sampledImage(body.context->samplers.trilinearClamp(), light)});
-    return recordUnderwater(*body.context, call, view, variantOf(body), resources);
+    return recordViewPass(*body.context, call, view, variantOf(body), resources);
 }
 
 void CausticsPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
@@ -101,7 +101,7 @@ Status CausticsPart::prepare(const Body& body, const PrepareCall& call) const {
         if (const Status s = target.prepared.keep<ShadowedCausticBlurKernel>(*body.context); s != Status::ok)
             return s;
     if (call.output != SurfaceOutput::shaded || !holdsLight(target.desc)) return Status::ok;
-    return prepareUnderwater(target.underwater, variantOf(body));
+    return prepareViewPass(target.viewPasses, variantOf(body));
 }
 
 Part causticsPart() {

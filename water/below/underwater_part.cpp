@@ -5,7 +5,7 @@
 #include "gpu/view/encoding.h"
 #include "seaglass/fields/water.h"
 #include "water/below/caustics.h"
-#include "water/below/underwater.h"
+#include "water/below/view_pass.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/target.h"
@@ -15,11 +15,10 @@ namespace seaglass {
 namespace {
 
 /// In the order in which they are drawn.
-constexpr UnderwaterPass passes[] = {UnderwaterPass::water, UnderwaterPass::shafts, UnderwaterPass::snow,
-                                     UnderwaterPass::waterline};
+constexpr ViewPass passes[] = {ViewPass::water, ViewPass::shafts, ViewPass::snow, ViewPass::waterline};
 
-UnderwaterVariant passVariant(const Body& body, UnderwaterPass pass, bool straddles) {
-    if (pass == UnderwaterPass::snow) return {.pass = pass};
+ViewPassVariant passVariant(const Body& body, ViewPass pass, bool straddles) {
+    if (pass == ViewPass::snow) return {.pass = pass};
     return {.pass = pass,
             .straddles = straddles,
             .hasWaves = straddles && body.sea,
@@ -59,7 +58,7 @@ void UnderwaterPart::fillSnow(const Body& body, const BodyView& view, BodyBlock&
 void UnderwaterPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
     block.within.y = desc.meniscus / 2;
     if (desc.snow > 0) fillSnow(body, view, block);
-    if (!draws(body, UnderwaterPass::shafts)) return;
+    if (!draws(body, ViewPass::shafts)) return;
     const SunInWater sun = sunInWater(glm::dvec3(glm::vec4(block.toSun)));
     block.sunInWater = glm::vec4(glm::vec3(sun.from), 0);
     const double slopes = resolvedSlopeVariance(*body.sea) + unresolvedSlopeVariance(*body.sea);
@@ -68,38 +67,38 @@ void UnderwaterPart::fill(const Body& body, const BodyView& view, BodyBlock& blo
 }
 
 Status UnderwaterPart::draw(Body& body, const DrawCall& call, DrawMoment moment) const {
-    for (const UnderwaterPass pass : passes) {
-        const bool isNow = (pass == UnderwaterPass::water) == (moment == DrawMoment::beforeSurfaces);
+    for (const ViewPass pass : passes) {
+        const bool isNow = (pass == ViewPass::water) == (moment == DrawMoment::beforeSurfaces);
         if (!isNow || !draws(body, pass)) continue;
         if (const Status s = record(body, call, pass); s != Status::ok) return s;
     }
     return Status::ok;
 }
 
-Status UnderwaterPart::record(Body& body, const DrawCall& call, UnderwaterPass pass) const {
+Status UnderwaterPart::record(Body& body, const DrawCall& call, ViewPass pass) const {
     BodyView view;
     if (const Status s = body.read("draw", call.view, call.lighting, body.needsScene(), view);
         s != Status::ok)
         return s;
     const SidesSeen sides = body.sidesSeen(view.geometry);
     const bool straddles = sides == SidesSeen::either;
-    if (pass == UnderwaterPass::waterline ? !straddles : sides == SidesSeen::above) return Status::ok;
-    if (pass == UnderwaterPass::snow && view.geometry.parallel) return Status::ok;
-    if (pass == UnderwaterPass::shafts && body.toSun(call.lighting).y <= 0) return Status::ok;
-    UnderwaterVariant variant = passVariant(body, pass, straddles);
-    variant.sceneIsEncoded = pass == UnderwaterPass::water && isEncoded(call.view.sceneColor);
+    if (pass == ViewPass::waterline ? !straddles : sides == SidesSeen::above) return Status::ok;
+    if (pass == ViewPass::snow && view.geometry.parallel) return Status::ok;
+    if (pass == ViewPass::shafts && body.toSun(call.lighting).y <= 0) return Status::ok;
+    ViewPassVariant variant = passVariant(body, pass, straddles);
+    variant.sceneIsEncoded = pass == ViewPass::water && isEncoded(call.view.sceneColor);
     Resources resources;
     if (const Status s = bindBody(body, view, resources); s != Status::ok) return s;
-    return recordUnderwater(*body.context, call, view, variant, resources);
+    return recordViewPass(*body.context, call, view, variant, resources);
 }
 
-bool UnderwaterPart::draws(const Body& body, UnderwaterPass pass) const {
+bool UnderwaterPart::draws(const Body& body, ViewPass pass) const {
     switch (pass) {
-    case UnderwaterPass::shafts:
+    case ViewPass::shafts:
         return desc.shafts > 0 && body.sea;
-    case UnderwaterPass::snow:
+    case ViewPass::snow:
         return desc.snow > 0;
-    case UnderwaterPass::waterline:
+    case ViewPass::waterline:
         return desc.meniscus > 0;
     default:
         return true;
@@ -108,13 +107,12 @@ bool UnderwaterPart::draws(const Body& body, UnderwaterPass pass) const {
 
 Status UnderwaterPart::prepare(const Body& body, const PrepareCall& call) const {
     if (call.output != SurfaceOutput::shaded) return Status::ok;
-    for (const UnderwaterPass pass : passes)
+    for (const ViewPass pass : passes)
         for (const bool straddles : {false, true}) {
-            if (!draws(body, pass) || (pass == UnderwaterPass::waterline && !straddles)) continue;
-            UnderwaterVariant variant = passVariant(body, pass, straddles);
-            variant.sceneIsEncoded = pass == UnderwaterPass::water && call.sceneIsEncoded;
-            if (const Status s = prepareUnderwater(call.target.underwater, variant); s != Status::ok)
-                return s;
+            if (!draws(body, pass) || (pass == ViewPass::waterline && !straddles)) continue;
+            ViewPassVariant variant = passVariant(body, pass, straddles);
+            variant.sceneIsEncoded = pass == ViewPass::water && call.sceneIsEncoded;
+            if (const Status s = prepareViewPass(call.target.viewPasses, variant); s != Status::ok) return s;
         }
     return Status::ok;
 }

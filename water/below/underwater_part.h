@@ -1,7 +1,7 @@
 // A body that can be seen from within.
 #pragma once
 
-#include "water/below/underwater.h"
+#include "water/below/view_pass.h"
 #include "water/body/part.h"
 
 namespace seaglass {
@@ -19,9 +19,9 @@ struct UnderwaterPart {
 
   private:
     /// Whether the body has such a pass at all.
-    bool draws(const Body& body, UnderwaterPass pass) const;
+    bool draws(const Body& body, ViewPass pass) const;
     void fillSnow(const Body& body, const BodyView& view, BodyBlock& block) const;
-    Status record(Body& body, const DrawCall& call, UnderwaterPass pass) const;
+    Status record(Body& body, const DrawCall& call, ViewPass pass) const;
 };
 
 } // namespace seaglass

@@ -112,7 +112,6 @@ struct Body : Held {
     /// An eye under water that the body is not made for: refused where the view must be another matrix than
     /// is asked for, else warned of once.
     Status checkEye(const char* call, const ViewDesc& view, const ViewGeometry& geometry);
-    Status prepareSurface(const PrepareCall& call) const;
 };
 
 } // namespace seaglass

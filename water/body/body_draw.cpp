@@ -2,7 +2,7 @@
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/target.h"
-#include "water/deferred/deferred_part.h"
+#include "water/shading/shading_part.h"
 
 namespace seaglass {
 
@@ -69,17 +69,7 @@ Status Body::draw(const DrawCall& call, SurfaceOutput output) {
         s != Status::ok)
         return s;
     if (const Status s = checkDepth(call.target, seen.view.geometry); s != Status::ok) return s;
-    if (const DeferredPart* const deferred = find<DeferredPart>()) return deferred->place(*this, call, seen);
-    if (const Status s = see("draw", &call.target, seen); s != Status::ok || seen.mesh.instanceCount == 0)
-        return s;
-    Resources resources;
-    if (const Status s = bindBody(*this, seen.view, seen.block, resources); s != Status::ok) return s;
-    const DrawPipeline* pipeline = nullptr;
-    if (const Status s = call.target.pipelines.get(surfaceVariant(seen.drawn), pipeline); s != Status::ok)
-        return s;
-    setViewport(context->device, call.commands, call.view, seen.view.geometry);
-    return recordSurface(*context, call.commands, *pipeline, seen.mesh, std::move(resources),
-                         call.view.viewIndex);
+    return find<ShadingPart>()->place(*this, call, seen);
 }
 
 } // namespace seaglass

@@ -2,10 +2,8 @@
 #include <cstdint>
 
 #include "gpu/view/encoding.h"
-#include "water/below/underwater_part.h"
 #include "water/body/body.h"
 #include "water/body/target.h"
-#include "water/deferred/deferred_part.h"
 
 namespace seaglass {
 
@@ -19,20 +17,6 @@ SurfaceDraw drawnAhead(const PrepareCall& call) {
             .lighting = &call.lighting};
 }
 
-Status Body::prepareSurface(const PrepareCall& call) const {
-    if (find<DeferredPart>()) return Status::ok; // which prepares its own
-    SurfaceDraw drawn = drawnAhead(call);
-    const auto prepared = [&](SidesSeen sides) {
-        drawn.sides = sides;
-        const DrawPipeline* pipeline = nullptr;
-        return call.target.pipelines.get(surfaceVariant(drawn), pipeline);
-    };
-    if (const Status s = prepared(SidesSeen::above); s != Status::ok) return s;
-    if (!find<UnderwaterPart>() || drawn.isMotion()) return Status::ok;
-    if (const Status s = prepared(SidesSeen::below); s != Status::ok) return s;
-    return prepared(SidesSeen::either);
-}
-
 Status Body::prepare(Target& target, const ViewDesc* view, const LightingDesc* lighting,
                      SurfaceOutput output) const {
     LightingDesc usual;
@@ -41,7 +25,6 @@ Status Body::prepare(Target& target, const ViewDesc* view, const LightingDesc* l
     PrepareCall call = {target, view, lighting ? *lighting : usual, output};
     // Of scene and target alike, unless a view says otherwise.
     call.sceneIsEncoded = view ? isEncoded(view->sceneColor) : target.desc.encoding == Encoding::srgb;
-    if (const Status s = prepareSurface(call); s != Status::ok) return s;
     for (const auto& [part, state] : has)
         if (part->prepare)
             if (const Status s = part->prepare(state.get(), *this, call); s != Status::ok) return s;

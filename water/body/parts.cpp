@@ -17,7 +17,6 @@ Part reflectionPart();
 Part causticsPart();
 Part underwaterPart();
 Part shadingPart();
-Part deferredPart();
 Part sprayPart();
 
 std::span<const Part> parts() {
@@ -30,7 +29,7 @@ std::span<const Part> parts() {
         bedPart(),        refractionPart(),
         reflectionPart(), causticsPart(),
         underwaterPart(), shadingPart(),
-        deferredPart(),   sprayPart(),
+        sprayPart(),
     };
     return all;
 }

@@ -65,8 +65,7 @@ Status createTarget(Context* context, const TargetDesc* desc, Target** out) {
         auto target = std::make_unique<Target>();
         target->context = context;
         target->desc = *desc;
-        target->pipelines.init(context->device, *desc);
-        target->underwater.init(context->device, *desc);
+        target->viewPasses.init(context->device, *desc);
         target->placedSamples.init(context->device, *desc);
         target->spray.init(context->device, *desc);
         tellUnspecified(*context, *desc);

@@ -7,8 +7,8 @@
 
 #include "gpu/context.h"
 #include "seaglass/water.h"
-#include "water/below/underwater.h"
-#include "water/deferred/placed_samples.h"
+#include "water/below/view_pass.h"
+#include "water/shading/placed_samples.h"
 #include "water/spray/spray.h"
 #include "water/surface/surface.h"
 
@@ -33,8 +33,7 @@ struct PreparedKernels {
 
 struct Target : Held {
     TargetDesc desc;
-    SurfacePipelines pipelines;
-    UnderwaterPipelines underwater;
+    ViewPassPipelines viewPasses;
     PlacedSamplesPipelines placedSamples;
     SprayPipelines spray;
     PreparedKernels prepared;

@@ -8,8 +8,8 @@
 #include "water/body/body.h"
 #include "water/body/body_desc.h"
 #include "water/body/target.h"
-#include "water/deferred/deferred_part.h"
 #include "water/reflection/reflection_part.h"
+#include "water/shading/shading_part.h"
 
 namespace seaglass {
 
@@ -206,7 +206,7 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
 
 Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
              const LightingDesc* lighting, SurfaceOutput output) {
-    return recordParts("shade", commands, bodies, count, view, lighting, &DeferredPart::shade, output);
+    return recordParts("shade", commands, bodies, count, view, lighting, &ShadingPart::shade, output);
 }
 
 Status prepare(Target* target, Body* body, const ViewDesc* view, const LightingDesc* lighting,

@@ -3,8 +3,6 @@
 #include <vector>
 
 #include "shaders/shared/water_bindings.h"
-#include "spirv/motion.frag.h"
-#include "spirv/surface.frag.h"
 #include "spirv/surface.vert.h"
 
 namespace seaglass {
@@ -29,13 +27,6 @@ Status buildMeshPipeline(const gpu::Device& device, const TargetDesc& target,
     drawn.targetIsEncoded = target.encoding == Encoding::srgb;
     return createDrawPipeline(device, target, {surface_vert, fragment, drawn.constants()}, Drawing::solid,
                               what, out);
-}
-
-Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SurfaceVariant& variant,
-                     DrawPipeline& out) {
-    const std::span<const uint32_t> fragment =
-        variant.forMotion ? motion_frag : std::span<const uint32_t>(surface_frag);
-    return buildMeshPipeline(device, target, fragment, variant, "surface pipeline", out);
 }
 
 Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,

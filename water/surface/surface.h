@@ -38,11 +38,7 @@ struct SurfaceVariant {
 /// What says where the surface is, and where it is cut.
 SurfaceVariant shapeVariant(const SurfaceVariant& all);
 
-using SurfacePipelines = DrawPipelines<SurfaceVariant>;
-Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SurfaceVariant& variant,
-                     DrawPipeline& out);
-
-/// Of the surface's mesh, by another fragment shader.
+/// Of the surface's mesh, by a fragment shader.
 Status buildMeshPipeline(const gpu::Device& device, const TargetDesc& target,
                          std::span<const uint32_t> fragment, const SurfaceVariant& variant, const char* what,
                          DrawPipeline& out);

@@ -243,7 +243,7 @@ bool FrameRecorder::needed(Stage stage) const {
     case Stage::reflect:
         return hasWater || (floor && floor->reflector);
     case Stage::shade:
-        return hasWater && water->parts().deferred && !overlay;
+        return hasWater && !overlay;
     case Stage::overlay:
         return overlay;
     case Stage::lens:

@@ -99,8 +99,7 @@ bool WaterPass::createBody(const WaterDesc& desc, WaterBody& out, Error& error) 
     if (!context_.ok(seaglass::createBody(context_.get(), &body, &made), error)) return false;
     const bool planar =
         body.reflection && body.reflection->technique == seaglass::ReflectionTechnique::planar;
-    out = WaterBody(made, {planar, body.caustics != nullptr, body.bed != nullptr, body.shading.deferred,
-                           std::move(volumes)});
+    out = WaterBody(made, {planar, body.caustics != nullptr, body.bed != nullptr, std::move(volumes)});
     return exclude(out, {}, error);
 }
 

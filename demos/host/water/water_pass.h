@@ -14,7 +14,6 @@ struct WaterParts {
     bool planar = false; ///< to draw what it mirrors
     bool caustics = false;
     bool bed = false;                               ///< to draw what lies below it
-    bool deferred = false;                          ///< to shade it before it is drawn
     std::vector<seaglass::ExclusionVolume> volumes; ///< that stay where they are
 };
 
@@ -70,7 +69,7 @@ class WaterPass {
                  seaglass::PlanarView& out, Error& error);
     bool reflect(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                  const FrameTargets& targets, Error& error);
-    /// Before draw() of a deferred one, after reflect().
+    /// Before draw() of the same, after reflect().
     bool shade(VkCommandBuffer commands, const WaterBody& body, const Camera& camera,
                const FrameTargets& targets, const seaglass::LightingDesc& lighting, Aov aov, Error& error);
     /// Draws into targets.overlay how the library understands the frame, after reflect().

@@ -349,7 +349,11 @@ std::string calledNow(const std::string& where, const std::string& path, std::st
     return where + ": " + join(path, key) + " is called " + std::string(now) + " now";
 }
 
-/// Gives the file's former keys their present names, but where both are there.
+std::string isGone(const std::string& where, const std::string& path, const GoneKey& gone) {
+    return where + ": " + join(path, gone.key) + " is no more: " + std::string(gone.why);
+}
+
+/// Gives the file's former keys their present names, but where both are there, and drops those that went.
 void renameFormer(toml::table& table, const Section& section, const std::string& path,
                   const std::string& file, std::vector<std::string>& notes) {
     for (const FormerKey& former : formerKeys) {
@@ -358,6 +362,12 @@ void renameFormer(toml::table& table, const Section& section, const std::string&
         notes.push_back(calledNow(place(*node, file), path, former.before, former.now));
         table.get(former.before)->visit([&](auto& found) { table.insert(former.now, std::move(found)); });
         table.erase(former.before);
+    }
+    for (const GoneKey& gone : goneKeys) {
+        const toml::node* const node = table.get(gone.key);
+        if (section.key != gone.section || !node) continue;
+        notes.push_back(isGone(place(*node, file), path, gone));
+        table.erase(gone.key);
     }
     for (const Child& child : section.children) {
         toml::node* const node = table.get(child.section->key);
@@ -466,6 +476,10 @@ class Overrider {
             }
         }
         rename(*section, keys, keys.size() - 1);
+        if (const GoneKey* const gone = goneKey(section->key, keys.back())) {
+            notes_.push_back(isGone(source_, pathTo(keys, keys.size() - 1), *gone));
+            return true;
+        }
         dropOtherWay(*section, *table, keys.back());
         // The last key is checked with all others, by the reader, which knows this override by its source.
         value->get("v")->visit([&](auto& node) { table->insert_or_assign(keys.back(), std::move(node)); });
@@ -485,10 +499,15 @@ class Overrider {
     void rename(const Section& section, std::vector<std::string>& keys, size_t i) {
         const std::string_view now = presentKey(section.key, keys[i]);
         if (now == keys[i]) return;
+        notes_.push_back(calledNow(source_, pathTo(keys, i), keys[i], now));
+        keys[i] = now;
+    }
+
+    /// To the key number `i`.
+    static std::string pathTo(const std::vector<std::string>& keys, size_t i) {
         std::string path;
         for (size_t j = 0; j < i; ++j) path = join(path, keys[j]);
-        notes_.push_back(calledNow(source_, path, keys[i], now));
-        keys[i] = now;
+        return path;
     }
 
     toml::table* descend(toml::table& parent, const std::string& key) {

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
 #include "constant.glsl"
-#include "underwater_constants.h"
+#include "view_pass_constants.h"
 #include "water_bindings.h"
 #include "body.glsl"
 #include "encoding.glsl"

@@ -2,7 +2,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "constant.glsl"
-#include "underwater_constants.h"
+#include "view_pass_constants.h"
 #include "water_bindings.h"
 #include "one_view.glsl"
 #include "body.glsl"

@@ -1,6 +1,6 @@
 // What the surface mirrors: an integral over the slopes that the eye can see, along the line of sight, each with its own
 // Fresnel term and weighted by its visible area. Without it the mean normal makes the far sea a mirror of the horizon. Needs
-// quad.glsl or tile_quad.glsl.
+// tile_quad.glsl.
 
 #include "reflection_lookup.glsl"
 
@@ -95,9 +95,7 @@ float sharedInQuad(const SurfacePoint s, SlopeSpread seen, float spread, float h
 // The more of the mean where they share in part, or what each found for itself would stand out as a pattern of dots.
 vec4 meanFound(vec4 own, float share) {
     vec4 mean = meanOfQuad(own);
-    // Where a triangle ends, the quad's other pixels lie on what it would go on as.
-    bool sound = share > 0.0 && all(greaterThanEqual(mean, vec4(0.0))) && mean.a < 1.001;
-    return sound ? mix(own, mean, share * (2.0 - share)) : own;
+    return share > 0.0 ? mix(own, mean, share * (2.0 - share)) : own;
 }
 
 // Deviation of the mirrored directions that one look stands for, in those of all slopes: mirroring doubles angles.

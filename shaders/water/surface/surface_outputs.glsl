@@ -71,7 +71,7 @@ vec4 debugOutput(const SurfacePoint s, vec3 normal, vec3 toEye) {
     if (hasReflection && surfaceOutput == outputClass) return vec4(classColor(s, mirrored), 1.0);
     if (hasReflection && surfaceOutput == outputReflectionSource) return reflectionSource(s, mirrored);
     if (surfaceOutput == outputReflectionSource) return vec4(-1.0, -1.0, 0.0, 1.0);   // the sky
-    if (surfaceOutput == outputReflection) return vec4(heldOf(mirroredRadiance(s, toEye), targetIsEncoded), 1.0);
+    if (surfaceOutput == outputReflection) return vec4(mirroredRadiance(s, toEye), 1.0);
     return vec4(0.0, 0.0, 0.0, 1.0);
 }
 
@@ -81,5 +81,5 @@ vec4 shaded(SurfacePoint s) {
     vec3 normal = normalOf(s.slope);
     if (surfaceOutput != outputShaded) return debugOutput(s, normal, toEye);
     if (hasSunShadow) s.sunSeen = sunSeenOver(s);
-    return vec4(heldOf(radianceFrom(s, foamOn(s), normal, toEye), targetIsEncoded), 1.0);
+    return vec4(radianceFrom(s, foamOn(s), normal, toEye), 1.0);
 }

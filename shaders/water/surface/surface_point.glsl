@@ -63,8 +63,9 @@ vec4 keptAt(const SurfacePoint s) {
 void sampleWaves(vec3 at, int cascade, Footprint pixel, out vec4 derivatives, out vec4 moments) {
     if (slopeSamples == 1) {
         float covered = length(pixel.longer) * water.cascade[cascade].w;
-        derivatives = meanOverPixel(waveDerivatives, at, covered);
-        moments = meanOverPixel(waveMoments, at, covered);
+        float level = log2(max(covered, 1e-6));
+        derivatives = textureLod(waveDerivatives, at, level);
+        moments = textureLod(waveMoments, at, level);
         return;
     }
     float texels = water.cascade[cascade].z;

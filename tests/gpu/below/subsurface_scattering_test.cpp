@@ -99,8 +99,8 @@ TEST_F(SubsurfaceScattering, CostsNothingWhereItIsNotAskedFor) {
         spiedCalls().clear();
         picture({body}, camera_, 5);
         for (const SpiedCall& call : spiedCalls())
-            if (call.name == "CreateGraphicsPipelines")
-                return call.constants.at(surfaceConstant("hasSubsurfaceScattering"));
+            if (call.name == "CreateComputePipelines" && call.constants.size() == surfaceConstants)
+                return call.constants[surfaceConstant("hasSubsurfaceScattering")];
         return ~0u;
     };
     EXPECT_EQ(constantOf(scattering(0)), 0u);

@@ -238,6 +238,7 @@ class ForeignHost : public GpuTest {
             renderer.drawScene(context(), commands, wall.z / wall.w);
             EXPECT_EQ(simulate(commands, &body, 1, 3), Status::ok) << message();
             EXPECT_EQ(reflect(commands, &body, 1, &viewDesc), Status::ok) << message();
+            EXPECT_EQ(seaglass::shade(commands, &body, 1, &viewDesc, &light), Status::ok) << message();
             renderer.begin(commands, renderer.waterPass.get());
             EXPECT_EQ(draw(commands, target, &body, 1, &viewDesc, &light), Status::ok) << message();
             vkCmdEndRenderPass(commands);

@@ -319,11 +319,13 @@ TEST_F(Mistakes, CallsTwiceOrTooLateInAFrameAreNamed) {
         EXPECT_MISUSE(simulate(commands, &waves, 1, 1), "simulate: it was called for the body in this frame",
                       message());
         EXPECT_EQ(reflect(commands, &waves, 1, &view), Status::ok) << message();
+        EXPECT_EQ(shade(commands, &waves, 1, &view, &lighting), Status::ok) << message();
         EXPECT_EQ(draw(commands, target, &waves, 1, &view, &lighting), Status::ok) << message();
         EXPECT_EQ(reflect(commands, &waves, 1, &view), Status::ok) << "of another camera with this index";
     });
     recordOnly([&](VkCommandBuffer commands) {
-        EXPECT_EQ(draw(commands, target, &waves, 1, &view, &lighting), Status::ok) << "waves stand still";
+        EXPECT_EQ(shade(commands, &waves, 1, &view, &lighting), Status::ok) << "waves stand still";
+        EXPECT_EQ(draw(commands, target, &waves, 1, &view, &lighting), Status::ok) << message();
         EXPECT_MISUSE(simulate(commands, &waves, 1, 1), "simulate: the body was drawn in this frame",
                       message());
         EXPECT_MISUSE(reflect(commands, &waves, 1, &view), "reflect: the body was drawn in this view",
@@ -465,6 +467,7 @@ TEST_F(Mistakes, DrawingOutsideAPassIsHeardByValidation) {
     expectValidationMessages();
     const uint32_t before = device().validationMessages();
     recordOnly([&](VkCommandBuffer commands) {
+        EXPECT_EQ(shade(commands, &body, 1, &view, &lighting), Status::ok) << message();
         EXPECT_EQ(draw(commands, target, &body, 1, &view, &lighting), Status::ok)
             << "a command buffer does not tell";
     });

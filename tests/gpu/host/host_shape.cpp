@@ -291,7 +291,6 @@ void ShapedHost::createWater(bool reversedDepth, const std::function<void(seagla
     if (change) change(desc);
     caustics_ = desc.caustics;
     bed_ = desc.bed;
-    deferred_ = desc.shading.deferred;
     EXPECT_EQ(seaglass::createBody(context_, &desc, &body_), Status::ok) << message_;
 }
 
@@ -607,9 +606,7 @@ void ShapedHost::submit(uint32_t slotIndex, std::span<const Camera> cameras, dou
             }
     });
     for (const seaglass::ViewDesc& view : views)
-        if (deferred_) {
-            EXPECT_EQ(seaglass::shade(slot.primary, &body_, 1, &view, &lighting_), Status::ok) << message_;
-        }
+        EXPECT_EQ(seaglass::shade(slot.primary, &body_, 1, &view, &lighting_), Status::ok) << message_;
     for (size_t pass = 0; pass < slot.passes.size(); ++pass) {
         const Targets& targets = slot.passes[pass];
         for (const Attachment* color : {&targets.color, &targets.manyColors})

@@ -124,7 +124,7 @@ class ShapedHost {
     seaglass::Context* context_ = nullptr;
     seaglass::Target* target_ = nullptr;
     seaglass::Body* body_ = nullptr;
-    bool caustics_ = false, bed_ = false, deferred_ = false;
+    bool caustics_ = false, bed_ = false;
     demos::Image skyCube_, shadowMap_;
     demos::UniqueImageView shadowView_;
     seaglass::SunShadow sunShadow_;

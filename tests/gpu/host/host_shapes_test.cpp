@@ -71,12 +71,8 @@ struct Case {
 
 class HostsOfShape : public HostShapes, public testing::WithParamInterface<Case> {};
 
-void deferred(BodyDesc& desc) {
-    desc.shading.deferred = true;
-}
-
-/// `expected`: what the plain host draws of the body that `change` makes.
-void expectDrawnAlike(const Case& test, Picture expected, void (*change)(BodyDesc&)) {
+void expectPlainPicture(const Case& test) {
+    Picture expected = plainPicture();
     Camera camera = shoreCamera();
     camera.reversed = test.reversed;
     camera.far = test.far;
@@ -85,7 +81,7 @@ void expectDrawnAlike(const Case& test, Picture expected, void (*change)(BodyDes
         expected = displayed(expected);
     else if (test.shape.color == VK_FORMAT_R8G8B8A8_UNORM)
         for (float& value : expected) value = std::clamp(value, 0.0f, 1.0f);
-    Picture drawn = ShapedHost(device(), test.shape, test.reversed, {}, change).picture(camera);
+    Picture drawn = ShapedHost(device(), test.shape, test.reversed).picture(camera);
     if (test.shape.encoding == Encoding::srgb)
         for (float& value : drawn) value = std::min(value, 1.0f); // where a display ends
     // A value may lie in the middle between two that the format holds.
@@ -101,14 +97,7 @@ void expectDrawnAlike(const Case& test, Picture expected, void (*change)(BodyDes
 
 TEST_P(HostsOfShape, DrawThePlainPicture) {
     if (!canDraw(GetParam().shape)) GTEST_SKIP() << "the device does not draw into " << GetParam().shape.name;
-    expectDrawnAlike(GetParam(), plainPicture(), [](BodyDesc&) {});
-}
-
-TEST_P(HostsOfShape, DrawDeferredWaterAlike) {
-    if (!canDraw(GetParam().shape)) GTEST_SKIP() << "the device does not draw into " << GetParam().shape.name;
-    static const Picture plain = ShapedHost(device(), {}, true, {}, deferred).picture(shoreCamera());
-    EXPECT_LE(apart(plainPicture(), plain, 0.05f), 0.05);
-    expectDrawnAlike(GetParam(), plain, deferred);
+    expectPlainPicture(GetParam());
 }
 
 /// A shape, plain or another, with a field of its own.
@@ -376,21 +365,6 @@ TEST_F(OwnDevices, HaveAQueueFamilyOtherThanTheFirst) {
     demos::Device* other = make(shape);
     if (!other) GTEST_SKIP() << why();
     EXPECT_EQ(ShapedHost(*other).picture(shoreCamera()), plainPicture());
-}
-
-TEST_F(OwnDevices, DrawSeveralViewsOfDeferredWaterInOnePass) {
-    demos::DeviceShape deviceShape;
-    deviceShape.multiview = true;
-    demos::Device* device = make(deviceShape);
-    ASSERT_TRUE(device) << why();
-    const std::vector<Camera> cameras = eyes();
-    HostShape shape;
-    shape.multiview = true;
-    ShapedHost together(*device, shape, true, {}, deferred);
-    together.submit(0, cameras, 5);
-    ShapedHost apart(*device, {}, true, {}, deferred);
-    apart.submit(0, cameras, 5);
-    EXPECT_EQ(together.fetch(0), apart.fetch(0));
 }
 
 TEST_F(OwnDevices, DrawSeveralViewsInOnePass) {

@@ -124,6 +124,7 @@ VkResult VKAPI_CALL spiedCompute(VkDevice device, VkPipelineCache cache, uint32_
     SpiedCall call{"CreateComputePipelines"};
     call.cache = cache;
     call.stages.push_back(spiedStage(infos->stage));
+    call.constants = call.stages.back().constants;
     note(std::move(call));
     return vkCreateComputePipelines(device, cache, count, infos, allocator, pipelines);
 }

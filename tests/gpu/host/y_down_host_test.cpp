@@ -133,6 +133,7 @@ TEST_F(YDownHost, DrawsThePictureOfOneWithYUp) {
     worldFrom(world, &light);
     frame([&](VkCommandBuffer commands) {
         EXPECT_EQ(simulate(commands, &water, 1, 5), seaglass::Status::ok) << message();
+        EXPECT_EQ(shade(commands, &water, 1, &view, &light), seaglass::Status::ok) << message();
         renderer.beginPass(commands);
         EXPECT_EQ(draw(commands, target, &water, 1, &view, &light), seaglass::Status::ok) << message();
         vkCmdEndRenderPass(commands);

@@ -1,4 +1,4 @@
-// The number of one of the surface's specialisation constants, by its name.
+// The numbers of the surface's specialisation constants, by their names.
 #pragma once
 
 #include <cstddef>
@@ -13,5 +13,11 @@ constexpr size_t surfaceConstant(std::string_view wanted) {
 #undef CONSTANT
     return ~size_t{0};
 }
+
+constexpr size_t surfaceConstants = 0
+#define CONSTANT(number, type, name, usual) +1
+#include "shaders/shared/surface_constants.h"
+#undef CONSTANT
+    ;
 
 } // namespace tests

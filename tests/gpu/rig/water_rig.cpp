@@ -136,6 +136,12 @@ void WaterTest::drawCausticsOf(seaglass::Body* body, const seaglass::LightingDes
     };
 }
 
+void WaterTest::shadeBefore(seaglass::Body* body, seaglass::SurfaceOutput output) {
+    beforeDrawing = [this, body, output](VkCommandBuffer commands, const seaglass::ViewDesc& view) {
+        return seaglass::shade(commands, &body, 1, &view, &lighting, output);
+    };
+}
+
 WaterPicture WaterTest::picture(const std::vector<seaglass::Body*>& bodies, const Camera& camera, double time,
                                 seaglass::SurfaceOutput output, const SceneBehind& behind) {
     using seaglass::Status;

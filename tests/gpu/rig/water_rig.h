@@ -57,6 +57,8 @@ class WaterTest : public GpuTest {
     std::function<void(VkCommandBuffer)> beforeReflection;
     /// Recorded before that pass; null: nothing.
     std::function<seaglass::Status(VkCommandBuffer, const seaglass::ViewDesc&)> beforeDrawing;
+    /// From here on beforeDrawing shades the body, for `drawing`.
+    void shadeBefore(seaglass::Body* body, seaglass::SurfaceOutput output = seaglass::SurfaceOutput::shaded);
     /// What picture() records in its pass, without shade() before; null: draw().
     std::function<seaglass::Status(VkCommandBuffer, seaglass::Target*, const seaglass::ViewDesc&)> drawing;
     seaglass::LightingDesc lighting; ///< no sun; the sky cube's radiance is 1, 2, 3

@@ -1,4 +1,4 @@
-// What a host may ask for but hardly means: it is drawn, and told of once.
+// What a host may ask for but hardly means: it is shaded, and told of once.
 #include <cmath>
 #include <cstring>
 
@@ -19,23 +19,24 @@ class Doubtful : public WaterTest {
         camera_.height = 18;
     }
 
-    /// What draw() gives, and says: nothing is empty.
+    /// What shade() gives, and says: nothing is empty.
     struct Answer {
         Status status = Status::ok;
         std::string text;
     };
-    Answer draw(Body* body, const glm::dmat4& view) {
+    Answer shade(Body* body, const glm::dmat4& view) {
         Answer answer;
-        drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& given) {
+        beforeDrawing = [&](VkCommandBuffer commands, const ViewDesc& given) {
             ViewDesc told = given;
             copyMatrix(view, told.view);
             // What was said before is put away by what is said of this.
             EXPECT_EQ(simulate(commands, &body, 1, NAN), Status::invalidArgument);
             const std::string before = message();
-            answer.status = seaglass::draw(commands, target, &body, 1, &told, &lighting);
+            answer.status = seaglass::shade(commands, &body, 1, &told, &lighting);
             if (message() != before) answer.text = message();
             return Status::ok;
         };
+        drawing = [](VkCommandBuffer, Target*, const ViewDesc&) { return Status::ok; };
         picture({body}, camera_);
         return answer;
     }
@@ -58,17 +59,17 @@ TEST_F(Doubtful, AnEyeUnderABodyMadeToBeSeenFromAbove) {
     camera_.eye = {0, -2, 0};
     camera_.target = {0, -1, -10};
     const glm::dmat4 view = viewMatrix(camera_);
-    EXPECT_EQ(draw(dived, view).text, "");
-    const Answer first = draw(body, view);
+    EXPECT_EQ(shade(dived, view).text, "");
+    const Answer first = shade(body, view);
     EXPECT_EQ(first.status, Status::ok);
     EXPECT_TRUE(contains(first.text, "the eye is 2 m under a body without BodyDesc.underwater"))
         << first.text;
-    EXPECT_EQ(draw(body, view).text, ""); // once
+    EXPECT_EQ(shade(body, view).text, ""); // once
     const ExclusionVolume hull = {
         {{1, 0, 0, -3}, {-1, 0, 0, -3}, {0, 0, 1, -3}, {0, 0, -1, -3}, {0, -1, 0, -3}}};
     Body* const boat = makeBody({});
     EXPECT_EQ(setExclusionVolumes(boat, &hull, 1), Status::ok) << message();
-    EXPECT_EQ(draw(boat, view).text, "");
+    EXPECT_EQ(shade(boat, view).text, "");
 }
 
 // Right views are never refused, whatever they look like.
@@ -83,10 +84,10 @@ TEST_F(Doubtful, ACamerasOwnMatrixInThePlaceOfItsInverse) {
             camera_.target =
                 camera_.eye + glm::dvec3(std::sin(y) * std::cos(p), std::sin(p), -std::cos(y) * std::cos(p));
             const glm::dmat4 view = viewMatrix(camera_);
-            const Answer right = draw(body, view);
+            const Answer right = shade(body, view);
             EXPECT_EQ(right.status, Status::ok);
             EXPECT_EQ(right.text, "");
-            const Answer wrong = draw(body, glm::inverse(view));
+            const Answer wrong = shade(body, glm::inverse(view));
             const bool isUnder = (glm::inverse(glm::inverse(view)) * glm::dvec4(0, 0, 0, 1)).y < 0;
             EXPECT_EQ(wrong.status, isUnder ? Status::invalidArgument : Status::ok) << yaw << " " << pitch;
             EXPECT_TRUE(
@@ -103,13 +104,13 @@ TEST_F(Doubtful, ACamerasOwnMatrixInThePlaceOfItsInverse) {
     desc.underwater = &underwater;
     Body* const dived = makeBody(desc);
     const glm::dmat4 own = glm::inverse(viewMatrix(camera_));
-    EXPECT_TRUE(contains(draw(dived, own).text, "is it world to view?"));
-    EXPECT_EQ(draw(dived, own).text, "");
+    EXPECT_TRUE(contains(shade(dived, own).text, "is it world to view?"));
+    EXPECT_EQ(shade(dived, own).text, "");
     // A diver who is rolled and looks level along +X looks like one.
     camera_.eye = {3, -2, 0};
     camera_.target = {13, -2, 0};
     camera_.rollDegrees = 20;
-    EXPECT_EQ(draw(makeBody({}), viewMatrix(camera_)).status, Status::ok);
+    EXPECT_EQ(shade(makeBody({}), viewMatrix(camera_)).status, Status::ok);
 }
 
 TEST_F(Doubtful, ShallowSeasThatNoBedLowers) {

@@ -155,12 +155,12 @@ TEST_F(Motion, OfWavesIsRefusedWhereTheyAreNotKept) {
     addWaves();
     desc_.motion = false;
     Body* const body = makeBody(desc_);
-    drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
-        Body* const bodies[] = {body};
-        EXPECT_EQ(draw(commands, target, bodies, 1, &view, &lighting, SurfaceOutput::motion),
+    beforeDrawing = [&](VkCommandBuffer commands, const ViewDesc& view) {
+        EXPECT_EQ(shade(commands, &body, 1, &view, &lighting, SurfaceOutput::motion),
                   Status::invalidArgument);
         return Status::ok;
     };
+    drawing = [](VkCommandBuffer, Target*, const ViewDesc&) { return Status::ok; };
     picture({body}, camera_);
     EXPECT_NE(message().find("BodyDesc.motion"), std::string::npos) << message();
 }

@@ -95,9 +95,11 @@ TEST_F(Prepared, TheFirstFramesMakeNoPipeline) {
     Body* const body = makeBody(desc_);
     spiedCalls().clear();
     prepareFor(body, &lighting);
-    // The surface from above, below and both; the water before the scene, whole and cut, and its line; light.
-    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 7u);
-    EXPECT_EQ(countSpied("CreateComputePipelines"), 1u) << "of light in shadow";
+    // The surface found and placed; the water before the scene, whole and cut, and its line; light.
+    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 6u);
+    // Listing in three steps, sorted from above alone; shading by four lists from above, by one from below
+    // and from both; light in shadow.
+    EXPECT_EQ(countSpied("CreateComputePipelines"), 13u);
     spiedCalls().clear();
     prepareFor(body, &lighting);
     EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u) << "they were made twice";
@@ -135,7 +137,8 @@ TEST_F(Prepared, NothingIsMadeInVain) {
     Body* const body = makeBody(plain);
     spiedCalls().clear();
     prepareFor(body, nullptr);
-    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 1u);
+    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 2u) << "found and placed";
+    EXPECT_EQ(countSpied("CreateComputePipelines"), 4u) << "listed in three steps, and shaded";
 }
 
 TEST_F(Prepared, OnAnotherThreadWhileOthersDraw) {
@@ -148,6 +151,7 @@ TEST_F(Prepared, OnAnotherThreadWhileOthersDraw) {
     std::thread other;
     std::atomic<Status> prepared{Status::vulkanError};
     std::atomic<bool> done{false};
+    shadeBefore(first);
     drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
         if (!other.joinable())
             other = std::thread([&, target, view] {

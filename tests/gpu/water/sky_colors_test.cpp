@@ -180,7 +180,7 @@ TEST_F(SkyOfColors, RoughWaterBlursThemAsItDoesTheirCube) {
         desc.refraction = &refraction_;
         desc.foam = &foam;
         const Difference d = difference(desc);
-        EXPECT_LT(d.worst, 0.07) << wind;
+        EXPECT_LT(d.worst, 0.08) << wind;
         EXPECT_LT(d.inMean, 0.008) << wind;
     }
 }
@@ -228,15 +228,12 @@ TEST_F(SkyOfColors, NoShaderCouldReadACube) {
     BodyDesc desc;
     Body* const body = makeBody(desc);
     lighting = colors_;
-    drawing = [&](VkCommandBuffer commands, Target* target, const ViewDesc& view) {
-        spiedCalls().clear();
-        return draw(commands, target, &body, 1, &view, &lighting);
-    };
+    beforeReflection = [](VkCommandBuffer) { spiedCalls().clear(); };
     picture({body}, camera_);
-    size_t fragments = 0;
+    size_t pipelines = 0;
     for (const SpiedCall& call : spiedCalls())
         if (!call.stages.empty()) {
-            ++fragments;
+            ++pipelines;
             const std::vector<uint32_t>& words = call.stages.back().spirv;
             // OpDecorate of Binding 2
             const uint32_t binding[] = {4u << 16 | 71u, 33, 2};
@@ -244,7 +241,7 @@ TEST_F(SkyOfColors, NoShaderCouldReadACube) {
                 EXPECT_FALSE(words[i] == binding[0] && words[i + 2] == binding[1] &&
                              words[i + 3] == binding[2]);
         }
-    EXPECT_EQ(fragments, 1u);
+    EXPECT_EQ(pipelines, 6u) << "it is found, listed in three steps, shaded and placed";
 }
 
 } // namespace

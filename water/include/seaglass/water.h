@@ -75,8 +75,7 @@ struct ShadingDesc {
     uint32_t sprayParticles = 131072; ///< of spray in a view, at most, 1024..262144
     bool parallax = false; ///< shades waves too short for the mesh at their own height; not on a shore
     Fresnel fresnel = Fresnel::exact; ///< of what the eye sees; light for the bed enters by exact's share
-    bool deferred = false; ///< found first, then shaded once a pixel, by shade(), which comes before draw()
-    uint32_t pixelsPerShading = 1; ///< of a deferred one, 1, 2 or 4: others are as those beside them are
+    uint32_t pixelsPerShading = 1;    ///< to one that is shaded, 1, 2 or 4: others are as those beside them
 };
 
 /// What a body covers of its plane.
@@ -229,21 +228,21 @@ enum class SurfaceOutput : uint32_t {
     motion,
 };
 
-/// Finds the surfaces of bodies with `ShadingDesc::deferred` in `view` and shades each of their pixels once,
-/// for draw() of the same view and output, with this lighting, later in this frame. Records nothing of other
-/// bodies. In a primary command buffer, outside any render pass, after reflect(). Reads the view's scene, the
-/// sky cube and the shadow map in compute shaders, and sceneDepth in fragment shaders. Allocates when an
-/// index sees its largest view, for each output that is asked for.
+/// Finds the surfaces of the bodies in `view` and shades each of their pixels once, for draw() of the same
+/// view and output, with this lighting, later in this frame. In a primary command buffer, outside any render
+/// pass, after reflect(). Reads the view's scene, the sky cube and the shadow map in compute shaders, and
+/// sceneDepth in fragment shaders. Both of the scene may be null unless a body has `underwater` or `bed`; see
+/// RefractionDesc. Of a multisampled scene refraction wants reflect() before. Allocates when an index sees
+/// its largest view, for each output that is asked for.
 Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
              const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
-/// Draws the bodies into the pass that the host has begun: a colour attachment and a depth attachment with
-/// test and write, of the target's formats. Reads view.sceneColor and view.sceneDepth in fragment shaders, so
-/// they must not be the attachments written (a copy of the colour; depth may be a read-only attachment or a
-/// copy). Both may be null unless a body has `underwater` or `bed`; see RefractionDesc. Leaves pipeline,
-/// descriptor sets, push constants and index buffer bound to its own; the viewport and scissor are set from
-/// the view. Of a multisampled scene refraction wants reflect() before. A body with `ShadingDesc::deferred`
-/// wants shade() with the same view and output before, and is then placed as that shaded it.
+/// Places what shade() made of the bodies, with the same view, lighting and output, in the pass that the host
+/// has begun: a colour attachment and a depth attachment with test and write, of the target's formats. For an
+/// eye in the water it reads view.sceneColor and view.sceneDepth in fragment shaders, so they must not be the
+/// attachments written (a copy of the colour; depth may be a read-only attachment or a copy). Leaves
+/// pipeline, descriptor sets, push constants and index buffer bound to its own; the viewport and scissor are
+/// set from the view.
 ///
 /// For an eye, or a near plane of parallel lines of sight, in a body with `underwater` each pixel whose line
 /// begins in the water first becomes sceneColor as it looks through it, then surfaces are drawn as ever, then

@@ -46,10 +46,9 @@ inline constexpr Field shadingFieldRows[] = {
                                   "Shades waves shorter than the mesh's cells at their own height.")
         .byQuality(false, false, true, true),
     field<&ShadingDesc::fresnel>("fresnel", fresnels, "What share of light is mirrored."),
-    field<&ShadingDesc::deferred>("deferred", "Found first, then each pixel shaded once, by shade()."),
     field<&ShadingDesc::pixelsPerShading>(
         "pixelsPerShading", 1, 4, "",
-        "Of a deferred surface to one that is shaded; others are as those beside them are.")
+        "Of the surface to one that is shaded; others are as those beside them are.")
         .powersOfTwo()
         .byQuality(4, 2, 1, 1),
 };

@@ -16,27 +16,27 @@ namespace seaglass {
 /// What drifts before an eye in the water.
 constexpr uint32_t snowParticles = snowSizes * snowCellsAcross * snowCellsAcross * snowCellsAcross;
 
-enum class UnderwaterPass : uint32_t { water, waterline, caustics, surface, shafts, snow };
+enum class ViewPass : uint32_t { water, waterline, caustics, surface, shafts, snow };
 
-struct UnderwaterVariant {
-    UnderwaterPass pass = UnderwaterPass::water;
-#define CONSTANTS "shaders/shared/below/underwater_constants.h"
+struct ViewPassVariant {
+    ViewPass pass = ViewPass::water;
+#define CONSTANTS "shaders/shared/below/view_pass_constants.h"
 #include "gpu/pipeline/constants.inl"
-    auto operator<=>(const UnderwaterVariant&) const = default;
+    auto operator<=>(const ViewPassVariant&) const = default;
 };
 
-using UnderwaterPipelines = DrawPipelines<UnderwaterVariant>;
-Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
+using ViewPassPipelines = DrawPipelines<ViewPassVariant>;
+Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const ViewPassVariant& variant,
                      DrawPipeline& out);
 
 struct BodyView;
 struct DrawCall;
 
 /// Makes a variant's pipeline ahead of its first draw.
-Status prepareUnderwater(UnderwaterPipelines& pipelines, const UnderwaterVariant& variant);
+Status prepareViewPass(ViewPassPipelines& pipelines, const ViewPassVariant& variant);
 
 /// `resources`: all that the variant's shaders read.
-Status recordUnderwater(Context& context, const DrawCall& call, const BodyView& view,
-                        const UnderwaterVariant& variant, std::span<const gpu::Bound> resources);
+Status recordViewPass(Context& context, const DrawCall& call, const BodyView& view,
+                      const ViewPassVariant& variant, std::span<const gpu::Bound> resources);
 
 } // namespace seaglass

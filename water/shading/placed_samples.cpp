@@ -1,4 +1,4 @@
-#include "water/deferred/placed_samples.h"
+#include "water/shading/placed_samples.h"
 
 #include "spirv/placed_samples.frag.h"
 

@@ -1,4 +1,4 @@
-#include "water/deferred/found_surface.h"
+#include "water/shading/found_surface.h"
 
 #include <utility>
 

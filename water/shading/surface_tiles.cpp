@@ -1,4 +1,4 @@
-#include "water/deferred/surface_tiles.h"
+#include "water/shading/surface_tiles.h"
 
 #include "spirv/surface_tiles.comp.h"
 
@@ -10,9 +10,10 @@ constexpr VkBufferUsageFlags tilesUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                           VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
                                           VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
 
+/// Of the lists, of what each tile needs, and of what each group of 64 has.
 VkDeviceSize tilesBytes(VkExtent2D extent) {
-    return sizeof(FoundTilesHeader) +
-           VkDeviceSize{tileCount(extent, 1)} * foundUintsPerTile * sizeof(uint32_t);
+    const VkDeviceSize tiles = tileCount(extent, 1), groups = (tiles + 63) / 64;
+    return sizeof(FoundTilesHeader) + sizeof(uint32_t) * (tiles * (foundLists + 1) + groups * foundLists);
 }
 
 } // namespace

@@ -95,8 +95,10 @@ SurfacePoint shownPoint(Found found, ivec2 at) {
     vec2 widest = max(abs(right.calm), abs(down.calm));
     s.pixelLength = max(widest.x, widest.y);
     s.position = found.position;
-    s.overPlane = found.position + vec3(0.0, globeDrop(found.calm), 0.0);
-    s.height = s.overPlane.y + water.plane.w;
+    s.height = found.position.y + globeDrop(found.calm) + water.plane.w;
+    // The mesh's chords cut under the ball: from the air by more than waves are high.
+    if (onGlobe) s.height = clamp(s.height, -water.found.x, water.found.x);
+    s.overPlane = vec3(found.position.x, s.height - water.plane.w, found.position.z);
     if (onGlobe) s.level = levelAt(found.calm);
     if (hasShore) s.shore = shoreWave(found.calm, s.pixelLength);
     s.calm = shownCalm(found.calm, s.footprint, found.position, s.height, cross(right.position, down.position));

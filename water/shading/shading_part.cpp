@@ -1,13 +1,14 @@
-#include "water/deferred/deferred_part.h"
+#include "water/shading/shading_part.h"
 
 #include <algorithm>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
+#include "seaglass/fields/water.h"
 #include "shaders/shared/water_bindings.h"
-#include "water/below/underwater.h"
 #include "water/below/underwater_part.h"
+#include "water/below/view_pass.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/target.h"
@@ -35,21 +36,25 @@ bool isSame(const BodyBlock& a, const BodyBlock& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-UnderwaterVariant overView(SurfaceOutput output) {
+ViewPassVariant overView(SurfaceOutput output) {
     const bool isLight = output == SurfaceOutput::shaded || output == SurfaceOutput::reflection;
-    return {.pass = UnderwaterPass::surface, .placesFigures = !isLight};
+    return {.pass = ViewPass::surface, .placesFigures = !isLight};
 }
 
 } // namespace
 
-Status DeferredPart::addCost(const AskedBody& asked, Estimate& sum) {
+FieldError ShadingPart::validate(const BodyDesc& desc) {
+    return badField(shadingFields, &desc.shading);
+}
+
+Status ShadingPart::addCost(const AskedBody& asked, Estimate& sum) {
     const gpu::Device& device = asked.context.device;
     sum.bytesPerView +=
         FoundSurface::bytes(device, asked.extent) + ShadedSurface::bytes(device, asked.extent);
     return Status::ok;
 }
 
-Status DeferredPart::create(Body& body, const BodyDesc&) {
+Status ShadingPart::create(Body& body, const BodyDesc&) {
     Context& context = *body.context;
     if (const Status s = context.share(passes_); s != Status::ok) return s;
     if (const Status s = context.share(tiles_); s != Status::ok) return s;
@@ -57,7 +62,7 @@ Status DeferredPart::create(Body& body, const BodyDesc&) {
     return context.share(kernels_);
 }
 
-void DeferredPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
+void ShadingPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
     const ViewGeometry& geometry = view.geometry;
     block.relativeFromFound = glm::mat4(geometry.reversedDepth ? geometry.relativeFromPixel
                                                                : geometry.relativeFromPixel * turnedDepth());
@@ -65,12 +70,18 @@ void DeferredPart::fill(const Body& body, const BodyView& view, BodyBlock& block
     block.found = glm::vec4(most, 1 / most, 0, 0);
 }
 
-DeferredPart::Sources DeferredPart::sourcesOf(const ViewDesc& view, const LightingDesc& lighting) {
+void ShadingPart::vary(const Body& body, const SurfaceDraw& draw, SurfaceVariant& variant) const {
+    variant.bySchlick = body.shading.fresnel == Fresnel::schlick;
+    if (draw.output == SurfaceOutput::shaded && draw.sides == SidesSeen::above)
+        variant.pixelsPerShading = body.shading.pixelsPerShading;
+}
+
+ShadingPart::Sources ShadingPart::sourcesOf(const ViewDesc& view, const LightingDesc& lighting) {
     return {view.sceneColor.view, view.sceneDepth.view, lighting.skyCube,
             lighting.shadow ? lighting.shadow->map.view : VK_NULL_HANDLE};
 }
 
-Status DeferredPart::fit(Context& context, VkExtent2D region, SurfaceOutput output, Picture& picture) const {
+Status ShadingPart::fit(Context& context, VkExtent2D region, SurfaceOutput output, Picture& picture) const {
     if (picture.found.holds(region)) return Status::ok;
     VkExtent2D wanted = region;
     if (picture.found.holds({1, 1})) {
@@ -85,7 +96,7 @@ Status DeferredPart::fit(Context& context, VkExtent2D region, SurfaceOutput outp
     return Status::ok;
 }
 
-Status DeferredPart::getKernels(const SurfaceVariant& variant, ShadedBy& out) const {
+Status ShadingPart::getKernels(const SurfaceVariant& variant, ShadedBy& out) const {
     TileSorting sorting = tileSorting(variant);
     if (!sortsTiles) sorting.mirrors = sorting.bed = false;
     out.pixelsPerShading = sorting.pixelsPerShading;
@@ -95,7 +106,7 @@ Status DeferredPart::getKernels(const SurfaceVariant& variant, ShadedBy& out) co
     return getListed(*kernels_, variant, sorting, out.shading);
 }
 
-Status DeferredPart::record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture) {
+Status ShadingPart::record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture) {
     Context& context = *body.context;
     const ViewGeometry& geometry = seen.view.geometry;
     const SurfaceOutput output = seen.drawn.output;
@@ -118,8 +129,8 @@ Status DeferredPart::record(Body& body, VkCommandBuffer commands, const SeenSurf
                                  extentOf(geometry));
 }
 
-Status DeferredPart::shade(Body& body, VkCommandBuffer commands, const ViewDesc& view,
-                           const LightingDesc& lighting, SurfaceOutput output) {
+Status ShadingPart::shade(Body& body, VkCommandBuffer commands, const ViewDesc& view,
+                          const LightingDesc& lighting, SurfaceOutput output) {
     SeenSurface seen;
     if (const Status s = body.readSurface("shade", view, lighting, output, seen.view, seen.drawn);
         s != Status::ok)
@@ -137,13 +148,14 @@ Status DeferredPart::shade(Body& body, VkCommandBuffer commands, const ViewDesc&
     return Status::ok;
 }
 
-Status DeferredPart::find(const Body& body, const BodyView& view, const Picture*& out) const {
+Status ShadingPart::find(const Body& body, const BodyView& view, const Picture*& out) const {
     const Context& context = *body.context;
     const auto& pictures = views_[view.given->viewIndex];
     const auto found = pictures.find(view.surface->output);
     if (found == pictures.end() || found->second.frame != context.frameNumber)
-        return context.device.misused("draw: ShadingDesc.deferred is true, and shade() was not called for "
-                                      "the body and this view, with this output, in this frame before");
+        return context.device.misused(
+            "draw: shade() was not called for the body and this view, with this output, in "
+            "this frame before");
     const Picture& picture = found->second;
     if (!isSame(picture.block, bodyBlock(body, view)) ||
         picture.sources != sourcesOf(*view.given, *view.lighting))
@@ -153,8 +165,8 @@ Status DeferredPart::find(const Body& body, const BodyView& view, const Picture*
     return Status::ok;
 }
 
-void DeferredPart::bindPicture(const Context& context, const Picture& picture, SurfaceOutput output,
-                               Resources& out) {
+void ShadingPart::bindPicture(const Context& context, const Picture& picture, SurfaceOutput output,
+                              Resources& out) {
     const VkSampler nearest = context.samplers.nearestClamp();
     const VkImageView shown =
         output == SurfaceOutput::motion ? picture.found.beside() : picture.shaded.color.view();
@@ -162,7 +174,7 @@ void DeferredPart::bindPicture(const Context& context, const Picture& picture, S
     out.push_back({shadedBinding, gpu::sampledImage(nearest, shown)});
 }
 
-Status DeferredPart::place(Body& body, const DrawCall& call, SeenSurface& seen) const {
+Status ShadingPart::place(Body& body, const DrawCall& call, SeenSurface& seen) const {
     const Picture* picture = nullptr;
     if (const Status s = find(body, seen.view, picture); s != Status::ok) return s;
     if (!picture->shows) return Status::ok;
@@ -170,19 +182,19 @@ Status DeferredPart::place(Body& body, const DrawCall& call, SeenSurface& seen) 
     return isSampled ? placeSamples(body, call, seen, *picture) : placeView(body, call, seen.view, *picture);
 }
 
-Status DeferredPart::placeView(Body& body, const DrawCall& call, const BodyView& view,
-                               const Picture& picture) const {
+Status ShadingPart::placeView(Body& body, const DrawCall& call, const BodyView& view,
+                              const Picture& picture) const {
     Context& context = *body.context;
     const SurfaceOutput output = view.surface->output;
     gpu::Slice slice;
     if (const Status s = context.frame().upload(picture.block, slice); s != Status::ok) return s;
     Resources resources = {{bodyBinding, gpu::uniformBuffer(slice)}};
     bindPicture(context, picture, output, resources);
-    return recordUnderwater(context, call, view, overView(output), resources);
+    return recordViewPass(context, call, view, overView(output), resources);
 }
 
-Status DeferredPart::placeSamples(Body& body, const DrawCall& call, SeenSurface& seen,
-                                  const Picture& picture) const {
+Status ShadingPart::placeSamples(Body& body, const DrawCall& call, SeenSurface& seen,
+                                 const Picture& picture) const {
     Context& context = *body.context;
     const PlacedSamplesVariant variant = placedSamplesVariant(body.surfaceVariant(seen.drawn));
     // The mesh is that of light: where the last frame showed it has been asked once.
@@ -198,8 +210,7 @@ Status DeferredPart::placeSamples(Body& body, const DrawCall& call, SeenSurface&
                          call.view.viewIndex);
 }
 
-Status DeferredPart::prepareShading(const Body& body, const PrepareCall& call,
-                                    SurfaceVariant& variant) const {
+Status ShadingPart::prepareShading(const Body& body, const PrepareCall& call, SurfaceVariant& variant) const {
     SurfaceDraw drawn = drawnAhead(call);
     const bool hasSides = body.find<UnderwaterPart>() && !drawn.isMotion();
     for (const SidesSeen sides : {SidesSeen::either, SidesSeen::below, SidesSeen::above}) {
@@ -213,7 +224,7 @@ Status DeferredPart::prepareShading(const Body& body, const PrepareCall& call,
     return Status::ok;
 }
 
-Status DeferredPart::prepare(const Body& body, const PrepareCall& call) const {
+Status ShadingPart::prepare(const Body& body, const PrepareCall& call) const {
     SurfaceVariant variant;
     if (const Status s = prepareShading(body, call, variant); s != Status::ok) return s;
     const DrawPipeline* pipeline = nullptr;
@@ -222,12 +233,12 @@ Status DeferredPart::prepare(const Body& body, const PrepareCall& call) const {
         return s;
     Target& target = call.target;
     return target.desc.samples == VK_SAMPLE_COUNT_1_BIT
-               ? prepareUnderwater(target.underwater, overView(call.output))
+               ? prepareViewPass(target.viewPasses, overView(call.output))
                : target.placedSamples.get(placedSamplesVariant(variant), pipeline);
 }
 
-Part deferredPart() {
-    return partFrom<DeferredPart>();
+Part shadingPart() {
+    return partFrom<ShadingPart>();
 }
 
 } // namespace seaglass

@@ -1,4 +1,4 @@
-// A surface that is found first and shaded once, in shade(); draw() then places what that made.
+// The surface: found first and shaded once, in shade(); draw() then places what that made.
 #pragma once
 
 #include <array>
@@ -6,17 +6,19 @@
 
 #include "gpu/view/limits.h"
 #include "water/body/part.h"
-#include "water/deferred/shaded_surface.h"
+#include "water/shading/shaded_surface.h"
 
 namespace seaglass {
 
 struct SeenSurface;
 
-struct DeferredPart {
-    static bool wanted(const BodyDesc& desc, const Sea*) { return desc.shading.deferred; }
+struct ShadingPart {
+    static FieldError validate(const BodyDesc& desc);
+    static bool wanted(const BodyDesc&, const Sea*) { return true; }
     static Status addCost(const AskedBody& asked, Estimate& sum);
     Status create(Body& body, const BodyDesc& desc);
     void fill(const Body& body, const BodyView& view, BodyBlock& block) const;
+    void vary(const Body& body, const SurfaceDraw& draw, SurfaceVariant& variant) const;
     Status prepare(const Body& body, const PrepareCall& call) const;
 
     Status shade(Body& body, VkCommandBuffer commands, const ViewDesc& view, const LightingDesc& lighting,

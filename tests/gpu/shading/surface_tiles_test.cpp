@@ -1,4 +1,4 @@
-// Tiles of a deferred surface, sorted by what their shading needs: that they show what all shaded alike do,
+// Tiles of a surface, sorted by what their shading needs: that they show what all shaded alike do,
 // to the bit; that many need little; and that the lists hold each tile once, in the order of rows.
 #include <algorithm>
 #include <cstring>
@@ -8,7 +8,7 @@
 #include "shaders/shared/found_tiles_block.h"
 #include "tests/gpu/rig/water_rig.h"
 #include "water/body/body.h"
-#include "water/deferred/deferred_part.h"
+#include "water/shading/shading_part.h"
 
 namespace {
 
@@ -39,7 +39,6 @@ class SurfaceTilesTest : public WaterTest, public testing::WithParamInterface<Pl
         body_.refraction = &refraction_;
         body_.reflection = &reflection_;
         setQuality(Quality::medium, &body_, &reflection_);
-        body_.shading.deferred = true;
         body_.shading.pixelsPerShading = 1; // tiles are counted, of 8 x 8 pixels each
         camera_.eye = {3, 4, 7};
         camera_.target = {3, 2, -13};
@@ -61,10 +60,7 @@ class SurfaceTilesTest : public WaterTest, public testing::WithParamInterface<Pl
 
     WaterPicture shadedBy(bool sorted) {
         shown_ = makeBody(body_);
-        shown_->find<DeferredPart>()->sortsTiles = sorted;
-        beforeDrawing = [this](VkCommandBuffer commands, const ViewDesc& view) {
-            return shade(commands, &shown_, 1, &view, &lighting);
-        };
+        shown_->find<ShadingPart>()->sortsTiles = sorted;
         return picture({shown_}, camera_, 5, SurfaceOutput::shaded, post());
     }
 
@@ -73,7 +69,7 @@ class SurfaceTilesTest : public WaterTest, public testing::WithParamInterface<Pl
 
     /// Header and all, of what was shaded last.
     std::vector<uint32_t> words() const {
-        return downloadWords(shown_->find<DeferredPart>()->tiles(0).handle(),
+        return downloadWords(shown_->find<ShadingPart>()->tiles(0).handle(),
                              headerWords + size_t{foundLists + 1} * tileCount());
     }
 

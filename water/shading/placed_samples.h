@@ -1,7 +1,7 @@
 // What was shaded of a surface, placed in a multisampled pass by its mesh.
 #pragma once
 
-#include "water/deferred/found_surface.h"
+#include "water/shading/found_surface.h"
 
 namespace seaglass {
 

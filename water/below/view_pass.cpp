@@ -1,4 +1,4 @@
-#include "water/below/underwater.h"
+#include "water/below/view_pass.h"
 
 #include "spirv/caustics.frag.h"
 #include "spirv/caustics.vert.h"
@@ -22,19 +22,19 @@ struct PassInfo {
     uint32_t triangles = 1;
 };
 
-PassInfo infoOf(UnderwaterPass pass) {
+PassInfo infoOf(ViewPass pass) {
     switch (pass) {
-    case UnderwaterPass::water:
+    case ViewPass::water:
         return {"underwater", underwater_vert, underwater_frag, Drawing::over};
-    case UnderwaterPass::waterline:
+    case ViewPass::waterline:
         return {"waterline", underwater_vert, waterline_frag, Drawing::blended};
-    case UnderwaterPass::surface:
+    case ViewPass::surface:
         return {"placed_surface", underwater_vert, placed_surface_frag, Drawing::solid};
-    case UnderwaterPass::shafts:
+    case ViewPass::shafts:
         return {"shafts", underwater_vert, underwater_frag, Drawing::added};
-    case UnderwaterPass::snow:
+    case ViewPass::snow:
         return {"marine_snow", marine_snow_vert, marine_snow_frag, Drawing::floating, snowParticles};
-    case UnderwaterPass::caustics:
+    case ViewPass::caustics:
         break;
     }
     return {"caustics", caustics_vert, caustics_frag, Drawing::scaled};
@@ -42,26 +42,26 @@ PassInfo infoOf(UnderwaterPass pass) {
 
 } // namespace
 
-Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const UnderwaterVariant& variant,
+Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const ViewPassVariant& variant,
                      DrawPipeline& out) {
-    UnderwaterVariant drawn = variant;
-    drawn.ofShafts = variant.pass == UnderwaterPass::shafts;
+    ViewPassVariant drawn = variant;
+    drawn.ofShafts = variant.pass == ViewPass::shafts;
     drawn.inViews = target.viewMask != 0;
     drawn.targetIsEncoded = target.encoding == Encoding::srgb;
     const PassInfo info = infoOf(variant.pass);
     return createDrawPipeline(device, target, {info.vertex, info.fragment, drawn.constants()}, info.drawing,
-                              "underwater pipeline", out);
+                              "view pass pipeline", out);
 }
 
-Status prepareUnderwater(UnderwaterPipelines& pipelines, const UnderwaterVariant& variant) {
+Status prepareViewPass(ViewPassPipelines& pipelines, const ViewPassVariant& variant) {
     const DrawPipeline* pipeline = nullptr;
     return pipelines.get(variant, pipeline);
 }
 
-Status recordUnderwater(Context& context, const DrawCall& call, const BodyView& view,
-                        const UnderwaterVariant& variant, std::span<const gpu::Bound> resources) {
+Status recordViewPass(Context& context, const DrawCall& call, const BodyView& view,
+                      const ViewPassVariant& variant, std::span<const gpu::Bound> resources) {
     const DrawPipeline* pipeline = nullptr;
-    if (const Status s = call.target.underwater.get(variant, pipeline); s != Status::ok) return s;
+    if (const Status s = call.target.viewPasses.get(variant, pipeline); s != Status::ok) return s;
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(pipeline->layout, resources, set); s != Status::ok)
         return s;

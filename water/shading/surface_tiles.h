@@ -10,7 +10,7 @@
 #include "gpu/pipeline/constants.h"
 #include "gpu/pipeline/kernel.h"
 #include "shaders/shared/found_tiles_block.h"
-#include "water/deferred/found_surface.h"
+#include "water/shading/found_surface.h"
 
 namespace seaglass {
 

@@ -9,7 +9,7 @@
 #include "gpu/memory/buffer.h"
 #include "gpu/memory/image.h"
 #include "gpu/pipeline/kernel.h"
-#include "water/deferred/surface_tiles.h"
+#include "water/shading/surface_tiles.h"
 
 namespace seaglass {
 

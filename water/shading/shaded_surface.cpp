@@ -1,4 +1,4 @@
-#include "water/deferred/shaded_surface.h"
+#include "water/shading/shaded_surface.h"
 
 #include <algorithm>
 

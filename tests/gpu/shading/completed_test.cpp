@@ -1,4 +1,4 @@
-// Deferred surfaces of which one pixel of 2 or of 4 is shaded: that the others are what they would be,
+// Surfaces of which one pixel of 2 or of 4 is shaded: that the others are what they would be,
 // nearly, that nothing bleeds over a crest's edge, and that a slow camera sees no more change.
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,6 @@ class Completed : public WaterTest {
         body_.waves = &sea_;
         body_.wavesBackend = fftwWaves();
         body_.refraction = &refraction_;
-        body_.shading.deferred = true;
         camera_.eye = {3, 4, 7};
         camera_.target = {3, 2, -13};
         camera_.width = 181;
@@ -28,9 +27,6 @@ class Completed : public WaterTest {
         const glm::dvec3 toSun = glm::normalize(glm::dvec3(0.3, 0.15, -0.94));
         for (int i = 0; i < 3; ++i) lighting.toSun[i] = toSun[i];
         std::ranges::fill(lighting.sunIrradiance, 5.0f);
-        beforeDrawing = [this](VkCommandBuffer commands, const ViewDesc& view) {
-            return shade(commands, &shown_, 1, &view, &lighting);
-        };
     }
 
     void shadeOneOf(uint32_t pixels) {
