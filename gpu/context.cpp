@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "seaglass/fields/host.h"
+#include "gpu/interface/fields/host.h"
 
 namespace seaglass {
 

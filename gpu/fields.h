@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "seaglass/fields/field.h"
+#include "gpu/interface/fields/rows.h"
 
 namespace seaglass {
 
@@ -62,6 +62,13 @@ inline void addExpected(FieldError& line, const Field& field) {
         line.add(field.low).add(" to ").add(field.high);
     }
     if (field.unit[0] != '\0') line.add(beforeUnit).add(field.unit);
+}
+
+/// Whether all values of a description's field are what it may hold.
+inline bool isInRange(const Field& field, const void* desc) {
+    for (uint32_t i = 0; i < field.count; ++i)
+        if (!isInRange(field, field.get(desc, i))) return false;
+    return true;
 }
 
 /// Whether a row is that of a member.

@@ -8,10 +8,10 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
+#include "gpu/interface/fields/host.h"
 #include "gpu/view/encoding.h"
 #include "gpu/view/limits.h"
 #include "gpu/view/scene_formats.h"
-#include "seaglass/fields/host.h"
 
 namespace seaglass {
 

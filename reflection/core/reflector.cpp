@@ -6,9 +6,9 @@
 #include "gpu/view/scene_formats.h"
 #include "reflection/core/mirror.h"
 #include "reflection/interface/body_reflector.h"
+#include "reflection/interface/fields/reflection.h"
 #include "reflection/planar/planar.h"
 #include "reflection/sspr/tiles.h"
-#include "seaglass/fields/reflection.h"
 
 namespace seaglass {
 

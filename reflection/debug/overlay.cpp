@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "reflection/core/mirror.h"
-#include "seaglass/fields/reflection.h"
+#include "reflection/interface/fields/reflection.h"
 #include "shaders/shared/overlay_block.h"
 #include "shaders/shared/reflection_bindings.h"
 #include "spirv/overlay.comp.h"

@@ -3,6 +3,8 @@
 
 int main() {
     const seaglass::SeaDesc desc;
+    for (const seaglass::Field& field : seaglass::fieldsOf(desc))
+        if (!seaglass::isInRange(field, field.get(&desc, 0))) return 1;
     seaglass::Sea* sea = seaglass::createSea(&desc, nullptr);
     if (!sea) return 1;
     const double point[] = {12, 34};

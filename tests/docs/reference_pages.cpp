@@ -12,11 +12,7 @@
 #include "scene/fields.h"
 #include "scene/save.h"
 #include "scene/text_file.h"
-#include "seaglass/fields/fog.h"
-#include "seaglass/fields/host.h"
-#include "seaglass/fields/reflection.h"
-#include "seaglass/fields/sea.h"
-#include "seaglass/fields/water.h"
+#include "seaglass/water.h"
 
 namespace {
 
@@ -49,7 +45,7 @@ std::string code(const std::string& text) {
 
 /// A description as new, whatever it is.
 struct Described {
-    const FieldTable* table;
+    FieldTable table;
     const char* header;
     std::function<std::string(const Field&)> asNew;
 };
@@ -61,8 +57,8 @@ std::string valueOf(const Field& field, double value) {
 }
 
 template<class Desc>
-Described described(const FieldTable& table, const char* header) {
-    return {&table, header, [](const Field& field) {
+Described described(const char* header) {
+    return {fieldsOf(Desc{}), header, [](const Field& field) {
                 const Desc desc;
                 std::string text;
                 for (uint32_t i = 0; i < field.count; ++i)
@@ -108,13 +104,13 @@ std::map<const Field*, std::string> sceneKeys(const Section& section, const std:
 }
 
 void addTable(const Described& of, const std::map<const Field*, std::string>& keys, std::string& page) {
-    page += "\n## " + std::string(of.table->desc) + "\n\n`" + of.header + "`\n\n";
+    page += "\n## " + std::string(of.table.desc) + "\n\n`" + of.header + "`\n\n";
     page += "| field | range | default | unit | in scenes | what it is |\n|---|---|---|---|---|---|\n";
-    for (const Field& field : *of.table) {
+    for (const Field& field : of.table) {
         const auto key = keys.find(&field);
         page += "| " + code(field.name) + " | " + rangeOf(field) + " | " + of.asNew(field) + " | " +
                 field.unit + " | " + code(key == keys.end() ? "" : key->second) + " | " + field.about +
-                readersOf(*of.table, field) + " |\n";
+                readersOf(of.table, field) + " |\n";
     }
 }
 
@@ -123,9 +119,9 @@ void addQuality(const std::vector<Described>& all, std::string& page) {
     for (const std::string_view name : demos::qualities()) page.append(" ").append(name).append(" |");
     page += "\n|---|---|---|---|---|\n";
     for (const Described& of : all) {
-        for (const Field& field : *of.table) {
+        for (const Field& field : of.table) {
             if (!field.graded) continue;
-            page += "| `" + std::string(of.table->desc) + "::" + field.name + "` |";
+            page += "| `" + std::string(of.table.desc) + "::" + field.name + "` |";
             for (const double grade : field.grades) page += " " + valueOf(field, grade) + " |";
             page += "\n";
         }
@@ -137,35 +133,35 @@ void addQuality(const std::vector<Described>& all, std::string& page) {
 std::string settingsPage() {
     using namespace seaglass;
     const std::vector<Described> all = {
-        described<BodyDesc>(bodyFields, "seaglass/water.h"),
-        described<ExtentDesc>(extentFields, "seaglass/water.h"),
-        described<MeshDesc>(meshFields, "seaglass/water.h"),
-        described<ShadingDesc>(shadingFields, "seaglass/water.h"),
-        described<SeaDesc>(seaFields, "seaglass/sea.h"),
-        described<SwellDesc>(swellFields, "seaglass/sea.h"),
-        described<SpectrumSample>(spectrumSampleFields, "seaglass/sea.h"),
-        described<ShoreDesc>(shoreFields, "seaglass/sea.h"),
-        described<FoamDesc>(foamFields, "seaglass/foam.h"),
-        described<RefractionDesc>(refractionFields, "seaglass/water.h"),
-        described<ReflectionDesc>(reflectionFields, "seaglass/reflection.h"),
-        described<UnderwaterDesc>(underwaterFields, "seaglass/water.h"),
-        described<CausticsDesc>(causticsFields, "seaglass/water.h"),
-        described<SprayDesc>(sprayFields, "seaglass/water.h"),
-        described<BedDesc>(bedFields, "seaglass/water.h"),
-        described<LightingDesc>(lightingFields, "seaglass/host.h"),
-        described<SunShadow>(sunShadowFields, "seaglass/host.h"),
-        described<FogDesc>(fogFields, "seaglass/fog.h"),
-        described<ViewDesc>(viewFields, "seaglass/host.h"),
-        described<Image>(imageFields, "seaglass/host.h"),
-        described<SceneSamples>(sceneSampleFields, "seaglass/reflection.h"),
-        described<TargetDesc>(targetFields, "seaglass/water.h"),
-        described<OverlayDesc>(overlayFields, "seaglass/reflection.h"),
-        described<DeviceDesc>(deviceFields, "seaglass/host.h"),
+        described<BodyDesc>("seaglass/water.h"),
+        described<ExtentDesc>("seaglass/water.h"),
+        described<MeshDesc>("seaglass/water.h"),
+        described<ShadingDesc>("seaglass/water.h"),
+        described<SeaDesc>("seaglass/sea.h"),
+        described<SwellDesc>("seaglass/sea.h"),
+        described<SpectrumSample>("seaglass/sea.h"),
+        described<ShoreDesc>("seaglass/sea.h"),
+        described<FoamDesc>("seaglass/foam.h"),
+        described<RefractionDesc>("seaglass/water.h"),
+        described<ReflectionDesc>("seaglass/reflection.h"),
+        described<UnderwaterDesc>("seaglass/water.h"),
+        described<CausticsDesc>("seaglass/water.h"),
+        described<SprayDesc>("seaglass/water.h"),
+        described<BedDesc>("seaglass/water.h"),
+        described<LightingDesc>("seaglass/host.h"),
+        described<SunShadow>("seaglass/host.h"),
+        described<FogDesc>("seaglass/fog.h"),
+        described<ViewDesc>("seaglass/host.h"),
+        described<Image>("seaglass/host.h"),
+        described<SceneSamples>("seaglass/reflection.h"),
+        described<TargetDesc>("seaglass/water.h"),
+        described<OverlayDesc>("seaglass/reflection.h"),
+        described<DeviceDesc>("seaglass/host.h"),
     };
     std::string page = note;
-    page += "# Settings\n\nWhat the descriptions hold, but pointers and images. The tables are "
-            "`seaglass/fields/*.h`, for a host's own "
-            "panels, consoles and files.\nBeyond its range a field is refused: `Status::invalidArgument`, "
+    page += "# Settings\n\nWhat the descriptions hold, but pointers and images: `fieldsOf()` of "
+            "`seaglass/fields.h`, for a host's own panels, consoles and files.\nBeyond its range a field is "
+            "refused: `Status::invalidArgument`, "
             "and a line that names it. How "
             "they work together, the headers say.\n";
     const auto keys = sceneKeys(demos::sceneSection());

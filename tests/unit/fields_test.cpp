@@ -1,17 +1,17 @@
 // The tables of settings: what they say, and that the library holds to it.
 #include "gpu/context.h"
 #include "gpu/fields.h"
+#include "gpu/interface/fields/fog.h"
+#include "gpu/interface/fields/host.h"
 #include "gpu/view/view.h"
 #include "reflection/debug/overlay.h"
-#include "seaglass/fields/fog.h"
-#include "seaglass/fields/host.h"
-#include "seaglass/fields/reflection.h"
-#include "seaglass/fields/sea.h"
-#include "seaglass/fields/water.h"
+#include "reflection/interface/fields/reflection.h"
 #include "tests/unit/cameras.h"
 #include "water/body/body_desc.h"
 #include "water/body/target.h"
 #include "water/interface/checks.h"
+#include "water/interface/fields/sea.h"
+#include "water/interface/fields/water.h"
 #include "water/light/lighting.h"
 
 #include <gtest/gtest.h>
@@ -184,6 +184,38 @@ TEST_F(Tables, NameEachFieldOnceAndSayWhatItIs) {
         }
         EXPECT_FALSE(names.empty());
     }
+}
+
+TEST_F(Tables, AreHandedOutToHosts) {
+    const auto same = [](const FieldTable& given, const FieldTable& own) {
+        EXPECT_STREQ(given.desc, own.desc);
+        EXPECT_EQ(given.fields, own.fields) << own.desc;
+        EXPECT_EQ(given.count, own.count) << own.desc;
+    };
+    same(fieldsOf(DeviceDesc{}), deviceFields);
+    same(fieldsOf(Image{}), imageFields);
+    same(fieldsOf(ViewDesc{}), viewFields);
+    same(fieldsOf(SunShadow{}), sunShadowFields);
+    same(fieldsOf(LightingDesc{}), lightingFields);
+    same(fieldsOf(FogDesc{}), fogFields);
+    same(fieldsOf(SceneSamples{}), sceneSampleFields);
+    same(fieldsOf(ReflectionDesc{}), reflectionFields);
+    same(fieldsOf(OverlayDesc{}), overlayFields);
+    same(fieldsOf(SeaDesc{}), seaFields);
+    same(fieldsOf(SpectrumSample{}), spectrumSampleFields);
+    same(fieldsOf(SwellDesc{}), swellFields);
+    same(fieldsOf(ShoreDesc{}), shoreFields);
+    same(fieldsOf(FoamDesc{}), foamFields);
+    same(fieldsOf(BodyDesc{}), bodyFields);
+    same(fieldsOf(ExtentDesc{}), extentFields);
+    same(fieldsOf(MeshDesc{}), meshFields);
+    same(fieldsOf(ShadingDesc{}), shadingFields);
+    same(fieldsOf(RefractionDesc{}), refractionFields);
+    same(fieldsOf(UnderwaterDesc{}), underwaterFields);
+    same(fieldsOf(CausticsDesc{}), causticsFields);
+    same(fieldsOf(SprayDesc{}), sprayFields);
+    same(fieldsOf(BedDesc{}), bedFields);
+    same(fieldsOf(TargetDesc{}), targetFields);
 }
 
 /// What a field's type holds beyond an end of its range.

@@ -3,9 +3,9 @@
 #include <glm/matrix.hpp>
 
 #include "reflection/interface/drawn_images.h"
-#include "seaglass/fields/water.h"
 #include "shaders/shared/water_bindings.h"
 #include "water/body/body.h"
+#include "water/interface/fields/water.h"
 
 namespace seaglass {
 

@@ -2,12 +2,12 @@
 
 #include <cstring>
 
-#include "seaglass/fields/water.h"
 #include "shaders/shared/water_bindings.h"
 #include "water/below/view_pass.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/target.h"
+#include "water/interface/fields/water.h"
 
 namespace seaglass {
 

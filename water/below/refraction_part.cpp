@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "gpu/view/encoding.h"
-#include "seaglass/fields/water.h"
 #include "shaders/shared/water_bindings.h"
 #include "water/body/body.h"
 #include "water/body/target.h"
+#include "water/interface/fields/water.h"
 
 namespace seaglass {
 

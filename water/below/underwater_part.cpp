@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "gpu/view/encoding.h"
-#include "seaglass/fields/water.h"
 #include "water/below/caustics.h"
 #include "water/below/view_pass.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/target.h"
+#include "water/interface/fields/water.h"
 
 namespace seaglass {
 

@@ -3,8 +3,8 @@
 #include <glm/vec4.hpp>
 
 #include "gpu/view/plane.h"
-#include "seaglass/fields/water.h"
 #include "water/body/part.h"
+#include "water/interface/fields/water.h"
 
 namespace seaglass {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "seaglass/fields/reflection.h"
-#include "seaglass/fields/water.h"
+#include "reflection/interface/fields/reflection.h"
+#include "water/interface/fields/water.h"
 
 namespace seaglass {
 

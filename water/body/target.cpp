@@ -3,7 +3,7 @@
 #include "gpu/guard.h"
 #include "gpu/view/encoding.h"
 #include "gpu/view/limits.h"
-#include "seaglass/fields/water.h"
+#include "water/interface/fields/water.h"
 
 namespace seaglass {
 

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "gpu/guard.h"
-#include "seaglass/fields/reflection.h"
+#include "reflection/interface/fields/reflection.h"
 #include "water/below/bed_part.h"
 #include "water/below/caustics_part.h"
 #include "water/body/body.h"

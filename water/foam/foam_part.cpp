@@ -1,9 +1,9 @@
 #include "water/foam/foam_part.h"
 
-#include "seaglass/fields/sea.h"
 #include "shaders/shared/foam/foam_tiles.h"
 #include "shaders/shared/water_bindings.h"
 #include "water/body/body.h"
+#include "water/interface/fields/sea.h"
 #include "water/interface/foam_gate.h"
 #include "water/interface/foam_layers.h"
 #include "water/interface/whitecaps.h"

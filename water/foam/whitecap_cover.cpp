@@ -1,7 +1,7 @@
 // How much of the simulated sea is white.
 #include "gpu/fields.h"
-#include "seaglass/fields/sea.h"
 #include "water/foam/foam_history.h"
+#include "water/interface/fields/sea.h"
 #include "water/interface/foam_gate.h"
 #include "water/interface/foam_layers.h"
 #include "water/sea/sea.h"

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "gpu/interface/fields/fog.h"
+#include "gpu/interface/fields/host.h"
 #include "gpu/view/scene_formats.h"
 #include "gpu/view/view.h"
-#include "seaglass/fields/fog.h"
-#include "seaglass/fields/host.h"
 #include "shaders/shared/body_block.h"
 
 namespace seaglass {

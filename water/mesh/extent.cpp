@@ -9,8 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "seaglass/fields/water.h"
 #include "water/interface/checks.h"
+#include "water/interface/fields/water.h"
 #include "water/sea/sea.h"
 
 namespace seaglass {

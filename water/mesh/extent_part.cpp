@@ -1,9 +1,9 @@
 // What a body covers of its plane, as a part of it.
-#include "seaglass/fields/water.h"
 #include "shaders/shared/water_bindings.h"
 #include "water/body/body.h"
 #include "water/body/part.h"
 #include "water/interface/checks.h"
+#include "water/interface/fields/water.h"
 #include "water/mesh/host_mesh.h"
 #include "water/mesh/mesh.h"
 

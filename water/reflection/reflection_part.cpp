@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seaglass/fields/reflection.h"
+#include "reflection/interface/fields/reflection.h"
 #include "shaders/shared/water_bindings.h"
 #include "water/below/refraction_part.h"
 #include "water/body/body.h"

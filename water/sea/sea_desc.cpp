@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "gpu/fields.h"
-#include "seaglass/fields/sea.h"
+#include "water/interface/fields/sea.h"
 
 namespace seaglass {
 namespace {

@@ -5,13 +5,13 @@
 #include <type_traits>
 #include <utility>
 
-#include "seaglass/fields/water.h"
 #include "shaders/shared/water_bindings.h"
 #include "water/below/underwater_part.h"
 #include "water/below/view_pass.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/target.h"
+#include "water/interface/fields/water.h"
 
 namespace seaglass {
 

@@ -5,13 +5,13 @@
 
 #include <glm/geometric.hpp>
 
-#include "seaglass/fields/water.h"
 #include "shaders/shared/water_bindings.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/parallel_view.h"
 #include "water/body/target.h"
 #include "water/foam/foam_fading.h"
+#include "water/interface/fields/water.h"
 #include "water/light/lighting.h"
 #include "water/spray/spume.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "seaglass/fields/fog.h"
+#include "seaglass/fog.h"
 
 namespace demos {
 

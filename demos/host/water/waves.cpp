@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "host/files/spectrum_file.h"
-#include "seaglass/fields/sea.h"
+#include "seaglass/sea.h"
 
 #ifdef DEMOS_WAVES_FFTW
 #include "seaglass/waves_fftw.h"

@@ -4,12 +4,12 @@
 #include <array>
 #include <charconv>
 
+#include "gpu/interface/fields/fog.h"
+#include "reflection/interface/fields/reflection.h"
 #include "scene/nearest.h"
 #include "scene/settings.h"
-#include "seaglass/fields/fog.h"
-#include "seaglass/fields/reflection.h"
-#include "seaglass/fields/sea.h"
-#include "seaglass/fields/water.h"
+#include "water/interface/fields/sea.h"
+#include "water/interface/fields/water.h"
 
 namespace demos {
 

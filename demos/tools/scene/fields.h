@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "seaglass/fields/field.h"
+#include "seaglass/fields.h"
 
 namespace demos {
 

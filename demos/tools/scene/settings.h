@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "scene/fields.h"
-#include "seaglass/fields/field.h"
+#include "seaglass/fields.h"
 
 namespace demos {
 

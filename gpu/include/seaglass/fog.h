@@ -1,10 +1,7 @@
-// Fog between the eye and what it sees, as the host has it: for the water's own shading, and as numbers for
-// the host's shaders, which include medium.glsl.
+// The host's fog: for the water's shading, and as numbers for the host's shaders, which include medium.glsl.
 #pragma once
 
-#include "seaglass/version.h"
-
-#include <cstdint>
+#include "seaglass/fields.h"
 
 namespace seaglass {
 
@@ -13,12 +10,12 @@ enum class FogShape : uint32_t {
     linear = 1,         ///< (end - way) / (end - start), 0..1
     exponential,        ///< exp(-density way)
     exponentialSquared, ///< exp(-(density way)^2)
-    height, ///< exp(-the integral of density exp(-falloff (y - baseHeight)) along the way), y of the world
+    height, ///< exp(-integral of density exp(-falloff (y - baseHeight)) along the way), y of the world
 };
 /// Its names, from 1 on.
 inline constexpr const char* fogShapes[] = {"linear", "exponential", "exponential-squared", "height"};
 
-/// Of one frame: LightingDesc::fog. It lies in the air alone.
+/// Of one frame, in the air alone: LightingDesc::fog.
 struct FogDesc {
     FogShape shape = FogShape::exponential; ///< says which of the next five are read
     float density = 1e-3f;                  ///< [1/m], 0..1000; of `height` at baseHeight
@@ -26,12 +23,11 @@ struct FogDesc {
     float end = 1000;                       ///< likewise, up to 1e9
     float falloff = 0.01f;                  ///< of `height` [1/m], 0..10; 0: as `exponential`
     double baseHeight = 0;                  ///< of `height` [m], -1e6..1e6
-
-    float color[3] = {0, 0, 0}; ///< radiance of endless fog; each finite, 0 or more
-    float fromSky = 0; ///< share of that which is the sky's own instead, where the line of sight ends, 0..1
+    float color[3] = {0, 0, 0};             ///< radiance of endless fog; each finite, 0 or more
+    float fromSky = 0; ///< share of that which is the sky's own, where the line of sight ends, 0..1
     float most = 1;    ///< share of light that it takes at most, 0..1
-    /// The host fogs its sky, as if it were endlessly far away, and LightingDesc::skyCube is without: what
-    /// mirrors the sky gets it, too. False: the cube shows the sky as the host does.
+    /// The host fogs its sky as what is endlessly far, and the sky that is mirrored gets it, too. False:
+    /// LightingDesc::skyCube shows the sky as the host does.
     bool overSky = true;
 };
 
@@ -45,8 +41,10 @@ struct FogBlock {
 /// For an eye at that y of the world. Any thread.
 FogBlock fogBlock(const FogDesc& desc, double eyeHeight);
 
-/// What share of light passes along `way` metres from y = `from`, that rise by `rise` [m]; endless ways as
-/// 1e9 m. What medium.glsl computes, in double. Any thread.
+/// Share of light that passes along `way` metres (1e9: endless) from y = `from`, rising by `rise` [m]: what
+/// medium.glsl computes, in double. Any thread.
 double fogTransmittance(const FogDesc& desc, double from, double rise, double way);
+
+FieldTable fieldsOf(const FogDesc&); ///< its settings
 
 } // namespace seaglass

@@ -1,6 +1,5 @@
-// GLM's vectors and matrices in and out of Seaglass's plain arrays, of whatever precision and alignment the
-// host has them. Apart: no other header includes it, nothing in the libraries was compiled with it, and GLM's
-// macros change nothing but the host's own code.
+// GLM's vectors and matrices in and out of plain arrays, of whatever precision and alignment. No other header
+// includes it and no library was compiled with it: GLM's macros change the host's own code alone.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -11,22 +10,16 @@
 
 namespace seaglass {
 
-/// ViewDesc::view and projection: column-major, as GLM's own.
+/// ViewDesc::view and projection: column-major, as GLM's.
 template<typename T, glm::qualifier Q>
 void assign(double (&out)[16], const glm::mat<4, 4, T, Q>& matrix) {
     for (glm::length_t i = 0; i < 16; ++i) out[i] = static_cast<double>(matrix[i / 4][i % 4]);
 }
 
-/// Directions, irradiances, boxes: `N` is float or double.
-template<typename N, typename T, glm::qualifier Q>
-void assign(N (&out)[3], const glm::vec<3, T, Q>& vector) {
-    for (glm::length_t i = 0; i < 3; ++i) out[i] = static_cast<N>(vector[i]);
-}
-
-/// Planes.
-template<typename T, glm::qualifier Q>
-void assign(double (&out)[4], const glm::vec<4, T, Q>& vector) {
-    for (glm::length_t i = 0; i < 4; ++i) out[i] = static_cast<double>(vector[i]);
+/// Directions, irradiances, boxes, planes: `N` is float or double.
+template<typename N, glm::length_t count, typename T, glm::qualifier Q>
+void assign(N (&out)[count], const glm::vec<count, T, Q>& vector) {
+    for (glm::length_t i = 0; i < count; ++i) out[i] = static_cast<N>(vector[i]);
 }
 
 /// The plane through a point, of a normal of any length: BodyDesc::plane.
@@ -39,7 +32,7 @@ void assignPlane(double (&out)[4], const glm::vec<3, T, Q>& point, const glm::ve
     }
 }
 
-/// A camera over the whole of an attachment, y as the projection has it. The scene's images are to follow.
+/// A camera over the whole of an attachment; the scene's images are left to the host.
 template<typename T, glm::qualifier Q>
 ViewDesc viewDesc(const glm::mat<4, 4, T, Q>& view, const glm::mat<4, 4, T, Q>& projection,
                   VkExtent2D extent) {
@@ -50,21 +43,15 @@ ViewDesc viewDesc(const glm::mat<4, 4, T, Q>& view, const glm::mat<4, 4, T, Q>& 
     return out;
 }
 
-/// Light as LightingDesc has it: `toSun` unit. The sky's cube is to follow.
+/// Light by a unit `toSun`. The sky is left to the host: its cube or, of no `skyIrradiance`, its colours.
 template<typename T, glm::qualifier Q>
 LightingDesc lightingDesc(const glm::vec<3, T, Q>& toSun, const glm::vec<3, T, Q>& sunIrradiance,
-                          const glm::vec<3, T, Q>& skyIrradiance) {
+                          const glm::vec<3, T, Q>& skyIrradiance = glm::vec<3, T, Q>(0)) {
     LightingDesc out;
     assign(out.toSun, toSun);
     assign(out.sunIrradiance, sunIrradiance);
     assign(out.skyIrradiance, skyIrradiance);
     return out;
-}
-
-/// Light under a sky of colours: LightingDesc's own, or the three that are assigned then.
-template<typename T, glm::qualifier Q>
-LightingDesc lightingDesc(const glm::vec<3, T, Q>& toSun, const glm::vec<3, T, Q>& sunIrradiance) {
-    return lightingDesc(toSun, sunIrradiance, glm::vec<3, T, Q>(0));
 }
 
 /// The matrices of PlanarView, as `T`: float or double.

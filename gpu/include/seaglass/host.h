@@ -1,9 +1,8 @@
-// What a host renderer hands to Seaglass: its device, its images, its camera. Plain data, no owned memory:
-// every struct is copied before the call that takes it returns.
+// What a host renderer hands to Seaglass: device, images, camera, light. Plain data: every struct is copied
+// before the call that takes it returns.
 //
-// World: right-handed, +Y up, metres; seaglass/world.h turns others. Matrices are column-major and multiply
-// column vectors; they are double because a float matrix 100 km from the origin steps by 8 mm. Colours are
-// linear, HDR, in the host's own scale.
+// World: right-handed, +Y up, metres; world.h turns others. Matrices are column-major, for column vectors,
+// and double: floats 100 km from the origin step by 8 mm. Colours are linear, HDR, in the host's own scale.
 #pragma once
 
 #include "seaglass/fog.h"
@@ -25,18 +24,17 @@ enum class [[nodiscard]] Status : int32_t{
     vulkanError,       ///< another VkResult, named in the message
 };
 
-/// The name of a status, for logs. Never null.
-const char* toString(Status status);
+const char* toString(Status status); ///< its name, for logs; never null
 
-/// Receives one line per error or warning. May be called from any thread that calls Seaglass.
+/// Receives one line per error or warning, on the thread that calls Seaglass.
 struct MessageCallback {
     void (*function)(void* user, const char* text) = nullptr; ///< null: nobody is told
     void* user = nullptr;                                     ///< handed back to it
 };
 
-/// For timestamps or debug labels.
+/// Called before and after each GPU pass is recorded, for timestamps or labels.
 struct PassCallback {
-    /// Called before and after the commands of each GPU pass are recorded: `pass` is such as "sspr_scatter".
+    /// `pass` is such as "sspr_scatter".
     void (*function)(void* user, VkCommandBuffer commands, const char* pass, bool begins) = nullptr;
     void* user = nullptr; ///< handed back to it
 };
@@ -49,8 +47,8 @@ struct MemoryPiece {
     void* own = nullptr;    ///< the host's
 };
 
-/// Device memory from the host, such as VMA's: called on the thread that calls Seaglass. Null:
-/// vkAllocateMemory, once for each buffer and image.
+/// Device memory from the host, such as VMA's, on the thread that calls Seaglass. Null: vkAllocateMemory for
+/// each buffer and image.
 struct MemoryCallbacks {
     /// As `needs` says, of a type with all of `wanted`; `image`: of optimal tiling (bufferImageGranularity).
     VkResult (*allocate)(void* user, const VkMemoryRequirements* needs, VkMemoryPropertyFlags wanted,
@@ -74,54 +72,50 @@ struct DeviceDesc {
     PassCallback pass;                                ///< around each pass
 };
 
-/// What the device must have been created with: chain `features13` behind `features` for vkCreateDevice.
+/// What the device must be created with: chain `features13` behind `features` for vkCreateDevice.
 struct Requirements {
     uint32_t apiVersion = 0;                       ///< of instance and device, at least
     VkPhysicalDeviceFeatures features{};           ///< of Vulkan 1.0
     VkPhysicalDeviceVulkan13Features features13{}; ///< of Vulkan 1.3
 };
 
-/// Says what Seaglass needs switched on, before the device exists. Any thread.
-Requirements requirements();
+Requirements requirements(); ///< before the device exists; any thread
 
-/// Checks a physical device against requirements(), formats and limits included. On `unsupported`, the first
-/// thing missing is named through `message`. Any thread.
+/// Checks a device against requirements(), formats and limits. `unsupported`: the first thing missing is
+/// named through `message`. Any thread.
 Status checkSupport(VkInstance instance, VkPhysicalDevice physicalDevice,
                     PFN_vkGetInstanceProcAddr getInstanceProcAddr, MessageCallback message);
 
-/// Holds pipelines, samplers and per-frame memory on one device. No global state: several contexts may share
-/// a device, each used by one thread at a time.
+/// Pipelines, samplers and per-frame memory on one device. No state is global: several may share a device,
+/// each used by one thread at a time.
 struct Context;
 
 /// `unsupported` without a message: the headers are of another version than the library.
 Status createContext(const DeviceDesc* desc, Context** out);
-/// The device must have finished all work that was recorded through the context. Null is ignored. While
-/// bodies, reflectors or targets exist it says so and does nothing.
+/// The device has finished all work recorded through it. Null is ignored. While bodies, reflectors or targets
+/// exist it says so and does nothing.
 void destroyContext(Context* context);
 
-/// Starts a frame in slot 0 .. framesInFlight-1. The GPU has finished what was recorded when the slot was
-/// last used; memory of that time, and objects destroyed then, are taken back now.
+/// Starts a frame in slot 0 .. framesInFlight-1. The GPU has finished what was recorded in the slot before;
+/// memory and objects destroyed then are taken back now.
 Status beginFrame(Context* context, uint32_t slot);
 
 /// How an image or an attachment holds colour.
 enum class Encoding : uint32_t {
-    /// Linear, and a message where UNORM of 8 or 10 bits makes that unlikely.
-    unspecified = 0,
-    linear, ///< in proportion to light, as sampled and as written; an sRGB format's is, too
-    srgb,   ///< by the sRGB curve (IEC 61966-2-1), which the format does not apply: the shaders do
+    unspecified = 0, ///< linear, and a message where UNORM of 8 or 10 bits makes that unlikely
+    linear,          ///< in proportion to light, as sampled and as written; an sRGB format's is, too
+    srgb,            ///< by the sRGB curve (IEC 61966-2-1), which shaders apply, and not the format
 };
 /// Its names, from 0 on.
 inline constexpr const char* encodings[] = {"unspecified", "linear", "srgb"};
 
-/// One of the host's images, as a sampled view: made of an image with VK_IMAGE_USAGE_SAMPLED_BIT, type 2D,
-/// its swizzle the identity. Of an image that holds stencil too, the view selects VK_IMAGE_ASPECT_DEPTH_BIT
-/// alone.
+/// A sampled view of one of the host's images: of usage VK_IMAGE_USAGE_SAMPLED_BIT, type 2D, its swizzle the
+/// identity; beside a stencil of VK_IMAGE_ASPECT_DEPTH_BIT alone.
 struct Image {
     VkImageView view = VK_NULL_HANDLE;     ///< of mip 0 and layer 0
     VkFormat format = VK_FORMAT_UNDEFINED; ///< the view's; an sRGB view decodes what a UNORM view would not
     VkExtent2D extent = {0, 0};            ///< [pixel]
-    /// Its layout when sampled: GENERAL or one that is read-only. Seaglass never changes it.
-    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; ///< when sampled, GENERAL or read-only: never changed
     /// Of scene colour and depth: 1 to 16 a pixel, at Vulkan's standard locations. Of anything else 1.
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
     Encoding encoding = Encoding::unspecified; ///< of ViewDesc::sceneColor
@@ -129,51 +123,45 @@ struct Image {
 
 /// One camera in one frame.
 struct ViewDesc {
-    double view[16] = {}; ///< world to view: turns and moves, and may mirror; seaglass/world.h for others
-    /// View to clip, looking along the view's z either way. Depth direction, near, far and infinity are read
-    /// from it. By parallel lines of sight it looks along -z.
+    double view[16] = {}; ///< world to view: turns and moves, and may mirror
+    /// View to clip, along the view's z either way, by parallel lines of sight along -z. Depth direction,
+    /// near, far and infinity are read from it.
     double projection[16] = {};
-    VkViewport viewport = {}; ///< as set for drawing, in pixels; a negative height flips; depth range 0..1
-    /// Opaque scene colour: RGBA16F, RGBA32F, B10G11R11_UFLOAT, or RGBA8 and BGRA8 as UNORM or SRGB (A8B8G8R8
-    /// packed too). Alpha is not read. Its `encoding` is that of planar and bed pictures as well. Null with
-    /// `sceneDepth`: there is no scene, for water that needs none.
+    VkViewport viewport = {}; ///< as set for drawing [pixel]; a negative height flips; depth range 0..1
+    /// Opaque scene colour: RGBA16F, RGBA32F, B10G11R11_UFLOAT, or RGBA8, BGRA8 and packed A8B8G8R8 as UNORM
+    /// or SRGB. Alpha is not read. `encoding` is that of planar and bed pictures as well. Null with
+    /// `sceneDepth`: no scene, for water that needs none.
     Image sceneColor;
-    /// Opaque scene depth of the same pixels: D16, X8_D24, D32, each with stencil or without, or a copy of it
-    /// as R16_UNORM or R32_SFLOAT. What the format cannot tell apart from the plane counts as lying on it.
+    /// Opaque scene depth of the same pixels: D16, X8_D24, D32, each with stencil or without, or a copy as
+    /// R16_UNORM or R32_SFLOAT. What the format cannot tell apart from the plane counts as lying on it.
     ///
-    /// Where it is multisampled, reflections and refraction take sample 0 of each pixel, with that sample's
-    /// colour where the colour is multisampled alike; else the host hands in resolved colour, of which along
-    /// edges the next pixel of the same surface is taken. A view then holds 12 bytes a pixel more, once for
-    /// all reflectors and bodies of a context.
+    /// Where it is multisampled, reflections and refraction take sample 0 of each pixel, and that of a colour
+    /// of as many; of resolved colour, along edges, the next pixel of the same surface. A view then holds 12
+    /// bytes a pixel more, once for all reflectors and bodies of a context.
     Image sceneDepth;
     uint32_t viewIndex = 0; ///< 0..7: which view of this frame, so that each keeps its own images
-    /// Optional: unit normals of the surface in the world (x, y, z of RGBA16F, RGBA32F or RGBA8_SNORM) at the
-    /// same pixels, made visible to compute shaders like the scene's images; (0, 0, 0) stands for the
-    /// plane's, as does what is not finite. The technique ssr then follows each pixel's own mirrored ray;
-    /// others leave normals to whoever shades.
+    /// Optional: unit world normals of the surface (x, y, z of RGBA16F, RGBA32F or RGBA8_SNORM) at the same
+    /// pixels, visible to compute shaders; (0, 0, 0) and what is not finite stand for the plane's. The
+    /// technique ssr then follows each pixel's own ray; others leave normals to whoever shades.
     const Image* surfaceNormals = nullptr;
-    /// By how much `projection` moves the picture in this frame, right and down [pixel], -16..16. Read by
-    /// ReflectionDesc::temporal, which averages over it, and SurfaceOutput::motion, which leaves it out.
+    /// By how much `projection` moves this frame's picture, right and down [pixel], -16..16:
+    /// ReflectionDesc::temporal averages over it, SurfaceOutput::motion leaves it out.
     double jitter[2] = {0, 0};
-    /// The view's last frame tells nothing of this one: the camera jumped, or the scene did. Read by
-    /// ReflectionDesc::temporal and SurfaceOutput::motion, which then begin anew.
-    bool cut = false;
+    bool cut = false; ///< the camera or the scene jumped: those two begin anew
 };
 
-/// What something costs, known before it is made. Memory is that of its images and buffers, as much as this
-/// device wants for each. Pipelines and the frame slots' small uniform blocks are left out.
+/// What something costs, known before it is made. Memory is that of images and buffers on this device,
+/// without pipelines and the frame slots' small uniform blocks.
 struct Estimate {
     uint64_t bytes = 0;             ///< device memory held once
-    uint64_t bytesPerView = 0;      ///< device memory held for each view index that is used
+    uint64_t bytesPerView = 0;      ///< and for each view index that is used
     uint32_t dispatchesPerView = 0; ///< compute dispatches that reflect() records
-    /// The same of what multisampled scenes take: held by all reflectors and bodies of a context together,
-    /// and recorded once in a call of reflect(), however many it is for.
+    /// Of a multisampled scene, for all reflectors and bodies of a context together.
     uint64_t bytesPerSharedView = 0;
-    uint32_t dispatchesPerSharedView = 0; ///< likewise
+    uint32_t dispatchesPerSharedView = 0; ///< likewise, once in a call of reflect()
 };
 
-/// The host's shadow map of the sun: 1 to 4 cascades, finest first, each a layer of one image or a part of
-/// it.
+/// The host's shadow map of the sun: 1 to 4 cascades, finest first, each a layer of one image or part of it.
 struct SunShadow {
     Image map;                  ///< depth as ViewDesc::sceneDepth has it, one sample; the view is a 2D_ARRAY
     uint32_t cascadeCount = 1;  ///< a point takes the first that holds it; beyond all it is lit
@@ -187,27 +175,33 @@ struct SunShadow {
 struct LightingDesc {
     double toSun[3] = {0, 1, 0};        ///< unit, world, from the surface towards the sun
     float sunIrradiance[3] = {0, 0, 0}; ///< on a plane facing the sun; each finite, 0 or more
-    /// Likewise; on the water's plane, from the sky without the sun. Zeros with a null `skyCube`: that of the
-    /// colours below.
+    /// On the water's plane, without the sun. Zeros with a null `skyCube`: that of the colours below.
     float skyIrradiance[3] = {0, 0, 0};
-    /// Radiance without the sun: a cube and all its mips, +Y up. Null: the colours below.
-    VkImageView skyCube = VK_NULL_HANDLE;
+    VkImageView skyCube = VK_NULL_HANDLE; ///< radiance without the sun: a cube, +Y up; null: colours below
     VkImageLayout skyCubeLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; ///< when sampled
     uint32_t skyCubeMipLevels = 1;     ///< of skyCube, 1..16; no more are read than its view has
     const SunShadow* shadow = nullptr; ///< of what hides the sun from the water; null: nothing does
-    /// Of a null `skyCube`: radiance straight up, at the horizon and straight down, each finite, 0 or more.
-    /// A unit direction that rises by y has the share |y| (2 - |y|) of the way from the horizon's to one of
-    /// the others: skyRadiance(). These: a clear day in which white in the sun is about 1.
+    /// Of a null `skyCube`: radiance straight up, each finite, 0 or more. A unit direction that rises by y
+    /// has the share |y| (2 - |y|) of the way to it, or to skyGround, from the horizon's. A clear day on
+    /// which white in the sun is about 1.
     float skyZenith[3] = {0.08f, 0.16f, 0.32f};
-    float skyHorizon[3] = {0.40f, 0.50f, 0.60f}; ///< likewise; all three alike: a sky of one colour
-    float skyGround[3] = {0.15f, 0.15f, 0.13f};  ///< likewise
+    float skyHorizon[3] = {0.40f, 0.50f, 0.60f}; ///< likewise, at the horizon
+    float skyGround[3] = {0.15f, 0.15f, 0.13f};  ///< likewise, straight down
     /// In the air between the eye, or the near plane of parallel lines of sight, and the water; null: none.
-    /// ViewDesc::sceneColor holds the host's own fog up to what it shows, and is not fogged again.
+    /// ViewDesc::sceneColor holds the host's fog already, and gets no more.
     const FogDesc* fog = nullptr;
 };
 
-/// What the sky of a null LightingDesc::skyCube sends from a unit direction, for hosts that draw it. Any
-/// thread.
+/// What a sky of colours sends from a unit direction, for hosts that draw it. Any thread.
 void skyRadiance(const LightingDesc& lighting, const double (&direction)[3], float (&out)[3]);
+
+/// Settings: fields.h.
+/// @{
+FieldTable fieldsOf(const DeviceDesc&);
+FieldTable fieldsOf(const Image&);
+FieldTable fieldsOf(const ViewDesc&);
+FieldTable fieldsOf(const SunShadow&);
+FieldTable fieldsOf(const LightingDesc&);
+/// @}
 
 } // namespace seaglass

@@ -12,8 +12,7 @@
 
 namespace seaglass {
 
-/// SEAGLASS_VERSION of the library that is linked. createContext() refuses headers of another major or minor
-/// version: structs may differ. Any thread.
+/// Of the library that is linked; createContext() refuses headers of another major or minor one. Any thread.
 uint32_t version();
 
 } // namespace seaglass

@@ -1,8 +1,5 @@
-// Hosts whose world is not right-handed with +Y up, in metres: turns what they say into Seaglass's, and back.
-// Apart: no other header includes it. Any thread.
-//
-// A view is turned so that it shows the same picture: clip space, viewport and images stay the host's. Which
-// way y runs there, by the projection or by a viewport of negative height, is no matter of this.
+// For hosts whose world is not right-handed with +Y up, in metres: turns what they say, and back. No other
+// header includes it. Any thread. A turned view shows the same picture: clip space, viewport and images stay.
 #pragma once
 
 #include "seaglass/host.h"
@@ -12,7 +9,7 @@ namespace seaglass {
 /// Of the host's own axes the one that points up.
 enum class WorldUp : uint32_t { y = 0, minusY, z };
 
-/// How the host has its world. Any of its x is Seaglass's.
+/// How the host has its world. Its x is Seaglass's.
 ///
 /// | host | here |
 /// |---|---|
@@ -26,38 +23,29 @@ struct World {
     WorldUp up = WorldUp::y;  ///< the table's first half
     bool leftHanded = false;  ///< likewise
     double unitsPerMetre = 1; ///< 100 in centimetres; greater than 0
-    /// The camera looks along its view's +z, as by left-handed view matrices and such with y down; else along
-    /// its -z.
-    bool sightAlongZ = false;
+    bool sightAlongZ = false; ///< views look along +z, as left-handed ones and those with y down do; else -z
 };
 
-/// Seaglass's direction of the host's.
+/// The host's direction, point or plane (n.p + d = 0 in both) as Seaglass has it.
+/// @{
 void directionFrom(const World& world, const double (&host)[3], double (&out)[3]);
-
-/// Seaglass's point of the host's.
 void pointFrom(const World& world, const double (&host)[3], double (&out)[3]);
-
-/// Seaglass's plane of the host's, n.p + d = 0 in both: BodyDesc::plane, ExclusionVolume::planes.
 void planeFrom(const World& world, const double (&host)[4], double (&out)[4]);
+/// @}
 
 /// A matrix that takes the host's points, to one that takes Seaglass's.
 void matrixFrom(const World& world, const double (&host)[16], double (&out)[16]);
-
-/// A projection of lengths `scale` times as long: w stays the distance ahead, or 1 by parallel lines of
-/// sight.
+/// A projection of lengths `scale` times as long. w stays the distance ahead, or 1 by parallel sight.
 void scaleProjection(double (&projection)[16], double scale);
 
 /// Turns a view that is filled in as the host has it.
 void worldFrom(const World& world, ViewDesc* view);
-
-/// Turns the sun's direction and, where there is one, `shadow`, which `lighting->shadow` may point at.
+/// Turns the sun's direction, and `shadow`, which `lighting->shadow` may point at; null: none.
 void worldFrom(const World& world, LightingDesc* lighting, SunShadow* shadow = nullptr);
 
-/// The other way: the host's point of Seaglass's.
+/// The host's point of Seaglass's.
 void pointTo(const World& world, const double (&point)[3], double (&host)[3]);
-
-/// The matrices of planarView() or bedView(), of a view that was turned, as the host draws by them: `view`
-/// takes its world's points, `projection` follows it.
+/// The matrices of planarView() or bedView(), of a turned view, that take the host's points.
 void worldTo(const World& world, const double (&turnedView)[16], const double (&turnedProjection)[16],
              double (&view)[16], double (&projection)[16]);
 

@@ -1,38 +1,35 @@
-// Commands that hosts record beside Seaglass's: copies of the scene for it to read, and what its images of
-// planarView() and bedView() go through while the host draws into them. A host's own barriers do as well.
+// Commands that hosts record beside Seaglass's: copies of the scene, and barriers on what planarView() and
+// bedView() hand out. A host's own do as well.
 #pragma once
 
 #include "seaglass/reflection.h"
 
 namespace seaglass {
 
-/// What passes have drawn into, and an image of the same format and size that becomes its copy.
+/// What passes have drawn into, and an image of its format and size that becomes its copy.
 struct SceneCopy {
     VkImage from = VK_NULL_HANDLE;                    ///< made with VK_IMAGE_USAGE_TRANSFER_SRC_BIT
     VkImage to = VK_NULL_HANDLE;                      ///< made with TRANSFER_DST and SAMPLED
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; ///< of `from`, before and after; all its aspects'
-    /// Or all that the format holds of VK_IMAGE_ASPECT_DEPTH_BIT and VK_IMAGE_ASPECT_STENCIL_BIT: the depth
-    /// is copied, the stencil goes along from layout to layout.
+    /// Or all that a format holds of depth and stencil: depth is copied, stencil changes layouts with it.
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
     VkExtent2D extent = {0, 0}; ///< [pixel]
 };
 
-/// Outside any pass, after what draws into `from` and before reflect(). Waits for attachments to be written,
-/// leaves `from` to be attached again and `to` in SHADER_READ_ONLY_OPTIMAL, visible to compute and fragment
-/// shaders, whose reads before it waits for. `invalidArgument`: a field is null or undefined.
+/// Outside any pass, after what draws into `from` and before reflect(). Waits for attachment writes, and for
+/// compute and fragment shaders that read `to`; leaves `from` to be attached again and `to` in
+/// SHADER_READ_ONLY_OPTIMAL, visible to those. `invalidArgument`: a field is null or undefined.
 Status recordSceneCopy(Context* context, VkCommandBuffer commands, const SceneCopy& copy);
 
-/// What the images that planarView() or bedView() handed out are used for.
+/// What images of planarView() or bedView() are used for.
 enum class DrawnUse : uint32_t {
     sampled = 0, ///< by what used them last, in an earlier frame; what they held is lost
     attached,    ///< to be drawn into; as reflect() takes them over
-    /// Of a bed, for castCaustics() and drawCaustics() over it: the colour attached, the depth sampled and
-    /// attached in VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL.
-    depthRead,
+    depthRead,   ///< for caustics over a bed: as `attached`, but the depth DEPTH_STENCIL_READ_ONLY_OPTIMAL
 };
 
-/// Outside any pass: from `sampled` to `attached`, then the host's pass, then reflect(). Over a bed with
-/// caustics on to `depthRead` between them, and back. `invalidArgument`: an image is null.
+/// Outside any pass: from `sampled` to `attached`, then the host's pass, then reflect(); over a bed with
+/// caustics on to `depthRead` in between, and back. `invalidArgument`: an image is null.
 Status recordDrawnUse(Context* context, VkCommandBuffer commands, const PlanarView& drawn, DrawnUse before,
                       DrawnUse after);
 

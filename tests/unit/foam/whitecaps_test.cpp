@@ -1,9 +1,9 @@
 #include "water/interface/whitecaps.h"
 
 #include "gpu/fields.h"
-#include "seaglass/fields/sea.h"
 #include "tests/unit/sea/sea_support.h"
 #include "water/foam/foam_history.h"
+#include "water/interface/fields/sea.h"
 
 #include <gtest/gtest.h>
 

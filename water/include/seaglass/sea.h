@@ -1,13 +1,13 @@
-// The sea itself: spectrum, waves and heights, with no Vulkan: a server can link seaglass::sea alone.
+// The sea itself: spectrum, waves and heights, with no Vulkan: a server can link seaglass::sea alone. It is a
+// function of (desc, time) alone, to the bit.
 //
-// A sea is a fixed function of (desc, time): the same bits for the same seed and time, whatever was asked
-// before. Local frame: u and v are metres along a body's calm plane n.p + d = 0, n unit: world x and z where
-// level, else (x, z) - (n.x, n.z) (y - d) / (1 + n.y) of its points; height is along n, above the calm plane.
+// Local frame: u and v are metres along a body's calm plane n.p + d = 0, n unit: world x and z where level,
+// else (x, z) - (n.x, n.z) (y - d) / (1 + n.y) of its points; height is along n, above the calm plane.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <limits>
+
+#include "seaglass/fields.h"
 
 namespace seaglass {
 
@@ -45,14 +45,14 @@ struct SpectrumSample {
 
 /// Waves that have left the wind that made them: long, of nearly one period and direction.
 struct SwellDesc {
-    float height = 0;        ///< their own significant wave height [m], 0..30; 0 is no swell, by branch
+    float height = 0;        ///< their own significant wave height [m], 0..30; 0: none
     float peakPeriod = 12;   ///< [s], 1..30
     float direction = 0;     ///< where they run towards, from +u to +v [rad]
     float bandwidth = 0.08f; ///< standard deviation of frequency, as a share of the peak's, 0.02..0.25
     float spreading = 50;    ///< s of cos^2s(theta/2), 0..1000
 };
 
-/// A bed that waves slow down, turn and break over, and run up: docs/surface.md. As its edge beyond.
+/// A bed that waves slow down, turn and break over, and run up: docs/surface.md. Beyond, as at its edge.
 struct ShoreDesc {
     const float* bed = nullptr;   ///< heights above the calm plane [m], -1e4..1e4; rows along u, v rising
     uint32_t samples[2] = {0, 0}; ///< along u and v, 2..1024
@@ -63,13 +63,13 @@ struct ShoreDesc {
 /// A wind sea and up to maxSwells swells; their energies add. Copied by createSea, pointees included.
 struct SeaDesc {
     SpectrumModel spectrum = SpectrumModel::jonswap; ///< of the wind sea
-    float windSpeed = 10.0f;      ///< U10, at 10 m [m/s], 0..100; 0 is no wind sea, by branch
-    float windDirection = 0.0f;   ///< where it blows towards, from +u to +v [rad]
-    float fetch = 300e3f;         ///< [m], 1..1e6
+    float windSpeed = 10.0f;                         ///< U10, at 10 m [m/s], 0..100; 0: no wind sea
+    float windDirection = 0.0f;                      ///< where it blows towards, from +u to +v [rad]
+    float fetch = 300e3f;                            ///< [m], 1..1e6
     bool capFetch = true;         ///< hold g F / U^2 at 1e4, past which JONSWAP exceeds a fully developed sea
     float peakEnhancement = 3.3f; ///< JONSWAP gamma, 1..10
-    /// Of the water [m], 0..infinity: shallow water shortens and slows waves. Only `tma` lowers them as well;
-    /// the other models are taken as the sea that is there. 0 is flat, by branch.
+    /// Of the water [m], 0..infinity; 0: flat. Shallow water shortens and slows waves; only `tma` lowers
+    /// them, other models say what is there.
     float depth = std::numeric_limits<float>::infinity();
     SpreadingModel spreading = SpreadingModel::hasselmann; ///< of the wind sea
     float spreadingShape = 5;                              ///< s of `cosine2s`, 0..1000
@@ -82,19 +82,19 @@ struct SeaDesc {
     float choppiness = 1.0f; ///< scale of the horizontal displacement, 0..10; 1 is the linear theory's
     uint32_t samples = 256;  ///< across each cascade, power of two, 16..1024; 256 and more share waves
     uint32_t cascades = 3;   ///< 1..maxCascades
-    /// Edge of the largest cascade [m], 1..1e5; resolvedShare() says what it loses. 0 chooses: 16 of the
-    /// longest peak's wavelengths in 60..2000 m, but 6 at least, and no more than the samples can carry.
+    /// Edge of the largest cascade [m], 1..1e5; resolvedShare() says what it loses. 0 chooses: 16 wavelengths
+    /// of the longest peak in 60..2000 m, but at least 6, and no more than the samples carry.
     float largestPatch = 0.0f;
-    /// How far waves stand aside of where their tiles have them, 0..1, so that tiles do not show from afar:
-    /// their lengths vary by a tenth or two. At 0 the sea repeats exactly after each cascade's patch.
+    /// How far waves stand aside of their places in their tiles, 0..1, so that tiles do not show: lengths
+    /// vary by a tenth or two. 0: the sea repeats exactly after each cascade's patch.
     float warp = 1.0f;
     const ShoreDesc* shore = nullptr; ///< null: no bed is felt but `depth`, and none costs anything
     double loopPeriod = 4096.0;       ///< time after which the sea repeats exactly [s], 16..1e6
     uint64_t seed = 1;                ///< of the waves' phases and amplitudes
 };
 
-/// The open sea at a force of Beaufort's scale, at most 12: mean wind, a plausible fetch, and up to force 5
-/// older waves, so that the significant wave height is the scale's probable one. 0 is flat.
+/// The open sea at a force of Beaufort's scale, 0 (flat) to 12, of its probable significant wave height: mean
+/// wind, a plausible fetch and, up to force 5, older waves.
 SeaDesc beaufortSea(uint32_t force, float windDirection = 0.0f);
 
 /// One band of wave vectors on its own tile. Each wave vector of the sea lives in exactly one cascade.
@@ -102,7 +102,7 @@ struct Cascade {
     double patch = 0;     ///< tile edge [m]
     uint32_t samples = 0; ///< across the tile
     double kMin = 0;      ///< wave numbers kMin <= k < kMax [rad/m]; at least 4 samples a wave
-    double kMax = 0;      ///< see kMin
+    double kMax = 0;      ///< likewise
     double variance = 0;  ///< of height, from the modes it holds [m^2]
 };
 
@@ -125,9 +125,9 @@ double peakFrequency(const Sea& sea);
 /// S(omega) of all systems together as asked for, resolved or not [m^2 s]; 0 when flat.
 double frequencySpectrum(const Sea& sea, double omega);
 double significantWaveHeight(const Sea& sea); ///< 4 sqrt(m0) of the modes held [m]
-/// How much of the height's variance that the spectra ask for the cascades hold, of all seeds in the mean:
-/// about 1, and less where waves are too long for `largestPatch` or too short for the samples; 1 when flat.
-/// Below leastResolvedShare the sea is not the one asked for: its height is off by 5 % or more.
+/// Share of the spectra's height variance that the cascades hold, in the mean of all seeds: about 1, less
+/// where waves are too long for `largestPatch` or too short for the samples; 1 when flat. Below
+/// leastResolvedShare heights are off by 5 % or more.
 double resolvedShare(const Sea& sea);
 constexpr double leastResolvedShare = 0.9; ///< of the height's variance
 
@@ -145,21 +145,20 @@ SlopeCovariance roughness(const Sea& sea);
 double resolvedSlopeVariance(const Sea& sea);   ///< both axes together
 double unresolvedSlopeVariance(const Sea& sea); ///< of the roughness, both axes together
 
-/// Slope variance of a clean sea, both axes together, 0.003 + 5.12e-3 U at 12.5 m (Cox and Munk 1954); U10
-/// [m/s]. Less below 1 m/s, where water turns to glass, and no more past 30 m/s.
+/// Of a clean sea, both axes together, 0.003 + 5.12e-3 U at 12.5 m (Cox and Munk 1954), from U10 [m/s]: less
+/// below 1 m/s, where water turns to glass, and no more past 30 m/s.
 double coxMunkSlopeVariance(double windSpeed);
 
-/// The surface on one cascade's grid at one time: three maps of samples*samples texels, four floats each,
-/// rows along v. Texel (i, j) is at u = i patch/samples, v = j patch/samples, and at [(j*samples + i)*4]; the
-/// tile repeats, and `warp` shifts what lies where. With h the height and (Dx, Dz) the horizontal
-/// displacement (choppiness included):
+/// One cascade's grid at one time: maps of samples*samples texels, four floats each, rows along v. Texel (i,
+/// j) is at u = i patch/samples, v = j patch/samples, and at [(j*samples + i)*4]; the tile repeats, and
+/// `warp` shifts what lies where. h is the height, (Dx, Dz) the horizontal displacement, choppiness included.
 struct CascadeMaps {
     float* displacement = nullptr; ///< Dx, h, Dz, dDx/dv (= dDz/du)            [m, m, m, 1]
     float* derivatives = nullptr;  ///< dh/du, dh/dv, dDx/du, dDz/dv            [1]
     float* moments = nullptr;      ///< (dh/du)^2, (dh/dv)^2, dh/du*dh/dv, dDx/dv: what shading needs beside
 };
 
-/// How a sea is evaluated on its grids. Obtained from a backend's header; never filled in by the host.
+/// How a sea is evaluated on its grids: from a backend's header, never filled in by the host.
 struct WavesBackend {
     const char* name = nullptr; ///< for people
     /// Makes what the backend keeps for a sea, which must outlive it. Null: out of memory. Any thread.
@@ -177,14 +176,14 @@ struct HeightSample {
     uint32_t folded = 0;           ///< 1 where the surface overturns near by: height may be one of several
 };
 
-/// Heights at `count` points (u, v in metres, interleaved) at any time, future included. No GPU. Any thread,
-/// several at once. Sums every mode, so it is exact for the sea and costs O(modes) a point, and as much again
-/// a call. A point that is not finite, and every point when out of memory, gets a calm sample marked folded.
+/// Heights at `count` points (u, v in metres, interleaved) at any time, future included. Any thread, several
+/// at once. Exact: sums every mode, O(modes) a point and as much again a call. A point that is not finite,
+/// and every point when out of memory, gets a calm sample marked folded.
 void sampleHeights(const Sea& sea, double time, const double* points, size_t count, HeightSample* out);
 
-/// A sea at one time, laid out for many queries: every cascade on its grid, 48 bytes a sample (9.4 MB for
-/// three cascades of 256 across), made by a transform of its own, on the CPU with no library. Between samples
-/// it is linear, as the drawn surface is: off the sum of modes by 0.8 % of Hs in the mean and less than 5 %.
+/// A sea at one time, laid out for many queries: 48 bytes a sample of each cascade (9.4 MB for three of 256
+/// across). Between samples it is linear, as the drawn surface is: off the sum of modes by 0.8 % of Hs in the
+/// mean and less than 5 %.
 struct HeightGrid;
 
 /// Null when out of memory. The sea must outlive it. A time that is not finite counts as 0. Any thread.
@@ -193,7 +192,15 @@ HeightGrid* createHeightGrid(const Sea& sea, double time);
 void setTime(HeightGrid& grid, double time);
 void destroyHeightGrid(HeightGrid* grid); ///< null is ignored
 
-/// As sampleHeights() for a sea, at the grid's time. Any thread, several at once.
+/// Of a sea at the grid's time. Any thread, several at once.
 void sampleHeights(const HeightGrid& grid, const double* points, size_t count, HeightSample* out);
+
+/// Settings: fields.h.
+/// @{
+FieldTable fieldsOf(const SeaDesc&);
+FieldTable fieldsOf(const SpectrumSample&);
+FieldTable fieldsOf(const SwellDesc&);
+FieldTable fieldsOf(const ShoreDesc&);
+/// @}
 
 } // namespace seaglass

@@ -1,6 +1,5 @@
-// How wet the waves of a shore keep its sand, for the host's own materials: numbers for its shaders, which
-// include shore_wetness.glsl, and the same on the CPU. Sand is the host's; only the water over it is drawn
-// here.
+// How wet the waves of a shore keep its sand, which is the host's to draw: numbers for its shaders, which
+// include shore_wetness.glsl, and the same on the CPU.
 #pragma once
 
 #include <cstdint>
@@ -23,24 +22,20 @@ struct ShoreWetness {
     double under = 0; ///< share of it under water or a film of it, which draw() shades
 };
 
-/// The map of shore_wetness.glsl: RGBA32F, as many texels as ShoreDesc::samples, rows along u. In each the
-/// seconds until three wave trains arrive, and how far the water's edge moves [m]. False, and nothing
-/// written, without a shore. Any thread.
+/// The map of shore_wetness.glsl: RGBA32F, as many texels as ShoreDesc::samples, rows along u; in each the
+/// seconds until three wave trains arrive, and how far its edge moves [m]. False: no shore. Any thread.
 bool shoreTexels(const Sea& sea, float* out);
 
-/// Texels of the map along u and v; 0 without a shore.
-void shoreSamples(const Sea& sea, uint32_t out[2]);
+void shoreSamples(const Sea& sea, uint32_t out[2]); ///< the map's texels along u and v; 0: no shore
 
-/// Rows of four floats that shoreRows() writes; 0 without a shore. `dryingTime`: from the last water to dry
-/// sand [s], 1..300.
+/// Rows of four floats of shoreRows(); 0: no shore. `dryingTime`: from water to dry sand [s], 1..300.
 uint32_t shoreRowCount(const Sea& sea, double dryingTime);
 
-/// What the waves do to the sand at `time`, and have done before it: a function of the time alone, whatever
-/// frames came before. `eye`: (u, v) that places are relative to in shaders. Any thread.
+/// What waves do to the sand at `time`, and did before: a function of the time alone. `eye`: the (u, v) that
+/// shaders' places are relative to. Any thread.
 ShoreBlock shoreRows(const Sea& sea, double time, double dryingTime, const double eye[2], float* rows);
 
-/// At (u, v) from `eye` of the block, `height` over the calm plane [m], as seaglass_wetness() has it. Any
-/// thread.
+/// As seaglass_wetness() at (u, v) from the block's eye, `height` over the calm plane [m]. Any thread.
 ShoreWetness shoreWetness(const Sea& sea, const ShoreBlock& block, const float* rows, double u, double v,
                           double height);
 

@@ -1,8 +1,7 @@
 // Water bodies: an FFT-displaced sea, its reflection, refraction and foam, in the host's command buffer.
 //
 // A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> shade -> (host begins its
-// pass) -> draw. With caustics, castCaustics and drawCaustics after the opaque scene; with a bed, bedView
-// before reflect.
+// pass) -> draw. Caustics: castCaustics, drawCaustics after the opaque scene. A bed: bedView before reflect.
 #pragma once
 
 #include "seaglass/foam.h"
@@ -11,24 +10,20 @@
 
 namespace seaglass {
 
-/// Light that enters the water. Coefficients are per metre, red, green, blue. Where a view has no scene
-/// images the water is endlessly deep, and has their colour.
+/// Light that enters the water. Of a view without scene images the water is endlessly deep.
 struct RefractionDesc {
-    /// WaterType::clearOcean, at 650, 550, 450 nm. 0..100.
-    float absorption[3] = {0.345f, 0.0622f, 0.0253f};
-    float backscatter[3] = {0.0011f, 0.0016f, 0.0030f}; ///< likewise
+    float absorption[3] = {0.345f, 0.0622f, 0.0253f};   ///< at 650, 550, 450 nm [1/m], 0..100: water_type.h
+    float backscatter[3] = {0.0011f, 0.0016f, 0.0030f}; ///< likewise. Both: WaterType::clearOcean
     float distortion = 1.0f;                            ///< 0 looks straight through; 1 bends as Snell says
     float scattering = 0; ///< by particles [1/m], 0..100: light through crests. Ocean 0.035, coast 0.25
 };
 
-/// The body seen from within: where the near plane of a view lies under the surface, draw() also draws the
-/// surface from below, and the water before the opaque scene by RefractionDesc's coefficients.
+/// The body seen from within: where a view's near plane lies under the surface, draw() also draws that from
+/// below, and the water before the opaque scene by RefractionDesc's coefficients.
 struct UnderwaterDesc {
-    /// Of the dark line where the near plane leaves the water (capillary length 2.7 mm) [m], 0..0.1; 0: none.
-    float meniscus = 0.003f;
-    /// Sunlight that `waves` gather, seen on its way down as water scatters it, 0..1: 1 as they say; 0: none.
-    float shafts = 0;
-    float snow = 0; ///< what drifts in the water, of all that may, 0..1; 0: none. Not before parallel lines
+    float meniscus = 0.003f; ///< dark line where it leaves the water (capillary: 2.7 mm) [m], 0..0.1; 0: none
+    float shafts = 0; ///< sunlight that waves gather, seen on its way down, 0..1: 1 as they say; 0: none
+    float snow = 0;   ///< what drifts in the water, of all that may, 0..1; 0: none. Not before parallel lines
 };
 
 /// Sunlight that the waves gather on what lies below them: drawCaustics(). By the curvature of the waves that
@@ -39,15 +34,14 @@ struct CausticsDesc {
 
 /// Drops that wind tears off breaking crests, from 9 m/s on (Andreas 1998), drawn after the surfaces and
 /// tested against the target's depth, which must be written. Of unbounded bodies. A function of the sea and
-/// the time, whatever frames were drawn before.
+/// the time.
 struct SprayDesc {
-    float density = 1.0f; ///< of the optical depth, 0..4: 1 by the wind; 0: none
-    /// Along which drops streak [s], 0..0.1; 0: none. Half of what a film's frame takes.
-    float shutterTime = 1.0f / 48;
+    float density = 1.0f;          ///< of the optical depth, 0..4: 1 by the wind; 0: none
+    float shutterTime = 1.0f / 48; ///< along which drops streak [s], 0..0.1; 0: none. Half a film frame
 };
 
-/// What lies below in a picture of its own, which the host draws as bedView() says: refraction then finds
-/// what the view's picture ends before, or hides behind a pool's edge. For an eye above the water.
+/// What lies below in a picture of its own, drawn as bedView() says: refraction then finds what the view's
+/// picture ends before, or hides behind a pool's edge. For an eye above the water.
 struct BedDesc {
     float margin = 0.1f; ///< by which it is larger on each side, as a share of the view's size, 0..1
     DrawnDesc drawn;     ///< what the host draws it into
@@ -88,27 +82,22 @@ enum class ExtentShape : uint32_t {
 /// Its names, from 0 on.
 inline constexpr const char* extentShapes[] = {"unbounded", "rectangle", "polygon", "mesh"};
 
-/// Points are (u, v), as sea.h has them [m]. At the outline waves move water up and down but not to the side,
-/// which comes back within 2.5 significant wave heights (times a choppiness over 1). Queries know of none.
+/// Points are (u, v), as in sea.h [m]. At the outline waves move water up and down but not to the side, which
+/// comes back within 2.5 significant wave heights (times a choppiness over 1). Queries know of none.
 struct ExtentDesc {
     ExtentShape shape = ExtentShape::unbounded; ///< says which fields below are read
-
     /// Of `unbounded`: the sea falls away as on a ball of this radius [m], 1e6..1e9, Earth's 6.371e6; 0:
-    /// flat. The ball touches `plane` at the foot of each view's eye: d metres from there the sea lies d^2 /
-    /// (R + sqrt(R^2 - d^2)) lower, by which the host lowers far things of its own.
+    /// flat. It touches `plane` below each view's eye: d metres from there the sea, and what the host has
+    /// there, lies d^2 / (R + sqrt(R^2 - d^2)) lower.
     double planetRadius = 0;
-
     double center[2] = {0, 0}; ///< of `rectangle`: its middle
     double size[2] = {0, 0};   ///< likewise, along its own u and v [m], each 0.01..1e6
     double yaw = 0;            ///< likewise, of its own u, from +u towards +v [rad]
-
-    /// Of `polygon`: its corners, 3..1024, either way round; no edge may cross or touch another. Cut by
-    /// pixels: lay it under the bank. Of `mesh`: its vertices, 3..2^24.
-    const double* points = nullptr; ///< u and v of each in turn
-    uint32_t pointCount = 0;        ///< pairs in `points`
-
-    /// Of `mesh`: three to a triangle, either way round. Waves shorter than its edges do not show in its
-    /// shape, only in its light.
+    /// Of `polygon`: 3..1024 corners, either way round; no edge crosses or touches another. Cut by pixels:
+    /// lay it under the bank. Of `mesh`: 3..2^24 vertices. u and v of each in turn.
+    const double* points = nullptr;
+    uint32_t pointCount = 0; ///< pairs in `points`
+    /// Of `mesh`: three to a triangle, either way round. Waves shorter than an edge show in its light alone.
     const uint32_t* indices = nullptr;
     uint32_t indexCount = 0; ///< a multiple of 3
 };
@@ -145,12 +134,12 @@ struct BodyDesc {
 /// Presets by measure; docs/tradeoffs.md has what each costs and how wrong it is.
 enum class Quality : uint32_t { low = 0, medium, high, highest };
 
-/// Fills in `body`'s cellsPerLevel and shading, drops its bed at low, and sets what `reflection`
-/// costs; either may be null. What is modelled stays: parts, the sea, a reflection of the sky or planar.
+/// Sets what `body`'s mesh and shading and `reflection` cost, and drops the bed at low; either may be null.
+/// What is modelled stays: parts, the sea, a reflection of the sky or planar.
 void setQuality(Quality quality, BodyDesc* body, ReflectionDesc* reflection);
 
-/// What such a body costs, for views and images of `extent` pixels, without what all bodies of a context
-/// share. Creates nothing on the device; lays waves out on the CPU, for some milliseconds.
+/// What a body costs for views and images of `extent` pixels, without what all of a context share. Creates
+/// nothing on the device; lays waves out on the CPU, for some milliseconds.
 Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
                 SceneSamples samples = {});
 
@@ -177,9 +166,7 @@ struct TargetDesc {
     uint32_t subpass = 0;                         ///< of renderPass
     VkFormat stencilFormat = VK_FORMAT_UNDEFINED; ///< of dynamic rendering with a stencil attachment: its own
     uint32_t viewMask = 0; ///< of a multiview pass: each draw() draws its one view ViewDesc::viewIndex
-    /// What is blended is blended as it is held: docs/contract.md. SurfaceOutputs but `shaded` and
-    /// `reflection` are no colours, and written as they are.
-    Encoding encoding = Encoding::unspecified;
+    Encoding encoding = Encoding::unspecified; ///< of colours, which blend as they are held: docs/contract.md
 };
 
 struct Target;
@@ -190,10 +177,10 @@ void destroyTarget(Target* target); ///< at any time: pipelines go when the GPU 
 /// Sets the bodies' surfaces to `time` and records the upload or dispatches; a CPU backend works here.
 /// Outside any render pass, once a frame. Foam takes the sea at up to 4 more times a second; on the first
 /// frame, backwards and after a gap, at 4 times a second of three decay times before. A call more than 2 s
-/// ahead of one that had to catch up by more than 2 s takes it at 8 times: slow frames make none slower.
+/// ahead of one that had to catch up by more takes it at 8 even times: slow frames make none slower.
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time);
 
-/// What to draw for a body whose reflection is `planar`; as planarView() for reflectors.
+/// What to draw for a body whose reflection is `planar`; as for reflectors.
 Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
 
 /// What to draw for a body with `bed`, before reflect() and likewise: the opaque scene under the calm
@@ -201,11 +188,11 @@ Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
 /// these.
 Status bedView(Body* body, const ViewDesc* view, PlanarView* out);
 
-/// Records the reflections of `view`; as reflect() for reflectors. Outside any render pass. Of a view whose
-/// scene is multisampled it also takes the samples that refraction reads, of bodies without reflection too.
+/// Records the reflections of `view`, as for reflectors; of a multisampled scene also the samples that
+/// refraction reads, of bodies without reflection too. Outside any render pass.
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view);
 
-/// As recordOverlay() for reflectors; of a body whose reflection is the sky alone there is nothing to see.
+/// As for reflectors; of a reflection that is the sky alone there is nothing to see.
 Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view, const OverlayDesc* desc);
 
 /// What draw() writes. Everything but `shaded` is for looking at and measuring the inputs.
@@ -216,15 +203,15 @@ enum class SurfaceOutput : uint32_t {
     height,          ///< height above the calm plane [m], in red
     normal,          ///< unit world normal
     foam,            ///< coverage 0..1, in red
-    /// Where the scene's picture is looked up for what the surface mirrors: x and y in pixels of the view's
-    /// region, -1 where it is not; its distance from the surface [m]; its ReflectionClass. Wants a float
-    /// attachment: halves do not hold a pixel's place.
+    /// Where the scene is looked up for what the surface mirrors: x and y [pixel] of the view's region, -1:
+    /// not; its distance from the surface [m]; its ReflectionClass. Wants float, halves hold no pixel's
+    /// place.
     reflectionSource,
-    /// Mean slope of the surface over the pixel along +u and +v, then the variance of slope about it,
-    /// likewise: what the waves' maps no longer show there, and roughness.
+    /// Mean slope over the pixel along +u and +v, then the variance about it, likewise: roughness, and what
+    /// the waves' maps no longer show there.
     slopes,
-    /// Pixels right and down from where the last such draw of this view index, and simulate(), had the same
-    /// water; 0 at first and after ViewDesc::cut. Once a frame; wants BodyDesc::motion where there are waves.
+    /// Pixels right and down from where the same water was at the last such draw of this view index; 0 at
+    /// first and after ViewDesc::cut. Once a frame; wants BodyDesc::motion where there are waves.
     motion,
 };
 
@@ -251,32 +238,28 @@ Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, cons
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
-/// Makes now what draw(), drawCaustics() and castCaustics() make when they first need it: the pipelines of
-/// the body for the target, for every place of the eye. `view` and `lighting` are such as those will be
-/// given, of which only what images they have is looked at, not their pixels or matrices; null: a scene of
-/// one sample that is encoded as the target, a sky cube and no shadow map. What is made already costs
-/// nothing.
+/// Makes now the pipelines of the body for the target that draw(), drawCaustics() and castCaustics() would
+/// make when they first need them, for every place of the eye. Of `view` and `lighting` only what images they
+/// have is looked at; null: a scene of one sample that is encoded as the target, a sky cube and no shadow
+/// map. What is made already costs nothing.
 ///
-/// On any thread, beside calls for other targets and bodies, and for these all but those that change or
-/// destroy them (setExclusionVolumes()): draw() of what is in the making waits, others do not. Messages come
-/// on that thread, which is done before any of the three is destroyed.
+/// On any thread, beside all calls but those that change or destroy these three (setExclusionVolumes()),
+/// before which it is done: draw() of what is in the making waits. Messages come on that thread.
 Status prepare(Target* target, Body* body, const ViewDesc* view = nullptr,
                const LightingDesc* lighting = nullptr, SurfaceOutput output = SurfaceOutput::shaded);
 
-/// Casts the sun's rays through the waves of the bodies with `caustics` on what `view` shows below them, for
-/// drawCaustics() of the same view, the next of its index. Outside any render pass, after the opaque scene.
-/// Reads view.sceneDepth and LightingDesc::shadow in compute shaders; a depth of many samples is
-/// `unsupported`. Allocates when an index sees its largest view. Records nothing of other bodies or without a
-/// sun.
+/// Casts the sun's rays through the waves of bodies with `caustics` on what `view` shows below, for the next
+/// drawCaustics() of its index. Outside any render pass, after the opaque scene. Reads view.sceneDepth, of
+/// one sample (else `unsupported`), and LightingDesc::shadow in compute shaders. Allocates when an index sees
+/// its largest view. Records nothing of other bodies or without a sun.
 Status castCaustics(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
                     const LightingDesc* lighting);
 
-/// Multiplies the colour of what lies below the bodies with `caustics`, and its alpha, which should be 1
-/// before, by the sunlight that the waves gather there, 1 in the mean: in a pass over the opaque scene, with
-/// a colour attachment, floating-point or of a target whose `encoding` is srgb, and a depth attachment of the
-/// target's formats (neither tested nor written), before the colour is copied for reflect() and draw(). Reads
-/// view.sceneDepth in fragment shaders, which must not be the attachment written. Leaves bound what draw()
-/// does. Needs castCaustics(), and records nothing where that did not.
+/// Multiplies the colour of what lies below, and its alpha, which should be 1 before, by the sunlight that
+/// waves gather there, 1 in the mean, where castCaustics() recorded something. In a pass over the opaque
+/// scene, before its colour is copied: a colour attachment, floating-point or of a target whose `encoding` is
+/// srgb, and a depth attachment (neither tested nor written) of the target's formats. Reads view.sceneDepth,
+/// which must not be written, in fragment shaders. Leaves bound what draw() does.
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
                     const ViewDesc* view, const LightingDesc* lighting);
 
@@ -285,5 +268,19 @@ ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex);
 
 /// The sea of a body for height queries, or null when it has no waves. Lives as long as the body.
 const Sea* sea(const Body* body);
+
+/// Settings: fields.h.
+/// @{
+FieldTable fieldsOf(const BodyDesc&);
+FieldTable fieldsOf(const ExtentDesc&);
+FieldTable fieldsOf(const MeshDesc&);
+FieldTable fieldsOf(const ShadingDesc&);
+FieldTable fieldsOf(const RefractionDesc&);
+FieldTable fieldsOf(const UnderwaterDesc&);
+FieldTable fieldsOf(const CausticsDesc&);
+FieldTable fieldsOf(const SprayDesc&);
+FieldTable fieldsOf(const BedDesc&);
+FieldTable fieldsOf(const TargetDesc&);
+/// @}
 
 } // namespace seaglass

@@ -31,10 +31,10 @@ constexpr WaterCoefficients waterCoefficients(WaterType type) {
     return {{0.345f, 0.0622f, 0.0253f}, {0.0011f, 0.0016f, 0.0030f}};
 }
 
-/// Of water that, where it is endlessly deep, sends back `tint` of the light that enters: linear, above 0, up
-/// to 0.33 (named waters: 0.0004 to 0.05). Through `visibility` metres, 0.05..1000, it lets 5 % of its
-/// clearest channel pass (WMO's meteorological optical range). All channels scatter alike, unless one would
-/// have to absorb over 100. False when a value is out of range, which `error` names; `out` is then as before.
+/// Of water that sends back `tint` of the light that enters where it is endlessly deep: linear, above 0, up
+/// to 0.33 (named waters: 0.0004 to 0.05). Through `visibility` metres, 0.05..1000, 5 % of its clearest
+/// channel pass (WMO's meteorological optical range). All scatter alike, unless one would have to absorb over
+/// 100. False: a value is out of range, which `error` names; `out` is as before.
 bool tintedWater(const float tint[3], float visibility, WaterCoefficients* out, SeaError* error);
 
 } // namespace seaglass

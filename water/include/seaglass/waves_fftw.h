@@ -1,14 +1,12 @@
-// The CPU wave backend. FFTW is under the GPL: linking seaglass::waves_fftw puts that licence on the program
-// that does. Leave the target out to stay clear of it.
+// The CPU wave backend. FFTW is under the GPL: linking seaglass::waves_fftw puts that licence on the program.
 #pragma once
 
 #include "seaglass/sea.h"
 
 namespace seaglass {
 
-/// A table that lives for the whole program. Any thread. With `threads` 2 or more each evaluate() starts a
-/// second thread and joins it before it returns, which halves its time; none is kept, and where none can be
-/// had the calling thread does it all. The bits are the same.
+/// It lives as long as the program. Any thread. With `threads` 2 or more each evaluate() starts a second
+/// thread, if one can be had, and joins it before it returns: half the time, the same bits.
 const WavesBackend* fftwWaves(uint32_t threads = 1);
 
 } // namespace seaglass

@@ -1,15 +1,14 @@
-// The settings of sea.h and foam.h as tables: see field.h. No Vulkan.
+// The settings of sea.h and foam.h as tables: see rows.h. No Vulkan.
 #pragma once
 
 #include <limits>
 
-#include "seaglass/fields/field.h"
+#include "gpu/interface/fields/rows.h"
 #include "seaglass/foam.h"
 #include "seaglass/sea.h"
 
 namespace seaglass {
 
-/// Rows of seaFields.
 inline constexpr Field seaFieldRows[] = {
     field<&SeaDesc::spectrum>("spectrum", spectrumModels, "Model of the wind sea's spectrum."),
     field<&SeaDesc::windSpeed>("windSpeed", 0, 100, "m/s", "At 10 m; 0: no wind sea."),
@@ -36,15 +35,12 @@ inline constexpr Field seaFieldRows[] = {
 /// Of SeaDesc, but its seed, which may be any.
 inline constexpr FieldTable seaFields = fieldTable("SeaDesc", seaFieldRows);
 
-/// Rows of spectrumSampleFields.
 inline constexpr Field spectrumSampleFieldRows[] = {
     field<&SpectrumSample::frequency>("frequency", 0.01, 50, "Hz", "Rising from one to the next."),
     field<&SpectrumSample::density>("density", 0, 1e6, "m^2/Hz", "Of the height's variance."),
 };
-/// Of SpectrumSample.
 inline constexpr FieldTable spectrumSampleFields = fieldTable("SpectrumSample", spectrumSampleFieldRows);
 
-/// Rows of swellFields.
 inline constexpr Field swellFieldRows[] = {
     field<&SwellDesc::height>("height", 0, 30, "m", "Its own significant wave height; 0: none."),
     field<&SwellDesc::peakPeriod>("peakPeriod", 1, 30, "s", "Of its peak."),
@@ -54,10 +50,8 @@ inline constexpr Field swellFieldRows[] = {
                                  "Standard deviation of frequency, as a share of the peak's."),
     field<&SwellDesc::spreading>("spreading", 0, 1000, "", "s of cos^2s: greater is straighter."),
 };
-/// Of SwellDesc.
 inline constexpr FieldTable swellFields = fieldTable("SwellDesc", swellFieldRows);
 
-/// Rows of shoreFields.
 inline constexpr Field shoreFieldRows[] = {
     field<&ShoreDesc::samples>("samples", 2, 1024, "", "Of the bed, along u and v."),
     field<&ShoreDesc::spacing>("spacing", 0.05, 100, "m", "Between them."),
@@ -66,13 +60,11 @@ inline constexpr Field shoreFieldRows[] = {
 /// Of ShoreDesc, but its bed.
 inline constexpr FieldTable shoreFields = fieldTable("ShoreDesc", shoreFieldRows);
 
-/// Rows of foamFields.
 inline constexpr Field foamFieldRows[] = {
     field<&FoamDesc::bias>("bias", -1, 1, "", "Taken off the compression at which waves break."),
     field<&FoamDesc::decayTime>("decayTime", 0.1, 20, "s", "In which foam fades to 1/e."),
     field<&FoamDesc::albedo>("albedo", 0, 1, "", "Of full foam."),
 };
-/// Of FoamDesc.
 inline constexpr FieldTable foamFields = fieldTable("FoamDesc", foamFieldRows);
 
 } // namespace seaglass

@@ -1,28 +1,23 @@
-// The settings of host.h as tables: see field.h.
+// The settings of host.h as tables: see rows.h.
 #pragma once
 
-#include "seaglass/fields/field.h"
+#include "gpu/interface/fields/rows.h"
 #include "seaglass/host.h"
 
 namespace seaglass {
 
-/// Rows of deviceFields.
 inline constexpr Field deviceFieldRows[] = {
     field<&DeviceDesc::framesInFlight>("framesInFlight", 1, 4, "",
                                        "Frame slots that may be pending at once."),
 };
-/// Of DeviceDesc.
 inline constexpr FieldTable deviceFields = fieldTable("DeviceDesc", deviceFieldRows);
 
-/// Rows of imageFields.
 inline constexpr Field imageFieldRows[] = {
     field<&Image::samples>("samples", 1, 16, "", "Of each pixel.").powersOfTwo(),
     field<&Image::encoding>("encoding", encodings, "How colour is held."),
 };
-/// Of Image.
 inline constexpr FieldTable imageFields = fieldTable("Image", imageFieldRows);
 
-/// Rows of viewFields.
 inline constexpr Field viewFieldRows[] = {
     field<&ViewDesc::viewIndex>("viewIndex", 0, 7, "", "Which view of the frame it is."),
     field<&ViewDesc::jitter>("jitter", -16, 16, "pixel", "How far the picture is moved, right and down."),
@@ -31,7 +26,6 @@ inline constexpr Field viewFieldRows[] = {
 /// Of ViewDesc, but its matrices.
 inline constexpr FieldTable viewFields = fieldTable("ViewDesc", viewFieldRows);
 
-/// Rows of sunShadowFields.
 inline constexpr Field sunShadowFieldRows[] = {
     field<&SunShadow::cascadeCount>("cascadeCount", 1, 4, "", "Finest first."),
     field<&SunShadow::reversedDepth>("reversedDepth", "What is nearer to the sun is greater."),
@@ -39,7 +33,6 @@ inline constexpr Field sunShadowFieldRows[] = {
 /// Of SunShadow, but what each cascade has.
 inline constexpr FieldTable sunShadowFields = fieldTable("SunShadow", sunShadowFieldRows);
 
-/// Rows of lightingFields.
 inline constexpr Field lightingFieldRows[] = {
     field<&LightingDesc::sunIrradiance>("sunIrradiance", 0, mostFinite, "", "On a plane facing the sun."),
     field<&LightingDesc::skyIrradiance>("skyIrradiance", 0, mostFinite, "",

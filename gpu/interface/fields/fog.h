@@ -1,12 +1,11 @@
-// The settings of fog.h as a table: see field.h.
+// The settings of fog.h as a table: see rows.h.
 #pragma once
 
-#include "seaglass/fields/field.h"
+#include "gpu/interface/fields/rows.h"
 #include "seaglass/fog.h"
 
 namespace seaglass {
 
-/// Rows of fogFields.
 inline constexpr Field fogFieldRows[] = {
     field<&FogDesc::shape>("shape", fogShapes, "How it grows with distance.", 1),
     field<&FogDesc::density>("density", 0, 1000, "1/m", "How thick it is; of height at its base.")
@@ -22,7 +21,6 @@ inline constexpr Field fogFieldRows[] = {
     field<&FogDesc::most>("most", 0, 1, "", "Share of light that it takes at most."),
     field<&FogDesc::overSky>("overSky", "It lies before the sky, too."),
 };
-/// Of FogDesc.
 inline constexpr FieldTable fogFields = fieldTable("FogDesc", fogFieldRows);
 
 } // namespace seaglass

@@ -1,12 +1,11 @@
-// The settings of reflection.h as a table: see field.h.
+// The settings of reflection.h as a table: see rows.h.
 #pragma once
 
-#include "seaglass/fields/field.h"
+#include "gpu/interface/fields/rows.h"
 #include "seaglass/reflection.h"
 
 namespace seaglass {
 
-/// Rows of reflectionFields.
 inline constexpr Field reflectionFieldRows[] = {
     field<&ReflectionDesc::technique>("technique", reflectionTechniques, "How what is mirrored is found.")
         .byQuality(ReflectionTechnique::sspr, ReflectionTechnique::sspr, ReflectionTechnique::hybrid,
@@ -70,24 +69,19 @@ inline constexpr Field reflectionFieldRows[] = {
         .onlyFor(ReflectionTechnique::ssr, ReflectionTechnique::hybrid),
 };
 
-/// Of ReflectionDesc.
 inline constexpr FieldTable reflectionFields = fieldTable("ReflectionDesc", reflectionFieldRows);
 
-/// Rows of sceneSampleFields.
 inline constexpr Field sceneSampleFieldRows[] = {
     field<&SceneSamples::depth>("depth", 1, 16, "", "Of each pixel's depth.").powersOfTwo(),
     field<&SceneSamples::color>("color", 1, 16, "", "Of each pixel's colour.").powersOfTwo(),
 };
-/// Of SceneSamples.
 inline constexpr FieldTable sceneSampleFields = fieldTable("SceneSamples", sceneSampleFieldRows);
 
-/// Rows of overlayFields.
 inline constexpr Field overlayFieldRows[] = {
     field<&OverlayDesc::kind>("kind", overlayKinds, "What is drawn."),
     field<&OverlayDesc::contourSpacing>("contourSpacing", 0.001, 1e6, "m",
                                         "Heights between the contour lines of the plane."),
 };
-/// Of OverlayDesc.
 inline constexpr FieldTable overlayFields = fieldTable("OverlayDesc", overlayFieldRows);
 
 } // namespace seaglass

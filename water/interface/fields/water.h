@@ -1,22 +1,19 @@
-// The settings of water.h as tables: see field.h.
+// The settings of water.h as tables: see rows.h.
 #pragma once
 
-#include "seaglass/fields/host.h"
+#include "gpu/interface/fields/rows.h"
 #include "seaglass/water.h"
 
 namespace seaglass {
 
-/// Rows of meshFields.
 inline constexpr Field meshFieldRows[] = {
     field<&MeshDesc::cellSize>("cellSize", 0.01, 100, "m", "Edge of the finest cells."),
     field<&MeshDesc::cellsPerLevel>("cellsPerLevel", 128, 1024, "",
                                     "Cells until a twice coarser level takes over.")
         .byQuality(128, 128, 192, 256),
 };
-/// Of MeshDesc.
 inline constexpr FieldTable meshFields = fieldTable("MeshDesc", meshFieldRows);
 
-/// Rows of shadingFields.
 inline constexpr Field shadingFieldRows[] = {
     field<&ShadingDesc::reflectionSamples>("reflectionSamples", 1, 4, "", "At what a pixel's slopes mirror.")
         .powersOfTwo()
@@ -52,10 +49,8 @@ inline constexpr Field shadingFieldRows[] = {
         .powersOfTwo()
         .byQuality(4, 2, 1, 1),
 };
-/// Of ShadingDesc.
 inline constexpr FieldTable shadingFields = fieldTable("ShadingDesc", shadingFieldRows);
 
-/// Rows of refractionFields.
 inline constexpr Field refractionFieldRows[] = {
     field<&RefractionDesc::absorption>("absorption", 0, 100, "1/m", "Red, green, blue."),
     field<&RefractionDesc::backscatter>("backscatter", 0, 100, "1/m", "Red, green, blue."),
@@ -63,42 +58,32 @@ inline constexpr Field refractionFieldRows[] = {
     field<&RefractionDesc::scattering>("scattering", 0, 100, "1/m",
                                        "By particles: light through crests; 0: none."),
 };
-/// Of RefractionDesc.
 inline constexpr FieldTable refractionFields = fieldTable("RefractionDesc", refractionFieldRows);
 
-/// Rows of underwaterFields.
 inline constexpr Field underwaterFieldRows[] = {
     field<&UnderwaterDesc::meniscus>("meniscus", 0, 0.1, "m", "Width of the waterline; 0: none."),
     field<&UnderwaterDesc::shafts>("shafts", 0, 1, "", "Of sunlight; 1: as the waves gather it, 0: none."),
     field<&UnderwaterDesc::snow>("snow", 0, 1, "", "Share of all particles that may drift there; 0: none."),
 };
-/// Of UnderwaterDesc.
 inline constexpr FieldTable underwaterFields = fieldTable("UnderwaterDesc", underwaterFieldRows);
 
-/// Rows of causticsFields.
 inline constexpr Field causticsFieldRows[] = {
     field<&CausticsDesc::strength>("strength", 0, 1, "", "Of their contrast; 1: as the waves say."),
 };
-/// Of CausticsDesc.
 inline constexpr FieldTable causticsFields = fieldTable("CausticsDesc", causticsFieldRows);
 
-/// Rows of sprayFields.
 inline constexpr Field sprayFieldRows[] = {
     field<&SprayDesc::density>("density", 0, 4, "", "Of its optical depth; 1: by the wind."),
     field<&SprayDesc::shutterTime>("shutterTime", 0, 0.1, "s", "Along which drops streak."),
 };
-/// Of SprayDesc.
 inline constexpr FieldTable sprayFields = fieldTable("SprayDesc", sprayFieldRows);
 
-/// Rows of bedFields.
 inline constexpr Field bedFieldRows[] = {
     field<&BedDesc::margin>("margin", 0, 1, "",
                             "By which its picture is larger on each side, as a share of the view's size."),
 };
-/// Of BedDesc.
 inline constexpr FieldTable bedFields = fieldTable("BedDesc", bedFieldRows);
 
-/// Rows of extentFields.
 inline constexpr Field extentFieldRows[] = {
     field<&ExtentDesc::shape>("shape", extentShapes, "What it covers of its plane."),
     field<&ExtentDesc::planetRadius>("planetRadius", 1e6, 1e9, "m", "Of the ball that it is; 0: flat.")
@@ -114,15 +99,12 @@ inline constexpr Field extentFieldRows[] = {
 /// Of ExtentDesc, but its points and triangles.
 inline constexpr FieldTable extentFields = fieldTable("ExtentDesc", extentFieldRows);
 
-/// Rows of bodyFields.
 inline constexpr Field bodyFieldRows[] = {
     field<&BodyDesc::wavesOn>("wavesOn", wavesOn, "Where its waves are computed."),
     field<&BodyDesc::motion>("motion", "Keeps the last waves for SurfaceOutput::motion."),
 };
-/// Of BodyDesc.
 inline constexpr FieldTable bodyFields = fieldTable("BodyDesc", bodyFieldRows);
 
-/// Rows of targetFields.
 inline constexpr Field targetFieldRows[] = {
     field<&TargetDesc::samples>("samples", 1, 64, "", "Of each pixel.").powersOfTwo(),
     field<&TargetDesc::reversedDepth>("reversedDepth", "Nearer is greater."),
@@ -130,7 +112,6 @@ inline constexpr Field targetFieldRows[] = {
     field<&TargetDesc::viewMask>("viewMask", 0, 255, "", "Views of a multiview pass."),
     field<&TargetDesc::encoding>("encoding", encodings, "How colour is written."),
 };
-/// Of TargetDesc.
 inline constexpr FieldTable targetFields = fieldTable("TargetDesc", targetFieldRows);
 
 } // namespace seaglass
