@@ -26,6 +26,10 @@ gpu::ImageDesc colorDesc(VkExtent2D extent, uint32_t blurLevels, bool drawnInto)
 
 } // namespace
 
+VkExtent2D scaledDown(VkExtent2D extent, const ReflectionDesc& sized) {
+    return scaledDown(extent, sized.downscale);
+}
+
 ReflectionDesc sizedFor(const ReflectionDesc& desc, VkExtent2D extent) {
     ReflectionDesc sized = desc;
     if (desc.height == 0) return sized;

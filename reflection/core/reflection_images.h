@@ -13,9 +13,7 @@ constexpr VkExtent2D scaledDown(VkExtent2D extent, uint32_t scale) {
 }
 
 /// Of a description by which sizedFor() has gone.
-constexpr VkExtent2D scaledDown(VkExtent2D extent, const ReflectionDesc& sized) {
-    return scaledDown(extent, sized.downscale);
-}
+VkExtent2D scaledDown(VkExtent2D extent, const ReflectionDesc& sized);
 
 constexpr VkFormat reflectionColorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 

@@ -32,8 +32,10 @@ struct BodyBlock {
     vec4 skyIrradiance;
     vec4 absorption; // and scattering by particles [1/m]
     vec4 backscatter;
-    ivec4 region; // origin in the scene images, size [pixel]
-    vec4 foam;    // share of the way between the history's steps, albedo, the eye's place in the pattern [m]
+    ivec4 region;   // origin in the scene images, size [pixel]
+    float foamStep; // share of the way between the history's steps
+    float foamAlbedo;
+    vec2 foamPlace;      // of the eye in the pattern [m]
     vec4 foamDrift[4];   // (u, v) of a cascade's foam [tiles]; share of the way between the history's plumes
     vec4 breaking;       // water/interface/whitecaps.h: now, nowWidth^2, hidden, narrower
     vec4 compression;    // likewise: along, foamBreaksApart
@@ -49,17 +51,20 @@ struct BodyBlock {
     float maxMip;          // of the waves' maps
     float reflectionScale; // pixels of the region to one of the reflection, each way
     int seaCascades;
-    vec2 foamStreak;     // wind's direction, times sqrt(1 - 1/stretch) of the pattern
-    vec2 sceneShift;     // to the scene's pixel that shows a point, whose sample may lie off its middle
-    vec4 reflectionLook; // clear distance [m], scatter, distance at which the sky has taken over [m]:
-                         // reflection_blur.glsl
-    vec4 within;         // edge of the finest cells, half the meniscus, deviation of heights, distance of
-                         // parallel_view.h [m]
-    vec4 extent;   // (u, v) of the origin of a mesh of the host's own; 1 / distance over which edges hold the
-                   // waves; 1 / globe's radius
-    vec4 caustics; // strength
-    vec4 shafts;   // strength; by how much of a depth waves blur them; SunInWater::turnedAcross
-    vec4 snow;     // share of its cells that hold something, turns of the waves that carry it
+    vec2 foamStreak;        // wind's direction, times sqrt(1 - 1/stretch) of the pattern
+    vec2 sceneShift;        // to the scene's pixel that shows a point, whose sample may lie off its middle
+    vec4 reflectionLook;    // clear distance [m], scatter, distance at which the sky has taken over [m]:
+                            // reflection_blur.glsl
+    float finestCell;       // edge [m]
+    float halfMeniscus;     // [m]
+    float heightDeviation;  // of the waves [m]
+    float parallelDistance; // of parallel_view.h [m]
+    vec2 meshOrigin;        // (u, v) of a mesh of the host's own
+    float perEdgeWidth;     // 1 / distance over which edges hold the waves [1/m]
+    float globeCurvature;   // 1 / its radius [1/m]
+    vec4 caustics;          // strength
+    vec4 shafts;            // strength; by how much of a depth waves blur them; SunInWater::turnedAcross
+    vec4 snow;              // share of its cells that hold something, turns of the waves that carry it
     ivec4 snowCells[snowSizes]; // of marine_snow_lattice.h: the first along each axis, as they wrap
     vec4 snowPlaces[snowSizes]; // that one's corner, a cell's edge [m]
     vec4 covered;               // (u, v) of the box around the body, low and high

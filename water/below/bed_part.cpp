@@ -31,6 +31,10 @@ Status BedPart::addCost(const AskedBody& asked, Estimate& sum) {
     return Status::ok;
 }
 
+VkExtent2D BedPart::pictureExtent(const BodyDesc& desc, VkExtent2D view) {
+    return Bed::pictureExtent(*desc.bed, desc.shading.bedDownscale, view);
+}
+
 Status BedPart::create(Body& body, const BodyDesc& desc) {
     bed.desc = *desc.bed;
     bed.downscale = desc.shading.bedDownscale;

@@ -12,6 +12,8 @@ struct BedPart {
     static FieldError validate(const BodyDesc& desc);
     static bool wanted(const BodyDesc& desc, const Sea*) { return desc.bed; }
     static Status addCost(const AskedBody& asked, Estimate& sum);
+    /// Of a description with a bed.
+    static VkExtent2D pictureExtent(const BodyDesc& desc, VkExtent2D view);
     Status create(Body& body, const BodyDesc& desc);
     /// bedView()
     Status handOut(Body& body, const ViewDesc& view, PlanarView& out);

@@ -11,7 +11,7 @@
 #include "spirv/caustics_blur.comp.h"
 #include "spirv/caustics_cast.comp.h"
 #include "spirv/caustics_gather.comp.h"
-#include "water/below/bed.h"
+#include "water/below/bed_part.h"
 #include "water/sea/sea.h"
 #include "water/waves/wave_octaves.h"
 
@@ -317,7 +317,7 @@ VkImageView Caustics::lightOf(const Context& context, uint32_t viewIndex, const 
 VkDeviceSize Caustics::bytes(const gpu::Device& device, const BodyDesc& desc, VkExtent2D view) {
     VkExtent2D largest = view;
     if (desc.bed) {
-        const VkExtent2D bed = Bed::pictureExtent(*desc.bed, desc.shading.bedDownscale, view);
+        const VkExtent2D bed = BedPart::pictureExtent(desc, view);
         largest = {std::max(view.width, bed.width), std::max(view.height, bed.height)};
     }
     const glm::ivec2 region(static_cast<int>(largest.width), static_cast<int>(largest.height));

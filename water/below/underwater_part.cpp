@@ -56,7 +56,7 @@ void UnderwaterPart::fillSnow(const Body& body, const BodyView& view, BodyBlock&
 }
 
 void UnderwaterPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
-    block.within.y = desc.meniscus / 2;
+    block.halfMeniscus = desc.meniscus / 2;
     if (desc.snow > 0) fillSnow(body, view, block);
     if (!draws(body, ViewPass::shafts)) return;
     const SunInWater sun = sunInWater(glm::dvec3(glm::vec4(block.toSun)));

@@ -59,7 +59,7 @@ Status Body::see(const char* call, const Target* target, SeenSurface& out) {
     if (out.mesh.instanceCount == 0) return Status::ok;
     out.block = bodyBlock(*this, out.view);
     if (motion) out.block.relativeFromPixel = lastPixel;
-    if (asMeshed.parallel) out.block.within.w = static_cast<float>(asMeshed.parallel->distance);
+    if (asMeshed.parallel) out.block.parallelDistance = static_cast<float>(asMeshed.parallel->distance);
     return Status::ok;
 }
 

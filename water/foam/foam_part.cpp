@@ -58,7 +58,9 @@ void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) co
                       static_cast<int32_t>(gate.turns()), static_cast<int32_t>(gate.now())};
     const FoamLayer lace = foamLaceOf(description(sea), foam.time(), foamRepeat);
     const glm::dvec2 laceAt = placeIn(lace, eye, foamRepeat);
-    block.foam = glm::vec4(foam.at().past, foam.albedo(), laceAt);
+    block.foamStep = foam.at().past;
+    block.foamAlbedo = foam.albedo();
+    block.foamPlace = laceAt;
     for (uint32_t c = 0; c < foam.cascades(); ++c) {
         const Cascade& of = cascade(sea, c);
         const FoamDrift drift = foamDriftOf(description(sea), of, foam.time());

@@ -28,17 +28,15 @@ struct ExtentPart {
     void fill(const Body& body, const BodyView& view, BodyBlock& block) const {
         const Placing& placing = body.placing;
         const glm::dvec2 eye(view.geometry.eye.x, view.geometry.eye.z);
-        block.within.x = static_cast<float>(placing.cellNearEye(view.geometry));
-        block.extent.w = static_cast<float>(placing.globe.curvature);
+        block.finestCell = static_cast<float>(placing.cellNearEye(view.geometry));
+        block.globeCurvature = static_cast<float>(placing.globe.curvature);
         block.covered = {-1e9f, -1e9f, 1e9f, 1e9f};
         if (placing.hostMesh) {
-            const glm::vec2 origin(placing.hostMesh->origin - eye);
-            block.extent.x = origin.x;
-            block.extent.y = origin.y;
+            block.meshOrigin = placing.hostMesh->origin - eye;
         }
         if (!placing.outline) return;
         block.covered = placing.outline->boxFrom(eye).packed();
-        if (body.sea) block.extent.z = static_cast<float>(1 / pinnedWithin(placing.displacement));
+        if (body.sea) block.perEdgeWidth = static_cast<float>(1 / pinnedWithin(placing.displacement));
     }
 
     void vary(const Body& body, const SurfaceDraw&, SurfaceVariant& variant) const {

@@ -104,7 +104,7 @@ Status SprayPart::draw(Body& body, const DrawCall& call, DrawMoment moment) cons
     BodyBlock drawn = bodyBlock(body, view);
     const auto lines =
         parallelLines(view.geometry, body.heightOf(view.geometry.eye), body.placing.displacement);
-    if (lines) drawn.within.w = static_cast<float>(lines->distance);
+    if (lines) drawn.parallelDistance = static_cast<float>(lines->distance);
     Resources resources;
     if (const Status s = bindBody(body, view, drawn, resources); s != Status::ok) return s;
     gpu::Slice slice;

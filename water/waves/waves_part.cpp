@@ -46,7 +46,7 @@ void WavesPart::fill(const Body& body, const BodyView& view, BodyBlock& block) c
     const SlopeCovariance rough = roughness(sea);
     const double whole = std::sqrt((resolvedSlopeVariance(sea) + unresolvedSlopeVariance(sea)) / 2);
     block.roughness = glm::vec4(rough.uu, rough.vv, rough.uv, whole);
-    block.within.z = static_cast<float>(significantWaveHeight(sea) / 4);
+    block.heightDeviation = static_cast<float>(significantWaveHeight(sea) / 4);
     const glm::dvec3& eye = view.geometry.eye;
     static_assert(bodyWarpScales == warpScales);
     for (size_t s = 0; s < warpScales; ++s) {

@@ -9,7 +9,7 @@ const float lightUnit = 4096.0;   // of a texel as bright as under calm water
 const float mostOfRay = 1e6;      // so that a sum of them stays within 32 bits
 
 ivec2 lightSize() {
-    return (water.region.zw + rayStep - 1) / rayStep;
+    return (regionSize() + rayStep - 1) / rayStep;
 }
 
 // The pixel that stands for a texel, which may lie beside the view.
@@ -25,8 +25,7 @@ float rayWidth(vec3 at) {
 
 // Whether the scene shows something under the calm surface at a pixel of the region, and where.
 bool bedShownAt(sampler2D sceneDepth, ivec2 pixel, out vec3 at) {
-    float seen = texelFetch(sceneDepth, water.region.xy + pixel, 0).r;
-    vec4 q = water.relativeFromPixel * vec4(vec2(pixel) + 0.5, seen, 1.0);
-    at = q.xyz / q.w;
-    return water.depthSign * (seen - water.farDepth) > 0.0 && at.y + water.plane.w < 0.0;
+    float seen = texelFetch(sceneDepth, sceneTexel(pixel), 0).r;
+    at = pointAt(vec2(pixel) + 0.5, seen);
+    return !isFarPlane(seen) && heightOverCalm(at) < 0.0;
 }

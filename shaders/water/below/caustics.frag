@@ -26,7 +26,7 @@ vec3 scattering() {
 
 // By how much of what calm water lets through there is more light, and of the sun what nothing hides.
 vec2 lightHere() {
-    vec2 texel = (gl_FragCoord.xy - vec2(water.region.xy)) / float(rayStep);
+    vec2 texel = regionPixel(gl_FragCoord.xy) / float(rayStep);
     // The picture may be larger than the view, and hold anything there: short of the last texel's middle a look has no part
     // of the next.
     vec2 last = vec2(lightSize()) - 0.51;
@@ -41,20 +41,20 @@ vec3 straightOn(float depth) {
 // Of what lights a point the sun's share, as its side faces the bent ray.
 vec3 sunShare(vec3 normal, float seen) {
     vec3 from = water.sunInWater.xyz;
-    vec3 sun = seen * water.sunIrradiance.rgb * (water.toSun.y * max(dot(normal, from), 0.0) / from.y);
+    vec3 sun = seen * water.sunIrradiance.rgb * (sunAtEye().y * max(dot(normal, from), 0.0) / from.y);
     return sun / max(sun + water.skyIrradiance.rgb, 1e-6);
 }
 
 void main() {
     vec3 at;
-    bool shown = bedShownAt(sceneDepth, ivec2(gl_FragCoord.xy) - water.region.xy, at);
+    bool shown = bedShownAt(sceneDepth, ivec2(regionPixel(gl_FragCoord.xy)), at);
     at = shown ? at : vec3(0.0);
     vec3 across = cross(dFdx(at), dFdy(at));   // the side it shows, which depth tells between pixels
     float shows = shown ? 1.0 : 0.0;
     vec2 ends = vec2(dFdx(shows), dFdy(shows));
     if (ends != vec2(0.0)) across = vec3(0.0, 1.0, 0.0);   // beside the bed's end none is told
     vec3 normal = across * (dot(across, sightTo(at)) > 0.0 ? -1.0 : 1.0) / max(length(across), 1e-12);
-    float depth = -(at.y + water.plane.w);
+    float depth = -heightOverCalm(at);
     bool beside = any(lessThan(at.xz, water.covered.xy)) || any(greaterThan(at.xz, water.covered.zw));
     if (!shown || beside) demote;
     vec3 factor = vec3(1.0);

@@ -19,12 +19,12 @@ void main() {
         return;
     }
     const float beyond = 1.5;   // half the picture's diagonal, and more
-    vec2 size = vec2(water.region.zw);
+    vec2 size = vec2(regionSize());
     float right = rise(vec2(size.x, 0.0)), low = rise(vec2(0.0, size.y));
     float middle = 0.5 * (right + low);
     vec2 falls = 0.5 * (vec2(rise(vec2(0.0))) - vec2(right, low));
     float steep = length(falls);
-    bool lineInSight = water.plane.w > 0.0 && water.sight.w > 0.0 && abs(middle) < beyond * steep;
+    bool lineInSight = calmLevel() < 0.0 && !sightIsParallel() && abs(middle) < beyond * steep;
     vec2 down = lineInSight ? falls / steep : vec2(0.0, 1.0);
     float from = lineInSight ? middle / steep - 4.0 / min(size.x, size.y) : -beyond;
     // Of the horizon's line to both sides, and down; at three from it, the far side of the picture, still as wide as that is.

@@ -41,7 +41,7 @@ struct Spread {
 
 // Of a metre on a level bed, along the sun's direction and across it.
 Spread pixelsPerMetre(vec3 at) {
-    vec2 towards = horizontal(water.toSun.xyz);
+    vec2 towards = horizontal(sunAtEye());
     vec4 p = pixelOf(at);
     vec4 along = water.pixelFromRelative * vec4(towards.x, 0.0, towards.y, 0.0);
     vec4 across = water.pixelFromRelative * vec4(-towards.y, 0.0, towards.x, 0.0);
@@ -57,7 +57,7 @@ Spread spreadOf(Spread perMetre, vec2 deviation) {
 vec2 blurPerMetre(vec2 pixel, vec3 at) {
     const float disc = 0.5 * 0.00465 / waterIndex;
     vec2 turned = strayed(lostSlope(rayWidth(at)));
-    float shown = onNearPlane(pixel).y + water.plane.w > 0.0 ? 0.25 * water.roughness.w : 0.0;
+    float shown = heightOverCalm(onNearPlane(pixel)) > 0.0 ? 0.25 * water.roughness.w : 0.0;
     return sqrt(turned * turned + disc * disc + shown * shown);
 }
 
@@ -88,7 +88,7 @@ vec2 lightAround(vec2 pixel, Spread spread) {
 float shareCast(vec2 pixel, Spread spread) {
     vec2 deviation = max(sqrt(spread.along * spread.along + spread.across * spread.across), 1e-3);
     vec2 before = (pixel + float(margin)) / deviation;
-    vec2 after = (vec2(water.region.zw) - pixel + float(margin)) / deviation;
+    vec2 after = (vec2(regionSize()) - pixel + float(margin)) / deviation;
     const float asGoodAsAll = 4.0;
     if (all(greaterThan(min(before, after), vec2(asGoodAsAll)))) return 1.0;
     return (gaussianBelow(before.x) + gaussianBelow(after.x) - 1.0) * (gaussianBelow(before.y) + gaussianBelow(after.y) - 1.0);
@@ -106,8 +106,8 @@ vec2 lightOn(ivec2 texel) {
     Spread blur = Spread(vec2(0.0), vec2(0.0));
     float elsewhere = 0.0, seen = 1.0;
     vec3 at;
-    if (bedShownAt(sceneDepth, min(pixelOfTexel(texel), water.region.zw - 1), at)) {
-        float depth = -(at.y + water.plane.w);
+    if (bedShownAt(sceneDepth, min(pixelOfTexel(texel), regionSize() - 1), at)) {
+        float depth = -heightOverCalm(at);
         Spread perMetre = pixelsPerMetre(at);
         blur = spreadOf(perMetre, depth * blurPerMetre(pixel, at));
         elsewhere = 1.0 - shareCast(pixel, spreadOf(perMetre, depth * strayed(water.roughness.w)));

@@ -28,7 +28,7 @@ const bool isWarped = true;
 
 // How far the sun's ray through a surface of this slope strays sideways on each metre down.
 vec2 strays(vec2 slope) {
-    vec3 ray = refract(-water.toSun.xyz, normalOf(slope), 1.0 / waterIndex);
+    vec3 ray = refract(-sunAtEye(), normalOf(slope), 1.0 / waterIndex);
     return ray.xz / max(-ray.y, 0.1);
 }
 
@@ -47,9 +47,9 @@ vec2 slopeAt(vec2 calm, float width) {
     vec2 place = warped(calm);
     int i = 0;
     do {
-        float mip = max(log2(width * water.cascade[i].w), 0.0);
+        float mip = max(log2(width * texelsInAMetre(i)), 0.0);
         if (mip < water.maxMip) {
-            vec3 at = vec3(water.cascade[i].xy + place * water.cascade[i].z, i);
+            vec3 at = inTile(place, i);
             derivatives += shore.kept[i] * textureLod(waveDerivatives, at, mip);
             shear += shore.kept[i] * textureLod(waveMoments, at, mip).w;
         }
@@ -64,9 +64,10 @@ Ray rayThrough(vec2 at, float width) {
     vec3 moved = surfaceDisplacement(waveDisplacement, at, width);
     vec2 slope = slopeAt(at - moved.xz, width);
     Ray ray;
-    ray.from = vec3(at.x, moved.y - water.plane.w, at.y);
+    ray.from = vec3(at.x, calmLevel() + moved.y, at.y);
     ray.strays = strays(slope);
-    ray.light = max(1.0 - dot(slope, water.toSun.xz) / water.toSun.y, 0.0);
+    vec3 toSun = sunAtEye();
+    ray.light = max(1.0 - dot(slope, toSun.xz) / toSun.y, 0.0);
     return ray;
 }
 
@@ -77,7 +78,7 @@ vec3 whereItIs(Ray ray, float height) {
 
 // What is under water at a pixel, which may lie beside the view: the bed at its border goes on level.
 bool bedAt(ivec2 pixel, out vec3 at) {
-    ivec2 inside = clamp(pixel, ivec2(0), water.region.zw - 1);
+    ivec2 inside = clamp(pixel, ivec2(0), regionSize() - 1);
     if (!bedShownAt(sceneDepth, inside, at)) return false;
     if (inside == pixel) return true;
     vec4 p = water.relativeFromPixel * vec4(vec2(pixel) + 0.5, 0.5, 1.0);
@@ -107,16 +108,16 @@ void leave(vec2 pixel, float amount) {
 
 void main() {
     ivec2 pixel = pixelOfTexel(ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow)) - ivec2(margin, 0);
-    if (any(greaterThanEqual(pixel, water.region.zw + margin))) return;
+    if (any(greaterThanEqual(pixel, regionSize() + margin))) return;
     vec3 at;
     if (!bedAt(pixel, at)) return;
-    vec3 enters = at - water.sunInWater.xyz * ((at.y + water.plane.w) / water.sunInWater.y);
+    vec3 enters = at - water.sunInWater.xyz * (heightOverCalm(at) / water.sunInWater.y);
     Ray ray = rayThrough(enters.xz, rayWidth(at));
     // To the height of its own pixel, then to what stands there. What is thin, and what the bed behind it shows beside it, keeps
     // its own light: which of its rays go past it, and which others it stops, the depth does not tell.
     vec3 level = whereItIs(ray, at.y);
     vec4 fallen = pixelOf(level);
-    bool shown = fallen.w > 0.0 && all(greaterThanEqual(fallen.xy, vec2(0.0))) && all(lessThan(fallen.xy, vec2(water.region.zw)));
+    bool shown = fallen.w > 0.0 && inRegion(fallen.xy);
     if (shown) {
         vec3 there;
         bool bed = bedShownAt(sceneDepth, ivec2(fallen.xy), there);

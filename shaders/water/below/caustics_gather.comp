@@ -28,6 +28,6 @@ void main() {
     if (texel.x >= rowLength || i >= sums.length()) return;
     bool lit = false;
     vec3 at;
-    if (all(lessThan(texel, lightSize()))) lit = bedShownAt(sceneDepth, min(pixelOfTexel(texel), water.region.zw - 1), at);
+    if (all(lessThan(texel, lightSize()))) lit = bedShownAt(sceneDepth, min(pixelOfTexel(texel), regionSize() - 1), at);
     leave(texel, i, vec2(float(sums[i]) / lightUnit, float(lit)));
 }

@@ -46,14 +46,14 @@ Particle particleAt(uint index) {
     float away = length(p.at);
     p.shown = there < water.snow.x ? (1.0 - smoothstep(0.6 * reach, reach, away)) * smoothstep(0.15, 0.4, away) : 0.0;
     // Between crests and troughs it might hang in the air.
-    p.shown *= smoothstep(water.within.z, 0.05 + 2.0 * water.within.z, -(p.at.y + water.plane.w));
+    p.shown *= smoothstep(water.heightDeviation, 0.05 + 2.0 * water.heightDeviation, -heightOverCalm(p.at));
     return p;
 }
 
 // What light reaches it there, white that it is.
 vec3 radianceAt(float depth) {
     vec3 k = extinction() * depth;
-    vec3 arriving = sunEntering(water.toSun.xyz) * exp(-k) + water.skyIrradiance.rgb * skyEnters * exp(-1.2 * k);
+    vec3 arriving = sunEntering(sunAtEye()) * exp(-k) + skyEntering() * exp(-1.2 * k);
     return 0.5 / pi * arriving;
 }
 
@@ -70,8 +70,8 @@ void main() {
     float hides = p.shown * p.radius * p.radius / (radius * radius);
     if (hides < 1e-3) return;
     vec3 view = normalize(p.at);
-    vec3 radiance = radianceAt(-(p.at.y + water.plane.w));
-    light = vec4(throughWater(water.toSun.xyz, radiance, max(-water.plane.w, 0.0), view.y, length(p.at)), hides);
+    vec3 radiance = radianceAt(-heightOverCalm(p.at));
+    light = vec4(throughWater(sunAtEye(), radiance, max(calmLevel(), 0.0), view.y, length(p.at)), hides);
     vec3 right = normalize(cross(view, abs(view.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
     int corner = gl_VertexIndex % 3;
     within = corner == 0 ? vec2(-1.7320508, -1.0) : corner == 1 ? vec2(1.7320508, -1.0) : vec2(0.0, 2.0);

@@ -8,11 +8,11 @@ float gatheredUnder(vec2 enters, float depth, float width) {
     float curvature = 0.0;
     int i = 0;
     do {
-        float texels = max(width * water.cascade[i].w, 1.0);
+        float texels = max(width * texelsInAMetre(i), 1.0);
         float mip = log2(texels);
         if (mip + 1.0 >= water.maxMip) continue;
-        vec3 at = vec3(water.cascade[i].xy + place * water.cascade[i].z, i);
-        float perWidth = water.cascade[i].w / texels;
+        vec3 at = inTile(place, i);
+        float perWidth = texelsInAMetre(i) / texels;
         float rise = textureLod(waveDisplacement, at, mip + 1.0).y - textureLod(waveDisplacement, at, mip).y;
         curvature += rise * perWidth * perWidth;
     } while (++i < cascades);

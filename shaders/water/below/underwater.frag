@@ -35,21 +35,22 @@ float pathInWater(vec3 start, vec3 view, float depth, float toScene) {
 }
 
 void main() {
-    vec3 start = onNearPlane(gl_FragCoord.xy - vec2(water.region.xy));
+    vec2 place = regionPixel(gl_FragCoord.xy);
+    vec3 start = onNearPlane(place);
     if (straddles && heightAboveSurface(start) > 0.0) demote;
     vec3 view = normalize(sightTo(start));
     float depth = depthOfSight(start);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float seen = texelFetch(sceneDepth, pixel, 0).r;
-    bool endless = water.depthSign * (seen - water.farDepth) <= 0.0;
-    vec4 q = water.relativeFromPixel * vec4(gl_FragCoord.xy - vec2(water.region.xy), seen, 1.0);
-    vec3 at = q.xyz / q.w;
+    bool endless = isFarPlane(seen);
+    vec3 at = pointAt(place, seen);
+    vec3 toSun = sunAtEye();
     float path = endless ? 1e6 : max(distanceTo(at) - distanceTo(start), 0.0);
     if (ofShafts) {
-        vec3 added = shaftsIn(water.toSun.xyz, start, view, depth, pathInWater(start, view, depth, path));
+        vec3 added = shaftsIn(toSun, start, view, depth, pathInWater(start, view, depth, path));
         outColor = vec4(added, 0.0);
         if (targetIsEncoded) {   // over no less than what the water shows
-            vec3 least = scatteredIn(water.toSun.xyz, depth, view.y, pathInWater(start, view, depth, path));
+            vec3 least = scatteredIn(toSun, depth, view.y, pathInWater(start, view, depth, path));
             outColor.rgb = heldOf(least + added, true) - heldOf(least, true);
         }
         return;
@@ -57,10 +58,10 @@ void main() {
     // To the surface, which is drawn over it, or without an end.
     if (endless) {
         path = pathInWater(start, view, depth, path);
-        outColor = vec4(heldOf(scatteredIn(water.toSun.xyz, depth, view.y, path), targetIsEncoded), 1.0);
+        outColor = vec4(heldOf(scatteredIn(toSun, depth, view.y, path), targetIsEncoded), 1.0);
         return;
     }
     vec4 color = texelFetch(sceneColor, pixel, 0);
-    vec3 lit = litBelow(water.toSun.xyz, linearOf(color.rgb, sceneIsEncoded), -(at.y + water.plane.w), gatheredIn(color));
-    outColor = vec4(heldOf(throughWater(water.toSun.xyz, lit, depth, view.y, path), targetIsEncoded), 1.0);
+    vec3 lit = litBelow(toSun, linearOf(color.rgb, sceneIsEncoded), -heightOverCalm(at), gatheredIn(color));
+    outColor = vec4(heldOf(throughWater(toSun, lit, depth, view.y, path), targetIsEncoded), 1.0);
 }

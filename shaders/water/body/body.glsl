@@ -5,6 +5,78 @@ layout(set = 0, binding = bodyBinding, std140) uniform Body {
     BodyBlock water;
 };
 
+// Of a pixel of the host's.
+vec2 regionPixel(vec2 hostPixel) {
+    return hostPixel - vec2(water.region.xy);
+}
+
+ivec2 regionSize() {
+    return water.region.zw;
+}
+
+bool inRegion(vec2 pixel) {
+    return all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(regionSize())));
+}
+
+// The nearest whose neighbours all are in the region, for linear looks.
+vec2 heldInRegion(vec2 pixel) {
+    return clamp(pixel, vec2(0.5), vec2(regionSize()) - 0.5);
+}
+
+// Of the scene's images, of a pixel of the region.
+ivec2 sceneTexel(ivec2 pixel) {
+    return water.region.xy + pixel;
+}
+
+// Whether a depth of the scene is that of nothing.
+bool isFarPlane(float depth) {
+    return water.depthSign * (depth - water.farDepth) <= 0.0;
+}
+
+// What the scene's depth shows at a pixel of the region.
+vec3 pointAt(vec2 pixel, float depth) {
+    vec4 q = water.relativeFromPixel * vec4(pixel, depth, 1.0);
+    return q.xyz / q.w;
+}
+
+// Where the calm plane is, of which y rises [m].
+float calmLevel() {
+    return -water.plane.w;
+}
+
+// Of a point of the calm plane, by its (u, v).
+vec3 onCalmPlane(vec2 calm) {
+    return vec3(calm.x, calmLevel(), calm.y);
+}
+
+// Of a point over the calm plane [m].
+float heightOverCalm(vec3 at) {
+    return at.y + water.plane.w;
+}
+
+bool sightIsParallel() {
+    return water.sight.w == 0.0;
+}
+
+// How far off levels of detail take a place of the calm plane to be: by parallel lines of sight all alike [m].
+float distanceForDetail(vec2 calm) {
+    return water.sight.w * length(vec3(calm, water.plane.w)) + water.parallelDistance;
+}
+
+// Towards the sun, as the eye has it; sunDirection() is that of other places of a globe.
+vec3 sunAtEye() {
+    return water.toSun.xyz;
+}
+
+// Irradiance by shares of the sun's and the sky's.
+vec3 sunLight(float sun) {
+    return water.sunIrradiance.rgb * sun;
+}
+
+vec3 lightBy(float sun, float sky) {
+    return sunLight(sun) + water.skyIrradiance.rgb * sky;
+}
+
 // To a point along the line of sight on which it lies, of any length.
 vec3 sightTo(vec3 at) {
     return at * water.sight.w + water.sight.xyz;

@@ -3,11 +3,10 @@
 // Of the one through a pixel of the region, relative to the eye.
 vec3 onNearPlane(vec2 pixel) {
     float nearDepth = water.depthSign > 0.0 ? 1.0 : 0.0;
-    vec4 start = water.relativeFromPixel * vec4(pixel, nearDepth, 1.0);
-    return start.xyz / start.w;
+    return pointAt(pixel, nearDepth);
 }
 
 // How deep in the water the line of sight begins that leaves the near plane there: at the eye, if there is one [m].
 float depthOfSight(vec3 start) {
-    return max(-(water.plane.w + (1.0 - water.sight.w) * start.y), 0.0);
+    return max(calmLevel() - (1.0 - water.sight.w) * start.y, 0.0);
 }

@@ -61,12 +61,12 @@ vec2 foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, Wh
     vec2 calm = s.calm + aside;
     vec2 under = warped(calm);
     for (int i = 0; i < foamCascades; ++i) {
-        float texels = water.cascade[i].w;
+        float texels = texelsInAMetre(i);
         vec2 place = under + bend * min(0.7 / texels, 4.0);
         float mip = log2(max(pixelWidth * texels, 1.0));
-        vec2 at = water.cascade[i].xy + place * water.cascade[i].z - water.foamDrift[i].xy;
-        vec4 steps = textureLod(foamHistory, vec3(at, i), mip);
-        vec2 left = mix(vec2(1.0 - steps.x, steps.z), vec2(1.0 - steps.y, steps.w), vec2(water.foam.x, water.foamDrift[i].z));
+        vec3 at = inTile(place, i) - vec3(water.foamDrift[i].xy, 0.0);
+        vec4 steps = textureLod(foamHistory, at, mip);
+        vec2 left = mix(vec2(1.0 - steps.x, steps.z), vec2(1.0 - steps.y, steps.w), vec2(water.foamStep, water.foamDrift[i].z));
         if (hasShore) left *= s.shore.kept[i] * s.shore.kept[i];
         foamy *= left;
     }
@@ -165,9 +165,9 @@ Foam foamOver(const SurfacePoint s) {
     vec2 streak = water.foamStreak, windrow = water.windrows.xy;
     vec2 under = warped(s.calm);
     vec2 wander = under - s.calm;   // as the waves do, so that windrows are not straight, and no tile stands in rows
-    FoamPart here = foamPartOf(water.foam.zw + drawnOut(calm, streak), water.windrows.zw + drawnOut(calm + wander, windrow));
+    FoamPart here = foamPartOf(water.foamPlace + drawnOut(calm, streak), water.windrows.zw + drawnOut(calm + wander, windrow));
     Footprint pixel = s.footprint;
-    vec2 part = pixel.longer / float(slopeSamples);
+    vec2 part = partOf(pixel);
     vec2 wide = part * clamp(length(pixel.shorter) / max(length(part), 1e-9), 0.5, 1.0);
     float width = max(length(wide), length(pixel.shorter));
     vec2 patternWidth = vec2(max(length(drawnOut(wide, windrow)), length(drawnOut(pixel.shorter, windrow))),
@@ -178,7 +178,7 @@ Foam foamOver(const SurfacePoint s) {
     Foam sum = Foam(0.0, 0.0, vec2(0.0), 0.0, 0.0);
     int i = 0;
     do {
-        vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeSamples));
+        vec2 aside = towardsPart(pixel, i);
         vec2 drawn = drawnOut(aside, streak);
         FoamPart there = FoamPart(here.here + drawn, here.beside + drawn, here.windrows + drawnOut(aside, windrow), here.share);
         Foam tap = foamAt(s, aside, there, width, patternWidth, caps);
@@ -197,7 +197,7 @@ Foam foamOver(const SurfacePoint s) {
 vec3 plumeGlow(vec3 toSun, float sunSeen, float plume) {
     const float reflects = 0.13;
     float throughWater = mix(12.0, 2.5, plume);   // there and back [m]
-    vec3 light = sunSeen * sunEntering(toSun) + water.skyIrradiance.rgb * skyEnters;
+    vec3 light = sunSeen * sunEntering(toSun) + skyEntering();
     return light * (reflects / pi * plume) * exp(-throughWater * extinction());
 }
 
@@ -220,8 +220,8 @@ vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirr
     float sun = s.sunSeen * sunClear(toSun, s.slope, ahead) * max(dot(facing, toSun), 0.0);
     ahead.unseen = sqrt(ahead.unseen * ahead.unseen + filmVariance);
     float glint = sunGlint(film, toEye) * sunClear(toSun, slopeOf(toEye + toSun), ahead);
-    vec3 light = water.sunIrradiance.rgb * sun + water.skyIrradiance.rgb * open;
-    vec3 foamy = light * water.foam.y / pi + filmShare * (mirrored + water.sunIrradiance.rgb * glint);
+    vec3 light = lightBy(sun, open);
+    vec3 foamy = light * water.foamAlbedo / pi + filmShare * (mirrored + sunLight(glint));
     if (water.absorption.r > 0.0) bare += leaves * plumeGlow(toSun, s.sunSeen, white.plume);
     return mix(bare, foamy, white.mask * mix(thinnest, 1.0, white.fresh));
 }

@@ -14,9 +14,9 @@ float foamGate(vec2 place, float width) {
     const float cells = 6.0;
     const float mean = 0.515;
     if (!isWarped) return 1.0;
-    float blurred = smoothstep(0.5, 2.0, width * water.cascade[0].z * cells);
+    float blurred = smoothstep(0.5, 2.0, width * tilesInAMetre(0) * cells);
     ivec4 first = water.foamCell;
-    vec2 at = cells * (water.cascade[0].xy + place * water.cascade[0].z);
+    vec2 at = cells * inTile(place, 0).xy;
     vec2 whole = floor(at);
     uvec2 cell = uvec2(first.xy) + uvec2(ivec2(whole));
     vec2 past = at - whole;

@@ -27,5 +27,5 @@ float looseness(vec2 point, uvec2 range) {
         vec2 past = away - along * clamp(dot(away, along) / dot(along, along), 0.0, 1.0);
         least = min(least, dot(past, past));
     }
-    return min(sqrt(least) * water.extent.z, 1.0);
+    return min(sqrt(least) * water.perEdgeWidth, 1.0);
 }

@@ -57,7 +57,7 @@ float share(inout uint bits) {
 
 // Each level fades where the next takes over; parallel lines see all as from one distance.
 float shownOf(vec4 place, vec2 calm, int level) {
-    float away = water.sight.w * length(vec3(calm, water.plane.w)) + water.within.w;
+    float away = distanceForDetail(calm);
     float ends = 1.0 - smoothstep(0.7 * place.w, place.w, away);
     return level == 0 ? ends : ends * smoothstep(0.35 * place.w, 0.5 * place.w, away);
 }
@@ -95,15 +95,15 @@ Breaking breakingAt(vec2 calm, float within) {
     float ago = 0.0;
     int i = 0;
     do {
-        vec2 at = water.cascade[i].xy + place * water.cascade[i].z - water.foamDrift[i].xy;
-        vec2 steps = 1.0 - textureLod(foamHistory, vec3(at, i), 0.0).rg;
-        float left = mix(steps.x, steps.y, water.foam.x);
+        vec3 at = inTile(place, i) - vec3(water.foamDrift[i].xy, 0.0);
+        vec2 steps = 1.0 - textureLod(foamHistory, at, 0.0).rg;
+        float left = mix(steps.x, steps.y, water.foamStep);
         if (i == int(spray.foam.w)) {
             bool begins = steps.y > steps.x;
             if (begins) left = steps.y;
             float odds = left / (foamOddsScale - left);
             ago = spray.foam.x * log((foamMostOdds + spray.foam.z) / (odds + spray.foam.z));
-            ago += (within - (begins ? 1.0 - water.foam.x : 0.0)) * spray.foam.y;
+            ago += (within - (begins ? 1.0 - water.foamStep : 0.0)) * spray.foam.y;
         } else {
             share *= left;
         }
@@ -116,11 +116,11 @@ Breaking breakingAt(vec2 calm, float within) {
 vec3 scattered(vec3 position) {
     const float g = 0.7;
     vec3 sight = normalize(sightTo(position));
-    float d = 1.0 + g * g - 2.0 * g * dot(sight, water.toSun.xyz);
+    float d = 1.0 + g * g - 2.0 * g * dot(sight, sunAtEye());
     float turned = (0.4 * (1.0 - g * g) / (d * sqrt(d)) + 0.6) / (4.0 * pi);
     float seen = hasSunShadow ? sunSeenAt(position) : 1.0;
     // The sea below is dark, but for its foam.
-    return water.sunIrradiance.rgb * (turned * seen) + water.skyIrradiance.rgb * (0.75 / pi);
+    return lightBy(turned * seen, 0.75 / pi);
 }
 
 void hide() {
@@ -141,7 +141,7 @@ void main() {
     Flight flight = flightOf(draws, broke.ago, spray.wind.xy, spray.wind.w);
 
     vec2 crest = p.calm + spray.wind.w * broke.ago * normalize(spray.wind.xy);
-    vec3 position = vec3(p.calm.x, -water.plane.w, p.calm.y) + surfaceDisplacement(waveDisplacement, crest, 0.5) + flight.moved;
+    vec3 position = onCalmPlane(p.calm) + surfaceDisplacement(waveDisplacement, crest, 0.5) + flight.moved;
     vec3 overPlane = position;
     position.y -= globeDrop(position.xz);
     vec4 pixelHere = pixelOf(position);

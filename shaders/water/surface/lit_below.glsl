@@ -18,9 +18,9 @@ float gatheredIn(vec4 color) {
 vec3 litBelow(vec3 toSun, vec3 inAir, float depth, float gathered) {
     vec3 k = extinction() * max(depth, 0.0);
     float up = max(toSun.y, 0.0);
-    vec3 light = water.sunIrradiance.rgb * up + water.skyIrradiance.rgb;
+    vec3 light = lightBy(up, 1.0);
     float sunSteepness = sqrt(1.0 - (1.0 - up * up) / (waterIndex * waterIndex));
-    vec3 arriving = sunEntering(toSun) * exp(-k / sunSteepness) + water.skyIrradiance.rgb * skyEnters * exp(-1.2 * k);
+    vec3 arriving = sunEntering(toSun) * exp(-k / sunSteepness) + skyEntering() * exp(-1.2 * k);
     vec3 albedo = min(pi * inAir / max(light * gathered, 1e-9), 1.0);
     const float turnedBack = 1.0 - skyEnters / (waterIndex * waterIndex);
     vec3 again = turnedBack * albedo * exp(-6.0 * k);

@@ -15,7 +15,7 @@ layout(location = 0) out vec4 outColor;
 
 void main() {
     if (!isSurface(calmPosition, position)) demote;
-    vec2 here = gl_FragCoord.xy - vec2(water.region.xy);
+    vec2 here = regionPixel(gl_FragCoord.xy);
     vec2 moved = lastPixel.w > 0.0 ? here - lastPixel.xy / lastPixel.w : vec2(0.0);   // it was behind the eye
     outColor = vec4(moved, 0.0, 1.0);
 }

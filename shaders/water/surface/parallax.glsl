@@ -6,7 +6,7 @@
 // `across`, up or down.
 vec2 shownCalm(vec2 meshCalm, Footprint pixel, vec3 position, float height, vec3 across) {
     if (!hasParallax) return meshCalm;
-    float width = max(length(pixel.shorter), length(pixel.longer) / float(slopeSamples));
+    float width = max(length(pixel.shorter), length(partOf(pixel)));
     float higher = waveDisplacementAt(waveDisplacement, meshCalm, width, vec4(1.0)).y - height;
     vec2 slope = -across.xz / (abs(across.y) > 1e-12 ? across.y : 1e-12);
     vec3 along = sightTo(position);

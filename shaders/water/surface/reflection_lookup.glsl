@@ -24,7 +24,7 @@ vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
 }
 
 float infoAt(vec2 pixel) {
-    bool inside = all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(water.region.zw)));
+    bool inside = inRegion(pixel);
     return inside ? texelFetch(reflectionInfo, ivec2(pixel / water.reflectionScale), 0).x : infoUnknown;
 }
 
@@ -40,8 +40,7 @@ float hitAt(vec2 pixel) {
 }
 
 Ray rayThrough(vec2 pixel) {
-    vec4 p = water.relativeFromPixel * vec4(pixel, 0.5, 1.0);
-    vec3 at = p.xyz / p.w;
+    vec3 at = pointAt(pixel, 0.5);
     return Ray((1.0 - water.sight.w) * at, normalize(sightTo(at)));
 }
 
@@ -90,7 +89,7 @@ BentPoint bentPoint(vec2 here, vec3 from, vec3 direction, float t, int rounds) {
     int i = 0;
     // From a trough what a flat mirror shows here lies nearer than it is to that mirror: so near that the image may end before.
     bool inTrough = direction.y > 0.0 && from.y < -water.mirror.x && t < farAway;
-    bool inside = all(greaterThan(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(water.region.zw)));
+    bool inside = inRegion(pixel);
     if (inTrough && inside && !infoIsHit(infoAt(pixel))) {
         pixel = here;
         i = -1;
@@ -115,7 +114,7 @@ BentPoint bentPoint(vec2 here, vec3 from, vec3 direction, float t, int rounds) {
 float shareAboveSand(const SurfacePoint s, BentPoint point) {
     vec3 met = shownBy(point.pixel, max(infoAt(point.pixel), 0.0));
     vec2 along = met.xz - s.position.xz;
-    float sand = -water.plane.w - s.shore.depth + dot(s.shore.bedSlope, along);
+    float sand = calmLevel() - s.shore.depth + dot(s.shore.bedSlope, along);
     float deep = smoothstep(0.1, 0.4, thickness(s.shore));
     return max(smoothstep(0.05, 0.25, met.y - sand), deep);
 }
@@ -147,8 +146,8 @@ float blurTexels(vec3 from, float spread, float distance) {
 // What lies a little beyond the border is as what shows at it, rather than sky; of a bed more is known there. Share of that.
 float heldInside(inout vec2 pixel, bool intoWater) {
     const float reach = 0.05;   // of the picture's size
-    vec2 size = vec2(water.region.zw);
-    vec2 held = clamp(pixel, vec2(0.5), size - 0.5);
+    vec2 size = vec2(regionSize());
+    vec2 held = heldInRegion(pixel);
     vec2 beyond = abs(pixel - held) / (intoWater ? vec2(1.0) : reach * size);
     pixel = held;
     return 1.0 - smoothstep(0.0, 1.0, max(beyond.x, beyond.y));

@@ -11,13 +11,13 @@ struct Behind {
 Behind shownAt(vec2 pixel, float depth, mat4 relativeFromPixels) {
     vec4 q = relativeFromPixels * vec4(floor(pixel) + 0.5, depth, 1.0);
     const float leastWeight = 1e-12;   // what is infinitely far is taken to be very far, so that differences are numbers
-    return Behind(pixel, q.xyz / max(q.w, leastWeight), water.depthSign * (depth - water.farDepth) <= 0.0);
+    return Behind(pixel, q.xyz / max(q.w, leastWeight), isFarPlane(depth));
 }
 
 // What the host's opaque scene shows at a pixel of the region.
 Behind behindAt(vec2 pixel) {
-    ivec2 p = texelAt(pixel + water.sceneShift, water.region.zw - 1);
-    return shownAt(vec2(p), texelFetch(sceneDepth, water.region.xy + p, 0).r, water.relativeFromPixel);
+    ivec2 p = texelAt(pixel + water.sceneShift, regionSize() - 1);
+    return shownAt(vec2(p), texelFetch(sceneDepth, sceneTexel(p), 0).r, water.relativeFromPixel);
 }
 
 vec4 linearTexel(vec4 held) {
@@ -25,7 +25,7 @@ vec4 linearTexel(vec4 held) {
 }
 
 vec4 colorOf(Behind b) {
-    return linearTexel(texelFetch(sceneColor, water.region.xy + ivec2(b.pixel), 0));
+    return linearTexel(texelFetch(sceneColor, sceneTexel(ivec2(b.pixel)), 0));
 }
 
 vec3 radianceOf(Behind b) {
@@ -54,7 +54,7 @@ vec4 betweenBedTexels(vec2 pixel) {
     vec4 sum = vec4(0.0);
     float all = 0.0;
     for (int i = 0; i < 4; ++i) {
-        if (weights[i] <= 0.0 || water.depthSign * (depths[i] - water.farDepth) <= 0.0) continue;
+        if (weights[i] <= 0.0 || isFarPlane(depths[i])) continue;
         sum += weights[i] * linearTexel(texelFetch(bedColor, clamp(ivec2(corner) + places[i], ivec2(0), water.bedSize.xy - 1), 0));
         all += weights[i];
     }
@@ -88,7 +88,7 @@ float untilBorder(vec4 a, vec4 b, vec2 size) {
 const float sharpBed = bedDownscale > 1 ? 1.5 : 0.5;   // a blur of so many pixels is none: between texels there is some
 
 bool isBelowWater(const SurfacePoint s, Behind b) {
-    return !b.nothing && b.seen.y < min(s.position.y, -water.plane.w);
+    return !b.nothing && b.seen.y < min(s.position.y, calmLevel());
 }
 
 // What lies beyond the border nobody knows: a mean of the bed around the place that lies as far inside, over a wider part of
@@ -208,7 +208,7 @@ float widthOf(mat2 blur) {
 // A mean of what those slopes show of the bed around, or of the pixel alone. Across the border it is as it is inside.
 vec4 bedColorAround(const SurfacePoint s, Behind b, mat2 blur, float drop) {
     const int taps = refractionSamples > 3 ? 4 : 1;
-    vec2 size = vec2(hasBed ? water.bedSize.xy : water.region.zw);
+    vec2 size = vec2(hasBed ? water.bedSize.xy : regionSize());
     vec2 middle = hasBed ? b.pixel : b.pixel + 0.5;
     bool blurs = widthOf(blur) > sharpBed;
     float weights = blurs ? 1e-3 : 1.0;
@@ -298,7 +298,7 @@ BentRay bentRay(const SurfacePoint s, vec3 normal, vec3 toEye) {
     ray.perDepth = bedPixelOf(vec4(ray.direction, 0.0));
     ray.here = hasBed ? ray.from.xy / ray.from.w : s.pixel;
     if (manySamples && !hasBed) ray.here = besideWhatHides(s, ray.here);
-    ray.leaves = untilBorder(ray.from, ray.perDepth, vec2(hasBed ? water.bedSize.xy : water.region.zw));
+    ray.leaves = untilBorder(ray.from, ray.perDepth, vec2(hasBed ? water.bedSize.xy : regionSize()));
     ray.onMap = hasShore ? depthOnMap(s, ray.direction) : 0.0;
     ray.passedOver = false;
     return ray;
@@ -447,10 +447,10 @@ Through refractedBed(const SurfacePoint s, vec3 normal, vec3 toEye) {
     if (madeUp) color.rgb = radianceBeyond(s, bed.found, s.position + ray.direction * bed.drop, ray.here, blurred);
     Through unknown = endlessWater(s);
     if (hasShore && ray.passedOver && known < 1.0)
-        unknown = bedThrough(s, bedRadiance(bed.nearest), ray.onMap - s.position.y - water.plane.w, gatheredIn(bedColorOf(bed.nearest)),
+        unknown = bedThrough(s, bedRadiance(bed.nearest), ray.onMap - s.position.y + calmLevel(), gatheredIn(bedColorOf(bed.nearest)),
                              ray.onMap / ray.steepness);
     float path = mix(length(bed.found.seen - s.position), bed.drop / ray.steepness, water.refractionDistortion);
-    Through through = bedThrough(s, color.rgb, -(bed.found.seen.y + water.plane.w), gatheredIn(color), path);
+    Through through = bedThrough(s, color.rgb, -heightOverCalm(bed.found.seen), gatheredIn(color), path);
     return Through(mix(unknown.radiance, through.radiance, known), mix(unknown.overFog, through.overFog, known), path, blurred);
 }
 

@@ -88,7 +88,7 @@ vec3 throughScattering(vec3 behind, const SurfacePoint s, vec3 toEye, float path
     const int points = clamp(refractionSamples / 2, 1, 3);
     const float byBubbles = 2.0;   // where a wave has just broken [1/m]
     float scattering = water.absorption.w + byBubbles * plume;
-    float bottom = s.height + water.within.z;
+    float bottom = s.height + water.heightDeviation;
     if (bottom > 0.0) {
         vec3 along = intoWater(s, toEye);
         vec2 ahead = horizontal(along);

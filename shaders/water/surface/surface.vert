@@ -27,13 +27,13 @@ struct Vertex {
 
 Vertex hostVertex() {
     HostVertex vertex = hostVertices[gl_VertexIndex];
-    return Vertex(water.extent.xy + vertex.calm, vertex.cell, min(vertex.fromEdge * water.extent.z, 1.0));
+    return Vertex(water.meshOrigin + vertex.calm, vertex.cell, min(vertex.fromEdge * water.perEdgeWidth, 1.0));
 }
 
 Vertex patchVertex(MeshPatch patch_) {
     ivec2 grid = ivec2(gl_VertexIndex % (patchCells + 1), gl_VertexIndex / (patchCells + 1));
     vec2 calm = patch_.corner + vec2(grid) * patch_.cell;
-    float share = (water.sight.w * length(vec3(calm, water.plane.w)) + water.within.w) / abs(patch_.range);
+    float share = distanceForDetail(calm) / abs(patch_.range);
     float glide = clamp((share - glideBegins) / (glideEnds - glideBegins), 0.0, 1.0);
     calm -= vec2(grid & 1) * patch_.cell * glide;
     // Drawn out at its end, so that no corners of patches show against the sky.
@@ -66,7 +66,7 @@ void main() {
     }
     Vertex vertex = vertexHere();
     if (isOutlined) edgeRange = outlinedPatches[gl_InstanceIndex].edgeRange;
-    vec3 relative = vec3(vertex.calm.x, -water.plane.w, vertex.calm.y);
+    vec3 relative = onCalmPlane(vertex.calm);
     vec3 last = relative;
     if (hasWaves) {
         vec3 held = vec3(vertex.loose, 1.0, vertex.loose);

@@ -31,8 +31,8 @@ vec4 sceneAbove(const SurfacePoint s, vec3 along) {
     const float atContact = 0.1;   // [m]
     vec4 start = water.pixelFromRelative * vec4(s.position, 1.0);
     vec4 perMetre = water.pixelFromRelative * vec4(along, 0.0);
-    if (perMetre.w <= 0.0 && water.sight.w > 0.0) return vec4(0.0);   // towards the eye's back
-    float leaves = perMetre.w > 0.0 ? 0.0 : untilBorder(start, perMetre, vec2(water.region.zw));   // of parallel lines, which vanish nowhere
+    if (perMetre.w <= 0.0 && !sightIsParallel()) return vec4(0.0);   // towards the eye's back
+    float leaves = perMetre.w > 0.0 ? 0.0 : untilBorder(start, perMetre, vec2(regionSize()));   // of parallel lines, which vanish nowhere
     float reached = 0.0;
     for (int i = 1; i < steps; ++i) {
         float part = float(i) / float(steps);
@@ -41,7 +41,7 @@ vec4 sceneAbove(const SurfacePoint s, vec3 along) {
         float far = perMetre.w > 0.0 ? share * start.w / ((1.0 - share) * perMetre.w) : share * leaves;
         reached = far;
         vec4 p = start + far * perMetre;
-        if (any(lessThan(p.xy, vec2(0.0))) || any(greaterThanEqual(p.xy, vec2(water.region.zw) * p.w))) break;
+        if (any(lessThan(p.xy, vec2(0.0))) || any(greaterThanEqual(p.xy, vec2(regionSize()) * p.w))) break;
         Behind found = behindAt(p.xy / p.w);
         if (!hides(found, s.position + far * along)) continue;
         for (int j = 0; j < halvings; ++j) {
@@ -57,10 +57,10 @@ vec4 sceneAbove(const SurfacePoint s, vec3 along) {
             }
         }
         // What the ray passes behind is not what it meets, nor is what is in the water, but where it leaves that.
-        bool wet = found.seen.y < min(s.position.y, -water.plane.w) - atContact;
+        bool wet = found.seen.y < min(s.position.y, calmLevel()) - atContact;
         if (wet || length(found.seen - s.position - far * along) > 0.05 * far + atContact) continue;
         vec2 pixel = p.xy / p.w;
-        vec2 border = min(pixel, vec2(water.region.zw) - pixel) / (0.06 * float(water.region.w));
+        vec2 border = min(pixel, vec2(regionSize()) - pixel) / (0.06 * float(regionSize().y));
         float confidence = clamp(min(border.x, border.y), 0.0, 1.0);
         return vec4(radianceOf(found) * confidence, confidence);
     }
@@ -134,10 +134,10 @@ vec4 bedAlong(vec3 toSun, vec3 direction, float path, vec4 light, float depth) {
 // Beyond the reflection the bed goes on, as high as where that ends before `pixel`, and of a mean colour, the wider the farther
 // out. Radiance times confidence, and confidence.
 vec4 bedBeyondReflection(const SurfacePoint s, vec3 direction, vec2 pixel, float depth) {
-    vec2 held = clamp(pixel, vec2(0.5), vec2(water.region.zw) - 0.5);
+    vec2 held = heldInRegion(pixel);
     float info = infoAt(held);
     vec3 bed = shownBy(held, info);
-    if (!infoIsHit(info) || bed.y > min(s.position.y, -water.plane.w)) return vec4(0.0);
+    if (!infoIsHit(info) || bed.y > min(s.position.y, calmLevel())) return vec4(0.0);
     float mip = log2(1.0 + 0.5 * length(pixel - held) / water.reflectionScale);
     vec4 light = reflectionTexel(held / water.reflectionScale, mip, water.reflectionScale);
     return bedAlong(sunDirection(s), direction, (s.position.y - bed.y) / -direction.y, light, depth);
@@ -194,7 +194,7 @@ vec4 bedBeyondScene(const SurfacePoint s, vec3 direction, float depth, out bool 
     for (int i = 0; i < 4; ++i) {
         vec4 end = pixelOf(s.position + direction * sought);
         if (end.w <= 0.0) break;
-        vec2 nearest = clamp(end.xy, vec2(0.5), vec2(water.region.zw) - 0.5);
+        vec2 nearest = heldInRegion(end.xy);
         bool inside = distance(end.xy, nearest) < 1.0;
         ShownBed there;
         if (inside) there = shownBedAt(s, nearest);
@@ -278,7 +278,7 @@ vec3 shadedBelow(const SurfacePoint s, float foamShare) {
     vec3 radiance = throughWindow(s, view, reflectance);
     radiance += reflectance * mirroredBelow(s, view) + sunThrough(s, view);
     // Foam passes on, spread evenly, what it does not send back.
-    if (hasFoam) radiance = mix(radiance, lightEntering(sunDirection(s)) * (1.0 - water.foam.y) / pi, foamShare);
+    if (hasFoam) radiance = mix(radiance, lightEntering(sunDirection(s)) * (1.0 - water.foamAlbedo) / pi, foamShare);
     vec3 start = onNearPlane(s.pixel);
     return throughWater(sunDirection(s), radiance, depthOfSight(start), view.y, max(distanceTo(s.position) - distanceTo(start), 0.0));
 }

@@ -31,7 +31,7 @@ vec3 skyOfFog(vec3 along) {
 // before it sank.
 vec4 airBefore(vec2 pixel, vec3 position, vec3 overPlane) {
     if (!hasFog) return vec4(vec3(0.0), 1.0);
-    vec3 start = water.sight.w > 0.0 ? vec3(0.0) : onNearPlane(pixel);
+    vec3 start = sightIsParallel() ? onNearPlane(pixel) : vec3(0.0);
     float way = length(position - start);
     vec3 color = airFog().color.rgb;
     if (fogFromSky) {

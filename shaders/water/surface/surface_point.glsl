@@ -30,7 +30,7 @@ vec3 fromLevel(const SurfacePoint s, vec3 direction) {
 
 // In those axes.
 vec3 sunDirection(const SurfacePoint s) {
-    return onGlobe ? water.toSun.xyz * s.level : water.toSun.xyz;
+    return onGlobe ? sunAtEye() * s.level : sunAtEye();
 }
 
 // How high the water that the bed guides stands over it; less than nothing behind the water's edge [m].
@@ -58,23 +58,32 @@ vec4 keptAt(const SurfacePoint s) {
     return hasShore ? s.shore.kept : vec4(1.0);
 }
 
-// Derivatives of the waves over the pixel, and their moments: at a grazing angle a pixel is long and narrow, and is taken in
-// as many parts as there are looks.
+// At a grazing angle a pixel is long and narrow, and is taken in `slopeSamples` parts, of which this is the longer side.
+vec2 partOf(Footprint pixel) {
+    return pixel.longer / float(slopeSamples);
+}
+
+// From its middle to that of a part.
+vec2 towardsPart(Footprint pixel, int i) {
+    return partOf(pixel) * (float(i) + 0.5 - 0.5 * float(slopeSamples));
+}
+
+// Derivatives of the waves over the pixel, and their moments.
 void sampleWaves(vec3 at, int cascade, Footprint pixel, out vec4 derivatives, out vec4 moments) {
     if (slopeSamples == 1) {
-        float covered = length(pixel.longer) * water.cascade[cascade].w;
+        float covered = length(pixel.longer) * texelsInAMetre(cascade);
         float level = log2(max(covered, 1e-6));
         derivatives = textureLod(waveDerivatives, at, level);
         moments = textureLod(waveMoments, at, level);
         return;
     }
-    float texels = water.cascade[cascade].z;
+    float tiles = tilesInAMetre(cascade);
     derivatives = vec4(0.0);
     moments = vec4(0.0);
-    vec2 part = pixel.longer * texels / float(slopeSamples);
-    vec2 across = pixel.shorter * texels;
+    vec2 part = partOf(pixel) * tiles;
+    vec2 across = pixel.shorter * tiles;
     for (int i = 0; i < slopeSamples; ++i) {
-        vec3 there = at + vec3(part * (float(i) + 0.5 - 0.5 * float(slopeSamples)), 0.0);
+        vec3 there = at + vec3(towardsPart(pixel, i) * tiles, 0.0);
         derivatives += textureGrad(waveDerivatives, there, part, across);
         moments += textureGrad(waveMoments, there, part, across);
     }
@@ -99,7 +108,7 @@ void findSlopes(inout SurfacePoint s) {
     vec3 variance = vec3(0.0);
     vec2 place = warped(s.calm);
     for (int i = 0; i < cascades; ++i) {
-        vec3 at = vec3(water.cascade[i].xy + place * water.cascade[i].z, i);
+        vec3 at = inTile(place, i);
         vec4 d, moments;
         sampleWaves(at, i, s.footprint, d, moments);
         if (hasShore) {
@@ -115,7 +124,7 @@ void findSlopes(inout SurfacePoint s) {
             float counts = water.breakingCounts[i];
             s.compressed += counts * vec2(-dot(water.compression.xyz, vec3(d.zw, moments.w)), counts * max(lost.x + lost.y, 0.0));
         }
-        s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(s.footprint.longer) * water.cascade[i].w);
+        s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(s.footprint.longer) * texelsInAMetre(i));
     }
     variance.xy = max(variance.xy, 0.0);
     WaveGradient gradient = waveGradient(derivatives, shear, s.calm);

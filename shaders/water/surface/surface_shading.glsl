@@ -35,11 +35,10 @@ vec3 inWorld(vec3 direction) {
 // A mean over the pixel, by as many looks as its waves get.
 float sunSeenOver(const SurfacePoint s) {
     if (!hasWaves) return sunSeenAt(s.position);
-    vec2 part = s.footprint.longer / float(slopeSamples);
     float sum = 0.0;
     int i = 0;
     do {
-        vec2 aside = part * (float(i) + 0.5 - 0.5 * float(slopeSamples));
+        vec2 aside = towardsPart(s.footprint, i);
         sum += sunSeenAt(s.position + vec3(aside.x, 0.0, aside.y));
     } while (++i < slopeSamples);
     return sum / float(slopeSamples);
@@ -64,12 +63,12 @@ vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye) {
         vec3 toSun = sunDirection(s);
         glint *= sunClear(toSun, slopeOf(toEye + toSun), ahead);
     }
-    radiance += water.sunIrradiance.rgb * glint;
+    radiance += sunLight(glint);
     if (hasFoam) radiance = withFoam(radiance, white, s, toEye, mirror.radiance, entering, ahead);
     if (hasFog) radiance = fogged(radiance, (1.0 - white.mask) * (mirror.sceneOverFog + entering * through.overFog), s.air);
     if (hasShore && hasRefraction) {
         // Wet sand dries, and water thins out into it.
-        vec3 dry = linearOf(texelFetch(sceneColor, ivec2(s.pixel + vec2(water.region.xy) + water.sceneShift), 0).rgb, sceneIsEncoded);
+        vec3 dry = linearOf(texelFetch(sceneColor, sceneTexel(ivec2(s.pixel + water.sceneShift)), 0).rgb, sceneIsEncoded);
         radiance = mix(dry, radiance, presence(s.shore));
     }
     return radiance;

@@ -9,11 +9,15 @@ const float skyEnters = 0.934;   // 1 - 0.066, diffuse Fresnel reflectance of wa
 // Irradiance just below the surface.
 vec3 sunEntering(vec3 toSun) {
     float up = max(toSun.y, 0.0);
-    return water.sunIrradiance.rgb * (up * (1.0 - fresnelWater(up)));
+    return sunLight(up * (1.0 - fresnelWater(up)));
+}
+
+vec3 skyEntering() {
+    return water.skyIrradiance.rgb * skyEnters;
 }
 
 vec3 lightEntering(vec3 toSun) {
-    return sunEntering(toSun) + water.skyIrradiance.rgb * skyEnters;
+    return sunEntering(toSun) + skyEntering();
 }
 
 // Radiance of endless water below, seen from just under its surface.

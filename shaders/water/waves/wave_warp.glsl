@@ -24,6 +24,19 @@ vec2 warped(vec2 calm) {
     return calm + shiftBy(warpWavesAt(0, calm)) + shiftBy(warpWavesAt(1, calm)) + shiftBy(warpWavesAt(2, calm));
 }
 
+// Where a warped() place is looked up in a cascade's maps.
+vec3 inTile(vec2 place, int cascade) {
+    return vec3(water.cascade[cascade].xy + place * water.cascade[cascade].z, cascade);
+}
+
+float tilesInAMetre(int cascade) {
+    return water.cascade[cascade].z;
+}
+
+float texelsInAMetre(int cascade) {
+    return water.cascade[cascade].w;
+}
+
 // How the shift along u changes along u and v, and that along v.
 vec4 warpGradientAt(int scale, vec2 calm) {
     WarpWaves waves = warpWavesAt(scale, calm);
