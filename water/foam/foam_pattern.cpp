@@ -225,9 +225,12 @@ VkDeviceSize FoamPattern::bytes(const gpu::Device& device) {
 }
 
 Status FoamPattern::create(Context& context) {
+    // The same for all bodies, and worked out by the first: it takes longer than all else that a body is made
+    // of.
+    static const std::vector<std::vector<FoamTexel>> pattern = foamPattern();
     if (const Status s = image_.create(context, imageDesc(), "foam pattern"); s != Status::ok) return s;
     std::byte* out = image_.texels();
-    for (const std::vector<FoamTexel>& mip : foamPattern()) {
+    for (const std::vector<FoamTexel>& mip : pattern) {
         std::memcpy(out, mip.data(), mip.size() * sizeof(FoamTexel));
         out += mip.size() * sizeof(FoamTexel);
     }

@@ -512,6 +512,43 @@ TEST_F(Shading, SamplesBesideTheMiddleTakeANeighboursColour) {
     EXPECT_EQ(beyond, 0u);
 }
 
+// Where a crest hides what lies behind it, either is seen as finely as right beside that edge.
+TEST_F(Shading, WhatACrestHidesBlursNothingOfIt) {
+    Described d;
+    withWaves(d);
+    d.sea.windSpeed = 10;
+    Body* const body = makeBody(d.body);
+    Camera c = camera();
+    c.eye.y = 1.5;
+    c.target.y = 1;
+    double atEdges = 0, beside = 0;
+    size_t edges = 0;
+    for (const double time : {5.0, 9.0, 13.0}) {
+        const WaterPicture p = taken(body, c, {}, SurfaceOutput::slopes, time);
+        const auto nearness = [&](uint32_t x, uint32_t y) {
+            return double{p.depth[size_t{y} * c.width + x]};
+        };
+        const auto variance = [&](uint32_t x, uint32_t y) {
+            const float* const texel = &p.color[(size_t{y} * c.width + x) * 4];
+            return double{texel[2]} + double{texel[3]};
+        };
+        for (uint32_t y = 2; y + 3 < c.height; ++y)
+            for (uint32_t x = 0; x < c.width; ++x) {
+                bool covered = true;
+                for (uint32_t i = y - 2; i <= y + 3; ++i) covered &= p.covered(size_t{i} * c.width + x);
+                // The crest's last row is y + 1.
+                if (!covered || nearness(x, y + 1) < 1.5 * nearness(x, y)) continue;
+                ++edges;
+                atEdges += variance(x, y) + variance(x, y + 1);
+                beside += variance(x, y - 1) + variance(x, y + 2);
+            }
+    }
+    std::printf("%zu edges, at which %.3f of the variance beside them is not seen\n", edges,
+                atEdges / beside);
+    EXPECT_GT(edges, 200u);
+    EXPECT_LT(atEdges, 1.3 * beside);
+}
+
 TEST_F(Shading, OfAHostThatLeavesDepthAloneIsTheNearest) {
     lowSun(lighting);
     Body* body = wavyBody();

@@ -88,6 +88,59 @@ TEST_F(ShoreOnGpu, TheSurfaceStandsWhereHeightQueriesSay) {
     EXPECT_GT(highest, 0.1);
 }
 
+// Of a swell that comes aslant, so that no axis is like the other.
+TEST_F(ShoreOnGpu, NormalsAreThoseOfHeightQueries) {
+    sea_.windSpeed = 0;
+    sea_.swells[0].height = 1;
+    sea_.swells[0].direction += 0.9f;
+    Body* const body = makeBody(desc_);
+    Camera seenBy = camera();
+    seenBy.eye = {0, 6, -40};
+    seenBy.target = {0, 0, -34};
+    double apart = 0, steep = 0;
+    for (const double time : {31.4, 33.0}) {
+        const WaterPicture places = picture({body}, seenBy, time, SurfaceOutput::height),
+                           normals = picture({body}, seenBy, time, SurfaceOutput::normal);
+        for (uint32_t y = 0; y < seenBy.height; y += 7)
+            for (uint32_t x = 0; x < seenBy.width; x += 11) {
+                const size_t i = size_t{y} * seenBy.width + x;
+                const glm::dvec3 world = worldAt(seenBy, places, x, y);
+                if (!places.covered(i) || glm::length(world - seenBy.eye) > 18) continue;
+                const double point[] = {world.x, world.z};
+                HeightSample sample;
+                sampleHeights(*sea(body), time, point, 1, &sample);
+                for (const size_t axis : {size_t{0}, size_t{2}}) {
+                    const double expected = double{sample.normal[axis]} / double{sample.normal[1]};
+                    const double off =
+                        double{normals.color[4 * i + axis]} / double{normals.color[4 * i + 1]} - expected;
+                    apart += off * off;
+                    steep += expected * expected;
+                }
+            }
+    }
+    std::printf("slopes are off by %.4f of what they are\n", std::sqrt(apart / steep));
+    EXPECT_LT(std::sqrt(apart / steep), 0.05);
+}
+
+// Where water has run up and back, a film is left on the sand, and none of it lies below.
+TEST_F(ShoreOnGpu, WetSandBearsAFilm) {
+    Body* const body = makeBody(desc_);
+    size_t film = 0, sunk = 0;
+    for (const double time : {30.0, 33.0, 36.0}) {
+        const WaterPicture p = picture({body}, camera(), time, SurfaceOutput::height);
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                if (!p.covered(size_t{y} * p.width + x)) continue;
+                const glm::dvec3 world = worldAt(camera(), p, x, y);
+                const double over = world.y - slope * world.z;
+                film += over > 0.008 && over < 0.016;
+                sunk += over < 0 && world.y > 0.05;
+            }
+    }
+    std::printf("%zu pixels of film, %zu below the sand\n", film, sunk);
+    EXPECT_GT(film, 500u);
+}
+
 /// In the surf, looking up, so that no ray from above meets the water.
 Camera straddling() {
     Camera camera;
