@@ -51,20 +51,22 @@ struct BodyBlock {
     float maxMip;          // of the waves' maps
     float reflectionScale; // pixels of the region to one of the reflection, each way
     int seaCascades;
-    vec2 foamStreak;        // wind's direction, times sqrt(1 - 1/stretch) of the pattern
-    vec2 sceneShift;        // to the scene's pixel that shows a point, whose sample may lie off its middle
-    vec4 reflectionLook;    // clear distance [m], scatter, distance at which the sky has taken over [m]:
-                            // reflection_blur.glsl
-    float finestCell;       // edge [m]
-    float halfMeniscus;     // [m]
-    float heightDeviation;  // of the waves [m]
-    float parallelDistance; // of parallel_view.h [m]
-    vec2 meshOrigin;        // (u, v) of a mesh of the host's own
-    float perEdgeWidth;     // 1 / distance over which edges hold the waves [1/m]
-    float globeCurvature;   // 1 / its radius [1/m]
-    vec4 caustics;          // strength
-    vec4 shafts;            // strength; by how much of a depth waves blur them; SunInWater::turnedAcross
-    vec4 snow;              // share of its cells that hold something, turns of the waves that carry it
+    vec2 foamStreak;     // wind's direction, times sqrt(1 - 1/stretch) of the pattern
+    vec2 sceneShift;     // to the scene's pixel that shows a point, whose sample may lie off its middle
+    vec4 reflectionLook; // clear distance [m], scatter, distance at which the sky has taken over [m]:
+                         // reflection_blur.glsl
+    ivec4 glitter;      // the eye's (u, v) as they wrap [1/1024 m]; turns of a cell of a metre in a loop; now
+    vec4 glitterShare;  // ShadingDesc's glitter
+    float finestCell;   // edge [m]
+    float halfMeniscus; // [m]
+    float heightDeviation;      // of the waves [m]
+    float parallelDistance;     // of parallel_view.h [m]
+    vec2 meshOrigin;            // (u, v) of a mesh of the host's own
+    float perEdgeWidth;         // 1 / distance over which edges hold the waves [1/m]
+    float globeCurvature;       // 1 / its radius [1/m]
+    vec4 caustics;              // strength
+    vec4 shafts;                // strength; by how much of a depth waves blur them; SunInWater::turnedAcross
+    vec4 snow;                  // share of its cells that hold something, turns of the waves that carry it
     ivec4 snowCells[snowSizes]; // of marine_snow_lattice.h: the first along each axis, as they wrap
     vec4 snowPlaces[snowSizes]; // that one's corner, a cell's edge [m]
     vec4 covered;               // (u, v) of the box around the body, low and high

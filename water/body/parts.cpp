@@ -17,6 +17,7 @@ Part reflectionPart();
 Part causticsPart();
 Part underwaterPart();
 Part shadingPart();
+Part glitterPart();
 Part sprayPart();
 
 std::span<const Part> parts() {
@@ -29,7 +30,7 @@ std::span<const Part> parts() {
         bedPart(),        refractionPart(),
         reflectionPart(), causticsPart(),
         underwaterPart(), shadingPart(),
-        sprayPart(),
+        glitterPart(),    sprayPart(),
     };
     return all;
 }

@@ -219,7 +219,7 @@ vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirr
     vec3 toSun = sunDirection(s);
     float sun = s.sunSeen * sunClear(toSun, s.slope, ahead) * max(dot(facing, toSun), 0.0);
     ahead.unseen = sqrt(ahead.unseen * ahead.unseen + filmVariance);
-    float glint = sunGlint(film, toEye) * sunClear(toSun, slopeOf(toEye + toSun), ahead);
+    float glint = sunGlint(film, toEye, false) * sunClear(toSun, slopeOf(toEye + toSun), ahead);
     vec3 light = lightBy(sun, open);
     vec3 foamy = light * water.foamAlbedo / pi + filmShare * (mirrored + sunLight(glint));
     if (water.absorption.r > 0.0) bare += leaves * plumeGlow(toSun, s.sunSeen, white.plume);

@@ -20,13 +20,14 @@ float sunDensity(const SurfacePoint s, vec3 halfway, float gap) {
 }
 
 // Radiance of the sun's mirror image, spread by the slopes within the pixel (Bruneton, Neyret and Holzschuch 2010,
-// eq. 14) and by its own disc; as a share of its irradiance, before what waves hide of it.
-float glintOfWaves(const SurfacePoint s, vec3 toEye) {
+// eq. 14) and by its own disc; as a share of its irradiance, before what waves hide of it. Where it `sparkles`, by glitter.glsl.
+float glintOfWaves(const SurfacePoint s, vec3 toEye, bool sparkles) {
     vec3 halfway = toEye + sunDirection(s);
     if (sunDirection(s).y <= 0.0 || halfway.y <= 0.0) return 0.0;
     float gap = length(halfway);
     halfway /= gap;
     float density = sunDensity(s, halfway, gap);
+    if (hasGlitter && sparkles && density > 1e-3) density = sunDensity(patchOf(s), halfway, gap);
     float fresnel = mirroredShare(dot(toEye, halfway));
     float up2 = halfway.y * halfway.y;
     return s.sunSeen * fresnel * density / (4.0 * up2 * up2 * visibleArea(visibleSlopes(s, toEye), toEye));
@@ -50,6 +51,6 @@ float glintOfStillWater(const SurfacePoint s, vec3 toEye) {
     return s.sunSeen * mirroredShare(toEye.y) / (pi * squaredRadius);
 }
 
-float sunGlint(const SurfacePoint s, vec3 toEye) {
-    return hasWaves ? glintOfWaves(s, toEye) : glintOfStillWater(s, toEye);
+float sunGlint(const SurfacePoint s, vec3 toEye, bool sparkles) {
+    return hasWaves ? glintOfWaves(s, toEye, sparkles) : glintOfStillWater(s, toEye);
 }

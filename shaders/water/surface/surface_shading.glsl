@@ -25,6 +25,8 @@ vec3 inWorld(vec3 direction) {
 #include "parallax.glsl"
 #include "waves_ahead.glsl"
 #include "surface_mirror.glsl"
+#include "spray_hash.glsl"
+#include "glitter.glsl"
 #include "sun_glint.glsl"
 #include "water_light.glsl"
 #include "lit_below.glsl"
@@ -55,7 +57,7 @@ vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye) {
         below = meanFound(vec4(below, 1.0), s.quadIsAlike ? smoothstep(1.0, 3.0, through.blurred / sharpBed) : 0.0).rgb;
     if (hasSubsurfaceScattering) below = throughScattering(below, s, toEye, through.path, white.plume);
     vec3 radiance = mirror.radiance + entering * below;
-    float glint = sunGlint(s, toEye);
+    float glint = sunGlint(s, toEye, true);
     WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);
     if (hasWaves) {
         bool sunShines = s.sunSeen * dot(water.sunIrradiance.rgb, vec3(1.0)) > 0.0;
