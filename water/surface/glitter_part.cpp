@@ -32,7 +32,8 @@ struct GlitterPart {
         // Of waves in deep water, which are as long as two cells.
         const double omega = std::sqrt(9.81 * std::numbers::pi);
         const glm::dvec3& eye = view.geometry.eye;
-        block.glitter = {onLattice(eye.x), onLattice(eye.z), static_cast<int32_t>(frequencyIndex(omega, loop)),
+        block.glitter = {onLattice(eye.x), onLattice(eye.z),
+                         static_cast<int32_t>(frequencyIndex(omega, loop)),
                          static_cast<int32_t>(loopPhase(time, loop))};
         block.glitterShare.x = body.shading.glitter;
     }

@@ -20,9 +20,9 @@ bool isRegularFile(const std::string& option, const fs::path& file, const std::s
     return false;
 }
 
-bool setsSun(const std::vector<std::string>& overrides) {
-    return std::any_of(overrides.begin(), overrides.end(), [](const std::string& text) {
-        return text.starts_with("sun.") || text.starts_with("sun=");
+bool sets(const std::vector<std::string>& overrides, const std::string& path) {
+    return std::any_of(overrides.begin(), overrides.end(), [&](const std::string& text) {
+        return text.starts_with(path + ".") || text.starts_with(path + "=");
     });
 }
 
@@ -37,6 +37,16 @@ FogDesc clearAir(const WaterDesc& water) {
     air.fromSky = 1;
     air.overSky = false;
     return air;
+}
+
+/// What a scene does not say of how it is looked at.
+void addLook(const std::vector<std::string>& overrides, Scene& scene) {
+    if (!scene.water) return;
+    WaterDesc& water = *scene.water;
+    constexpr float likePhotographs = 0.8f; // by eye
+    if (!scene.fog) scene.fog = clearAir(water);
+    if (water.shading.glitter == 0 && !sets(overrides, "water.glitter"))
+        water.shading.glitter = likePhotographs;
 }
 
 /// What the quality sets, to go before the overrides that are given by hand.
@@ -64,7 +74,7 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
         overrides.push_back("sky.layer=''");
         overrides.push_back("sky.clear=false");
         // The scene's sun is that of the scene's sky.
-        if (!setsSun(options.overrides)) overrides.push_back("sun.from_sky=true");
+        if (!sets(options.overrides, "sun")) overrides.push_back("sun.from_sky=true");
     }
     if (mesh) {
         if (!isRegularFile("--mesh", options.mesh, "a glTF file", error)) return std::nullopt;
@@ -76,7 +86,7 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
     std::optional<Scene> scene = loadScene(options.scene, overrides, error);
     if (scene && sky) scene->sky.where = "--sky";
     if (scene && mesh && !scene->meshes.empty()) scene->meshes.front().where = "--mesh";
-    if (scene && options.lens && scene->water && !scene->fog) scene->fog = clearAir(*scene->water);
+    if (scene && options.lens) addLook(options.overrides, *scene);
     return scene;
 }
 

@@ -24,7 +24,7 @@ void placeAlong(int eye, float fromEye, int level, out uint cell, out float past
 
 int levelOf(float width) {
     const int finest = -5;   // ripples that mirror as one [log2 m]
-    return clamp(int(ceil(log2(max(width, 1e-3)))), finest, 12);
+    return max(int(ceil(log2(clamp(width, 1e-3, 4096.0)))), finest);
 }
 
 // Sheared along the pixel, by steps that move a cell's end by half a width.
@@ -33,9 +33,10 @@ FacetLattice facetLattice(const SurfacePoint s) {
     bool byV = abs(along.y) > abs(along.x);
     if (byV) along = along.yx;
     float reach = max(abs(along.x), 1e-4);
+    float slant = clamp(along.y / (along.x < 0.0 ? -reach : reach), -1.0, 1.0);
     ivec2 level = ivec2(levelOf(reach), levelOf(length(along) * length(s.footprint.shorter) / reach));
     int steps = min(2 << clamp(level.x - level.y, 0, 5), 64);
-    int shear = int(round(along.y / along.x * float(steps))) * (64 / steps);
+    int shear = int(round(slant * float(steps))) * (64 / steps);
     ivec2 eye = byV ? water.glitter.yx : water.glitter.xy;
     vec2 calm = byV ? s.calm.yx : s.calm;
     FacetLattice lattice;

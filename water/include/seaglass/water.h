@@ -68,7 +68,7 @@ struct ShadingDesc {
     uint32_t waveShadowSteps = 0;     ///< for waves that hide low sun and sky, 2..32; 0: a mean (Smith)
     uint32_t sprayParticles = 131072; ///< of spray in a view, at most, 1024..262144
     bool parallax = false; ///< shades waves too short for the mesh at their own height; not on a shore
-    float glitter = 0; ///< share of the slopes within a pixel that single facets show to the sun, 0..0.95; 0: a mean
+    float glitter = 0;     ///< of slopes within a pixel, the share by which facets flash, 0..0.95; 0: a mean
     Fresnel fresnel = Fresnel::exact; ///< of what the eye sees; light for the bed enters by exact's share
     uint32_t pixelsPerShading = 1;    ///< to one that is shaded, 1, 2 or 4: others are as those beside them
 };

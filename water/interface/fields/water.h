@@ -42,7 +42,9 @@ inline constexpr Field shadingFieldRows[] = {
     field<&ShadingDesc::parallax>("parallax",
                                   "Shades waves shorter than the mesh's cells at their own height.")
         .byQuality(false, false, true, true),
-    field<&ShadingDesc::glitter>("glitter", 0, 0.95, "", "Share of the slopes within a pixel by which single facets flash; 0: a mean."),
+    field<&ShadingDesc::glitter>(
+        "glitter", 0, 0.95, "",
+        "Share of the slopes within a pixel by which single facets flash; 0: a mean."),
     field<&ShadingDesc::fresnel>("fresnel", fresnels, "What share of light is mirrored."),
     field<&ShadingDesc::pixelsPerShading>(
         "pixelsPerShading", 1, 4, "",
