@@ -8,6 +8,7 @@
 #include "reflection_source.glsl"
 #include "reflection_blur.glsl"
 #include "reflection_texels.glsl"
+#include "scene_behind.glsl"
 
 const float farAway = 1e5;
 const float endlesslyFar = 1e9;   // the eye of parallel lines of sight [m]
@@ -109,14 +110,49 @@ BentPoint bentPoint(vec2 here, vec3 from, vec3 direction, float t, int rounds) {
     return aheadOf(here, from, direction, BentPoint(mix(here, pixel, water.reflectionDistortion), t));
 }
 
+// 1 where water is so deep that it mirrors as the sea does, not as the sand below it lies.
+float deepEnough(const ShoreWave shore) {
+    return smoothstep(0.1, 0.4, thickness(shore));
+}
+
+// Of a place, by the sand at the point [m].
+float overSand(const SurfacePoint s, vec3 at) {
+    return at.y - calmLevel() + s.shore.depth - dot(s.shore.bedSlope, at.xz - s.position.xz);
+}
+
 // What runs up the sand stands above the plane that the image mirrors about, which there lies in the sand: the image shows
 // sand, which no ray from above it meets. Share of what else there is.
 float shareAboveSand(const SurfacePoint s, BentPoint point) {
     vec3 met = shownBy(point.pixel, max(infoAt(point.pixel), 0.0));
-    vec2 along = met.xz - s.position.xz;
-    float sand = calmLevel() - s.shore.depth + dot(s.shore.bedSlope, along);
-    float deep = smoothstep(0.1, 0.4, thickness(s.shore));
-    return max(smoothstep(0.05, 0.25, met.y - sand), deep);
+    return max(smoothstep(0.05, 0.25, overSand(s, met)), deepEnough(s.shore));
+}
+
+// What stands on the beach, as the film on wet sand and the water's edge mirror it: these lie above the plane that the image mirrors
+// about. So the scene's depth is followed along the ray, in even steps of the screen. Radiance, and 1 where it meets something.
+vec4 mirroredOverSand(const SurfacePoint s, vec3 direction) {
+    const int steps = 24;
+    const int halvings = 4;
+    const float farthest = 60.0;   // of what is large enough to be told in a film [m]
+    const float thickest = 0.6;    // what is seen from before is taken to be so thick [m]
+    const float footing = 0.05;    // over which it stands out of the sand [m]
+    vec4 from = water.pixelFromRelative * vec4(s.position, 1.0), by = water.pixelFromRelative * vec4(direction, 0.0);
+    float end = min(untilBorder(from, by, vec2(regionSize())), farthest);
+    float last = 0.0, met = 0.0;
+    int i = 0;
+    [[dont_unroll]] do {
+        // Evenly on the screen, then halving what is between the last that was before the scene and the first behind it.
+        float along = (float(i) + 1.0) / float(steps);
+        float t = i < steps ? along * from.w * end / mix(from.w + end * by.w, from.w, along) : 0.5 * (last + met);
+        vec3 at = s.position + t * direction;
+        Behind b = behindAt(pixelOf(at).xy);
+        float behind = distanceTo(at) - distanceTo(b.seen);
+        bool meets = !b.nothing && behind > 0.0 && behind < thickest + (t - last) && overSand(s, b.seen) > footing;
+        if (meets) met = t;
+        else last = t;
+        if (meets && i < steps) i = steps - 1;
+    } while (++i < steps + (met > 0.0 ? halvings : 0));
+    if (met <= 0.0) return vec4(0.0);
+    return vec4(radianceOf(behindAt(pixelOf(s.position + met * direction).xy)), 1.0);
 }
 
 // A ray that goes on to the sky is looked up far from where it leaves the water, and blurred there: with what other water

@@ -2,36 +2,6 @@
 
 const bool hasBed = bedDownscale > 0;
 
-struct Behind {
-    vec2 pixel;    // of the region
-    vec3 seen;     // where, relative to the eye
-    bool nothing;  // but the far plane
-};
-
-Behind shownAt(vec2 pixel, float depth, mat4 relativeFromPixels) {
-    vec4 q = relativeFromPixels * vec4(floor(pixel) + 0.5, depth, 1.0);
-    const float leastWeight = 1e-12;   // what is infinitely far is taken to be very far, so that differences are numbers
-    return Behind(pixel, q.xyz / max(q.w, leastWeight), isFarPlane(depth));
-}
-
-// What the host's opaque scene shows at a pixel of the region.
-Behind behindAt(vec2 pixel) {
-    ivec2 p = texelAt(pixel + water.sceneShift, regionSize() - 1);
-    return shownAt(vec2(p), texelFetch(sceneDepth, sceneTexel(p), 0).r, water.relativeFromPixel);
-}
-
-vec4 linearTexel(vec4 held) {
-    return vec4(linearOf(held.rgb, sceneIsEncoded), held.a);
-}
-
-vec4 colorOf(Behind b) {
-    return linearTexel(texelFetch(sceneColor, sceneTexel(ivec2(b.pixel)), 0));
-}
-
-vec3 radianceOf(Behind b) {
-    return colorOf(b).rgb;
-}
-
 // In what follows pixels are the bed's where it has a picture of its own: wider than the region, from a raised
 // eye (water/below/bed.cpp), and with nothing in it that stands above the water. Else they are the scene's.
 vec4 bedPixelOf(vec4 relative) {
@@ -73,16 +43,6 @@ vec3 bedRadiance(Behind b) {
 // What shows where a bent ray has come to, `target` in homogeneous pixels, from `here`.
 Behind behindRay(vec2 here, vec4 target) {
     return bedAt(mix(here, target.xy / target.w, water.refractionDistortion));
-}
-
-// How far a ray from inside the picture goes until it leaves it [m]: where a + t b, homogeneous pixels, passes a border of
-// a picture of that size.
-float untilBorder(vec4 a, vec4 b, vec2 size) {
-    // Gaps to the borders, times w, and how fast they shrink.
-    vec4 gap = vec4(a.xy, size * a.w - a.xy);
-    vec4 loss = vec4(-b.xy, b.xy - size * b.w);
-    vec4 t = mix(vec4(1e6), gap / loss, greaterThan(loss, gap * 1e-6));
-    return max(min(min(t.x, t.y), min(t.z, t.w)), 0.0);
 }
 
 const float sharpBed = bedDownscale > 1 ? 1.5 : 0.5;   // a blur of so many pixels is none: between texels there is some

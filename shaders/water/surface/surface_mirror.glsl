@@ -36,7 +36,11 @@ struct Reflection {
 
 // Of the scene, times confidence, and confidence. `hit` is how far away the last ray beside this one met something [m].
 vec4 mirroredScene(const SurfacePoint s, vec3 direction, float spread, inout float hit) {
-    return hasReflection ? reflectionAlong(s, fromLevel(s, direction), spread, hit) : vec4(0.0);
+    if (!hasReflection) return vec4(0.0);
+    vec4 found = reflectionAlong(s, fromLevel(s, direction), spread, hit);
+    float shallow = hasShore && hasRefraction ? 1.0 - deepEnough(s.shore) : 0.0;
+    if (shallow > 0.0) found += (1.0 - found.a) * shallow * mirroredOverSand(s, fromLevel(s, direction));
+    return found;
 }
 
 float texelsBlurred(const SurfacePoint s, float spread, float hit) {

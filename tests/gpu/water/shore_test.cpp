@@ -141,6 +141,50 @@ TEST_F(ShoreOnGpu, WetSandBearsAFilm) {
     EXPECT_GT(film, 500u);
 }
 
+/// The sand of the map, and a wall on it at `wallZ`, of these radiances.
+SceneBehind wallOnTheSand(const Camera& camera, double slope, double wallZ, float sand, float wall) {
+    const auto toSand = [&](const glm::dvec3& ray) {
+        return (slope * camera.eye.z - camera.eye.y) / (ray.y - slope * ray.z);
+    };
+    const auto toWall = [&](const glm::dvec3& ray) {
+        const double t = (wallZ - camera.eye.z) / ray.z, sandAt = toSand(ray);
+        return sandAt > 0 && sandAt < t ? -1 : t;
+    };
+    return drawnOver(camera, drawnOver(camera, nothingBehind(camera), sand, toSand), wall, toWall);
+}
+
+TEST_F(ShoreOnGpu, WetSandMirrorsWhatStandsOnIt) {
+    const RefractionDesc refraction;
+    const ReflectionDesc reflection;
+    desc_.refraction = &refraction;
+    desc_.reflection = &reflection;
+    Camera up;
+    up.eye = {0, 1.6, -6};
+    up.target = {0, 1.2, 4};
+    up.width = 160;
+    up.height = 90;
+    const float wall = 30;
+    const SceneBehind behind = wallOnTheSand(up, slope, 7, 0.5f, wall);
+    Body* const body = makeBody(desc_);
+    size_t films = 0, mirrors = 0;
+    for (const double time : {20.0, 22.5}) {
+        const WaterPicture p = picture({body}, up, time, SurfaceOutput::reflection, behind);
+        const WaterPicture at = picture({body}, up, time, SurfaceOutput::shaded, behind);
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                const size_t i = size_t{y} * p.width + x;
+                if (!p.covered(i)) continue;
+                const glm::dvec3 world = worldAt(up, at, x, y);
+                if (world.z > 6 || std::abs(world.y - slope * world.z) > 0.03 || world.y < 0.05) continue;
+                ++films;
+                mirrors += p.color[4 * i] > 0.8f * wall ? 1 : 0;
+            }
+    }
+    std::printf("%zu pixels of film, %zu mirror the wall\n", films, mirrors);
+    ASSERT_GT(films, 300u);
+    EXPECT_GT(static_cast<double>(mirrors), 0.9 * static_cast<double>(films));
+}
+
 /// In the surf, looking up, so that no ray from above meets the water.
 Camera straddling() {
     Camera camera;
