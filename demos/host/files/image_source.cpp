@@ -10,6 +10,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "host/files/exr_header.h"
+#include "host/files/icc_profile.h"
 #include "host/files/png_color.h"
 #include "host/files/primaries.h"
 #include "host/files/quiet.h"
@@ -73,9 +74,39 @@ std::string setPrimaries(const std::optional<Primaries>& primaries, ColorMeaning
     return "";
 }
 
+bool isNearlyOne(const glm::dmat3& matrix) {
+    constexpr double within = 2e-3; // profiles are rounded to 2^-16, and say white of their own
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (std::abs(matrix[i][j] - (i == j)) > within) return false;
+    return true;
+}
+
+/// Names what an ICC profile says, and whether it is followed. `name` is the file's for it.
+std::string setProfileMeaning(const OIIO::ImageSpec& spec, std::string name, ColorMeaning& out) {
+    const OIIO::ParamValue* const stored = spec.find_attribute("ICCProfile");
+    std::span<const uint8_t> profile;
+    if (stored)
+        profile = {static_cast<const uint8_t*>(stored->data()), static_cast<size_t>(stored->datasize())};
+    if (const std::string own = profileName(profile); !own.empty()) name = own;
+    const std::optional<ProfileColor> color = readProfile(profile);
+    if (!color) {
+        if (!isCalledSRgb(name)) out.encoding = "ICC profile '" + name + "', taken for sRGB";
+        return "";
+    }
+    const std::string problem = setPrimaries(color->primaries, out);
+    if (!problem.empty()) return problem;
+    if (isNearlyOne(out.rec709)) out.rec709 = glm::dmat3(1);
+    out.gamma = color->gamma;
+    if (out.gamma > 0 || out.rec709 != glm::dmat3(1))
+        out.encoding = "ICC profile '" + name + "', brought to sRGB";
+    return "";
+}
+
 /// Names what is said, and whether it is followed.
-std::string setPngMeaning(const std::filesystem::path& file, ColorMeaning& out) {
+std::string setPngMeaning(const std::filesystem::path& file, const OIIO::ImageSpec& spec, ColorMeaning& out) {
     const PngColor color = readPngColor(file);
+    if (color.profile) return setProfileMeaning(spec, *color.profile, out);
     const std::string problem = setPrimaries(color.primaries, out);
     if (!problem.empty()) return problem;
     out.gamma = color.gamma;
@@ -89,13 +120,15 @@ std::string setPngMeaning(const std::filesystem::path& file, ColorMeaning& out) 
 }
 
 std::string setMeaning(const std::filesystem::path& file, const OIIO::ImageInput& input, ColorMeaning& out) {
-    if (std::string_view(input.format_name()) == "png") return setPngMeaning(file, out);
+    if (std::string_view(input.format_name()) == "png") return setPngMeaning(file, input.spec(), out);
     if (std::string_view(input.format_name()) != "hdr") {
         const OIIO::ImageSpec& spec = input.spec();
         const int orientation = spec.get_int_attribute("Orientation", 1);
         out.orientation = orientation >= 1 && orientation <= 8 ? orientation : 1;
         const auto aspect = static_cast<double>(spec.get_float_attribute("PixelAspectRatio", 1));
         out.pixelAspect = aspect > 0 && std::isfinite(aspect) ? aspect : 1;
+        if (std::string_view(input.format_name()) == "jpeg" && spec.find_attribute("ICCProfile"))
+            return setProfileMeaning(spec, "", out);
         return setPrimaries(statedPrimaries(spec), out);
     }
     Error error;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -62,17 +61,11 @@ bool isSRgb(const Bytes& cicp) {
     return cicp[0] == 1 && cicp[1] == 13 && cicp[2] == 0 && cicp[3] == 1;
 }
 
-std::string nameOfProfile(const Bytes& iccp) {
+std::string nameInChunk(const Bytes& iccp) {
     std::string name(iccp.begin(), std::find(iccp.begin(), iccp.end(), uint8_t{0}));
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
     return name;
-}
-
-bool saysSRgb(std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return name.find("srgb") != name.npos;
 }
 
 /// Gammas within 5 % of sRGB's stand for its curve, as libpng has it.
@@ -97,14 +90,11 @@ PngColor readPngColor(const std::filesystem::path& file) {
         if (isSRgb(chunks.cicp)) return {};
         std::string text = "cICP";
         for (size_t i = 0; i < 4; ++i) text += (i ? "/" : " ") + std::to_string(chunks.cicp[i]);
-        return {0, std::nullopt, text};
+        return {0, std::nullopt, text, std::nullopt};
     }
-    if (!chunks.iccp.empty()) {
-        const std::string name = nameOfProfile(chunks.iccp);
-        return {0, std::nullopt, saysSRgb(name) ? "" : "ICC profile '" + name + "'"};
-    }
+    if (!chunks.iccp.empty()) return {0, std::nullopt, "", nameInChunk(chunks.iccp)};
     if (!chunks.srgb.empty()) return {};
-    return {gammaOf(chunks.gama), primariesOf(chunks.chrm), ""};
+    return {gammaOf(chunks.gama), primariesOf(chunks.chrm), "", std::nullopt};
 }
 
 } // namespace demos

@@ -13,7 +13,8 @@ namespace demos {
 struct PngColor {
     double gamma = 0; ///< of what is stored, light to that power; 0: it is by sRGB's curve
     std::optional<Primaries> primaries;
-    std::string unread; ///< what says something else, which is not followed: a profile; empty: nothing
+    std::string unread;                 ///< what says something else, which is not followed; empty: nothing
+    std::optional<std::string> profile; ///< an ICC profile's name in the file; that says all
 };
 
 /// Of a file that is a PNG. What is missing or broken says nothing.
