@@ -17,8 +17,13 @@ vec2 awayFrom(const MirrorBlock mirror, vec2 q) {
     return away / max(farthest(away), 1e-30);
 }
 
-// Halfway between two such looks lies another: what stands on what hangs hides half of it.
+// Between two such looks lie two more, each as much farther: what stands on what hangs hides half of it, and seen from hardly above
+// it the keys of its top are far apart, those of its edge a quarter as many as lie before them.
+const int looksPerOctave = 3;
+
 ivec2 cellBefore(const MirrorBlock mirror, vec2 q, vec2 away, int tap) {
-    float cells = 0.5 * float((firstLook * (2 + (tap & 1))) << (tap >> 1));
+    int part = tap % looksPerOctave;
+    float farther = part == 0 ? 1.0 : part == 1 ? 1.26 : 1.587;
+    float cells = farther * float(firstLook << (tap / looksPerOctave));
     return texelAt(q / float(keyEdge(mirror)) - cells * away, lastCell);
 }

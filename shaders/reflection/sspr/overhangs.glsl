@@ -14,7 +14,7 @@ ivec2 overhangBefore(const MirrorBlock mirror, vec2 q, ScreenRay ray, vec2 away,
     LineKey first = LineKey(noKey, ivec2(0));
     LineKey last = first;
     // Not by a uniform alone: llvmpipe compiles a shader that a uniform halves anew in each frame.
-    int looks = farthest(away) > 0.0 ? 2 * int(mirror.overhangSamples) : 0;
+    int looks = farthest(away) > 0.0 ? looksPerOctave * int(mirror.overhangSamples) : 0;
     for (int i = 0; i < looks; ++i) {
         ivec2 cell = cellBefore(mirror, q, away, i);
         uint key = keyAt(cell);

@@ -171,16 +171,17 @@ std::vector<Box> deckOnPosts(bool postsOnIt) {
 
 /// Of each pixel whose mirrored ray goes in by the deck's underside and comes out of its back, the way of the
 /// ray to the underside, where the top straight above is seen; else 0.
-std::vector<double> waysUnder(const Camera& camera, const TracedView& traced, const std::vector<Box>& boxes) {
+std::vector<double> waysUnder(const Camera& camera, const TracedView& traced, const std::vector<Box>& boxes,
+                              const Box& under = deck) {
     const std::vector<Ray> rays = mirroredRays(camera, traced);
     std::vector<double> ways(traced.truth.size());
     for (size_t i = 0; i < ways.size(); ++i) {
         if (traced.truth[i] == Truth::none) continue;
         const auto& [on, up] = rays[i];
-        const double way = deck.low.y / up.y;
+        const double way = under.low.y / up.y;
         if (std::abs(nearestHit(boxes, on, up) - way) > 1e-9) continue;
-        if ((on + up * (deck.high.y / up.y)).z > deck.low.z) continue;
-        const glm::dvec3 above = on + up * way + glm::dvec3(0, deck.high.y - deck.low.y, 0);
+        if ((on + up * (under.high.y / up.y)).z > under.low.z) continue;
+        const glm::dvec3 above = on + up * way + glm::dvec3(0, under.high.y - under.low.y, 0);
         const double seen = glm::length(above - camera.eye);
         if (nearestHit(boxes, camera.eye, (above - camera.eye) / seen) < seen - 1e-6) continue;
         ways[i] = way;
@@ -277,6 +278,31 @@ TEST_P(Overhangs, AreWholeUnderWhatStandsOnThem) {
             EXPECT_GT(undersides, 100u) << pose.name;
             EXPECT_LE(static_cast<double>(through), 0.1 * static_cast<double>(undersides)) << pose.name;
         }
+}
+
+// Its edge is narrow, and of its top, seen from hardly above, few pixels leave keys, far apart.
+TEST_P(Overhangs, AreWholeUnderThinDecksSeenFromHardlyAbove) {
+    size_t undersides = 0, through = 0;
+    for (const double height : {1.2, 1.4}) {
+        const Box thin{{-3, 0.9, height < 1.3 ? -2.5 : -2}, {3, 1.02, 0}};
+        Camera camera = testCamera();
+        camera.eye = {0, height, 6};
+        camera.target = {0, 0.9, 0};
+        camera.width = 160;
+        camera.height = 544;
+        const std::vector<Box> boxes = {thin, {{-30, -1, -31}, {30, 12, -30}}};
+        const TracedView traced = Tracer(camera, boxes).run();
+        const Reflected result = reflected(camera, traced, 6);
+        const std::vector<double> ways = waysUnder(camera, traced, boxes, thin);
+        for (size_t i = 0; i < ways.size(); ++i) {
+            const float info = result.info[i];
+            undersides += ways[i] > 0;
+            through += ways[i] > 0 && (!(info > 0) || std::abs(double{info} - ways[i]) > 0.25 * ways[i]);
+        }
+    }
+    std::printf("%zu undersides, %zu seen through\n", undersides, through);
+    EXPECT_GT(undersides, 2000u);
+    EXPECT_LE(static_cast<double>(through), 0.05 * static_cast<double>(undersides));
 }
 
 /// What hangs over the mirror and has no top that is seen, or none at all: a board and rails on posts; and
