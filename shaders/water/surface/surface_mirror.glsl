@@ -38,8 +38,10 @@ struct Reflection {
 vec4 mirroredScene(const SurfacePoint s, vec3 direction, float spread, inout float hit) {
     if (!hasReflection) return vec4(0.0);
     vec4 found = reflectionAlong(s, fromLevel(s, direction), spread, hit);
-    float shallow = hasShore && hasRefraction ? 1.0 - deepEnough(s.shore) : 0.0;
-    if (shallow > 0.0) found += (1.0 - found.a) * shallow * mirroredOverSand(s, fromLevel(s, direction));
+    if (hasShore && hasRefraction) {
+        float shallow = 1.0 - deepEnough(s.shore);
+        if (shallow > 0.0) found += (1.0 - found.a) * shallow * mirroredOverSand(s, fromLevel(s, direction));
+    }
     return found;
 }
 
