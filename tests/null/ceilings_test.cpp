@@ -69,7 +69,7 @@ struct SurfaceCeiling {
 
 /// Of what shades them.
 constexpr SurfaceCeiling surfaces[] = {
-    {"lr", Quality::medium, 80},        {"w", Quality::medium, 56},    {"w", Quality::highest, 72},
+    {"lr", Quality::medium, 72},        {"w", Quality::medium, 56},    {"w", Quality::highest, 88},
     {"wl", Quality::highest, 136},      {"wlr", Quality::medium, 120}, {"wflr", Quality::low, 136},
     {"wflr", Quality::medium, 136},     {"wflr", Quality::high, 136},  {"wflr", Quality::highest, 136},
     {"wfslroh", Quality::highest, 184},

@@ -17,33 +17,43 @@ layout(set = 0, binding = shadedBinding, rgba16f) uniform image2D shadedColor;
 #include "found_tiles.glsl"
 #include "shaded_pixels.glsl"
 
-struct Mean {
+// Of one of 4 those of a row are farther apart than those of the rows beside, and tell less of where edges lie.
+const float sameDepth = pixelsPerShading == 2u ? 3e-5 : 1e-4;
+const float alike = pixelsPerShading == 2u ? 0.01 : 100.0;
+
+// What is shaded on either side of a pixel.
+struct Pair {
     vec3 sum;
     float weights;
+    float apart;   // how much their colours differ, as a share; 1 where one of both is missing
 };
 
-// By how much farther or nearer it lies: from row to row of water that is seen flatly that is more than along a row, and from a crest
-// to what it hides it is most.
-void addShaded(inout Mean mean, ivec2 at, float depth, int away) {
-    if (!showsSurface(at)) return;
+// A colour, and how much it counts, by how much farther or nearer it lies: from row to row of water that is seen flatly that is more
+// than along a row, and from a crest to what it hides it is most.
+vec4 shadedAt(ivec2 at, float depth, int away) {
+    if (!showsSurface(at)) return vec4(0.0);
     float apart = texelFetch(foundDepth, at, 0).r / depth - 1.0;
-    float counts = 1.0 / ((1e-4 + apart * apart) * float(away));
-    mean.sum += counts * imageLoad(shadedColor, at).rgb;
-    mean.weights += counts;
+    return vec4(imageLoad(shadedColor, at).rgb, 1.0 / ((sameDepth + apart * apart) * float(away)));
 }
 
-// By those that are shaded to the left and to the right, and in the rows above and below.
+Pair pairOf(vec4 one, vec4 other) {
+    vec3 differs = abs(one.rgb - other.rgb), all = one.rgb + other.rgb + 1e-4;
+    float apart = (differs.r + differs.g + differs.b) / (all.r + all.g + all.b);
+    return Pair(one.a * one.rgb + other.a * other.rgb, one.a + other.a, one.a * other.a > 0.0 ? apart : 1.0);
+}
+
+// By those that are shaded to the left and to the right, and in the rows above and below: more by the pair that is alike, which lies
+// along an edge. Across it a line of one row would become dots.
 vec3 completed(ivec2 at, ivec2 shaded) {
     float depth = texelFetch(foundDepth, at, 0).r;
     int every = int(pixelsPerShading);
     int left = (at.x + every - shiftOfRow(at.y)) % every;
-    int across = every / 2 - left;
-    Mean mean = Mean(vec3(0.0), 0.0);
-    addShaded(mean, at - ivec2(left, 0), depth, left);
-    addShaded(mean, at + ivec2(every - left, 0), depth, every - left);
-    addShaded(mean, at + ivec2(across, -1), depth, 1 + abs(across));
-    addShaded(mean, at + ivec2(across, 1), depth, 1 + abs(across));
-    return mean.weights > 0.0 ? mean.sum / mean.weights : imageLoad(shadedColor, shaded).rgb;
+    int aside = every / 2 - left;
+    Pair row = pairOf(shadedAt(at - ivec2(left, 0), depth, left), shadedAt(at + ivec2(every - left, 0), depth, every - left));
+    Pair column = pairOf(shadedAt(at + ivec2(aside, -1), depth, 1 + abs(aside)), shadedAt(at + ivec2(aside, 1), depth, 1 + abs(aside)));
+    float ofRow = alike + column.apart * column.apart, ofColumn = alike + row.apart * row.apart;
+    float weights = ofRow * row.weights + ofColumn * column.weights;
+    return weights > 0.0 ? (ofRow * row.sum + ofColumn * column.sum) / weights : imageLoad(shadedColor, shaded).rgb;
 }
 
 void main() {
