@@ -70,9 +70,9 @@ struct SurfaceCeiling {
 /// Of what shades them.
 constexpr SurfaceCeiling surfaces[] = {
     {"lr", Quality::medium, 72},        {"w", Quality::medium, 56},    {"w", Quality::highest, 88},
-    {"wl", Quality::highest, 136},      {"wlr", Quality::medium, 120}, {"wflr", Quality::low, 136},
+    {"wl", Quality::highest, 136},      {"wlr", Quality::medium, 128}, {"wflr", Quality::low, 136},
     {"wflr", Quality::medium, 136},     {"wflr", Quality::high, 136},  {"wflr", Quality::highest, 136},
-    {"wfslroh", Quality::highest, 184},
+    {"wfslroh", Quality::highest, 192},
 };
 
 class Ceilings : public Compiles {

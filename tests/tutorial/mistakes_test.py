@@ -60,7 +60,7 @@ MISTAKES = [
     # What the library says itself.
     Mistake("row_major", ("engine.cpp", "viewDesc(camera_.view,", "viewDesc(glm::transpose(camera_.view),"),
             says="ViewDesc.view has a last row other than 0, 0, 0, 1, expected it column-major"),
-    Mistake("depth_direction", ("engine.cpp", "    target.reversedDepth = false;\n", ""),
+    Mistake("depth_direction", ("engine.cpp", "/*reversedDepth=*/false", "/*reversedDepth=*/true"),
             says="expected TargetDesc.reversedDepth to be false"),
     Mistake("no_simulate", ("engine.cpp", "    check(seaglass::simulate(commands, &water_, 1, frameNumber_ / 60.0));\n", ""),
             says="simulate() was never called"),
@@ -88,8 +88,8 @@ MISTAKES = [
                              "    body.waves = &sea;\n    body.plane[1] = 2;\n"),
             shows=lambda right, wrong: right == wrong),
     Mistake("encoded_target_said", *ENCODED,
-            ("engine.cpp", "    target.reversedDepth = false;\n",
-             "    target.reversedDepth = false;\n    target.encoding = seaglass::Encoding::srgb;\n"),
+            ("engine.cpp", "    target.renderPass = waterPass_;\n",
+             "    target.renderPass = waterPass_;\n    target.encoding = seaglass::Encoding::srgb;\n"),
             ("engine.cpp", "    view.sceneDepth =", "    view.sceneColor.encoding = seaglass::Encoding::srgb;\n    view.sceneDepth ="),
             shows=lambda right, wrong: share_changed(right, wrong, by=2) == 0),
     # What is said, and shows.
