@@ -35,11 +35,6 @@ vec4 behindADemotion() {
     return texture(image, at) + vec4(dFdx(at), dFdy(at));
 }
 
-vec4 meanOfQuad(vec4 own) {
-    return own + dFdx(own);
-}
-
 void main() {
     color = underWhatIsUniform() + inALoop() + behindACondition() + behindADemotion();
-    if (at.y > 0.5) color = meanOfQuad(color);
 }
