@@ -178,7 +178,7 @@ Foam foamOver(const SurfacePoint s) {
     Foam sum = Foam(0.0, 0.0, vec2(0.0), 0.0, 0.0);
     int i = 0;
     do {
-        vec2 aside = towardsPart(pixel, i);
+        vec2 aside = part * partsAside(i);
         vec2 drawn = drawnOut(aside, streak);
         FoamPart there = FoamPart(here.here + drawn, here.beside + drawn, here.windrows + drawnOut(aside, windrow), here.share);
         Foam tap = foamAt(s, aside, there, width, patternWidth, caps);

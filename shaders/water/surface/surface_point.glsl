@@ -63,9 +63,9 @@ vec2 partOf(Footprint pixel) {
     return pixel.longer / float(slopeSamples);
 }
 
-// From its middle to that of a part.
-vec2 towardsPart(Footprint pixel, int i) {
-    return partOf(pixel) * (float(i) + 0.5 - 0.5 * float(slopeSamples));
+// From the pixel's middle to that of a part, in parts.
+float partsAside(int i) {
+    return float(i) + 0.5 - 0.5 * float(slopeSamples);
 }
 
 // Derivatives of the waves over the pixel, and their moments.
@@ -83,7 +83,7 @@ void sampleWaves(vec3 at, int cascade, Footprint pixel, out vec4 derivatives, ou
     vec2 part = partOf(pixel) * tiles;
     vec2 across = pixel.shorter * tiles;
     for (int i = 0; i < slopeSamples; ++i) {
-        vec3 there = at + vec3(towardsPart(pixel, i) * tiles, 0.0);
+        vec3 there = at + vec3(part * partsAside(i), 0.0);
         derivatives += textureGrad(waveDerivatives, there, part, across);
         moments += textureGrad(waveMoments, there, part, across);
     }

@@ -37,10 +37,11 @@ vec3 inWorld(vec3 direction) {
 // A mean over the pixel, by as many looks as its waves get.
 float sunSeenOver(const SurfacePoint s) {
     if (!hasWaves) return sunSeenAt(s.position);
+    vec2 part = partOf(s.footprint);
     float sum = 0.0;
     int i = 0;
     do {
-        vec2 aside = towardsPart(s.footprint, i);
+        vec2 aside = part * partsAside(i);
         sum += sunSeenAt(s.position + vec3(aside.x, 0.0, aside.y));
     } while (++i < slopeSamples);
     return sum / float(slopeSamples);
