@@ -106,8 +106,7 @@ enum class Encoding : uint32_t {
     linear,          ///< in proportion to light, as sampled and as written; an sRGB format's is, too
     srgb,            ///< by the sRGB curve (IEC 61966-2-1), which shaders apply, and not the format
 };
-/// Its names, from 0 on.
-inline constexpr const char* encodings[] = {"unspecified", "linear", "srgb"};
+inline constexpr const char* encodings[] = {"unspecified", "linear", "srgb"}; ///< its names, from 0 on
 
 /// A sampled view of one of the host's images: of usage VK_IMAGE_USAGE_SAMPLED_BIT, type 2D, its swizzle the
 /// identity; beside a stencil of VK_IMAGE_ASPECT_DEPTH_BIT alone.

@@ -41,14 +41,16 @@ struct ReflectionDesc {
     /// Of the reflection [pixel], 8..16384; the width follows. In the place of `downscale` is that of 1, 2, 4
     /// and 8 which comes nearest by ratio, of two the larger. 0: by `downscale`.
     uint32_t height = 0;
-    bool coarseKeys = false; ///< sspr: one key for 2 x 2 pixels, a quarter of their memory; steeply down less
-    float edgeFade = 0.08f;  ///< share of the height over which borrowed pixels fade at the border, 0..0.5
-    /// At whichever of the four borders is nearest; else at that towards which they are borrowed, which alone
-    /// can cut a reflection off. Not of `planar`.
+    bool coarseKeys =
+        false; ///< sspr: one key for 2 x 2 pixels, a quarter of the memory; finds less steeply down
+    float edgeFade = 0.08f; ///< share of the height over which borrowed pixels fade at the border, 0..0.5
+    /// They fade at the nearest of the four borders; else at that towards which they are borrowed, which
+    /// alone can cut a reflection off. Not of `planar`.
     bool edgeFadeAround = false;
-    /// How far beyond the border what reaches it goes on, if it is a plane for twice as long inside, as walls
-    /// are; a share of the height, 0..1. It fades at the end of that instead. 0: strips of sky beside walls
-    /// that the border cuts; else two dispatches. Not of `planar`, nor of views with `surfaceNormals`.
+    /// How far beyond the border what reaches it is taken to go on, if it is a plane for twice as long
+    /// inside, as walls are; a share of the height, 0..1. It fades at the end of that. 0: strips of sky
+    /// beside walls that the border cuts; else two dispatches. Not of `planar`, nor of views with
+    /// `surfaceNormals`.
     float edgeReach = 0;
     float undersideLight = 0.15f; ///< of an underside that is not seen, as a share of its top's, 0..1
     uint32_t overhangSamples = 0; ///< sspr, hybrid: for undersides that end unseen, 0..8, 6 for 1080p
@@ -67,8 +69,9 @@ struct ReflectionDesc {
     float temporal = 0;
     DrawnDesc drawn; ///< planar: what the host draws into
 
-    /// ssr, hybrid: rays pass over cells of 8 x 8 pixels in which nothing is as near, and look at each pixel
-    /// of the others, which misses nothing thin. Without, they go in strides.
+    // Of ssr and hybrid, which follow rays over the picture.
+    /// Rays pass over cells of 8 x 8 pixels in which nothing is as near, and look at each pixel of the
+    /// others, which misses nothing thin. Without, they go in strides.
     bool marchCells = true;
     uint32_t marchSteps = 64; ///< pixels a ray looks at at most, 8..512; strides are as long as that asks for
     float marchThickness = 1; ///< depth of things behind what is seen of them, at most [m], 0.001..100
@@ -105,10 +108,9 @@ struct ReflectionImages {
     VkImage colorImage = VK_NULL_HANDLE; ///< of `color`
     VkImageView color = VK_NULL_HANDLE;  ///< RGBA16F: radiance times confidence, confidence 0..1; with mips
     VkImage infoImage = VK_NULL_HANDLE;  ///< of `info`
-    VkImageView info =
-        VK_NULL_HANDLE;         ///< R16F: from the mirror to what it shows [m], signed: reflectionClass()
-    VkExtent2D extent = {0, 0}; ///< of both images [pixel]
-    /// By ViewDesc::surfaceNormals already: lookups take their own pixel. False: a flat mirror, lookups bend.
+    VkImageView info = VK_NULL_HANDLE; ///< R16F: from mirror to what it shows [m], signed: reflectionClass()
+    VkExtent2D extent = {0, 0};        ///< of both images [pixel]
+    /// By ViewDesc::surfaceNormals already: a lookup takes its own pixel. False: a flat mirror, lookups bend.
     bool bent = false;
     uint32_t downscale = 1;        ///< pixels of the view to one of them, each way
     uint32_t age = 0;              ///< frames since this view was reflected; 0: in this one
@@ -141,7 +143,7 @@ struct PlanarView {
     bool visible = true;        ///< false: the view does not see the reflector, and nothing else is said
     double view[16] = {};       ///< world to mirrored view: the host's view times the reflection in the plane
     double projection[16] = {}; ///< the host's, with the plane as near plane; x, y and w are as they were
-    bool obliqueClip = false;   ///< false: the eye is too near the plane for that; the host's projection
+    bool obliqueClip = false;   ///< false: the eye is too near the plane, or sees nothing of it
     bool windingFlipped = true; ///< always: front faces are wound the other way round
     VkViewport viewport = {};   ///< within the images below
     VkExtent2D extent = {0, 0}; ///< of both images [pixel]

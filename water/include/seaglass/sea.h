@@ -120,8 +120,7 @@ void destroySea(Sea* sea); ///< null is ignored
 const SeaDesc& description(const Sea& sea);             ///< as it was given
 uint32_t cascadeCount(const Sea& sea);                  ///< 0 when the sea is flat
 const Cascade& cascade(const Sea& sea, uint32_t index); ///< index < cascadeCount
-/// Of the system with the greatest peak [rad/s]; 0 when flat.
-double peakFrequency(const Sea& sea);
+double peakFrequency(const Sea& sea); ///< of the system with the greatest peak [rad/s]; 0 when flat
 /// S(omega) of all systems together as asked for, resolved or not [m^2 s]; 0 when flat.
 double frequencySpectrum(const Sea& sea, double omega);
 double significantWaveHeight(const Sea& sea); ///< 4 sqrt(m0) of the modes held [m]
@@ -138,15 +137,14 @@ struct SlopeCovariance {
     double uv = 0; ///< of both
 };
 
-/// Of the waves that the cascades hold.
-SlopeCovariance resolvedSlopes(const Sea& sea);
+SlopeCovariance resolvedSlopes(const Sea& sea); ///< of the waves that the cascades hold
 /// Of all that is shorter. With the resolved slopes it makes Cox and Munk's variance, times amplitude^2.
 SlopeCovariance roughness(const Sea& sea);
 double resolvedSlopeVariance(const Sea& sea);   ///< both axes together
 double unresolvedSlopeVariance(const Sea& sea); ///< of the roughness, both axes together
 
-/// Of a clean sea, both axes together, 0.003 + 5.12e-3 U at 12.5 m (Cox and Munk 1954), from U10 [m/s]: less
-/// below 1 m/s, where water turns to glass, and no more past 30 m/s.
+/// Slope variance of a clean sea, both axes together, 0.003 + 5.12e-3 U at 12.5 m (Cox and Munk 1954), from
+/// U10 [m/s]: less below 1 m/s, where water turns to glass, and no more past 30 m/s.
 double coxMunkSlopeVariance(double windSpeed);
 
 /// One cascade's grid at one time: maps of samples*samples texels, four floats each, rows along v. Texel (i,
@@ -188,9 +186,8 @@ struct HeightGrid;
 
 /// Null when out of memory. The sea must outlive it. A time that is not finite counts as 0. Any thread.
 HeightGrid* createHeightGrid(const Sea& sea, double time);
-/// Another time for the same grid, nothing allocated; not while it is sampled.
-void setTime(HeightGrid& grid, double time);
-void destroyHeightGrid(HeightGrid* grid); ///< null is ignored
+void setTime(HeightGrid& grid, double time); ///< nothing is allocated; not while it is sampled
+void destroyHeightGrid(HeightGrid* grid);    ///< null is ignored
 
 /// Of a sea at the grid's time. Any thread, several at once.
 void sampleHeights(const HeightGrid& grid, const double* points, size_t count, HeightSample* out);

@@ -55,8 +55,7 @@ struct MeshDesc {
 
 /// What share of light is mirrored: exact (Born and Wolf 1999, 1.5.2), or as Schlick approximates it (1994).
 enum class Fresnel : uint32_t { exact = 0, schlick };
-/// Its names, from 0 on.
-inline constexpr const char* fresnels[] = {"exact", "schlick"};
+inline constexpr const char* fresnels[] = {"exact", "schlick"}; ///< its names, from 0 on
 
 /// How the surface is shaded: mostly, samples a pixel. docs/tradeoffs.md has what each costs.
 struct ShadingDesc {
@@ -109,8 +108,7 @@ enum class WavesOn : uint32_t {
     gpu,           ///< compute shaders, on any device; nothing is kept or done on the CPU
     cpu,           ///< `wavesBackend`, in simulate(), and uploaded
 };
-/// Its names, from 0 on.
-inline constexpr const char* wavesOn[] = {"automatic", "gpu", "cpu"};
+inline constexpr const char* wavesOn[] = {"automatic", "gpu", "cpu"}; ///< its names, from 0 on
 
 /// One water body. A null feature costs no memory, pipeline or dispatch. Copied, pointees included.
 struct BodyDesc {
@@ -185,8 +183,7 @@ Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, d
 Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
 
 /// What to draw for a body with `bed`, before reflect() and likewise: the opaque scene under the calm
-/// surface, from where its rays seem to come. castCaustics() and drawCaustics() may follow, by a ViewDesc of
-/// these.
+/// surface, from where its rays seem to come. Caustics may follow, by a ViewDesc of these.
 Status bedView(Body* body, const ViewDesc* view, PlanarView* out);
 
 /// Records the reflections of `view`, as for reflectors; of a multisampled scene also the samples that
@@ -204,9 +201,8 @@ enum class SurfaceOutput : uint32_t {
     height,          ///< height above the calm plane [m], in red
     normal,          ///< unit world normal
     foam,            ///< coverage 0..1, in red
-    /// Where the scene is looked up for what the surface mirrors: x and y [pixel] of the view's region, -1:
-    /// not; its distance from the surface [m]; its ReflectionClass. Wants float, halves hold no pixel's
-    /// place.
+    /// Where the scene is looked up for what is mirrored: x and y [pixel] of the view's region, -1: nowhere;
+    /// its distance from the surface [m]; its ReflectionClass. Wants float: halves hold no pixel's place.
     reflectionSource,
     /// Mean slope over the pixel along +u and +v, then the variance about it, likewise: roughness, and what
     /// the waves' maps no longer show there.
@@ -264,11 +260,8 @@ Status castCaustics(VkCommandBuffer commands, Body* const* bodies, uint32_t coun
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
                     const ViewDesc* view, const LightingDesc* lighting);
 
-/// The reflection images of a body, null handles where it has none.
-ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex);
-
-/// The sea of a body for height queries, or null when it has no waves. Lives as long as the body.
-const Sea* sea(const Body* body);
+ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex); ///< null handles: it has none
+const Sea* sea(const Body* body); ///< for height queries, as long as the body lives; null: it has no waves
 
 /// Settings: fields.h.
 /// @{
