@@ -150,7 +150,7 @@ vec4 mirroredOverSand(const SurfacePoint s, vec3 direction) {
         if (meets) met = t;
         else last = t;
         if (meets && i < steps) i = steps - 1;
-    } while (++i < steps + (met > 0.0 ? halvings : 0));
+    } while (++i < steps + halvings && (i < steps || met > 0.0));
     if (met <= 0.0) return vec4(0.0);
     return vec4(radianceOf(behindAt(pixelOf(s.position + met * direction).xy)), 1.0);
 }
