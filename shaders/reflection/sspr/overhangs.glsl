@@ -71,19 +71,23 @@ bool isLevel(const MirrorBlock mirror, vec2 point, vec2 away, float edgeHeight) 
 }
 
 // A level point of the top between its edge and what stands on it, which is nearer the end: halfway in depth, which is
-// affine on the screen over the top and hardly changes over what is upright.
+// affine on the screen over the top and hardly changes over what is upright. What stands so high that its end is nearer to the eye
+// than the edge is told by its depth, which falls: the point lies halfway to its foot.
 bool levelBetween(const MirrorBlock mirror, vec4 edge, vec2 end, vec2 away, float edgeHeight, out vec2 point) {
     float halfway = 0.5 * (edge.z + seenPoint(mirror, end).z);
+    bool falls = signedDepth(mirror, halfway - edge.z) > 0.0;
     float before = 0.0;
     float after = max(farthest(end - edge.xy), 1.0);
     int halvings = mostHalvings;
     do {
         float middle = 0.5 * (before + after);
-        bool beyond = signedDepth(mirror, seenPoint(mirror, edge.xy + middle * away).z - halfway) < 0.0;
+        float seen = seenPoint(mirror, edge.xy + middle * away).z;
+        float than = falls ? seenPoint(mirror, edge.xy + (middle - 1.0) * away).z : halfway;
+        bool beyond = signedDepth(mirror, seen - than) < 0.0 != falls;
         before = beyond ? before : middle;
         after = beyond ? middle : after;
     } while (--halvings > 0 && after - before > 0.5);
-    point = edge.xy + after * away;
+    point = edge.xy + (falls ? 0.5 * before : after) * away;
     return isLevel(mirror, point, away, edgeHeight);
 }
 

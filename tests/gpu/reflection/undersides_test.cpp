@@ -248,7 +248,6 @@ std::vector<double> waysUnderCrate(const Camera& camera, const TracedView& trace
 
 // What stands on a pier hides its top, by which its underside is known: that goes on beside it.
 TEST_P(Overhangs, AreWholeUnderWhatStandsOnThem) {
-    const Box crate{{-1.2, 1.1, -3.8}, {0, 2.4, -3}};
     Camera higher = testCamera();
     higher.eye.y = 4;
     Camera aside = higher;
@@ -259,9 +258,13 @@ TEST_P(Overhangs, AreWholeUnderWhatStandsOnThem) {
     Camera turned = higher; // no edge of the deck lies along the horizon
     turned.eye = {3.5, 1.9, 2.5};
     turned.target = {-0.5, 0.5, -3};
-    for (const Pose& pose :
-         {Pose{"higher", higher}, Pose{"aside", aside}, Pose{"low", low}, Pose{"turned", turned}})
+    Camera steep = higher; // the top of a high crate is nearer than the deck's edge
+    steep.eye = {0, 6, 3};
+    steep.target = {-0.5, 0.5, -3};
+    for (const Pose& pose : {Pose{"higher", higher}, Pose{"aside", aside}, Pose{"low", low},
+                             Pose{"turned", turned}, Pose{"steep", steep}})
         for (const bool walled : {false, true}) {
+            const Box crate{{-1.2, 1.1, -3.8}, {0, pose.camera.eye.y > 5 ? 3.6 : 2.4, -3}};
             std::vector<Box> boxes = deckOnPosts(false);
             boxes.push_back(crate);
             if (walled) boxes.push_back({{-30, -1, -31}, {30, 12, -30}});
