@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "shaders/shared/water_bindings.h"
+#include "water/below/refraction_part.h"
 #include "water/below/underwater_part.h"
 #include "water/below/view_pass.h"
 #include "water/body/body.h"
@@ -72,7 +73,9 @@ void ShadingPart::fill(const Body& body, const BodyView& view, BodyBlock& block)
 
 void ShadingPart::vary(const Body& body, const SurfaceDraw& draw, SurfaceVariant& variant) const {
     variant.bySchlick = body.shading.fresnel == Fresnel::schlick;
-    if (draw.output == SurfaceOutput::shaded && draw.sides == SidesSeen::above)
+    // To complete a pixel takes as much as to shade one of still water that nothing shines through.
+    const bool isDear = body.sea || body.find<RefractionPart>();
+    if (isDear && draw.output == SurfaceOutput::shaded && draw.sides == SidesSeen::above)
         variant.pixelsPerShading = body.shading.pixelsPerShading;
 }
 

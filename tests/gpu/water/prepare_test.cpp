@@ -134,6 +134,7 @@ TEST_F(Prepared, OfOtherOutputsToo) {
 // What has fewer features makes fewer.
 TEST_F(Prepared, NothingIsMadeInVain) {
     BodyDesc plain;
+    plain.shading.pixelsPerShading = 4; // which pays where shading is dear
     Body* const body = makeBody(plain);
     spiedCalls().clear();
     prepareFor(body, nullptr);
