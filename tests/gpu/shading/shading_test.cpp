@@ -277,7 +277,7 @@ const Look looks[] = {
     {"ClassOfWhatIsMirrored", mirrors, 0.4, 0.4, SurfaceOutput::reflectionClass},
     {"ClassAtTheWaterline", atTheWaterline, 0.01, 0.01, SurfaceOutput::reflectionClass, 0.02, true},
     {"Height", ofWaves, 0.05, 0.02, SurfaceOutput::height, 0.5},
-    {"Normal", ofWaves, 0.05, 0.01, SurfaceOutput::normal, 0.5},
+    {"Normal", ofWaves, 0.0385, 0.01, SurfaceOutput::normal, 0.5},
     {"FoamAlone",
      [](Described& d, Camera&, LightingDesc&) {
          withWaves(d);
@@ -286,7 +286,7 @@ const Look looks[] = {
      },
      0.02, 0.01, SurfaceOutput::foam, 0.5},
     {"SourceOfWhatIsMirrored", mirrors, 0.02, 0.01, SurfaceOutput::reflectionSource},
-    {"Slopes", ofWaves, 0.09, 0.01, SurfaceOutput::slopes, 0.25},
+    {"Slopes", ofWaves, 0.078, 0.01, SurfaceOutput::slopes, 0.25},
 };
 
 INSTANTIATE_TEST_SUITE_P(Every, ShadedLooks, testing::ValuesIn(looks),
