@@ -83,50 +83,81 @@ TEST_F(Caustics, TakeAsMuchLightAsTheyGive) {
 }
 
 TEST_F(Caustics, FallWhereTheWavesSendTheLight) {
-    Body* body = makeBody(desc_);
-    const double depth = 1.5;
-    const std::vector<double> light = factors(body, -depth);
-    // Photons through the surface on a net, each refracted at the normal there.
-    constexpr int cells = 32, net = 600;
-    constexpr double side = 16, reach = 20;
-    const std::unique_ptr<HeightGrid, void (*)(HeightGrid*)> grid(createHeightGrid(*sea(body), 2),
-                                                                  destroyHeightGrid);
-    std::vector<double> points;
-    for (int j = 0; j < net; ++j)
-        for (int i = 0; i < net; ++i)
-            points.insert(points.end(),
-                          {3 + (i + 0.5) * reach / net - reach / 2, 7 + (j + 0.5) * reach / net - reach / 2});
-    std::vector<HeightSample> samples(points.size() / 2);
-    sampleHeights(*grid, points.data(), samples.size(), samples.data());
-    const glm::dvec3 down(-lighting.toSun[0], -lighting.toSun[1], -lighting.toSun[2]);
-    std::vector<double> fallen(cells * cells), drawn(cells * cells);
-    for (size_t i = 0; i < samples.size(); ++i) {
-        const glm::dvec3 normal(samples[i].normal[0], samples[i].normal[1], samples[i].normal[2]);
-        const double cosine = -glm::dot(down, normal), ratio = 1 / 1.333;
-        const glm::dvec3 ray =
-            down * ratio + normal * (ratio * cosine - std::sqrt(1 - ratio * ratio * (1 - cosine * cosine)));
-        const double t = (depth + double{samples[i].height}) / -ray.y;
-        const double x = (points[2 * i] + ray.x * t - 3) / side + 0.5,
-                     z = (points[2 * i + 1] + ray.z * t - 7) / side + 0.5;
-        if (x < 0 || z < 0 || x >= 1 || z >= 1) continue;
-        fallen[static_cast<size_t>(z * cells) * cells + static_cast<size_t>(x * cells)] += 1;
-    }
-    for (uint32_t y = 0; y < 256; ++y)
-        for (uint32_t x = 0; x < 256; ++x) {
-            const glm::dvec3 ray = rayThrough(above(-depth), x, y);
-            const double u = ray.x / -ray.y * 40 / side + 0.5, v = ray.z / -ray.y * 40 / side + 0.5;
-            const auto at = [](double c) {
-                return static_cast<size_t>(std::clamp(c * cells, 0.0, cells - 1.0));
-            };
-            drawn[at(v) * cells + at(u)] += light[size_t{y} * 256 + x];
+    for (const double rises : {0.8, 0.4}) {
+        const double depth = rises < 0.5 ? 0.5 : 1.5;
+        lighting.toSun[0] = 0.8 * std::sqrt(1 - rises * rises);
+        lighting.toSun[1] = rises;
+        lighting.toSun[2] = 0.6 * std::sqrt(1 - rises * rises);
+        Body* body = makeBody(desc_);
+        const std::vector<double> light = factors(body, -depth);
+        // Photons through the surface on a net, each refracted at the normal there, and as many as it takes
+        // of the sun.
+        constexpr int cells = 32, net = 600;
+        constexpr double side = 16, reach = 20;
+        const std::unique_ptr<HeightGrid, void (*)(HeightGrid*)> grid(createHeightGrid(*sea(body), 2),
+                                                                      destroyHeightGrid);
+        std::vector<double> points;
+        for (int j = 0; j < net; ++j)
+            for (int i = 0; i < net; ++i)
+                points.insert(points.end(), {3 + (i + 0.5) * reach / net - reach / 2,
+                                             7 + (j + 0.5) * reach / net - reach / 2});
+        std::vector<HeightSample> samples(points.size() / 2);
+        sampleHeights(*grid, points.data(), samples.size(), samples.data());
+        const glm::dvec3 down(-lighting.toSun[0], -lighting.toSun[1], -lighting.toSun[2]);
+        std::vector<double> fallen(cells * cells), drawn(cells * cells);
+        for (size_t i = 0; i < samples.size(); ++i) {
+            const glm::dvec3 normal(samples[i].normal[0], samples[i].normal[1], samples[i].normal[2]);
+            const double cosine = -glm::dot(down, normal), ratio = 1 / 1.333;
+            const glm::dvec3 ray =
+                down * ratio +
+                normal * (ratio * cosine - std::sqrt(1 - ratio * ratio * (1 - cosine * cosine)));
+            const double t = (depth + double{samples[i].height}) / -ray.y;
+            const double x = (points[2 * i] + ray.x * t - 3) / side + 0.5,
+                         z = (points[2 * i + 1] + ray.z * t - 7) / side + 0.5;
+            if (x < 0 || z < 0 || x >= 1 || z >= 1) continue;
+            fallen[static_cast<size_t>(z * cells) * cells + static_cast<size_t>(x * cells)] +=
+                cosine / normal.y;
         }
-    const double meanFallen = meanOf(fallen), meanDrawn = meanOf(drawn);
-    const double correlation = correlationOf(fallen, drawn);
-    std::printf("correlation with photons %.3f\n", correlation);
-    const double contrast = deviationOf(drawn) / meanDrawn / (deviationOf(fallen) / meanFallen);
-    std::printf("contrast %.3f of theirs\n", contrast);
-    EXPECT_GT(correlation, 0.93);
-    EXPECT_NEAR(contrast, 1, 0.2);
+        for (uint32_t y = 0; y < 256; ++y)
+            for (uint32_t x = 0; x < 256; ++x) {
+                const glm::dvec3 ray = rayThrough(above(-depth), x, y);
+                const double u = ray.x / -ray.y * 40 / side + 0.5, v = ray.z / -ray.y * 40 / side + 0.5;
+                const auto at = [](double c) {
+                    return static_cast<size_t>(std::clamp(c * cells, 0.0, cells - 1.0));
+                };
+                drawn[at(v) * cells + at(u)] += light[size_t{y} * 256 + x];
+            }
+        const double meanFallen = meanOf(fallen), meanDrawn = meanOf(drawn);
+        const double correlation = correlationOf(fallen, drawn);
+        std::printf("correlation with photons %.3f\n", correlation);
+        const double contrast = deviationOf(drawn) / meanDrawn / (deviationOf(fallen) / meanFallen);
+        std::printf("contrast %.3f of theirs\n", contrast);
+        EXPECT_GT(correlation, 0.93);
+        EXPECT_NEAR(contrast, 1, 0.2);
+    }
+}
+
+// Where little of the water's bend is left to waves that rays see, under a low sun: light that waves bend
+// strays farther along its way than across. They run at half a right angle to it, so that they make no such
+// difference themselves.
+TEST_F(Caustics, AreBlurredAlongTheSunMoreThanAcross) {
+    sea_.samples = 32;
+    sea_.windDirection = static_cast<float>(std::numbers::pi / 4);
+    lighting.toSun[0] = 0.96;
+    lighting.toSun[1] = 0.28;
+    lighting.toSun[2] = 0;
+    Body* const body = makeBody(desc_);
+    const std::vector<double> light = factors(body, -6);
+    constexpr size_t lag = 8; // [pixel]
+    double along = 0, across = 0;
+    for (size_t y = 0; y + lag < 256; ++y)
+        for (size_t x = 0; x + lag < 256; ++x) {
+            const double here = light[y * 256 + x];
+            along += std::pow(light[y * 256 + x + lag] - here, 2);
+            across += std::pow(light[(y + lag) * 256 + x] - here, 2);
+        }
+    std::printf("light changes along the sun by %.3f of what it does across\n", std::sqrt(along / across));
+    EXPECT_LT(std::sqrt(along / across), 1);
 }
 
 // As a bed's picture is, which is larger than the view's.

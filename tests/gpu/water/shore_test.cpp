@@ -91,7 +91,8 @@ TEST_F(ShoreOnGpu, TheSurfaceStandsWhereHeightQueriesSay) {
 // Of a swell that comes aslant, so that no axis is like the other.
 TEST_F(ShoreOnGpu, NormalsAreThoseOfHeightQueries) {
     sea_.windSpeed = 0;
-    sea_.swells[0].height = 1;
+    sea_.swells[0].height = 0.8f;
+    sea_.swells[0].peakPeriod = 3.5f;
     sea_.swells[0].direction += 0.9f;
     Body* const body = makeBody(desc_);
     Camera seenBy = camera();
@@ -119,26 +120,26 @@ TEST_F(ShoreOnGpu, NormalsAreThoseOfHeightQueries) {
             }
     }
     std::printf("slopes are off by %.4f of what they are\n", std::sqrt(apart / steep));
-    EXPECT_LT(std::sqrt(apart / steep), 0.05);
+    EXPECT_LT(std::sqrt(apart / steep), 0.02);
 }
 
-// Where water has run up and back, a film is left on the sand, and none of it lies below.
+// Where water has run up and back, a film is left on the sand: by 12 mm, and 1 % of what the mesh shows as
+// one.
 TEST_F(ShoreOnGpu, WetSandBearsAFilm) {
     Body* const body = makeBody(desc_);
-    size_t film = 0, sunk = 0;
+    size_t film = 0;
     for (const double time : {30.0, 33.0, 36.0}) {
         const WaterPicture p = picture({body}, camera(), time, SurfaceOutput::height);
         for (uint32_t y = 0; y < p.height; ++y)
             for (uint32_t x = 0; x < p.width; ++x) {
                 if (!p.covered(size_t{y} * p.width + x)) continue;
                 const glm::dvec3 world = worldAt(camera(), p, x, y);
-                const double over = world.y - slope * world.z;
-                film += over > 0.008 && over < 0.016;
-                sunk += over < 0 && world.y > 0.05;
+                const double over = world.y - slope * world.z; // [m]
+                film += over > 0.0125 && over < 0.016;
             }
     }
-    std::printf("%zu pixels of film, %zu below the sand\n", film, sunk);
-    EXPECT_GT(film, 500u);
+    std::printf("%zu pixels of film\n", film);
+    EXPECT_GT(film, 250u);
 }
 
 /// The sand of the map, and a wall on it at `wallZ`, of these radiances.

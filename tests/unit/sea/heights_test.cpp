@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <thread>
@@ -181,7 +182,10 @@ TEST(Heights, SayWhereTheSurfaceFolds) {
         EXPECT_TRUE(std::isfinite(s.height));
         EXPECT_GE(s.normal[1], 0);
     }
+    std::printf("%zu of 2000 points are folded\n", folded);
     EXPECT_GT(folded, 200u);
+    // Where the step towards a point is not held, it flies off to others that fold.
+    EXPECT_LT(folded, 775u);
 
     desc.choppiness = 0;
     sampleHeights(*makeSea(desc), 5, points.data(), samples.size(), samples.data());
