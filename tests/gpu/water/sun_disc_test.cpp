@@ -12,7 +12,7 @@ using namespace seaglass;
 using namespace tests;
 
 constexpr double discRadius = 0.00465; // [rad]
-constexpr double sunlight = 100;
+constexpr double sunlight = 2;         // whose disc shines as halves can hold
 
 class SunDisc : public WaterTest, public testing::WithParamInterface<double> {
   protected:
