@@ -160,7 +160,8 @@ TEST_F(Render, QualitySetsWhatMayBeSetAfterIt) {
     const Names asLow = {"--set", "water.cells_per_level=128",    "--set", "water.reflection_samples=1",
                          "--set", "water.refraction_samples=2",   "--set", "water.slope_samples=1",
                          "--set", "water.wave_shadow_steps=0",    "--set", "water.reflection.technique=sspr",
-                         "--set", "water.reflection.downscale=2", "--set", "water.parallax=false"};
+                         "--set", "water.reflection.downscale=2", "--set", "water.parallax=false",
+                         "--set", "water.pixels_per_shading=4"};
     EXPECT_TRUE(pictureOf(asLow) == low);
     Names after = {"--quality", "highest"};
     after.insert(after.end(), asLow.begin(), asLow.end());

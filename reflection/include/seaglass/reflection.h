@@ -41,8 +41,8 @@ struct ReflectionDesc {
     /// Of the reflection [pixel], 8..16384; the width follows. In the place of `downscale` is that of 1, 2, 4
     /// and 8 which comes nearest by ratio, of two the larger. 0: by `downscale`.
     uint32_t height = 0;
-    bool coarseKeys =
-        false; ///< sspr: one key for 2 x 2 pixels, a quarter of the memory; finds less steeply down
+    /// Of sspr: one key for 2 x 2 pixels, a quarter of the memory; finds less steeply down.
+    bool coarseKeys = false;
     float edgeFade = 0.08f; ///< share of the height over which borrowed pixels fade at the border, 0..0.5
     /// They fade at the nearest of the four borders; else at that towards which they are borrowed, which
     /// alone can cut a reflection off. Not of `planar`.

@@ -27,13 +27,18 @@ struct Found {
     vec3 position;
 };
 
+// At a depth of 0 nothing shows, and no place is that far.
+vec3 placeAt(vec2 pixel, float depth) {
+    vec4 p = water.relativeFromFound * vec4(pixel, depth > 0.0 ? depth : 1.0, 1.0);
+    return p.xyz / p.w;
+}
+
 Found foundAt(ivec2 at) {
     Found found;
     ivec2 held = clamp(at, ivec2(0), foundSize() - 1);
     float depth = texelFetch(foundDepth, held, 0).r;
     found.shows = depth > 0.0 && held == at;
-    vec4 p = water.relativeFromFound * vec4(vec2(held) + 0.5, depth > 0.0 ? depth : 1.0, 1.0);
-    found.position = p.xyz / p.w;
+    found.position = placeAt(vec2(held) + 0.5, depth);
     found.calm = found.position.xz - movedAside(texelFetch(foundAside, held, 0).r);
     return found;
 }
@@ -54,8 +59,7 @@ Step stepBetween(Found here, Found before, Found behind) {
 
 // Of a pixel that none beside it goes on from: over level water.
 Step stepOverLevel(Found here, ivec2 at, vec2 aside) {
-    vec4 p = water.relativeFromFound * vec4(vec2(at) + 0.5 + aside, texelFetch(foundDepth, at, 0).r, 1.0);
-    vec3 there = p.xyz / p.w;
+    vec3 there = placeAt(vec2(at) + 0.5 + aside, texelFetch(foundDepth, at, 0).r);
     vec3 sight = sightTo(there);
     float rise = abs(sight.y) > 1e-6 * length(sight) ? sight.y : 1e-6 * length(sight);
     vec3 moved = there + sight * ((here.position.y - there.y) / rise) - here.position;

@@ -127,30 +127,39 @@ float shareAboveSand(const SurfacePoint s, BentPoint point) {
     return max(smoothstep(0.05, 0.25, overSand(s, met)), deepEnough(s.shore));
 }
 
+// Whether a point of a ray is behind what stands out of the sand, by less than that is thick, or than the ray has come since it was
+// before the scene [m].
+bool meetsOverSand(const SurfacePoint s, vec3 at, float since) {
+    const float thickest = 0.6;    // what is seen from before is taken to be so thick [m]
+    const float footing = 0.05;    // over which it stands out of the sand [m]
+    Behind b = behindAt(pixelOf(at).xy);
+    float behind = distanceTo(at) - distanceTo(b.seen);
+    return !b.nothing && behind > 0.0 && behind < thickest + since && overSand(s, b.seen) > footing;
+}
+
 // What stands on the beach, as the film on wet sand and the water's edge mirror it: these lie above the plane that the image mirrors
 // about. So the scene's depth is followed along the ray, in even steps of the screen. Radiance, and 1 where it meets something.
 vec4 mirroredOverSand(const SurfacePoint s, vec3 direction) {
     const int steps = 24;
     const int halvings = 4;
     const float farthest = 60.0;   // of what is large enough to be told in a film [m]
-    const float thickest = 0.6;    // what is seen from before is taken to be so thick [m]
-    const float footing = 0.05;    // over which it stands out of the sand [m]
     vec4 from = water.pixelFromRelative * vec4(s.position, 1.0), by = water.pixelFromRelative * vec4(direction, 0.0);
     float end = min(untilBorder(from, by, vec2(regionSize())), farthest);
     float last = 0.0, met = 0.0;
     int i = 0;
     [[dont_unroll]] do {
-        // Evenly on the screen, then halving what is between the last that was before the scene and the first behind it.
+        // Evenly on the screen.
         float along = (float(i) + 1.0) / float(steps);
-        float t = i < steps ? along * from.w * end / mix(from.w + end * by.w, from.w, along) : 0.5 * (last + met);
-        vec3 at = s.position + t * direction;
-        Behind b = behindAt(pixelOf(at).xy);
-        float behind = distanceTo(at) - distanceTo(b.seen);
-        bool meets = !b.nothing && behind > 0.0 && behind < thickest + (t - last) && overSand(s, b.seen) > footing;
-        if (meets) met = t;
+        float t = along * from.w * end / mix(from.w + end * by.w, from.w, along);
+        if (meetsOverSand(s, s.position + t * direction, t - last)) met = t;
         else last = t;
-        if (meets && i < steps) i = steps - 1;
-    } while (++i < steps + halvings && (i < steps || met > 0.0));
+    } while (++i < steps && met == 0.0);
+    // Halves what is between the last that was before the scene and the first behind it.
+    for (int j = 0; j < halvings && met > 0.0; ++j) {
+        float t = 0.5 * (last + met);
+        if (meetsOverSand(s, s.position + t * direction, t - last)) met = t;
+        else last = t;
+    }
     if (met <= 0.0) return vec4(0.0);
     return vec4(radianceOf(behindAt(pixelOf(s.position + met * direction).xy)), 1.0);
 }
