@@ -47,7 +47,7 @@ vec2 slopeAt(vec2 calm, float width) {
     vec2 place = warped(calm);
     int i = 0;
     do {
-        float mip = max(log2(width * texelsInAMetre(i)), 0.0);
+        float mip = log2(max(width * texelsInAMetre(i), 1.0));
         if (mip < water.maxMip) {
             vec3 at = inTile(place, i);
             derivatives += shore.kept[i] * textureLod(waveDerivatives, at, mip);

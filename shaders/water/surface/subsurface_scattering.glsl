@@ -35,7 +35,8 @@ struct CrestSide {
 };
 
 CrestSide crestSide(const SurfacePoint s, vec2 calm, vec2 towards, float height, float above, float width) {
-    float apart = max(above, width);
+    const float leastApart = 1e-3;   // of what touches the surface, where a ray has no way through it [m]
+    float apart = max(max(above, width), leastApart);
     float there = waveDisplacementAt(waveDisplacement, calm + towards * apart, width, keptAt(s)).y;
     return CrestSide(towards, clamp((there - height) / apart, -1.0, 1.0), above);
 }

@@ -7,7 +7,7 @@ vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, ve
     vec2 place = warped(calm);
     int i = 0;
     do {
-        float mip = max(log2(width * texelsInAMetre(i)), 0.0);
+        float mip = log2(max(width * texelsInAMetre(i), 1.0));
         // The last mip is the tile's mean, which is zero.
         if (mip < water.maxMip)
             sum += kept[i] * textureLod(displacements, inTile(place, i), mip).xyz;
