@@ -76,8 +76,7 @@ Status FoundPass::create(Context& context, VkFormat keptBeside) {
     device = &context.device;
     beside = keptBeside;
     if (!(device->optimalFeatures(depthFormat) & VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
-        return device->fail(Status::unsupported,
-                            "shade: this device draws no depth of D32_SFLOAT");
+        return device->fail(Status::unsupported, "shade: this device draws no depth of D32_SFLOAT");
     const VkAttachmentDescription attachments[] = {
         attachment(beside, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL),
         attachment(depthFormat, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL)};
