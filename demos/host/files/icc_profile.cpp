@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <string_view>
+
+#include "host/ascii.h"
+#include "host/big_endian.h"
 
 namespace demos {
 namespace {
@@ -21,41 +23,30 @@ std::string_view letters(ProfileBytes bytes, size_t at, size_t count) {
     return {reinterpret_cast<const char*>(bytes.data()) + at, count};
 }
 
-/// Big-endian; 0 beyond the end.
-uint32_t numberAt(ProfileBytes bytes, size_t at, size_t count = 4) {
-    uint32_t number = 0;
-    for (const char c : letters(bytes, at, count)) number = number << 8 | static_cast<uint8_t>(c);
-    return number;
-}
-
 /// s15Fixed16Number.
 double fixedAt(ProfileBytes bytes, size_t at) {
-    return static_cast<int32_t>(numberAt(bytes, at)) / 65536.0;
+    return static_cast<int32_t>(bigEndianAt(bytes, at)) / 65536.0;
 }
 
 /// Empty: not there.
 ProfileBytes tagOf(ProfileBytes profile, std::string_view name) {
-    const uint32_t count = std::min(numberAt(profile, headBytes), mostTags);
+    const uint32_t count = std::min(bigEndianAt(profile, headBytes), mostTags);
     for (uint32_t i = 0; i < count; ++i) {
         const size_t at = headBytes + 4 + i * tagBytes;
         if (letters(profile, at, 4) != name) continue;
-        const size_t from = numberAt(profile, at + 4), size = numberAt(profile, at + 8);
+        const size_t from = bigEndianAt(profile, at + 4), size = bigEndianAt(profile, at + 8);
         if (from > profile.size() || profile.size() - from < size) return {};
         return profile.subspan(from, size);
     }
     return {};
 }
 
-double sRgbLight(double v) {
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); // IEC 61966-2-1
-}
-
 /// Of a table of 16-bit light.
 bool isSRgbTable(ProfileBytes curve, uint32_t count) {
     if (count < 16 || curve.size() < 12 + size_t{count} * 2) return false;
     for (uint32_t i = 0; i < count; ++i) {
-        const double light = numberAt(curve, 12 + size_t{i} * 2, 2) / 65535.0;
-        if (std::abs(light - sRgbLight(static_cast<double>(i) / (count - 1))) > sameCurve) return false;
+        const double light = bigEndianAt(curve, 12 + size_t{i} * 2, 2) / 65535.0;
+        if (std::abs(light - lightOf(static_cast<double>(i) / (count - 1), 0)) > sameCurve) return false;
     }
     return true;
 }
@@ -64,13 +55,13 @@ bool isSRgbTable(ProfileBytes curve, uint32_t count) {
 std::optional<double> gammaOfCurve(ProfileBytes curve) {
     const auto power = [](double p) { return p > 0.1 && p < 10 ? std::optional(1 / p) : std::nullopt; };
     if (letters(curve, 0, 4) == "curv" && curve.size() >= 12) {
-        const uint32_t count = numberAt(curve, 8);
+        const uint32_t count = bigEndianAt(curve, 8);
         if (count == 0) return 1;
-        if (count == 1) return power(numberAt(curve, 12, 2) / 256.0);
+        if (count == 1) return power(bigEndianAt(curve, 12, 2) / 256.0);
         return isSRgbTable(curve, count) ? std::optional(0.0) : std::nullopt;
     }
     if (letters(curve, 0, 4) != "para" || curve.size() < 16) return std::nullopt;
-    const uint32_t form = numberAt(curve, 8, 2);
+    const uint32_t form = bigEndianAt(curve, 8, 2);
     if (form == 0) return power(fixedAt(curve, 12));
     constexpr std::array<double, 5> sRgb = {2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045};
     if (form != 3 || curve.size() < 12 + 4 * sRgb.size()) return std::nullopt;
@@ -79,13 +70,13 @@ std::optional<double> gammaOfCurve(ProfileBytes curve) {
     return 0;
 }
 
-std::string printable(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
-    return text;
-}
-
 } // namespace
+
+double lightOf(double stored, double gamma) {
+    const double v = std::clamp(stored, 0.0, 1.0);
+    if (gamma > 0) return std::pow(v, 1 / gamma);
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); // IEC 61966-2-1
+}
 
 std::optional<ProfileColor> readProfile(std::span<const uint8_t> profile) {
     // Tables go before the matrix.
@@ -109,22 +100,21 @@ std::string profileName(std::span<const uint8_t> profile) {
     const ProfileBytes desc = tagOf(profile, "desc");
     std::string name;
     if (letters(desc, 0, 4) == "desc") {
-        const size_t count = std::min<size_t>(numberAt(desc, 8), longestName);
+        const size_t count = std::min<size_t>(bigEndianAt(desc, 8), longestName);
         name = letters(desc, 12, count);
-    } else if (letters(desc, 0, 4) == "mluc" && numberAt(desc, 8) > 0) {
-        const size_t count = std::min<size_t>(numberAt(desc, 20) / 2, longestName), from = numberAt(desc, 24);
+    } else if (letters(desc, 0, 4) == "mluc" && bigEndianAt(desc, 8) > 0) {
+        const size_t count = std::min<size_t>(bigEndianAt(desc, 20) / 2, longestName),
+                     from = bigEndianAt(desc, 24);
         for (size_t i = 0; i < count; ++i) {
-            const uint32_t unit = numberAt(desc, from + 2 * i, 2);
+            const uint32_t unit = bigEndianAt(desc, from + 2 * i, 2);
             name += unit < 0x7f ? static_cast<char>(unit) : '?';
         }
     }
     return printable(name.substr(0, name.find('\0')));
 }
 
-bool isCalledSRgb(std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return name.find("srgb") != name.npos;
+bool isCalledSRgb(const std::string& name) {
+    return lowerCase(name).find("srgb") != name.npos;
 }
 
 } // namespace demos

@@ -16,12 +16,15 @@ struct ProfileColor {
     Primaries primaries{};
 };
 
+/// What is stored, 0..1, as light by such a gamma.
+double lightOf(double stored, double gamma);
+
 /// Null for profiles by tables, of grey or of inks, and for broken ones.
 std::optional<ProfileColor> readProfile(std::span<const uint8_t> profile);
 
 /// Its description in ASCII, '?' for what is none; empty where there is none.
 std::string profileName(std::span<const uint8_t> profile);
 
-bool isCalledSRgb(std::string name);
+bool isCalledSRgb(const std::string& name);
 
 } // namespace demos

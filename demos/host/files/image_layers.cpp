@@ -1,8 +1,9 @@
 #include "host/files/image_layers.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
+
+#include "host/ascii.h"
 
 namespace demos {
 namespace {
@@ -22,12 +23,6 @@ struct Group {
     std::string layer, label;
     std::vector<Channel> channels;
 };
-
-std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 std::string afterLastDot(const std::string& name) {
     return name.substr(name.rfind('.') + 1); // npos + 1 is 0

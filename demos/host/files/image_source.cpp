@@ -195,12 +195,6 @@ std::string wholeNumbersProblem(const OIIO::ImageSpec& spec, const ImageLayer& l
     return "";
 }
 
-double lightOf(double value, double gamma) {
-    const double v = std::clamp(value, 0.0, 1.0);
-    if (gamma > 0) return std::pow(v, 1 / gamma);
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); // IEC 61966-2-1
-}
-
 double sRgbOf(double light) {
     const double v = std::clamp(light, 0.0, 1.0);
     return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;

@@ -7,6 +7,9 @@
 #include <fstream>
 #include <vector>
 
+#include "host/ascii.h"
+#include "host/big_endian.h"
+
 namespace demos {
 namespace {
 
@@ -19,11 +22,6 @@ using Bytes = std::vector<uint8_t>;
 struct Chunks {
     Bytes cicp, iccp, srgb, gama, chrm; ///< their first bytes; empty: not there
 };
-
-/// Big-endian, as the file is.
-uint32_t wordAt(const uint8_t* bytes) {
-    return uint32_t{bytes[0]} << 24 | uint32_t{bytes[1]} << 16 | uint32_t{bytes[2]} << 8 | bytes[3];
-}
 
 Bytes readBytes(std::ifstream& stream, size_t count) {
     Bytes bytes(count);
@@ -41,7 +39,7 @@ Chunks readChunks(const std::filesystem::path& file) {
         const Bytes head = readBytes(stream, 8);
         if (head.size() < 8) break;
         const std::string name(head.begin() + 4, head.end());
-        const uint32_t length = wordAt(head.data());
+        const uint32_t length = bigEndianAt(head, 0);
         if (name == "IDAT") break;
         const std::streamoff next = std::streamoff{stream.tellg()} + length + 4;
         Bytes* const known = name == "cICP"   ? &chunks.cicp
@@ -62,15 +60,12 @@ bool isSRgb(const Bytes& cicp) {
 }
 
 std::string nameInChunk(const Bytes& iccp) {
-    std::string name(iccp.begin(), std::find(iccp.begin(), iccp.end(), uint8_t{0}));
-    std::replace_if(
-        name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
-    return name;
+    return printable({iccp.begin(), std::find(iccp.begin(), iccp.end(), uint8_t{0})});
 }
 
 /// Gammas within 5 % of sRGB's stand for its curve, as libpng has it.
 double gammaOf(const Bytes& gama) {
-    const double gamma = gama.size() >= 4 ? wordAt(gama.data()) / 1e5 : 0;
+    const double gamma = gama.size() >= 4 ? bigEndianAt(gama, 0) / 1e5 : 0;
     return std::abs(gamma / sRgbGamma - 1) < 0.05 ? 0 : gamma;
 }
 
@@ -78,7 +73,7 @@ double gammaOf(const Bytes& gama) {
 std::optional<Primaries> primariesOf(const Bytes& chrm) {
     Primaries out{};
     if (chrm.size() < 4 * out.size()) return std::nullopt;
-    for (size_t i = 0; i < out.size(); ++i) out[(i + 6) % 8] = wordAt(&chrm[4 * i]) / 1e5;
+    for (size_t i = 0; i < out.size(); ++i) out[(i + 6) % 8] = bigEndianAt(chrm, 4 * i) / 1e5;
     return out;
 }
 

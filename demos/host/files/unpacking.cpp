@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/big_endian.h"
 #include "scene/input_limits.h"
 
 namespace demos {
@@ -14,8 +15,7 @@ namespace {
 size_t compressedTexts(std::string_view png) {
     size_t bytes = 0;
     for (size_t at = 8; at + 8 <= png.size();) {
-        size_t length = 0;
-        for (size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(png[at + i]);
+        const size_t length = bigEndianAt(png, at);
         const std::string_view kind = png.substr(at + 4, 4);
         at += 8;
         if (kind == "IEND" || length > png.size() - at) break;
@@ -42,7 +42,7 @@ size_t scansOf(std::string_view jpeg) {
         }
         if (marker == endOfImage) break;
         scans += marker == startOfScan ? 1 : 0;
-        at += 2 + (size_t{byte(2)} << 8 | byte(3));
+        at += 2 + size_t{bigEndianAt(jpeg, at + 2, 2)};
     }
     return scans;
 }

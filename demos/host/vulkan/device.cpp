@@ -2,12 +2,12 @@
 #include "host/host.h"
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 
+#include "host/ascii.h"
 #include "host/timing/pass_clock.h"
 #include "seaglass/host.h"
 
@@ -245,12 +245,6 @@ std::vector<VkPhysicalDevice> physicalDevices(VkInstance instance) {
     return devices;
 }
 
-std::string lowered(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 } // namespace
 
 bool succeeded(VkResult result, const char* what, Error& error) {
@@ -305,7 +299,7 @@ bool Device::choosePhysical(const std::string& wanted, Error& error) {
     std::string others;
     for (const VkPhysicalDevice physical : physicalDevices(instance_)) {
         const DeviceInfo info = describe(instance_, physical);
-        const bool named = lowered(info.name).find(lowered(wanted)) != std::string::npos;
+        const bool named = lowerCase(info.name).find(lowerCase(wanted)) != std::string::npos;
         if (named && info.supported) {
             physical_ = physical;
             info_ = info;

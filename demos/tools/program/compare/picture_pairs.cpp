@@ -1,9 +1,9 @@
 #include "program/compare/picture_pairs.h"
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 
+#include "host/ascii.h"
 #include "program/screenshots/regions.h"
 
 namespace demos {
@@ -67,9 +67,7 @@ PicturePairs picturePairs(const fs::path& reference, const fs::path& test) {
 }
 
 bool isPictureName(const fs::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lowerCase(file.extension().string());
     return extension == ".png" || extension == ".exr" || extension == ".hdr";
 }
 

@@ -1,22 +1,17 @@
 #include "program/render/output.h"
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 
 #include <unistd.h>
+
+#include "host/ascii.h"
 
 namespace demos {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 std::string pad(uint32_t frame, size_t digits) {
     const std::string number = std::to_string(frame);
