@@ -16,7 +16,7 @@ layout(location = 0) out uint outAside;
 
 bool isHidden() {
     if (!hasRefraction || manySamples) return false;   // other samples may show it
-    return liesBefore(texelFetch(sceneDepth, ivec2(gl_FragCoord.xy) - foundPixel(vec2(0.0)), 0).r, gl_FragCoord.z);
+    return liesBefore(texelFetch(sceneDepth, sceneTexel(ivec2(gl_FragCoord.xy)), 0).r, gl_FragCoord.z);
 }
 
 void main() {

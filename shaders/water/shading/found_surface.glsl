@@ -1,5 +1,5 @@
 // What found_surface.frag leaves of the surface in a view: its depth, 1 at the near plane and down to 0 where nothing is, and how
-// far waves have moved to the side what shows there, as shares of the farthest that any do. Needs body.glsl.
+// far waves have moved to the side what shows there, as shares of the farthest that any do. Of the view, which images may be larger than. Needs body.glsl.
 
 vec2 movedAside(uint held) {
     return water.found.x * unpackSnorm2x16(held);
@@ -7,16 +7,6 @@ vec2 movedAside(uint held) {
 
 uint heldAside(vec2 moved) {
     return packSnorm2x16(moved * water.found.y);
-}
-
-// Of the view [pixel]; images may be larger.
-ivec2 foundSize() {
-    return water.region.zw;
-}
-
-// Of a pixel of the host's.
-ivec2 foundPixel(vec2 hostPixel) {
-    return ivec2(hostPixel) - water.region.xy;
 }
 
 // As the host's depth runs.

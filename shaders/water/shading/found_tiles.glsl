@@ -18,7 +18,7 @@ layout(set = 0, binding = foundTilesBinding, std430) buffer Tiles {
 };
 
 ivec2 tilesAcross() {
-    return (foundSize() + tileSize() - 1) / tileSize();
+    return (regionSize() + tileSize() - 1) / tileSize();
 }
 
 int tileCount() {

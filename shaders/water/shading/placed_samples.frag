@@ -29,7 +29,7 @@ ivec2 foundNear(ivec2 here) {
                                     ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
     ivec2 at = here;
     int i = 0;
-    do at = clamp(here + beside[i], ivec2(0), foundSize() - 1);
+    do at = clamp(here + beside[i], ivec2(0), regionSize() - 1);
     while (++i < 9 && !isFound(at));
     return at;
 }
@@ -37,7 +37,7 @@ ivec2 foundNear(ivec2 here) {
 void main() {
     vec3 position = vec3(meshPosition.x, meshPosition.y - globeDrop(meshCalm), meshPosition.z);
     if (!isSurface(meshCalm, position)) demote;
-    ivec2 at = foundNear(foundPixel(gl_FragCoord.xy));
+    ivec2 at = foundNear(ivec2(regionPixel(gl_FragCoord.xy)));
     if (!isFound(at)) demote;
     vec4 shown = texelFetch(shadedColor, at, 0);
     outColor = writesLight ? vec4(heldOf(shown.rgb, targetIsEncoded), 1.0) : shown;

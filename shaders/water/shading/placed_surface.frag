@@ -15,7 +15,7 @@ layout(set = 0, binding = shadedBinding) uniform sampler2D shadedColor;
 layout(location = 0) out vec4 outColor;
 
 void main() {
-    ivec2 at = foundPixel(gl_FragCoord.xy);
+    ivec2 at = ivec2(regionPixel(gl_FragCoord.xy));
     float depth = texelFetch(foundDepth, at, 0).r;
     if (depth <= 0.0) demote;
     gl_FragDepth = hostDepth(depth);

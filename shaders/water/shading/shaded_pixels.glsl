@@ -4,7 +4,7 @@
 // other row's lie in the middle between those of the rows beside it.
 
 bool showsSurface(ivec2 at) {
-    return all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, foundSize())) && texelFetch(foundDepth, at, 0).r > 0.0;
+    return inRegion(vec2(at)) && texelFetch(foundDepth, at, 0).r > 0.0;
 }
 
 int shiftOfRow(int y) {

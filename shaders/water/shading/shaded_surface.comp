@@ -35,7 +35,7 @@ vec3 placeAt(vec2 pixel, float depth) {
 
 Found foundAt(ivec2 at) {
     Found found;
-    ivec2 held = clamp(at, ivec2(0), foundSize() - 1);
+    ivec2 held = clamp(at, ivec2(0), regionSize() - 1);
     float depth = texelFetch(foundDepth, held, 0).r;
     found.shows = depth > 0.0 && held == at;
     found.position = placeAt(vec2(held) + 0.5, depth);
@@ -99,10 +99,11 @@ SurfacePoint shownPoint(Found found, ivec2 at) {
     vec2 widest = max(abs(right.calm), abs(down.calm));
     s.pixelLength = max(widest.x, widest.y);
     s.position = found.position;
-    s.height = found.position.y + globeDrop(found.calm) + water.plane.w;
+    s.overPlane = found.position + vec3(0.0, globeDrop(found.calm), 0.0);
+    s.height = heightOverCalm(s.overPlane);
     // The mesh's chords cut under the ball: from the air by more than waves are high.
     if (onGlobe) s.height = clamp(s.height, -water.found.x, water.found.x);
-    s.overPlane = vec3(found.position.x, s.height - water.plane.w, found.position.z);
+    s.overPlane.y = calmLevel() + s.height;
     if (onGlobe) s.level = levelAt(found.calm);
     if (hasShore) s.shore = shoreWave(found.calm, s.pixelLength);
     s.calm = shownCalm(found.calm, s.footprint, found.position, s.height, cross(right.position, down.position));
@@ -118,7 +119,7 @@ void main() {
     ivec2 first = firstPixel(tiles[placeInList(listShaded, isListed ? int(n) : 0)]);
     ivec2 at = shadedPixel(first / blockSize() + placeInTile());
     Found found = foundAt(at);
-    SurfacePoint s = shownPoint(found, min(at, foundSize() - 1));
+    SurfacePoint s = shownPoint(found, min(at, regionSize() - 1));
     vec4 made = shaded(s);
     if (!isListed || !found.shows) return;
     const float most = 65504.0;   // that a half holds

@@ -22,17 +22,17 @@ layout(set = 0, binding = reflectionInfoBinding) uniform sampler2D reflectionInf
 #include "tile_needs.glsl"
 
 bool showsSurface(ivec2 first) {
-    ivec2 last = foundSize() - 1;
+    ivec2 last = regionSize() - 1;
     for (int i = 0; i < tileSize().x * tileSize().y; ++i)
         if (texelFetch(foundDepth, min(first + ivec2(i % tileSize().x, i / tileSize().x), last), 0).r > 0.0) return true;
     return false;
 }
 
 bool showsScene(ivec2 first) {
-    ivec2 last = foundSize() - 1;
+    ivec2 last = regionSize() - 1;
     for (int i = 0; i < tileSize().x * tileSize().y; ++i) {
-        float depth = texelFetch(sceneDepth, water.region.xy + min(first + ivec2(i % tileSize().x, i / tileSize().x), last), 0).r;
-        if (water.depthSign * (depth - water.farDepth) > 0.0) return true;
+        ivec2 pixel = min(first + ivec2(i % tileSize().x, i / tileSize().x), last);
+        if (!isFarPlane(texelFetch(sceneDepth, sceneTexel(pixel), 0).r)) return true;
     }
     return false;
 }

@@ -37,10 +37,11 @@ struct Reflection {
 // Of the scene, times confidence, and confidence. `hit` is how far away the last ray beside this one met something [m].
 vec4 mirroredScene(const SurfacePoint s, vec3 direction, float spread, inout float hit) {
     if (!hasReflection) return vec4(0.0);
-    vec4 found = reflectionAlong(s, fromLevel(s, direction), spread, hit);
+    vec3 along = fromLevel(s, direction);
+    vec4 found = reflectionAlong(s, along, spread, hit);
     if (hasShore && hasRefraction) {
         float shallow = 1.0 - deepEnough(s.shore);
-        if (shallow > 0.0) found += (1.0 - found.a) * shallow * mirroredOverSand(s, fromLevel(s, direction));
+        if (shallow > 0.0) found += (1.0 - found.a) * shallow * mirroredOverSand(s, along);
     }
     return found;
 }
