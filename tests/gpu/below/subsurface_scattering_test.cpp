@@ -22,12 +22,7 @@ class SubsurfaceScattering : public WaterTest {
         for (int i = 0; i < 3; ++i) lighting.skyIrradiance[i] = 1;
     }
     /// In front of the eye where `ahead`, else at its back.
-    void lowSun(bool ahead) {
-        lighting.toSun[0] = 0;
-        lighting.toSun[1] = std::sin(0.2);
-        lighting.toSun[2] = std::cos(0.2) * (ahead ? -1 : 1);
-        for (float& channel : lighting.sunIrradiance) channel = 5;
-    }
+    void lowSun(bool ahead) { shineFrom({0, std::sin(0.2), std::cos(0.2) * (ahead ? -1 : 1)}, 5); }
     Body* scattering(float perMetre) {
         refraction_.scattering = perMetre;
         BodyDesc desc;

@@ -12,6 +12,7 @@ using namespace tests;
 
 constexpr float share = 0.25f;
 
+const Box wallBehind{{-30, -1, -31}, {30, 12, -30}};
 const Box plate{{-4, 0.9, -6}, {3, 1.0, -1}};
 
 /// A plate on posts, and a wall behind it that would show through.
@@ -21,7 +22,7 @@ std::vector<Box> plateOnPosts() {
             {{2.7, -1, -5.9}, {2.9, 0.9, -5.7}},
             {{-3.9, -1, -1.3}, {-3.7, 0.9, -1.1}},
             {{2.7, -1, -1.3}, {2.9, 0.9, -1.1}},
-            {{-30, -1, -31}, {30, 12, -30}}};
+            wallBehind};
 }
 
 class Undersides : public ReflectionTest, public testing::WithParamInterface<ReflectionTechnique> {
@@ -169,10 +170,11 @@ std::vector<Box> deckOnPosts(bool postsOnIt) {
     return boxes;
 }
 
-/// Of each pixel whose mirrored ray goes in by the deck's underside and comes out of its back, the way of the
-/// ray to the underside, where the top straight above is seen; else 0.
-std::vector<double> waysUnder(const Camera& camera, const TracedView& traced, const std::vector<Box>& boxes,
-                              const Box& under = deck) {
+/// Of each pixel whose mirrored ray first meets a board's underside, the way to that, where `counts` it of
+/// the ray and the point on the board's top straight above; else 0.
+template<typename Counts>
+std::vector<double> waysTo(const Box& under, const Camera& camera, const TracedView& traced,
+                           const std::vector<Box>& boxes, const Counts& counts) {
     const std::vector<Ray> rays = mirroredRays(camera, traced);
     std::vector<double> ways(traced.truth.size());
     for (size_t i = 0; i < ways.size(); ++i) {
@@ -180,13 +182,25 @@ std::vector<double> waysUnder(const Camera& camera, const TracedView& traced, co
         const auto& [on, up] = rays[i];
         const double way = under.low.y / up.y;
         if (std::abs(nearestHit(boxes, on, up) - way) > 1e-9) continue;
-        if ((on + up * (under.high.y / up.y)).z > under.low.z) continue;
         const glm::dvec3 above = on + up * way + glm::dvec3(0, under.high.y - under.low.y, 0);
-        const double seen = glm::length(above - camera.eye);
-        if (nearestHit(boxes, camera.eye, (above - camera.eye) / seen) < seen - 1e-6) continue;
-        ways[i] = way;
+        if (counts(rays[i], above)) ways[i] = way;
     }
     return ways;
+}
+
+/// Of rays that come out of its back, where the top straight above is seen.
+std::vector<double> waysUnder(const Camera& camera, const TracedView& traced, const std::vector<Box>& boxes,
+                              const Box& under = deck) {
+    return waysTo(under, camera, traced, boxes, [&](const Ray& ray, const glm::dvec3& above) {
+        if ((ray.from + ray.along * (under.high.y / ray.along.y)).z > under.low.z) return false;
+        const double seen = glm::length(above - camera.eye);
+        return nearestHit(boxes, camera.eye, (above - camera.eye) / seen) >= seen - 1e-6;
+    });
+}
+
+/// Whether what is found is not the underside at the end of its way.
+bool isSeenThrough(float info, double way) {
+    return way > 0 && (!(info > 0) || std::abs(double{info} - way) > 0.25 * way);
 }
 
 /// Shares of the undersides of which so much may be wrong.
@@ -203,7 +217,7 @@ TEST_P(Overhangs, HideWhatLiesBehindWhatHangs) {
             for (const bool walled : {false, true}) {
                 const std::vector<Box> pier = deckOnPosts(postsOnIt);
                 std::vector<Box> boxes = pier;
-                if (walled) boxes.push_back({{-30, -1, -31}, {30, 12, -30}});
+                if (walled) boxes.push_back(wallBehind);
                 const TracedView traced = Tracer(pose.camera, boxes).run();
                 const Reflected result = reflected(pose.camera, traced, 6);
                 const Reflected without = reflected(pose.camera, traced, 0);
@@ -213,8 +227,7 @@ TEST_P(Overhangs, HideWhatLiesBehindWhatHangs) {
                 for (size_t i = 0; i < ways.size(); ++i) {
                     const float info = result.info[i];
                     undersides += ways[i] > 0;
-                    through +=
-                        ways[i] > 0 && (!(info > 0) || std::abs(double{info} - ways[i]) > 0.25 * ways[i]);
+                    through += isSeenThrough(info, ways[i]);
                     beyond += traced.truth[i] != Truth::none && info != without.info[i] &&
                               !std::isfinite(nearestHit(pier, rays[i].from, rays[i].along));
                 }
@@ -228,22 +241,14 @@ TEST_P(Overhangs, HideWhatLiesBehindWhatHangs) {
             }
 }
 
-/// Of each pixel whose mirrored ray goes in by the deck's underside, the way to that where a crate that
-/// stands on the deck hides what is straight above; else 0.
+/// Of the deck, where a crate that stands on it hides what is straight above.
 std::vector<double> waysUnderCrate(const Camera& camera, const TracedView& traced,
                                    const std::vector<Box>& boxes, const Box& crate) {
-    const std::vector<Ray> rays = mirroredRays(camera, traced);
-    std::vector<double> ways(traced.truth.size());
-    for (size_t i = 0; i < ways.size(); ++i) {
-        if (traced.truth[i] == Truth::none) continue;
-        const auto& [on, up] = rays[i];
-        const double way = deck.low.y / up.y;
-        if (std::abs(nearestHit(boxes, on, up) - way) > 1e-9) continue;
-        const glm::dvec3 above = on + up * way + glm::dvec3(0, deck.high.y - deck.low.y + 1e-3, 0);
+    return waysTo(deck, camera, traced, boxes, [&](const Ray&, glm::dvec3 above) {
+        above.y += 1e-3;
         const double seen = glm::length(above - camera.eye);
-        if (hitDistance(crate, camera.eye, (above - camera.eye) / seen) < seen) ways[i] = way;
-    }
-    return ways;
+        return hitDistance(crate, camera.eye, (above - camera.eye) / seen) < seen;
+    });
 }
 
 // What stands on a pier hides its top, by which its underside is known: that goes on beside it.
@@ -267,15 +272,14 @@ TEST_P(Overhangs, AreWholeUnderWhatStandsOnThem) {
             const Box crate{{-1.2, 1.1, -3.8}, {0, pose.camera.eye.y > 5 ? 3.6 : 2.4, -3}};
             std::vector<Box> boxes = deckOnPosts(false);
             boxes.push_back(crate);
-            if (walled) boxes.push_back({{-30, -1, -31}, {30, 12, -30}});
+            if (walled) boxes.push_back(wallBehind);
             const TracedView traced = Tracer(pose.camera, boxes).run();
             const Reflected result = reflected(pose.camera, traced, 6);
             const std::vector<double> ways = waysUnderCrate(pose.camera, traced, boxes, crate);
             size_t undersides = 0, through = 0;
             for (size_t i = 0; i < ways.size(); ++i) {
-                const float info = result.info[i];
                 undersides += ways[i] > 0;
-                through += ways[i] > 0 && (!(info > 0) || std::abs(double{info} - ways[i]) > 0.25 * ways[i]);
+                through += isSeenThrough(result.info[i], ways[i]);
             }
             std::printf("%-8s %zu undersides, %zu seen through\n", pose.name, undersides, through);
             EXPECT_GT(undersides, 100u) << pose.name;
@@ -293,14 +297,13 @@ TEST_P(Overhangs, AreWholeUnderThinDecksSeenFromHardlyAbove) {
         camera.target = {0, 0.9, 0};
         camera.width = 160;
         camera.height = 544;
-        const std::vector<Box> boxes = {thin, {{-30, -1, -31}, {30, 12, -30}}};
+        const std::vector<Box> boxes = {thin, wallBehind};
         const TracedView traced = Tracer(camera, boxes).run();
         const Reflected result = reflected(camera, traced, 6);
         const std::vector<double> ways = waysUnder(camera, traced, boxes, thin);
         for (size_t i = 0; i < ways.size(); ++i) {
-            const float info = result.info[i];
             undersides += ways[i] > 0;
-            through += ways[i] > 0 && (!(info > 0) || std::abs(double{info} - ways[i]) > 0.25 * ways[i]);
+            through += isSeenThrough(result.info[i], ways[i]);
         }
     }
     std::printf("%zu undersides, %zu seen through\n", undersides, through);
@@ -344,7 +347,7 @@ class FollowedUndersides : public ReflectionTest {};
 
 // The hybrid's rays go as far as the tops that they come out of.
 TEST_F(FollowedUndersides, HideWhatLiesBeyond) {
-    std::vector<Box> planks = {{{-30, -1, -31}, {30, 12, -30}}};
+    std::vector<Box> planks = {wallBehind};
     for (double z = -6; z < -1; z += 0.43) planks.push_back({{-4, 0.88, z}, {3, 0.9, z + 0.4}});
     for (const Pose& pose : posesAboveThePlate()) {
         const TracedView traced = Tracer(pose.camera, planks).run();

@@ -136,6 +136,11 @@ void WaterTest::drawCausticsOf(seaglass::Body* body, const seaglass::LightingDes
     };
 }
 
+void WaterTest::shineFrom(const glm::dvec3& unitToSun, float irradiance) {
+    for (int i = 0; i < 3; ++i) lighting.toSun[i] = unitToSun[i];
+    std::ranges::fill(lighting.sunIrradiance, irradiance);
+}
+
 void WaterTest::shadeBefore(seaglass::Body* body, seaglass::SurfaceOutput output) {
     beforeDrawing = [this, body, output](VkCommandBuffer commands, const seaglass::ViewDesc& view) {
         return seaglass::shade(commands, &body, 1, &view, &lighting, output);

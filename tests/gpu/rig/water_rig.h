@@ -38,6 +38,8 @@ class WaterTest : public GpuTest {
     void useEncoding(seaglass::Encoding encoding);
     /// From here on, water leaves the depth alone.
     void leaveDepth();
+    /// From here on the sun stands there, with so much irradiance in each channel.
+    void shineFrom(const glm::dvec3& unitToSun, float irradiance);
     seaglass::Body* makeBody(seaglass::BodyDesc desc);
     /// A frame: simulate at `time`, reflect, shade, draw.
     WaterPicture picture(const std::vector<seaglass::Body*>& bodies, const Camera& camera, double time = 0,

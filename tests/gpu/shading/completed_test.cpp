@@ -24,9 +24,7 @@ class Completed : public WaterTest {
         camera_.target = {3, 2, -13};
         camera_.width = 181;
         camera_.height = 99;
-        const glm::dvec3 toSun = glm::normalize(glm::dvec3(0.3, 0.15, -0.94));
-        for (int i = 0; i < 3; ++i) lighting.toSun[i] = toSun[i];
-        std::ranges::fill(lighting.sunIrradiance, 5.0f);
+        shineFrom(glm::normalize(glm::dvec3(0.3, 0.15, -0.94)), 5);
     }
 
     void shadeOneOf(uint32_t pixels) {

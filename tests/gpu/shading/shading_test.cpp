@@ -42,13 +42,6 @@ void PrintTo(const Look& look, std::ostream* out) {
     *out << look.name;
 }
 
-void lowSun(LightingDesc& lighting) {
-    const glm::dvec3 toSun = glm::normalize(glm::dvec3(0.3, 0.15, -0.94));
-    for (int i = 0; i < 3; ++i) lighting.toSun[i] = toSun[i];
-    std::ranges::fill(lighting.sunIrradiance, 5.0f);
-    std::ranges::fill(lighting.skyIrradiance, 3.0f);
-}
-
 void withWaves(Described& d) {
     d.body.waves = &d.sea;
     d.body.wavesBackend = fftwWaves();
@@ -66,8 +59,7 @@ void mayDive(Described& d) {
     d.body.underwater = &d.underwater;
 }
 
-/// An eye amid the waves, before which some stand above it and some below.
-/// Of an eye that wades.
+/// Of an eye that wades: some waves before it stand above it, and some below.
 void atTheWaterline(Described& d, Camera&, LightingDesc&) {
     withWaves(d);
     mayDive(d);
@@ -86,6 +78,11 @@ class Shading : public WaterTest {
         camera.width = 192;
         camera.height = 108;
         return camera;
+    }
+
+    void lowSun() {
+        shineFrom(glm::normalize(glm::dvec3(0.3, 0.15, -0.94)), 5);
+        std::ranges::fill(lighting.skyIrradiance, 3.0f);
     }
 
     WaterPicture taken(Body* body, const Camera& camera, const SceneBehind& behind = {},
@@ -156,7 +153,7 @@ TEST_P(ShadedLooks, AsTheMeanOfFinerPixels) {
     Described d;
     Camera c = camera();
     c.width /= 2, c.height /= 2;
-    lowSun(lighting);
+    lowSun();
     GetParam().change(d, c, lighting);
     if (!c.reversed) useDepth(false);
     const SurfaceOutput output = GetParam().output;
@@ -293,7 +290,7 @@ INSTANTIATE_TEST_SUITE_P(Every, ShadedLooks, testing::ValuesIn(looks),
                          [](const auto& each) { return std::string(each.param.name); });
 
 TEST_F(Shading, StandsBehindWhatTheHostHasBeforeIt) {
-    lowSun(lighting);
+    lowSun();
     Described d;
     withWaves(d);
     d.body.refraction = &d.refraction;
@@ -318,7 +315,7 @@ TEST_F(Shading, StandsBehindWhatTheHostHasBeforeIt) {
 }
 
 TEST_F(Shading, OfARegionIsThatOfAViewOfItsOwn) {
-    lowSun(lighting);
+    lowSun();
     Body* body = wavyBody();
     Camera c = camera();
     const WaterPicture whole = taken(body, c);
@@ -449,7 +446,7 @@ TEST_F(Shading, OfMotionIsOfTheRegionAndOfSamplesTheirMean) {
 
 /// Each is shaded for itself, and is there until the frame ends.
 TEST_F(Shading, OutputsOfAFrameStandBesideEachOther) {
-    lowSun(lighting);
+    lowSun();
     Body* body = wavyBody();
     const WaterPicture heights = taken(body, camera(), {}, SurfaceOutput::height);
     const WaterPicture light = taken(body, camera());
@@ -477,7 +474,7 @@ class ShadingInSamples : public Shading, public testing::WithParamInterface<int>
 INSTANTIATE_TEST_SUITE_P(Rolled, ShadingInSamples, testing::Values(0, 90));
 
 TEST_P(ShadingInSamples, BesideTheMiddleTakeANeighboursColour) {
-    lowSun(lighting);
+    lowSun();
     Described d;
     withWaves(d);
     d.body.extent.shape = ExtentShape::rectangle;
@@ -586,7 +583,7 @@ TEST_F(Shading, WhatACrestHidesBlursNothingOfIt) {
 }
 
 TEST_F(Shading, OfAHostThatLeavesDepthAloneIsTheNearest) {
-    lowSun(lighting);
+    lowSun();
     Body* body = wavyBody();
     const WaterPicture tested = taken(body, camera());
     leaveDepth();
@@ -595,7 +592,7 @@ TEST_F(Shading, OfAHostThatLeavesDepthAloneIsTheNearest) {
 }
 
 TEST_F(Shading, IsMadeAheadByPrepare) {
-    lowSun(lighting);
+    lowSun();
     Described d;
     withWaves(d);
     mayDive(d);

@@ -44,9 +44,7 @@ class SurfaceTilesTest : public WaterTest, public testing::WithParamInterface<Pl
         camera_.target = {3, 2, -13};
         camera_.width = 188;
         camera_.height = 108;
-        const glm::dvec3 toSun = glm::normalize(glm::dvec3(0.3, 0.15, -0.94));
-        for (int i = 0; i < 3; ++i) lighting.toSun[i] = toSun[i];
-        std::ranges::fill(lighting.sunIrradiance, 5.0f);
+        shineFrom(glm::normalize(glm::dvec3(0.3, 0.15, -0.94)), 5);
         GetParam().change(camera_, body_);
     }
 

@@ -15,10 +15,7 @@ class Glitter : public WaterTest {
   protected:
     Glitter() {
         const double elevation = radians(30);
-        lighting.toSun[0] = 0;
-        lighting.toSun[1] = std::sin(elevation);
-        lighting.toSun[2] = -std::cos(elevation);
-        for (float& channel : lighting.sunIrradiance) channel = 20;
+        shineFrom({0, std::sin(elevation), -std::cos(elevation)}, 20);
         camera.eye = {3, 40, 7};
         camera.target = camera.eye + glm::dvec3(0, -std::tan(radians(22)), -1);
         camera.fovDegrees = 40;

@@ -82,10 +82,8 @@ class BodyFresnel : public WaterTest {
     }
     /// A sun low over the horizon that the camera looks towards.
     void setSun(double elevationDegrees) {
-        lighting.toSun[0] = 0;
-        lighting.toSun[1] = std::sin(radians(elevationDegrees));
-        lighting.toSun[2] = -std::cos(radians(elevationDegrees));
-        for (float& channel : lighting.sunIrradiance) channel = 2;
+        const double elevation = radians(elevationDegrees);
+        shineFrom({0, std::sin(elevation), -std::cos(elevation)}, 2);
     }
     /// What the picture has of the sun alone.
     double sunlight(BodyDesc desc, const Camera& camera, Fresnel formula) {

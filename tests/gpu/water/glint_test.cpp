@@ -24,10 +24,7 @@ class GlintFarOff : public WaterTest, public testing::WithParamInterface<GlintCa
   protected:
     GlintFarOff() {
         const double elevation = radians(8);
-        lighting.toSun[0] = 0;
-        lighting.toSun[1] = std::sin(elevation);
-        lighting.toSun[2] = -std::cos(elevation);
-        for (float& channel : lighting.sunIrradiance) channel = 20;
+        shineFrom({0, std::sin(elevation), -std::cos(elevation)}, 20);
         camera_.eye = {3, 50, 7};
         camera_.target = camera_.eye + glm::dvec3(0, -std::tan(radians(2)), -1);
         camera_.fovDegrees = 8;

@@ -27,10 +27,7 @@ class SunShadows : public WaterTest {
         desc_.foam = &foam_;
         desc_.refraction = &refraction_;
         const double low = 25 * std::numbers::pi / 180;
-        lighting.toSun[0] = 0;
-        lighting.toSun[1] = std::sin(low);
-        lighting.toSun[2] = -std::cos(low);
-        for (float& channel : lighting.sunIrradiance) channel = 5;
+        shineFrom({0, std::sin(low), -std::cos(low)}, 5);
         for (float& channel : lighting.skyIrradiance) channel = 0.5f;
     }
 

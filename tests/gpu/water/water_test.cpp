@@ -1195,12 +1195,7 @@ TEST_P(WaterFromAfar, RadianceIsTheSameOfWavesAndOfTheirRoughness) {
     for (const bool sun : {false, true})
         for (const double elevation : {70.0, 40.0, 20.0, 12.0}) {
             const double up = radians(elevation);
-            if (sun) {
-                lighting.toSun[0] = -std::cos(up);
-                lighting.toSun[1] = std::sin(up);
-                lighting.toSun[2] = 0;
-                for (float& channel : lighting.sunIrradiance) channel = 10;
-            }
+            if (sun) shineFrom({-std::cos(up), std::sin(up), 0}, 10);
             const double waves = meanOf(elevation, close), roughness = meanOf(elevation, far);
             std::printf("%s, %2.0f degrees up: waves %.4f, roughness %.4f: %+.1f %%\n", sun ? "sun" : "sky",
                         elevation, waves, roughness, 100 * (roughness / waves - 1));
