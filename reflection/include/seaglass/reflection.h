@@ -59,9 +59,9 @@ struct ReflectionDesc {
     float clearDistance = 0;      ///< from the mirror, up to which `scatter` blurs nothing [m], 0..1e6
     float scatter = 0;            ///< how fast it widens beyond: the sine of a cone, 0..1. Wants blurLevels
     float skyFadeDistance = 0;    ///< from half of this on the sky takes over [m], 0..1e6; 0: nowhere
-    /// Pixels beside the borders take what is mirrored farther inside, by 1 + height of that above the plane
-    /// [m] x how steeply the camera looks down (0..1) x nearness to the border (0..1) x this [1/m], 0..100. 0
-    /// costs nothing; else one dispatch.
+    /// Pixels beside the borders take what is mirrored farther inside: what is h [m] above the plane is
+    /// stretched by 1 + h x this [1/m] x how steeply the camera looks down (0..1) x nearness to the border
+    /// (0..1). 0..100; 0 costs nothing, else one dispatch.
     float edgeStretch = 0;
     float edgeStretchBand = 0.15f; ///< share of the width, from either border, that it moves, 0.01..0.5
     /// Share of each pixel that is the view's last frame's, 0..0.95; 0 costs nothing, 0.9 suits most. About 1
