@@ -9,22 +9,33 @@
 namespace seaglass {
 namespace {
 
-/// Of a map that repeats, rows along v: what lies aside of each sample by the same way [samples].
+/// A map that repeats, as it lies (u, v) samples aside; rows along v.
 class Shifted {
   public:
     Shifted(const std::vector<float>& map, uint32_t samples, double u, double v)
         : map_(map.data()), samples_(samples), left_(wholeOf(u)), top_(wholeOf(v)),
           pastU_(static_cast<float>(u - std::floor(u))), pastV_(static_cast<float>(v - std::floor(v))) {}
 
-    float at(uint32_t i, uint32_t j) const {
-        const uint32_t left = (i + left_) % samples_, right = (left + 1) % samples_;
-        const float* const high = map_ + size_t{(j + top_) % samples_} * samples_;
-        const float* const low = map_ + size_t{(j + top_ + 1) % samples_} * samples_;
-        return std::lerp(std::lerp(high[left], high[right], pastU_), std::lerp(low[left], low[right], pastU_),
-                         pastV_);
+    /// Calls use(n, value) for each sample n, between the four that it lies between.
+    template<typename Use>
+    void each(const Use& use) const {
+        for (uint32_t j = 0, n = 0; j < samples_; ++j) {
+            const float* const high = rowOf(j + top_);
+            const float* const low = rowOf(j + top_ + 1);
+            const auto inColumn = [&](uint32_t i) { return high[i] + pastV_ * (low[i] - high[i]); };
+            uint32_t column = left_;
+            float left = inColumn(column);
+            for (uint32_t i = 0; i < samples_; ++i, ++n) {
+                if (++column == samples_) column = 0;
+                const float right = inColumn(column);
+                use(n, left + pastU_ * (right - left));
+                left = right;
+            }
+        }
     }
 
   private:
+    const float* rowOf(uint32_t j) const { return map_ + size_t{j % samples_} * samples_; }
     uint32_t wholeOf(double way) const {
         const double across = samples_;
         return static_cast<uint32_t>(std::floor(way) - across * std::floor(std::floor(way) / across));
@@ -79,11 +90,10 @@ void FoamHistory::stepFoam(uint32_t c, double time, const FoamStep& step) {
     const float floor = fading_[c].foam.floor, fade = fading_[c].foam.over(step.fadings);
     std::swap(band.foam, band.foamNext);
     if (step.foamAnew) std::ranges::fill(band.foam, 0.0f);
-    for (uint32_t j = 0, n = 0; j < cascade.samples; ++j)
-        for (uint32_t i = 0; i < cascade.samples; ++i, ++n) {
-            const float breaks = std::min((here.at(i, j) - threshold) * perCompression, 1.0f);
-            band.foamNext[n] = std::max(fadedFoam(band.foam[n], fade, floor), breaks);
-        }
+    here.each([&](uint32_t n, float compression) {
+        const float breaks = std::min((compression - threshold) * perCompression, 1.0f);
+        band.foamNext[n] = std::max(fadedFoam(band.foam[n], fade, floor), breaks);
+    });
 }
 
 void FoamHistory::stepPlume(uint32_t c, double time, const FoamStep& step) {
@@ -100,10 +110,10 @@ void FoamHistory::stepPlume(uint32_t c, double time, const FoamStep& step) {
         const Shifted there(compression_, cascade.samples,
                             samples * drift.u + ahead * double{breaking_.runs[c][0]},
                             samples * drift.v + ahead * double{breaking_.runs[c][1]});
-        for (uint32_t j = 0, n = 0; j < cascade.samples; ++j)
-            for (uint32_t i = 0; i < cascade.samples; ++i, ++n)
-                band.plumeNext[n] = std::max(band.plumeNext[n],
-                                             std::min((there.at(i, j) - threshold) * perCompression, 1.0f));
+        there.each([&](uint32_t n, float compression) {
+            const float breaks = std::min((compression - threshold) * perCompression, 1.0f);
+            band.plumeNext[n] = std::max(band.plumeNext[n], breaks);
+        });
     }
 }
 

@@ -123,7 +123,8 @@ double texelCentre(int64_t i, uint32_t size) {
 
 /// Solid angle of a texel up to a factor that is the same for its whole level.
 double texelWeight(double s, double t) {
-    return std::pow(1 + s * s + t * t, -1.5);
+    const double squared = 1 + s * s + t * t;
+    return 1 / (squared * std::sqrt(squared));
 }
 
 /// A texel of one level; outside its face, the texel of the neighbour that lies there.
