@@ -1,0 +1,358 @@
+// Foam on a rough sea: how much, in what shapes, at what rate, and the same on CPU and GPU.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "seaglass/waves_fftw.h"
+#include "tests/gpu/host/spy.h"
+#include "tests/gpu/rig/sea_rig.h"
+#include "tests/unit/sea/statistics.h"
+#include "water/body/body.h"
+#include "water/foam/foam_part.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+class SeaFoam : public SeaTest {
+  protected:
+    /// Under a wind along no axis.
+    Body* foamyBody(WavesOn on = WavesOn::cpu) {
+        SeaDesc sea = breeze();
+        sea.windSpeed = 15;
+        sea.windDirection = 0.6f;
+        sea.fetch = 300e3f;
+        const FoamDesc foam;
+        BodyDesc desc;
+        desc.waves = &sea;
+        desc.wavesOn = on;
+        desc.wavesBackend = fftwWaves();
+        desc.foam = &foam;
+        return makeBody(desc);
+    }
+    /// Thick foam, drawn out by a gale along x.
+    Body* streakyBody(uint32_t slopeSamples = 1) {
+        SeaDesc sea = breeze();
+        sea.windSpeed = 20;
+        sea.windDirection = 0;
+        sea.fetch = 500e3f;
+        const FoamDesc foam{.bias = 0.03f};
+        BodyDesc desc;
+        desc.waves = &sea;
+        desc.wavesBackend = fftwWaves();
+        desc.foam = &foam;
+        desc.shading.slopeSamples = slopeSamples;
+        return makeBody(desc);
+    }
+    static Camera above() {
+        Camera camera = seaCamera();
+        camera.eye.y = 40;
+        camera.target.y = 10;
+        return camera;
+    }
+    static constexpr double foamTime = 60;
+    /// What of each pixel is white at that time.
+    std::vector<double> white(Body* body, const Camera& camera) {
+        const WaterPicture p = picture({body}, camera, foamTime, SurfaceOutput::foam);
+        std::vector<double> shares;
+        for (size_t i = 0; i < p.color.size(); i += 4) {
+            const bool covered = p.covered(i / 4);
+            holes_ += !covered;
+            shares.push_back(covered ? double{p.color[i]} : 0);
+        }
+        return shares;
+    }
+    /// Pixels of all white() so far that no water covers.
+    size_t holes() const { return holes_; }
+    /// Each pixel as the mean of `finer` times as many each way.
+    std::vector<double> whiteOf(Body* body, Camera camera, uint32_t finer) {
+        const uint32_t width = camera.width;
+        std::vector<double> means(size_t{width} * camera.height);
+        camera.width *= finer;
+        camera.height *= finer;
+        const std::vector<double> fine = white(body, camera);
+        for (size_t i = 0; i < fine.size(); ++i)
+            means[i / camera.width / finer * width + i % camera.width / finer] += fine[i] / (finer * finer);
+        return means;
+    }
+
+  private:
+    size_t holes_ = 0;
+};
+
+TEST_F(SeaFoam, GathersWhereTheSeaIsRough) {
+    const auto cover = [&](float wind) {
+        SeaDesc desc = breeze();
+        desc.windSpeed = wind;
+        desc.fetch = 300e3f;
+        desc.samples = 128;
+        const FoamDesc foam;
+        BodyDesc body;
+        body.waves = &desc;
+        body.wavesBackend = fftwWaves();
+        body.foam = &foam;
+        Camera camera = seaCamera();
+        camera.eye.y = 30;
+        camera.target.y = 10;
+        const WaterPicture p = picture({makeBody(body)}, camera, 20, SurfaceOutput::foam);
+        double sum = 0, count = 0;
+        for (size_t i = 0; i < p.color.size() / 4; ++i) {
+            if (!p.covered(i)) continue;
+            EXPECT_GE(p.color[i * 4], 0);
+            EXPECT_LE(p.color[i * 4], 1);
+            sum += double{p.color[i * 4]};
+            ++count;
+        }
+        return sum / count;
+    };
+    const double calm = cover(3);
+    const double fresh = cover(10);
+    const double gale = cover(20);
+    EXPECT_LT(calm, fresh);
+    EXPECT_LT(fresh, gale);
+    EXPECT_LT(gale, 0.5);
+    EXPECT_GT(fresh, 0);
+}
+
+/// Share of pixels that are neither white nor dark.
+double partly(const std::vector<double>& white) {
+    const auto between = [](double share) { return share > 0.05 && share < 0.95; };
+    return static_cast<double>(std::ranges::count_if(white, between)) / static_cast<double>(white.size());
+}
+
+// A first frame has a lifetime to catch up, and slow frames after it two seconds at most.
+TEST_F(SeaFoam, OfAHostThatFallsBehindTakesNoMoreThanEightSteps) {
+    Body* body = foamyBody(WavesOn::gpu);
+    const auto dispatches = [&](double time) {
+        spiedCalls().clear();
+        frame([&](VkCommandBuffer commands) {
+            EXPECT_EQ(simulate(commands, &body, 1, time), Status::ok) << message();
+        });
+        return countSpied("CmdDispatch");
+    };
+    const size_t first = dispatches(100);
+    const size_t none = dispatches(100.1), one = dispatches(100.3);
+    const size_t aStep = one - none;
+    EXPECT_GT(aStep, 2u);
+    EXPECT_GT(first, none + 45 * aStep);
+    EXPECT_EQ(dispatches(150), first) << "a single gap is made up for";
+    for (const double time : {155.0, 161.0, 400.0, 403.0})
+        EXPECT_LE(dispatches(time), one + 7 * aStep) << time;
+    EXPECT_EQ(dispatches(404), one + 3 * aStep);
+}
+
+TEST_F(SeaFoam, IsTheSamePictureWhateverWasDrawnBefore) {
+    Camera camera = above();
+    camera.width = 96;
+    camera.height = 54;
+    for (const WavesOn on : {WavesOn::cpu, WavesOn::gpu}) {
+        Body* steady = foamyBody(on);
+        for (double time = 45; time < 60.6; time += 0.9) picture({steady}, camera, time);
+        const WaterPicture after = picture({steady}, camera, 60.61, SurfaceOutput::foam);
+        EXPECT_EQ(picture({foamyBody(on)}, camera, 60.61, SurfaceOutput::foam).color, after.color);
+        Body* jumped = foamyBody(on);
+        picture({jumped}, camera, 1e6);
+        EXPECT_EQ(picture({jumped}, camera, 60.61, SurfaceOutput::foam).color, after.color);
+        EXPECT_NE(picture({jumped}, camera, 61.61, SurfaceOutput::foam).color, after.color);
+    }
+}
+
+TEST_F(SeaFoam, IsTheSameOnTheGpuAsOnTheCpu) {
+    const auto texels = [&](WavesOn on) {
+        Body* body = foamyBody(on);
+        for (const double time : {59.0, 59.3, 59.8}) picture({body}, above(), time);
+        std::vector<float> all;
+        for (uint32_t c = 0; c < body->find<FoamPart>()->foam.cascades(); ++c)
+            for (const uint32_t mip : {0u, 1u}) {
+                const uint32_t size = 64u >> mip;
+                const std::vector<float> layer =
+                    download(body->find<FoamPart>()->foam.image(), VK_FORMAT_R16G16B16A16_SFLOAT,
+                             {size, size}, mip, c);
+                all.insert(all.end(), layer.begin(), layer.end());
+            }
+        return all;
+    };
+    const std::vector<float> cpu = texels(WavesOn::cpu), gpu = texels(WavesOn::gpu);
+    ASSERT_EQ(cpu.size(), gpu.size());
+    double worst = 0, sum = 0;
+    for (size_t i = 0; i < cpu.size(); ++i) {
+        worst = std::max(worst, std::abs(double{cpu[i]} - double{gpu[i]}));
+        sum += double{cpu[i]};
+    }
+    std::printf("foam on the GPU off the CPU's by %.4f at most\n", worst);
+    EXPECT_GT(sum / static_cast<double>(cpu.size()), 0.005);
+    EXPECT_LT(worst, 0.02); // half floats, rounded at each step
+}
+
+// Broken up near by, a mean from afar, white is the share of the sea that is measured without a picture, be
+// it thin or thick.
+class SeaFoamFromAbove : public SeaFoam, public testing::WithParamInterface<float> {};
+
+TEST_P(SeaFoamFromAbove, CoversAsMuchFromAnyHeight) {
+    const float bias = GetParam();
+    SeaDesc desc = breeze();
+    desc.windSpeed = 15;
+    desc.fetch = 300e3f;
+    desc.warp = 0; // one tile stands for all; FoamGate.IsOpenAsOftenAsItSays has the rest
+    // A picture shows so little from near by that it takes many to know the sea's mean.
+    struct Look {
+        double height;
+        int places;
+    };
+    constexpr Look looks[] = {{40, 1200}, {100, 400}, {400, 100}, {4000, 8}};
+    const FoamDesc foam{.bias = bias};
+    BodyDesc bodyDesc;
+    bodyDesc.waves = &desc;
+    bodyDesc.wavesBackend = fftwWaves();
+    bodyDesc.foam = &foam;
+    Body* body = makeBody(bodyDesc);
+    double expected = 0;
+    ASSERT_TRUE(whitecapCover(*sea(body), *fftwWaves(), foam, foamTime, &expected));
+    EXPECT_GT(expected, bias > 0 ? 0.1 : 0.02);
+    EXPECT_LT(expected, 0.5);
+    const double tile = cascade(*sea(body), 0).patch;
+    for (const Look& look : looks) {
+        std::vector<double> shown, ofPart, ofSamples;
+        for (int place = 0; place < look.places; ++place) {
+            Camera camera = seaCamera();
+            camera.width = camera.height = 64;
+            // Evenly over the largest tile (Roberts 2018).
+            const double u = tile * std::fmod(place * 0.7548776662466927, 1);
+            const double v = tile * std::fmod(place * 0.5698402909980532, 1);
+            camera.eye = {u, look.height, v};
+            camera.target = {u + 0.001 * look.height, 0, v};
+            const std::vector<double> here = white(body, camera);
+            shown.insert(shown.end(), here.begin(), here.end());
+            if (place >= 16) continue;
+            const std::vector<double> samples = whiteOf(body, camera, 8);
+            ofPart.insert(ofPart.end(), here.begin(), here.end());
+            ofSamples.insert(ofSamples.end(), samples.begin(), samples.end());
+        }
+        std::printf("bias %.2f, from %4.0f m: %.4f white, expected %.4f; partly so %.3f of the pixels, and "
+                    "%.3f as means of 64 samples\n",
+                    static_cast<double>(bias), look.height, meanOf(shown), expected, partly(ofPart),
+                    partly(ofSamples));
+        EXPECT_NEAR(meanOf(shown) / expected, 1, 0.05) << look.height;
+        EXPECT_NEAR(partly(ofPart), partly(ofSamples), 0.2 * partly(ofSamples)) << "a haze, or too hard";
+    }
+    // Of twenty million pixels: where a level of the mesh meets the next, snapped vertices are no longer on
+    // a line.
+    EXPECT_LE(static_cast<double>(holes()), limitOnGrid(0, 50));
+}
+INSTANTIATE_TEST_SUITE_P(, SeaFoamFromAbove, testing::Values(0.0f, 0.06f),
+                         [](const auto& info) { return info.param > 0 ? "Thick" : "Thin"; });
+
+// The pattern repeats every 24 m, across the wind without a bend: from the air its rafts would stand in rows.
+TEST_F(SeaFoam, RaftsStandInNoRows) {
+    Body* body = streakyBody();
+    constexpr size_t rows = 64; // of pixels, to a tile
+    Camera camera = seaCamera();
+    camera.width = camera.height = 8 * rows;
+    const double height = 24.0 * 8 / 2 / std::tan(glm::radians(camera.fovDegrees) / 2);
+    camera.eye = {0, height, 0};
+    camera.target = {0.001 * height, 0, 0};
+    double most = -1, elsewhere = 0;
+    for (const bool alongX : {true, false}) {
+        const WaterPicture p = picture({body}, camera, 60, SurfaceOutput::foam);
+        const auto correlation = [&](size_t lag) {
+            double sum = 0, squares = 0, products = 0, count = 0;
+            for (size_t y = 0; y < camera.height; ++y)
+                for (size_t x = 0; x + lag < camera.width; ++x) {
+                    const size_t i = alongX ? y * camera.width + x : x * camera.width + y;
+                    const double a = p.color[4 * i], b = p.color[4 * (i + lag * (alongX ? 1 : camera.width))];
+                    sum += a + b;
+                    squares += a * a + b * b;
+                    products += a * b;
+                    ++count;
+                }
+            const double mean = sum / (2 * count);
+            return (products / count - mean * mean) / (squares / (2 * count) - mean * mean);
+        };
+        for (const size_t lag : {rows, 2 * rows, 3 * rows}) most = std::max(most, correlation(lag));
+        for (const size_t lag : {rows + rows / 2, 2 * rows + rows / 2})
+            elsewhere = std::max(elsewhere, std::abs(correlation(lag)));
+    }
+    std::printf("correlation a tile apart %.3f, between %.3f\n", most, elsewhere);
+    EXPECT_LT(most - elsewhere, 0.1); // thick foam has likeness of its own
+}
+
+// From an aeroplane a pixel is twice as long as wide and as large as the rafts: they stay white on dark, not
+// a veil.
+TEST_F(SeaFoam, IsNoVeilFromTheAir) {
+    Camera camera = seaCamera();
+    camera.width = 128;
+    camera.height = 72;
+    camera.fovDegrees = 46;
+    camera.eye = {0, 400, 0};
+    for (const bool downwind : {false, true})
+        for (const uint32_t looks : {1u, 4u}) {
+            Body* body = streakyBody(looks);
+            camera.target = downwind ? glm::dvec3(600, 100, 0) : glm::dvec3(0, 100, 600);
+            std::vector<double> drawn = white(body, camera), mean = whiteOf(body, camera, 4);
+            for (std::vector<double>* half : {&drawn, &mean}) // the lower
+                half->erase(half->begin(), half->begin() + static_cast<std::ptrdiff_t>(half->size() / 2));
+            const double contrast = deviationOf(drawn) / deviationOf(mean);
+            std::printf("%s, %u looks: %.3f white, %.3f of 16 samples; contrast %.3f of theirs\n",
+                        downwind ? "downwind" : "across the wind", looks, meanOf(drawn), meanOf(mean),
+                        contrast);
+            EXPECT_GT(contrast, 0.9);
+            EXPECT_LT(contrast, 1.1);
+        }
+}
+
+// Between steps it glides: no picture differs from the one before by more than its share of a step.
+TEST_F(SeaFoam, GlidesFromStepToStep) {
+    Body* body = foamyBody();
+    Camera camera = above();
+    camera.width = 96;
+    camera.height = 54;
+    std::vector<double> changes;
+    std::vector<float> last;
+    for (int frame = 0; frame < 24; ++frame) {
+        const WaterPicture p = picture({body}, camera, 60 + frame / 60.0, SurfaceOutput::foam);
+        double change = 0;
+        for (size_t i = 0; !last.empty() && i < p.color.size(); i += 4)
+            change += std::abs(double{p.color[i]} - double{last[i]});
+        if (!last.empty()) changes.push_back(change);
+        last = p.color;
+    }
+    const double largest = *std::ranges::max_element(changes);
+    std::ranges::sort(changes);
+    EXPECT_GT(changes[changes.size() / 2], 0);
+    // All of a step at once would be fifteen times a frame's share.
+    EXPECT_LT(largest, 3 * changes[changes.size() / 2]);
+}
+
+TEST_F(SeaFoam, UploadsAtItsOwnRate) {
+    Body* body = foamyBody();
+    picture({body}, above(), 60);
+    const auto uploads = [&](double time) {
+        spiedCalls().clear();
+        picture({body}, above(), time);
+        return countSpied("CmdCopyBufferToImage");
+    };
+    const size_t without = uploads(60.01);
+    EXPECT_EQ(uploads(60.2), without);
+    EXPECT_EQ(uploads(60.26), without + 1);
+    EXPECT_EQ(uploads(60.27), without);
+}
+
+TEST_F(SeaFoam, DispatchesAtItsOwnRate) {
+    Body* body = foamyBody(WavesOn::gpu);
+    picture({body}, above(), 60);
+    const auto dispatches = [&](double time) {
+        spiedCalls().clear();
+        picture({body}, above(), time);
+        return countSpied("CmdDispatch");
+    };
+    const size_t wavesAlone = dispatches(60.01);
+    EXPECT_EQ(dispatches(60.2), wavesAlone);
+    const size_t without = wavesAlone + onGpus(2); // foam's mips
+    EXPECT_EQ(dispatches(60.26), without + 3);     // the waves once more, and a step
+    EXPECT_EQ(dispatches(60.8), without + 6);
+    EXPECT_LE(dispatches(1e6),
+              without + 3 * static_cast<size_t>(fadingOf({}).foam.steps + fadingOf({}).plume.steps + 2));
+}
+
+} // namespace
