@@ -15,6 +15,7 @@
 
 #include "host/vulkan/device.h"
 #include "seaglass/water.h"
+#include "tests/body_parts.h"
 
 namespace {
 
@@ -72,47 +73,35 @@ PFN_vkVoidFunction VKAPI_CALL timedGetInstanceProcAddr(VkInstance instance, cons
     return vkGetInstanceProcAddr(instance, name);
 }
 
-struct Parts {
-    SeaDesc sea;
-    FoamDesc foam;
-    RefractionDesc refraction;
-    ReflectionDesc reflection;
-    UnderwaterDesc underwater;
-    CausticsDesc caustics;
-    BedDesc bed;
-};
-
 struct Row {
     const char* name;
-    std::function<void(Parts&, BodyDesc&)> add;
+    std::function<void(tests::BodyParts&)> add;
 };
 
 std::vector<Row> rows() {
-    const auto waves = [](Parts& p, BodyDesc& d) {
-        d.waves = &p.sea;
-        d.wavesOn = WavesOn::gpu;
+    const auto waves = [](tests::BodyParts& body) {
+        body.desc.waves = &body.sea;
+        body.desc.wavesOn = WavesOn::gpu;
     };
-    const auto sees = [=](Parts& p, BodyDesc& d) {
-        waves(p, d);
-        d.refraction = &p.refraction;
-        d.reflection = &p.reflection;
+    const auto sees = [=](tests::BodyParts& body) {
+        waves(body);
+        body.desc.refraction = &body.refraction;
+        body.desc.reflection = &body.reflection;
     };
-    return {{"still, the sky alone", [](Parts&, BodyDesc&) {}},
+    return {{"still, the sky alone", [](tests::BodyParts&) {}},
             {"waves, the sky alone", waves},
             {"and foam",
-             [=](Parts& p, BodyDesc& d) {
-                 waves(p, d);
-                 d.foam = &p.foam;
+             [=](tests::BodyParts& body) {
+                 waves(body);
+                 body.desc.foam = &body.foam;
              }},
             {"waves, refraction, sspr", sees},
-            {"everything, hybrid", [=](Parts& p, BodyDesc& d) {
-                 sees(p, d);
-                 p.reflection.technique = ReflectionTechnique::hybrid;
-                 p.reflection.temporal = 0.9f;
-                 d.foam = &p.foam;
-                 d.underwater = &p.underwater;
-                 d.caustics = &p.caustics;
-                 d.bed = &p.bed;
+            {"everything, hybrid", [](tests::BodyParts& body) {
+                 body.addAll();
+                 body.desc.wavesOn = WavesOn::gpu;
+                 body.desc.spray = nullptr;
+                 body.reflection.technique = ReflectionTechnique::hybrid;
+                 body.reflection.temporal = 0.9f;
              }}};
 }
 
@@ -135,9 +124,9 @@ Times timesOf(const demos::Device& device, const Row& row) {
     targetDesc.depthFormat = VK_FORMAT_D32_SFLOAT;
     Target* target = nullptr;
     require(createTarget(context, &targetDesc, &target) == Status::ok, "createTarget failed");
-    Parts parts;
-    BodyDesc bodyDesc;
-    row.add(parts, bodyDesc);
+    tests::BodyParts parts;
+    row.add(parts);
+    const BodyDesc& bodyDesc = parts.desc;
     Times times;
     Body *body = nullptr, *second = nullptr;
     compiling() = 0;

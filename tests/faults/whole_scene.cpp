@@ -12,7 +12,7 @@ WholeScene::WholeScene(FailingDevice& device, ReflectionTechnique technique, VkS
     describeWater(technique);
     describeView(samples);
     // Which castCaustics() has none for.
-    if (samples != VK_SAMPLE_COUNT_1_BIT) bodyDesc_.caustics = nullptr;
+    if (samples != VK_SAMPLE_COUNT_1_BIT) water_.desc.caustics = nullptr;
 }
 
 WholeScene::~WholeScene() {
@@ -23,30 +23,20 @@ WholeScene::~WholeScene() {
 }
 
 void WholeScene::describeWater(ReflectionTechnique technique) {
-    for (size_t i = 0; i < bed_.size(); ++i) bed_[i] = -4 + 0.4f * static_cast<float>(i % 16);
-    shore_.bed = bed_.data();
-    shore_.samples[0] = shore_.samples[1] = 16;
-    shore_.spacing = 8;
-    shore_.origin[0] = shore_.origin[1] = -64;
-    sea_.windSpeed = 7;
-    sea_.samples = 16;
-    sea_.cascades = 2;
-    sea_.shore = &shore_;
-    refraction_.scattering = 0.25f;
-    reflection_.technique = technique;
-    reflection_.temporal = 0.9f;
-    reflection_.edgeStretch = 0.5f;
-    reflection_.edgeReach = technique == ReflectionTechnique::planar ? 0 : 0.2f;
-    reflection_.overhangSamples = 3;
-    bodyDesc_.waves = &sea_;
-    bodyDesc_.wavesOn = WavesOn::gpu;
-    bodyDesc_.foam = &foam_;
-    bodyDesc_.refraction = &refraction_;
-    bodyDesc_.reflection = &reflection_;
-    bodyDesc_.underwater = &underwater_;
-    bodyDesc_.caustics = &caustics_;
-    bodyDesc_.bed = &bedDesc_;
-    bodyDesc_.motion = true;
+    water_.addAll();
+    water_.addShore();
+    water_.sea.windSpeed = 7;
+    water_.sea.samples = 16;
+    water_.sea.cascades = 2;
+    water_.refraction.scattering = 0.25f;
+    water_.reflection.technique = technique;
+    water_.reflection.temporal = 0.9f;
+    water_.reflection.edgeStretch = 0.5f;
+    water_.reflection.edgeReach = technique == ReflectionTechnique::planar ? 0 : 0.2f;
+    water_.reflection.overhangSamples = 3;
+    water_.desc.wavesOn = WavesOn::gpu;
+    water_.desc.spray = nullptr; // wants more wind
+    water_.desc.motion = true;
 }
 
 void WholeScene::describeView(VkSampleCountFlagBits samples) {
@@ -110,11 +100,11 @@ std::vector<Step> WholeScene::steps() {
              return createTarget(context_, &desc, &target_);
          },
          true},
-        {"createBody", [this] { return createBody(context_, &bodyDesc_, &body_); }, true},
+        {"createBody", [this] { return createBody(context_, &water_.desc, &body_); }, true},
         {"createReflector",
          [this] {
              ReflectorDesc desc;
-             desc.reflection = reflection_;
+             desc.reflection = water_.reflection;
              return createReflector(context_, &desc, &reflector_);
          },
          true},
@@ -137,7 +127,7 @@ void WholeScene::addFrame(std::vector<Step>& steps, uint32_t slot, double time, 
         return beginFrame(context_, slot);
     });
     add("simulate", [this, time] { return simulate(device_.commands(), &body_, 1, time); });
-    if (reflection_.technique == ReflectionTechnique::planar) {
+    if (water_.reflection.technique == ReflectionTechnique::planar) {
         add("planarView", [this] {
             PlanarView drawn;
             return planarView(body_, &view_, &drawn);
@@ -147,7 +137,7 @@ void WholeScene::addFrame(std::vector<Step>& steps, uint32_t slot, double time, 
             return planarView(reflector_, &view_, &drawn);
         });
     }
-    if (bodyDesc_.caustics) {
+    if (water_.desc.caustics) {
         add("castCaustics",
             [this] { return castCaustics(device_.commands(), &body_, 1, &view_, &lighting_); });
         add("drawCaustics",

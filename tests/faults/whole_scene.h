@@ -2,12 +2,12 @@
 // every technique, and what they are drawn into.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "seaglass/water.h"
+#include "tests/body_parts.h"
 #include "tests/faults/failing_device.h"
 
 namespace tests {
@@ -32,7 +32,7 @@ class WholeScene {
     /// Of a host's life, in their order: frames of two slots, of which the last two are larger.
     std::vector<Step> steps();
     /// Of those calls.
-    const seaglass::BodyDesc& bodyDesc() const { return bodyDesc_; }
+    const seaglass::BodyDesc& bodyDesc() const { return water_.desc; }
     const seaglass::LightingDesc& lighting() const { return lighting_; }
     const seaglass::ViewDesc& view(VkExtent2D extent);
     const std::string& message() const { return message_; }
@@ -47,16 +47,7 @@ class WholeScene {
     FailingDevice& device_;
     const VkAllocationCallbacks* allocator_;
     std::string message_;
-    std::array<float, 256> bed_{};
-    seaglass::ShoreDesc shore_;
-    seaglass::SeaDesc sea_;
-    seaglass::FoamDesc foam_;
-    seaglass::RefractionDesc refraction_;
-    seaglass::ReflectionDesc reflection_;
-    seaglass::UnderwaterDesc underwater_;
-    seaglass::CausticsDesc caustics_;
-    seaglass::BedDesc bedDesc_;
-    seaglass::BodyDesc bodyDesc_;
+    BodyParts water_;
     seaglass::SunShadow shadow_;
     seaglass::FogDesc fog_;
     seaglass::LightingDesc lighting_;

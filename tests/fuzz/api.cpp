@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "seaglass/water.h"
+#include "tests/body_parts.h"
 #include "tests/faults/failing_device.h"
 #include "tests/fuzz/taken.h"
 
@@ -32,7 +33,7 @@ class Spoilt {
     Taken& from_;
 };
 
-struct Water {
+struct Water : ::tests::BodyParts {
     explicit Water(Taken& from) {
         Spoilt spoil(from);
         spoilSea(spoil, from);
@@ -42,23 +43,23 @@ struct Water {
         spoil(refraction.distortion), spoil(refraction.scattering);
         spoilReflection(spoil);
         spoil(underwater.meniscus), spoil(caustics.strength), spoil(bed.margin);
-        if (from.yes()) body.waves = &sea;
-        if (from.yes()) body.foam = &foam;
-        if (from.yes()) body.refraction = &refraction;
-        if (from.yes()) body.reflection = &reflection;
-        if (from.yes()) body.underwater = &underwater;
-        if (from.yes()) body.caustics = &caustics;
-        if (from.yes()) body.bed = &bed;
-        for (double& value : body.plane) spoil(value);
-        spoil(body.motion);
+        if (from.yes()) desc.waves = &sea;
+        if (from.yes()) desc.foam = &foam;
+        if (from.yes()) desc.refraction = &refraction;
+        if (from.yes()) desc.reflection = &reflection;
+        if (from.yes()) desc.underwater = &underwater;
+        if (from.yes()) desc.caustics = &caustics;
+        if (from.yes()) desc.bed = &bed;
+        for (double& value : desc.plane) spoil(value);
+        spoil(desc.motion);
         spoilExtent(spoil, from);
-        spoil(body.mesh.cellSize), spoil(body.mesh.cellsPerLevel);
+        spoil(desc.mesh.cellSize), spoil(desc.mesh.cellsPerLevel);
         for (uint32_t* const field :
-             {&body.shading.reflectionSamples, &body.shading.refractionSamples, &body.shading.bedDownscale,
-              &body.shading.causticStep, &body.shading.slopeSamples, &body.shading.waveShadowSteps})
+             {&desc.shading.reflectionSamples, &desc.shading.refractionSamples, &desc.shading.bedDownscale,
+              &desc.shading.causticStep, &desc.shading.slopeSamples, &desc.shading.waveShadowSteps})
             spoil(*field);
-        spoil(body.shading.parallax);
-        body.wavesOn = WavesOn::gpu;
+        spoil(desc.shading.parallax);
+        desc.wavesOn = WavesOn::gpu;
     }
 
     void spoilSea(Spoilt& spoil, Taken& from) {
@@ -81,9 +82,9 @@ struct Water {
         for (SpectrumSample& sample : table) spoil(sample.frequency), spoil(sample.density);
         sea.spectrumTable = table;
         sea.spectrumTableCount = from.below(5);
-        for (float& height : heights) spoil(height);
+        for (float& height : fourHeights) spoil(height);
         if (from.below(4) != 0) return;
-        shore.bed = heights;
+        shore.bed = fourHeights;
         shore.samples[0] = shore.samples[1] = 2;
         spoil(shore.spacing);
         for (double& value : shore.origin) spoil(value);
@@ -105,7 +106,7 @@ struct Water {
     }
 
     void spoilExtent(Spoilt& spoil, Taken& from) {
-        ExtentDesc& extent = body.extent;
+        ExtentDesc& extent = desc.extent;
         extent.shape = static_cast<ExtentShape>(from.below(5));
         spoil(extent.planetRadius), spoil(extent.yaw);
         extent.size[0] = extent.size[1] = 20;
@@ -120,18 +121,9 @@ struct Water {
     }
 
     SpectrumSample table[4] = {{0.05f, 0}, {0.1f, 1}, {0.2f, 0.5f}, {0.5f, 0}};
-    float heights[4] = {-5, -4, -3, -2};
+    float fourHeights[4] = {-5, -4, -3, -2};
     double points[10] = {0, 0, 10, 0, 10, 10, 0, 10, -5, 5};
     uint32_t indices[6] = {0, 1, 2, 0, 2, 3};
-    ShoreDesc shore;
-    SeaDesc sea;
-    FoamDesc foam;
-    RefractionDesc refraction;
-    ReflectionDesc reflection;
-    UnderwaterDesc underwater;
-    CausticsDesc caustics;
-    BedDesc bed;
-    BodyDesc body;
 };
 
 struct Frame {
@@ -210,7 +202,7 @@ void callApi(Bytes bytes) {
     const Water water(from);
     const size_t held = device.held();
     Body* body = nullptr;
-    const Status made = createBody(context, &water.body, &body);
+    const Status made = createBody(context, &water.desc, &body);
     said(made, message);
     if (made != Status::ok && (body || device.held() != held)) std::abort();
     if (body) {

@@ -20,6 +20,7 @@
 #include "reflection/sspr/scatter.h"
 #include "reflection/sspr/tiles.h"
 #include "reflection/sspr/unseen_tiles.h"
+#include "tests/body_parts.h"
 #include "tests/null/built_shaders.h"
 #include "water/below/caustics.h"
 #include "water/body/body.h"
@@ -35,62 +36,41 @@ namespace {
 using namespace seaglass;
 
 /// A body of a choice's features.
-class Chosen {
-  public:
+struct Chosen : BodyParts {
     explicit Chosen(const SurfaceChoice& choice) {
         const auto has = [&](char letter) { return hasLetter(choice.letters, letter); };
-        sea_.windSpeed = 7;
-        sea_.samples = 64;
-        refraction_.scattering = 0.25f;
-        if (has('w')) desc_.waves = &sea_;
-        if (has('f')) desc_.foam = &foam_;
+        sea.windSpeed = 7;
+        sea.samples = 64;
+        refraction.scattering = 0.25f;
+        if (has('w')) desc.waves = &sea;
+        if (has('f')) desc.foam = &foam;
         if (has('s')) addShore();
-        if (has('l')) desc_.reflection = &reflection_;
-        if (has('r')) desc_.refraction = &refraction_;
-        if (has('r')) desc_.bed = &bed_;
+        if (has('l')) desc.reflection = &reflection;
+        if (has('r')) desc.refraction = &refraction;
+        if (has('r')) desc.bed = &bed;
         if (has('o')) addOutline();
         if (choice.hostMesh) addMesh();
-        desc_.motion = has('w');
-        setQuality(choice.quality, &desc_, &reflection_);
+        desc.motion = has('w');
+        setQuality(choice.quality, &desc, &reflection);
         // Which a shore's bed has none of.
-        if (has('s')) desc_.shading.parallax = false;
+        if (has('s')) desc.shading.parallax = false;
     }
-    Chosen(const Chosen&) = delete;
-    Chosen& operator=(const Chosen&) = delete;
-
-    const BodyDesc& desc() const { return desc_; }
 
   private:
-    void addShore() {
-        shore_.bed = heights_.data();
-        shore_.samples[0] = shore_.samples[1] = 16;
-        shore_.spacing = 8;
-        shore_.origin[0] = shore_.origin[1] = -64;
-        for (size_t i = 0; i < heights_.size(); ++i) heights_[i] = -4 + 0.4f * static_cast<float>(i % 16);
-        sea_.shore = &shore_;
-    }
     void addOutline() {
-        desc_.extent.shape = ExtentShape::rectangle;
-        desc_.extent.size[0] = desc_.extent.size[1] = 60;
+        desc.extent.shape = ExtentShape::rectangle;
+        desc.extent.size[0] = desc.extent.size[1] = 60;
     }
     void addMesh() {
-        desc_.extent.shape = ExtentShape::mesh;
-        desc_.extent.points = corners_.data();
-        desc_.extent.pointCount = 3;
-        desc_.extent.indices = triangle_.data();
-        desc_.extent.indexCount = 3;
+        desc.extent.shape = ExtentShape::mesh;
+        desc.extent.points = corners_.data();
+        desc.extent.pointCount = 3;
+        desc.extent.indices = triangle_.data();
+        desc.extent.indexCount = 3;
     }
 
-    SeaDesc sea_;
-    FoamDesc foam_;
-    RefractionDesc refraction_;
-    ReflectionDesc reflection_;
-    BedDesc bed_;
-    std::array<float, 256> heights_{};
-    ShoreDesc shore_;
     std::array<double, 6> corners_ = {-30, -30, 30, -30, 0, 30};
     std::array<uint32_t, 3> triangle_ = {0, 1, 2};
-    BodyDesc desc_;
 };
 
 TargetDesc targetDesc(bool multiview) {
@@ -228,7 +208,7 @@ std::vector<CompiledPipeline> CompiledWater::madeOf(const SurfaceChoice& choice,
     (void)beginFrame(context_, slot_ ^= 1);
     const Chosen chosen(choice);
     Body* body = nullptr;
-    if (createBody(context_, &chosen.desc(), &body) != Status::ok) return {};
+    if (createBody(context_, &chosen.desc, &body) != Status::ok) return {};
     compiledPipelines().clear();
     make(variantOf(*body, choice));
     destroyBody(body);

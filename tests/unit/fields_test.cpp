@@ -6,6 +6,7 @@
 #include "gpu/view/view.h"
 #include "reflection/debug/overlay.h"
 #include "reflection/interface/fields/reflection.h"
+#include "tests/body_parts.h"
 #include "tests/unit/cameras.h"
 #include "water/body/body_desc.h"
 #include "water/body/target.h"
@@ -46,14 +47,7 @@ Handle someHandle() {
 class Tables : public testing::Test {
   protected:
     Tables() {
-        body.waves = &sea;
-        body.foam = &foam;
-        body.refraction = &refraction;
-        body.reflection = &reflection;
-        body.underwater = &underwater;
-        body.caustics = &caustics;
-        body.spray = &spray;
-        body.bed = &bed;
+        water.addAll();
         lighting.fog = &fog;
         basin.shape = ExtentShape::rectangle;
         basin.size[0] = basin.size[1] = 20;
@@ -72,22 +66,22 @@ class Tables : public testing::Test {
         device.physicalDevice = someHandle<VkPhysicalDevice>();
         device.device = someHandle<VkDevice>();
         device.getInstanceProcAddr = [](VkInstance, const char*) -> PFN_vkVoidFunction { return nullptr; };
-        sea.samples = 16;
-        sea.cascades = 1;
-        shore.bed = heights.data();
-        shore.samples[0] = shore.samples[1] = 2;
+        water.addShore();
+        water.sea.shore = nullptr; // but for ofShore()
+        water.sea.samples = 16;
+        water.sea.cascades = 1;
     }
 
-    std::string ofBody() const { return badField(body).text(); }
+    std::string ofBody() const { return badField(water.desc).text(); }
     std::string ofSea() const {
         SeaError error;
-        destroySea(createSea(&sea, &error));
+        destroySea(createSea(&water.sea, &error));
         return error.text;
     }
     std::string ofShore() {
-        sea.shore = &shore;
+        water.sea.shore = &water.shore;
         const std::string problem = ofSea();
-        sea.shore = nullptr;
+        water.sea.shore = nullptr;
         return problem;
     }
 
@@ -129,33 +123,24 @@ class Tables : public testing::Test {
             return Held{&extentFields, &desc, [&desc] { return std::string(badField(desc).text()); },
                         [&desc](const Field& field) { return isRead(extentFields, field, &desc); }};
         };
-        return {extent(body.extent),
+        return {extent(water.desc.extent),
                 extent(basin),
-                {&bodyFields, &body, body_},
-                {&meshFields, &body.mesh, body_},
-                {&shadingFields, &body.shading, body_},
-                {&foamFields, &foam, body_},
-                {&refractionFields, &refraction, body_},
-                {&reflectionFields, &reflection, body_},
-                {&underwaterFields, &underwater, body_},
-                {&causticsFields, &caustics, body_},
-                {&sprayFields, &spray, body_},
-                {&bedFields, &bed, body_},
-                {&seaFields, &sea, [this] { return ofSea(); }},
-                {&swellFields, &sea.swells[0], [this] { return ofSea(); }},
-                {&shoreFields, &shore, [this] { return ofShore(); }}};
+                {&bodyFields, &water.desc, body_},
+                {&meshFields, &water.desc.mesh, body_},
+                {&shadingFields, &water.desc.shading, body_},
+                {&foamFields, &water.foam, body_},
+                {&refractionFields, &water.refraction, body_},
+                {&reflectionFields, &water.reflection, body_},
+                {&underwaterFields, &water.underwater, body_},
+                {&causticsFields, &water.caustics, body_},
+                {&sprayFields, &water.spray, body_},
+                {&bedFields, &water.bed, body_},
+                {&seaFields, &water.sea, [this] { return ofSea(); }},
+                {&swellFields, &water.sea.swells[0], [this] { return ofSea(); }},
+                {&shoreFields, &water.shore, [this] { return ofShore(); }}};
     }
 
-    SeaDesc sea;
-    ShoreDesc shore;
-    FoamDesc foam;
-    RefractionDesc refraction;
-    ReflectionDesc reflection;
-    UnderwaterDesc underwater;
-    CausticsDesc caustics;
-    SprayDesc spray;
-    BedDesc bed;
-    BodyDesc body;
+    tests::BodyParts water;
     FogDesc fog;
     ExtentDesc basin;
     LightingDesc lighting, underCube, shaded;
@@ -165,7 +150,6 @@ class Tables : public testing::Test {
     OverlayDesc overlay;
     TargetDesc target;
     DeviceDesc device;
-    std::vector<float> heights = std::vector<float>(4, -1.0f);
 };
 
 TEST_F(Tables, HoldDescriptionsAsNew) {
