@@ -33,19 +33,18 @@ bool FoamPart::wanted(const BodyDesc& desc, const Sea* sea) {
 }
 
 Status FoamPart::addCost(const AskedBody& asked, Estimate& sum) {
-    const gpu::Device& device = asked.context.device;
-    sum.bytes += FoamPattern::bytes(device) +
-                 Foam::bytes(asked.context, *asked.sea, *asked.desc.foam, chosenBackend(device, asked.desc));
+    sum.bytes += Foam::bytes(asked.context, *asked.sea, *asked.desc.foam,
+                             chosenBackend(asked.context.device, asked.desc));
     return Status::ok;
 }
 
 Status FoamPart::create(Body& body, const BodyDesc& desc) {
-    if (const Status s = pattern.create(*body.context); s != Status::ok) return s;
+    if (const Status s = body.context->share(pattern); s != Status::ok) return s;
     return foam.create(*body.context, *body.sea, *desc.foam, chosenBackend(body.context->device, desc));
 }
 
 Status FoamPart::simulate(Body& body, VkCommandBuffer commands, double time) {
-    pattern.recordUpload(body.context->device, commands);
+    pattern->recordUpload(body.context->device, commands);
     return foam.record(*body.context, commands, body.find<WavesPart>()->waves, time);
 }
 
@@ -84,7 +83,7 @@ void FoamPart::vary(const Body&, const SurfaceDraw&, SurfaceVariant& variant) co
 
 Status FoamPart::bind(Body& body, const BodyView&, Resources& out) {
     const VkSampler repeat = body.context->samplers.trilinearRepeat();
-    out.push_back({foamPatternBinding, gpu::sampledImage(repeat, pattern.view())});
+    out.push_back({foamPatternBinding, gpu::sampledImage(repeat, pattern->view())});
     out.push_back({foamHistoryBinding, gpu::sampledImage(repeat, foam.view())});
     return Status::ok;
 }

@@ -1,6 +1,8 @@
 // The foam of a body whose waves break: its history, and the pattern that it breaks up into.
 #pragma once
 
+#include <memory>
+
 #include "water/body/part.h"
 #include "water/foam/foam.h"
 #include "water/foam/foam_pattern.h"
@@ -9,7 +11,7 @@ namespace seaglass {
 
 struct FoamPart {
     Foam foam;
-    FoamPattern pattern;
+    std::shared_ptr<FoamPattern> pattern;
 
     static FieldError validate(const BodyDesc& desc);
     static bool wanted(const BodyDesc& desc, const Sea* sea);

@@ -35,72 +35,106 @@ float unit(uint32_t x, uint32_t y, uint32_t salt) {
     return static_cast<float>(hash(x + hash(y + hash(salt))) >> 8) * 0x1p-24f;
 }
 
-/// Distance to the nearest and second nearest of one jittered point a cell (Worley 1996), `cells` cells to
-/// the tile.
-struct Cells {
-    float nearest;
-    float second;
+/// Random numbers, 0..1, at the corners of `cells` x `cells` cells that tile.
+class Lattice {
+  public:
+    Lattice(uint32_t cells, uint32_t salt) : cells_(static_cast<int>(cells)) {
+        values_.reserve(size_t{cells} * cells);
+        for (uint32_t y = 0; y < cells; ++y)
+            for (uint32_t x = 0; x < cells; ++x) values_.push_back(unit(x, y, salt));
+    }
+    /// From `-cells` on.
+    float at(int x, int y) const { return values_[static_cast<size_t>(wrapped(y) * cells_ + wrapped(x))]; }
+    float cells() const { return static_cast<float>(cells_); }
+
+  private:
+    int wrapped(int i) const { return (i + cells_) % cells_; }
+
+    int cells_;
+    std::vector<float> values_;
 };
 
-Cells worley(float x, float y, uint32_t cells, uint32_t salt) {
-    const float fx = x * static_cast<float>(cells);
-    const float fy = y * static_cast<float>(cells);
-    const int ix = static_cast<int>(std::floor(fx));
-    const int iy = static_cast<int>(std::floor(fy));
-    Cells result{9, 9};
-    for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-            const uint32_t cx = static_cast<uint32_t>(ix + dx + static_cast<int>(cells)) % cells;
-            const uint32_t cy = static_cast<uint32_t>(iy + dy + static_cast<int>(cells)) % cells;
-            const float px = static_cast<float>(ix + dx) + unit(cx, cy, salt) - fx;
-            const float py = static_cast<float>(iy + dy) + unit(cx, cy, salt + 1) - fy;
-            const float d = std::sqrt(px * px + py * py);
-            if (d < result.nearest)
-                result = {d, result.nearest};
-            else
-                result.second = std::min(result.second, d);
-        }
-    return result;
-}
+/// Walls between bubbles, around one jittered point a cell: 0 on a wall (Worley 1996).
+class Bubbles {
+  public:
+    explicit Bubbles(uint32_t cells) : pointX_(cells, cells * 7919u), pointY_(cells, cells * 7919u + 1) {}
 
-/// Smooth noise of `cells` cells to the tile, 0..1.
-float noise(float x, float y, uint32_t cells, uint32_t salt) {
-    const float fx = x * static_cast<float>(cells);
-    const float fy = y * static_cast<float>(cells);
-    const float x0 = std::floor(fx), y0 = std::floor(fy);
-    const auto at = [&](int dx, int dy) {
-        const auto wrapped = [cells](float i, int d) {
-            return static_cast<uint32_t>(static_cast<int>(i) + d + static_cast<int>(cells)) % cells;
-        };
-        return unit(wrapped(x0, dx), wrapped(y0, dy), salt);
-    };
-    const auto ease = [](float t) { return t * t * (3 - 2 * t); };
-    const float tx = ease(fx - x0), ty = ease(fy - y0);
-    return std::lerp(std::lerp(at(0, 0), at(1, 0), tx), std::lerp(at(0, 1), at(1, 1), tx), ty);
-}
+    /// How much farther the second nearest point is than the nearest, in cells.
+    float operator()(float x, float y) const {
+        const float fx = x * pointX_.cells(), fy = y * pointX_.cells();
+        const int ix = static_cast<int>(std::floor(fx)), iy = static_cast<int>(std::floor(fy));
+        float nearest = 81, second = 81; // squared
+        for (int cy = iy - 1; cy <= iy + 1; ++cy)
+            for (int cx = ix - 1; cx <= ix + 1; ++cx) {
+                const float px = static_cast<float>(cx) + pointX_.at(cx, cy) - fx;
+                const float py = static_cast<float>(cy) + pointY_.at(cx, cy) - fy;
+                const float squared = px * px + py * py;
+                second = std::min(second, std::max(nearest, squared));
+                nearest = std::min(nearest, squared);
+            }
+        return std::sqrt(second) - std::sqrt(nearest);
+    }
+
+  private:
+    Lattice pointX_, pointY_;
+};
+
+/// Smooth noise, 0..1.
+class Noise {
+  public:
+    Noise(uint32_t cells, uint32_t salt) : corners_(cells, salt) {}
+
+    float operator()(float x, float y) const {
+        const float fx = x * corners_.cells(), fy = y * corners_.cells();
+        const float x0 = std::floor(fx), y0 = std::floor(fy);
+        const int ix = static_cast<int>(x0), iy = static_cast<int>(y0);
+        const float tx = eased(fx - x0), ty = eased(fy - y0);
+        return std::lerp(std::lerp(corners_.at(ix, iy), corners_.at(ix + 1, iy), tx),
+                         std::lerp(corners_.at(ix, iy + 1), corners_.at(ix + 1, iy + 1), tx), ty);
+    }
+
+  private:
+    static float eased(float t) { return t * t * (3 - 2 * t); }
+
+    Lattice corners_;
+};
 
 /// Small where foam goes last: on the walls between bubbles, in patches. Walls are bent, as currents bend
 /// them.
-float rawPattern(float x, float y) {
-    const float bentX = x + 0.05f * (noise(x, y, 6, 101) - 0.5f) + 0.025f * (noise(x, y, 13, 103) - 0.5f);
-    const float bentY = y + 0.05f * (noise(x, y, 6, 102) - 0.5f) + 0.025f * (noise(x, y, 13, 104) - 0.5f);
-    float value = 0.9f * noise(x, y, 4, 55) + 0.5f * noise(x, y, 9, 56);
-    float weight = 1;
-    for (const uint32_t cells : {7u, 13u, 25u, 49u}) {
-        const Cells c = worley(bentX, bentY, cells, cells * 7919u);
-        value += weight * (c.second - c.nearest);
-        weight *= 0.62f;
+class Rafts {
+  public:
+    float operator()(float x, float y) const {
+        const float bentX = x + 0.05f * (bendX_(x, y) - 0.5f) + 0.025f * (finerBendX_(x, y) - 0.5f);
+        const float bentY = y + 0.05f * (bendY_(x, y) - 0.5f) + 0.025f * (finerBendY_(x, y) - 0.5f);
+        float value = 0.9f * patches_(x, y) + 0.5f * finerPatches_(x, y);
+        float weight = 1;
+        for (const Bubbles& bubbles : bubbles_) {
+            value += weight * bubbles(bentX, bentY);
+            weight *= 0.62f;
+        }
+        return value;
     }
-    return value;
-}
 
-float bendAt(float x, float y) {
-    return noise(x, y, 5, 201) + 0.6f * noise(x, y, 11, 202) + 0.35f * noise(x, y, 23, 203) +
-           0.2f * noise(x, y, 47, 204);
-}
+  private:
+    Noise bendX_{6, 101}, bendY_{6, 102}, finerBendX_{13, 103}, finerBendY_{13, 104};
+    Noise patches_{4, 55}, finerPatches_{9, 56};
+    Bubbles bubbles_[4] = {Bubbles(7), Bubbles(13), Bubbles(25), Bubbles(49)};
+};
+
+/// Bends the edge of what is foamy.
+class EdgeBend {
+  public:
+    float operator()(float x, float y) const {
+        return octaves_[0](x, y) + 0.6f * octaves_[1](x, y) + 0.35f * octaves_[2](x, y) +
+               0.2f * octaves_[3](x, y);
+    }
+
+  private:
+    Noise octaves_[4] = {{5, 201}, {11, 202}, {23, 203}, {47, 204}};
+};
 
 template<typename At>
-std::vector<float> mapOf(At&& at) {
+std::vector<float> mapOf(const At& at) {
     std::vector<float> map(size_t{size} * size);
     for (uint32_t y = 0; y < size; ++y)
         for (uint32_t x = 0; x < size; ++x)
@@ -190,7 +224,7 @@ Channel channelOf(const std::vector<FoamTexel>& texels, uint8_t FoamTexel::*chan
 } // namespace
 
 std::vector<std::vector<FoamTexel>> foamPattern() {
-    const std::vector<float> pattern = evenly(mapOf(rawPattern)), bend = evenly(mapOf(bendAt));
+    const std::vector<float> pattern = evenly(mapOf(Rafts())), bend = evenly(mapOf(EdgeBend()));
     std::vector<FoamTexel> texels(pattern.size());
     for (uint32_t y = 0; y < size; ++y)
         for (uint32_t x = 0; x < size; ++x) {
@@ -220,17 +254,10 @@ std::vector<std::vector<FoamTexel>> foamPattern() {
     return mips;
 }
 
-VkDeviceSize FoamPattern::bytes(const gpu::Device& device) {
-    return FixedImage::bytes(device, imageDesc());
-}
-
 Status FoamPattern::create(Context& context) {
-    // The same for all bodies, and worked out by the first: it takes longer than all else that a body is made
-    // of.
-    static const std::vector<std::vector<FoamTexel>> pattern = foamPattern();
     if (const Status s = image_.create(context, imageDesc(), "foam pattern"); s != Status::ok) return s;
     std::byte* out = image_.texels();
-    for (const std::vector<FoamTexel>& mip : pattern) {
+    for (const std::vector<FoamTexel>& mip : foamPattern()) {
         std::memcpy(out, mip.data(), mip.size() * sizeof(FoamTexel));
         out += mip.size() * sizeof(FoamTexel);
     }

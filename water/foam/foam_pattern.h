@@ -1,5 +1,4 @@
-// The pattern that foam breaks up into: a tile of bubble rafts and lace, made once from a fixed seed, with
-// mips.
+// The pattern that foam breaks up into: a tile of bubble rafts and lace, made from a fixed seed, with mips.
 #pragma once
 
 #include "water/interface/foam_texels.h"
@@ -7,10 +6,10 @@
 
 namespace seaglass {
 
+/// For Context::share(): the same for all bodies, and it takes longer to make than all else of a body.
 class FoamPattern {
   public:
     Status create(Context& context);
-    static VkDeviceSize bytes(const gpu::Device& device);
     /// Uploads on its first call, does nothing after.
     void recordUpload(const gpu::Device& device, VkCommandBuffer commands) {
         image_.recordUpload(device, commands);

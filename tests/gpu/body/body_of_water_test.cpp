@@ -87,6 +87,7 @@ TEST_F(BodyOfWater, TheEstimateIsWhatIsAllocated) {
     desc.wavesOn = WavesOn::gpu;
     agrees("waves by compute shaders");
     desc.foam = &foam;
+    makeBody(desc); // the pattern that all with foam share
     agrees("foam");
 
     Estimate estimated;

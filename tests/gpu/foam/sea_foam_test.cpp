@@ -355,4 +355,18 @@ TEST_F(SeaFoam, DispatchesAtItsOwnRate) {
               without + 3 * static_cast<size_t>(fadingOf({}).foam.steps + fadingOf({}).plume.steps + 2));
 }
 
+// It is uploaded once for all of a context.
+TEST_F(SeaFoam, BodiesShareTheirPattern) {
+    Camera camera = above();
+    camera.width = 96;
+    camera.height = 54;
+    Body* const first = foamyBody(WavesOn::gpu);
+    const WaterPicture alone = picture({first}, camera, foamTime, SurfaceOutput::foam);
+    Body* const second = foamyBody(WavesOn::gpu);
+    EXPECT_EQ(second->find<FoamPart>()->pattern, first->find<FoamPart>()->pattern);
+    spiedCalls().clear();
+    EXPECT_EQ(picture({second}, camera, foamTime, SurfaceOutput::foam).color, alone.color);
+    EXPECT_EQ(countSpied("CmdCopyBufferToImage"), 0u);
+}
+
 } // namespace
