@@ -18,8 +18,8 @@ layout(set = 0, binding = shadedBinding, rgba16f) uniform image2D shadedColor;
 #include "shaded_pixels.glsl"
 
 // Of one of 4 those of a row are farther apart than those of the rows beside, and tell less of where edges lie.
-const float sameDepth = pixelsPerShading == 2u ? 3e-5 : 1e-4;
-const float alike = pixelsPerShading == 2u ? 0.01 : 100.0;
+const float sameDepth = blockWidth == 2 ? 3e-5 : 1e-4;
+const float alike = blockWidth == 2 ? 0.01 : 100.0;
 
 // What is shaded on either side of a pixel.
 struct Pair {
@@ -46,10 +46,10 @@ Pair pairOf(vec4 one, vec4 other) {
 // along an edge. Across it a line of one row would become dots.
 vec3 completed(ivec2 at, ivec2 shaded) {
     float depth = texelFetch(foundDepth, at, 0).r;
-    int every = int(pixelsPerShading);
-    int left = (at.x + every - shiftOfRow(at.y)) % every;
-    int aside = every / 2 - left;
-    Pair row = pairOf(shadedAt(at - ivec2(left, 0), depth, left), shadedAt(at + ivec2(every - left, 0), depth, every - left));
+    int left = (at.x + blockWidth - shiftOfRow(at.y)) % blockWidth;
+    int right = blockWidth - left;
+    int aside = blockWidth / 2 - left;
+    Pair row = pairOf(shadedAt(at - ivec2(left, 0), depth, left), shadedAt(at + ivec2(right, 0), depth, right));
     Pair column = pairOf(shadedAt(at + ivec2(aside, -1), depth, 1 + abs(aside)), shadedAt(at + ivec2(aside, 1), depth, 1 + abs(aside)));
     float ofRow = alike + column.apart * column.apart, ofColumn = alike + row.apart * row.apart;
     float weights = ofRow * row.weights + ofColumn * column.weights;
@@ -62,7 +62,7 @@ void main() {
     ivec2 place = ivec2(gl_LocalInvocationIndex & 7u, gl_LocalInvocationIndex >> 3);
     ivec2 block = firstPixel(heldTile(tile)) / blockSize() + place;
     ivec2 shaded = shadedPixel(block);
-    int rounds = shows ? blockSize().x : 0;
+    int rounds = shows ? blockWidth : 0;
     for (int i = 0; i < rounds; ++i) {
         ivec2 at = block * blockSize() + ivec2(i, 0);
         if (at != shaded && showsSurface(at)) imageStore(shadedColor, at, vec4(completed(at, shaded), 1.0));

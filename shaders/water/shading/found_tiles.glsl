@@ -1,12 +1,9 @@
-// The lists of the tiles of a view that show a surface: 8 x 8 blocks of pixels, of which one is shaded each. Needs `pixelsPerShading`
-// and found_surface.glsl.
+// The lists of the tiles of a view that show a surface: of 8 x 8 blocks each. Needs body.glsl and found_tiles_block.h.
 //
 // Behind the header lie the lists, each with room for all tiles; then what each tile needs, 0 where it shows no surface, else
 // its list and 1; then, for each 64 tiles in a row, how many of them each list gets.
 
-ivec2 blockSize() {
-    return ivec2(pixelsPerShading, 1);
-}
+#include "shading_block.glsl"
 
 ivec2 tileSize() {
     return 8 * blockSize();

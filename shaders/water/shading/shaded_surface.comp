@@ -83,7 +83,7 @@ bool quadShows(ivec2 at) {
 // They show this water, and from the same side.
 bool quadIsAlike(Found found, bool fromWater, ivec2 at) {
     if (!hasWaves) return false;
-    if (!mayBeInBoth && pixelsPerShading == 1u) return quadShows(at);
+    if (!mayBeInBoth && allAreShaded()) return quadShows(at);
     float side = fromWater ? -1.0 : 1.0;
     return abs(meanOfQuad(vec4(found.shows ? side : 0.0)).x) == 1.0;
 }
