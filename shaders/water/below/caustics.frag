@@ -35,13 +35,13 @@ vec2 lightHere() {
 
 // Of the sun's light what is not scattered on the way.
 vec3 straightOn(float depth) {
-    return exp(-scattering() * (depth / water.sunInWater.y));
+    return exp(-scattering() * (depth / sunInWater().y));
 }
 
 // Of what lights a point the sun's share, as its side faces the bent ray.
 vec3 sunShare(vec3 normal, float seen) {
-    vec3 from = water.sunInWater.xyz;
-    vec3 sun = seen * water.sunIrradiance.rgb * (sunAtEye().y * max(dot(normal, from), 0.0) / from.y);
+    vec3 from = sunInWater();
+    vec3 sun = sunLight(seen) * (sunAtEye().y * max(dot(normal, from), 0.0) / from.y);
     return sun / max(sun + water.skyIrradiance.rgb, 1e-6);
 }
 

@@ -6,11 +6,11 @@
 #include "water_bindings.h"
 #include "one_view.glsl"
 #include "body.glsl"
-#include "sight_line.glsl"
+#include "body_sight.glsl"
 
 // How much a line of sight rises, in some unit: linear in the pixels.
 float rise(vec2 pixel) {
-    return dot(water.plane.xyz, alongSight(water.relativeFromPixel, water.relativeFromPixel * vec4(pixel, 0.5, 1.0), water.depthSign));
+    return dot(water.plane.xyz, alongSightOf(pixel));
 }
 
 void main() {

@@ -43,8 +43,8 @@ struct Spread {
 Spread pixelsPerMetre(vec3 at) {
     vec2 towards = horizontal(sunAtEye());
     vec4 p = pixelOf(at);
-    vec4 along = water.pixelFromRelative * vec4(towards.x, 0.0, towards.y, 0.0);
-    vec4 across = water.pixelFromRelative * vec4(-towards.y, 0.0, towards.x, 0.0);
+    vec4 along = homogeneousPerMetre(vec3(towards.x, 0.0, towards.y));
+    vec4 across = homogeneousPerMetre(vec3(-towards.y, 0.0, towards.x));
     return Spread((along.xy - p.xy * along.w) / p.w, (across.xy - p.xy * across.w) / p.w);
 }
 
@@ -57,7 +57,7 @@ Spread spreadOf(Spread perMetre, vec2 deviation) {
 vec2 blurPerMetre(vec2 pixel, vec3 at) {
     const float disc = 0.5 * 0.00465 / waterIndex;
     vec2 turned = strayed(lostSlope(rayWidth(at)));
-    float shown = heightOverCalm(onNearPlane(pixel)) > 0.0 ? 0.25 * water.roughness.w : 0.0;
+    float shown = heightOverCalm(onNearPlane(pixel)) > 0.0 ? 0.25 * slopeDeviation() : 0.0;
     return sqrt(turned * turned + disc * disc + shown * shown);
 }
 
@@ -95,8 +95,8 @@ float shareCast(vec2 pixel, Spread spread) {
 }
 
 // Of the sun's light, what came in where the ray to a point did: what stands in the water hides little of it.
-float sunSeenFrom(vec3 at, float depth) {
-    return hasSunShadow ? sunSeenAt(at + water.sunInWater.xyz * (depth / water.sunInWater.y)) : 1.0;
+float sunSeenFrom(vec3 at) {
+    return hasSunShadow ? sunSeenAt(sunRayEnters(at)) : 1.0;
 }
 
 // By how much of what calm water lets through there is more light, which halves hold most exactly where it is faint, and what
@@ -110,8 +110,8 @@ vec2 lightOn(ivec2 texel) {
         float depth = -heightOverCalm(at);
         Spread perMetre = pixelsPerMetre(at);
         blur = spreadOf(perMetre, depth * blurPerMetre(pixel, at));
-        elsewhere = 1.0 - shareCast(pixel, spreadOf(perMetre, depth * strayed(water.roughness.w)));
-        seen = sunSeenFrom(at, depth);
+        elsewhere = 1.0 - shareCast(pixel, spreadOf(perMetre, depth * strayed(slopeDeviation())));
+        seen = sunSeenFrom(at);
     }
     vec2 light = lightAround(pixel, blur);
     return vec2(light.y > 0.01 ? light.x / light.y + elsewhere - 1.0 : 0.0, seen);

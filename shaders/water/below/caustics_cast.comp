@@ -8,7 +8,7 @@
 #include "body.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
-#include "sight_line.glsl"
+#include "body_sight.glsl"
 #include "caustic_light.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -81,9 +81,8 @@ bool bedAt(ivec2 pixel, out vec3 at) {
     ivec2 inside = clamp(pixel, ivec2(0), regionSize() - 1);
     if (!bedShownAt(sceneDepth, inside, at)) return false;
     if (inside == pixel) return true;
-    vec4 p = water.relativeFromPixel * vec4(vec2(pixel) + 0.5, 0.5, 1.0);
-    vec3 direction = alongSight(water.relativeFromPixel, p, water.depthSign);
-    vec3 from = p.xyz / p.w;
+    vec2 middle = vec2(pixel) + 0.5;
+    vec3 direction = alongSightOf(middle), from = pointAt(middle, 0.5);
     vec3 beyond = from + direction * ((at.y - from.y) / direction.y);
     vec3 further = beyond - at;
     at = beyond;
@@ -111,8 +110,7 @@ void main() {
     if (any(greaterThanEqual(pixel, regionSize() + margin))) return;
     vec3 at;
     if (!bedAt(pixel, at)) return;
-    vec3 enters = at - water.sunInWater.xyz * (heightOverCalm(at) / water.sunInWater.y);
-    Ray ray = rayThrough(enters.xz, rayWidth(at));
+    Ray ray = rayThrough(sunRayEnters(at).xz, rayWidth(at));
     // To the height of its own pixel, then to what stands there. What is thin, and what the bed behind it shows beside it, keeps
     // its own light: which of its rays go past it, and which others it stops, the depth does not tell.
     vec3 level = whereItIs(ray, at.y);

@@ -34,7 +34,7 @@ float scatteredAhead(float cosine) {
 vec3 shaftsIn(vec3 toSun, vec3 start, vec3 view, float depth, float path) {
     const int steps = 20;
     const float farthest = 9.0;   // [m]
-    vec3 from = water.sunInWater.xyz;
+    vec3 from = sunInWater();
     vec2 aside = from.xz / from.y;
     vec2 perMetre = view.xz - aside * view.y;   // of where the sun's ray came in
     vec3 k = extinction();

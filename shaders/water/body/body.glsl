@@ -68,9 +68,22 @@ vec3 sunAtEye() {
     return water.toSun.xyz;
 }
 
+// Towards the sun, as calm water bends its light; and where the ray to a point in the water came in.
+vec3 sunInWater() {
+    return water.sunInWater.xyz;
+}
+
+vec3 sunRayEnters(vec3 at) {
+    return at - sunInWater() * (heightOverCalm(at) / sunInWater().y);
+}
+
 // Irradiance by shares of the sun's and the sky's.
 vec3 sunLight(float sun) {
     return water.sunIrradiance.rgb * sun;
+}
+
+bool sunShines() {
+    return dot(sunLight(1.0), vec3(1.0)) > 0.0;
 }
 
 vec3 lightBy(float sun, float sky) {
@@ -82,14 +95,28 @@ vec3 sightTo(vec3 at) {
     return at * water.sight.w + water.sight.xyz;
 }
 
+// Where the line of sight to a point may be taken to begin: at the eye, and of parallel lines at the point.
+vec3 sightStart(vec3 at) {
+    return (1.0 - water.sight.w) * at;
+}
+
 // How far away a point lies; of parallel lines, beyond the eye's own place on them.
 float distanceTo(vec3 at) {
     return length(at * water.sight.w) + dot(at, water.sight.xyz);
 }
 
+// Of a point, (x, y, depth) in the region's pixels times w; and what each metre along a direction adds to that.
+vec4 homogeneousPixel(vec3 position) {
+    return water.pixelFromRelative * vec4(position, 1.0);
+}
+
+vec4 homogeneousPerMetre(vec3 direction) {
+    return water.pixelFromRelative * vec4(direction, 0.0);
+}
+
 // (x, y, depth) of a point in the region's pixels; w <= 0 behind the camera.
 vec4 pixelOf(vec3 position) {
-    vec4 p = water.pixelFromRelative * vec4(position, 1.0);
+    vec4 p = homogeneousPixel(position);
     return vec4(p.xyz / p.w, p.w);
 }
 
@@ -100,4 +127,9 @@ float pixelWidth(vec3 at) {
     vec3 right = rows[0].xyz - p.x * rows[3].xyz;
     vec3 down = rows[1].xyz - p.y * rows[3].xyz;
     return p.w * inversesqrt(length(cross(right, down)));
+}
+
+// Standard deviation of all slopes, those too short for the waves' maps as well, in the mean of both directions.
+float slopeDeviation() {
+    return water.roughness.w;
 }

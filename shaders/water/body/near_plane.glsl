@@ -8,5 +8,5 @@ vec3 onNearPlane(vec2 pixel) {
 
 // How deep in the water the line of sight begins that leaves the near plane there: at the eye, if there is one [m].
 float depthOfSight(vec3 start) {
-    return max(calmLevel() - (1.0 - water.sight.w) * start.y, 0.0);
+    return max(calmLevel() - sightStart(start).y, 0.0);
 }

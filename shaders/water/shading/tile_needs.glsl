@@ -4,7 +4,7 @@
 
 // Slopes are taken to lean by no more: four deviations of all that there are.
 float steepest() {
-    return 4.0 * water.roughness.w;
+    return 4.0 * slopeDeviation();
 }
 
 struct Box {
@@ -31,12 +31,11 @@ bvec4 tileBeyond(Box box, ivec2 first) {
 }
 
 vec3 sightThrough(vec2 pixel) {
-    vec4 p = water.relativeFromPixel * vec4(pixel, 0.5, 1.0);
-    return normalize(sightTo(p.xyz / p.w));
+    return normalize(sightTo(pointAt(pixel, 0.5)));
 }
 
 vec3 towardsPixel(vec3 direction) {
-    return (water.pixelFromRelative * vec4(direction, 0.0)).xyw;
+    return homogeneousPerMetre(direction).xyw;
 }
 
 // A flat mirror shows a ray's goal where its own line of sight goes on; a facet turns that by twice as much as it leans. Rays

@@ -42,7 +42,7 @@ float hitAt(vec2 pixel) {
 
 Ray rayThrough(vec2 pixel) {
     vec3 at = pointAt(pixel, 0.5);
-    return Ray((1.0 - water.sight.w) * at, normalize(sightTo(at)));
+    return Ray(sightStart(at), normalize(sightTo(at)));
 }
 
 // What the image shows at a pixel, of which `info` is known.
@@ -143,7 +143,7 @@ vec4 mirroredOverSand(const SurfacePoint s, vec3 direction) {
     const int steps = 24;
     const int halvings = 4;
     const float farthest = 60.0;   // of what is large enough to be told in a film [m]
-    vec4 from = water.pixelFromRelative * vec4(s.position, 1.0), by = water.pixelFromRelative * vec4(direction, 0.0);
+    vec4 from = homogeneousPixel(s.position), by = homogeneousPerMetre(direction);
     float end = min(untilBorder(from, by, vec2(regionSize())), farthest);
     float last = 0.0, met = 0.0;
     int i = 0;
@@ -184,7 +184,7 @@ float blurTexels(vec3 from, float spread, float distance) {
     // A quarter: mips blur alike in all directions, but at grazing angles slopes turn the mirrored ray mostly up and down,
     // and a mast must stay a line.
     float width = bundleWidth(0.25 * spread * water.reflectionDistortion, distance, water.reflectionLook.xyz);
-    float toEye = length(from) + (1.0 - water.sight.w) * endlesslyFar;
+    float toEye = length(from) + (sightIsParallel() ? endlesslyFar : 0.0);
     return bundleTexels(width, toEye, distance, toEye / (pixelWidth(from) * water.reflectionScale));
 }
 

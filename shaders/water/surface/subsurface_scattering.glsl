@@ -56,20 +56,20 @@ vec3 sunScattered(const SurfacePoint s, CrestSide side, vec2 calm, vec3 along) {
     float level = length(toSun.xz);
     float tangent = toSun.y / max(level, 1e-3);
     float steepness = tangent - side.rises;
-    vec3 facet = normalOf(side, leansTo(steepness, water.roughness.w));
+    vec3 facet = normalOf(side, leansTo(steepness, slopeDeviation()));
     float cosSun = dot(facet, toSun);
     if (toSun.y <= 0.0 || cosSun <= 0.0) return vec3(0.0);
     vec3 from = -refract(-toSun, facet, 1.0 / waterIndex);
     float rises = risesFaster(side, from);
-    float beam = max(level, 1e-3) * catches(steepness, water.roughness.w) * (1.0 - fresnelWater(cosSun)) / rises;
+    float beam = max(level, 1e-3) * catches(steepness, slopeDeviation()) * (1.0 - fresnelWater(cosSun)) / rises;
     float way = side.above / rises;
-    vec3 light = s.sunSeen * water.sunIrradiance.rgb * exp(-extinction() * way);
+    vec3 light = sunLight(s.sunSeen) * exp(-extinction() * way);
     float share = beam * scattersForwards(dot(from, along)) / (waterIndex * waterIndex);
     // Most of a wave's front looks up to its crest, which hides the sun from where light would enter. Where no waves are
     // looked for, a side that rises faster than the sun's rays is taken to be in shadow.
     if (waveShadowSteps == 0) {
         share *= smoothstep(-0.1, 0.15, steepness);
-    } else if (share * dot(light, vec3(1.0)) > 1e-5 * dot(water.sunIrradiance.rgb, vec3(1.0))) {
+    } else if (share * dot(light, vec3(1.0)) > 1e-5 * dot(sunLight(1.0), vec3(1.0))) {
         share *= pastHorizon(tangent, horizonTowards(s, calm + from.xz * way, side.towards, tangent));
     }
     return share * light;
@@ -110,7 +110,7 @@ vec3 throughScattering(vec3 behind, const SurfacePoint s, vec3 toEye, float path
             fromSun += scattering * stretch * reaches * sunScattered(s, lit, calm, along);
             CrestSide far = crestSide(s, calm, ahead, height, above, width);
             // Facets of a rough side spread its light: e^(5 c) over the deviation of their tilt.
-            float share = scattersFromFacet(dot(normalOf(far, 0.0), along)) * exp(12.5 * water.roughness.w * water.roughness.w);
+            float share = scattersFromFacet(dot(normalOf(far, 0.0), along)) * exp(12.5 * slopeDeviation() * slopeDeviation());
             float turned = 1.0 - exp(-scattering * stretch * share);
             skyShare += turned * reaches * exp(-extinction() * (above / risesFaster(far, lowSky)));
             straight *= 1.0 - turned;

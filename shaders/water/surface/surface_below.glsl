@@ -29,8 +29,8 @@ vec4 sceneAbove(const SurfacePoint s, vec3 along) {
     const int steps = 16;
     const int halvings = 4;
     const float atContact = 0.1;   // [m]
-    vec4 start = water.pixelFromRelative * vec4(s.position, 1.0);
-    vec4 perMetre = water.pixelFromRelative * vec4(along, 0.0);
+    vec4 start = homogeneousPixel(s.position);
+    vec4 perMetre = homogeneousPerMetre(along);
     if (perMetre.w <= 0.0 && !sightIsParallel()) return vec4(0.0);   // towards the eye's back
     float leaves = perMetre.w > 0.0 ? 0.0 : untilBorder(start, perMetre, vec2(regionSize()));   // of parallel lines, which vanish nowhere
     float reached = 0.0;
@@ -81,7 +81,7 @@ vec3 sunThrough(const SurfacePoint s, vec3 view) {
     float density = sunDensity(s, halfway, gap);
     float up2 = halfway.y * halfway.y;
     float seen = visibleArea(visibleSlopes(s, view), view);
-    return s.sunSeen * water.sunIrradiance.rgb * (cosSun * cosEye * waterIndex * waterIndex * (1.0 - mirroredShare(cosSun)) * density /
+    return sunLight(s.sunSeen) * (cosSun * cosEye * waterIndex * waterIndex * (1.0 - mirroredShare(cosSun)) * density /
                                 (up2 * up2 * seen * gap * gap));
 }
 

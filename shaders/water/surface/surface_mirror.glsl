@@ -118,7 +118,7 @@ const float skyBlurred = reflectionSamples == 4 ? 0.35 : 0.5;
 // they do in the mean. It leans by a third of a deviation less than their mean, by which Fresnel's term is off by 0.035 at
 // most, for seas whose slopes deviate by 0.1 to 0.35.
 vec3 facetMet(vec3 ray) {
-    VisibleSlopes v = VisibleSlopes(horizontal(-ray), max(water.roughness.w, 1e-5), -ray.y / max(length(ray.xz), 1e-6));
+    VisibleSlopes v = VisibleSlopes(horizontal(-ray), max(slopeDeviation(), 1e-5), -ray.y / max(length(ray.xz), 1e-6));
     SlopeSpread met = slopeSpread(v);
     return normalOf(v.towards * (met.mean + met.deviation / 3.0));
 }

@@ -61,8 +61,8 @@ vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye) {
     float glint = sunGlint(s, toEye, true);
     WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);
     if (hasWaves) {
-        bool sunShines = s.sunSeen * dot(water.sunIrradiance.rgb, vec3(1.0)) > 0.0;
-        if (sunShines && (glint > 1e-5 || white.mask > 1e-3)) ahead = wavesBeforeTheSun(s);
+        bool isSunlit = s.sunSeen > 0.0 && sunShines();
+        if (isSunlit && (glint > 1e-5 || white.mask > 1e-3)) ahead = wavesBeforeTheSun(s);
         vec3 toSun = sunDirection(s);
         glint *= sunClear(toSun, slopeOf(toEye + toSun), ahead);
     }

@@ -40,7 +40,7 @@ float horizonTowards(const SurfacePoint s, vec2 from, vec2 along, float lowest) 
 WavesAhead wavesAhead(const SurfacePoint s, vec2 along, float lowest) {
     const float alikeInAll = 0.2;
     const float alikeInShort = 0.85;
-    if (waveShadowSteps == 0) return WavesAhead(noWave, 0.0, water.roughness.w, 0.0);
+    if (waveShadowSteps == 0) return WavesAhead(noWave, 0.0, slopeDeviation(), 0.0);
     float held = s.pixelLength / (25.0 * water.heightDeviation);
     float horizon = noWave;
     if (held < 1.0) horizon = max(dot(s.slope, along), horizonTowards(s, s.calm, along, lowest));
