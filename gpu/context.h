@@ -5,7 +5,6 @@
 #include <memory>
 #include <mutex>
 #include <unordered_map>
-#include <utility>
 
 #include "gpu/device.h"
 #include "gpu/fields.h"
@@ -67,20 +66,5 @@ struct Context {
     std::recursive_mutex sharing_;
     std::unordered_map<const void*, std::weak_ptr<void>> shared_;
 };
-
-/// What destroyBody() and its like do.
-template<typename T>
-void destroyHeld(T* held, const char* call) {
-    if (!held) return;
-    Context& context = *held->context;
-    if (held->destroyed) {
-        (void)context.device.misused("%s: it was destroyed before", call);
-        return;
-    }
-    held->destroyed = true;
-    --context.inUse;
-    held->destroyedBefore = std::exchange(context.destroyed[context.slot], held);
-    held->release = [](Held& destroyed) { delete static_cast<T*>(&destroyed); };
-}
 
 } // namespace seaglass

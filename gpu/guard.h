@@ -1,8 +1,10 @@
-// What every call of the API does first, and what it lets out.
+// What every call of the API does first, what it lets out, and how hosts come to hold things and let go.
 #pragma once
 
 #include <initializer_list>
+#include <memory>
 #include <new>
+#include <utility>
 
 #include "gpu/context.h"
 
@@ -68,6 +70,37 @@ inline Status refuseOutsideFrame(const Context* context, const char* call) {
     return context && context->frameNumber == 0
                ? context->device.misused("%s: beginFrame() was never called", call)
                : Status::ok;
+}
+
+/// What createBody() and its like do: `make` fills a new T, which is the host's if nothing fails.
+template<typename T, typename Desc, typename Make>
+Status createHeld(const char* call, Context* context, const Desc* desc, T** out, Make&& make) {
+    if (out) *out = nullptr;
+    if (const Status s = refuseNull(context, call, {{"context", !context}, {"desc", !desc}, {"out", !out}});
+        s != Status::ok)
+        return s;
+    return guarded([&] {
+        auto held = std::make_unique<T>();
+        if (const Status s = make(*held); s != Status::ok) return s;
+        *out = held.release();
+        ++context->inUse;
+        return Status::ok;
+    });
+}
+
+/// What destroyBody() and its like do.
+template<typename T>
+void destroyHeld(const char* call, T* held) {
+    if (!held) return;
+    Context& context = *held->context;
+    if (held->destroyed) {
+        (void)context.device.misused("%s: it was destroyed before", call);
+        return;
+    }
+    held->destroyed = true;
+    --context.inUse;
+    held->destroyedBefore = std::exchange(context.destroyed[context.slot], held);
+    held->release = [](Held& destroyed) { delete static_cast<T*>(&destroyed); };
 }
 
 } // namespace seaglass::gpu

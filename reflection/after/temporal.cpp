@@ -21,13 +21,13 @@ glm::dmat4 movedBy(const glm::dvec3& offset) {
     return glm::translate(glm::dmat4(1), offset);
 }
 
-LastFrame frameOf(const ReflectPass& pass, const glm::dvec4& worldPlane) {
+LastFrame frameOf(const ReflectPass& pass) {
     const ViewGeometry& view = pass.geometry;
     LastFrame frame;
     frame.count = 1;
     frame.bent = pass.view.surfaceNormals != nullptr;
     frame.eye = view.eye;
-    frame.facing = glm::dvec3(planeFacing(worldPlane, view));
+    frame.facing = glm::dvec3(planeFacing(pass.plane, view));
     frame.pixelFromRelative = movedBy({-view.jitter, 0}) * view.pixelFromRelative;
     frame.reversedDepth = view.reversedDepth;
     return frame;
@@ -71,10 +71,10 @@ VkDeviceSize TemporalScratch::bytes(const gpu::Device& device, VkExtent2D extent
            OwnedReflection::bytes(device, extent, desc.blurLevels, false);
 }
 
-Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, const glm::dvec4& worldPlane,
-                      const gpu::Buffer& tiles, TemporalScratch& scratch, OwnedReflection& images) {
+Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, const gpu::Buffer& tiles,
+                      TemporalScratch& scratch, OwnedReflection& images) {
     Context& context = pass.context;
-    LastFrame frame = frameOf(pass, worldPlane);
+    LastFrame frame = frameOf(pass);
     const bool known = !pass.view.cut && follows(frame, scratch.last);
     const TemporalBlock block = known ? blockOf(pass, scratch.last) : TemporalBlock{};
     if (known) frame.count += std::min(scratch.last.count, 1000u);

@@ -43,7 +43,7 @@ constexpr uint32_t temporalDispatches = 2;
 /// From scratch.found, as techniques leave it, to `images`, left alike, whose own history becomes
 /// scratch.other. Only in the tiles that are looked up, by the flags in `tiles`, whose lists are lost;
 /// elsewhere nothing is known.
-Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, const glm::dvec4& worldPlane,
-                      const gpu::Buffer& tiles, TemporalScratch& scratch, OwnedReflection& images);
+Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, const gpu::Buffer& tiles,
+                      TemporalScratch& scratch, OwnedReflection& images);
 
 } // namespace seaglass

@@ -162,29 +162,31 @@ Status Reflector::record(VkCommandBuffer commands, SceneOfCall& scene) {
     if (!drawn)
         if (const Status s = takeSamples(*context, commands, geometry, singleSamples, scene); s != Status::ok)
             return s;
-    const OwnedReflection& found = reflected.found(desc);
     reflected.bent = technique().followsNormals && view.surfaceNormals;
-    if (const Status s = technique().record(pass, kernels.get(), reflected.scratch.get(), found);
+    if (const Status s =
+            technique().record(pass, kernels.get(), reflected.scratch.get(), reflected.found(desc));
         s != Status::ok)
         return s;
-    if (takesAllTiles(desc)) recordAllSeen(context->device, commands, reflected.allTiles);
-    if (edgeReach && !view.surfaceNormals)
-        if (const Status s = recordEdgeReach(pass, *edgeReach, reflected.tiles(technique()), found);
-            s != Status::ok)
-            return s;
-    if (stretch)
-        if (const Status s = recordStretch(pass, *stretch, found); s != Status::ok) return s;
-    if (temporal)
-        if (const Status s = recordTemporal(pass, *temporal, mirrored, reflected.tiles(technique()),
-                                            reflected.temporal, reflected.images);
-            s != Status::ok)
-            return s;
-    if (const Status s = recordBlur(*context, commands, blur.get(), reflected.images.color); s != Status::ok)
-        return s;
+    if (const Status s = recordAfter(pass, reflected); s != Status::ok) return s;
     reflected.reflected = true;
     reflected.frame = context->frameNumber;
     toValues(toMatrix(view.projection) * toMatrix(view.view), reflected.clipFromWorld);
     return Status::ok;
+}
+
+Status Reflector::recordAfter(const ReflectPass& pass, ReflectedView& reflected) {
+    const OwnedReflection& found = reflected.found(desc);
+    const gpu::Buffer& tiles = reflected.tiles(technique());
+    if (takesAllTiles(desc)) recordAllSeen(context->device, pass.commands, reflected.allTiles);
+    if (edgeReach && !pass.view.surfaceNormals)
+        if (const Status s = recordEdgeReach(pass, *edgeReach, tiles, found); s != Status::ok) return s;
+    if (stretch)
+        if (const Status s = recordStretch(pass, *stretch, found); s != Status::ok) return s;
+    if (temporal)
+        if (const Status s = recordTemporal(pass, *temporal, tiles, reflected.temporal, reflected.images);
+            s != Status::ok)
+            return s;
+    return recordBlur(*context, pass.commands, blur.get(), reflected.images.color);
 }
 
 Status Reflector::drawOverlay(VkCommandBuffer commands, const ViewDesc& view,
@@ -234,18 +236,8 @@ Status createReflector(Context& context, const ReflectorDesc& desc, const glm::d
 }
 
 Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** out) {
-    if (out) *out = nullptr;
-    if (const Status s = gpu::refuseNull(context, "createReflector",
-                                         {{"context", !context}, {"desc", !desc}, {"out", !out}});
-        s != Status::ok)
-        return s;
-    return gpu::guarded([&] {
-        auto reflector = std::make_unique<Reflector>();
-        if (const Status s = reflector->create(*context, *desc); s != Status::ok) return s;
-        *out = reflector.release();
-        ++context->inUse;
-        return Status::ok;
-    });
+    return gpu::createHeld("createReflector", context, desc, out,
+                           [&](Reflector& reflector) { return reflector.create(*context, *desc); });
 }
 
 Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent, Estimate* out,
@@ -265,7 +257,7 @@ Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent,
 }
 
 void destroyReflector(Reflector* reflector) {
-    destroyHeld(reflector, "destroyReflector");
+    gpu::destroyHeld("destroyReflector", reflector);
 }
 
 Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out) {

@@ -82,6 +82,8 @@ struct Reflector : Held {
   private:
     /// Makes what a view of this size needs, where it is not there yet.
     Status prepare(ReflectedView& view, VkExtent2D extent);
+    /// What follows on every technique, where it is asked for: edge reach, stretch, temporal reuse, blur.
+    Status recordAfter(const ReflectPass& pass, ReflectedView& reflected);
     Status uploadMirror(const ViewDesc& view, const ViewGeometry& geometry, const glm::ivec4& shown,
                         gpu::Slice& out);
 };

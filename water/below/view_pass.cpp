@@ -62,15 +62,8 @@ Status recordViewPass(Context& context, const DrawCall& call, const BodyView& vi
                       const ViewPassVariant& variant, std::span<const gpu::Bound> resources) {
     const DrawPipeline* pipeline = nullptr;
     if (const Status s = call.target.viewPasses.get(variant, pipeline); s != Status::ok) return s;
-    VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(pipeline->layout, resources, set); s != Status::ok)
-        return s;
-    setViewport(context.device, call.commands, *view.given, view.geometry);
     const PassInfo info = infoOf(variant.pass);
-    const gpu::PassScope pass(context.device, call.commands, info.name);
-    bindDraw(context.device, call.commands, *pipeline, set, view.given->viewIndex);
-    context.device.vk().CmdDraw(call.commands, 3 * info.triangles, 1, 0, 0);
-    return Status::ok;
+    return recordTriangles(context, call, view, *pipeline, info.name, info.triangles, resources);
 }
 
 } // namespace seaglass

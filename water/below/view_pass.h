@@ -29,9 +29,6 @@ using ViewPassPipelines = DrawPipelines<ViewPassVariant>;
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const ViewPassVariant& variant,
                      DrawPipeline& out);
 
-struct BodyView;
-struct DrawCall;
-
 /// Makes a variant's pipeline ahead of its first draw.
 Status prepareViewPass(ViewPassPipelines& pipelines, const ViewPassVariant& variant);
 

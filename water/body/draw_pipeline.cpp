@@ -5,6 +5,7 @@
 #include "gpu/pipeline/compile_watch.h"
 #include "gpu/pipeline/kernel.h"
 #include "shaders/shared/one_view_block.h"
+#include "water/body/part.h"
 
 namespace seaglass {
 
@@ -101,6 +102,19 @@ void setViewport(const gpu::Device& device, VkCommandBuffer commands, const View
         {geometry.regionOrigin.x, geometry.regionOrigin.y},
         {static_cast<uint32_t>(geometry.regionSize.x), static_cast<uint32_t>(geometry.regionSize.y)}};
     device.vk().CmdSetScissor(commands, 0, 1, &scissor);
+}
+
+Status recordTriangles(Context& context, const DrawCall& call, const BodyView& view,
+                       const DrawPipeline& pipeline, const char* pass, uint32_t triangles,
+                       std::span<const gpu::Bound> resources) {
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    if (const Status s = context.frame().allocateSet(pipeline.layout, resources, set); s != Status::ok)
+        return s;
+    setViewport(context.device, call.commands, *view.given, view.geometry);
+    const gpu::PassScope scope(context.device, call.commands, pass);
+    bindDraw(context.device, call.commands, pipeline, set, view.given->viewIndex);
+    context.device.vk().CmdDraw(call.commands, 3 * triangles, 1, 0, 0);
+    return Status::ok;
 }
 
 Status createDrawPipeline(const gpu::Device& device, const TargetDesc& target, const DrawShaders& shaders,

@@ -34,6 +34,15 @@ struct DrawShaders {
 void bindDraw(const gpu::Device& device, VkCommandBuffer commands, const DrawPipeline& pipeline,
               VkDescriptorSet set, uint32_t viewIndex);
 
+struct BodyView;
+struct DrawCall;
+
+/// Triangles over a view, which their vertex shader places by number. `pass` names them; `resources`: all
+/// that the pipeline's shaders read.
+Status recordTriangles(Context& context, const DrawCall& call, const BodyView& view,
+                       const DrawPipeline& pipeline, const char* pass, uint32_t triangles,
+                       std::span<const gpu::Bound> resources);
+
 /// The view's, over its region alone.
 void setViewport(const gpu::Device& device, VkCommandBuffer commands, const ViewDesc& view,
                  const ViewGeometry& geometry);

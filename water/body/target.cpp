@@ -52,31 +52,23 @@ bool holdsFloats(VkFormat format) {
 }
 
 Status createTarget(Context* context, const TargetDesc* desc, Target** out) {
-    if (out) *out = nullptr;
-    if (const Status s =
-            gpu::refuseNull(context, "createTarget", {{"context", !context}, {"desc", !desc}, {"out", !out}});
-        s != Status::ok)
-        return s;
-    if (const FieldError bad = badField(*desc))
-        return context->device.fail(Status::invalidArgument, "%s", bad.text());
-    if (const char* bad = notDrawable(context->device, *desc))
-        return context->device.fail(Status::unsupported, "%s", bad);
-    return gpu::guarded([&] {
-        auto target = std::make_unique<Target>();
-        target->context = context;
-        target->desc = *desc;
-        target->viewPasses.init(context->device, *desc);
-        target->placedSamples.init(context->device, *desc);
-        target->spray.init(context->device, *desc);
+    return gpu::createHeld("createTarget", context, desc, out, [&](Target& target) {
+        if (const FieldError bad = badField(*desc))
+            return context->device.fail(Status::invalidArgument, "%s", bad.text());
+        if (const char* bad = notDrawable(context->device, *desc))
+            return context->device.fail(Status::unsupported, "%s", bad);
+        target.context = context;
+        target.desc = *desc;
+        target.viewPasses.init(context->device, *desc);
+        target.placedSamples.init(context->device, *desc);
+        target.spray.init(context->device, *desc);
         tellUnspecified(*context, *desc);
-        *out = target.release();
-        ++context->inUse;
         return Status::ok;
     });
 }
 
 void destroyTarget(Target* target) {
-    destroyHeld(target, "destroyTarget");
+    gpu::destroyHeld("destroyTarget", target);
 }
 
 } // namespace seaglass

@@ -1,6 +1,4 @@
 // The calls of seaglass/water.h: what they are handed is checked, then bodies record one after the other.
-#include <memory>
-
 #include "gpu/guard.h"
 #include "reflection/interface/fields/reflection.h"
 #include "water/below/bed_part.h"
@@ -14,18 +12,8 @@
 namespace seaglass {
 
 Status createBody(Context* context, const BodyDesc* desc, Body** out) {
-    if (out) *out = nullptr;
-    if (const Status s =
-            gpu::refuseNull(context, "createBody", {{"context", !context}, {"desc", !desc}, {"out", !out}});
-        s != Status::ok)
-        return s;
-    return gpu::guarded([&] {
-        auto body = std::make_unique<Body>();
-        if (const Status s = body->create(*context, *desc); s != Status::ok) return s;
-        *out = body.release();
-        ++context->inUse;
-        return Status::ok;
-    });
+    return gpu::createHeld("createBody", context, desc, out,
+                           [&](Body& body) { return body.create(*context, *desc); });
 }
 
 Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
@@ -53,7 +41,7 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
 }
 
 void destroyBody(Body* body) {
-    destroyHeld(body, "destroyBody");
+    gpu::destroyHeld("destroyBody", body);
 }
 
 Status setExclusionVolumes(Body* body, const ExclusionVolume* volumes, uint32_t count) {

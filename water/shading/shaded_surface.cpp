@@ -19,17 +19,12 @@ gpu::ImageDesc colorDesc(VkExtent2D extent, SurfaceOutput output) {
 
 } // namespace
 
-Status ShadingKernels::get(const SurfaceVariant& variant, const gpu::Kernel*& out) {
-    return kernels_.get(
-        variant,
-        [&](gpu::Kernel& kernel) {
-            SurfaceVariant made = variant;
-            // A barrier of the whole group costs CPU devices most: all that is alive goes to memory. Of those
-            // that there are, subgroups are full, and of four or eight.
-            made.quadsInStep = device_->isCpu();
-            return kernel.create(*device_, shaded_surface_comp, "shaded surface", made.constants());
-        },
-        out);
+Status buildShading(const gpu::Device& device, const SurfaceVariant& variant, gpu::Kernel& out) {
+    SurfaceVariant made = variant;
+    // A barrier of the whole group costs CPU devices most: all that is alive goes to memory. Of those that
+    // there are, subgroups are full, and of four or eight.
+    made.quadsInStep = device.isCpu();
+    return out.create(device, shaded_surface_comp, "shaded surface", made.constants());
 }
 
 SurfaceVariant shadingVariant(const SurfaceVariant& all) {
@@ -52,18 +47,10 @@ Status getListed(ShadingKernels& kernels, const SurfaceVariant& variant, const T
     return Status::ok;
 }
 
-Status CompletingKernels::get(uint32_t pixelsPerShading, const gpu::Kernel*& out) {
-    out = nullptr;
-    if (pixelsPerShading == 1) return Status::ok;
-    return kernels_.get(
-        pixelsPerShading,
-        [&](gpu::Kernel& kernel) {
-            TilesConstants constants;
-            constants.pixelsPerShading = pixelsPerShading;
-            return kernel.create(*device_, completed_surface_comp, "completed surface",
-                                 constants.constants());
-        },
-        out);
+Status buildCompleting(const gpu::Device& device, const uint32_t& pixelsPerShading, gpu::Kernel& out) {
+    TilesConstants constants;
+    constants.pixelsPerShading = pixelsPerShading;
+    return out.create(device, completed_surface_comp, "completed surface", constants.constants());
 }
 
 Status ShadedSurface::create(const gpu::Device& device, VkExtent2D extent, SurfaceOutput output) {

@@ -5,31 +5,19 @@
 #include <memory>
 
 #include "gpu/context.h"
-#include "gpu/made_once.h"
 #include "gpu/memory/buffer.h"
 #include "gpu/memory/image.h"
-#include "gpu/pipeline/kernel.h"
+#include "gpu/pipeline/kernel_cache.h"
 #include "water/shading/surface_tiles.h"
 
 namespace seaglass {
 
-/// One for each variant of the surface that shades alike.
-class ShadingKernels {
-  public:
-    Status create(Context& context) {
-        device_ = &context.device;
-        return Status::ok;
-    }
-    /// Any thread.
-    Status get(const SurfaceVariant& variant, const gpu::Kernel*& out);
-
-  private:
-    const gpu::Device* device_ = nullptr;
-    gpu::MadeOnce<SurfaceVariant, gpu::Kernel> kernels_;
-};
-
 /// What shading depends on.
 SurfaceVariant shadingVariant(const SurfaceVariant& all);
+
+/// One for each variant of the surface that shades alike.
+Status buildShading(const gpu::Device& device, const SurfaceVariant& variant, gpu::Kernel& out);
+using ShadingKernels = gpu::KernelCache<SurfaceVariant, gpu::Kernel, buildShading>;
 
 /// Of each list of tiles the kernel that shades it; null: no tile is in it.
 using ListedKernels = std::array<const gpu::Kernel*, foundLists>;
@@ -37,25 +25,14 @@ Status getListed(ShadingKernels& kernels, const SurfaceVariant& variant, const T
                  ListedKernels& out);
 
 /// What makes of one pixel of 2 or of 4 all of them: one for each.
-class CompletingKernels {
-  public:
-    Status create(Context& context) {
-        device_ = &context.device;
-        return Status::ok;
-    }
-    /// Any thread. Null where each pixel is shaded.
-    Status get(uint32_t pixelsPerShading, const gpu::Kernel*& out);
-
-  private:
-    const gpu::Device* device_ = nullptr;
-    gpu::MadeOnce<uint32_t, gpu::Kernel> kernels_;
-};
+Status buildCompleting(const gpu::Device& device, const uint32_t& pixelsPerShading, gpu::Kernel& out);
+using CompletingKernels = gpu::KernelCache<uint32_t, gpu::Kernel, buildCompleting>;
 
 /// What a surface is shaded by.
 struct ShadedBy {
     const TilesKernels* listing = nullptr;
     ListedKernels shading{};
-    const gpu::Kernel* completing = nullptr;
+    const gpu::Kernel* completing = nullptr; ///< null: each pixel is shaded
     uint32_t pixelsPerShading = 1;
 };
 

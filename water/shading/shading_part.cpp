@@ -104,8 +104,9 @@ Status ShadingPart::getKernels(const SurfaceVariant& variant, ShadedBy& out) con
     if (!sortsTiles) sorting.mirrors = sorting.bed = false;
     out.pixelsPerShading = sorting.pixelsPerShading;
     if (const Status s = tiles_->get(sorting, out.listing); s != Status::ok) return s;
-    if (const Status s = completing_->get(sorting.pixelsPerShading, out.completing); s != Status::ok)
-        return s;
+    if (sorting.pixelsPerShading > 1)
+        if (const Status s = completing_->get(sorting.pixelsPerShading, out.completing); s != Status::ok)
+            return s;
     return getListed(*kernels_, variant, sorting, out.shading);
 }
 

@@ -43,26 +43,21 @@ TileSorting tileSorting(const SurfaceVariant& variant) {
     return sorting;
 }
 
-Status SurfaceTilesKernels::get(const TileSorting& sorting, const TilesKernels*& out) {
-    return kernels_.get(
-        sorting,
-        [&](TilesKernels& kernels) {
-            TilesConstants constants;
-            constants.hasReflection = sorting.hasReflection;
-            constants.hasRefraction = sorting.hasRefraction;
-            constants.sortsMirrors = sorting.mirrors;
-            constants.sortsBed = sorting.bed;
-            constants.pixelsPerShading = sorting.pixelsPerShading;
-            for (uint32_t step = 0; step < kernels.size(); ++step) {
-                constants.listingStep = step;
-                if (const Status s = kernels[step].create(*device_, surface_tiles_comp, "surface tiles",
-                                                          constants.constants());
-                    s != Status::ok)
-                    return s;
-            }
-            return Status::ok;
-        },
-        out);
+Status buildListing(const gpu::Device& device, const TileSorting& sorting, TilesKernels& out) {
+    TilesConstants constants;
+    constants.hasReflection = sorting.hasReflection;
+    constants.hasRefraction = sorting.hasRefraction;
+    constants.sortsMirrors = sorting.mirrors;
+    constants.sortsBed = sorting.bed;
+    constants.pixelsPerShading = sorting.pixelsPerShading;
+    for (uint32_t step = 0; step < out.size(); ++step) {
+        constants.listingStep = step;
+        if (const Status s =
+                out[step].create(device, surface_tiles_comp, "surface tiles", constants.constants());
+            s != Status::ok)
+            return s;
+    }
+    return Status::ok;
 }
 
 Status SurfaceTiles::create(const gpu::Device& device, VkExtent2D extent) {

@@ -5,10 +5,9 @@
 #include <compare>
 
 #include "gpu/context.h"
-#include "gpu/made_once.h"
 #include "gpu/memory/buffer.h"
 #include "gpu/pipeline/constants.h"
-#include "gpu/pipeline/kernel.h"
+#include "gpu/pipeline/kernel_cache.h"
 #include "shaders/shared/found_tiles_block.h"
 #include "water/shading/found_surface.h"
 
@@ -36,20 +35,8 @@ uint32_t tileCount(VkExtent2D view, uint32_t pixelsPerShading);
 
 /// One for each step of the listing.
 using TilesKernels = std::array<gpu::Kernel, 3>;
-
-class SurfaceTilesKernels {
-  public:
-    Status create(Context& context) {
-        device_ = &context.device;
-        return Status::ok;
-    }
-    /// Any thread.
-    Status get(const TileSorting& sorting, const TilesKernels*& out);
-
-  private:
-    const gpu::Device* device_ = nullptr;
-    gpu::MadeOnce<TileSorting, TilesKernels> kernels_;
-};
+Status buildListing(const gpu::Device& device, const TileSorting& sorting, TilesKernels& out);
+using SurfaceTilesKernels = gpu::KernelCache<TileSorting, TilesKernels, buildListing>;
 
 /// Of one view, as large as what was found of it.
 class SurfaceTiles {

@@ -20,15 +20,7 @@ Status recordSpray(Context& context, const DrawCall& call, const BodyView& view,
                    uint32_t particles, std::span<const gpu::Bound> resources) {
     const DrawPipeline* pipeline = nullptr;
     if (const Status s = call.target.spray.get(variant, pipeline); s != Status::ok) return s;
-    VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(pipeline->layout, resources, set); s != Status::ok)
-        return s;
-    setViewport(context.device, call.commands, *view.given, view.geometry);
-    const gpu::PassScope pass(context.device, call.commands, "spray");
-    bindDraw(context.device, call.commands, *pipeline, set, view.given->viewIndex);
-    constexpr uint32_t corners = 3;
-    context.device.vk().CmdDraw(call.commands, corners * particles, 1, 0, 0);
-    return Status::ok;
+    return recordTriangles(context, call, view, *pipeline, "spray", particles, resources);
 }
 
 } // namespace seaglass

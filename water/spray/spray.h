@@ -21,9 +21,6 @@ using SprayPipelines = DrawPipelines<SprayVariant>;
 Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const SprayVariant& variant,
                      DrawPipeline& out);
 
-struct BodyView;
-struct DrawCall;
-
 /// `resources`: all that the variant's shaders read.
 Status recordSpray(Context& context, const DrawCall& call, const BodyView& view, const SprayVariant& variant,
                    uint32_t particles, std::span<const gpu::Bound> resources);

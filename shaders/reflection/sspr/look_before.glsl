@@ -1,4 +1,4 @@
-// Looks over the mirror from one of its pixels towards the eye, for what hangs between.
+// Looks over the mirror from one of its pixels towards the eye, for what hangs between. Needs screen_ray.glsl.
 
 // What hangs lower than it is wide leaves keys in at least as many cells as lie between them and what it hides: looks may lie
 // as far apart as they have gone.
@@ -11,9 +11,8 @@ float farthest(vec2 apart) {
 
 // On the screen, from a pixel of the mirror to what it shows.
 vec2 awayFrom(const MirrorBlock mirror, vec2 q) {
-    vec4 start = mirror.sceneFromPixel * vec4(q, 0.0, 1.0);
-    vec4 along = mirror.sceneFromPixel[2];
-    vec2 away = mirror.depthSign * (start.xy * along.w - along.xy * start.w);
+    ScreenRay ray = rayOf(mirror, q);
+    vec2 away = mirror.depthSign * (ray.origin.xy * ray.along.w - ray.along.xy * ray.origin.w);
     return away / max(farthest(away), 1e-30);
 }
 

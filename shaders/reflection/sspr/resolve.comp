@@ -30,8 +30,8 @@ layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D
 #include "depth_quads.glsl"
 #include "tile_list.glsl"
 #include "keys.glsl"
-#include "look_before.glsl"
 #include "screen_ray.glsl"
+#include "look_before.glsl"
 #include "hidden_way.glsl"
 #include "hits.glsl"
 #include "source_color.glsl"
@@ -279,9 +279,49 @@ Hit metUnseen(const MirrorBlock mirror, ScreenRay ray, Guesses guesses, Hit one,
     return one.valid && (!other.valid || one.off <= other.off) ? one : other;
 }
 
+// What a pixel of the mirror shows.
+struct Shown {
+    Hit hit;
+    bool comesOut;   // the nearest key shows what the ray comes out of
+    float info;      // where no hit is valid
+};
+
+Shown shownAt(const MirrorBlock mirror, vec2 q, ScreenRay ray) {
+    bool followed = mirror.followed != 0u;
+    ivec2 cell = keyCell(mirror, ivec2(q));
+    Hit hit = nearestHit(mirror, cell, ray);
+    bool comesOut = hit.valid && !hit.front;
+    bool inHole = false;
+    float info = infoUnknown;
+    Guesses guesses = noGuesses;
+    Hit thin = noHit;
+    if (!hit.valid) {
+        Hole hole = holeAround(mirror, q, ray, keyAt(cell));
+        if (!hole.inside) info = infoOfMiss(mirror, q);
+        if (followed && hole.beside && info == infoSky) info = infoDoubtedSky;
+        guesses = hole.left;
+        inHole = hole.inside;
+    }
+    if (comesOut) {
+        Entry entry = entryBefore(mirror, ray, q, hit.source, backPixels);
+        guesses = entry.between;
+        thin = hitOnThin(mirror, ray, entry);
+    }
+    if (!hit.front) {
+        Hit one = metAt(mirror, ray, guesses.one);
+        Hit other = metAt(mirror, ray, guesses.other);
+        Hit met = metBetween(mirror, guesses, one, other);
+        // Where rays are followed they tell better.
+        bool tells = !comesOut || met.front && (!followed || met.off <= withinPixel);
+        if (met.valid && tells) hit = met;
+        else if (thin.valid) hit = thin;
+        else if (inHole) hit = metUnseen(mirror, ray, guesses, one, other);
+    }
+    return Shown(hit, comesOut, info);
+}
+
 void main() {
     MirrorBlock mirror = storedMirror;
-    bool followed = mirror.followed != 0u;
     ivec2 pixel = pixelToResolve(mirror);
     if (pixel == noPixel) return;
     loadKeyGrid(mirror);
@@ -290,46 +330,21 @@ void main() {
     float info = infoUnknown;
     if (planeAhead(mirror, q)) {
         ScreenRay ray = rayOf(mirror, q);
-        ivec2 cell = keyCell(mirror, ivec2(q));
-        Hit hit = nearestHit(mirror, cell, ray);
-        bool comesOut = hit.valid && !hit.front;
-        bool inHole = false;
-        Guesses guesses = noGuesses;
-        Hit thin = noHit;
-        if (!hit.valid) {
-            Hole hole = holeAround(mirror, q, ray, keyAt(cell));
-            if (!hole.inside) info = infoOfMiss(mirror, q);
-            if (followed && hole.beside && info == infoSky) info = infoDoubtedSky;
-            guesses = hole.left;
-            inHole = hole.inside;
-        }
-        if (comesOut) {
-            Entry entry = entryBefore(mirror, ray, q, hit.source, backPixels);
-            guesses = entry.between;
-            thin = hitOnThin(mirror, ray, entry);
-        }
-        if (!hit.front) {
-            Hit one = metAt(mirror, ray, guesses.one);
-            Hit other = metAt(mirror, ray, guesses.other);
-            Hit met = metBetween(mirror, guesses, one, other);
-            // Where rays are followed they tell better.
-            bool tells = !comesOut || met.front && (!followed || met.off <= withinPixel);
-            if (met.valid && tells) hit = met;
-            else if (thin.valid) hit = thin;
-            else if (inHole) hit = metUnseen(mirror, ray, guesses, one, other);
-        }
+        Shown shown = shownAt(mirror, q, ray);
+        Hit hit = shown.hit;
 #ifdef OVERHANGS
-        if (!comesOut) {
+        if (!shown.comesOut) {
             Hit overhang = underOverhang(mirror, q, ray, hit);
             if (overhang.valid) hit = overhang;
         }
 #endif
+        info = shown.info;
         if (hit.valid) {
             float confidence = edgeConfidence(mirror, q, hit.source);
             float light = hit.front ? confidence : confidence * mirror.undersideLight;
             color = vec4(sourceColor(mirror, hit.source, rayDepthAt(ray, hit.source)) * light, confidence);
             info = infoOfHit(distanceToHit(mirror, q, hit.depth));
-            if (followed && (comesOut || !hit.front)) info = infoOfDoubt(info);
+            if (mirror.followed != 0u && (shown.comesOut || !hit.front)) info = infoOfDoubt(info);
         }
     }
     imageStore(reflectionColor, pixel, color);

@@ -19,9 +19,9 @@ layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
     uint keys[];
 };
 #include "keys.glsl"
+#include "screen_ray.glsl"
 #include "look_before.glsl"
 #include "scene_depth.glsl"
-#include "screen_ray.glsl"
 #include "hidden_way.glsl"
 #include "hits.glsl"
 #include "overhangs.glsl"
