@@ -93,6 +93,169 @@ double uniform(uint64_t salt) {
     return static_cast<double>(scramble(salt) >> 32) * 0x1p-32;
 }
 
+/// What comes in over the bed, and how it does so.
+struct Incoming {
+    std::span<const Cascade> cascades;
+    size_t longWaves = 0;  ///< of the cascades, those that trains stand for: with the peak's waves and longer
+    double deviation = 0;  ///< of their height offshore [m]
+    double choppiness = 1; ///< SeaDesc's
+    double peak = 0;       ///< [rad/s]
+    double runUp = 0;      ///< [m]
+    bool arrives = false;  ///< by trains
+};
+
+void countLongWaves(Incoming& sea, double peakK) {
+    double variance = 0;
+    for (size_t& n = sea.longWaves; n < sea.cascades.size() && (n == 0 || sea.cascades[n].kMin <= peakK); ++n)
+        variance += sea.cascades[n].variance;
+    sea.deviation = std::sqrt(variance);
+}
+
+/// Share of what happens at the water's edge that happens where calm water is so deep, 0..1.
+double nearEdge(double depth, double runUp) {
+    const double shallows = std::max(depth, 0.0) / std::max(runUp, 1e-9);
+    return std::exp(-shallows * shallows);
+}
+
+/// Of crests [m/s]. A bore that collapses at the edge runs up in front of itself as water behind a dam that
+/// breaks does, at 2 sqrt(g h) (Ritter 1892; Shen and Meyer 1963).
+double crestSpeed(double depth, const Incoming& sea, const Shoaling& shoaling) {
+    const double rush = 2 * std::sqrt(gravity * sea.runUp) * nearEdge(depth, sea.runUp);
+    return std::hypot(sea.peak / shoaling.at(depth).k, rush);
+}
+
+/// Amplitudes of the cascades: of long waves what trains have not taken, and of each what the depth carries.
+void keepCascades(const Incoming& sea, double taken, double most, ShorePlace& place) {
+    for (size_t c = 0; c < sea.cascades.size(); ++c) {
+        const double whole = std::sqrt(sea.cascades[c].variance);
+        const double left = limited(whole, 0.4 * most) / std::max(whole, 1e-12);
+        place.kept[c] = static_cast<float>(c < sea.longWaves ? std::sqrt(1 - taken) * left : left);
+        if (place.depth <= 0) place.kept[c] = 0;
+    }
+}
+
+/// What becomes of it at a place of known depth. How far it moves points there in any axis, at the most [m].
+double comeTo(ShorePlace& place, const Incoming& sea, const Shoaling& shoaling) {
+    const double depth = double{place.depth}, most = breakingHeight / 4 * std::max(depth, 0.0);
+    const double taken =
+        sea.arrives ? 1 - smoothstep(guided, feelsBed, sea.peak * sea.peak * depth / gravity) : 0;
+    const auto [k, growth] = shoaling.at(depth);
+    const double grown = sea.deviation * growth * std::sqrt(taken), height = limited(grown, most);
+    place.height = static_cast<float>(height);
+    place.breaking =
+        static_cast<float>(std::clamp(2.5 * (1 - height / std::max(grown, 1e-9)), 0.0, 1.0) * taken);
+    // Orbits are ellipses; crests must not fold.
+    const double orbit = height / std::tanh(std::max(k * depth, 0.05));
+    place.sideways = static_cast<float>(sea.choppiness * limited(orbit, 0.28 / k) *
+                                        smoothstep(0, 1, depth / (2 * sea.runUp + 1e-9)));
+    place.swash = sea.arrives ? static_cast<float>(0.35 * sea.runUp * nearEdge(depth, sea.runUp)) : 0.0f;
+    keepCascades(sea, taken, most, place);
+    const double crest = std::min(highestSurf * height, highestSurfToDepth * std::max(depth, leastDepth));
+    return std::max(crest + 2.5 * double{place.swash}, 3.5 * double{place.sideways});
+}
+
+/// A train where it is between two rows.
+class TrainNow {
+  public:
+    TrainNow(const ShoreSignal& signal, size_t train, float arrival) : perSecond_(signal.rowsPerSecond) {
+        const double row =
+            std::clamp(double{arrival * perSecond_ + signal.offset}, 0.0, signal.count - 1.001);
+        const auto i = static_cast<size_t>(row);
+        share_ = row - static_cast<double>(i);
+        rows_ = &signal.rows[train * signal.count + i];
+    }
+    double value(float ShoreRow::*of) const {
+        return std::lerp(double{rows_[0].*of}, double{rows_[1].*of}, share_);
+    }
+    /// In a second. Rows go back in time.
+    double rate(float ShoreRow::*of) const {
+        return double{rows_[0].*of - rows_[1].*of} * double{perSecond_};
+    }
+
+  private:
+    float perSecond_;
+    double share_ = 0;
+    const ShoreRow* rows_ = nullptr;
+};
+
+/// The trains together at a place.
+class TrainSum {
+  public:
+    TrainSum(const Shore& shore, const ShorePlace& here, double width)
+        : shore_(shore), here_(here),
+          lean_(0.6 * double{here.breaking}), place_{double{here.height}, double{here.depth}, 0, width,
+                                                     double{here.breaking}} {}
+
+    /// `slowness`: by how much later its crest arrives, along u and v [s/m].
+    void add(const TrainNow& train, const double (&slowness)[2], ShoreWave& wave);
+    /// What the sum makes of the surface.
+    void shape(double foamFades, ShoreWave& wave) const;
+
+  private:
+    void move(const std::complex<double>& now, const std::complex<double>& rate, double sideways,
+              const double (&slowness)[2], ShoreWave& wave) const;
+
+    const Shore& shore_;
+    const ShorePlace& here_;
+    double lean_; ///< of breakers, forwards
+    SurfPlace place_;
+    std::complex<double> all_, wide_, rise_,
+        slope_[2]; // height and sideways; of waves wide enough to be seen
+    double swash_ = 0, wet_ = 0, swashRate_ = 0, swashSlope_[2] = {};
+};
+
+void TrainSum::add(const TrainNow& train, const double (&slowness)[2], ShoreWave& wave) {
+    const double length = std::max(std::hypot(slowness[0], slowness[1]), 1e-4);
+    const double seen = 1 - smoothstep(0.15, 0.4, place_.width * length * shore_.peak() / (2 * pi));
+    const std::complex<double> now(train.value(&ShoreRow::height), train.value(&ShoreRow::sideways)),
+        rate(train.rate(&ShoreRow::height), train.rate(&ShoreRow::sideways));
+    all_ += now;
+    wide_ += seen * now;
+    rise_ += seen * rate;
+    place_.wavesPerMetre += length * shore_.peak() / (2 * pi) / shoreTrains;
+    swash_ += train.value(&ShoreRow::swash);
+    wet_ += train.value(&ShoreRow::wet);
+    swashRate_ += train.rate(&ShoreRow::swash);
+    for (size_t axis = 0; axis < 2; ++axis) {
+        slope_[axis] -= seen * rate * slowness[axis];
+        swashSlope_[axis] -= train.rate(&ShoreRow::swash) * slowness[axis];
+        wave.advected[axis] += slowness[axis] / length * (lagCosine * now.real() + lagSine * now.imag()) *
+                               double{here_.swash} * shore_.carried();
+    }
+    move(now, rate, double{here_.sideways} * seen / length, slowness, wave);
+}
+
+/// Points to the side: so far for each unit of slowness.
+void TrainSum::move(const std::complex<double>& now, const std::complex<double>& rate, double sideways,
+                    const double (&slowness)[2], ShoreWave& wave) const {
+    const double forward = now.imag() + lean_ * now.real(), forwardRate = rate.imag() + lean_ * rate.real();
+    for (size_t axis = 0; axis < 2; ++axis) {
+        wave.move[axis] += sideways * forward * slowness[axis];
+        wave.drift[axis] += sideways * forwardRate * slowness[axis];
+        wave.stretch[axis] -= sideways * forwardRate * slowness[axis] * slowness[axis];
+    }
+    wave.stretch[2] -= sideways * forwardRate * slowness[0] * slowness[1];
+}
+
+void TrainSum::shape(double foamFades, ShoreWave& wave) const {
+    const Surf surf = surfOf(wide_, place_);
+    const auto change = [&](const std::complex<double>& of) {
+        return double{here_.height} * (surf.changes[0] * of.real() + surf.changes[1] * of.imag());
+    };
+    const double amount = double{here_.swash};
+    wave.height = double{here_.height} * surf.height + amount * std::max(swash_, lowestSwash);
+    wave.rise = change(rise_);
+    for (size_t axis = 0; axis < 2; ++axis) wave.slope[axis] = change(slope_[axis]);
+    if (swash_ > lowestSwash) {
+        wave.rise += amount * swashRate_;
+        wave.rushes = amount * swashRate_;
+        for (size_t axis = 0; axis < 2; ++axis) wave.slope[axis] += amount * swashSlope_[axis];
+    }
+    wave.swash = amount;
+    wave.wetTo = amount * wet_;
+    wave.foam = surfFoam(all_, surf.biphase, place_, foamFades);
+}
+
 } // namespace
 
 Shore::Shore(const ShoreDesc& desc, const SeaDesc& sea, const WaveSystem& system,
@@ -100,60 +263,33 @@ Shore::Shore(const ShoreDesc& desc, const SeaDesc& sea, const WaveSystem& system
     : samples_{desc.samples[0], desc.samples[1]},
       spacing_(double{desc.spacing}), origin_{desc.origin[0], desc.origin[1]}, peak_(system.spectrum.peak),
       places_(size_t{desc.samples[0]} * desc.samples[1]) {
-    for (size_t i = 0; i < places_.size(); ++i) places_[i].depth = -desc.bed[i];
-
-    // The trains stand for the cascades with the peak's waves and longer ones.
-    const double offshore = double{sea.depth}, peakK = waveNumber(peak_, offshore);
-    double variance = 0;
-    size_t longWaves = 0;
-    for (; longWaves < cascades.size() && (longWaves == 0 || cascades[longWaves].kMin <= peakK); ++longWaves)
-        variance += cascades[longWaves].variance;
-    const double deviation = std::sqrt(variance);
-    findSlope(4 * deviation);
-    // Hunt 1959: tan(beta) sqrt(H L0).
-    runUp_ = std::min(slope_ * std::sqrt(4 * deviation * 2 * pi * gravity / (peak_ * peak_)), 4 * deviation);
-
     double deepest = leastDepth * 2;
-    for (const ShorePlace& place : places_) deepest = std::max(deepest, double{place.depth});
+    for (size_t i = 0; i < places_.size(); ++i) {
+        places_[i].depth = -desc.bed[i];
+        deepest = std::max(deepest, double{places_[i].depth});
+    }
+    const double offshore = double{sea.depth};
+    Incoming coming = {.cascades = cascades, .choppiness = double{sea.choppiness}, .peak = peak_};
+    countLongWaves(coming, waveNumber(peak_, offshore));
+    findSlope(4 * coming.deviation);
+    // Hunt 1959: tan(beta) sqrt(H L0).
+    runUp_ = std::min(slope_ * std::sqrt(4 * coming.deviation * 2 * pi * gravity / (peak_ * peak_)),
+                      4 * coming.deviation);
+    coming.runUp = runUp_;
+
     const Shoaling shoaling(peak_, offshore, deepest);
     std::vector<double> speeds(places_.size());
-    for (size_t i = 0; i < speeds.size(); ++i) {
-        const double depth = double{places_[i].depth},
-                     shallows = std::max(depth, 0.0) / std::max(runUp_, 1e-9);
-        // A bore that collapses at the edge runs up in front of itself as water behind a dam that breaks
-        // does, at 2 sqrt(g h) (Ritter 1892; Shen and Meyer 1963).
-        const double rush = 2 * std::sqrt(gravity * runUp_) * std::exp(-shallows * shallows);
-        speeds[i] = std::hypot(peak_ / shoaling.at(depth).k, rush);
-    }
-    bool arrive = true;
+    for (size_t i = 0; i < speeds.size(); ++i)
+        speeds[i] = crestSpeed(double{places_[i].depth}, coming, shoaling);
+    coming.arrives = true;
     for (uint32_t train = 0; train < shoreTrains; ++train)
-        arrive &= findArrivals(system.direction + fan * (static_cast<double>(train) - 1), train, speeds);
-    if (arrive) drawTrains(sea, system);
+        coming.arrives &=
+            findArrivals(system.direction + fan * (static_cast<double>(train) - 1), train, speeds);
+    if (coming.arrives) drawTrains(sea, system);
 
-    const double choppiness = double{sea.choppiness};
     for (ShorePlace& place : places_) {
-        const double depth = double{place.depth}, most = breakingHeight / 4 * std::max(depth, 0.0);
-        const double taken = arrive ? 1 - smoothstep(guided, feelsBed, peak_ * peak_ * depth / gravity) : 0;
-        const auto [k, growth] = shoaling.at(depth);
-        const double grown = deviation * growth * std::sqrt(taken), height = limited(grown, most);
-        place.height = static_cast<float>(height);
-        place.breaking =
-            static_cast<float>(std::clamp(2.5 * (1 - height / std::max(grown, 1e-9)), 0.0, 1.0) * taken);
-        // Orbits are ellipses; crests must not fold.
-        const double orbit = height / std::tanh(std::max(k * depth, 0.05));
-        place.sideways = static_cast<float>(choppiness * limited(orbit, 0.28 / k) *
-                                            smoothstep(0, 1, depth / (2 * runUp_ + 1e-9)));
-        const double shallows = std::max(depth, 0.0) / std::max(runUp_, 1e-9);
-        place.swash = arrive ? static_cast<float>(0.35 * runUp_ * std::exp(-shallows * shallows)) : 0.0f;
-        for (size_t c = 0; c < cascades.size(); ++c) {
-            const double whole = std::sqrt(cascades[c].variance);
-            const double left = limited(whole, 0.4 * most) / std::max(whole, 1e-12);
-            place.kept[c] = static_cast<float>(c < longWaves ? std::sqrt(1 - taken) * left : left);
-            if (depth <= 0) place.kept[c] = 0;
-        }
-        const double crest = std::min(highestSurf * height, highestSurfToDepth * std::max(depth, leastDepth));
-        reach_ = std::max({reach_, crest + 2.5 * double{place.swash}, 3.5 * double{place.sideways}});
-        if (depth > -2 * runUp_)
+        reach_ = std::max(reach_, comeTo(place, coming, shoaling));
+        if (double{place.depth} > -2 * runUp_)
             for (const float arrival : place.arrival) longest_ = std::max(longest_, double{arrival});
     }
 }
@@ -277,63 +413,13 @@ ShoreWave Shore::waveAt(const ShoreSignal& signal, double u, double v, double wi
     wave.bedSlope[1] = double{here.depth - alongV.depth()} / spacing_;
     for (size_t c = 0; c < maxCascades; ++c) wave.kept[c] = double{here.kept[c]};
     if (here.height == 0 && here.swash == 0) return wave;
-    const double lean = 0.6 * double{here.breaking};
-    double swash = 0, wet = 0, swashRate = 0, swashSlope[2] = {};
-    SurfPlace place{double{here.height}, double{here.depth}, 0, width, double{here.breaking}};
-    std::complex<double> all, wide, rise, slope[2]; // height and sideways; of waves wide enough to be seen
-    for (size_t t = 0; t < shoreTrains; ++t) {
-        const double slowness[2] = {double{alongU.arrival(t) - here.arrival[t]} / spacing_,
-                                    double{alongV.arrival(t) - here.arrival[t]} / spacing_};
-        const double length = std::max(std::hypot(slowness[0], slowness[1]), 1e-4);
-        const double row = std::clamp(double{here.arrival[t] * signal.rowsPerSecond + signal.offset}, 0.0,
-                                      signal.count - 1.001);
-        const auto i = static_cast<size_t>(row);
-        const double share = row - static_cast<double>(i);
-        const ShoreRow &a = signal.rows[t * signal.count + i], &b = (&a)[1];
-        const auto value = [&](float ShoreRow::*m) { return std::lerp(double{a.*m}, double{b.*m}, share); };
-        // Rows go back in time.
-        const auto rate = [&](float ShoreRow::*m) {
-            return double{a.*m - b.*m} * double{signal.rowsPerSecond};
-        };
-        const double seen = 1 - smoothstep(0.15, 0.4, width * length * peak_ / (2 * pi));
-        const double sideways = double{here.sideways} * seen / length;
-        const std::complex<double> now(value(&ShoreRow::height), value(&ShoreRow::sideways)),
-            nowRate(rate(&ShoreRow::height), rate(&ShoreRow::sideways));
-        const double g = now.imag() + lean * now.real(), gRate = nowRate.imag() + lean * nowRate.real();
-        all += now;
-        wide += seen * now;
-        rise += seen * nowRate;
-        place.wavesPerMetre += length * peak_ / (2 * pi) / shoreTrains;
-        swash += value(&ShoreRow::swash);
-        wet += value(&ShoreRow::wet);
-        swashRate += rate(&ShoreRow::swash);
-        for (size_t axis = 0; axis < 2; ++axis) {
-            slope[axis] -= seen * nowRate * slowness[axis];
-            swashSlope[axis] -= rate(&ShoreRow::swash) * slowness[axis];
-            wave.move[axis] += sideways * g * slowness[axis];
-            wave.drift[axis] += sideways * gRate * slowness[axis];
-            wave.stretch[axis] -= sideways * gRate * slowness[axis] * slowness[axis];
-            wave.advected[axis] += slowness[axis] / length * (lagCosine * now.real() + lagSine * now.imag()) *
-                                   double{here.swash} * carried();
-        }
-        wave.stretch[2] -= sideways * gRate * slowness[0] * slowness[1];
-    }
-    const Surf surf = surfOf(wide, place);
-    const auto change = [&](const std::complex<double>& of) {
-        return double{here.height} * (surf.changes[0] * of.real() + surf.changes[1] * of.imag());
-    };
-    const double amount = double{here.swash};
-    wave.height = double{here.height} * surf.height + amount * std::max(swash, lowestSwash);
-    wave.rise = change(rise);
-    for (size_t axis = 0; axis < 2; ++axis) wave.slope[axis] = change(slope[axis]);
-    if (swash > lowestSwash) {
-        wave.rise += amount * swashRate;
-        wave.rushes = amount * swashRate;
-        for (size_t axis = 0; axis < 2; ++axis) wave.slope[axis] += amount * swashSlope[axis];
-    }
-    wave.swash = amount;
-    wave.wetTo = amount * wet;
-    wave.foam = surfFoam(all, surf.biphase, place, double{signal.foamFades});
+    TrainSum sum(*this, here, width);
+    for (size_t t = 0; t < shoreTrains; ++t)
+        sum.add(TrainNow(signal, t, here.arrival[t]),
+                {double{alongU.arrival(t) - here.arrival[t]} / spacing_,
+                 double{alongV.arrival(t) - here.arrival[t]} / spacing_},
+                wave);
+    sum.shape(double{signal.foamFades}, wave);
     return wave;
 }
 
