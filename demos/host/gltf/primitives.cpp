@@ -248,6 +248,54 @@ bool Primitives::readCorners(const Json& primitive, const std::string& where, So
     return true;
 }
 
+/// From the mesh to the scene, of one of its places: with a skin, by the joints that a vertex hangs on.
+bool Primitives::worldOf(const Source& source, const std::string& where, const Stand& stand, size_t which,
+                         size_t vertex, glm::dmat4& out, Error& error) const {
+    out = which < stand.places.size() ? stand.places[which] : glm::dmat4(1);
+    if (source.influences.empty()) return true;
+    out = glm::dmat4(0);
+    double whole = 0;
+    for (const auto& [joints, weights] : source.influences)
+        for (size_t c = 0; c < 4; ++c) {
+            const double weight = double{weights.component(vertex, c)};
+            if (!(weight > 0)) continue;
+            const size_t joint = joints.whole(vertex, c);
+            if (joint >= stand.joints.size()) {
+                error.text = where + ": vertex " + std::to_string(vertex) + " hangs on joint " +
+                             std::to_string(joint) + " of " + std::to_string(stand.joints.size());
+                return false;
+            }
+            out += weight * stand.joints[joint];
+            whole += weight;
+        }
+    out = whole > 0 ? out / whole : stand.joints.front();
+    return true;
+}
+
+/// `mirrored`: by the first vertex's transform.
+bool Primitives::readVertices(const Source& source, const std::string& where, const Stand& stand,
+                              size_t which, Vertices& out, bool& mirrored, Error& error) const {
+    const bool others = mesh_.materials[source.material].otherUvs;
+    out.vertices.resize(source.used.size());
+    if (others) out.otherUvs.resize(source.used.size());
+    for (size_t i = 0; i < source.used.size(); ++i) {
+        const size_t vertex = source.used[i];
+        glm::dmat4 world(1);
+        if (!worldOf(source, where, stand, which, vertex, world, error)) return false;
+        if (i == 0) mirrored = glm::determinant(glm::dmat3(world)) < 0;
+        std::string problem;
+        bool read = readVertex(source, vertex, world, out.vertices[i], problem) &&
+                    readUv(source, vertex, baseSlot, out.vertices[i].uv);
+        for (uint32_t slot = 1; read && others && slot < textureSlots; ++slot)
+            read = readUv(source, vertex, static_cast<TextureSlot>(slot), out.otherUvs[i][slot - 1]);
+        if (read) continue;
+        if (problem.empty()) problem = "has a texture coordinate that is not finite or over 1e6";
+        error.text = where + ": vertex " + std::to_string(vertex) + " " + problem;
+        return false;
+    }
+    return true;
+}
+
 bool Primitives::place(const Source& source, const std::string& where, const Stand& stand, size_t which,
                        Error& error) {
     const bool flat = !source.normal.present();
@@ -260,48 +308,14 @@ bool Primitives::place(const Source& source, const std::string& where, const Sta
     }
     if (!buffers_.spend(source.used.size() * source.perVertex(), where, error)) return false;
     Vertices vertices;
-    vertices.vertices.resize(source.used.size());
-    const bool others = mesh_.materials[source.material].otherUvs;
-    if (others) vertices.otherUvs.resize(source.used.size());
-    bool inside = false; // out: a mirroring transform turns triangles so
-    for (size_t i = 0; i < source.used.size(); ++i) {
-        const size_t vertex = source.used[i];
-        std::string problem;
-        glm::dmat4 world = which < stand.places.size() ? stand.places[which] : glm::dmat4(1);
-        if (!source.influences.empty()) {
-            world = glm::dmat4(0);
-            double whole = 0;
-            for (const auto& [joints, weights] : source.influences)
-                for (size_t c = 0; c < 4; ++c) {
-                    const double weight = double{weights.component(vertex, c)};
-                    if (!(weight > 0)) continue;
-                    const size_t joint = joints.whole(vertex, c);
-                    if (joint >= stand.joints.size()) {
-                        error.text = where + ": vertex " + std::to_string(vertex) + " hangs on joint " +
-                                     std::to_string(joint) + " of " + std::to_string(stand.joints.size());
-                        return false;
-                    }
-                    world += weight * stand.joints[joint];
-                    whole += weight;
-                }
-            world = whole > 0 ? world / whole : stand.joints.front();
-        }
-        if (i == 0) inside = glm::determinant(glm::dmat3(world)) < 0;
-        bool read = readVertex(source, vertex, world, vertices.vertices[i], problem) &&
-                    readUv(source, vertex, baseSlot, vertices.vertices[i].uv);
-        for (uint32_t slot = 1; read && others && slot < textureSlots; ++slot)
-            read = readUv(source, vertex, static_cast<TextureSlot>(slot), vertices.otherUvs[i][slot - 1]);
-        if (read) continue;
-        if (problem.empty()) problem = "has a texture coordinate that is not finite or over 1e6";
-        error.text = where + ": vertex " + std::to_string(vertex) + " " + problem;
-        return false;
-    }
+    bool mirrored = false;
+    if (!readVertices(source, where, stand, which, vertices, mirrored, error)) return false;
     std::vector<uint32_t> corners = source.corners;
-    if (inside)
+    if (mirrored) // its triangles are wound the other way round
         for (size_t i = 0; i < corners.size(); i += 3) std::swap(corners[i + 1], corners[i + 2]);
     if (flat) {
         takeApart(vertices.vertices, corners);
-        if (others) takeApart(vertices.otherUvs, corners);
+        if (!vertices.otherUvs.empty()) takeApart(vertices.otherUvs, corners);
         makeFlat(vertices.vertices);
         for (size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<uint32_t>(i);
     }

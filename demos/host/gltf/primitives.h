@@ -52,6 +52,10 @@ class Primitives {
     bool readInfluences(const Json& primitive, const std::string& where, const Stand& stand, Source& out,
                         Error& error);
     bool readCorners(const Json& primitive, const std::string& where, Source& out, Error& error);
+    bool worldOf(const Source& source, const std::string& where, const Stand& stand, size_t which,
+                 size_t vertex, glm::dmat4& out, Error& error) const;
+    bool readVertices(const Source& source, const std::string& where, const Stand& stand, size_t which,
+                      Vertices& out, bool& mirrored, Error& error) const;
     bool place(const Source& source, const std::string& where, const Stand& stand, size_t which,
                Error& error);
     bool readVertex(const Source& source, size_t vertex, const glm::dmat4& world, MeshVertex& out,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "host/vulkan/frame_targets.h"
+#include "host/vulkan/one_texture.h"
 
 namespace demos {
 
@@ -13,12 +14,7 @@ class FullScreenPass {
     void record(const Device& device, VkCommandBuffer commands, const FrameTargets& targets) const;
 
   private:
-    UniqueSampler sampler_;
-    UniqueDescriptorSetLayout setLayout_;
-    UniqueDescriptorPool pool_;
-    VkDescriptorSet set_ = VK_NULL_HANDLE;
-    UniquePipelineLayout layout_;
-    UniquePipeline pipeline_;
+    OneTexture drawing_;
 };
 
 } // namespace demos

@@ -340,25 +340,30 @@ bool Device::createDevice(const HostDesc& desc, const DeviceShape& shape, Error&
         anisotropy_ = available.samplerAnisotropy;
         needs.features.samplerAnisotropy = available.samplerAnisotropy;
     }
-
     uint32_t timestampBits = 0;
     queueFamily_ = graphicsFamily(physical_, timestampBits, shape.familiesPassedOver);
     if (queueFamily_ == UINT32_MAX) {
         error.text = "the device has no further queue family that draws and computes";
         return false;
     }
+    return makeDevice(needs, !desc.windowExtensions.empty(), error) && createCommands(error) &&
+           createTimer(desc.clock, timestampBits, error);
+}
+
+bool Device::makeDevice(const seaglass::Requirements& needs, bool forWindows, Error& error) {
     const float priority = 1;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
     queue.queueFamilyIndex = queueFamily_;
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
-    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &needs.features13,
+    VkPhysicalDeviceVulkan13Features features13 = needs.features13;
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13,
                                        needs.features};
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
     const char* const swapchain = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
-    info.enabledExtensionCount = desc.windowExtensions.empty() ? 0 : 1;
+    info.enabledExtensionCount = forWindows ? 1 : 0;
     info.ppEnabledExtensionNames = &swapchain;
     const VkResult created = vkCreateDevice(physical_, &info, nullptr, &device_);
     if (created == VK_ERROR_EXTENSION_NOT_PRESENT) {
@@ -367,7 +372,10 @@ bool Device::createDevice(const HostDesc& desc, const DeviceShape& shape, Error&
     }
     if (!succeeded(created, "vkCreateDevice", error)) return false;
     vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
+    return true;
+}
 
+bool Device::createCommands(Error& error) {
     VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     poolInfo.queueFamilyIndex = queueFamily_;
     VkCommandPool pool = VK_NULL_HANDLE;
@@ -384,7 +392,7 @@ bool Device::createDevice(const HostDesc& desc, const DeviceShape& shape, Error&
     VkFence fence = VK_NULL_HANDLE;
     if (!succeeded(vkCreateFence(device_, &fenceInfo, nullptr, &fence), "vkCreateFence", error)) return false;
     fence_ = UniqueFence(device_, fence);
-    return createTimer(desc.clock, timestampBits, error);
+    return true;
 }
 
 bool Device::createTimer(PassClock wanted, uint32_t timestampBits, Error& error) {

@@ -9,6 +9,10 @@
 #include "host/timing/pass_timer.h"
 #include "host/vulkan/vk_handle.h"
 
+namespace seaglass {
+struct Requirements;
+}
+
 namespace demos {
 
 /// What a device is made with, of what hosts differ in.
@@ -67,6 +71,8 @@ class Device {
     bool createInstance(const HostDesc& desc, Error& error);
     bool choosePhysical(const std::string& wanted, Error& error);
     bool createDevice(const HostDesc& desc, const DeviceShape& shape, Error& error);
+    bool makeDevice(const seaglass::Requirements& needs, bool forWindows, Error& error);
+    bool createCommands(Error& error);
     bool createTimer(PassClock wanted, uint32_t timestampBits, Error& error);
     bool submit(Error& error);
     std::string whereItStopped() const;

@@ -60,19 +60,25 @@ VkExtent2D halved(VkExtent2D extent, uint32_t level) {
     return {std::max(1u, extent.width >> level), std::max(1u, extent.height >> level)};
 }
 
-/// Barrier on one mip level of all layers.
-void levelBarrier(VkCommandBuffer commands, const Image& image, uint32_t level, VkImageLayout from,
-                  VkImageLayout to, VkAccessFlags2 fromAccess, VkAccessFlags2 toAccess) {
+/// Half of a barrier: what happened before, or what comes next.
+struct Use {
+    VkImageLayout layout;
+    VkPipelineStageFlags2 stage;
+    VkAccessFlags2 access;
+};
+
+void barrierOn(VkCommandBuffer commands, const Image& image, const VkImageSubresourceRange& range,
+               const Use& before, const Use& after) {
     VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-    barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-    barrier.srcAccessMask = fromAccess;
-    barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-    barrier.dstAccessMask = toAccess;
-    barrier.oldLayout = from;
-    barrier.newLayout = to;
+    barrier.srcStageMask = before.stage;
+    barrier.srcAccessMask = before.access;
+    barrier.dstStageMask = after.stage;
+    barrier.dstAccessMask = after.access;
+    barrier.oldLayout = before.layout;
+    barrier.newLayout = after.layout;
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image.image.get();
-    barrier.subresourceRange = {image.aspect, level, 1, 0, image.layers};
+    barrier.subresourceRange = range;
     VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     dependency.imageMemoryBarrierCount = 1;
     dependency.pImageMemoryBarriers = &barrier;
@@ -81,10 +87,15 @@ void levelBarrier(VkCommandBuffer commands, const Image& image, uint32_t level, 
 
 /// Fills level 1 and on from level 0, leaving every level but the last as a transfer source.
 void halveLevels(VkCommandBuffer commands, const Image& image) {
+    constexpr VkPipelineStageFlags2 stage = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    constexpr Use written = {VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, stage, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    constexpr Use read = {VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, stage, VK_ACCESS_2_TRANSFER_READ_BIT};
+    constexpr Use asBefore = {VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, stage, VK_ACCESS_2_NONE};
+    const auto levelOf = [&](uint32_t level) {
+        return VkImageSubresourceRange{image.aspect, level, 1, 0, image.layers};
+    };
     for (uint32_t level = 1; level < image.mips; ++level) {
-        levelBarrier(commands, image, level - 1, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                     VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                     VK_ACCESS_2_TRANSFER_READ_BIT);
+        barrierOn(commands, image, levelOf(level - 1), written, read);
         const VkExtent2D from = halved(image.extent, level - 1);
         const VkExtent2D to = halved(image.extent, level);
         VkImageBlit blit{};
@@ -96,8 +107,7 @@ void halveLevels(VkCommandBuffer commands, const Image& image) {
                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_LINEAR);
     }
     for (uint32_t level = 0; level + 1 < image.mips; ++level)
-        levelBarrier(commands, image, level, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                     VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_ACCESS_2_TRANSFER_READ_BIT, 0);
+        barrierOn(commands, image, levelOf(level), read, asBefore);
 }
 
 } // namespace
@@ -247,22 +257,10 @@ bool createSampledImage(Device& device, ImageDesc desc, std::span<const std::spa
 void imageBarrier(VkCommandBuffer commands, const Image& image, VkImageLayout from, VkImageLayout to,
                   VkPipelineStageFlags2 fromStage, VkAccessFlags2 fromAccess, VkPipelineStageFlags2 toStage,
                   VkAccessFlags2 toAccess) {
-    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-    barrier.srcStageMask = fromStage;
-    barrier.srcAccessMask = fromAccess;
-    barrier.dstStageMask = toStage;
-    barrier.dstAccessMask = toAccess;
-    barrier.oldLayout = from;
-    barrier.newLayout = to;
-    barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.image = image.image.get();
     // Depth and stencil change their layout together.
     const VkImageAspectFlags stencil = holdsStencil(image.format) ? VK_IMAGE_ASPECT_STENCIL_BIT : 0;
-    barrier.subresourceRange = {image.aspect | stencil, 0, image.mips, 0, image.layers};
-    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    dependency.imageMemoryBarrierCount = 1;
-    dependency.pImageMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(commands, &dependency);
+    barrierOn(commands, image, {image.aspect | stencil, 0, image.mips, 0, image.layers},
+              {from, fromStage, fromAccess}, {to, toStage, toAccess});
 }
 
 void transferToHost(VkCommandBuffer commands) {

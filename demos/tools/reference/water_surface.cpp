@@ -348,33 +348,71 @@ float WaterSurface::foamGate(const glm::dvec2& place, double footprint) const {
     return glm::mix(seen, foamGate_.mean(), static_cast<float>(blurred));
 }
 
-SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc) {
-    const double eyeHeight = camera.eye.y - desc.levelM;
-    const MeshMiddle middle = middleOf(camera, eyeHeight);
-    const double height = middle.height;
-    const glm::dvec2 foot = glm::dvec2(camera.eye.x, camera.eye.z) + middle.at;
+namespace {
+
+/// How far from the eye's foot the mesh goes [m].
+double meshRadius(const SurfaceMeshDesc& desc, const glm::dvec2& foot, double height) {
     // A flat sea comes within h/d radians of the horizon: as far as the renderer's own mesh.
-    double horizon = std::max(100e3, 4000 * height);
+    double radius = std::max(100e3, 4000 * height);
     if (!desc.globe.flat()) {
         constexpr double highestCrest = 30; // [m]
-        horizon =
-            std::min(horizon, 1.1 * (desc.globe.horizonFrom(height) + desc.globe.horizonFrom(highestCrest)));
+        radius =
+            std::min(radius, 1.1 * (desc.globe.horizonFrom(height) + desc.globe.horizonFrom(highestCrest)));
     }
-    if (desc.outline) horizon = std::min(horizon, farthestOf(*desc.outline, foot));
-    constexpr double finestCell = 0.005; // [m]
-    const auto cellAt = [&](double r, double fine) {
+    return desc.outline ? std::min(radius, farthestOf(*desc.outline, foot)) : radius;
+}
+
+/// Rings of vertices around a foot, each as far apart as it is seen finely.
+struct Rings {
+    double radius = 0, height = 0; ///< [m]
+    double fine = 0;               ///< a cell's edge, as a share of its distance from the eye
+    std::vector<double> azimuths;
+
+    double cellAt(double r) const {
+        constexpr double finestCell = 0.005; // [m]
         return std::max(fine * std::hypot(r, height), finestCell);
-    };
+    }
+};
+
+/// No more vertices than are wanted.
+Rings ringsOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc, double radius,
+              double height) {
+    Rings rings{radius, height};
     const Azimuths seen = azimuthsOf(camera);
     // Flat water needs no more than a horizon that looks round.
     const double across = 2 * (camera.parallel() ? camera.half.y / height : camera.tanHalfFovY);
-    double fine = surface.flat() ? 0.1 : desc.pixelsACell * across / desc.height;
-    fine = std::clamp(fine, 1e-4, 0.1);
+    rings.fine = std::clamp(surface.flat() ? 0.1 : desc.pixelsACell * across / desc.height, 1e-4, 0.1);
     const auto vertices = [&] {
-        return std::log(2 * horizon / height) / fine * static_cast<double>(azimuthSteps(seen, fine).size());
+        return std::log(2 * radius / height) / rings.fine *
+               static_cast<double>(azimuthSteps(seen, rings.fine).size());
     };
-    while (vertices() > desc.mostVertices) fine *= 1.1;
-    const std::vector<double> azimuths = azimuthSteps(seen, fine);
+    while (vertices() > desc.mostVertices) rings.fine *= 1.1;
+    rings.azimuths = azimuthSteps(seen, rings.fine);
+    return rings;
+}
+
+/// The first vertex is amid `rings` times `around` others.
+void joinRings(uint32_t rings, uint32_t around, SurfaceMesh& mesh) {
+    const auto vertex = [&](uint32_t ring, uint32_t i) { return 1 + ring * around + i % around; };
+    mesh.triangles.reserve(size_t(2) * rings * around);
+    // Upwards is from +x towards -z, against the azimuths.
+    for (uint32_t i = 0; i < around; ++i) mesh.triangles.emplace_back(0, vertex(0, i + 1), vertex(0, i));
+    for (uint32_t ring = 0; ring + 1 < rings; ++ring)
+        for (uint32_t i = 0; i < around; ++i) {
+            const uint32_t a = vertex(ring, i), b = vertex(ring, i + 1);
+            const uint32_t c = vertex(ring + 1, i), d = vertex(ring + 1, i + 1);
+            mesh.triangles.emplace_back(a, b, c);
+            mesh.triangles.emplace_back(b, d, c);
+        }
+}
+
+} // namespace
+
+SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const SurfaceMeshDesc& desc) {
+    const double eyeHeight = camera.eye.y - desc.levelM;
+    const MeshMiddle middle = middleOf(camera, eyeHeight);
+    const glm::dvec2 foot = glm::dvec2(camera.eye.x, camera.eye.z) + middle.at;
+    const Rings rings = ringsOf(surface, camera, desc, meshRadius(desc, foot, middle.height), middle.height);
 
     SurfaceMesh mesh;
     const auto add = [&](const glm::dvec2& fromFoot, double cell) {
@@ -391,24 +429,12 @@ SurfaceMesh meshOf(const WaterSurface& surface, const Camera& camera, const Surf
                                     static_cast<float>(double{moved.y} - eyeHeight - drop),
                                     static_cast<float>(fromEye.y + moved.z));
     };
-    add(glm::dvec2(0), cellAt(0, fine));
-    uint32_t rings = 0;
-    for (double r = cellAt(0, fine); r < horizon; r += cellAt(r, fine), ++rings)
-        for (const double azimuth : azimuths)
-            add(r * glm::dvec2(std::cos(azimuth), std::sin(azimuth)), cellAt(r, fine));
-
-    const auto around = static_cast<uint32_t>(azimuths.size());
-    const auto vertex = [&](uint32_t ring, uint32_t i) { return 1 + ring * around + i % around; };
-    mesh.triangles.reserve(size_t(2) * rings * around);
-    // Upwards is from +x towards -z, against the azimuths.
-    for (uint32_t i = 0; i < around; ++i) mesh.triangles.emplace_back(0, vertex(0, i + 1), vertex(0, i));
-    for (uint32_t ring = 0; ring + 1 < rings; ++ring)
-        for (uint32_t i = 0; i < around; ++i) {
-            const uint32_t a = vertex(ring, i), b = vertex(ring, i + 1);
-            const uint32_t c = vertex(ring + 1, i), d = vertex(ring + 1, i + 1);
-            mesh.triangles.emplace_back(a, b, c);
-            mesh.triangles.emplace_back(b, d, c);
-        }
+    add(glm::dvec2(0), rings.cellAt(0));
+    uint32_t count = 0;
+    for (double r = rings.cellAt(0); r < rings.radius; r += rings.cellAt(r), ++count)
+        for (const double azimuth : rings.azimuths)
+            add(r * glm::dvec2(std::cos(azimuth), std::sin(azimuth)), rings.cellAt(r));
+    joinRings(count, static_cast<uint32_t>(rings.azimuths.size()), mesh);
     return mesh;
 }
 

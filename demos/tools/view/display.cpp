@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "host/vulkan/layouts.h"
-#include "host/vulkan/pipeline.h"
 #include "host/vulkan/rendering.h"
 #include "spirv/display.frag.h"
 #include "spirv/display.vert.h"
@@ -44,19 +42,12 @@ Look lookOf(Aov aov, double exposureEv, double whiteHeightM) {
 
 bool Display::create(Device& device, Error& error) {
     device_ = &device;
-    constexpr VkDescriptorType texture[] = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
-    const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};
-    if (!createSetLayout(device, texture, setLayout_, error) ||
-        !allocateSet(device, setLayout_.get(), {&size, 1}, pool_, set_, error) ||
-        !createSampler(device, {}, sampler_, error) ||
-        !createPipelineLayout(device, {&setLayout_.get(), 1}, sizeof(DisplayConstants), layout_, error))
-        return false;
     PipelineDesc desc;
     desc.vertex = display_vert;
     desc.fragment = display_frag;
     desc.meshVertices = false;
     desc.colorFormat = format;
-    return createPipeline(device, layout_.get(), desc, pipeline_, error);
+    return drawing_.create(device, desc, sizeof(DisplayConstants), error);
 }
 
 bool Display::resize(VkExtent2D extent, Error& error) {
@@ -83,18 +74,14 @@ void Display::showTexture(VkCommandBuffer commands, const Image& picture, const 
     imageBarrier(commands, image_, now_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, transfer | colorOutput,
                  VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, colorOutput, colorAccess);
     now_ = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    writeTexture(*device_, set_, 0, picture.view.get(), sampler_.get());
+    drawing_.point(*device_, picture.view.get());
 
     beginRendering(commands, image_.extent, image_.view.get(), VK_ATTACHMENT_LOAD_OP_LOAD, VK_NULL_HANDLE,
                    VK_ATTACHMENT_LOAD_OP_DONT_CARE, 0);
     vkCmdSetScissor(commands, 0, 1, &part);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
-    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
-    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0, 1, &set_, 0,
-                            nullptr);
+    drawing_.bind(commands);
     const DisplayConstants constants = {look.tone, look.scale};
-    vkCmdPushConstants(commands, layout_.get(), drawStages, 0, sizeof(constants), &constants);
+    drawing_.push(commands, std::as_bytes(std::span(&constants, 1)));
     vkCmdDraw(commands, 3, 1, 0, 0);
     vkCmdEndRendering(commands);
 }

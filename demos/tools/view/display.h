@@ -3,7 +3,7 @@
 #pragma once
 
 #include "host/host.h"
-#include "host/vulkan/resources.h"
+#include "host/vulkan/one_texture.h"
 
 namespace demos {
 
@@ -44,12 +44,7 @@ class Display {
 
   private:
     Device* device_ = nullptr;
-    UniqueDescriptorSetLayout setLayout_;
-    UniquePipelineLayout layout_;
-    UniquePipeline pipeline_;
-    UniqueSampler sampler_;
-    UniqueDescriptorPool pool_;
-    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    OneTexture drawing_; ///< of a picture
     Image image_;
     VkImageLayout now_ = VK_IMAGE_LAYOUT_UNDEFINED;
 };

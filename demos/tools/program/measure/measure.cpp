@@ -121,6 +121,38 @@ void sayWhatIsDone(const std::string& why, const TradeoffFiles& files, size_t vi
     if (done > 0) error.text += ", see " + fs::absolute(files.page()).lexically_normal().string();
 }
 
+/// Of each subject what its views give, to the files as it is known.
+ExitCode measureAll(Host& host, const std::vector<measure::Subject>& subjects, const MeasureOptions& options,
+                    TradeoffFiles& files, Progress& progress, Error& error) {
+    const Interrupt interrupt;
+    const auto say = [&](const std::string& what, uint32_t done, uint32_t all) {
+        progress.say(what, done, all);
+        return !interrupt.wished();
+    };
+    const auto write = [&](measure::ViewResult&& view, Error& problem) {
+        return files.add(std::move(view), problem);
+    };
+    size_t views = 0;
+    for (const measure::Subject& subject : subjects) views += subject.cameras.size();
+    const measure::RunDesc desc = {options.size.width, options.size.height, options.rounds, options.samples,
+                                   options.supersample};
+    for (const measure::Subject& subject : subjects)
+        switch (measure::measureSubject(host, subject, desc, say, write, error)) {
+        case measure::RunResult::ok:
+            break;
+        case measure::RunResult::failed:
+            progress.clear();
+            if (host.lost()) sayWhatIsDone(error.text, files, views, error);
+            endIfLost(host, error);
+            return runFailed;
+        case measure::RunResult::stopped:
+            sayWhatIsDone("interrupted", files, views, error);
+            return interrupted;
+        }
+    progress.clear();
+    return ok;
+}
+
 } // namespace
 
 ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
@@ -143,33 +175,8 @@ ExitCode measureTechniques(const MeasureOptions& options, Error& error) {
         return badInput;
     }
 
-    const Interrupt interrupt;
-    const auto say = [&](const std::string& what, uint32_t done, uint32_t all) {
-        progress.say(what, done, all);
-        return !interrupt.wished();
-    };
-    const auto write = [&](measure::ViewResult&& view, Error& problem) {
-        return files.add(std::move(view), problem);
-    };
-    size_t views = 0;
-    for (const measure::Subject& subject : *subjects) views += subject.cameras.size();
-    for (const measure::Subject& subject : *subjects) {
-        const measure::RunDesc desc = {options.size.width, options.size.height, options.rounds,
-                                       options.samples, options.supersample};
-        switch (measure::measureSubject(*host, subject, desc, say, write, error)) {
-        case measure::RunResult::ok:
-            break;
-        case measure::RunResult::failed:
-            progress.clear();
-            if (host->lost()) sayWhatIsDone(error.text, files, views, error);
-            endIfLost(*host, error);
-            return runFailed;
-        case measure::RunResult::stopped:
-            sayWhatIsDone("interrupted", files, views, error);
-            return interrupted;
-        }
-    }
-    progress.clear();
+    if (const ExitCode code = measureAll(*host, *subjects, options, files, progress, error); code != ok)
+        return code;
     if (!files.whyNoPlots().empty()) std::fprintf(stderr, "warning: %s\n", files.whyNoPlots().c_str());
     summarise(files.tradeoff());
     std::printf("measured: %s\n", fs::absolute(files.page()).lexically_normal().c_str());

@@ -5,8 +5,6 @@
 
 #include <imgui.h>
 
-#include "host/vulkan/layouts.h"
-#include "host/vulkan/pipeline.h"
 #include "host/vulkan/rendering.h"
 #include "spirv/ui.frag.h"
 #include "spirv/ui.vert.h"
@@ -61,14 +59,7 @@ bool UiPass::create(Device& device, VkFormat target, Error& error) {
     font.extent = {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
     const std::span<const std::byte> level =
         std::as_bytes(std::span(pixels, size_t(4) * font.extent.width * font.extent.height));
-    constexpr VkDescriptorType texture[] = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
-    const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};
-    if (!createSampledImage(device, font, {&level, 1}, font_, error) ||
-        !createSampler(device, {}, sampler_, error) || !createSetLayout(device, texture, setLayout_, error) ||
-        !allocateSet(device, setLayout_.get(), {&size, 1}, pool_, set_, error) ||
-        !createPipelineLayout(device, {&setLayout_.get(), 1}, sizeof(UiConstants), layout_, error))
-        return false;
-    writeTexture(device, set_, 0, font_.view.get(), sampler_.get());
+    if (!createSampledImage(device, font, {&level, 1}, font_, error)) return false;
     VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     input.vertexBindingDescriptionCount = 1;
     input.pVertexBindingDescriptions = &binding;
@@ -81,7 +72,9 @@ bool UiPass::create(Device& device, VkFormat target, Error& error) {
     desc.vertices = &input;
     desc.blends = true;
     desc.colorFormat = target;
-    return createPipeline(device, layout_.get(), desc, pipeline_, error);
+    if (!drawing_.create(device, desc, sizeof(UiConstants), error)) return false;
+    drawing_.point(device, font_.view.get());
+    return true;
 }
 
 bool UiPass::upload(const ImDrawData& data, Error& error) {
@@ -109,17 +102,13 @@ void UiPass::record(VkCommandBuffer commands, const ImDrawData& data, const Imag
                  VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT);
     beginRendering(commands, target.extent, target.view.get(), VK_ATTACHMENT_LOAD_OP_LOAD, VK_NULL_HANDLE,
                    VK_ATTACHMENT_LOAD_OP_DONT_CARE, 0);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
-    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
-    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0, 1, &set_, 0,
-                            nullptr);
+    drawing_.bind(commands);
     const VkDeviceSize offset = 0;
     vkCmdBindVertexBuffers(commands, 0, 1, &vertices_.buffer.get(), &offset);
     vkCmdBindIndexBuffer(commands, indices_.buffer.get(), 0,
                          sizeof(ImDrawIdx) == 2 ? VK_INDEX_TYPE_UINT16 : VK_INDEX_TYPE_UINT32);
     const UiConstants constants = {{2 / data.DisplaySize.x, 2 / data.DisplaySize.y}, {-1, -1}};
-    vkCmdPushConstants(commands, layout_.get(), drawStages, 0, sizeof(constants), &constants);
+    drawing_.push(commands, std::as_bytes(std::span(&constants, 1)));
     uint32_t firstIndex = 0;
     int32_t firstVertex = 0;
     for (int i = 0; i < data.CmdListsCount; ++i) {

@@ -2,7 +2,7 @@
 // this version knows render passes alone, and calls functions that are linked, where the host's are loaded.
 #pragma once
 
-#include "host/vulkan/resources.h"
+#include "host/vulkan/one_texture.h"
 
 struct ImDrawData;
 
@@ -19,12 +19,7 @@ class UiPass {
 
   private:
     Device* device_ = nullptr;
-    UniqueDescriptorSetLayout setLayout_;
-    UniquePipelineLayout layout_;
-    UniquePipeline pipeline_;
-    UniqueSampler sampler_;
-    UniqueDescriptorPool pool_;
-    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    OneTexture drawing_; ///< of the font
     Image font_;
     Buffer vertices_, indices_;
 };
