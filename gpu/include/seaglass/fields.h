@@ -1,5 +1,5 @@
-// Descriptions as tables of their settings, for what a host would else write by hand: an editor's panel, a
-// console, files. The library checks by the same; beyond its range a field is `invalidArgument`.
+// Descriptions as tables of their settings, for a host's panels, consoles and files. The library checks by
+// the same tables: beyond its range a field is `invalidArgument`. fieldsOf() stands below each description.
 //
 //   for (const Field& field : fieldsOf(body.mesh))
 //       if (field.type == FieldType::float32 && field.count == 1)
@@ -27,9 +27,8 @@ enum class FieldRule : uint32_t {
     powerOfTwo,   ///< within, and a power of two
 };
 
-constexpr uint32_t fieldGrades = 4; ///< a number for each Quality
-/// As an end of a range: any finite number.
-constexpr double mostFinite = double{std::numeric_limits<float>::max()};
+constexpr uint32_t fieldGrades = 4;                                      ///< a number for each Quality
+constexpr double mostFinite = double{std::numeric_limits<float>::max()}; ///< as an end: any finite number
 
 /// One field of a description.
 struct Field {
@@ -49,7 +48,7 @@ struct Field {
     void (*set)(void* desc, uint32_t index, double value) = nullptr; ///< unchecked
 };
 
-/// The fields of a description, but pointers and what has a table of its own; as long as the program lives.
+/// Fields of a description, but pointers and what has a table of its own; lives as long as the program.
 struct FieldTable {
     const char* desc = nullptr;    ///< its name in C++
     const Field* fields = nullptr; ///< in the header's order

@@ -38,11 +38,10 @@ struct FogBlock {
     float reach[4]; ///< end [m]; 1 / (end - start) [1/m]; the FogShape; 1 where it lies over the sky
 };
 
-/// For an eye at that y of the world. Any thread.
-FogBlock fogBlock(const FogDesc& desc, double eyeHeight);
+FogBlock fogBlock(const FogDesc& desc, double eyeHeight); ///< for an eye at that y of the world; any thread
 
-/// Share of light that passes along `way` metres (1e9: endless) from y = `from`, rising by `rise` [m]: what
-/// medium.glsl computes, in double. Any thread.
+/// Share of light that passes along `way` metres (1e9: endless) from y = `from`, which rise by `rise` metres.
+/// As medium.glsl computes it, in double. Any thread.
 double fogTransmittance(const FogDesc& desc, double from, double rise, double way);
 
 FieldTable fieldsOf(const FogDesc&); ///< its settings

@@ -13,7 +13,7 @@
 
 namespace seaglass {
 
-/// Every call that can fail returns one of these; what exactly was wrong goes to DeviceDesc::message.
+/// Every call that can fail returns one of these, and DeviceDesc::message hears what exactly was wrong.
 enum class [[nodiscard]] Status : int32_t{
     ok = 0,
     invalidArgument,   ///< a field is null, not finite or out of its stated range; nothing was done
@@ -47,8 +47,7 @@ struct MemoryPiece {
     void* own = nullptr;    ///< the host's
 };
 
-/// Device memory from the host, such as VMA's, on the thread that calls Seaglass. Null: vkAllocateMemory for
-/// each buffer and image.
+/// Device memory from the host, such as VMA's, on the thread that calls Seaglass.
 struct MemoryCallbacks {
     /// As `needs` says, of a type with all of `wanted`; `image`: of optimal tiling (bufferImageGranularity).
     VkResult (*allocate)(void* user, const VkMemoryRequirements* needs, VkMemoryPropertyFlags wanted,
@@ -67,7 +66,7 @@ struct DeviceDesc {
     uint32_t framesInFlight = 2;                      ///< 1 to 4: frame slots that may be pending at once
     VkPipelineCache pipelineCache = VK_NULL_HANDLE;   ///< this and the rest are optional
     const VkAllocationCallbacks* allocator = nullptr; ///< copied
-    MemoryCallbacks memory;                           ///< null: vkAllocateMemory
+    MemoryCallbacks memory;                           ///< null: vkAllocateMemory for each buffer and image
     MessageCallback message;                          ///< hears what is wrong
     PassCallback pass;                                ///< around each pass
 };
@@ -81,23 +80,23 @@ struct Requirements {
 
 Requirements requirements(); ///< before the device exists; any thread
 
-/// Checks a device against requirements(), formats and limits. `unsupported`: the first thing missing is
-/// named through `message`. Any thread.
+/// Checks a device against requirements(), formats and limits. Any thread. `unsupported`: `message` names the
+/// first thing that is missing.
 Status checkSupport(VkInstance instance, VkPhysicalDevice physicalDevice,
                     PFN_vkGetInstanceProcAddr getInstanceProcAddr, MessageCallback message);
 
-/// Pipelines, samplers and per-frame memory on one device. No state is global: several may share a device,
-/// each used by one thread at a time.
+/// Pipelines, samplers and per-frame memory on one device. No state is global: several contexts may share a
+/// device. One thread at a time uses a context and what was made of it, unless a call says "any thread".
 struct Context;
 
 /// `unsupported` without a message: the headers are of another version than the library.
 Status createContext(const DeviceDesc* desc, Context** out);
-/// The device has finished all work recorded through it. Null is ignored. While bodies, reflectors or targets
-/// exist it says so and does nothing.
+/// After the device has finished all that was recorded through it. Null is ignored. While bodies, reflectors
+/// or targets exist it says so and does nothing.
 void destroyContext(Context* context);
 
-/// Starts a frame in slot 0 .. framesInFlight-1. The GPU has finished what was recorded in the slot before;
-/// memory and objects destroyed then are taken back now.
+/// Starts a frame in slot 0 .. framesInFlight-1, after the GPU has finished what was recorded in the slot
+/// before. Memory and objects that were destroyed then are taken back now.
 Status beginFrame(Context* context, uint32_t slot);
 
 /// How an image or an attachment holds colour.
@@ -117,7 +116,7 @@ struct Image {
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; ///< when sampled, GENERAL or read-only: never changed
     /// Of scene colour and depth: 1 to 16 a pixel, at Vulkan's standard locations. Of anything else 1.
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-    Encoding encoding = Encoding::unspecified; ///< of ViewDesc::sceneColor
+    Encoding encoding = Encoding::unspecified; ///< of sceneColor, planar and bed pictures
 };
 
 /// One camera in one frame.
@@ -128,20 +127,17 @@ struct ViewDesc {
     double projection[16] = {};
     VkViewport viewport = {}; ///< as set for drawing [pixel]; a negative height flips; depth range 0..1
     /// Opaque scene colour: RGBA16F, RGBA32F, B10G11R11_UFLOAT, or RGBA8, BGRA8 and packed A8B8G8R8 as UNORM
-    /// or SRGB. Alpha is not read. `encoding` is that of planar and bed pictures as well. Null with
-    /// `sceneDepth`: no scene, for water that needs none.
+    /// or SRGB, whose alpha is not read. Null with `sceneDepth`: no scene, for water that needs none.
     Image sceneColor;
     /// Opaque scene depth of the same pixels: D16, X8_D24, D32, each with stencil or without, or a copy as
     /// R16_UNORM or R32_SFLOAT. What the format cannot tell apart from the plane counts as lying on it.
-    ///
-    /// Where it is multisampled, reflections and refraction take sample 0 of each pixel, and that of a colour
-    /// of as many; of resolved colour, along edges, the next pixel of the same surface. A view then holds 12
-    /// bytes a pixel more, once for all reflectors and bodies of a context.
+    /// Of multisampled depth sample 0 of each pixel is read, and of a colour of as many samples. Of resolved
+    /// colour, along edges, the next pixel of the same surface is. Such a view holds 12 bytes a pixel more.
     Image sceneDepth;
     uint32_t viewIndex = 0; ///< 0..7: which view of this frame, so that each keeps its own images
-    /// Optional: unit world normals of the surface (x, y, z of RGBA16F, RGBA32F or RGBA8_SNORM) at the same
-    /// pixels, visible to compute shaders; (0, 0, 0) and what is not finite stand for the plane's. The
-    /// technique ssr then follows each pixel's own ray; others leave normals to whoever shades.
+    /// Optional, of ssr, which then follows each pixel's own ray: unit world normals of the surface (x, y, z
+    /// of RGBA16F, RGBA32F or RGBA8_SNORM) at the same pixels, visible to compute shaders. 0 and what is not
+    /// finite: the plane's.
     const Image* surfaceNormals = nullptr;
     /// By how much `projection` moves this frame's picture, right and down [pixel], -16..16:
     /// ReflectionDesc::temporal averages over it, SurfaceOutput::motion leaves it out.
@@ -149,14 +145,13 @@ struct ViewDesc {
     bool cut = false; ///< the camera or the scene jumped: those two begin anew
 };
 
-/// What something costs, known before it is made. Memory is that of images and buffers on this device,
-/// without pipelines and the frame slots' small uniform blocks.
+/// What something costs, known before it is made: images and buffers on this device, without pipelines, frame
+/// slots' small uniform blocks, and what all bodies of a context share (with foam 0.7 MB).
 struct Estimate {
-    uint64_t bytes = 0;             ///< device memory held once
-    uint64_t bytesPerView = 0;      ///< and for each view index that is used
-    uint32_t dispatchesPerView = 0; ///< compute dispatches that reflect() records
-    /// Of a multisampled scene, for all reflectors and bodies of a context together.
-    uint64_t bytesPerSharedView = 0;
+    uint64_t bytes = 0;                   ///< device memory held once
+    uint64_t bytesPerView = 0;            ///< and for each view index that is used
+    uint32_t dispatchesPerView = 0;       ///< compute dispatches that reflect() records
+    uint64_t bytesPerSharedView = 0;      ///< of a multisampled scene, for all of a context together
     uint32_t dispatchesPerSharedView = 0; ///< likewise, once in a call of reflect()
 };
 
@@ -181,8 +176,8 @@ struct LightingDesc {
     uint32_t skyCubeMipLevels = 1;     ///< of skyCube, 1..16; no more are read than its view has
     const SunShadow* shadow = nullptr; ///< of what hides the sun from the water; null: nothing does
     /// Of a null `skyCube`: radiance straight up, each finite, 0 or more. A unit direction that rises by y
-    /// has the share |y| (2 - |y|) of the way to it, or to skyGround, from the horizon's. A clear day on
-    /// which white in the sun is about 1.
+    /// has the share |y| (2 - |y|) of the way to it, or to skyGround, from the horizon's. By default a clear
+    /// day, on which white in the sun is about 1.
     float skyZenith[3] = {0.08f, 0.16f, 0.32f};
     float skyHorizon[3] = {0.40f, 0.50f, 0.60f}; ///< likewise, at the horizon
     float skyGround[3] = {0.15f, 0.15f, 0.13f};  ///< likewise, straight down
@@ -194,13 +189,10 @@ struct LightingDesc {
 /// What a sky of colours sends from a unit direction, for hosts that draw it. Any thread.
 void skyRadiance(const LightingDesc& lighting, const double (&direction)[3], float (&out)[3]);
 
-/// Settings: fields.h.
-/// @{
-FieldTable fieldsOf(const DeviceDesc&);
-FieldTable fieldsOf(const Image&);
-FieldTable fieldsOf(const ViewDesc&);
-FieldTable fieldsOf(const SunShadow&);
-FieldTable fieldsOf(const LightingDesc&);
-/// @}
+FieldTable fieldsOf(const DeviceDesc&);   ///< its settings
+FieldTable fieldsOf(const Image&);        ///< its settings
+FieldTable fieldsOf(const ViewDesc&);     ///< its settings
+FieldTable fieldsOf(const SunShadow&);    ///< its settings
+FieldTable fieldsOf(const LightingDesc&); ///< its settings
 
 } // namespace seaglass

@@ -1,5 +1,5 @@
-// For hosts whose world is not right-handed with +Y up, in metres: turns what they say, and back. No other
-// header includes it. Any thread. A turned view shows the same picture: clip space, viewport and images stay.
+// For hosts whose world is not right-handed with +Y up, in metres: turns what they say, and back. Any thread.
+// A turned view shows the same picture: clip space, viewport and images stay.
 #pragma once
 
 #include "seaglass/host.h"
@@ -9,7 +9,7 @@ namespace seaglass {
 /// Of the host's own axes the one that points up.
 enum class WorldUp : uint32_t { y = 0, minusY, z };
 
-/// How the host has its world. Its x is Seaglass's.
+/// How the host has its world; its x is Seaglass's.
 ///
 /// | host | here |
 /// |---|---|

@@ -1,5 +1,5 @@
-// Commands that hosts record beside Seaglass's: copies of the scene, and barriers on what planarView() and
-// bedView() hand out. A host's own do as well.
+// Commands that hosts record beside Seaglass's, or their own in the place of these: copies of the scene, and
+// barriers on what planarView() and bedView() hand out.
 #pragma once
 
 #include "seaglass/reflection.h"
@@ -17,8 +17,8 @@ struct SceneCopy {
 };
 
 /// Outside any pass, after what draws into `from` and before reflect(). Waits for attachment writes, and for
-/// compute and fragment shaders that read `to`; leaves `from` to be attached again and `to` in
-/// SHADER_READ_ONLY_OPTIMAL, visible to those. `invalidArgument`: a field is null or undefined.
+/// compute and fragment shaders that read `to`. Leaves `from` to be attached again, and `to` visible to those
+/// in SHADER_READ_ONLY_OPTIMAL. `invalidArgument`: a field is null or undefined.
 Status recordSceneCopy(Context* context, VkCommandBuffer commands, const SceneCopy& copy);
 
 /// What images of planarView() or bedView() are used for.

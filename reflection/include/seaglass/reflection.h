@@ -1,7 +1,7 @@
 // Reflections in planes, for water, floors and mirrors, without the water library: from the picture, or drawn
 // by the host with a mirrored camera. For each view a Reflector gives two images: `color`, the scene as the
-// plane mirrors it, and `info`, what is known about it. Whoever shades the surface looks them up, bent by its
-// own normals: shaders/water/surface/reflection_lookup.glsl.
+// plane mirrors it, and `info`, what is known about it. Who shades the surface looks them up, bent by its
+// normals: shaders/water/surface/reflection_lookup.glsl.
 #pragma once
 
 #include <math.h>
@@ -18,8 +18,7 @@ enum class ReflectionTechnique : uint32_t {
     hybrid = 3, ///< sspr, and ssr where it knows nothing
     planar = 4, ///< the host draws its scene once more, as planarView() says
 };
-/// Its names, from 0 on.
-inline constexpr const char* reflectionTechniques[] = {"sky", "sspr", "ssr", "hybrid", "planar"};
+inline constexpr const char* reflectionTechniques[] = {"sky", "sspr", "ssr", "hybrid", "planar"}; ///< names
 
 /// Samples a pixel of a view's scene, 1 to 16.
 struct SceneSamples {
@@ -38,19 +37,18 @@ struct DrawnDesc {
 struct ReflectionDesc {
     ReflectionTechnique technique = ReflectionTechnique::sspr; ///< how what is mirrored is found
     uint32_t downscale = 1; ///< pixels of the view to one of the reflection, each way: 1, 2, 4 or 8
-    /// Of the reflection [pixel], 8..16384; the width follows. In the place of `downscale` is that of 1, 2, 4
-    /// and 8 which comes nearest by ratio, of two the larger. 0: by `downscale`.
+    /// Of the reflection [pixel], 8..16384, in the place of `downscale`: that of 1, 2, 4 and 8 is taken which
+    /// comes nearest by ratio, of two the larger. 0: by `downscale`.
     uint32_t height = 0;
-    /// Of sspr: one key for 2 x 2 pixels, a quarter of the memory; finds less steeply down.
-    bool coarseKeys = false;
+    bool coarseKeys =
+        false; ///< sspr: a quarter of the memory, a key for 2 x 2 pixels; finds less steeply down
     float edgeFade = 0.08f; ///< share of the height over which borrowed pixels fade at the border, 0..0.5
-    /// They fade at the nearest of the four borders; else at that towards which they are borrowed, which
-    /// alone can cut a reflection off. Not of `planar`.
+    /// They fade at the nearest border; else, not of `planar`, at that towards which they are borrowed, which
+    /// alone can cut a reflection off.
     bool edgeFadeAround = false;
-    /// How far beyond the border what reaches it is taken to go on, if it is a plane for twice as long
-    /// inside, as walls are; a share of the height, 0..1. It fades at the end of that. 0: strips of sky
-    /// beside walls that the border cuts; else two dispatches. Not of `planar`, nor of views with
-    /// `surfaceNormals`.
+    /// How far beyond the border a plane that reaches it goes on, such as a wall, if it is twice as long
+    /// inside: a share of the height, 0..1. It fades there. 0: strips of sky beside such walls; else two
+    /// dispatches. Not of `planar`, nor of views with `surfaceNormals`.
     float edgeReach = 0;
     float undersideLight = 0.15f; ///< of an underside that is not seen, as a share of its top's, 0..1
     uint32_t overhangSamples = 0; ///< sspr, hybrid: for undersides that end unseen, 0..8, 6 for 1080p
@@ -59,19 +57,19 @@ struct ReflectionDesc {
     float clearDistance = 0;      ///< from the mirror, up to which `scatter` blurs nothing [m], 0..1e6
     float scatter = 0;            ///< how fast it widens beyond: the sine of a cone, 0..1. Wants blurLevels
     float skyFadeDistance = 0;    ///< from half of this on the sky takes over [m], 0..1e6; 0: nowhere
-    /// Pixels beside the borders take what is mirrored farther inside: what is h [m] above the plane is
-    /// stretched by 1 + h x this [1/m] x how steeply the camera looks down (0..1) x nearness to the border
+    /// Pixels beside the borders take what is mirrored farther inside. What is h [m] above the plane is
+    /// stretched by 1 + h x this [1/m], times how steeply the camera looks down and nearness to the border
     /// (0..1). 0..100; 0 costs nothing, else one dispatch.
     float edgeStretch = 0;
     float edgeStretchBand = 0.15f; ///< share of the width, from either border, that it moves, 0.01..0.5
-    /// Share of each pixel that is the view's last frame's, 0..0.95; 0 costs nothing, 0.9 suits most. About 1
-    /// / (1 - this) frames are averaged: less shimmers, and what one frame does not know is kept for a while.
+    /// Share of each pixel that is the view's last frame's, 0..0.95; 0 costs nothing, 0.9 suits most. It
+    /// averages about 1 / (1 - this) frames: less shimmers, and what one frame does not know is kept for a
+    /// while.
     float temporal = 0;
     DrawnDesc drawn; ///< planar: what the host draws into
 
-    // Of ssr and hybrid, which follow rays over the picture.
-    /// Rays pass over cells of 8 x 8 pixels in which nothing is as near, and look at each pixel of the
-    /// others, which misses nothing thin. Without, they go in strides.
+    /// Of ssr and hybrid, like the rest: rays pass over cells of 8 x 8 pixels in which nothing is as near.
+    /// They look at each pixel of the others, and so miss nothing thin. Without, they go in strides.
     bool marchCells = true;
     uint32_t marchSteps = 64; ///< pixels a ray looks at at most, 8..512; strides are as long as that asks for
     float marchThickness = 1; ///< depth of things behind what is seen of them, at most [m], 0.001..100
@@ -83,8 +81,8 @@ struct ReflectionDesc {
 struct ReflectorDesc {
     double plane[4] = {0, 1, 0, 0}; ///< n.p + d = 0 in the world; any scale but zero
     ReflectionDesc reflection;      ///< how it does
-    /// A box around all that mirrors, waves included [m, world]. Views that do not see it cost nothing,
-    /// others, if ReflectionDesc::distortion is 0, only where it may show.
+    /// A box around all that mirrors, waves included [m, world]. Views that do not see it cost nothing. With
+    /// a ReflectionDesc::distortion of 0 others cost something only where it may show.
     double boundsLow[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     double boundsHigh[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}; ///< likewise
 };
@@ -97,7 +95,7 @@ Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent,
 
 struct Reflector;
 
-/// Transactional; allocates no image until the first reflect().
+/// All or nothing; allocates no image until the first reflect().
 Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** out);
 /// At any time: memory goes back when its frame slot comes. Null is ignored.
 void destroyReflector(Reflector* reflector);
@@ -131,14 +129,13 @@ inline ReflectionClass reflectionClass(float info) {
 }
 
 /// What the host draws for technique `planar`, and where: its opaque scene from behind the mirror, without
-/// the sky and what lies in the plane itself, linear once sampled.
+/// the sky and what lies in the plane itself, linear once sampled. Alpha may hold anything. Depth runs as in
+/// the host's projection: same compare, and same pipelines where DrawnDesc has their formats and samples.
 ///
-/// Before, the host takes mip 0 of the colour and the depth from VK_IMAGE_LAYOUT_UNDEFINED, waiting for
-/// fragment and compute shaders that still sample them: recordDrawnUse() of record.h. It clears the depth,
-/// and the colour if it resolves into that, and leaves both in VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL and
-/// VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, last written by attachment output and depth tests. Alpha
-/// may hold anything. Depth runs as in the host's projection: same compare, and same pipelines where
-/// DrawnDesc has their formats and samples.
+/// Before, the host takes mip 0 of the colour and the depth from VK_IMAGE_LAYOUT_UNDEFINED, after fragment
+/// and compute shaders that still sample them: recordDrawnUse() of record.h does. It clears the depth, and
+/// the colour if it resolves into that. It leaves both in VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL and
+/// VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, last written by attachment output and depth tests.
 struct PlanarView {
     bool visible = true;        ///< false: the view does not see the reflector, and nothing else is said
     double view[16] = {};       ///< world to mirrored view: the host's view times the reflection in the plane
@@ -158,24 +155,24 @@ struct PlanarView {
     float clearDepth = 0; ///< of the far plane: where nothing was drawn the sky is mirrored
 };
 
-/// Says what to draw before each reflect() of the same `view`, whose images it does not look at. Records
+/// Says what to draw before each reflect() of the same `view`, whose images it does not read. Records
 /// nothing; allocates when a view's size changes. `invalidArgument`: the technique is not `planar`.
 Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out);
 
 /// Records the reflection of `view` in each of at most maxReflectors, on any planes; of more,
-/// chooseReflectors() says which. Those that the view does not see are passed over, and keep some earlier
-/// frame's images. Outside any render pass. Compute shaders read view.sceneColor and view.sceneDepth, made
-/// visible to them (VK_ACCESS_2_SHADER_SAMPLED_READ). Allocates when a view's size changes. `sky` records
-/// nothing; `planar` reads what was drawn since planarView() instead, in view.sceneColor's encoding.
+/// chooseReflectors() says which. Those that the view does not see keep some earlier frame's images. Outside
+/// any render pass. Compute shaders read view.sceneColor and view.sceneDepth, which are visible to them
+/// (VK_ACCESS_2_SHADER_SAMPLED_READ). Allocates when a view's size changes. `sky` records nothing; `planar`
+/// reads what was drawn since planarView() instead, in view.sceneColor's encoding.
 Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t count, const ViewDesc* view);
 
-/// Of many reflectors those to renew in this frame: up to `most` indices (1..maxReflectors) in rising order
+/// Which of many reflectors to renew in this frame: up to `most` indices (1..maxReflectors) in rising order
 /// go to `chosen`, their number to `chosenCount`. planarView() and reflect() are then called for those alone,
-/// with the same view; others keep their images as they are. Records nothing.
+/// with the same view; others keep their images. Records nothing. The same calls choose the same.
 ///
 /// First come those without images of this view's size, then those of most pixels of their box times frames
 /// since they were reflected: each gets its turn, large ones nearly each frame. Of equals the lower index.
-/// Never those that the view does not see, nor `sky`. The same calls choose the same.
+/// Never those that the view does not see, nor `sky`.
 Status chooseReflectors(Reflector* const* reflectors, uint32_t count, const ViewDesc* view, uint32_t most,
                         uint32_t* chosen, uint32_t* chosenCount);
 
@@ -183,7 +180,7 @@ Status chooseReflectors(Reflector* const* reflectors, uint32_t count, const View
 ReflectionImages reflectionImages(const Reflector* reflector, uint32_t viewIndex);
 
 /// What recordOverlay() draws of a view. Distances [m] run from white at 0.1 over yellow at 1, teal at 10 and
-/// violet at 100 to black at 1000, in bands that end at 1, 2, 5, 10, 20 ..., every other one darker.
+/// violet at 100 to black at 1000. Their bands end at 1, 2, 5, 10, 20 ..., every other one darker.
 enum class OverlayKind : uint32_t {
     depth = 0, ///< distance ahead of the eye; light blue: the far plane, magenta: no depth
     /// Blue, in bands of distance: the plane is seen. Green to white: what stands above it, with black
@@ -205,17 +202,14 @@ struct OverlayDesc {
     float contourSpacing = 1; ///< between the contour lines of `plane` [m], 0.001..1e6
 };
 
-/// Draws how the library understands a view's camera, depth and plane, or what reflect() has left: a wrong
-/// matrix shows at once. Outside any render pass; reads view.sceneDepth like reflect(), which `depth` and
-/// `plane` do not need before. The first call makes the pipeline.
+/// Draws how the library understands a view's camera, depth and plane, or what reflect() left: a wrong matrix
+/// shows at once. Outside any render pass. Reads view.sceneDepth; `depth` and `plane` need no reflect()
+/// before.
 Status recordOverlay(VkCommandBuffer commands, Reflector* reflector, const ViewDesc* view,
                      const OverlayDesc* desc);
 
-/// Settings: fields.h.
-/// @{
-FieldTable fieldsOf(const SceneSamples&);
-FieldTable fieldsOf(const ReflectionDesc&);
-FieldTable fieldsOf(const OverlayDesc&);
-/// @}
+FieldTable fieldsOf(const SceneSamples&);   ///< its settings
+FieldTable fieldsOf(const ReflectionDesc&); ///< its settings
+FieldTable fieldsOf(const OverlayDesc&);    ///< its settings
 
 } // namespace seaglass

@@ -1,9 +1,9 @@
 // Foam on breaking crests, and the whitecap laws that it is held to. No Vulkan.
 //
-// A wave breaks where the horizontal displacement of all cascades compresses its surface, along the wind
-// above all, past a threshold. Foam drifts with the water and fades. It is stepped at multiples of 1/4 s and
-// dies after two or three decay times, bubbles below after nine: a function of the sea and the time alone,
-// whatever frames were drawn, but for hosts that fall behind: simulate().
+// A wave breaks where the horizontal displacement of all cascades compresses its surface past a threshold,
+// along the wind above all. Foam drifts with the water and fades: it dies after two or three decay times,
+// bubbles below after nine. Steps of 1/4 s make it a function of the sea and the time alone, whatever frames
+// were drawn, but for hosts that fall behind: simulate().
 #pragma once
 
 #include "seaglass/sea.h"
@@ -23,7 +23,7 @@ double whitecapsOfMonahan(double windSpeed);
 double whitecapsOfCallaghan(double windSpeed);
 
 /// Share of the sea, from above, that foam covers at `time`, measured on the backend's maps; 0 of a flat sea.
-/// False: out of memory, or `foam` is out of range. Takes tenths of a second: some seventy evaluations.
+/// Takes tenths of a second: some seventy evaluations. False: out of memory, or `foam` is out of range.
 bool whitecapCover(const Sea& sea, const WavesBackend& backend, const FoamDesc& foam, double time,
                    double* cover);
 

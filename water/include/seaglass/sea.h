@@ -34,7 +34,7 @@ enum class SpreadingModel : uint32_t {
     donelanBanner = 2, ///< sech^2(beta theta) (Donelan et al. 1985, Banner 1990)
     cosine2s = 3       ///< cos^2s(theta/2) with SeaDesc.spreadingShape everywhere
 };
-/// Its names, from 0 on.
+/// Its names.
 inline constexpr const char* spreadingModels[] = {"hasselmann", "mitsuyasu", "donelan-banner", "cos2s"};
 
 /// One point of a measured spectrum, as buoys report it.
@@ -69,7 +69,7 @@ struct SeaDesc {
     bool capFetch = true;         ///< hold g F / U^2 at 1e4, past which JONSWAP exceeds a fully developed sea
     float peakEnhancement = 3.3f; ///< JONSWAP gamma, 1..10
     /// Of the water [m], 0..infinity; 0: flat. Shallow water shortens and slows waves; only `tma` lowers
-    /// them, other models say what is there.
+    /// them, other models say what waves there are.
     float depth = std::numeric_limits<float>::infinity();
     SpreadingModel spreading = SpreadingModel::hasselmann; ///< of the wind sea
     float spreadingShape = 5;                              ///< s of `cosine2s`, 0..1000
@@ -93,8 +93,8 @@ struct SeaDesc {
     uint64_t seed = 1;                ///< of the waves' phases and amplitudes
 };
 
-/// The open sea at a force of Beaufort's scale, 0 (flat) to 12, of its probable significant wave height: mean
-/// wind, a plausible fetch and, up to force 5, older waves.
+/// The open sea at a force of Beaufort's scale, 0 (flat) to 12, at its probable significant wave height: of
+/// mean wind, a plausible fetch and, up to force 5, older waves.
 SeaDesc beaufortSea(uint32_t force, float windDirection = 0.0f);
 
 /// One band of wave vectors on its own tile. Each wave vector of the sea lives in exactly one cascade.
@@ -108,9 +108,9 @@ struct Cascade {
 
 struct Sea;
 
-/// Errors as a line of text, cut to fit; empty when all is well.
+/// What was wrong.
 struct SeaError {
-    char text[200] = {}; ///< ends with a zero
+    char text[200] = {}; ///< a line, cut to fit, that ends with a zero; empty: all is well
 };
 
 /// Draws the modes. Null on a bad field or when out of memory, which `error` names.
@@ -148,8 +148,8 @@ double unresolvedSlopeVariance(const Sea& sea); ///< of the roughness, both axes
 double coxMunkSlopeVariance(double windSpeed);
 
 /// One cascade's grid at one time: maps of samples*samples texels, four floats each, rows along v. Texel (i,
-/// j) is at u = i patch/samples, v = j patch/samples, and at [(j*samples + i)*4]; the tile repeats, and
-/// `warp` shifts what lies where. h is the height, (Dx, Dz) the horizontal displacement, choppiness included.
+/// j) is at u = i patch/samples, v = j patch/samples, and at [(j*samples + i)*4]. The tile repeats; `warp`
+/// shifts what lies where. h is the height, (Dx, Dz) the horizontal displacement, choppiness included.
 struct CascadeMaps {
     float* displacement = nullptr; ///< Dx, h, Dz, dDx/dv (= dDz/du)            [m, m, m, 1]
     float* derivatives = nullptr;  ///< dh/du, dh/dv, dDx/du, dDz/dv            [1]
@@ -174,14 +174,14 @@ struct HeightSample {
     uint32_t folded = 0;           ///< 1 where the surface overturns near by: height may be one of several
 };
 
-/// Heights at `count` points (u, v in metres, interleaved) at any time, future included. Any thread, several
-/// at once. Exact: sums every mode, O(modes) a point and as much again a call. A point that is not finite,
-/// and every point when out of memory, gets a calm sample marked folded.
+/// Heights at `count` points (u, v in metres, interleaved) at any time, future included. Exact: sums every
+/// mode, O(modes) a point and as much again a call. A point that is not finite, and every point when out of
+/// memory, gets a calm sample marked folded. Any thread, several at once.
 void sampleHeights(const Sea& sea, double time, const double* points, size_t count, HeightSample* out);
 
 /// A sea at one time, laid out for many queries: 48 bytes a sample of each cascade (9.4 MB for three of 256
-/// across). Between samples it is linear, as the drawn surface is: off the sum of modes by 0.8 % of Hs in the
-/// mean and less than 5 %.
+/// across). Linear between samples, as the drawn surface: 0.8 % of Hs off the sum of modes in the mean, 5 %
+/// at most.
 struct HeightGrid;
 
 /// Null when out of memory. The sea must outlive it. A time that is not finite counts as 0. Any thread.
@@ -192,12 +192,9 @@ void destroyHeightGrid(HeightGrid* grid);    ///< null is ignored
 /// Of a sea at the grid's time. Any thread, several at once.
 void sampleHeights(const HeightGrid& grid, const double* points, size_t count, HeightSample* out);
 
-/// Settings: fields.h.
-/// @{
-FieldTable fieldsOf(const SeaDesc&);
-FieldTable fieldsOf(const SpectrumSample&);
-FieldTable fieldsOf(const SwellDesc&);
-FieldTable fieldsOf(const ShoreDesc&);
-/// @}
+FieldTable fieldsOf(const SeaDesc&);        ///< its settings
+FieldTable fieldsOf(const SpectrumSample&); ///< its settings
+FieldTable fieldsOf(const SwellDesc&);      ///< its settings
+FieldTable fieldsOf(const ShoreDesc&);      ///< its settings
 
 } // namespace seaglass

@@ -12,8 +12,7 @@ struct Sea;
 struct ShoreBlock {
     float place[4] = {}; ///< the eye on the map, in texels; texels to a metre; 0
     float rows[4] = {};  ///< in a second; the first; how many a train has, 0: no shore; from look to look
-    float form[4] = {};  ///< looks; seconds from one to the next; in which sand dries; what no edge has
-                         ///< passed, in the map's own
+    float form[4] = {};  ///< looks; seconds between them; in which sand dries; what no edge has passed
 };
 
 /// What wets a place of the sand.

@@ -2,6 +2,8 @@
 //
 // A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> shade -> (host begins its
 // pass) -> draw. Caustics: castCaustics, drawCaustics after the opaque scene. A bed: bedView before reflect.
+// Calls that record do so outside any render pass, but drawCaustics() and draw(). They allocate when an index
+// of ViewDesc::viewIndex sees its largest view, and make pipelines at first need: prepare().
 #pragma once
 
 #include "seaglass/foam.h"
@@ -18,8 +20,8 @@ struct RefractionDesc {
     float scattering = 0; ///< by particles [1/m], 0..100: light through crests. Ocean 0.035, coast 0.25
 };
 
-/// The body seen from within: where a view's near plane lies under the surface, draw() also draws that from
-/// below, and the water before the opaque scene by RefractionDesc's coefficients.
+/// The body seen from within. Where a view's near plane lies under the surface, draw() also draws that from
+/// below, and the water before the opaque scene, by RefractionDesc's coefficients.
 struct UnderwaterDesc {
     float meniscus = 0.003f; ///< dark line where it leaves the water (capillary: 2.7 mm) [m], 0..0.1; 0: none
     float shafts = 0; ///< sunlight that waves gather, seen on its way down, 0..1: 1 as they say; 0: none
@@ -32,9 +34,8 @@ struct CausticsDesc {
     float strength = 1.0f; ///< of the contrast, 0..1: 1 as the waves say
 };
 
-/// Drops that wind tears off breaking crests, from 9 m/s on (Andreas 1998), drawn after the surfaces and
-/// tested against the target's depth, which must be written. Of unbounded bodies. A function of the sea and
-/// the time.
+/// Drops that wind tears off breaking crests, from 9 m/s on (Andreas 1998): a function of the sea and the
+/// time. Of unbounded bodies. Drawn after the surfaces, and tested against depth that the target writes.
 struct SprayDesc {
     float density = 1.0f;          ///< of the optical depth, 0..4: 1 by the wind; 0: none
     float shutterTime = 1.0f / 48; ///< along which drops streak [s], 0..0.1; 0: none. Half a film frame
@@ -55,7 +56,7 @@ struct MeshDesc {
 
 /// What share of light is mirrored: exact (Born and Wolf 1999, 1.5.2), or as Schlick approximates it (1994).
 enum class Fresnel : uint32_t { exact = 0, schlick };
-inline constexpr const char* fresnels[] = {"exact", "schlick"}; ///< its names, from 0 on
+inline constexpr const char* fresnels[] = {"exact", "schlick"}; ///< names
 
 /// How the surface is shaded: mostly, samples a pixel. docs/tradeoffs.md has what each costs.
 struct ShadingDesc {
@@ -79,10 +80,9 @@ enum class ExtentShape : uint32_t {
     polygon,       ///< a lake by its shore line
     mesh,          ///< triangles of the host's own, drawn as they are
 };
-/// Its names, from 0 on.
-inline constexpr const char* extentShapes[] = {"unbounded", "rectangle", "polygon", "mesh"};
+inline constexpr const char* extentShapes[] = {"unbounded", "rectangle", "polygon", "mesh"}; ///< names
 
-/// Points are (u, v), as in sea.h [m]. At the outline waves move water up and down but not to the side, which
+/// Points are (u, v), as in sea.h [m]. At the outline waves move water up and down but not to the side: that
 /// comes back within 2.5 significant wave heights (times a choppiness over 1). Queries know of none.
 struct ExtentDesc {
     ExtentShape shape = ExtentShape::unbounded; ///< says which fields below are read
@@ -108,7 +108,7 @@ enum class WavesOn : uint32_t {
     gpu,           ///< compute shaders, on any device; nothing is kept or done on the CPU
     cpu,           ///< `wavesBackend`, in simulate(), and uploaded
 };
-inline constexpr const char* wavesOn[] = {"automatic", "gpu", "cpu"}; ///< its names, from 0 on
+inline constexpr const char* wavesOn[] = {"automatic", "gpu", "cpu"}; ///< names
 
 /// One water body. A null feature costs no memory, pipeline or dispatch. Copied, pointees included.
 struct BodyDesc {
@@ -137,8 +137,8 @@ enum class Quality : uint32_t { low = 0, medium, high, highest };
 /// What is modelled stays: parts, the sea, a reflection of the sky or planar.
 void setQuality(Quality quality, BodyDesc* body, ReflectionDesc* reflection);
 
-/// What a body costs for views and images of `extent` pixels, without what all of a context share. Creates
-/// nothing on the device; lays waves out on the CPU, for some milliseconds.
+/// What a body costs for views and images of `extent` pixels. Creates nothing on the device, but lays waves
+/// out on the CPU, for some milliseconds.
 Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estimate* out,
                 SceneSamples samples = {});
 
@@ -173,10 +173,9 @@ struct Target;
 Status createTarget(Context* context, const TargetDesc* desc, Target** out); ///< makes no pipeline yet
 void destroyTarget(Target* target); ///< at any time: pipelines go when the GPU is done; null is ignored
 
-/// Sets the bodies' surfaces to `time` and records the upload or dispatches; a CPU backend works here.
-/// Outside any render pass, once a frame. Foam takes the sea at up to 4 more times a second; on the first
-/// frame, backwards and after a gap, at 4 times a second of three decay times before. A call more than 2 s
-/// ahead of one that had to catch up by more takes it at 8 even times: slow frames make none slower.
+/// Sets the bodies' surfaces to `time`, once a frame; a CPU backend works here. Foam takes the sea at up to 4
+/// more times a second: on the first frame, backwards and after a gap, over three decay times before. A call
+/// more than 2 s ahead of one that had to catch up by more takes it at 8 even times.
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time);
 
 /// What to draw for a body whose reflection is `planar`; as for reflectors.
@@ -187,7 +186,7 @@ Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
 Status bedView(Body* body, const ViewDesc* view, PlanarView* out);
 
 /// Records the reflections of `view`, as for reflectors; of a multisampled scene also the samples that
-/// refraction reads, of bodies without reflection too. Outside any render pass.
+/// refraction reads, of bodies without reflection too.
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view);
 
 /// As for reflectors; of a reflection that is the sky alone there is nothing to see.
@@ -212,69 +211,61 @@ enum class SurfaceOutput : uint32_t {
     motion,
 };
 
-/// Finds the surfaces of the bodies in `view` and shades each of their pixels once, for draw() of the same
-/// view and output, with this lighting, later in this frame. In a primary command buffer, outside any render
-/// pass, after reflect(). Reads the view's scene, the sky cube and the shadow map in compute shaders, and
-/// sceneDepth in fragment shaders. Both of the scene may be null unless a body has `underwater` or `bed`; see
-/// RefractionDesc. Of a multisampled scene refraction wants reflect() before. Allocates when an index sees
-/// its largest view, for each output that is asked for.
+/// Finds the surfaces of the bodies in `view` and shades each of their pixels once. draw() with the same
+/// view, lighting and output follows later in this frame. In a primary command buffer, after reflect(), which
+/// refraction wants of a multisampled scene. Reads the view's scene, the sky cube and the shadow map in
+/// compute shaders, and sceneDepth in fragment shaders. Both of the scene may be null unless a body has
+/// `underwater` or `bed`: RefractionDesc. Holds images for each output that is asked for.
 Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
              const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
-/// Places what shade() made of the bodies, with the same view, lighting and output, in the pass that the host
-/// has begun: a colour attachment and a depth attachment with test and write, of the target's formats. For an
-/// eye in the water it reads view.sceneColor and view.sceneDepth in fragment shaders, so they must not be the
-/// attachments written (a copy of the colour; depth may be a read-only attachment or a copy). Leaves
-/// pipeline, descriptor sets, push constants and index buffer bound to its own; the viewport and scissor are
-/// set from the view.
+/// Places what shade() made of the bodies in the pass that the host has begun: a colour attachment and a
+/// depth attachment with test and write, of the target's formats. Leaves pipeline, descriptor sets, push
+/// constants and index buffer bound to its own; the viewport and scissor are set from the view.
 ///
-/// For an eye, or a near plane of parallel lines of sight, in a body with `underwater` each pixel whose line
-/// begins in the water first becomes sceneColor as it looks through it, then surfaces are drawn as ever, then
-/// the waterline. So all bodies of a view belong in one call, or the one that it begins in comes first; a
-/// host's own transparent things under water come after it, and fade by themselves.
+/// For an eye in a body with `underwater`, or a near plane of parallel lines of sight, it reads
+/// view.sceneColor and view.sceneDepth in fragment shaders. So the colour must be a copy; depth a copy or a
+/// read-only attachment. Each pixel whose line begins in the water first becomes sceneColor as seen through
+/// it; then surfaces are drawn, then the waterline. So all bodies of a view belong in one call, or that one
+/// comes first. The host's transparent things under water come after it, and fade by themselves.
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
-/// Makes now the pipelines of the body for the target that draw(), drawCaustics() and castCaustics() would
-/// make when they first need them, for every place of the eye. Of `view` and `lighting` only what images they
-/// have is looked at; null: a scene of one sample that is encoded as the target, a sky cube and no shadow
-/// map. What is made already costs nothing.
+/// Makes the pipelines that draw(), drawCaustics() and castCaustics() of this body and target would make at
+/// first need, for every place of the eye. Of `view` and `lighting` only what images they have counts. Null:
+/// a scene of one sample that is encoded as the target, a sky cube and no shadow map.
 ///
-/// On any thread, beside all calls but those that change or destroy these three (setExclusionVolumes()),
-/// before which it is done: draw() of what is in the making waits. Messages come on that thread.
+/// On any thread, which hears its messages, beside all calls but those that change or destroy these three,
+/// such as setExclusionVolumes(). draw() of what is in the making waits.
 Status prepare(Target* target, Body* body, const ViewDesc* view = nullptr,
                const LightingDesc* lighting = nullptr, SurfaceOutput output = SurfaceOutput::shaded);
 
 /// Casts the sun's rays through the waves of bodies with `caustics` on what `view` shows below, for the next
-/// drawCaustics() of its index. Outside any render pass, after the opaque scene. Reads view.sceneDepth, of
-/// one sample (else `unsupported`), and LightingDesc::shadow in compute shaders. Allocates when an index sees
-/// its largest view. Records nothing of other bodies or without a sun.
+/// drawCaustics() of its index. After the opaque scene: reads view.sceneDepth, of one sample (else
+/// `unsupported`), and LightingDesc::shadow in compute shaders. Of other bodies or without a sun: nothing.
 Status castCaustics(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
                     const LightingDesc* lighting);
 
-/// Multiplies the colour of what lies below, and its alpha, which should be 1 before, by the sunlight that
-/// waves gather there, 1 in the mean, where castCaustics() recorded something. In a pass over the opaque
-/// scene, before its colour is copied: a colour attachment, floating-point or of a target whose `encoding` is
-/// srgb, and a depth attachment (neither tested nor written) of the target's formats. Reads view.sceneDepth,
-/// which must not be written, in fragment shaders. Leaves bound what draw() does.
+/// Multiplies the colour of what lies below, and its alpha, by the sunlight that waves gather there, 1 in the
+/// mean: where castCaustics() recorded something. Alpha should be 1 before. In a pass over the opaque scene,
+/// before its colour is copied: a colour attachment, floating-point or of a target whose `encoding` is srgb,
+/// and a depth attachment (neither tested nor written) of the target's formats. Reads view.sceneDepth, which
+/// must not be written, in fragment shaders. Leaves bound what draw() does.
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
                     const ViewDesc* view, const LightingDesc* lighting);
 
 ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex); ///< null handles: it has none
 const Sea* sea(const Body* body); ///< for height queries, as long as the body lives; null: it has no waves
 
-/// Settings: fields.h.
-/// @{
-FieldTable fieldsOf(const BodyDesc&);
-FieldTable fieldsOf(const ExtentDesc&);
-FieldTable fieldsOf(const MeshDesc&);
-FieldTable fieldsOf(const ShadingDesc&);
-FieldTable fieldsOf(const RefractionDesc&);
-FieldTable fieldsOf(const UnderwaterDesc&);
-FieldTable fieldsOf(const CausticsDesc&);
-FieldTable fieldsOf(const SprayDesc&);
-FieldTable fieldsOf(const BedDesc&);
-FieldTable fieldsOf(const TargetDesc&);
-/// @}
+FieldTable fieldsOf(const BodyDesc&);       ///< its settings
+FieldTable fieldsOf(const ExtentDesc&);     ///< its settings
+FieldTable fieldsOf(const MeshDesc&);       ///< its settings
+FieldTable fieldsOf(const ShadingDesc&);    ///< its settings
+FieldTable fieldsOf(const RefractionDesc&); ///< its settings
+FieldTable fieldsOf(const UnderwaterDesc&); ///< its settings
+FieldTable fieldsOf(const CausticsDesc&);   ///< its settings
+FieldTable fieldsOf(const SprayDesc&);      ///< its settings
+FieldTable fieldsOf(const BedDesc&);        ///< its settings
+FieldTable fieldsOf(const TargetDesc&);     ///< its settings
 
 } // namespace seaglass

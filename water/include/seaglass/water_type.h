@@ -19,11 +19,12 @@ struct WaterCoefficients {
     float backscatter[3]; ///< RefractionDesc::backscatter
 };
 
-/// Pure water absorbs as Pope and Fry (1997) measured and sends back half of what it scatters, salt water as
-/// Morel (1974, in Mobley 1994) has it and fresh water 1/1.3 of that. The clear ocean's chlorophyll absorbs
-/// by Morel (1991) and sends back by Morel and Maritorena (2001). Near the coast Jerlov (1976, table XXVII)
-/// has the attenuation of daylight, of which 1 / 1.25 is absorption and backscatter (Gordon 1989, in diffuse
-/// light); the latter by the same law, for 2 and 10 mg of chlorophyll. An unknown type is clearOcean.
+/// Pure water absorbs as Pope and Fry (1997) measured, and sends back half of what it scatters. Salt water
+/// scatters as Morel (1974, in Mobley 1994) has it, and fresh water 1/1.3 of that. The clear ocean's
+/// chlorophyll absorbs by Morel (1991) and sends back by Morel and Maritorena (2001). Near the coast Jerlov
+/// (1976, table XXVII) has the attenuation of daylight. 1 / 1.25 of that is absorption and backscatter
+/// (Gordon 1989, in diffuse light); the latter by the same law, for 2 and 10 mg of chlorophyll. An unknown
+/// type is clearOcean.
 constexpr WaterCoefficients waterCoefficients(WaterType type) {
     if (type == WaterType::pool) return {{0.340f, 0.0565f, 0.0092f}, {0.0004f, 0.0007f, 0.0017f}};
     if (type == WaterType::coastal) return {{0.355f, 0.0906f, 0.193f}, {0.0049f, 0.0054f, 0.0067f}};
