@@ -81,6 +81,23 @@ TEST_F(Render, WhatIsToBeLookedAtIsSeenThroughAirAndLens) {
     EXPECT_FALSE(tests::readAll(out("foggy.png")) == plain) << "its light strays";
 }
 
+TEST_F(Render, ASceneWithoutGlitterHasNone) {
+    const std::vector<std::string> towardsTheSun = {"--set", "sun.azimuth_deg=270", "--supersample", "1"};
+    const auto seen = [&](const char* name, std::vector<std::string> more) {
+        more.insert(more.end(), towardsTheSun.begin(), towardsTheSun.end());
+        more.insert(more.end(), {"-o", std::string("out/") + name});
+        const Outcome outcome = render(more);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return tests::readAll(out(name));
+    };
+    const std::string unsaid = seen("unsaid.png", {}), none = seen("none.png", {"--set", "water.glitter=0"});
+    std::string scene = tests::sampleScene();
+    scene.insert(scene.find("[water.waves]"), "glitter = 0\n\n");
+    tests::writeAll(folder_.path() / "scene.toml", scene);
+    EXPECT_FALSE(unsaid == none);
+    EXPECT_TRUE(seen("said.png", {}) == none);
+}
+
 /// What a meter said.
 double exposureIn(const Outcome& outcome) {
     const std::string name = "exposure_ev: ";

@@ -98,6 +98,12 @@ TEST_F(Saved, SoDoesWhatWasSetByHand) {
     EXPECT_EQ(back.water->refraction->visibilityM, 6.5);
 }
 
+TEST_F(Saved, GlitterThatIsSaidToBeNoneIsWritten) {
+    const std::filesystem::path scene = folder_.path() / "scene.toml", out = folder_.path() / "out.toml";
+    EXPECT_FALSE(throughAFile(loaded(scene), out).water->saysGlitter);
+    EXPECT_TRUE(throughAFile(loaded(scene, {"water.glitter=0"}), out).water->saysGlitter);
+}
+
 TEST_F(Saved, LeavesOutWhatIsTheDefaultAndNamesFilesFromWhereItIs) {
     Scene scene = loaded(folder_.path() / "scene.toml");
     scene.water->foam.reset();

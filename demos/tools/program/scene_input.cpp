@@ -40,13 +40,13 @@ FogDesc clearAir(const WaterDesc& water) {
 }
 
 /// What a scene does not say of how it is looked at.
-void addLook(const std::vector<std::string>& overrides, Scene& scene) {
+void addLook(Scene& scene) {
     if (!scene.water) return;
     WaterDesc& water = *scene.water;
     constexpr float likePhotographs = 0.8f; // by eye
     if (!scene.fog) scene.fog = clearAir(water);
-    if (water.shading.glitter == 0 && !sets(overrides, "water.glitter"))
-        water.shading.glitter = likePhotographs;
+    if (!water.saysGlitter) water.shading.glitter = likePhotographs;
+    water.saysGlitter = true;
 }
 
 /// What the quality sets, to go before the overrides that are given by hand.
@@ -86,7 +86,7 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
     std::optional<Scene> scene = loadScene(options.scene, overrides, error);
     if (scene && sky) scene->sky.where = "--sky";
     if (scene && mesh && !scene->meshes.empty()) scene->meshes.front().where = "--mesh";
-    if (scene && options.lens) addLook(options.overrides, *scene);
+    if (scene && options.lens) addLook(*scene);
     return scene;
 }
 

@@ -35,7 +35,7 @@ void* addressOf(T& value) {
 }
 template<class T>
 void* addressOf(std::optional<T>& value) {
-    return &value.emplace();
+    return value ? &*value : &value.emplace();
 }
 template<class T>
 void* addressOf(std::vector<T>& values) {

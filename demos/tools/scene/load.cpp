@@ -773,6 +773,7 @@ std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::stri
         !checkExtent(scene, root, reader) || !checkWaves(scene, root, reader) ||
         !checkFloor(scene, root, reader) || !checkFog(scene, root, reader))
         return std::nullopt;
+    if (scene.water) scene.water->saysGlitter = root["water"].as_table()->contains("glitter");
     rememberPlaces(scene, root, file.string());
     return scene;
 }

@@ -86,6 +86,7 @@ struct WaterDesc {
     double planetRadiusM = 0;  ///< that it falls away on, without an extent; 0: flat
     seaglass::MeshDesc mesh;
     seaglass::ShadingDesc shading;
+    bool saysGlitter = false;         ///< else its 0 is whatever a look makes of it
     std::optional<ExtentDesc> extent; ///< none: to the horizon
     std::optional<WavesDesc> waves;
     std::optional<ShoreDesc> shore; ///< none: no bed is felt
