@@ -1,7 +1,8 @@
 // Waves that feel the bed: their crests grow narrow, then their fronts steep, until they break. Harmonics
 // bound to the trains' sum, of which z = height + i sideways turns with the phase, make z / (1 - c), c in
 // proportion to z. How much is Stokes' second order; where along the wave is the biphase that Ruessink et al.
-// 2012 found on beaches. The sum's variance stays.
+// 2012 found on beaches. The front of a wave that is about to break rises to a wall. The sum's variance
+// stays.
 #pragma once
 
 #include <array>

@@ -34,7 +34,7 @@ struct ShoreWave {
 };
 
 ShoreWave withoutTrains(vec4 kept, float depth, vec2 bedSlope, float swash) {
-    Surf still = Surf(0.0, 0.0, vec2(0.0), vec2(0.0), 0.0, 0.0, 0.0);
+    Surf still = Surf(0.0, 0.0, vec2(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0);
     return ShoreWave(kept, depth, bedSlope, 0.0, vec2(0.0), mat2(0.0), vec2(0.0), vec3(0.0), vec3(0.0), swash, -1e9, vec2(0.0), 0.0, 0.0, 0.0, vec2(0.0), 0.0, still);
 }
 
@@ -79,7 +79,7 @@ void addTrains(inout ShoreWave w, vec4 here, vec4 alongU, vec4 alongV, vec4 form
     } while (++t < shoreTrains);
     w.deviation = form.x;
     w.breaking = form.y;
-    w.surf = surfOf(wide, form.x, here.x, turns, width);
+    w.surf = surfOf(wide, form.x, here.x, form.y, turns, width);
     w.height = form.x * w.surf.height + form.w * max(swash, lowestSwash);
     if (swash > lowestSwash) {
         w.swashSlope = form.w * swashSlope;

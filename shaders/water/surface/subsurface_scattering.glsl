@@ -37,7 +37,7 @@ struct CrestSide {
 CrestSide crestSide(const SurfacePoint s, vec2 calm, vec2 towards, float height, float above, float width) {
     const float leastApart = 1e-3;   // of what touches the surface, where a ray has no way through it [m]
     float apart = max(max(above, width), leastApart);
-    float there = waveDisplacementAt(waveDisplacement, calm + towards * apart, width, keptAt(s)).y;
+    float there = surfaceDisplacement(waveDisplacement, calm + towards * apart, width).y;
     return CrestSide(towards, clamp((there - height) / apart, -1.0, 1.0), above);
 }
 
@@ -66,10 +66,9 @@ vec3 sunScattered(const SurfacePoint s, CrestSide side, vec2 calm, vec3 along) {
     vec3 light = sunLight(s.sunSeen) * exp(-extinction() * way);
     float share = beam * scattersForwards(dot(from, along)) / (waterIndex * waterIndex);
     // Most of a wave's front looks up to its crest, which hides the sun from where light would enter. Where no waves are
-    // looked for, a side that rises faster than the sun's rays is taken to be in shadow.
-    if (waveShadowSteps == 0) {
-        share *= smoothstep(-0.1, 0.15, steepness);
-    } else if (share * dot(light, vec3(1.0)) > 1e-5 * dot(sunLight(1.0), vec3(1.0))) {
+    // looked for, a side that rises faster than the sun's rays is taken to be in shadow; those of a shore's trains never are.
+    if (waveShadowSteps == 0 || hasShore) share *= smoothstep(-0.1, 0.15, steepness);
+    if (waveShadowSteps > 0 && share * dot(light, vec3(1.0)) > 1e-5 * dot(sunLight(1.0), vec3(1.0))) {
         share *= pastHorizon(tangent, horizonTowards(s, calm + from.xz * way, side.towards, tangent));
     }
     return share * light;
@@ -103,7 +102,7 @@ vec3 throughScattering(vec3 behind, const SurfacePoint s, vec3 toEye, float path
         do {
             float t = (float(i) + 0.5) * stretch;
             vec2 calm = s.calm + along.xz * t;
-            float height = waveDisplacementAt(waveDisplacement, calm, width, keptAt(s)).y;
+            float height = surfaceDisplacement(waveDisplacement, calm, width).y;
             float above = max(height - (s.height + along.y * t), 0.0);
             vec3 reaches = straight * exp(-extinction() * t);
             CrestSide lit = crestSide(s, calm, horizontal(sunDirection(s)), height, above, width);

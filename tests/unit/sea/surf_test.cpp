@@ -87,6 +87,32 @@ TEST(Surf, CrestsSharpenAndLeanAsOnBeaches) {
     }
 }
 
+/// Of the surface as it stands, after its points moved; up towards the shore.
+double riseOf(const ShoreWave& wave) {
+    return wave.slope[1] / std::max(1 + wave.stretch[1], 0.1);
+}
+
+TEST(Surf, FrontsRiseToAWallBeforeTheyBreak) {
+    const SeaPtr sea = surfBeach();
+    constexpr double depths[] = {12, 6, 4, 3};
+    double front[std::size(depths)] = {}, back[std::size(depths)] = {};
+    for (double time = 0; time < 300; time += 0.1) {
+        const ShoreSignal signal = sea->shore->signalAt(time, 3);
+        for (size_t i = 0; i < std::size(depths); ++i) {
+            const ShoreWave wave = sea->shore->waveAt(signal, 0, -depths[i] / slope, 0);
+            if (wave.foam > 0.1) continue;
+            front[i] = std::max(front[i], -riseOf(wave));
+            back[i] = std::max(back[i], riseOf(wave));
+        }
+    }
+    for (size_t i = 0; i < std::size(depths); ++i)
+        std::printf("over %.0f m of water fronts that are not white are as steep as %.2f, backs %.2f\n",
+                    depths[i], front[i], back[i]);
+    EXPECT_LT(front[0], 0.2);
+    EXPECT_GT(front[3], 0.8) << "a wall";
+    EXPECT_GT(front[3], 2 * back[3]);
+}
+
 TEST(Surf, WhiteWaterRollsOnTheFrontsOfWaves) {
     const SeaPtr sea = surfBeach();
     size_t rolling = 0, onFronts = 0;

@@ -37,9 +37,11 @@ struct Bound {
 
 constexpr double leastWater = 0.08; ///< [m]
 
-/// z / (1 - c), where |c| is Stokes' ratio of second to first harmonic, 0.6 at the most, and its phase the
-/// biphase of waves on beaches (Ruessink et al. 2012); of the variance that z has.
-Bound boundTo(const std::complex<double>& z, double deviation, double depth, double wavesPerM, double width) {
+/// z / (1 - c), where |c| is Stokes' ratio of second to first harmonic and its phase the biphase of waves on
+/// beaches (Ruessink et al. 2012); of the variance that z has. |c| is 0.4 at the most, and 0.85 of waves that
+/// become high, where few have broken.
+Bound boundTo(const std::complex<double>& z, const ShorePlace& here, double wavesPerM, double width) {
+    const double deviation{here.height}, depth{here.depth};
     const double water = std::max(depth, leastWater), k = 2 * std::numbers::pi * wavesPerM;
     const double steepnessToDepth = 2 * std::abs(z) * deviation / (0.9 * water);
     const double borne = std::pow(1 + std::pow(steepnessToDepth, 4), -0.25);
@@ -48,15 +50,17 @@ Bound boundTo(const std::complex<double>& z, double deviation, double depth, dou
     const double biphase = std::numbers::pi / 2 * stokes / (stokes + 0.8);
     const double unlimited = stokes * borne * std::abs(z);
     const double seen = 1 + std::pow(4 * width * wavesPerM, 2);
-    const double size = unlimited / std::hypot(1, unlimited / 0.6) / seen;
+    const double risen = std::pow(steepnessToDepth * 0.9 / 0.43, 8), wall = risen / (1 + risen);
+    const double higher = glm::mix(0.85, 0.6, double{here.breaking}) - 0.4, most = 0.4 + higher * wall;
+    const double size = unlimited / std::hypot(1, unlimited / most) / seen;
     const std::complex<double> c = std::polar(size, std::arg(z) + biphase);
     const double whole = borne * std::sqrt(1 - size * size);
     const double height = whole * (z / (1.0 - c)).real();
     std::complex<double> change = whole / ((1.0 - c) * (1.0 - c));
     // As waves grow, that they are limited takes these shares of what they would gain.
     const double fourth = std::pow(steepnessToDepth, 4), lost = fourth / (1 + fourth);
-    const double strained = std::pow(unlimited / 0.6, 2);
-    const double eased = lost + (1 - lost) * strained / (1 + strained);
+    const double strained = std::pow(unlimited / most, 2), mostGrows = higher * 8 * wall * (1 - wall) / most;
+    const double eased = lost + (1 - lost - mostGrows) * strained / (1 + strained);
     const double grows =
         -eased * (z * c * change).real() - height * (lost + size * size * (1 - eased) / (1 - size * size));
     change += grows * std::conj(z) / std::max(std::norm(z), 1e-12);
@@ -67,7 +71,7 @@ Bound boundTo(const std::complex<double>& z, double deviation, double depth, dou
 double brokenOf(const std::complex<double>& z, const ShorePlace& here) {
     const double height = 2 * std::abs(z) * double{here.height} / std::max(double{here.depth}, leastWater);
     const double breaking{here.breaking};
-    return glm::smoothstep(0.6, 1.1, height / glm::mix(0.62, 0.3, breaking)) *
+    return glm::smoothstep(0.8, 1.2, height / glm::mix(0.62, 0.26, breaking)) *
            glm::smoothstep(0.0, 0.3, breaking);
 }
 
@@ -110,9 +114,10 @@ ShoreWaves::Train ShoreWaves::trainAt(size_t which, double arrival) const {
 }
 
 double ShoreWave::surfFoam(double bend) const {
-    constexpr double rolls = 0.17; // of the period
+    const double rolls = glm::mix(0.06, 0.17, broken); // of the period
     const double age = glm::fract(turns + 0.03 * bend);
-    return broken * (age < rolls ? 1 : 0.8 * std::exp((rolls - age) * foamFades));
+    return age < rolls ? glm::smoothstep(0.0, 0.5, broken)
+                       : 0.8 * broken * std::exp((rolls - age) * foamFades);
 }
 
 ShoreWave ShoreWaves::at(const glm::dvec2& calm, double width) const {
@@ -156,7 +161,7 @@ ShoreWave ShoreWaves::at(const glm::dvec2& calm, double width) const {
         wet += train.wet;
     }
     const double deviation{here.height};
-    const Bound bound = boundTo(wide, deviation, wave.depth, wavesPerM, width);
+    const Bound bound = boundTo(wide, here, wavesPerM, width);
     const auto along = [&](const std::complex<double>& slope) {
         return deviation * (bound.change * slope).real();
     };
@@ -169,7 +174,7 @@ ShoreWave ShoreWaves::at(const glm::dvec2& calm, double width) const {
     wave.swash = amount;
     wave.wetTo = amount * wet;
     wave.broken = brokenOf(all, here);
-    wave.turns = (std::arg(all) + wave.broken * (bound.biphase + 0.45)) / (2 * std::numbers::pi);
+    wave.turns = (std::arg(all) + bound.biphase + 0.45 * wave.broken) / (2 * std::numbers::pi);
     wave.foamFades = double{signal_.foamFades};
     return wave;
 }
