@@ -1,6 +1,7 @@
 """commands_test.py PROGRAM (quick | long): runs every command of the documents' sh blocks, as it stands but for smaller
-pictures and fewer rounds. Those that measure take minutes even so: `quick` has only their options, scenes, cameras and
-techniques read, and `long` runs them. Windows are opened by tests/view; here too commands are only read. What is neither run nor excused below is an error."""
+pictures and fewer rounds. `quick` runs those of the documents that newcomers begin with. Of others, and of those that
+measure, it has options, scenes, cameras and techniques read, and `long` runs them. Windows are opened by tests/view; here
+too commands are only read. What is neither run nor excused below is an error."""
 import os
 import pathlib
 import shlex
@@ -23,6 +24,11 @@ SMALLER = {
 }
 # Pictures of different renderers differ.
 EXPECTED = {"compare": {0, 1}}
+
+# What `quick` runs.
+FIRST_READ = {"README.md", "docs/screenshot-tests.md"}
+# They refuse a device before they begin.
+TAKE_A_DEVICE = {"render", "measure", "view"}
 
 # Commands that are not run, and why. Each is still held to what `holds` says of it.
 EXCUSED = {
@@ -116,6 +122,18 @@ def run(program, words, folder):
     return None
 
 
+def is_quick(block, words):
+    measures = words[1:2] == ["measure"] or "--stats" in words
+    return block.document in FIRST_READ and not measures
+
+
+def tried(program, words, folder, in_full):
+    """What is wrong with a command of ours; None if nothing is."""
+    if in_full and words[1] != "view":
+        return run(program, words, folder)
+    return read_only(program, words, folder) if words[1] in TAKE_A_DEVICE else None
+
+
 def main():
     program, which = sys.argv[1:]
     problems, ran = [], 0
@@ -127,14 +145,13 @@ def main():
             print(block, flush=True)
             for line, words in commands_of(block):
                 ours = words[0] in ("seaglass", "$seaglass")
-                measures = ours and (words[1] == "measure" or "--stats" in words)
-                if which == "long" and not measures:
+                quick = is_quick(block, words)
+                if which == "long" and (quick or not ours):
                     continue
                 if excused(words):
                     problem = None if holds(words) else "is not there, or cannot be run"
                 elif ours:
-                    read = words[1] == "view" or (measures and which == "quick")
-                    problem = (read_only if read else run)(program, words, folder)
+                    problem = tried(program, words, folder, quick == (which == "quick"))
                     ran += 1
                 else:
                     problem = "is neither run nor excused"

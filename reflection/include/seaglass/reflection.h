@@ -40,9 +40,8 @@ struct ReflectionDesc {
     /// Of the reflection [pixel], 8..16384, in the place of `downscale`: that of 1, 2, 4 and 8 is taken which
     /// comes nearest by ratio, of two the larger. 0: by `downscale`.
     uint32_t height = 0;
-    bool coarseKeys =
-        false; ///< sspr: a quarter of the memory, a key for 2 x 2 pixels; finds less steeply down
-    float edgeFade = 0.08f; ///< share of the height over which borrowed pixels fade at the border, 0..0.5
+    bool coarseKeys = false; ///< sspr: a key for 2 x 2 pixels, a quarter of the memory; finds less far down
+    float edgeFade = 0.08f;  ///< share of the height over which borrowed pixels fade at the border, 0..0.5
     /// They fade at the nearest border; else, not of `planar`, at that towards which they are borrowed, which
     /// alone can cut a reflection off.
     bool edgeFadeAround = false;
