@@ -171,15 +171,17 @@ uint beyond(const MirrorBlock mirror, ScreenRay ray, float mirroredDepth) {
 const int keysAroundCell = 9;
 
 // The nearest key in and around the cell first: where a near surface is mirrored larger than it is seen, its keys leave
-// holes, and what shows through them would prove itself as well. The first that does counts.
-Hit nearestHit(const MirrorBlock mirror, ivec2 cell, ScreenRay ray) {
+// holes, and what shows through them would prove itself as well. The first that does counts; `past`: it is not the nearest.
+Hit nearestHit(const MirrorBlock mirror, ivec2 cell, ScreenRay ray, out bool past) {
     Hit hit = noHit;
+    past = false;
     KeysAround around = keysAround(cell);
     uint own = around.level.y;
     uint key = nextKey(around, ~0u);
     int left = keysAroundCell;
     if (key != noKey) {
         do {
+            past = left < keysAroundCell;
             hit = refined(mirror, key > own && own != noKey ? withinPixel : besidePixel, ray, depthFromKey(mirror, key));
             key = nextKey(around, min(key, beyond(mirror, ray, depthFromKey(mirror, key))));
         } while (--left > 0 && key != noKey && !hit.valid);
@@ -279,6 +281,15 @@ Hit metUnseen(const MirrorBlock mirror, ScreenRay ray, Guesses guesses, Hit one,
     return one.valid && (!other.valid || one.off <= other.off) ? one : other;
 }
 
+// Between two pixels that lie side by side there is no gap: what is met past both, through the step of a clinker hull for one,
+// is hidden by them.
+Hit closedBefore(const MirrorBlock mirror, vec2 q, ScreenRay ray, Hit hit) {
+    Guesses sides = holeAround(mirror, q, ray, keyFromDepth(mirror, hit.depth)).left;
+    if (sides.one == nowhere || sides.other == nowhere || farthest(vec2(sides.one - sides.other)) > 1.0) return hit;
+    Hit met = metBetween(mirror, sides, metAt(mirror, ray, sides.one), metAt(mirror, ray, sides.other));
+    return met.valid && met.front ? met : hit;
+}
+
 // What a pixel of the mirror shows.
 struct Shown {
     Hit hit;
@@ -289,7 +300,9 @@ struct Shown {
 Shown shownAt(const MirrorBlock mirror, vec2 q, ScreenRay ray) {
     bool followed = mirror.followed != 0u;
     ivec2 cell = keyCell(mirror, ivec2(q));
-    Hit hit = nearestHit(mirror, cell, ray);
+    bool past = false;
+    Hit hit = nearestHit(mirror, cell, ray, past);
+    if (past && hit.valid && hit.front) hit = closedBefore(mirror, q, ray, hit);
     bool comesOut = hit.valid && !hit.front;
     bool inHole = false;
     float info = infoUnknown;

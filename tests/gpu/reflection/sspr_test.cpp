@@ -98,6 +98,30 @@ TEST_F(Sspr, NothingShowsThroughTheHolesOfWhatIsMirroredLarger) {
     EXPECT_LE(s.misplaced, 0.002);
 }
 
+// A clinker boat, each plank a step before the one below, with its inside over the rail.
+TEST_F(Sspr, NothingShowsThroughTheStepsOfAHull) {
+    Camera camera = testCamera();
+    camera.eye = {0, 2.3, 18};
+    camera.target = {0, 0.1, 0};
+    camera.fovDegrees = 6;
+    std::vector<Box> boat;
+    for (int plank = 0; plank < 5; ++plank)
+        boat.push_back({{-3, 0.1 * plank - 0.1, -0.1}, {3, 0.1 * plank, 0.02 * plank}});
+    const TracedView side = Tracer(camera, boat).run();
+    boat.push_back({{-3, -0.2, -1.3}, {3, 0.62, -1.2}});
+    const TracedView traced = Tracer(camera, boat).run();
+    const Reflected result = reflectScene(camera, traced);
+    size_t outside = 0, inside = 0;
+    for (size_t i = 0; i < traced.truth.size(); ++i) {
+        if (std::isinf(side.distance[i]) || side.distance[i] != traced.distance[i]) continue;
+        ++outside;
+        inside += double{result.info[i]} > traced.distance[i] + 0.6;
+    }
+    std::printf("%zu of %zu pixels that mirror the outside show the inside\n", inside, outside);
+    EXPECT_GT(outside, 2000u);
+    EXPECT_EQ(inside, 0u);
+}
+
 TEST_F(Sspr, KeysAreTheNearestMirroredDepths) {
     const Camera camera = testCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
