@@ -281,13 +281,9 @@ Hit metUnseen(const MirrorBlock mirror, ScreenRay ray, Guesses guesses, Hit one,
     return one.valid && (!other.valid || one.off <= other.off) ? one : other;
 }
 
-// Between two pixels that lie side by side there is no gap: what is met past both, through the step of a clinker hull for one,
-// is hidden by them.
-Hit closedBefore(const MirrorBlock mirror, vec2 q, ScreenRay ray, Hit hit) {
-    Guesses sides = holeAround(mirror, q, ray, keyFromDepth(mirror, hit.depth)).left;
-    if (sides.one == nowhere || sides.other == nowhere || farthest(vec2(sides.one - sides.other)) > 1.0) return hit;
-    Hit met = metBetween(mirror, sides, metAt(mirror, ray, sides.one), metAt(mirror, ray, sides.other));
-    return met.valid && met.front ? met : hit;
+// Between two pixels that lie side by side there is no gap.
+bool touch(Guesses sides) {
+    return sides.one != nowhere && sides.other != nowhere && farthest(vec2(sides.one - sides.other)) <= 1.0;
 }
 
 // What a pixel of the mirror shows.
@@ -302,33 +298,35 @@ Shown shownAt(const MirrorBlock mirror, vec2 q, ScreenRay ray) {
     ivec2 cell = keyCell(mirror, ivec2(q));
     bool past = false;
     Hit hit = nearestHit(mirror, cell, ray, past);
-    if (past && hit.valid && hit.front) hit = closedBefore(mirror, q, ray, hit);
     bool comesOut = hit.valid && !hit.front;
+    // What is met past two sides that touch, through the step of a clinker hull for one, is hidden by them.
+    bool pastSides = past && hit.valid && hit.front;
     bool inHole = false;
     float info = infoUnknown;
     Guesses guesses = noGuesses;
     Hit thin = noHit;
-    if (!hit.valid) {
-        Hole hole = holeAround(mirror, q, ray, keyAt(cell));
-        if (!hole.inside) info = infoOfMiss(mirror, q);
-        if (followed && hole.beside && info == infoSky) info = infoDoubtedSky;
+    if (!hit.valid || pastSides) {
+        Hole hole = holeAround(mirror, q, ray, pastSides ? keyFromDepth(mirror, hit.depth) : keyAt(cell));
+        if (!hit.valid && !hole.inside) info = infoOfMiss(mirror, q);
+        if (!hit.valid && followed && hole.beside && info == infoSky) info = infoDoubtedSky;
         guesses = hole.left;
         inHole = hole.inside;
+        pastSides = pastSides && touch(guesses);
     }
     if (comesOut) {
         Entry entry = entryBefore(mirror, ray, q, hit.source, backPixels);
         guesses = entry.between;
         thin = hitOnThin(mirror, ray, entry);
     }
-    if (!hit.front) {
+    if (!hit.front || pastSides) {
         Hit one = metAt(mirror, ray, guesses.one);
         Hit other = metAt(mirror, ray, guesses.other);
         Hit met = metBetween(mirror, guesses, one, other);
         // Where rays are followed they tell better.
-        bool tells = !comesOut || met.front && (!followed || met.off <= withinPixel);
+        bool tells = pastSides ? met.front : !comesOut || met.front && (!followed || met.off <= withinPixel);
         if (met.valid && tells) hit = met;
         else if (thin.valid) hit = thin;
-        else if (inHole) hit = metUnseen(mirror, ray, guesses, one, other);
+        else if (inHole && !pastSides) hit = metUnseen(mirror, ray, guesses, one, other);
     }
     return Shown(hit, comesOut, info);
 }
