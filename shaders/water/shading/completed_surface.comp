@@ -31,8 +31,9 @@ struct Pair {
 // A colour, and how much it counts, by how much farther or nearer it lies: from row to row of water that is seen flatly that is more
 // than along a row, and from a crest to what it hides it is most.
 vec4 shadedAt(ivec2 at, float depth, int away) {
-    if (!showsSurface(at)) return vec4(0.0);
-    float apart = texelFetch(foundDepth, at, 0).r / depth - 1.0;
+    float there = foundDepthAt(at);
+    if (there <= 0.0) return vec4(0.0);
+    float apart = there / depth - 1.0;
     return vec4(imageLoad(shadedColor, at).rgb, 1.0 / ((sameDepth + apart * apart) * float(away)));
 }
 
@@ -44,8 +45,7 @@ Pair pairOf(vec4 one, vec4 other) {
 
 // By those that are shaded to the left and to the right, and in the rows above and below: more by the pair that is alike, which lies
 // along an edge. Across it a line of one row would become dots.
-vec3 completed(ivec2 at, ivec2 shaded) {
-    float depth = texelFetch(foundDepth, at, 0).r;
+vec3 completed(ivec2 at, float depth, ivec2 shaded) {
     int left = (at.x + blockWidth - shiftOfRow(at.y)) % blockWidth;
     int right = blockWidth - left;
     int aside = blockWidth / 2 - left;
@@ -62,9 +62,11 @@ void main() {
     ivec2 place = ivec2(gl_LocalInvocationIndex & 7u, gl_LocalInvocationIndex >> 3);
     ivec2 block = firstPixel(heldTile(tile)) / blockSize() + place;
     ivec2 shaded = shadedPixel(block);
-    int rounds = shows ? blockWidth : 0;
-    for (int i = 0; i < rounds; ++i) {
-        ivec2 at = block * blockSize() + ivec2(i, 0);
-        if (at != shaded && showsSurface(at)) imageStore(shadedColor, at, vec4(completed(at, shaded), 1.0));
-    }
+    ivec2 first = block * blockSize();
+    int others = blockWidth - 1, i = 0;
+    do {
+        ivec2 at = first + ivec2((shaded.x - first.x + 1 + i) & others, 0);
+        float depth = foundDepthAt(at);
+        if (shows && depth > 0.0) imageStore(shadedColor, at, vec4(completed(at, depth, shaded), 1.0));
+    } while (++i < others);
 }

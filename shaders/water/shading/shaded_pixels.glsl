@@ -1,7 +1,13 @@
 // Which pixel of a block is shaded. Needs foundDepth and shading_block.glsl.
 
+// 0 where nothing shows, and beyond the region.
+float foundDepthAt(ivec2 at) {
+    float depth = texelFetch(foundDepth, clamp(at, ivec2(0), regionSize() - 1), 0).r;
+    return inRegion(vec2(at)) ? depth : 0.0;
+}
+
 bool showsSurface(ivec2 at) {
-    return inRegion(vec2(at)) && texelFetch(foundDepth, at, 0).r > 0.0;
+    return foundDepthAt(at) > 0.0;
 }
 
 // The usual one, and at the surface's edge the first that shows any.
