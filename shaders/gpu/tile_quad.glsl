@@ -4,8 +4,8 @@
 
 layout(local_size_x = 64) in;
 
+// Told by turns, which begin with 0: what was told before is read meanwhile.
 shared vec4 ofQuads[2][64];
-uint quadTurn = 0u;   // which of both is told next: what was told before is read meanwhile
 
 // Of this invocation among those of the tile.
 uint indexInTile() {
@@ -29,28 +29,28 @@ vec4 partOfQuad() {
 }
 
 // In which array all of the tile have told theirs.
-uint tellQuad(vec4 own) {
-    uint turn = quadTurn;
-    quadTurn ^= 1u;
-    ofQuads[turn][indexInTile()] = own;
+uint tellQuad(vec4 own, inout uint turn) {
+    uint told = turn;
+    turn ^= 1u;
+    ofQuads[told][indexInTile()] = own;
     if (quadsInStep) {
         subgroupMemoryBarrierShared();
         subgroupBarrier();
     } else {
         barrier();
     }
-    return turn;
+    return told;
 }
 
-vec4 meanOfQuad(vec4 own) {
-    uint told = tellQuad(own), first = indexInTile() & ~3u;
+vec4 meanOfQuad(vec4 own, inout uint turn) {
+    uint told = tellQuad(own, turn), first = indexInTile() & ~3u;
     vec4 upper = ofQuads[told][first] + ofQuads[told][first + 1u];
     return 0.25 * (upper + (ofQuads[told][first + 2u] + ofQuads[told][first + 3u]));
 }
 
 // From this pixel to the next, whichever way is more.
-vec2 changeInQuad(vec2 own) {
-    uint told = tellQuad(vec4(own, 0.0, 0.0)), i = indexInTile();
+vec2 changeInQuad(vec2 own, inout uint turn) {
+    uint told = tellQuad(vec4(own, 0.0, 0.0), turn), i = indexInTile();
     return max(abs(ofQuads[told][i ^ 1u].xy - own), abs(ofQuads[told][i ^ 2u].xy - own));
 }
 

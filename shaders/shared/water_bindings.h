@@ -31,6 +31,7 @@ const int foundAsideBinding = 23;
 const int foundTilesBinding = 24;
 const int shadedBinding = 25;
 const int sprayBinding = 26; // SprayBlock
+const int mirroredBinding = 27;
 
 #ifdef __cplusplus
 }

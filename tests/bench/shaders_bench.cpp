@@ -1,7 +1,9 @@
 // What shaders cost on a GPU, by AMD's compiler and without one: each kernel, and the surface at each
 // quality and with more and more of its features.
 //
-//   seaglass_bench_shaders [--json]
+//   seaglass_bench_shaders [--json] [LETTERS QUALITY]
+//
+// With letters, as of SurfaceChoice, of that surface alone at that quality.
 #include <algorithm>
 #include <array>
 #include <cinttypes>
@@ -13,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/water/quality.h"
+#include "tests/gpu/rig/surface_constant.h"
 #include "tests/null/compiled_water.h"
 
 namespace {
@@ -28,12 +31,21 @@ struct Row {
 /// More and more of what a surface has: SurfaceChoice::letters.
 constexpr std::array surfaces = {"", "l", "lr", "w", "wl", "wlr", "wf", "wflr", "wfslr", "wfslroh"};
 
+/// Of kernels that shade, which step.
+std::string stepOf(const CompiledStage& stage) {
+    constexpr std::array steps = {"", ", bed", ", mirror", ", rest"};
+    constexpr size_t constant = surfaceConstant("shadingStep");
+    if (stage.shader != "shaded_surface.comp" || stage.constants.size() <= constant) return "";
+    return steps[stage.constants[constant]];
+}
+
 /// One for each stage, but for those that an earlier variant of the same shader equals.
 void add(std::vector<Row>& rows, const std::vector<CompiledPipeline>& pipelines, const std::string& variant) {
     for (const CompiledPipeline& pipeline : pipelines)
         for (const CompiledStage& stage : pipeline.stages) {
             const bool samples = stage.shader.starts_with("waves_");
-            const Row row{stage.shader, samples ? std::to_string(stage.constants.front()) : variant,
+            const std::string name = variant + stepOf(stage);
+            const Row row{stage.shader, samples ? std::to_string(stage.constants.front()) : name,
                           stage.spirvBytes, stage.costs};
             const bool known = std::ranges::any_of(rows, [&](const Row& before) {
                 return before.shader == row.shader && before.costs.instructions == row.costs.instructions &&
@@ -42,6 +54,12 @@ void add(std::vector<Row>& rows, const std::vector<CompiledPipeline>& pipelines,
             });
             if (!known) rows.push_back(row);
         }
+}
+
+void addSurface(std::vector<Row>& rows, CompiledWater& water, const std::string& letters, size_t quality) {
+    const std::string variant =
+        letters + (letters.empty() ? "" : " ") + std::string(demos::qualities()[quality]);
+    add(rows, water.surface({letters, static_cast<seaglass::Quality>(quality)}), variant);
 }
 
 std::vector<Row> measured(CompiledWater& water) {
@@ -61,12 +79,7 @@ std::vector<Row> measured(CompiledWater& water) {
             fog ? "fog" : "");
     add(rows, water.overView({.pass = ViewPass::surface}, false), "");
     for (const char* const letters : surfaces)
-        for (size_t q = 0; q < demos::qualities().size(); ++q) {
-            const SurfaceChoice choice = {letters, static_cast<Quality>(q)};
-            const std::string variant =
-                std::string(letters) + (*letters ? " " : "") + std::string(demos::qualities()[q]);
-            add(rows, water.surface(choice), variant);
-        }
+        for (size_t q = 0; q < demos::qualities().size(); ++q) addSurface(rows, water, letters, q);
     return rows;
 }
 
@@ -101,10 +114,12 @@ void printTable(const std::string& device, const std::vector<Row>& rows) {
 } // namespace
 
 int main(int count, char** arguments) {
-    const bool json = count == 2 && !std::strcmp(arguments[1], "--json");
-    if (count > 1 && !json) {
-        std::fprintf(stderr, "seaglass_bench_shaders: %s is not known, expected --json or nothing\n",
-                     arguments[1]);
+    const bool json = count > 1 && !std::strcmp(arguments[1], "--json");
+    const std::vector<std::string> choice(arguments + (json ? 2 : 1), arguments + count);
+    const auto quality =
+        choice.size() == 2 ? std::ranges::find(demos::qualities(), choice[1]) : demos::qualities().begin();
+    if (choice.size() == 1 || choice.size() > 2 || quality == demos::qualities().end()) {
+        std::fprintf(stderr, "seaglass_bench_shaders: expected [--json] [LETTERS QUALITY]\n");
         return 2;
     }
     std::string whyNot;
@@ -113,7 +128,11 @@ int main(int count, char** arguments) {
         std::fprintf(stderr, "seaglass_bench_shaders: %s\n", whyNot.c_str());
         return 1;
     }
-    const std::vector<Row> rows = measured(*water);
+    std::vector<Row> rows;
+    if (choice.empty())
+        rows = measured(*water);
+    else
+        addSurface(rows, *water, choice[0], static_cast<size_t>(quality - demos::qualities().begin()));
     json ? printJson(water->nullDevice().name(), rows) : printTable(water->nullDevice().name(), rows);
     return 0;
 }

@@ -115,7 +115,7 @@ TEST_F(Ceilings, OfSurfaces) {
         SCOPED_TRACE(std::string(ceiling.letters) + ", quality " +
                      std::to_string(static_cast<int>(ceiling.quality)));
         const std::vector<CompiledPipeline> made = water_->surface({ceiling.letters, ceiling.quality});
-        ASSERT_EQ(made.size(), 3u) << water_->message();
+        ASSERT_GE(made.size(), 3u) << water_->message();
         expectWithin(64, made[0].stages.front());
         expectWithin(24, made[0].last());
         expectWithin(24, made[1].last());

@@ -227,8 +227,10 @@ std::vector<CompiledPipeline> CompiledWater::surface(const SurfaceChoice& choice
         if (variant.forMotion) return;
         ShadingKernels kernels;
         (void)kernels.create(*context_);
-        const gpu::Kernel* kernel = nullptr;
-        (void)kernels.get(shadingVariant(variant), kernel);
+        SteppedKernels made;
+        const TileSorting sorting{.hasReflection = variant.hasReflection,
+                                  .hasRefraction = variant.hasRefraction};
+        (void)getListed(kernels, variant, sorting, true, made);
     });
 }
 

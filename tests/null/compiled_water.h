@@ -40,7 +40,8 @@ class CompiledWater {
 
     // What these make; less than was asked for where the library fails, which then says why.
     std::vector<CompiledPipeline> kernels(); ///< those of compute, waves at each number of samples
-    /// Those that find it, place it in multisampled passes and, but for motion, shade it.
+    /// Those that find it, place it in multisampled passes and, but for motion, look up what shines through
+    /// and shade it.
     std::vector<CompiledPipeline> surface(const SurfaceChoice& choice);
     std::vector<CompiledPipeline> overView(const seaglass::ViewPassVariant& variant, bool multiview);
     std::vector<CompiledPipeline> spray(const seaglass::SprayVariant& variant, bool multiview);

@@ -17,6 +17,18 @@ gpu::ImageDesc colorDesc(VkExtent2D extent, SurfaceOutput output) {
             .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
 }
 
+gpu::ImageDesc mirroredDesc(VkExtent2D extent) {
+    return {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = extent, .usage = VK_IMAGE_USAGE_STORAGE_BIT};
+}
+
+/// The colour that a kernel stored is read and stored by the next.
+void recordWritten(const gpu::Device& device, VkCommandBuffer commands) {
+    gpu::recordBarrier(device, commands,
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
+}
+
 } // namespace
 
 Status buildShading(const gpu::Device& device, const SurfaceVariant& variant, gpu::Kernel& out) {
@@ -34,15 +46,53 @@ SurfaceVariant shadingVariant(const SurfaceVariant& all) {
     return v;
 }
 
+SurfaceVariant stepVariant(const SurfaceVariant& all, ShadingStep step) {
+    SurfaceVariant v = shadingVariant(all);
+    v.shadingStep = static_cast<uint32_t>(step);
+    if (step == ShadingStep::all || step == ShadingStep::rest) return v;
+    // Kernels that do alike are one.
+    const SurfaceVariant usual;
+    v.hasFoam = v.hasSunShadow = v.hasSubsurfaceScattering = v.hasGlitter = false;
+    v.foamCascades = usual.foamCascades;
+    if (step == ShadingStep::bed) {
+        v.waveShadowSteps = usual.waveShadowSteps;
+        v.reflectionSamples = usual.reflectionSamples;
+    } else {
+        v.refractionSamples = usual.refractionSamples;
+        v.bedDownscale = usual.bedDownscale;
+    }
+    return v;
+}
+
+bool isAny(const ListedKernels& of) {
+    return std::ranges::any_of(of, [](const gpu::Kernel* kernel) { return kernel; });
+}
+
+bool takesSteps(const gpu::Device& device) {
+    return !device.isCpu();
+}
+
 Status getListed(ShadingKernels& kernels, const SurfaceVariant& variant, const TileSorting& sorting,
-                 ListedKernels& out) {
+                 bool apart, SteppedKernels& out) {
+    out = {};
+    const bool hasSteps = apart && variant.surfaceOutput == static_cast<uint32_t>(SurfaceOutput::shaded) &&
+                          variant.sidesSeen != static_cast<uint32_t>(SidesSeen::below);
     for (uint32_t list = 0; list < foundLists; ++list) {
-        out[list] = nullptr;
         if (!sorting.uses(list)) continue;
-        SurfaceVariant needed = shadingVariant(variant);
+        SurfaceVariant needed = variant;
         needed.hasReflection = list & foundMirrors;
         needed.hasRefraction = list & foundSeesBed;
-        if (const Status s = kernels.get(needed, out[list]); s != Status::ok) return s;
+        const auto get = [&](ShadingStep step, const gpu::Kernel*& kernel) {
+            return kernels.get(stepVariant(needed, step), kernel);
+        };
+        if (hasSteps && needed.hasRefraction)
+            if (const Status s = get(ShadingStep::bed, out.beds[list]); s != Status::ok) return s;
+        if (hasSteps && needed.hasReflection && needed.hasWaves)
+            if (const Status s = get(ShadingStep::mirror, out.mirrors[list]); s != Status::ok) return s;
+        const bool isRest = out.beds[list] || out.mirrors[list];
+        if (const Status s = get(isRest ? ShadingStep::rest : ShadingStep::all, out.rest[list]);
+            s != Status::ok)
+            return s;
     }
     return Status::ok;
 }
@@ -53,19 +103,25 @@ Status buildCompleting(const gpu::Device& device, const uint32_t& pixelsPerShadi
     return out.create(device, completed_surface_comp, "completed surface", constants.constants());
 }
 
-Status ShadedSurface::create(const gpu::Device& device, VkExtent2D extent, SurfaceOutput output) {
+Status ShadedSurface::create(const gpu::Device& device, VkExtent2D extent, SurfaceOutput output,
+                             bool keepsMirrored) {
     if (const Status s = color.create(device, colorDesc(extent, output), "shaded surface"); s != Status::ok)
         return s;
+    if (keepsMirrored)
+        if (const Status s = mirrored.create(device, mirroredDesc(extent), "mirrored by the surface");
+            s != Status::ok)
+            return s;
     return tiles.create(device, extent);
 }
 
-VkDeviceSize ShadedSurface::bytes(const gpu::Device& device, VkExtent2D extent) {
+VkDeviceSize ShadedSurface::bytes(const gpu::Device& device, VkExtent2D extent, bool keepsMirrored) {
     return gpu::heldBytes(device, colorDesc(extent, SurfaceOutput::shaded)) +
+           (keepsMirrored ? gpu::heldBytes(device, mirroredDesc(extent)) : 0) +
            SurfaceTiles::bytes(device, extent);
 }
 
-Status ShadedSurface::recordShading(Context& context, VkCommandBuffer commands, const ListedKernels& kernels,
-                                    const Resources& resources) const {
+Status ShadedSurface::recordListed(Context& context, VkCommandBuffer commands, const ListedKernels& kernels,
+                                   const Resources& resources) const {
     for (uint32_t list = 0; list < foundLists; ++list) {
         if (!kernels[list]) continue;
         VkDescriptorSet set = VK_NULL_HANDLE;
@@ -77,16 +133,22 @@ Status ShadedSurface::recordShading(Context& context, VkCommandBuffer commands, 
     return Status::ok;
 }
 
+Status ShadedSurface::recordShading(Context& context, VkCommandBuffer commands, const SteppedKernels& kernels,
+                                    const Resources& resources) const {
+    if (const Status s = recordListed(context, commands, kernels.beds, resources); s != Status::ok) return s;
+    if (const Status s = recordListed(context, commands, kernels.mirrors, resources); s != Status::ok)
+        return s;
+    if (isAny(kernels.beds) || isAny(kernels.mirrors)) recordWritten(context.device, commands);
+    return recordListed(context, commands, kernels.rest, resources);
+}
+
 Status ShadedSurface::recordCompleting(Context& context, VkCommandBuffer commands, const gpu::Kernel& kernel,
                                        const Resources& resources, uint32_t tileCount) const {
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;
     const gpu::PassScope pass(context.device, commands, "completed_surface");
-    gpu::recordBarrier(context.device, commands,
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                        VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT});
+    recordWritten(context.device, commands);
     kernel.dispatch(commands, set, std::min(tileCount, foundGroupsPerRow),
                     (tileCount + foundGroupsPerRow - 1) / foundGroupsPerRow);
     return Status::ok;
@@ -100,13 +162,15 @@ Status ShadedSurface::record(Context& context, VkCommandBuffer commands, const S
     resources.push_back({foundAsideBinding, gpu::sampledImage(nearest, found.beside())});
     resources.push_back({foundTilesBinding, gpu::storageBuffer(tiles.handle())});
     resources.push_back({shadedBinding, gpu::storageImage(color.view())});
+    if (mirrored.handle()) resources.push_back({mirroredBinding, gpu::storageImage(mirrored.view())});
     const uint32_t count = tileCount(region, kernels.pixelsPerShading);
     if (const Status s = tiles.record(context, commands, *kernels.listing, resources, count); s != Status::ok)
         return s;
     const gpu::PassScope pass(device, commands, "shaded_surface");
-    const VkImageMemoryBarrier2 before =
-        gpu::imageBarrier(color.handle(), gpu::discardedAfterSampling, gpu::storageWritten);
-    gpu::recordBarriers(device, commands, &before, 1);
+    const VkImageMemoryBarrier2 before[] = {
+        gpu::imageBarrier(color.handle(), gpu::discardedAfterSampling, gpu::storageWritten),
+        gpu::imageBarrier(mirrored.handle(), gpu::discardedAfterSampling, gpu::storageWritten)};
+    gpu::recordBarriers(device, commands, before, mirrored.handle() ? 2 : 1);
     if (const Status s = recordShading(context, commands, kernels.shading, resources); s != Status::ok)
         return s;
     if (kernels.completing)

@@ -50,13 +50,15 @@ FieldError ShadingPart::validate(const BodyDesc& desc) {
 
 Status ShadingPart::addCost(const AskedBody& asked, Estimate& sum) {
     const gpu::Device& device = asked.context.device;
+    const bool keepsMirrored = takesSteps(device) && asked.sea && asked.desc.reflection;
     sum.bytesPerView +=
-        FoundSurface::bytes(device, asked.extent) + ShadedSurface::bytes(device, asked.extent);
+        FoundSurface::bytes(device, asked.extent) + ShadedSurface::bytes(device, asked.extent, keepsMirrored);
     return Status::ok;
 }
 
 Status ShadingPart::create(Body& body, const BodyDesc&) {
     Context& context = *body.context;
+    bySteps = takesSteps(context.device);
     if (const Status s = context.share(passes_); s != Status::ok) return s;
     if (const Status s = context.share(tiles_); s != Status::ok) return s;
     if (const Status s = context.share(completing_); s != Status::ok) return s;
@@ -84,8 +86,10 @@ ShadingPart::Sources ShadingPart::sourcesOf(const ViewDesc& view, const Lighting
             lighting.shadow ? lighting.shadow->map.view : VK_NULL_HANDLE};
 }
 
-Status ShadingPart::fit(Context& context, VkExtent2D region, SurfaceOutput output, Picture& picture) const {
-    if (picture.found.holds(region)) return Status::ok;
+Status ShadingPart::fit(Context& context, VkExtent2D region, SurfaceOutput output, bool keepsMirrored,
+                        Picture& picture) const {
+    if (picture.found.holds(region) && (picture.shaded.mirrored.handle() || !keepsMirrored))
+        return Status::ok;
     VkExtent2D wanted = region;
     if (picture.found.holds({1, 1})) {
         const VkExtent2D held = picture.found.extent();
@@ -94,7 +98,9 @@ Status ShadingPart::fit(Context& context, VkExtent2D region, SurfaceOutput outpu
     Picture fresh;
     if (const Status s = fresh.found.create(passes_->of(output), wanted); s != Status::ok) return s;
     if (output != SurfaceOutput::motion)
-        if (const Status s = fresh.shaded.create(context.device, wanted, output); s != Status::ok) return s;
+        if (const Status s = fresh.shaded.create(context.device, wanted, output, keepsMirrored);
+            s != Status::ok)
+            return s;
     context.frame().retire(std::exchange(picture, std::move(fresh)));
     return Status::ok;
 }
@@ -107,7 +113,7 @@ Status ShadingPart::getKernels(const SurfaceVariant& variant, ShadedBy& out) con
     if (sorting.pixelsPerShading > 1)
         if (const Status s = completing_->get(sorting.pixelsPerShading, out.completing); s != Status::ok)
             return s;
-    return getListed(*kernels_, variant, sorting, out.shading);
+    return getListed(*kernels_, variant, sorting, bySteps, out.shading);
 }
 
 Status ShadingPart::record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture) {
@@ -119,7 +125,9 @@ Status ShadingPart::record(Body& body, VkCommandBuffer commands, const SeenSurfa
     ShadedBy kernels;
     if (!isMotion)
         if (const Status s = getKernels(variant, kernels); s != Status::ok) return s;
-    if (const Status s = fit(context, extentOf(geometry), output, picture); s != Status::ok) return s;
+    if (const Status s = fit(context, extentOf(geometry), output, isAny(kernels.shading.mirrors), picture);
+        s != Status::ok)
+        return s;
     BodyBlock block = seen.block;
     block.clipFromRelative = clipFromRelative(geometry);
     if (isMotion) block.region.x = block.region.y = 0; // whose pixels are counted in these images

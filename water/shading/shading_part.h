@@ -28,6 +28,8 @@ struct ShadingPart {
 
     /// Tiles are shaded by kernels without what they do not need; false: all by the same, for comparison.
     bool sortsTiles = true;
+    /// What shines through and what is mirrored is looked up by kernels of their own.
+    bool bySteps = false;
     /// As shade() left them of SurfaceOutput::shaded.
     const SurfaceTiles& tiles(uint32_t viewIndex) const {
         return views_[viewIndex].find(SurfaceOutput::shaded)->second.shaded.tiles;
@@ -49,7 +51,8 @@ struct ShadingPart {
         BodyBlock block{};    ///< as it was shaded by
         Sources sources;
     };
-    Status fit(Context& context, VkExtent2D region, SurfaceOutput output, Picture& picture) const;
+    Status fit(Context& context, VkExtent2D region, SurfaceOutput output, bool keepsMirrored,
+               Picture& picture) const;
     /// What shade() was given the same for before; else refused.
     Status find(const Body& body, const BodyView& view, const Picture*& out) const;
     static void bindPicture(const Context& context, const Picture& picture, SurfaceOutput output,

@@ -221,7 +221,7 @@ vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirr
     ahead.unseen = sqrt(ahead.unseen * ahead.unseen + filmVariance);
     float glint = sunGlint(film, toEye, false) * sunClear(toSun, slopeOf(toEye + toSun), ahead);
     vec3 light = lightBy(sun, open);
-    vec3 foamy = light * water.foamAlbedo / pi + filmShare * (mirrored + sunLight(glint));
-    if (water.absorption.r > 0.0) bare += leaves * plumeGlow(toSun, s.sunSeen, white.plume);
+    vec3 foamy = throughAir(light * water.foamAlbedo / pi + filmShare * sunLight(glint), s.air) + filmShare * mirrored;
+    if (water.absorption.r > 0.0) bare += leaves * throughAir(plumeGlow(toSun, s.sunSeen, white.plume), s.air);
     return mix(bare, foamy, white.mask * mix(thinnest, 1.0, white.fresh));
 }

@@ -5,6 +5,11 @@
 #include "surface.glsl"
 #include "found_tiles_block.h"
 #include "tile_quad.glsl"
+
+layout(set = 0, binding = shadedBinding, rgba16f) uniform image2D shadedColor;
+layout(set = 0, binding = mirroredBinding, rgba16f) uniform image2D mirroredLight;
+layout(set = 0, binding = shadedBinding, rgba32f) uniform writeonly image2D shadedOutput;   // in its place, of all but light
+
 #include "surface_shading.glsl"
 #include "surface_outputs.glsl"
 #include "found_surface.glsl"
@@ -12,8 +17,6 @@
 
 layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;
 layout(set = 0, binding = foundAsideBinding) uniform usampler2D foundAside;
-layout(set = 0, binding = shadedBinding, rgba16f) uniform writeonly image2D shadedColor;
-layout(set = 0, binding = shadedBinding, rgba32f) uniform writeonly image2D shadedOutput;   // in its place, of all but light
 
 #include "shaded_pixels.glsl"
 
@@ -81,20 +84,25 @@ bool quadShows(ivec2 at) {
 }
 
 // They show this water, and from the same side.
-bool quadIsAlike(Found found, bool fromWater, ivec2 at) {
+bool quadIsAlike(Found found, bool fromWater, ivec2 at, inout uint turn) {
     if (!hasWaves) return false;
     if (!mayBeInBoth && allAreShaded()) return quadShows(at);
     float side = fromWater ? -1.0 : 1.0;
-    return abs(meanOfQuad(vec4(found.shows ? side : 0.0)).x) == 1.0;
+    return abs(meanOfQuad(vec4(found.shows ? side : 0.0), turn).x) == 1.0;
 }
 
 // All of it but what light alone asks for: `sunSeen` and `air`.
-SurfacePoint shownPoint(Found found, ivec2 at) {
-    Step right = stepAlong(found, at, ivec2(1, 0)), down = stepAlong(found, at, ivec2(0, 1));
+SurfacePoint shownPoint(Found found, ivec2 at, inout uint turn) {
+    Step right, down = Step(vec2(0.0), vec3(0.0));
+    int axis = 0;
+    [[dont_unroll]] do {
+        right = down;
+        down = stepAlong(found, at, ivec2(1 - axis, axis));
+    } while (++axis < 2);
     SurfacePoint s;
     s.pixel = vec2(at) + 0.5;
     s.fromWater = isFromWater(s.pixel);
-    s.quadIsAlike = quadIsAlike(found, s.fromWater, at);
+    s.quadIsAlike = quadIsAlike(found, s.fromWater, at, turn);
     s.footprint = footprintOf(right.calm, down.calm);
     vec2 widest = max(abs(right.calm), abs(down.calm));
     s.pixelLength = max(widest.x, widest.y);
@@ -107,7 +115,7 @@ SurfacePoint shownPoint(Found found, ivec2 at) {
     if (onGlobe) s.level = levelAt(found.calm);
     if (hasShore) s.shore = shoreWave(found.calm, s.pixelLength);
     s.calm = shownCalm(found.calm, s.footprint, found.position, s.height, cross(right.position, down.position));
-    findSlopes(s);
+    findSlopes(s, turn);
     s.sunSeen = 1.0;
     s.air = vec4(vec3(0.0), 1.0);
     return s;
@@ -119,10 +127,14 @@ void main() {
     ivec2 first = firstPixel(tiles[placeInList(listShaded, isListed ? int(n) : 0)]);
     ivec2 at = shadedPixel(first / blockSize() + placeInTile());
     Found found = foundAt(at);
-    SurfacePoint s = shownPoint(found, min(at, regionSize() - 1));
-    vec4 made = shaded(s);
+    uint turn = 0u;   // of the quads
+    SurfacePoint s = shownPoint(found, min(at, regionSize() - 1), turn);
+    vec4 made;
+    if (shadingStep == stepBed || shadingStep == stepMirror) made = stepAlone(s, turn);
+    else made = shaded(s, turn);
     if (!isListed || !found.shows) return;
     const float most = 65504.0;   // that a half holds
-    if (surfaceOutput == outputShaded) imageStore(shadedColor, at, min(made, vec4(most)));
+    if (shadingStep == stepMirror) imageStore(mirroredLight, at, made);
+    else if (surfaceOutput == outputShaded) imageStore(shadedColor, at, min(made, vec4(most)));
     else imageStore(shadedOutput, at, made);
 }

@@ -51,11 +51,10 @@ vec3 shownBy(vec2 pixel, float info) {
     return mirroredPoint(ray, ray, info, water.plane.xyz, water.mirror.x);
 }
 
-// How far along the ray what the image shows at a pixel lies [m], else `t`. Not what `info` says: another place of the
-// mirror shows it, which on steep waves may be far nearer to it. Into the water it does: rays to a level bed are as long from
+// How far along the ray what the image shows at a pixel lies [m], of which `info` is known, else `t`. Not what `info` says: another place
+// of the mirror shows it, which on steep waves may be far nearer to it. Into the water it does: rays to a level bed are as long from
 // place to place, and points of it run away along them.
-float towardsShown(vec3 from, vec3 direction, vec2 pixel, float t) {
-    float info = infoAt(pixel);
+float towardsShown(vec3 from, vec3 direction, vec2 pixel, float info, float t) {
     if (!infoIsHit(info)) return t;
     if (direction.y < 0.0) return info;
     float along = dot(shownBy(pixel, info) - from, direction);
@@ -71,10 +70,11 @@ BentPoint aheadOf(vec2 here, vec3 from, vec3 direction, BentPoint point) {
     [[dont_unroll]] do {
         float info = infoAt(point.pixel);
         vec3 way = shownBy(point.pixel, info) - from;
-        if (!infoIsHit(info) || dot(way, direction) > leastCosine * length(way)) break;
+        float along = dot(way, direction);
+        if (i > 0 && infoIsHit(info) && along > 0.0) point.distance = min(point.distance, along);
+        if (i == 2 || !infoIsHit(info) || along > leastCosine * length(way)) break;
         point.pixel = i == 0 ? mix(here, point.pixel, 0.5) : here;
-        point.distance = min(point.distance, towardsShown(from, direction, point.pixel, point.distance));
-    } while (++i < 2);
+    } while (++i < 3);
     return point;
 }
 
@@ -83,30 +83,38 @@ const float overNear = 0.4;
 
 // The pixel whose reflection the bent ray meets, by `rounds` of fixed-point iteration on how far what is shown there lies
 // along the ray, from `t`. `here` is the pixel that the ray leaves the water at. One that starts at the sky jumps over what is near, such as the tail of a buoy's reflection: a
-// last look is for that.
+// last round is for that.
 BentPoint bentPoint(vec2 here, vec3 from, vec3 direction, float t, int rounds) {
     if (!hasWaves) return BentPoint(here, t);
-    vec2 pixel = mirroredPixel(from, direction, t);
-    int i = 0;
     // From a trough what a flat mirror shows here lies nearer than it is to that mirror: so near that the image may end before.
     bool inTrough = direction.y > 0.0 && from.y < -water.mirror.x && t < farAway;
-    bool inside = inRegion(pixel);
-    if (inTrough && inside && !infoIsHit(infoAt(pixel))) {
-        pixel = here;
-        i = -1;
-    }
+    bool fromHere = false;
+    vec2 pixel = here;
+    float nearer = t;
+    int last = rounds, i = 0;
+    // All rounds share one copy of the code.
     [[dont_unroll]] do {
-        t = towardsShown(from, direction, pixel, t);
-        pixel = mirroredPixel(from, direction, t);
-    } while (++i < rounds);
-    if (t >= farAway) {
-        float nearer = towardsShown(from, direction, mix(here, pixel, overNear), t);
-        vec2 near = mirroredPixel(from, direction, nearer);
-        if (nearer < t && infoIsHit(infoAt(near))) {
+        vec2 met = mirroredPixel(from, direction, nearer);
+        if (fromHere) met = here;
+        fromHere = false;
+        if (i <= last) {
+            pixel = met;
             t = nearer;
-            pixel = near;
         }
-    }
+        if (i == last && t < farAway) break;
+        vec2 sought = i == last ? mix(here, met, overNear) : met;
+        float info = infoAt(sought);
+        if (i > last) {
+            if (nearer < t && infoIsHit(info)) {
+                pixel = met;
+                t = nearer;
+            }
+            break;
+        }
+        fromHere = i == 0 && inTrough && inRegion(met) && !infoIsHit(info);
+        if (fromHere) last += 2;
+        else nearer = towardsShown(from, direction, sought, info, t);
+    } while (++i < rounds + 4);
     return aheadOf(here, from, direction, BentPoint(mix(here, pixel, water.reflectionDistortion), t));
 }
 

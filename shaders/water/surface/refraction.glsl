@@ -51,32 +51,6 @@ bool isBelowWater(const SurfacePoint s, Behind b) {
     return !b.nothing && b.seen.y < min(s.position.y, calmLevel());
 }
 
-// What lies beyond the border nobody knows: a mean of the bed around the place that lies as far inside, over a wider part of
-// it the farther out, and `least` pixels wide. So the bed goes on without a seam, a streak or rocks where there are none. What
-// stands up from the bed is not the bed; what lies lower than the last pixel before the border is, which may show a stone.
-vec3 radianceBeyond(const SurfacePoint s, Behind inside, vec3 beyond, vec2 here, float least) {
-    const vec2 taps[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
-    // A quad's pixels look at places of their own where they take their mean.
-    vec2 side = least > sharpBed ? 1.0 - 2.0 * placeInQuad() : vec2(1.0);
-    vec3 nearby = bedRadiance(inside);
-    vec4 p = bedPixelOf(vec4(2.0 * inside.seen - beyond, 1.0));
-    if (p.w <= 0.0) return nearby;
-    vec2 middle = mix(here, p.xy / p.w, water.refractionDistortion);
-    vec4 edge = bedPixelOf(vec4(inside.seen, 1.0));
-    float radius = max(length(middle - edge.xy / edge.w), least);
-    vec4 sum = vec4(nearby, 1.0) * 1e-3;
-    int i = 0;
-    [[dont_unroll]] do {
-        vec2 pixel = middle + radius * side * taps[i];
-        Behind b = bedAt(pixel);
-        bool standsUp = b.seen.y - inside.seen.y >= 0.15 * (s.position.y - inside.seen.y);
-        vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - b.seen;
-        bool flatHere = abs(step.y) < 0.5 * length(step.xz);
-        if (isBelowWater(s, b) && !standsUp && flatHere) sum += vec4(bedRadiance(b), 1.0);
-    } while (++i < 4);
-    return sum.rgb / sum.a;
-}
-
 // Where the ray that a slope bends goes on each metre down.
 const float shallowest = 0.1;   // of its way
 
@@ -149,15 +123,18 @@ mat2 blurOfBed(const SurfacePoint s, vec3 toEye, vec3 seen, float drop) {
     if (!hasWaves) return mat2(0.0);
     float u = sqrt(max(s.covariance.x, 1e-12));
     float both = s.covariance.z / u;
-    vec2 deviations[2] = vec2[](vec2(u, both), vec2(0.0, sqrt(max(s.covariance.y - both * both, 0.0))));
+    vec2 deviation = vec2(u, both);
     vec3 mean = bentPerDepth(s.slope, toEye);
     vec4 middle = bedPixelOf(vec4(seen, 1.0));
-    mat2 blur;
-    for (int i = 0; i < 2; ++i) {
-        vec3 strays = bentPerDepth(s.slope + deviations[i], toEye) - mean;
+    mat2 blur = mat2(0.0);
+    int i = 0;
+    [[dont_unroll]] do {
+        vec3 strays = bentPerDepth(s.slope + deviation, toEye) - mean;
         vec4 there = bedPixelOf(vec4(seen + drop * strays, 1.0));
-        blur[i] = there.w > 0.0 ? water.refractionDistortion * (there.xy / there.w - middle.xy / middle.w) : vec2(0.0);
-    }
+        blur[0] = blur[1];
+        blur[1] = there.w > 0.0 ? water.refractionDistortion * (there.xy / there.w - middle.xy / middle.w) : vec2(0.0);
+        deviation = vec2(0.0, sqrt(max(s.covariance.y - both * both, 0.0)));
+    } while (++i < 2);
     return blur;
 }
 
@@ -165,46 +142,98 @@ float widthOf(mat2 blur) {
     return sqrt(dot(blur[0], blur[0]) + dot(blur[1], blur[1]));
 }
 
-// A mean of what those slopes show of the bed around, or of the pixel alone. Across the border it is as it is inside.
-vec4 bedColorAround(const SurfacePoint s, Behind b, mat2 blur, float drop) {
-    const int taps = refractionSamples > 3 ? 4 : 1;
+// Where a mean of the bed is taken.
+struct BedTaps {
+    bool isBeyond;     // of what lies beyond the border
+    int count;         // beside the bed's own pixel
+    vec2 middle;       // [pixel]
+    mat2 blur;         // around that
+    float radius;      // likewise, beyond the border
+    float least;       // of the radius
+};
+
+const int tapsAround = refractionSamples > 3 ? 4 : 1;
+
+// Of what those slopes show of the bed around, or of the pixel alone.
+BedTaps bedAround(Behind b, mat2 blur, float blurred) {
+    return BedTaps(false, blurred > sharpBed ? tapsAround : 0, hasBed ? b.pixel : b.pixel + 0.5, blur, 0.0, 0.0);
+}
+
+// What lies beyond the border nobody knows: a mean of the bed around the place that lies as far inside, over a wider part of
+// it the farther out, and `least` pixels wide. So the bed goes on without a seam, a streak or rocks where there are none.
+BedTaps bedBeyondBorder(Behind inside, vec3 beyond, vec2 here, float least) {
+    vec4 p = bedPixelOf(vec4(2.0 * inside.seen - beyond, 1.0));
+    vec4 edge = bedPixelOf(vec4(inside.seen, 1.0));
+    vec2 middle = mix(here, p.xy / p.w, water.refractionDistortion);
+    return BedTaps(true, p.w > 0.0 ? 4 : 0, middle, mat2(0.0), max(length(middle - edge.xy / edge.w), least), least);
+}
+
+vec2 tapBeyond(BedTaps taps, int i) {
+    const vec2 places[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
+    // A quad's pixels look at places of their own where they take their mean.
+    vec2 side = taps.least > sharpBed ? 1.0 - 2.0 * placeInQuad() : vec2(1.0);
+    return taps.middle + taps.radius * side * places[i];
+}
+
+// Across the border it is as it is inside.
+vec2 tapAround(BedTaps taps, int i) {
+    vec2 off = taps.blur * placeAround(i, tapsAround);
+    vec2 pixel = taps.middle + off;
     vec2 size = vec2(hasBed ? water.bedSize.xy : regionSize());
-    vec2 middle = hasBed ? b.pixel : b.pixel + 0.5;
-    bool blurs = widthOf(blur) > sharpBed;
-    float weights = blurs ? 1e-3 : 1.0;
-    vec4 sum = weights * bedColorOf(b);
-    int i = blurs ? 0 : taps;
-    [[dont_unroll]] while (i < taps) {
-        vec2 off = blur * placeAround(i, taps);
-        vec2 pixel = middle + off;
-        if (any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, size))) pixel = middle - off;
-        Behind there = bedAt(pixel);
-        ++i;
-        if (!isBelowWater(s, there) || length(there.seen - b.seen) > 0.5 * drop) continue;
-        sum += bedColorOf(there);
-        weights += 1.0;
-    }
-    return sum / weights;
+    bool isOutside = any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, size));
+    return isOutside ? taps.middle - off : pixel;
+}
+
+// Whether a tap shows the bed as `b` does, `drop` metres below. Beyond the border what stands up from it is not the bed; what
+// lies lower than the last pixel before is, which may show a stone.
+bool showsSameBed(const SurfacePoint s, BedTaps taps, Behind b, float drop, Behind there, vec2 pixel) {
+    if (!isBelowWater(s, there)) return false;
+    if (!taps.isBeyond) return length(there.seen - b.seen) <= 0.5 * drop;
+    bool standsUp = there.seen.y - b.seen.y >= 0.15 * (s.position.y - b.seen.y);
+    vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - there.seen;
+    return !standsUp && abs(step.y) < 0.5 * length(step.xz);
+}
+
+// Its alpha is the bed's own beyond the border.
+vec4 bedColorBy(const SurfacePoint s, BedTaps taps, Behind b, float drop) {
+    vec4 sum = vec4(0.0);
+    float weights = 0.0, own = 1.0;
+    Behind there = b;
+    bool counts = true;
+    int i = 0;
+    // The bed's own pixel first, so that all share one copy of what looks colour up.
+    [[dont_unroll]] do {
+        vec4 color = bedColorOf(there);
+        if (i == 0) own = color.a;
+        float weight = i == 0 && taps.count > 0 ? 1e-3 : 1.0;
+        if (counts && i <= taps.count) {
+            sum += weight * color;
+            weights += weight;
+        }
+        vec2 pixel = taps.isBeyond ? tapBeyond(taps, i & 3) : tapAround(taps, i & 3);
+        there = bedAt(pixel);
+        counts = showsSameBed(s, taps, b, drop, there, pixel);
+    } while (++i <= taps.count);
+    return vec4(sum.rgb / weights, taps.isBeyond ? own : sum.a / weights);
 }
 
 // What shines through.
 struct Through {
-    vec3 radiance;
-    vec3 overFog;    // overFog() of it
+    vec3 radiance;   // through the air before the surface
     float path;      // metres of water before it
     float blurred;   // pixels over which slopes too small to be seen spread it
 };
 
 Through endlessWater(const SurfacePoint s) {
     const float path = 1e6;
-    return Through(waterGlow(sunDirection(s), vec3(path)), vec3(0.0), path, 0.0);
+    return Through(throughAir(waterGlow(sunDirection(s), vec3(path)), s.air), path, 0.0);
 }
 
 // A bed of so much light in air, at so much depth.
 Through bedThrough(const SurfacePoint s, vec3 bed, float depth, float gathered, float path) {
     vec3 through = litBelow(sunDirection(s), bed, depth, gathered) / (waterIndex * waterIndex) * exp(-extinction() * path);
-    vec3 differs = overFog(through, through / max(bed, 1e-9), s.air);
-    return Through(through + waterGlow(sunDirection(s), vec3(path)), differs, path, 0.0);
+    vec3 seen = sceneThroughAir(through, through / max(bed, 1e-9), s.air);
+    return Through(seen + throughAir(waterGlow(sunDirection(s), vec3(path)), s.air), path, 0.0);
 }
 
 // Whether a ray meets what shows between two depths, where it lies before that and behind it, rather than to pass behind its
@@ -403,15 +432,16 @@ Through refractedBed(const SurfacePoint s, vec3 normal, vec3 toEye) {
     bool madeUp = goesOnBeyond(s, ray, bed);
     mat2 blur = blurOfBed(s, toEye, bed.found.seen, bed.drop);
     float blurred = widthOf(blur);
-    vec4 color = bedColorAround(s, bed.found, madeUp ? mat2(0.0) : blur, bed.drop);
-    if (madeUp) color.rgb = radianceBeyond(s, bed.found, s.position + ray.direction * bed.drop, ray.here, blurred);
+    BedTaps taps = bedAround(bed.found, blur, blurred);
+    if (madeUp) taps = bedBeyondBorder(bed.found, s.position + ray.direction * bed.drop, ray.here, blurred);
+    vec4 color = bedColorBy(s, taps, bed.found, bed.drop);
     Through unknown = endlessWater(s);
     if (hasShore && ray.passedOver && known < 1.0)
         unknown = bedThrough(s, bedRadiance(bed.nearest), ray.onMap - s.position.y + calmLevel(), gatheredIn(bedColorOf(bed.nearest)),
                              ray.onMap / ray.steepness);
     float path = mix(length(bed.found.seen - s.position), bed.drop / ray.steepness, water.refractionDistortion);
     Through through = bedThrough(s, color.rgb, -heightOverCalm(bed.found.seen), gatheredIn(color), path);
-    return Through(mix(unknown.radiance, through.radiance, known), mix(unknown.overFog, through.overFog, known), path, blurred);
+    return Through(mix(unknown.radiance, through.radiance, known), path, blurred);
 }
 
 Through refracted(const SurfacePoint s, vec3 normal, vec3 toEye) {

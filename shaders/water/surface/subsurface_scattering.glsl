@@ -34,11 +34,28 @@ struct CrestSide {
     float above;   // [m]
 };
 
-CrestSide crestSide(const SurfacePoint s, vec2 calm, vec2 towards, float height, float above, float width) {
+// Of the wave over a point at that height: its sides towards two directions.
+struct Crest {
+    CrestSide one, other;
+};
+
+Crest crestOver(const SurfacePoint s, vec2 calm, float height, vec2 one, vec2 other, float width) {
     const float leastApart = 1e-3;   // of what touches the surface, where a ray has no way through it [m]
-    float apart = max(max(above, width), leastApart);
-    float there = surfaceDisplacement(waveDisplacement, calm + towards * apart, width).y;
-    return CrestSide(towards, clamp((there - height) / apart, -1.0, 1.0), above);
+    float over = 0.0, apart = leastApart;
+    vec2 towards = vec2(0.0), rises = vec2(0.0);
+    int i = 0;
+    // Over the point first, then to both sides: all share one copy of the code.
+    [[dont_unroll]] do {
+        float there = surfaceDisplacement(waveDisplacement, calm + towards * apart, width).y;
+        rises = vec2(rises.y, clamp((there - over) / apart, -1.0, 1.0));
+        if (i == 0) {
+            over = there;
+            apart = max(max(there - height, width), leastApart);
+        }
+        towards = i == 0 ? one : other;
+    } while (++i < 3);
+    float above = max(over - height, 0.0);
+    return Crest(CrestSide(one, rises.x, above), CrestSide(other, rises.y, above));
 }
 
 vec3 normalOf(CrestSide side, float lean) {
@@ -102,19 +119,17 @@ vec3 throughScattering(vec3 behind, const SurfacePoint s, vec3 toEye, float path
         do {
             float t = (float(i) + 0.5) * stretch;
             vec2 calm = s.calm + along.xz * t;
-            float height = surfaceDisplacement(waveDisplacement, calm, width).y;
-            float above = max(height - (s.height + along.y * t), 0.0);
             vec3 reaches = straight * exp(-extinction() * t);
-            CrestSide lit = crestSide(s, calm, horizontal(sunDirection(s)), height, above, width);
-            fromSun += scattering * stretch * reaches * sunScattered(s, lit, calm, along);
-            CrestSide far = crestSide(s, calm, ahead, height, above, width);
+            Crest crest = crestOver(s, calm, s.height + along.y * t, horizontal(sunDirection(s)), ahead, width);
+            fromSun += scattering * stretch * reaches * sunScattered(s, crest.one, calm, along);
+            CrestSide far = crest.other;
             // Facets of a rough side spread its light: e^(5 c) over the deviation of their tilt.
             float share = scattersFromFacet(dot(normalOf(far, 0.0), along)) * exp(12.5 * slopeDeviation() * slopeDeviation());
             float turned = 1.0 - exp(-scattering * stretch * share);
-            skyShare += turned * reaches * exp(-extinction() * (above / risesFaster(far, lowSky)));
+            skyShare += turned * reaches * exp(-extinction() * (far.above / risesFaster(far, lowSky)));
             straight *= 1.0 - turned;
         } while (++i < points);
-        behind += skyShare * (skyAt(s, lowSky, 0.5) - behind) + fromSun;
+        behind += skyShare * (throughAir(skyAt(s, lowSky, 0.5), s.air) - behind) + throughAir(fromSun, s.air);
     }
     return behind;
 }

@@ -18,6 +18,10 @@ const uint outputNormal = 4;
 const uint outputFoam = 5;
 const uint outputReflectionSource = 6;
 const uint outputSlopes = 7;
+// water/shading/shaded_surface.h: ShadingStep
+const uint stepBed = 1;
+const uint stepMirror = 2;
+const uint stepRest = 3;
 const bool writesLight = surfaceOutput <= outputReflection;   // and else figures, which no target encodes
 
 struct MeshPatch {

@@ -252,7 +252,7 @@ float sideOfShare() {
 
 // The mean over the slopes that are seen, at as many of them as there are looks. Seen from below, where no line of sight
 // that is mirrored is as low as those over water, slopes turn rays aside as much as up and down: twice reflectionAlong()'s blur.
-vec3 mirroredBelowWaves(const SurfacePoint s, vec3 view) {
+vec3 mirroredBelowWaves(const SurfacePoint s, vec3 view, inout uint turn) {
     VisibleSlopes v = visibleSlopes(s, view);
     SlopeSpread seen = slopeSpread(v);
     vec2 aside = vec2(-v.towards.y, v.towards.x) * (0.7 * deviationAcross(s, v.towards));
@@ -263,20 +263,20 @@ vec3 mirroredBelowWaves(const SurfacePoint s, vec3 view) {
     do {
         float offset = mix(belowSamples[reflectionSamples - 1 + i], dot(levelShares[reflectionSamples - 1 + i], partOfQuad()), share);
         vec2 slope = s.slope + v.towards * (seen.mean + offset * seen.deviation) + aside * mix(sideOf(i), sideOfShare(), share);
-        sum += meanFound(vec4(mirroredBy(s, slope, view, spread), 1.0), share).rgb;
+        sum += meanFound(vec4(mirroredBy(s, slope, view, spread), 1.0), share, turn).rgb;
     } while (++i < reflectionSamples);
     return sum / float(reflectionSamples);
 }
 
-vec3 mirroredBelow(const SurfacePoint s, vec3 view) {
-    return hasWaves ? mirroredBelowWaves(s, view) : mirroredBy(s, s.slope, view, s.slopeStep);
+vec3 mirroredBelow(const SurfacePoint s, vec3 view, inout uint turn) {
+    return hasWaves ? mirroredBelowWaves(s, view, turn) : mirroredBy(s, s.slope, view, s.slopeStep);
 }
 
-vec3 shadedBelow(const SurfacePoint s, float foamShare) {
+vec3 shadedBelow(const SurfacePoint s, float foamShare, inout uint turn) {
     vec3 view = normalize(sightTo(s.position));
     float reflectance;
     vec3 radiance = throughWindow(s, view, reflectance);
-    radiance += reflectance * mirroredBelow(s, view) + sunThrough(s, view);
+    radiance += reflectance * mirroredBelow(s, view, turn) + sunThrough(s, view);
     // Foam passes on, spread evenly, what it does not send back.
     if (hasFoam) radiance = mix(radiance, lightEntering(sunDirection(s)) * (1.0 - water.foamAlbedo) / pi, foamShare);
     vec3 start = onNearPlane(s.pixel);

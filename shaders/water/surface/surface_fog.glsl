@@ -41,13 +41,17 @@ vec4 airBefore(vec2 pixel, vec3 position, vec3 overPlane) {
     return vec4(color, seaglass_transmittance(fogShape, airFog(), worldRise(start), worldRise(overPlane - start), way));
 }
 
-// The host has fogged its scene, up to what shows there, which is about as far away as the water that shows it. So of what
-// the water has from there this counts, how much it differs from endless fog: of `light`, which is that `share` of the scene's.
-vec3 overFog(vec3 light, vec3 share, vec4 air) {
-    return hasFog ? light - share * air.rgb : vec3(0.0);
+// What passes the air of light that the water itself sends; fogLight() comes on top once.
+vec3 throughAir(vec3 light, vec4 air) {
+    return hasFog ? air.a * light : light;
 }
 
-// Of the water's `radiance`, some from the scene.
-vec3 fogged(vec3 radiance, vec3 sceneOverFog, vec4 air) {
-    return mix(air.rgb + sceneOverFog, radiance, air.a);
+// Likewise of light from the scene, which is that `share` of the scene's. The host has fogged that up to what shows there, which is about
+// as far away as the water that shows it. So what it differs by from endless fog passes whole.
+vec3 sceneThroughAir(vec3 light, vec3 share, vec4 air) {
+    return hasFog ? light - (1.0 - air.a) * share * air.rgb : light;
+}
+
+vec3 fogLight(vec4 air) {
+    return hasFog ? (1.0 - air.a) * air.rgb : vec3(0.0);
 }

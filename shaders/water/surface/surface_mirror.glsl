@@ -28,10 +28,9 @@ vec3 keptAbove(vec3 direction) {
 }
 
 struct Reflection {
-    vec3 radiance;    // times Fresnel
+    vec3 radiance;    // times Fresnel, through the air before it
     float fresnel;
     float swallowed;  // of that, what another wave lets in
-    vec3 sceneOverFog;   // of the radiance: overFog()
 };
 
 // Of the scene, times confidence, and confidence. `hit` is how far away the last ray beside this one met something [m].
@@ -58,19 +57,23 @@ float firstHit(const SurfacePoint s) {
 // nearly Gauss and Hermite's, for the lopsided fitted to keep the mean, the deviation and, within 2 %, Fresnel's
 // mean; or the means of eight equal shares, which tell edges better apart. None of them is seen from behind.
 const int slopesSeen = reflectionSamples == 4 ? 8 : 4;
-const float fourLevel[4] = float[](-2.2, -0.7875, 0.7875, 2.2);
-const float fourEdgeOn[4] = float[](-2.85, -0.68, 0.78, 1.8);
-const float fourShares[4] = float[](0.045, 0.455, 0.455, 0.045);
-const float eightLevel[8] = float[](-1.694, -0.921, -0.505, -0.162, 0.162, 0.505, 0.921, 1.694);
-const float eightEdgeOn[8] = float[](-1.884, -0.916, -0.431, -0.053, 0.283, 0.609, 0.959, 1.433);
+const vec4 fourLevel = vec4(-2.2, -0.7875, 0.7875, 2.2);
+const vec4 fourEdgeOn = vec4(-2.85, -0.68, 0.78, 1.8);
+const vec4 fourShares = vec4(0.045, 0.455, 0.455, 0.045);
+const vec4 eightLevel[2] = vec4[](vec4(-1.694, -0.921, -0.505, -0.162), vec4(0.162, 0.505, 0.921, 1.694));
+const vec4 eightEdgeOn[2] = vec4[](vec4(-1.884, -0.916, -0.431, -0.053), vec4(0.283, 0.609, 0.959, 1.433));
 
 float slopeSeen(int i, SlopeSpread seen) {
-    float offset = reflectionSamples == 4 ? mix(eightLevel[i], eightEdgeOn[i], seen.skew) : mix(fourLevel[i], fourEdgeOn[i], seen.skew);
-    return seen.mean + offset * seen.deviation;
+    vec4 level = fourLevel, edgeOn = fourEdgeOn;
+    if (reflectionSamples == 4) {
+        level = i < 4 ? eightLevel[0] : eightLevel[1];
+        edgeOn = i < 4 ? eightEdgeOn[0] : eightEdgeOn[1];
+    }
+    return seen.mean + mix(level[i & 3], edgeOn[i & 3], seen.skew) * seen.deviation;
 }
 
 float shareOfSlope(int i) {
-    return reflectionSamples == 4 ? 0.125 : fourShares[i];
+    return reflectionSamples == 4 ? 0.125 : fourShares[i & 3];
 }
 
 // For looks of one, of two and of four, the means of four equal shares of each one's slopes.
@@ -100,8 +103,8 @@ float sharedInQuad(const SurfacePoint s, SlopeSpread seen, float spread, float h
 }
 
 // The more of the mean where they share in part, or what each found for itself would stand out as a pattern of dots.
-vec4 meanFound(vec4 own, float share) {
-    vec4 mean = meanOfQuad(own);
+vec4 meanFound(vec4 own, float share, inout uint turn) {
+    vec4 mean = meanOfQuad(own, turn);
     return share > 0.0 ? mix(own, mean, share * (2.0 - share)) : own;
 }
 
@@ -123,26 +126,43 @@ vec3 facetMet(vec3 ray) {
     return normalOf(v.towards * (met.mean + met.deviation / 3.0));
 }
 
+// A look into the sky: what it counts for, and the deviation of its rays [rad].
+struct SkyLook {
+    vec3 towards;
+    float spread, weight;
+};
+
+// Of rays that meet other waves, times their weight, and that: these mirror a higher part of the sky, or what the last look `found`.
+SkyLook skyOfMet(vec4 met, vec4 found, float spread, inout Reflection sum) {
+    vec3 direction = normalize(met.xyz);
+    vec3 facet = facetMet(direction);
+    float keeps = met.w * mirroredShare(dot(-direction, facet));
+    sum.swallowed = met.w - keeps;
+    sum.radiance += keeps * found.rgb;
+    return SkyLook(keptAbove(reflect(direction, facet)), spread, keeps * (1.0 - found.a));
+}
+
 // The scene and the sky are looked up in as many groups of neighbouring slopes as there are looks. Low rays meet another wave
 // before they reach the sky (Smith's masking by all the sea's slopes), which mirrors a higher part of it in turn, or of what
 // the last look found.
-Reflection reflectedByWaves(const SurfacePoint s, vec3 toEye) {
+Reflection reflectedByWaves(const SurfacePoint s, vec3 toEye, inout uint turn) {
     const int together = slopesSeen / reflectionSamples;
     VisibleSlopes v = visibleSlopes(s, toEye);
     SlopeSpread seen = slopeSpread(v);
     float spread = tapWidth() * seen.deviation + s.slopeStep;   // and from this pixel to the next
     float spreadAside = 2.0 * deviationAcross(s, v.towards) + s.slopeStep;
-    Reflection sum = Reflection(vec3(0.0), 0.0, 0.0, vec3(0.0));
+    Reflection sum = Reflection(vec3(0.0), 0.0, 0.0);
     vec4 met = vec4(0.0);   // rays that meet another wave, times their weight, and that
     vec4 found = vec4(0.0);
     float hit = firstHit(s);
     WavesAhead ahead = wavesAhead(s, -v.towards, 0.0);
     int tap = 0;
-    do {
+    [[dont_unroll]] do {
         vec4 total = vec4(0.0);
         vec4 clear = vec4(0.0);   // rays that meet none
         float cosines = 0.0;
-        for (int j = 0; j < together; ++j) {
+        int j = 0;
+        [[dont_unroll]] do {
             int i = tap * together + j;
             vec2 slope = s.slope + v.towards * slopeSeen(i, seen);
             vec3 normal = normalOf(slope);
@@ -152,26 +172,25 @@ Reflection reflectedByWaves(const SurfacePoint s, vec3 toEye) {
             total += mirrored;
             cosines += mirrored.w * max(cosine, 0.0);
             clear += clearShare(direction.y, -dot(slope, v.towards), ahead) * mirrored;
-        }
+        } while (++j < together);
         float share = sharedInQuad(s, seen, spread, hit);
         vec3 ofShare = reflect(-toEye, normalOf(s.slope + v.towards * slopeOfShare(tap, seen)));
         vec3 ray = keptAbove(mix(total.xyz / max(total.w, 1e-6), ofShare, share));
-        if (hasReflection) found = meanFound(mirroredScene(s, ray, spread, hit), share);
+        if (hasReflection) found = meanFound(mirroredScene(s, ray, spread, hit), share, turn);
+        if (hasReflection) found.rgb = sceneThroughAir(found.rgb, vec3(found.a), s.air);
         sum.radiance += clear.w * found.rgb;
-        sum.sceneOverFog += clear.w * overFog(found.rgb, vec3(found.a), s.air);
-        if (found.a < 0.999 && clear.w > 1e-6)
-            sum.radiance += clear.w * (1.0 - found.a) * skyAt(s, clear.xyz / clear.w, max(spreadAside * cosines / max(total.w, 1e-6), skyBlurred * spread));
         sum.fresnel += total.w;
         met += total - clear;
+        SkyLook sky = SkyLook(clear.xyz / max(clear.w, 1e-6), max(spreadAside * cosines / max(total.w, 1e-6), skyBlurred * spread),
+                              found.a < 0.999 && clear.w > 1e-6 ? clear.w * (1.0 - found.a) : 0.0);
+        bool meets = tap + 1 == reflectionSamples && met.w > 1e-3 * sum.fresnel;
+        int look = 0;
+        // What rays meet of other waves mirrors sky too, by the same copy of the code.
+        [[dont_unroll]] do {
+            if (sky.weight > 0.0) sum.radiance += sky.weight * throughAir(skyAt(s, sky.towards, sky.spread), s.air);
+            if (meets && look == 0) sky = skyOfMet(met, found, 0.5 * spread, sum);
+        } while (++look < (meets ? 2 : 1));
     } while (++tap < reflectionSamples);
-    if (met.w > 1e-3 * sum.fresnel) {
-        vec3 direction = normalize(met.xyz);
-        vec3 facet = facetMet(direction);
-        float keeps = met.w * mirroredShare(dot(-direction, facet));
-        sum.radiance += keeps * (found.rgb + (1.0 - found.a) * skyAt(s, keptAbove(reflect(direction, facet)), 0.5 * spread));
-        sum.sceneOverFog += keeps * overFog(found.rgb, vec3(found.a), s.air);
-        sum.swallowed = met.w - keeps;
-    }
     return sum;
 }
 
@@ -180,11 +199,11 @@ Reflection reflectedByStillWater(const SurfacePoint s, vec3 toEye) {
     float fresnel = mirroredShare(toEye.y);
     vec3 direction = keptAbove(vec3(-toEye.x, toEye.y, -toEye.z));
     vec4 found = mirroredScene(s, direction, 0.0, hit);
-    vec3 mirrored = found.rgb;
-    if (found.a < 0.999) mirrored += (1.0 - found.a) * skyAlong(s, direction);
-    return Reflection(fresnel * mirrored, fresnel, 0.0, fresnel * overFog(found.rgb, vec3(found.a), s.air));
+    vec3 mirrored = sceneThroughAir(found.rgb, vec3(found.a), s.air);
+    if (found.a < 0.999) mirrored += (1.0 - found.a) * throughAir(skyAlong(s, direction), s.air);
+    return Reflection(fresnel * mirrored, fresnel, 0.0);
 }
 
-Reflection reflected(const SurfacePoint s, vec3 toEye) {
-    return hasWaves ? reflectedByWaves(s, toEye) : reflectedByStillWater(s, toEye);
+Reflection reflected(const SurfacePoint s, vec3 toEye, inout uint turn) {
+    return hasWaves ? reflectedByWaves(s, toEye, turn) : reflectedByStillWater(s, toEye);
 }

@@ -37,32 +37,32 @@ SidesAround sidesAround(const SurfacePoint s) {
 }
 
 // Before Fresnel.
-vec3 mirroredRadiance(const SurfacePoint s, vec3 toEye) {
+vec3 mirroredRadiance(const SurfacePoint s, vec3 toEye, inout uint turn) {
     SidesAround sides = sidesAround(s);
     vec3 radiance = vec3(0.0);
     if (mayBeInAir && sides.air) {
-        Reflection r = reflected(s, toEye);
+        Reflection r = reflected(s, toEye, turn);
         radiance = r.radiance / max(r.fresnel, 1e-4);
     }
     if (mayBeInWater && sides.water) {
-        vec3 below = mirroredBelow(s, -toEye);
+        vec3 below = mirroredBelow(s, -toEye, turn);
         if (isSeenFromWater(s)) radiance = below;
     }
     return radiance;
 }
 
-vec3 radianceFrom(const SurfacePoint s, Foam white, vec3 normal, vec3 toEye) {
+vec3 radianceFrom(const SurfacePoint s, Foam white, vec3 normal, vec3 toEye, inout uint turn) {
     SidesAround sides = sidesAround(s);
     vec3 radiance = vec3(0.0);
-    if (mayBeInAir && sides.air) radiance = shadedAbove(s, white, normal, toEye);
+    if (mayBeInAir && sides.air) radiance = shadedAbove(s, white, normal, toEye, turn);
     if (mayBeInWater && sides.water) {
-        vec3 below = shadedBelow(s, white.mask);
+        vec3 below = shadedBelow(s, white.mask, turn);
         if (isSeenFromWater(s)) radiance = below;
     }
     return radiance;
 }
 
-vec4 debugOutput(const SurfacePoint s, vec3 normal, vec3 toEye) {
+vec4 debugOutput(const SurfacePoint s, vec3 normal, vec3 toEye, inout uint turn) {
     if (surfaceOutput == outputHeight) return vec4(s.height, 0.0, 0.0, 1.0);
     if (surfaceOutput == outputNormal) return vec4(inWorld(fromLevel(s, normal)), 1.0);
     if (surfaceOutput == outputSlopes) return vec4(s.slope, s.covariance.xy);
@@ -71,15 +71,23 @@ vec4 debugOutput(const SurfacePoint s, vec3 normal, vec3 toEye) {
     if (hasReflection && surfaceOutput == outputClass) return vec4(classColor(s, mirrored), 1.0);
     if (hasReflection && surfaceOutput == outputReflectionSource) return reflectionSource(s, mirrored);
     if (surfaceOutput == outputReflectionSource) return vec4(-1.0, -1.0, 0.0, 1.0);   // the sky
-    if (surfaceOutput == outputReflection) return vec4(mirroredRadiance(s, toEye), 1.0);
+    if (surfaceOutput == outputReflection) return vec4(mirroredRadiance(s, toEye, turn), 1.0);
     return vec4(0.0, 0.0, 0.0, 1.0);
 }
 
 // Radiance that goes to the eye, or what `surfaceOutput` asks for. Of `s` the sun and the air are found here.
-vec4 shaded(SurfacePoint s) {
+vec4 shaded(SurfacePoint s, inout uint turn) {
     vec3 toEye = toEyeFrom(s);
     vec3 normal = normalOf(s.slope);
-    if (surfaceOutput != outputShaded) return debugOutput(s, normal, toEye);
+    if (surfaceOutput != outputShaded) return debugOutput(s, normal, toEye, turn);
     if (hasSunShadow) s.sunSeen = sunSeenOver(s);
-    return vec4(radianceFrom(s, foamOn(s), normal, toEye), 1.0);
+    return vec4(radianceFrom(s, foamOn(s), normal, toEye, turn), 1.0);
+}
+
+// What a kernel does alone, for the rest to take up.
+vec4 stepAlone(SurfacePoint s, inout uint turn) {
+    vec3 toEye = toEyeFrom(s);
+    s.air = airBefore(s.pixel, s.position, s.overPlane);
+    if (shadingStep == stepMirror) return min(mirroredAndEntering(s, toEye, turn), vec4(65504.0));
+    return heldThrough(throughSurface(s, normalOf(s.slope), toEye, turn));
 }

@@ -96,8 +96,8 @@ float partOfAWave(float texels) {
     return 1.0 - smoothstep(8.0, 32.0, texels);
 }
 
-// By the waves at its calm position.
-void findSlopes(inout SurfacePoint s) {
+// By the waves at its calm position. `turn` is tile_quad.glsl's.
+void findSlopes(inout SurfacePoint s, inout uint turn) {
     s.slope = vec2(0.0);
     s.covariance = water.roughness.xyz;
     s.slopeStep = s.bounded = 0.0;
@@ -137,6 +137,6 @@ void findSlopes(inout SurfacePoint s) {
     s.slope = slopeOfWaves(gradient);
     s.covariance += variance;
     if (hasShore) s.slope = mix(s.slope, s.shore.bedSlope, onSand(s.shore));
-    vec2 change = changeInQuad(s.slope);
+    vec2 change = changeInQuad(s.slope, turn);
     s.slopeStep = max(change.x, change.y);
 }

@@ -47,17 +47,43 @@ float sunSeenOver(const SurfacePoint s) {
     return sum / float(slopeSamples);
 }
 
-// Radiance, with `white` on it.
-vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye) {
-    s.air = airBefore(s.pixel, s.position, s.overPlane);
-    Reflection mirror = reflected(s, toEye);
-    float entering = 1.0 - mirror.fresnel + mirror.swallowed;
+// The mean over the quad where the pixel shows the bed blurred.
+Through throughSurface(const SurfacePoint s, vec3 normal, vec3 toEye, inout uint turn) {
     Through through = refracted(s, normal, toEye);
-    vec3 below = through.radiance;
     if (hasRefraction && hasWaves)
-        below = meanFound(vec4(below, 1.0), s.quadIsAlike ? smoothstep(1.0, 3.0, through.blurred / sharpBed) : 0.0).rgb;
+        through.radiance = meanFound(vec4(through.radiance, 1.0), s.quadIsAlike ? smoothstep(1.0, 3.0, through.blurred / sharpBed) : 0.0, turn).rgb;
+    return through;
+}
+
+// As a kernel before left it, where the surface's colour will be. A half holds the way through all water that is not endless.
+vec4 heldThrough(Through through) {
+    return min(vec4(through.radiance, through.path), vec4(65504.0));
+}
+
+Through throughBefore(const SurfacePoint s) {
+    vec4 held = imageLoad(shadedColor, ivec2(s.pixel));
+    return Through(held.rgb, held.a, 0.0);
+}
+
+// What the surface mirrors, and the share of light that enters the water.
+vec4 mirroredAndEntering(const SurfacePoint s, vec3 toEye, inout uint turn) {
+    Reflection mirror = reflected(s, toEye, turn);
+    return vec4(mirror.radiance, 1.0 - mirror.fresnel + mirror.swallowed);
+}
+
+// Radiance, with `white` on it.
+vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye, inout uint turn) {
+    s.air = airBefore(s.pixel, s.position, s.overPlane);
+    vec4 mirror;
+    if (shadingStep == stepRest && hasReflection && hasWaves) mirror = imageLoad(mirroredLight, ivec2(s.pixel));
+    else mirror = mirroredAndEntering(s, toEye, turn);
+    float entering = mirror.a;
+    Through through;
+    if (shadingStep == stepRest && hasRefraction) through = throughBefore(s);
+    else through = throughSurface(s, normal, toEye, turn);
+    vec3 below = through.radiance;
     if (hasSubsurfaceScattering) below = throughScattering(below, s, toEye, through.path, white.plume);
-    vec3 radiance = mirror.radiance + entering * below;
+    vec3 radiance = mirror.rgb + entering * below;
     float glint = sunGlint(s, toEye, true);
     WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);
     if (hasWaves) {
@@ -66,9 +92,9 @@ vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye) {
         vec3 toSun = sunDirection(s);
         glint *= sunClear(toSun, slopeOf(toEye + toSun), ahead);
     }
-    radiance += sunLight(glint);
-    if (hasFoam) radiance = withFoam(radiance, white, s, toEye, mirror.radiance, entering, ahead);
-    if (hasFog) radiance = fogged(radiance, (1.0 - white.mask) * (mirror.sceneOverFog + entering * through.overFog), s.air);
+    radiance += throughAir(sunLight(glint), s.air);
+    if (hasFoam) radiance = withFoam(radiance, white, s, toEye, mirror.rgb, entering, ahead);
+    radiance += fogLight(s.air);
     if (hasShore && hasRefraction) {
         // Wet sand dries, and water thins out into it.
         vec3 dry = linearOf(texelFetch(sceneColor, sceneTexel(ivec2(s.pixel + water.sceneShift)), 0).rgb, sceneIsEncoded);

@@ -1,5 +1,6 @@
 // Tiles of a surface, sorted by what their shading needs: that they show what all shaded alike do,
-// to the bit; that many need little; and that the lists hold each tile once, in the order of rows.
+// to the bit, and by steps almost; that many need little; and that the lists hold each tile once, in the
+// order of rows.
 #include <algorithm>
 #include <cstring>
 #include <ostream>
@@ -56,9 +57,10 @@ class SurfaceTilesTest : public WaterTest, public testing::WithParamInterface<Pl
         });
     }
 
-    WaterPicture shadedBy(bool sorted) {
+    WaterPicture shadedBy(bool sorted, bool bySteps = false) {
         shown_ = makeBody(body_);
         shown_->find<ShadingPart>()->sortsTiles = sorted;
+        shown_->find<ShadingPart>()->bySteps = bySteps;
         return picture({shown_}, camera_, 5, SurfaceOutput::shaded, post());
     }
 
@@ -91,6 +93,21 @@ TEST_P(SurfaceTilesTest, SortedShowTheSame) {
     EXPECT_EQ(lists[3] + lists[7] + lists[11] + lists[15], inOne[15]);
     EXPECT_GE(lists[3] + lists[7] + lists[11], GetParam().leastSpared);
     EXPECT_EQ(lists[15] > 0, GetParam().seesPost);
+}
+
+/// As halves hold what one step leaves for the next.
+TEST_P(SurfaceTilesTest, ByStepsShowTheSame) {
+    const WaterPicture atOnce = shadedBy(false), bySteps = shadedBy(false, true);
+    size_t covered = 0;
+    for (size_t i = 0; i < atOnce.depth.size(); ++i) {
+        ASSERT_EQ(atOnce.covered(i), bySteps.covered(i)) << i;
+        covered += atOnce.covered(i);
+        for (size_t c = 0; c < 3 && atOnce.covered(i); ++c)
+            ASSERT_NEAR(bySteps.color[4 * i + c], atOnce.color[4 * i + c],
+                        0.003f * atOnce.color[4 * i + c] + 1e-4f)
+                << i;
+    }
+    EXPECT_GT(covered, atOnce.depth.size() / 8);
 }
 
 TEST_P(SurfaceTilesTest, HoldEachTileOnceInTheOrderOfRows) {
