@@ -11,6 +11,8 @@ struct Foam {
     float plume;   // bubbles in the water below: 1 where it has just broken, less as they rise and thin
 };
 
+const float filmVariance = 0.12;   // of the slopes of the film that foam is wet with
+
 // What breakers leave; the edge of the water, wide and white where it rushes up; what it lays down where it turns, in lobes, as
 // much as `bend`, -1..1, moves the edge of that.
 float shoreFoam(const ShoreWave shore, Breakers breakers, float bend) {
@@ -201,25 +203,42 @@ vec3 plumeGlow(vec3 toSun, float sunSeen, float plume) {
     return light * (reflects / pi * plume) * exp(-throughWater * extinction());
 }
 
+// The surface of what foam is wet with.
+SurfacePoint filmOn(SurfacePoint s, Foam white) {
+    const float relief = 0.7;
+    s.slope += relief * white.slope;
+    s.covariance += vec3(filmVariance, filmVariance, 0.0);
+    return s;
+}
+
+// sunGlint() of the water, and of the film on its foam.
+vec2 sunGlints(const SurfacePoint s, Foam white, vec3 toEye) {
+    if (!hasFoam) return vec2(sunGlint(s, toEye, true), 0.0);
+    SurfacePoint seen = s;
+    vec2 glints = vec2(0.0);
+    int i = 0;
+    // Both share one copy of the code.
+    [[dont_unroll]] do {
+        glints = vec2(glints.y, sunGlint(seen, toEye, i == 0));
+        seen = filmOn(s, white);
+    } while (++i < 2);
+    return glints;
+}
+
 // Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
 // water mirrors a share shines from it too. As it ages it thins, to what makes whitecaps as bright in the mean as they are
 // found, two fifths of fresh foam (Koepke 1984). Between the rafts shines the plume, of which a share `leaves` the water.
-// `ahead`: towards the sun.
-vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirrored, float leaves, WavesAhead ahead) {
-    const float relief = 0.7;
-    const float filmVariance = 0.12;   // of the film's slopes
+// `ahead`: towards the sun. `glint`: of the film.
+vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirrored, float leaves, WavesAhead ahead, float glint) {
     const float filmShare = 0.4;
     const float thinnest = 0.3;
-    SurfacePoint film = s;
-    film.slope += relief * white.slope;
-    film.covariance += vec3(filmVariance, filmVariance, 0.0);
-    vec3 facing = normalOf(film.slope);
+    vec3 facing = normalOf(filmOn(s, white).slope);
     // What leans sees less of the sky, and what lies low less than what stands out.
     float open = (0.5 + 0.5 * facing.y) * (1.0 + 0.4 * white.height);
     vec3 toSun = sunDirection(s);
     float sun = s.sunSeen * sunClear(toSun, s.slope, ahead) * max(dot(facing, toSun), 0.0);
     ahead.unseen = sqrt(ahead.unseen * ahead.unseen + filmVariance);
-    float glint = sunGlint(film, toEye, false) * sunClear(toSun, slopeOf(toEye + toSun), ahead);
+    glint *= sunClear(toSun, slopeOf(toEye + toSun), ahead);
     vec3 light = lightBy(sun, open);
     vec3 foamy = throughAir(light * water.foamAlbedo / pi + filmShare * sunLight(glint), s.air) + filmShare * mirrored;
     if (water.absorption.r > 0.0) bare += leaves * throughAir(plumeGlow(toSun, s.sunSeen, white.plume), s.air);

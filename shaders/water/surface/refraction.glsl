@@ -14,6 +14,11 @@ Behind bedAt(vec2 pixel) {
     return shownAt(p, texelFetch(bedDepth, ivec2(p), 0).r, water.relativeFromBed);
 }
 
+// Where what a pixel shows is looked at: its middle.
+vec2 middleOf(Behind b) {
+    return floor(b.pixel) + 0.5;
+}
+
 // Linear, of the four around that show something: the others may hold whatever memory held.
 vec4 betweenBedTexels(vec2 pixel) {
     vec2 corner = floor(pixel - 0.5);
@@ -62,8 +67,7 @@ vec3 bentPerDepth(vec2 slope, vec3 toEye) {
 // The depth at which a ray that goes `perDepth` a metre down meets a bed that goes on beyond its last pixel, by its slope
 // there; `track` is the way of such rays on the screen, unit. Steps are no bed, nor are the sides of stones.
 float depthBeyond(const SurfacePoint s, Behind last, vec3 perDepth, vec2 track) {
-    vec4 p = bedPixelOf(vec4(last.seen, 1.0));
-    Behind before = bedAt(p.xy / p.w - 4.0 * track);
+    Behind before = bedAt(middleOf(last) - 4.0 * track);
     vec3 step = last.seen - before.seen;
     float across = dot(step.xz, step.xz);
     bool isSlope = isBelowWater(s, before) && step.y * step.y < 0.25 * across;
@@ -119,20 +123,20 @@ vec2 placeAround(int tap, int taps) {
 
 // How far a deviation of the slopes within the pixel moves what is seen of a bed `drop` metres below, and one aside of that
 // [pixels].
-mat2 blurOfBed(const SurfacePoint s, vec3 toEye, vec3 seen, float drop) {
+mat2 blurOfBed(const SurfacePoint s, vec3 toEye, Behind b, float drop) {
     if (!hasWaves) return mat2(0.0);
     float u = sqrt(max(s.covariance.x, 1e-12));
     float both = s.covariance.z / u;
     vec2 deviation = vec2(u, both);
     vec3 mean = bentPerDepth(s.slope, toEye);
-    vec4 middle = bedPixelOf(vec4(seen, 1.0));
+    vec2 middle = middleOf(b);
     mat2 blur = mat2(0.0);
     int i = 0;
     [[dont_unroll]] do {
         vec3 strays = bentPerDepth(s.slope + deviation, toEye) - mean;
-        vec4 there = bedPixelOf(vec4(seen + drop * strays, 1.0));
+        vec4 there = bedPixelOf(vec4(b.seen + drop * strays, 1.0));
         blur[0] = blur[1];
-        blur[1] = there.w > 0.0 ? water.refractionDistortion * (there.xy / there.w - middle.xy / middle.w) : vec2(0.0);
+        blur[1] = there.w > 0.0 ? water.refractionDistortion * (there.xy / there.w - middle) : vec2(0.0);
         deviation = vec2(0.0, sqrt(max(s.covariance.y - both * both, 0.0)));
     } while (++i < 2);
     return blur;
@@ -163,9 +167,8 @@ BedTaps bedAround(Behind b, mat2 blur, float blurred) {
 // it the farther out, and `least` pixels wide. So the bed goes on without a seam, a streak or rocks where there are none.
 BedTaps bedBeyondBorder(Behind inside, vec3 beyond, vec2 here, float least) {
     vec4 p = bedPixelOf(vec4(2.0 * inside.seen - beyond, 1.0));
-    vec4 edge = bedPixelOf(vec4(inside.seen, 1.0));
     vec2 middle = mix(here, p.xy / p.w, water.refractionDistortion);
-    return BedTaps(true, p.w > 0.0 ? 4 : 0, middle, mat2(0.0), max(length(middle - edge.xy / edge.w), least), least);
+    return BedTaps(true, p.w > 0.0 ? 4 : 0, middle, mat2(0.0), max(length(middle - middleOf(inside)), least), least);
 }
 
 vec2 tapBeyond(BedTaps taps, int i) {
@@ -226,7 +229,7 @@ struct Through {
 
 Through endlessWater(const SurfacePoint s) {
     const float path = 1e6;
-    return Through(throughAir(waterGlow(sunDirection(s), vec3(path)), s.air), path, 0.0);
+    return Through(throughAir(endlessGlow(sunDirection(s)), s.air), path, 0.0);
 }
 
 // A bed of so much light in air, at so much depth.
@@ -430,7 +433,7 @@ Through refractedBed(const SurfacePoint s, vec3 normal, vec3 toEye) {
     float known = ray.passedOver && !bed.met && !(bed.left && isBelowWater(s, bed.last))
         ? 1.0 - smoothstep(0.4, 0.9, bed.least / max(bed.drop, 1e-3)) : 1.0;
     bool madeUp = goesOnBeyond(s, ray, bed);
-    mat2 blur = blurOfBed(s, toEye, bed.found.seen, bed.drop);
+    mat2 blur = blurOfBed(s, toEye, bed.found, bed.drop);
     float blurred = widthOf(blur);
     BedTaps taps = bedAround(bed.found, blur, blurred);
     if (madeUp) taps = bedBeyondBorder(bed.found, s.position + ray.direction * bed.drop, ray.here, blurred);

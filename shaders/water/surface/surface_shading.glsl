@@ -84,7 +84,8 @@ vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye, inout uint
     vec3 below = through.radiance;
     if (hasSubsurfaceScattering) below = throughScattering(below, s, toEye, through.path, white.plume);
     vec3 radiance = mirror.rgb + entering * below;
-    float glint = sunGlint(s, toEye, true);
+    vec2 glints = sunGlints(s, white, toEye);
+    float glint = glints.x;
     WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);
     if (hasWaves) {
         bool isSunlit = s.sunSeen > 0.0 && sunShines();
@@ -93,7 +94,7 @@ vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye, inout uint
         glint *= sunClear(toSun, slopeOf(toEye + toSun), ahead);
     }
     radiance += throughAir(sunLight(glint), s.air);
-    if (hasFoam) radiance = withFoam(radiance, white, s, toEye, mirror.rgb, entering, ahead);
+    if (hasFoam) radiance = withFoam(radiance, white, s, toEye, mirror.rgb, entering, ahead, glints.y);
     radiance += fogLight(s.air);
     if (hasShore && hasRefraction) {
         // Wet sand dries, and water thins out into it.

@@ -25,10 +25,14 @@ vec3 deepWater(vec3 toSun) {
     return lightEntering(toSun) / pi * (0.33 * water.backscatter.rgb / extinction());
 }
 
-// What `path` metres of water send back, as seen above the surface: leaving water thins radiance by n^2 and what Fresnel
-// keeps.
-vec3 waterGlow(vec3 toSun, vec3 path) {
+// What endless water sends back, as seen above the surface: leaving water thins radiance by n^2 and what Fresnel keeps.
+vec3 endlessGlow(vec3 toSun) {
     const float leaves = 0.98 / (waterIndex * waterIndex);
+    return deepWater(toSun) * leaves;
+}
+
+// Likewise `path` metres of water.
+vec3 waterGlow(vec3 toSun, vec3 path) {
     // Light goes down about as far as it comes back.
-    return deepWater(toSun) * leaves * (1.0 - exp(-2.0 * extinction() * path));
+    return endlessGlow(toSun) * (1.0 - exp(-2.0 * extinction() * path));
 }
