@@ -12,6 +12,8 @@ namespace {
 constexpr uint32_t visibleType = 1;
 /// Of what images and buffers ask for.
 constexpr VkDeviceSize alignment = 256;
+/// At whose multiples shaders' parts of a buffer begin. CPU devices ask for less than what blocks are long.
+constexpr VkDeviceSize offsetAlignment = 64;
 
 template<typename Handle>
 constexpr const char* kindOf = nullptr;
@@ -188,6 +190,15 @@ void FailingDevice::use(const char* function, uint64_t bits) {
     if (!objects_.contains(bits)) complain(garbageUsed_, "used, but not made or not any more", function);
 }
 
+void FailingDevice::usePart(const VkDescriptorBufferInfo& part) {
+    const VkDeviceSize size = bytes(bitsOf(part.buffer));
+    const Lock lock(*this);
+    const bool fits = part.offset < size && (part.range == VK_WHOLE_SIZE || part.range <= size - part.offset);
+    if (part.offset % offsetAlignment != 0 || !fits)
+        complain(garbageUsed_, "a part of a buffer that is not aligned, or not in it",
+                 "vkUpdateDescriptorSets");
+}
+
 struct FailingDevice::Calls {
     static FailingDevice& of(const void* handle) {
         return *static_cast<FailingDevice*>(const_cast<void*>(handle));
@@ -310,6 +321,7 @@ struct FailingDevice::Calls {
                                 write.descriptorType == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
             if (buffer) {
                 self.use("vkUpdateDescriptorSets", bitsOf(write.pBufferInfo->buffer));
+                self.usePart(*write.pBufferInfo);
                 continue;
             }
             self.use("vkUpdateDescriptorSets", bitsOf(write.pImageInfo->imageView));
@@ -360,7 +372,7 @@ struct FailingDevice::Calls {
         VkPhysicalDeviceLimits& limits = out->limits;
         limits.maxImageDimension2D = 16384;
         limits.maxStorageBufferRange = 1u << 30;
-        limits.minUniformBufferOffsetAlignment = limits.minStorageBufferOffsetAlignment = 64;
+        limits.minUniformBufferOffsetAlignment = limits.minStorageBufferOffsetAlignment = offsetAlignment;
         limits.maxPerStageDescriptorStorageImages = 64;
         constexpr VkSampleCountFlags samples = 0x1f;
         limits.framebufferColorSampleCounts = limits.framebufferDepthSampleCounts = samples;

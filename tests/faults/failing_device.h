@@ -49,7 +49,8 @@ class FailingDevice {
     /// What is not destroyed yet, without what is the host's.
     size_t held() const;
     size_t heldBytes() const { return heldBytes_; }
-    /// Handles that were destroyed, or used, and that no call gave or that were destroyed before.
+    /// Handles that were destroyed, or used, and that no call gave or that were destroyed before; and uses of
+    /// parts of buffers that Vulkan forbids.
     size_t garbageDestroyed() const { return garbageDestroyed_; }
     size_t garbageUsed() const { return garbageUsed_; }
     /// Objects that were destroyed with other callbacks than they were made with.
@@ -100,6 +101,7 @@ class FailingDevice {
     void setBytes(uint64_t bits, size_t bytes);
     size_t bytes(uint64_t bits) const;
     void use(const char* function, uint64_t bits);
+    void usePart(const VkDescriptorBufferInfo& part);
     void complain(size_t& count, const char* what, const char* where);
 
     const VkPhysicalDeviceType type_;
