@@ -24,7 +24,6 @@ if(SEAGLASS_HOSTILE_ARITHMETIC)
   find_program(SPIRV_OPT spirv-opt REQUIRED)
   set(seaglass_hostile_script ${PROJECT_SOURCE_DIR}/tests/spirv/hostile_arithmetic.py)
   set(seaglass_hostile COMMAND ${Python3_EXECUTABLE} -B ${seaglass_hostile_script} ${SEAGLASS_HOSTILE_ARITHMETIC} ${SPIRV_OPT})
-  add_compile_definitions(SEAGLASS_HOSTILE_ARITHMETIC)
 endif()
 
 # For SEAGLASS_SHADER_RELOAD: the header that is included tells the library by what name it may be given other words than

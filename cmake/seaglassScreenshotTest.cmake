@@ -10,10 +10,11 @@
 #            A picture that holds NaN or infinity fails.
 #   COMMAND  a program or target of yours. It writes PNG, EXR or HDR into the folder that {out} stands for in its
 #            arguments, and the environment's SEAGLASS_OUT.
-#   LIMITS   of FLIP: mean, p99, pixel; of wrong pixels: share, blob; of values: diff; of sequences: flicker. Those of
+#   LIMITS   of FLIP: mean, p99, local, pixel; of wrong pixels: share, blob; of values: diff; of sequences: flicker;
+#            of depth, height and other values: data. Those of
 #            `seaglass compare --tolerant` where none is given.
 #   IGNORE, MASK, STAGES, DRIVER  as --ignore, --mask, --stages, --driver of `seaglass compare`.
-# Pictures and a page lie in ${CMAKE_CURRENT_BINARY_DIR}/screenshots. seaglass_PROGRAM is the program that compares.
+# Pictures and a page of all tests lie in ${CMAKE_CURRENT_BINARY_DIR}/screenshots. seaglass_PROGRAM is the program that compares.
 
 function(seaglass_add_screenshot_test)
   set(one NAME SCENE REFERENCES CAMERA TIME SIZE QUALITY DEVICE FRAMES MASK DRIVER TIMEOUT)
@@ -63,7 +64,7 @@ function(seaglass_add_screenshot_test)
   endif()
 
   cmake_path(ABSOLUTE_PATH arg_SCENE BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
-  set(render ${seaglass_PROGRAM} render ${arg_SCENE})
+  set(render ${seaglass_PROGRAM} render ${arg_SCENE} --untimed)
   foreach(option CAMERA TIME SIZE QUALITY DEVICE FRAMES)
     if(arg_${option})
       string(TOLOWER ${option} name)
@@ -96,14 +97,16 @@ function(_seaglass_screenshot_limits result where)
   set(options --tolerant)
   set(option_mean --max-flip)
   set(option_p99 --max-p99)
+  set(option_local --max-local)
   set(option_pixel --max-pixel)
   set(option_share --max-wrong)
   set(option_blob --max-blob)
   set(option_diff --max-diff)
   set(option_flicker --max-flicker)
+  set(option_data --max-data)
   foreach(limit IN LISTS ARGN)
-    if(NOT limit MATCHES "^(mean|p99|pixel|share|blob|diff|flicker)=(.+)$")
-      message(FATAL_ERROR "${where}: LIMITS has '${limit}', expected mean, p99, pixel, share, blob, diff or flicker=NUMBER")
+    if(NOT limit MATCHES "^(mean|p99|local|pixel|share|blob|diff|flicker|data)=(.+)$")
+      message(FATAL_ERROR "${where}: LIMITS has '${limit}', expected mean, p99, local, pixel, share, blob, diff, flicker or data=NUMBER")
     endif()
     list(APPEND options ${option_${CMAKE_MATCH_1}} ${CMAKE_MATCH_2})
   endforeach()
@@ -131,7 +134,7 @@ function(_seaglass_screenshot_test name limits draws)
   file(GENERATE OUTPUT "${script}" CONTENT "set(name ${name})
 set(reference [==[${arg_REFERENCES}/${name}]==])
 set(out [==[${folder}/out/${name}]==])
-set(report [==[${folder}/report/${name}]==])
+set(reports [==[${folder}/report]==])
 set(seaglass [==[${seaglass_PROGRAM}]==])
 set(limits ${limits})
 function(draw)

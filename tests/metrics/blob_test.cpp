@@ -1,10 +1,12 @@
 #include "demos/tools/metrics/blob.h"
 
+#include <array>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "demos/tools/metrics/compare.h"
+#include "demos/tools/metrics/local.h"
 #include "tests/metrics/painted.h"
 
 namespace {
@@ -30,6 +32,22 @@ TEST(Blob, IsTheLargestThatTouches) {
     EXPECT_EQ(wrong.largest.height, 3u);
 }
 
+TEST(Blob, TheLargestFewAreKeptInTheirOrder) {
+    const demos::Wrong wrong = found("#.#.#.#"
+                                     "..#...#"
+                                     "......#"
+                                     ".......");
+    ASSERT_EQ(wrong.blobs.size(), 4u);
+    const std::array<uint32_t, 4> lefts = {6, 2, 0, 4};
+    for (size_t i = 0; i < lefts.size(); ++i) EXPECT_EQ(wrong.blobs[i].left, lefts[i]);
+    EXPECT_EQ(wrong.blobs.front().pixels, wrong.largest.pixels);
+    EXPECT_EQ(found("#.#.#.#"
+                    "......."
+                    "#.#.#.#")
+                  .blobs.size(),
+              demos::mostBlobs);
+}
+
 TEST(Blob, DoesNotGoOnBeyondARow) {
     EXPECT_EQ(found("......#"
                     "#......")
@@ -37,6 +55,18 @@ TEST(Blob, DoesNotGoOnBeyondARow) {
               1u);
     EXPECT_EQ(found(".......").largest.pixels, 0u);
     EXPECT_EQ(demos::findWrong({}, 7, 0.3).pixels, 0u);
+}
+
+TEST(WorstSquare, IsFoundWhereverItLies) {
+    std::vector<float> map(40 * 30, 0.01f);
+    for (size_t y = 25; y < 30; ++y)
+        for (size_t x = 33; x < 40; ++x) map[y * 40 + x] = 0.51f;
+    const demos::Square corner = demos::worstSquare(map, 40, 8);
+    EXPECT_NEAR(corner.mean, 0.01 + 0.5 * 35 / 64, 1e-6);
+    EXPECT_EQ(corner.left, 32u);
+    EXPECT_EQ(corner.top, 22u);
+    EXPECT_NEAR(demos::worstSquare(map, 40, 100).mean, 0.01 + 0.5 * 35 / 1200, 1e-6) << "all of it";
+    EXPECT_EQ(demos::worstSquare({}, 40, 8).mean, 0);
 }
 
 TEST(Blob, FailsWhereAsManyScatteredPixelsPass) {

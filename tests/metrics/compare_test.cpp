@@ -57,9 +57,9 @@ TEST(Compare, NanInEitherPictureFailsWhateverElse) {
                 Painted picture = harbour();
                 picture.at(5, 5, channel) = broken;
                 EXPECT_EQ(objections(harbour(), picture, generous, kind),
-                          "NaN or infinity in 1 pixels of the test, expected none; ");
+                          "NaN or infinity in 1 pixels of the test, the first at 5,5, expected none; ");
                 EXPECT_EQ(objections(picture, harbour(), generous, kind),
-                          "NaN or infinity in 1 pixels of the reference, expected none; ");
+                          "NaN or infinity in 1 pixels of the reference, the first at 5,5, expected none; ");
                 EXPECT_NE(objections(picture, picture, generous, kind), "") << "equal, and broken";
             }
         }

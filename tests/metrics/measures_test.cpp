@@ -67,6 +67,28 @@ TEST(ShareOver, CountsWhatIsNotFiniteAtAnyLimit) {
     EXPECT_EQ(demos::difference(a.view(), b.view()).max, 0);
 }
 
+// An edge that moves shows what is beside it; a firefly, or one that is lost, is like nothing around.
+TEST(ShareUnlikeAround, LetsEdgesMoveAndNothingAppear) {
+    const auto edge = [](int at) {
+        return tests::painted(10, 10, [at](int x, int, int) { return x < at ? 0.0f : 1.0f; });
+    };
+    const auto share = [](const Painted& a, const Painted& b) {
+        return demos::shareUnlikeAround(a.view(), b.view(), 0.5);
+    };
+    EXPECT_DOUBLE_EQ(demos::shareOver(edge(5).view(), edge(6).view(), 0.5), 0.1);
+    EXPECT_DOUBLE_EQ(share(edge(5), edge(6)), 0);
+    EXPECT_DOUBLE_EQ(share(edge(5), edge(7)), 0.2) << "by two pixels";
+    for (const auto& [x, y] : {std::pair(0, 0), std::pair(2, 9), std::pair(3, 4)}) {
+        Painted lit = edge(7);
+        lit.at(x, y, 1) = 0.6f;
+        EXPECT_DOUBLE_EQ(share(edge(7), lit), 0.01) << x << ", " << y;
+        EXPECT_DOUBLE_EQ(share(lit, edge(7)), 0.01) << x << ", " << y;
+    }
+    Painted broken = edge(5);
+    broken.at(1, 1, 0) = nan;
+    EXPECT_DOUBLE_EQ(share(edge(5), broken), 0.01);
+}
+
 TEST(Psnr, IsInDecibels) {
     EXPECT_NEAR(demos::psnrDb(1e-4, 1), 40, 1e-9);
     EXPECT_NEAR(demos::psnrDb(1, 10), 20, 1e-9);

@@ -108,6 +108,18 @@ TEST_F(Bless, RefusesWhatIsNoPicture) {
     expectBlessed("other.png", false);
 }
 
+TEST_F(Bless, SaysWhatIsInItsWay) {
+    const auto refused = [&](const std::string& reference, const std::string& test,
+                             const std::string& words) {
+        tests::expectRefused(
+            tests::run(SEAGLASS_PROGRAM, {{"bless", reference, test, "--yes", "--driver", "x"}, {}, at("")}),
+            {words});
+    };
+    refused("ref", "out/same.png", "ref: is a folder, expected a file as out/same.png is");
+    refused("ref/same.png", "out", "ref/same.png: is a file, expected a folder");
+    refused("ref", "nowhere", "nowhere: no such file or folder");
+}
+
 TEST_F(Bless, TakesOneFile) {
     const Outcome outcome =
         tests::run(SEAGLASS_PROGRAM,

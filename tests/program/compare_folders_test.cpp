@@ -65,7 +65,7 @@ TEST_F(CompareFolders, NamesEachThatDiffersAndWhatIsInOneAlone) {
     expectSays(outcome, 1, "FLIP over 0.15 lie together");
     expectSays(outcome, 1, "c.png: no picture out/c.png, expected one as ref/c.png");
     expectSays(outcome, 1,
-               "new.png: no reference ref/new.png, expected one: seaglass bless ref out makes it");
+               "new.png: no reference ref/new.png, expected one: seaglass bless ref out new.png makes it");
     EXPECT_NE(outcome.out.find("same: a.png\n"), std::string::npos) << outcome.out;
 }
 
@@ -89,8 +89,12 @@ TEST_F(CompareFolders, WhatCannotBeReadKeepsNothingElseBack) {
 
 TEST_F(CompareFolders, AFolderOfNoneFails) {
     fs::remove_all(at("ref"));
-    expectSays(compare(), 2,
-               "ref: no such folder, expected one of references: seaglass bless ref out makes it");
+    expectSays(compare({"--junit", "c.xml"}), 1,
+               "a.png: no reference ref/a.png, expected one: seaglass bless ref out a.png makes it");
+    EXPECT_NE(tests::readAll(at("c.xml")).find("tests=\"3\" failures=\"3\""), std::string::npos);
+    fs::create_symlink("nowhere", at("ref"));
+    expectSays(compare(), 2, "ref: is a link to nowhere, expected a folder");
+    fs::remove(at("ref"));
     fs::create_directory(at("ref"));
     fs::remove_all(at("out"));
     expectSays(compare(), 2, "out is not there and ref a folder, expected two of a kind");
@@ -127,6 +131,16 @@ TEST_F(CompareFolders, WritesJsonAndJUnit) {
     EXPECT_NE(xml.find("name=\"deep/er/b.png\"/>"), std::string::npos) << xml;
 }
 
+TEST_F(CompareFolders, NamesMayHoldAnything) {
+    write("out/it's new.png");
+    write("out/\xe9\x01\xc3\xa9\xed\xa0\x80.png");
+    const Outcome outcome = compare({"--junit", "c.xml", "--json", "c.json", "--report", "report"});
+    expectSays(outcome, 1, R"(: seaglass bless ref out 'it'\''s new.png' makes it)");
+    const std::string xml = tests::readAll(at("c.xml"));
+    EXPECT_NE(xml.find("name=\"??\xc3\xa9???.png\""), std::string::npos) << "of Latin-1: " << xml;
+    EXPECT_EQ(nlohmann::json::parse(tests::readAll(at("c.json")))["pictures"].size(), 5u);
+}
+
 TEST_F(CompareFolders, TheReportShowsAllWorstFirst) {
     write("out/c.png", 6);
     write("out/a.png", 12);
@@ -151,7 +165,7 @@ TEST_F(CompareFolders, TheReportShowsAllWorstFirst) {
         const std::string file = page.substr(at + 5, page.find('"', at + 5) - at - 5);
         EXPECT_TRUE(fs::exists(folder_.path() / "report" / file)) << file;
     }
-    EXPECT_EQ(shown, 9u);
+    EXPECT_EQ(shown, 10u) << "what is new, too";
 }
 
 TEST_F(CompareFolders, TheReportIsNotAmongWhatItReads) {

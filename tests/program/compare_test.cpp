@@ -141,6 +141,31 @@ TEST_F(Compare, LimitsHoldTogether) {
     expectDifferent(with({"--max-diff", "0.1", "--max-share", "0.01", "--max-flip", "0.0001"}), "FLIP");
 }
 
+// Each limit that is given counts in place of its own tolerant one, and of no other.
+TEST_F(Compare, ALimitLeavesTheOtherTolerantOnes) {
+    Picture spot = gradient(), noise = gradient();
+    spot.rgba[4 * 500 + 2] = 1; // one pixel, by 0.75
+    for (size_t i = 0; i < noise.rgba.size(); i += 4) noise.rgba[i + 1] += i % 8 == 0 ? 0.02f : -0.02f;
+    writePng("a.png", gradient());
+    writePng("spot.png", spot);
+    writePng("noise.png", noise);
+    const auto with = [&](const std::string& test, std::vector<std::string> options) {
+        options.insert(options.begin(), {"a.png", test, "--tolerant", "--max-flip", "1", "--max-p99", "1",
+                                         "--max-local", "1"});
+        return compare(options);
+    };
+    constexpr const char *single = "off by more than 0.5 from all around is",
+                         *step = "off by more than 0.01176 is 1";
+    expectDifferent(with("spot.png", {}), single);
+    expectSame(with("spot.png", {"--max-diff", "0.8"}));
+    expectDifferent(with("noise.png", {}), step);
+    expectDifferent(with("noise.png", {"--max-diff", "0.8"}), step);
+    expectSame(with("noise.png", {"--max-share", "1"}));
+    expectDifferent(with("spot.png", {"--max-share", "1"}), single);
+    expectSame(with("noise.png", {"--max-diff", "0.1", "--max-share", "0.1"}));
+    expectDifferent(with("noise.png", {"--max-diff", "0", "--max-share", "0"}), "off by more than 0 is 1");
+}
+
 TEST_F(Compare, NanInEitherPictureIsADifferenceWhateverTheLimits) {
     Picture broken = gradient();
     broken.rgba[40] = std::numeric_limits<float>::quiet_NaN();
@@ -152,8 +177,10 @@ TEST_F(Compare, NanInEitherPictureIsADifferenceWhateverTheLimits) {
         files.insert(files.end(), limits.begin(), limits.end());
         return compare(files);
     };
-    expectDifferent(with({"a.exr", "nan.exr"}), "NaN or infinity in 2 pixels of the test");
-    expectDifferent(with({"nan.exr", "a.exr"}), "NaN or infinity in 2 pixels of the reference");
+    expectDifferent(with({"a.exr", "nan.exr"}),
+                    "NaN or infinity in 2 pixels of the test, the first at 10,0,");
+    expectDifferent(with({"nan.exr", "a.exr"}),
+                    "NaN or infinity in 2 pixels of the reference, the first at 10,0,");
     expectDifferent(with({"nan.exr", "nan.exr"}), "NaN or infinity");
 }
 
@@ -269,8 +296,8 @@ TEST_F(Compare, TheReportIsAPageOfItsOwn) {
     const fs::path report = folder_.path() / "new/report";
     EXPECT_NE(outcome.out.find("report: " + (report / "index.html").string()), std::string::npos)
         << outcome.out;
-    EXPECT_EQ(tests::namesIn(report),
-              (std::vector<std::string>{"flip.png", "index.html", "reference.png", "test.png"}));
+    EXPECT_EQ(tests::namesIn(report), (std::vector<std::string>{"flip.png", "index.html", "reference.png",
+                                                                "report.json", "test.png"}));
     const std::string page = tests::readAll(report / "index.html");
     EXPECT_NE(page.find("a&lt;b&gt;&amp;&#64;SIZE&#64;.png"), std::string::npos);
     EXPECT_EQ(page.find("http"), std::string::npos) << "nothing from elsewhere";
@@ -290,8 +317,10 @@ TEST_F(Compare, TheReportOfADifferenceSaysWhy) {
     expectDifferent(compare({"a.png", "b.png", "--report", "."}), "share");
     const std::string page = tests::readAll(folder_.path() / "index.html");
     EXPECT_NE(page.find("<span class=\"verdict different\">different</span>"), std::string::npos);
-    EXPECT_NE(page.find("<p>share of pixels off by more than 0 is 0.2083, expected at most 0</p>"),
-              std::string::npos);
+    EXPECT_NE(
+        page.find(
+            "<p>share of pixels off by more than 0 is 0.2083, expected at most 0; FLIP is greatest at "),
+        std::string::npos);
 }
 
 TEST_F(Compare, TheReportsExposureIsChosen) {
@@ -366,6 +395,7 @@ std::vector<BadComparison> badComparisons() {
         {"FlipNan", with({"--max-flip", "nan"}), {"--max-flip is 'nan'"}},
         {"FlipOverOne", with({"--max-flip", "1.5"}), {"--max-flip is '1.5'"}},
         {"DiffNegative", with({"--max-diff", "-0.1"}), {"--max-diff is '-0.1'"}},
+        {"DataAlone", with({"--max-data", "1"}), {"--max-data is given without --tolerant"}},
         {"ShareOverOne", with({"--max-share", "5"}), {"--max-share is '5'", "0 to 1"}},
         {"ExposureNoNumber",
          {"a.exr", "a.exr", "--report", "r", "--exposure", "up"},

@@ -70,6 +70,16 @@ TEST_F(Render, WritesEveryOutputAndSaysWhere) {
     EXPECT_NE(outcome.out.find(" ms a frame, " + out("a.png").string()), std::string::npos) << outcome.out;
 }
 
+TEST_F(Render, DrawsNothingTwiceWhereNoTimeIsAskedFor) {
+    const Outcome outcome = render({"-o", "out/a.png", "--untimed"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(": 32x18, " + out("a.png").string()), std::string::npos) << outcome.out;
+    ASSERT_EQ(render({"-o", "out/b.png"}).code, 0);
+    EXPECT_TRUE(tests::readAll(out("a.png")) == tests::readAll(out("b.png")));
+    tests::expectRefused(render({"-o", "out/c.png", "--untimed", "--stats", "out/c.json"}),
+                         {"--untimed and --stats exclude each other"});
+}
+
 TEST_F(Render, WhatIsToBeLookedAtIsSeenThroughAirAndLens) {
     ASSERT_EQ(render({"-o", "out/seen.png"}).code, 0);
     ASSERT_EQ(render({"-o", "out/plain.png", "--plain"}).code, 0);

@@ -61,6 +61,7 @@ class GpuCheck(unittest.TestCase):
         self.assertIn("Clock: timestamps.", page)
         self.assertIn("seaglass_bench_waves 256 3 60", page)
         self.assertNotIn("not finished", page)
+        self.assertNotIn("Left out", page)
 
     def test_what_hangs_or_crashes_is_one_line_and_the_others_run(self):
         code, said, page = self.some(tests="A.Passes A.Hangs B.Passes B.Crashes B.Fails/0 B.Skips C.Passes")
@@ -92,6 +93,7 @@ class GpuCheck(unittest.TestCase):
         self.assertIn("The device no longer answers, behind `", page)
         self.assertIn("| harbour |  | 1.500 | not finished |", page)  # and what was finished is kept
         self.assertNotIn("## Tests", page)
+        self.assertIn("**Left out: 1 of 3 frames, 3 of 3 pictures, seaglass_bench_waves, seaglass_bench_reflection, all of", page)
 
     def test_a_frame_that_hangs_is_one_cell(self):
         code, said, page = self.some(FAKE_HANGS="harbour_high")
@@ -112,6 +114,7 @@ class GpuCheck(unittest.TestCase):
         self.assertLess(time.monotonic() - began, 30)  # an hour without
         self.assertEqual(code, 1)
         self.assertIn("not run: out of time", page)
+        self.assertIn("**Left out: 1 of reflection_gpu_tests, all of water_gpu_tests, all of host_gpu_tests, all of defects_gpu_tests.**", page)
         self.assertIn("| harbour |  | 1.500 | 1.500 |", page)
 
     def test_programs_that_do_not_run_are_a_line_each(self):
@@ -128,7 +131,10 @@ class GpuCheck(unittest.TestCase):
 
     def test_a_cpu_device_is_refused_unless_it_is_meant(self):
         self.refused("llvmpipe is a CPU device, expected a GPU, or --cpu if it is meant", FAKE_KIND="cpu", FAKE_NAME="llvmpipe")
-        self.assertEqual(self.some("--cpu", FAKE_KIND="cpu")[0], 0)
+        code, said, page = self.some("--cpu", FAKE_KIND="cpu")
+        self.assertEqual(code, 0)
+        self.assertIn("## Milliseconds a frame at 320x180", page)
+        self.assertIn("## `seaglass_bench_reflection 640x360 5 half sspr`", page)
 
     def test_bad_input_is_one_line(self):
         self.refused("--nope", "--nope")

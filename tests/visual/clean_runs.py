@@ -40,7 +40,7 @@ class Golden:
 
     def commands(self, program, out):
         """What seaglass_add_screenshot_test() makes of it."""
-        begun = [program, "render", self.scene, "--camera", self.camera, "--size", self.size, "--plain", *self.given["OPTIONS"]]
+        begun = [program, "render", self.scene, "--camera", self.camera, "--size", self.size, "--plain", "--untimed", *self.given["OPTIONS"]]
         if self.given["QUALITY"]:
             begun += ["--quality", *self.given["QUALITY"]]
         if self.given["FRAMES"]:

@@ -154,6 +154,8 @@ std::optional<ImageLayer> chooseLayer(const std::vector<ImagePart>& parts, const
             "holds several layers of colour, expected " + choice.option + " with one of " + labels(found);
         return std::nullopt;
     }
+    if (choice.anyChannel && groups.size() == 1 && groups.front().channels.size() == 1)
+        return anyOf(groups.front());
     const bool chroma = std::any_of(groups.begin(), groups.end(), isLuminanceChroma);
     std::vector<std::string> channels;
     for (const ImagePart& part : parts)

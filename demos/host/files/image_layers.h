@@ -30,6 +30,7 @@ struct ImageLayer {
 struct LayerChoice {
     std::string name; ///< of a layer or its last part, in any case; empty: the one that is the picture
     std::string option;
+    bool anyChannel = false; ///< a file of one channel has a picture, whatever that is called
 };
 
 /// The unnamed layer, or the one of a beauty pass' name, or the only one of colour. Null with `error`, which

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <string_view>
 
@@ -411,6 +413,11 @@ std::optional<ImageSource> ImageSource::open(const std::filesystem::path& file, 
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) {
         error.text = file.string() + ": no such file";
+        return std::nullopt;
+    }
+    errno = 0;
+    if (!std::ifstream(file)) {
+        error.text = file.string() + ": cannot be read: " + std::strerror(errno);
         return std::nullopt;
     }
     const QuietStderr quiet;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace demos {
 
@@ -59,6 +58,14 @@ class Taker {
     std::vector<size_t> open_;
 };
 
+/// Where it belongs by its size, behind those that are as large.
+void insert(std::vector<Blob>& blobs, const Blob& blob) {
+    const auto place = std::upper_bound(blobs.begin(), blobs.end(), blob,
+                                        [](const Blob& a, const Blob& b) { return a.pixels > b.pixels; });
+    blobs.insert(place, blob);
+    if (blobs.size() > mostBlobs) blobs.pop_back();
+}
+
 } // namespace
 
 Wrong findWrong(std::span<const float> map, uint32_t width, double over) {
@@ -68,8 +75,9 @@ Wrong findWrong(std::span<const float> map, uint32_t width, double over) {
         if (!taker.isWrong(pixel)) continue;
         const Blob blob = taker.take(pixel);
         found.pixels += blob.pixels;
-        if (blob.pixels > found.largest.pixels) found.largest = blob;
+        insert(found.blobs, blob);
     }
+    if (!found.blobs.empty()) found.largest = found.blobs.front();
     return found;
 }
 

@@ -59,11 +59,17 @@ float percentile99(std::span<const float> values, size_t leftOut) {
     return *found;
 }
 
-void pool(Comparison& comparison) {
+Place placeOf(size_t pixel, uint32_t width) {
+    return {static_cast<uint32_t>(pixel % width), static_cast<uint32_t>(pixel / width)};
+}
+
+void pool(Comparison& comparison, uint32_t width) {
     const std::vector<float>& values = comparison.flipMap;
     comparison.flipMean =
         std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(comparison.compared());
-    comparison.flipMax = static_cast<double>(*std::max_element(values.begin(), values.end()));
+    const auto worst = std::max_element(values.begin(), values.end());
+    comparison.flipMax = static_cast<double>(*worst);
+    comparison.worst = placeOf(static_cast<size_t>(worst - values.begin()), width);
     comparison.flipP99 = static_cast<double>(percentile99(values, comparison.leftOut));
 }
 
@@ -107,22 +113,31 @@ void measure(Comparison& found, const PixelView& reference, const PixelView& tes
         see(found, {reference.width, reference.height, a}, {test.width, test.height, b}, kind);
         for (size_t i = 0; i < found.flipMap.size(); ++i)
             if (!isFinite(reference, i) || !isFinite(test, i)) found.flipMap[i] = 1;
+        found.brokenReference = placeOf(firstNotFinite(reference), reference.width);
+        found.brokenTest = placeOf(firstNotFinite(test), test.width);
     }
     for (size_t i = 0; i < leftOut.size(); ++i)
         if (leftOut[i] != 0) found.flipMap[i] = 0;
-    pool(found);
+    pool(found, reference.width);
+    found.local = worstSquare(found.flipMap, reference.width, localSide);
     found.wrong = findWrong(found.flipMap, reference.width, limits.wrong.over);
 
     found.difference = difference(reference, test, found.leftOut);
     found.psnrDb =
         psnrDb(found.difference.meanSquare, kind == PictureKind::display ? 1 : greatest(reference));
     const double ofCompared = static_cast<double>(reference.pixels()) / static_cast<double>(found.compared());
-    std::transform(
-        limits.shares.begin(), limits.shares.end(), found.shares.begin(),
-        [&](const ShareLimit& limit) { return ofCompared * shareOver(reference, test, limit.over); });
+    std::transform(limits.shares.begin(), limits.shares.end(), found.shares.begin(),
+                   [&](const ShareLimit& limit) {
+                       const auto share = limit.around ? shareUnlikeAround : shareOver;
+                       return ofCompared * share(reference, test, limit.over);
+                   });
 }
 
 } // namespace
+
+std::string toText(const Place& place) {
+    return std::to_string(place.x) + "," + std::to_string(place.y);
+}
 
 Comparison compare(const PixelView& reference, const PixelView& test, PictureKind kind, const Limits& limits,
                    const Mask& leftOut) {
@@ -154,6 +169,7 @@ double badness(const Comparison& comparison, const Limits& limits) {
     add(comparison.flipMean, limits.flipMean);
     add(comparison.flipP99, limits.flipP99);
     add(comparison.flipMax, limits.flipMax);
+    add(comparison.local.mean, limits.flipLocal);
     add(comparison.difference.mean, limits.differenceMean);
     for (size_t i = 0; i < limits.shares.size(); ++i) add(comparison.shares[i], limits.shares[i].share);
     add(comparison.wrongShare(), limits.wrong.share);
@@ -167,13 +183,13 @@ std::vector<std::string> objections(const Comparison& comparison, const Limits& 
     if (comparison.leftOut > 0 && comparison.compared() == 0)
         return {"every pixel is left out, expected some to compare"};
     std::vector<std::string> all;
-    const auto notFinite = [&all](const char* which, uint64_t pixels) {
+    const auto notFinite = [&all](const char* which, uint64_t pixels, const Place& first) {
         if (pixels == 0) return;
         all.push_back("NaN or infinity in " + std::to_string(pixels) + " pixels of the " + which +
-                      ", expected none");
+                      ", the first at " + toText(first) + ", expected none");
     };
-    notFinite("reference", comparison.notFiniteInReference);
-    notFinite("test", comparison.notFiniteInTest);
+    notFinite("reference", comparison.notFiniteInReference, comparison.brokenReference);
+    notFinite("test", comparison.notFiniteInTest, comparison.brokenTest);
     const auto object = [&all](const std::string& what, double is, double limit) {
         // What is not a number is within no limit.
         if (is <= limit) return;
@@ -184,10 +200,14 @@ std::vector<std::string> objections(const Comparison& comparison, const Limits& 
     if (limits.flipMean) object("mean FLIP", comparison.flipMean, *limits.flipMean);
     if (limits.flipP99) object("99th percentile of FLIP", comparison.flipP99, *limits.flipP99);
     if (limits.flipMax) object("greatest FLIP of a pixel", comparison.flipMax, *limits.flipMax);
+    if (limits.flipLocal)
+        object("mean FLIP of the square at " + toText({comparison.local.left, comparison.local.top}),
+               comparison.local.mean, *limits.flipLocal);
     if (limits.differenceMean) object("mean difference", comparison.difference.mean, *limits.differenceMean);
     for (size_t i = 0; i < limits.shares.size(); ++i) {
-        char what[64];
-        std::snprintf(what, sizeof(what), "share of pixels off by more than %.4g", limits.shares[i].over);
+        char what[80];
+        std::snprintf(what, sizeof(what), "share of pixels off by more than %.4g%s", limits.shares[i].over,
+                      limits.shares[i].around ? " from all around" : "");
         object(what, comparison.shares[i], limits.shares[i].share);
     }
     const WrongLimit& wrong = limits.wrong;

@@ -9,6 +9,7 @@
 #include "metrics/blob.h"
 #include "metrics/difference.h"
 #include "metrics/flip_hdr.h"
+#include "metrics/local.h"
 
 namespace demos {
 
@@ -18,6 +19,7 @@ enum class PictureKind { display, linear };
 /// At most `share` of the pixels may differ by more than `over` in some channel.
 struct ShareLimit {
     double over = 0, share = 0;
+    bool around = false; ///< only those that the other picture has nothing like within a pixel
 };
 
 /// Of pixels whose FLIP is over `over`. Those that lie together are a thing that is lost, or one too many.
@@ -33,20 +35,35 @@ struct Limits {
     std::optional<double> differenceMean;
     std::vector<ShareLimit> shares;
     std::optional<double> flipP99 = {};
-    std::optional<double> flipMax = {}; ///< of any single pixel
+    std::optional<double> flipMax = {};   ///< of any single pixel
+    std::optional<double> flipLocal = {}; ///< of the mean of any square of localSide pixels a side
     WrongLimit wrong = {};
 };
 
 /// One value a pixel: others than 0 are left out. Empty: none is.
 using Mask = std::vector<uint8_t>;
 
+/// A pixel, from the upper left.
+struct Place {
+    uint32_t x = 0, y = 0;
+};
+
+/// "120,45"
+std::string toText(const Place& place);
+
+/// Of the squares of Limits::flipLocal, in pixels.
+constexpr uint32_t localSide = 16;
+
 struct Comparison {
     bool sameSize = false;                                  ///< else nothing below is filled in
     size_t leftOut = 0;                                     ///< pixels; all measures are of the rest
     uint64_t notFiniteInReference = 0, notFiniteInTest = 0; ///< pixels; the other measures are over the rest
+    Place brokenReference, brokenTest;                      ///< the first of those, where there are some
     Difference difference;
     double psnrDb = 0; ///< infinite when equal; of the peak 1, or the reference's greatest when linear
     double flipMean = 0, flipP99 = 0, flipMax = 0;
+    Place worst;                ///< where FLIP is greatest
+    Square local;               ///< where its mean is
     std::vector<float> flipMap; ///< 1 where there is NaN or infinity
     Wrong wrong;                ///< by Limits::wrong
     ExposureRange exposures;    ///< of HDR-FLIP, when linear

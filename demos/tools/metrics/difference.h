@@ -19,4 +19,8 @@ Difference difference(const PixelView& a, const PixelView& b, size_t leftOut = 0
 /// do.
 double shareOver(const PixelView& a, const PixelView& b, double limit);
 
+/// Of those the share that is also off by more than `limit` from the range of what the other picture has
+/// within a pixel, in either picture: a firefly is, an edge that moves is not.
+double shareUnlikeAround(const PixelView& a, const PixelView& b, double limit);
+
 } // namespace demos

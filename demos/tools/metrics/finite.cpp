@@ -31,4 +31,10 @@ uint64_t countNotFinite(const PixelView& image, Infinity infinity) {
     return count;
 }
 
+size_t firstNotFinite(const PixelView& image) {
+    const auto broken = [](float value) { return !std::isfinite(value); };
+    const auto first = std::find_if(image.rgba.begin(), image.rgba.end(), broken);
+    return static_cast<size_t>(first - image.rgba.begin()) / 4;
+}
+
 } // namespace demos

@@ -13,6 +13,9 @@ enum class Infinity { broken, far };
 /// Pixels with NaN or infinity in any channel, alpha too.
 uint64_t countNotFinite(const PixelView& image, Infinity infinity = Infinity::broken);
 
+/// The first pixel that countNotFinite() counts; image.pixels() where there is none.
+size_t firstNotFinite(const PixelView& image);
+
 /// Whether the colour of a pixel is finite.
 inline bool isFinite(const PixelView& image, size_t pixel) {
     const float* const rgb = &image.rgba[4 * pixel];

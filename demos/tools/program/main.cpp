@@ -1,15 +1,16 @@
 // seaglass render SCENE.toml -o OUT.{png,exr} ..., seaglass view SCENE.toml ..., seaglass reference ...,
-// seaglass measure ..., seaglass compare A B ..., seaglass bless A B ..., seaglass sea ..., seaglass devices:
-// see --help.
-#include <algorithm>
+// seaglass measure ..., seaglass compare A B ..., seaglass bless A B ..., seaglass report DIR, seaglass sea
+// ..., seaglass devices: see --help.
 #include <cstdio>
 #include <exception>
 
 #include "program/bless/bless.h"
 #include "program/compare/compare.h"
+#include "program/compare/one_line.h"
 #include "program/device/no_device.h"
 #include "program/exit_code.h"
 #include "program/measure/measure.h"
+#include "program/measure/report.h"
 #include "program/options.h"
 #include "program/render/reference.h"
 #include "program/render/render.h"
@@ -46,6 +47,8 @@ ExitCode runCommand(const Options& options, Error& error) {
         return comparePictures(options.compare, error);
     case Options::Command::bless:
         return blessPictures(options.bless, error);
+    case Options::Command::report:
+        return gatherReports(options.report.folder, error);
     case Options::Command::measure:
         return measureTechniques(options.measure, error);
     case Options::Command::sea:
@@ -80,8 +83,6 @@ int main(int argc, char** argv) {
     // What names and values are too long to read is cut amid them: what was expected comes last.
     constexpr size_t most = 2000;
     if (error.text.size() > most) error.text.replace(most / 2, error.text.size() - most, "...");
-    // One line whatever a file's name, a value or a library's message holds.
-    std::replace(error.text.begin(), error.text.end(), '\n', ' ');
-    if (code != demos::ok) std::fprintf(stderr, "%s\n", error.text.c_str());
+    if (code != demos::ok) std::fprintf(stderr, "%s\n", demos::oneLine(error.text).c_str());
     return code;
 }

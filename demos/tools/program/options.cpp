@@ -41,7 +41,7 @@ Exit codes: 0 all is well, 1 the run failed, 2 bad input (nothing was written).)
 struct Raw : RawScene, RawDevice {
     std::string supersample, frames, fps, aov, mistake, stats, spp, seed, truth, mirrored;
     std::vector<std::string> outputs;
-    bool metered = false;
+    bool metered = false, untimed = false;
 };
 
 /// What render and reference have in common.
@@ -111,6 +111,7 @@ void describe(CLI::App& app, CLI::App& render, Raw& raw) {
         ->type_name("NAME");
     render.add_option("--stats", raw.stats, "Measure the frame's passes, print them and write them as JSON")
         ->type_name("FILE");
+    render.add_flag("--untimed", raw.untimed, "Draw no frame more than once, and say no time");
     describeDevice(render, raw);
     app.allow_extras();
 }
@@ -182,7 +183,10 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
             return fail("--mistake is '" + raw.mistake + "', expected flipped_y or forward_depth", error);
         out.mistake = found->second;
     }
+    if (raw.untimed && !raw.stats.empty())
+        return fail("--untimed and --stats exclude each other, expected one of them", error);
     out.stats = raw.stats;
+    out.untimed = raw.untimed;
     out.metered = raw.metered;
     out.lens = !raw.plain && isToLookAt(out);
     return checkDevice(raw, out, error);
@@ -213,6 +217,7 @@ struct Line {
     RawView view;
     RawCompare compare;
     RawBless bless;
+    RawGather report;
     RawMeasure measure;
     RawSea sea;
 };
@@ -224,6 +229,7 @@ struct Commands {
           reference(*app.add_subcommand("reference", "Ray-trace a scene file on the CPU")),
           compare(*app.add_subcommand("compare", "Compare two pictures, or folders of them")),
           bless(*app.add_subcommand("bless", "Make new pictures the references")),
+          report(*app.add_subcommand("report", "Make one page of several reports of compare")),
           measure(*app.add_subcommand("measure", "Measure cost and error of the techniques side by side")),
           sea(*app.add_subcommand("sea", "Print what a sea is, beside the published tables")),
           devices(*app.add_subcommand("devices", "List the Vulkan devices")) {
@@ -233,18 +239,19 @@ struct Commands {
         describeView(view, line.view);
         describeCompare(compare, line.compare);
         describeBless(bless, line.bless);
+        describeGather(report, line.report);
         describeMeasure(measure, line.measure);
         describeSea(sea, line.sea);
     }
 
     bool checkExtras(Error& error) const {
         for (const CLI::App* command :
-             {&app, &render, &view, &reference, &compare, &bless, &measure, &sea, &devices})
+             {&app, &render, &view, &reference, &compare, &bless, &report, &measure, &sea, &devices})
             if (!demos::checkExtras(*command, command->remaining(), error)) return false;
         return true;
     }
 
-    CLI::App &app, &render, &view, &reference, &compare, &bless, &measure, &sea, &devices;
+    CLI::App &app, &render, &view, &reference, &compare, &bless, &report, &measure, &sea, &devices;
 };
 
 template<class T>
@@ -265,11 +272,13 @@ bool check(const Commands& commands, const Line& line, Options& out, Error& erro
     if (is(commands.reference, Command::reference)) return check(line.raw, out.reference, error);
     if (is(commands.compare, Command::compare)) return take(checkCompare(line.compare, error), out.compare);
     if (is(commands.bless, Command::bless)) return take(checkBless(line.bless, error), out.bless);
+    if (is(commands.report, Command::report)) return take(checkGather(line.report, error), out.report);
     if (is(commands.measure, Command::measure)) return take(checkMeasure(line.measure, error), out.measure);
     if (is(commands.sea, Command::sea)) return take(checkSea(line.sea, error), out.sea);
     if (is(commands.render, Command::render)) return check(line.raw, out.render, error);
     return fail(
-        "no command, expected seaglass render, view, reference, compare, bless, measure, sea or devices "
+        "no command, expected seaglass render, view, reference, compare, bless, report, measure, sea or "
+        "devices "
         "(see seaglass --help)",
         error);
 }

@@ -10,6 +10,7 @@
 #include "program/compare/compare_options.h"
 #include "program/measure/measure_options.h"
 #include "program/render/render_options.h"
+#include "program/screenshots/gather_options.h"
 #include "program/sea/sea_options.h"
 #include "program/view_options.h"
 
@@ -24,13 +25,14 @@ struct ReferenceOptions {
 };
 
 struct Options {
-    enum class Command { render, view, reference, compare, bless, measure, sea, devices, printed };
+    enum class Command { render, view, reference, compare, bless, report, measure, sea, devices, printed };
     Command command = Command::printed; ///< printed: help or version, and all is done
     RenderOptions render;
     ViewOptions view;
     ReferenceOptions reference;
     CompareOptions compare;
     BlessOptions bless;
+    GatherOptions report;
     MeasureOptions measure;
     SeaOptions sea;
 };

@@ -1,5 +1,7 @@
 #include "scene/text_file.h"
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <system_error>
 
@@ -11,14 +13,15 @@ namespace fs = std::filesystem;
 
 bool writeText(const fs::path& file, const std::string& text, Error& error) {
     const fs::path partial = file.string() + ".partial" + std::to_string(getpid());
+    errno = 0;
     std::ofstream stream(partial, std::ios::binary);
+    const std::string why = stream ? "is the disk full?" : std::strerror(errno);
     stream << text;
     stream.close();
     std::error_code code;
     if (stream) fs::rename(partial, file, code);
     if (stream && !code) return true;
-    error.text =
-        file.string() + ": cannot be written" + (code ? ": " + code.message() : ", is the disk full?");
+    error.text = file.string() + ": cannot be written" + (code ? ": " + code.message() : ", " + why);
     fs::remove(partial, code);
     return false;
 }

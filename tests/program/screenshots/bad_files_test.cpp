@@ -52,6 +52,19 @@ TEST_F(BadFiles, Huge) {
     expectNamed({"out/bad.png: "});
 }
 
+TEST_F(BadFiles, OfBytesThatNoTerminalTakes) {
+    tests::writeAll(at("out/bad.exr"),
+                    std::string("\x76\x2f\x31\x01\x02\0\0\0na\r\n\x1b[2J\xff\0int\0\xff\xff\xff\x7f", 26));
+    write("ref/bad.exr", square(4));
+    const tests::Outcome outcome = compare();
+    EXPECT_EQ(outcome.code, 2);
+    for (const std::string& text : {outcome.out, outcome.err}) {
+        EXPECT_NE(text.find("bad.exr: "), text.npos) << text;
+        EXPECT_EQ(text.find_first_of("\r\x1b\xff"), text.npos) << text;
+    }
+    EXPECT_EQ(tests::countLines(outcome.out), 4u) << outcome.out;
+}
+
 TEST_F(BadFiles, OfAnotherSize) {
     demos::Picture small{2, 2, std::vector<float>(16, 0.5f)};
     write("out/bad.png", small);
@@ -75,7 +88,9 @@ TEST_F(BadFiles, WithoutPermission) {
     const std::string program = command.front();
     command.erase(command.begin());
     const tests::Outcome outcome = tests::run(program, {command, {}, at("")});
-    expectSays(outcome, 2, {"bad input: bad.png: ref/bad.png: ", "same: good.png", "different: other.png"});
+    expectSays(outcome, 2,
+               {"bad input: bad.png: ref/bad.png: cannot be read: Permission denied", "same: good.png",
+                "different: other.png"});
 }
 
 TEST_F(BadFiles, ALinkToNowhere) {

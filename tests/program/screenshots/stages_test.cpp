@@ -1,6 +1,8 @@
 // Intermediates beside a picture: the first that differs is named.
 #include <cmath>
 
+#include <OpenImageIO/imageio.h>
+
 #include "tests/program/screenshots/folders.h"
 
 namespace {
@@ -61,10 +63,30 @@ TEST_F(StagesOfPictures, OfNoLightAreComparedByTheirValues) {
     for (size_t i = 4; i < sky.rgba.size(); ++i) shifted.rgba[i] += 0.1f;
     write("out/harbour/depth.exr", shifted);
     expectSays(compare({"--tolerant"}), 1, {"depth.exr: share of pixels off by more than 0.02"});
+    expectSays(compare({"--tolerant", "--max-diff", "0.5"}), 1, {"share of pixels off by more than 0.02"});
+    expectSays(compare({"--tolerant", "--max-data", "0.2"}), 0, {"same: harbour/depth.exr"});
+    expectSays(compare({"--tolerant", "--max-diff", "0.2", "--max-share", "0.01"}), 0, {"same: "});
     shifted = sky;
     shifted.rgba[0] = shifted.rgba[1] = shifted.rgba[2] = 5;
     write("out/harbour/depth.exr", shifted);
     expectSays(compare({"--tolerant"}), 1, {"depth.exr: NaN or infinity in 1 pixels of the reference"});
+}
+
+// As renderers write depth: one channel, of any name.
+TEST_F(StagesOfPictures, MayHaveOneChannel) {
+    for (const auto& [folder, by] : {std::pair("ref/", 0.0f), std::pair("out/", 0.1f)}) {
+        OIIO::ImageSpec spec(width, height, 1, OIIO::TypeDesc::FLOAT);
+        spec.channelnames = {"Z"};
+        const std::vector<float> metres(width * height, 30 + by);
+        const std::string file = at(folder + std::string("z/depth.exr")).string();
+        std::filesystem::create_directories(at(folder + std::string("z")));
+        const auto output = OIIO::ImageOutput::create(file);
+        ASSERT_TRUE(output && output->open(file, spec) &&
+                    output->write_image(OIIO::TypeDesc::FLOAT, metres.data()) && output->close());
+    }
+    expectSays(compare({"--tolerant"}), 1,
+               {"different: z/depth.exr: share of pixels off by more than 0.02 is 1"});
+    expectSays(bless({"--yes", "--driver", "x"}), 0, {"renewed: ref/z/depth.exr"});
 }
 
 } // namespace

@@ -10,6 +10,8 @@
 #include "program/bless/drivers.h"
 #include "program/compare/pair.h"
 #include "program/compare/picture_pairs.h"
+#include "program/measure/report.h"
+#include "program/measure/report_section.h"
 #include "program/screenshots/stages.h"
 #include "scene/text_file.h"
 
@@ -23,12 +25,18 @@ namespace fs = std::filesystem;
 struct Candidate {
     fs::path name, reference, test;
     std::string news; ///< how it differs; empty where it does not
+    Judged judged;    ///< the same, for a page
 };
 
 std::optional<std::vector<Candidate>> candidates(const BlessOptions& options, Error& error) {
     std::error_code code;
-    if (!fs::is_directory(options.test, code))
-        return {{{options.test.filename(), options.reference, options.test, {}}}};
+    const bool folder = fs::is_directory(options.test, code);
+    if (!folder && fs::is_directory(options.reference, code)) {
+        error.text =
+            options.reference.string() + ": is a folder, expected a file as " + options.test.string() + " is";
+        return std::nullopt;
+    }
+    if (!folder) return {{{options.test.filename(), options.reference, options.test, {}, {}}}};
     if (fs::exists(options.reference, code) && !fs::is_directory(options.reference, code)) {
         error.text =
             options.reference.string() + ": is a file, expected a folder as " + options.test.string() + " is";
@@ -40,7 +48,7 @@ std::optional<std::vector<Candidate>> candidates(const BlessOptions& options, Er
             error.text = files.problem;
             return std::nullopt;
         }
-        all.push_back({name, options.reference / name, options.test / name, {}});
+        all.push_back({name, options.reference / name, options.test / name, {}, {}});
     }
     if (!all.empty()) return all;
     error.text = options.test.string() + ": no pictures, expected PNG, EXR or HDR";
@@ -49,37 +57,63 @@ std::optional<std::vector<Candidate>> candidates(const BlessOptions& options, Er
 
 /// False with `error` set when the picture is not fit for a reference.
 bool checkTest(const fs::path& file, Error& error) {
+    std::error_code code;
+    if (!fs::exists(file, code)) {
+        error.text = file.string() + ": no such file or folder, expected pictures";
+        return false;
+    }
     if (!isPictureName(file)) {
         error.text = file.string() + ": is no picture by its name, expected .png, .exr or .hdr";
         return false;
     }
-    const std::optional<Picture> picture = readPicture(file, error);
-    if (!picture) return false;
+    const std::optional<PictureFile> read =
+        readPictureFile(file, {{}, "a file", true}, limits::comparedPixels, error);
+    if (!read) return false;
+    const Picture& picture = read->picture;
     const Infinity infinity = Stages().of(file.filename()) == "depth" ? Infinity::far : Infinity::broken;
-    const uint64_t broken = countNotFinite({picture->width, picture->height, picture->rgba}, infinity);
+    const uint64_t broken = countNotFinite({picture.width, picture.height, picture.rgba}, infinity);
     if (broken == 0) return true;
     error.text = file.string() + ": NaN or infinity in " + std::to_string(broken) + " pixels, expected none";
     return false;
 }
 
-std::string newsOf(const Candidate& one) {
-    std::error_code code;
-    if (!fs::exists(one.reference, code)) return "new";
-    CompareOptions options;
-    options.reference = one.reference;
-    options.test = one.test;
-    options.limits.shares = {{0, 0}};
-    Error error;
-    const std::optional<Pair> pair = measurePair(options, error);
-    if (!pair) return "cannot be compared: " + error.text;
-    if (pair->objections.empty()) return {};
-    const Comparison& found = pair->comparison;
+std::string figuresOf(const Comparison& found) {
     char text[200];
     std::snprintf(
         text, sizeof(text),
         "FLIP mean %.4f, 99th percentile %.4f, greatest %.4f; %.4g of pixels differ, by at most %.4g",
         found.flipMean, found.flipP99, found.flipMax, found.shares.front(), found.difference.max);
     return text;
+}
+
+/// Any difference is news.
+CompareOptions optionsOf(const Candidate& one, const fs::path& report) {
+    CompareOptions options;
+    options.reference = one.reference;
+    options.test = one.test;
+    options.limits.shares = {{0, 0}};
+    options.report = report;
+    return options;
+}
+
+/// Sets the news of a candidate; in a report it has the folder. False with `error` set when that cannot be
+/// written.
+bool findNews(Candidate& one, const fs::path& report, const std::string& folder, Error& error) {
+    std::error_code code;
+    const CompareOptions options = optionsOf(one, report);
+    std::optional<Pair> pair;
+    Error why;
+    if (!fs::exists(one.reference, code))
+        one.news = "new";
+    else if (pair = measurePair(options, why); !pair)
+        one.news = "cannot be compared: " + why.text;
+    else if (!pair->objections.empty())
+        one.news = figuresOf(pair->comparison);
+    one.judged = {one.name.string(), different, one.news, {}};
+    if (report.empty() || one.news.empty()) return true;
+    if (!pair) return addUnpaired(options, folder, one.judged, error);
+    one.judged.badness = pair->comparison.flipMean;
+    return addSection(options, *pair, folder, one.judged, error);
 }
 
 bool checkNames(const BlessOptions& options, const std::vector<Candidate>& all, Error& error) {
@@ -119,11 +153,24 @@ bool renew(const Candidate& one, const std::string& driver, Error& error) {
     return writeText(one.reference, bytes, error) && noteDriver(one.reference, driver, error);
 }
 
+/// Finds out what is new, and shows it on a page if that is asked for.
+bool look(const BlessOptions& options, std::vector<Candidate>& all, Error& error) {
+    if (!options.report.empty() &&
+        !checkReport(optionsOf({{}, options.reference, options.test, {}, {}}, options.report), error))
+        return false;
+    std::vector<Judged> news;
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (!findNews(all[i], options.report, "pictures/" + std::to_string(i) + "/", error)) return false;
+        if (!all[i].news.empty()) news.push_back(all[i].judged);
+    }
+    return options.report.empty() ||
+           writeReport(options.report, news, error, std::to_string(news.size()) + " new or different");
+}
+
 /// Those that differ and are chosen go to `chosen`; of the rest that differ the number.
-size_t list(const BlessOptions& options, std::vector<Candidate>& all, std::vector<Candidate>& chosen) {
+size_t list(const BlessOptions& options, const std::vector<Candidate>& all, std::vector<Candidate>& chosen) {
     size_t left = 0;
-    for (Candidate& one : all) {
-        one.news = newsOf(one);
+    for (const Candidate& one : all) {
         if (one.news.empty()) continue;
         std::printf("%s: %s\n  old: %s\n  new: %s\n", one.name.c_str(), one.news.c_str(),
                     one.reference.c_str(), one.test.c_str());
@@ -153,6 +200,7 @@ ExitCode blessPictures(const BlessOptions& given, Error& error) {
     if (!all || !checkNames(options, *all, error)) return badInput;
     for (const Candidate& one : *all)
         if (!checkTest(one.test, error)) return badInput;
+    if (!look(options, *all, error)) return badInput;
     std::vector<Candidate> chosen;
     const size_t left = list(options, *all, chosen);
     const std::string driver =

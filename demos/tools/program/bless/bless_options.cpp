@@ -12,7 +12,7 @@ figures of their difference. It copies those that are named, or all with --yes. 
 a reference is wrong for good. References keep in driver.txt which driver made them.
 
 Examples:
-  seaglass bless screenshots out                      # lists
+  seaglass bless screenshots out --report page        # lists, and shows in page/index.html
   seaglass bless screenshots out harbour/color.png    # renews one
   seaglass bless screenshots out --yes                # renews all
 
@@ -27,6 +27,10 @@ void describeBless(CLI::App& command, RawBless& raw) {
     command.add_option("TEST", raw.test, "The picture to become it, or a folder of them");
     command.add_option("NAME", raw.names, "Pictures to renew, by their paths within the folders")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        .add_option("--report", raw.report,
+                    "Write a page that shows what is new and what differs, old and new: DIR/index.html")
+        ->type_name("DIR");
     command.add_flag("--yes", raw.yes, "Renew all that differ or are new");
     command
         .add_option("--driver", raw.driver,
@@ -53,7 +57,8 @@ std::optional<BlessOptions> checkBless(const RawBless& raw, Error& error) {
         error.text = "--advice is given beside --other-driver, expected one of them";
         return std::nullopt;
     }
-    BlessOptions options{raw.reference, raw.test, {}, raw.yes, raw.driver, raw.otherDriver, raw.advice};
+    BlessOptions options{raw.reference, raw.test,        {},         raw.yes,
+                         raw.driver,    raw.otherDriver, raw.advice, raw.report};
     for (const std::string& name : raw.names)
         options.names.insert(std::filesystem::path(name).lexically_normal());
     return options;

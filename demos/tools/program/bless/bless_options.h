@@ -21,11 +21,12 @@ struct BlessOptions {
     bool yes = false;
     std::string driver; ///< that made the test's pictures; empty: this machine's first that is supported
     bool otherDriver = false;
-    bool advice = false; ///< references of another driver are kept beside, for it alone
+    bool advice = false;          ///< references of another driver are kept beside, for it alone
+    std::filesystem::path report; ///< of what is new or differs; empty: none
 };
 
 struct RawBless {
-    std::string reference, test, driver;
+    std::string reference, test, driver, report;
     std::vector<std::string> names;
     bool yes = false, otherDriver = false, advice = false;
 };

@@ -11,6 +11,7 @@
 #include "program/compare/pair.h"
 #include "program/measure/measures.h"
 #include "program/measure/report.h"
+#include "program/measure/report_section.h"
 #include "program/render/output.h"
 
 namespace demos {
@@ -29,7 +30,7 @@ bool writePair(const CompareOptions& options, const Pair& pair, Error& error) {
     Judged judged = judgedPair(options, pair);
     if (!options.json.empty() && !writeText(options.json, judged.json, error)) return false;
     return options.report.empty() ||
-           (addSection(options, pair, {}, judged, error) && writeReport(options, {judged}, error));
+           (addSection(options, pair, {}, judged, error) && writeReport(options.report, {judged}, error));
 }
 
 ExitCode judgePair(const CompareOptions& options, Error& error) {

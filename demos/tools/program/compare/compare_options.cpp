@@ -43,10 +43,12 @@ bool checkLimits(const RawCompare& raw, CompareOptions& options, Error& error) {
     constexpr const char *flip = "a FLIP, 0 to 1", *pixels = "a share of the pixels, 0 to 1";
     if (!checkNumber("--max-flip", raw.maxFlip, 1, "a mean FLIP, 0 to 1", limits.flipMean, error) ||
         !checkNumber("--max-p99", raw.maxP99, 1, flip, limits.flipP99, error) ||
+        !checkNumber("--max-local", raw.maxLocal, 1, flip, limits.flipLocal, error) ||
         !checkNumber("--max-pixel", raw.maxPixel, 1, flip, limits.flipMax, error) ||
         !checkNumber("--wrong", raw.wrong, 1, flip, wrong, error) ||
         !checkNumber("--max-wrong", raw.maxWrong, 1, pixels, limits.wrong.share, error) ||
         !checkNumber("--max-diff", raw.maxDiff, 1e9, "a difference, 0 to 1e9", over, error) ||
+        !checkNumber("--max-data", raw.maxData, 1e9, "a difference, 0 to 1e9", options.data, error) ||
         !checkNumber("--max-share", raw.maxShare, 1, pixels, share, error)) {
         return false;
     }
@@ -63,9 +65,13 @@ bool checkLimits(const RawCompare& raw, CompareOptions& options, Error& error) {
         error.text = "--wrong is given alone, expected --max-wrong, --max-blob or --tolerant beside it";
         return false;
     }
+    if (options.data && !raw.tolerant) {
+        error.text = "--max-data is given without --tolerant, expected both";
+        return false;
+    }
     limits.wrong.over = wrong.value_or(limits.wrong.over);
     const bool none = !raw.tolerant && !limits.flipMean && !limits.flipP99 && !limits.flipMax &&
-                      !limits.wrong.share && !limits.wrong.blob;
+                      !limits.flipLocal && !limits.wrong.share && !limits.wrong.blob;
     if (over || share || none) limits.shares = {{over.value_or(0), share.value_or(0)}};
     return true;
 }
@@ -124,6 +130,8 @@ void describeCompare(CLI::App& command, RawCompare& raw) {
                      "Limits for one renderer on one driver before and after a change, where none is given");
     command.add_option("--max-p99", raw.maxP99, "99 % of pixels may have a FLIP of X, 0 to 1")
         ->type_name("X");
+    command.add_option("--max-local", raw.maxLocal, "Any 16x16 pixels may have a mean FLIP of X, 0 to 1")
+        ->type_name("X");
     command.add_option("--max-pixel", raw.maxPixel, "Any pixel may have a FLIP of X, 0 to 1")->type_name("X");
     command
         .add_option("--wrong", raw.wrong,
@@ -132,6 +140,11 @@ void describeCompare(CLI::App& command, RawCompare& raw) {
     command.add_option("--max-wrong", raw.maxWrong, "The share P of pixels, 0 to 1, may be wrong")
         ->type_name("P");
     command.add_option("--max-blob", raw.maxBlob, "N wrong pixels may touch each other")->type_name("N");
+    command
+        .add_option("--max-data", raw.maxData,
+                    "With --tolerant: a hundredth of depth, height, normals, foam and classes may be off by "
+                    "more than X, 0.02 if not given")
+        ->type_name("X");
     describeScreenshots(command, raw);
     command
         .add_option("--layer", raw.layers,

@@ -22,6 +22,7 @@ struct CompareOptions {
     std::string referenceLayer, testLayer; ///< of EXRs with several; empty: the one that is the picture
     Limits limits;                         ///< those that are given
     bool tolerant = false;                 ///< tolerantLimits() where none is given
+    std::optional<double> data;    ///< what values that are no light may be off by, where it is tolerant
     std::optional<double> flicker; ///< share that a sequence's changes may be off by from the reference's
     LeftOut leftOut;
     Stages stages;
@@ -35,7 +36,7 @@ struct CompareOptions {
 /// What the line says, before any of it is checked.
 struct RawCompare {
     std::string reference, test, maxFlip, maxDiff, maxShare, maxP99, maxPixel, wrong, maxWrong, maxBlob,
-        report, exposure, json, junit, mask, maxFlicker, driver;
+        maxData, maxLocal, report, exposure, json, junit, mask, maxFlicker, driver;
     std::vector<std::string> ignored, stages;
     bool tolerant = false;
     std::vector<std::string> layers;

@@ -10,11 +10,14 @@
 #include <nlohmann/json.hpp>
 
 #include "host/files/quiet.h"
+#include "program/compare/blessing.h"
 #include "program/compare/junit.h"
+#include "program/compare/one_line.h"
 #include "program/compare/pair.h"
 #include "program/compare/picture_pairs.h"
 #include "program/measure/measures.h"
 #include "program/measure/report.h"
+#include "program/measure/report_section.h"
 #include "program/render/output.h"
 #include "program/screenshots/sequence.h"
 
@@ -30,15 +33,15 @@ constexpr size_t mostNamed = 8;
 
 bool checkBoth(const CompareOptions& options, Error& error) {
     std::error_code code;
-    if (!fs::exists(options.reference, code)) {
-        error.text = options.reference.string() +
-                     ": no such folder, expected one of references: seaglass bless " +
-                     options.reference.string() + " " + options.test.string() + " makes it";
-        return false;
-    }
     const bool reference = fs::is_directory(options.reference, code),
                test = fs::is_directory(options.test, code);
     if (reference && test) return true;
+    if (test && fs::symlink_status(options.reference, code).type() == fs::file_type::not_found)
+        return true; // no picture has a reference yet
+    if (fs::is_symlink(options.reference, code) && !fs::exists(options.reference, code)) {
+        error.text = options.reference.string() + ": is a link to nowhere, expected a folder";
+        return false;
+    }
     const fs::path& other = reference ? options.test : options.reference;
     const fs::path& folder = reference ? options.reference : options.test;
     error.text = other.string() + (fs::exists(other, code) ? " is a file and " : " is not there and ") +
@@ -46,37 +49,53 @@ bool checkBoth(const CompareOptions& options, Error& error) {
     return false;
 }
 
-/// `number` is the pair's among all: its folder in the report.
-Judged measured(const CompareOptions& options, const fs::path& name, size_t number) {
-    CompareOptions one = options;
-    one.reference /= name;
-    one.test /= name;
+/// The options for a pair of the folders'.
+CompareOptions optionsOf(CompareOptions options, const fs::path& name) {
+    options.reference /= name;
+    options.test /= name;
+    return options;
+}
+
+/// `folder` is the pair's in the report.
+Judged measured(const CompareOptions& one, const fs::path& name, const std::string& folder) {
     Error error;
     const std::optional<Pair> pair = measurePair(one, error);
     if (!pair) return {name.string(), badInput, error.text, {}};
     Judged judged = judgedPair(one, *pair);
     judged.name = name.string();
-    const std::string folder = "pictures/" + std::to_string(number) + "/";
-    if (!options.report.empty() && !addSection(one, *pair, folder, judged, error))
+    if (!one.report.empty() && !addSection(one, *pair, folder, judged, error))
         return {name.string(), badInput, error.text, {}};
     return judged;
 }
 
-Judged judgedFiles(const CompareOptions& options, const fs::path& name, const PairOfFiles& files,
-                   size_t number) {
+Judged judgedPairOfFiles(const CompareOptions& options, const fs::path& name, const PairOfFiles& files,
+                         const std::string& folder) {
     const std::string reference = (options.reference / name).string(), test = (options.test / name).string();
     if (!files.problem.empty()) return {name.string(), badInput, files.problem, {}};
     if (!files.inReference) {
         return {name.string(),
                 different,
-                "no reference " + reference + ", expected one: seaglass bless " + options.reference.string() +
-                    " " + options.test.string() + " makes it",
+                "no reference " + reference + ", expected one: " +
+                    blessing(options.reference, options.test, name.string()) + " makes it",
                 {}};
     }
     if (!files.inTest)
         return {name.string(), different, "no picture " + test + ", expected one as " + reference, {}};
+    return measured(optionsOf(options, name), name, folder);
+}
+
+/// `number` is the pair's among all, of which its folder in the report has its name.
+Judged judgedFiles(const CompareOptions& options, const fs::path& name, const PairOfFiles& files,
+                   size_t number) {
+    const std::string folder = "pictures/" + std::to_string(number) + "/",
+                      test = (options.test / name).string();
     try {
-        return measured(options, name, number);
+        Judged judged = judgedPairOfFiles(options, name, files, folder);
+        Error error;
+        const bool unpaired = judged.section.empty() && !options.report.empty() && files.problem.empty();
+        if (unpaired && !addUnpaired(optionsOf(options, name), folder, judged, error))
+            return {name.string(), badInput, error.text, {}};
+        return judged;
     } catch (const std::bad_alloc&) {
         return {name.string(), badInput, test + ": out of memory, expected a smaller picture", {}};
     } catch (const std::exception& problem) {
@@ -141,8 +160,8 @@ ExitCode worst(const std::vector<Judged>& all) {
 
 void say(const std::vector<Judged>& all, Error& error) {
     for (const Judged& one : all) {
-        std::printf("%s: %s%s%s\n", verdict(one), one.name.c_str(), one.why.empty() ? "" : ": ",
-                    one.why.c_str());
+        const std::string line = one.name + (one.why.empty() ? "" : ": ") + one.why;
+        std::printf("%s: %s\n", verdict(one), oneLine(line).c_str());
     }
     const std::string bad = namesOf(all, badInput), other = namesOf(all, different);
     if (!bad.empty()) error.text = "not compared: " + bad;
@@ -170,7 +189,7 @@ ExitCode compareFolders(const CompareOptions& options, Error& error) {
     const ExitCode code = worst(all);
     if (!options.json.empty() && !writeText(options.json, jsonOf(all, code), error)) return badInput;
     if (!options.junit.empty() && !writeText(options.junit, junitXml(all), error)) return badInput;
-    if (!options.report.empty() && !writeReport(options, all, error)) return badInput;
+    if (!options.report.empty() && !writeReport(options.report, all, error)) return badInput;
     say(all, error);
     return code;
 }

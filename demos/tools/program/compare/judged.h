@@ -13,7 +13,7 @@ struct Judged {
     ExitCode code = ok;
     std::string why;          ///< one line; empty when all is well
     std::string json;         ///< the measures; empty where none were taken
-    std::string section = {}; ///< of the report; likewise
+    std::string section = {}; ///< of the report, with @FOLDER@ for the way to its pictures; likewise
     double badness = 0;       ///< the greatest measure as a multiple of its limit
     bool advice = false;      ///< by references of another driver: what differs fails nothing
 };

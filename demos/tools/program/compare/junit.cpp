@@ -3,16 +3,14 @@
 #include <algorithm>
 
 #include "measure/page/html.h"
+#include "program/compare/one_line.h"
 
 namespace demos {
 
 namespace {
 
-/// XML knows no control characters, not even by number.
-std::string attribute(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    return escaped(text);
+std::string attribute(const std::string& text) {
+    return escaped(oneLine(text));
 }
 
 std::string count(const std::vector<Judged>& all, ExitCode code) {

@@ -1,10 +1,13 @@
 #include "program/compare/pair.h"
 
+#include <algorithm>
+
 #include <cmath>
 #include <filesystem>
 
 #include "host/files/image_source.h"
 #include "metrics/tolerant.h"
+#include "program/compare/blessing.h"
 #include "program/compare/picture_pairs.h"
 
 namespace demos {
@@ -37,7 +40,7 @@ std::optional<PictureKind> commonKind(const CompareOptions& options, const Image
 
 std::optional<PictureFile> read(const fs::path& file, const std::string& layer, bool large, Error& error) {
     const limits::Allowance pixels = large ? limits::largePixels : limits::comparedPixels;
-    std::optional<PictureFile> picture = readPictureFile(file, {layer, "--layer"}, pixels, error);
+    std::optional<PictureFile> picture = readPictureFile(file, {layer, "--layer", true}, pixels, error);
     // Most errors say what was expected; the libraries' own do not.
     if (!picture && error.text.find(", expected ") == std::string::npos)
         error.text += ", expected a PNG, EXR or HDR picture";
@@ -62,16 +65,43 @@ bool checkReference(const CompareOptions& options, Error& error) {
         error.text = reference.string() + ": is a link to nowhere, expected a picture";
         return false;
     }
-    error.text = reference.string() + ": no such file, expected a reference: seaglass bless " +
-                 reference.string() + " " + options.test.string() + " makes it";
+    error.text = reference.string() +
+                 ": no such file, expected a reference: " + blessing(reference, options.test, "--yes") +
+                 " makes it";
     return false;
+}
+
+using Shares = std::vector<ShareLimit>;
+
+/// Whether a step and the share of pixels that may be off by more are given, and so a limit of their own.
+bool isWhole(const Shares& given) {
+    return !given.empty() && (given.front().over > 0) == (given.front().share > 0);
+}
+
+/// A step alone counts in place of the usual one of any single pixel, a share alone in place of that of
+/// noise.
+Shares filledShares(const Shares& given, const Shares& usual) {
+    if (given.empty()) return usual;
+    if (isWhole(given)) return given;
+    const ShareLimit& one = given.front();
+    Shares shares = usual;
+    const auto place = std::find_if(shares.begin(), shares.end(), [&one](const ShareLimit& limit) {
+        return (limit.share > 0) == (one.share > 0);
+    });
+    if (place == shares.end())
+        shares.push_back(one);
+    else if (one.over > 0)
+        place->over = one.over;
+    else
+        place->share = one.share;
+    return shares;
 }
 
 /// Of values that are no light, and of which FLIP says nothing: a hundredth may be off by two.
 Limits limitsOfData(const CompareOptions& options) {
     Limits limits;
-    limits.shares = options.limits.shares;
-    if (limits.shares.empty()) limits.shares = {{0.02, 0.01}};
+    const Shares& given = options.limits.shares;
+    limits.shares = isWhole(given) ? given : Shares{{options.data.value_or(0.02), 0.01}};
     return limits;
 }
 
@@ -89,9 +119,10 @@ Limits limitsOf(const CompareOptions& options, PictureKind kind) {
     fill(limits.flipMean, tolerant.flipMean);
     fill(limits.flipP99, tolerant.flipP99);
     fill(limits.flipMax, tolerant.flipMax);
+    fill(limits.flipLocal, tolerant.flipLocal);
     fill(limits.wrong.share, tolerant.wrong.share);
     fill(limits.wrong.blob, tolerant.wrong.blob);
-    if (limits.shares.empty()) limits.shares = tolerant.shares;
+    limits.shares = filledShares(limits.shares, tolerant.shares);
     return limits;
 }
 
@@ -99,6 +130,16 @@ Limits limitsOf(const CompareOptions& options, PictureKind kind) {
 void levelSky(Picture& a, Picture& b) {
     for (size_t i = 0; i < a.rgba.size(); ++i)
         if (a.rgba[i] == HUGE_VALF && b.rgba[i] == HUGE_VALF) a.rgba[i] = b.rgba[i] = 0;
+}
+
+/// Where no objection names a place.
+void sayWhere(Pair& pair) {
+    const Comparison& found = pair.comparison;
+    const auto& blob = pair.limits.wrong.blob;
+    const bool named = (blob && found.wrong.largest.pixels > *blob) ||
+                       found.notFiniteInReference + found.notFiniteInTest > 0;
+    if (pair.objections.empty() || named || found.flipMax == 0) return;
+    pair.objections.back() += "; FLIP is greatest at " + toText(found.worst);
 }
 
 } // namespace
@@ -141,6 +182,7 @@ std::optional<Pair> measurePair(const CompareOptions& options, Error& error) {
     pair->comparison =
         compare(view(pair->expected()), view(pair->actual()), pair->kind, pair->limits, pair->leftOut);
     pair->objections = objections(pair->comparison, pair->limits);
+    sayWhere(*pair);
     return pair;
 }
 

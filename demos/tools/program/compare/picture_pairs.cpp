@@ -47,9 +47,9 @@ class Lister {
     }
 
     void object(const fs::path& name, const std::string& what) {
-        PairOfFiles& pair = pairs_[name];
+        PairOfFiles& pair = pairs_[name.empty() ? "." : name];
         pair.*side_ = true;
-        if (pair.problem.empty()) pair.problem = (root_ / name).string() + ": " + what;
+        if (pair.problem.empty()) pair.problem = (name.empty() ? root_ : root_ / name).string() + ": " + what;
     }
 
     const fs::path& root_;
@@ -61,7 +61,8 @@ class Lister {
 
 PicturePairs picturePairs(const fs::path& reference, const fs::path& test) {
     PicturePairs pairs;
-    Lister(reference, &PairOfFiles::inReference, pairs).list({});
+    std::error_code code;
+    if (fs::exists(reference, code)) Lister(reference, &PairOfFiles::inReference, pairs).list({});
     Lister(test, &PairOfFiles::inTest, pairs).list({});
     return pairs;
 }

@@ -15,7 +15,7 @@ struct PairOfFiles {
 };
 
 /// By name within the folder, folders of theirs too; sorted. What is no PNG, EXR or HDR by its name, or is
-/// a mask, is left out.
+/// a mask, is left out. The references' folder need not be there yet.
 using PicturePairs = std::map<std::filesystem::path, PairOfFiles>;
 
 PicturePairs picturePairs(const std::filesystem::path& reference, const std::filesystem::path& test);

@@ -43,13 +43,16 @@ std::vector<Measure> measures(const Comparison& comparison, PictureKind kind, co
         {name + std::string(", mean"), print("%.6f", comparison.flipMean), atMost(limits.flipMean)},
         {name + std::string(", 99th percentile"), print("%.6f", comparison.flipP99), atMost(limits.flipP99)},
         {name + std::string(", greatest"), print("%.6f", comparison.flipMax), atMost(limits.flipMax)},
+        {print("%s, greatest mean of %ux%u", name, localSide, localSide),
+         print("%.6f", comparison.local.mean), atMost(limits.flipLocal)},
         {linear ? "PSNR, of the reference's greatest" : "PSNR",
          std::isfinite(comparison.psnrDb) ? print("%.2f dB", comparison.psnrDb) : "infinite", ""},
         {"difference, mean", print("%.6g", comparison.difference.mean), atMost(limits.differenceMean)},
         {"difference, greatest", print("%.6g", comparison.difference.max), ""},
     };
     for (size_t i = 0; i < limits.shares.size(); ++i) {
-        all.push_back({print("share off by more than %.6g", limits.shares[i].over),
+        all.push_back({print("share off by more than %.6g%s", limits.shares[i].over,
+                             limits.shares[i].around ? " from all around" : ""),
                        print("%.6g", comparison.shares[i]), atMost(limits.shares[i].share)});
     }
     const WrongLimit& wrong = limits.wrong;
@@ -97,9 +100,12 @@ std::string measuresJson(const Pair& pair, const CompareOptions& options) {
                     {"pixels_per_degree", standardPixelsPerDegree},
                     {"mean", comparison.flipMean},
                     {"p99", comparison.flipP99},
-                    {"max", comparison.flipMax}};
+                    {"max", comparison.flipMax},
+                    {"local", comparison.local.mean},
+                    {"worst", {comparison.worst.x, comparison.worst.y}}};
     if (limits.flipMean) json["flip"]["max_mean"] = *limits.flipMean;
     if (limits.flipP99) json["flip"]["max_p99"] = *limits.flipP99;
+    if (limits.flipLocal) json["flip"]["max_local"] = *limits.flipLocal;
     if (limits.flipMax) json["flip"]["max_pixel"] = *limits.flipMax;
     if (linear) {
         const ExposureRange& range = comparison.exposures;
@@ -112,8 +118,10 @@ std::string measuresJson(const Pair& pair, const CompareOptions& options) {
     json["shares"] = nlohmann::ordered_json::array();
     for (size_t i = 0; i < limits.shares.size(); ++i) {
         const ShareLimit& limit = limits.shares[i];
-        json["shares"].push_back(
-            {{"over", limit.over}, {"share", comparison.shares[i]}, {"max_share", limit.share}});
+        json["shares"].push_back({{"over", limit.over},
+                                  {"around", limit.around},
+                                  {"share", comparison.shares[i]},
+                                  {"max_share", limit.share}});
     }
     const Blob& blob = comparison.wrong.largest;
     json["wrong"] = {{"over", limits.wrong.over},

@@ -10,12 +10,12 @@ namespace demos {
 /// its files.
 bool checkReport(const CompareOptions& options, Error& error);
 
-/// Writes the pictures of a pair, in `folder` of the report's, and sets what the page says of them. Several
-/// threads may do so at once.
-bool addSection(const CompareOptions& options, const Pair& pair, const std::filesystem::path& folder,
-                Judged& judged, Error& error);
+/// Writes the page in the folder, worst first, and what a page of several is made of; says on stdout where it
+/// is. Without a title it counts what failed.
+bool writeReport(const std::filesystem::path& folder, const std::vector<Judged>& all, Error& error,
+                 const std::string& title = {});
 
-/// Writes the page, worst first, and says on stdout where it is.
-bool writeReport(const CompareOptions& options, const std::vector<Judged>& all, Error& error);
+/// seaglass report: a page in `folder` of all that writeReport() left in its folders.
+ExitCode gatherReports(const std::filesystem::path& folder, Error& error);
 
 } // namespace demos

@@ -2,7 +2,7 @@
 
 namespace demos {
 
-/// @NAME@ is filled in by report.cpp: of the page, and of each section.
+/// @NAME@ is filled in: of the page by report.cpp, of a section by report_section.cpp.
 constexpr const char* reportHead = R"html(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -38,9 +38,10 @@ label { margin-right: 1rem; }
 .box { position: absolute; border: 2px dashed #ff2fd0; pointer-events: none; }
 .zooms { display: flex; flex-wrap: wrap; gap: .6rem; margin: .3rem 0 .9rem; }
 .zooms div { image-rendering: pixelated; }
-.flicker .line, .flicker .left { visibility: hidden; }
+.flicker .line, .flicker .right { visibility: hidden; }
 .flicker .before { clip-path: none; }
-.flicker.blink .before { visibility: hidden; }
+.flicker.blink .before, .flicker.blink .left { visibility: hidden; }
+.flicker.blink .right { visibility: visible; }
 .tag { position: absolute; bottom: .6rem; padding: 0 .5rem; border-radius: .2rem; background: #000a; color: #fff;
        font-size: .85rem; pointer-events: none; }
 .left { left: .6rem; }
@@ -61,16 +62,16 @@ th { font-weight: 600; }
 <h1>@TITLE@</h1>
 <fieldset><label><input type="checkbox" id="failures"> only what failed</label></fieldset>
 <p class="note">Worst first. Drag a picture, or focus it and use the arrow keys, Home and End. FLIP is for @PPD@ pixels
-per degree: a 0.7 m wide screen of 3840 pixels, seen from 0.7 m. A dashed box is around most wrong pixels that touch.</p>
+per degree: a 0.7 m wide screen of 3840 pixels, seen from 0.7 m. A dashed box is around wrong pixels that touch.</p>
 )html";
 
-/// Of what could not be compared, only as far as the objections.
+/// Each section's first lines.
 constexpr const char* reportHeading = R"html(<section class="@PASSED@">
 <h2><span class="verdict @CLASS@">@VERDICT@</span>@NAME@</h2>
 @OBJECTIONS@)html";
 
-constexpr const char* reportPictures = R"html(<p>@SIZE@. Reference: <code>@REFERENCE@</code>.
-Test: <code>@TEST@</code>.@EXPOSURE@</p>
+constexpr const char* reportPair = R"html(<p>@SIZE@. Reference: <code>@REFERENCE@</code>.
+Test: <code>@TEST@</code>.@NOTE@</p>
 <fieldset aria-label="View">
 <label><input type="radio" name="view@ID@" value="slider" checked> slider</label>
 <label><input type="radio" name="view@ID@" value="flicker"> flicker</label>
@@ -79,17 +80,28 @@ Test: <code>@TEST@</code>.@EXPOSURE@</p>
      aria-valuemax="100" aria-valuenow="50">
   <img class="picture" src="@FOLDER@test.png" alt="Test" draggable="false" loading="lazy">
   <img class="picture before" src="@FOLDER@reference.png" alt="Reference" draggable="false" loading="lazy">
-  <div class="line"></div>@BOX@
+  <div class="line"></div>@BOXES@
   <span class="tag left">reference</span>
   <span class="tag right">test</span>
 </div>
-<p class="note">@FLIP@ map</p>
-<div class="@SMALL@"><img class="picture" src="@FOLDER@flip.png" alt="@FLIP@ map" loading="lazy"></div>
+<p class="note">@MAP@ map</p>
+<div class="@SMALL@"><img class="picture" src="@FOLDER@flip.png" alt="@MAP@ map" loading="lazy"></div>
 <div class="scale"></div>
-<div class="ticks"><span>0, unseen</span><span style="left: 25%">0.25</span><span style="left: 50%">0.5</span>
-<span style="left: 75%">0.75</span><span style="left: 100%; white-space: nowrap">1, plain</span></div>
-@ZOOM@<table>
+<div class="ticks"><span>@LOW@</span><span style="left: 25%">@QUARTER@</span><span style="left: 50%">@HALF@</span>
+<span style="left: 75%">@THREE@</span><span style="left: 100%; white-space: nowrap">@HIGH@</span></div>
+@ZOOMS@<table>
 <tr><th>measure</th><th>value</th><th>expected</th></tr>
+@ROWS@</table>
+)html";
+
+/// A picture that has no other to be compared with.
+constexpr const char* reportAlone = R"html(<p>@WHICH@: <code>@FILE@</code>, @SIZE@.@NOTE@</p>
+<div class="@SMALL@"><img class="picture" src="@PICTURE@" alt="@WHICH@" loading="lazy"></div>
+)html";
+
+/// Of a sequence.
+constexpr const char* reportSteps = R"html(<table>
+<tr><th>change to</th><th>reference, mean FLIP</th><th>test</th><th>reference, 99th percentile</th><th>test</th></tr>
 @ROWS@</table>
 )html";
 

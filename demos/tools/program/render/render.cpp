@@ -95,6 +95,7 @@ class Run {
             if (!keep(larger ? averaged(*picture, options_.supersample) : *picture, i, progress, error))
                 return false;
         }
+        if (options_.untimed) return true;
         progress.say("measuring");
         return options_.stats.empty() ? timeAtHand(lastMs, error) : timeByPass(error);
     }
@@ -107,13 +108,20 @@ class Run {
             const std::string until = first == last ? "" : " .. " + last.filename().string();
             const std::string sampled =
                 options_.supersample == 1 ? "" : " from " + sizeText(frame_.width, frame_.height);
-            std::printf("%s: %s%s, %.1f ms a frame, %s%s\n", host_.device().name.c_str(),
+            std::printf("%s: %s%s, %s%s%s\n", host_.device().name.c_str(),
                         sizeText(options_.size.width, options_.size.height).c_str(), sampled.c_str(),
-                        frameMs_, first.string().c_str(), until.c_str());
+                        timeText().c_str(), first.string().c_str(), until.c_str());
         }
     }
 
   private:
+    std::string timeText() const {
+        if (options_.untimed) return {};
+        char text[48];
+        std::snprintf(text, sizeof(text), "%.1f ms a frame, ", frameMs_);
+        return text;
+    }
+
     /// As often as there is patience for: nobody asked.
     bool timeAtHand(double lastMs, Error& error) {
         const auto affordable = static_cast<uint32_t>(std::clamp(1000 * timingSeconds / lastMs, 1.0, 1e3));

@@ -32,6 +32,7 @@ struct RenderOptions {
     std::filesystem::path mesh; ///< instead of the scene's; empty keeps them
     bool strict = false;        ///< what is not drawn as a mesh's file says it is an error
     std::filesystem::path stats;
+    bool untimed = false; ///< draws no more frames than are written
     std::string device;
     bool validation = false;
 };

@@ -1,5 +1,6 @@
 #include "program/screenshots/sequence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program/compare/pair.h"
+#include "program/measure/report_section.h"
 #include "program/screenshots/frame_name.h"
 
 namespace demos {
@@ -31,19 +33,35 @@ Change changeOf(const Picture& from, const Picture& to, PictureKind kind, const 
     return {found.flipMean, found.flipP99};
 }
 
-std::string objection(const char* what, double is, double reference, double share, double least) {
-    const double allowed = share * reference + least;
-    if (std::abs(is - reference) <= allowed) return {};
-    char text[160];
-    std::snprintf(text, sizeof(text), "%s of FLIP is %.4g, expected %.4g to %.4g as the reference's %.4g is",
-                  what, is, std::max(reference - allowed, 0.0), reference + allowed, reference);
-    return text;
-}
+/// A measure of a change beside the reference's.
+struct Beside {
+    const char* what;
+    double is, reference;
+    double allowed; ///< to be off by
 
-std::string joinedObjections(const Change& reference, const Change& test, double share) {
-    const std::string mean = objection("mean", test.mean, reference.mean, share, leastMean);
-    const std::string p99 = objection("99th percentile", test.p99, reference.p99, share, leastP99);
-    return mean + (mean.empty() || p99.empty() ? "" : "; ") + p99;
+    /// As a multiple of what is allowed.
+    double off() const { return std::abs(is - reference) / allowed; }
+
+    std::string objection() const {
+        if (off() <= 1) return {};
+        char text[160];
+        std::snprintf(text, sizeof(text),
+                      "%s of FLIP is %.4g, expected %.4g to %.4g as the reference's %.4g is", what, is,
+                      std::max(reference - allowed, 0.0), reference + allowed, reference);
+        return text;
+    }
+};
+
+/// Notes in `judged` what is wrong with the change to `file`, unless one before was.
+void judge(Judged& judged, const fs::path& file, const Change& reference, const Change& test, double share) {
+    const Beside mean{"mean", test.mean, reference.mean, share * reference.mean + leastMean};
+    const Beside p99{"99th percentile", test.p99, reference.p99, share * reference.p99 + leastP99};
+    judged.badness = std::max({judged.badness, mean.off(), p99.off()});
+    const std::string first = mean.objection(), second = p99.objection();
+    if ((first.empty() && second.empty()) || !judged.why.empty()) return;
+    judged.code = different;
+    judged.why = "the change to " + file.filename().string() + ": " + first +
+                 (first.empty() || second.empty() ? "" : "; ") + second;
 }
 
 std::optional<Pair> frameOf(const CompareOptions& options, const fs::path& file, Error& error) {
@@ -92,14 +110,11 @@ Judged judgedSequence(const CompareOptions& options, const Sequence& sequence) {
             steps.push_back({{"to", file.string()},
                              {"reference", {{"mean", reference.mean}, {"p99", reference.p99}}},
                              {"test", {{"mean", test.mean}, {"p99", test.p99}}}});
-            const std::string why = joinedObjections(reference, test, *options.flicker);
-            if (!why.empty() && judged.why.empty()) {
-                judged.code = different;
-                judged.why = "the change to " + file.filename().string() + ": " + why;
-            }
+            judge(judged, file, reference, test, *options.flicker);
         }
         before = std::move(now);
     }
+    judged.section = sequenceSection(steps);
     judged.json = nlohmann::ordered_json{{"steps", steps}}.dump(
         2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     return judged;
