@@ -416,6 +416,44 @@ TEST_F(ShoreOnGpu, FoamIsWhereTheWaterThinsAndNotWhereItIsDeep) {
     }
 }
 
+// Under an even sky: one looks into what rises to a wall, and along what is level.
+TEST_F(ShoreOnGpu, FacesDarkenBeforeTheyBreak) {
+    sea_.windSpeed = 0;
+    sea_.swells[0] = {1.6f, 9.0f, sea_.windDirection, 0.1f, 30};
+    desc_.foam = &foam_;
+    const RefractionDesc refraction{{0.345f, 0.062f, 0.025f}, {0.001f, 0.002f, 0.003f}, 1};
+    desc_.refraction = &refraction;
+    Body* const body = makeBody(desc_);
+    Camera seenBy = camera();
+    seenBy.eye = {0, 3, -45};
+    seenBy.target = {0, 0.8, -75};
+    seenBy.fovDegrees = 30;
+    seenBy.width = 160;
+    seenBy.height = 90;
+    double light[2] = {}, count[2] = {}; // of faces, and of what is level around them
+    for (const double time : {27.5, 29.0, 36.5}) {
+        const WaterPicture normals = picture({body}, seenBy, time, SurfaceOutput::normal),
+                           foam = picture({body}, seenBy, time, SurfaceOutput::foam),
+                           shown = picture({body}, seenBy, time);
+        for (uint32_t y = 0; y < seenBy.height; ++y)
+            for (uint32_t x = 0; x < seenBy.width; ++x) {
+                const size_t i = size_t{y} * seenBy.width + x;
+                if (!shown.covered(i) || foam.color[4 * i] > 0.05f) continue;
+                const double z = worldAt(seenBy, normals, x, y).z;
+                if (z < -95 || z > -55) continue;
+                const double rise = double{normals.color[4 * i + 2]} / double{normals.color[4 * i + 1]};
+                if (rise < 0.5 && std::abs(rise) > 0.03) continue;
+                const size_t kind = rise < 0.5 ? 1 : 0;
+                light[kind] += double{shown.color[4 * i + 1]};
+                ++count[kind];
+            }
+    }
+    for (size_t i = 0; i < 2; ++i) light[i] /= std::max(count[i], 1.0);
+    std::printf("faces %.3f (%.0f pixels), level %.3f (%.0f)\n", light[0], count[0], light[1], count[1]);
+    EXPECT_GT(count[0], 300);
+    EXPECT_LT(light[0], 0.35 * light[1]);
+}
+
 // The mirror's plane lies in the sand there.
 TEST_F(ShoreOnGpu, WaterOnTheSandMirrorsTheSkyAndNotTheSand) {
     Body* const ofSkyAlone = makeBody(desc_);
