@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 namespace seaglass {
 
@@ -142,14 +141,15 @@ std::vector<float> mapOf(const At& at) {
     return map;
 }
 
-/// Each value's place among all, 0..1.
+/// The place among all, 0..1, of each of values of 0 or more; of equals the first comes first.
 std::vector<float> evenly(const std::vector<float>& map) {
-    std::vector<uint32_t> order(map.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return map[a] < map[b]; });
+    // Such floats order as their bits do, and integers are sorted fastest.
+    std::vector<uint64_t> order(map.size());
+    for (size_t i = 0; i < map.size(); ++i) order[i] = uint64_t{std::bit_cast<uint32_t>(map[i])} << 32u | i;
+    std::ranges::sort(order);
     std::vector<float> even(map.size());
     for (size_t rank = 0; rank < order.size(); ++rank)
-        even[order[rank]] = static_cast<float>(rank) / static_cast<float>(order.size());
+        even[order[rank] & 0xffffffffu] = static_cast<float>(rank) / static_cast<float>(order.size());
     return even;
 }
 

@@ -361,12 +361,14 @@ TEST_F(SeaFoam, BodiesShareTheirPattern) {
     camera.width = 96;
     camera.height = 54;
     Body* const first = foamyBody(WavesOn::gpu);
+    spiedCalls().clear();
     const WaterPicture alone = picture({first}, camera, foamTime, SurfaceOutput::foam);
+    const size_t copies = countSpied("CmdCopyBufferToImage");
     Body* const second = foamyBody(WavesOn::gpu);
     EXPECT_EQ(second->find<FoamPart>()->pattern, first->find<FoamPart>()->pattern);
     spiedCalls().clear();
     EXPECT_EQ(picture({second}, camera, foamTime, SurfaceOutput::foam).color, alone.color);
-    EXPECT_EQ(countSpied("CmdCopyBufferToImage"), 0u);
+    EXPECT_EQ(countSpied("CmdCopyBufferToImage"), copies - 1);
 }
 
 } // namespace
