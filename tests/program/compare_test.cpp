@@ -151,7 +151,7 @@ TEST_F(Compare, ALimitLeavesTheOtherTolerantOnes) {
     writePng("noise.png", noise);
     const auto with = [&](const std::string& test, std::vector<std::string> options) {
         options.insert(options.begin(), {"a.png", test, "--tolerant", "--max-flip", "1", "--max-p99", "1",
-                                         "--max-local", "1"});
+                                         "--max-wrong", "1", "--max-local", "1"});
         return compare(options);
     };
     constexpr const char *single = "off by more than 0.5 from all around is",

@@ -146,6 +146,12 @@ def check(browser):
     browser.click("input[value=flicker]")
     expect["flicker is chosen"] = browser.value("document.querySelector('.stage').classList.contains('flicker')")
 
+    seen = ("(stage => ['left', 'right'].map(side => getComputedStyle(stage.querySelector('.tag.' + side)).visibility))"
+            "(document.querySelector('.stage'))")
+    blink = "document.querySelector('.stage').classList.%s('blink')"
+    tags = [browser.value(f"(() => {{ {blink % how}; return {seen}; }})()") for how in ("remove", "add")]
+    expect["it names the picture that is seen"] = tags == [["visible", "hidden"], ["hidden", "visible"]]
+
     browser.click("#failures")
     expect["the filter leaves what failed"] = browser.value(SHOWN) == FAILED
     browser.value("document.querySelector('#failures').focus()")
