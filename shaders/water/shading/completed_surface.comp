@@ -2,6 +2,7 @@
 // the more counts what lies on the same wave. A group a tile, an invocation a block.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #include "constant.glsl"
 #include "surface_tiles_constants.h"
 #include "water_bindings.h"
@@ -64,7 +65,7 @@ void main() {
     ivec2 shaded = shadedPixel(block);
     ivec2 first = block * blockSize();
     int others = blockWidth - 1, i = 0;
-    do {
+    [[dont_unroll]] do {
         ivec2 at = first + ivec2((shaded.x - first.x + 1 + i) & others, 0);
         float depth = foundDepthAt(at);
         if (shows && depth > 0.0) imageStore(shadedColor, at, vec4(completed(at, depth, shaded), 1.0));
