@@ -29,8 +29,8 @@ def png_chunk(name, data):
     return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
 
 
-def png(width, height, rows, color, depth=8, more=b""):
-    header = struct.pack(">IIBBBBB", width, height, depth, color, 0, 0, 0)
+def png(width, height, rows, color, depth=8, more=b"", interlace=0):
+    header = struct.pack(">IIBBBBB", width, height, depth, color, 0, 0, interlace)
     return b"\x89PNG\r\n\x1a\n" + png_chunk(b"IHDR", header) + more + png_chunk(b"IDAT", zlib.compress(rows, 9)) + png_chunk(b"IEND", b"")
 
 
@@ -116,32 +116,151 @@ def skinned():
     return root, data
 
 
-SCENE = """[sky]
-zenith = [0.1, 0.2, 0.4]
+# A scene's files have to be there, and loading it looks no further: one that always is.
+SCENE = """title = "Sea"
+time_s = 1.5
+
+[sky]
+file = "/proc/self/exe"
+clear = true
+haze = 3
 
 [sun]
+azimuth_deg = 40
 elevation_deg = 40
+
+[fog]
+shape = "height"
+density_per_m = 0.01
+
+[[mesh]]
+file = "/proc/self/exe"
+scale = 2
 
 [water]
 level_m = 0.0
-absorption = [0.35, 0.06, 0.03]
+
+[water.extent]
+shape = "polygon"
+points_m = [[-50, -50], [50, -50], [0, 60]]
 
 [water.waves]
 wind_m_s = 7.0
+samples = 16
+cascades = 1
 seed = 3
 
-[[water.waves.swell]]
+[[water.waves.swells]]
 height_m = 0.5
-peak_period_s = 9
+period_s = 9
+
+[water.foam]
+bias = 0.1
+
+[water.refraction]
+type = "coastal"
 
 [water.reflection]
 technique = "hybrid"
 
+[[water.exclusion_volumes]]
+points_m = [[0, 0], [1, 0], [0, 1]]
+
 [[camera]]
 name = "low"
-position = [0, 2, 10]
-target = [0, 1, 0]
+position_m = [0, 2, 10]
+target_m = [0, 1, 0]
+near_m = 0.1
+
+[[camera.keyframes]]
+time_s = 4
+position_m = [0, 3, 10]
+target_m = [0, 1, 0]
+roll_deg = 5
 """
+
+FLOOR = """[sky]
+file = "/proc/self/exe"
+[floor]
+normal = [0, 1, 0.1]
+width_m = 10
+[floor.reflection]
+technique = "sspr"
+[[camera]]
+name = "a"
+position_m = [0, 2, 10]
+target_m = [0, 0, 0]
+"""
+
+
+def interlaced():
+    """3x3 pixels of 16 bits, by Adam7."""
+    passes = ((1, 1), (1, 1), (2, 1), (1, 2), (3, 1))   # of such a size those that hold anything
+    rows = b"".join((b"\0" + noise(6 * width)) * height for width, height in passes)
+    return png(3, 3, rows, 2, 16, interlace=1)
+
+
+def palette():
+    return png(2, 2, b"\0\0\1\0\2\1", 3, 8, png_chunk(b"PLTE", noise(9)) + png_chunk(b"tRNS", b"\xff\x80"))
+
+
+def exr_of_tiles():
+    """2x2 texels in a tile of 2x2."""
+    tiles = exr_attribute(b"tiles", b"tiledesc", struct.pack("<IIB", 2, 2, 0))
+    head = exr(2, 2, (b"B", b"G", b"R"), tiles)
+    head = head[:4] + struct.pack("<I", 0x202) + head[8:len(head) - 2 * (8 + 8 + 24)]
+    data = struct.pack("<12f", *(0.25 * i for i in range(12)))
+    return head + struct.pack("<Q", len(head) + 8) + struct.pack("<iiiii", 0, 0, 0, 0, len(data)) + data
+
+
+def exr_by(compression):
+    """As exr(), of 16 bits and in blocks that did not become smaller."""
+    whole = exr(2, 1, (b"B", b"G", b"R"))
+    return whole.replace(b"compression\0\1\0\0\0\0", b"compression\0\1\0\0\0" + bytes([compression]))
+
+
+def exr_of_parts(named):
+    """Of each its name, and attributes."""
+    parts = []
+    for name, attributes in named:
+        more = attributes + b"".join((exr_attribute(b"name", b"string", name), exr_attribute(b"type", b"string", b"scanlineimage"),
+                                      exr_attribute(b"chunkCount", b"int", struct.pack("<i", 1))))
+        whole = exr(1, 1, (b"B", b"G", b"R"), more)
+        parts.append((whole[8:-28], whole[-20:]))
+    heads = b"\x76\x2f\x31\x01" + struct.pack("<I", 0x1002) + b"".join(head for head, _ in parts) + b"\0"
+    chunks = [struct.pack("<i", i) + chunk for i, (_, chunk) in enumerate(parts)]
+    first = len(heads) + 8 * len(chunks)
+    return heads + b"".join(struct.pack("<Q", first + i * len(chunks[0])) for i in range(len(chunks))) + b"".join(chunks)
+
+
+def with_view(root, data, content, component, kind, count):
+    root["bufferViews"].append({"buffer": 0, "byteOffset": len(data), "byteLength": len(content)})
+    root["accessors"].append({"bufferView": len(root["bufferViews"]) - 1, "componentType": component, "count": count, "type": kind})
+    root["buffers"][0]["byteLength"] = len(data) + len(content)
+    return data + content
+
+
+def instanced():
+    root, data = plate(extensionsUsed=["EXT_mesh_gpu_instancing"])
+    data = with_view(root, data, struct.pack("<6f", 0, 0, 0, 3, 0, 0), 5126, "VEC3", 2)
+    root["nodes"][0]["extensions"] = {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 3}}}
+    return root, data
+
+
+def morphed():
+    root, data = plate()
+    data = with_view(root, data, struct.pack("<12f", *[0.5] * 12), 5126, "VEC3", 4)
+    root["meshes"][0]["primitives"][0]["targets"] = [{"POSITION": 3}]
+    root["meshes"][0]["weights"] = [0.5]
+    return root, data
+
+
+def sparse():
+    root, data = plate()
+    data = with_view(root, data, struct.pack("<2H", 1, 3), 5123, "SCALAR", 2)
+    data = with_view(root, data, struct.pack("<6f", *[2] * 6), 5126, "VEC3", 2)
+    root["accessors"][0]["sparse"] = {"count": 2, "indices": {"bufferView": 3, "componentType": 5123}, "values": {"bufferView": 4}}
+    return root, data
 
 
 def corpora():
@@ -149,6 +268,15 @@ def corpora():
     yield "png", "grey16_with_gamma", png(3, 1, b"\0" + noise(6), 0, 16, png_chunk(b"gAMA", struct.pack(">I", 45455)))
     yield "png", "with_text", png(1, 1, b"\0\1\2\3", 2, 8, png_chunk(b"zTXt", b"a\0\0" + zlib.compress(b"text")) +
                                   png_chunk(b"sRGB", b"\0"))
+    yield "png", "interlaced16", interlaced()
+    yield "png", "palette", palette()
+    yield "hdr", "runs_of_old", b"#?RGBE\n\n-Y 1 +X 6\n" + bytes([9, 9, 9, 129, 1, 1, 1, 5])
+    yield "exr", "tiles", exr_of_tiles()
+    yield "exr", "parts", exr_of_parts([(b"depth", b""), (b"beauty", b"")])
+    for compression in range(1, 10):
+        yield "exr", f"compressed{compression}", exr_by(compression)
+    for name, (root, data) in (("instanced", instanced()), ("morphed", morphed()), ("sparse", sparse())):
+        yield "gltf", f"{name}.gltf", gltf(root, data)
     yield "hdr", "flat", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n-Y 2 +X 2\n" + bytes([128, 64, 32, 129] * 4)
     yield "hdr", "turned", (b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nPRIMARIES=.64 .33 .3 .6 .15 .06 .3127 .329\n\n+X 8 -Y 1\n" +
                             bytes([2, 2, 0, 8] + [136, 5] * 4))
@@ -161,11 +289,12 @@ def corpora():
     yield "gltf", "textured.gltf", gltf(*textured())
     yield "gltf", "skinned.gltf", gltf(*skinned())
     yield "scene", "sea.toml", SCENE.encode()
-    yield "scene", "floor.toml", b'[floor]\nlevel_m = 0\n[[camera]]\nname = "a"\nposition = [0, 2, 10]\ntarget = [0, 0, 0]\n'
+    yield "scene", "floor.toml", FLOOR.encode()
     for name, line in (("render", "render a.toml -o a.png --size 64x48 --set water.level_m=1 --time 5"),
-                       ("compare", "compare a.png b.png --max-flip 0.1 --max-share 0.1:0.2 --layer left"),
-                       ("sea", "sea --wind 10 --samples 64 --json"), ("measure", "measure a.toml -o out --runs 2"),
-                       ("reference", "reference a.toml -o a.exr --spp 4 --seed 7"), ("help", "render --help")):
+                       ("compare", "compare a.png b.png --max-flip 0.1 --max-diff 0.1 --max-share 0.01 --layer left --ignore 4x4+1+2"),
+                       ("sea", "sea --wind 10 --samples 64 --json"), ("measure", "measure a.toml -o out --rounds 2 --technique sspr --quick"),
+                       ("reference", "reference a.toml -o a.exr --spp 4 --seed 7"), ("help", "render --help"),
+                       ("bless", "bless shots out a.png --yes --driver auto"), ("view", "view a.toml --frames 3 --dt 0.1 --screenshot a.png")):
         yield "command", name, line.replace(" ", "\n").encode()
     yield "compare", "equal", bytes([0, 3, 3]) + struct.pack("<128f", *([0.5] * 128))
     yield "compare", "unlike", bytes([1, 3, 3]) + struct.pack("<128f", *(i / 32 for i in range(128)))
@@ -207,6 +336,14 @@ def long_name():
     return gltf(root, data)
 
 
+def attributes(parts, each):
+    """EXRs look up each attribute among all before it."""
+    many = b"".join(exr_attribute(b"a%x" % i, b"int", b"\0\1\2\3") for i in range(each))
+    if parts == 1:
+        return exr(1, 1, (b"B", b"G", b"R"), many)
+    return exr_of_parts([(b"%d" % i, many) for i in range(parts)])
+
+
 def flat(width, height):
     return png(width, height, (b"\0" + b"\0" * width) * height, 0)
 
@@ -218,6 +355,8 @@ def large():
     yield "gltf", "long_name", long_name()
     yield "gltf", "nested", b"[" * 500000
     yield "png", "flat", flat(16384, 128)
+    yield "exr", "attributes", attributes(1, 45000)
+    yield "exr", "attributes_of_parts", attributes(40, 1000)
     yield "csv", "lines", b"0.1,1\n" * 170000
     yield "scene", "tables", SCENE.encode() + b'[[mesh]]\nfile = "a"\n' * 40000
     yield "scene", "keys", b".".join([b"a"] * 500000) + b" = 1\n"

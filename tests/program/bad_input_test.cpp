@@ -89,6 +89,7 @@ std::vector<BadInput> commandLines() {
         {"SetUnknownKey",
          render({"--set", "water.wave=1"}),
          {"--set water.wave=1", "nearest is water.waves"}},
+        {"SetControlsTheTerminal", render({"--set", "\x1b[2J=1"}), {"--set ?[2J=1: ?[2J is not a known key"}},
         {"SetOutOfRange",
          render({"--set", "water.waves.wind_m_s=-3"}),
          {"--set water.waves.wind_m_s=-3:", "0 to 100"}},

@@ -708,6 +708,9 @@ TEST_F(SceneFile, EveryNumberRefusesNanAndInfinity) {
         if (!isNumber(place)) continue;
         for (const char* value : {"nan", "inf", "-inf"})
             EXPECT_NE(problemOf(place.path + "=" + value), "") << place.path;
+        // A whole number that no double is.
+        const bool isBeyond = place.field->most < 9e18;
+        EXPECT_EQ(problemOf(place.path + "=9223372036854775807") != "", isBeyond) << place.path;
     }
 }
 

@@ -91,8 +91,11 @@ std::string take(Reader& reader, const std::string& name, int64_t bytes, PartSiz
 std::string partProblem(Reader& reader, bool& more) {
     PartSize part;
     more = false;
+    int attributes = 0;
     for (std::string name = reader.name(); reader.ok() && !name.empty(); name = reader.name()) {
         more = true;
+        if (++attributes > limits::exrAttributes)
+            return "has over " + std::to_string(limits::exrAttributes) + " attributes in a part";
         const std::string type = reader.name();
         const int64_t bytes = reader.word(), left = reader.left();
         if (!reader.ok() || bytes > left)

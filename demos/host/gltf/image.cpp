@@ -9,6 +9,7 @@
 #include "host/files/quiet.h"
 #include "host/files/unpacking.h"
 #include "host/gltf/json.h"
+#include "host/one_line.h"
 #include "scene/input_limits.h"
 
 namespace demos::gltf {

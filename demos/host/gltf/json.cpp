@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/one_line.h"
+
 namespace demos::gltf {
 namespace {
 
@@ -27,21 +29,13 @@ std::optional<size_t> wholeOf(const Json& value) {
 
 } // namespace
 
-std::string oneLine(std::string text) {
-    const auto isControl = [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) == 0x7f;
-    };
-    std::replace_if(text.begin(), text.end(), isControl, '?');
-    return text;
-}
-
 std::string quoted(const std::string& text) {
     constexpr size_t most = 60;
     std::string shown = text.substr(0, most);
     // Not through the middle of a character.
     while (shown.size() < text.size() && !shown.empty() && (text[shown.size()] & 0xc0) == 0x80)
         shown.pop_back();
-    shown = oneLine(std::move(shown));
+    shown = oneLine(shown);
     return "\"" + shown + (shown.size() < text.size() ? "...\"" : "\"");
 }
 

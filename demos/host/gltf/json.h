@@ -13,8 +13,6 @@ namespace demos::gltf {
 
 using Json = nlohmann::json;
 
-/// Without control characters and line ends.
-std::string oneLine(std::string text);
 /// In quotes, without control characters, and not all of it where it is long: files choose their names.
 std::string quoted(const std::string& text);
 

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <exception>
 
+#include "host/one_line.h"
 #include "program/bless/bless.h"
 #include "program/compare/compare.h"
-#include "program/compare/one_line.h"
 #include "program/device/no_device.h"
 #include "program/exit_code.h"
 #include "program/measure/measure.h"
@@ -83,6 +83,7 @@ int main(int argc, char** argv) {
     // What names and values are too long to read is cut amid them: what was expected comes last.
     constexpr size_t most = 2000;
     if (error.text.size() > most) error.text.replace(most / 2, error.text.size() - most, "...");
+    // Whatever a file's name, a value or a library's message holds.
     if (code != demos::ok) std::fprintf(stderr, "%s\n", demos::oneLine(error.text).c_str());
     return code;
 }

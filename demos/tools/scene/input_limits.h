@@ -29,7 +29,8 @@ constexpr Allowance texturePixels{uint64_t(1) << 24, uint64_t(1) << 25, 16};
 constexpr int64_t tilePixels = int64_t(1) << 24;
 constexpr int64_t exrBlockBytes = int64_t(1) << 29; ///< of rows that are unpacked together
 constexpr size_t exrNameBytes = 255;
-constexpr int exrParts = 256; ///< OpenEXR itself sets no bound
+constexpr int exrAttributes = 1024; ///< of a part: each is looked up among all before it
+constexpr int exrParts = 256;       ///< OpenEXR itself sets no bound
 constexpr size_t hdrHeaderBytes = 1 << 16;
 constexpr size_t pngTextBytes = 1 << 17; ///< that are compressed: a thousand times as many come of them
 constexpr size_t jpegScans = 64;         ///< each goes over all pixels

@@ -331,6 +331,9 @@ TEST_F(PictureFile, ExrsAskForNoMoreThanTheyHold) {
     std::string large = good;
     large[window + 3] = '\x7f';
     expect(large, {"is 2130706434x1, expected 1 to 16384 each way"});
+    std::string many = good;
+    for (int i = 0; i < 1025; ++i) many.insert(8, "a" + std::to_string(i) + std::string("\0i\0\0\0\0\0", 7));
+    expect(many, {"has over 1024 attributes in a part"});
     expect(good.substr(0, window), {"dataWindow", "bytes"});
     expect(good.substr(0, good.find("dataWindow")), {"cut off"});
     expect("GIF89a", {"is no picture that is known"});

@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "host/files/quiet.h"
+#include "host/one_line.h"
 #include "program/compare/blessing.h"
 #include "program/compare/junit.h"
-#include "program/compare/one_line.h"
 #include "program/compare/pair.h"
 #include "program/compare/picture_pairs.h"
 #include "program/measure/measures.h"

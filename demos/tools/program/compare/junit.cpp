@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "host/one_line.h"
 #include "measure/page/html.h"
-#include "program/compare/one_line.h"
 
 namespace demos {
 

@@ -1,4 +1,4 @@
-#include "program/compare/one_line.h"
+#include "host/one_line.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -37,8 +37,10 @@ std::string oneLine(const std::string& text) {
         kept += length == 0 ? "?" : text.substr(at, length);
         at += std::max<size_t>(length, 1);
     }
-    std::replace_if(
-        kept.begin(), kept.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    for (char& c : kept) {
+        const auto code = static_cast<unsigned char>(c);
+        if (code < 0x20 || code == 0x7f) c = c == '\n' || c == '\r' || c == '\t' ? ' ' : '?';
+    }
     return kept;
 }
 
