@@ -37,11 +37,7 @@ float unit(uint32_t x, uint32_t y, uint32_t salt) {
 /// Random numbers, 0..1, at the corners of `cells` x `cells` cells that tile.
 class Lattice {
   public:
-    Lattice(uint32_t cells, uint32_t salt) : cells_(static_cast<int>(cells)) {
-        values_.reserve(size_t{cells} * cells);
-        for (uint32_t y = 0; y < cells; ++y)
-            for (uint32_t x = 0; x < cells; ++x) values_.push_back(unit(x, y, salt));
-    }
+    Lattice(uint32_t cells, uint32_t salt);
     /// From `-cells` on.
     float at(int x, int y) const { return values_[static_cast<size_t>(wrapped(y) * cells_ + wrapped(x))]; }
     float cells() const { return static_cast<float>(cells_); }
@@ -53,50 +49,60 @@ class Lattice {
     std::vector<float> values_;
 };
 
+Lattice::Lattice(uint32_t cells, uint32_t salt)
+    : cells_(static_cast<int>(cells)), values_(size_t{cells} * cells) {
+    for (uint32_t y = 0; y < cells; ++y)
+        for (uint32_t x = 0; x < cells; ++x) values_[size_t{y} * cells + x] = unit(x, y, salt);
+}
+
 /// Walls between bubbles, around one jittered point a cell: 0 on a wall (Worley 1996).
 class Bubbles {
   public:
     explicit Bubbles(uint32_t cells) : pointX_(cells, cells * 7919u), pointY_(cells, cells * 7919u + 1) {}
 
     /// How much farther the second nearest point is than the nearest, in cells.
-    float operator()(float x, float y) const {
-        const float fx = x * pointX_.cells(), fy = y * pointX_.cells();
-        const int ix = static_cast<int>(std::floor(fx)), iy = static_cast<int>(std::floor(fy));
-        float nearest = 81, second = 81; // squared
-        for (int cy = iy - 1; cy <= iy + 1; ++cy)
-            for (int cx = ix - 1; cx <= ix + 1; ++cx) {
-                const float px = static_cast<float>(cx) + pointX_.at(cx, cy) - fx;
-                const float py = static_cast<float>(cy) + pointY_.at(cx, cy) - fy;
-                const float squared = px * px + py * py;
-                second = std::min(second, std::max(nearest, squared));
-                nearest = std::min(nearest, squared);
-            }
-        return std::sqrt(second) - std::sqrt(nearest);
-    }
+    float operator()(float x, float y) const;
 
   private:
     Lattice pointX_, pointY_;
 };
+
+float Bubbles::operator()(float x, float y) const {
+    const float fx = x * pointX_.cells(), fy = y * pointX_.cells();
+    const int ix = static_cast<int>(std::floor(fx)), iy = static_cast<int>(std::floor(fy));
+    float nearest = 81, second = 81; // squared
+    for (int cy = iy - 1; cy <= iy + 1; ++cy)
+        for (int cx = ix - 1; cx <= ix + 1; ++cx) {
+            const float px = static_cast<float>(cx) + pointX_.at(cx, cy) - fx;
+            const float py = static_cast<float>(cy) + pointY_.at(cx, cy) - fy;
+            const float squared = px * px + py * py;
+            second = std::min(second, std::max(nearest, squared));
+            nearest = std::min(nearest, squared);
+        }
+    return std::sqrt(second) - std::sqrt(nearest);
+}
 
 /// Smooth noise, 0..1.
 class Noise {
   public:
     Noise(uint32_t cells, uint32_t salt) : corners_(cells, salt) {}
 
-    float operator()(float x, float y) const {
-        const float fx = x * corners_.cells(), fy = y * corners_.cells();
-        const float x0 = std::floor(fx), y0 = std::floor(fy);
-        const int ix = static_cast<int>(x0), iy = static_cast<int>(y0);
-        const float tx = eased(fx - x0), ty = eased(fy - y0);
-        return std::lerp(std::lerp(corners_.at(ix, iy), corners_.at(ix + 1, iy), tx),
-                         std::lerp(corners_.at(ix, iy + 1), corners_.at(ix + 1, iy + 1), tx), ty);
-    }
+    float operator()(float x, float y) const;
 
   private:
     static float eased(float t) { return t * t * (3 - 2 * t); }
 
     Lattice corners_;
 };
+
+float Noise::operator()(float x, float y) const {
+    const float fx = x * corners_.cells(), fy = y * corners_.cells();
+    const float x0 = std::floor(fx), y0 = std::floor(fy);
+    const int ix = static_cast<int>(x0), iy = static_cast<int>(y0);
+    const float tx = eased(fx - x0), ty = eased(fy - y0);
+    return std::lerp(std::lerp(corners_.at(ix, iy), corners_.at(ix + 1, iy), tx),
+                     std::lerp(corners_.at(ix, iy + 1), corners_.at(ix + 1, iy + 1), tx), ty);
+}
 
 /// Small where foam goes last: on the walls between bubbles, in patches. Walls are bent, as currents bend
 /// them.
@@ -141,15 +147,30 @@ std::vector<float> mapOf(const At& at) {
     return map;
 }
 
-/// The place among all, 0..1, of each of values of 0 or more; of equals the first comes first.
+/// Places of values of 0 or more, from the least on; of equals the first comes first. Such floats order as
+/// their bits do, which are sorted by halves.
+std::vector<uint32_t> ranked(const std::vector<float>& map) {
+    std::vector<uint32_t> order(map.size()), next(map.size());
+    for (uint32_t place = 0; place < order.size(); ++place) order[place] = place;
+    for (const uint32_t shift : {0u, 16u}) {
+        const auto half = [&](uint32_t place) {
+            return std::bit_cast<uint32_t>(map[place]) >> shift & 0xffffu;
+        };
+        std::vector<uint32_t> begins(0x10001);
+        for (const uint32_t place : order) ++begins[half(place) + 1];
+        for (size_t i = 1; i < begins.size(); ++i) begins[i] += begins[i - 1];
+        for (const uint32_t place : order) next[begins[half(place)]++] = place;
+        order.swap(next);
+    }
+    return order;
+}
+
+/// Each value's place among all, 0..1.
 std::vector<float> evenly(const std::vector<float>& map) {
-    // Such floats order as their bits do, and integers are sorted fastest.
-    std::vector<uint64_t> order(map.size());
-    for (size_t i = 0; i < map.size(); ++i) order[i] = uint64_t{std::bit_cast<uint32_t>(map[i])} << 32u | i;
-    std::ranges::sort(order);
+    const std::vector<uint32_t> order = ranked(map);
     std::vector<float> even(map.size());
     for (size_t rank = 0; rank < order.size(); ++rank)
-        even[order[rank] & 0xffffffffu] = static_cast<float>(rank) / static_cast<float>(order.size());
+        even[order[rank]] = static_cast<float>(rank) / static_cast<float>(order.size());
     return even;
 }
 
