@@ -18,7 +18,8 @@ enum class ReflectionTechnique : uint32_t {
     hybrid = 3, ///< sspr, and ssr where it knows nothing
     planar = 4, ///< the host draws its scene once more, as planarView() says
 };
-inline constexpr const char* reflectionTechniques[] = {"sky", "sspr", "ssr", "hybrid", "planar"}; ///< names
+/// Its names, from 0 on.
+inline constexpr const char* reflectionTechniques[] = {"sky", "sspr", "ssr", "hybrid", "planar"};
 
 /// Samples a pixel of a view's scene, 1 to 16.
 struct SceneSamples {

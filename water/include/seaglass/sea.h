@@ -34,7 +34,7 @@ enum class SpreadingModel : uint32_t {
     donelanBanner = 2, ///< sech^2(beta theta) (Donelan et al. 1985, Banner 1990)
     cosine2s = 3       ///< cos^2s(theta/2) with SeaDesc.spreadingShape everywhere
 };
-/// Its names.
+/// Its names, from 0 on.
 inline constexpr const char* spreadingModels[] = {"hasselmann", "mitsuyasu", "donelan-banner", "cos2s"};
 
 /// One point of a measured spectrum, as buoys report it.

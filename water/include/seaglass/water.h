@@ -56,7 +56,7 @@ struct MeshDesc {
 
 /// What share of light is mirrored: exact (Born and Wolf 1999, 1.5.2), or as Schlick approximates it (1994).
 enum class Fresnel : uint32_t { exact = 0, schlick };
-inline constexpr const char* fresnels[] = {"exact", "schlick"}; ///< names
+inline constexpr const char* fresnels[] = {"exact", "schlick"}; ///< its names, from 0 on
 
 /// How the surface is shaded: mostly, samples a pixel. docs/tradeoffs.md has what each costs.
 struct ShadingDesc {
@@ -80,7 +80,8 @@ enum class ExtentShape : uint32_t {
     polygon,       ///< a lake by its shore line
     mesh,          ///< triangles of the host's own, drawn as they are
 };
-inline constexpr const char* extentShapes[] = {"unbounded", "rectangle", "polygon", "mesh"}; ///< names
+/// Its names, from 0 on.
+inline constexpr const char* extentShapes[] = {"unbounded", "rectangle", "polygon", "mesh"};
 
 /// Points are (u, v), as in sea.h [m]. At the outline waves move water up and down but not to the side: that
 /// comes back within 2.5 significant wave heights (times a choppiness over 1). Queries know of none.
@@ -108,7 +109,7 @@ enum class WavesOn : uint32_t {
     gpu,           ///< compute shaders, on any device; nothing is kept or done on the CPU
     cpu,           ///< `wavesBackend`, in simulate(), and uploaded
 };
-inline constexpr const char* wavesOn[] = {"automatic", "gpu", "cpu"}; ///< names
+inline constexpr const char* wavesOn[] = {"automatic", "gpu", "cpu"}; ///< its names, from 0 on
 
 /// One water body. A null feature costs no memory, pipeline or dispatch. Copied, pointees included.
 struct BodyDesc {
