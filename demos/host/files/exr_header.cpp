@@ -41,6 +41,12 @@ class Reader {
         return text;
     }
 
+    std::string text(int64_t bytes) {
+        std::string out(std::min(static_cast<size_t>(bytes), limits::exrNameBytes), '\0');
+        stream_.read(out.data(), static_cast<std::streamsize>(out.size()));
+        return out;
+    }
+
   private:
     std::ifstream stream_;
     int64_t size_ = 0;
@@ -50,19 +56,27 @@ struct PartSize {
     int64_t width = 0, height = 0, rows = 1, channels = 0;
 };
 
-int64_t channelCount(Reader& reader, int64_t bytes) {
+/// What is wrong, empty when nothing is.
+std::string countChannels(Reader& reader, int64_t bytes, int64_t& count) {
+    constexpr int64_t types = 3; // whole numbers, halves and floats
     const int64_t end = reader.left() - bytes;
-    int64_t count = 0;
     while (reader.ok() && reader.left() > end && !reader.name().empty()) {
-        reader.skip(16); // type, linearity, sampling
+        if (reader.word() >= types) return "has a channel of an unknown type";
+        reader.skip(12); // linearity, sampling
         ++count;
     }
-    return count;
+    return "";
+}
+
+/// Of other parts OpenEXR checks nothing.
+bool isTypeOfPart(const std::string& type) {
+    return type == "scanlineimage" || type == "tiledimage" || type == "deepscanline" || type == "deeptile";
 }
 
 /// Reads an attribute, and may stop short of its end.
 std::string take(Reader& reader, const std::string& name, int64_t bytes, PartSize& part) {
-    if (name == "channels") part.channels = channelCount(reader, bytes);
+    if (name == "channels") return countChannels(reader, bytes, part.channels);
+    if (name == "type" && !isTypeOfPart(reader.text(bytes))) return "has a part of an unknown type";
     if (name == "compression") {
         const auto kind = static_cast<size_t>(reader.byte());
         if (kind < rowsOfBlock.size()) part.rows = rowsOfBlock[kind];
