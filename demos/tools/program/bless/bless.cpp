@@ -30,6 +30,10 @@ struct Candidate {
 
 std::optional<std::vector<Candidate>> candidates(const BlessOptions& options, Error& error) {
     std::error_code code;
+    if (!fs::exists(options.test, code)) {
+        error.text = options.test.string() + ": no such file or folder, expected pictures";
+        return std::nullopt;
+    }
     const bool folder = fs::is_directory(options.test, code);
     if (!folder && fs::is_directory(options.reference, code)) {
         error.text =
@@ -57,11 +61,6 @@ std::optional<std::vector<Candidate>> candidates(const BlessOptions& options, Er
 
 /// False with `error` set when the picture is not fit for a reference.
 bool checkTest(const fs::path& file, Error& error) {
-    std::error_code code;
-    if (!fs::exists(file, code)) {
-        error.text = file.string() + ": no such file or folder, expected pictures";
-        return false;
-    }
     if (!isPictureName(file)) {
         error.text = file.string() + ": is no picture by its name, expected .png, .exr or .hdr";
         return false;
