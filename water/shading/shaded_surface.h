@@ -53,12 +53,15 @@ struct ShadedBy {
 /// Of one view, as large as what was found of it.
 struct ShadedSurface {
     gpu::OwnedImage color;    ///< linear: RGBA16F; of other outputs than `shaded` RGBA32F
-    gpu::OwnedImage mirrored; ///< where that is a step: light, and the share that enters the water
+    gpu::OwnedImage mirrored; ///< where that is a step, of pixels that are shaded: light, and the share that
+                              ///< enters the water
     SurfaceTiles tiles;
 
-    Status create(const gpu::Device& device, VkExtent2D extent, SurfaceOutput output, bool keepsMirrored);
+    /// `mirroredPer`: as many pixels to one of `mirrored`; 0: there is none.
+    Status create(const gpu::Device& device, VkExtent2D extent, SurfaceOutput output, uint32_t mirroredPer);
     /// Of `shaded`.
-    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, bool keepsMirrored);
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, uint32_t mirroredPer);
+    bool keepsMirrored(VkExtent2D region, uint32_t mirroredPer) const;
     /// Leaves the colour to be sampled where a surface was found. `resources`: all that shaders of the body
     /// read.
     Status record(Context& context, VkCommandBuffer commands, const ShadedBy& kernels,

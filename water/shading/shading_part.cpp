@@ -51,8 +51,10 @@ FieldError ShadingPart::validate(const BodyDesc& desc) {
 Status ShadingPart::addCost(const AskedBody& asked, Estimate& sum) {
     const gpu::Device& device = asked.context.device;
     const bool keepsMirrored = takesSteps(device) && asked.sea && asked.desc.reflection;
-    sum.bytesPerView +=
-        FoundSurface::bytes(device, asked.extent) + ShadedSurface::bytes(device, asked.extent, keepsMirrored);
+    // What shows both sides is shaded pixel by pixel.
+    const uint32_t perShading = asked.desc.underwater ? 1 : asked.desc.shading.pixelsPerShading;
+    sum.bytesPerView += FoundSurface::bytes(device, asked.extent) +
+                        ShadedSurface::bytes(device, asked.extent, keepsMirrored ? perShading : 0);
     return Status::ok;
 }
 
@@ -86,10 +88,10 @@ ShadingPart::Sources ShadingPart::sourcesOf(const ViewDesc& view, const Lighting
             lighting.shadow ? lighting.shadow->map.view : VK_NULL_HANDLE};
 }
 
-Status ShadingPart::fit(Context& context, VkExtent2D region, SurfaceOutput output, bool keepsMirrored,
+Status ShadingPart::fit(Context& context, VkExtent2D region, SurfaceOutput output, const ShadedBy& kernels,
                         Picture& picture) const {
-    if (picture.found.holds(region) && (picture.shaded.mirrored.handle() || !keepsMirrored))
-        return Status::ok;
+    const uint32_t mirroredPer = isAny(kernels.shading.mirrors) ? kernels.pixelsPerShading : 0;
+    if (picture.found.holds(region) && picture.shaded.keepsMirrored(region, mirroredPer)) return Status::ok;
     VkExtent2D wanted = region;
     if (picture.found.holds({1, 1})) {
         const VkExtent2D held = picture.found.extent();
@@ -98,7 +100,7 @@ Status ShadingPart::fit(Context& context, VkExtent2D region, SurfaceOutput outpu
     Picture fresh;
     if (const Status s = fresh.found.create(passes_->of(output), wanted); s != Status::ok) return s;
     if (output != SurfaceOutput::motion)
-        if (const Status s = fresh.shaded.create(context.device, wanted, output, keepsMirrored);
+        if (const Status s = fresh.shaded.create(context.device, wanted, output, mirroredPer);
             s != Status::ok)
             return s;
     context.frame().retire(std::exchange(picture, std::move(fresh)));
@@ -125,8 +127,7 @@ Status ShadingPart::record(Body& body, VkCommandBuffer commands, const SeenSurfa
     ShadedBy kernels;
     if (!isMotion)
         if (const Status s = getKernels(variant, kernels); s != Status::ok) return s;
-    if (const Status s = fit(context, extentOf(geometry), output, isAny(kernels.shading.mirrors), picture);
-        s != Status::ok)
+    if (const Status s = fit(context, extentOf(geometry), output, kernels, picture); s != Status::ok)
         return s;
     BodyBlock block = seen.block;
     block.clipFromRelative = clipFromRelative(geometry);

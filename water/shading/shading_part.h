@@ -51,7 +51,7 @@ struct ShadingPart {
         BodyBlock block{};    ///< as it was shaded by
         Sources sources;
     };
-    Status fit(Context& context, VkExtent2D region, SurfaceOutput output, bool keepsMirrored,
+    Status fit(Context& context, VkExtent2D region, SurfaceOutput output, const ShadedBy& kernels,
                Picture& picture) const;
     /// What shade() was given the same for before; else refused.
     Status find(const Body& body, const BodyView& view, const Picture*& out) const;

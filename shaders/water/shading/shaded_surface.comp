@@ -134,7 +134,7 @@ void main() {
     else made = shaded(s, turn);
     if (!isListed || !found.shows) return;
     const float most = 65504.0;   // that a half holds
-    if (shadingStep == stepMirror) imageStore(mirroredLight, at, made);
+    if (shadingStep == stepMirror) imageStore(mirroredLight, mirroredTexel(at), made);
     else if (surfaceOutput == outputShaded) imageStore(shadedColor, at, min(made, vec4(most)));
     else imageStore(shadedOutput, at, made);
 }

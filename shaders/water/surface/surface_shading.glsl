@@ -65,6 +65,11 @@ Through throughBefore(const SurfacePoint s) {
     return Through(held.rgb, held.a, 0.0);
 }
 
+// Where what a pixel mirrors is left for the rest: of pixels that are shaded alone.
+ivec2 mirroredTexel(ivec2 pixel) {
+    return ivec2(pixel.x / int(pixelsPerShading), pixel.y);
+}
+
 // What the surface mirrors, and the share of light that enters the water.
 vec4 mirroredAndEntering(const SurfacePoint s, vec3 toEye, inout uint turn) {
     Reflection mirror = reflected(s, toEye, turn);
@@ -75,7 +80,7 @@ vec4 mirroredAndEntering(const SurfacePoint s, vec3 toEye, inout uint turn) {
 vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye, inout uint turn) {
     s.air = airBefore(s.pixel, s.position, s.overPlane);
     vec4 mirror;
-    if (shadingStep == stepRest && hasReflection && hasWaves) mirror = imageLoad(mirroredLight, ivec2(s.pixel));
+    if (shadingStep == stepRest && hasReflection && hasWaves) mirror = imageLoad(mirroredLight, mirroredTexel(ivec2(s.pixel)));
     else mirror = mirroredAndEntering(s, toEye, turn);
     float entering = mirror.a;
     Through through;

@@ -57,6 +57,8 @@ class SurfaceTilesTest : public WaterTest, public testing::WithParamInterface<Pl
         });
     }
 
+    void shadeOneOf(uint32_t pixels) { body_.shading.pixelsPerShading = pixels; }
+
     WaterPicture shadedBy(bool sorted, bool bySteps = false) {
         shown_ = makeBody(body_);
         shown_->find<ShadingPart>()->sortsTiles = sorted;
@@ -97,6 +99,7 @@ TEST_P(SurfaceTilesTest, SortedShowTheSame) {
 
 /// As halves hold what one step leaves for the next.
 TEST_P(SurfaceTilesTest, ByStepsShowTheSame) {
+    shadeOneOf(2);
     const WaterPicture atOnce = shadedBy(false), bySteps = shadedBy(false, true);
     size_t covered = 0;
     for (size_t i = 0; i < atOnce.depth.size(); ++i) {
