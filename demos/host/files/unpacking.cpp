@@ -11,21 +11,29 @@
 namespace demos {
 namespace {
 
-/// Bytes of texts that are compressed (PNG, third edition, 11.3.3).
-size_t compressedTexts(std::string_view png) {
-    size_t bytes = 0;
+struct PngChunks {
+    size_t texts = 0;  ///< bytes of those that are compressed (PNG, third edition, 11.3.3)
+    size_t beyond = 0; ///< of one that is said to hold more than the file has: libpng allocates them
+};
+
+PngChunks chunksOf(std::string_view png) {
+    PngChunks out;
     for (size_t at = 8; at + 8 <= png.size();) {
         const size_t length = bigEndianAt(png, at);
         const std::string_view kind = png.substr(at + 4, 4);
         at += 8;
-        if (kind == "IEND" || length > png.size() - at) break;
+        if (kind == "IEND") break;
+        if (length > png.size() - at) {
+            if (kind != "IDAT") out.beyond = length; // those are read piece by piece
+            break;
+        }
         const std::string_view data = png.substr(at, length);
         const size_t keyword = std::min(data.find('\0'), data.size());
         const bool flagged = keyword + 1 < data.size() && data[keyword + 1] != 0;
-        if (kind == "zTXt" || (kind == "iTXt" && flagged)) bytes += length;
+        if (kind == "zTXt" || (kind == "iTXt" && flagged)) out.texts += length;
         at += std::min(length + 4, png.size() - at); // and its checksum
     }
-    return bytes;
+    return out;
 }
 
 /// Segments are passed over, so that a thumbnail's scans do not count (ITU-T T.81, annex B).
@@ -51,9 +59,12 @@ size_t scansOf(std::string_view jpeg) {
 
 std::string unpackingProblem(std::span<const uint8_t> bytes) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (const size_t packed = text.starts_with("\x89PNG") ? compressedTexts(text) : 0;
-        packed > limits::pngTextBytes)
-        return "has " + std::to_string(packed) + " bytes of compressed texts, expected at most 2^17";
+    const PngChunks chunks = text.starts_with("\x89PNG") ? chunksOf(text) : PngChunks{};
+    if (chunks.texts > limits::pngTextBytes)
+        return "has " + std::to_string(chunks.texts) + " bytes of compressed texts, expected at most 2^17";
+    if (chunks.beyond > 0)
+        return "has a chunk of " + std::to_string(chunks.beyond) +
+               " bytes, expected at most what the file has";
     if (const size_t scans = text.starts_with("\xff\xd8") ? scansOf(text) : 0; scans > limits::jpegScans)
         return "has " + std::to_string(scans) + " scans, expected at most 64";
     return "";
