@@ -2,10 +2,15 @@
 // in motion and in the light on the bed; where it is white, and that a sea without a bed knows nothing of it.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <numbers>
+#include <span>
 
+#include "gpu/pipeline/kernel.h"
+#include "seaglass/shore.h"
 #include "seaglass/waves_fftw.h"
+#include "spirv/wet_sand.comp.h"
 #include "tests/gpu/host/spy.h"
 #include "tests/gpu/rig/fresnel.h"
 #include "tests/gpu/rig/near_plane.h"
@@ -54,12 +59,92 @@ class ShoreOnGpu : public WaterTest {
         return camera;
     }
 
+    /// What hosts' shaders are told of the sand at each of `places`: (u, v) from the block's eye, height.
+    std::vector<glm::vec2> toldAt(const Sea& sea, const ShoreBlock& block, const std::vector<float>& rows,
+                                  const std::vector<glm::vec4>& places);
+
     std::vector<float> bed_;
     ShoreDesc shore_;
     SeaDesc sea_;
     FoamDesc foam_;
     BodyDesc desc_;
 };
+
+gpu::Buffer filledBuffer(const gpu::Device& device, std::span<const std::byte> first,
+                         std::span<const std::byte> then) {
+    gpu::Buffer out;
+    EXPECT_EQ(out.createMapped(device, first.size() + then.size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                               "what is told"),
+              Status::ok);
+    std::memcpy(out.mapped(), first.data(), first.size());
+    std::memcpy(static_cast<std::byte*>(out.mapped()) + first.size(), then.data(), then.size());
+    return out;
+}
+
+std::vector<glm::vec2> ShoreOnGpu::toldAt(const Sea& sea, const ShoreBlock& block,
+                                          const std::vector<float>& rows,
+                                          const std::vector<glm::vec4>& places) {
+    const gpu::Device& device = context()->device;
+    uint32_t texels[2];
+    shoreSamples(sea, texels);
+    std::vector<float> map(size_t{4} * texels[0] * texels[1]);
+    EXPECT_TRUE(shoreTexels(sea, map.data()));
+    const demos::Image image = uploadFloats(texels[0], texels[1], 4, map);
+    const gpu::Buffer given =
+        filledBuffer(device, std::as_bytes(std::span(&block, 1)), std::as_bytes(std::span(places)));
+    const gpu::Buffer heldRows = filledBuffer(device, std::as_bytes(std::span(rows)), {});
+    std::vector<glm::vec2> told(places.size());
+    const gpu::Buffer left = filledBuffer(device, std::as_bytes(std::span(told)), {});
+    gpu::Kernel kernel;
+    EXPECT_EQ(kernel.create(device, wet_sand_comp, "wet sand"), Status::ok) << message();
+    frame([&](VkCommandBuffer commands) {
+        const gpu::Bound resources[] = {
+            {0, gpu::storageBuffer(given.handle())},
+            {1, gpu::storageBuffer(heldRows.handle())},
+            {2, gpu::sampledImage(context()->samplers.nearestClamp(), asSeaglass(image).view)},
+            {3, gpu::storageBuffer(left.handle())}};
+        VkDescriptorSet set = VK_NULL_HANDLE;
+        EXPECT_EQ(context()->frame().allocateSet(kernel.layout(), resources, set), Status::ok) << message();
+        kernel.dispatchAlong(commands, set, static_cast<uint32_t>(places.size()));
+        gpu::recordBarrier(device, commands,
+                           {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
+                           {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+    });
+    std::memcpy(told.data(), left.mapped(), told.size() * sizeof told[0]);
+    return told;
+}
+
+TEST_F(ShoreOnGpu, HostsShadersFindTheSandAsWetAsTheCpuDoes) {
+    sea_.swells[0] = {1.2f, 9.0f, sea_.windDirection + 0.4f, 0.1f, 50};
+    const std::unique_ptr<Sea, void (*)(Sea*)> beach(createSea(&sea_, nullptr), destroySea);
+    constexpr double dryingTime = 45, eye[2] = {3.5, -7.25};
+    std::vector<float> rows(size_t{4} * shoreRowCount(*beach, dryingTime));
+    size_t damp = 0, thin = 0;
+    double worst = 0;
+    for (const double time : {31.4, 71.3}) {
+        const ShoreBlock block = shoreRows(*beach, time, dryingTime, eye, rows.data());
+        std::vector<glm::vec4> places;
+        for (int u = -8; u < 8; ++u)
+            for (int v = -20; v < 60; ++v)
+                for (const float over : {-0.05f, 0.0f, 0.03f}) {
+                    const glm::vec2 at(1.7f * static_cast<float>(u), 0.31f * static_cast<float>(v));
+                    places.emplace_back(at, static_cast<float>(slope * (double{at.y} + eye[1])) + over, 0);
+                }
+        const std::vector<glm::vec2> told = toldAt(*beach, block, rows, places);
+        for (size_t i = 0; i < places.size(); ++i) {
+            const ShoreWetness expected = shoreWetness(*beach, block, rows.data(), double{places[i].x},
+                                                       double{places[i].y}, double{places[i].z});
+            damp += expected.wet > 0.05 && expected.wet < 0.95;
+            thin += expected.under > 0.05 && expected.under < 0.95;
+            worst = std::max({worst, std::abs(double{told[i].x} - expected.wet),
+                              std::abs(double{told[i].y} - expected.under)});
+        }
+    }
+    std::printf("%zu damp places, %zu under a film, off by %.5f at most\n", damp, thin, worst);
+    EXPECT_GT(damp, 100u);
+    EXPECT_GT(thin, 20u);
+    EXPECT_LT(worst, 1e-3);
+}
 
 TEST_F(ShoreOnGpu, TheSurfaceStandsWhereHeightQueriesSay) {
     Body* body = makeBody(desc_);
