@@ -71,10 +71,10 @@ TEST_F(Render, WritesEveryOutputAndSaysWhere) {
 }
 
 TEST_F(Render, DrawsNothingTwiceWhereNoTimeIsAskedFor) {
-    const Outcome outcome = render({"-o", "out/a.png", "--untimed"});
+    const Outcome outcome = render({"-o", "out/a.png", "--plain", "--untimed"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find(": 32x18, " + out("a.png").string()), std::string::npos) << outcome.out;
-    ASSERT_EQ(render({"-o", "out/b.png"}).code, 0);
+    ASSERT_EQ(render({"-o", "out/b.png", "--plain"}).code, 0);
     EXPECT_TRUE(tests::readAll(out("a.png")) == tests::readAll(out("b.png")));
     tests::expectRefused(render({"-o", "out/c.png", "--untimed", "--stats", "out/c.json"}),
                          {"--untimed and --stats exclude each other"});

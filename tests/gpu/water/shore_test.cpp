@@ -651,7 +651,7 @@ TEST_F(ShoreOnGpu, ASeaWithoutABedHasNothingOfIt) {
         EXPECT_EQ(body->find<ShorePart>() != nullptr, shore != nullptr);
         EXPECT_EQ(sea(body)->shore.has_value(), shore != nullptr);
     };
-    makeBody({}); // what all bodies share
+    makeBody(desc_); // what all bodies with foam share
     size_t with = 0, without = 0;
     Estimate dear, cheap;
     costs(&shore_, with, dear);
