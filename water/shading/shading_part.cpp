@@ -13,6 +13,7 @@
 #include "water/body/body_block.h"
 #include "water/body/target.h"
 #include "water/interface/fields/water.h"
+#include "water/reflection/reflection_part.h"
 
 namespace seaglass {
 
@@ -50,7 +51,8 @@ FieldError ShadingPart::validate(const BodyDesc& desc) {
 
 Status ShadingPart::addCost(const AskedBody& asked, Estimate& sum) {
     const gpu::Device& device = asked.context.device;
-    const bool keepsMirrored = takesSteps(device) && asked.sea && asked.desc.reflection;
+    const bool keepsMirrored =
+        takesSteps(device) && asked.sea && ReflectionPart::wanted(asked.desc, asked.sea);
     // What shows both sides is shaded pixel by pixel.
     const uint32_t perShading = asked.desc.underwater ? 1 : asked.desc.shading.pixelsPerShading;
     sum.bytesPerView += FoundSurface::bytes(device, asked.extent) +
