@@ -651,7 +651,7 @@ std::vector<Case> unknownOfMaterials() {
              p.material()["extensions"]["VENDOR_glitter"] = Json::object();
          },
          anything,
-         {"materials[0] \"a?[31m?bxxx"}},
+         {"materials[0] \"a?[31m bxxx"}},
         {"MaterialThatNobodyUses",
          [](Plate& p) {
              p.root["materials"].push_back({{"extensions", {{"VENDOR_glitter", Json::object()}}}});
