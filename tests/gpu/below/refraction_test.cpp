@@ -10,13 +10,20 @@ namespace {
 using namespace seaglass;
 using namespace tests;
 
-class Refraction : public SeaTest {};
+class Refraction : public SeaTest {
+  protected:
+    /// Flat, over whatever lies behind.
+    Body* waterOf(const RefractionDesc& refraction) {
+        BodyDesc desc;
+        desc.refraction = &refraction;
+        return makeBody(desc);
+    }
+
+    static constexpr RefractionDesc dimming_ = {{0.5f, 0.2f, 0.1f}, {0, 0, 0}, 1};
+};
 
 TEST_F(Refraction, WhatLiesBelowIsDimmedByBeerAndLambert) {
-    const RefractionDesc refraction = {{0.5f, 0.2f, 0.1f}, {0, 0, 0}, 1};
-    BodyDesc desc;
-    desc.refraction = &refraction;
-    Body* body = makeBody(desc);
+    Body* body = waterOf(dimming_);
     Camera camera = seaCamera();
     camera.target = {3, 0, -1};
     const double bed = -1.5;
@@ -31,7 +38,7 @@ TEST_F(Refraction, WhatLiesBelowIsDimmedByBeerAndLambert) {
             const double sine = std::cos(angle) / 1.333;
             const double path = -bed / std::sqrt(1 - sine * sine);
             for (size_t channel = 0; channel < 3; ++channel) {
-                const double through = std::exp(-double{refraction.absorption[channel]} * path);
+                const double through = std::exp(-double{dimming_.absorption[channel]} * path);
                 // In no light the bed shines itself; leaving water thins radiance.
                 const double seen = 4 * through / (1.333 * 1.333);
                 const double expected = f * static_cast<double>(channel + 1) + (1 - f) * seen;
@@ -51,10 +58,7 @@ SceneBehind wallBefore(const Camera& camera, const SceneBehind& behind, double b
 // At the lower border the ray bends out of the picture: what lies there is made up, of the bed and nothing
 // else.
 TEST_F(Refraction, ShowsNothingTwiceWhereTheRayLeavesThePicture) {
-    const RefractionDesc refraction = {{0, 0, 0}, {0, 0, 0}, 1};
-    BodyDesc desc;
-    desc.refraction = &refraction;
-    Body* body = makeBody(desc);
+    Body* body = waterOf({{0, 0, 0}, {0, 0, 0}, 1});
     Camera camera = seaCamera();
     camera.eye = {0, 2.2, 6};
     camera.target = {0, 1.6, -14};
@@ -76,10 +80,7 @@ TEST_F(Refraction, ShowsNothingTwiceWhereTheRayLeavesThePicture) {
 
 // A bed that ends 40 m away: sight over flat water passes over its end from 29 m on, the bent ray does not.
 TEST_F(Refraction, TheBedIsSeenAsFarAsTheBentRayMeetsIt) {
-    const RefractionDesc refraction = {{0.5f, 0.2f, 0.1f}, {0, 0, 0}, 1};
-    BodyDesc desc;
-    desc.refraction = &refraction;
-    Body* body = makeBody(desc);
+    Body* body = waterOf(dimming_);
     const Camera camera = seaCamera();
     const double bed = -1.5, end = 40;
     SceneBehind behind = planeBelow(camera, bed, 4);
@@ -102,7 +103,7 @@ TEST_F(Refraction, TheBedIsSeenAsFarAsTheBentRayMeetsIt) {
             passedOver += met < end && distanceAt(x, y, bed) > end;
             const double f = reflectance(std::sin(angle));
             for (size_t channel = 0; channel < 3; ++channel) {
-                const double through = std::exp(double{refraction.absorption[channel]} * bed / cosine);
+                const double through = std::exp(double{dimming_.absorption[channel]} * bed / cosine);
                 const double seen = met < end ? 4 * through / (1.333 * 1.333) : 0;
                 const double expected = f * static_cast<double>(channel + 1) + (1 - f) * seen;
                 EXPECT_NEAR(p.color[(size_t{y} * p.width + x) * 4 + channel], expected, 5e-3 * expected)
@@ -142,10 +143,7 @@ struct RisingBed {
 // Where the bent ray leaves the picture at its lower border, and where a quay hides what it meets, the bed
 // goes on as it rises; the quay does not show through the water.
 TEST_F(Refraction, TheBedGoesOnAsItRisesWhereItIsNotSeen) {
-    const RefractionDesc refraction = {{0.5f, 0.2f, 0.1f}, {0, 0, 0}, 1};
-    BodyDesc desc;
-    desc.refraction = &refraction;
-    Body* body = makeBody(desc);
+    Body* body = waterOf(dimming_);
     Camera camera = seaCamera();
     camera.eye = {0, 3, 2};
     camera.target = {0, 2, -10};
@@ -161,7 +159,7 @@ TEST_F(Refraction, TheBedGoesOnAsItRisesWhereItIsNotSeen) {
             for (uint32_t x = 3; x < p.width; x += 17) {
                 const size_t i = size_t{y} * p.width + x;
                 if (behind.depth[i] != open.depth[i] || angleBelowHorizon(camera, x, y) < 0.22) continue;
-                const glm::dvec3 expected = RisingBed::expected(camera, refraction, x, y);
+                const glm::dvec3 expected = RisingBed::expected(camera, dimming_, x, y);
                 for (glm::length_t c = 0; c < 3; ++c)
                     most = std::max(
                         most, std::abs(double{p.color[i * 4 + static_cast<size_t>(c)]} / expected[c] - 1));

@@ -27,10 +27,13 @@ struct Mirrored {
 
 class FlatWater : public SeaTest {
   protected:
-    Mirrored mirrored(const ReflectionDesc& reflection, const TracedView& traced) {
+    Body* mirroring(const ReflectionDesc& reflection) {
         BodyDesc desc;
         desc.reflection = &reflection;
-        Body* body = makeBody(desc);
+        return makeBody(desc);
+    }
+    Mirrored mirrored(const ReflectionDesc& reflection, const TracedView& traced) {
+        Body* body = mirroring(reflection);
         const WaterPicture p =
             picture({body}, boxCamera(), 0, SurfaceOutput::reflection, {traced.color, traced.depth});
         const ReflectionImages images = reflectionImages(body, 0);
@@ -39,10 +42,7 @@ class FlatWater : public SeaTest {
 };
 
 TEST_F(FlatWater, ShowsTheTracedReflection) {
-    const ReflectionDesc reflection;
-    BodyDesc desc;
-    desc.reflection = &reflection;
-    Body* body = makeBody(desc);
+    Body* body = mirroring({});
     const Camera camera = boxCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
     const WaterPicture p =
@@ -89,9 +89,7 @@ TEST_F(FlatWater, ShowsTheSameReflectionWithinALargerPicture) {
     for (const uint32_t downscale : {1u, 2u}) {
         ReflectionDesc reflection;
         reflection.downscale = downscale;
-        BodyDesc desc;
-        desc.reflection = &reflection;
-        Body* body = makeBody(desc);
+        Body* body = mirroring(reflection);
         changeView = nullptr;
         const WaterPicture expected =
             picture({body}, alone, 0, SurfaceOutput::reflection, {traced.color, traced.depth});
@@ -99,7 +97,7 @@ TEST_F(FlatWater, ShowsTheSameReflectionWithinALargerPicture) {
             view.viewport = {left, top, 200, 120, 0, 1};
             copyMatrix(projectionMatrix(alone), view.projection);
         };
-        const WaterPicture found = picture({makeBody(desc)}, larger, 0, SurfaceOutput::reflection,
+        const WaterPicture found = picture({mirroring(reflection)}, larger, 0, SurfaceOutput::reflection,
                                            placedIn(larger, traced, left, top));
         size_t water = 0;
         double worst = 0;
@@ -214,10 +212,7 @@ TEST_F(FlatWater, ASmallerReflectionLetsNoSkyInAlongWhatStandsBeforeIt) {
 }
 
 TEST_F(FlatWater, SaysWhereTheReflectionIsTakenFrom) {
-    const ReflectionDesc reflection;
-    BodyDesc desc;
-    desc.reflection = &reflection;
-    Body* body = makeBody(desc);
+    Body* body = mirroring({});
     const Camera camera = boxCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
     const SceneBehind behind = {traced.color, traced.depth};

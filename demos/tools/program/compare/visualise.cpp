@@ -5,27 +5,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "program/painted.h"
+
 namespace demos {
 
 namespace {
-
-using Rgb = std::array<float, 3>;
-
-uint8_t toByte(float value) {
-    // NaN fails the comparison and goes to black.
-    return value > 0 ? static_cast<uint8_t>(std::lround(std::min(value, 1.0f) * 255)) : uint8_t{0};
-}
-
-template<class Paint>
-std::vector<uint8_t> paint(const Picture& picture, const Paint& toRgb) {
-    std::vector<uint8_t> rgb;
-    rgb.reserve(picture.rgba.size() / 4 * 3);
-    for (size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
-        const Rgb color = toRgb(&picture.rgba[i]);
-        for (const float value : color) rgb.push_back(toByte(value));
-    }
-    return rgb;
-}
 
 Rgb grey(float value) {
     return {value, value, value};
@@ -46,7 +30,8 @@ Visualised height(const Picture& picture) {
     std::array<char, 64> scale{};
     std::snprintf(scale.data(), scale.size(), "black %.3g m, white %.3g m", static_cast<double>(-most),
                   static_cast<double>(most));
-    return {paint(picture, [most](const float* p) { return grey(0.5f + 0.5f * p[0] / most); }), scale.data()};
+    return {painted(picture, [most](const float* p) { return grey(0.5f + 0.5f * p[0] / most); }),
+            scale.data()};
 }
 
 Visualised normal(const Picture& picture) {
@@ -54,7 +39,7 @@ Visualised normal(const Picture& picture) {
         const bool none = p[0] == 0 && p[1] == 0 && p[2] == 0;
         return none ? grey(0) : Rgb{0.5f + 0.5f * p[0], 0.5f + 0.5f * p[1], 0.5f + 0.5f * p[2]};
     };
-    return {paint(picture, toRgb), {}};
+    return {painted(picture, toRgb), {}};
 }
 
 Visualised depth(const Picture& picture) {
@@ -70,7 +55,7 @@ Visualised depth(const Picture& picture) {
     std::array<char, 64> scale{};
     std::snprintf(scale.data(), scale.size(), "white %.3g m, black %.4g m, logarithmic",
                   static_cast<double>(nearest), static_cast<double>(farthest));
-    return {paint(picture, toRgb), scale.data()};
+    return {painted(picture, toRgb), scale.data()};
 }
 
 Visualised source(const Picture& picture) {
@@ -79,7 +64,7 @@ Visualised source(const Picture& picture) {
     std::array<char, 64> scale{};
     std::snprintf(scale.data(), scale.size(), "red across %u pixels, green down %u", picture.width,
                   picture.height);
-    return {paint(picture, toRgb), scale.data()};
+    return {painted(picture, toRgb), scale.data()};
 }
 
 } // namespace
@@ -96,13 +81,13 @@ Visualised visualise(const Picture& picture, Aov aov, double exposureEv) {
     case Aov::overlayClasses:
     case Aov::overlayConfidence:
     case Aov::overlayDistance:
-        return {paint(picture, [](const float* p) { return Rgb{p[0], p[1], p[2]}; }), {}};
+        return {paintedAsIs(picture), {}};
     case Aov::height:
         return height(picture);
     case Aov::normal:
         return normal(picture);
     case Aov::foam:
-        return {paint(picture, [](const float* p) { return grey(p[0]); }), {}};
+        return {painted(picture, [](const float* p) { return grey(p[0]); }), {}};
     case Aov::depth:
         return depth(picture);
     case Aov::reflectionSource:

@@ -5,29 +5,11 @@
 #include <cstdio>
 
 #include "metrics/magma.h"
+#include "program/painted.h"
 
 namespace demos {
 
 namespace {
-
-uint8_t byteOf(float value) {
-    // NaN fails the comparison and goes to black.
-    return value > 0 ? static_cast<uint8_t>(std::lround(std::min(value, 1.0f) * 255)) : uint8_t{0};
-}
-
-/// `shade` of each value of colour.
-template<class Shade>
-std::vector<uint8_t> painted(const Picture& picture, const Shade& shade) {
-    std::vector<uint8_t> rgb;
-    rgb.reserve(picture.rgba.size() / 4 * 3);
-    for (size_t i = 0; i < picture.rgba.size(); ++i)
-        if (i % 4 != 3) rgb.push_back(byteOf(shade(picture.rgba[i])));
-    return rgb;
-}
-
-std::vector<uint8_t> encoded(const Picture& picture) {
-    return painted(picture, [](float value) { return value; });
-}
 
 std::string exposureNote(const char* which, double exposureEv) {
     char text[96];
@@ -55,7 +37,7 @@ ReportPictures ofLight(const CompareOptions& options, const Pair& pair) {
     const Comparison& found = pair.comparison;
     const double exposureEv = options.exposureEv.value_or(middleGreyEv(found.exposures));
     const auto shown = [&](const Picture& picture) {
-        return linear ? toneMap(picture, exposureEv) : encoded(picture);
+        return linear ? toneMap(picture, exposureEv) : paintedAsIs(picture);
     };
     ReportPictures pictures{shown(pair.expected()),
                             shown(pair.actual()),
@@ -102,7 +84,8 @@ ReportPictures ofData(const Pair& pair) {
     const auto [least, greatest] = rangeOf(pair);
     const float span = std::max(greatest - least, 1e-30f);
     const auto shown = [low = least, span](const Picture& picture) {
-        return painted(picture, [=](float value) { return (value - low) / span; });
+        const auto share = [=](float value) { return (value - low) / span; };
+        return painted(picture, [&](const float* p) { return Rgb{share(p[0]), share(p[1]), share(p[2])}; });
     };
     const auto over = static_cast<float>(pair.limits.shares.empty() ? 0 : pair.limits.shares.front().over);
     const float whole = over > 0 ? 4 * over : span;
@@ -128,7 +111,7 @@ ReportPictures reportPictures(const CompareOptions& options, const Pair& pair) {
 
 std::vector<uint8_t> reportPicture(const PictureFile& file, std::string& note) {
     const Picture& picture = file.picture;
-    if (file.header.integer) return encoded(picture);
+    if (file.header.integer) return paintedAsIs(picture);
     Picture finite = picture;
     for (float& value : finite.rgba)
         if (!std::isfinite(value)) value = 0;

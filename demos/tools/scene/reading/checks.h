@@ -1,8 +1,7 @@
 #pragma once
 
-#include "scene/reading/toml.h"
-
 #include "scene/reading/reader.h"
+#include "scene/reading/toml.h"
 #include "scene/scene.h"
 
 namespace demos::reading {

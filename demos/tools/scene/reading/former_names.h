@@ -5,10 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/reading/toml.h"
-
 #include "scene/fields.h"
 #include "scene/former_keys.h"
+#include "scene/reading/toml.h"
 
 namespace demos::reading {
 

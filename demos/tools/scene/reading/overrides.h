@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "scene/reading/toml.h"
-
 #include "scene/scene.h"
 
 namespace demos::reading {
