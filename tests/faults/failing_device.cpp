@@ -372,6 +372,8 @@ struct FailingDevice::Calls {
         VkPhysicalDeviceLimits& limits = out->limits;
         limits.maxImageDimension2D = 16384;
         limits.maxStorageBufferRange = 1u << 30;
+        limits.maxComputeWorkGroupInvocations = limits.maxComputeWorkGroupSize[0] = 1024;
+        limits.maxComputeSharedMemorySize = 32768;
         limits.minUniformBufferOffsetAlignment = limits.minStorageBufferOffsetAlignment = offsetAlignment;
         limits.maxPerStageDescriptorStorageImages = 64;
         constexpr VkSampleCountFlags samples = 0x1f;

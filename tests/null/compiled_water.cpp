@@ -196,7 +196,7 @@ void CompiledWater::makeKernels() {
             (void)shareMarch(*context_, cells, open, march);
         }
     WaveKernels waves;
-    for (uint32_t samples = 16; samples <= 1024; samples *= 2) {
+    for (uint32_t samples = 16; samples <= 2048; samples *= 2) {
         const WaveKernels::Pair* pair = nullptr;
         (void)waves.get(context_->device, samples, pair);
     }

@@ -309,8 +309,8 @@ TEST(Field, SaysWhatIsExpected) {
     EXPECT_EQ(expected(field<&ReflectionDesc::height>("", 8, 16384, "pixel", "").orZero()),
               "0 or 8 to 16384 pixel");
     EXPECT_EQ(expected(field<&ReflectionDesc::downscale>("", 1, 8, "", "").powersOfTwo()), "1, 2, 4 or 8");
-    EXPECT_EQ(expected(field<&SeaDesc::samples>("", 16, 1024, "", "").powersOfTwo()),
-              "a power of two, 16 to 1024");
+    EXPECT_EQ(expected(field<&SeaDesc::samples>("", 16, 2048, "", "").powersOfTwo()),
+              "a power of two, 16 to 2048");
     EXPECT_EQ(expected(field<&ShadingDesc::fresnel>("", fresnels, "")), "0 to 1: exact or schlick");
     EXPECT_EQ(expected(field<&FogDesc::shape>("", fogShapes, "", 1)),
               "1 to 4: linear, exponential, exponential-squared or height");

@@ -1,5 +1,6 @@
 #include "water/waves/waves_gpu.h"
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <numbers>
@@ -18,7 +19,14 @@ namespace seaglass {
 
 namespace {
 
-constexpr uint32_t groupPoints = 1024; ///< of transforms in one workgroup: shaders/water/waves/fft.glsl
+// Of transforms, in shaders/water/waves/fft.glsl.
+constexpr uint32_t pointsHeld = 16; ///< by an invocation
+constexpr uint32_t groupPoints = 1024;
+
+/// How many transforms a group holds.
+uint32_t linesHeld(uint32_t samples) {
+    return std::max(groupPoints / samples, 1u);
+}
 
 struct WavesConstants {
 #define CONSTANTS "shaders/shared/waves_constants.h"
@@ -137,21 +145,58 @@ gpu::Resource mapResource(const WaveMaps& maps, uint32_t map, const gpu::Buffer&
     return gpu::storageBuffer(copied.handle(), bytes * map, bytes);
 }
 
+/// A pipeline takes `samples` points of `groups` fields at once.
+Status checkLimits(const gpu::Device& device, uint32_t samples, uint32_t groups) {
+    const uint32_t points = linesHeld(samples) * samples * groups;
+    const VkDeviceSize shared = VkDeviceSize{points} * 2 * sizeof(float);
+    const VkPhysicalDeviceLimits& limits = device.limits();
+    if (points / pointsHeld <= limits.maxComputeWorkGroupInvocations &&
+        points / pointsHeld <= limits.maxComputeWorkGroupSize[0] &&
+        shared <= limits.maxComputeSharedMemorySize)
+        return Status::ok;
+    return device.fail(Status::unsupported,
+                       "SeaDesc.samples is %u: workgroups need %u invocations and %llu shared bytes, the "
+                       "device has %u and %u",
+                       samples, points / pointsHeld, static_cast<unsigned long long>(shared),
+                       limits.maxComputeWorkGroupInvocations, limits.maxComputeSharedMemorySize);
+}
+
+/// Of what kernels read and write by one binding.
+Status checkBindings(const gpu::Device& device, const Sea& sea) {
+    const VkDeviceSize map = device.isCpu() ? copiedBytes(sea) / waveMapCount : 0;
+    const VkDeviceSize wanted = std::max({modeBytes(sea), columnBytes(sea), map});
+    if (wanted <= device.limits().maxStorageBufferRange) return Status::ok;
+    return device.fail(
+        Status::unsupported,
+        "SeaDesc.samples is %u: %u cascades need a storage buffer of %llu bytes, the device has %u",
+        sea.desc.samples, sea.count, static_cast<unsigned long long>(wanted),
+        device.limits().maxStorageBufferRange);
+}
+
 } // namespace
+
+Status WaveKernels::createPair(const gpu::Device& device, uint32_t samples, Pair& out) {
+    const bool copied = device.isCpu();
+    const uint32_t rowGroups = copied ? 1 : 2;
+    if (const Status s = checkLimits(device, samples, rowGroups); s != Status::ok) return s;
+    WavesConstants given;
+    given.samples = samples;
+    given.onCpu = copied;
+    given.invocations = linesHeld(samples) * samples / pointsHeld;
+    if (const Status s =
+            out.columns.create(device, waves_columns_comp, "waves columns pipeline", given.constants());
+        s != Status::ok)
+        return s;
+    given.invocations *= rowGroups;
+    const std::span<const uint32_t> stores(waves_rows_comp), isCopied(waves_rows_copied_comp);
+    return out.rows.create(device, copied ? isCopied : stores, "waves rows pipeline", given.constants());
+}
 
 Status WaveKernels::get(const gpu::Device& device, uint32_t samples, const Pair*& out) {
     const auto [entry, fresh] = kernels_.try_emplace(samples);
     out = &entry->second;
     if (!fresh) return Status::ok;
-    WavesConstants given;
-    given.samples = samples;
-    given.onCpu = device.isCpu();
-    const auto constants = given.constants();
-    Pair& pair = entry->second;
-    Status s = pair.columns.create(device, waves_columns_comp, "waves columns pipeline", constants);
-    const std::span<const uint32_t> stores(waves_rows_comp), isCopied(waves_rows_copied_comp);
-    if (s == Status::ok)
-        s = pair.rows.create(device, device.isCpu() ? isCopied : stores, "waves rows pipeline", constants);
+    const Status s = createPair(device, samples, entry->second);
     if (s != Status::ok) kernels_.erase(entry);
     return s;
 }
@@ -170,6 +215,7 @@ VkDeviceSize ComputedWaves::bytes(const gpu::Device& device, const Sea& sea) {
 
 Status ComputedWaves::create(Context& context, const Sea& sea) {
     sea_ = &sea;
+    if (const Status s = checkBindings(context.device, sea); s != Status::ok) return s;
     for (uint32_t c = 0; c < sea.count; ++c) packing_[c] = wavePacking(sea.modes[c]);
     if (const Status s = context.share(kernels_); s != Status::ok) return s;
     const WaveKernels::Pair* built = nullptr;
@@ -246,7 +292,7 @@ Status ComputedWaves::recordMaps(Context& context, VkCommandBuffer commands, con
     if (const Status s = describe(context, maps, *kernels, cascades, time, sets); s != Status::ok) return s;
 
     recordUpload(context, commands);
-    const uint32_t lines = groupPoints / maps.samples;
+    const uint32_t lines = linesHeld(maps.samples);
     const auto groups = [lines](uint32_t all) { return (all + lines - 1) / lines; };
     {
         const gpu::PassScope pass(device, commands, "waves");

@@ -27,6 +27,8 @@ class WaveKernels {
     Status get(const gpu::Device& device, uint32_t samples, const Pair*& out);
 
   private:
+    static Status createPair(const gpu::Device& device, uint32_t samples, Pair& out);
+
     std::map<uint32_t, Pair> kernels_;
 };
 

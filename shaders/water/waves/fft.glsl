@@ -1,6 +1,6 @@
 // Inverse Fourier transforms, unnormalised, of lines of `samples` points: Stockham's autosort (Govindaraju et al. 2008)
 // in steps of 16, then one of 2, 4 or 8 if there is need. A team of samples / 16 invocations holds a line, 16 points
-// each, and 64 invocations hold 1024 points, whatever the samples; SIXTY_FOURS says how many of those a workgroup has.
+// each. A workgroup has GROUPS groups of as many teams as fit into 64 invocations, of one team if it is larger.
 // Arrays are indexed by literals alone, so that they stay in registers.
 #extension GL_GOOGLE_include_directive : require
 #include "phase.glsl"
@@ -9,9 +9,10 @@
 #include "waves_constants.h"
 
 const uint team = samples / 16u;
-const uint lines = 64u / team;   // of 64 invocations
+const uint group = invocations / GROUPS;
+const uint lines = group / team;   // of a group
 
-shared vec2 exchange[1024 * SIXTY_FOURS];
+shared vec2 exchange[16u * invocations];
 
 vec2 times(vec2 a, vec2 b) {
     return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
@@ -176,7 +177,7 @@ void finishLine(inout vec2 x[16], uint line, uint place) {
     if (samples == 256u) {
         turn16(x, turned);
         fourier16(x);
-    } else if (samples == 128u) {
+    } else if (samples == 128u || samples == 2048u) {
 #define BUTTERFLY(b)                                                                                                   \
     {                                                                                                                  \
         uint phase = turned + uint(b) * sixteenthTurn;                                                                           \

@@ -3,8 +3,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-#define SIXTY_FOURS 1
-layout(local_size_x = 64) in;
+#define GROUPS 1u
+layout(local_size_x_id = 2) in;   // invocations
 #include "fft.glsl"
 #include "wave_fields.glsl"
 

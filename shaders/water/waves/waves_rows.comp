@@ -4,12 +4,11 @@
 #extension GL_GOOGLE_include_directive : require
 
 #ifdef COPIED
-#define SIXTY_FOURS 1
-layout(local_size_x = 64) in;
+#define GROUPS 1u
 #else
-#define SIXTY_FOURS 2
-layout(local_size_x = 128) in;
+#define GROUPS 2u
 #endif
+layout(local_size_x_id = 2) in;   // invocations
 #include "fft.glsl"
 #include "wave_fields.glsl"
 
@@ -102,8 +101,8 @@ void storePoint(Row at, uint r, vec2 shiftU, vec2 shiftV, vec2 height, vec2 slop
 }
 
 void main() {
-    bool second = gl_LocalInvocationID.x >= 64u;
-    uint member = gl_LocalInvocationID.x % 64u;
+    bool second = gl_LocalInvocationID.x >= group;
+    uint member = gl_LocalInvocationID.x % group;
     uint line = member / team;
     uint row = gl_WorkGroupID.x * lines + line;
     bool held = row < samples;
@@ -119,7 +118,7 @@ void main() {
 #define STORE(r) storePoint(at, uint(r), shiftU[r], shiftV[r], height[r], slopeV[r]);
     EACH(STORE)
 #else
-    // The first 64 invocations transform the pairs 0 and 2, the others 1 and 3. In a loop, since a compiler that sees
+    // The first group transforms the pairs 0 and 2, the other 1 and 3. In a loop, since a compiler that sees
     // both transforms at once keeps the turns of one for the other, in twice the registers. Then the first store the
     // points 0 to 7, the others 8 to 15.
     vec2 shift[16], slope[16];
@@ -131,17 +130,17 @@ void main() {
     }
 #define EIGHT(F) F(0) F(1) F(2) F(3) F(4) F(5) F(6) F(7)
 #define GIVE(r)                                                                                                        \
-    exchange[128 * r + gl_LocalInvocationID.x] = second ? shift[r] : shift[r + 8];                                     \
-    exchange[128 * (r + 8) + gl_LocalInvocationID.x] = second ? slope[r] : slope[r + 8];
+    exchange[invocations * r + gl_LocalInvocationID.x] = second ? shift[r] : shift[r + 8];                                     \
+    exchange[invocations * (r + 8) + gl_LocalInvocationID.x] = second ? slope[r] : slope[r + 8];
     barrier();
     EIGHT(GIVE)
     barrier();
     if (!held) return;
-    uint other = gl_LocalInvocationID.x ^ 64u;
+    uint other = gl_LocalInvocationID.x ^ group;
 #define STORE(r)                                                                                                       \
     {                                                                                                                  \
         vec2 ownShift = second ? shift[r + 8] : shift[r], ownSlope = second ? slope[r + 8] : slope[r];                 \
-        vec2 givenShift = exchange[128 * r + other], givenSlope = exchange[128 * (r + 8) + other];                     \
+        vec2 givenShift = exchange[invocations * r + other], givenSlope = exchange[invocations * (r + 8) + other];                     \
         storePoint(at, uint(r) + (second ? 8u : 0u), second ? givenShift : ownShift, second ? ownShift : givenShift,   \
                    second ? givenSlope : ownSlope, second ? ownSlope : givenSlope);                                    \
     }

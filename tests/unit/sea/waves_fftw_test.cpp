@@ -221,7 +221,7 @@ TEST(WavesFftw, SameBitsOnTwoThreads) {
 
 TEST(WavesFftw, AgreeWithDoublesWhateverTheSize) {
     double worst = 0;
-    for (uint32_t samples = 16; samples <= 1024; samples *= 2) {
+    for (uint32_t samples = 16; samples <= 2048; samples *= 2) {
         SeaDesc desc;
         desc.samples = samples;
         const auto sea = makeSea(desc);

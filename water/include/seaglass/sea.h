@@ -80,7 +80,7 @@ struct SeaDesc {
     SwellDesc swells[maxSwells] = {}; ///< those of height 0 are none
     float amplitude = 1.0f;  ///< scale of all heights, 0..1: less is water that something shelters, 0 flat
     float choppiness = 1.0f; ///< scale of the horizontal displacement, 0..10; 1 is the linear theory's
-    uint32_t samples = 256;  ///< across each cascade, power of two, 16..1024; 256 and more share waves
+    uint32_t samples = 256;  ///< across each cascade, power of two, 16..2048; 256 and more share waves
     uint32_t cascades = 3;   ///< 1..maxCascades
     /// Edge of the largest cascade [m], 1..1e5; resolvedShare() says what it loses. 0 chooses: 16 wavelengths
     /// of the longest peak in 60..2000 m, but at least 6, and no more than the samples carry.

@@ -25,7 +25,7 @@ inline constexpr Field seaFieldRows[] = {
     field<&SeaDesc::amplitude>("amplitude", 0, 1, "", "Scale of all heights; 1: as the wind makes them."),
     field<&SeaDesc::choppiness>("choppiness", 0, 10, "",
                                 "Scale of the horizontal displacement; 1: the linear theory's."),
-    field<&SeaDesc::samples>("samples", 16, 1024, "", "Across each cascade.").powersOfTwo(),
+    field<&SeaDesc::samples>("samples", 16, 2048, "", "Across each cascade.").powersOfTwo(),
     field<&SeaDesc::cascades>("cascades", 1, maxCascades, "", "Bands of wavelengths."),
     field<&SeaDesc::largestPatch>("largestPatch", 1, 1e5, "m", "Edge of the largest cascade; 0 chooses.")
         .orZero(),
