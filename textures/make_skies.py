@@ -30,6 +30,7 @@ class SkyDesc:
     ground: tuple  # what lies below the haze of the horizon, as a share of the horizon's light
     clouds: CloudDesc = field(default_factory=CloudDesc)
     rain: float = 0.0  # optical depth, straight up, of rain and spray below the clouds
+    overcast: float = 0.0  # share of all light that clouds have scattered until it is grey
 
 
 SKIES = {
@@ -73,6 +74,7 @@ SKIES = {
         ground=(0.20, 0.24, 0.26),
         clouds=CloudDesc(seed=31, coverage=0.94, baseM=800, thicknessM=1500, offsetM=(21000, 4000), cirrus=1.0),
         rain=0.16,
+        overcast=0.75,
     ),
 }
 
@@ -118,7 +120,7 @@ def upperHalf(air, desc, d):
     layer = soften(layer)
     distance = layer[..., 4] / np.maximum(layer[..., 3], 1e-4)
     sky = through(air, behind, clear, layer[..., :3], layer[..., 3], distance)
-    return clear, rained(sky, desc.rain, d)
+    return clear, greyed(rained(sky, desc.rain, d), desc.overcast)
 
 
 def rained(sky, depth, d):
@@ -126,6 +128,11 @@ def rained(sky, depth, d):
     veil = 1 - np.exp(-depth / np.maximum(d[..., 1], 0.01))[..., None]
     grey = irradiance(sky, d) @ LUMINANCE / np.pi * np.array([0.62, 0.68, 0.72])
     return sky * (1 - veil) + grey * veil
+
+
+def greyed(sky, share):
+    """Drops scatter all colours alike: what went through many of them is as white as daylight, a little bluish."""
+    return sky * (1 - share) + (sky @ LUMINANCE)[..., None] * np.array([0.96, 1.0, 1.06]) * share
 
 
 def shaped(like, *values):
