@@ -97,6 +97,7 @@ TEST_F(Mistakes, NullsAreNamed) {
                   "estimate: desc is null");
     expectRefused(planarView(reflector, nullptr, &mirrored), "planarView: view is null");
     expectRefused(planarView(body, &view, nullptr), "planarView: out is null");
+    expectRefused(planarView(body, &view, &mirrored), "planarView: the body's reflection is the sky alone");
     Body* const bodies[] = {body, nullptr};
     Reflector* const reflectors[] = {nullptr, reflector};
     recordOnly([&](VkCommandBuffer commands) {
@@ -107,6 +108,8 @@ TEST_F(Mistakes, NullsAreNamed) {
         expectRefused(reflect(commands, reflectors, 2, &view), "reflect: reflectors[0] is null");
         expectRefused(recordOverlay(commands, reflector, &view, nullptr), "recordOverlay: desc is null");
         expectRefused(recordOverlay(nullptr, body, &view, &overlay), "recordOverlay: commands is null");
+        expectRefused(recordOverlay(commands, body, &view, &overlay),
+                      "recordOverlay: the body's reflection is the sky alone");
         expectRefused(draw(commands, target, nullptr, 1, &view, &lighting), "draw: bodies is null");
         expectRefused(draw(commands, nullptr, &body, 1, &view, &lighting), "draw: target is null");
         expectRefused(draw(commands, target, &body, 1, &view, nullptr), "draw: lighting is null");
@@ -203,7 +206,12 @@ TEST_F(Mistakes, ObjectsOfAnotherContextAreRefused) {
     recordOnly([&](VkCommandBuffer commands) {
         EXPECT_EQ(draw(commands, foreign, &body, 1, &view, &lighting), Status::invalidArgument);
     });
-    EXPECT_NE(text.find("different contexts"), std::string::npos) << text;
+    EXPECT_NE(text.find("draw: bodies[0] and the target are of different contexts"), std::string::npos)
+        << text;
+    EXPECT_EQ(prepare(target, body, &view, &lighting), Status::ok) << message();
+    EXPECT_EQ(prepare(foreign, body, &view, &lighting), Status::invalidArgument);
+    EXPECT_NE(text.find("prepare: the body and the target are of different contexts"), std::string::npos)
+        << text;
     destroyTarget(foreign);
     destroyContext(other);
 }
@@ -386,6 +394,30 @@ TEST_F(Mistakes, DevicesThatLackSomethingAreRefusedByItsName) {
     Pretended::extendedFormats = false;
     expectRefused("shaderStorageImageExtendedFormats");
     Pretended::extendedFormats = true;
+}
+
+TEST_F(Mistakes, ALoaderThatLacksACallIsRefusedByItsName) {
+    std::string text;
+    DeviceDesc desc = deviceDesc(&text);
+    desc.getInstanceProcAddr = [](VkInstance instance, const char* name) {
+        return std::strcmp(name, "vkGetPhysicalDeviceMemoryProperties")
+                   ? vkGetInstanceProcAddr(instance, name)
+                   : nullptr;
+    };
+    constexpr const char* lacking = "the Vulkan loader has no vkGetPhysicalDeviceMemoryProperties";
+    EXPECT_EQ(checkSupport(desc.instance, desc.physicalDevice, desc.getInstanceProcAddr, desc.message),
+              Status::unsupported);
+    EXPECT_NE(text.find(lacking), std::string::npos) << text;
+    text.clear();
+    Context* made = nullptr;
+    EXPECT_EQ(createContext(&desc, &made), Status::unsupported);
+    EXPECT_EQ(made, nullptr);
+    EXPECT_NE(text.find(lacking), std::string::npos) << text;
+    EXPECT_EQ(checkSupport(desc.instance, VK_NULL_HANDLE, desc.getInstanceProcAddr, desc.message),
+              Status::invalidArgument);
+    EXPECT_NE(text.find("checkSupport: instance, physicalDevice and getInstanceProcAddr must not be null"),
+              std::string::npos)
+        << text;
 }
 
 TEST_F(Mistakes, WhatCannotBeCopiedIsRefusedByItsName) {

@@ -120,6 +120,22 @@ TEST_F(Prepared, StillWaterThatMirrorsInFewerPixels) {
     EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u);
 }
 
+TEST_F(Prepared, SprayToo) {
+    sea_.windSpeed = 25;
+    const FoamDesc foam;
+    const SprayDesc spray;
+    desc_ = {};
+    desc_.waves = &sea_;
+    desc_.wavesOn = WavesOn::gpu;
+    desc_.foam = &foam;
+    desc_.spray = &spray;
+    Body* const body = makeBody(desc_);
+    spiedCalls().clear();
+    prepareFor(body, &lighting);
+    EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 3u) << "found, placed, and spray";
+    EXPECT_EQ(pipelinesMadeByFrames(body), 0u);
+}
+
 TEST_F(Prepared, OfOtherOutputsToo) {
     desc_.motion = true;
     for (const SurfaceOutput output : {SurfaceOutput::normal, SurfaceOutput::motion}) {

@@ -53,6 +53,19 @@ TEST(SlopeVariance, SimulatedAndRoughnessTogetherAreCoxAndMunks) {
             }
 }
 
+TEST(SlopeVariance, WhatIsSaidToBeResolvedIsSimulated) {
+    SeaDesc desc;
+    desc.windDirection = 0.6f;
+    desc.samples = 128;
+    const auto sea = makeSea(desc);
+    const SlopeCovariance said = resolvedSlopes(*sea), found = measured(*sea);
+    const double most = found.uu + found.vv;
+    EXPECT_NEAR(said.uu, found.uu, 0.02 * most);
+    EXPECT_NEAR(said.vv, found.vv, 0.02 * most);
+    EXPECT_NEAR(said.uv, found.uv, 0.02 * most);
+    EXPECT_GT(std::abs(said.uv), 0.05 * most);
+}
+
 TEST(SlopeVariance, YoungSeasAndGreatSampleCountsKeepTheBudget) {
     for (const float fetch : {1e3f, 10e3f, 300e3f})
         for (const uint32_t samples : {64u, 512u}) {
