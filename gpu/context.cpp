@@ -58,6 +58,7 @@ Status Context::shareMade(const void* what, Status (*make)(Context& context, std
     out = known.lock();
     if (out) return Status::ok;
     const Status status = make(*this, out);
+    if (status != Status::ok) out.reset();
     known = out;
     return status;
 }

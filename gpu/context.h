@@ -10,6 +10,7 @@
 #include "gpu/fields.h"
 #include "gpu/frame.h"
 #include "gpu/memory/sampler.h"
+#include "gpu/type_erased.h"
 
 namespace seaglass {
 
@@ -55,10 +56,7 @@ struct Context {
     static constexpr char tag = 0;
     template<typename T>
     static Status makeFor(Context& context, std::shared_ptr<void>& out) {
-        auto made = std::make_shared<T>();
-        const Status status = made->create(context);
-        if (status == Status::ok) out = std::move(made);
-        return status;
+        return gpu::makeShared<T>(out).create(context);
     }
     Status shareMade(const void* what, Status (*make)(Context& context, std::shared_ptr<void>& out),
                      std::shared_ptr<void>& out);

@@ -33,8 +33,8 @@ Status Frame::begin() {
     return Status::ok;
 }
 
-std::shared_ptr<void>& Frame::keptNext() {
-    return retired_.emplace_back();
+Erased& Frame::keptNext() {
+    return retired_.emplace_back(nullptr, nullptr);
 }
 
 Status Frame::addPool() {

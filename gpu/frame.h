@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "gpu/memory/buffer.h"
 #include "gpu/pipeline/binding.h"
+#include "gpu/type_erased.h"
 
 namespace seaglass::gpu {
 
@@ -67,8 +67,8 @@ class Frame {
     /// Keeps a movable object alive until this slot begins again. Throws before it takes it.
     template<typename T>
     void retire(T&& object) {
-        std::shared_ptr<void>& place = keptNext();
-        place = std::make_shared<std::decay_t<T>>(std::forward<T>(object));
+        Erased& place = keptNext();
+        place = makeErased<std::decay_t<T>>(std::forward<T>(object));
     }
     /// `fresh` takes the place of what the GPU may still be using.
     template<typename T>
@@ -79,7 +79,7 @@ class Frame {
     void releaseRetired() { retired_.clear(); }
 
   private:
-    std::shared_ptr<void>& keptNext();
+    Erased& keptNext();
     Status addPool();
 
     const Device* device_ = nullptr;
@@ -88,7 +88,7 @@ class Frame {
     std::vector<Buffer> blocks_;
     size_t blockInUse_ = 0;
     VkDeviceSize blockOffset_ = 0;
-    std::vector<std::shared_ptr<void>> retired_;
+    std::vector<Erased> retired_;
 };
 
 } // namespace seaglass::gpu

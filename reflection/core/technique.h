@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "gpu/type_erased.h"
 #include "reflection/core/reflect_pass.h"
 #include "reflection/core/reflection_images.h"
 #include "seaglass/reflection.h"
@@ -40,17 +41,11 @@ constexpr Technique techniqueFrom(uint32_t (*dispatches)(const gpu::Device&, con
     Technique technique;
     technique.dispatches = dispatches;
     technique.createKernels = [](Context& context, const ReflectionDesc& desc, std::shared_ptr<void>& out) {
-        auto made = std::make_shared<Kernels>();
-        const Status status = made->create(context, desc);
-        out = std::move(made);
-        return status;
+        return gpu::makeShared<Kernels>(out).create(context, desc);
     };
     technique.createScratch = [](const gpu::Device& device, VkExtent2D extent, const ReflectionDesc& desc,
                                  std::shared_ptr<void>& out) {
-        auto made = std::make_shared<Scratch>();
-        const Status status = made->create(device, extent, desc);
-        out = std::move(made);
-        return status;
+        return gpu::makeShared<Scratch>(out).create(device, extent, desc);
     };
     technique.bytes = &Scratch::bytes;
     technique.record = [](const ReflectPass& pass, void* kernels, void* scratch,

@@ -8,6 +8,7 @@
 
 #include "gpu/context.h"
 #include "gpu/fields.h"
+#include "gpu/type_erased.h"
 #include "gpu/view/single_sample.h"
 #include "gpu/view/view.h"
 #include "seaglass/water.h"
@@ -109,11 +110,9 @@ constexpr Part partFrom() {
     part.tag = &partTag<T>;
     part.wanted = T::wanted;
     part.create = [](Body& body, const BodyDesc& desc, std::shared_ptr<void>& out) {
-        auto made = std::make_shared<T>();
-        Status status = Status::ok;
-        if constexpr (requires { &T::create; }) status = made->create(body, desc);
-        out = std::move(made);
-        return status;
+        [[maybe_unused]] T& made = gpu::makeShared<T>(out);
+        if constexpr (requires { &T::create; }) return made.create(body, desc);
+        return Status::ok;
     };
     if constexpr (requires { &T::validate; }) part.validate = T::validate;
     if constexpr (requires { &T::addCost; }) part.addCost = T::addCost;

@@ -1,5 +1,5 @@
 // How much of the simulated sea is white.
-#include "gpu/fields.h"
+#include "gpu/field_error.h"
 #include "water/foam/foam_history.h"
 #include "water/interface/fields/sea.h"
 #include "water/interface/foam_gate.h"
@@ -99,7 +99,7 @@ double coverOf(const Sea& sea, const WavesBackend& backend, void* state, const F
 bool whitecapCover(const Sea& sea, const WavesBackend& backend, const FoamDesc& foam, double time,
                    double* cover) {
     *cover = 0;
-    if (badField(foamFields, &foam)) return false;
+    if (outOfRange(foamFields, &foam)) return false;
     if (sea.count == 0) return true;
     const std::unique_ptr<void, void (*)(void*)> state(backend.create(sea), backend.destroy);
     if (!state) return false;

@@ -4,7 +4,7 @@
 #include <cstdarg>
 #include <cstdio>
 
-#include "gpu/fields.h"
+#include "gpu/field_error.h"
 #include "water/interface/fields/sea.h"
 
 namespace seaglass {
