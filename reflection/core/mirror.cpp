@@ -65,6 +65,10 @@ uint32_t keyScale(const ReflectionDesc& desc) {
     return std::max(desc.downscale, desc.coarseKeys ? 2u : 1u);
 }
 
+bool looksForOverhangs(const ReflectionDesc& desc) {
+    return desc.overhangSamples > 0;
+}
+
 double farthestImage(const ViewGeometry& view, const glm::dvec4& plane) {
     double farthest = view.farDepth;
     if (!view.parallel) return farthest;

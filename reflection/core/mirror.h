@@ -42,6 +42,9 @@ ScreenMirror screenMirror(const ViewGeometry& view, const glm::dvec4& plane);
 /// Pixels of the view to one SSPR key, each way.
 uint32_t keyScale(const ReflectionDesc& desc);
 
+/// Whether SSPR looks for what hangs over the mirror.
+bool looksForOverhangs(const ReflectionDesc& desc);
+
 /// `shown`: the pixels that may show the mirror.
 MirrorBlock mirrorBlock(const ViewGeometry& view, const glm::dvec4& worldPlane, const ReflectionDesc& desc,
                         const glm::ivec4& shown);

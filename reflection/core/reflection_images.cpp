@@ -41,6 +41,10 @@ ReflectionDesc sizedFor(const ReflectionDesc& desc, VkExtent2D extent) {
     return sized;
 }
 
+uint32_t downscaleFor(const ReflectionDesc& desc, const VkExtent2D* view) {
+    return view ? sizedFor(desc, *view).downscale : desc.downscale;
+}
+
 Status OwnedReflection::create(const gpu::Device& device, VkExtent2D extent, uint32_t blurLevels,
                                bool drawnInto) {
     const gpu::ImageDesc desc = colorDesc(extent, blurLevels, drawnInto);

@@ -23,6 +23,10 @@ Status reflect(VkCommandBuffer commands, Reflector& reflector, SceneOfCall& scen
 /// With the downscale that its height asks for in a view of this size.
 ReflectionDesc sizedFor(const ReflectionDesc& desc, VkExtent2D extent);
 
+/// Pixels of a view to one of its reflection, each way; null: of a view that is not known yet, of which no
+/// height is a fraction.
+uint32_t downscaleFor(const ReflectionDesc& desc, const VkExtent2D* view);
+
 /// Its colour is of the view's images; else the host draws it.
 bool readsScene(const ReflectionDesc& desc);
 

@@ -34,13 +34,13 @@ Status shareScatter(Context& context, const ReflectionDesc& desc, SsprKernels& o
 }
 
 Status shareTiles(Context& context, const ReflectionDesc& desc, std::shared_ptr<TilesKernel>& out) {
-    return desc.overhangSamples == 0 ? context.share(out)
-                                     : shareVariant(context, &OverhangsTilesKernel::tiles, out);
+    return looksForOverhangs(desc) ? shareVariant(context, &OverhangsTilesKernel::tiles, out)
+                                   : context.share(out);
 }
 
 Status shareResolve(Context& context, const ReflectionDesc& desc, std::shared_ptr<ResolveKernel>& out) {
-    return desc.overhangSamples == 0 ? context.share(out)
-                                     : shareVariant(context, &OverhangsResolveKernel::resolve, out);
+    return looksForOverhangs(desc) ? shareVariant(context, &OverhangsResolveKernel::resolve, out)
+                                   : context.share(out);
 }
 
 } // namespace

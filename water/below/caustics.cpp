@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gpu/pipeline/constants.h"
+#include "shaders/shared/body_block.h"
 #include "shaders/shared/water_bindings.h"
 #include "spirv/caustics_blur.comp.h"
 #include "spirv/caustics_cast.comp.h"
@@ -159,6 +160,12 @@ SunInWater sunInWater(const glm::dvec3& toSun) {
     sun.from = {toSun.x / index, cosine, toSun.z / index};
     sun.turnedAcross = turned / cosine;
     sun.turnedAlong = turned / (cosine * cosine * cosine);
+    return sun;
+}
+
+SunInWater fillSunInWater(BodyBlock& block) {
+    const SunInWater sun = sunInWater(glm::dvec3(glm::vec4(block.toSun)));
+    block.sunInWater = glm::vec4(glm::vec3(sun.from), 0);
     return sun;
 }
 

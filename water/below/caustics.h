@@ -36,6 +36,10 @@ struct SunInWater {
 /// Of a sun above the surface; `toSun` is unit, in the body's axes.
 SunInWater sunInWater(const glm::dvec3& toSun);
 
+struct BodyBlock;
+/// Of the block's sun, which shaders then find there as it shines in the water.
+SunInWater fillSunInWater(BodyBlock& block);
+
 /// How rays are cast on a view, in its pixels.
 struct CausticGrid {
     int step = 1;      ///< from one ray to the next, each way; as wide is a texel of light

@@ -86,8 +86,7 @@ Status CausticsPart::drawLight(Body& body, const DrawCall& call) const {
 
 void CausticsPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
     const CausticGrid grid = causticGrid(body.shading, view.geometry, body.heightOf(view.geometry.eye));
-    const SunInWater sun = sunInWater(glm::dvec3(glm::vec4(block.toSun)));
-    block.sunInWater = glm::vec4(glm::vec3(sun.from), 0);
+    const SunInWater sun = fillSunInWater(block);
     block.sunTurned = glm::vec4(sun.turnedAlong, sun.turnedAcross, 0, 0);
     block.caustics.x = caustics.strength();
     block.causticGrid = {grid.step, grid.margin, grid.rowLength, grid.firstRow};

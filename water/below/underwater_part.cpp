@@ -59,8 +59,7 @@ void UnderwaterPart::fill(const Body& body, const BodyView& view, BodyBlock& blo
     block.halfMeniscus = desc.meniscus / 2;
     if (desc.snow > 0) fillSnow(body, view, block);
     if (!draws(body, ViewPass::shafts)) return;
-    const SunInWater sun = sunInWater(glm::dvec3(glm::vec4(block.toSun)));
-    block.sunInWater = glm::vec4(glm::vec3(sun.from), 0);
+    const SunInWater sun = fillSunInWater(block);
     const double slopes = resolvedSlopeVariance(*body.sea) + unresolvedSlopeVariance(*body.sea);
     // By a deviation of where slopes turn a ray.
     block.shafts = {desc.shafts, sun.turnedAcross * std::sqrt(slopes / 2), sun.turnedAcross, 0};

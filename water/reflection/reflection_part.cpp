@@ -29,10 +29,10 @@ uint32_t downscaleOf(const ReflectionPart& part, const SurfaceDraw& draw) {
         const ReflectionImages images = reflectionImages(part.reflector.get(), draw.view->viewIndex);
         return images.color ? images.downscale : 0;
     }
-    if (!draw.view || part.desc.height == 0) return part.desc.downscale;
+    if (!draw.view) return downscaleFor(part.desc, nullptr);
     const VkExtent2D extent = {static_cast<uint32_t>(std::abs(draw.view->viewport.width)),
                                static_cast<uint32_t>(std::abs(draw.view->viewport.height))};
-    return sizedFor(part.desc, extent).downscale;
+    return downscaleFor(part.desc, &extent);
 }
 
 } // namespace
@@ -100,7 +100,8 @@ void ReflectionPart::fill(const Body& body, const BodyView& view, BodyBlock& blo
     block.mirror.x = static_cast<float>(body.heightOf(view.geometry.eye) - mirrored.raised);
     block.mirror.y = mirrored.share;
     block.reflectionDistortion = bent ? 0 : distortion;
-    block.reflectionScale = static_cast<float>(sizedFor(desc, extentOf(view.geometry)).downscale);
+    const VkExtent2D extent = extentOf(view.geometry);
+    block.reflectionScale = static_cast<float>(downscaleFor(desc, &extent));
     block.reflectionLook = {desc.clearDistance, desc.scatter, desc.skyFadeDistance, 0};
 }
 

@@ -205,6 +205,9 @@ constexpr std::array refractionFields = {
     like<seaglass::refractionFields, &RefractionDesc::scatteringPerM>("scattering", "scattering_per_m"),
 };
 
+/// Parts of the water whose sections hold their settings of ShadingDesc, too.
+constexpr std::string_view bedPart = "bed", causticPart = "caustic", sprayPart = "spray";
+
 using ShadingSettings = Settings<seaglass::shadingFields, WaterDesc, &WaterDesc::shading>;
 using MeshSettings = Settings<seaglass::meshFields, WaterDesc, &WaterDesc::mesh>;
 
@@ -213,17 +216,17 @@ constexpr std::array underwaterFields =
 
 constexpr std::array causticsFields =
     joined(Settings<seaglass::causticsFields, WaterDesc, &WaterDesc::caustics>::allBut(),
-           std::array{ShadingSettings::one("causticStep", "step_px")});
+           ShadingSettings::of<causticPart>());
 
-constexpr std::array sprayFields = joined(
-    Settings<seaglass::sprayFields, WaterDesc, &WaterDesc::spray>::allBut<1>({"shutterTime"}),
-    std::array{Settings<seaglass::sprayFields, WaterDesc, &WaterDesc::spray>::one("shutterTime", "shutter_s"),
-               ShadingSettings::one("sprayParticles", "particles")});
+constexpr std::array sprayFields =
+    joined(Settings<seaglass::sprayFields, WaterDesc, &WaterDesc::spray>::allBut<1>({"shutterTime"}),
+           std::array{Settings<seaglass::sprayFields, WaterDesc, &WaterDesc::spray>::one("shutterTime",
+                                                                                         "shutter_s")},
+           ShadingSettings::of<sprayPart>());
 
-constexpr std::array bedFields =
-    joined(std::array{Field{"drawn", at<&WaterDesc::bedDrawn>, 0, 0, "", "false: as without"}},
-           Settings<seaglass::bedFields, WaterDesc, &WaterDesc::bed>::allBut(),
-           std::array{ShadingSettings::one("bedDownscale", "downscale")});
+constexpr std::array bedFields = joined(
+    std::array{Field{"drawn", at<&WaterDesc::bedDrawn>, 0, 0, "", "false: as without"}},
+    Settings<seaglass::bedFields, WaterDesc, &WaterDesc::bed>::allBut(), ShadingSettings::of<bedPart>());
 
 using ReflectionSettings = Settings<seaglass::reflectionFields, seaglass::ReflectionDesc>;
 constexpr std::array reflectionFields =
@@ -262,10 +265,9 @@ constexpr std::array ownWaterFields = {
           "of the ball on which the open sea falls away, 0: flat", false, Rule::zeroOrRange},
 };
 
-constexpr std::array waterFields =
-    joined(ownWaterFields, MeshSettings::allBut<1>({"cellSize"}),
-           std::array{MeshSettings::one("cellSize", "cell_m")},
-           ShadingSettings::allBut<3>({"bedDownscale", "causticStep", "sprayParticles"}));
+constexpr std::array waterFields = joined(ownWaterFields, MeshSettings::allBut<1>({"cellSize"}),
+                                          std::array{MeshSettings::one("cellSize", "cell_m")},
+                                          ShadingSettings::butOf<bedPart, causticPart, sprayPart>());
 
 constexpr std::array floorFields = {
     Field{"point_m", at<&FloorDesc::pointM>, -far, far, "m", "of its middle"},

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -130,5 +131,12 @@ inline std::optional<SurfaceDesc> surfaceOf(const Scene& scene) {
 /// applied before it is checked. A camera is addressed by name: camera.low.vertical_fov_deg=60.
 std::optional<Scene> loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                                Error& error);
+
+/// As photographs show what the scene leaves unsaid of how it is looked at.
+void addLook(Scene& scene);
+/// The key of the water's setting that a look sets where the file does not.
+std::string_view lookKey();
+/// Gives that setting a value that no file holds.
+void makeUnlikeAny(WaterDesc& water);
 
 } // namespace demos

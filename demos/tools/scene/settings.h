@@ -40,12 +40,13 @@ constexpr std::string_view unitInKeys(std::string_view unit) {
     return "";
 }
 
-/// What scenes call a field: marchThickness in metres is march_thickness_m.
-constexpr Key keyOf(const seaglass::Field& field) {
+/// What scenes call a field: marchThickness in metres is march_thickness_m. Without so many letters of its
+/// name.
+constexpr Key keyOf(const seaglass::Field& field, size_t without) {
     Key key;
-    for (const char letter : std::string_view(field.name)) {
+    for (const char letter : std::string_view(field.name).substr(without)) {
         const bool capital = letter >= 'A' && letter <= 'Z';
-        if (capital) key.add("_");
+        if (capital && key.length > 0) key.add("_");
         const char small[] = {static_cast<char>(capital ? letter - 'A' + 'a' : letter), '\0'};
         key.add(small);
     }
@@ -110,9 +111,43 @@ class Settings {
         return fields;
     }
 
+    /// Those of a part, whose names begin with its own, under keys without it: causticStep is step_px.
+    template<const std::string_view& part>
+    static consteval auto of() {
+        std::array<Field, countOf(part)> fields;
+        size_t next = 0;
+        each([&]<size_t i>() {
+            if (isOf(i, part))
+                fields[next++] =
+                    described(table, table.fields[i], key<i, part.size()>.view(), &target<i>, words<i>);
+        });
+        return fields;
+    }
+
+    /// All that are of none of these parts.
+    template<const std::string_view&... parts>
+    static consteval auto butOf() {
+        std::array<Field, table.count - (... + countOf(parts))> fields;
+        size_t next = 0;
+        each([&]<size_t i>() {
+            if (!(... || isOf(i, parts)))
+                fields[next++] = described(table, table.fields[i], key<i>.view(), &target<i>, words<i>);
+        });
+        return fields;
+    }
+
   private:
-    template<size_t i>
-    static constexpr Key key = keyOf(table.fields[i]);
+    static consteval bool isOf(size_t i, std::string_view part) {
+        return std::string_view(table.fields[i].name).starts_with(part);
+    }
+    static consteval size_t countOf(std::string_view part) {
+        size_t count = 0;
+        for (size_t i = 0; i < table.count; ++i) count += isOf(i, part);
+        return count;
+    }
+
+    template<size_t i, size_t without = 0>
+    static constexpr Key key = keyOf(table.fields[i], without);
 
     template<size_t i>
     static constexpr auto words = [] {

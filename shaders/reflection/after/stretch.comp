@@ -40,10 +40,10 @@ float infoAt(Line line, int index) {
 bool beyondBorder(const MirrorBlock mirror, vec2 q, SightLine sight, float distance, bool atEnd) {
     vec3 direction = sight.direction;
     float reach = dot(direction, sight.onPlane) + distance;
-    vec4 near = mirror.relativeFromPixel * vec4(q, 0.0, 1.0);
-    vec4 perDepth = mirror.relativeFromPixel[2];
+    vec4 near = homogeneousPoint(mirror, vec4(q, 0.0, 1.0));
+    vec4 perDepth = homogeneousPerDepth(mirror);
     float depth = (reach * near.w - dot(direction, near.xyz)) / (dot(direction, perDepth.xyz) - reach * perDepth.w);
-    vec4 source = mirror.sceneFromPixel * vec4(q, depth, 1.0);
+    vec4 source = sourcePoint(mirror, q, depth);
     float at = source[settings.along] / source.w;
     return source.w > 0.0 && (atEnd ? at >= float(regionSize(mirror)[settings.along]) : at < 0.0);
 }

@@ -91,7 +91,7 @@ vec2 lastTexel(const MirrorBlock mirror, const TemporalBlock settings, vec3 imag
 }
 
 SightLine lastSightLine(const MirrorBlock mirror, const TemporalBlock settings, vec2 texel) {
-    return sightLine(settings.relativeFromLast, texel * pixelEdge(mirror), mirror.plane, mirror.depthSign);
+    return sightThrough(mirror, settings.relativeFromLast, texel * pixelEdge(mirror));
 }
 
 struct Remembered {

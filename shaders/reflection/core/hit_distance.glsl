@@ -4,5 +4,5 @@
 float distanceToHit(const MirrorBlock mirror, vec2 q, float mirroredDepth) {
     vec3 end = unprojected(mirror, vec3(q, mirroredDepth));
     vec3 along = sightAt(mirror, end);
-    return length(along) * (dot(mirror.plane.xyz, end) + mirror.plane.w) / dot(mirror.plane.xyz, along);
+    return length(along) * heightOver(mirror, end) / dot(planeNormal(mirror), along);
 }

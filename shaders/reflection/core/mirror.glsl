@@ -64,10 +64,31 @@ vec2 middleOf(const MirrorBlock mirror, ivec2 imagePixel) {
 
 const uint noKey = 0u;
 
+// Relative to the eye, homogeneous; and what a pixel to the right adds to that, and a depth of 1.
+vec4 homogeneousPoint(const MirrorBlock mirror, vec4 screenPoint) {
+    return mirror.relativeFromPixel * screenPoint;
+}
+vec4 homogeneousPerColumn(const MirrorBlock mirror) {
+    return mirror.relativeFromPixel[0];
+}
+vec4 homogeneousPerDepth(const MirrorBlock mirror) {
+    return mirror.relativeFromPixel[2];
+}
+
 // Relative to the eye.
 vec3 unprojected(const MirrorBlock mirror, vec3 screenPoint) {
-    vec4 p = mirror.relativeFromPixel * vec4(screenPoint, 1.0);
+    vec4 p = homogeneousPoint(mirror, vec4(screenPoint, 1.0));
     return p.xyz / p.w;
+}
+
+// The scene's screen point that the plane shows at one of the mirror's pixels and depths.
+vec4 sourcePoint(const MirrorBlock mirror, vec2 q, float mirroredDepth) {
+    return mirror.sceneFromPixel * vec4(q, mirroredDepth, 1.0);
+}
+
+// Whether lookups stray from where the mirror shows.
+bool lookupsStray(const MirrorBlock mirror) {
+    return mirror.bent != 0u;
 }
 
 // Heights under which a point counts as lying on the plane: what a depth buffer can no longer tell apart, 1 mm and what
@@ -91,6 +112,21 @@ float heightOf(const MirrorBlock mirror, vec4 point) {
 // To a factor, of the far end of a line of sight: negative under the plane's horizon.
 float heightAtInfinity(const MirrorBlock mirror, vec2 point) {
     return dot(mirror.heightRow, atInfinity(mirror, point));
+}
+
+// What each pixel down adds to that.
+float heightAtInfinityPerRow(const MirrorBlock mirror) {
+    return mirror.heightRow.y;
+}
+
+// Towards the eye's side.
+vec3 planeNormal(const MirrorBlock mirror) {
+    return mirror.plane.xyz;
+}
+
+// Above the plane [m], of a point relative to the eye.
+float heightOver(const MirrorBlock mirror, vec3 point) {
+    return dot(planeNormal(mirror), point) + mirror.plane.w;
 }
 
 bool onOrBelowPlane(const MirrorBlock mirror, vec3 screenPoint) {
@@ -136,9 +172,14 @@ vec3 sightAt(const MirrorBlock mirror, vec3 place) {
     return alongSight(mirror.relativeFromPixel, vec4(place, 1.0), mirror.depthSign);
 }
 
-// The line of sight through a point of the region.
+// The line of sight through a point of a picture, whose points a matrix turns into those relative to the eye.
+SightLine sightThrough(const MirrorBlock mirror, mat4 relativeFromPixels, vec2 point) {
+    return sightLine(relativeFromPixels, point, mirror.plane, mirror.depthSign);
+}
+
+// The same of the region.
 SightLine sightThrough(const MirrorBlock mirror, vec2 point) {
-    return sightLine(mirror.relativeFromPixel, point, mirror.plane, mirror.depthSign);
+    return sightThrough(mirror, mirror.relativeFromPixel, point);
 }
 
 // Positive floats order like their bits; the nearest mirrored point must win an atomicMax whichever way depth runs.

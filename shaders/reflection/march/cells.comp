@@ -60,5 +60,5 @@ void main() {
     int square = firstSquare(mirror, blockShift) + block.y * squaresAcross(mirror, blockShift) + block.x;
     if (nearest != noKey) atomicMax(cells[square], nearest);
     int tile = tileAt(mirror, tileOf(mirror, first));
-    if (planeSeen || mirror.bent != 0u && planeBehind(mirror, first)) atomicOr(tiles[tile], tileSeesPlane);
+    if (planeSeen || lookupsStray(mirror) && planeBehind(mirror, first)) atomicOr(tiles[tile], tileSeesPlane);
 }

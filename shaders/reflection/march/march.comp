@@ -37,7 +37,7 @@ layout(set = 0, binding = cellsBinding, std430) readonly buffer Cells {
 #ifdef OPEN
 // As all of the picture that it completes.
 vec3 mirroredBySurface(const MirrorBlock mirror, vec2 q, vec3 direction) {
-    return reflect(direction, mirror.plane.xyz);
+    return reflect(direction, planeNormal(mirror));
 }
 
 // One that another technique knew nothing of, that shows it an underside, or sky beside what is mirrored.
@@ -59,10 +59,10 @@ layout(set = 0, binding = surfaceNormalsBinding) uniform sampler2D surfaceNormal
 vec3 mirroredBySurface(const MirrorBlock mirror, vec2 q, vec3 direction) {
     vec3 normal = texelFetch(surfaceNormals, sceneTexel(mirror, ivec2(q)), 0).xyz;
     float squared = dot(normal, normal);
-    if (settings.hasNormals == 0u || !(squared > 0.01) || isinf(squared)) return reflect(direction, mirror.plane.xyz);
+    if (settings.hasNormals == 0u || !(squared > 0.01) || isinf(squared)) return reflect(direction, planeNormal(mirror));
     vec3 r = reflect(direction, normalize(normal));
-    float up = dot(r, mirror.plane.xyz);
-    return normalize(r + mirror.plane.xyz * (max(abs(up), 1e-3) - up));
+    float up = dot(r, planeNormal(mirror));
+    return normalize(r + planeNormal(mirror) * (max(abs(up), 1e-3) - up));
 }
 
 ivec2 pixelToMarch(const MirrorBlock mirror) {

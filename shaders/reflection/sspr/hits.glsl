@@ -20,6 +20,6 @@ struct LineKey {
 ivec2 sourceOf(const MirrorBlock mirror, LineKey from) {
     if (from.key == noKey) return nowhere;
     vec2 q = (vec2(from.cell) + 0.5) * float(keyEdge(mirror));
-    vec4 p = mirror.sceneFromPixel * vec4(q, depthFromKey(mirror, from.key), 1.0);
+    vec4 p = sourcePoint(mirror, q, depthFromKey(mirror, from.key));
     return regionPixel(mirror, p.xy / p.w);
 }

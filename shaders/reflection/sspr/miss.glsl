@@ -11,7 +11,7 @@ FarEnd farEndOf(const MirrorBlock mirror, vec2 q) {
 }
 
 FarEnd farEndPerRow(const MirrorBlock mirror, float pixels) {
-    return FarEnd(pixels * mirror.skyFromPixel[1], pixels * mirror.heightRow.y);
+    return FarEnd(pixels * mirror.skyFromPixel[1], pixels * heightAtInfinityPerRow(mirror));
 }
 
 // The mirrored ray's far end tells whether the sky it would reach is on the screen.

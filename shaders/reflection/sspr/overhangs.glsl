@@ -44,8 +44,8 @@ float depthAtHeight(const MirrorBlock mirror, vec2 q, float height) {
 }
 
 float metresPerPixel(const MirrorBlock mirror, vec4 point) {
-    vec4 p = mirror.relativeFromPixel * point;
-    vec4 beside = p + mirror.relativeFromPixel[0];
+    vec4 p = homogeneousPoint(mirror, point);
+    vec4 beside = p + homogeneousPerColumn(mirror);
     return distance(p.xyz / p.w, beside.xyz / beside.w);
 }
 

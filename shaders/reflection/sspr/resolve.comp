@@ -225,9 +225,9 @@ Hit hitOnThin(const MirrorBlock mirror, ScreenRay ray, Entry entry) {
     if (entry.between == noGuesses) return noHit;
     float depth = depthAt(mirror, entry.between.other);
     if (!solid(mirror, entry.between.other, depth)) return noHit;
-    vec4 seen = mirror.relativeFromPixel * vec4(entry.hidden, depth, 1.0);
-    vec4 beside = seen + mirror.relativeFromPixel[0];
-    vec4 hidden = seen + mirror.relativeFromPixel[2] * (depthFromInfinity(mirror, entry.depth) - depth);
+    vec4 seen = homogeneousPoint(mirror, vec4(entry.hidden, depth, 1.0));
+    vec4 beside = seen + homogeneousPerColumn(mirror);
+    vec4 hidden = seen + homogeneousPerDepth(mirror) * (depthFromInfinity(mirror, entry.depth) - depth);
     vec3 at = seen.xyz / seen.w;
     bool thin = distance(hidden.xyz / hidden.w, at) <= 2.0 * distance(beside.xyz / beside.w, at);
     return Hit(thin, thin, entry.hidden, 0.0, depthOn(ray, entry.hidden));

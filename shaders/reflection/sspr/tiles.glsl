@@ -36,7 +36,7 @@ uint packedTile(ivec2 tile) {
 bool lookedUp(const MirrorBlock mirror, ivec2 tile, uint flags) {
     ivec2 low = tile * tileEdge - 1 << mirror.pixelShift;
     ivec2 high = (tile + 1) * tileEdge + 1 << mirror.pixelShift;
-    bool sees = (flags & (tileSeesPlane | (mirror.bent != 0u ? tileHasKeys : 0u))) != 0u;
+    bool sees = (flags & (tileSeesPlane | (lookupsStray(mirror) ? tileHasKeys : 0u))) != 0u;
     return sees && all(lessThan(low, mirror.shown.zw)) && all(greaterThan(high, mirror.shown.xy));
 }
 

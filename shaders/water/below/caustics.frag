@@ -42,7 +42,7 @@ vec3 straightOn(float depth) {
 vec3 sunShare(vec3 normal, float seen) {
     vec3 from = sunInWater();
     vec3 sun = sunLight(seen) * (sunAtEye().y * max(dot(normal, from), 0.0) / from.y);
-    return sun / max(sun + water.skyIrradiance.rgb, 1e-6);
+    return sun / max(sun + skyLight(), 1e-6);
 }
 
 void main() {

@@ -10,7 +10,7 @@
 
 // How much a line of sight rises, in some unit: linear in the pixels.
 float rise(vec2 pixel) {
-    return dot(water.plane.xyz, alongSightOf(pixel));
+    return dot(calmNormal(), alongSightOf(pixel));
 }
 
 void main() {

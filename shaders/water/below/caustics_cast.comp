@@ -20,8 +20,7 @@ layout(set = 0, binding = waveMomentsBinding) uniform sampler2DArray waveMoments
 layout(set = 0, binding = causticSumsBinding, std430) buffer Sums {
     uint sums[];
 };
-int cascades = water.seaCascades;
-const bool isWarped = true;
+#include "waves_of_sea.glsl"
 #include "wave_warp.glsl"
 #include "shore.glsl"
 #include "wave_displacement.glsl"
@@ -48,7 +47,7 @@ vec2 slopeAt(vec2 calm, float width) {
     int i = 0;
     do {
         float mip = log2(max(width * texelsInAMetre(i), 1.0));
-        if (mip < water.maxMip) {
+        if (showsWaves(mip)) {
             vec3 at = inTile(place, i);
             derivatives += shore.kept[i] * textureLod(waveDerivatives, at, mip);
             shear += shore.kept[i] * textureLod(waveMoments, at, mip).w;

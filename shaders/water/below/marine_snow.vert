@@ -46,7 +46,7 @@ Particle particleAt(uint index) {
     float away = length(p.at);
     p.shown = there < water.snow.x ? (1.0 - smoothstep(0.6 * reach, reach, away)) * smoothstep(0.15, 0.4, away) : 0.0;
     // Between crests and troughs it might hang in the air.
-    p.shown *= smoothstep(water.heightDeviation, 0.05 + 2.0 * water.heightDeviation, -heightOverCalm(p.at));
+    p.shown *= smoothstep(heightDeviation(), 0.05 + 2.0 * heightDeviation(), -heightOverCalm(p.at));
     return p;
 }
 
@@ -75,5 +75,5 @@ void main() {
     vec3 right = normalize(cross(view, abs(view.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
     int corner = gl_VertexIndex % 3;
     within = corner == 0 ? vec2(-1.7320508, -1.0) : corner == 1 ? vec2(1.7320508, -1.0) : vec2(0.0, 2.0);
-    gl_Position = water.clipFromRelative * vec4(p.at + radius * (within.x * right + within.y * cross(right, view)), 1.0);
+    gl_Position = clipOf(p.at + radius * (within.x * right + within.y * cross(right, view)));
 }

@@ -10,7 +10,7 @@ float gatheredUnder(vec2 enters, float depth, float width) {
     do {
         float texels = max(width * texelsInAMetre(i), 1.0);
         float mip = log2(texels);
-        if (mip + 1.0 >= water.maxMip) continue;
+        if (!showsWaves(mip + 1.0)) continue;
         vec3 at = inTile(place, i);
         float perWidth = texelsInAMetre(i) / texels;
         float rise = textureLod(waveDisplacement, at, mip + 1.0).y - textureLod(waveDisplacement, at, mip).y;
@@ -51,7 +51,7 @@ vec3 shaftsIn(vec3 toSun, vec3 start, vec3 view, float depth, float path) {
         sum += step * fades * (gatheredUnder(at.xz + aside * below, below, width) - 1.0) * exp(-k * (below + way));
     }
     vec3 sun = sunEntering(toSun);
-    vec3 gathered = ahead * sum * sun / pi * (2.0 * 0.33 * water.backscatter.rgb);
+    vec3 gathered = ahead * sum * sun / pi * (2.0 * 0.33 * backscatter());
     vec3 halo = (ahead - 1.0) * scatteredIn(toSun, depth, view.y, path) * sun / max(lightEntering(toSun), 1e-9);
     return water.shafts.x * (gathered + halo);
 }

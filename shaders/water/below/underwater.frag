@@ -19,8 +19,7 @@ layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDi
 
 layout(location = 0) out vec4 outColor;
 
-int cascades = water.seaCascades;
-const bool isWarped = true;
+#include "waves_of_sea.glsl"
 
 #include "near_plane.glsl"
 #include "wave_warp.glsl"

@@ -2,7 +2,7 @@
 
 // Of the one through a pixel of the region, relative to the eye.
 vec3 onNearPlane(vec2 pixel) {
-    float nearDepth = water.depthSign > 0.0 ? 1.0 : 0.0;
+    float nearDepth = nearerIsGreater() ? 1.0 : 0.0;
     return pointAt(pixel, nearDepth);
 }
 

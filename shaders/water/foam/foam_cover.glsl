@@ -178,6 +178,7 @@ Foam foamOver(const SurfacePoint s) {
     Whitecaps caps = Whitecaps(gate, gate * breakingNow(s), Breakers(0.0, 0.0, 0.0));
     if (hasShore) caps.ofShore = breakersOf(s.shore);
     Foam sum = Foam(0.0, 0.0, vec2(0.0), 0.0, 0.0);
+    int parts = partsOfPixel();
     int i = 0;
     do {
         vec2 aside = part * partsAside(i);
@@ -189,8 +190,8 @@ Foam foamOver(const SurfacePoint s) {
         sum.slope += tap.slope;
         sum.height += tap.height;
         sum.plume += tap.plume;
-    } while (++i < slopeSamples);
-    float each = 1.0 / float(slopeSamples);
+    } while (++i < parts);
+    float each = 1.0 / float(parts);
     return Foam(each * sum.mask, each * sum.fresh, each * sum.slope, each * sum.height, each * sum.plume);
 }
 
@@ -241,6 +242,6 @@ vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirr
     glint *= sunClear(toSun, slopeOf(toEye + toSun), ahead);
     vec3 light = lightBy(sun, open);
     vec3 foamy = throughAir(light * water.foamAlbedo / pi + filmShare * sunLight(glint), s.air) + filmShare * mirrored;
-    if (water.absorption.r > 0.0) bare += leaves * throughAir(plumeGlow(toSun, s.sunSeen, white.plume), s.air);
+    if (lightEnters()) bare += leaves * throughAir(plumeGlow(toSun, s.sunSeen, white.plume), s.air);
     return mix(bare, foamy, white.mask * mix(thinnest, 1.0, white.fresh));
 }

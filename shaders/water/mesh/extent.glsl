@@ -19,6 +19,10 @@ bool isWithin(vec2 point, uvec2 range) {
 }
 
 // Of their way to the side, how much waves move a point: nothing at the edge, where there may be a wall.
+float loosenessAt(float fromEdge) {
+    return min(fromEdge * water.perEdgeWidth, 1.0);
+}
+
 float looseness(vec2 point, uvec2 range) {
     float least = 1e30;
     for (uint i = 0u; i < range.y; ++i) {
@@ -27,5 +31,5 @@ float looseness(vec2 point, uvec2 range) {
         vec2 past = away - along * clamp(dot(away, along) / dot(along, along), 0.0, 1.0);
         least = min(least, dot(past, past));
     }
-    return min(sqrt(least) * water.perEdgeWidth, 1.0);
+    return loosenessAt(sqrt(least));
 }

@@ -15,6 +15,7 @@ layout(local_size_x = 64) in;
 layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;
 layout(set = 0, binding = shadedBinding, rgba16f) uniform image2D shadedColor;
 
+#include "shading_block.glsl"
 #include "found_tiles.glsl"
 #include "shaded_pixels.glsl"
 

@@ -1,9 +1,8 @@
-// The lists of the tiles of a view that show a surface: of 8 x 8 blocks each. Needs body.glsl and found_tiles_block.h.
+// The lists of the tiles of a view that show a surface: of 8 x 8 blocks each. Needs body.glsl, found_tiles_block.h and
+// shading_block.glsl.
 //
 // Behind the header lie the lists, each with room for all tiles; then what each tile needs, 0 where it shows no surface, else
 // its list and 1; then, for each 64 tiles in a row, how many of them each list gets.
-
-#include "shading_block.glsl"
 
 ivec2 tileSize() {
     return 8 * blockSize();

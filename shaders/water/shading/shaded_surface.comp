@@ -110,7 +110,7 @@ SurfacePoint shownPoint(Found found, ivec2 at, inout uint turn) {
     s.overPlane = found.position + vec3(0.0, globeDrop(found.calm), 0.0);
     s.height = heightOverCalm(s.overPlane);
     // The mesh's chords cut under the ball: from the air by more than waves are high.
-    if (onGlobe) s.height = clamp(s.height, -water.found.x, water.found.x);
+    if (onGlobe) s.height = clamp(s.height, -farthestAside(), farthestAside());
     s.overPlane.y = calmLevel() + s.height;
     if (onGlobe) s.level = levelAt(found.calm);
     if (hasShore) s.shore = shoreWave(found.calm, s.pixelLength);

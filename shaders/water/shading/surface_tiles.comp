@@ -8,6 +8,7 @@
 #include "body.glsl"
 #include "found_tiles_block.h"
 #include "found_surface.glsl"
+#include "shading_block.glsl"
 #include "found_tiles.glsl"
 #include "reflection_info.glsl"
 #include "turns.glsl"

@@ -62,7 +62,7 @@ bool maySeeBed(ivec2 first) {
     if (!sortsBed) return hasRefraction;
     if (isEmpty(header.behind)) return false;
     Box box = boxOf(header.behind, 8.0);
-    mat4 rows = transpose(water.pixelFromRelative);
+    mat4 rows = pixelRows();
     vec3 sides[4] = vec3[](box.low.x * rows[3].xyz - rows[0].xyz, rows[0].xyz - box.high.x * rows[3].xyz,
                            box.low.y * rows[3].xyz - rows[1].xyz, rows[1].xyz - box.high.y * rows[3].xyz);
     bvec4 beyond = tileBeyond(box, first);

@@ -25,10 +25,7 @@ layout(location = 3) flat out uint seed;
 
 const float pi = 3.14159265358979;
 
-vec3 inWorld(vec3 direction) {
-    return tilted ? mat3(water.worldFromBody) * direction : direction;
-}
-
+#include "in_world.glsl"
 #include "wave_warp.glsl"
 #include "shore.glsl"
 #include "wave_displacement.glsl"
@@ -170,5 +167,5 @@ void main() {
     seed = draws;
     int corner = gl_VertexIndex % 3;
     within = corner == 0 ? vec2(-1.7320508, -1.0) : corner == 1 ? vec2(1.7320508, -1.0) : vec2(0.0, 2.0);
-    gl_Position = water.clipFromRelative * vec4(position + within.x * longHalf * along + within.y * shortHalf * across, 1.0);
+    gl_Position = clipOf(position + within.x * longHalf * along + within.y * shortHalf * across);
 }

@@ -24,6 +24,15 @@ vec2 mirroredPixel(vec3 from, vec3 direction, float t) {
     return pixel.w > 0.0 ? pixel.xy : vec2(-1e4);
 }
 
+float inReflectionTexels(float pixels) {
+    return pixels / water.reflectionScale;
+}
+
+// At a pixel of the region.
+vec4 reflectionAt(vec2 pixel, float mip) {
+    return reflectionTexel(pixel / water.reflectionScale, mip, water.reflectionScale);
+}
+
 float infoAt(vec2 pixel) {
     bool inside = inRegion(pixel);
     return inside ? texelFetch(reflectionInfo, ivec2(pixel / water.reflectionScale), 0).x : infoUnknown;
@@ -48,7 +57,7 @@ Ray rayThrough(vec2 pixel) {
 // What the image shows at a pixel, of which `info` is known.
 vec3 shownBy(vec2 pixel, float info) {
     Ray ray = rayThrough(pixel);
-    return mirroredPoint(ray, ray, info, water.plane.xyz, water.mirror.x);
+    return mirroredPoint(ray, ray, info, calmNormal(), water.mirror.x);
 }
 
 // How far along the ray what the image shows at a pixel lies [m], of which `info` is known, else `t`. Not what `info` says: another place
@@ -221,7 +230,7 @@ vec4 reflectionAlong(const SurfacePoint s, vec3 direction, float spread, inout f
     if (inside <= 0.0) return vec4(0.0);
     if (hasShore) inside *= shareAboveSand(s, point);
     float mip = bundleMip(blurTexels(s.position, spread, point.distance));
-    vec4 texel = reflectionTexel(point.pixel / water.reflectionScale, mip, water.reflectionScale);
+    vec4 texel = reflectionAt(point.pixel, mip);
     if (hasWaves && texel.a > 0.0 && point.distance >= farAway) inside *= shareAhead(s.position, direction, point.pixel, mip);
     return texel * (inside * shareOfScene(point.distance, water.reflectionLook.xyz));
 }
@@ -240,7 +249,7 @@ vec4 reflectionSource(const SurfacePoint s, vec3 direction) {
     float info = infoMet(point);
     if (!infoIsHit(info)) return vec4(-1.0, -1.0, 0.0, infoIsSky(info) ? 1.0 : 0.0);
     Ray throughTexel = rayThrough((floor(pixel / water.reflectionScale) + 0.5) * water.reflectionScale);
-    vec3 source = mirroredPoint(rayThrough(pixel), throughTexel, info, water.plane.xyz, water.mirror.x);
+    vec3 source = mirroredPoint(rayThrough(pixel), throughTexel, info, calmNormal(), water.mirror.x);
     vec4 seen = pixelOf(source);
     return seen.w > 0.0 ? vec4(seen.xy, info, 2.0) : vec4(-1.0, -1.0, info, 2.0);
 }

@@ -5,13 +5,14 @@ const bool hasBed = bedDownscale > 0;
 // In what follows pixels are the bed's where it has a picture of its own: wider than the region, from a raised
 // eye (water/below/bed.cpp), and with nothing in it that stands above the water. Else they are the scene's.
 vec4 bedPixelOf(vec4 relative) {
-    return (hasBed ? water.bedFromRelative : water.pixelFromRelative) * relative;
+    return hasBed ? water.bedFromRelative * relative : homogeneousPixel(relative);
 }
 
 Behind bedAt(vec2 pixel) {
     if (!hasBed) return behindAt(pixel);
     vec2 p = pointWithin(pixel, water.bedSize.xy);
-    return shownAt(p, texelFetch(bedDepth, ivec2(p), 0).r, water.relativeFromBed);
+    float depth = texelFetch(bedDepth, ivec2(p), 0).r;
+    return shownAt(p, depth, water.relativeFromBed * vec4(floor(p) + 0.5, depth, 1.0));
 }
 
 // Where what a pixel shows is looked at: its middle.
@@ -97,8 +98,8 @@ float depthOnMap(const SurfacePoint s, vec3 perDepth) {
 // inverse distances from an eye, and distances along parallel lines of sight.
 float nearerBy(vec4 pixel, vec3 at, Behind b) {
     float scene = bedPixelOf(vec4(b.seen, 1.0)).w;
-    float endless = (water.sight.w - 1.0) * 1e4;
-    return 1.0 / pixel.w - dot(at, water.sight.xyz) - (b.nothing ? endless : 1.0 / scene - dot(b.seen, water.sight.xyz));
+    float endless = (seenFromAnEye() - 1.0) * 1e4;
+    return 1.0 / pixel.w - alongParallels(at) - (b.nothing ? endless : 1.0 / scene - alongParallels(b.seen));
 }
 
 // Along the edge of what stands before the surface sample 0 of a pixel may be that thing's: the pixel beside it that shows what
@@ -147,6 +148,11 @@ float widthOf(mat2 blur) {
 }
 
 // Where a mean of the bed is taken.
+// At how many points of its way into the water light through crests is taken.
+int pointsLit() {
+    return clamp(refractionSamples / 2, 1, 3);
+}
+
 struct BedTaps {
     bool isBeyond;     // of what lies beyond the border
     int count;         // beside the bed's own pixel

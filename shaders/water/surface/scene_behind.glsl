@@ -6,8 +6,8 @@ struct Behind {
     bool nothing;  // but the far plane
 };
 
-Behind shownAt(vec2 pixel, float depth, mat4 relativeFromPixels) {
-    vec4 q = relativeFromPixels * vec4(floor(pixel) + 0.5, depth, 1.0);
+// By `q`, the homogeneous point that the depth says at the pixel's middle.
+Behind shownAt(vec2 pixel, float depth, vec4 q) {
     const float leastWeight = 1e-12;   // what is infinitely far is taken to be very far, so that differences are numbers
     return Behind(pixel, q.xyz / max(q.w, leastWeight), isFarPlane(depth));
 }
@@ -15,11 +15,17 @@ Behind shownAt(vec2 pixel, float depth, mat4 relativeFromPixels) {
 // What the host's opaque scene shows at a pixel of the region.
 Behind behindAt(vec2 pixel) {
     ivec2 p = texelAt(pixel + water.sceneShift, regionSize() - 1);
-    return shownAt(vec2(p), texelFetch(sceneDepth, sceneTexel(p), 0).r, water.relativeFromPixel);
+    float depth = texelFetch(sceneDepth, sceneTexel(p), 0).r;
+    return shownAt(vec2(p), depth, homogeneousPoint(floor(vec2(p)) + 0.5, depth));
 }
 
 vec4 linearTexel(vec4 held) {
     return vec4(linearOf(held.rgb, sceneIsEncoded), held.a);
+}
+
+// At a place of the region, whatever lies there.
+vec3 sceneAround(vec2 pixel) {
+    return linearOf(texelFetch(sceneColor, sceneTexel(ivec2(pixel + water.sceneShift)), 0).rgb, sceneIsEncoded);
 }
 
 vec4 colorOf(Behind b) {

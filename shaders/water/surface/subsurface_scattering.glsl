@@ -84,8 +84,8 @@ vec3 sunScattered(const SurfacePoint s, CrestSide side, vec2 calm, vec3 along) {
     float share = beam * scattersForwards(dot(from, along)) / (waterIndex * waterIndex);
     // Most of a wave's front looks up to its crest, which hides the sun from where light would enter. Where no waves are
     // looked for, a side that rises faster than the sun's rays is taken to be in shadow; those of a shore's trains never are.
-    if (waveShadowSteps == 0 || hasShore) share *= smoothstep(-0.1, 0.15, steepness);
-    if (waveShadowSteps > 0 && share * dot(light, vec3(1.0)) > 1e-5 * dot(sunLight(1.0), vec3(1.0))) {
+    if (!wavesAreLookedFor() || hasShore) share *= smoothstep(-0.1, 0.15, steepness);
+    if (wavesAreLookedFor() && share * dot(light, vec3(1.0)) > 1e-5 * dot(sunLight(1.0), vec3(1.0))) {
         share *= pastHorizon(tangent, horizonTowards(s, calm + from.xz * way, side.towards, tangent));
     }
     return share * light;
@@ -102,10 +102,10 @@ vec3 intoWater(const SurfacePoint s, vec3 toEye) {
 // `behind` as the water before it leaves it, `path` metres of it. Where all around is of one radiance it stays so. `plume`: of
 // bubbles, which scatter as particles do.
 vec3 throughScattering(vec3 behind, const SurfacePoint s, vec3 toEye, float path, float plume) {
-    const int points = clamp(refractionSamples / 2, 1, 3);
     const float byBubbles = 2.0;   // where a wave has just broken [1/m]
-    float scattering = water.absorption.w + byBubbles * plume;
-    float bottom = s.height + water.heightDeviation;
+    int points = pointsLit();
+    float scattering = scatteredByParticles() + byBubbles * plume;
+    float bottom = s.height + heightDeviation();
     if (bottom > 0.0) {
         vec3 along = intoWater(s, toEye);
         vec2 ahead = horizontal(along);

@@ -70,6 +70,3 @@ layout(set = 0, binding = bedDepthBinding) uniform sampler2D bedDepth;
 #include "shore.glsl"
 #include "extent.glsl"
 #include "sun_shadow.glsl"
-
-// A motion draw looks at no scene; in its place is where the last frame showed a point.
-#define lastPixelFromRelative water.relativeFromPixel

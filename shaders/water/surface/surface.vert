@@ -27,7 +27,7 @@ struct Vertex {
 
 Vertex hostVertex() {
     HostVertex vertex = hostVertices[gl_VertexIndex];
-    return Vertex(water.meshOrigin + vertex.calm, vertex.cell, min(vertex.fromEdge * water.perEdgeWidth, 1.0));
+    return Vertex(water.meshOrigin + vertex.calm, vertex.cell, loosenessAt(vertex.fromEdge));
 }
 
 Vertex patchVertex(MeshPatch patch_) {
@@ -79,7 +79,7 @@ void main() {
     relative.y -= drop;
     if (forMotion) {
         last.y -= drop;
-        lastPixel = lastPixelFromRelative * vec4(last, 1.0);
+        lastPixel = homogeneousLastPixel(last);
     }
-    gl_Position = water.clipFromRelative * vec4(relative, 1.0);
+    gl_Position = clipOf(relative);
 }

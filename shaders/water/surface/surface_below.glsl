@@ -13,11 +13,6 @@ vec3 keptBelow(vec3 direction) {
     return normalize(vec3(direction.x, min(-abs(direction.y), -1e-3), direction.z));
 }
 
-// Greater where a point lies farther away.
-float farnessOf(vec3 at) {
-    return water.sight.w * dot(at, at) + dot(at, water.sight.xyz);
-}
-
 // Whether what the scene shows lies before `at`.
 bool hides(Behind b, vec3 at) {
     return !b.nothing && farnessOf(b.seen) < farnessOf(at);
@@ -138,8 +133,8 @@ vec4 bedBeyondReflection(const SurfacePoint s, vec3 direction, vec2 pixel, float
     float info = infoAt(held);
     vec3 bed = shownBy(held, info);
     if (!infoIsHit(info) || bed.y > min(s.position.y, calmLevel())) return vec4(0.0);
-    float mip = log2(1.0 + 0.5 * length(pixel - held) / water.reflectionScale);
-    vec4 light = reflectionTexel(held / water.reflectionScale, mip, water.reflectionScale);
+    float mip = log2(1.0 + 0.5 * inReflectionTexels(length(pixel - held)));
+    vec4 light = reflectionAt(held, mip);
     return bedAlong(sunDirection(s), direction, (s.position.y - bed.y) / -direction.y, light, depth);
 }
 
@@ -166,7 +161,7 @@ ShownBed shownBedAt(const SurfacePoint s, vec2 pixel) {
 ShownBed shownBedBeside(const SurfacePoint s, vec2 pixel, vec2 nearest) {
     const int taps = 5;
     const float offsets[taps] = float[](0.0, -0.6, 0.6, -1.6, 1.6);
-    vec4 up = water.pixelFromRelative[1];
+    vec4 up = homogeneousPerMetreUp();
     vec2 level = vec2(up.w * nearest.y - up.y, up.x - up.w * nearest.x);
     level *= distance(pixel, nearest) / max(length(level), 1e-9);   // no way is level straight below
     ShownBed mean = ShownBed(vec3(0.0), 0.0, 0.0, false);
@@ -242,7 +237,7 @@ const float belowSamples[7] = float[](0.0, -0.8, 0.8, -1.27, -0.325, 0.325, 1.27
 
 // Aside each lies to one side or the other, so that along and aside do not depend on each other.
 float sideOf(int tap) {
-    return reflectionSamples == 1 ? 0.0 : (tap & 1) == (tap >> 1) ? 1.0 : -1.0;
+    return looksPerPixel() == 1 ? 0.0 : (tap & 1) == (tap >> 1) ? 1.0 : -1.0;
 }
 
 float sideOfShare() {
@@ -258,14 +253,15 @@ vec3 mirroredBelowWaves(const SurfacePoint s, vec3 view, inout uint turn) {
     vec2 aside = vec2(-v.towards.y, v.towards.x) * (0.7 * deviationAcross(s, v.towards));
     float spread = 2.0 * tapWidth() * seen.deviation + s.slopeStep;
     float share = sharedInQuad(s, seen, spread, firstHit(s));
+    int looks = looksPerPixel();
     vec3 sum = vec3(0.0);
     int i = 0;
     do {
-        float offset = mix(belowSamples[reflectionSamples - 1 + i], dot(levelShares[reflectionSamples - 1 + i], partOfQuad()), share);
+        float offset = mix(belowSamples[placeOfLook(i)], dot(levelShares[placeOfLook(i)], partOfQuad()), share);
         vec2 slope = s.slope + v.towards * (seen.mean + offset * seen.deviation) + aside * mix(sideOf(i), sideOfShare(), share);
         sum += meanFound(vec4(mirroredBy(s, slope, view, spread), 1.0), share, turn).rgb;
-    } while (++i < reflectionSamples);
-    return sum / float(reflectionSamples);
+    } while (++i < looks);
+    return sum / float(looks);
 }
 
 vec3 mirroredBelow(const SurfacePoint s, vec3 view, inout uint turn) {

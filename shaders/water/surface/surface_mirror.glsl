@@ -76,6 +76,15 @@ float shareOfSlope(int i) {
     return reflectionSamples == 4 ? 0.125 : fourShares[i & 3];
 }
 
+int looksPerPixel() {
+    return reflectionSamples;
+}
+
+// In tables for looks of one, of two and of four.
+int placeOfLook(int tap) {
+    return reflectionSamples - 1 + tap;
+}
+
 // For looks of one, of two and of four, the means of four equal shares of each one's slopes.
 const vec4 levelShares[7] = vec4[](
     vec4(-1.370, -0.350, 0.350, 1.370),
@@ -90,7 +99,7 @@ const vec4 edgeOnShares[7] = vec4[](
 
 // The slope that stands for this pixel's share of a look's, as an offset from what is in the middle of the pixel.
 float slopeOfShare(int tap, SlopeSpread seen) {
-    int shares = reflectionSamples - 1 + tap;
+    int shares = placeOfLook(tap);
     return seen.mean + dot(mix(levelShares[shares], edgeOnShares[shares], seen.skew), partOfQuad()) * seen.deviation;
 }
 

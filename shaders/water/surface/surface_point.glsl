@@ -58,7 +58,12 @@ vec4 keptAt(const SurfacePoint s) {
     return hasShore ? s.shore.kept : vec4(1.0);
 }
 
-// At a grazing angle a pixel is long and narrow, and is taken in `slopeSamples` parts, of which this is the longer side.
+// At a grazing angle a pixel is long and narrow, and is taken in so many parts.
+int partsOfPixel() {
+    return slopeSamples;
+}
+
+// The longer side of one.
 vec2 partOf(Footprint pixel) {
     return pixel.longer / float(slopeSamples);
 }
@@ -99,7 +104,7 @@ float partOfAWave(float texels) {
 // By the waves at its calm position. `turn` is tile_quad.glsl's.
 void findSlopes(inout SurfacePoint s, inout uint turn) {
     s.slope = vec2(0.0);
-    s.covariance = water.roughness.xyz;
+    s.covariance = unresolvedSlopes();
     s.slopeStep = s.bounded = 0.0;
     s.compressed = vec2(0.0);
     if (!hasWaves) return;

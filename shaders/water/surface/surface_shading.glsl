@@ -8,17 +8,13 @@
 #include "surface_fresnel.glsl"
 
 #include "globe.glsl"
-
-// What the host knows of: the sky cube's directions and normals.
-vec3 inWorld(vec3 direction) {
-    return tilted ? mat3(water.worldFromBody) * direction : direction;
-}
-
+#include "in_world.glsl"
 #include "near_plane.glsl"
 #include "sky_seen.glsl"
 #include "surface_fog.glsl"
 #include "footprint.glsl"
 #include "surface_point.glsl"
+#include "shading_block.glsl"
 #include "visible_slopes.glsl"
 #include "exclusion_volumes.glsl"
 #include "wave_displacement.glsl"
@@ -38,13 +34,14 @@ vec3 inWorld(vec3 direction) {
 float sunSeenOver(const SurfacePoint s) {
     if (!hasWaves) return sunSeenAt(s.position);
     vec2 part = partOf(s.footprint);
+    int parts = partsOfPixel();
     float sum = 0.0;
     int i = 0;
     do {
         vec2 aside = part * partsAside(i);
         sum += sunSeenAt(s.position + vec3(aside.x, 0.0, aside.y));
-    } while (++i < slopeSamples);
-    return sum / float(slopeSamples);
+    } while (++i < parts);
+    return sum / float(parts);
 }
 
 // The mean over the quad where the pixel shows the bed blurred.
@@ -67,7 +64,7 @@ Through throughBefore(const SurfacePoint s) {
 
 // Where what a pixel mirrors is left for the rest: of pixels that are shaded alone.
 ivec2 mirroredTexel(ivec2 pixel) {
-    return ivec2(pixel.x / int(pixelsPerShading), pixel.y);
+    return ivec2(pixel.x / blockSize().x, pixel.y);
 }
 
 // What the surface mirrors, and the share of light that enters the water.
@@ -103,7 +100,7 @@ vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye, inout uint
     radiance += fogLight(s.air);
     if (hasShore && hasRefraction) {
         // Wet sand dries, and water thins out into it.
-        vec3 dry = linearOf(texelFetch(sceneColor, sceneTexel(ivec2(s.pixel + water.sceneShift)), 0).rgb, sceneIsEncoded);
+        vec3 dry = sceneAround(s.pixel);
         radiance = mix(dry, radiance, presence(s.shore));
     }
     return radiance;

@@ -1,7 +1,21 @@
 // Light in the water. The irradiance reflectance of deep water is 0.33 bb/a (Morel and Prieur 1977).
 
+vec3 backscatter() {
+    return water.backscatter.rgb;
+}
+
 vec3 extinction() {
-    return max(water.absorption.rgb, 1e-5) + water.backscatter.rgb;
+    return max(water.absorption.rgb, 1e-5) + backscatter();
+}
+
+// To the side, where light through crests is seen [1/m].
+float scatteredByParticles() {
+    return water.absorption.w;
+}
+
+// Of a body without refraction the water is nothing that light could enter.
+bool lightEnters() {
+    return water.absorption.r > 0.0;
 }
 
 const float skyEnters = 0.934;   // 1 - 0.066, diffuse Fresnel reflectance of water
@@ -13,7 +27,7 @@ vec3 sunEntering(vec3 toSun) {
 }
 
 vec3 skyEntering() {
-    return water.skyIrradiance.rgb * skyEnters;
+    return skyLight() * skyEnters;
 }
 
 vec3 lightEntering(vec3 toSun) {
@@ -22,7 +36,7 @@ vec3 lightEntering(vec3 toSun) {
 
 // Radiance of endless water below, seen from just under its surface.
 vec3 deepWater(vec3 toSun) {
-    return lightEntering(toSun) / pi * (0.33 * water.backscatter.rgb / extinction());
+    return lightEntering(toSun) / pi * (0.33 * backscatter() / extinction());
 }
 
 // What endless water sends back, as seen above the surface: leaving water thins radiance by n^2 and what Fresnel keeps.

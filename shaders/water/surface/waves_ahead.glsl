@@ -10,13 +10,17 @@ struct WavesAhead {
 
 const float noWave = -1e3;
 
+bool wavesAreLookedFor() {
+    return waveShadowSteps > 0;
+}
+
 // The tangent of the highest wave `from` a place to where none hides what rises by `lowest`: four deviations of height over another
 // there are few, nor does it matter what lies beyond the length of the longest, 100 of them. Distances grow evenly: what is
 // nearer is finer, but no finer than the pixel; and many begin nearer than few. Heights are all of the maps: the
 // mesh's differ by more than near waves rise.
 float horizonTowards(const SurfacePoint s, vec2 from, vec2 along, float lowest) {
-    float nearest = max(min(0.5, 4.8 / float(waveShadowSteps)) * water.heightDeviation, s.pixelLength);
-    float farthest = water.heightDeviation * min(4.0 / max(lowest, 1e-3), 100.0);
+    float nearest = max(min(0.5, 4.8 / float(waveShadowSteps)) * heightDeviation(), s.pixelLength);
+    float farthest = heightDeviation() * min(4.0 / max(lowest, 1e-3), 100.0);
     float growth = pow(max(farthest / nearest, 2.0), 1.0 / float(waveShadowSteps - 1));
     float blur = 0.2 * (growth - 1.0);   // less than half a step, which would flatten the crests that cast shadows
     float finest = 0.5 * s.pixelLength;
@@ -40,8 +44,8 @@ float horizonTowards(const SurfacePoint s, vec2 from, vec2 along, float lowest) 
 WavesAhead wavesAhead(const SurfacePoint s, vec2 along, float lowest) {
     const float alikeInAll = 0.2;
     const float alikeInShort = 0.85;
-    if (waveShadowSteps == 0) return WavesAhead(noWave, 0.0, slopeDeviation(), 0.0);
-    float held = s.pixelLength / (25.0 * water.heightDeviation);
+    if (!wavesAreLookedFor()) return WavesAhead(noWave, 0.0, slopeDeviation(), 0.0);
+    float held = s.pixelLength / (25.0 * heightDeviation());
     float horizon = noWave;
     if (held < 1.0) horizon = max(dot(s.slope, along), horizonTowards(s, s.calm, along, lowest));
     float alike = mix(alikeInShort, alikeInAll, smoothstep(0.5, 2.0, held));

@@ -8,8 +8,7 @@ vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, ve
     int i = 0;
     do {
         float mip = log2(max(width * texelsInAMetre(i), 1.0));
-        // The last mip is the tile's mean, which is zero.
-        if (mip < water.maxMip)
+        if (showsWaves(mip))
             sum += kept[i] * textureLod(displacements, inTile(place, i), mip).xyz;
     } while (++i < cascades);
     return sum;

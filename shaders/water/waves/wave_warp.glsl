@@ -29,6 +29,11 @@ vec3 inTile(vec2 place, int cascade) {
     return vec3(water.cascade[cascade].xy + place * water.cascade[cascade].z, cascade);
 }
 
+// Whether a mip of the maps holds waves: the last is the tile's mean, which is zero.
+bool showsWaves(float mip) {
+    return mip < water.maxMip;
+}
+
 float tilesInAMetre(int cascade) {
     return water.cascade[cascade].z;
 }
