@@ -34,28 +34,48 @@ struct CrestSide {
     float above;   // [m]
 };
 
-// Of the wave over a point at that height: its sides towards two directions.
+// Of the wave over a point: its sides towards two directions.
 struct Crest {
     CrestSide one, other;
 };
 
+// The front of a shore's breaker rises nearly as fast as the sun's ray does in water: where a line through two looks says that the
+// ray leaves, another finds what the wave is like there. Looks are at where its waves have moved them to: nearer to each other at crests.
 Crest crestOver(const SurfacePoint s, vec2 calm, float height, vec2 one, vec2 other, float width) {
-    const float leastApart = 1e-3;   // of what touches the surface, where a ray has no way through it [m]
-    float over = 0.0, apart = leastApart;
-    vec2 towards = vec2(0.0), rises = vec2(0.0);
+    const int looks = hasShore ? 4 : 3;
+    float least = max(width, 1e-3);   // of what touches the surface, where a ray has no way through it [m]
+    float over = 0.0, apart = 0.0;
+    vec2 aside = vec2(0.0);     // of what waves move, from what they move where the pixel is
+    vec2 last = vec2(0.0);      // how far towards that side, and how high
+    vec2 rises = vec2(0.0);
+    float above = 0.0;
     int i = 0;
-    // Over the point first, then to both sides: all share one copy of the code.
+    // To the other side second: all looks share one copy of the code.
     [[dont_unroll]] do {
-        float there = surfaceDisplacement(waveDisplacement, calm + towards * apart, width).y;
-        rises = vec2(rises.y, clamp((there - over) / apart, -1.0, 1.0));
-        if (i == 0) {
-            over = there;
-            apart = max(max(there - height, width), leastApart);
+        vec2 towards = i == 1 ? other : one;
+        vec3 there = surfaceDisplacement(waveDisplacement, calm + apart * towards - aside, width);
+        vec2 found = vec2(apart, there.y - height);
+        if (hasShore && i > 0) {
+            vec2 now = there.xz - (s.position.xz - s.calm);
+            found.x += dot(now - aside, towards);
+            aside = now;
         }
-        towards = i == 0 ? one : other;
-    } while (++i < 3);
-    float above = max(over - height, 0.0);
-    return Crest(CrestSide(one, rises.x, above), CrestSide(other, rises.y, above));
+        if (i == 0) {
+            over = found.y;
+            apart = max(over, least);
+        }
+        if (i < 3) last = vec2(0.0, over);
+        float step = found.x - last.x;
+        step = step < 0.0 ? min(step, -0.5 * least) : max(step, 0.5 * least);
+        rises = vec2(clamp((found.y - last.y) / step, -1.0, 1.0), i < 3 ? rises.x : rises.y);
+        above = max(last.y - rises.x * last.x, 0.0);
+        if (hasShore && i == 2) {
+            float leaves = min(above / max(sunInWater().y / max(length(sunInWater().xz), 1e-3) - rises.x, 0.1), 4.0 * apart);
+            apart = leaves < found.x ? min(leaves, found.x - least) : max(leaves, found.x + least);
+            last = found;
+        }
+    } while (++i < looks);
+    return Crest(CrestSide(one, rises.x, above), CrestSide(other, rises.y, max(over, 0.0)));
 }
 
 vec3 normalOf(CrestSide side, float lean) {

@@ -32,8 +32,8 @@ Picture traced(const Scene& scene, const CameraDesc& camera) {
 using Draw = Picture (*)(const Scene&, const CameraDesc&);
 
 /// What scattering adds to the picture's lower half, where the water is, in the mean.
-glm::dvec3 gain(Scene scene, const CameraDesc& camera, Draw draw) {
-    scene.water->refraction->scatteringPerM = 20;
+glm::dvec3 gain(Scene scene, const CameraDesc& camera, double scatteringPerM, Draw draw) {
+    scene.water->refraction->scatteringPerM = scatteringPerM;
     const Picture with = draw(scene, camera);
     scene.water->refraction->scatteringPerM = 0;
     const Picture without = draw(scene, camera);
@@ -49,16 +49,36 @@ TEST(SubsurfaceScatteringHost, GainsWhatRaysThroughTheSeaDo) {
     auto scene = loadScene(tests::demoScene("ocean"), {"water.refraction.type=coastal"}, error);
     ASSERT_TRUE(scene) << error.text;
     const CameraDesc camera = tests::cameraOf(*scene, "low");
-    const glm::dvec3 truth = gain(*scene, camera, traced);
+    const glm::dvec3 truth = gain(*scene, camera, 20, traced);
     for (const uint32_t steps : {0u, 16u}) {
         scene->water->shading.waveShadowSteps = steps;
-        const glm::dvec3 drawn = gain(*scene, camera, rendered);
+        const glm::dvec3 drawn = gain(*scene, camera, 20, rendered);
         std::printf("%2u steps: gain drawn %.4f %.4f %.4f, by rays %.4f %.4f %.4f\n", steps, drawn.r, drawn.g,
                     drawn.b, truth.r, truth.g, truth.b);
         for (glm::length_t c = 0; c < 3; ++c) {
             EXPECT_GT(truth[c], 0.001);
             EXPECT_NEAR(drawn[c] / truth[c], 1, steps == 0 ? 0.3 : 0.15);
         }
+    }
+}
+
+/// The face of a breaker on a shore, with the sun behind it.
+TEST(SubsurfaceScatteringHost, SurfGainsWhatRaysThroughItDo) {
+    Error error;
+    const auto scene =
+        loadScene(tests::demoScene("shore"),
+                  {"water.foam.bias=-1", "sky.clear=true", "sun.elevation_deg=25", "sun.azimuth_deg=285",
+                   "camera.near.position_m=[-10,1.9,-44]", "camera.near.target_m=[-14,1.05,-70]",
+                   "camera.near.vertical_fov_deg=4", "time_s=30"},
+                  error);
+    ASSERT_TRUE(scene) << error.text;
+    const CameraDesc camera = tests::cameraOf(*scene, "near");
+    const glm::dvec3 truth = gain(*scene, camera, 2, traced), drawn = gain(*scene, camera, 2, rendered);
+    std::printf("surf: gain drawn %.4f %.4f %.4f, by rays %.4f %.4f %.4f\n", drawn.r, drawn.g, drawn.b,
+                truth.r, truth.g, truth.b);
+    for (glm::length_t c = 0; c < 3; ++c) {
+        EXPECT_GT(truth[c], 0.001);
+        EXPECT_NEAR(drawn[c] / truth[c], 1, 0.3);
     }
 }
 
