@@ -242,6 +242,21 @@ vec3 shownIn(Track track, float share, vec2 middle) {
     return vec3(clamp(point.xy, middle - 0.49, middle + 0.49), point.z);
 }
 
+// Whether a ray that passes below what is seen rises into it: where it is as high, it is farther away by no more than things are
+// thick. Below what hovers it may leave.
+bool risesInto(const MirrorBlock mirror, Track track, float share, vec2 pixel, float depth) {
+    vec4 seen = vec4(pixel, signedDepth(mirror, depth), 1.0);
+    float weight = dot(mirror.weightRow, seen);
+    vec4 over = mirror.heightRow - dot(mirror.heightRow, seen) / weight * mirror.weightRow;
+    vec4 first = vec4(track.first.xy, signedDepth(mirror, track.first.z), 1.0);
+    vec4 along = vec4(track.along.xy, signedDepth(mirror, track.along.z), 0.0);
+    float rises = dot(over, along);
+    float enters = rises > 0.0 ? -dot(over, first) / rises : share;
+    vec4 ray = first + max(enters, share) * along;
+    float farther = dot(settings.forwardRow, seen) / weight + track.scene.thickness;
+    return dot(settings.forwardRow, ray) <= farther * dot(mirror.weightRow, ray);
+}
+
 // Moves a crossing to where the ray meets the plane through what is seen: while it was hidden before, too. Where the ray
 // leaves that plane towards the eye instead, what shows is the far side of what it met before: an underside where the plane
 // goes on as far as that.
@@ -289,7 +304,7 @@ int settled(const MirrorBlock mirror, Track track, inout Crossing crossing) {
     float pixels = pixelsBehind(track, crossing.share, trackPoint(track, crossing.share).z, seen);
     crossing.thin = pixels <= 2.0;
     if (crossing.thin || wide && cameClose) return closely;
-    bool thick = wide && staysHidden(track, crossing.share, 0.25 * pixels) &&
+    bool thick = wide && risesInto(mirror, track, crossing.share, middle, seen) && staysHidden(track, crossing.share, 0.25 * pixels) &&
                  staysHidden(track, crossing.share, 0.5 * pixels);
     if (!thick) return refused;
     return staysHidden(track, crossing.share, pixels) ? closely : behind;

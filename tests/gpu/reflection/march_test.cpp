@@ -228,15 +228,17 @@ double ahead(const Camera& camera, const glm::dvec3& point) {
     return glm::dot(point - camera.eye, glm::normalize(camera.target - camera.eye));
 }
 
-/// How far behind `box`, ahead of the eye, a ray from the plane first is where that hides it [m]; infinite
-/// where it never is.
+/// How far behind what shows of `box` where it hides a ray from the plane first, ahead of the eye, the ray is
+/// where it is as high as the box's lower edge, or where it is hidden if that is later [m]; infinite where it
+/// never is.
 double firstBehind(const Camera& camera, const Box& box, const glm::dvec3& from, const glm::dvec3& ray) {
     for (double along = 0; along < 20; along += 0.02) {
         const glm::dvec3 point = from + along * ray;
         const glm::dvec3 sight = glm::normalize(point - camera.eye);
         const double hit = hitDistance(box, camera.eye, sight);
-        if (hit < glm::length(point - camera.eye))
-            return ahead(camera, point) - ahead(camera, camera.eye + hit * sight);
+        if (hit >= glm::length(point - camera.eye)) continue;
+        const double rises = std::max(along, (box.low.y - from.y) / ray.y);
+        return ahead(camera, from + rises * ray) - ahead(camera, camera.eye + hit * sight);
     }
     return std::numeric_limits<double>::infinity();
 }
@@ -270,6 +272,29 @@ TEST_F(Ssr, ThicknessIsInMetresAheadOfTheEye) {
                                 static_cast<double>(behind.size());
         std::printf("%.1f m thick: %.5f of the sky is hit, %.5f expected\n", thickness, hits, expected);
         EXPECT_NEAR(hits, expected, 0.04 * expected);
+    }
+}
+
+// There is air below what hovers. Rays that leave by it are farther behind what shows than that is thick once
+// they are as high.
+TEST_F(Ssr, AirBelowWhatHoversIsNotFilled) {
+    for (const double gap : {0.15, 0.3, 0.6}) {
+        const TracedView traced = Tracer(testCamera(), {{{-2, gap, -2}, {2, gap + 0.8, -1}}}).run();
+        for (const ReflectionTechnique technique : {ReflectionTechnique::ssr, ReflectionTechnique::hybrid}) {
+            const Reflected result = reflectScene(testCamera(), traced, with(technique));
+            size_t filled = 0, underside = 0, found = 0;
+            for (size_t i = 0; i < result.info.size(); ++i) {
+                const bool hit = reflectionClass(result.info[i]) == ReflectionClass::hit;
+                filled += hit && traced.truth[i] == Truth::sky;
+                underside += traced.truth[i] == Truth::lost;
+                found += hit && traced.truth[i] == Truth::lost;
+            }
+            std::printf("gap of %.2f m: %zu pixels of sky filled, of %zu of the underside %zu\n", gap, filled,
+                        underside, found);
+            EXPECT_GT(underside, 300u);
+            EXPECT_LE(filled, 120u);
+            EXPECT_GE(found, underside * 9 / 10);
+        }
     }
 }
 
