@@ -9,6 +9,9 @@ const ivec2 size = ivec2(80, 44);
 ivec2 reflectionSize(const MirrorBlock mirror) {
     return size;
 }
+bool lookupsStray(const MirrorBlock mirror) {
+    return false;
+}
 #include "tiles.glsl"
 
 layout(set = 0, binding = 0, std430) buffer Tiles {
