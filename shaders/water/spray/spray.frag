@@ -38,12 +38,11 @@ void main() {
     float rim = 1.0 - dot(within, within);
     if (rim <= 0.0) demote;
     vec2 at = within * texture_.xy;
-    float widest = mix(0.9, 0.6, texture_.w) * texture_.y;
-    // Mist is soft; thrown drops are a swarm with air between, most so at the rim.
-    vec3 shares = mix(vec3(0.45, 0.3, 0.25), vec3(0.25, 0.3, 0.45), texture_.w);
-    float noise = dot(shares, vec3(octave(at, widest, seed), octave(at, 0.4 * widest, seed + 1u), octave(at, 0.16 * widest, seed + 2u)));
-    float torn = smoothstep(mix(0.35, 0.5, texture_.w), mix(0.8, 0.7, texture_.w), noise + 0.2 * (rim - 0.6));
-    float depth = light.w * rim * rim * mix(2.4, 4.0, texture_.w) * torn;
+    float widest = 0.9 * texture_.y;
+    float noise = 0.45 * octave(at, widest, seed) + 0.3 * octave(at, 0.4 * widest, seed + 1u) + 0.25 * octave(at, 0.16 * widest, seed + 2u);
+    // Torn, most so at the rim and where drops are few.
+    float torn = smoothstep(0.35, mix(0.8, 0.65, texture_.w), noise + 0.2 * (rim - 0.6));
+    float depth = light.w * rim * rim * 2.4 * torn;
     float hides = 1.0 - exp(-depth);
     // What shows through dims as light does.
     if (targetIsEncoded) hides = 1.0 - heldGrowth(vec3(1.0 - hides)).x;

@@ -25,7 +25,10 @@ layout(location = 3) flat out uint seed;
 
 const float pi = 3.14159265358979;
 
-#include "in_world.glsl"
+vec3 inWorld(vec3 direction) {
+    return tilted ? mat3(water.worldFromBody) * direction : direction;
+}
+
 #include "wave_warp.glsl"
 #include "shore.glsl"
 #include "wave_displacement.glsl"
@@ -162,10 +165,10 @@ void main() {
 
     vec4 air = airBefore(pixelHere.xy, position, overPlane);
     vec3 radiance = scattered(position);
-    light = vec4(hasFog ? mix(air.rgb, radiance, air.a) : radiance, min(depth, mix(0.2, 0.12, flight.ragged)));
+    light = vec4(hasFog ? mix(air.rgb, radiance, air.a) : radiance, min(depth, 0.35));
     texture_ = vec4(longHalf, shortHalf, pixel, flight.ragged);
     seed = draws;
     int corner = gl_VertexIndex % 3;
     within = corner == 0 ? vec2(-1.7320508, -1.0) : corner == 1 ? vec2(1.7320508, -1.0) : vec2(0.0, 2.0);
-    gl_Position = clipOf(position + within.x * longHalf * along + within.y * shortHalf * across);
+    gl_Position = water.clipFromRelative * vec4(position + within.x * longHalf * along + within.y * shortHalf * across, 1.0);
 }

@@ -15,7 +15,7 @@ float share(inout uint bits);
 // At an age [s], where the air moves by `blows` and the crest by `runs` [m/s].
 Flight flightOf(inout uint draws, float age, vec2 blows, float runs) {
     float size = share(draws);
-    bool thrown = size > 0.9;
+    bool thrown = size > 0.8;
     // Falling speeds of drops of 50 to 250 um, and of 1 mm (Gunn and Kinzer 1949) [m/s].
     float falls = thrown ? mix(2.5, 5.0, share(draws)) : mix(0.3, 1.4, size * size);
     float lag = falls / 9.81;   // time in which they come to the air's speed
@@ -27,7 +27,7 @@ Flight flightOf(inout uint draws, float age, vec2 blows, float runs) {
     vec3 eddy = vec3(share(draws), share(draws), share(draws)) - 0.5;
     float turbulence = 0.16 * length(blows);
     vec2 air = gust * blows + turbulence * eddy.xz;
-    float lifts = (0.37 + 1.1 * eddy.y) * turbulence;   // up the face, and by what the crest sheds
+    float lifts = (0.45 + 1.1 * eddy.y) * turbulence;   // up the face, and by what the crest sheds
     float leaps = (thrown ? mix(0.12, 0.4, share(draws)) : 0.12) * runs;
     Flight f;
     vec2 over = air * (age - caught) + crest * caught;
@@ -36,7 +36,7 @@ Flight flightOf(inout uint draws, float age, vec2 blows, float runs) {
     float left = exp(-age / lag);
     vec2 level = air + (crest - air) * left;
     f.velocity = vec3(level.x, lifts - falls + (leaps - lifts + falls) * left, level.y);
-    f.radius = (thrown ? 0.2 + 0.3 * age : 0.3 + 0.7 * age) * mix(0.6, 1.5, share(draws));
+    f.radius = (thrown ? 0.2 + 0.3 * age : 0.2 + 0.5 * age) * mix(0.6, 1.5, share(draws));
     f.stretch = thrown ? 2.0 : 3.0 + 3.0 * age;
     f.ragged = thrown ? 1.0 : 0.0;
     // What still breaks is foam, and all of one age.

