@@ -24,6 +24,7 @@ layout(location = 2) flat out vec4 texture_;     // half axes [m], finest wave o
 layout(location = 3) flat out uint seed;
 
 const float pi = 3.14159265358979;
+const float densest = 0.03;   // a cloud's optical depth
 
 vec3 inWorld(vec3 direction) {
     return tilted ? mat3(water.worldFromBody) * direction : direction;
@@ -159,13 +160,18 @@ void main() {
     float turned = speed / max(length(flight.velocity), 1e-3);
     float longHalf = max(radius * sqrt(1.0 + (flight.stretch * flight.stretch - 1.0) * turned * turned), 0.7 * pixel) + 0.5 * speed * spray.form.y;
     float depth = spray.form.x * broke.share * p.shown * flight.shown * p.cell * p.cell / (pi * shortHalf * longHalf);
+    // Of as many drops a denser cloud is drawn as a wider one: others overlap it, and none is told from the veil.
+    float wider = clamp(sqrt(depth / densest), 1.0, 4.0);
+    shortHalf *= wider;
+    longHalf *= wider;
+    depth /= wider * wider;
     // What is right before the eye is no cloud any more.
     depth *= smoothstep(0.5, 3.0, distanceTo(position) - radius);
     if (depth <= 1e-3) return;
 
     vec4 air = airBefore(pixelHere.xy, position, overPlane);
     vec3 radiance = scattered(position);
-    light = vec4(hasFog ? mix(air.rgb, radiance, air.a) : radiance, min(depth, 0.35));
+    light = vec4(hasFog ? mix(air.rgb, radiance, air.a) : radiance, min(depth, 2.0 * densest));
     texture_ = vec4(longHalf, shortHalf, pixel, flight.ragged);
     seed = draws;
     int corner = gl_VertexIndex % 3;

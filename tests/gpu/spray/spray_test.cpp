@@ -256,6 +256,36 @@ TEST_F(Spray, IsNoBrighterThanWhatLightsIt) {
     EXPECT_LE(all.brightest, double{radiance} * 1.001);
 }
 
+/// By how much what spray changes departs from its mean over 9 x 9 pixels, of all that it changes.
+double unevenness(const WaterPicture& with, const WaterPicture& without, const Camera& camera) {
+    constexpr int64_t reach = 4;
+    const auto width = static_cast<int64_t>(camera.width), height = static_cast<int64_t>(camera.height);
+    const auto change = [&](int64_t x, int64_t y) {
+        const auto i = static_cast<size_t>(y * width + x) * 4;
+        return std::abs(double{with.color[i]} - double{without.color[i]});
+    };
+    double uneven = 0, all = 0;
+    for (int64_t y = reach; y < height - reach; ++y)
+        for (int64_t x = reach; x < width - reach; ++x) {
+            double mean = 0;
+            for (int64_t v = -reach; v <= reach; ++v)
+                for (int64_t u = -reach; u <= reach; ++u) mean += change(x + u, y + v) / 81;
+            uneven += std::abs(change(x, y) - mean);
+            all += change(x, y);
+        }
+    return uneven / all;
+}
+
+// Clouds overlap, so that none is a ball of cotton.
+TEST_F(Spray, IsAVeil) {
+    Body *const with = makeBody(described()), *const without = makeBody(described(false));
+    double sum = 0;
+    for (const double time : {12.0, 20.0, 30.0})
+        sum += unevenness(picture({with}, camera_, time), picture({without}, camera_, time), camera_) / 3;
+    std::printf("uneven by %.3f\n", sum);
+    EXPECT_LT(sum, 0.31); // 0.34 where the densest are no wider
+}
+
 TEST_F(Spray, IsHiddenByWhatIsNearer) {
     const auto hiding = [&](bool sprays) {
         Body* const other = makeBody(described(sprays));
