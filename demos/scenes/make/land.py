@@ -182,14 +182,14 @@ def skerryPatch():
 
 
 def hills():
-    """Far ridges along part of the horizon, paler the farther: air is in their colour."""
+    """Far ridges along part of the horizon, woods and heath; the farther, the more air is in their colour."""
     parts = []
     ridges = (
-        (620, 196, 238, 34, "#72897f", 61),
-        (1050, 190, 252, 72, "#7d93a0", 62),
-        (1500, 226, 262, 95, "#9fb1c2", 63),
-        (760, 298, 345, 62, "#748b84", 64),
-        (1350, 286, 352, 120, "#93a7b8", 65),
+        (620, 196, 238, 34, "#4a5a43", 61),
+        (1050, 190, 252, 72, "#586b5c", 62),
+        (1500, 226, 262, 95, "#71867f", 63),
+        (760, 298, 345, 62, "#4c5d48", 64),
+        (1350, 286, 352, 120, "#687c6f", 65),
     )
     for radius, start, stop, top, color, seed in ridges:
         a = np.linspace(start, stop, 38)
