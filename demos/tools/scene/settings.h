@@ -137,10 +137,10 @@ class Settings {
     }
 
   private:
-    static consteval bool isOf(size_t i, std::string_view part) {
+    static constexpr bool isOf(size_t i, std::string_view part) {
         return std::string_view(table.fields[i].name).starts_with(part);
     }
-    static consteval size_t countOf(std::string_view part) {
+    static constexpr size_t countOf(std::string_view part) {
         size_t count = 0;
         for (size_t i = 0; i < table.count; ++i) count += isOf(i, part);
         return count;

@@ -104,9 +104,14 @@ vec4 atInfinity(const MirrorBlock mirror, vec2 point) {
     return vec4(point, mirror.infinityDepth, 1.0);
 }
 
+// By which distances relative to the eye are to be divided, of a screen point; not positive behind the camera.
+float weightOf(const MirrorBlock mirror, vec4 point) {
+    return dot(mirror.weightRow, point);
+}
+
 // Above the plane [m], of a screen point.
 float heightOf(const MirrorBlock mirror, vec4 point) {
-    return dot(mirror.heightRow, point) / dot(mirror.weightRow, point);
+    return dot(mirror.heightRow, point) / weightOf(mirror, point);
 }
 
 // To a factor, of the far end of a line of sight: negative under the plane's horizon.
@@ -114,7 +119,13 @@ float heightAtInfinity(const MirrorBlock mirror, vec2 point) {
     return dot(mirror.heightRow, atInfinity(mirror, point));
 }
 
-// What each pixel down adds to that.
+// The least of that in a rectangle.
+float leastHeightAtInfinity(const MirrorBlock mirror, vec2 corner, vec2 size) {
+    vec4 row = mirror.heightRow;
+    return dot(row, atInfinity(mirror, corner)) + min(row.x * size.x, 0.0) + min(row.y * size.y, 0.0);
+}
+
+// What each pixel down adds to it.
 float heightAtInfinityPerRow(const MirrorBlock mirror) {
     return mirror.heightRow.y;
 }
@@ -136,7 +147,11 @@ bool onOrBelowPlane(const MirrorBlock mirror, vec3 screenPoint) {
 // Deeper under the plane than it is told apart.
 bool wellBelowPlane(const MirrorBlock mirror, vec3 screenPoint) {
     vec4 p = vec4(screenPoint, 1.0);
-    return dot(mirror.heightRow, p) < -(1e-3 * dot(mirror.weightRow, p) + mirror.contactPerMetre);
+    return dot(mirror.heightRow, p) < -(1e-3 * weightOf(mirror, p) + mirror.contactPerMetre);
+}
+
+bool nearerIsGreater(const MirrorBlock mirror) {
+    return mirror.depthSign > 0.0;
 }
 
 // Greater is nearer, whichever way depth runs; and back.
@@ -185,9 +200,9 @@ SightLine sightThrough(const MirrorBlock mirror, vec2 point) {
 // Positive floats order like their bits; the nearest mirrored point must win an atomicMax whichever way depth runs.
 uint keyFromDepth(const MirrorBlock mirror, float depth) {
     uint bits = floatBitsToUint(depth);
-    return mirror.depthSign > 0.0 ? bits : ~bits;
+    return nearerIsGreater(mirror) ? bits : ~bits;
 }
 
 float depthFromKey(const MirrorBlock mirror, uint key) {
-    return uintBitsToFloat(mirror.depthSign > 0.0 ? key : ~key);
+    return uintBitsToFloat(nearerIsGreater(mirror) ? key : ~key);
 }

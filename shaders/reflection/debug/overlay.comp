@@ -68,7 +68,7 @@ bool mirrorBefore(const MirrorBlock mirror, vec4 seen) {
 }
 
 vec3 depthColor(const MirrorBlock mirror, vec4 seen) {
-    float weight = dot(mirror.weightRow, seen);
+    float weight = weightOf(mirror, seen);
     if (isFar(mirror, seen.z)) return farPlane;
     return weight > 0.0 ? distanceColor(dot(settings.forwardRow, seen) / weight) : noDepth;
 }

@@ -22,10 +22,7 @@ layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
 // Whether lookups that waves bend may reach what stands before the plane here.
 bool planeBehind(const MirrorBlock mirror, ivec2 first) {
     ivec2 last = min(first + (1 << cellShift), regionSize(mirror));
-    vec4 corner = atInfinity(mirror, vec2(first));
-    vec2 span = vec2(last - first);
-    vec4 row = mirror.heightRow;
-    return dot(row, corner) + min(row.x * span.x, 0.0) + min(row.y * span.y, 0.0) < 0.0;
+    return leastHeightAtInfinity(mirror, vec2(first), vec2(last - first)) < 0.0;
 }
 
 void main() {

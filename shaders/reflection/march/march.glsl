@@ -24,7 +24,7 @@ struct Scene {
 };
 
 Scene loadedScene(const MirrorBlock mirror) {
-    return Scene(sceneTexel(mirror, ivec2(0)), regionSize(mirror) - 1, mirror.depthSign, signedDepth(mirror, mirror.farDepth),
+    return Scene(sceneTexel(mirror, ivec2(0)), regionSize(mirror) - 1, signedDepth(mirror, 1.0), signedDepth(mirror, mirror.farDepth),
                  aboveRow(mirror), settings.thickness, signedDepth(mirror, mirror.weightRow.z));
 }
 
@@ -71,8 +71,8 @@ Track trackOf(const MirrorBlock mirror, vec4 start, vec4 perMetre, float metres)
     // Depth runs from the one to the other, one of them the near plane.
     vec2 greatest = vec2(start.w - start.z, perMetre.w - perMetre.z);
     vec2 least = vec2(start.z, perMetre.z);
-    vec2 near = mirror.depthSign > 0.0 ? greatest : least;
-    vec2 far = mirror.depthSign > 0.0 ? least : greatest;
+    vec2 near = nearerIsGreater(mirror) ? greatest : least;
+    vec2 far = nearerIsGreater(mirror) ? least : greatest;
     keepWhere(near.x, near.y, picture);
     Track track;
     track.range = picture;
@@ -80,7 +80,7 @@ Track trackOf(const MirrorBlock mirror, vec4 start, vec4 perMetre, float metres)
     track.leavesPicture = picture.y < metres && track.range.y >= picture.y;
     vec4 first = screenPoint(start + perMetre * track.range.x);
     vec4 last = screenPoint(start + perMetre * track.range.y);
-    vec3 toSigned = vec3(1.0, 1.0, mirror.depthSign);
+    vec3 toSigned = vec3(1.0, 1.0, signedDepth(mirror, 1.0));
     track.first = first.xyz * toSigned;
     track.along = (last.xyz - first.xyz) * toSigned;
     vec2 turns = vec2(turnsWithDepth(mirror, first.xyz, first.w), turnsWithDepth(mirror, last.xyz, last.w));

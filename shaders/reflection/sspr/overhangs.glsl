@@ -40,7 +40,7 @@ vec4 seenPoint(const MirrorBlock mirror, vec2 point) {
 float depthAtHeight(const MirrorBlock mirror, vec2 q, float height) {
     vec4 start = vec4(q, 0.0, 1.0);
     float perDepth = mirror.heightRow.z + height * mirror.weightRow.z;
-    return -(dot(mirror.heightRow, start) + height * dot(mirror.weightRow, start)) / perDepth;
+    return -(dot(mirror.heightRow, start) + height * weightOf(mirror, start)) / perDepth;
 }
 
 float metresPerPixel(const MirrorBlock mirror, vec4 point) {
@@ -99,7 +99,7 @@ vec2 alongEdge(const MirrorBlock mirror, vec4 edge, vec4 over, float top) {
     vec3 after = seenPoint(mirror, edge.xy + to).xyz - edge.xyz;
     vec4 mirrored = mirror.screenMirror * edge;
     vec3 face = cross(abs(before.z) < abs(after.z) ? before : after, mirrored.xyz - mirrored.w * edge.xyz);
-    face -= dot(face, over.xyz - edge.xyz) / dot(mirror.weightRow, over) * mirror.weightRow.xyz;
+    face -= dot(face, over.xyz - edge.xyz) / weightOf(mirror, over) * mirror.weightRow.xyz;
     vec2 along = cross(face, mirror.heightRow.xyz - top * mirror.weightRow.xyz).xy;
     return along / max(farthest(along), 1e-30);
 }

@@ -17,7 +17,7 @@ std::string quote(const toml::node& node) {
     constexpr size_t longestValue = 60;
     std::string text = stream.str();
     std::replace(text.begin(), text.end(), '\n', ' ');
-    if (text.size() > longestValue) text = text.substr(0, longestValue) + "...";
+    if (text.size() > longestValue) text.replace(longestValue, std::string::npos, "...");
     return text;
 }
 
