@@ -4,6 +4,7 @@
 // plane [m].
 struct Footprint {
     vec2 longer, shorter;
+    float reach;   // length of the longer
 };
 
 Footprint footprintOf(vec2 right, vec2 down) {
@@ -15,5 +16,6 @@ Footprint footprintOf(vec2 right, vec2 down) {
     float middle = 0.5 * (uu + vv);
     vec2 along = halfGap > 0.0 ? vec2(halfGap + apart, uv) : vec2(uv, apart - halfGap);
     along /= max(length(along), 1e-20);
-    return Footprint(along * sqrt(middle + apart), vec2(-along.y, along.x) * sqrt(max(middle - apart, 0.0)));
+    float reach = sqrt(middle + apart);
+    return Footprint(along * reach, vec2(-along.y, along.x) * sqrt(max(middle - apart, 0.0)), reach);
 }

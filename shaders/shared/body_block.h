@@ -28,7 +28,7 @@ struct BodyBlock {
     vec4 sight; // where lines of sight are parallel their direction, and 0; else 0, and 1: they come from the
                 // eye
     vec4 toSun;
-    vec4 sunIrradiance;
+    vec4 sunIrradiance; // and what share of it enters calm water at the eye
     vec4 skyIrradiance;
     vec4 absorption; // and scattering by particles [1/m]
     vec4 backscatter;

@@ -72,8 +72,8 @@ struct SurfaceCeiling {
 constexpr SurfaceCeiling surfaces[] = {
     {"lr", Quality::medium, 64},           {"w", Quality::medium, 56, 1300},
     {"w", Quality::highest, 88},           {"wl", Quality::highest, 136},
-    {"wlr", Quality::medium, 88, 2100},    {"wflr", Quality::low, 88, 2400},
-    {"wflr", Quality::medium, 88, 2100},   {"wflr", Quality::high, 120, 3100},
+    {"wlr", Quality::medium, 64, 1800},    {"wflr", Quality::low, 72, 2200},
+    {"wflr", Quality::medium, 64, 1800},   {"wflr", Quality::high, 88, 2800},
     {"wflr", Quality::highest, 136, 3000}, {"wfslroh", Quality::highest, 136},
 };
 

@@ -1,4 +1,7 @@
 // The sun and the sky over a body.
+#include <algorithm>
+#include <cmath>
+
 #include "shaders/shared/water_bindings.h"
 #include "water/body/body.h"
 #include "water/body/part.h"
@@ -12,13 +15,24 @@ glm::vec4 color(const float (&values)[3]) {
     return {values[0], values[1], values[2], 0};
 }
 
+/// Of the sun's irradiance what enters calm water: exact dielectric reflectance, as optics.glsl has it.
+double sunEnters(double up) {
+    constexpr double index = 1.333;
+    const double c = std::clamp(up, 0.0, 1.0);
+    const double g = std::sqrt(index * index - 1 + c * c);
+    const double a = (g - c) / (g + c), b = (c * (g + c) - 1) / (c * (g - c) + 1);
+    return c * (1 - 0.5 * a * a * (1 + b * b));
+}
+
 struct SkyPart {
     static bool wanted(const BodyDesc&, const Sea*) { return true; }
 
     void fill(const Body& body, const BodyView& view, BodyBlock& block) const {
         const LightingDesc& lighting = *view.lighting;
-        block.toSun = glm::vec4(glm::vec3(body.toSun(lighting)), 0);
+        const glm::dvec3 toSun = body.toSun(lighting);
+        block.toSun = glm::vec4(glm::vec3(toSun), 0);
         block.sunIrradiance = color(lighting.sunIrradiance);
+        block.sunIrradiance.a = static_cast<float>(sunEnters(toSun.y));
         block.skyIrradiance = glm::vec4(glm::vec3(skyIrradiance(lighting, body.frame.worldFromBody[1])), 0);
         block.skyMips = static_cast<float>(lighting.skyCubeMipLevels);
         if (lighting.skyCube) return;

@@ -2,6 +2,7 @@
 // of each pixel ends in that pixel, so that all are lit alike. Sums of integers do not depend on the order of the invocations.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #include "constant.glsl"
 #include "caustics_constants.h"
 #include "water_bindings.h"

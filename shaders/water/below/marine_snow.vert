@@ -9,6 +9,7 @@
 #include "optics.glsl"
 #include "turns.glsl"
 #include "spray_hash.glsl"
+const bool onGlobe = false;   // the sun is that of the eye's place
 #include "water_light.glsl"
 #include "underwater_light.glsl"
 

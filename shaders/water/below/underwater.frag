@@ -2,6 +2,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
+#extension GL_EXT_control_flow_attributes : require
 #include "constant.glsl"
 #include "view_pass_constants.h"
 #include "water_bindings.h"
@@ -9,6 +10,7 @@
 #include "encoding.glsl"
 #include "optics.glsl"
 
+const bool onGlobe = false;   // the sun is that of the eye's place
 #include "water_light.glsl"
 #include "lit_below.glsl"
 #include "underwater_light.glsl"

@@ -120,10 +120,10 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, v
     const vec3 tiles = vec3(windrowTile, foamTile, foamTile / 7.0);
     const float patternSamples = 256.0;
     const float patternMips = 8.0;   // beyond the finest
-    const float patternVariance = dot(weights, weights) / 12.0;   // of even distributions
+    const float patternSquares = dot(weights, weights);   // twelve variances of even distributions
     const float softEdges = 0.2;   // share of it, so that rafts' edges fade out over half a deviation
     float pattern = 0.0;
-    float variance = 0.0;
+    float squares = 0.0;
     vec3 widths;
     vec2 slope = vec2(0.0);
     float bend[3];
@@ -137,7 +137,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, v
         float last = clamp(patternMips - mip, 0.0, 1.0);
         float kept = weights[i] * last * last * 30.0 / (29.15 + texels);   // keptContrast() of water/foam/foam_pattern.cpp
         pattern += weights[i] * last * texel.x;
-        variance += kept * kept / 12.0;
+        squares += kept * kept;
         widths[i] = kept;
         slope += texel.zw;
         bend[i] = 2.0 * texel.y;
@@ -153,7 +153,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, v
     float even = clamp(shareBelow(pattern, widths), 2e-4, 1.0 - 2e-4);
     // What the look blurs away is noise to it, as are soft edges: of that noise as much lies below as makes a share `cover` of
     // all looks white, however little of the pattern is left.
-    float kept2 = (1.0 - softEdges) * variance / patternVariance;
+    float kept2 = (1.0 - softEdges) * squares / patternSquares;
     float white = gaussianBelow((gaussianQuantile(cover) - sqrt(kept2) * gaussianQuantile(even)) * inversesqrt(1.0 - kept2));
     // Where white is but likely, where it stands out is no longer told.
     return Foam(white, cover, slope, kept2 * kept2 * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0), min(streaks * found.y, 1.0));
@@ -226,11 +226,16 @@ vec2 sunGlints(const SurfacePoint s, Foam white, vec3 toEye) {
     return glints;
 }
 
+// What foam makes of light: of what is bare a share is left.
+struct FoamLight {
+    vec3 radiance;
+    float bare;
+};
+
 // Foam scatters light and rises in bubbles and rafts; the film that they are wet with mirrors every way. Of what the
 // water mirrors a share shines from it too. As it ages it thins, to what makes whitecaps as bright in the mean as they are
-// found, two fifths of fresh foam (Koepke 1984). Between the rafts shines the plume, of which a share `leaves` the water.
-// `ahead`: towards the sun. `glint`: of the film.
-vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirrored, float leaves, WavesAhead ahead, float glint) {
+// found, two fifths of fresh foam (Koepke 1984). `ahead`: towards the sun. `glint`: of the film.
+FoamLight foamLight(Foam white, const SurfacePoint s, vec3 toEye, vec3 mirrored, WavesAhead ahead, float glint) {
     const float filmShare = 0.4;
     const float thinnest = 0.3;
     vec3 facing = normalOf(filmOn(s, white).slope);
@@ -242,6 +247,6 @@ vec3 withFoam(vec3 bare, Foam white, const SurfacePoint s, vec3 toEye, vec3 mirr
     glint *= sunClear(toSun, slopeOf(toEye + toSun), ahead);
     vec3 light = lightBy(sun, open);
     vec3 foamy = throughAir(light * water.foamAlbedo / pi + filmShare * sunLight(glint), s.air) + filmShare * mirrored;
-    if (lightEnters()) bare += leaves * throughAir(plumeGlow(toSun, s.sunSeen, white.plume), s.air);
-    return mix(bare, foamy, white.mask * mix(thinnest, 1.0, white.fresh));
+    float share = white.mask * mix(thinnest, 1.0, white.fresh);
+    return FoamLight(share * foamy, 1.0 - share);
 }

@@ -30,7 +30,7 @@ struct Found {
     vec3 position;
 };
 
-// At a depth of 0 nothing shows, and no place is that far.
+// At a depth of 0 nothing shows, and no place is that far: the nearest on the line of sight.
 vec3 placeAt(vec2 pixel, float depth) {
     vec4 p = water.relativeFromFound * vec4(pixel, depth > 0.0 ? depth : 1.0, 1.0);
     return p.xyz / p.w;
@@ -41,7 +41,7 @@ Found foundAt(ivec2 at) {
     ivec2 held = clamp(at, ivec2(0), regionSize() - 1);
     float depth = texelFetch(foundDepth, held, 0).r;
     found.shows = depth > 0.0 && held == at;
-    found.position = placeAt(vec2(held) + 0.5, depth);
+    found.position = placeAt(vec2(at) + 0.5, depth);
     found.calm = found.position.xz - movedAside(texelFetch(foundAside, held, 0).r);
     return found;
 }
@@ -60,19 +60,18 @@ Step stepBetween(Found here, Found before, Found behind) {
     return isAhead ? ahead : back;
 }
 
-// Of a pixel that none beside it goes on from: over level water.
-Step stepOverLevel(Found here, ivec2 at, vec2 aside) {
-    vec3 there = placeAt(vec2(at) + 0.5 + aside, texelFetch(foundDepth, at, 0).r);
+// Of a pixel that none beside it goes on from: over level water, to the line of sight of the one behind.
+Step stepOverLevel(Found here, vec3 there) {
     vec3 sight = sightTo(there);
     float rise = abs(sight.y) > 1e-6 * length(sight) ? sight.y : 1e-6 * length(sight);
     vec3 moved = there + sight * ((here.position.y - there.y) / rise) - here.position;
     return Step(moved.xz, moved);
 }
 
-Step stepAlong(Found here, ivec2 at, ivec2 axis) {
-    Found before = foundAt(at - axis), behind = foundAt(at + axis);
-    if (before.shows || behind.shows) return stepBetween(here, before, behind);
-    return stepOverLevel(here, at, vec2(axis));
+Step stepAlong(Found here, Found before, Found behind) {
+    Step step = stepBetween(here, before, behind);
+    if (!before.shows && !behind.shows) step = stepOverLevel(here, behind.position);
+    return step;
 }
 
 // All four of its quad.
@@ -94,11 +93,16 @@ bool quadIsAlike(Found found, bool fromWater, ivec2 at, inout uint turn) {
 // All of it but what light alone asks for: `sunSeen` and `air`.
 SurfacePoint shownPoint(Found found, ivec2 at, inout uint turn) {
     Step right, down = Step(vec2(0.0), vec3(0.0));
-    int axis = 0;
+    Found before, behind = found;
+    int beside = 0;
+    // To the left, the right, above and below: all share one copy of the code.
     [[dont_unroll]] do {
-        right = down;
-        down = stepAlong(found, at, ivec2(1 - axis, axis));
-    } while (++axis < 2);
+        before = behind;
+        int aside = 2 * (beside & 1) - 1;
+        behind = foundAt(at + (beside < 2 ? ivec2(aside, 0) : ivec2(0, aside)));
+        if (beside == 2) right = down;
+        if ((beside & 1) == 1) down = stepAlong(found, before, behind);
+    } while (++beside < 4);
     SurfacePoint s;
     s.pixel = vec2(at) + 0.5;
     s.fromWater = isFromWater(s.pixel);
@@ -132,8 +136,9 @@ void main() {
     vec4 made;
     if (shadingStep == stepBed || shadingStep == stepMirror) made = stepAlone(s, turn);
     else made = shaded(s, turn);
-    if (!isListed || !found.shows) return;
     const float most = 65504.0;   // that a half holds
+    at = ivec2(s.pixel);   // kept no more than once meanwhile
+    if (!isListed || !found.shows) return;
     if (shadingStep == stepMirror) imageStore(mirroredLight, mirroredTexel(at), made);
     else if (surfaceOutput == outputShaded) imageStore(shadedColor, at, min(made, vec4(most)));
     else imageStore(shadedOutput, at, made);

@@ -3,6 +3,7 @@
 // known rate. What crest it came from has run on since, and has kept its height.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #include "constant.glsl"
 #include "spray_constants.h"
 #include "water_bindings.h"

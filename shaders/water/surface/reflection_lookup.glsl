@@ -230,9 +230,9 @@ vec4 reflectionAlong(const SurfacePoint s, vec3 direction, float spread, inout f
     if (inside <= 0.0) return vec4(0.0);
     if (hasShore) inside *= shareAboveSand(s, point);
     float mip = bundleMip(blurTexels(s.position, spread, point.distance));
-    vec4 texel = reflectionAt(point.pixel, mip);
-    if (hasWaves && texel.a > 0.0 && point.distance >= farAway) inside *= shareAhead(s.position, direction, point.pixel, mip);
-    return texel * (inside * shareOfScene(point.distance, water.reflectionLook.xyz));
+    inside *= shareOfScene(point.distance, water.reflectionLook.xyz);
+    if (hasWaves && point.distance >= farAway) inside *= shareAhead(s.position, direction, point.pixel, mip);
+    return inside * reflectionAt(point.pixel, mip);
 }
 
 // What is known where the bent ray leads: of one that meets nothing the image may show what lies behind the ray.

@@ -29,7 +29,7 @@ vec4 betweenBedTexels(vec2 pixel) {
     const ivec2 places[4] = ivec2[](ivec2(0, 1), ivec2(1, 1), ivec2(1, 0), ivec2(0, 0));
     vec4 sum = vec4(0.0);
     float all = 0.0;
-    for (int i = 0; i < 4; ++i) {
+    [[dont_unroll]] for (int i = 0; i < 4; ++i) {
         if (weights[i] <= 0.0 || isFarPlane(depths[i])) continue;
         sum += weights[i] * linearTexel(texelFetch(bedColor, clamp(ivec2(corner) + places[i], ivec2(0), water.bedSize.xy - 1), 0));
         all += weights[i];
@@ -40,10 +40,6 @@ vec4 betweenBedTexels(vec2 pixel) {
 vec4 bedColorOf(Behind b) {
     if (!hasBed) return colorOf(b);
     return bedDownscale > 1 ? betweenBedTexels(b.pixel) : linearTexel(texelFetch(bedColor, ivec2(b.pixel), 0));
-}
-
-vec3 bedRadiance(Behind b) {
-    return bedColorOf(b).rgb;
 }
 
 // What shows where a bent ray has come to, `target` in homogeneous pixels, from `here`.
@@ -122,23 +118,34 @@ vec2 placeAround(int tap, int taps) {
     return radius * cosineSine(0.0637 + 0.3125 * float(tap) + dot(partOfQuad(), vec4(0.0, 0.25, 0.5, 0.75)));
 }
 
-// How far a deviation of the slopes within the pixel moves what is seen of a bed `drop` metres below, and one aside of that
-// [pixels].
-mat2 blurOfBed(const SurfacePoint s, vec3 toEye, Behind b, float drop) {
+// How far a deviation of the slopes within the pixel moves to the side what a ray comes to on each metre down, and one aside of that.
+mat2 straysPerDepth(const SurfacePoint s, vec3 toEye) {
     if (!hasWaves) return mat2(0.0);
     float u = sqrt(max(s.covariance.x, 1e-12));
     float both = s.covariance.z / u;
     vec2 deviation = vec2(u, both);
-    vec3 mean = bentPerDepth(s.slope, toEye);
+    vec2 mean = bentPerDepth(s.slope, toEye).xz;
+    mat2 strays = mat2(0.0);
+    int i = 0;
+    [[dont_unroll]] do {
+        strays[0] = strays[1];
+        strays[1] = bentPerDepth(s.slope + deviation, toEye).xz - mean;
+        deviation = vec2(0.0, sqrt(max(s.covariance.y - both * both, 0.0)));
+    } while (++i < 2);
+    return strays;
+}
+
+// The same of what is seen of a bed `drop` metres below [pixels].
+mat2 blurOfBed(mat2 strays, Behind b, float drop) {
+    if (!hasWaves) return mat2(0.0);
     vec2 middle = middleOf(b);
     mat2 blur = mat2(0.0);
     int i = 0;
     [[dont_unroll]] do {
-        vec3 strays = bentPerDepth(s.slope + deviation, toEye) - mean;
-        vec4 there = bedPixelOf(vec4(b.seen + drop * strays, 1.0));
+        vec4 there = bedPixelOf(vec4(b.seen + drop * vec3(strays[0].x, 0.0, strays[0].y), 1.0));
         blur[0] = blur[1];
         blur[1] = there.w > 0.0 ? water.refractionDistortion * (there.xy / there.w - middle) : vec2(0.0);
-        deviation = vec2(0.0, sqrt(max(s.covariance.y - both * both, 0.0)));
+        strays[0] = strays[1];
     } while (++i < 2);
     return blur;
 }
@@ -158,15 +165,13 @@ struct BedTaps {
     int count;         // beside the bed's own pixel
     vec2 middle;       // [pixel]
     mat2 blur;         // around that
-    float radius;      // likewise, beyond the border
-    float least;       // of the radius
 };
 
 const int tapsAround = refractionSamples > 3 ? 4 : 1;
 
 // Of what those slopes show of the bed around, or of the pixel alone.
 BedTaps bedAround(Behind b, mat2 blur, float blurred) {
-    return BedTaps(false, blurred > sharpBed ? tapsAround : 0, hasBed ? b.pixel : b.pixel + 0.5, blur, 0.0, 0.0);
+    return BedTaps(false, blurred > sharpBed ? tapsAround : 0, hasBed ? b.pixel : b.pixel + 0.5, blur);
 }
 
 // What lies beyond the border nobody knows: a mean of the bed around the place that lies as far inside, over a wider part of
@@ -174,23 +179,20 @@ BedTaps bedAround(Behind b, mat2 blur, float blurred) {
 BedTaps bedBeyondBorder(Behind inside, vec3 beyond, vec2 here, float least) {
     vec4 p = bedPixelOf(vec4(2.0 * inside.seen - beyond, 1.0));
     vec2 middle = mix(here, p.xy / p.w, water.refractionDistortion);
-    return BedTaps(true, p.w > 0.0 ? 4 : 0, middle, mat2(0.0), max(length(middle - middleOf(inside)), least), least);
-}
-
-vec2 tapBeyond(BedTaps taps, int i) {
-    const vec2 places[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
+    float radius = max(length(middle - middleOf(inside)), least);
     // A quad's pixels look at places of their own where they take their mean.
-    vec2 side = taps.least > sharpBed ? 1.0 - 2.0 * placeInQuad() : vec2(1.0);
-    return taps.middle + taps.radius * side * places[i];
+    vec2 side = least > sharpBed ? 1.0 - 2.0 * placeInQuad() : vec2(1.0);
+    return BedTaps(true, p.w > 0.0 ? 4 : 0, middle, mat2(radius * side.x, 0.0, 0.0, radius * side.y));
 }
 
 // Across the border it is as it is inside.
-vec2 tapAround(BedTaps taps, int i) {
-    vec2 off = taps.blur * placeAround(i, tapsAround);
+vec2 tapOf(BedTaps taps, int i) {
+    const vec2 beyond[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
+    vec2 off = taps.blur * (taps.isBeyond ? beyond[i] : placeAround(i, tapsAround));
     vec2 pixel = taps.middle + off;
     vec2 size = vec2(hasBed ? water.bedSize.xy : regionSize());
     bool isOutside = any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, size));
-    return isOutside ? taps.middle - off : pixel;
+    return isOutside && !taps.isBeyond ? taps.middle - off : pixel;
 }
 
 // Whether a tap shows the bed as `b` does, `drop` metres below. Beyond the border what stands up from it is not the bed; what
@@ -219,7 +221,7 @@ vec4 bedColorBy(const SurfacePoint s, BedTaps taps, Behind b, float drop) {
             sum += weight * color;
             weights += weight;
         }
-        vec2 pixel = taps.isBeyond ? tapBeyond(taps, i & 3) : tapAround(taps, i & 3);
+        vec2 pixel = tapOf(taps, i & 3);
         there = bedAt(pixel);
         counts = showsSameBed(s, taps, b, drop, there, pixel);
     } while (++i <= taps.count);
@@ -233,9 +235,10 @@ struct Through {
     float blurred;   // pixels over which slopes too small to be seen spread it
 };
 
+const float endlessPath = 1e6;   // [m]
+
 Through endlessWater(const SurfacePoint s) {
-    const float path = 1e6;
-    return Through(throughAir(endlessGlow(sunDirection(s)), s.air), path, 0.0);
+    return Through(throughAir(endlessGlow(sunDirection(s)), s.air), endlessPath, 0.0);
 }
 
 // A bed of so much light in air, at so much depth.
@@ -246,8 +249,8 @@ Through bedThrough(const SurfacePoint s, vec3 bed, float depth, float gathered, 
 }
 
 // Whether a ray meets what shows between two depths, where it lies before that and behind it, rather than to pass behind its
-// edge. `found` and `depth` are of the second, and become those of the place.
-bool meetsBetween(const SurfacePoint s, vec4 from, vec4 perDepth, vec2 here, float before, inout Behind found, inout float depth) {
+// edge. `bed` is how high what shows at the second lies; `depth` is the second, and becomes that of the place.
+bool meetsBetween(const SurfacePoint s, vec4 from, vec4 perDepth, vec2 here, float before, float bed, inout float depth) {
     const int halvings = 5;
     const float mostOff = 0.04;   // of the depth
     int i = 0;
@@ -255,11 +258,11 @@ bool meetsBetween(const SurfacePoint s, vec4 from, vec4 perDepth, vec2 here, flo
         float middle = 0.5 * (before + depth);
         Behind b = behindRay(here, from + perDepth * middle);
         bool isUnder = isBelowWater(s, b) && s.position.y - b.seen.y < middle;
-        if (isUnder) found = b;
+        if (isUnder) bed = b.seen.y;
         if (isUnder) depth = middle;
         else before = middle;
     } while (++i < halvings);
-    return depth - (s.position.y - found.seen.y) < mostOff * depth + 2.0 * (depth - before);
+    return depth - (s.position.y - bed) < mostOff * depth + 2.0 * (depth - before);
 }
 
 // The ray that Snell's law bends, in homogeneous pixels.
@@ -268,21 +271,27 @@ struct BentRay {
     vec4 from;
     vec4 perDepth;     // on each metre down
     vec3 direction;    // likewise, in metres
-    float steepness;   // metres down on each of its way
+    mat2 strays;       // straysPerDepth()
     float leaves;      // the depth at which it leaves the picture
     bool passedOver;   // nothing shows where the line of sight goes on
     float onMap;       // the depth at which it meets the bed of a shore's map
 };
 
+// A look along it: the depth at which it was, 0 where the line of sight goes on, and whether it showed what is below water. What it
+// showed is looked up again where that is needed: kept meanwhile, it takes GPUs five registers.
+struct Look {
+    float depth;
+    bool isBed;
+};
+
 // What has been found of the bed along it.
 struct BedFound {
-    Behind found;
-    float drop;      // depth of `found` under the surface
-    float sought;    // the depth to look at next
-    Behind nearest;  // of the bed, where the ray is under what shows
-    Behind last;     // of the bed, before the ray leaves the picture or passes behind something
+    Look found;
+    float sought;   // the depth to look at next
+    Look nearest;   // of the bed, where the ray is under what shows
+    Look last;      // of the bed, before the ray leaves the picture or passes behind something
     float deepest;   // at which the ray was seen to be above the bed
-    float least;     // by how much its depth and the bed's differ at `found`
+    float least;     // by how much its depth and the bed's differ at `found`; `unmet`: it was looked for nowhere yet
     bool met;
     bool left;       // the picture
 };
@@ -290,8 +299,8 @@ struct BedFound {
 BentRay bentRay(const SurfacePoint s, vec3 normal, vec3 toEye) {
     BentRay ray;
     vec3 bent = refract(-toEye, normal, 1.0 / waterIndex);
-    ray.steepness = max(-bent.y, shallowest);
-    ray.direction = bent / ray.steepness;
+    ray.direction = bent / max(-bent.y, shallowest);
+    ray.strays = straysPerDepth(s, toEye);
     ray.from = bedPixelOf(vec4(s.position, 1.0));
     ray.perDepth = bedPixelOf(vec4(ray.direction, 0.0));
     ray.here = hasBed ? ray.from.xy / ray.from.w : s.pixel;
@@ -306,21 +315,29 @@ Behind behindRayAt(BentRay ray, float depth) {
     return behindRay(ray.here, ray.from + ray.perDepth * depth);
 }
 
-BedFound foundFirst(const SurfacePoint s, BentRay ray, Behind straight) {
+const float unmet = 1e9;
+
+Behind shownBy(BentRay ray, Look look) {
+    return look.depth > 0.0 ? behindRayAt(ray, look.depth) : bedAt(ray.here);
+}
+
+// `nothing`: the far plane is all that shows.
+BedFound foundFirst(const SurfacePoint s, BentRay ray, Behind straight, out bool nothing) {
     BedFound bed;
-    bed.found = straight;
-    bed.drop = max(s.position.y - straight.seen.y, 0.0);
-    bed.sought = min(bed.drop, ray.leaves);
+    bed.found = Look(0.0, isBelowWater(s, straight));
+    nothing = straight.nothing;
+    bed.sought = min(max(s.position.y - straight.seen.y, 0.0), ray.leaves);
     if (ray.passedOver) {
         bed.sought = min(seenAsFarAs(), ray.leaves);
-        bed.found = behindRayAt(ray, bed.sought);
-        bed.drop = max(s.position.y - bed.found.seen.y, 0.0);
-        if (isBelowWater(s, bed.found)) bed.sought = min(bed.drop, bed.sought);
+        Behind below = behindRayAt(ray, bed.sought);
+        bed.found = Look(bed.sought, isBelowWater(s, below));
+        nothing = below.nothing;
+        if (bed.found.isBed) bed.sought = min(max(s.position.y - below.seen.y, 0.0), bed.sought);
         if (hasShore) bed.sought = min(ray.onMap, ray.leaves);
     }
     bed.nearest = bed.last = bed.found;
     bed.deepest = 0.0;
-    bed.least = 1e9;
+    bed.least = unmet;
     bed.met = bed.left = false;
     return bed;
 }
@@ -330,11 +347,12 @@ bool meetsScene(const SurfacePoint s, BentRay ray, inout BedFound bed) {
     float farthest = bed.sought;
     Behind end = behindRayAt(ray, farthest);
     bool endless = end.nothing;
-    Behind other = bed.last;   // what is seen where the ray does not meet what the line of sight does
+    Look other = bed.last;   // what is seen where the ray does not meet what the line of sight does
     if (endless || s.position.y - end.seen.y > 1.1 * farthest) {
         farthest = min(2.0 * seenAsFarAs(), ray.leaves);
-        other = behindRayAt(ray, farthest);
-        endless = farthest < ray.leaves || other.nothing;
+        Behind there = behindRayAt(ray, farthest);
+        other = Look(farthest, isBelowWater(s, there));
+        endless = farthest < ray.leaves || there.nothing;
         bed.sought = farthest;
     }
     vec4 goal = ray.from + ray.perDepth * farthest;
@@ -348,18 +366,15 @@ bool meetsScene(const SurfacePoint s, BentRay ray, inout BedFound bed) {
         Behind b = behindRayAt(ray, depth);
         bool isUnder = isBelowWater(s, b) && s.position.y - b.seen.y < depth;
         if (isUnder && !wasUnder) {
-            bed.found = b;
-            bed.drop = depth;
-            bed.met = meetsBetween(s, ray.from, ray.perDepth, ray.here, before, bed.found, bed.drop);
+            float met = depth;
+            bed.met = meetsBetween(s, ray.from, ray.perDepth, ray.here, before, b.seen.y, met);
+            bed.found = Look(met, true);
         }
         wasUnder = isUnder;
         before = depth;
     }
     if (endless && !bed.met) return false;
-    if (!bed.met) {
-        bed.found = bed.last = other;
-        bed.drop = max(s.position.y - bed.found.seen.y, 0.0);
-    }
+    if (!bed.met) bed.found = bed.last = other;
     return true;
 }
 
@@ -377,8 +392,7 @@ void findRoot(const SurfacePoint s, BentRay ray, float nearerFirst, inout BedFou
         bool isBed = isBelowWater(s, b);
         if (isBed && abs(deeper) < min(bed.least, mostOff * bed.sought)) {
             bed.least = abs(deeper);
-            bed.found = b;
-            bed.drop = bed.sought;
+            bed.found = Look(bed.sought, true);
         }
         // Its sign is that of what can be told more exactly.
         float nearer = nearerBy(target, s.position + ray.direction * bed.sought, b);
@@ -387,9 +401,9 @@ void findRoot(const SurfacePoint s, BentRay ray, float nearerFirst, inout BedFou
         if (deeper > 0.0) {
             above = reached;
             bed.deepest = bed.sought;
-            if (isBed) bed.last = b;
+            if (isBed) bed.last = Look(bed.sought, true);
         } else {
-            if (isBed) bed.nearest = b;
+            if (isBed) bed.nearest = Look(bed.sought, true);
             // Of what stands before the bed only that it does counts.
             under = isBed ? reached : vec2(reached.x, -above.y);
         }
@@ -406,17 +420,47 @@ void findRoot(const SurfacePoint s, BentRay ray, float nearerFirst, inout BedFou
     } while (++i < refractionSamples - 1 && bed.least > 0.01 && !bed.left);
 }
 
-// Where the ray leaves the picture, or passes behind something, the bed goes on by its slope. Whether that had to be made up.
-bool goesOnBeyond(const SurfacePoint s, BentRay ray, inout BedFound bed) {
+// Where the ray leaves the picture, or passes behind something, the bed goes on by its slope. Whether that had to be made up; `shown` is
+// what shows, or the last that did, and `drop` how deep it lies under the surface along the ray.
+bool goesOnBeyond(const SurfacePoint s, BentRay ray, const BedFound bed, out Behind shown, out float drop) {
     const float wellOff = refractionSamples > 3 ? 0.05 : 0.35;
-    bool astray = refractionSamples > 2 && !ray.passedOver && !bed.met && bed.least > wellOff * bed.drop && isBelowWater(s, bed.found);
-    if (!(bed.left || astray) || !isBelowWater(s, bed.last)) return false;
+    bool astray = refractionSamples > 2 && !ray.passedOver && !bed.met && bed.least > wellOff * bed.found.depth && bed.found.isBed;
+    bool goesOn = (bed.left || astray) && bed.last.isBed;
+    shown = shownBy(ray, goesOn ? bed.last : bed.found);
+    drop = bed.met || bed.least < unmet ? bed.found.depth : max(s.position.y - shown.seen.y, 0.0);
+    if (!goesOn) return false;
     vec2 track = ray.perDepth.xy - ray.perDepth.w * ray.from.xy / ray.from.w;
-    bed.drop = max(depthBeyond(s, bed.last, ray.direction, track / max(length(track), 1e-6)), bed.deepest);
-    bed.found = behindRayAt(ray, bed.drop);
-    bool met = bed.drop < ray.leaves && isBelowWater(s, bed.found) && abs(s.position.y - bed.found.seen.y - bed.drop) < 0.1 * bed.drop;
-    if (!met) bed.found = bed.last;
+    drop = max(depthBeyond(s, shown, ray.direction, track / max(length(track), 1e-6)), bed.deepest);
+    Behind there = behindRayAt(ray, drop);
+    bool met = drop < ray.leaves && isBelowWater(s, there) && abs(s.position.y - there.seen.y - drop) < 0.1 * drop;
+    if (met) shown = there;
     return !met;
+}
+
+// Of what was found of it. `known`: how much of what shows is the bed, and not what nobody knows.
+Through throughBed(const SurfacePoint s, BentRay ray, const BedFound bed, inout float known) {
+    // What hides the place that the ray meets is as good as it, unless it lies far higher.
+    known = ray.passedOver && !bed.met && !(bed.left && bed.last.isBed)
+        ? 1.0 - smoothstep(0.4, 0.9, bed.least / max(bed.found.depth, 1e-3)) : 1.0;
+    Behind found;
+    float drop;
+    bool madeUp = goesOnBeyond(s, ray, bed, found, drop);
+    mat2 blur = blurOfBed(ray.strays, found, drop);
+    float blurred = widthOf(blur);
+    BedTaps taps = bedAround(found, blur, blurred);
+    if (madeUp) taps = bedBeyondBorder(found, s.position + ray.direction * drop, ray.here, blurred);
+    float wayPerDepth = length(ray.direction);
+    float path = mix(length(found.seen - s.position), drop * wayPerDepth, water.refractionDistortion);
+    vec4 color = bedColorBy(s, taps, found, drop);
+    Through through = bedThrough(s, color.rgb, -heightOverCalm(found.seen), gatheredIn(color), path);
+    through.blurred = blurred;
+    if (hasShore && ray.passedOver && known < 1.0) {
+        vec4 nearest = bedColorOf(shownBy(ray, bed.nearest));
+        vec3 unknown = bedThrough(s, nearest.rgb, ray.onMap - s.position.y + calmLevel(), gatheredIn(nearest), ray.onMap * wayPerDepth).radiance;
+        through.radiance = mix(unknown, through.radiance, known);
+        known = 1.0;
+    }
+    return through;
 }
 
 // What shines through, along the ray that Snell's law bends: it is steeper than the line of sight, so the bed looks
@@ -431,26 +475,16 @@ Through refractedBed(const SurfacePoint s, vec3 normal, vec3 toEye) {
     Behind straight = bedAt(ray.here);
     ray.passedOver = straight.nothing;
     float nearer = nearerBy(ray.from, s.position, straight);
-    BedFound bed = foundFirst(s, ray, straight);
-    if (sceneSamples == 0 && bed.found.nothing) return endlessWater(s);
-    if (sceneSamples > 0 && !meetsScene(s, ray, bed)) return endlessWater(s);
-    if (refractionSamples > 1 && !bed.met) findRoot(s, ray, nearer, bed);
-    // What hides the place that the ray meets is as good as it, unless it lies far higher.
-    float known = ray.passedOver && !bed.met && !(bed.left && isBelowWater(s, bed.last))
-        ? 1.0 - smoothstep(0.4, 0.9, bed.least / max(bed.drop, 1e-3)) : 1.0;
-    bool madeUp = goesOnBeyond(s, ray, bed);
-    mat2 blur = blurOfBed(s, toEye, bed.found, bed.drop);
-    float blurred = widthOf(blur);
-    BedTaps taps = bedAround(bed.found, blur, blurred);
-    if (madeUp) taps = bedBeyondBorder(bed.found, s.position + ray.direction * bed.drop, ray.here, blurred);
-    vec4 color = bedColorBy(s, taps, bed.found, bed.drop);
-    Through unknown = endlessWater(s);
-    if (hasShore && ray.passedOver && known < 1.0)
-        unknown = bedThrough(s, bedRadiance(bed.nearest), ray.onMap - s.position.y + calmLevel(), gatheredIn(bedColorOf(bed.nearest)),
-                             ray.onMap / ray.steepness);
-    float path = mix(length(bed.found.seen - s.position), bed.drop / ray.steepness, water.refractionDistortion);
-    Through through = bedThrough(s, color.rgb, -heightOverCalm(bed.found.seen), gatheredIn(color), path);
-    return Through(mix(unknown.radiance, through.radiance, known), path, blurred);
+    bool nothing;
+    BedFound bed = foundFirst(s, ray, straight, nothing);
+    float known = 0.0;
+    Through through = Through(vec3(0.0), endlessPath, 0.0);
+    if (sceneSamples > 0 ? meetsScene(s, ray, bed) : !nothing) {
+        if (refractionSamples > 1 && !bed.met) findRoot(s, ray, nearer, bed);
+        through = throughBed(s, ray, bed, known);
+    }
+    through.radiance = mix(endlessWater(s).radiance, through.radiance, known);
+    return through;
 }
 
 Through refracted(const SurfacePoint s, vec3 normal, vec3 toEye) {

@@ -95,7 +95,7 @@ vec3 sunScattered(const SurfacePoint s, CrestSide side, vec2 calm, vec3 along) {
     float steepness = tangent - side.rises;
     vec3 facet = normalOf(side, leansTo(steepness, slopeDeviation()));
     float cosSun = dot(facet, toSun);
-    if (toSun.y <= 0.0 || cosSun <= 0.0) return vec3(0.0);
+    bool isLit = toSun.y > 0.0 && cosSun > 0.0;
     vec3 from = -refract(-toSun, facet, 1.0 / waterIndex);
     float rises = risesFaster(side, from);
     float beam = max(level, 1e-3) * catches(steepness, slopeDeviation()) * (1.0 - fresnelWater(cosSun)) / rises;
@@ -105,10 +105,10 @@ vec3 sunScattered(const SurfacePoint s, CrestSide side, vec2 calm, vec3 along) {
     // Most of a wave's front looks up to its crest, which hides the sun from where light would enter. Where no waves are
     // looked for, a side that rises faster than the sun's rays is taken to be in shadow; those of a shore's trains never are.
     if (!wavesAreLookedFor() || hasShore) share *= smoothstep(-0.1, 0.15, steepness);
-    if (wavesAreLookedFor() && share * dot(light, vec3(1.0)) > 1e-5 * dot(sunLight(1.0), vec3(1.0))) {
+    if (wavesAreLookedFor() && isLit && share * dot(light, vec3(1.0)) > 1e-5 * dot(sunLight(1.0), vec3(1.0))) {
         share *= pastHorizon(tangent, horizonTowards(s, calm + from.xz * way, side.towards, tangent));
     }
-    return share * light;
+    return isLit ? share * light : vec3(0.0);
 }
 
 // Along which the eye looks into the water, through the facets that it sees.

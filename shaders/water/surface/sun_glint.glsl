@@ -23,14 +23,15 @@ float sunDensity(const SurfacePoint s, vec3 halfway, float gap) {
 // eq. 14) and by its own disc; as a share of its irradiance, before what waves hide of it. Where it `sparkles`, by glitter.glsl.
 float glintOfWaves(const SurfacePoint s, vec3 toEye, bool sparkles) {
     vec3 halfway = toEye + sunDirection(s);
-    if (sunDirection(s).y <= 0.0 || halfway.y <= 0.0) return 0.0;
+    bool isSeen = sunDirection(s).y > 0.0 && halfway.y > 0.0;
     float gap = length(halfway);
     halfway /= gap;
     float density = sunDensity(s, halfway, gap);
     if (hasGlitter && sparkles && density > 1e-3) density = sunDensity(patchOf(s), halfway, gap);
     float fresnel = mirroredShare(dot(toEye, halfway));
     float up2 = halfway.y * halfway.y;
-    return s.sunSeen * fresnel * density / (4.0 * up2 * up2 * visibleArea(visibleSlopes(s, toEye), toEye));
+    float glint = s.sunSeen * fresnel * density / (4.0 * up2 * up2 * visibleArea(visibleSlopes(s, toEye), toEye));
+    return isSeen ? glint : 0.0;
 }
 
 WavesAhead wavesBeforeTheSun(const SurfacePoint s) {

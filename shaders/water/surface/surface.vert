@@ -2,6 +2,7 @@
 // (Strugar 2009), then lets the waves displace them. Of a mesh of the host's own they stand where it says.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #include "one_view.glsl"
 #include "surface.glsl"
 

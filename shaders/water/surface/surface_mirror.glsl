@@ -107,8 +107,8 @@ float slopeOfShare(int tap, SlopeSpread seen) {
 // shares of the slopes each, and take the mean of what they find. How far they do so [0..1]: not where the quad's slopes
 // differ by more than those within a pixel, nor where what they mirror lies within a texel or so.
 float sharedInQuad(const SurfacePoint s, SlopeSpread seen, float spread, float hit) {
-    if (!s.quadIsAlike) return 0.0;
-    return smoothstep(1.0, 3.0, seen.deviation / max(s.slopeStep, 1e-6)) * smoothstep(0.1, 0.2, texelsBlurred(s, spread, hit));
+    float blurred = smoothstep(1.0, 3.0, seen.deviation / max(s.slopeStep, 1e-6)) * smoothstep(0.1, 0.2, texelsBlurred(s, spread, hit));
+    return s.quadIsAlike ? blurred : 0.0;
 }
 
 // The more of the mean where they share in part, or what each found for itself would stand out as a pattern of dots.
@@ -154,19 +154,26 @@ SkyLook skyOfMet(vec4 met, vec4 found, float spread, inout Reflection sum) {
 // The scene and the sky are looked up in as many groups of neighbouring slopes as there are looks. Low rays meet another wave
 // before they reach the sky (Smith's masking by all the sea's slopes), which mirrors a higher part of it in turn, or of what
 // the last look found.
+vec3 sightAlong(vec2 towards, float rise) {
+    float level = sqrt(max(1.0 - rise * rise, 0.0));
+    return vec3(level * towards.x, rise, level * towards.y);
+}
+
 Reflection reflectedByWaves(const SurfacePoint s, vec3 toEye, inout uint turn) {
     const int together = slopesSeen / reflectionSamples;
     VisibleSlopes v = visibleSlopes(s, toEye);
-    SlopeSpread seen = slopeSpread(v);
-    float spread = tapWidth() * seen.deviation + s.slopeStep;   // and from this pixel to the next
     float spreadAside = 2.0 * deviationAcross(s, v.towards) + s.slopeStep;
     Reflection sum = Reflection(vec3(0.0), 0.0, 0.0);
     vec4 met = vec4(0.0);   // rays that meet another wave, times their weight, and that
     vec4 found = vec4(0.0);
     float hit = firstHit(s);
     WavesAhead ahead = wavesAhead(s, -v.towards, 0.0);
+    float rise = toEye.y;
     int tap = 0;
     [[dont_unroll]] do {
+        SlopeSpread seen = slopeSpread(v);
+        float spread = tapWidth() * seen.deviation + s.slopeStep;   // and from this pixel to the next
+        toEye = sightAlong(v.towards, rise);
         vec4 total = vec4(0.0);
         vec4 clear = vec4(0.0);   // rays that meet none
         float cosines = 0.0;
@@ -182,16 +189,16 @@ Reflection reflectedByWaves(const SurfacePoint s, vec3 toEye, inout uint turn) {
             cosines += mirrored.w * max(cosine, 0.0);
             clear += clearShare(direction.y, -dot(slope, v.towards), ahead) * mirrored;
         } while (++j < together);
+        sum.fresnel += total.w;
+        met += total - clear;
+        SkyLook sky = SkyLook(clear.xyz / max(clear.w, 1e-6), max(spreadAside * cosines / max(total.w, 1e-6), skyBlurred * spread), clear.w);
         float share = sharedInQuad(s, seen, spread, hit);
         vec3 ofShare = reflect(-toEye, normalOf(s.slope + v.towards * slopeOfShare(tap, seen)));
         vec3 ray = keptAbove(mix(total.xyz / max(total.w, 1e-6), ofShare, share));
         if (hasReflection) found = meanFound(mirroredScene(s, ray, spread, hit), share, turn);
         if (hasReflection) found.rgb = sceneThroughAir(found.rgb, vec3(found.a), s.air);
-        sum.radiance += clear.w * found.rgb;
-        sum.fresnel += total.w;
-        met += total - clear;
-        SkyLook sky = SkyLook(clear.xyz / max(clear.w, 1e-6), max(spreadAside * cosines / max(total.w, 1e-6), skyBlurred * spread),
-                              found.a < 0.999 && clear.w > 1e-6 ? clear.w * (1.0 - found.a) : 0.0);
+        sum.radiance += sky.weight * found.rgb;
+        sky.weight = found.a < 0.999 && sky.weight > 1e-6 ? sky.weight * (1.0 - found.a) : 0.0;
         bool meets = tap + 1 == reflectionSamples && met.w > 1e-3 * sum.fresnel;
         int look = 0;
         // What rays meet of other waves mirrors sky too, by the same copy of the code.

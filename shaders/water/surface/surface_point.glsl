@@ -76,7 +76,7 @@ float partsAside(int i) {
 // Derivatives of the waves over the pixel, and their moments.
 void sampleWaves(vec3 at, int cascade, Footprint pixel, out vec4 derivatives, out vec4 moments) {
     if (slopeSamples == 1) {
-        float covered = length(pixel.longer) * texelsInAMetre(cascade);
+        float covered = pixel.reach * texelsInAMetre(cascade);
         float level = log2(max(covered, 1e-6));
         derivatives = textureLod(waveDerivatives, at, level);
         moments = textureLod(waveMoments, at, level);
@@ -112,7 +112,7 @@ void findSlopes(inout SurfacePoint s, inout uint turn) {
     float shear = 0.0;
     vec3 variance = vec3(0.0);
     vec2 place = warped(s.calm);
-    for (int i = 0; i < cascades; ++i) {
+    [[dont_unroll]] for (int i = 0; i < cascades; ++i) {
         vec3 at = inTile(place, i);
         vec4 d, moments;
         sampleWaves(at, i, s.footprint, d, moments);
@@ -129,7 +129,7 @@ void findSlopes(inout SurfacePoint s, inout uint turn) {
             float counts = water.breakingCounts[i];
             s.compressed += counts * vec2(-dot(water.compression.xyz, vec3(d.zw, moments.w)), counts * max(lost.x + lost.y, 0.0));
         }
-        s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * length(s.footprint.longer) * texelsInAMetre(i));
+        s.bounded += max(lost.x + lost.y, 0.0) * partOfAWave(2.0 * s.footprint.reach * texelsInAMetre(i));
     }
     variance.xy = max(variance.xy, 0.0);
     WaveGradient gradient = waveGradient(derivatives, shear, s.calm);

@@ -73,31 +73,40 @@ vec4 mirroredAndEntering(const SurfacePoint s, vec3 toEye, inout uint turn) {
     return vec4(mirror.radiance, 1.0 - mirror.fresnel + mirror.swallowed);
 }
 
-// Radiance, with `white` on it.
-vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye, inout uint turn) {
-    s.air = airBefore(s.pixel, s.position, s.overPlane);
+// What the surface itself sends, with `white` on it, and the share of what comes from below that is seen.
+vec4 lightOfSurface(const SurfacePoint s, Foam white, vec3 toEye, inout uint turn) {
     vec4 mirror;
     if (shadingStep == stepRest && hasReflection && hasWaves) mirror = imageLoad(mirroredLight, mirroredTexel(ivec2(s.pixel)));
     else mirror = mirroredAndEntering(s, toEye, turn);
-    float entering = mirror.a;
-    Through through;
-    if (shadingStep == stepRest && hasRefraction) through = throughBefore(s);
-    else through = throughSurface(s, normal, toEye, turn);
-    vec3 below = through.radiance;
-    if (hasSubsurfaceScattering) below = throughScattering(below, s, toEye, through.path, white.plume);
-    vec3 radiance = mirror.rgb + entering * below;
     vec2 glints = sunGlints(s, white, toEye);
     float glint = glints.x;
     WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);
     if (hasWaves) {
         bool isSunlit = s.sunSeen > 0.0 && sunShines();
-        if (isSunlit && (glint > 1e-5 || white.mask > 1e-3)) ahead = wavesBeforeTheSun(s);
+        if (waveShadowSteps == 0 || isSunlit && (glint > 1e-5 || white.mask > 1e-3)) ahead = wavesBeforeTheSun(s);
         vec3 toSun = sunDirection(s);
         glint *= sunClear(toSun, slopeOf(toEye + toSun), ahead);
     }
-    radiance += throughAir(sunLight(glint), s.air);
-    if (hasFoam) radiance = withFoam(radiance, white, s, toEye, mirror.rgb, entering, ahead, glints.y);
-    radiance += fogLight(s.air);
+    vec4 light = vec4(mirror.rgb + throughAir(sunLight(glint), s.air), mirror.a);
+    if (hasFoam) {
+        FoamLight foam = foamLight(white, s, toEye, mirror.rgb, ahead, glints.y);
+        float plume = lightEnters() ? white.plume : 0.0;   // it shines between the rafts, where water lets light in
+        light.rgb += mirror.a * throughAir(plumeGlow(sunDirection(s), s.sunSeen, plume), s.air);
+        light = foam.bare * light + vec4(foam.radiance, 0.0);
+    }
+    return light + vec4(fogLight(s.air), 0.0);
+}
+
+// Radiance, with `white` on it. What the surface sends comes first: of what that takes little is alive behind it.
+vec3 shadedAbove(SurfacePoint s, Foam white, vec3 normal, vec3 toEye, inout uint turn) {
+    s.air = airBefore(s.pixel, s.position, s.overPlane);
+    vec4 light = lightOfSurface(s, white, toEye, turn);
+    Through through;
+    if (shadingStep == stepRest && hasRefraction) through = throughBefore(s);
+    else through = throughSurface(s, normal, toEye, turn);
+    vec3 below = through.radiance;
+    if (hasSubsurfaceScattering) below = throughScattering(below, s, toEye, through.path, white.plume);
+    vec3 radiance = light.rgb + light.a * below;
     if (hasShore && hasRefraction) {
         // Wet sand dries, and water thins out into it.
         vec3 dry = sceneAround(s.pixel);

@@ -1,4 +1,4 @@
-// Light in the water. The irradiance reflectance of deep water is 0.33 bb/a (Morel and Prieur 1977).
+// Light in the water. Needs `onGlobe`. The irradiance reflectance of deep water is 0.33 bb/a (Morel and Prieur 1977).
 
 vec3 backscatter() {
     return water.backscatter.rgb;
@@ -22,6 +22,7 @@ const float skyEnters = 0.934;   // 1 - 0.066, diffuse Fresnel reflectance of wa
 
 // Irradiance just below the surface.
 vec3 sunEntering(vec3 toSun) {
+    if (!onGlobe) return sunLight(water.sunIrradiance.a);
     float up = max(toSun.y, 0.0);
     return sunLight(up * (1.0 - fresnelWater(up)));
 }

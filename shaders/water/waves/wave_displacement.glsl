@@ -6,7 +6,7 @@ vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, ve
     vec3 sum = vec3(0.0);
     vec2 place = warped(calm);
     int i = 0;
-    do {
+    [[dont_unroll]] do {
         float mip = log2(max(width * texelsInAMetre(i), 1.0));
         if (showsWaves(mip))
             sum += kept[i] * textureLod(displacements, inTile(place, i), mip).xyz;
