@@ -10,17 +10,17 @@ namespace seaglass {
 
 namespace {
 
+/// Where one of several pixels is shaded, the one beside it has a texel, too.
 gpu::ImageDesc colorDesc(VkExtent2D extent, SurfaceOutput output) {
+    extent.width += extent.width % 2;
     return {.format = output == SurfaceOutput::shaded ? VK_FORMAT_R16G16B16A16_SFLOAT
                                                       : VK_FORMAT_R32G32B32A32_SFLOAT,
             .extent = extent,
             .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT};
 }
 
-gpu::ImageDesc mirroredDesc(VkExtent2D extent, uint32_t per) {
-    return {.format = VK_FORMAT_R16G16B16A16_SFLOAT,
-            .extent = {(extent.width + per - 1) / per, extent.height},
-            .usage = VK_IMAGE_USAGE_STORAGE_BIT};
+gpu::ImageDesc mirroredDesc(VkExtent2D extent) {
+    return {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = extent, .usage = VK_IMAGE_USAGE_STORAGE_BIT};
 }
 
 /// The colour that a kernel stored is read and stored by the next.
@@ -106,26 +106,19 @@ Status buildCompleting(const gpu::Device& device, const uint32_t& pixelsPerShadi
 }
 
 Status ShadedSurface::create(const gpu::Device& device, VkExtent2D extent, SurfaceOutput output,
-                             uint32_t mirroredPer) {
+                             bool mirrorsApart) {
     if (const Status s = color.create(device, colorDesc(extent, output), "shaded surface"); s != Status::ok)
         return s;
-    if (mirroredPer > 0)
-        if (const Status s =
-                mirrored.create(device, mirroredDesc(extent, mirroredPer), "mirrored by the surface");
+    if (mirrorsApart)
+        if (const Status s = mirrored.create(device, mirroredDesc(extent), "mirrored by the surface");
             s != Status::ok)
             return s;
     return tiles.create(device, extent);
 }
 
-bool ShadedSurface::keepsMirrored(VkExtent2D region, uint32_t mirroredPer) const {
-    if (mirroredPer == 0) return true;
-    const VkExtent2D wanted = mirroredDesc(region, mirroredPer).extent, held = mirrored.desc().extent;
-    return mirrored.handle() && held.width >= wanted.width && held.height >= wanted.height;
-}
-
-VkDeviceSize ShadedSurface::bytes(const gpu::Device& device, VkExtent2D extent, uint32_t mirroredPer) {
+VkDeviceSize ShadedSurface::bytes(const gpu::Device& device, VkExtent2D extent, bool mirrorsApart) {
     return gpu::heldBytes(device, colorDesc(extent, SurfaceOutput::shaded)) +
-           (mirroredPer > 0 ? gpu::heldBytes(device, mirroredDesc(extent, mirroredPer)) : 0) +
+           (mirrorsApart ? gpu::heldBytes(device, mirroredDesc(extent)) : 0) +
            SurfaceTiles::bytes(device, extent);
 }
 

@@ -53,15 +53,14 @@ struct ShadedBy {
 /// Of one view, as large as what was found of it.
 struct ShadedSurface {
     gpu::OwnedImage color;    ///< linear: RGBA16F; of other outputs than `shaded` RGBA32F
-    gpu::OwnedImage mirrored; ///< where that is a step, of pixels that are shaded: light, and the share that
-                              ///< enters the water
+    gpu::OwnedImage mirrored; ///< where that is a step and each pixel is shaded: light, and the share that
+                              ///< enters the water. Of one pixel of several `color` has room for it.
     SurfaceTiles tiles;
 
-    /// `mirroredPer`: as many pixels to one of `mirrored`; 0: there is none.
-    Status create(const gpu::Device& device, VkExtent2D extent, SurfaceOutput output, uint32_t mirroredPer);
+    /// `mirrorsApart`: with `mirrored`.
+    Status create(const gpu::Device& device, VkExtent2D extent, SurfaceOutput output, bool mirrorsApart);
     /// Of `shaded`.
-    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, uint32_t mirroredPer);
-    bool keepsMirrored(VkExtent2D region, uint32_t mirroredPer) const;
+    static VkDeviceSize bytes(const gpu::Device& device, VkExtent2D extent, bool mirrorsApart);
     /// Leaves the colour to be sampled where a surface was found. `resources`: all that shaders of the body
     /// read.
     Status record(Context& context, VkCommandBuffer commands, const ShadedBy& kernels,

@@ -51,12 +51,12 @@ FieldError ShadingPart::validate(const BodyDesc& desc) {
 
 Status ShadingPart::addCost(const AskedBody& asked, Estimate& sum) {
     const gpu::Device& device = asked.context.device;
-    const bool keepsMirrored =
-        takesSteps(device) && asked.sea && ReflectionPart::wanted(asked.desc, asked.sea);
     // What shows both sides is shaded pixel by pixel.
-    const uint32_t perShading = asked.desc.underwater ? 1 : asked.desc.shading.pixelsPerShading;
-    sum.bytesPerView += FoundSurface::bytes(device, asked.extent) +
-                        ShadedSurface::bytes(device, asked.extent, keepsMirrored ? perShading : 0);
+    const bool shadesEach = asked.desc.underwater || asked.desc.shading.pixelsPerShading == 1;
+    const bool mirrorsApart =
+        shadesEach && takesSteps(device) && asked.sea && ReflectionPart::wanted(asked.desc, asked.sea);
+    sum.bytesPerView +=
+        FoundSurface::bytes(device, asked.extent) + ShadedSurface::bytes(device, asked.extent, mirrorsApart);
     return Status::ok;
 }
 
@@ -92,8 +92,9 @@ ShadingPart::Sources ShadingPart::sourcesOf(const ViewDesc& view, const Lighting
 
 Status ShadingPart::fit(Context& context, VkExtent2D region, SurfaceOutput output, const ShadedBy& kernels,
                         Picture& picture) const {
-    const uint32_t mirroredPer = isAny(kernels.shading.mirrors) ? kernels.pixelsPerShading : 0;
-    if (picture.found.holds(region) && picture.shaded.keepsMirrored(region, mirroredPer)) return Status::ok;
+    const bool mirrorsApart = kernels.pixelsPerShading == 1 && isAny(kernels.shading.mirrors);
+    const bool holdsMirrored = picture.shaded.mirrored.handle() || !mirrorsApart;
+    if (picture.found.holds(region) && holdsMirrored) return Status::ok;
     VkExtent2D wanted = region;
     if (picture.found.holds({1, 1})) {
         const VkExtent2D held = picture.found.extent();
@@ -102,7 +103,7 @@ Status ShadingPart::fit(Context& context, VkExtent2D region, SurfaceOutput outpu
     Picture fresh;
     if (const Status s = fresh.found.create(passes_->of(output), wanted); s != Status::ok) return s;
     if (output != SurfaceOutput::motion)
-        if (const Status s = fresh.shaded.create(context.device, wanted, output, mirroredPer);
+        if (const Status s = fresh.shaded.create(context.device, wanted, output, mirrorsApart);
             s != Status::ok)
             return s;
     context.frame().retire(std::exchange(picture, std::move(fresh)));

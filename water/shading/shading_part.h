@@ -31,8 +31,8 @@ struct ShadingPart {
     /// What shines through and what is mirrored is looked up by kernels of their own.
     bool bySteps = false;
     /// As shade() left them of SurfaceOutput::shaded.
-    const SurfaceTiles& tiles(uint32_t viewIndex) const {
-        return views_[viewIndex].find(SurfaceOutput::shaded)->second.shaded.tiles;
+    const ShadedSurface& shaded(uint32_t viewIndex) const {
+        return views_[viewIndex].find(SurfaceOutput::shaded)->second.shaded;
     }
 
   private:

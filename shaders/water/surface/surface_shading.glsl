@@ -62,9 +62,22 @@ Through throughBefore(const SurfacePoint s) {
     return Through(held.rgb, held.a, 0.0);
 }
 
-// Where what a pixel mirrors is left for the rest: of pixels that are shaded alone.
-ivec2 mirroredTexel(ivec2 pixel) {
-    return ivec2(pixel.x / blockSize().x, pixel.y);
+// Where what a pixel mirrors is left for the rest: where one of several is shaded, in the colour of the one beside it, which is completed
+// when that is over.
+const bool mirrorsBeside = pixelsPerShading > 1u;
+
+ivec2 besideInBlock(ivec2 pixel) {
+    return ivec2(pixel.x ^ 1, pixel.y);
+}
+
+vec4 mirroredBefore(ivec2 pixel) {
+    if (mirrorsBeside) return imageLoad(shadedColor, besideInBlock(pixel));
+    return imageLoad(mirroredLight, pixel);
+}
+
+void keepMirrored(ivec2 pixel, vec4 mirrored) {
+    if (mirrorsBeside) imageStore(shadedColor, besideInBlock(pixel), mirrored);
+    else imageStore(mirroredLight, pixel, mirrored);
 }
 
 // What the surface mirrors, and the share of light that enters the water.
@@ -76,7 +89,7 @@ vec4 mirroredAndEntering(const SurfacePoint s, vec3 toEye, inout uint turn) {
 // What the surface itself sends, with `white` on it, and the share of what comes from below that is seen.
 vec4 lightOfSurface(const SurfacePoint s, Foam white, vec3 toEye, inout uint turn) {
     vec4 mirror;
-    if (shadingStep == stepRest && hasReflection && hasWaves) mirror = imageLoad(mirroredLight, mirroredTexel(ivec2(s.pixel)));
+    if (shadingStep == stepRest && hasReflection && hasWaves) mirror = mirroredBefore(ivec2(s.pixel));
     else mirror = mirroredAndEntering(s, toEye, turn);
     vec2 glints = sunGlints(s, white, toEye);
     float glint = glints.x;
