@@ -139,7 +139,7 @@ void main() {
     const float most = 65504.0;   // that a half holds
     at = ivec2(s.pixel);   // kept no more than once meanwhile
     if (!isListed || !found.shows) return;
-    if (shadingStep == stepMirror) keepMirrored(at, min(made, vec4(most)));
+    if (shadingStep == stepMirror) keepMirrored(at, made);
     else if (surfaceOutput == outputShaded) imageStore(shadedColor, at, min(made, vec4(most)));
     else imageStore(shadedOutput, at, made);
 }
