@@ -66,16 +66,18 @@ Crest crestOver(const SurfacePoint s, vec2 calm, float height, vec2 one, vec2 ot
         }
         if (i < 3) last = vec2(0.0, over);
         float step = found.x - last.x;
-        step = step < 0.0 ? min(step, -0.5 * least) : max(step, 0.5 * least);
+        float nearest = hasShore ? 0.5 * least : least;
+        step = hasShore && step < 0.0 ? min(step, -nearest) : max(step, nearest);
         rises = vec2(clamp((found.y - last.y) / step, -1.0, 1.0), i < 3 ? rises.x : rises.y);
-        above = max(last.y - rises.x * last.x, 0.0);
+        if (hasShore) above = max(last.y - rises.x * last.x, 0.0);
         if (hasShore && i == 2) {
             float leaves = min(above / max(sunInWater().y / max(length(sunInWater().xz), 1e-3) - rises.x, 0.1), 4.0 * apart);
             apart = leaves < found.x ? min(leaves, found.x - least) : max(leaves, found.x + least);
             last = found;
         }
     } while (++i < looks);
-    return Crest(CrestSide(one, rises.x, above), CrestSide(other, rises.y, max(over, 0.0)));
+    over = max(over, 0.0);
+    return Crest(CrestSide(one, rises.x, hasShore ? above : over), CrestSide(other, rises.y, over));
 }
 
 vec3 normalOf(CrestSide side, float lean) {
