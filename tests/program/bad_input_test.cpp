@@ -125,7 +125,7 @@ std::vector<BadInput> files() {
         {"FloorAndWater", render({"--set", "floor.width_m=3"}), {"floor is set, expected no [water]"}},
         {"FloorTextureMissing",
          render({"--set", "floor.texture=nope.png"}, "floor.toml"),
-         {"--set floor.texture=nope.png:", "floor.texture", "expected a PNG file", "is not there"}},
+         {"--set floor.texture=nope.png:", "floor.texture", "expected a PNG file", "no such file"}},
         {"FloorTextureIsBroken",
          render({"--set", "floor.texture=broken.exr"}, "floor.toml"),
          {"--set floor.texture=broken.exr: floor.texture:", "broken.exr"}},

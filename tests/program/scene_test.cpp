@@ -312,8 +312,9 @@ TEST_F(SceneFile, MissingFieldsAreNamed) {
 TEST_F(SceneFile, FilesThatAreNotThereAreNamed) {
     expectProblems(
         {{"sky.hdr", "nope.hdr",
-          "scene.toml:6: sky.file is 'nope.hdr', expected a lat-long HDR or EXR file; nope.hdr is not there"},
-         {"tetra.gltf", "out", "scene.toml:14: mesh.0.file is 'out', expected a glTF file; out is a folder"},
+          "scene.toml:6: sky.file is 'nope.hdr', expected a lat-long HDR or EXR file; nope.hdr: no such "
+          "file"},
+         {"tetra.gltf", "out", "scene.toml:14: mesh.0.file is 'out', expected a glTF file; out: is a folder"},
          {"\"sky.hdr\"", "\"\"", "scene.toml:6: sky.file is '', expected a lat-long HDR or EXR file"}});
 }
 
@@ -550,7 +551,7 @@ TEST_F(SceneFile, BrokenFilesAreRefused) {
     EXPECT_FALSE(demos::loadScene(folder_.path() / "nope.toml", {}, error_));
     EXPECT_EQ(shortened(), "nope.toml: no such file, expected a scene (TOML)");
     EXPECT_FALSE(demos::loadScene(folder_.path() / "out", {}, error_));
-    EXPECT_EQ(shortened(), "out: is a folder, expected a scene file (TOML)");
+    EXPECT_EQ(shortened(), "out: is a folder, expected a scene (TOML)");
 }
 
 TEST_F(SceneFile, EveryTruncationLoadsOrSaysWhyOnOneLine) {

@@ -8,6 +8,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "host/files/image_source.h"
+#include "scene/reading/input_file.h"
 
 namespace demos {
 namespace {
@@ -50,7 +51,9 @@ bool writeWhole(const std::filesystem::path& file, const std::string& format, co
     }
     const std::filesystem::path temporary = temporaryBeside(file);
     std::vector<unsigned char> bytes;
-    std::string problem = encode(format, spec, type, pixels, bytes);
+    // Renamed to, whatever is no file would be gone.
+    std::string problem = noFile(file);
+    if (problem.empty()) problem = encode(format, spec, type, pixels, bytes);
     if (problem.empty()) problem = writeBytes(temporary, bytes);
     std::error_code failed;
     if (problem.empty()) {

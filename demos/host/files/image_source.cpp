@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -18,6 +17,7 @@
 #include "host/files/quiet.h"
 #include "host/files/radiance_header.h"
 #include "host/files/unpacking.h"
+#include "scene/reading/input_file.h"
 
 namespace demos {
 namespace {
@@ -410,14 +410,8 @@ void ImageSource::Opened::visitRow(int y, std::span<const glm::vec4> pixels,
 
 std::optional<ImageSource> ImageSource::open(const std::filesystem::path& file, const LayerChoice& choice,
                                              const limits::Allowance& pixels, Error& error) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) {
-        error.text = file.string() + ": no such file";
-        return std::nullopt;
-    }
-    errno = 0;
-    if (!std::ifstream(file)) {
-        error.text = file.string() + ": cannot be read: " + std::strerror(errno);
+    if (const std::string problem = unreadable(file); !problem.empty()) {
+        error.text = file.string() + ": " + problem;
         return std::nullopt;
     }
     const QuietStderr quiet;

@@ -4,13 +4,14 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 #include "scene/input_limits.h"
+#include "scene/reading/input_file.h"
 
 namespace demos {
 
@@ -157,13 +158,16 @@ std::string problemOf(std::string_view line) {
 }
 
 std::optional<std::string> readText(const std::filesystem::path& file, Error& error) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string text(limits::spectrumBytes + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<size_t>(stream.gcount()));
-    if (text.size() > limits::spectrumBytes) {
+    std::error_code code;
+    if (const uintmax_t size = std::filesystem::file_size(file, code);
+        !code && size > limits::spectrumBytes) {
         error.text = file.string() + ": is over 1 MiB, expected at most " +
                      std::to_string(seaglass::maxSpectrumSamples) + " lines of Hz,m^2/Hz";
+        return std::nullopt;
+    }
+    std::string text, problem;
+    if (!readWhole(file, limits::spectrumBytes, text, problem)) {
+        error.text = file.string() + ": " + problem + ", expected lines of Hz,m^2/Hz";
         return std::nullopt;
     }
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {

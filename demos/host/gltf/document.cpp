@@ -1,12 +1,11 @@
 #include "host/gltf/document.h"
 
 #include <algorithm>
-#include <cstring>
 #include <exception>
-#include <fstream>
 #include <string_view>
 
 #include "scene/input_limits.h"
+#include "scene/reading/input_file.h"
 
 namespace demos::gltf {
 namespace {
@@ -143,32 +142,13 @@ size_t Document::count(const char* array) const {
     return found.is_array() ? found.size() : 0;
 }
 
-bool readBytes(const std::filesystem::path& file, uint64_t most, std::vector<uint8_t>& out,
-               std::string& problem) {
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(file, code)) {
-        problem = std::filesystem::is_directory(file, code) ? "is a folder" : "no such file";
-        return false;
-    }
-    const uintmax_t bytes = std::filesystem::file_size(file, code);
-    if (code || bytes > most) {
-        problem = "is larger than " + std::to_string(most) + " bytes";
-        return false;
-    }
-    out.resize(bytes);
-    std::ifstream stream(file, std::ios::binary);
-    if (stream.read(reinterpret_cast<char*>(out.data()), static_cast<std::streamsize>(bytes))) return true;
-    problem = "cannot be read";
-    return false;
-}
-
 std::optional<Document> readDocument(const std::filesystem::path& file, Error& error) {
     Document document;
     document.folder = file.parent_path();
     std::string problem;
     std::vector<uint8_t> bytes;
     const auto read = [&] {
-        if (!readBytes(file, limits::gltfFileBytes, bytes, problem)) return false;
+        if (!readWhole(file, limits::gltfFileBytes, bytes, problem)) return false;
         document.bytes = bytes.size();
         if (!asText(bytes).starts_with("glTF")) return parse(asText(bytes), document.root, problem);
         std::string text;

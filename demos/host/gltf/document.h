@@ -24,8 +24,4 @@ struct Document {
 /// than 2 and extensions that are required and not read are errors.
 std::optional<Document> readDocument(const std::filesystem::path& file, Error& error);
 
-/// The whole of a regular file of at most `most` bytes; a `problem` says what is wrong with it.
-bool readBytes(const std::filesystem::path& file, uint64_t most, std::vector<uint8_t>& out,
-               std::string& problem);
-
 } // namespace demos::gltf

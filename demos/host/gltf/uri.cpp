@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "host/gltf/document.h"
+#include "scene/reading/input_file.h"
 
 namespace demos::gltf {
 namespace {
@@ -109,7 +110,7 @@ std::shared_ptr<const std::vector<uint8_t>> UriReader::read(const std::string& u
     auto& known = files_[*file];
     if (known) return known;
     auto bytes = std::make_shared<std::vector<uint8_t>>();
-    if (!readBytes(*file, most, *bytes, problem)) {
+    if (!readWhole(*file, most, *bytes, problem)) {
         problem = quoted(file->filename().string()) + " " + problem;
         return nullptr;
     }
@@ -130,7 +131,13 @@ std::optional<std::filesystem::path> UriReader::find(const std::string& uri, std
         std::filesystem::path file = std::filesystem::canonical(folder_ / name, ignored);
         if (!ignored) return file;
     }
-    problem = quoted(decoded) + (hasScheme(decoded) ? ": only files are read" : ": no such file");
+    problem = quoted(decoded) + ": ";
+    if (hasScheme(decoded))
+        problem += "only files are read";
+    else if (decoded.find('\0') != std::string::npos)
+        problem += "no such file";
+    else
+        problem += unreadable(folder_ / decoded);
     return std::nullopt;
 }
 

@@ -79,7 +79,12 @@ ExitCode guarded(int argc, char** argv, Error& error) {
 
 int main(int argc, char** argv) {
     demos::Error error;
-    const demos::ExitCode code = demos::guarded(argc, argv, error);
+    demos::ExitCode code = demos::guarded(argc, argv, error);
+    const bool printed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (!printed && code == demos::ok) {
+        error.text = "standard output: cannot be written to, expected room for what is printed";
+        code = demos::badInput;
+    }
     // What names and values are too long to read is cut amid them: what was expected comes last.
     constexpr size_t most = 2000;
     if (error.text.size() > most) error.text.replace(most / 2, error.text.size() - most, "...");

@@ -4,6 +4,7 @@
 
 #include "host/water/quality.h"
 #include "program/render/output.h"
+#include "scene/reading/input_file.h"
 
 namespace demos {
 
@@ -11,11 +12,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool isRegularFile(const std::string& option, const fs::path& file, const std::string& expected,
-                   Error& error) {
-    std::error_code code;
-    if (fs::is_regular_file(file, code)) return true;
-    const std::string why = fs::is_directory(file, code) ? "is a folder" : "no such file";
+bool canBeRead(const std::string& option, const fs::path& file, const std::string& expected, Error& error) {
+    const std::string why = unreadable(file);
+    if (why.empty()) return true;
     error.text = option + " " + file.string() + ": " + why + ", expected " + expected;
     return false;
 }
@@ -46,7 +45,7 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
     std::vector<std::string> overrides;
     const bool sky = !options.sky.empty(), mesh = !options.mesh.empty();
     if (sky) {
-        if (!isRegularFile("--sky", options.sky, "a lat-long HDR or EXR file", error)) return std::nullopt;
+        if (!canBeRead("--sky", options.sky, "a lat-long HDR or EXR file", error)) return std::nullopt;
         overrides.push_back("sky.file=" + fs::absolute(options.sky).string());
         overrides.push_back("sky.layer=''");
         overrides.push_back("sky.clear=false");
@@ -54,7 +53,7 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
         if (!sets(options.overrides, "sun")) overrides.push_back("sun.from_sky=true");
     }
     if (mesh) {
-        if (!isRegularFile("--mesh", options.mesh, "a glTF file", error)) return std::nullopt;
+        if (!canBeRead("--mesh", options.mesh, "a glTF file", error)) return std::nullopt;
         overrides.push_back("mesh=[{}]");
         overrides.push_back("mesh.0.file=" + fs::absolute(options.mesh).string());
     }

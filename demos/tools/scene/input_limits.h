@@ -65,6 +65,10 @@ constexpr size_t sceneTables = 256;  ///< of one array, as [[mesh]]
 /// Of all meshes that a scene places; the bytes are those of its files.
 constexpr Allowance sceneTriangles{uint64_t(1) << 19, uint64_t(1) << 32, 1};
 
+// ---- Reports of compare, which are gathered: a kilobyte for each pair of pictures
+
+constexpr uint64_t reportBytes = uint64_t(1) << 28;
+
 // ---- Measured spectra
 
 constexpr size_t spectrumBytes = size_t(1) << 20;

@@ -1,13 +1,13 @@
 #include "scene/scene.h"
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 
 #include "scene/fields.h"
 #include "scene/input_limits.h"
 #include "scene/reading/checks.h"
 #include "scene/reading/former_names.h"
+#include "scene/reading/input_file.h"
 #include "scene/reading/overrides.h"
 #include "scene/reading/places.h"
 #include "scene/reading/reader.h"
@@ -43,19 +43,14 @@ std::optional<std::string> readText(const fs::path& file, Error& error) {
         error.text = file.string() + ": " + what;
         return std::nullopt;
     };
+    if (const std::string problem = unreadable(file); !problem.empty())
+        return fail(problem + ", expected a scene (TOML)");
     std::error_code code;
-    const fs::file_status status = fs::status(file, code);
-    if (!fs::exists(status)) return fail("no such file, expected a scene (TOML)");
-    if (fs::is_directory(status)) return fail("is a folder, expected a scene file (TOML)");
-    if (!fs::is_regular_file(status)) return fail("is no regular file, expected a scene file (TOML)");
-    const uintmax_t size = fs::file_size(file, code);
-    if (code) return fail("cannot be read: " + code.message());
-    if (size > limits::sceneBytes)
+    if (const uintmax_t size = fs::file_size(file, code); !code && size > limits::sceneBytes)
         return fail("has " + std::to_string(size) + " bytes, expected a scene of at most 1 MB");
-    std::ifstream stream(file, std::ios::binary);
-    std::string text(static_cast<size_t>(size), '\0');
-    if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
-        return fail("cannot be read, expected a scene (TOML)");
+    std::string text, problem;
+    if (!readWhole(file, limits::sceneBytes, text, problem))
+        return fail(problem + ", expected a scene (TOML)");
     return text;
 }
 

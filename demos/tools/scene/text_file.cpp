@@ -7,11 +7,18 @@
 
 #include <unistd.h>
 
+#include "scene/reading/input_file.h"
+
 namespace demos {
 
 namespace fs = std::filesystem;
 
 bool writeText(const fs::path& file, const std::string& text, Error& error) {
+    // Renamed to, whatever is no file would be gone.
+    if (const std::string problem = noFile(file); !problem.empty()) {
+        error.text = file.string() + ": " + problem + ", expected a file, or none yet";
+        return false;
+    }
     const fs::path partial = file.string() + ".partial" + std::to_string(getpid());
     errno = 0;
     std::ofstream stream(partial, std::ios::binary);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "metrics/finite.h"
@@ -13,6 +11,7 @@
 #include "program/measure/report.h"
 #include "program/measure/report_section.h"
 #include "program/screenshots/stages.h"
+#include "scene/reading/input_file.h"
 #include "scene/text_file.h"
 
 namespace demos {
@@ -31,7 +30,9 @@ struct Candidate {
 std::optional<std::vector<Candidate>> candidates(const BlessOptions& options, Error& error) {
     std::error_code code;
     if (!fs::exists(options.test, code)) {
-        error.text = options.test.string() + ": no such file or folder, expected pictures";
+        const std::string why =
+            fs::is_symlink(options.test, code) ? unreadable(options.test) : "no such file or folder";
+        error.text = options.test.string() + ": " + why + ", expected pictures";
         return std::nullopt;
     }
     const bool folder = fs::is_directory(options.test, code);
@@ -59,6 +60,16 @@ std::optional<std::vector<Candidate>> candidates(const BlessOptions& options, Er
     return std::nullopt;
 }
 
+/// False with `error` set where something stands in a reference's place that is none, and would be gone.
+bool checkPlace(const fs::path& reference, Error& error) {
+    std::error_code code;
+    std::string problem = noFile(reference);
+    if (problem.empty() && fs::is_symlink(reference, code)) problem = unreadable(reference);
+    if (problem.empty()) return true;
+    error.text = reference.string() + ": " + problem + ", expected a picture, or none yet";
+    return false;
+}
+
 /// False with `error` set when the picture is not fit for a reference.
 bool checkTest(const fs::path& file, Error& error) {
     if (!isPictureName(file)) {
@@ -67,7 +78,11 @@ bool checkTest(const fs::path& file, Error& error) {
     }
     const std::optional<PictureFile> read =
         readPictureFile(file, {{}, "a file", true}, limits::comparedPixels, error);
-    if (!read) return false;
+    if (!read) {
+        // Most errors say what was expected; the libraries' own do not.
+        if (error.text.find(", expected ") == std::string::npos) error.text += ", expected a picture";
+        return false;
+    }
     const Picture& picture = read->picture;
     const Infinity infinity = Stages().of(file.filename()) == "depth" ? Infinity::far : Infinity::broken;
     const uint64_t broken = countNotFinite({picture.width, picture.height, picture.rgba}, infinity);
@@ -142,11 +157,13 @@ bool renew(const Candidate& one, const std::string& driver, Error& error) {
     std::error_code code;
     const fs::path folder = one.reference.parent_path();
     if (!folder.empty()) fs::create_directories(folder, code);
-    std::ifstream file(one.test, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (code || !file) {
-        error.text =
-            one.reference.string() + ": cannot be made: " + (code ? code.message() : "reading failed");
+    if (code) {
+        error.text = one.reference.string() + ": cannot be made: " + code.message();
+        return false;
+    }
+    std::string bytes, problem;
+    if (!readWhole(one.test, limits::pictureFileBytes, bytes, problem)) {
+        error.text = one.test.string() + ": " + problem;
         return false;
     }
     return writeText(one.reference, bytes, error) && noteDriver(one.reference, driver, error);
@@ -198,7 +215,7 @@ ExitCode blessPictures(const BlessOptions& given, Error& error) {
     std::optional<std::vector<Candidate>> all = candidates(options, error);
     if (!all || !checkNames(options, *all, error)) return badInput;
     for (const Candidate& one : *all)
-        if (!checkTest(one.test, error)) return badInput;
+        if (!checkPlace(one.reference, error) || !checkTest(one.test, error)) return badInput;
     if (!look(options, *all, error)) return badInput;
     std::vector<Candidate> chosen;
     const size_t left = list(options, *all, chosen);

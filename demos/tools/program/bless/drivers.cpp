@@ -1,11 +1,11 @@
 #include "program/bless/drivers.h"
 
 #include <cctype>
-#include <fstream>
 #include <string_view>
 #include <system_error>
 
 #include "host/host.h"
+#include "scene/reading/input_file.h"
 #include "scene/text_file.h"
 
 namespace demos {
@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* fileName = "driver.txt";
+constexpr uint64_t mostBytes = 1 << 16;
 /// How many folders above a reference may speak for it.
 constexpr int levels = 4;
 
@@ -64,9 +65,9 @@ std::string driverOf(const fs::path& reference) {
     std::error_code code;
     fs::path folder = fs::absolute(reference, code).parent_path();
     for (int level = 0; level < levels; ++level, folder = folder.parent_path()) {
-        std::ifstream file(folder / fileName);
-        std::string line;
-        if (std::getline(file, line)) return line;
+        std::string text, ignored;
+        if (readWhole(folder / fileName, mostBytes, text, ignored) && !text.empty())
+            return text.substr(0, text.find('\n'));
     }
     return {};
 }

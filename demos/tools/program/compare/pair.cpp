@@ -9,6 +9,7 @@
 #include "metrics/tolerant.h"
 #include "program/compare/blessing.h"
 #include "program/compare/picture_pairs.h"
+#include "scene/reading/input_file.h"
 
 namespace demos {
 
@@ -62,7 +63,7 @@ bool checkReference(const CompareOptions& options, Error& error) {
     const fs::path& reference = options.reference;
     if (fs::exists(reference, code) || !fs::exists(options.test, code)) return true;
     if (fs::is_symlink(reference, code)) {
-        error.text = reference.string() + ": is a link to nowhere, expected a picture";
+        error.text = reference.string() + ": " + unreadable(reference) + ", expected a picture";
         return false;
     }
     error.text = reference.string() +

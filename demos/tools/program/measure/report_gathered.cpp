@@ -2,7 +2,6 @@
 
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <system_error>
@@ -10,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "program/measure/report_section.h"
+#include "scene/input_limits.h"
+#include "scene/reading/input_file.h"
 
 namespace demos {
 
@@ -72,8 +73,9 @@ std::vector<Judged> gathered(const fs::path& folder) {
     for (const fs::path& name : names) {
         const fs::path path = folder / name / gatheredName;
         try {
-            std::ifstream file(path);
-            for (const Json& one : Json::parse(file)) all.push_back(judgedOf(one, name.string()));
+            std::string text, ignored;
+            readWhole(path, limits::reportBytes, text, ignored);
+            for (const Json& one : Json::parse(text)) all.push_back(judgedOf(one, name.string()));
         } catch (const Json::exception&) {
             all.push_back({name.string(),
                            badInput,

@@ -8,6 +8,7 @@
 #include "scene/fields.h"
 #include "scene/nearest.h"
 #include "scene/parse_all.h"
+#include "scene/reading/input_file.h"
 #include "scene/settings.h"
 
 namespace demos {
@@ -80,10 +81,8 @@ bool checkSpectrum(const RawSea& raw, WavesDesc& waves, Error& error) {
     if (!tabulated && !raw.table.empty())
         return fail("--table is given without --spectrum table, expected both", error);
     waves.spectrumTable = raw.table;
-    std::error_code code;
-    if (tabulated && !std::filesystem::is_regular_file(waves.spectrumTable, code))
-        return fail("--table " + raw.table + ": no such file, expected a CSV of Hz,m^2/Hz", error);
-    return true;
+    const std::string why = tabulated ? unreadable(waves.spectrumTable) : "";
+    return why.empty() || fail("--table " + raw.table + ": " + why + ", expected a CSV of Hz,m^2/Hz", error);
 }
 
 bool checkSpreading(const RawSea& raw, WavesDesc& waves, Error& error) {

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "scene/input_limits.h"
+#include "scene/reading/input_file.h"
 #include "scene/reading/nearest_path.h"
 #include "scene/reading/places.h"
 
@@ -218,10 +219,9 @@ bool Reader::readField(const toml::node& node, const Field& field, const Target&
 
 bool Reader::findFile(const toml::node& node, fs::path& file, const Field& field, const std::string& path) {
     file = (folder_ / file).lexically_normal();
-    std::error_code code;
-    if (fs::is_regular_file(file, code)) return true;
-    const std::string why = fs::is_directory(file, code) ? " is a folder" : " is not there";
-    return wrong(node, path, "a " + std::string(field.about) + "; " + file.string() + why);
+    const std::string why = unreadable(file);
+    return why.empty() ||
+           wrong(node, path, "a " + std::string(field.about) + "; " + file.string() + ": " + why);
 }
 
 } // namespace demos::reading
