@@ -1,7 +1,9 @@
 // A host that makes everything anew in each frame, and resizes, with three frames in flight, while other
 // threads make pipelines: nothing piles up.
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <string>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -86,6 +88,37 @@ void endure(uint32_t frames) {
     EXPECT_EQ(after.objects, before.objects);
     EXPECT_EQ(after.bytes, before.bytes);
     EXPECT_EQ(after.allocations, before.allocations);
+}
+
+// Of more sets than a pool of descriptors has room for.
+TEST(Endurance, FramesOfManySets) {
+    FailingDevice device;
+    WholeScene scene(device, ReflectionTechnique::hybrid, VK_SAMPLE_COUNT_1_BIT);
+    const DeviceDesc desc = device.desc();
+    Context* context = nullptr;
+    ASSERT_EQ(createContext(&desc, &context), Status::ok);
+    std::array<Reflector*, maxReflectors> mirrors{};
+    ReflectorDesc mirror;
+    mirror.reflection.technique = ReflectionTechnique::hybrid;
+    for (Reflector*& one : mirrors) ASSERT_EQ(createReflector(context, &mirror, &one), Status::ok);
+    const ViewDesc& view = scene.view({64, 48});
+    const auto pools = [&] {
+        return std::ranges::count(device.calls(), std::string("descriptor pool"),
+                                  [](const char* call) { return std::string(call); });
+    };
+    device.heal();
+    size_t held = 0;
+    for (uint32_t i = 0; i < 8; ++i) {
+        ASSERT_EQ(beginFrame(context, i % 2), Status::ok);
+        ASSERT_EQ(reflect(device.commands(), mirrors.data(), maxReflectors, &view), Status::ok);
+        if (i == 3) {
+            EXPECT_GT(pools(), 2) << "more than one to a frame";
+            held = device.held();
+        }
+    }
+    EXPECT_EQ(device.held(), held);
+    for (Reflector* const one : mirrors) destroyReflector(one);
+    destroyContext(context);
 }
 
 TEST(Endurance, ManyFrames) {

@@ -178,6 +178,26 @@ void FailingDevice::setBytes(uint64_t bits, size_t bytes) {
     heldBytes_ += bytes;
 }
 
+void FailingDevice::setRoom(uint64_t pool, uint32_t sets) {
+    const Lock lock(*this);
+    objects_[pool].sets = objects_[pool].room = sets;
+}
+
+bool FailingDevice::takeRoom(uint64_t pool, uint32_t sets) {
+    const Lock lock(*this);
+    const auto found = objects_.find(pool);
+    if (found == objects_.end()) return true; // a garbage handle, which use() has counted
+    if (found->second.room < sets) return false;
+    found->second.room -= sets;
+    return true;
+}
+
+void FailingDevice::emptyPool(uint64_t pool) {
+    const Lock lock(*this);
+    const auto found = objects_.find(pool);
+    if (found != objects_.end()) found->second.room = found->second.sets;
+}
+
 size_t FailingDevice::bytes(uint64_t bits) const {
     const Lock lock(*this);
     const auto found = objects_.find(bits);
@@ -217,6 +237,8 @@ struct FailingDevice::Calls {
             if (result == VK_SUCCESS) self.setBytes(bits, static_cast<size_t>(info->size));
         if constexpr (std::is_same_v<Handle, VkImage>)
             if (result == VK_SUCCESS) self.setBytes(bits, static_cast<size_t>(bytesOf(*info)));
+        if constexpr (std::is_same_v<Handle, VkDescriptorPool>)
+            if (result == VK_SUCCESS) self.setRoom(bits, info->maxSets);
         return result;
     }
     template<typename Info>
@@ -291,6 +313,8 @@ struct FailingDevice::Calls {
                                             VkDescriptorSet* out) {
         FailingDevice& self = of(device);
         self.use("vkAllocateDescriptorSets", bitsOf(info->descriptorPool));
+        if (!self.takeRoom(bitsOf(info->descriptorPool), info->descriptorSetCount))
+            return VK_ERROR_OUT_OF_POOL_MEMORY;
         for (uint32_t i = 0; i < info->descriptorSetCount; ++i) {
             self.use("vkAllocateDescriptorSets", bitsOf(info->pSetLayouts[i]));
             uint64_t bits = 0;
@@ -309,6 +333,7 @@ struct FailingDevice::Calls {
             if (const VkResult failed = self.next("vkResetDescriptorPool", VK_ERROR_UNKNOWN)) return failed;
         }
         self.removeOwned(bitsOf(pool));
+        self.emptyPool(bitsOf(pool));
         return VK_SUCCESS;
     }
     static void VKAPI_CALL updateSets(VkDevice device, uint32_t count, const VkWriteDescriptorSet* writes,

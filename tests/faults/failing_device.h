@@ -68,7 +68,8 @@ class FailingDevice {
     };
     struct Object {
         const char* kind = nullptr;
-        uint64_t owner = 0; ///< the pool of a descriptor set
+        uint64_t owner = 0;          ///< the pool of a descriptor set
+        uint32_t sets = 0, room = 0; ///< of a pool: that it may hold, and that it has room for
         VkAllocationCallbacks allocator{};
         void* own = nullptr; ///< of `allocator`
         size_t bytes = 0;
@@ -100,6 +101,10 @@ class FailingDevice {
     void removeOwned(uint64_t owner);
     void setBytes(uint64_t bits, size_t bytes);
     size_t bytes(uint64_t bits) const;
+    void setRoom(uint64_t pool, uint32_t sets);
+    /// False: the pool is full.
+    bool takeRoom(uint64_t pool, uint32_t sets);
+    void emptyPool(uint64_t pool);
     void use(const char* function, uint64_t bits);
     void usePart(const VkDescriptorBufferInfo& part);
     void complain(size_t& count, const char* what, const char* where);

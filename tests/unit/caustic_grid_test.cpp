@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "tests/unit/cameras.h"
 #include "water/below/caustics.h"
 
@@ -54,6 +56,28 @@ TEST(CausticGrid, HasARowOfTheViewWhereNoneDoes) {
         const int first = std::max(grid.firstRow, 0), end = std::min(grid.endRow, height);
         EXPECT_GE(end - first, 1) << roll;
         EXPECT_LE(end - first, 2) << roll;
+    }
+}
+
+// By Snell's law: a small slope, along the sun's way and across it, turns a ray aside by so much on each
+// metre down.
+TEST(SunInWater, IsTurnedAsSnellSays) {
+    constexpr double index = 1.333, slope = 1e-5;
+    for (const double up : {1.0, 0.8, 0.4, 0.1}) {
+        const glm::dvec3 toSun(std::sqrt(1 - up * up), up, 0);
+        const auto aside = [&](const glm::dvec2& tilt) {
+            const glm::dvec3 ray =
+                glm::refract(-toSun, glm::normalize(glm::dvec3(-tilt.x, 1, -tilt.y)), 1 / index);
+            return glm::dvec2(ray.x, ray.z) / -ray.y;
+        };
+        const SunInWater sun = sunInWater(toSun);
+        const glm::dvec2 still = aside({0, 0});
+        EXPECT_NEAR(glm::distance(aside({slope, 0}), still) / slope, sun.turnedAlong, 1e-3 * sun.turnedAlong)
+            << up;
+        EXPECT_NEAR(glm::distance(aside({0, slope}), still) / slope, sun.turnedAcross,
+                    1e-3 * sun.turnedAcross)
+            << up;
+        EXPECT_NEAR(still.x, -sun.from.x / sun.from.y, 1e-9) << up;
     }
 }
 

@@ -11,7 +11,9 @@
 
 #include "tests/unit/cameras.h"
 #include "tests/unit/mesh_support.h"
+#include "water/body/parallel_view.h"
 #include "water/mesh/mesh.h"
+#include "water/mesh/placing.h"
 
 namespace {
 
@@ -364,6 +366,43 @@ TEST(Mesh, OfAGlobeShowsNoCorners) {
         const double away = glm::length(glm::dvec3(near, view.eyeHeight));
         EXPECT_LT(view.globe.bulgeOver(double{p.cell}), 0.32 * view.pixel * away) << p.cell;
     }
+}
+
+ViewGeometry geometryOf(const tests::Camera& camera) {
+    ViewGeometry geometry;
+    EXPECT_STREQ(readCamera(tests::viewDesc(camera), geometry).text(), "");
+    return geometry;
+}
+
+// So that what a pixel cannot show gets no cells: by parallel lines as from an eye that sees as high with 45
+// degrees.
+TEST(Mesh, IsToldHowManyRadiansAPixelIs) {
+    tests::Camera camera;
+    camera.eye.y = 3;
+    const double eyes = 2 * std::tan(tests::radians(camera.fovDegrees) / 2) / camera.height;
+    EXPECT_NEAR(Placing().meshView(geometryOf(camera)).pixel, eyes, 1e-6 * eyes);
+    camera.parallelHeight = 20;
+    camera.far = 200;
+    const double parallels = 2 * std::tan(tests::radians(22.5)) / camera.height;
+    EXPECT_NEAR(Placing().meshView(geometryOf(camera)).pixel, parallels, 1e-2 * parallels);
+}
+
+// Wherever the host's own is: on the middle line, over the water, as far from it as that eye would be.
+TEST(ParallelEye, StandsBeforeTheWater) {
+    for (const double back : {5.0, 60.0, 1e5})
+        for (const double down : {10.0, 35.0, 90.0}) {
+            tests::Camera camera;
+            const glm::dvec3 sight(0.01, -std::sin(tests::radians(down)), -std::cos(tests::radians(down)));
+            camera.target = {4, 1.5, -7};
+            camera.eye = camera.target - back * glm::normalize(sight);
+            camera.parallelHeight = 20;
+            camera.far = 2 * back + 200;
+            ViewGeometry view = geometryOf(camera);
+            placeEye(view, 1.5);
+            const double distance = 20 / (2 * std::tan(tests::radians(22.5)));
+            const glm::dvec3 expected = camera.target - distance * glm::normalize(sight);
+            EXPECT_LT(glm::distance(view.eye, expected), 0.01 * distance) << back << ' ' << down;
+        }
 }
 
 } // namespace

@@ -91,9 +91,21 @@ TEST(SprayLattice, CoversWhatIsSeen) {
     for (const Camera& camera : cameras()) {
         const ViewGeometry geometry = geometryOf(camera);
         const SprayLattice lattice = sprayLattice({geometry, camera.eye.y, 8, 30}, 65536);
+        std::vector<glm::dvec2> places;
         for (int i = 0; i < 400; ++i) {
             const double distance = 3 * std::pow(1.013, i), turn = 2.399963 * i;
-            const glm::dvec3 at(distance * std::cos(turn), -camera.eye.y, distance * std::sin(turn));
+            places.push_back(distance * glm::dvec2(std::cos(turn), std::sin(turn)));
+        }
+        // And just within a level's reach, where its last cells are.
+        for (const SprayLevel& level : lattice.levels) {
+            const double across =
+                std::sqrt(std::max(level.reach * level.reach - camera.eye.y * camera.eye.y, 0.0));
+            for (const glm::dvec2 along :
+                 {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)})
+                places.push_back(0.9999 * across * along);
+        }
+        for (const glm::dvec2& place : places) {
+            const glm::dvec3 at(place.x, -camera.eye.y, place.y);
             const glm::dvec4 pixel = geometry.pixelFromRelative * glm::dvec4(at, 1);
             const glm::dvec2 p = glm::dvec2(pixel) / pixel.w;
             if (!(pixel.w > 0 && p.x > 0 && p.y > 0 && p.x < geometry.regionSize.x &&
@@ -103,7 +115,8 @@ TEST(SprayLattice, CoversWhatIsSeen) {
                 if (level.count() == 0 || glm::length(at) > level.reach) continue;
                 const double u = (camera.eye.x + at.x) / level.cell - static_cast<double>(level.firstU);
                 const double v = (camera.eye.z + at.z) / level.cell - static_cast<double>(level.firstV);
-                EXPECT_TRUE(u >= 0 && v >= 0 && u <= level.alongU && v <= level.alongV) << distance;
+                EXPECT_TRUE(u >= 0 && v >= 0 && u <= level.alongU && v <= level.alongV)
+                    << place.x << ' ' << place.y;
                 ++seen;
             }
         }

@@ -276,8 +276,16 @@ TEST_F(Beds, AreDrawnFromAboveTheEye) {
         const glm::dvec4 eye = glm::inverse(matrix(wanted.view))[3];
         const double height = glm::dot(plane, glm::dvec4(camera_.eye, 1));
         EXPECT_LT(glm::distance(glm::dvec3(eye) - up * (glm::dot(plane, eye) - height), camera_.eye), 1e-9);
-        EXPECT_GT(glm::dot(plane, eye), 1.333 * height);
-        EXPECT_LT(glm::dot(plane, eye), 5.2 * height);
+        // Straight lines from there meet the bed where rays do that calm water bends, halfway from the
+        // picture's steepest to the horizon.
+        double steepest = 0;
+        for (int i = 0; i < 9; ++i) {
+            const glm::dvec4 p = glm::inverse(seen) * glm::dvec4(i % 3 - 1, i / 3 - 1, 0.5, 1);
+            const glm::dvec3 ray = glm::normalize(glm::dvec3(p) / p.w - camera_.eye);
+            steepest = std::max(steepest, -std::asin(glm::dot(ray, up)));
+        }
+        const double inAir = radians(90) - steepest / 2, inWater = std::asin(std::sin(inAir) / 1.333);
+        EXPECT_NEAR(glm::dot(plane, eye) / height, std::tan(inAir) / std::tan(inWater), 1e-3);
     }
 }
 

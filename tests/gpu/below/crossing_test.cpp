@@ -10,6 +10,8 @@
 #include "tests/gpu/rig/drawn_view.h"
 #include "tests/gpu/rig/reflection_rig.h"
 #include "tests/gpu/rig/water_rig.h"
+#include "water/body/body.h"
+#include "water/reflection/mirrored_level.h"
 
 namespace {
 
@@ -105,6 +107,29 @@ class CrossingTest : public WaterTest {
         return out;
     }
 };
+
+// Below the calm plane in a trough as over a crest: the plane that is mirrored in lies a little below an eye
+// in the air, and above one in the water.
+TEST_F(CrossingTest, TheMirrorLiesOnTheWavesSideOfTheEye) {
+    const UnderwaterDesc underwater;
+    desc_.underwater = &underwater;
+    Body* const body = makeBody(desc_);
+    for (const double time : {timeOf(*body, -9, -0.1), timeOf(*body, 0.1, 9)}) {
+        frame([&](VkCommandBuffer commands) {
+            EXPECT_EQ(simulate(commands, &body, 1, time), Status::ok) << message();
+        });
+        for (const double over : {-0.3, -0.03, 0.03, 0.3}) {
+            Camera camera;
+            camera.eye = {place[0], wavesAt(*body, time) + over, place[1]};
+            camera.target = camera.eye - glm::dvec3(0, 0.2, 1);
+            ViewGeometry view;
+            ASSERT_STREQ(readCamera(viewDesc(camera), view).text(), "");
+            std::optional<EyeOverWaves> last;
+            const double under = camera.eye.y - mirroredLevel(*body, view, last).raised;
+            EXPECT_GT(over > 0 ? under : -under, 0.099) << over << " over the waves at " << time << " s";
+        }
+    }
+}
 
 class Crossing : public CrossingTest, public testing::WithParamInterface<ReflectionTechnique> {
   protected:
