@@ -171,6 +171,49 @@ TEST_F(Caustics, AreTheSameInALargerPicture) {
             ASSERT_NEAR(small[y * 256 + x], large[(y + 128) * 512 + x + 128], 0.01) << x << ' ' << y;
 }
 
+// Waves send as much light over a border of the picture as comes in over it.
+TEST_F(Caustics, LoseNoLightOverThePicturesBorders) {
+    Body* const body = makeBody(desc_);
+    constexpr size_t side = 256, strip = 3; // [pixel]
+    double sums[4] = {};
+    constexpr int times = 6;
+    for (int time = 0; time < times; ++time) {
+        const std::vector<double> light = factors(body, -8, 3.0 * time);
+        for (size_t a = 0; a < strip; ++a)
+            for (size_t b = 0; b < side; ++b) {
+                sums[0] += light[b * side + a];
+                sums[1] += light[b * side + side - 1 - a];
+                sums[2] += light[a * side + b];
+                sums[3] += light[(side - 1 - a) * side + b];
+            }
+    }
+    for (double& sum : sums) sum /= times * strip * side;
+    std::printf("left %.3f, right %.3f, top %.3f, bottom %.3f\n", sums[0], sums[1], sums[2], sums[3]);
+    for (const double sum : sums) EXPECT_NEAR(sum, 1, 0.07);
+}
+
+// A rope between the surface and a bed far below: which rays go past it the picture does not tell, so that it
+// keeps its own.
+TEST_F(Caustics, WhatIsThinKeepsItsOwnLight) {
+    const Camera camera = above(-12);
+    SceneBehind behind = planeBelow(camera, -12, 1);
+    const SceneBehind rope = planeBelow(camera, -3, 1);
+    constexpr uint32_t row = 100, rows = 2;
+    for (uint32_t y = row; y < row + rows; ++y)
+        std::copy_n(&rope.depth[size_t{y} * camera.width], camera.width,
+                    &behind.depth[size_t{y} * camera.width]);
+    Body* const body = makeBody(desc_);
+    double sum = 0;
+    for (int time = 0; time < 4; ++time) {
+        const std::vector<double> light = factors(body, camera, behind, 3.0 * time);
+        for (uint32_t y = row; y < row + rows; ++y)
+            for (uint32_t x = 0; x < camera.width; ++x) sum += light[size_t{y} * camera.width + x];
+    }
+    sum /= 4.0 * rows * camera.width;
+    std::printf("the rope has %.3f of its light\n", sum);
+    EXPECT_NEAR(sum, 1, 0.15);
+}
+
 /// A GPU stores light to images and halves them by a kernel; on CPU devices it is copied and blitted.
 class CausticsOnBothDevices : public Caustics {
   protected:

@@ -2,10 +2,12 @@
 // what drifts in the water hangs where it is.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/host/spy.h"
 #include "tests/gpu/rig/water_rig.h"
+#include "tests/unit/sea/statistics.h"
 
 namespace {
 
@@ -117,6 +119,78 @@ TEST_F(Shafts, GatherNoLightThatIsNotThere) {
     EXPECT_LT(std::abs(left) / water, 0.006);
 }
 
+/// What small slopes of a smooth surface gather of a sun straight above, seen in the water before a wall
+/// `farthest` metres ahead: by its curvature over the places where the rays come in.
+double gatheredBefore(const HeightGrid& waves, const glm::dvec3& eye, const glm::dvec3& ray, double farthest,
+                      const RefractionDesc& water, double sun) {
+    constexpr double pi = std::numbers::pi, g = 0.6, beside = 0.5; // of Henyey and Greenstein; [m]
+    constexpr int steps = 32;
+    std::vector<double> points;
+    for (int i = 0; i < steps; ++i) {
+        const glm::dvec3 at = eye + ray * (farthest * (i + 0.5) / steps);
+        for (const glm::dvec2 off : {glm::dvec2(0), glm::dvec2(beside, 0), glm::dvec2(-beside, 0),
+                                     glm::dvec2(0, beside), glm::dvec2(0, -beside)})
+            points.insert(points.end(), {at.x + off.x, at.z + off.y});
+    }
+    std::vector<HeightSample> samples(points.size() / 2);
+    sampleHeights(waves, points.data(), samples.size(), samples.data());
+    const double k = double{water.absorption[1]} + double{water.backscatter[1]};
+    double sum = 0;
+    for (size_t i = 0; i < steps; ++i) {
+        const auto height = [&](size_t n) { return double{samples[5 * i + n].height}; };
+        const double curvature =
+            (height(1) + height(2) + height(3) + height(4) - 4 * height(0)) / (beside * beside);
+        const double way = farthest * (static_cast<double>(i) + 0.5) / steps, depth = -eye.y - ray.y * way;
+        sum += farthest / steps * (1 - way / 9) * (-depth * (1 - 1 / 1.333) * curvature) *
+               std::exp(-k * (depth + way));
+    }
+    const double towards = ray.y, ahead = std::pow((1 + g * g) / (1 + g * g - 2 * g * towards), 1.5);
+    return std::max(ahead, 1.0) * sum * sun * 0.98 / pi * 0.66 * double{water.backscatter[1]};
+}
+
+TEST_F(Shafts, AreAsStrongAsTheWavesBendTheLight) {
+    sea_.windSpeed = 6;
+    sea_.fetch = 20e3f;
+    sea_.cascades = 1;
+    sea_.largestPatch = 64;
+    sea_.warp = 0;
+    shineFrom({0, 1, 0}, 5);
+    for (const double depth : {2.0, 6.0}) {
+        camera_.eye = {3, -depth, 7};
+        camera_.width = 48;
+        camera_.height = 24;
+        std::vector<double> drawn, expected;
+        for (int place = 0; place < 12; ++place) {
+            camera_.eye.x = 7.3 * place;
+            const Camera camera = along({0, 0, -1});
+            Body* const body = made(1, 0);
+            const SceneBehind wall =
+                drawnOver(camera, nothingBehind(camera), 0, [](const glm::dvec3& ray) { return -2 / ray.z; });
+            std::vector<WaterPicture> with;
+            for (const double time : {4.0, 40.0})
+                with.push_back(picture({body}, camera, time, SurfaceOutput::shaded, wall));
+            HeightGrid* const waves = createHeightGrid(*sea(body), 4);
+            HeightGrid* const later = createHeightGrid(*sea(body), 40);
+            for (uint32_t y = 2; y < camera.height; y += 5)
+                for (uint32_t x = 2; x < camera.width; x += 5) {
+                    const glm::dvec3 ray = rayThrough(camera, x, y);
+                    const size_t i = (size_t{y} * camera.width + x) * 4 + 1;
+                    drawn.push_back(double{with[0].color[i]} - double{with[1].color[i]});
+                    expected.push_back(gatheredBefore(*waves, camera.eye, ray, -2 / ray.z, refraction_, 5) -
+                                       gatheredBefore(*later, camera.eye, ray, -2 / ray.z, refraction_, 5));
+                }
+            destroyHeightGrid(waves);
+            destroyHeightGrid(later);
+        }
+        const double slope = correlationOf(drawn, expected) * deviationOf(drawn) / deviationOf(expected);
+        std::printf("%.1f m deep: correlation with the waves' curvature %.3f, %.3f times what they gather\n",
+                    depth, correlationOf(drawn, expected), slope);
+        EXPECT_GT(correlationOf(drawn, expected), 0.85);
+        // They are drawn with more contrast than the mean over a pixel has.
+        EXPECT_NEAR(slope, 1.5, 0.4);
+    }
+}
+
 TEST_F(Shafts, AreBrightestTowardsTheSun) {
     const double towards = mean(added(1, 0, along({0.8, 0.6, 0}))),
                  away = mean(added(1, 0, along({-1, 0, 0})));
@@ -169,6 +243,18 @@ TEST_F(MarineSnow, HangsInTheWater) {
     };
     EXPECT_GT(likeShifted(1), 0.2 * likeShifted(0));
     EXPECT_GT(likeShifted(0) + likeShifted(1), 3 * likeShifted(20));
+}
+
+// Of particles that are smaller than pixels each shows as much light in a coarse picture as in a fine one.
+TEST_F(MarineSnow, GivesAsMuchLightInCoarsePicturesAsInFineOnes) {
+    Camera coarse = along({0, 0, -1}), fine = coarse;
+    coarse.width /= 2;
+    coarse.height /= 2;
+    fine.width *= 4;
+    fine.height *= 4;
+    const double ofCoarse = mean(added(0, 1, coarse)), ofFine = mean(added(0, 1, fine));
+    std::printf("%.3f of the light of eight times as many pixels each way\n", ofCoarse / ofFine);
+    EXPECT_NEAR(ofCoarse / ofFine, 1, 0.15);
 }
 
 TEST_F(MarineSnow, IsNoBrighterThanWhatLightsIt) {

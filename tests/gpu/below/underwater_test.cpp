@@ -99,6 +99,87 @@ TEST_P(SnellsWindow, LetsInAllLightThatEnters) {
     EXPECT_NEAR(irradiance, pi * (1 - 0.066), 0.01 * pi);
 }
 
+/// Where the ray of a pixel, bent by a calm surface at y = 0, is `height` metres above that; false where none
+/// leaves.
+bool bentRayAt(const Camera& camera, uint32_t x, uint32_t y, double height, glm::dvec3& at) {
+    const glm::dvec3 ray = rayThrough(camera, x, y);
+    const glm::dvec2 aside = index * glm::dvec2(ray.x, ray.z);
+    const double rises2 = 1 - glm::dot(aside, aside);
+    if (ray.y <= 0 || rises2 <= 0) return false;
+    const glm::dvec3 out = camera.eye - ray * (camera.eye.y / ray.y);
+    at = out + glm::dvec3(aside.x, std::sqrt(rises2), aside.y) * (height / std::sqrt(rises2));
+    return true;
+}
+
+// An awning all over the picture: where bent rays meet it beyond the border, they show the sky. It gives way
+// to that over six hundredths of the picture's height.
+TEST_F(Underwater, WhatStandsAboveFadesTowardsTheBorder) {
+    Camera camera = upwards();
+    camera.fovDegrees = 90;
+    constexpr double height = 3, radiance = 8;
+    const SceneBehind awning = drawnOver(camera, nothingBehind(camera), radiance, [&](const glm::dvec3& ray) {
+        return (height - camera.eye.y) / ray.y;
+    });
+    const WaterPicture p = picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, awning);
+    const glm::dmat4 clip = projectionMatrix(camera) * viewMatrix(camera);
+    const double side = camera.width;
+    size_t whole = 0, fading = 0, gone = 0;
+    double worst = 0;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            glm::dvec3 met;
+            if (!bentRayAt(camera, x, y, height, met)) continue;
+            const glm::dvec4 seen = clip * glm::dvec4(met, 1);
+            const glm::dvec2 pixel = (glm::dvec2(seen) / seen.w * 0.5 + 0.5) * side;
+            const glm::dvec2 inside = glm::min(pixel, side - pixel);
+            const double share = std::clamp(std::min(inside.x, inside.y) / (0.06 * camera.height), 0.0, 1.0);
+            const double enters = index * index * (1 - reflectanceBelow(rayThrough(camera, x, y).y));
+            const double found = double{p.color[(size_t{y} * p.width + x) * 4]} / enters;
+            const double drawn = (found - 1) / (radiance - 1); // the sky's is 1
+            worst = std::max(worst, std::abs(drawn - share));
+            ++(share == 0 ? gone : share == 1 ? whole : fading);
+        }
+    std::printf("%zu pixels show the awning, %zu fade, %zu show the sky; off by %.3f at most\n", whole,
+                fading, gone, worst);
+    EXPECT_GT(whole, 1000u);
+    EXPECT_GT(fading, 1000u);
+    EXPECT_LT(worst, 0.3);
+}
+
+// A beam low over the water, which hides from the eye what its bent rays pass far above.
+TEST_F(Underwater, WhatHidesTheWayOfABentRayIsNotWhatItMeets) {
+    const Camera camera = upwards();
+    constexpr double height = 0.3, radiance = 8, near = 2, far = 3.5; // [m] aside of the eye
+    const SceneBehind beam = drawnOver(camera, nothingBehind(camera), radiance, [&](const glm::dvec3& ray) {
+        const double distance = (height - camera.eye.y) / ray.y, aside = distance * ray.x;
+        return aside > near && aside < far ? distance : 0;
+    });
+    const WaterPicture p = picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, beam);
+    size_t meet = 0, missed = 0, pass = 0, shown = 0;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            glm::dvec3 met;
+            if (!bentRayAt(camera, x, y, height, met)) continue;
+            const double aside = met.x - camera.eye.x,
+                         slack = 0.15; // a twentieth of the way, and a tenth of a metre
+            const double enters = index * index * (1 - reflectanceBelow(rayThrough(camera, x, y).y));
+            const bool sky = double{p.color[(size_t{y} * p.width + x) * 4]} < 1.5 * enters;
+            if (aside > near + 0.1 && aside < far - 0.1 && met.z > camera.eye.z - 2 &&
+                met.z < camera.eye.z + 2) {
+                ++meet;
+                missed += sky;
+            }
+            if (aside < near - slack || aside > far + slack) {
+                ++pass;
+                shown += !sky;
+            }
+        }
+    std::printf("%zu of %zu rays that meet it show the sky, %zu of %zu that pass by show it\n", missed, meet,
+                shown, pass);
+    EXPECT_GT(meet, 500u);
+    EXPECT_EQ(shown, 0u);
+}
+
 /// What `path` metres from `depth` on scatter into a ray, by Simpson's rule over its sources.
 double scatteredIn(double absorption, double backscatter, double down, double depth, double rise,
                    double path) {

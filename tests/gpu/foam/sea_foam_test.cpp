@@ -9,6 +9,9 @@
 #include "tests/unit/sea/statistics.h"
 #include "water/body/body.h"
 #include "water/foam/foam_part.h"
+#include "water/interface/foam_gate.h"
+#include "water/interface/warp.h"
+#include "water/sea/sea.h"
 
 namespace {
 
@@ -322,6 +325,160 @@ TEST_F(SeaFoam, GlidesFromStepToStep) {
     EXPECT_GT(changes[changes.size() / 2], 0);
     // All of a step at once would be fifteen times a frame's share.
     EXPECT_LT(largest, 3 * changes[changes.size() / 2]);
+}
+
+/// How far what the wind blows along the water at 10 m drifts with it in a second: Wu (1975).
+glm::dvec2 driftOf(const SeaDesc& sea) {
+    const double speed = 0.035 * double{sea.windSpeed}, direction = sea.windDirection;
+    return {speed * std::cos(direction), speed * std::sin(direction)};
+}
+
+/// How much higher the surface is than 10 m before and behind along the wind: most where it breaks.
+std::vector<double> crestsAt(const Sea& sea, double time, const std::vector<glm::dvec2>& places) {
+    const glm::dvec2 off = 10.0 * glm::normalize(driftOf(description(sea)));
+    std::vector<double> points;
+    for (const glm::dvec2& place : places)
+        for (const double side : {0.0, -1.0, 1.0})
+            points.insert(points.end(), {place.x + side * off.x, place.y + side * off.y});
+    std::vector<HeightSample> samples(points.size() / 2);
+    HeightGrid* const grid = createHeightGrid(sea, time);
+    sampleHeights(*grid, points.data(), samples.size(), samples.data());
+    destroyHeightGrid(grid);
+    std::vector<double> crests;
+    for (size_t i = 0; i < samples.size(); i += 3)
+        crests.push_back(double{samples[i].height} -
+                         (double{samples[i + 1].height} + double{samples[i + 2].height}) / 2);
+    return crests;
+}
+
+// What broke some seconds ago lies where the wind has driven it since, whatever breaks now.
+TEST_F(SeaFoam, LiesWhereCrestsHaveBrokenBefore) {
+    Body* const body = foamyBody();
+    Camera camera = above();
+    camera.eye.y = 80;
+    camera.target = camera.eye + glm::dvec3(0.01, -1, 0);
+    camera.width = camera.height = 64;
+    std::vector<double> drawn, highest;
+    for (const double time : {60.0, 71.0, 82.0, 93.0}) {
+        const WaterPicture p = picture({body}, camera, time, SurfaceOutput::foam);
+        std::vector<glm::dvec2> places;
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                const glm::dvec3 at = worldAt(camera, p, x, y);
+                places.push_back({at.x, at.z});
+                drawn.push_back(double{p.color[(size_t{y} * p.width + x) * 4]});
+            }
+        std::vector<double> most(places.size(), -1e9);
+        for (double ago = 1; ago < 5; ago += 1) {
+            std::vector<glm::dvec2> then = places;
+            for (glm::dvec2& place : then) place -= ago * driftOf(description(*sea(body)));
+            const std::vector<double> crests = crestsAt(*sea(body), time - ago, then);
+            for (size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], crests[i]);
+        }
+        highest.insert(highest.end(), most.begin(), most.end());
+    }
+    std::printf("correlation of foam with crests of the last seconds %.3f\n", correlationOf(drawn, highest));
+    EXPECT_GT(correlationOf(drawn, highest), 0.09);
+}
+
+// As the CPU has the gate, whose corners come and go each in its own time.
+TEST_F(SeaFoam, IsThickWhereItsGateIsOpen) {
+    Body* const body = streakyBody();
+    const Sea& sea = *seaglass::sea(body);
+    Camera camera = above();
+    camera.eye.y = 800;
+    camera.target = camera.eye + glm::dvec3(0.01, -1, 0);
+    camera.width = camera.height = 128;
+    double open = 0, opens = 0, shut = 0, shuts = 0;
+    for (const double time : {60.0, 300.0}) {
+        const WaterPicture p = picture({body}, camera, time, SurfaceOutput::foam);
+        const FoamGate gate(description(sea), time);
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                const glm::dvec3 at = worldAt(camera, p, x, y);
+                const WarpShift shift = warpAt(sea.warp, at.x, at.z);
+                const double patch = cascade(sea, 0).patch;
+                const float share = gate.at((at.x + shift.u) / patch, (at.z + shift.v) / patch);
+                const double white = double{p.color[(size_t{y} * p.width + x) * 4]};
+                if (share > 0.95f) open += white, ++opens;
+                if (share < 0.35f) shut += white, ++shuts;
+            }
+    }
+    std::printf("%.4f white in %.0f pixels where it is open, %.4f in %.0f where it is not\n", open / opens,
+                opens, shut / shuts, shuts);
+    EXPECT_GT(std::min(opens, shuts), 2000);
+    EXPECT_GT(open / opens, 2 * shut / shuts);
+}
+
+// It is brightest where it has just broken, and thins from then on: most of it, at any time.
+TEST_F(SeaFoam, ThinsAsItAges) {
+    for (float& channel : lighting.skyIrradiance) channel = 30;
+    Body* const body = streakyBody();
+    Camera camera = above();
+    camera.eye.y = 20;
+    camera.target = camera.eye + glm::dvec3(0.01, -1, 0);
+    camera.width = camera.height = 96;
+    size_t dimmer = 0, brighter = 0;
+    for (const double time : {60.0, 67.0}) {
+        std::vector<WaterPicture> masks, seen;
+        for (const double at : {time, time + 1}) {
+            masks.push_back(picture({body}, camera, at, SurfaceOutput::foam));
+            seen.push_back(picture({body}, camera, at));
+        }
+        for (size_t i = 0; i < masks[0].color.size(); i += 4) {
+            if (std::min(masks[0].color[i], masks[1].color[i]) < 0.7f) continue;
+            ++(seen[1].color[i] < seen[0].color[i] ? dimmer : brighter);
+        }
+    }
+    std::printf("in a second %zu pixels of foam get dimmer, %zu brighter\n", dimmer, brighter);
+    EXPECT_GT(dimmer + brighter, 300u);
+    EXPECT_GT(dimmer, 2 * brighter);
+}
+
+// Bubbles near the surface are gone first: as a plume gets fainter its light has come through more water.
+TEST_F(SeaFoam, FaintPlumesAreTheDeepest) {
+    for (float& channel : lighting.skyIrradiance) channel = 10;
+    const RefractionDesc refraction{.absorption = {0.2f, 0.05f, 0.02f},
+                                    .backscatter = {0.002f, 0.002f, 0.002f}};
+    const FoamDesc foam;
+    SeaDesc sea = breeze();
+    sea.windSpeed = 15;
+    sea.fetch = 300e3f;
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.wavesBackend = fftwWaves();
+    desc.refraction = &refraction;
+    Body* const bare = makeBody(desc);
+    desc.foam = &foam;
+    Body* const foamy = makeBody(desc);
+    Camera camera = above();
+    camera.target = camera.eye + glm::dvec3(0.01, -1, 0);
+    camera.width = camera.height = 96;
+    const WaterPicture mask = picture({foamy}, camera, foamTime, SurfaceOutput::foam);
+    const WaterPicture with = picture({foamy}, camera, foamTime), without = picture({bare}, camera, foamTime);
+    struct Plume {
+        double light, path;
+    };
+    std::vector<Plume> plumes;
+    for (size_t i = 0; i < mask.color.size(); i += 4) {
+        if (mask.color[i] > 1e-4f) continue;
+        const auto added = [&](size_t c) { return double{with.color[i + c]} - double{without.color[i + c]}; };
+        if (added(0) < 1e-3) continue;
+        const double path = std::log(added(2) / added(0)) / (0.2 - 0.02);
+        plumes.push_back({added(2) * std::exp(0.022 * path), path});
+    }
+    std::ranges::sort(plumes, {}, &Plume::light);
+    const size_t quarter = plumes.size() / 4;
+    double faint = 0, bright = 0;
+    for (size_t i = 0; i < quarter; ++i) {
+        faint += plumes[i].path / static_cast<double>(quarter);
+        bright += plumes[plumes.size() - 1 - i].path / static_cast<double>(quarter);
+    }
+    std::printf("of %zu pixels with plumes light comes %.2f m through water from the brightest, %.2f from "
+                "the faintest\n",
+                plumes.size(), bright, faint);
+    EXPECT_GT(plumes.size(), 400u);
+    EXPECT_GT(faint, bright + 0.5);
 }
 
 TEST_F(SeaFoam, UploadsAtItsOwnRate) {

@@ -158,6 +158,32 @@ TEST_P(EdgeReach, WhatTheBorderCutsOffIsAllThatChanges) {
     }
 }
 
+// A stand that leans over the more the higher: what goes on as the plane that the border shows is somewhere
+// else.
+TEST_P(EdgeReach, WhatBendsDoesNotGoOn) {
+    const Camera camera = testCamera();
+    std::vector<Box> stand;
+    for (int i = -5; i < 115; ++i) {
+        const double low = 0.1 * i, front = -20 + 0.15 * low * low;
+        stand.push_back({{-60, low, front - 3}, {60, low + 0.1, front}});
+    }
+    const TracedView traced = Tracer(camera, stand).run();
+    const Reflected result = reflected(camera, traced, share);
+    size_t near = 0, found = 0, wrong = 0;
+    for (size_t i = 0; i < traced.truth.size(); ++i) {
+        if (traced.truth[i] != Truth::lost) continue;
+        const double beyond = beyondThePicture(traced, traced.source[i]);
+        if (beyond < 2 || beyond > 0.8 * double{share} * camera.height) continue;
+        ++near;
+        if (!isHit(result, i)) continue;
+        ++found;
+        wrong += std::abs(double{result.info[i]} / traced.distance[i] - 1) > 0.05;
+    }
+    std::printf("%zu near beyond the border: %zu found, %zu at wrong distances\n", near, found, wrong);
+    EXPECT_GT(near, 1000u);
+    EXPECT_LT(wrong, near / 250);
+}
+
 // The order in which tiles are listed varies, and so does who works on them.
 TEST_P(EdgeReach, IsTheSameInEveryFrame) {
     Camera camera = testCamera();

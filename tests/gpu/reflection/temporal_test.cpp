@@ -320,6 +320,81 @@ TEST_P(Temporal, MovingCamerasTrailNothing) {
     }
 }
 
+/// A wall across the picture, of which each pixel that mirrors it is a hit up to the border.
+std::vector<Box> wallAhead() {
+    return {{{-60, -1, -9}, {60, 60, -8}}};
+}
+
+// As the camera moves by parts of pixels, the surroundings of a pixel would allow for a colour a pixel aside.
+TEST_P(Temporal, WhatMovesByPartsOfPixelsStaysInPlace) {
+    Camera camera = smallCamera();
+    camera.width = 160;
+    camera.height = 90;
+    Reflector* const without = make(0.0f);
+    Reflector* const reusing = make(0.9f);
+    Reflected fresh, reused;
+    TracedView traced;
+    for (int n = 0; n < 12; ++n) {
+        camera.eye.x += 0.03;
+        camera.target.x += 0.03;
+        traced = painted(camera, wallAhead());
+        fresh = next(without, traced, viewOf(camera));
+        reused = next(reusing, traced, viewOf(camera));
+    }
+    // Against what shows half a pixel aside, and in the same place.
+    std::vector<double> off, aside;
+    for (size_t i = camera.width + 2; i + 2 < traced.truth.size(); ++i) {
+        const size_t x = i % camera.width;
+        if (x < 4 || x + 4 >= camera.width) continue;
+        bool inside = true;
+        for (size_t n = i - 2; n <= i + 2; ++n)
+            inside &=
+                traced.truth[n] == Truth::recoverable && fresh.info[n] > 0 && fresh.color[n * 4 + 3] == 1.0f;
+        if (!inside) continue;
+        off.push_back(double{reused.color[i * 4]} - double{fresh.color[i * 4]});
+        aside.push_back((double{fresh.color[i * 4 + 4]} - double{fresh.color[i * 4]}) / 2);
+    }
+    std::printf("%zu pixels off by %.5f, half a pixel by %.5f\n", off.size(), rootMeanSquare(off),
+                rootMeanSquare(aside));
+    EXPECT_GT(off.size(), 1000u);
+    EXPECT_LT(rootMeanSquare(off), 0.3 * rootMeanSquare(aside));
+}
+
+// The last row and the last column are as the others.
+TEST_P(Temporal, PixelsAtTheBorderRememberToo) {
+    for (const double roll : {0.0, 90.0}) {
+        Camera camera = smallCamera();
+        camera.target.y = camera.eye.y; // so that a column mirrors what it shows
+        camera.rollDegrees = roll;
+        camera.width = camera.height = 120;
+        ReflectorDesc desc = with(GetParam(), 0.9f);
+        desc.reflection.edgeFade = 0;
+        Reflector* const reflector = make(desc);
+        TracedView traced = painted(camera, wallAhead());
+        const Reflected first = next(reflector, traced, viewOf(camera));
+        for (float& value : traced.color) value *= 1.01f; // within what is around
+        const Reflected second = next(reflector, traced, viewOf(camera));
+        const auto remember = [&](size_t inside) {
+            size_t hits = 0, kept = 0;
+            for (size_t n = 0; n < 120; ++n) {
+                const size_t i = roll == 0 ? n * 120 + 119 - inside : (119 - inside) * 120 + n;
+                if (!(second.info[i] > 0) || traced.truth[i] != Truth::recoverable) continue;
+                ++hits;
+                // Green differs by more than the light changes from what is above and below.
+                const float then = 1.01f * first.color[i * 4 + 1];
+                kept += std::abs(second.color[i * 4 + 1] - then) > 0.002f * then;
+            }
+            EXPECT_GT(hits, 20u) << roll;
+            return static_cast<double>(kept) / static_cast<double>(hits);
+        };
+        const double last = remember(0), before = remember(1);
+        std::printf("roll %2.0f: %.3f of the last pixels remember, %.3f of those before\n", roll, last,
+                    before);
+        EXPECT_GT(before, 0.3);
+        EXPECT_NEAR(last, before, 0.2);
+    }
+}
+
 /// The test's own scene, with a crate that can be taken away or put in the way.
 std::vector<Box> harbourWith(const Box& crate) {
     std::vector<Box> boxes = harbourOfBoxes();
