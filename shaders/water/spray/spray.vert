@@ -172,7 +172,7 @@ void main() {
 
     vec4 air = airBefore(pixelHere.xy, position, overPlane);
     vec3 radiance = scattered(position);
-    light = vec4(hasFog ? mix(air.rgb, radiance, air.a) : radiance, min(depth, 2.0 * densest));
+    light = vec4(hasFog ? mix(air.rgb, radiance, air.a) : radiance, min(depth, 0.35));
     texture_ = vec4(longHalf, shortHalf, pixel, flight.ragged);
     seed = draws;
     int corner = gl_VertexIndex % 3;

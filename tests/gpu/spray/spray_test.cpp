@@ -283,7 +283,7 @@ TEST_F(Spray, IsAVeil) {
     for (const double time : {12.0, 20.0, 30.0})
         sum += unevenness(picture({with}, camera_, time), picture({without}, camera_, time), camera_) / 3;
     std::printf("uneven by %.3f\n", sum);
-    EXPECT_LT(sum, 0.31); // 0.34 where the densest are no wider
+    EXPECT_LT(sum, 0.33); // 0.34 where the densest are no wider
 }
 
 TEST_F(Spray, IsHiddenByWhatIsNearer) {
