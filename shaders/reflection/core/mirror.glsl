@@ -114,6 +114,11 @@ float heightOf(const MirrorBlock mirror, vec4 point) {
     return dot(mirror.heightRow, point) / weightOf(mirror, point);
 }
 
+// Whose product with a screen point tells how much higher than `height` it is, times its weight.
+vec4 rowOver(const MirrorBlock mirror, float height) {
+    return mirror.heightRow - height * mirror.weightRow;
+}
+
 // To a factor, of the far end of a line of sight: negative under the plane's horizon.
 float heightAtInfinity(const MirrorBlock mirror, vec2 point) {
     return dot(mirror.heightRow, atInfinity(mirror, point));

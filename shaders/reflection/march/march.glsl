@@ -246,15 +246,14 @@ vec3 shownIn(Track track, float share, vec2 middle) {
 // thick. Below what hovers it may leave.
 bool risesInto(const MirrorBlock mirror, Track track, float share, vec2 pixel, float depth) {
     vec4 seen = vec4(pixel, signedDepth(mirror, depth), 1.0);
-    float weight = dot(mirror.weightRow, seen);
-    vec4 over = mirror.heightRow - dot(mirror.heightRow, seen) / weight * mirror.weightRow;
+    vec4 over = rowOver(mirror, heightOf(mirror, seen));
     vec4 first = vec4(track.first.xy, signedDepth(mirror, track.first.z), 1.0);
     vec4 along = vec4(track.along.xy, signedDepth(mirror, track.along.z), 0.0);
     float rises = dot(over, along);
     float enters = rises > 0.0 ? -dot(over, first) / rises : share;
     vec4 ray = first + max(enters, share) * along;
-    float farther = dot(settings.forwardRow, seen) / weight + track.scene.thickness;
-    return dot(settings.forwardRow, ray) <= farther * dot(mirror.weightRow, ray);
+    float farther = dot(settings.forwardRow, seen) / weightOf(mirror, seen) + track.scene.thickness;
+    return dot(settings.forwardRow, ray) <= farther * weightOf(mirror, ray);
 }
 
 // Moves a crossing to where the ray meets the plane through what is seen: while it was hidden before, too. Where the ray

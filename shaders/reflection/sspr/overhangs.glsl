@@ -100,7 +100,7 @@ vec2 alongEdge(const MirrorBlock mirror, vec4 edge, vec4 over, float top) {
     vec4 mirrored = mirror.screenMirror * edge;
     vec3 face = cross(abs(before.z) < abs(after.z) ? before : after, mirrored.xyz - mirrored.w * edge.xyz);
     face -= dot(face, over.xyz - edge.xyz) / weightOf(mirror, over) * mirror.weightRow.xyz;
-    vec2 along = cross(face, mirror.heightRow.xyz - top * mirror.weightRow.xyz).xy;
+    vec2 along = cross(face, rowOver(mirror, top).xyz).xy;
     return along / max(farthest(along), 1e-30);
 }
 

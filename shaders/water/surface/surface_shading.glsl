@@ -64,19 +64,17 @@ Through throughBefore(const SurfacePoint s) {
 
 // Where what a pixel mirrors is left for the rest: where one of several is shaded, in the colour of the one beside it, which is completed
 // when that is over.
-const bool mirrorsBeside = pixelsPerShading > 1u;
-
 ivec2 besideInBlock(ivec2 pixel) {
     return ivec2(pixel.x ^ 1, pixel.y);
 }
 
 vec4 mirroredBefore(ivec2 pixel) {
-    if (mirrorsBeside) return imageLoad(shadedColor, besideInBlock(pixel));
+    if (!allAreShaded()) return imageLoad(shadedColor, besideInBlock(pixel));
     return imageLoad(mirroredLight, pixel);
 }
 
 void keepMirrored(ivec2 pixel, vec4 mirrored) {
-    if (mirrorsBeside) imageStore(shadedColor, besideInBlock(pixel), mirrored);
+    if (!allAreShaded()) imageStore(shadedColor, besideInBlock(pixel), mirrored);
     else imageStore(mirroredLight, pixel, mirrored);
 }
 
@@ -96,7 +94,7 @@ vec4 lightOfSurface(const SurfacePoint s, Foam white, vec3 toEye, inout uint tur
     WavesAhead ahead = WavesAhead(noWave, 0.0, 0.0, 0.0);
     if (hasWaves) {
         bool isSunlit = s.sunSeen > 0.0 && sunShines();
-        if (waveShadowSteps == 0 || isSunlit && (glint > 1e-5 || white.mask > 1e-3)) ahead = wavesBeforeTheSun(s);
+        if (!wavesAreLookedFor() || isSunlit && (glint > 1e-5 || white.mask > 1e-3)) ahead = wavesBeforeTheSun(s);
         vec3 toSun = sunDirection(s);
         glint *= sunClear(toSun, slopeOf(toEye + toSun), ahead);
     }
