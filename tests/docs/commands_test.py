@@ -56,6 +56,8 @@ EXCUSED = {
     "scripts/mutants --list": "tests/scripts does so",
     "scripts/mutants globe_twists": "changes the sources meanwhile",
     "scripts/mutants": "likewise, for hours",
+    "scripts/coverage": "builds apart and runs most tests, for an hour",
+    "scripts/coverage --lines": "likewise",
     "scripts/mutants --of shader": "likewise",
     "seaglass=build/release/bin/seaglass": "names the program, which the test is told",
     "export VK_ADD_LAYER_PATH=$PWD/build/release/tests/checked/layers": "tests/checked does so",

@@ -66,8 +66,9 @@ inline bool isInRange(const Field& field, double value) {
     const double low = rounded ? double{static_cast<float>(field.low)} : field.low;
     const double high = rounded ? double{static_cast<float>(field.high)} : field.high;
     if (!(value >= low && value <= high)) return false;
-    const auto whole = static_cast<uint32_t>(value);
-    return field.rule != FieldRule::powerOfTwo || (whole & (whole - 1)) == 0;
+    if (field.rule != FieldRule::powerOfTwo) return true;
+    const auto whole = static_cast<uint32_t>(value); // no such range is beyond its own
+    return (whole & (whole - 1)) == 0;
 }
 
 } // namespace seaglass
