@@ -72,9 +72,17 @@ vec2 facetsAt(const SurfacePoint s) {
     return sum * inversesqrt(squares);
 }
 
+// Of the slopes' variance. Waves that are too small to be seen tilt the water some metres wide together: a pixel of many such places has
+// the mean of them all, whose variance falls with their number. So the path is smooth from far up.
+float sharedByAPatch(Footprint pixel) {
+    const float tiltedAsOne = 400.0;   // [m^2]
+    float area = 4.0 * length(pixel.longer) * length(pixel.shorter);
+    return water.glitterShare.x * tiltedAsOne / (tiltedAsOne + area);
+}
+
 // The point as a patch of its facets shows.
 SurfacePoint patchOf(SurfacePoint s) {
-    float share = water.glitterShare.x;
+    float share = sharedByAPatch(s.footprint);
     vec2 drawn = facetsAt(s);
     vec3 varies = share * s.covariance;
     float alongU = sqrt(max(varies.x, 1e-10));

@@ -110,6 +110,22 @@ TEST_F(Glitter, IsPointsThatThinOutwards) {
     EXPECT_GT(1.0 * dark[1] / count[1], 1.0 * dark[0] / count[0] + 0.05);
 }
 
+// From an aeroplane and from orbit each pixel has the mean of many waves.
+TEST_F(Glitter, IsSmoothFromFarUp) {
+    Body *const smooth = sea(0), *const facets = sea(0.8f);
+    const auto changeFrom = [&](double height) {
+        camera.target += glm::dvec3(0, height - camera.eye.y, 0);
+        camera.eye.y = height;
+        return changeBetween(red(smooth, 5), red(facets, 5));
+    };
+    const double low = changeFrom(40), high = changeFrom(2e3), highest = changeFrom(1e5);
+    std::printf("facets change the path by %.3f from 40 m, %.3f from 2 km, %.4f from 100 km\n", low, high,
+                highest);
+    EXPECT_GT(low, 0.3);
+    EXPECT_LT(high, 0.6 * low);
+    EXPECT_LT(highest, 0.01);
+}
+
 TEST_F(Glitter, ComesAndGoesAsWavesDo) {
     Body* const smooth = sea(0);
     Body* const facets = sea(0.8f);
