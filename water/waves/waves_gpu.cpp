@@ -145,19 +145,16 @@ gpu::Resource mapResource(const WaveMaps& maps, uint32_t map, const gpu::Buffer&
     return gpu::storageBuffer(copied.handle(), bytes * map, bytes);
 }
 
-/// A pipeline takes `samples` points of `groups` fields at once.
-Status checkLimits(const gpu::Device& device, uint32_t samples, uint32_t groups) {
-    const uint32_t points = linesHeld(samples) * samples * groups;
-    const VkDeviceSize shared = VkDeviceSize{points} * 2 * sizeof(float);
+Status checkLimits(const gpu::Device& device, uint32_t samples, uint32_t invocations) {
+    const VkDeviceSize shared = VkDeviceSize{invocations} * pointsHeld * 2 * sizeof(float);
     const VkPhysicalDeviceLimits& limits = device.limits();
-    if (points / pointsHeld <= limits.maxComputeWorkGroupInvocations &&
-        points / pointsHeld <= limits.maxComputeWorkGroupSize[0] &&
-        shared <= limits.maxComputeSharedMemorySize)
+    if (invocations <= limits.maxComputeWorkGroupInvocations &&
+        invocations <= limits.maxComputeWorkGroupSize[0] && shared <= limits.maxComputeSharedMemorySize)
         return Status::ok;
     return device.fail(Status::unsupported,
                        "SeaDesc.samples is %u: workgroups need %u invocations and %llu shared bytes, the "
                        "device has %u and %u",
-                       samples, points / pointsHeld, static_cast<unsigned long long>(shared),
+                       samples, invocations, static_cast<unsigned long long>(shared),
                        limits.maxComputeWorkGroupInvocations, limits.maxComputeSharedMemorySize);
 }
 
@@ -178,11 +175,12 @@ Status checkBindings(const gpu::Device& device, const Sea& sea) {
 Status WaveKernels::createPair(const gpu::Device& device, uint32_t samples, Pair& out) {
     const bool copied = device.isCpu();
     const uint32_t rowGroups = copied ? 1 : 2;
-    if (const Status s = checkLimits(device, samples, rowGroups); s != Status::ok) return s;
     WavesConstants given;
     given.samples = samples;
     given.onCpu = copied;
     given.invocations = linesHeld(samples) * samples / pointsHeld;
+    if (const Status s = checkLimits(device, samples, given.invocations * rowGroups); s != Status::ok)
+        return s;
     if (const Status s =
             out.columns.create(device, waves_columns_comp, "waves columns pipeline", given.constants());
         s != Status::ok)

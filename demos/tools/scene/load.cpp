@@ -43,8 +43,6 @@ std::optional<std::string> readText(const fs::path& file, Error& error) {
         error.text = file.string() + ": " + what;
         return std::nullopt;
     };
-    if (const std::string problem = unreadable(file); !problem.empty())
-        return fail(problem + ", expected a scene (TOML)");
     std::error_code code;
     if (const uintmax_t size = fs::file_size(file, code); !code && size > limits::sceneBytes)
         return fail("has " + std::to_string(size) + " bytes, expected a scene of at most 1 MB");

@@ -76,7 +76,7 @@ vec2 facetsAt(const SurfacePoint s) {
 // the mean of them all, whose variance falls with their number. So the path is smooth from far up.
 float sharedByAPatch(Footprint pixel) {
     const float tiltedAsOne = 400.0;   // [m^2]
-    float area = 4.0 * length(pixel.longer) * length(pixel.shorter);
+    float area = 4.0 * pixel.reach * length(pixel.shorter);
     return water.glitterShare.x * tiltedAsOne / (tiltedAsOne + area);
 }
 

@@ -368,19 +368,24 @@ struct Pretended {
     }
 };
 
+/// By what looks first, and by what would be made. `desc` speaks to `text`.
+void expectUnsupported(const DeviceDesc& desc, std::string& text, const char* lacking) {
+    EXPECT_EQ(checkSupport(desc.instance, desc.physicalDevice, desc.getInstanceProcAddr, desc.message),
+              Status::unsupported);
+    EXPECT_NE(text.find(lacking), std::string::npos) << text;
+    text.clear();
+    Context* made = nullptr;
+    EXPECT_EQ(createContext(&desc, &made), Status::unsupported);
+    EXPECT_EQ(made, nullptr);
+    EXPECT_NE(text.find(lacking), std::string::npos) << text;
+}
+
 TEST_F(Mistakes, DevicesThatLackSomethingAreRefusedByItsName) {
     const auto expectRefused = [&](const char* lacking) {
         std::string text;
         DeviceDesc desc = deviceDesc(&text);
         desc.getInstanceProcAddr = &Pretended::loader;
-        EXPECT_EQ(checkSupport(desc.instance, desc.physicalDevice, desc.getInstanceProcAddr, desc.message),
-                  Status::unsupported);
-        EXPECT_NE(text.find(lacking), std::string::npos) << text;
-        text.clear();
-        Context* made = nullptr;
-        EXPECT_EQ(createContext(&desc, &made), Status::unsupported);
-        EXPECT_EQ(made, nullptr);
-        EXPECT_NE(text.find(lacking), std::string::npos) << text;
+        expectUnsupported(desc, text, lacking);
     };
     Pretended::version = VK_API_VERSION_1_2;
     expectRefused("has Vulkan 1.2, expected 1.3");
@@ -404,15 +409,7 @@ TEST_F(Mistakes, ALoaderThatLacksACallIsRefusedByItsName) {
                    ? vkGetInstanceProcAddr(instance, name)
                    : nullptr;
     };
-    constexpr const char* lacking = "the Vulkan loader has no vkGetPhysicalDeviceMemoryProperties";
-    EXPECT_EQ(checkSupport(desc.instance, desc.physicalDevice, desc.getInstanceProcAddr, desc.message),
-              Status::unsupported);
-    EXPECT_NE(text.find(lacking), std::string::npos) << text;
-    text.clear();
-    Context* made = nullptr;
-    EXPECT_EQ(createContext(&desc, &made), Status::unsupported);
-    EXPECT_EQ(made, nullptr);
-    EXPECT_NE(text.find(lacking), std::string::npos) << text;
+    expectUnsupported(desc, text, "the Vulkan loader has no vkGetPhysicalDeviceMemoryProperties");
     EXPECT_EQ(checkSupport(desc.instance, VK_NULL_HANDLE, desc.getInstanceProcAddr, desc.message),
               Status::invalidArgument);
     EXPECT_NE(text.find("checkSupport: instance, physicalDevice and getInstanceProcAddr must not be null"),
