@@ -1,4 +1,6 @@
-"""prose_test.py PROGRAM: blocks are of kinds that are tested, links lead somewhere, and options that the prose names exist."""
+"""prose_test.py PROGRAM: blocks are of kinds that are tested, links lead somewhere, and options, tests and shaders
+that the prose names exist."""
+import fnmatch
 import re
 import subprocess
 import sys
@@ -27,6 +29,8 @@ UNTESTED = {
 OTHERS = {"--preset", "--build", "--install", "--prefix", "--config", "--cflags", "--libs", "--parallel", "--target",
           "--gtest_filter", "--json", "--no-install", "--check", "--bless", "--label-exclude", "--overlay-ports",
           "--variable", "--list", "--large", "--replay"}
+# Functions of CMake that make tests, and what the names of these begin with.
+MADE = {"seaglass_spirv_test": "Spirv.", "seaglass_hostile": "Spirv.HostileArithmetic", "seaglass_checked_scenes": "CheckedScenes."}
 
 
 def wrong_blocks():
@@ -85,25 +89,37 @@ def wrong_options(program):
 
 def known_tests():
     sources = "\n".join(path.read_text() for path in (SOURCE / "tests").rglob("*_test.cpp"))
-    of_spirv = re.findall(r"^seaglass_spirv_test\((\w+)", (SOURCE / "tests/spirv/CMakeLists.txt").read_text(), re.M)
+    lists = "\n".join(path.read_text() for path in (SOURCE / "tests").rglob("CMakeLists.txt"))
+    made = re.findall(rf"^\s*({'|'.join(MADE)})\((\w+)", lists, re.M)
     return {".".join(names) for names in re.findall(r"TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", sources)} | {
-        f"Spirv.{name}" for name in of_spirv}
+        MADE[function] + name for function, name in made} | set(re.findall(r"add_test\(NAME (\w+\.\w+)", lists))
 
 
 def wrong_tests():
-    """Tests that a page says hold something."""
+    """Tests that a page says hold something; with * for any."""
     tests = known_tests()
     for document in DOCUMENTS:
-        if document.name not in ("domain.md", "reliability.md"):
+        if document.name not in ("domain.md", "portability.md", "reliability.md"):
             continue
         for number, line in lines_of_prose(document):
-            for name in re.findall(r"`([A-Z]\w+\.[A-Z]\w+)`", line):
-                if name not in tests:
+            for name in re.findall(r"`([A-Z]\w+\.(?:[A-Z]\w+)?\*?)`", line):
+                if not fnmatch.filter(tests, name):
                     yield f"{document.relative_to(SOURCE)}:{number}: there is no test {name}"
 
 
+def wrong_shaders():
+    """Shaders that the rules of portability are said to matter in. Other pages name variants and shaders that were."""
+    document = SOURCE / "docs/portability.md"
+    shaders = {path.name for path in (SOURCE / "shaders").rglob("*")}
+    for number, line in lines_of_prose(document):
+        for name in re.findall(r"`(\w+\.(?:glsl|comp|frag|vert))`", line):
+            if name not in shaders:
+                yield f"{document.relative_to(SOURCE)}:{number}: there is no shader {name}"
+
+
 def main():
-    problems = [*wrong_blocks(), *wrong_links(), *wrong_options(sys.argv[1]), *wrong_tests()]
+    problems = [*wrong_blocks(), *wrong_links(), *wrong_options(sys.argv[1]), *wrong_tests(),
+                *wrong_shaders()]
     print("\n".join(problems))
     return 1 if problems else 0
 
