@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 DOCUMENTS = ([SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", SOURCE / "CHANGELOG.md"]
-             + sorted((SOURCE / "docs").glob("*.md")) + sorted((SOURCE / "demos").glob("*/*.md")))
+             + sorted((SOURCE / "docs").glob("**/*.md")) + sorted((SOURCE / "demos").glob("*/*.md")))
 
 
 @dataclass

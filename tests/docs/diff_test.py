@@ -1,4 +1,4 @@
-"""diff_test.py: docs/integrating.md quotes the diffs of demos/tutorial hunk by hunk: every hunk once, in the diff's order or not,
+"""diff_test.py: docs/tutorial.md quotes the diffs of demos/tutorial hunk by hunk: every hunk once, in the diff's order or not,
 word for word. They are as short as the page says."""
 import difflib
 import re
@@ -31,8 +31,8 @@ def main():
     texts = {path.name: path.read_text() for path in DIFFS}
     problems, quoted = [], []
     for block in all_blocks("diff"):
-        if block.document != "docs/integrating.md":
-            problems.append(f"{block}: a diff, which only docs/integrating.md is expected to quote")
+        if block.document != "docs/tutorial.md":
+            problems.append(f"{block}: a diff, which only docs/tutorial.md is expected to quote")
             continue
         # Whole lines, one after another.
         if not any(("\n" + block.text) in ("\n" + text) for text in texts.values()):
@@ -41,21 +41,21 @@ def main():
     for name, text in texts.items():
         missing = [line for line in added(text) if line not in quoted]
         if missing:
-            problems.append(f"docs/integrating.md leaves out of {name}:\n" + "\n".join(missing))
+            problems.append(f"docs/tutorial.md leaves out of {name}:\n" + "\n".join(missing))
     lines = {name: sum(line.startswith("+") for line in added(text)) for name, text in texts.items()}
-    page = (SOURCE / "docs/integrating.md").read_text()
+    page = (SOURCE / "docs/tutorial.md").read_text()
     for name, count in lines.items():
         if not re.search(rf"\[`{name}`\]\(#[^)]*\) \| {count} \|", page):
-            problems.append(f"docs/integrating.md does not say that {name} takes {count} lines")
+            problems.append(f"docs/tutorial.md does not say that {name} takes {count} lines")
     if lines["water.diff"] > MOST_LINES_TO_FIRST_WATER:
         problems.append(f"water.diff adds {lines['water.diff']} lines, expected {MOST_LINES_TO_FIRST_WATER} at the most")
     if sum(lines.values()) > MOST_LINES_TO_ALL:
         problems.append(f"all diffs add {sum(lines.values())} lines, expected {MOST_LINES_TO_ALL} at the most")
     sea, pond = lines_to_sea(), lines_to_pond()
     if sea > MOST_LINES_TO_FIRST_WATER or f"sea.diff` in {sea} lines" not in page:
-        problems.append(f"demos/minimal/sea.diff adds {sea} lines, which docs/integrating.md is expected to say")
+        problems.append(f"demos/minimal/sea.diff adds {sea} lines, which docs/tutorial.md is expected to say")
     if pond > MOST_LINES_TO_ALL or f"pond.cpp` in {pond}" not in page:
-        problems.append(f"demos/minimal/pond.cpp has {pond} lines beside triangle.cpp's, which docs/integrating.md is expected to say")
+        problems.append(f"demos/minimal/pond.cpp has {pond} lines beside triangle.cpp's, which docs/tutorial.md is expected to say")
     print("\n".join(problems))
     return 1 if problems else 0
 

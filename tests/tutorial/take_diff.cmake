@@ -1,4 +1,4 @@
-# Installs Seaglass, and builds its demos/tutorial against it as docs/integrating.md has it: before, and after each of its steps; and
+# Installs Seaglass, and builds its demos/tutorial against it as docs/tutorial.md has it: before, and after each of its steps; and
 # demos/minimal after sea.diff.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
