@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Makes shore.glb and shore_bed.glb: a sandy bay with palms, dunes, rocks and a rowing boat, all but its water. The second
-is what waves run up: sand and rocks.
+"""Makes shore.glb and shore_bed.glb: an island with a sandy bay, palms, dunes, rocks and a rowing boat, all but its water. The
+second is what waves run up: sand and rocks.
 
 In metres, +Y up, calm water at y = 0, the sea towards -z. Composed for an eye at about (-7, 2.2, 8) looking along the
 water's edge towards +x and -z.
@@ -57,9 +57,7 @@ class Land(Scene):
     def __init__(self):
         super().__init__(47)
         wood = self.glb.texture(texture.png(texture.wood()))
-        sand = self.glb.texture(texture.png(beach.sand()))
         self.materials = {
-            "sand": self.glb.material("sand", texture=sand, roughness=1.0),
             "leaf": self.glb.material("leaf", roughness=0.7, doubleSided=True),
             "paint": self.glb.material("paint", roughness=0.8),
             "wood": self.glb.material("wood", texture=wood, roughness=0.85),
@@ -94,16 +92,13 @@ class Land(Scene):
         heel = np.array([np.sin(np.radians(9) / 2), 0, 0, np.cos(np.radians(9) / 2)])
         self.glb.node(mesh, self.foot(x, z, -0.16), glb.times(glb.yaw(58), heel))
 
-    def outskirts(self):
-        self.glb.node(self.mesh("outskirts", Asset().add("sand", *beach.outskirts())))
-
 
 def main():
     folder = pathlib.Path(__file__).parent
     bed = Bed()
     glb.build(bed.glb, (bed.sand, bed.stones), folder / "shore_bed.glb")
     made = Land()
-    glb.build(made.glb, (made.trees, made.grass, made.boat, made.outskirts), folder / "shore.glb")
+    glb.build(made.glb, (made.trees, made.grass, made.boat), folder / "shore.glb")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""A sandy bay: its bed from the dunes to deep water, as one height function, and the sand's texture."""
+"""A sandy bay of an island: its bed from the dunes to deep water, as one height function, and the sand's texture."""
 import numpy as np
 
 from . import land, shape, texture
@@ -6,23 +6,39 @@ from .shape import rgb
 
 DRY, SHELLS, DEEP = rgb("#e6d3a8"), rgb("#f1e6cf"), rgb("#c2b083")
 SLOPE = 1 / 21
-WIDE, NEAR_Z, FAR_Z = 170, 80, -420  # of what waves are told of
+ACROSS, ALONG, MIDDLE_Z = 150, 95, 20  # half axes of the island, along x and z
+# Of the bed, around the island: it ends where water is so deep that nothing of it is seen.
+WIDE, NEAR_Z, FAR_Z = 310, 270, -230
 
 
 def edge(x):
-    """z of the water's edge: a bay that its ends close in, with low cusps."""
-    return -0.0034 * np.minimum(np.abs(x), WIDE) ** 2 + 0.9 * np.sin(x / 9.5 + 0.6) + 0.5 * np.sin(x / 4.1)
+    """z of the bay's water's edge: its ends close it in, with low cusps."""
+    return -0.0034 * x**2 + 0.9 * np.sin(x / 9.5 + 0.6) + 0.5 * np.sin(x / 4.1)
+
+
+def offshore(x, z):
+    """About how far it is from the island, without its bay: below 0 on it."""
+    u, v = x / ACROSS, (z - MIDDLE_Z) / ALONG
+    axes = np.hypot(u, v)
+    return axes * (axes - 1) / np.maximum(np.hypot(u / ACROSS, v / ALONG), 1e-3) + 9 * land.waves(x, z, 14, 90.0, 3)
+
+
+def rounded(a, b, within):
+    """The larger, with a rounded corner."""
+    apart = np.maximum(within - np.abs(a - b), 0) / within
+    return np.maximum(a, b) + within / 4 * apart**2
 
 
 def height(x, z):
-    seaward = edge(x) - z
-    deep = -300 * SLOPE * (1 - np.exp(-np.maximum(seaward, 0) / 300)) - 30 * land.smooth(-300, FAR_Z, z) ** 2
+    seaward = rounded(edge(x) - z, offshore(x, z), 16)
+    shelf = 60 - 46 * land.smooth(-20, 60, z)  # wide before the bay
+    deep = -300 * SLOPE * (1 - np.exp(-np.maximum(seaward, 0) / 300)) - 100 * land.smooth(shelf, shelf + 90, seaward)
     bar = 0.40 * np.exp(-(((seaward - 34) / 10) ** 2)) - 0.12 * np.exp(-(((seaward - 17) / 7) ** 2))
     inland = np.maximum(-seaward, 0)
     berm = 14 * SLOPE * (1 - np.exp(-inland / 14))
     dunes = land.smooth(17, 42, inland) * (2.6 + 1.5 * land.waves(x, z, 11, 26.0, 3))
     hummocks = 0.05 * land.smooth(4, 12, inland) * land.waves(x, z, 12, 3.2, 3)
-    heads = land.smooth(100, 210, np.abs(x)) * land.smooth(12, 80, inland) * (17 + 7 * land.waves(x, z, 13, 70.0, 4))
+    heads = land.smooth(65, 130, np.abs(x)) * land.smooth(12, 50, inland) * (13 + 7 * land.waves(x, z, 13, 70.0, 4))
     return deep + bar * (seaward > 0) + berm + dunes + hummocks + heads
 
 
@@ -48,34 +64,9 @@ def sheet(xs, zs):
     return shape.grid(np.stack([x, y, z], -1), paint(x, y, z), uv, shape.SMOOTH)
 
 
-def across():
-    return land.spaced((-WIDE, -64, 5), (-64, 64, 1.25), (64, WIDE, 5))
-
-
-SHOREWARDS = ((FAR_Z, -70, 14), (-70, -32, 2.5), (-32, 22, 1), (22, NEAR_Z, 2.5))
-
-
 def bed():
-    return sheet(across(), land.spaced(*SHOREWARDS))
-
-
-def seam(fine, coarse, along):
-    x, z = shape.seam(fine, coarse, along)
-    y = height(x, z)
-    return shape.fromTriangles(np.stack([x, y, z], -1), paint(x, y, z), np.stack([x, z], -1) / 1.9, shape.SMOOTH)
-
-
-def outskirts():
-    """What waves are not told of: beside the bay, and behind it. Where sheets meet they share every vertex, or the sky would shine
-    through the hills."""
-    beside, inland = WIDE + 14, NEAR_Z + 8
-    behind = ((inland, 180, 8), (180, 420, 24))
-    zs = land.spaced((FAR_Z - 60, -150, 30), (-150, 40, 9), (40, NEAR_Z, 8), (NEAR_Z, inland, 8), *behind)
-    border = land.spaced((FAR_Z - 60, FAR_Z, 30), *SHOREWARDS, (NEAR_Z, inland, 8), *behind)
-    sides = [sheet(side * land.spaced((beside, 324, 14), (324, 1200, 90))[::side], zs) for side in (-1, 1)]
-    seams = [seam(shape.row(side * WIDE, border), shape.row(side * beside, zs), 1) for side in (-1, 1)]
-    xs = land.spaced((-WIDE, WIDE, 10))
-    return [*sides, *seams, seam(shape.row(across(), NEAR_Z), shape.row(xs, inland), 0), sheet(xs, land.spaced(*behind))]
+    xs = land.spaced((-WIDE, -150, 16), (-150, -64, 4), (-64, 64, 1.5), (64, 150, 4), (150, WIDE, 16))
+    return sheet(xs, land.spaced((FAR_Z, -70, 12), (-70, -32, 2.5), (-32, 22, 1), (22, 125, 4), (125, NEAR_Z, 12)))
 
 
 def sand(size=256):
