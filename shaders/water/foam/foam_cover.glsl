@@ -15,16 +15,15 @@ const float filmVariance = 0.12;   // of the slopes of the film that foam is wet
 
 // What breakers leave; the edge of the water, wide and white where it rushes up; what it lays down where it turns, in lobes, as
 // much as `bend`, -1..1, moves the edge of that.
-float shoreFoam(const ShoreWave shore, Breakers breakers, float bend) {
-    float thick = thickness(shore) + 0.012 * bend;
+float shoreFoam(const ShoreSeen shore, float bend) {
+    float thick = shore.thick + 0.012 * bend;
     vec2 x = vec2((thick - 0.025) / 0.025, thick / 0.12);
     vec2 bells = exp(-x * x);
-    float rushes = smoothstep(-0.02, 0.1, shore.rushes);
-    float wet = wetness(shore) + 0.15 * bend;
+    float wet = shore.wet + 0.15 * bend;
     float rim = smoothstep(0.0, 0.12, wet) * (1.0 - smoothstep(0.15, 0.45, wet));
-    float left = thick > 0.0 ? (0.35 + 0.65 * rushes) * bells.x + 0.5 * rushes * bells.y : 0.7 * rim;
-    left *= smoothstep(0.0, 0.02, shore.swash);
-    return 1.0 - (1.0 - 0.95 * surfFoam(breakers, bend)) * (1.0 - min(left, 0.9));
+    float left = thick > 0.0 ? (0.35 + 0.65 * shore.rushes) * bells.x + 0.5 * shore.rushes * bells.y : 0.7 * rim;
+    left *= shore.swash;
+    return 1.0 - (1.0 - 0.95 * surfFoam(shore.breakers, bend)) * (1.0 - min(left, 0.9));
 }
 
 // Share of the places where a sum of three even distributions, of these widths and of mean 0, is below `x`.
@@ -52,7 +51,6 @@ float breakingNow(const SurfacePoint s) {
 struct Whitecaps {
     float gate;
     float now;
-    Breakers ofShore;
 };
 
 // Share of the surface that is white: what breakers left, of which each cascade has a factor (water/foam/foam_history.h), and
@@ -73,7 +71,7 @@ vec2 foamCover(const SurfacePoint s, vec2 aside, vec2 bend, float pixelWidth, Wh
         foamy *= left;
     }
     float clear = (1.0 - foamy.x) * (1.0 - caps.now);
-    if (hasShore) clear *= 1.0 - shoreFoam(s.shore, caps.ofShore, bend.y);
+    if (hasShore) clear *= 1.0 - shoreFoam(s.shore, bend.y);
     return vec2(1.0 - clear, max(foamy.y, 1.0 - clear));
 }
 
@@ -175,8 +173,7 @@ Foam foamOver(const SurfacePoint s) {
     vec2 patternWidth = vec2(max(length(drawnOut(wide, windrow)), length(drawnOut(pixel.shorter, windrow))),
                              max(length(drawnOut(wide, streak)), length(drawnOut(pixel.shorter, streak))));
     float gate = foamGate(under, width);
-    Whitecaps caps = Whitecaps(gate, gate * breakingNow(s), Breakers(0.0, 0.0, 0.0));
-    if (hasShore) caps.ofShore = breakersOf(s.shore);
+    Whitecaps caps = Whitecaps(gate, gate * breakingNow(s));
     Foam sum = Foam(0.0, 0.0, vec2(0.0), 0.0, 0.0);
     int parts = partsOfPixel();
     int i = 0;

@@ -117,9 +117,16 @@ SurfacePoint shownPoint(Found found, ivec2 at, inout uint turn) {
     if (onGlobe) s.height = clamp(s.height, -farthestAside(), farthestAside());
     s.overPlane.y = calmLevel() + s.height;
     if (onGlobe) s.level = levelAt(found.calm);
-    if (hasShore) s.shore = shoreWave(found.calm, s.pixelLength);
+    WaveGradient ofShore = WaveGradient(vec2(0.0), vec2(0.0), vec2(0.0));
+    vec3 unseenOfShore = vec3(0.0);
+    if (hasShore) {
+        ShoreWave w = shoreWave(found.calm, s.pixelLength);
+        addShore(w, ofShore);
+        unseenOfShore = w.covariance;
+        s.shore = shoreSeen(w);
+    }
     s.calm = shownCalm(found.calm, s.footprint, found.position, s.height, cross(right.position, down.position));
-    findSlopes(s, turn);
+    findSlopes(s, ofShore, unseenOfShore, turn);
     s.sunSeen = 1.0;
     s.air = vec4(vec3(0.0), 1.0);
     return s;

@@ -128,8 +128,8 @@ BentPoint bentPoint(vec2 here, vec3 from, vec3 direction, float t, int rounds) {
 }
 
 // 1 where water is so deep that it mirrors as the sea does, not as the sand below it lies.
-float deepEnough(const ShoreWave shore) {
-    return smoothstep(0.1, 0.4, thickness(shore));
+float deepEnough(const ShoreSeen shore) {
+    return smoothstep(0.1, 0.4, shore.thick);
 }
 
 // Of a place, by the sand at the point [m].

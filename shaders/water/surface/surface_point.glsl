@@ -1,6 +1,34 @@
 // What a pixel shows of the surface: all that shading knows of it. Its slope, and what of its waves is too small to be seen
 // there: a Gaussian of slopes (Cox and Munk 1954), whose variance is what the mips of the derivatives lost plus what no cascade holds.
 
+
+// What shading knows of a shore's bed, and of the trains that it guides: less than ShoreWave, since all of it is kept meanwhile.
+struct ShoreSeen {
+    vec4 kept;       // of each cascade's amplitude
+    float depth;     // of calm water
+    vec2 bedSlope;
+    float thick;     // how high the water that the bed guides stands over it; less than nothing behind the water's edge [m]
+    float wet;       // how far wet sand has been left behind by the water's edge, 1: it has just been there, 0: it is dry
+    float rushes;    // how fast the water's edge rises, 0..1
+    float swash;     // 1 where that edge moves at all
+    vec2 advected;   // what the swash has carried foam by [m]
+    Breakers breakers;
+};
+
+ShoreSeen shoreSeen(ShoreWave w) {
+    ShoreSeen seen;
+    seen.kept = w.kept;
+    seen.depth = w.depth;
+    seen.bedSlope = w.bedSlope;
+    seen.thick = w.height + w.depth - dot(w.bedSlope, w.move);
+    seen.wet = clamp((w.wetTo + w.depth) / max(0.8 * w.swash, 1e-3), 0.0, 1.0);
+    seen.rushes = smoothstep(-0.02, 0.1, w.rushes);
+    seen.swash = smoothstep(0.0, 0.02, w.swash);
+    seen.advected = w.advected;
+    seen.breakers = breakersOf(w);
+    return seen;
+}
+
 struct SurfacePoint {
     vec2 pixel;         // of the region, its middle
     bool fromWater;     // it is seen from within the water
@@ -12,7 +40,7 @@ struct SurfacePoint {
     vec3 overPlane;     // where it was before it sank on a globe
     float height;       // above the calm water [m]
     mat3 level;         // fromLevel()
-    ShoreWave shore;
+    ShoreSeen shore;
     vec2 slope;         // mean over the pixel
     vec3 covariance;    // of the slopes within it: uu, vv, uv
     float slopeStep;    // change of slope to the next pixel
@@ -33,24 +61,14 @@ vec3 sunDirection(const SurfacePoint s) {
     return onGlobe ? sunAtEye() * s.level : sunAtEye();
 }
 
-// How high the water that the bed guides stands over it; less than nothing behind the water's edge [m].
-float thickness(const ShoreWave shore) {
-    return shore.height + shore.depth - dot(shore.bedSlope, shore.move);
-}
-
-// How far wet sand has been left behind by the water's edge, 1: it has just been there, 0: it is dry.
-float wetness(const ShoreWave shore) {
-    return clamp((shore.wetTo + shore.depth) / max(0.8 * shore.swash, 1e-3), 0.0, 1.0);
-}
-
 // Share of the surface that is to be seen: nothing of it where it lies dry.
-float presence(const ShoreWave shore) {
-    return max(smoothstep(0.0, 0.025, thickness(shore)), wetness(shore));
+float presence(const ShoreSeen shore) {
+    return max(smoothstep(0.0, 0.025, shore.thick), shore.wet);
 }
 
 // 1 where the surface is but a film.
-float onSand(const ShoreWave shore) {
-    return 1.0 - smoothstep(0.0, 0.04, thickness(shore));
+float onSand(const ShoreSeen shore) {
+    return 1.0 - smoothstep(0.0, 0.04, shore.thick);
 }
 
 // What a shore leaves of each cascade's amplitude here.
@@ -101,8 +119,8 @@ float partOfAWave(float texels) {
     return 1.0 - smoothstep(8.0, 32.0, texels);
 }
 
-// By the waves at its calm position. `turn` is tile_quad.glsl's.
-void findSlopes(inout SurfacePoint s, inout uint turn) {
+// By the waves at its calm position, and a shore's own. `turn` is tile_quad.glsl's.
+void findSlopes(inout SurfacePoint s, WaveGradient ofShore, vec3 unseenOfShore, inout uint turn) {
     s.slope = vec2(0.0);
     s.covariance = unresolvedSlopes();
     s.slopeStep = s.bounded = 0.0;
@@ -134,10 +152,12 @@ void findSlopes(inout SurfacePoint s, inout uint turn) {
     variance.xy = max(variance.xy, 0.0);
     WaveGradient gradient = waveGradient(derivatives, shear, s.calm);
     if (hasShore) {
-        addShore(s.shore, gradient);
+        gradient.height += ofShore.height;
+        gradient.movedU += ofShore.movedU;
+        gradient.movedV += ofShore.movedV;
         float ripples = s.shore.kept[cascades - 1];
         s.covariance *= ripples * ripples;
-        variance += s.shore.covariance;
+        variance += unseenOfShore;
     }
     s.slope = slopeOfWaves(gradient);
     s.covariance += variance;
