@@ -25,6 +25,9 @@ void planeFrom(const World& world, const double (&host)[4], double (&out)[4]) {
     out[3] = host[3] / world.unitsPerMetre;
 }
 
+namespace {
+
+/// A matrix that takes the host's points, to one that takes Seaglass's.
 void matrixFrom(const World& world, const double (&host)[16], double (&out)[16]) {
     double turned[16];
     for (int row = 0; row < 4; ++row) {
@@ -38,11 +41,14 @@ void matrixFrom(const World& world, const double (&host)[16], double (&out)[16])
     for (int i = 0; i < 16; ++i) out[i] = turned[i];
 }
 
+/// Of lengths `scale` times as long. w stays the distance ahead, or 1 by parallel sight.
 void scaleProjection(double (&projection)[16], double scale) {
     const bool parallel = projection[3] == 0 && projection[7] == 0 && projection[11] == 0;
     for (int i = 0; i < 12; ++i) projection[i] *= parallel ? 1 / scale : 1;
     for (int i = 12; i < 16; ++i) projection[i] *= parallel ? 1 : scale;
 }
+
+} // namespace
 
 void worldFrom(const World& world, ViewDesc* view) {
     double turned[16];

@@ -1,5 +1,6 @@
 // Times of the sea on one core: evaluating its maps, querying its heights, drawing it.
 #include "seaglass/waves_fftw.h"
+#include "water/interface/waves_backend.h"
 
 #include <benchmark/benchmark.h>
 

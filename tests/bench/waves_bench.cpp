@@ -21,6 +21,7 @@
 #include "seaglass/water.h"
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/rig/rig.h"
+#include "water/interface/waves_backend.h"
 
 namespace {
 

@@ -141,7 +141,7 @@ std::string settingsPage() {
         described<SwellDesc>("seaglass/sea.h"),
         described<SpectrumSample>("seaglass/sea.h"),
         described<ShoreDesc>("seaglass/sea.h"),
-        described<FoamDesc>("seaglass/foam.h"),
+        described<FoamDesc>("seaglass/sea.h"),
         described<RefractionDesc>("seaglass/water.h"),
         described<ReflectionDesc>("seaglass/reflection.h"),
         described<UnderwaterDesc>("seaglass/water.h"),

@@ -7,6 +7,7 @@
 
 #include "tests/faults/failing_device.h"
 #include "tests/unit/cameras.h"
+#include "water/interface/waves_backend.h"
 
 namespace {
 

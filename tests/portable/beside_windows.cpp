@@ -7,7 +7,6 @@
 #define malloc(size) _malloc_dbg(size, 1, __FILE__, __LINE__)
 #define free(block) _free_dbg(block, 1)
 
-#include <seaglass/foam.h>
 #include <seaglass/water.h>
 #include <seaglass/water_type.h>
 

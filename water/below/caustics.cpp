@@ -29,7 +29,7 @@ struct CausticConstants {
 
 constexpr VkFormat lightFormat = VK_FORMAT_R16G16_SFLOAT;
 constexpr uint32_t mostMips = 6;          // blurs as wide as 64 texels
-constexpr uint32_t reach = 1 << mostMips; // of looks beyond a view, in texels: two of the last mip
+constexpr uint32_t reach = 1 << mostMips; // of taps beyond a view, in texels: two of the last mip
 
 VkExtent2D over(const glm::ivec2& pixels, int step) {
     return {static_cast<uint32_t>((pixels.x + step - 1) / step),

@@ -1,5 +1,7 @@
 #include "water/foam/foam.h"
 
+#include "water/interface/waves_backend.h"
+
 namespace seaglass {
 
 namespace {

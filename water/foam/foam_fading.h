@@ -25,11 +25,11 @@ constexpr double foamStepTime(int64_t step) {
     return static_cast<double>(step) / foamStepsPerSecond;
 }
 
-/// A step of plumes looks ahead for the crests that have just run over a place: so long after, `look` from 0
+/// A step of plumes looks ahead for the crests that have just run over a place: so long after, `tap` from 0
 /// on [s].
-constexpr int plumeLooks = 4;
-constexpr double plumeLook(int look) {
-    return (look + 0.5) / plumeLooks * foamStepsPerPlume / foamStepsPerSecond;
+constexpr int plumeTaps = 4;
+constexpr double plumeTap(int tap) {
+    return (tap + 0.5) / plumeTaps * foamStepsPerPlume / foamStepsPerSecond;
 }
 
 struct Fading {

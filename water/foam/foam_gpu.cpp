@@ -43,7 +43,7 @@ FoamBand ComputedFoam::bandOf(uint32_t c, const FoamStep& step) const {
     const Cascade& cascade = seaglass::cascade(*sea_, c);
     const FoamDrift drift = foamDriftOf(description(*sea_), cascade, foamStepTime(step.step));
     const Fading &foam = fading_[c].foam, &plume = fading_[c].plume;
-    const double ahead = (plumeLook(1) - plumeLook(0)) / cascade.patch;
+    const double ahead = (plumeTap(1) - plumeTap(0)) / cascade.patch;
     FoamBand band;
     band.foam = {breaking_.threshold[c], 1 / breaking_.softness[c], foam.over(step.fadings), foam.floor};
     band.plume = {plume.over(std::max<int64_t>(step.plumeFadings, 1)), plume.floor,
@@ -60,7 +60,7 @@ Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, cons
     block.along = {breaking_.along[0], breaking_.along[1], breaking_.along[2], 0};
     block.foamAnew = step.foamAnew;
     block.plumeAnew = step.plumeAnew;
-    block.plumes = step.plumeFadings > 0 ? plumeLooks : 0;
+    block.plumes = step.plumeFadings > 0 ? plumeTaps : 0;
     gpu::Slice slice;
     if (const Status s = context.frame().upload(block, slice); s != Status::ok) return s;
 

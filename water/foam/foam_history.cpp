@@ -1,6 +1,7 @@
 #include "water/foam/foam_history.h"
 
 #include "water/interface/foam_layers.h"
+#include "water/interface/waves_backend.h"
 #include "water/sea/sea.h"
 
 #include <algorithm>
@@ -105,8 +106,8 @@ void FoamHistory::stepPlume(uint32_t c, double time, const FoamStep& step) {
     const float floor = fading_[c].plume.floor, fade = fading_[c].plume.over(step.plumeFadings);
     std::swap(band.plume, band.plumeNext);
     for (size_t n = 0; n < band.plume.size(); ++n) band.plumeNext[n] = fadedPlume(band.plume[n], fade, floor);
-    for (int look = 0; look < plumeLooks; ++look) {
-        const double ahead = plumeLook(look) * samples / cascade.patch;
+    for (int tap = 0; tap < plumeTaps; ++tap) {
+        const double ahead = plumeTap(tap) * samples / cascade.patch;
         const Shifted there(compression_, cascade.samples,
                             samples * drift.u + ahead * double{breaking_.runs[c][0]},
                             samples * drift.v + ahead * double{breaking_.runs[c][1]});

@@ -1,5 +1,7 @@
 #include "water/foam/foam_upload.h"
 
+#include "water/interface/waves_backend.h"
+
 #include <glm/packing.hpp>
 
 namespace seaglass {

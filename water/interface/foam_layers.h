@@ -2,7 +2,7 @@
 // with it, in two layers, which the wind draws out.
 #pragma once
 
-#include "seaglass/sea.h"
+#include "water/interface/sea_contents.h"
 
 namespace seaglass {
 

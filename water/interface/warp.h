@@ -1,6 +1,6 @@
 // How a sea's tiles are drawn out of shape, so that nobody sees them repeat: a place looks its waves up a
 // little way aside on their tiles, by a shift that changes slowly from place to place (domain warping, Perlin
-// 1985). Then no two places a tile apart show the same waves for long, and each map still has one look.
+// 1985). Then no two places a tile apart show the same waves for long, and each map is still sampled once.
 //
 // The shift is a sum of slow waves, made of parabolas, which need no sine. It is level at the origin, and 0.
 #pragma once

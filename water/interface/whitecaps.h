@@ -1,7 +1,7 @@
 // Which cascades break, and from which compression on: set so that foam covers what the whitecap laws say.
 #pragma once
 
-#include "seaglass/foam.h"
+#include "water/interface/waves_backend.h"
 
 namespace seaglass {
 
@@ -34,5 +34,15 @@ struct Breaking {
 constexpr float foamBreaksApart = 0.85f;
 
 Breaking breakingOf(const Sea& sea, const FoamDesc& foam);
+
+/// Share of the sea that whitecaps cover, 3.84e-6 U^3.41 (Monahan and O'Muircheartaigh 1980); U10 [m/s].
+double whitecapsOfMonahan(double windSpeed);
+/// 3.18e-5 (U - 3.70)^3, then 4.82e-6 (U + 1.98)^3 (Callaghan, de Leeuw, Cohen and O'Dowd 2008); U10 [m/s].
+double whitecapsOfCallaghan(double windSpeed);
+
+/// Share of the sea, from above, that foam covers at `time`, measured on the backend's maps; 0 of a flat sea.
+/// Takes tenths of a second: some seventy evaluations. False: out of memory, or `foam` is out of range.
+bool whitecapCover(const Sea& sea, const WavesBackend& backend, const FoamDesc& foam, double time,
+                   double* cover);
 
 } // namespace seaglass

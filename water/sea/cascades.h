@@ -4,6 +4,7 @@
 // band, or a peak; so a sea of fewer samples is the same sea, truncated.
 #pragma once
 
+#include "water/interface/sea_contents.h"
 #include "water/spectrum/wave_systems.h"
 
 namespace seaglass {

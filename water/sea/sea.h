@@ -1,7 +1,7 @@
 // What a sea holds: its description, its cascades and their modes. Never changed once made.
 #pragma once
 
-#include "seaglass/sea.h"
+#include "water/interface/sea_contents.h"
 #include "water/interface/warp.h"
 #include "water/sea/modes.h"
 #include "water/shore/shore.h"

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "seaglass/sea.h"
+#include "water/interface/sea_contents.h"
 
 namespace seaglass {
 

@@ -1,5 +1,6 @@
 // What the waves of a shore have wetted: the trains' rows of the last while, and how high film lay in the
-// time of each look back. Looks follow one another without a gap, so that no wave is missed at any age.
+// time of each sample of the past. Samples follow one another without a gap, so that no wave is missed at any
+// age.
 #include "seaglass/shore.h"
 
 #include <algorithm>
@@ -15,38 +16,38 @@
 namespace seaglass {
 namespace {
 
-constexpr uint32_t aimedLooks = 80;
+constexpr uint32_t aimedSamples = 80;
 constexpr double leastDrying = 1, mostDrying = 300; // [s]
 
-/// Up to where film has lain in a look's time, and lies; the water's edge.
+/// Up to where film has lain in a sample's time, and lies; the water's edge.
 using Row = std::array<float, 4>;
 
-struct Looks {
+struct PastSamples {
     double drying, seconds;
-    uint32_t stride, count, rows; ///< rows from look to look; looks; rows of a train
+    uint32_t stride, count, rows; ///< rows from sample to sample; samples; rows of a train
 };
 
-Looks looksOf(const Shore& shore, double dryingTime) {
-    Looks looks;
-    looks.drying = std::isfinite(dryingTime) ? std::clamp(dryingTime, leastDrying, mostDrying) : mostDrying;
+PastSamples pastSamplesOf(const Shore& shore, double dryingTime) {
+    PastSamples past;
+    past.drying = std::isfinite(dryingTime) ? std::clamp(dryingTime, leastDrying, mostDrying) : mostDrying;
     const double step = shore.rowStep();
-    looks.stride = std::max(1u, static_cast<uint32_t>(std::ceil(looks.drying / aimedLooks / step)));
-    looks.seconds = looks.stride * step;
-    looks.count = static_cast<uint32_t>(std::ceil(looks.drying / looks.seconds)) + 2;
-    looks.rows = shore.rowCount() + looks.count * looks.stride + 2;
-    return looks;
+    past.stride = std::max(1u, static_cast<uint32_t>(std::ceil(past.drying / aimedSamples / step)));
+    past.seconds = past.stride * step;
+    past.count = static_cast<uint32_t>(std::ceil(past.drying / past.seconds)) + 2;
+    past.rows = shore.rowCount() + past.count * past.stride + 2;
+    return past;
 }
 
 /// All of a train, newest first.
-void fillTrain(const Shore& shore, uint32_t train, double time, const Looks& looks, Row* rows) {
-    const uint32_t oldest = looks.rows + looks.stride;
+void fillTrain(const Shore& shore, uint32_t train, double time, const PastSamples& past, Row* rows) {
+    const uint32_t oldest = past.rows + past.stride;
     std::vector<float> films(oldest + 1);
     shore.follow(train, time, oldest, [&](uint32_t back, const ShoreRow& row) {
         films[back] = row.wet;
-        if (back < looks.rows) rows[back] = {0, row.wet, row.swash, 0};
+        if (back < past.rows) rows[back] = {0, row.wet, row.swash, 0};
     });
-    for (uint32_t i = 0; i < looks.rows; ++i)
-        rows[i][0] = *std::max_element(films.begin() + i, films.begin() + i + looks.stride + 1);
+    for (uint32_t i = 0; i < past.rows; ++i)
+        rows[i][0] = *std::max_element(films.begin() + i, films.begin() + i + past.stride + 1);
 }
 
 float highestOf(std::span<const Row> train) {
@@ -78,7 +79,7 @@ bool shoreTexels(const Sea& sea, float* out) {
 
 uint32_t shoreRowCount(const Sea& sea, double dryingTime) {
     const Shore* const shore = shoreOf(sea);
-    return shore ? shoreTrains * looksOf(*shore, dryingTime).rows : 0;
+    return shore ? shoreTrains * pastSamplesOf(*shore, dryingTime).rows : 0;
 }
 
 ShoreBlock shoreRows(const Sea& sea, double time, double dryingTime, const double eye[2], float* rows) {
@@ -86,12 +87,12 @@ ShoreBlock shoreRows(const Sea& sea, double time, double dryingTime, const doubl
     const Shore* const shore = shoreOf(sea);
     if (!shore) return block;
     const double now = std::isfinite(time) ? time : 0;
-    const Looks looks = looksOf(*shore, dryingTime);
-    std::vector<Row> made(size_t{shoreTrains} * looks.rows);
+    const PastSamples past = pastSamplesOf(*shore, dryingTime);
+    std::vector<Row> made(size_t{shoreTrains} * past.rows);
     float highest = 0;
     for (uint32_t train = 0; train < shoreTrains; ++train) {
-        const std::span<Row> own(&made[size_t{train} * looks.rows], looks.rows);
-        if (shore->runs()) fillTrain(*shore, train, now, looks, own.data());
+        const std::span<Row> own(&made[size_t{train} * past.rows], past.rows);
+        if (shore->runs()) fillTrain(*shore, train, now, past, own.data());
         highest += highestOf(own);
     }
     std::memcpy(rows, made.data(), made.size() * sizeof(Row));
@@ -101,11 +102,11 @@ ShoreBlock shoreRows(const Sea& sea, double time, double dryingTime, const doubl
     block.place[2] = static_cast<float>(1 / shore->spacing());
     block.rows[0] = static_cast<float>(1 / step);
     block.rows[1] = static_cast<float>(std::ceil(now / step) - now / step);
-    block.rows[2] = static_cast<float>(looks.rows);
-    block.rows[3] = static_cast<float>(looks.stride);
-    block.form[0] = static_cast<float>(looks.count);
-    block.form[1] = static_cast<float>(looks.seconds);
-    block.form[2] = static_cast<float>(looks.drying);
+    block.rows[2] = static_cast<float>(past.rows);
+    block.rows[3] = static_cast<float>(past.stride);
+    block.form[0] = static_cast<float>(past.count);
+    block.form[1] = static_cast<float>(past.seconds);
+    block.form[2] = static_cast<float>(past.drying);
     block.form[3] = highest;
     return block;
 }
@@ -123,12 +124,12 @@ ShoreWetness shoreWetness(const Sea& sea, const ShoreBlock& block, const float* 
     ShoreWetness out{1 - smoothstep(0, std::max(0.3 * moves, 1e-3), height), height < 0 ? 1.0 : 0.0};
     const double wicks = 0.15 * moves; // it climbs so far from where it stands [m]
     if (!(moves > 0) || height > moves * double{block.form[3]} + wicks) return out;
-    const auto reach = [&](size_t which, uint32_t look) {
+    const auto reach = [&](size_t which, uint32_t sample) {
         double sum = 0;
         for (size_t t = 0; t < shoreTrains; ++t) {
             const double now =
                 std::max(double{here.arrival[t]} * double{block.rows[0]} + double{block.rows[1]}, 0.0);
-            const double row = std::min(now + look * double{block.rows[3]}, double{block.rows[2]} - 1.001);
+            const double row = std::min(now + sample * double{block.rows[3]}, double{block.rows[2]} - 1.001);
             const auto whole = static_cast<size_t>(row);
             const float* const newer = rows + 4 * (t * static_cast<size_t>(block.rows[2]) + whole) + which;
             sum += std::lerp(double{newer[0]}, double{newer[4]}, row - static_cast<double>(whole));
@@ -137,10 +138,10 @@ ShoreWetness shoreWetness(const Sea& sea, const ShoreBlock& block, const float* 
     };
     const double film = std::clamp((reach(1, 0) - height) / std::max(0.8 * moves, 1e-3), 0.0, 1.0);
     out.under = std::max({out.under, smoothstep(0, 0.025, reach(2, 0) - height), film});
-    for (uint32_t look = 0; look < static_cast<uint32_t>(block.form[0]); ++look) {
-        const double left = 1 - smoothstep(0, 1, look * double{block.form[1]} / double{block.form[2]});
+    for (uint32_t sample = 0; sample < static_cast<uint32_t>(block.form[0]); ++sample) {
+        const double left = 1 - smoothstep(0, 1, sample * double{block.form[1]} / double{block.form[2]});
         if (left <= out.wet) break;
-        out.wet = std::max(out.wet, left * smoothstep(-wicks, 0, reach(0, look) - height));
+        out.wet = std::max(out.wet, left * smoothstep(-wicks, 0, reach(0, sample) - height));
     }
     return out;
 }

@@ -2,7 +2,7 @@
 // which is the rest.
 #pragma once
 
-#include "seaglass/sea.h"
+#include "water/interface/sea_contents.h"
 
 namespace seaglass {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "seaglass/foam.h"
+#include "water/interface/whitecaps.h"
 #include "water/sea/smoothstep.h"
 
 namespace seaglass {

@@ -8,6 +8,7 @@
 #include "gpu/context.h"
 #include "gpu/memory/image.h"
 #include "gpu/memory/mip_chain.h"
+#include "water/interface/waves_backend.h"
 
 namespace seaglass {
 

@@ -1,5 +1,7 @@
 #include "water/waves/waves.h"
 
+#include "water/interface/waves_backend.h"
+
 #include <utility>
 
 namespace seaglass {

@@ -4,6 +4,7 @@
 // along the rows goes row by row through a buffer that fits the first-level cache, straight into the maps.
 #include "seaglass/waves_fftw.h"
 
+#include "water/interface/waves_backend.h"
 #include "water/sea/phase.h"
 #include "water/sea/sea.h"
 #include "water/waves/wave_fields.h"

@@ -4,6 +4,7 @@
 
 #include "shaders/shared/water_bindings.h"
 #include "water/body/body.h"
+#include "water/interface/waves_backend.h"
 #include "water/waves/in_tile.h"
 
 namespace seaglass {

@@ -1,5 +1,7 @@
 #include "water/waves/waves_upload.h"
 
+#include "water/interface/waves_backend.h"
+
 namespace seaglass {
 
 namespace {

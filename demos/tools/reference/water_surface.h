@@ -11,7 +11,7 @@
 #include "reference/water/globe.h"
 #include "reference/water/outline.h"
 #include "reference/water/shore_wave.h"
-#include "seaglass/foam.h"
+#include "seaglass/sea.h"
 
 // Not public: of the sea itself.
 #include "water/interface/foam_gate.h"

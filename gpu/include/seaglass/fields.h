@@ -1,5 +1,5 @@
 // Descriptions as tables of their settings, for a host's panels, consoles and files. The library checks by
-// the same tables: beyond its range a field is `invalidArgument`. fieldsOf() stands below each description.
+// the same tables: beyond its range a field is `invalidArgument`.
 //
 //   for (const Field& field : fieldsOf(body.mesh))
 //       if (field.type == FieldType::float32 && field.count == 1)
@@ -50,13 +50,16 @@ struct Field {
 
 /// Fields of a description, but pointers and what has a table of its own; lives as long as the program.
 struct FieldTable {
-    const char* desc = nullptr;    ///< its name in C++
-    const Field* fields = nullptr; ///< in the header's order
-    uint32_t count = 0;            ///< of fields
-
+    const char* desc = nullptr;                                   ///< its name in C++
+    const Field* fields = nullptr;                                ///< in the header's order
+    uint32_t count = 0;                                           ///< of fields
     constexpr const Field* begin() const { return fields; }       ///< for loops
     constexpr const Field* end() const { return fields + count; } ///< likewise
 };
+
+/// The settings of a description that docs/reference/settings.md lists; for others it does not link.
+template<typename Desc>
+FieldTable fieldsOf(const Desc&);
 
 /// Whether a field may hold a value.
 inline bool isInRange(const Field& field, double value) {

@@ -24,11 +24,9 @@ struct FogDesc {
     float falloff = 0.01f;                  ///< of `height` [1/m], 0..10; 0: as `exponential`
     double baseHeight = 0;                  ///< of `height` [m], -1e6..1e6
     float color[3] = {0, 0, 0};             ///< radiance of endless fog; each finite, 0 or more
-    float fromSky = 0; ///< share of that which is the sky's own, where the line of sight ends, 0..1
-    float most = 1;    ///< share of light that it takes at most, 0..1
-    /// The host fogs its sky as what is endlessly far, and the sky that is mirrored gets it, too. False:
-    /// LightingDesc::skyCube shows the sky as the host does.
-    bool overSky = true;
+    float fromSky = 0;   ///< share of that which is the sky's own, where the line of sight ends, 0..1
+    float most = 1;      ///< share of light that it takes at most, 0..1
+    bool overSky = true; ///< the mirrored sky gets it too, as what is endlessly far; false: skyCube holds it
 };
 
 /// SeaglassFog of medium.glsl, in std140 and std430.
@@ -43,7 +41,5 @@ FogBlock fogBlock(const FogDesc& desc, double eyeHeight); ///< for an eye at tha
 /// Share of light that passes along `way` metres (1e9: endless) from y = `from`, which rise by `rise` metres.
 /// As medium.glsl computes it, in double. Any thread.
 double fogTransmittance(const FogDesc& desc, double from, double rise, double way);
-
-FieldTable fieldsOf(const FogDesc&); ///< its settings
 
 } // namespace seaglass

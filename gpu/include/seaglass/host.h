@@ -107,46 +107,43 @@ enum class Encoding : uint32_t {
 };
 inline constexpr const char* encodings[] = {"unspecified", "linear", "srgb"}; ///< its names, from 0 on
 
-/// A sampled view of one of the host's images: of usage VK_IMAGE_USAGE_SAMPLED_BIT, type 2D, its swizzle the
-/// identity; beside a stencil of VK_IMAGE_ASPECT_DEPTH_BIT alone.
+/// A view of one of the host's images: of VK_IMAGE_USAGE_SAMPLED_BIT, type 2D, without a swizzle, of
+/// VK_IMAGE_ASPECT_COLOR_BIT or VK_IMAGE_ASPECT_DEPTH_BIT alone.
 struct Image {
     VkImageView view = VK_NULL_HANDLE;     ///< of mip 0 and layer 0
     VkFormat format = VK_FORMAT_UNDEFINED; ///< the view's; an sRGB view decodes what a UNORM view would not
     VkExtent2D extent = {0, 0};            ///< [pixel]
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; ///< when sampled, GENERAL or read-only: never changed
-    /// Of scene colour and depth: 1 to 16 a pixel, at Vulkan's standard locations. Of anything else 1.
-    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-    Encoding encoding = Encoding::unspecified; ///< of sceneColor, planar and bed pictures
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT; ///< scene's: 1..16, at standard locations; else 1
+    Encoding encoding = Encoding::unspecified;             ///< of sceneColor, planar and bed pictures
 };
 
 /// One camera in one frame.
 struct ViewDesc {
     double view[16] = {}; ///< world to view: turns and moves, and may mirror
-    /// View to clip, along the view's z either way, by parallel lines of sight along -z. Depth direction,
-    /// near, far and infinity are read from it.
+    /// View to clip; along the view's z either way, orthographic along -z. Its depth's direction, near and
+    /// far, infinity too, are read from it.
     double projection[16] = {};
     VkViewport viewport = {}; ///< as set for drawing [pixel]; a negative height flips; depth range 0..1
     /// Opaque scene colour: RGBA16F, RGBA32F, B10G11R11_UFLOAT, or RGBA8, BGRA8 and packed A8B8G8R8 as UNORM
     /// or SRGB, whose alpha is not read. Null with `sceneDepth`: no scene, for water that needs none.
     Image sceneColor;
     /// Opaque scene depth of the same pixels: D16, X8_D24, D32, each with stencil or without, or a copy as
-    /// R16_UNORM or R32_SFLOAT. What the format cannot tell apart from the plane counts as lying on it.
-    /// Of multisampled depth sample 0 of each pixel is read, and of a colour of as many samples. Of resolved
-    /// colour, along edges, the next pixel of the same surface is. Such a view holds 12 bytes a pixel more.
+    /// R16_UNORM or R32_SFLOAT. What the format cannot tell apart from the plane counts as lying on it. Of
+    /// multisampled images sample 0 is read; beside resolved colour, along edges, the next pixel of the same
+    /// surface. Such a view holds 12 bytes a pixel more.
     Image sceneDepth;
     uint32_t viewIndex = 0; ///< 0..7: which view of this frame, so that each keeps its own images
-    /// Optional, of ssr, which then follows each pixel's own ray: unit world normals of the surface (x, y, z
-    /// of RGBA16F, RGBA32F or RGBA8_SNORM) at the same pixels, visible to compute shaders. 0 and what is not
-    /// finite: the plane's.
+    /// Optional, of ssr, which then follows each pixel's own ray: unit world normals of the surface (RGBA16F,
+    /// RGBA32F or RGBA8_SNORM) at the same pixels, for compute shaders. 0 and not finite: the plane's.
     const Image* surfaceNormals = nullptr;
-    /// By how much `projection` moves this frame's picture, right and down [pixel], -16..16:
-    /// ReflectionDesc::temporal averages over it, SurfaceOutput::motion leaves it out.
-    double jitter[2] = {0, 0};
-    bool cut = false; ///< the camera or the scene jumped: those two begin anew
+    double jitter[2] = {0, 0}; ///< of this frame's picture by `projection`, right and down [pixel], -16..16:
+                               ///< `temporal` averages over it, SurfaceOutput::motion leaves it out
+    bool cut = false;          ///< the camera or the scene jumped: those two begin anew
 };
 
-/// What something costs, known before it is made: images and buffers on this device, without pipelines, frame
-/// slots' small uniform blocks, and what all bodies of a context share (with foam 0.7 MB).
+/// What something costs, known before it is made: images and buffers on this device, without pipelines,
+/// uniform blocks, and what all bodies of a context share (with foam 0.7 MB).
 struct Estimate {
     uint64_t bytes = 0;                   ///< device memory held once
     uint64_t bytesPerView = 0;            ///< and for each view index that is used
@@ -175,24 +172,16 @@ struct LightingDesc {
     VkImageLayout skyCubeLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; ///< when sampled
     uint32_t skyCubeMipLevels = 1;     ///< of skyCube, 1..16; no more are read than its view has
     const SunShadow* shadow = nullptr; ///< of what hides the sun from the water; null: nothing does
-    /// Of a null `skyCube`: radiance straight up, each finite, 0 or more. A unit direction that rises by y
-    /// has the share |y| (2 - |y|) of the way to it, or to skyGround, from the horizon's. By default a clear
-    /// day, on which white in the sun is about 1.
+    /// Of a null `skyCube`: radiance straight up, each 0 or more. A unit direction that rises by y has the
+    /// share |y| (2 - |y|) of the way from the horizon's to it, or to skyGround. By default a clear day.
     float skyZenith[3] = {0.08f, 0.16f, 0.32f};
     float skyHorizon[3] = {0.40f, 0.50f, 0.60f}; ///< likewise, at the horizon
     float skyGround[3] = {0.15f, 0.15f, 0.13f};  ///< likewise, straight down
-    /// In the air between the eye, or the near plane of parallel lines of sight, and the water; null: none.
-    /// ViewDesc::sceneColor holds the host's fog already, and gets no more.
-    const FogDesc* fog = nullptr;
+    const FogDesc* fog = nullptr; ///< from the eye, or an orthographic near plane, to the water; null: none.
+                                  ///< ViewDesc::sceneColor has the host's already, and gets no more
 };
 
 /// What a sky of colours sends from a unit direction, for hosts that draw it. Any thread.
 void skyRadiance(const LightingDesc& lighting, const double (&direction)[3], float (&out)[3]);
-
-FieldTable fieldsOf(const DeviceDesc&);   ///< its settings
-FieldTable fieldsOf(const Image&);        ///< its settings
-FieldTable fieldsOf(const ViewDesc&);     ///< its settings
-FieldTable fieldsOf(const SunShadow&);    ///< its settings
-FieldTable fieldsOf(const LightingDesc&); ///< its settings
 
 } // namespace seaglass

@@ -10,7 +10,6 @@ namespace seaglass {
 enum class WorldUp : uint32_t { y = 0, minusY, z };
 
 /// How the host has its world; its x is Seaglass's.
-///
 /// | host | here |
 /// |---|---|
 /// | y up, right-handed | (x, y, z) |
@@ -32,11 +31,6 @@ void directionFrom(const World& world, const double (&host)[3], double (&out)[3]
 void pointFrom(const World& world, const double (&host)[3], double (&out)[3]);
 void planeFrom(const World& world, const double (&host)[4], double (&out)[4]);
 /// @}
-
-/// A matrix that takes the host's points, to one that takes Seaglass's.
-void matrixFrom(const World& world, const double (&host)[16], double (&out)[16]);
-/// A projection of lengths `scale` times as long. w stays the distance ahead, or 1 by parallel sight.
-void scaleProjection(double (&projection)[16], double scale);
 
 /// Turns a view that is filled in as the host has it.
 void worldFrom(const World& world, ViewDesc* view);

@@ -1,30 +1,31 @@
+#include "gpu/interface/fields/fields_of.h"
 #include "gpu/interface/fields/fog.h"
 #include "gpu/interface/fields/host.h"
 
 namespace seaglass {
 
-FieldTable fieldsOf(const DeviceDesc&) {
-    return deviceFields;
-}
+template<>
+inline constexpr FieldTable tableOf<DeviceDesc> = deviceFields;
+template FieldTable fieldsOf(const DeviceDesc&);
 
-FieldTable fieldsOf(const Image&) {
-    return imageFields;
-}
+template<>
+inline constexpr FieldTable tableOf<Image> = imageFields;
+template FieldTable fieldsOf(const Image&);
 
-FieldTable fieldsOf(const ViewDesc&) {
-    return viewFields;
-}
+template<>
+inline constexpr FieldTable tableOf<ViewDesc> = viewFields;
+template FieldTable fieldsOf(const ViewDesc&);
 
-FieldTable fieldsOf(const SunShadow&) {
-    return sunShadowFields;
-}
+template<>
+inline constexpr FieldTable tableOf<SunShadow> = sunShadowFields;
+template FieldTable fieldsOf(const SunShadow&);
 
-FieldTable fieldsOf(const LightingDesc&) {
-    return lightingFields;
-}
+template<>
+inline constexpr FieldTable tableOf<LightingDesc> = lightingFields;
+template FieldTable fieldsOf(const LightingDesc&);
 
-FieldTable fieldsOf(const FogDesc&) {
-    return fogFields;
-}
+template<>
+inline constexpr FieldTable tableOf<FogDesc> = fogFields;
+template FieldTable fieldsOf(const FogDesc&);
 
 } // namespace seaglass

@@ -1,7 +1,6 @@
 // Reflections in planes, for water, floors and mirrors, without the water library: from the picture, or drawn
 // by the host with a mirrored camera. For each view a Reflector gives two images: `color`, the scene as the
-// plane mirrors it, and `info`, what is known about it. Who shades the surface looks them up, bent by its
-// normals: shaders/water/surface/reflection_lookup.glsl.
+// plane mirrors it, and `info`, what is known about it. The surface's shader samples them, bent by normals.
 #pragma once
 
 #include <math.h>
@@ -38,17 +37,14 @@ struct DrawnDesc {
 struct ReflectionDesc {
     ReflectionTechnique technique = ReflectionTechnique::sspr; ///< how what is mirrored is found
     uint32_t downscale = 1; ///< pixels of the view to one of the reflection, each way: 1, 2, 4 or 8
-    /// Of the reflection [pixel], 8..16384, in the place of `downscale`: that of 1, 2, 4 and 8 is taken which
-    /// comes nearest by ratio, of two the larger. 0: by `downscale`.
+    /// Its height [pixel], 8..16384: the nearest ratio of these is taken, of two the larger. 0: `downscale`.
     uint32_t height = 0;
     bool coarseKeys = false; ///< sspr: a key for 2 x 2 pixels, a quarter of the memory; finds less far down
     float edgeFade = 0.08f;  ///< share of the height over which borrowed pixels fade at the border, 0..0.5
-    /// They fade at the nearest border; else, not of `planar`, at that towards which they are borrowed, which
-    /// alone can cut a reflection off.
-    bool edgeFadeAround = false;
-    /// How far beyond the border a plane that reaches it goes on, such as a wall, if it is twice as long
-    /// inside: a share of the height, 0..1. It fades there. 0: strips of sky beside such walls; else two
-    /// dispatches. Not of `planar`, nor of views with `surfaceNormals`.
+    bool edgeFadeAround = false; ///< at the nearest border; else at that they are taken past. Not of `planar`
+    /// How far beyond the border what reaches it goes on, such as a wall twice as long inside: a share of the
+    /// height, 0..1. 0: strips of sky beside such walls; else two dispatches. Not of `planar`, nor of views
+    /// with `surfaceNormals`.
     float edgeReach = 0;
     float undersideLight = 0.15f; ///< of an underside that is not seen, as a share of its top's, 0..1
     uint32_t overhangSamples = 0; ///< sspr, hybrid: for undersides that end unseen, 0..8, 6 for 1080p
@@ -57,22 +53,21 @@ struct ReflectionDesc {
     float clearDistance = 0;      ///< from the mirror, up to which `scatter` blurs nothing [m], 0..1e6
     float scatter = 0;            ///< how fast it widens beyond: the sine of a cone, 0..1. Wants blurLevels
     float skyFadeDistance = 0;    ///< from half of this on the sky takes over [m], 0..1e6; 0: nowhere
-    /// Pixels beside the borders take what is mirrored farther inside. What is h [m] above the plane is
-    /// stretched by 1 + h x this [1/m], times how steeply the camera looks down and nearness to the border
-    /// (0..1). 0..100; 0 costs nothing, else one dispatch.
+    /// Pixels beside the borders take what is mirrored farther inside: h [m] above the plane it is stretched
+    /// by 1 + h x this [1/m] x steepness of the camera x nearness to the border (both 0..1). 0..100; 0 costs
+    /// nothing, else one dispatch.
     float edgeStretch = 0;
     float edgeStretchBand = 0.15f; ///< share of the width, from either border, that it moves, 0.01..0.5
-    /// Share of each pixel that is the view's last frame's, 0..0.95; 0 costs nothing, 0.9 suits most. It
-    /// averages about 1 / (1 - this) frames: less shimmers, and what one frame does not know is kept for a
-    /// while.
+    /// Share of each pixel that is the view's last frame's, 0..0.95: averages about 1 / (1 - this) frames.
+    /// Less shimmers, and what one frame does not know is kept. 0 costs nothing, 0.9 suits most.
     float temporal = 0;
     DrawnDesc drawn; ///< planar: what the host draws into
 
-    /// Of ssr and hybrid, like the rest: rays pass over cells of 8 x 8 pixels in which nothing is as near.
-    /// They look at each pixel of the others, and so miss nothing thin. Without, they go in strides.
+    /// Of ssr and hybrid, like the rest: rays skip cells of 8 x 8 pixels in which nothing is as near, and
+    /// test each pixel of the others, so they miss nothing thin. Without, they go in strides.
     bool marchCells = true;
-    uint32_t marchSteps = 64; ///< pixels a ray looks at at most, 8..512; strides are as long as that asks for
-    float marchThickness = 1; ///< depth of things behind what is seen of them, at most [m], 0.001..100
+    uint32_t marchSteps = 64;    ///< pixels that a ray tests at most, 8..512: strides are that long
+    float marchThickness = 1;    ///< depth of things behind what is seen of them, at most [m], 0.001..100
     float marchDistance = 10000; ///< how far along a ray hits are looked for [m], 0.1..1e6
     float marchJitter = 0; ///< share of a stride that neighbours' rays start apart, 0..1: noise for bands
 };
@@ -81,8 +76,8 @@ struct ReflectionDesc {
 struct ReflectorDesc {
     double plane[4] = {0, 1, 0, 0}; ///< n.p + d = 0 in the world; any scale but zero
     ReflectionDesc reflection;      ///< how it does
-    /// A box around all that mirrors, waves included [m, world]. Views that do not see it cost nothing. With
-    /// a ReflectionDesc::distortion of 0 others cost something only where it may show.
+    /// A box around all that mirrors, waves included [m, world]. Views that do not see it cost nothing,
+    /// others only where it may show, if ReflectionDesc::distortion is 0.
     double boundsLow[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     double boundsHigh[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}; ///< likewise
 };
@@ -94,7 +89,6 @@ Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent,
                 SceneSamples samples = {});
 
 struct Reflector;
-
 /// All or nothing; allocates no image until the first reflect().
 Status createReflector(Context* context, const ReflectorDesc* desc, Reflector** out);
 /// At any time: memory goes back when its frame slot comes. Null is ignored.
@@ -108,11 +102,10 @@ struct ReflectionImages {
     VkImage infoImage = VK_NULL_HANDLE;  ///< of `info`
     VkImageView info = VK_NULL_HANDLE; ///< R16F: from mirror to what it shows [m], signed: reflectionClass()
     VkExtent2D extent = {0, 0};        ///< of both images [pixel]
-    /// By ViewDesc::surfaceNormals already: a lookup takes its own pixel. False: a flat mirror, lookups bend.
-    bool bent = false;
+    bool bent = false;             ///< by ViewDesc::surfaceNormals: sample the own pixel. False: lookups bend
     uint32_t downscale = 1;        ///< pixels of the view to one of them, each way
     uint32_t age = 0;              ///< frames since this view was reflected; 0: in this one
-    double clipFromWorld[16] = {}; ///< of the view then: where it puts the mirror's point, look it up
+    double clipFromWorld[16] = {}; ///< of the view then: sample where it puts the mirror's point
 };
 
 /// What is known of a pixel of the mirror.
@@ -132,10 +125,9 @@ inline ReflectionClass reflectionClass(float info) {
 /// the sky and what lies in the plane itself, linear once sampled. Alpha may hold anything. Depth runs as in
 /// the host's projection: same compare, and same pipelines where DrawnDesc has their formats and samples.
 ///
-/// Before, the host takes mip 0 of the colour and the depth from VK_IMAGE_LAYOUT_UNDEFINED, after fragment
-/// and compute shaders that still sample them: recordDrawnUse() of record.h does. It clears the depth, and
-/// the colour if it resolves into that. It leaves both in VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL and
-/// VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, last written by attachment output and depth tests.
+/// The host takes mip 0 of both from VK_IMAGE_LAYOUT_UNDEFINED, after shaders that still sample them:
+/// recordDrawnUse() does. It clears the depth, and the colour if it resolves into that. It leaves them in
+/// COLOR_ATTACHMENT_OPTIMAL and DEPTH_STENCIL_ATTACHMENT_OPTIMAL, last written as attachments.
 struct PlanarView {
     bool visible = true;        ///< false: the view does not see the reflector, and nothing else is said
     double view[16] = {};       ///< world to mirrored view: the host's view times the reflection in the plane
@@ -160,19 +152,17 @@ struct PlanarView {
 Status planarView(Reflector* reflector, const ViewDesc* view, PlanarView* out);
 
 /// Records the reflection of `view` in each of at most maxReflectors, on any planes; of more,
-/// chooseReflectors() says which. Those that the view does not see keep some earlier frame's images. Outside
-/// any render pass. Compute shaders read view.sceneColor and view.sceneDepth, which are visible to them
-/// (VK_ACCESS_2_SHADER_SAMPLED_READ). Allocates when a view's size changes. `sky` records nothing; `planar`
-/// reads what was drawn since planarView() instead, in view.sceneColor's encoding.
+/// chooseReflectors() says which. Those that the view does not see keep an earlier frame's images. Outside
+/// any render pass. Compute shaders read the scene's images (VK_ACCESS_2_SHADER_SAMPLED_READ). Allocates when
+/// a view's size changes. `sky` records nothing; `planar` reads what was drawn since planarView() instead, in
+/// view.sceneColor's encoding.
 Status reflect(VkCommandBuffer commands, Reflector* const* reflectors, uint32_t count, const ViewDesc* view);
 
 /// Which of many reflectors to renew in this frame: up to `most` indices (1..maxReflectors) in rising order
 /// go to `chosen`, their number to `chosenCount`. planarView() and reflect() are then called for those alone,
-/// with the same view; others keep their images. Records nothing. The same calls choose the same.
-///
-/// First come those without images of this view's size, then those of most pixels of their box times frames
-/// since they were reflected: each gets its turn, large ones nearly each frame. Of equals the lower index.
-/// Never those that the view does not see, nor `sky`.
+/// with the same view; others keep their images. Records nothing. The same calls choose the same: those
+/// without images of this view's size, then those of most pixels of their box times frames since they were
+/// reflected, of equals the lower index; never those that the view does not see, nor `sky`.
 Status chooseReflectors(Reflector* const* reflectors, uint32_t count, const ViewDesc* view, uint32_t most,
                         uint32_t* chosen, uint32_t* chosenCount);
 
@@ -180,12 +170,11 @@ Status chooseReflectors(Reflector* const* reflectors, uint32_t count, const View
 ReflectionImages reflectionImages(const Reflector* reflector, uint32_t viewIndex);
 
 /// What recordOverlay() draws of a view. Distances [m] run from white at 0.1 over yellow at 1, teal at 10 and
-/// violet at 100 to black at 1000. Their bands end at 1, 2, 5, 10, 20 ..., every other one darker.
+/// violet at 100 to black at 1000. Their bands end at 1, 2, 5, 10, 20 ..., every other one darker. Light blue
+/// is the far plane.
 enum class OverlayKind : uint32_t {
-    depth = 0, ///< distance ahead of the eye; light blue: the far plane, magenta: no depth
-    /// Blue, in bands of distance: the plane is seen. Green to white: what stands above it, with black
-    /// contour lines, white from the tenth on. Light blue: the far plane.
-    plane = 1,
+    depth = 0,       ///< distance ahead of the eye; magenta: no depth
+    plane = 1,       ///< blue, in bands of distance: it is seen. Green to white: above it, with contour lines
     classes = 2,     ///< of what is mirrored. Green: hit, blue: sky, red: unknown, near black: no plane seen
     confidence = 3,  ///< dark red: 0, white: 1, near black: no plane seen
     hitDistance = 4, ///< from the mirror. Light blue: sky, red: unknown, near black: no plane seen
@@ -197,19 +186,14 @@ inline constexpr const char* overlayKinds[] = {"depth", "plane", "classes", "con
 struct OverlayDesc {
     OverlayKind kind = OverlayKind::depth; ///< what is drawn
     /// An RGBA16F storage image in VK_IMAGE_LAYOUT_GENERAL, as large as the viewport or larger: colours of
-    /// 0..1 there, alpha 1, written by compute shaders (VK_ACCESS_2_SHADER_STORAGE_WRITE).
+    /// 0..1 there, alpha 1, written by compute shaders.
     Image target;
     float contourSpacing = 1; ///< between the contour lines of `plane` [m], 0.001..1e6
 };
 
 /// Draws how the library understands a view's camera, depth and plane, or what reflect() left: a wrong matrix
-/// shows at once. Outside any render pass. Reads view.sceneDepth; `depth` and `plane` need no reflect()
-/// before.
+/// shows at once. Outside any render pass. Reads view.sceneDepth; `depth`, `plane` need no reflect() before.
 Status recordOverlay(VkCommandBuffer commands, Reflector* reflector, const ViewDesc* view,
                      const OverlayDesc* desc);
-
-FieldTable fieldsOf(const SceneSamples&);   ///< its settings
-FieldTable fieldsOf(const ReflectionDesc&); ///< its settings
-FieldTable fieldsOf(const OverlayDesc&);    ///< its settings
 
 } // namespace seaglass

@@ -1,17 +1,18 @@
+#include "gpu/interface/fields/fields_of.h"
 #include "reflection/interface/fields/reflection.h"
 
 namespace seaglass {
 
-FieldTable fieldsOf(const SceneSamples&) {
-    return sceneSampleFields;
-}
+template<>
+inline constexpr FieldTable tableOf<SceneSamples> = sceneSampleFields;
+template FieldTable fieldsOf(const SceneSamples&);
 
-FieldTable fieldsOf(const ReflectionDesc&) {
-    return reflectionFields;
-}
+template<>
+inline constexpr FieldTable tableOf<ReflectionDesc> = reflectionFields;
+template FieldTable fieldsOf(const ReflectionDesc&);
 
-FieldTable fieldsOf(const OverlayDesc&) {
-    return overlayFields;
-}
+template<>
+inline constexpr FieldTable tableOf<OverlayDesc> = overlayFields;
+template FieldTable fieldsOf(const OverlayDesc&);
 
 } // namespace seaglass

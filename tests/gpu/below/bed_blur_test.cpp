@@ -6,6 +6,7 @@
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/rig/fresnel.h"
 #include "tests/gpu/rig/water_rig.h"
+#include "water/interface/sea_contents.h"
 
 namespace {
 
@@ -85,7 +86,7 @@ TEST_P(BedBlur, IsThatOfTheSlopesThatNoMapHolds) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Looks, BedBlur, testing::Values(3u, 8u),
+INSTANTIATE_TEST_SUITE_P(Samples, BedBlur, testing::Values(3u, 8u),
                          [](const auto& test) { return std::to_string(test.param); });
 
 } // namespace

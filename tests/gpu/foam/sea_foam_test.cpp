@@ -11,6 +11,7 @@
 #include "water/foam/foam_part.h"
 #include "water/interface/foam_gate.h"
 #include "water/interface/warp.h"
+#include "water/interface/whitecaps.h"
 #include "water/sea/sea.h"
 
 namespace {
@@ -289,15 +290,15 @@ TEST_F(SeaFoam, IsNoVeilFromTheAir) {
     camera.fovDegrees = 46;
     camera.eye = {0, 400, 0};
     for (const bool downwind : {false, true})
-        for (const uint32_t looks : {1u, 4u}) {
-            Body* body = streakyBody(looks);
+        for (const uint32_t samples : {1u, 4u}) {
+            Body* body = streakyBody(samples);
             camera.target = downwind ? glm::dvec3(600, 100, 0) : glm::dvec3(0, 100, 600);
             std::vector<double> drawn = white(body, camera), mean = whiteOf(body, camera, 4);
             for (std::vector<double>* half : {&drawn, &mean}) // the lower
                 half->erase(half->begin(), half->begin() + static_cast<std::ptrdiff_t>(half->size() / 2));
             const double contrast = deviationOf(drawn) / deviationOf(mean);
-            std::printf("%s, %u looks: %.3f white, %.3f of 16 samples; contrast %.3f of theirs\n",
-                        downwind ? "downwind" : "across the wind", looks, meanOf(drawn), meanOf(mean),
+            std::printf("%s, %u samples: %.3f white, %.3f of 16 samples; contrast %.3f of theirs\n",
+                        downwind ? "downwind" : "across the wind", samples, meanOf(drawn), meanOf(mean),
                         contrast);
             EXPECT_GT(contrast, 0.9);
             EXPECT_LT(contrast, 1.1);

@@ -7,6 +7,7 @@
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/rig/fresnel.h"
 #include "tests/gpu/rig/sea_rig.h"
+#include "water/interface/sea_contents.h"
 
 namespace {
 

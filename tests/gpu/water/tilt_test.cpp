@@ -13,6 +13,7 @@
 #include "tests/gpu/rig/overlay_target.h"
 #include "tests/gpu/rig/traced_scene.h"
 #include "tests/gpu/rig/water_rig.h"
+#include "water/interface/sea_contents.h"
 
 namespace {
 

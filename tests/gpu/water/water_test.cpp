@@ -7,6 +7,7 @@
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/rig/sea_rig.h"
 #include "water/body/body.h"
+#include "water/interface/waves_backend.h"
 #include "water/waves/waves_part.h"
 
 namespace {

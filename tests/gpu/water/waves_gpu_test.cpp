@@ -11,6 +11,7 @@
 #include "tests/unit/sea/sea_support.h"
 #include "tests/unit/sea/wave_truth.h"
 #include "water/body/body.h"
+#include "water/interface/waves_backend.h"
 #include "water/waves/waves_part.h"
 
 namespace {

@@ -6,6 +6,7 @@
 #include "seaglass/sea.h"
 #include "tests/program/demo_scenes.h"
 #include "tests/reference/traced_picture.h"
+#include "water/interface/waves_backend.h"
 
 namespace {
 

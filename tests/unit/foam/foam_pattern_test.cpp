@@ -9,11 +9,11 @@ namespace {
 
 using namespace seaglass;
 
-/// Deviation of linear looks at places all over the tile.
+/// Deviation of linear samples at places all over the tile.
 double deviationBetween(const std::vector<FoamTexel>& mip, size_t across) {
     double squares = 0;
-    constexpr size_t looks = 20000;
-    for (size_t n = 0; n < looks; ++n) {
+    constexpr size_t samples = 20000;
+    for (size_t n = 0; n < samples; ++n) {
         const double x =
             std::fmod(static_cast<double>(n) * 0.7548776662466927, 1) * static_cast<double>(across);
         const double y =
@@ -27,7 +27,7 @@ double deviationBetween(const std::vector<FoamTexel>& mip, size_t across) {
         const double found = std::lerp(std::lerp(at(0, 0), at(1, 0), u), std::lerp(at(0, 1), at(1, 1), u), v);
         squares += found * found;
     }
-    return std::sqrt(squares / looks);
+    return std::sqrt(squares / samples);
 }
 
 // What shaders/water/foam/foam_cover.glsl relies on, so that a share `cover` is white where the pattern is a

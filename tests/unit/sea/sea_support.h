@@ -1,6 +1,7 @@
 // What the tests of the sea share.
 #pragma once
 
+#include "water/interface/waves_backend.h"
 #include "water/sea/sea.h"
 #include "water/spectrum/spectrum.h"
 

@@ -1,4 +1,4 @@
-// The sea itself: spectrum, waves and heights, with no Vulkan: a server can link seaglass::sea alone. It is a
+// The sea itself: waves, heights and foam, with no Vulkan: a server can link seaglass::sea alone. It is a
 // function of (desc, time) alone, to the bit.
 //
 // Local frame: u and v are metres along a body's calm plane n.p + d = 0, n unit: world x and z where level,
@@ -68,16 +68,14 @@ struct SeaDesc {
     float fetch = 300e3f;                            ///< [m], 1..1e6
     bool capFetch = true;         ///< hold g F / U^2 at 1e4, past which JONSWAP exceeds a fully developed sea
     float peakEnhancement = 3.3f; ///< JONSWAP gamma, 1..10
-    /// Of the water [m], 0..infinity; 0: flat. Shallow water shortens and slows waves; only `tma` lowers
-    /// them, other models say what waves there are.
-    float depth = std::numeric_limits<float>::infinity();
+    float depth = std::numeric_limits<float>::infinity();  ///< [m], 0 (flat) .. infinity: makes waves shorter
+                                                           ///< and slower; only `tma` also makes them lower
     SpreadingModel spreading = SpreadingModel::hasselmann; ///< of the wind sea
     float spreadingShape = 5;                              ///< s of `cosine2s`, 0..1000
     float swell = 0.0f; ///< elongation of the directional spreading, 0..1 (Horvath 2015)
-    /// Of `table`: at rising frequencies, linear between and nothing outside; 2..maxSpectrumSamples.
-    const SpectrumSample* spectrumTable = nullptr;
-    uint32_t spectrumTableCount = 0;  ///< of spectrumTable
-    SwellDesc swells[maxSwells] = {}; ///< those of height 0 are none
+    const SpectrumSample* spectrumTable = nullptr; ///< of `table`: frequencies rise; linear between them
+    uint32_t spectrumTableCount = 0;               ///< 2..maxSpectrumSamples
+    SwellDesc swells[maxSwells] = {};              ///< those of height 0 are none
     float amplitude = 1.0f;  ///< scale of all heights, 0..1: less is water that something shelters, 0 flat
     float choppiness = 1.0f; ///< scale of the horizontal displacement, 0..10; 1 is the linear theory's
     uint32_t samples = 256;  ///< across each cascade, power of two, 16..2048; 256 and more share waves
@@ -85,9 +83,8 @@ struct SeaDesc {
     /// Edge of the largest cascade [m], 1..1e5; resolvedShare() says what it loses. 0 chooses: 16 wavelengths
     /// of the longest peak in 60..2000 m, but at least 6, and no more than the samples carry.
     float largestPatch = 0.0f;
-    /// How far waves stand aside of their places in their tiles, 0..1, so that tiles do not show: lengths
-    /// vary by a tenth or two. 0: the sea repeats exactly after each cascade's patch.
-    float warp = 1.0f;
+    float warp = 1.0f; ///< how far waves stand aside of their places, 0..1, so that tiles do not show:
+                       ///< lengths vary by a tenth or two; 0: the sea repeats after each cascade's patch
     const ShoreDesc* shore = nullptr; ///< null: no bed is felt but `depth`, and none costs anything
     double loopPeriod = 4096.0;       ///< time after which the sea repeats exactly [s], 16..1e6
     uint64_t seed = 1;                ///< of the waves' phases and amplitudes
@@ -96,15 +93,6 @@ struct SeaDesc {
 /// The open sea at a force of Beaufort's scale, 0 (flat) to 12, at its probable significant wave height: of
 /// mean wind, a plausible fetch and, up to force 5, older waves.
 SeaDesc beaufortSea(uint32_t force, float windDirection = 0.0f);
-
-/// One band of wave vectors on its own tile. Each wave vector of the sea lives in exactly one cascade.
-struct Cascade {
-    double patch = 0;     ///< tile edge [m]
-    uint32_t samples = 0; ///< across the tile
-    double kMin = 0;      ///< wave numbers kMin <= k < kMax [rad/m]; at least 4 samples a wave
-    double kMax = 0;      ///< likewise
-    double variance = 0;  ///< of height, from the modes it holds [m^2]
-};
 
 struct Sea;
 
@@ -117,54 +105,19 @@ struct SeaError {
 Sea* createSea(const SeaDesc* desc, SeaError* error);
 void destroySea(Sea* sea); ///< null is ignored
 
-const SeaDesc& description(const Sea& sea);             ///< as it was given
-uint32_t cascadeCount(const Sea& sea);                  ///< 0 when the sea is flat
-const Cascade& cascade(const Sea& sea, uint32_t index); ///< index < cascadeCount
-double peakFrequency(const Sea& sea); ///< of the system with the greatest peak [rad/s]; 0 when flat
-/// S(omega) of all systems together as asked for, resolved or not [m^2 s]; 0 when flat.
-double frequencySpectrum(const Sea& sea, double omega);
-double significantWaveHeight(const Sea& sea); ///< 4 sqrt(m0) of the modes held [m]
+const SeaDesc& description(const Sea& sea);     ///< as it was given
+double peakFrequency(const Sea& sea);           ///< of the system with the greatest peak [rad/s]; 0 when flat
+double significantWaveHeight(const Sea& sea);   ///< 4 sqrt(m0) of the waves that the cascades hold [m]
+double resolvedSlopeVariance(const Sea& sea);   ///< of these waves, both axes together
+double unresolvedSlopeVariance(const Sea& sea); ///< of all shorter: with these Cox and Munk's, by amplitude^2
 /// Share of the spectra's height variance that the cascades hold, in the mean of all seeds: about 1, less
 /// where waves are too long for `largestPatch` or too short for the samples; 1 when flat. Below
 /// leastResolvedShare heights are off by 5 % or more.
 double resolvedShare(const Sea& sea);
 constexpr double leastResolvedShare = 0.9; ///< of the height's variance
 
-/// Variances and covariance of the surface's slopes.
-struct SlopeCovariance {
-    double uu = 0; ///< of dh/du
-    double vv = 0; ///< of dh/dv
-    double uv = 0; ///< of both
-};
-
-SlopeCovariance resolvedSlopes(const Sea& sea); ///< of the waves that the cascades hold
-/// Of all that is shorter. With the resolved slopes it makes Cox and Munk's variance, times amplitude^2.
-SlopeCovariance roughness(const Sea& sea);
-double resolvedSlopeVariance(const Sea& sea);   ///< both axes together
-double unresolvedSlopeVariance(const Sea& sea); ///< of the roughness, both axes together
-
-/// Slope variance of a clean sea, both axes together, 0.003 + 5.12e-3 U at 12.5 m (Cox and Munk 1954), from
-/// U10 [m/s]: less below 1 m/s, where water turns to glass, and no more past 30 m/s.
-double coxMunkSlopeVariance(double windSpeed);
-
-/// One cascade's grid at one time: maps of samples*samples texels, four floats each, rows along v. Texel (i,
-/// j) is at u = i patch/samples, v = j patch/samples, and at [(j*samples + i)*4]. The tile repeats; `warp`
-/// shifts what lies where. h is the height, (Dx, Dz) the horizontal displacement, choppiness included.
-struct CascadeMaps {
-    float* displacement = nullptr; ///< Dx, h, Dz, dDx/dv (= dDz/du)            [m, m, m, 1]
-    float* derivatives = nullptr;  ///< dh/du, dh/dv, dDx/du, dDz/dv            [1]
-    float* moments = nullptr;      ///< (dh/du)^2, (dh/dv)^2, dh/du*dh/dv, dDx/dv: what shading needs beside
-};
-
-/// How a sea is evaluated on its grids: from a backend's header, never filled in by the host.
-struct WavesBackend {
-    const char* name = nullptr; ///< for people
-    /// Makes what the backend keeps for a sea, which must outlive it. Null: out of memory. Any thread.
-    void* (*create)(const Sea& sea) = nullptr;
-    void (*destroy)(void* state) = nullptr; ///< of what create() made
-    /// Fills all maps of one cascade. Calls with one state must not overlap. Not finite times count as 0.
-    void (*evaluate)(void* state, uint32_t cascade, double time, const CascadeMaps& out) = nullptr;
-};
+/// How a sea is evaluated on its grids: from a backend's header, such as waves_fftw.h.
+struct WavesBackend;
 
 /// The surface at one point.
 struct HeightSample {
@@ -188,13 +141,17 @@ struct HeightGrid;
 HeightGrid* createHeightGrid(const Sea& sea, double time);
 void setTime(HeightGrid& grid, double time); ///< nothing is allocated; not while it is sampled
 void destroyHeightGrid(HeightGrid* grid);    ///< null is ignored
-
 /// Of a sea at the grid's time. Any thread, several at once.
 void sampleHeights(const HeightGrid& grid, const double* points, size_t count, HeightSample* out);
 
-FieldTable fieldsOf(const SeaDesc&);        ///< its settings
-FieldTable fieldsOf(const SpectrumSample&); ///< its settings
-FieldTable fieldsOf(const SwellDesc&);      ///< its settings
-FieldTable fieldsOf(const ShoreDesc&);      ///< its settings
+/// Foam on breaking crests. A wave breaks where the horizontal displacement of all cascades compresses its
+/// surface past a threshold, along the wind above all. Foam drifts with the water and fades: it dies after
+/// two or three decay times, bubbles below after nine. Steps of 1/4 s make it a function of the sea and the
+/// time alone, whatever frames were drawn, but for hosts that fall behind: simulate().
+struct FoamDesc {
+    float bias = 0.0f;       ///< off the compression at which waves break, -1..1; 0: as whitecap laws say
+    float decayTime = 3.85f; ///< to 1/e in the mean [s], 0.1..20 (Monahan and Zietlow 1969: salt water 3.85)
+    float albedo = 0.6f;     ///< diffuse albedo of full foam, 0..1 (Koepke 1984: fresh foam about 0.5)
+};
 
 } // namespace seaglass

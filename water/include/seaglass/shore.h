@@ -11,8 +11,9 @@ struct Sea;
 /// SeaglassShore of shore_wetness.glsl, in std140 and std430.
 struct ShoreBlock {
     float place[4] = {}; ///< the eye on the map, in texels; texels to a metre; 0
-    float rows[4] = {};  ///< in a second; the first; how many a train has, 0: no shore; from look to look
-    float form[4] = {};  ///< looks; seconds between them; in which sand dries; what no edge has passed
+    float rows[4] = {};  ///< in a second; the first; how many a train has, 0: no shore; from sample to sample
+    float form[4] =
+        {}; ///< samples of the past; seconds between them; in which sand dries; what no edge has passed
 };
 
 /// What wets a place of the sand.

@@ -2,11 +2,10 @@
 //
 // A frame:  beginFrame -> simulate -> (host draws its opaque scene) -> reflect -> shade -> (host begins its
 // pass) -> draw. Caustics: castCaustics, drawCaustics after the opaque scene. A bed: bedView before reflect.
-// Calls that record do so outside any render pass, but drawCaustics() and draw(). They allocate when an index
-// of ViewDesc::viewIndex sees its largest view, and make pipelines at first need: prepare().
+// All but draw() and drawCaustics() record outside any render pass. Calls allocate when a viewIndex sees its
+// largest view, and make pipelines at first need: prepare().
 #pragma once
 
-#include "seaglass/foam.h"
 #include "seaglass/reflection.h"
 #include "seaglass/sea.h"
 
@@ -16,20 +15,20 @@ namespace seaglass {
 struct RefractionDesc {
     float absorption[3] = {0.345f, 0.0622f, 0.0253f};   ///< at 650, 550, 450 nm [1/m], 0..100: water_type.h
     float backscatter[3] = {0.0011f, 0.0016f, 0.0030f}; ///< likewise. Both: WaterType::clearOcean
-    float distortion = 1.0f;                            ///< 0 looks straight through; 1 bends as Snell says
+    float distortion = 1.0f;                            ///< 0: straight through; 1: bent as Snell says
     float scattering = 0; ///< by particles [1/m], 0..100: light through crests. Ocean 0.035, coast 0.25
 };
 
-/// The body seen from within. Where a view's near plane lies under the surface, draw() also draws that from
-/// below, and the water before the opaque scene, by RefractionDesc's coefficients.
+/// The body seen from within: where a view's near plane lies under the surface, draw() draws that from below,
+/// and the water before the opaque scene, by RefractionDesc's coefficients.
 struct UnderwaterDesc {
     float meniscus = 0.003f; ///< dark line where it leaves the water (capillary: 2.7 mm) [m], 0..0.1; 0: none
     float shafts = 0; ///< sunlight that waves gather, seen on its way down, 0..1: 1 as they say; 0: none
     float snow = 0;   ///< what drifts in the water, of all that may, 0..1; 0: none. Not before parallel lines
 };
 
-/// Sunlight that the waves gather on what lies below them: drawCaustics(). By the curvature of the waves that
-/// a depth can bring to a focus; fades as the water scatters the beam (Petzold 1972, Morel 1974).
+/// Sunlight that the waves gather on what lies below: drawCaustics(). By the curvature of waves that a depth
+/// can bring to a focus; fades as the water scatters the beam (Petzold 1972, Morel 1974).
 struct CausticsDesc {
     float strength = 1.0f; ///< of the contrast, 0..1: 1 as the waves say
 };
@@ -83,24 +82,22 @@ enum class ExtentShape : uint32_t {
 /// Its names, from 0 on.
 inline constexpr const char* extentShapes[] = {"unbounded", "rectangle", "polygon", "mesh"};
 
-/// Points are (u, v), as in sea.h [m]. At the outline waves move water up and down but not to the side: that
-/// comes back within 2.5 significant wave heights (times a choppiness over 1). Queries know of none.
+/// Points are (u, v), as in sea.h [m]. Within 2.5 significant wave heights (times a choppiness over 1) of the
+/// outline waves move water less to the side, and at it only up and down. Height queries know of none.
 struct ExtentDesc {
     ExtentShape shape = ExtentShape::unbounded; ///< says which fields below are read
-    /// Of `unbounded`: the sea falls away as on a ball of this radius [m], 1e6..1e9, Earth's 6.371e6; 0:
-    /// flat. It touches `plane` below each view's eye: d metres from there the sea, and what the host has
-    /// there, lies d^2 / (R + sqrt(R^2 - d^2)) lower.
+    /// Of `unbounded`: a ball's radius R [m], 1e6..1e9, Earth's 6.371e6; 0: flat. It touches `plane` below
+    /// each view's eye: d metres from there all lies d^2 / (R + sqrt(R^2 - d^2)) lower, the host's land too.
     double planetRadius = 0;
     double center[2] = {0, 0}; ///< of `rectangle`: its middle
     double size[2] = {0, 0};   ///< likewise, along its own u and v [m], each 0.01..1e6
     double yaw = 0;            ///< likewise, of its own u, from +u towards +v [rad]
-    /// Of `polygon`: 3..1024 corners, either way round; no edge crosses or touches another. Cut by pixels:
-    /// lay it under the bank. Of `mesh`: 3..2^24 vertices. u and v of each in turn.
-    const double* points = nullptr;
-    uint32_t pointCount = 0; ///< pairs in `points`
-    /// Of `mesh`: three to a triangle, either way round. Waves shorter than an edge show in its light alone.
-    const uint32_t* indices = nullptr;
-    uint32_t indexCount = 0; ///< a multiple of 3
+    /// Of `polygon`: corners, either way round; no edge crosses or touches another. Cut by pixels: lay it
+    /// under the bank. Of `mesh`: vertices. Waves shorter than a triangle's edge show in its light alone.
+    const double* points = nullptr;    ///< u and v of each in turn
+    uint32_t pointCount = 0;           ///< pairs: 3..1024 corners, 3..2^24 vertices
+    const uint32_t* indices = nullptr; ///< of `mesh`: three to a triangle, either way round
+    uint32_t indexCount = 0;           ///< a multiple of 3
 };
 
 /// Where a body's waves are computed; the sea is the same.
@@ -145,13 +142,13 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
 
 struct Body;
 
+Status createBody(Context* context, const BodyDesc* desc, Body** out); ///< on failure `*out` is null
+void destroyBody(Body* body); ///< at any time: memory goes back when the GPU is done with it; null is ignored
+
 /// A convex hollow that water stays out of, such as a boat's inside: n.p + d <= 0 for all planes but zeros.
 struct ExclusionVolume {
     double planes[8][4] = {}; ///< in the world, of any scale
 };
-
-Status createBody(Context* context, const BodyDesc* desc, Body** out); ///< on failure `*out` is null
-void destroyBody(Body* body); ///< at any time: memory goes back when the GPU is done with it; null is ignored
 /// From here on, 8 at most: no surface in them, no caustics and, for an eye in one, no fog.
 Status setExclusionVolumes(Body* body, const ExclusionVolume* volumes, uint32_t count);
 
@@ -170,53 +167,48 @@ struct TargetDesc {
 };
 
 struct Target;
-
 Status createTarget(Context* context, const TargetDesc* desc, Target** out); ///< makes no pipeline yet
 void destroyTarget(Target* target); ///< at any time: pipelines go when the GPU is done; null is ignored
 
-/// Sets the bodies' surfaces to `time`, once a frame; a CPU backend works here. Foam takes the sea at up to 4
+/// Sets the bodies' surfaces to `time`, once a frame; a CPU backend works here. Foam takes the sea up to 4
 /// more times a second: on the first frame, backwards and after a gap, over three decay times before. A call
 /// more than 2 s ahead of one that had to catch up by more takes it at 8 even times.
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time);
 
-/// What to draw for a body whose reflection is `planar`; as for reflectors.
+/// As for a Reflector: what to draw for a body whose reflection is `planar`.
 Status planarView(Body* body, const ViewDesc* view, PlanarView* out);
-
-/// What to draw for a body with `bed`, before reflect() and likewise: the opaque scene under the calm
-/// surface, from where its rays seem to come. Caustics may follow, by a ViewDesc of these.
+/// Likewise for a body with `bed`: the opaque scene under the calm surface, from where its rays seem to come.
+/// Caustics may follow, by a ViewDesc of these.
 Status bedView(Body* body, const ViewDesc* view, PlanarView* out);
-
-/// Records the reflections of `view`, as for reflectors; of a multisampled scene also the samples that
-/// refraction reads, of bodies without reflection too.
+/// As for reflectors; of a multisampled scene also the samples that refraction reads, whether a body has a
+/// reflection or not.
 Status reflect(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view);
-
-/// As for reflectors; of a reflection that is the sky alone there is nothing to see.
+/// As for a Reflector; of a reflection that is the sky alone there is nothing to see.
 Status recordOverlay(VkCommandBuffer commands, Body* body, const ViewDesc* view, const OverlayDesc* desc);
+ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex); ///< null handles: it has none
+const Sea* sea(const Body* body); ///< for height queries, as long as the body lives; null: it has no waves
 
 /// What draw() writes. Everything but `shaded` is for looking at and measuring the inputs.
 enum class SurfaceOutput : uint32_t {
     shaded = 0,
-    reflection,      ///< what the surface mirrors, before Fresnel
+    reflection,      ///< radiance that the surface mirrors, before Fresnel
     reflectionClass, ///< red: unknown, blue: sky, green: hit
     height,          ///< height above the calm plane [m], in red
     normal,          ///< unit world normal
     foam,            ///< coverage 0..1, in red
-    /// Where the scene is looked up for what is mirrored: x and y [pixel] of the view's region, -1: nowhere;
+    /// Where the scene is sampled for what is mirrored: x and y [pixel] of the view's region, -1: nowhere;
     /// its distance from the surface [m]; its ReflectionClass. Wants float: halves hold no pixel's place.
     reflectionSource,
-    /// Mean slope over the pixel along +u and +v, then the variance about it, likewise: roughness, and what
-    /// the waves' maps no longer show there.
-    slopes,
+    slopes, ///< over the pixel: means along +u and +v, then the variances about them, roughness included
     /// Pixels right and down from where the same water was at the last such draw of this view index; 0 at
     /// first and after ViewDesc::cut. Once a frame; wants BodyDesc::motion where there are waves.
     motion,
 };
 
-/// Finds the surfaces of the bodies in `view` and shades each of their pixels once. draw() with the same
-/// view, lighting and output follows later in this frame. In a primary command buffer, after reflect(), which
-/// refraction wants of a multisampled scene. Reads the view's scene, the sky cube and the shadow map in
-/// compute shaders, and sceneDepth in fragment shaders. Both of the scene may be null unless a body has
-/// `underwater` or `bed`: RefractionDesc. Holds images for each output that is asked for.
+/// Finds the surfaces in `view` and shades each of their pixels once, for a draw() with the same view,
+/// lighting and output later in this frame. In a primary command buffer, after reflect(). Reads the view's
+/// scene, the sky cube and the shadow map in compute shaders, and sceneDepth in fragment shaders. The scene's
+/// images may be null unless a body has `underwater` or `bed`. Holds images for each output that is used.
 Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
              const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
@@ -224,49 +216,34 @@ Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, cons
 /// depth attachment with test and write, of the target's formats. Leaves pipeline, descriptor sets, push
 /// constants and index buffer bound to its own; the viewport and scissor are set from the view.
 ///
-/// For an eye in a body with `underwater`, or a near plane of parallel lines of sight, it reads
-/// view.sceneColor and view.sceneDepth in fragment shaders. So the colour must be a copy; depth a copy or a
-/// read-only attachment. Each pixel whose line begins in the water first becomes sceneColor as seen through
-/// it; then surfaces are drawn, then the waterline. So all bodies of a view belong in one call, or that one
-/// comes first. The host's transparent things under water come after it, and fade by themselves.
+/// For an eye in a body with `underwater`, or a near plane of parallel lines of sight, it reads the scene's
+/// images in fragment shaders: colour must be a copy, depth a copy or a read-only attachment. Pixels whose
+/// line of sight begins in the water become sceneColor as seen through it; then come surfaces, then the
+/// waterline. So all bodies of a view belong in one call, or that one comes first. The host's transparent
+/// things under water come after it, and fade by themselves.
 Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output = SurfaceOutput::shaded);
 
 /// Makes the pipelines that draw(), drawCaustics() and castCaustics() of this body and target would make at
 /// first need, for every place of the eye. Of `view` and `lighting` only what images they have counts. Null:
-/// a scene of one sample that is encoded as the target, a sky cube and no shadow map.
-///
-/// On any thread, which hears its messages, beside all calls but those that change or destroy these three,
-/// such as setExclusionVolumes(). draw() of what is in the making waits.
+/// a scene of one sample that is encoded as the target, a sky cube and no shadow map. On any thread, which
+/// hears its messages, beside all calls but those that change or destroy context, target or body, such as
+/// setExclusionVolumes(). draw() of what is in the making waits.
 Status prepare(Target* target, Body* body, const ViewDesc* view = nullptr,
                const LightingDesc* lighting = nullptr, SurfaceOutput output = SurfaceOutput::shaded);
 
 /// Casts the sun's rays through the waves of bodies with `caustics` on what `view` shows below, for the next
 /// drawCaustics() of its index. After the opaque scene: reads view.sceneDepth, of one sample (else
-/// `unsupported`), and LightingDesc::shadow in compute shaders. Of other bodies or without a sun: nothing.
+/// `unsupported`), and LightingDesc::shadow in compute shaders.
 Status castCaustics(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
                     const LightingDesc* lighting);
 
-/// Multiplies the colour of what lies below, and its alpha, by the sunlight that waves gather there, 1 in the
-/// mean: where castCaustics() recorded something. Alpha should be 1 before. In a pass over the opaque scene,
-/// before its colour is copied: a colour attachment, floating-point or of a target whose `encoding` is srgb,
-/// and a depth attachment (neither tested nor written) of the target's formats. Reads view.sceneDepth, which
-/// must not be written, in fragment shaders. Leaves bound what draw() does.
+/// Multiplies the colour of what lies below, and its alpha, which should be 1, by the sunlight that waves
+/// gather there, 1 in the mean. In a pass over the opaque scene, before its colour is copied: a colour
+/// attachment, floating-point or of a target whose `encoding` is srgb, and a depth attachment (neither tested
+/// nor written) of the target's formats. Reads view.sceneDepth, which must not be written, in fragment
+/// shaders. Leaves bound what draw() does.
 Status drawCaustics(VkCommandBuffer commands, Target* target, Body* const* bodies, uint32_t count,
                     const ViewDesc* view, const LightingDesc* lighting);
-
-ReflectionImages reflectionImages(const Body* body, uint32_t viewIndex); ///< null handles: it has none
-const Sea* sea(const Body* body); ///< for height queries, as long as the body lives; null: it has no waves
-
-FieldTable fieldsOf(const BodyDesc&);       ///< its settings
-FieldTable fieldsOf(const ExtentDesc&);     ///< its settings
-FieldTable fieldsOf(const MeshDesc&);       ///< its settings
-FieldTable fieldsOf(const ShadingDesc&);    ///< its settings
-FieldTable fieldsOf(const RefractionDesc&); ///< its settings
-FieldTable fieldsOf(const UnderwaterDesc&); ///< its settings
-FieldTable fieldsOf(const CausticsDesc&);   ///< its settings
-FieldTable fieldsOf(const SprayDesc&);      ///< its settings
-FieldTable fieldsOf(const BedDesc&);        ///< its settings
-FieldTable fieldsOf(const TargetDesc&);     ///< its settings
 
 } // namespace seaglass

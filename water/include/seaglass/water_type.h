@@ -19,12 +19,10 @@ struct WaterCoefficients {
     float backscatter[3]; ///< RefractionDesc::backscatter
 };
 
-/// Pure water absorbs as Pope and Fry (1997) measured, and sends back half of what it scatters. Salt water
-/// scatters as Morel (1974, in Mobley 1994) has it, and fresh water 1/1.3 of that. The clear ocean's
-/// chlorophyll absorbs by Morel (1991) and sends back by Morel and Maritorena (2001). Near the coast Jerlov
-/// (1976, table XXVII) has the attenuation of daylight. 1 / 1.25 of that is absorption and backscatter
-/// (Gordon 1989, in diffuse light); the latter by the same law, for 2 and 10 mg of chlorophyll. An unknown
-/// type is clearOcean.
+/// Pure water absorbs by Pope and Fry (1997), and sends back half of what it scatters by Morel (1974, in
+/// Mobley 1994), fresh water 1/1.3 of salt. Chlorophyll absorbs by Morel (1991), and sends back by Morel and
+/// Maritorena (2001): 2 and 10 mg near the coast, where 1/1.25 (Gordon 1989) of Jerlov's attenuation of
+/// daylight (1976, table XXVII) is absorption and backscatter. An unknown type is clearOcean.
 constexpr WaterCoefficients waterCoefficients(WaterType type) {
     if (type == WaterType::pool) return {{0.340f, 0.0565f, 0.0092f}, {0.0004f, 0.0007f, 0.0017f}};
     if (type == WaterType::coastal) return {{0.355f, 0.0906f, 0.193f}, {0.0049f, 0.0054f, 0.0067f}};
@@ -34,8 +32,8 @@ constexpr WaterCoefficients waterCoefficients(WaterType type) {
 
 /// Of water that sends back `tint` of the light that enters where it is endlessly deep: linear, above 0, up
 /// to 0.33 (named waters: 0.0004 to 0.05). Through `visibility` metres, 0.05..1000, 5 % of its clearest
-/// channel pass (WMO's meteorological optical range). All scatter alike, unless one would have to absorb over
-/// 100. False: a value is out of range, which `error` names; `out` is as before.
+/// channel pass (WMO's meteorological optical range). Channels scatter alike, unless one would have to absorb
+/// over 100. False: a value is out of range, which `error` names; `out` is as before.
 bool tintedWater(const float tint[3], float visibility, WaterCoefficients* out, SeaError* error);
 
 } // namespace seaglass

@@ -1,10 +1,9 @@
-// The settings of sea.h and foam.h as tables: see rows.h. No Vulkan.
+// The settings of sea.h as tables: see rows.h. No Vulkan.
 #pragma once
 
 #include <limits>
 
 #include "gpu/interface/fields/rows.h"
-#include "seaglass/foam.h"
 #include "seaglass/sea.h"
 
 namespace seaglass {

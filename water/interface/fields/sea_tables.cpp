@@ -1,25 +1,26 @@
+#include "gpu/interface/fields/fields_of.h"
 #include "water/interface/fields/sea.h"
 
 namespace seaglass {
 
-FieldTable fieldsOf(const SeaDesc&) {
-    return seaFields;
-}
+template<>
+inline constexpr FieldTable tableOf<SeaDesc> = seaFields;
+template FieldTable fieldsOf(const SeaDesc&);
 
-FieldTable fieldsOf(const SpectrumSample&) {
-    return spectrumSampleFields;
-}
+template<>
+inline constexpr FieldTable tableOf<SpectrumSample> = spectrumSampleFields;
+template FieldTable fieldsOf(const SpectrumSample&);
 
-FieldTable fieldsOf(const SwellDesc&) {
-    return swellFields;
-}
+template<>
+inline constexpr FieldTable tableOf<SwellDesc> = swellFields;
+template FieldTable fieldsOf(const SwellDesc&);
 
-FieldTable fieldsOf(const ShoreDesc&) {
-    return shoreFields;
-}
+template<>
+inline constexpr FieldTable tableOf<ShoreDesc> = shoreFields;
+template FieldTable fieldsOf(const ShoreDesc&);
 
-FieldTable fieldsOf(const FoamDesc&) {
-    return foamFields;
-}
+template<>
+inline constexpr FieldTable tableOf<FoamDesc> = foamFields;
+template FieldTable fieldsOf(const FoamDesc&);
 
 } // namespace seaglass

@@ -1,45 +1,46 @@
+#include "gpu/interface/fields/fields_of.h"
 #include "water/interface/fields/water.h"
 
 namespace seaglass {
 
-FieldTable fieldsOf(const BodyDesc&) {
-    return bodyFields;
-}
+template<>
+inline constexpr FieldTable tableOf<BodyDesc> = bodyFields;
+template FieldTable fieldsOf(const BodyDesc&);
 
-FieldTable fieldsOf(const ExtentDesc&) {
-    return extentFields;
-}
+template<>
+inline constexpr FieldTable tableOf<ExtentDesc> = extentFields;
+template FieldTable fieldsOf(const ExtentDesc&);
 
-FieldTable fieldsOf(const MeshDesc&) {
-    return meshFields;
-}
+template<>
+inline constexpr FieldTable tableOf<MeshDesc> = meshFields;
+template FieldTable fieldsOf(const MeshDesc&);
 
-FieldTable fieldsOf(const ShadingDesc&) {
-    return shadingFields;
-}
+template<>
+inline constexpr FieldTable tableOf<ShadingDesc> = shadingFields;
+template FieldTable fieldsOf(const ShadingDesc&);
 
-FieldTable fieldsOf(const RefractionDesc&) {
-    return refractionFields;
-}
+template<>
+inline constexpr FieldTable tableOf<RefractionDesc> = refractionFields;
+template FieldTable fieldsOf(const RefractionDesc&);
 
-FieldTable fieldsOf(const UnderwaterDesc&) {
-    return underwaterFields;
-}
+template<>
+inline constexpr FieldTable tableOf<UnderwaterDesc> = underwaterFields;
+template FieldTable fieldsOf(const UnderwaterDesc&);
 
-FieldTable fieldsOf(const CausticsDesc&) {
-    return causticsFields;
-}
+template<>
+inline constexpr FieldTable tableOf<CausticsDesc> = causticsFields;
+template FieldTable fieldsOf(const CausticsDesc&);
 
-FieldTable fieldsOf(const SprayDesc&) {
-    return sprayFields;
-}
+template<>
+inline constexpr FieldTable tableOf<SprayDesc> = sprayFields;
+template FieldTable fieldsOf(const SprayDesc&);
 
-FieldTable fieldsOf(const BedDesc&) {
-    return bedFields;
-}
+template<>
+inline constexpr FieldTable tableOf<BedDesc> = bedFields;
+template FieldTable fieldsOf(const BedDesc&);
 
-FieldTable fieldsOf(const TargetDesc&) {
-    return targetFields;
-}
+template<>
+inline constexpr FieldTable tableOf<TargetDesc> = targetFields;
+template FieldTable fieldsOf(const TargetDesc&);
 
 } // namespace seaglass

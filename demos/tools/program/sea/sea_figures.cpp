@@ -6,14 +6,14 @@
 #include <numbers>
 
 #include "metrics/repetition/fft.h"
-#include "seaglass/foam.h"
+#include "water/interface/whitecaps.h"
 
 namespace demos {
 
 namespace {
 
 constexpr double tau = 2 * std::numbers::pi;
-constexpr double timeS = 100; ///< of the look at each seed
+constexpr double timeS = 100; ///< at which each seed is measured
 constexpr double binRatio = 1.12;
 constexpr uint32_t whitecapSeeds = 4; ///< foam has a history, and takes long
 

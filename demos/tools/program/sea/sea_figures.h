@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "seaglass/sea.h"
+#include "water/interface/sea_contents.h"
 
 namespace demos {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "program/sea/sea_report.h"
-#include "seaglass/foam.h"
+#include "water/interface/whitecaps.h"
 
 namespace demos {
 

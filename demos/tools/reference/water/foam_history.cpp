@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "water/interface/foam_layers.h"
+#include "water/interface/waves_backend.h"
 #include "water/interface/whitecaps.h"
 
 namespace demos::reference {

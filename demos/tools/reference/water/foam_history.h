@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "seaglass/foam.h"
+#include "seaglass/sea.h"
 
 namespace demos::reference {
 
