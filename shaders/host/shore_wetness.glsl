@@ -9,7 +9,7 @@ struct SeaglassShore {
 };
 
 const int seaglass_shoreTrains = 3;
-const int seaglass_mostLooks = 128;
+const int seaglass_mostSamples = 128;
 
 vec4 seaglass_shorePlace(SeaglassShore shore, sampler2D map, vec2 place) {
     ivec2 last = textureSize(map, 0) - 1;
@@ -21,7 +21,7 @@ vec4 seaglass_shorePlace(SeaglassShore shore, sampler2D map, vec2 place) {
     return mix(near, far, share.y);
 }
 
-// Of all trains, `rows` before now: up to where film has lain in a look's time, and lies; the water's edge.
+// Of all trains, `rows` before now: up to where film has lain in a sample's time, and lies; the water's edge.
 vec3 seaglass_shoreReach(SeaglassShore shore, vec4 here, float rows) {
     vec3 sum = vec3(0.0);
     int t = 0;
@@ -49,13 +49,13 @@ vec2 seaglass_wetness(SeaglassShore shore, sampler2D map, vec2 place, float heig
     float film = clamp((now.y - height) / max(0.8 * moves, 1e-3), 0.0, 1.0);
     wet.y = max(wet.y, max(smoothstep(0.0, 0.025, now.z - height), film));
     float reached = now.x;
-    float left = 1.0;   // of the water that a look's film brought
-    int look = 0;
+    float left = 1.0;   // of the water that a sample's film brought
+    int past = 0;
     do {
         wet.x = max(wet.x, left * smoothstep(-max(wicks, 1e-4), 0.0, reached - height));
-        reached = moves * seaglass_shoreReach(shore, here, float(look + 1) * shore.rows.w).x;
-        left = 1.0 - smoothstep(0.0, 1.0, float(look + 1) * shore.form.y / shore.form.z);
-    } while (++look < min(int(shore.form.x), seaglass_mostLooks) && left > wet.x);
+        reached = moves * seaglass_shoreReach(shore, here, float(past + 1) * shore.rows.w).x;
+        left = 1.0 - smoothstep(0.0, 1.0, float(past + 1) * shore.form.y / shore.form.z);
+    } while (++past < min(int(shore.form.x), seaglass_mostSamples) && left > wet.x);
     return wet;
 }
 

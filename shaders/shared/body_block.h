@@ -53,7 +53,7 @@ struct BodyBlock {
     int seaCascades;
     vec2 foamStreak;     // wind's direction, times sqrt(1 - 1/stretch) of the pattern
     vec2 sceneShift;     // to the scene's pixel that shows a point, whose sample may lie off its middle
-    vec4 reflectionLook; // clear distance [m], scatter, distance at which the sky has taken over [m]:
+    vec4 reflectionBlur; // clear distance [m], scatter, distance at which the sky has taken over [m]:
                          // reflection_blur.glsl
     ivec4 glitter;      // the eye's (u, v) as they wrap [1/1024 m]; turns of a cell of a metre in a loop; now
     vec4 glitterShare;  // ShadingDesc's glitter

@@ -12,7 +12,7 @@ layout(binding = 1) uniform sampler2D reflectionInfo;
 
 layout(push_constant) uniform Floor {
     vec4 plane;            // of the points p with n.p + d = 0, relative to the eye
-    vec4 look;             // ReflectionDesc: clearDistance, scatter, skyFadeDistance; downscale
+    vec4 blur;             // ReflectionDesc: clearDistance, scatter, skyFadeDistance; downscale
     float roughness;
     float pixelsPerRadian;
 } ground;
@@ -21,14 +21,14 @@ layout(location = 0) in vec3 fromEye;
 layout(location = 0) out vec4 outColor;
 
 void main() {
-    const float downscale = ground.look.w;
+    const float downscale = ground.blur.w;
     const float info = texelFetch(reflectionInfo, ivec2(gl_FragCoord.xy / downscale), 0).r;
     const float distance = infoIsHit(info) ? info : 1e5;
     const float cone = 3.545 * ground.roughness * ground.roughness;
-    const float width = bundleWidth(cone, distance, ground.look.xyz);
+    const float width = bundleWidth(cone, distance, ground.blur.xyz);
     const float texels = bundleTexels(width, length(fromEye), distance, ground.pixelsPerRadian / downscale);
     const vec4 mirrored = reflectionTexel(gl_FragCoord.xy / downscale, bundleMip(texels), downscale);
     const Ray sight = Ray(vec3(0.0), normalize(fromEye));
     const vec3 source = mirroredPoint(sight, sight, distance, ground.plane.xyz, ground.plane.w);
-    outColor = mirrored * (shareOfScene(distance, ground.look.xyz) * smoothstep(1e5, 1e4, length(source)));
+    outColor = mirrored * (shareOfScene(distance, ground.blur.xyz) * smoothstep(1e5, 1e4, length(source)));
 }

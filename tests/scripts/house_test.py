@@ -29,7 +29,7 @@ CLEAN = {
     "reflection/core/mirror.h": "#include \"gpu/memory/image.h\"\n",
     "gpu/memory/image.h": "",
     "reflection/interface/drawn.h": "",
-    "water/include/seaglass/water.h": "#pragma once\nstruct ShadingDesc {\n    unsigned slopeSamples = 1; ///< looks\n};\n",
+    "water/include/seaglass/water.h": "#pragma once\nstruct ShadingDesc {\n    unsigned slopeSamples = 1; ///< a pixel\n};\n",
     "water/interface/fields/water.h": "#include \"seaglass/water.h\"\ntemplate<auto member> constexpr int field(const char*) { return 0; }\n"
                                              "constexpr int rows[] = {field<&ShadingDesc::slopeSamples>(\"slopeSamples\")};\n",
     "water/sea/sea.h": "",

@@ -102,7 +102,7 @@ void ReflectionPart::fill(const Body& body, const BodyView& view, BodyBlock& blo
     block.reflectionDistortion = bent ? 0 : distortion;
     const VkExtent2D extent = extentOf(view.geometry);
     block.reflectionScale = static_cast<float>(downscaleFor(desc, &extent));
-    block.reflectionLook = {desc.clearDistance, desc.scatter, desc.skyFadeDistance, 0};
+    block.reflectionBlur = {desc.clearDistance, desc.scatter, desc.skyFadeDistance, 0};
 }
 
 void ReflectionPart::vary(const Body& body, const SurfaceDraw& draw, SurfaceVariant& variant) const {

@@ -179,7 +179,7 @@ void MirrorPass::writeUniforms(const MirrorSurface& surface, const Camera& camer
     uniforms.color = with(toGlm(desc.color), extent.height / (2 * camera.tanHalfFovY));
     uniforms.picture = glm::vec4(extent.width, extent.height, downscaleOf(surface), 0);
     if (desc.reflection)
-        uniforms.look = glm::dvec4(desc.reflection->clearDistance, desc.reflection->scatter,
+        uniforms.blur = glm::dvec4(desc.reflection->clearDistance, desc.reflection->scatter,
                                    desc.reflection->skyFadeDistance, 0);
     std::memcpy(surface.uniforms.mapped, &uniforms, sizeof(uniforms));
 }

@@ -22,7 +22,7 @@ struct MirrorBlock {
     glm::vec4 normal;  ///< w: roughness
     glm::vec4 color;   ///< w: pixels a radian at the middle of the picture
     glm::vec4 picture; ///< its width and height [pixels], pixels to one of its reflection
-    glm::vec4 look;    ///< clear distance [m], scatter, distance at which the sky has taken over [m]
+    glm::vec4 blur;    ///< clear distance [m], scatter, distance at which the sky has taken over [m]
 };
 
 struct FloorTexture {

@@ -6,5 +6,5 @@ layout(set = 1, binding = 0, std140) uniform Mirror {
     vec4 normal;   // w: roughness
     vec4 color;    // w: pixels a radian at the middle of the picture
     vec4 picture;  // its width and height [pixels], pixels to one of its reflection
-    vec4 look;     // clear distance, scatter, distance of the sky: reflection_blur.glsl
+    vec4 blur;     // clear distance, scatter, distance of the sky: reflection_blur.glsl
 } mirror;

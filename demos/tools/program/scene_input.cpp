@@ -62,7 +62,7 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
     std::optional<Scene> scene = loadScene(options.scene, overrides, error);
     if (scene && sky) scene->sky.where = "--sky";
     if (scene && mesh && !scene->meshes.empty()) scene->meshes.front().where = "--mesh";
-    if (scene && options.lens) addLook(*scene);
+    if (scene && options.lens) addPhotographicDefaults(*scene);
     return scene;
 }
 

@@ -80,7 +80,7 @@ std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::stri
     Reader reader(file, error);
     if (!reader.read(root, sceneSection(), &scene, "", "")) return std::nullopt;
     if (!goTogether(scene, root, reader)) return std::nullopt;
-    if (scene.water) scene.water->saysGlitter = root["water"].as_table()->contains(lookKey());
+    if (scene.water) scene.water->saysGlitter = root["water"].as_table()->contains(photographicKey());
     rememberPlaces(scene, root, file.string());
     return scene;
 }

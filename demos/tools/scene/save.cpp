@@ -114,7 +114,7 @@ std::string valueText(const Field& field, void* owner) {
 std::string sceneText(Scene scene, const fs::path& folder) {
     Writer writer(folder);
     Scene fresh;
-    if (scene.water && scene.water->saysGlitter) makeUnlikeAny(fresh.water.emplace());
+    if (scene.water && scene.water->saysGlitter) unsetPhotographicDefault(fresh.water.emplace());
     writer.write(sceneSection(), &scene, &fresh, "");
     return writer.text();
 }

@@ -87,7 +87,7 @@ struct WaterDesc {
     double planetRadiusM = 0;  ///< that it falls away on, without an extent; 0: flat
     seaglass::MeshDesc mesh;
     seaglass::ShadingDesc shading;
-    bool saysGlitter = false;         ///< else its 0 is whatever a look makes of it
+    bool saysGlitter = false;         ///< else its 0 is what addPhotographicDefaults() makes of it
     std::optional<ExtentDesc> extent; ///< none: to the horizon
     std::optional<WavesDesc> waves;
     std::optional<ShoreDesc> shore; ///< none: no bed is felt
@@ -132,11 +132,11 @@ inline std::optional<SurfaceDesc> surfaceOf(const Scene& scene) {
 std::optional<Scene> loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                                Error& error);
 
-/// As photographs show what the scene leaves unsaid of how it is looked at.
-void addLook(Scene& scene);
-/// The key of the water's setting that a look sets where the file does not.
-std::string_view lookKey();
+/// What photographs show, where the file does not say it: haze, and water that glitters.
+void addPhotographicDefaults(Scene& scene);
+/// The key of the water's setting among these.
+std::string_view photographicKey();
 /// Gives that setting a value that no file holds.
-void makeUnlikeAny(WaterDesc& water);
+void unsetPhotographicDefault(WaterDesc& water);
 
 } // namespace demos

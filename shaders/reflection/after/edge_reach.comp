@@ -117,7 +117,7 @@ vec3 colorAt(const MirrorBlock mirror, ivec2 pixel) {
 void reachBeyond(const MirrorBlock mirror, ivec2 texel) {
     vec2 q = middleOf(mirror, texel);
     ScreenRay ray = rayOf(mirror, q);
-    Exit at = exitOf(mirror, q, -mirror.depthSign * (ray.along.xy - q * ray.along.w));
+    Exit at = exitOf(mirror, q, -depthSign(mirror) * (ray.along.xy - q * ray.along.w));
     Nearness nearness = nearnessOf(mirror, ray, at);
     Meeting meeting = meetingBeyond(mirror, at, nearness);
     if (!planeAhead(mirror, q) || !nearness.known || !meeting.found) return;

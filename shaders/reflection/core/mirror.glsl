@@ -155,6 +155,11 @@ bool wellBelowPlane(const MirrorBlock mirror, vec3 screenPoint) {
     return dot(mirror.heightRow, p) < -(1e-3 * weightOf(mirror, p) + mirror.contactPerMetre);
 }
 
+// 1 where the nearer depth is the greater, else -1.
+float depthSign(const MirrorBlock mirror) {
+    return mirror.depthSign;
+}
+
 bool nearerIsGreater(const MirrorBlock mirror) {
     return mirror.depthSign > 0.0;
 }

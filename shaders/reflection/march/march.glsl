@@ -24,7 +24,7 @@ struct Scene {
 };
 
 Scene loadedScene(const MirrorBlock mirror) {
-    return Scene(sceneTexel(mirror, ivec2(0)), regionSize(mirror) - 1, signedDepth(mirror, 1.0), signedDepth(mirror, mirror.farDepth),
+    return Scene(sceneTexel(mirror, ivec2(0)), regionSize(mirror) - 1, depthSign(mirror), signedDepth(mirror, mirror.farDepth),
                  aboveRow(mirror), settings.thickness, signedDepth(mirror, mirror.weightRow.z));
 }
 
@@ -80,7 +80,7 @@ Track trackOf(const MirrorBlock mirror, vec4 start, vec4 perMetre, float metres)
     track.leavesPicture = picture.y < metres && track.range.y >= picture.y;
     vec4 first = screenPoint(start + perMetre * track.range.x);
     vec4 last = screenPoint(start + perMetre * track.range.y);
-    vec3 toSigned = vec3(1.0, 1.0, signedDepth(mirror, 1.0));
+    vec3 toSigned = vec3(1.0, 1.0, depthSign(mirror));
     track.first = first.xyz * toSigned;
     track.along = (last.xyz - first.xyz) * toSigned;
     vec2 turns = vec2(turnsWithDepth(mirror, first.xyz, first.w), turnsWithDepth(mirror, last.xyz, last.w));
@@ -322,14 +322,14 @@ bool reachesSky(const MirrorBlock mirror, Track track, vec4 perMetre) {
 
 // What hides a ray for a while.
 struct Cover {
-    float depth;   // signed, at the last look; `nothing` while the ray is in sight
+    float depth;   // signed, at the last sample; `nothing` while the ray is in sight
     float from;    // share from which on it hides the ray
 };
 
 const float nothing = -2.0;
 const Cover noCover = Cover(nothing, 0.0);
 
-// Whether what hides a ray ends at a look that began at `share`, and what shows there instead lies behind it by more than things
+// Whether what hides a ray ends at a sample that began at `share`, and what shows there instead lies behind it by more than things
 // are thick, and still before the ray.
 bool coverEnds(Track track, float share, float ray, Seen seen, bool isBehind, inout Cover cover) {
     bool ends = isBehind && cover.depth != nothing && !within(track, share, ray, seen.depth, cover.depth);

@@ -103,7 +103,7 @@ bool hiddenAt(Track track, float share, inout Cover cover) {
     return hidden;
 }
 
-// Whether the same hides a ray all over a square. Of one that has been hidden for a square's width two looks tell, or it had
+// Whether the same hides a ray all over a square. Of one that has been hidden for a square's width two samples tell, or it had
 // none left for where it comes into sight.
 bool staysCovered(Track track, float from, float until, inout Cover cover) {
     float width = float(1 << cellShift) * 2.0 * track.halfPixel;

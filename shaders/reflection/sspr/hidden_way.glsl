@@ -3,7 +3,7 @@
 const float backPixels = 64.0;   // that a ray is followed back to the side by which it went in
 const int strideHalvings = 3;
 const int hiddenStride = 1 << strideHalvings;   // [pixels], to begin with: narrower gaps may be passed over
-const int mostStrides = (firstLook << mostOverhangSamples) / hiddenStride;
+const int mostStrides = (firstTap << mostOverhangSamples) / hiddenStride;
 
 // Two pixels of the scene whose surfaces a ray may meet.
 struct Guesses {

@@ -4,7 +4,7 @@
 const float leastHeight = 3.0;   // of its edge above the mirror [pixels]: what floats hangs nowhere
 const float levelWithin = 0.15;  // of its thickness
 const float steepestTop = 0.2;   // its rise for each metre of the way between two pixels
-const int sideLooks = 9;         // each twice as far aside
+const int sideTaps = 9;          // each twice as far aside
 const float sidePixels = 4.0;    // that its edge is followed, to tell which way it runs
 const int mostHalvings = 10;     // of the way from its edge to what stands on it
 
@@ -14,8 +14,8 @@ ivec2 overhangBefore(const MirrorBlock mirror, vec2 q, ScreenRay ray, vec2 away,
     LineKey first = LineKey(noKey, ivec2(0));
     LineKey last = first;
     // Not by a uniform alone: llvmpipe compiles a shader that a uniform halves anew in each frame.
-    int looks = farthest(away) > 0.0 ? looksPerOctave * int(mirror.overhangSamples) : 0;
-    for (int i = 0; i < looks; ++i) {
+    int taps = farthest(away) > 0.0 ? tapsPerOctave * int(mirror.overhangSamples) : 0;
+    for (int i = 0; i < taps; ++i) {
         ivec2 cell = cellBefore(mirror, q, away, i);
         uint key = keyAt(cell);
         bool found = key > here;
@@ -120,7 +120,7 @@ bool topShows(const MirrorBlock mirror, inout vec2 point, vec2 aside, vec2 away,
         bool still = rise >= -within && (other ? higher.y : higher.x);
         level = still && rise <= within && isLevel(mirror, point, away, edgeHeight);
         higher = bvec2(other ? higher.x : still, (other || i == 0) ? still && higher.y : higher.y);
-    } while (++i < 2 * sideLooks && any(higher) && !level);
+    } while (++i < 2 * sideTaps && any(higher) && !level);
     return level;
 }
 
@@ -149,7 +149,7 @@ Hit underOverhang(const MirrorBlock mirror, vec2 q, ScreenRay ray, Hit shown) {
     ivec2 overhang = overhangBefore(mirror, q, ray, away, shown.valid ? keyFromDepth(mirror, shown.depth) : noKey);
     vec2 from = vec2(overhang) + 0.5;
     bool first = !shown.valid || dot(shown.source - from, away) > 0.75;
-    float mostPixels = float(firstLook << mirror.overhangSamples);
+    float mostPixels = float(firstTap << mirror.overhangSamples);
     Hit hit = noHit;
     if (overhang != nowhere && first) {
         Entry entry = entryBefore(mirror, ray, q, from, mostPixels);

@@ -31,7 +31,7 @@ layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D
 #include "tile_list.glsl"
 #include "keys.glsl"
 #include "screen_ray.glsl"
-#include "look_before.glsl"
+#include "overhang_taps.glsl"
 #include "hidden_way.glsl"
 #include "hits.glsl"
 #include "source_color.glsl"

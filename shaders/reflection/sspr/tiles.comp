@@ -20,7 +20,7 @@ layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
 };
 #include "keys.glsl"
 #include "screen_ray.glsl"
-#include "look_before.glsl"
+#include "overhang_taps.glsl"
 #include "scene_depth.glsl"
 #include "hidden_way.glsl"
 #include "hits.glsl"

@@ -27,7 +27,7 @@ vec3 scattering() {
 // By how much of what calm water lets through there is more light, and of the sun what nothing hides.
 vec2 lightHere() {
     vec2 texel = regionPixel(gl_FragCoord.xy) / float(rayStep);
-    // The picture may be larger than the view, and hold anything there: short of the last texel's middle a look has no part
+    // The picture may be larger than the view, and hold anything there: short of the last texel's middle a tap has no part
     // of the next.
     vec2 last = vec2(lightSize()) - 0.51;
     return textureLod(blurred, min(texel, last) / vec2(textureSize(blurred, 0)), 0.0).xy;

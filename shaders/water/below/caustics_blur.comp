@@ -65,15 +65,15 @@ vec2 blurPerMetre(vec2 pixel, vec3 at) {
 vec2 lightAround(vec2 pixel, Spread spread) {
     Footprint ellipse = footprintOf(spread.along, spread.across);
     float texel = float(rayStep);
-    // A linear look at texels of w has a deviation of 0.41 w. One that is a little wider hides that rays stand in rows.
+    // A linear tap of texels of w has a deviation of 0.41 w. One that is a little wider hides that rays stand in rows.
     float most = length(ellipse.longer), least = max(length(ellipse.shorter), 1.6 * 0.41 * texel);
     float lod = log2(least / (0.41 * texel));
-    const int mostLooks = 4;
-    int taps = int(clamp(ceil(most / least), 1.0, float(mostLooks)));
+    const int mostTaps = 4;
+    int taps = int(clamp(ceil(most / least), 1.0, float(mostTaps)));
     // Of an even row from end to end the deviation is 0.29 of its length.
     vec2 row = ellipse.longer * sqrt(max(most * most - least * least, 0.0)) / (0.29 * max(most, 1e-6));
     vec2 size = texel * vec2(textureSize(gathered, 0).xy);
-    // From there the widest look, of the last mip, ends 48 texels on: where what has been gathered does, `reach` of water/below/caustics.cpp.
+    // From there the widest tap, of the last mip, ends 48 texels on: where what has been gathered does, `reach` of water/below/caustics.cpp.
     vec2 last = texel * (vec2(lightSize()) + 16.0);
     vec2 sum = vec2(0.0);
     int i = 0;

@@ -16,7 +16,7 @@ float gatheredUnder(vec2 enters, float depth, float width) {
         float rise = textureLod(waveDisplacement, at, mip + 1.0).y - textureLod(waveDisplacement, at, mip).y;
         curvature += rise * perWidth * perWidth;
     } while (++i < cascades);
-    // A linear look at texels of w has a variance of w^2/4 each way, so the next mip is higher by 3/8 w^2 of the curvature.
+    // A linear tap of texels of w has a variance of w^2/4 each way, so the next mip is higher by 3/8 w^2 of the curvature.
     float turned = 8.0 / 3.0 * curvature * water.shafts.z * depth;
     return 1.0 - turned * inversesqrt(0.25 + turned * turned);
 }

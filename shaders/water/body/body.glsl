@@ -18,7 +18,7 @@ bool inRegion(vec2 pixel) {
     return all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThan(pixel, vec2(regionSize())));
 }
 
-// The nearest whose neighbours all are in the region, for linear looks.
+// The nearest whose neighbours all are in the region, for linear taps.
 vec2 heldInRegion(vec2 pixel) {
     return clamp(pixel, vec2(0.5), vec2(regionSize()) - 0.5);
 }

@@ -47,8 +47,8 @@ void main() {
     vec2 plume = foam.plumeAnew != 0u ? vec2(0.0) : held.ba;
     if (foam.plumes > 0u) {
         float now = max((plume.y + band.plume.y) * band.plume.x - band.plume.y, 0.0);
-        for (uint look = 0u; look < foam.plumes; ++look)
-            now = max(now, breaksAt(vec3(at.xy + (float(look) + 0.5) * band.plume.zw, at.z), band));
+        for (uint tap = 0u; tap < foam.plumes; ++tap)
+            now = max(now, breaksAt(vec3(at.xy + (float(tap) + 0.5) * band.plume.zw, at.z), band));
         plume = vec2(plume.y, now);
     }
     float clear = min(clearedFoam(before, band), 1.0 - breaksAt(at, band));

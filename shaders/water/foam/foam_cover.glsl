@@ -6,7 +6,7 @@
 struct Foam {
     float mask;    // share that is white
     float fresh;   // 1 where waves break, less as what they leave thins
-    vec2 slope;    // of its own relief
+    vec2 slope;    // of its own bumps
     float height;  // of the white's own, -1..1 and 0 in the mean: more light reaches what stands out
     float plume;   // bubbles in the water below: 1 where it has just broken, less as they rise and thin
 };
@@ -112,7 +112,7 @@ vec2 drawnOut(vec2 calm, vec2 streak) {
 // Cover breaks up into rafts and lace where they can be seen, drawn out by the wind, and is a mean where they cannot:
 // white is a share `cover` of the surface either way.
 //
-// One look, `aside` of the pixel's middle on the calm plane. It covers `pixelWidth` there, and `patternWidth` of the pattern [m].
+// One tap, `aside` of the pixel's middle on the calm plane. It covers `pixelWidth` there, and `patternWidth` of the pattern [m].
 Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, vec2 patternWidth, Whitecaps caps) {
     const vec3 weights = vec3(0.33, 0.39, 0.28);   // of windrows, rafts and lace
     const vec3 tiles = vec3(windrowTile, foamTile, foamTile / 7.0);
@@ -149,7 +149,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, v
     // As its own distribution function the octaves' sum is even again, so that a share `cover` of it lies below `cover`.
     // Its ends are kept off 0 and 1, where even no foam at all would show.
     float even = clamp(shareBelow(pattern, widths), 2e-4, 1.0 - 2e-4);
-    // What the look blurs away is noise to it, as are soft edges: of that noise as much lies below as makes a share `cover` of
+    // What the tap blurs away is noise to it, as are soft edges: of that noise as much lies below as makes a share `cover` of
     // all looks white, however little of the pattern is left.
     float kept2 = (1.0 - softEdges) * squares / patternSquares;
     float white = gaussianBelow((gaussianQuantile(cover) - sqrt(kept2) * gaussianQuantile(even)) * inversesqrt(1.0 - kept2));
@@ -157,7 +157,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, v
     return Foam(white, cover, slope, kept2 * kept2 * clamp(1.0 - 2.0 * even / max(cover, 1e-3), -1.0, 1.0), min(streaks * found.y, 1.0));
 }
 
-// A pixel is long and narrow at a grazing angle, and is taken in as many parts as there are looks at its waves. A look is
+// A pixel is long and narrow at a grazing angle, and is taken in as many parts as there are taps of its waves. A tap is
 // as wide as such a part at its narrow side, or half its longer one: as wide as all of it, rafts blur into a veil.
 Foam foamOver(const SurfacePoint s) {
     vec2 calm = s.calm;
@@ -203,8 +203,8 @@ vec3 plumeGlow(vec3 toSun, float sunSeen, float plume) {
 
 // The surface of what foam is wet with.
 SurfacePoint filmOn(SurfacePoint s, Foam white) {
-    const float relief = 0.7;
-    s.slope += relief * white.slope;
+    const float bumpiness = 0.7;
+    s.slope += bumpiness * white.slope;
     s.covariance += vec3(filmVariance, filmVariance, 0.0);
     return s;
 }

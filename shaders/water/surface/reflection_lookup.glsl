@@ -200,7 +200,7 @@ float shareAhead(vec3 from, vec3 direction, vec2 pixel, float mip) {
 float blurTexels(vec3 from, float spread, float distance) {
     // A quarter: mips blur alike in all directions, but at grazing angles slopes turn the mirrored ray mostly up and down,
     // and a mast must stay a line.
-    float width = bundleWidth(0.25 * spread * water.reflectionDistortion, distance, water.reflectionLook.xyz);
+    float width = bundleWidth(0.25 * spread * water.reflectionDistortion, distance, water.reflectionBlur.xyz);
     float toEye = length(from) + (sightIsParallel() ? endlesslyFar : 0.0);
     return bundleTexels(width, toEye, distance, toEye / (pixelWidth(from) * water.reflectionScale));
 }
@@ -221,7 +221,7 @@ vec4 reflectionAlong(const SurfacePoint s, vec3 direction, float spread, inout f
     if (sharpDownscale > 0) {
         vec2 here = s.pixel / float(sharpDownscale);
         vec4 texel = sharpDownscale > 1 ? knownBetween(here) : texelFetch(reflectionColor, ivec2(here), 0);
-        return texel * shareOfScene(hit, water.reflectionLook.xyz);
+        return texel * shareOfScene(hit, water.reflectionBlur.xyz);
     }
     BentPoint point = bentPoint(s.pixel, s.position, direction, hit, 1);
     hit = point.distance;
@@ -230,7 +230,7 @@ vec4 reflectionAlong(const SurfacePoint s, vec3 direction, float spread, inout f
     if (inside <= 0.0) return vec4(0.0);
     if (hasShore) inside *= shareAboveSand(s, point);
     float mip = bundleMip(blurTexels(s.position, spread, point.distance));
-    inside *= shareOfScene(point.distance, water.reflectionLook.xyz);
+    inside *= shareOfScene(point.distance, water.reflectionBlur.xyz);
     if (hasWaves && point.distance >= farAway) inside *= shareAhead(s.position, direction, point.pixel, mip);
     return inside * reflectionAt(point.pixel, mip);
 }

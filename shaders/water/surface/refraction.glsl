@@ -277,19 +277,19 @@ struct BentRay {
     float onMap;       // the depth at which it meets the bed of a shore's map
 };
 
-// A look along it: the depth at which it was, 0 where the line of sight goes on, and whether it showed what is below water. What it
+// A sample along it: the depth at which it was, 0 where the line of sight goes on, and whether it showed what is below water. What it
 // showed is looked up again where that is needed: kept meanwhile, it takes GPUs five registers.
-struct Look {
+struct RaySample {
     float depth;
     bool isBed;
 };
 
 // What has been found of the bed along it.
 struct BedFound {
-    Look found;
-    float sought;   // the depth to look at next
-    Look nearest;   // of the bed, where the ray is under what shows
-    Look last;      // of the bed, before the ray leaves the picture or passes behind something
+    RaySample found;
+    float sought;   // the depth to sample next
+    RaySample nearest;   // of the bed, where the ray is under what shows
+    RaySample last;      // of the bed, before the ray leaves the picture or passes behind something
     float deepest;   // at which the ray was seen to be above the bed
     float least;     // by how much its depth and the bed's differ at `found`; `unmet`: it was looked for nowhere yet
     bool met;
@@ -317,20 +317,20 @@ Behind behindRayAt(BentRay ray, float depth) {
 
 const float unmet = 1e9;
 
-Behind shownBy(BentRay ray, Look look) {
-    return look.depth > 0.0 ? behindRayAt(ray, look.depth) : bedAt(ray.here);
+Behind shownBy(BentRay ray, RaySample at) {
+    return at.depth > 0.0 ? behindRayAt(ray, at.depth) : bedAt(ray.here);
 }
 
 // `nothing`: the far plane is all that shows.
 BedFound foundFirst(const SurfacePoint s, BentRay ray, Behind straight, out bool nothing) {
     BedFound bed;
-    bed.found = Look(0.0, isBelowWater(s, straight));
+    bed.found = RaySample(0.0, isBelowWater(s, straight));
     nothing = straight.nothing;
     bed.sought = min(max(s.position.y - straight.seen.y, 0.0), ray.leaves);
     if (ray.passedOver) {
         bed.sought = min(seenAsFarAs(), ray.leaves);
         Behind below = behindRayAt(ray, bed.sought);
-        bed.found = Look(bed.sought, isBelowWater(s, below));
+        bed.found = RaySample(bed.sought, isBelowWater(s, below));
         nothing = below.nothing;
         if (bed.found.isBed) bed.sought = min(max(s.position.y - below.seen.y, 0.0), bed.sought);
         if (hasShore) bed.sought = min(ray.onMap, ray.leaves);
@@ -347,11 +347,11 @@ bool meetsScene(const SurfacePoint s, BentRay ray, inout BedFound bed) {
     float farthest = bed.sought;
     Behind end = behindRayAt(ray, farthest);
     bool endless = end.nothing;
-    Look other = bed.last;   // what is seen where the ray does not meet what the line of sight does
+    RaySample other = bed.last;   // what is seen where the ray does not meet what the line of sight does
     if (endless || s.position.y - end.seen.y > 1.1 * farthest) {
         farthest = min(2.0 * seenAsFarAs(), ray.leaves);
         Behind there = behindRayAt(ray, farthest);
-        other = Look(farthest, isBelowWater(s, there));
+        other = RaySample(farthest, isBelowWater(s, there));
         endless = farthest < ray.leaves || there.nothing;
         bed.sought = farthest;
     }
@@ -368,7 +368,7 @@ bool meetsScene(const SurfacePoint s, BentRay ray, inout BedFound bed) {
         if (isUnder && !wasUnder) {
             float met = depth;
             bed.met = meetsBetween(s, ray.from, ray.perDepth, ray.here, before, b.seen.y, met);
-            bed.found = Look(met, true);
+            bed.found = RaySample(met, true);
         }
         wasUnder = isUnder;
         before = depth;
@@ -380,7 +380,7 @@ bool meetsScene(const SurfacePoint s, BentRay ray, inout BedFound bed) {
 
 // By false position, from what the line of sight shows.
 void findRoot(const SurfacePoint s, BentRay ray, float nearerFirst, inout BedFound bed) {
-    // Of its depth, from what is met; with two looks the nearest is the best there is.
+    // Of its depth, from what is met; with two samples the nearest is the best there is.
     const float mostOff = refractionSamples > 2 ? 0.35 : 1e9;
     vec2 above = vec2(0.0, nearerFirst);   // a way on the screen, and how much nearer the ray is there
     vec2 under = vec2(0.0);                // likewise, where it is not; none while its second is 0
@@ -392,7 +392,7 @@ void findRoot(const SurfacePoint s, BentRay ray, float nearerFirst, inout BedFou
         bool isBed = isBelowWater(s, b);
         if (isBed && abs(deeper) < min(bed.least, mostOff * bed.sought)) {
             bed.least = abs(deeper);
-            bed.found = Look(bed.sought, true);
+            bed.found = RaySample(bed.sought, true);
         }
         // Its sign is that of what can be told more exactly.
         float nearer = nearerBy(target, s.position + ray.direction * bed.sought, b);
@@ -401,9 +401,9 @@ void findRoot(const SurfacePoint s, BentRay ray, float nearerFirst, inout BedFou
         if (deeper > 0.0) {
             above = reached;
             bed.deepest = bed.sought;
-            if (isBed) bed.last = Look(bed.sought, true);
+            if (isBed) bed.last = RaySample(bed.sought, true);
         } else {
-            if (isBed) bed.nearest = Look(bed.sought, true);
+            if (isBed) bed.nearest = RaySample(bed.sought, true);
             // Of what stands before the bed only that it does counts.
             under = isBed ? reached : vec2(reached.x, -above.y);
         }
@@ -414,7 +414,7 @@ void findRoot(const SurfacePoint s, BentRay ray, float nearerFirst, inout BedFou
         float way = above.x - above.y / min(slope, -1e-9);
         if (under.y < 0.0) way = clamp(way, mix(above.x, under.x, 0.02), mix(above.x, under.x, 0.98));
         float beyond = 1.0 - way * ray.perDepth.w;
-        // Two looks that lie close together tell the slope no better than texels do.
+        // Two samples that lie close together tell the slope no better than texels do.
         float farthest = i > 0 ? min(4.0 * bed.sought, ray.leaves) : ray.leaves;
         bed.sought = beyond > 0.0 ? min(way * ray.from.w / beyond, farthest) : farthest;
     } while (++i < refractionSamples - 1 && bed.least > 0.01 && !bed.left);

@@ -39,10 +39,10 @@ struct Crest {
     CrestSide one, other;
 };
 
-// The front of a shore's breaker rises nearly as fast as the sun's ray does in water: where a line through two looks says that the
-// ray leaves, another finds what the wave is like there. Looks are at where its waves have moved them to: nearer to each other at crests.
+// The front of a shore's breaker rises nearly as fast as the sun's ray does in water: where a line through two taps says that the
+// ray leaves, another finds what the wave is like there. Taps are at where its waves have moved them to: nearer to each other at crests.
 Crest crestOver(const SurfacePoint s, vec2 calm, float height, vec2 one, vec2 other, float width) {
-    const int looks = hasShore ? 4 : 3;
+    const int taps = hasShore ? 4 : 3;
     float least = max(width, 1e-3);   // of what touches the surface, where a ray has no way through it [m]
     float over = 0.0, apart = 0.0;
     vec2 aside = vec2(0.0);     // of what waves move, from what they move where the pixel is
@@ -50,7 +50,7 @@ Crest crestOver(const SurfacePoint s, vec2 calm, float height, vec2 one, vec2 ot
     vec2 rises = vec2(0.0);
     float above = 0.0;
     int i = 0;
-    // To the other side second: all looks share one copy of the code.
+    // To the other side second: all taps share one copy of the code.
     [[dont_unroll]] do {
         vec2 towards = i == 1 ? other : one;
         vec3 there = surfaceDisplacement(waveDisplacement, calm + apart * towards - aside, width);
@@ -75,7 +75,7 @@ Crest crestOver(const SurfacePoint s, vec2 calm, float height, vec2 one, vec2 ot
             apart = leaves < found.x ? min(leaves, found.x - least) : max(leaves, found.x + least);
             last = found;
         }
-    } while (++i < looks);
+    } while (++i < taps);
     over = max(over, 0.0);
     return Crest(CrestSide(one, rises.x, hasShore ? above : over), CrestSide(other, rises.y, over));
 }

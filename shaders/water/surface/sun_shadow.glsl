@@ -2,7 +2,7 @@
 
 layout(set = 0, binding = sunShadowMapBinding) uniform sampler2DArray sunShadowMap;
 
-// Of the four texels around, those that are no nearer to the sun, as a linear look weighs them (percentage-closer
+// Of the four texels around, those that are no nearer to the sun, as a linear tap weighs them (percentage-closer
 // filtering: Reeves, Salesin and Cook 1987). What lies beyond the map's far end is as deep as that.
 float shareLit(vec3 at, float layer, vec2 size) {
     vec2 corner = at.xy * size - 0.5;
@@ -15,7 +15,7 @@ float shareLit(vec3 at, float layer, vec2 size) {
 
 float sunSeenAt(vec3 point) {
     vec2 size = vec2(textureSize(sunShadowMap, 0).xy);
-    vec2 texel = 1.0 / size;   // within which a look reaches into a neighbouring cascade
+    vec2 texel = 1.0 / size;   // within which a tap reaches into a neighbouring cascade
     int i = 0;
     bool inside;
     vec3 at;

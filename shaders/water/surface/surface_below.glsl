@@ -230,12 +230,12 @@ vec3 mirroredBy(const SurfacePoint s, vec2 slope, vec3 view, float spread) {
     return radiance;
 }
 
-// For 1, 2 and 4 looks the means of equal shares of a Gaussian [deviations], along the line of sight.
+// For 1, 2 and 4 taps the means of equal shares of a Gaussian [deviations], along the line of sight.
 const float belowSamples[7] = float[](0.0, -0.8, 0.8, -1.27, -0.325, 0.325, 1.27);
 
 // Aside each lies to one side or the other, so that along and aside do not depend on each other.
 float sideOf(int tap) {
-    return looksPerPixel() == 1 ? 0.0 : (tap & 1) == (tap >> 1) ? 1.0 : -1.0;
+    return tapsPerPixel() == 1 ? 0.0 : (tap & 1) == (tap >> 1) ? 1.0 : -1.0;
 }
 
 float sideOfShare() {
@@ -243,7 +243,7 @@ float sideOfShare() {
     return place.x == place.y ? 1.0 : -1.0;
 }
 
-// The mean over the slopes that are seen, at as many of them as there are looks. Seen from below, where no line of sight
+// The mean over the slopes that are seen, at as many of them as there are taps. Seen from below, where no line of sight
 // that is mirrored is as low as those over water, slopes turn rays aside as much as up and down: twice reflectionAlong()'s blur.
 vec3 mirroredBelowWaves(const SurfacePoint s, vec3 view, inout uint turn) {
     VisibleSlopes v = visibleSlopes(s, view);
@@ -251,15 +251,15 @@ vec3 mirroredBelowWaves(const SurfacePoint s, vec3 view, inout uint turn) {
     vec2 aside = vec2(-v.towards.y, v.towards.x) * (0.7 * deviationAcross(s, v.towards));
     float spread = 2.0 * tapWidth() * seen.deviation + s.slopeStep;
     float share = sharedInQuad(s, seen, spread, firstHit(s));
-    int looks = looksPerPixel();
+    int taps = tapsPerPixel();
     vec3 sum = vec3(0.0);
     int i = 0;
     do {
-        float offset = mix(belowSamples[placeOfLook(i)], dot(levelShares[placeOfLook(i)], partOfQuad()), share);
+        float offset = mix(belowSamples[tableRow(i)], dot(levelShares[tableRow(i)], partOfQuad()), share);
         vec2 slope = s.slope + v.towards * (seen.mean + offset * seen.deviation) + aside * mix(sideOf(i), sideOfShare(), share);
         sum += meanFound(vec4(mirroredBy(s, slope, view, spread), 1.0), share, turn).rgb;
-    } while (++i < looks);
-    return sum / float(looks);
+    } while (++i < taps);
+    return sum / float(taps);
 }
 
 vec3 mirroredBelow(const SurfacePoint s, vec3 view, inout uint turn) {

@@ -76,16 +76,16 @@ float shareOfSlope(int i) {
     return reflectionSamples == 4 ? 0.125 : fourShares[i & 3];
 }
 
-int looksPerPixel() {
+int tapsPerPixel() {
     return reflectionSamples;
 }
 
-// In tables for looks of one, of two and of four.
-int placeOfLook(int tap) {
+// In tables for one tap, two and four.
+int tableRow(int tap) {
     return reflectionSamples - 1 + tap;
 }
 
-// For looks of one, of two and of four, the means of four equal shares of each one's slopes.
+// For one tap, two and four, the means of four equal shares of each one's slopes.
 const vec4 levelShares[7] = vec4[](
     vec4(-1.370, -0.350, 0.350, 1.370),
     vec4(-1.694, -0.921, -0.505, -0.163), vec4(0.163, 0.505, 0.921, 1.694),
@@ -97,13 +97,13 @@ const vec4 edgeOnShares[7] = vec4[](
     vec4(-2.273, -1.434, -1.043, -0.758), vec4(-0.525, -0.322, -0.138, 0.034),
     vec4(0.198, 0.358, 0.518, 0.680), vec4(0.850, 1.036, 1.252, 1.567));
 
-// The slope that stands for this pixel's share of a look's, as an offset from what is in the middle of the pixel.
+// The slope that stands for this pixel's share of a tap's, as an offset from what is in the middle of the pixel.
 float slopeOfShare(int tap, SlopeSpread seen) {
-    int shares = placeOfLook(tap);
+    int shares = tableRow(tap);
     return seen.mean + dot(mix(levelShares[shares], edgeOnShares[shares], seen.skew), partOfQuad()) * seen.deviation;
 }
 
-// Few looks at a window in rough water show as many windows, not the column that it makes. So the pixels of a quad look at
+// Few taps of a window in rough water show as many windows, not the column that it makes. So the pixels of a quad look at
 // shares of the slopes each, and take the mean of what they find. How far they do so [0..1]: not where the quad's slopes
 // differ by more than those within a pixel, nor where what they mirror lies within a texel or so.
 float sharedInQuad(const SurfacePoint s, SlopeSpread seen, float spread, float hit) {
@@ -117,13 +117,13 @@ vec4 meanFound(vec4 own, float share, inout uint turn) {
     return share > 0.0 ? mix(own, mean, share * (2.0 - share)) : own;
 }
 
-// Deviation of the mirrored directions that one look stands for, in those of all slopes: mirroring doubles angles.
+// Deviation of the mirrored directions that one tap stands for, in those of all slopes: mirroring doubles angles.
 float tapWidth() {
     return reflectionSamples == 1 ? 1.7 : reflectionSamples == 2 ? 1.0 : 0.5;
 }
 
-// Of a look's spread, what the sky is blurred by at the least. Slopes spread rays up and down, but a cube's mips blur alike in
-// all directions: by more, the glow around a low sun would show far to its sides. Fewer looks need more, or they show as such.
+// Of a tap's spread, what the sky is blurred by at the least. Slopes spread rays up and down, but a cube's mips blur alike in
+// all directions: by more, the glow around a low sun would show far to its sides. Fewer taps need more, or they show as such.
 const float skyBlurred = reflectionSamples == 4 ? 0.35 : 0.5;
 
 // What a ray meets of another wave: of the facets that show themselves to it, which rises, the one that mirrors as much as
@@ -135,25 +135,25 @@ vec3 facetMet(vec3 ray) {
     return normalOf(v.towards * (met.mean + met.deviation / 3.0));
 }
 
-// A look into the sky: what it counts for, and the deviation of its rays [rad].
-struct SkyLook {
+// A sample of the sky: what it counts for, and the deviation of its rays [rad].
+struct SkySample {
     vec3 towards;
     float spread, weight;
 };
 
-// Of rays that meet other waves, times their weight, and that: these mirror a higher part of the sky, or what the last look `found`.
-SkyLook skyOfMet(vec4 met, vec4 found, float spread, inout Reflection sum) {
+// Of rays that meet other waves, times their weight, and that: these mirror a higher part of the sky, or what the last tap `found`.
+SkySample skyOfMet(vec4 met, vec4 found, float spread, inout Reflection sum) {
     vec3 direction = normalize(met.xyz);
     vec3 facet = facetMet(direction);
     float keeps = met.w * mirroredShare(dot(-direction, facet));
     sum.swallowed = met.w - keeps;
     sum.radiance += keeps * found.rgb;
-    return SkyLook(keptAbove(reflect(direction, facet)), spread, keeps * (1.0 - found.a));
+    return SkySample(keptAbove(reflect(direction, facet)), spread, keeps * (1.0 - found.a));
 }
 
-// The scene and the sky are looked up in as many groups of neighbouring slopes as there are looks. Low rays meet another wave
+// The scene and the sky are looked up in as many groups of neighbouring slopes as there are taps. Low rays meet another wave
 // before they reach the sky (Smith's masking by all the sea's slopes), which mirrors a higher part of it in turn, or of what
-// the last look found.
+// the last tap found.
 vec3 sightAlong(vec2 towards, float rise) {
     float level = sqrt(max(1.0 - rise * rise, 0.0));
     return vec3(level * towards.x, rise, level * towards.y);
@@ -191,7 +191,7 @@ Reflection reflectedByWaves(const SurfacePoint s, vec3 toEye, inout uint turn) {
         } while (++j < together);
         sum.fresnel += total.w;
         met += total - clear;
-        SkyLook sky = SkyLook(clear.xyz / max(clear.w, 1e-6), max(spreadAside * cosines / max(total.w, 1e-6), skyBlurred * spread), clear.w);
+        SkySample sky = SkySample(clear.xyz / max(clear.w, 1e-6), max(spreadAside * cosines / max(total.w, 1e-6), skyBlurred * spread), clear.w);
         float share = sharedInQuad(s, seen, spread, hit);
         vec3 ofShare = reflect(-toEye, normalOf(s.slope + v.towards * slopeOfShare(tap, seen)));
         vec3 ray = keptAbove(mix(total.xyz / max(total.w, 1e-6), ofShare, share));
@@ -200,12 +200,12 @@ Reflection reflectedByWaves(const SurfacePoint s, vec3 toEye, inout uint turn) {
         sum.radiance += sky.weight * found.rgb;
         sky.weight = found.a < 0.999 && sky.weight > 1e-6 ? sky.weight * (1.0 - found.a) : 0.0;
         bool meets = tap + 1 == reflectionSamples && met.w > 1e-3 * sum.fresnel;
-        int look = 0;
+        int part = 0;
         // What rays meet of other waves mirrors sky too, by the same copy of the code.
         [[dont_unroll]] do {
             if (sky.weight > 0.0) sum.radiance += sky.weight * throughAir(skyAt(s, sky.towards, sky.spread), s.air);
-            if (meets && look == 0) sky = skyOfMet(met, found, 0.5 * spread, sum);
-        } while (++look < (meets ? 2 : 1));
+            if (meets && part == 0) sky = skyOfMet(met, found, 0.5 * spread, sum);
+        } while (++part < (meets ? 2 : 1));
     } while (++tap < reflectionSamples);
     return sum;
 }

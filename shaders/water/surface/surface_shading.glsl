@@ -30,7 +30,7 @@
 #include "subsurface_scattering.glsl"
 #include "foam_cover.glsl"
 
-// A mean over the pixel, by as many looks as its waves get.
+// A mean over the pixel, by as many taps as its waves get.
 float sunSeenOver(const SurfacePoint s) {
     if (!hasWaves) return sunSeenAt(s.position);
     vec2 part = partOf(s.footprint);

@@ -195,8 +195,8 @@ TEST_F(Beds, ShowThereOnASlope) {
 
 TEST_F(Beds, ShowThereFromAfar) {
     lookFromAfar();
-    for (const uint32_t looks : {6u, 8u, 16u}) {
-        desc_.shading.refractionSamples = looks;
+    for (const uint32_t samples : {6u, 8u, 16u}) {
+        desc_.shading.refractionSamples = samples;
         for (const double slope : {0.05, 0.1, 0.2}) expectTruth({{0, 1, slope, 2}});
     }
 }

@@ -97,8 +97,8 @@ TEST_P(GlintFarOff, IsSteadyUnderJitterAndHasNoFireflies) {
     EXPECT_GT(*std::ranges::max_element(mean), 3);
 }
 
-// By more looks along it a pixel shows more of the waves, and is as far from those around it as it should be:
-// of 64 samples each, at 10 m/s, one has 3.7 of their mean.
+// By more samples along it a pixel shows more of the waves, and is as far from those around it as it should
+// be: of 64 samples each, at 10 m/s, one has 3.7 of their mean.
 INSTANTIATE_TEST_SUITE_P(
     At, GlintFarOff,
     testing::Values(GlintCase{Quality::medium, 5, 1.2, 1.2}, GlintCase{Quality::medium, 10, 1.45, 1.8},

@@ -17,7 +17,7 @@ using namespace tests;
 using Along = std::function<double(const glm::dvec3& from, const glm::dvec3& ray)>;
 
 /// What a pixel of water mirrors by its drawn normal, and by a level one.
-struct BentLook {
+struct BentSample {
     double bent, flat; ///< how far away what is mirrored lies
     glm::dvec3 met;    ///< where, of the bent one
     bool says;         ///< whether the surface takes its reflection from something
@@ -27,11 +27,11 @@ struct BentLook {
 class MirroringWaves : public SeaTest {
   protected:
     /// Of a scene of that which `along` meets.
-    std::vector<BentLook> bentSamples(Body* body, const Camera& camera, const Along& along);
+    std::vector<BentSample> bentSamples(Body* body, const Camera& camera, const Along& along);
     /// How bright a lit band 60 m away makes each of 90 rows of the water before it, in pictures of `scale`
     /// times as many: seen from 3 m above the water, or as far below it.
-    std::vector<double> columnOfBand(double above, uint32_t looks, uint32_t scale);
-    void expectColumn(double above, const std::map<uint32_t, double>& offByLooks);
+    std::vector<double> columnOfBand(double above, uint32_t samples, uint32_t scale);
+    void expectColumn(double above, const std::map<uint32_t, double>& offBySamples);
 };
 
 // Waves far off bend rays so steeply up that the flat mirror shows, where those are looked up, things close
@@ -111,12 +111,12 @@ TEST_F(MirroringWaves, MirrorAtTheBorderWhatItMirrorsBesideIt) {
     EXPECT_NEAR(border / inside, 1, 0.05);
 }
 
-std::vector<BentLook> MirroringWaves::bentSamples(Body* body, const Camera& camera, const Along& along) {
+std::vector<BentSample> MirroringWaves::bentSamples(Body* body, const Camera& camera, const Along& along) {
     const SceneBehind behind = drawnOver(camera, nothingBehind(camera), 50,
                                          [&](const glm::dvec3& ray) { return along(camera.eye, ray); });
     const WaterPicture normals = picture({body}, camera, 2, SurfaceOutput::normal, behind);
     const WaterPicture sources = picture({body}, camera, 2, SurfaceOutput::reflectionSource, behind);
-    std::vector<BentLook> looks;
+    std::vector<BentSample> samples;
     for (uint32_t y = 0; y < normals.height; ++y)
         for (uint32_t x = 0; x < normals.width; ++x) {
             const size_t i = size_t{y} * normals.width + x;
@@ -126,13 +126,13 @@ std::vector<BentLook> MirroringWaves::bentSamples(Body* body, const Camera& came
             const float* const source = &sources.color[4 * i];
             const glm::dvec3 bent = glm::reflect(ray, glm::dvec3(normal[0], normal[1], normal[2]));
             const double distance = along(from, bent);
-            looks.push_back({distance,
-                             along(from, ray * glm::dvec3(1, -1, 1)),
-                             from + distance * bent,
-                             source[3] == 2.0f,
-                             {source[0], source[1]}});
+            samples.push_back({distance,
+                               along(from, ray * glm::dvec3(1, -1, 1)),
+                               from + distance * bent,
+                               source[3] == 2.0f,
+                               {source[0], source[1]}});
         }
-    return looks;
+    return samples;
 }
 
 // Where the flat mirror shows the sky, a facet that leans towards the eye mirrors what floats near by: the
@@ -157,9 +157,9 @@ TEST_F(MirroringWaves, MirrorTheTailOfWhatFloats) {
         return at.y < -1 || at.y > 2 || std::abs(at.x - 3) > 0.5 ? -1 : distance;
     };
     size_t tail = 0, found = 0, beside = 0, strays = 0;
-    for (const BentLook& look : bentSamples(makeBody(desc), camera, alongToBoard)) {
-        if (look.bent > 0 && !(look.flat > 0)) ++tail, found += look.says;
-        if (!(look.bent > 0)) ++beside, strays += look.says;
+    for (const BentSample& sample : bentSamples(makeBody(desc), camera, alongToBoard)) {
+        if (sample.bent > 0 && !(sample.flat > 0)) ++tail, found += sample.says;
+        if (!(sample.bent > 0)) ++beside, strays += sample.says;
     }
     std::printf("%zu of %zu in the tail are found, %zu of %zu beside it\n", found, tail, strays, beside);
     EXPECT_GT(tail, 200u);
@@ -184,15 +184,15 @@ TEST_F(MirroringWaves, MirrorAWallFarBeforeTheWavesThatAreSteepEnough) {
     const glm::dvec2 size(camera.width, camera.height);
     size_t beyondFlat = 0;
     std::vector<double> off;
-    for (const BentLook& look : bentSamples(mirroringBreeze({}), camera, alongToWall)) {
-        if (!(look.bent > 0) || look.flat > 0) continue;
-        const glm::dvec4 p = clip * glm::dvec4(look.met, 1);
+    for (const BentSample& sample : bentSamples(mirroringBreeze({}), camera, alongToWall)) {
+        if (!(sample.bent > 0) || sample.flat > 0) continue;
+        const glm::dvec4 p = clip * glm::dvec4(sample.met, 1);
         const glm::dvec2 truth = (glm::dvec2(p) / p.w * 0.5 + 0.5) * size;
         // Off the border, where what is not shown cannot be found.
         const glm::dvec2 inside = glm::min(truth, size - truth);
         if (std::min(inside.x, inside.y) <= 20) continue;
         ++beyondFlat;
-        if (look.says) off.push_back(glm::length(truth - look.source));
+        if (sample.says) off.push_back(glm::length(truth - sample.source));
     }
     std::ranges::sort(off);
     ASSERT_GT(beyondFlat, 1000u);
@@ -203,13 +203,13 @@ TEST_F(MirroringWaves, MirrorAWallFarBeforeTheWavesThatAreSteepEnough) {
     EXPECT_LT(off[off.size() * 9 / 10], 1.5);
 }
 
-std::vector<double> MirroringWaves::columnOfBand(double above, uint32_t looks, uint32_t scale) {
+std::vector<double> MirroringWaves::columnOfBand(double above, uint32_t samples, uint32_t scale) {
     const RefractionDesc clear = {{0, 0, 0}, {0, 0, 0}, 1};
     BodyDesc desc;
     desc.refraction = &clear;
     const UnderwaterDesc underwater;
     if (above < 0) desc.underwater = &underwater;
-    desc.shading.reflectionSamples = looks;
+    desc.shading.reflectionSamples = samples;
     Camera camera = seaCamera();
     camera.width = 160 * scale;
     camera.height = 90 * scale;
@@ -236,27 +236,27 @@ std::vector<double> MirroringWaves::columnOfBand(double above, uint32_t looks, u
     return rows;
 }
 
-/// Rows by so many looks are off by less than that share of the light from those of four times the
+/// Rows by so many samples are off by less than that share of the light from those of four times the
 /// resolution.
-void MirroringWaves::expectColumn(double above, const std::map<uint32_t, double>& offByLooks) {
+void MirroringWaves::expectColumn(double above, const std::map<uint32_t, double>& offBySamples) {
     const std::vector<double> fine = columnOfBand(above, 4, 4);
     const double light = std::accumulate(fine.begin(), fine.end(), 0.0);
-    for (const auto& [looks, most] : offByLooks) {
-        const std::vector<double> rows = columnOfBand(above, looks, 1);
+    for (const auto& [samples, most] : offBySamples) {
+        const std::vector<double> rows = columnOfBand(above, samples, 1);
         double off = 0;
         for (size_t y = 0; y < rows.size(); ++y) off += std::abs(rows[y] - fine[y]);
-        std::printf("%u looks: rows are off by %.3f of the light\n", looks, off / light);
-        EXPECT_LT(off / light, most) << looks;
+        std::printf("%u samples: rows are off by %.3f of the light\n", samples, off / light);
+        EXPECT_LT(off / light, most) << samples;
     }
 }
 
-// Few looks at what a pixel's slopes mirror, each pixel's at the same slopes, show a light once for each, one
-// below the other. Off by 1.45, 0.96 and 0.38 then; seen from below by 1.15, 0.62 and 0.26.
-TEST_F(MirroringWaves, MirrorALightAsOneColumnByFewLooks) {
+// Few samples of what a pixel's slopes mirror, each pixel's at the same slopes, show a light once for each,
+// one below the other. Off by 1.45, 0.96 and 0.38 then; seen from below by 1.15, 0.62 and 0.26.
+TEST_F(MirroringWaves, MirrorALightAsOneColumnByFewSamples) {
     expectColumn(3, {{1, 0.62}, {2, 0.53}, {4, 0.31}});
 }
 
-TEST_F(MirroringWaves, MirrorALightBelowAsOneColumnByFewLooks) {
+TEST_F(MirroringWaves, MirrorALightBelowAsOneColumnByFewSamples) {
     expectColumn(-3, {{1, 0.50}, {2, 0.32}, {4, 0.20}});
 }
 

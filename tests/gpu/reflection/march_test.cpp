@@ -119,7 +119,7 @@ TEST_F(Ssr, OnlyBentLookupsReachBehindThings) {
     EXPECT_GT(hitsOffThePlane(0, &normals), 3 * flat);
 }
 
-TEST_F(Ssr, MoreLooksFindMore) {
+TEST_F(Ssr, MoreStepsFindMore) {
     Camera large = testCamera();
     large.width *= 3;
     large.height *= 3;
@@ -129,7 +129,7 @@ TEST_F(Ssr, MoreLooksFindMore) {
         ReflectorDesc desc = with(ReflectionTechnique::ssr);
         desc.reflection.marchSteps = steps;
         const Score s = score(traced, reflectScene(large, traced, desc));
-        print("looks", s);
+        print("steps", s);
         EXPECT_GT(s.coverage, last + 0.03) << steps;
         EXPECT_LE(s.skyOnGeometry, 0.004) << steps; // what was not looked at is not proven to be sky
         last = s.coverage;

@@ -45,7 +45,7 @@ TEST_P(Regions, AreTheSamePictureToTheBit) {
             ReflectorDesc wanted = desc();
             wanted.reflection.downscale = reduced ? 2 : 1;
             wanted.reflection.coarseKeys = reduced;
-            wanted.reflection.overhangSamples = 6; // which look far
+            wanted.reflection.overhangSamples = 6; // which reach far
             std::vector<Box> boxes = harbourOfBoxes();
             boxes.push_back({{-90, -1, -30}, {90, 4, -28}}); // seen and mirrored at the borders too
             const TracedView traced = Tracer(camera, boxes).run();

@@ -152,9 +152,9 @@ TEST_P(Undersides, AreNotSidesThatAreSeen) {
 
 class Overhangs : public ReflectionTest, public testing::WithParamInterface<ReflectionTechnique> {
   protected:
-    Reflected reflected(const Camera& camera, const TracedView& traced, uint32_t looks) {
+    Reflected reflected(const Camera& camera, const TracedView& traced, uint32_t samples) {
         ReflectorDesc desc = with(GetParam());
-        desc.reflection.overhangSamples = looks;
+        desc.reflection.overhangSamples = samples;
         return reflectScene(camera, traced, desc);
     }
 };

@@ -1,4 +1,4 @@
-// The quality presets, and the looks that it turns.
+// The quality presets, and the samples that they set.
 #include <cmath>
 
 #include "seaglass/waves_fftw.h"
@@ -79,7 +79,7 @@ TEST(QualityPresets, LeavesWhatIsModelled) {
     }
 }
 
-class Looks : public WaterTest {
+class ShadingSamples : public WaterTest {
   protected:
     Body* bodyWith(const ShadingDesc& shading, const RefractionDesc* refraction = nullptr,
                    const MeshDesc& mesh = {}) {
@@ -122,14 +122,14 @@ Slopes slopesOf(const WaterPicture& p) {
     return {sum.shown / count, sum.within / count};
 }
 
-// Looks along a long pixel see slopes that one look, as wide as it is long, takes for roughness.
-TEST_F(Looks, AlongAPixelShowMoreSlopesAndLoseNone) {
+// Samples along a long pixel see slopes that one, as wide as it is long, takes for roughness.
+TEST_F(ShadingSamples, AlongAPixelShowMoreSlopesAndLoseNone) {
     Slopes one, four;
-    for (const uint32_t looks : {1u, 4u}) {
-        Body* const body = bodyWith({.slopeSamples = looks});
-        (looks == 1 ? one : four) = slopesOf(picture({body}, low(), 50, SurfaceOutput::slopes));
+    for (const uint32_t samples : {1u, 4u}) {
+        Body* const body = bodyWith({.slopeSamples = samples});
+        (samples == 1 ? one : four) = slopesOf(picture({body}, low(), 50, SurfaceOutput::slopes));
     }
-    std::printf("shown %.5f and within %.5f by one look, %.5f and %.5f by four\n", one.shown, one.within,
+    std::printf("shown %.5f and within %.5f by one sample, %.5f and %.5f by four\n", one.shown, one.within,
                 four.shown, four.within);
     EXPECT_GT(four.shown, 1.05 * one.shown);
     EXPECT_NEAR(four.shown + four.within, one.shown + one.within, 0.02 * (one.shown + one.within));
@@ -149,7 +149,7 @@ double slopesApart(const WaterPicture& a, const WaterPicture& b) {
 
 // A mesh whose cells are longer than waves shows their near and far sides as wide as each other. With
 // parallax it comes nearer to a mesh that has those waves.
-TEST_F(Looks, ParallaxStandsInForAFinerMesh) {
+TEST_F(ShadingSamples, ParallaxStandsInForAFinerMesh) {
     Camera camera = low();
     camera.eye = {0, 18, 0}; // what is near has finer cells than are asked for
     camera.target = {0, 0, -180};
@@ -177,17 +177,17 @@ double meanOf(const WaterPicture& p) {
 }
 
 // Under one sky all slopes mirror the same: only Fresnel's mean may differ by how they are told apart.
-TEST_F(Looks, AtWhatIsMirroredAgreeUnderAnEvenSky) {
+TEST_F(ShadingSamples, AtWhatIsMirroredAgreeUnderAnEvenSky) {
     for (const Fresnel formula : {Fresnel::exact, Fresnel::schlick}) {
         const double two = meanOf(picture({bodyWith({.fresnel = formula})}, low(), 50));
-        for (const uint32_t looks : {1u, 4u}) {
-            const ShadingDesc shading = {.reflectionSamples = looks, .fresnel = formula};
-            EXPECT_NEAR(meanOf(picture({bodyWith(shading)}, low(), 50)) / two, 1, 0.011) << looks;
+        for (const uint32_t samples : {1u, 4u}) {
+            const ShadingDesc shading = {.reflectionSamples = samples, .fresnel = formula};
+            EXPECT_NEAR(meanOf(picture({bodyWith(shading)}, low(), 50)) / two, 1, 0.011) << samples;
         }
     }
 }
 
-TEST_F(Looks, OutOfRangeAreNamed) {
+TEST_F(ShadingSamples, OutOfRangeAreNamed) {
     const auto refused = [&](const ShadingDesc& shading) {
         BodyDesc desc;
         desc.shading = shading;
@@ -234,7 +234,7 @@ double contrastOf(const WaterPicture& p, uint32_t row) {
 
 // Where the bent ray leaves the picture, what it would meet is not known: neither the border's pixels drawn
 // out into streaks, nor a mirror image of what lies inside.
-TEST_F(Looks, BeyondTheBorderSeeTheBedsMeanAndNoStreaks) {
+TEST_F(ShadingSamples, BeyondTheBorderSeeTheBedsMeanAndNoStreaks) {
     const RefractionDesc clear = {{0, 0, 0}, {0, 0, 0}, 1};
     BodyDesc desc;
     desc.refraction = &clear;
@@ -268,7 +268,7 @@ SceneBehind stonesAtTheBorder(const Camera& camera, double bed) {
 }
 
 // A stone that the picture's border cuts off is no bed that goes on: it would be drawn out to a dark wall.
-TEST_F(Looks, BeyondTheBorderSeeTheBedAndNoStoneOnIt) {
+TEST_F(ShadingSamples, BeyondTheBorderSeeTheBedAndNoStoneOnIt) {
     const RefractionDesc absorbing = {{0.3f, 0.3f, 0.3f}, {0, 0, 0}, 1};
     BodyDesc desc;
     desc.refraction = &absorbing;

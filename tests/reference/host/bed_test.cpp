@@ -94,10 +94,10 @@ TEST_F(BedsPicture, IsNotNeededForWhatTheSceneShows) {
     scene.cameras[0].targetM = {0, -0.3, -1};
     scene.cameras[0].verticalFovDeg = 30;
     const Picture truth = tests::traced(scene, {96, 54, scene.cameras.front(), scene.timeS, 9}).color;
-    for (const uint32_t looks : {2u, 3u, 8u}) {
-        scene.water->shading.refractionSamples = looks;
+    for (const uint32_t samples : {2u, 3u, 8u}) {
+        scene.water->shading.refractionSamples = samples;
         const double off = apart(tests::rendered(*host_, scene, 96, 54), truth);
-        std::printf("%u looks: apart by %.4f\n", looks, off);
+        std::printf("%u samples: apart by %.4f\n", samples, off);
         EXPECT_LT(off, 0.1);
     }
 }

@@ -74,13 +74,13 @@ TEST(SeaOfTheHost, MirrorsAStripOfSkyAsAPath) {
     const Picture traced = trace(scene);
     const double tracedPath = lightIn(traced, 0.65, 1), tracedAside = lightIn(traced, 0, 0.5);
     EXPECT_GT(tracedPath, 1);
-    for (const uint32_t looks : {2u, 4u}) {
-        scene.water->shading.reflectionSamples = looks;
+    for (const uint32_t samples : {2u, 4u}) {
+        scene.water->shading.reflectionSamples = samples;
         const Picture rendered = render(*host, scene);
         const double renderedPath = lightIn(rendered, 0.65, 1), renderedAside = lightIn(rendered, 0, 0.5);
-        std::printf("%u looks, path: %.2f traced, %.2f drawn; aside: %.3f traced, %.3f drawn\n", looks,
+        std::printf("%u samples, path: %.2f traced, %.2f drawn; aside: %.3f traced, %.3f drawn\n", samples,
                     tracedPath, renderedPath, tracedAside, renderedAside);
-        EXPECT_NEAR(renderedPath / tracedPath, 1, looks == 4 ? 0.02 : 0.05);
+        EXPECT_NEAR(renderedPath / tracedPath, 1, samples == 4 ? 0.02 : 0.05);
         EXPECT_LT(renderedAside / renderedPath, 2 * tracedAside / tracedPath + 0.005);
     }
     std::filesystem::remove(scene.sky.file);

@@ -118,13 +118,13 @@ TEST_F(UnderwaterHost, MirrorsTheBedAsSoftlyAsItIsTraced) {
     const auto surface = [](const std::vector<uint8_t>& picture) { // the upper third
         return std::span(picture).first(picture.size() / 3);
     };
-    for (const auto& [looks, most] : {std::pair{1u, 6.7}, {2u, 6.2}, {4u, 5.7}}) {
-        scene_.water->shading.reflectionSamples = looks;
+    for (const auto& [samples, most] : {std::pair{1u, 6.7}, {2u, 6.2}, {4u, 5.7}}) {
+        scene_.water->shading.reflectionSamples = samples;
         ASSERT_TRUE(host_->load(scene_, error)) << error.text;
         const std::vector<uint8_t> rendered = toneMap(render(camera), scene_.exposureEv);
         const double off = tests::meanDifference(surface(traced), surface(rendered));
-        std::printf("%u looks: off by %.2f of 255\n", looks, off);
-        EXPECT_LT(off, most) << looks;
+        std::printf("%u samples: off by %.2f of 255\n", samples, off);
+        EXPECT_LT(off, most) << samples;
     }
     EXPECT_EQ(host_->validationMessages(), 0u);
 }

@@ -11,7 +11,7 @@ namespace demos::reference {
 struct Foam {
     float mask = 0;     ///< share of the surface that is white
     float fresh = 0;    ///< 1 where waves break, less as what they leave thins
-    glm::vec2 slope{0}; ///< of its own relief
+    glm::vec2 slope{0}; ///< of its own bumps
     float height = 0;   ///< of the white's own, -1..1
     float plume = 0;    ///< bubbles in the water below
 };

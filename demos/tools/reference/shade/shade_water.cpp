@@ -107,10 +107,10 @@ glm::vec3 plumeGlow(const Frame& frame, bool lit, float plume) {
 glm::vec3 withFoam(const glm::vec3& bare, const Frame& frame, const Facet& facet, const Foam& white,
                    const glm::vec3& toEye, const glm::vec3& toSun, const glm::vec3& mirror, float leaves,
                    bool lit) {
-    constexpr float relief = 0.7f, filmVariance = 0.12f, filmShare = 0.4f;
+    constexpr float bumpiness = 0.7f, filmVariance = 0.12f, filmShare = 0.4f;
     constexpr float thinnest = 0.3f;
     Facet film = facet;
-    film.slopes.mean += relief * white.slope;
+    film.slopes.mean += bumpiness * white.slope;
     film.slopes.covariance += glm::vec3(filmVariance, filmVariance, 0);
     const Light& light = frame.world->light;
     const glm::vec3 facing = normalOf(film.slopes.mean);
