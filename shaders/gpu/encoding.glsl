@@ -1,4 +1,6 @@
 // The sRGB curve (IEC 61966-2-1, which goes on above 1), for hosts whose images hold colour as displays take it.
+#ifndef ENCODING_GLSL
+#define ENCODING_GLSL
 
 const float mostHeld = 60000.0;   // near what halves hold, with room for what is added
 
@@ -29,3 +31,5 @@ vec3 heldGrowth(vec3 times) {
 // were drawn.
 const float mostGathered = 5.0;
 const float leastUntold = 0.996;   // short of 1 by a step of eight bits
+
+#endif

@@ -1,5 +1,8 @@
 // The quad of 2 x 2 pixels that share what they find: of an 8 x 8 tile four invocations in a row. To be asked where all invocations
-// go. Needs `quadsInStep`, a constant.
+// go. `quadsInStep` is a constant of the includer's.
+#ifndef TILE_QUAD_GLSL
+#define TILE_QUAD_GLSL
+
 #extension GL_KHR_shader_subgroup_basic : require
 
 layout(local_size_x = 64) in;
@@ -64,3 +67,5 @@ uint bitsAround(uint own) {
     barrier();
     return bitsOfTile;
 }
+
+#endif

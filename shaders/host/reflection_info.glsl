@@ -1,5 +1,7 @@
 // One half float says what is known of a mirrored pixel, so that a reflection takes no more memory than it must:
 // positive, the distance from the mirror to what is hit [m]; zero, nothing is known; negative, it is the sky.
+#ifndef SEAGLASS_REFLECTION_INFO_GLSL
+#define SEAGLASS_REFLECTION_INFO_GLSL
 
 const float infoUnknown = 0.0;
 const float infoSky = -1.0;
@@ -41,3 +43,5 @@ float infoUndoubted(float info) {
 bool infoIsSky(float info) {
     return info < 0.0;
 }
+
+#endif

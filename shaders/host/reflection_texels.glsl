@@ -1,4 +1,6 @@
-// Reads a reflection of fewer pixels than the frame. Needs reflection_info.glsl, reflectionColor and reflectionInfo.
+// Reads a reflection of fewer pixels than the frame. `reflectionColor` and
+// `reflectionInfo` are samplers of the includer's.
+#include "reflection_info.glsl"
 
 // Linear between texels, but for those of which nothing is known: at the foot of whatever stands before the mirror the
 // next texel is one of that thing's, and would let the sky in along its edge.

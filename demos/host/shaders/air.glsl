@@ -1,4 +1,5 @@
-// The fog between the eye and what it sees, by the function that the water has. Needs frame.glsl and skyCube.
+// The fog between the eye and what it sees, by the function that the water has. `skyCube` is the includer's.
+#include "frame.glsl"
 #include "medium.glsl"
 
 SeaglassFog fogHere() {

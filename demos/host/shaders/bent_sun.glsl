@@ -1,5 +1,7 @@
 // Under calm water the sun's rays are bent. Sheared along the surface by its depth, what lies there has them straight
-// again, and one shadow map serves: what casts into it and what looks it up are moved alike. Needs frame.glsl.
+// again, and one shadow map serves: what casts into it and what looks it up are moved alike.
+#include "frame.glsl"
+
 float depthInWater(vec3 fromEye) {
     return -dot(frame.waterPlane, vec4(fromEye, 1.0));
 }

@@ -1,4 +1,7 @@
 // What every pass of the host knows about the frame. Positions are in metres from the eye.
+#ifndef FRAME_GLSL
+#define FRAME_GLSL
+
 layout(set = 0, binding = 0, std140) uniform Frame {
     mat4 clipFromEye;       // eye-relative position to clip
     mat4 shadowFromEye[4];  // eye-relative position to each shadow cascade's clip space
@@ -45,3 +48,5 @@ vec3 skyIrradiance(vec3 n) {
         + frame.irradianceSh[8].rgb * (n.x * n.x - n.y * n.y);
     return max(e, vec3(0.0));
 }
+
+#endif

@@ -1,4 +1,5 @@
-// What of sun and sky reaches a point, and what a glossy surface mirrors of the sun. Needs frame.glsl.
+// What of sun and sky reaches a point, and what a glossy surface mirrors of the sun.
+#include "frame.glsl"
 #include "bent_sun.glsl"
 
 layout(set = 0, binding = 3) uniform sampler2DShadow shadowMap;

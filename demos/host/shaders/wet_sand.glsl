@@ -1,4 +1,6 @@
-// What waves make of the sand, and of all else that is porous. Needs frame.glsl.
+// What waves make of the sand, and of all else that is porous.
+#include "frame.glsl"
+
 layout(set = 0, binding = 5) uniform sampler2D shoreMap;
 layout(set = 0, binding = 6, std430) readonly buffer ShoreRows {
     vec4 shoreRows[];

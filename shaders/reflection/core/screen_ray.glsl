@@ -1,4 +1,6 @@
 // Mirrored rays on the screen.
+#ifndef SCREEN_RAY_GLSL
+#define SCREEN_RAY_GLSL
 
 // The mirrored ray of a pixel as screen points whose depth counts from infinityDepth: origin + mirroredDepth * along.
 struct ScreenRay {
@@ -25,3 +27,5 @@ float rayDepthAt(ScreenRay ray, vec2 point) {
     vec4 there = ray.origin + depthOn(ray, point) * ray.along;
     return there.z / there.w;
 }
+
+#endif

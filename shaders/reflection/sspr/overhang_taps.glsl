@@ -1,4 +1,5 @@
-// Where on the mirror keys are read, from one of its pixels towards the eye, for what hangs between. Needs screen_ray.glsl.
+// Where on the mirror keys are read, from one of its pixels towards the eye, for what hangs between.
+#include "screen_ray.glsl"
 
 // What hangs lower than it is wide leaves keys in at least as many cells as lie between them and what it hides: taps may lie
 // as far apart as they have gone.

@@ -1,4 +1,5 @@
-// The picture of the light that the sun's rays leave: water/below/caustics.h. Needs body.glsl.
+// The picture of the light that the sun's rays leave: water/below/caustics.h.
+#include "body.glsl"
 
 int rayStep = water.causticGrid.x;     // pixels from one ray to the next, and of a texel of light
 int margin = water.causticGrid.y;      // pixels around the view from which rays come too

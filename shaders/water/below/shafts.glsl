@@ -1,5 +1,8 @@
-// Shafts of light: what the waves gather of the sun on its way down, and the water scatters to the eye. Needs body.glsl,
-// water_light.glsl, wave_warp.glsl and `cascades`.
+// Shafts of light: what the waves gather of the sun on its way down, and the water scatters to the eye.
+// `cascades` is the includer's.
+#include "body.glsl"
+#include "water_light.glsl"
+#include "wave_warp.glsl"
 
 // Times what calm water lets through, at a depth under the calm place where the sun's ray comes in; a mean over `width` metres.
 // What they gather stays between none and twice the mean, as far from it as rays that meet soon do.

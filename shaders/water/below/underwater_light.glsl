@@ -1,4 +1,9 @@
-// Light on its way through the water to an eye in it. Needs body.glsl and water_light.glsl.
+// Light on its way through the water to an eye in it.
+#ifndef UNDERWATER_LIGHT_GLSL
+#define UNDERWATER_LIGHT_GLSL
+
+#include "body.glsl"
+#include "water_light.glsl"
 
 // What `path` metres of water that begin at `depth` and rise by `rise` a metre scatter into the line of sight. Sources
 // fade with depth as light does on its way down: straight down from the surface this is deepWater() (1 - exp(-2 k path)),
@@ -13,3 +18,5 @@ vec3 scatteredIn(vec3 toSun, float depth, float rise, float path) {
 vec3 throughWater(vec3 toSun, vec3 radiance, float depth, float rise, float path) {
     return radiance * exp(-extinction() * path) + scatteredIn(toSun, depth, rise, path);
 }
+
+#endif

@@ -1,4 +1,6 @@
-// Where the near plane of a view that stands in both leaves the water. Needs body.glsl and wave_displacement.glsl.
+// Where the near plane of a view that stands in both leaves the water.
+#include "body.glsl"
+#include "wave_displacement.glsl"
 
 // As the finest cells of the mesh have it.
 vec3 displacementOf(vec2 calm) {

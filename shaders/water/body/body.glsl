@@ -1,4 +1,7 @@
 // One view of a body, as its shaders are given it.
+#ifndef BODY_GLSL
+#define BODY_GLSL
+
 #include "body_block.h"
 
 layout(set = 0, binding = bodyBinding, std140) uniform Body {
@@ -201,3 +204,5 @@ float heightDeviation() {
 float slopeDeviation() {
     return water.roughness.w;
 }
+
+#endif

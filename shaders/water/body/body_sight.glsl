@@ -1,4 +1,5 @@
-// Along a body's lines of sight. Needs body.glsl.
+// Along a body's lines of sight.
+#include "body.glsl"
 #include "sight_line.glsl"
 
 // Through a pixel of the region, away from the eye and of any length: linear in the pixels.

@@ -1,5 +1,9 @@
-// Convex hollows that the water stays out of: water/body/exclusion_volumes.h. Needs body.glsl and `exclusionVolumes`, a constant: CPU
-// devices load what a loop that is unrolled names once, and else for each lane.
+// Convex hollows that the water stays out of: water/body/exclusion_volumes.h. `exclusionVolumes` is a constant of the
+// includer's: CPU devices load what a loop that is unrolled names once, and else for each lane.
+#ifndef EXCLUSION_VOLUMES_GLSL
+#define EXCLUSION_VOLUMES_GLSL
+
+#include "body.glsl"
 
 bool isExcluded(vec3 position) {
     bool excluded = false;
@@ -13,3 +17,5 @@ bool isExcluded(vec3 position) {
     }
     return excluded;
 }
+
+#endif

@@ -1,4 +1,6 @@
-// Of directions in a body's axes what the host knows: the sky cube's and normals. Needs body.glsl and `tilted`.
+// Of directions in a body's axes what the host knows: the sky cube's and normals. `tilted` is a constant of
+// the includer's.
+#include "body.glsl"
 
 vec3 inWorld(vec3 direction) {
     return tilted ? mat3(water.worldFromBody) * direction : direction;

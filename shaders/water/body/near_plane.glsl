@@ -1,4 +1,8 @@
-// Where lines of sight begin. Needs body.glsl.
+// Where lines of sight begin.
+#ifndef NEAR_PLANE_GLSL
+#define NEAR_PLANE_GLSL
+
+#include "body.glsl"
 
 // Of the one through a pixel of the region, relative to the eye.
 vec3 onNearPlane(vec2 pixel) {
@@ -10,3 +14,5 @@ vec3 onNearPlane(vec2 pixel) {
 float depthOfSight(vec3 start) {
     return max(calmLevel() - sightStart(start).y, 0.0);
 }
+
+#endif

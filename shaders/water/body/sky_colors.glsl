@@ -1,4 +1,5 @@
-// The sky of a host without a cube: LightingDesc::skyZenith. Needs body.glsl, and `tilted`.
+// The sky of a host without a cube: LightingDesc::skyZenith. `tilted` is a constant of the includer's.
+#include "body.glsl"
 
 // Means of max(y, 0) and of its square where y has a Gaussian's variance: a square root for the error function, within 2 % of
 // the deviation.

@@ -1,4 +1,8 @@
-// The sky of the host: its cube, or its colours. Needs body.glsl, and `tilted`.
+// The sky of the host: its cube, or its colours. `tilted` is a constant of the includer's.
+#ifndef SKY_SEEN_GLSL
+#define SKY_SEEN_GLSL
+
+#include "body.glsl"
 #include "sky_colors.glsl"
 
 vec3 cubeAt(vec3 direction, float mip) {
@@ -9,3 +13,5 @@ vec3 cubeAt(vec3 direction, float mip) {
 float cubeMips() {
     return min(water.skyMips, float(textureQueryLevels(skyCube)));
 }
+
+#endif

@@ -1,4 +1,5 @@
-// Where whitecaps are thick: water/interface/foam_gate.h, at its places and bits. Needs wave_warp.glsl.
+// Where whitecaps are thick: water/interface/foam_gate.h, at its places and bits.
+#include "wave_warp.glsl"
 
 float foamGateCorner(uvec2 cell, uint turns, uint now) {
     uint bits = cell.x * 0x9e3779b9u ^ cell.y * 0x85ebca6bu;

@@ -1,5 +1,6 @@
 // What found_surface.frag leaves of the surface in a view: its depth, 1 at the near plane and down to 0 where nothing is, and how
-// far waves have moved to the side what shows there, as shares of the farthest that any do. Of the view, which images may be larger than. Needs body.glsl.
+// far waves have moved to the side what shows there, as shares of the farthest that any do. Of the view, which images may be larger than.
+#include "body.glsl"
 
 float farthestAside() {
     return water.found.x;

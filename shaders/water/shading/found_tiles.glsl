@@ -1,8 +1,12 @@
-// The lists of the tiles of a view that show a surface: of 8 x 8 blocks each. Needs body.glsl, found_tiles_block.h and
-// shading_block.glsl.
+// The lists of the tiles of a view that show a surface: of 8 x 8 blocks each.
 //
 // Behind the header lie the lists, each with room for all tiles; then what each tile needs, 0 where it shows no surface, else
 // its list and 1; then, for each 64 tiles in a row, how many of them each list gets.
+#ifndef FOUND_TILES_GLSL
+#define FOUND_TILES_GLSL
+
+#include "body.glsl"
+#include "shading_block.glsl"
 
 ivec2 tileSize() {
     return 8 * blockSize();
@@ -43,3 +47,5 @@ uint heldTile(int tile) {
 ivec2 firstPixel(uint held) {
     return ivec2(held & 0xffffu, held >> 16) * tileSize();
 }
+
+#endif

@@ -1,4 +1,5 @@
-// Which pixel of a block is shaded. Needs foundDepth and shading_block.glsl.
+// Which pixel of a block is shaded. `foundDepth` is a sampler of the includer's.
+#include "shading_block.glsl"
 
 // 0 where nothing shows, and beyond the region.
 float foundDepthAt(ivec2 at) {

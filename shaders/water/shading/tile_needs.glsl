@@ -1,6 +1,6 @@
 // What the shading of a tile may do without: a reflection whose rays from there meet nothing, and a bed where the rays that the
 // surface bends meet none. Both are told by a box around all that there is in the picture, and by how far slopes turn rays.
-// Needs found_tiles.glsl.
+#include "found_tiles.glsl"
 
 // Slopes are taken to lean by no more: four deviations of all that there are.
 float steepest() {

@@ -1,5 +1,7 @@
 // What a bed makes of the sea: water/shore/shore.h. The wave trains that it guides, how much of each cascade it leaves, and the
 // water's edge on the sand.
+#ifndef SHORE_GLSL
+#define SHORE_GLSL
 
 layout(set = 0, binding = shoreMapBinding) uniform sampler2DArray shoreMap;
 layout(set = 0, binding = shoreSignalBinding, std430) readonly buffer ShoreSignal {
@@ -129,3 +131,5 @@ void addShore(ShoreWave shore, inout WaveGradient gradient) {
 Breakers breakersOf(ShoreWave w) {
     return breakersOf(w.all, w.surf.biphase, w.deviation, w.breaking, w.depth, w.shown);
 }
+
+#endif

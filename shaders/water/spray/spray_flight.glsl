@@ -1,5 +1,5 @@
 // How drops fly that leave a crest with its own speed, in closed form: their drag is linear, of what lets them fall as fast as
-// drops of their size do. Needs `share`.
+// drops of their size do. `share()` is the includer's.
 
 struct Flight {
     vec3 moved;      // from where it left the crest [m]

@@ -1,4 +1,6 @@
 // Bits without order, of any.
+#ifndef SPRAY_HASH_GLSL
+#define SPRAY_HASH_GLSL
 
 uint scrambled(uint bits) {
     bits = (bits ^ (bits >> 16)) * 0x7feb352du;
@@ -10,3 +12,5 @@ uint scrambled(uint bits) {
 float shareOf(uint scrambled) {
     return float(scrambled >> 8) * 5.9604645e-8;
 }
+
+#endif

@@ -2,7 +2,8 @@
 // themselves distributed so. Here each cell of a lattice has a mean of its own, as a patch of facets on a wave that is too small to be
 // seen. So the mean over many pixels stays the smooth lobe's. Glints on two scales: Zirr and Kaplanyan 2016; on cells that are as long
 // and as wide as a pixel sees the surface: Deliot and Belcour 2023. The lattice stays on the calm water, whose waves carry it along.
-// Needs SurfacePoint and spray_hash.glsl.
+#include "surface_point.glsl"
+#include "spray_hash.glsl"
 
 // Cells along the longer side of the pixel and across, from 1 to 2 of its lengths.
 struct FacetLattice {

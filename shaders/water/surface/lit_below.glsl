@@ -1,4 +1,6 @@
-// Light on what lies in the water. Needs water_light.glsl and encoding.glsl.
+// Light on what lies in the water.
+#include "water_light.glsl"
+#include "encoding.glsl"
 
 // drawCaustics() has multiplied the alpha of a scene's colour too, which was 1. A host that has other things there has no
 // caustics there.

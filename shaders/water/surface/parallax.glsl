@@ -1,6 +1,7 @@
 // Which point of the calm plane a pixel shows: where its line of sight meets the waves' own height instead of the mesh,
 // which is too coarse for the short ones (parallax mapping, Kaneko et al. 2001). So waves' near sides are as large as
-// their far sides are small. Needs wave_displacement.glsl.
+// their far sides are small.
+#include "wave_displacement.glsl"
 
 // `meshCalm` is the point that the mesh shows, `height` above calm water; two ways along the drawn triangle have the normal
 // `across`, up or down.

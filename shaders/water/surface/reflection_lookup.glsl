@@ -1,9 +1,9 @@
-// Looks up a reflection image along a ray that waves have bent. Needs surface.glsl.
+// Looks up a reflection image along a ray that waves have bent.
 //
 // A point at distance t along the ray is mirrored about the plane and projected: the reflection image holds there what
 // the flat mirror shows of it. t comes from the image itself, so the shift vanishes where things touch the water and
 // grows with their distance; a constant offset would tear shorelines.
-
+#include "surface.glsl"
 #include "reflection_info.glsl"
 #include "reflection_source.glsl"
 #include "reflection_blur.glsl"

@@ -1,4 +1,9 @@
-// What shines through the surface from below it. Needs texel_at.glsl and turns.glsl.
+// What shines through the surface from below it.
+#ifndef REFRACTION_GLSL
+#define REFRACTION_GLSL
+
+#include "texel_at.glsl"
+#include "turns.glsl"
 
 const bool hasBed = bedDownscale > 0;
 
@@ -491,3 +496,5 @@ Through refracted(const SurfacePoint s, vec3 normal, vec3 toEye) {
     if (hasRefraction) return refractedBed(s, normal, toEye);
     return endlessWater(s);
 }
+
+#endif

@@ -1,4 +1,6 @@
-// What the host's opaque scene shows behind the surface. Needs texel_at.glsl and encoding.glsl.
+// What the host's opaque scene shows behind the surface.
+#include "texel_at.glsl"
+#include "encoding.glsl"
 
 struct Behind {
     vec2 pixel;    // of the region

@@ -1,4 +1,6 @@
 // Slopes of the surface, and of a Gaussian of them: its covariance is (uu, vv, uv).
+#ifndef SLOPES_GLSL
+#define SLOPES_GLSL
 
 vec3 normalOf(vec2 slope) {
     return normalize(vec3(-slope.x, 1.0, -slope.y));
@@ -43,3 +45,5 @@ float meanAbove(float e) {
 float hiddenPer(float e) {
     return meanAbove(e) / max(e, 1e-3);
 }
+
+#endif

@@ -1,7 +1,10 @@
 // Light that enters a wave's back, is scattered forwards in it and leaves by its front: quasi-single scattering (Gordon
 // 1973: what goes straight on is not lost) along the line of sight as far as the wave stands above the sea's mean level. Below a level surface light comes down steeper than 41
 // degrees and is seen from as steep, so that it turns by 83 at least: what turns by less is of crests alone, and what turns
-// by more is waterGlow()'s. Needs SurfacePoint's inputs, wave_displacement.glsl and water_light.glsl.
+// by more is waterGlow()'s.
+#include "surface_point.glsl"
+#include "wave_displacement.glsl"
+#include "water_light.glsl"
 
 // Henyey and Greenstein's, whose backward share is Petzold's 0.0183 with this g (Mobley 1994, 3.8), above its value where
 // light turns by more than a level sea can hide.

@@ -1,4 +1,5 @@
-// How much of the sun the host's shadow map lets through to a point. Needs body.glsl.
+// How much of the sun the host's shadow map lets through to a point.
+#include "body.glsl"
 
 layout(set = 0, binding = sunShadowMapBinding) uniform sampler2DArray sunShadowMap;
 

@@ -1,4 +1,6 @@
 // What the surface's shaders are given.
+#ifndef SURFACE_GLSL
+#define SURFACE_GLSL
 
 #include "constant.glsl"
 #include "surface_constants.h"
@@ -70,3 +72,5 @@ layout(set = 0, binding = bedDepthBinding) uniform sampler2D bedDepth;
 #include "shore.glsl"
 #include "extent.glsl"
 #include "sun_shadow.glsl"
+
+#endif

@@ -1,5 +1,8 @@
 // The surface from within the water: through it the sky and what stands above, in Snell's window; around that, by total
-// internal reflection, the water below. Needs surface_mirror.glsl, refraction.glsl and underwater_light.glsl.
+// internal reflection, the water below.
+#include "surface_mirror.glsl"
+#include "refraction.glsl"
+#include "underwater_light.glsl"
 
 // Where waves fold, or are seen along their sides, far triangles show in slivers before near ones: from the wrong side. So
 // where the line of sight begins has the last word.

@@ -1,5 +1,6 @@
-// Which fragments of the mesh are the surface's. Needs surface.glsl, exclusion_volumes.glsl and, of an outline alone, the input
-// `edgeRange`.
+// Which fragments of the mesh are the surface's. `edgeRange` is an input of the includer's.
+#include "surface.glsl"
+#include "exclusion_volumes.glsl"
 
 bool isSurface(vec2 calm, vec3 position) {
     // Of millions of pixels lavapipe gives the odd one to a triangle without area, with NaN for a depth.

@@ -1,4 +1,7 @@
-// The host's fog in the air before the water, and over the sky that it mirrors. Needs body.glsl, near_plane.glsl, sky_seen.glsl.
+// The host's fog in the air before the water, and over the sky that it mirrors.
+#include "body.glsl"
+#include "near_plane.glsl"
+#include "sky_seen.glsl"
 #include "medium.glsl"
 
 const bool hasFog = fogKind != 0;

@@ -1,6 +1,8 @@
 // What the surface mirrors: an integral over the slopes that the eye can see, along the line of sight, each with its own
 // Fresnel term and weighted by its visible area. Without it the mean normal makes the far sea a mirror of the horizon. Needs
 // tile_quad.glsl.
+#ifndef SURFACE_MIRROR_GLSL
+#define SURFACE_MIRROR_GLSL
 
 #include "reflection_lookup.glsl"
 
@@ -223,3 +225,5 @@ Reflection reflectedByStillWater(const SurfacePoint s, vec3 toEye) {
 Reflection reflected(const SurfacePoint s, vec3 toEye, inout uint turn) {
     return hasWaves ? reflectedByWaves(s, toEye, turn) : reflectedByStillWater(s, toEye);
 }
+
+#endif

@@ -1,5 +1,7 @@
 // What a pixel shows of the surface: all that shading knows of it. Its slope, and what of its waves is too small to be seen
 // there: a Gaussian of slopes (Cox and Munk 1954), whose variance is what the mips of the derivatives lost plus what no cascade holds.
+#ifndef SURFACE_POINT_GLSL
+#define SURFACE_POINT_GLSL
 
 
 // What shading knows of a shore's bed, and of the trains that it guides: less than ShoreWave, since all of it is kept meanwhile.
@@ -165,3 +167,5 @@ void findSlopes(inout SurfacePoint s, WaveGradient ofShore, vec3 unseenOfShore, 
     vec2 change = changeInQuad(s.slope, turn);
     s.slopeStep = max(change.x, change.y);
 }
+
+#endif

@@ -1,5 +1,5 @@
 // Shades a point of the water's surface that is seen from above: what it mirrors, what shines through, the sun's glint and foam.
-// Needs tile_quad.glsl.
+#include "tile_quad.glsl"
 #include "encoding.glsl"
 #include "optics.glsl"
 #include "texel_at.glsl"

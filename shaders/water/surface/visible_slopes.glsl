@@ -1,4 +1,6 @@
-// The slopes within a pixel that a line of sight can see, as a few points. Needs SurfacePoint and slopes.glsl.
+// The slopes within a pixel that a line of sight can see, as a few points.
+#include "surface_point.glsl"
+#include "slopes.glsl"
 
 struct VisibleSlopes {
     vec2 towards;      // unit, to which slopes are offset

@@ -1,4 +1,6 @@
-// Light in the water. Needs `onGlobe`. The irradiance reflectance of deep water is 0.33 bb/a (Morel and Prieur 1977).
+// Light in the water. `onGlobe` is a constant of the includer's. The irradiance reflectance of deep water is 0.33 bb/a (Morel and Prieur 1977).
+#ifndef WATER_LIGHT_GLSL
+#define WATER_LIGHT_GLSL
 
 vec3 backscatter() {
     return water.backscatter.rgb;
@@ -51,3 +53,5 @@ vec3 waterGlow(vec3 toSun, vec3 path) {
     // Light goes down about as far as it comes back.
     return endlessGlow(toSun) * (1.0 - exp(-2.0 * extinction() * path));
 }
+
+#endif

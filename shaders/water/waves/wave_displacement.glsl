@@ -1,5 +1,11 @@
-// How far the waves move a point of the calm plane, as a mean over `width` metres. Needs body.glsl, shore.glsl,
-// wave_warp.glsl and `cascades`.
+// How far the waves move a point of the calm plane, as a mean over `width` metres. `cascades` is the
+// includer's.
+#ifndef WAVE_DISPLACEMENT_GLSL
+#define WAVE_DISPLACEMENT_GLSL
+
+#include "body.glsl"
+#include "wave_warp.glsl"
+#include "shore.glsl"
 
 // `kept` is a share of each cascade.
 vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, vec4 kept) {
@@ -27,3 +33,5 @@ vec3 surfaceDisplacement(sampler2DArray displacements, vec2 calm, float width) {
     if (hasShore) return displacementOver(shoreWave(calm, width), displacements, calm, width);
     return waveDisplacementAt(displacements, calm, width, vec4(1.0));
 }
+
+#endif

@@ -1,5 +1,9 @@
-// How the waves' tiles are drawn out of shape: where maps are looked up for a place (water/interface/warp.h). Needs body.glsl and
-// `isWarped`.
+// How the waves' tiles are drawn out of shape: where maps are looked up for a place (water/interface/warp.h). `isWarped` is a
+// constant of the includer's.
+#ifndef WAVE_WARP_GLSL
+#define WAVE_WARP_GLSL
+
+#include "body.glsl"
 
 struct WarpWaves {
     vec2 turns;   // of both waves, -1/2..1/2
@@ -74,3 +78,5 @@ vec2 slopeOfWaves(WaveGradient g) {
     vec2 bent = vec2(g.height.x * v - g.height.y * g.movedV.x, g.height.y * u - g.height.x * g.movedU.y);
     return bent / max(u * v - g.movedU.y * g.movedV.x, 0.15);
 }
+
+#endif

@@ -1,4 +1,5 @@
-// What wave_warp.glsl needs, of shaders that are not compiled for each sea. Needs body.glsl.
+// Constants of waves for shaders that are not compiled for each sea.
+#include "body.glsl"
 
 int cascades = water.seaCascades;
 const bool isWarped = true;
