@@ -1,5 +1,4 @@
-// Reads a reflection of fewer pixels than the frame. `reflectionColor` and
-// `reflectionInfo` are samplers of the includer's.
+// Reads a reflection of fewer pixels than the frame. `reflectionColor` and `reflectionInfo` are samplers of the includer's.
 #include "reflection_info.glsl"
 
 // Linear between texels, but for those of which nothing is known: at the foot of whatever stands before the mirror the
