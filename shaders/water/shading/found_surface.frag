@@ -1,6 +1,7 @@
 // Finds the surface in a view: of each pixel the nearest that the host's scene does not hide.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_demote_to_helper_invocation : require
 #include "surface.glsl"
 

@@ -2,6 +2,7 @@
 // that shows none take a neighbour's.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_demote_to_helper_invocation : require
 #include "surface.glsl"
 

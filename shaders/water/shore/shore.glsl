@@ -50,11 +50,12 @@ void addTrains(inout ShoreWave w, vec4 here, vec4 alongU, vec4 alongV, vec4 form
     vec2 swashSlope = vec2(0.0);
     vec2 wide = vec2(0.0);   // height and sideways of waves wide enough to be seen
     int t = 0;
-    do {
-        vec2 slowness = vec2(alongU[t + 1], alongV[t + 1]);
+    // All share one copy of the code.
+    [[dont_unroll]] do {
+        vec2 slowness = vec2(alongU.y, alongV.y);
         float size = max(length(slowness), 1e-4);
         vec2 towards = slowness / size;
-        float row = here[t + 1] * water.shoreSignal.x + arrives;
+        float row = here.y * water.shoreSignal.x + arrives;
         row = row > 0.0 ? min(row, water.shoreSignal.z - 1.001) : 0.0;   // a map of the host's may hold anything
         int i = rows + t * int(water.shoreSignal.z) + int(row);
         vec4 a = shoreRows[i];
@@ -78,6 +79,9 @@ void addTrains(inout ShoreWave w, vec4 here, vec4 alongU, vec4 alongV, vec4 form
         w.stretch += stretches * vec3(towards * towards, towards.x * towards.y);
         w.advected += towards * ((lagCosine * now.x + lagSine * now.y) * form.w * water.shoreForm.y);
         turns += size * water.shoreForm.x / float(shoreTrains);
+        here.yzw = here.zwy;
+        alongU.yzw = alongU.zwy;
+        alongV.yzw = alongV.zwy;
     } while (++t < shoreTrains);
     w.deviation = form.x;
     w.breaking = form.y;
@@ -100,9 +104,9 @@ ShoreWave shoreWaveOf(vec2 calm, float width, int rows, float arrives) {
     vec4 alongU = (textureLod(shoreMap, vec3(at.x + texel.x, at.y, 0.0), 0.0) - here) / spacing;
     vec4 alongV = (textureLod(shoreMap, vec3(at.x, at.y + texel.y, 0.0), 0.0) - here) / spacing;
     vec4 form = textureLod(shoreMap, vec3(at, 1.0), 0.0);   // height, breaking, sideways, swash
-    vec4 kept = textureLod(shoreMap, vec3(at, 2.0), 0.0);
-    ShoreWave w = withoutTrains(kept, here.x, -vec2(alongU.x, alongV.x), form.w);
+    ShoreWave w = withoutTrains(vec4(0.0), here.x, -vec2(alongU.x, alongV.x), form.w);
     if (form.x + form.w > 0.0) addTrains(w, here, alongU, alongV, form, width, rows, arrives);
+    w.kept = textureLod(shoreMap, vec3(at, 2.0), 0.0);
     return w;
 }
 

@@ -1,6 +1,7 @@
 // How far the water at a pixel has come in the picture since the last frame.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_demote_to_helper_invocation : require
 #include "surface.glsl"
 

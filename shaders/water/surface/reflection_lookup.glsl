@@ -163,20 +163,16 @@ vec4 mirroredOverSand(const SurfacePoint s, vec3 direction) {
     vec4 from = homogeneousPixel(s.position), by = homogeneousPerMetre(direction);
     float end = min(untilBorder(from, by, vec2(regionSize())), farthest);
     float last = 0.0, met = 0.0;
-    int i = 0;
+    int i = 0, halved = 0;
     [[dont_unroll]] do {
-        // Evenly on the screen.
+        // Evenly on the screen; from where it meets something on, what lies between that and the last before the scene is halved.
         float along = (float(i) + 1.0) / float(steps);
         float t = along * from.w * end / mix(from.w + end * by.w, from.w, along);
+        if (met > 0.0) t = 0.5 * (last + met);
+        halved += met > 0.0 ? 1 : 0;
         if (meetsOverSand(s, s.position + t * direction, t - last)) met = t;
         else last = t;
-    } while (++i < steps && met == 0.0);
-    // Halves what is between the last that was before the scene and the first behind it.
-    for (int j = 0; j < halvings && met > 0.0; ++j) {
-        float t = 0.5 * (last + met);
-        if (meetsOverSand(s, s.position + t * direction, t - last)) met = t;
-        else last = t;
-    }
+    } while (++i < steps + halvings && halved < halvings && (met > 0.0 || i < steps));
     if (met <= 0.0) return vec4(0.0);
     return vec4(radianceOf(behindAt(pixelOf(s.position + met * direction).xy)), 1.0);
 }

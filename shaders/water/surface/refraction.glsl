@@ -456,15 +456,23 @@ Through throughBed(const SurfacePoint s, BentRay ray, const BedFound bed, inout 
     if (madeUp) taps = bedBeyondBorder(found, s.position + ray.direction * drop, ray.here, blurred);
     float wayPerDepth = length(ray.direction);
     float path = mix(length(found.seen - s.position), drop * wayPerDepth, water.refractionDistortion);
+    float depth = -heightOverCalm(found.seen);
     vec4 color = bedColorBy(s, taps, found, drop);
-    Through through = bedThrough(s, color.rgb, -heightOverCalm(found.seen), gatheredIn(color), path);
-    through.blurred = blurred;
-    if (hasShore && ray.passedOver && known < 1.0) {
-        vec4 nearest = bedColorOf(shownBy(ray, bed.nearest));
-        vec3 unknown = bedThrough(s, nearest.rgb, ray.onMap - s.position.y + calmLevel(), gatheredIn(nearest), ray.onMap * wayPerDepth).radiance;
-        through.radiance = mix(unknown, through.radiance, known);
-        known = 1.0;
-    }
+    bool isSure = !(hasShore && ray.passedOver) || known >= 1.0;
+    vec3 mean = vec3(0.0);
+    float share = isSure ? 1.0 : known;
+    Through through;
+    int i = 0;
+    [[dont_unroll]] do {
+        through = bedThrough(s, color.rgb, depth, gatheredIn(color), i == 0 ? path : ray.onMap * wayPerDepth);
+        mean += share * through.radiance;
+        share = 1.0 - share;
+        if (isSure) break;
+        color = bedColorOf(shownBy(ray, bed.nearest));
+        depth = ray.onMap - s.position.y + calmLevel();
+    } while (++i < 2);
+    through = Through(mean, path, blurred);
+    if (!isSure) known = 1.0;
     return through;
 }
 
