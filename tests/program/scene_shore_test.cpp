@@ -1,4 +1,5 @@
-// The bed of a scene's shore, measured over its water's plane; and that the demo's is whole and ends out of sight.
+// The bed of a scene's shore, measured over its water's plane; and that the demo's is whole and ends out of
+// sight.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -106,14 +107,16 @@ TEST(SceneGround, TheIslandHasNoGaps) {
     EXPECT_EQ(cracks(edges, {-309, -229}, {309, 269}), 0u);
 }
 
-/// Light that comes back from a bed of albedo 0.45 under so much water, in what endless water sends back (Morel and Prieur 1977).
+/// Light that comes back from a bed of albedo 0.45 under so much water, in what endless water sends back
+/// (Morel and Prieur 1977).
 double bedsShare(double depth, size_t channel) {
     const auto [absorption, backscatter] = seaglass::waterCoefficients(seaglass::WaterType::clearOcean);
     const double scattered = double{backscatter[channel]}, lost = double{absorption[channel]} + scattered;
     return 0.45 * std::exp(-2 * lost * depth) / (0.33 * scattered / lost);
 }
 
-// From the air a bed that ends in sight is a straight edge, and land that ends there a hole: no photograph has either.
+// From the air a bed that ends in sight is a straight edge, and land that ends there a hole: no photograph
+// has either.
 TEST(SceneGround, TheIslandEndsWhereNothingOfItIsSeen) {
     Edges edges;
     addGround("shore_bed.glb", edges);
@@ -122,12 +125,38 @@ TEST(SceneGround, TheIslandEndsWhereNothingOfItIsSeen) {
     for (const auto& [edge, triangles] : edges) {
         if (triangles != 1) continue;
         ++border;
-        for (const Place& place : {edge.first, edge.second}) highest = std::max(highest, double(std::get<1>(place)) / 100);
+        for (const Place& place : {edge.first, edge.second})
+            highest = std::max(highest, double(std::get<1>(place)) / 100);
     }
     for (size_t channel = 0; channel < 3; ++channel) seen = std::max(seen, bedsShare(-highest, channel));
     std::printf("ends %.0f m deep or deeper; %.3f of deep water's light are the bed's\n", -highest, seen);
     EXPECT_GT(border, 100u);
-    EXPECT_LT(seen, 0.1); // at 41 m: 1.2 in blue
+    EXPECT_LT(seen, 0.1); // at 41 m: 1.3 in blue
+}
+
+/// Where a file's ground ends high over the water, far from the origin: edges of one triangle alone.
+size_t cutOff(const char* file, double farther, double higher) {
+    demos::Error error;
+    const std::optional<demos::Mesh> mesh =
+        demos::readMesh(std::filesystem::path(SEAGLASS_SCENES) / file, error);
+    if (!mesh) return 1;
+    Edges edges;
+    for (size_t i = 0; i + 2 < mesh->indices.size(); i += 3)
+        for (size_t k = 0; k < 3; ++k) {
+            const glm::vec3 a = mesh->vertices[mesh->indices[i + k]].position,
+                            b = mesh->vertices[mesh->indices[i + (k + 1) % 3]].position;
+            const bool counts =
+                std::hypot(double{a.x}, double{a.z}) > farther && double{std::max(a.y, b.y)} > higher;
+            if (counts) ++edges[std::minmax({placeOf(a), placeOf(b)})];
+        }
+    EXPECT_GT(edges.size(), 500u);
+    return static_cast<size_t>(
+        std::ranges::count_if(edges, [](const auto& edge) { return edge.second == 1; }));
+}
+
+// From the air hills without backs are ribbons.
+TEST(SceneGround, TheHarboursFarHillsHaveBacks) {
+    EXPECT_EQ(cutOff("harbour.glb", 550, 1), 0u);
 }
 
 TEST(SceneGround, TheSandUnderWaterHasNoCracks) {

@@ -24,7 +24,7 @@ void placeAlong(int eye, float fromEye, int level, out uint cell, out float past
 }
 
 int levelOf(float width) {
-    const int finest = -5;   // ripples that mirror as one [log2 m]
+    const int finest = -7;   // half of the shortest ripples that stand for long [log2 m]
     return max(int(ceil(log2(clamp(width, 1e-3, 4096.0)))), finest);
 }
 
@@ -73,10 +73,10 @@ vec2 facetsAt(const SurfacePoint s) {
     return sum * inversesqrt(squares);
 }
 
-// Of the slopes' variance. Waves that are too small to be seen tilt the water some metres wide together: a pixel of many such places has
-// the mean of them all, whose variance falls with their number. So the path is smooth from far up.
+// Of the slopes' variance. Waves that are too small to be seen tilt a metre or less of water together: a pixel of many such places has
+// the mean of them all, whose variance falls with their number. So points are near by, and the path is smooth farther off.
 float sharedByAPatch(Footprint pixel) {
-    const float tiltedAsOne = 400.0;   // [m^2]
+    const float tiltedAsOne = 1.0;   // [m^2]
     float area = 4.0 * pixel.reach * length(pixel.shorter);
     return water.glitterShare.x * tiltedAsOne / (tiltedAsOne + area);
 }
