@@ -370,6 +370,21 @@ std::vector<Case> besideThePlate() {
          [](Plate& p) { p.root["meshes"][0]["extensions"]["VENDOR_fur"] = Json::object(); },
          expectPlate,
          {"meshes[0]", "VENDOR_fur"}},
+        {"UnknownOfTheFile",
+         [](Plate& p) {
+             p.root["extensions"]["CESIUM_RTC"] = {{"center", {100, 0, 0}}};
+             p.root["extensions"]["KHR_lights_punctual"] = {{"lights", {{{"type", "point"}}}}};
+         },
+         expectPlate,
+         {"the file", "CESIUM_RTC"}},
+        {"ColoursOfInstances",
+         [](Plate& p) {
+             p.node()["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+                 {"TRANSLATION", p.addFloats({0, 0, 0}, "VEC3")},
+                 {"_COLOR_0", p.addFloats({1, 0, 0}, "VEC3")}};
+         },
+         expectPlate,
+         {"nodes[0]", "_COLOR_0"}},
         {"HarmlessOfANode",
          [](Plate& p) {
              p.node()["extensions"]["KHR_xmp_json_ld"] = {{"packet", 0}};

@@ -171,8 +171,12 @@ TEST_F(SeaCommand, TablesOfSomethingElseAreNamed) {
     expect("# w (rad/s),S (m^2s)\n0.1,1\n0.2,4\n", {"its heading says '# w (rad/s)'"});
     expect("Hz,S\nHz,S\n0.1,4\n", {"buoy.csv:2: 'Hz,S', expected two numbers"});
     expect("0.05,1e400\n0.1,4\n", {"buoy.csv:1: '0.05,1e400'"});
-    expect("0.05,nan\n0.1,4\n", {"buoy.csv:1: density is nan, expected 0 or more"});
-    expect("0.05,0\n0.1,-4\n", {"buoy.csv:2: density is -4, expected 0 or more"});
+    expect("0.05,nan\n0.1,4\n", {"buoy.csv:1: density is nan, expected 0 to 1e+06 m^2/Hz"});
+    expect("0.05,0\n0.1,-4\n", {"buoy.csv:2: density is -4, expected 0 to 1e+06 m^2/Hz"});
+    // What netCDF and Fortran programs write for a missing one.
+    expect("0.05,0\n0.1,9.96921e+36\n", {"buoy.csv:2: density is 9.96921e+36, expected 0 to 1e+06"});
+    expect("0,0\n0.1,4\n", {"buoy.csv:1: frequency is 0, expected 0.01 to 50 Hz"});
+    expect("0.1,4\n", {"buoy.csv: one sample alone"});
     expect("0.1,0\n0.1,4\n", {"buoy.csv:2: frequency is 0.1, expected more than in the line before"});
     expect("", {"buoy.csv: no spectrum"});
     expect(std::string("0.05,0\n\0\0", 9), {"buoy.csv:2: a zero byte"});

@@ -1,9 +1,11 @@
 #include "host/files/spectrum_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <initializer_list>
 #include <limits>
 #include <optional>
@@ -157,6 +159,19 @@ std::string problemOf(std::string_view line) {
     return quoted + ", expected two numbers: Hz,m^2/Hz";
 }
 
+/// Which of a sample's numbers the sea does not take, and what it expects; empty where it takes both.
+std::string rangeProblem(const seaglass::SpectrumSample& sample) {
+    for (const seaglass::Field& field : fieldsOf(sample)) {
+        const double value = field.get(&sample, 0);
+        if (isInRange(field, value)) continue;
+        std::array<char, 160> text{};
+        std::snprintf(text.data(), text.size(), "%s is %.6g, expected %g to %g %s", field.name, value, field.low,
+                      field.high, field.unit);
+        return text.data();
+    }
+    return "";
+}
+
 std::optional<std::string> readText(const std::filesystem::path& file, Error& error) {
     std::error_code code;
     if (const uintmax_t size = std::filesystem::file_size(file, code);
@@ -218,18 +233,19 @@ bool readSpectrum(const std::filesystem::path& file, std::vector<seaglass::Spect
                         ", which stands for one that is missing; expected such lines to be left out");
         const std::optional<float> frequency = number(line.substr(0, comma)), density = number(second);
         if (!frequency || !density) return fail(problemOf(line));
-        if (!(*density >= 0))
-            return fail("density is " + std::string(unquoted(second)) + ", expected 0 or more m^2/Hz");
+        const seaglass::SpectrumSample sample = {*frequency, *density};
+        if (const std::string problem = rangeProblem(sample); !problem.empty()) return fail(problem);
         if (!out.empty() && !(*frequency > out.back().frequency))
             return fail("frequency is " + std::string(unquoted(line.substr(0, comma))) +
                         ", expected more than in the line before");
         if (out.size() == seaglass::maxSpectrumSamples)
             return fail("one line too many, expected at most " +
                         std::to_string(seaglass::maxSpectrumSamples));
-        out.push_back({*frequency, *density});
+        out.push_back(sample);
     }
-    if (!out.empty()) return true;
-    error.text = file.string() + ": no spectrum, expected lines of Hz,m^2/Hz";
+    if (out.size() > 1) return true;
+    error.text = file.string() + ": " + (out.empty() ? "no spectrum" : "one sample alone") +
+                 ", expected lines of Hz,m^2/Hz";
     return false;
 }
 

@@ -48,6 +48,9 @@ bool isHidden(const Json& node) {
 bool Nodes::read(Error& error) {
     std::vector<size_t> open;
     if (!readChildren(error) || !placeAll(error) || !readRoots(open, error)) return false;
+    // Of lights and images around the scene it is said where they shine.
+    notes_.addExtensions("the file", document_.root,
+                         {"KHR_lights_punctual", "EXT_lights_ies", "EXT_lights_image_based"});
     if (document_.count("animations") > 0) notes_.add("animations", "are not played: all is drawn at rest");
     while (!open.empty()) {
         const size_t node = open.back();
@@ -212,6 +215,9 @@ bool Nodes::readInstances(const Json& node, const std::string& where, const glm:
         error.text = what + " has the wrong type or count";
         return false;
     };
+    for (const char* const color : {"_COLOR_0", "COLOR_0"})
+        if (!member(attributes, color).is_null())
+            notes_.add(where, std::string(color) + " of its instances is left out");
     if (!read("TRANSLATION", 3, translations) || !read("ROTATION", 4, rotations) || !read("SCALE", 3, scales))
         return false;
     // Attributes of other names place nothing: all instances then stand where the node does.
