@@ -120,6 +120,7 @@ void measure(Comparison& found, const PixelView& reference, const PixelView& tes
         if (leftOut[i] != 0) found.flipMap[i] = 0;
     pool(found, reference.width);
     found.local = worstSquare(found.flipMap, reference.width, localSide);
+    if (kind == PictureKind::linear && limits.outliers) found.outliers = findOutliers(reference, test);
     found.wrong = findWrong(found.flipMap, reference.width, limits.wrong.over);
 
     found.difference = difference(reference, test, found.leftOut);
@@ -131,6 +132,8 @@ void measure(Comparison& found, const PixelView& reference, const PixelView& tes
                        const auto share = limit.around ? shareUnlikeAround : shareOver;
                        return ofCompared * share(reference, test, limit.over);
                    });
+    if (found.difference.alpha > 0)
+        found.alphaShare = ofCompared * shareOfAlphaOver(reference, test, limits.wrong.over);
 }
 
 } // namespace
@@ -173,6 +176,9 @@ double badness(const Comparison& comparison, const Limits& limits) {
     add(comparison.difference.mean, limits.differenceMean);
     for (size_t i = 0; i < limits.shares.size(); ++i) add(comparison.shares[i], limits.shares[i].share);
     add(comparison.wrongShare(), limits.wrong.share);
+    add(comparison.alphaShare, limits.wrong.share);
+    if (limits.outliers)
+        add(static_cast<double>(comparison.outliers.pixels), static_cast<double>(*limits.outliers));
     if (limits.wrong.blob)
         add(static_cast<double>(comparison.wrong.largest.pixels), static_cast<double>(*limits.wrong.blob));
     return worst;
@@ -215,10 +221,18 @@ std::vector<std::string> objections(const Comparison& comparison, const Limits& 
         char what[64];
         std::snprintf(what, sizeof(what), "share of pixels of FLIP over %.4g", wrong.over);
         object(what, comparison.wrongShare(), *wrong.share);
+        std::snprintf(what, sizeof(what), "share of pixels whose alpha is off by more than %.4g", wrong.over);
+        object(what, comparison.alphaShare, *wrong.share);
     }
     if (wrong.blob && comparison.wrong.largest.pixels > *wrong.blob) {
         all.push_back(describe(comparison.wrong.largest, wrong.over) + ", expected at most " +
                       std::to_string(*wrong.blob));
+    }
+    if (limits.outliers && comparison.outliers.pixels > *limits.outliers) {
+        all.push_back(std::to_string(comparison.outliers.pixels) +
+                      " pixels over twice as bright as all around them, the first at " +
+                      toText(comparison.outliers.first) + ", expected at most " +
+                      std::to_string(*limits.outliers));
     }
     return all;
 }

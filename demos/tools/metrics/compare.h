@@ -10,6 +10,7 @@
 #include "metrics/difference.h"
 #include "metrics/flip_hdr.h"
 #include "metrics/local.h"
+#include "metrics/outlier.h"
 
 namespace demos {
 
@@ -22,7 +23,8 @@ struct ShareLimit {
     bool around = false; ///< only those that the other picture has nothing like within a pixel
 };
 
-/// Of pixels whose FLIP is over `over`. Those that lie together are a thing that is lost, or one too many.
+/// Of pixels whose FLIP is over `over`, and of those whose alpha is off by more. Those that lie together are
+/// a thing that is lost, or one too many.
 struct WrongLimit {
     double over = 0.15;
     std::optional<double> share;  ///< of all pixels
@@ -38,15 +40,11 @@ struct Limits {
     std::optional<double> flipMax = {};   ///< of any single pixel
     std::optional<double> flipLocal = {}; ///< of the mean of any square of localSide pixels a side
     WrongLimit wrong = {};
+    std::optional<uint64_t> outliers = {}; ///< of light: see findOutliers()
 };
 
 /// One value a pixel: others than 0 are left out. Empty: none is.
 using Mask = std::vector<uint8_t>;
-
-/// A pixel, from the upper left.
-struct Place {
-    uint32_t x = 0, y = 0;
-};
 
 /// "120,45"
 std::string toText(const Place& place);
@@ -66,6 +64,8 @@ struct Comparison {
     Square local;               ///< where its mean is
     std::vector<float> flipMap; ///< 1 where there is NaN or infinity
     Wrong wrong;                ///< by Limits::wrong
+    double alphaShare = 0;      ///< of pixels whose alpha is off by more than Limits::wrong
+    Outliers outliers;          ///< when linear
     ExposureRange exposures;    ///< of HDR-FLIP, when linear
     std::vector<double> shares; ///< of pixels, for each of Limits::shares
 

@@ -20,14 +20,15 @@ bool isBroken(const PixelView& a, const PixelView& b, size_t pixel) {
 
 bool isOver(const PixelView& a, const PixelView& b, size_t pixel, double limit) {
     const float *const p = &a.rgba[4 * pixel], *const q = &b.rgba[4 * pixel];
-    return isBroken(a, b, pixel) || std::max({off(p, q, 0), off(p, q, 1), off(p, q, 2)}) > limit;
+    return isBroken(a, b, pixel) ||
+           std::max({off(p, q, 0), off(p, q, 1), off(p, q, 2), off(p, q, 3)}) > limit;
 }
 
 /// How far a pixel of `a` is at most, in a channel, from the range of the nine pixels there in `b`.
 double offAround(const PixelView& a, const PixelView& b, size_t pixel) {
     const size_t x = pixel % a.width, y = pixel / a.width;
     double most = 0;
-    for (size_t channel = 0; channel < 3; ++channel) {
+    for (size_t channel = 0; channel < 4; ++channel) {
         const auto value = static_cast<double>(a.rgba[4 * pixel + channel]);
         double low = HUGE_VAL, high = -HUGE_VAL;
         for (size_t row = y - std::min<size_t>(y, 1); row <= std::min<size_t>(y + 1, a.height - 1); ++row) {
@@ -64,6 +65,7 @@ Difference difference(const PixelView& a, const PixelView& b, size_t leftOut) {
             found.meanSquare += by * by;
             found.max = std::max(found.max, by);
         }
+        found.alpha = std::max(found.alpha, off(&a.rgba[4 * i], &b.rgba[4 * i], 3));
         values += 3;
     }
     values -= 3 * leftOut;
@@ -75,6 +77,10 @@ Difference difference(const PixelView& a, const PixelView& b, size_t leftOut) {
 
 double shareOver(const PixelView& a, const PixelView& b, double limit) {
     return shareOf(a, [&](size_t i) { return isOver(a, b, i, limit); });
+}
+
+double shareOfAlphaOver(const PixelView& a, const PixelView& b, double limit) {
+    return shareOf(a, [&](size_t i) { return off(&a.rgba[4 * i], &b.rgba[4 * i], 3) > limit; });
 }
 
 double shareUnlikeAround(const PixelView& a, const PixelView& b, double limit) {

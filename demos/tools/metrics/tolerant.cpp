@@ -9,10 +9,12 @@ Limits tolerantLimits(PictureKind kind) {
     limits.flipLocal = 0.06;
     limits.wrong = {0.15, 0.002, 16};
     // Light has no white that a step could be a share of.
-    if (kind == PictureKind::display)
+    if (kind == PictureKind::display) {
         limits.shares = {{3.0 / 255, 0.025}, {0.5, 0, true}};
-    else
+    } else {
         limits.flipMax = 0.6;
+        limits.outliers = 0;
+    }
     return limits;
 }
 

@@ -119,6 +119,8 @@ Limits limitsOf(const CompareOptions& options, PictureKind kind) {
     };
     fill(limits.flipMean, tolerant.flipMean);
     fill(limits.flipP99, tolerant.flipP99);
+    // Both are of single pixels: one limit of the user's replaces both.
+    if (!limits.flipMax) limits.outliers = tolerant.outliers;
     fill(limits.flipMax, tolerant.flipMax);
     fill(limits.flipLocal, tolerant.flipLocal);
     fill(limits.wrong.share, tolerant.wrong.share);

@@ -60,6 +60,12 @@ std::vector<Measure> measures(const Comparison& comparison, PictureKind kind, co
                    atMost(wrong.share)});
     all.push_back({"most of those that touch", pixels(comparison.wrong.largest.pixels),
                    wrong.blob ? print("at most %llu", static_cast<unsigned long long>(*wrong.blob)) : ""});
+    if (comparison.difference.alpha > 0)
+        all.push_back({print("share of alpha off by more than %.6g", wrong.over),
+                       print("%.6g", comparison.alphaShare), atMost(wrong.share)});
+    if (limits.outliers)
+        all.push_back({"over twice as bright as all around", pixels(comparison.outliers.pixels),
+                       print("at most %llu", static_cast<unsigned long long>(*limits.outliers))});
     if (comparison.leftOut > 0) all.push_back({"left out", pixels(comparison.leftOut), ""});
     const ExposureRange& range = comparison.exposures;
     if (linear) {
@@ -114,7 +120,11 @@ std::string measuresJson(const Pair& pair, const CompareOptions& options) {
     }
     // JSON knows no infinity: equal pictures have null.
     json["psnr_db"] = comparison.psnrDb;
-    json["difference"] = {{"mean", comparison.difference.mean}, {"max", comparison.difference.max}};
+    json["difference"] = {{"mean", comparison.difference.mean},
+                          {"max", comparison.difference.max},
+                          {"alpha", comparison.difference.alpha}};
+    if (limits.outliers)
+        json["outliers"] = {{"pixels", comparison.outliers.pixels}, {"max_pixels", *limits.outliers}};
     json["shares"] = nlohmann::ordered_json::array();
     for (size_t i = 0; i < limits.shares.size(); ++i) {
         const ShareLimit& limit = limits.shares[i];
@@ -126,6 +136,7 @@ std::string measuresJson(const Pair& pair, const CompareOptions& options) {
     const Blob& blob = comparison.wrong.largest;
     json["wrong"] = {{"over", limits.wrong.over},
                      {"share", comparison.wrongShare()},
+                     {"alpha_share", comparison.alphaShare},
                      {"max_share", orNull(limits.wrong.share)},
                      {"blob",
                       {{"pixels", blob.pixels},
