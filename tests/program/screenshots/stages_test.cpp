@@ -39,6 +39,15 @@ TEST_F(StagesOfPictures, OnesOfOtherPicturesDoNotCount) {
     EXPECT_EQ(outcome.out.find("differs is depth"), std::string::npos) << outcome.out;
 }
 
+TEST_F(StagesOfPictures, WithoutAReferenceAreNotTheFirstThatDiffers) {
+    write("out/harbour/color.png", square(20));
+    std::filesystem::remove(at("ref/harbour/depth.exr"));
+    const tests::Outcome outcome = compare({"--tolerant"});
+    expectSays(outcome, 1, {"harbour/depth.exr: no reference", "harbour/color.png: "});
+    EXPECT_EQ(outcome.out.find("the first stage"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err.find("lie together"), std::string::npos) << "one reason of each: " << outcome.err;
+}
+
 TEST_F(StagesOfPictures, MayHaveNamesOfTheHosts) {
     for (const std::string name : {"menu.shadow_0001.png", "menu.lit_0001.png", "menu.shadow_0002.png"})
         writeBoth(name, square(4));

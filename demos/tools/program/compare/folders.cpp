@@ -142,12 +142,22 @@ std::string jsonOf(const std::vector<Judged>& all, ExitCode code) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// The first of several reasons; all of them stand in the picture's own line.
+std::string firstReason(const std::string& why) {
+    const size_t end = why.find("; ");
+    const size_t stage = why.rfind("; the first stage");
+    if (end == std::string::npos) return why;
+    return why.substr(0, end) + (stage == std::string::npos ? "" : why.substr(stage + 1));
+}
+
 std::string namesOf(const std::vector<Judged>& all, ExitCode code) {
     std::string names;
     size_t count = 0;
+    const bool several =
+        std::count_if(all.begin(), all.end(), [code](const Judged& one) { return gating(one) == code; }) > 1;
     for (const Judged& one : all) {
         if (gating(one) != code || ++count > mostNamed) continue;
-        names += (names.empty() ? "" : "; ") + one.name + ": " + one.why;
+        names += (names.empty() ? "" : "; ") + one.name + ": " + (several ? firstReason(one.why) : one.why);
     }
     return count > mostNamed ? names + "; and " + std::to_string(count - mostNamed) + " more" : names;
 }

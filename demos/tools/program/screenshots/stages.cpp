@@ -57,6 +57,9 @@ void Stages::nameFirst(std::vector<Judged>& all) const {
         if (stages.size() < 2) continue;
         const auto differs = [](const auto& entry) { return entry.second->code != ok; };
         const auto first = std::find_if(stages.begin(), stages.end(), differs);
+        // What has no reference yet, or was not drawn, tells nothing of where a difference begins.
+        if (first != stages.end() && first->second->code == different && first->second->json.empty())
+            continue;
         for (auto later = first; later != stages.end(); ++later)
             if (differs(*later))
                 later->second->why += "; the first stage that differs is " + names_[first->first];
