@@ -164,6 +164,8 @@ std::vector<BadInput> files() {
          {"-o broken.exr", "read"}},
         {"StatsUnknownExtension", render({"--stats", "out/a.txt"}), {"--stats out/a.txt", ".json"}},
         {"StatsFolderMissing", render({"--stats", "nope/a.json"}), {"--stats nope/a.json", "folder nope"}},
+        {"WordIsEmpty", render({"--camera", ""}), {"the word after --camera is empty", "expected a value"}},
+        {"ValueIsEmpty", render({"--camera="}), {"--camera= is empty", "expected a value"}},
         {"UnknownDevice", render({"--device", "no such device"}), {"no such device"}},
     };
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <iostream>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -283,9 +284,24 @@ bool check(const Commands& commands, const Line& line, Options& out, Error& erro
         error);
 }
 
+/// An empty word is what a script's unset variable leaves, and would be taken for an option that is not
+/// given.
+bool holdsEmptyWord(int argc, const char* const* argv, Error& error) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        const bool unsaid = word.starts_with("--") && word.ends_with("=");
+        if (!word.empty() && !unsaid) continue;
+        error.text = (unsaid ? std::string(word) : "the word after " + std::string(argv[i - 1])) +
+                     " is empty, expected a value";
+        return true;
+    }
+    return false;
+}
+
 } // namespace
 
 std::optional<Options> parseOptions(int argc, const char* const* argv, Error& error) {
+    if (holdsEmptyWord(argc, argv, error)) return std::nullopt;
     CLI::App app("Water for Vulkan: renders scene files to pictures, and compares pictures.", "seaglass");
     Line line;
     const Commands commands(app, line);

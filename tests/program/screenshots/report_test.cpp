@@ -131,7 +131,7 @@ TEST_F(Reports, OfNoneAreRefused) {
     fs::create_directory(at("empty"));
     expectSays(gather("empty"), 2, {"empty: no folder in it has a report.json"});
     expectSays(gather("nowhere"), 2, {"nowhere: is no folder"});
-    expectSays(gather(""), 2, {"expected seaglass report FOLDER"});
+    expectSays(gather(""), 2, {"the word after report is empty, expected a value"});
 }
 
 } // namespace
