@@ -309,6 +309,15 @@ TEST_F(SceneFile, MissingFieldsAreNamed) {
               "scene.toml:1: camera is [], expected at least one: [[camera]]");
 }
 
+TEST_F(SceneFile, AClearSkyNeedsNoFile) {
+    const std::string rest = "[[camera]]\nname = 'level'\nposition_m = [0, 2, 0]\ntarget_m = [0, 1, -9]\n";
+    const std::optional<Scene> scene = loadText("[sky]\nclear = true\n" + rest);
+    ASSERT_TRUE(scene) << error_.text;
+    EXPECT_TRUE(scene->sky.file.empty());
+    EXPECT_EQ(problem("[sky]\nhaze = 3\n" + rest),
+              "scene.toml:1: sky.file is missing, expected a lat-long HDR or EXR file, or sky.clear = true");
+}
+
 TEST_F(SceneFile, FilesThatAreNotThereAreNamed) {
     expectProblems(
         {{"sky.hdr", "nope.hdr",

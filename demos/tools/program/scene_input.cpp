@@ -67,7 +67,8 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
 }
 
 std::vector<fs::path> sceneFiles(const Scene& scene) {
-    std::vector<fs::path> files = {scene.file, scene.sky.file};
+    std::vector<fs::path> files = {scene.file};
+    if (!scene.sky.file.empty()) files.push_back(scene.sky.file);
     for (const MeshDesc& mesh : scene.meshes) files.push_back(mesh.file);
     if (scene.floor && !scene.floor->texture.empty()) files.push_back(scene.floor->texture);
     return files;

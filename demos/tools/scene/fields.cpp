@@ -100,10 +100,10 @@ constexpr std::array<std::string_view, 3> backends = {"automatic", "gpu", "fftw"
 constexpr std::array<std::string_view, 4> waterTypes = {"pool", "clear-ocean", "coastal", "turbid"};
 
 constexpr std::array skyFields = {
-    Field{"file", at<&SkyDesc::file>, 0, 0, "", "lat-long HDR or EXR file", required},
+    Field{"file", at<&SkyDesc::file>, 0, 0, "", "lat-long HDR or EXR file"},
     Field{"layer", at<&SkyDesc::layer>, 0, 0, "", "of an EXR with several, or empty"},
     Field{"clear", at<&SkyDesc::clear>, 0, 0, "",
-          "a clear sky of the sun's own elevation instead, and the irradiance of such a sun"},
+          "a clear sky of the sun's own elevation in place of a file, and the irradiance of such a sun"},
     Field{"haze", at<&SkyDesc::haze>, 0.1, 20, "", "of a clear sky: 1 clean air, 10 a hazy day"},
     Field{"rotation_deg", at<&SkyDesc::rotationDeg>, -turn, turn, "degrees",
           "turn about +Y, from +X towards +Z"},

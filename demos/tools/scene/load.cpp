@@ -23,7 +23,7 @@ using namespace reading;
 
 /// Where meshes and sky were named, for those who will find out whether they can be read.
 void rememberPlaces(Scene& scene, const toml::table& root, const std::string& file) {
-    scene.sky.where = place(*root["sky"]["file"].node(), file) + ": sky.file";
+    if (!scene.sky.file.empty()) scene.sky.where = place(*root["sky"]["file"].node(), file) + ": sky.file";
     for (size_t i = 0; i < scene.meshes.size(); ++i) {
         scene.meshes[i].where =
             place(*root["mesh"][i]["file"].node(), file) + ": mesh." + std::to_string(i) + ".file";

@@ -161,6 +161,12 @@ bool checkFloor(const Scene& scene, const toml::table& root, Reader& reader) {
                        "floor.normal has no length, expected a direction, such as [0, 1, 0]");
 }
 
+bool checkSky(const Scene& scene, const toml::table& root, Reader& reader) {
+    if (scene.sky.clear || !scene.sky.file.empty()) return true;
+    return reader.fail(place(*root["sky"].node(), reader.file()),
+                       "sky.file is missing, expected a lat-long HDR or EXR file, or sky.clear = true");
+}
+
 bool checkFog(const Scene& scene, const toml::table& root, Reader& reader) {
     if (!scene.fog || scene.fog->shape != "linear" || scene.fog->startM < scene.fog->endM) return true;
     const toml::table& table = *root["fog"].as_table();
@@ -174,10 +180,11 @@ bool checkFog(const Scene& scene, const toml::table& root, Reader& reader) {
 } // namespace
 
 bool goTogether(const Scene& scene, const toml::table& root, Reader& reader) {
-    return checkCameras(scene, root, reader) && checkMeshes(scene, root, reader) &&
-           checkWater(scene, root, reader) && checkRefraction(scene, root, reader) &&
-           checkExtent(scene, root, reader) && checkWaves(scene, root, reader) &&
-           checkFloor(scene, root, reader) && checkFog(scene, root, reader);
+    return checkSky(scene, root, reader) && checkCameras(scene, root, reader) &&
+           checkMeshes(scene, root, reader) && checkWater(scene, root, reader) &&
+           checkRefraction(scene, root, reader) && checkExtent(scene, root, reader) &&
+           checkWaves(scene, root, reader) && checkFloor(scene, root, reader) &&
+           checkFog(scene, root, reader);
 }
 
 } // namespace demos::reading

@@ -20,7 +20,11 @@ bool layOutSun(SunDesc& sun) {
 
 bool layOutSky(SkyDesc& sky) {
     SkyDesc asNew;
-    return layOutKeys("sky", {"clear", "haze", "rotation_deg", "intensity"}, &sky, &asNew);
+    ImGui::BeginDisabled(sky.file.empty()); // there is no other sky
+    bool changed = layOutKeys("sky", {"clear"}, &sky, &asNew);
+    ImGui::EndDisabled();
+    changed |= layOutKeys("sky", {"haze", "rotation_deg", "intensity"}, &sky, &asNew);
+    return changed;
 }
 
 } // namespace
