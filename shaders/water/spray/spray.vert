@@ -167,7 +167,7 @@ void main() {
     longHalf *= wider;
     depth /= wider * wider;
     // What is right before the eye is no cloud any more.
-    depth *= smoothstep(0.5, 3.0, distanceTo(position) - radius);
+    depth *= smoothstep(1.0, 8.0, distanceTo(position) - radius);
     if (depth <= 1e-3) return;
 
     vec4 air = airBefore(pixelHere.xy, position, overPlane);

@@ -276,14 +276,15 @@ double unevenness(const WaterPicture& with, const WaterPicture& without, const C
     return uneven / all;
 }
 
-// Clouds overlap, so that none is a ball of cotton.
+// Clouds overlap, so that none is a ball of cotton. Over dark foam: white foam hides what covers it, in patches of its own.
 TEST_F(Spray, IsAVeil) {
+    foam_.albedo = 0;
     Body *const with = makeBody(described()), *const without = makeBody(described(false));
     double sum = 0;
     for (const double time : {12.0, 20.0, 30.0})
         sum += unevenness(picture({with}, camera_, time), picture({without}, camera_, time), camera_) / 3;
     std::printf("uneven by %.3f\n", sum);
-    EXPECT_LT(sum, 0.33); // 0.34 where the densest are no wider
+    EXPECT_LT(sum, 0.304); // 0.291 today, 0.313 where the densest are no wider
 }
 
 TEST_F(Spray, IsHiddenByWhatIsNearer) {
