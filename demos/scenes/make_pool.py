@@ -187,14 +187,22 @@ class Pool:
         self.still("deck", asset)
 
     def garden(self):
-        reach = np.array([-400, -90, -30, -11.4, 11.4, 30, 90, 400.0])
-        deep = np.array([-500, -120, -50, -26.4, 11.4, 30, 90, 300.0])
+        # As far as air lets one see from above: meadows, fields and heath.
+        reach = np.array([-90, -30, -11.4, 11.4, 30, 90.0])
+        deep = np.array([-120, -50, -26.4, 11.4, 30, 90.0])
+        afar = land.spaced((160, 1000, 105), (1000, 4000, 500), (4000, 12000, 2000), (12000, 36000, 8000))
+        reach, deep = (np.concatenate([-afar[::-1], near, afar]) for near in (reach, deep))
         p = np.zeros((len(reach), len(deep), 3))
         p[..., 0], p[..., 2] = reach[:, None], deep[None]
         p[..., 1] = DECK - 0.06
-        tone = rgb("#6f8a3c") * (1 + 0.12 * land.waves(p[..., 0], p[..., 2], 7, 40)[..., None])
+        x, z = p[..., 0], p[..., 2]
+        far = land.smooth(120, 400, np.hypot(x, z))[..., None]
+        kinds = np.array([rgb("#7d8a45"), rgb("#a39a5a"), rgb("#4d6a34"), rgb("#8f9a55")])
+        fields = kinds[np.random.default_rng(97).integers(len(kinds), size=x.shape)]
+        tone = rgb("#6f8a3c") * (1 - far) + fields * far
+        tone = tone * (1 + 0.12 * land.waves(x, z, 7, 40)[..., None])
         grass = shape.grid(p, tone, p[..., ::2] / 2.0, flip=True)
-        middle = (p[3:5, 3:5].reshape(-1, 3)).mean(0)
+        middle = np.array([0, 0, (-26.4 + 11.4) / 2])
         keep = np.abs(grass.p[grass.t].mean(1) - middle)[:, [0, 2]] > [9, 17]  # the deck and the basin lie there
         grass.t = grass.t[keep.any(1)]
         self.still("lawn", Asset().add("ground", grass))
