@@ -41,7 +41,7 @@ void main() {
     float widest = 0.9 * texture_.y;
     float noise = 0.45 * octave(at, widest, seed) + 0.3 * octave(at, 0.4 * widest, seed + 1u) + 0.25 * octave(at, 0.16 * widest, seed + 2u);
     // Torn, most so at the rim and where drops are few.
-    float torn = smoothstep(mix(0.2, 0.35, texture_.w), mix(0.85, 0.65, texture_.w), noise + 0.2 * (rim - 0.6));
+    float torn = smoothstep(0.35, mix(0.8, 0.65, texture_.w), noise + 0.2 * (rim - 0.6));
     float depth = light.w * rim * rim * 2.4 * torn;
     float hides = 1.0 - exp(-depth);
     // What shows through dims as light does.

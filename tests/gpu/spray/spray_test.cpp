@@ -284,7 +284,7 @@ TEST_F(Spray, IsAVeil) {
     for (const double time : {12.0, 20.0, 30.0})
         sum += unevenness(picture({with}, camera_, time), picture({without}, camera_, time), camera_) / 3;
     std::printf("uneven by %.3f\n", sum);
-    EXPECT_LT(sum, 0.304); // 0.291 today, 0.313 where the densest are no wider
+    EXPECT_LT(sum, 0.31); // 0.297 today, 0.323 where the densest are no wider
 }
 
 TEST_F(Spray, IsHiddenByWhatIsNearer) {
