@@ -230,7 +230,7 @@ std::vector<std::string> objections(const Comparison& comparison, const Limits& 
     }
     if (limits.outliers && comparison.outliers.pixels > *limits.outliers) {
         all.push_back(std::to_string(comparison.outliers.pixels) +
-                      " pixels over twice as bright as all around them, the first at " +
+                      " pixels over twice as bright as all around them, or as far below 0, the first at " +
                       toText(comparison.outliers.first) + ", expected at most " +
                       std::to_string(*limits.outliers));
     }

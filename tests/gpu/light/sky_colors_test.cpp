@@ -185,6 +185,25 @@ TEST_F(SkyOfColors, RoughWaterBlursThemAsItDoesTheirCube) {
     }
 }
 
+TEST_F(SkyOfColors, ACubeIsBlurredByTheMipsThatItHas) {
+    SeaDesc sea = breeze();
+    sea.windSpeed = 12;
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.wavesBackend = fftwWaves();
+    Body* const body = makeBody(desc);
+    camera_.width = 96;
+    camera_.height = 64;
+    lighting = colors_;
+    lighting.skyCube = cube_.view.get();
+    lighting.skyCubeMipLevels = cubeMips;
+    const WaterPicture told = picture({body}, camera_, 5);
+    lighting.skyCubeMipLevels = cubeMips + 4;
+    EXPECT_EQ(picture({body}, camera_, 5).color, told.color) << "a host that says more";
+    lighting.skyCubeMipLevels = cubeMips - 4;
+    EXPECT_NE(picture({body}, camera_, 5).color, told.color) << "nothing here looks mips up";
+}
+
 TEST_F(SkyOfColors, TiltedWaterSeesThemAsTheWorldHasThem) {
     BodyDesc desc;
     desc.refraction = &refraction_;

@@ -1,0 +1,122 @@
+// Functions of shaders that no picture shows alone, called one by one.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "gpu/context.h"
+#include "gpu/pipeline/kernel.h"
+#include "spirv/footprints.comp.h"
+#include "spirv/hidden_ways.comp.h"
+#include "spirv/looked_up_tiles.comp.h"
+#include "tests/gpu/rig/rig.h"
+
+namespace {
+
+using namespace seaglass;
+using namespace tests;
+
+class ShaderFunctions : public GpuTest {
+  protected:
+    /// What a shader tells of each that it is given.
+    template<class Given>
+    std::vector<glm::vec4> told(std::span<const uint32_t> shader, const std::vector<Given>& given) {
+        constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+        const gpu::Device& device = context()->device;
+        std::vector<glm::vec4> out(given.size());
+        gpu::Kernel kernel;
+        gpu::Buffer in, left;
+        EXPECT_EQ(kernel.create(device, shader, "functions"), Status::ok) << message();
+        EXPECT_EQ(in.createMapped(device, given.size() * sizeof(Given), usage, "given"), Status::ok)
+            << message();
+        EXPECT_EQ(left.createMapped(device, out.size() * sizeof out[0], usage, "told"), Status::ok)
+            << message();
+        std::memcpy(in.mapped(), given.data(), given.size() * sizeof(Given));
+        frame([&](VkCommandBuffer commands) {
+            const gpu::Bound resources[] = {{0, gpu::storageBuffer(in.handle())},
+                                            {1, gpu::storageBuffer(left.handle())}};
+            VkDescriptorSet set = VK_NULL_HANDLE;
+            EXPECT_EQ(context()->frame().allocateSet(kernel.layout(), resources, set), Status::ok)
+                << message();
+            kernel.dispatchAlong(commands, set, static_cast<uint32_t>(given.size()));
+            gpu::recordBarrier(device, commands,
+                               {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
+                               {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+        });
+        std::memcpy(out.data(), left.mapped(), out.size() * sizeof out[0]);
+        return out;
+    }
+};
+
+TEST_F(ShaderFunctions, AFootprintSpansAsFarAsItsSteps) {
+    std::vector<glm::vec4> steps;
+    for (int i = 0; i < 24; ++i)
+        for (const float lean : {-0.9f, -0.3f, 0.0f, 0.4f, 1.2f}) {
+            const float angle = 0.26f * static_cast<float>(i);
+            steps.push_back(
+                {std::cos(angle), std::sin(angle), lean - 3 * std::sin(angle), 3 * std::cos(angle)});
+            steps.push_back(
+                {4 * std::cos(angle), 4 * std::sin(angle), lean - std::sin(angle), std::cos(angle)});
+        }
+    const std::vector<glm::vec4> axes = told(footprints_comp, steps);
+    double worst = 0;
+    for (size_t i = 0; i < steps.size(); ++i)
+        for (int k = 0; k < 32; ++k) {
+            // How far an ellipse reaches along any line: the same by the steps that span it and by its axes.
+            const double turn = 0.0982 * k;
+            const glm::dvec2 line(std::cos(turn), std::sin(turn));
+            const auto reach = [&](const glm::vec4& pair) {
+                return std::hypot(glm::dot(line, glm::dvec2(pair.x, pair.y)),
+                                  glm::dot(line, glm::dvec2(pair.z, pair.w)));
+            };
+            worst = std::max(worst, std::abs(reach(axes[i]) / reach(steps[i]) - 1));
+        }
+    EXPECT_LT(worst, 1e-3);
+}
+
+TEST_F(ShaderFunctions, TilesThatShowAPixelOrStandBesideOneAreLookedUp) {
+    constexpr int edge = 8;
+    std::vector<glm::ivec4> given;
+    for (const int shift : {0, 1})
+        for (const glm::ivec4& window : {glm::ivec4(0, 0, 64, 64), glm::ivec4(9, 17, 33, 40),
+                                         glm::ivec4(15, 16, 17, 18), glm::ivec4(8, 7, 41, 23)})
+            for (int y = 0; y < 8; ++y)
+                for (int x = 0; x < 8; ++x) {
+                    given.push_back(window);
+                    given.emplace_back(x, y, shift, 0);
+                }
+    const std::vector<glm::vec4> looked = told(looked_up_tiles_comp, given);
+    size_t some = 0;
+    for (size_t i = 0; i < given.size(); i += 2) {
+        const glm::ivec4 &window = given[i], &tile = given[i + 1];
+        // Pixels of the region from one before the tile's to one behind them.
+        const auto meets = [&](int at, int low, int high) {
+            return ((edge * at - 1) << tile.z) < high && ((edge * (at + 1) + 1) << tile.z) > low;
+        };
+        const bool expected = meets(tile.x, window.x, window.z) && meets(tile.y, window.y, window.w);
+        EXPECT_EQ(looked[i].x != 0, expected)
+            << tile.x << "," << tile.y << " of " << window.x << ".." << window.z;
+        EXPECT_EQ(looked[i].y, 0) << "sees no plane";
+        some += expected ? 1 : 0;
+    }
+    EXPECT_GT(some, 100u);
+}
+
+TEST_F(ShaderFunctions, ARayIsFollowedBackToWhereItWentIn) {
+    std::vector<glm::vec4> ways;
+    for (int deep = 0; deep < 60; ++deep) ways.emplace_back(100, 180, 100.5 + deep, 20.5);
+    for (int deep = 0; deep < 60; ++deep) ways.emplace_back(20, 101, 100.5 - deep, 220.5);
+    ways.emplace_back(100, 240, 200.5, 20.5);  // farther than it is followed
+    ways.emplace_back(100, 180, 130.5, 110.5); // it comes from behind the wall
+    const std::vector<glm::vec4> entries = told(hidden_ways_comp, ways);
+    for (size_t i = 0; i + 2 < ways.size(); ++i) {
+        const float seen = ways[i].w < ways[i].z ? 99 : 101; // beside column 100, the wall's outermost
+        EXPECT_EQ(entries[i], glm::vec4(seen, 100, 100.5f, 0.5f)) << i;
+    }
+    for (size_t i = ways.size() - 2; i < ways.size(); ++i) EXPECT_EQ(entries[i].x, -1) << i;
+}
+
+} // namespace
