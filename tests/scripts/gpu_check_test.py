@@ -63,6 +63,11 @@ class GpuCheck(unittest.TestCase):
         self.assertNotIn("not finished", page)
         self.assertNotIn("Left out", page)
 
+    def test_what_is_asked_for_stands_on_the_page(self):
+        code, said, page = self.check("--skip-benches", "--qualities", "low", "--filter", "A.*", "--each", "30")
+        self.assertEqual(code, 0, said)
+        self.assertIn("| options | `--skip-benches --filter 'A.*' --qualities low --each 30` |", page)
+
     def test_what_hangs_or_crashes_is_one_line_and_the_others_run(self):
         code, said, page = self.some(tests="A.Passes A.Hangs B.Passes B.Crashes B.Fails/0 B.Skips C.Passes")
         self.assertEqual(code, 1)

@@ -102,7 +102,7 @@ TEST_F(GpuWaves, ThatExceedWhatTheDeviceBindsAreRefused) {
     Body* body = nullptr;
     const Status status = createBody(context(), &wanted, &body);
     destroyBody(body);
-    if (status == Status::ok) GTEST_SKIP() << "this device binds them";
+    if (status == Status::ok) GTEST_SKIP() << "this device binds what 2048 samples take";
     EXPECT_EQ(status, Status::unsupported);
     EXPECT_EQ(body, nullptr);
     EXPECT_NE(message().find("SeaDesc.samples is 2048: 4 cascades need a storage buffer of"),
