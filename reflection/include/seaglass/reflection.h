@@ -42,9 +42,9 @@ struct ReflectionDesc {
     bool coarseKeys = false; ///< sspr: a key for 2 x 2 pixels, a quarter of the memory; finds less far down
     float edgeFade = 0.08f;  ///< share of the height over which borrowed pixels fade at the border, 0..0.5
     bool edgeFadeAround = false; ///< at the nearest border; else at that they are taken past. Not of `planar`
-    /// How far beyond the border what reaches it goes on, such as a wall twice as long inside: a share of the
-    /// height, 0..1. 0: strips of sky beside such walls; else two dispatches. Not of `planar`, nor of views
-    /// with `surfaceNormals`.
+    /// How far beyond the border what reaches it goes on, such as a wall, if twice as long inside: a share of
+    /// the height, 0..1. 0: strips of sky beside such walls; else two dispatches. Not of `planar`, nor of
+    /// views with `surfaceNormals`.
     float edgeReach = 0;
     float undersideLight = 0.15f; ///< of an underside that is not seen, as a share of its top's, 0..1
     uint32_t overhangSamples = 0; ///< sspr, hybrid: for undersides that end unseen, 0..8, 6 for 1080p
