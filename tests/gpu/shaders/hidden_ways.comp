@@ -5,7 +5,7 @@
 #include "mirror_block.h"
 
 // In place of the mirror's and the march's, of a picture in which a wall is nearer than the ray.
-const int firstLook = 8;
+const int firstTap = 8;
 const int mostOverhangSamples = 4;
 struct ScreenRay {
     float depth;
