@@ -7,6 +7,8 @@ const float steepestTop = 0.2;   // its rise for each metre of the way between t
 const int sideTaps = 9;          // each twice as far aside
 const float sidePixels = 4.0;    // that its edge is followed, to tell which way it runs
 const int mostHalvings = 10;     // of the way from its edge to what stands on it
+const int topLooks = 7;          // behind its edge, each twice as far
+const float edgeWithin = 3.0;    // from its edge's own height [pixels]
 
 // What left a key nearer than what shows here, nearer to the eye on the mirror: on the screen, it hides the ray before that
 // comes to what shows here. What stands on what hangs does not where the ray comes out before it: then, the nearest.
@@ -104,6 +106,29 @@ vec2 alongEdge(const MirrorBlock mirror, vec4 edge, vec4 over, float top) {
     return along / max(farthest(along), 1e-30);
 }
 
+// A level point of the top behind its edge where what stands on that very edge hides it: to one side, as far as the edge goes on.
+bool levelBeside(const MirrorBlock mirror, vec4 edge, vec2 away, float edgeHeight, out vec2 point) {
+    vec2 aside = alongEdge(mirror, edge, edge, edgeHeight);
+    float within = edgeWithin * metresPerPixel(mirror, edge);
+    bvec2 goesOn = bvec2(true);
+    bool level = false;
+    int i = 0;
+    do {
+        bool other = (i & 1) != 0;
+        // A pixel higher, so that a row's end does not count as the edge's.
+        vec2 beside = edge.xy + away + (other ? -1.0 : 1.0) * float(1 << (i >> 1)) * aside;
+        vec4 seen = seenPoint(mirror, beside);
+        bool still = (other ? goesOn.y : goesOn.x) && insideRegion(mirror, beside) && !isFar(mirror, seen.z) &&
+            abs(heightOf(mirror, seen) - edgeHeight) < within;
+        goesOn = bvec2(other ? goesOn.x : still, other ? still : goesOn.y);
+        for (int look = 0; look < topLooks && still && !level; ++look) {
+            point = beside + float(1 << look) * away;
+            level = isLevel(mirror, point, away, edgeHeight);
+        }
+    } while (++i < 2 * sideLooks && any(goesOn) && !level);
+    return level;
+}
+
 // Whether a level top of that height is seen, there or past what stands on it and hides it there: to one side, where all the
 // way what is seen is no lower.
 bool topShows(const MirrorBlock mirror, inout vec2 point, vec2 aside, vec2 away, float edgeHeight, float top) {
@@ -162,9 +187,13 @@ Hit underOverhang(const MirrorBlock mirror, vec2 q, ScreenRay ray, Hit shown) {
         bool before = !shown.valid || signedDepth(mirror, depth - shown.depth) > 0.0;
         if (above && before) {
             vec2 end = exitAfter(mirror, ray, from, away, mostPixels);
-            vec2 on;
-            bool level = levelBetween(mirror, edge, end, away, height, on);
-            if (level) hit = hitUnderTop(mirror, q, ray, away, edge, depth, on);
+            // What is level behind the edge may be the top of what stands there.
+            for (int beside = 0; beside < 2 && !hit.valid; ++beside) {
+                vec2 on;
+                bool level = beside == 0 ? levelBetween(mirror, edge, end, away, height, on)
+                                         : levelBeside(mirror, edge, away, height, on);
+                if (level) hit = hitUnderTop(mirror, q, ray, away, edge, depth, on);
+            }
         }
     }
     return hit;

@@ -287,6 +287,43 @@ TEST_P(Overhangs, AreWholeUnderWhatStandsOnThem) {
         }
 }
 
+// What stands on the very edge leaves no top behind it: that goes on to the sides.
+TEST_P(Overhangs, AreWholeUnderWhatStandsOnTheirEdges) {
+    Camera camera = testCamera();
+    camera.eye.y = 4;
+    Camera aside = camera; // the edge steps down the picture's rows
+    aside.eye.x = 1.5;
+    const double front = deck.high.z, top = deck.high.y;
+    std::vector<Box> railing;
+    for (int i = 0; i < 9; ++i)
+        railing.push_back({{-2.9 + 0.7 * i, top, front - 0.1}, {-2.8 + 0.7 * i, top + 0.8, front}});
+    const std::vector<Box> crate = {{{-1.2, top, front - 0.8}, {0.3, top + 1, front + 0.2}}};
+    for (const Camera& from : {camera, aside})
+        for (const std::vector<Box>& standing : {crate, railing}) {
+            std::vector<Box> boxes = deckOnPosts(false);
+            boxes.insert(boxes.end(), standing.begin(), standing.end());
+            const TracedView traced = Tracer(from, boxes).run();
+            const Reflected result = reflected(from, traced, 6);
+            // In columns that lie under what stands there.
+            const std::vector<double> ways =
+                waysTo(deck, from, traced, boxes, [&](const Ray&, const glm::dvec3& above) {
+                    return std::ranges::any_of(standing, [&](const Box& box) {
+                        return above.x > box.low.x && above.x < box.high.x && above.z < box.low.z;
+                    });
+                });
+            size_t undersides = 0, through = 0;
+            for (size_t i = 0; i < ways.size(); ++i) {
+                undersides += ways[i] > 0;
+                through += isSeenThrough(result.info[i], ways[i]);
+            }
+            std::printf("%zu undersides, %zu seen through\n", undersides, through);
+            EXPECT_GT(undersides, 100u);
+            // Beside each post a pixel's breadth is left.
+            const double most = standing.size() > 1 ? 0.18 : 0.1;
+            EXPECT_LE(static_cast<double>(through), most * static_cast<double>(undersides));
+        }
+}
+
 // Its edge is narrow, and of its top, seen from hardly above, few pixels leave keys, far apart.
 TEST_P(Overhangs, AreWholeUnderThinDecksSeenFromHardlyAbove) {
     size_t undersides = 0, through = 0;
