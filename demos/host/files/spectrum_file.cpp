@@ -165,8 +165,8 @@ std::string rangeProblem(const seaglass::SpectrumSample& sample) {
         const double value = field.get(&sample, 0);
         if (isInRange(field, value)) continue;
         std::array<char, 160> text{};
-        std::snprintf(text.data(), text.size(), "%s is %.6g, expected %g to %g %s", field.name, value, field.low,
-                      field.high, field.unit);
+        std::snprintf(text.data(), text.size(), "%s is %.6g, expected %g to %g %s", field.name, value,
+                      field.low, field.high, field.unit);
         return text.data();
     }
     return "";
