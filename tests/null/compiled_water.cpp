@@ -158,6 +158,10 @@ std::vector<CompiledPipeline> CompiledWater::kernels() {
     return std::move(compiledPipelines());
 }
 
+Status CompiledWater::estimated(const BodyDesc& desc, VkExtent2D extent, Estimate& out) const {
+    return estimate(context_, &desc, extent, &out);
+}
+
 void CompiledWater::makeTilesKernels() {
     SurfaceTilesKernels tiles;
     (void)tiles.create(*context_);

@@ -45,6 +45,9 @@ class CompiledWater {
     std::vector<CompiledPipeline> surface(const SurfaceChoice& choice);
     std::vector<CompiledPipeline> overView(const seaglass::ViewPassVariant& variant, bool multiview);
     std::vector<CompiledPipeline> spray(const seaglass::SprayVariant& variant, bool multiview);
+    /// What a body of the library's takes where it runs on the null device's kind.
+    seaglass::Status estimated(const seaglass::BodyDesc& desc, VkExtent2D extent,
+                               seaglass::Estimate& out) const;
 
   private:
     CompiledWater() = default;

@@ -41,18 +41,12 @@ const gpu::Use& lightLeft(const gpu::Device& device) {
     return device.isCpu() ? gpu::copyWritten : gpu::storageWritten;
 }
 
-gpu::ImageDesc blurredDesc(const gpu::Device& device, VkExtent2D texels) {
+gpu::ImageDesc gatheredDesc(const gpu::Device& device, VkExtent2D texels) {
     gpu::ImageDesc desc;
     desc.format = lightFormat;
     desc.extent = texels;
-    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT |
+    desc.usage = VK_IMAGE_USAGE_SAMPLED_BIT | gpu::MipChain::usage(device) |
                  (device.isCpu() ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : VK_IMAGE_USAGE_STORAGE_BIT);
-    return desc;
-}
-
-gpu::ImageDesc gatheredDesc(const gpu::Device& device, VkExtent2D texels) {
-    gpu::ImageDesc desc = blurredDesc(device, texels);
-    desc.usage |= gpu::MipChain::usage(device);
     const auto mips = static_cast<uint32_t>(std::bit_width(std::max(texels.width, texels.height)));
     desc.mipLevels = std::min(mips, mostMips);
     desc.arrayView = true; // as gpu::MipChain takes it
@@ -89,7 +83,7 @@ void recordToBeStored(const gpu::Device& device, VkCommandBuffer commands, const
 
 /// What a kernel has left in the buffer, to mip 0; on CPU devices, where storing to images is slow.
 void recordCopied(const gpu::Device& device, VkCommandBuffer commands, const CausticInputs& in,
-                  const gpu::Buffer& from, const gpu::OwnedImage& to, uint32_t firstRow, VkExtent2D texels) {
+                  const gpu::Buffer& from, const gpu::OwnedImage& to, VkExtent2D texels) {
     if (!device.isCpu()) return;
     gpu::recordBarrier(device, commands,
                        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
@@ -99,15 +93,10 @@ void recordCopied(const gpu::Device& device, VkCommandBuffer commands, const Cau
     gpu::recordBarriers(device, commands, &before, 1);
     VkBufferImageCopy region{};
     region.bufferRowLength = static_cast<uint32_t>(in.grid.rowLength);
-    region.bufferOffset = VkDeviceSize{region.bufferRowLength} * firstRow * sizeof(uint32_t);
-    region.imageOffset.y = static_cast<int32_t>(firstRow);
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     region.imageExtent = {texels.width, texels.height, 1};
     device.vk().CmdCopyBufferToImage(commands, from.handle(), to.handle(),
                                      VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    // The buffer may be written again.
-    gpu::recordBarrier(device, commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_NONE},
-                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_NONE});
 }
 
 /// First and last row of pixels, to `margin` beside the view, whose lines of sight point down somewhere: how
@@ -201,12 +190,11 @@ Status GatherKernel::create(Context& context) {
 }
 
 Status CausticBlurKernel::create(Context& context) {
-    const CausticConstants left = {.copies = context.device.isCpu()};
-    return kernel.create(context.device, caustics_blur_comp, what, left.constants());
+    return kernel.create(context.device, caustics_blur_comp, what, CausticConstants{}.constants());
 }
 
 Status ShadowedCausticBlurKernel::create(Context& context) {
-    const CausticConstants shadowed = {.copies = context.device.isCpu(), .hasSunShadow = true};
+    const CausticConstants shadowed = {.hasSunShadow = true};
     return kernel.create(context.device, caustics_blur_comp, what, shadowed.constants());
 }
 
@@ -232,10 +220,6 @@ Status Caustics::fit(Context& context, VkExtent2D texels, Picture& picture) cons
             fresh.gathered.create(context.device, gatheredDesc(context.device, wanted), "caustics' light");
         s != Status::ok)
         return s;
-    if (const Status s =
-            fresh.blurred.create(context.device, blurredDesc(context.device, wanted), "caustics' blur");
-        s != Status::ok)
-        return s;
     context.frame().replace(picture, std::move(fresh));
     return Status::ok;
 }
@@ -248,6 +232,9 @@ Status Caustics::recordCast(Context& context, VkCommandBuffer commands, const Ca
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(castKernel().layout(), resources, set); s != Status::ok)
         return s;
+    // What was blurred there before may still be drawn by.
+    gpu::recordBarrier(device, commands, {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_NONE},
+                       {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT});
     gpu::recordBuffersCleared(device, commands, {picture.sums.handle()});
     const uint32_t across = over(in.region + 2 * in.grid.margin, in.grid.step).width;
     castKernel().dispatchOver(commands, set,
@@ -271,7 +258,7 @@ Status Caustics::recordGather(Context& context, VkCommandBuffer commands, const 
     const VkExtent2D texels = lookedAt(in, picture.gathered);
     recordToBeStored(context.device, commands, picture.gathered);
     gather_->kernel.dispatchOver(commands, set, texels);
-    recordCopied(context.device, commands, in, picture.sums, picture.gathered, 0, texels);
+    recordCopied(context.device, commands, in, picture.sums, picture.gathered, texels);
     const gpu::OwnedImage* const images[] = {&picture.gathered};
     return mips_.record(context, commands, images, lightLeft(context.device));
 }
@@ -283,8 +270,7 @@ Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const Ca
     const gpu::Kernel& kernel = in.inShadow ? blurInShadow_->kernel : blur_->kernel;
     const std::vector<gpu::Bound> resources = in.with(
         {{causticLightBinding, gpu::sampledImage(context.samplers.trilinearClamp(), picture.gathered.view())},
-         {causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},
-         {causticBlurredBinding, gpu::storageImage(picture.blurred.view())}});
+         {causticSumsBinding, gpu::storageBuffer(picture.sums.handle())}});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;
@@ -292,12 +278,15 @@ Status Caustics::recordBlur(Context& context, VkCommandBuffer commands, const Ca
     const uint32_t firstRow = static_cast<uint32_t>(std::max(in.grid.firstRow, 0));
     const uint32_t endRow = std::min(static_cast<uint32_t>(in.grid.endRow), view.height);
     const VkExtent2D texels = {view.width, endRow - firstRow};
-    recordToBeStored(context.device, commands, picture.blurred);
+    // What was gathered from the buffer has been read, or copied.
+    gpu::recordBarrier(
+        context.device, commands,
+        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_NONE},
+        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_NONE});
     kernel.dispatchOver(commands, set, texels);
-    recordCopied(context.device, commands, in, picture.sums, picture.blurred, firstRow, texels);
-    const VkImageMemoryBarrier2 after =
-        gpu::imageBarrier(picture.blurred.handle(), lightLeft(context.device), gpu::sampledByShaders);
-    gpu::recordBarriers(context.device, commands, &after, 1);
+    gpu::recordBarrier(context.device, commands,
+                       {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT},
+                       {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
     return Status::ok;
 }
 
@@ -315,10 +304,10 @@ Status Caustics::record(Context& context, VkCommandBuffer commands, const Causti
     return Status::ok;
 }
 
-VkImageView Caustics::lightOf(const Context& context, uint32_t viewIndex, const glm::ivec2& region) const {
+VkBuffer Caustics::lightOf(const Context& context, uint32_t viewIndex, const glm::ivec2& region) const {
     const Picture& picture = views_[viewIndex];
     const bool cast = picture.frame == context.frameNumber && picture.region == region;
-    return cast ? picture.blurred.view() : VK_NULL_HANDLE;
+    return cast ? picture.sums.handle() : VK_NULL_HANDLE;
 }
 
 VkDeviceSize Caustics::bytes(const gpu::Device& device, const BodyDesc& desc, VkExtent2D view) {
@@ -330,8 +319,7 @@ VkDeviceSize Caustics::bytes(const gpu::Device& device, const BodyDesc& desc, Vk
     const glm::ivec2 region(static_cast<int>(largest.width), static_cast<int>(largest.height));
     const VkExtent2D texels = pictureExtent(device, over(region, static_cast<int>(desc.shading.causticStep)));
     return gpu::heldBytes(device, sumBytes(texels), sumUsage) +
-           gpu::heldBytes(device, gatheredDesc(device, texels)) +
-           gpu::heldBytes(device, blurredDesc(device, texels));
+           gpu::heldBytes(device, gatheredDesc(device, texels));
 }
 
 } // namespace seaglass

@@ -96,11 +96,11 @@ class Caustics {
     float strength() const { return strength_; }
     const LostSlopes& lostSlopes() const { return lostSlopes_; }
 
-    /// Leaves the light of one view to be sampled.
+    /// Leaves the light of one view to be read.
     Status record(Context& context, VkCommandBuffer commands, const CausticInputs& inputs);
     /// Light, and what it would be under calm water; null unless it was cast in this frame, last for a view
     /// of this size.
-    VkImageView lightOf(const Context& context, uint32_t viewIndex, const glm::ivec2& region) const;
+    VkBuffer lightOf(const Context& context, uint32_t viewIndex, const glm::ivec2& region) const;
 
     static constexpr uint32_t dispatches = 3;
     /// Of one view, and of its bed where the body has one.
@@ -108,8 +108,8 @@ class Caustics {
 
   private:
     struct Picture {
-        gpu::Buffer sums; ///< then what is copied to the images
-        gpu::OwnedImage gathered, blurred;
+        gpu::Buffer sums; ///< then what is copied to the image, and in the end the light blurred
+        gpu::OwnedImage gathered;
         uint64_t frame = 0;
         glm::ivec2 region{0};
     };

@@ -73,14 +73,13 @@ Status CausticsPart::drawLight(Body& body, const DrawCall& call) const {
         s != Status::ok)
         return s;
     if (body.toSun(call.lighting).y <= 0) return Status::ok;
-    const VkImageView light = caustics.lightOf(*body.context, call.view.viewIndex, view.geometry.regionSize);
+    const VkBuffer light = caustics.lightOf(*body.context, call.view.viewIndex, view.geometry.regionSize);
     if (!light)
         return device.misused(
             "drawCaustics: castCaustics() was not called for this view before, or for another since");
     Resources resources;
     if (const Status s = bindBody(body, view, resources); s != Status::ok) return s;
-    resources.push_back(
-        {causticLightBinding, gpu::sampledImage(body.context->samplers.trilinearClamp(), light)});
+    resources.push_back({causticSumsBinding, gpu::storageBuffer(light)});
     return recordViewPass(*body.context, call, view, variantOf(body), resources);
 }
 

@@ -77,8 +77,10 @@ bool takesSteps(const gpu::Device& device) {
 Status getListed(ShadingKernels& kernels, const SurfaceVariant& variant, const TileSorting& sorting,
                  bool apart, SteppedKernels& out) {
     out = {};
+    // Of both sides the rest alone takes as many registers as all at once, and it shades each pixel, for
+    // which what is mirrored would want an image of its own.
     const bool hasSteps = apart && variant.surfaceOutput == static_cast<uint32_t>(SurfaceOutput::shaded) &&
-                          variant.sidesSeen != static_cast<uint32_t>(SidesSeen::below);
+                          variant.sidesSeen == static_cast<uint32_t>(SidesSeen::above);
     for (uint32_t list = 0; list < foundLists; ++list) {
         if (!sorting.uses(list)) continue;
         SurfaceVariant needed = variant;

@@ -51,10 +51,9 @@ FieldError ShadingPart::validate(const BodyDesc& desc) {
 
 Status ShadingPart::addCost(const AskedBody& asked, Estimate& sum) {
     const gpu::Device& device = asked.context.device;
-    // What shows both sides is shaded pixel by pixel.
-    const bool shadesEach = asked.desc.underwater || asked.desc.shading.pixelsPerShading == 1;
-    const bool mirrorsApart =
-        shadesEach && takesSteps(device) && asked.sea && ReflectionPart::wanted(asked.desc, asked.sea);
+    const bool mirrorsApart = asked.desc.shading.pixelsPerShading == 1 &&
+                              takesSteps(device) && asked.sea &&
+                              ReflectionPart::wanted(asked.desc, asked.sea);
     sum.bytesPerView +=
         FoundSurface::bytes(device, asked.extent) + ShadedSurface::bytes(device, asked.extent, mirrorsApart);
     return Status::ok;

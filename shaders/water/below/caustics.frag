@@ -11,7 +11,9 @@
 #include "caustic_light.glsl"
 
 layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
-layout(set = 0, binding = causticLightBinding) uniform sampler2D blurred;
+layout(set = 0, binding = causticSumsBinding, std430) readonly buffer Light {
+    uint blurred[];   // halves
+};
 
 layout(location = 0) out vec4 outColor;
 
@@ -24,13 +26,22 @@ vec3 scattering() {
     return 2.0 * byMolecules + (water.backscatter.rgb - byMolecules) / 0.0183;
 }
 
+// The buffer is larger than the view, and holds anything beside what was blurred.
+ivec2 held(ivec2 texel) {
+    return clamp(texel, ivec2(0, max(firstRow, 0)), lightSize() - 1);
+}
+
+vec2 lightOn(ivec2 texel) {
+    return unpackHalf2x16(blurred[texel.y * rowLength + texel.x]);
+}
+
 // By how much of what calm water lets through there is more light, and of the sun what nothing hides.
 vec2 lightHere() {
-    vec2 texel = regionPixel(gl_FragCoord.xy) / float(rayStep);
-    // The picture may be larger than the view, and hold anything there: short of the last texel's middle a tap has no part
-    // of the next.
-    vec2 last = vec2(lightSize()) - 0.51;
-    return textureLod(blurred, min(texel, last) / vec2(textureSize(blurred, 0)), 0.0).xy;
+    vec2 at = regionPixel(gl_FragCoord.xy) / float(rayStep) - 0.5;
+    vec2 corner = floor(at), past = at - corner;
+    ivec2 low = held(ivec2(corner)), high = held(ivec2(corner) + 1);
+    vec2 upper = mix(lightOn(low), lightOn(ivec2(high.x, low.y)), past.x);
+    return mix(upper, mix(lightOn(ivec2(low.x, high.y)), lightOn(high), past.x), past.y);
 }
 
 // Of the sun's light what is not scattered on the way.

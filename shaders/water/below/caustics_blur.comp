@@ -16,10 +16,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
 layout(set = 0, binding = causticLightBinding) uniform sampler2DArray gathered;   // of one layer
-layout(set = 0, binding = causticSumsBinding, std430) writeonly buffer Copied {
-    uint copied[];   // halves, to the image
+layout(set = 0, binding = causticSumsBinding, std430) writeonly buffer Light {
+    uint blurred[];   // halves, in the place of the sums
 };
-layout(set = 0, binding = causticBlurredBinding, rg16f) uniform writeonly image2D blurred;
 #include "sun_shadow.glsl"
 
 // Deviation along any axis of the slopes that rays do not know of.
@@ -120,7 +119,5 @@ vec2 lightOn(ivec2 texel) {
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, max(firstRow, 0));
     if (any(greaterThanEqual(texel, lightSize()))) return;
-    vec2 light = lightOn(texel);
-    if (copies) copied[texel.y * rowLength + texel.x] = packHalf2x16(light);
-    else imageStore(blurred, texel, vec4(light, 0.0, 0.0));
+    blurred[texel.y * rowLength + texel.x] = packHalf2x16(lightOn(texel));
 }
