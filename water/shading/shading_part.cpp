@@ -51,8 +51,7 @@ FieldError ShadingPart::validate(const BodyDesc& desc) {
 
 Status ShadingPart::addCost(const AskedBody& asked, Estimate& sum) {
     const gpu::Device& device = asked.context.device;
-    const bool mirrorsApart = asked.desc.shading.pixelsPerShading == 1 &&
-                              takesSteps(device) && asked.sea &&
+    const bool mirrorsApart = asked.desc.shading.pixelsPerShading == 1 && takesSteps(device) && asked.sea &&
                               ReflectionPart::wanted(asked.desc, asked.sea);
     sum.bytesPerView +=
         FoundSurface::bytes(device, asked.extent) + ShadedSurface::bytes(device, asked.extent, mirrorsApart);
