@@ -37,6 +37,7 @@ class Lake:
             "wood": self.glb.material("wood", texture=textures["wood"], roughness=0.85),
             "stone": self.glb.material("stone", texture=textures["stone"], roughness=0.9),
             "ground": self.glb.material("ground", texture=textures["ground"], roughness=0.95),
+            "plain": self.glb.material("plain", roughness=1.0),
             "paint": self.glb.material("paint", roughness=0.7),
             "leaves": self.glb.material("leaves", roughness=0.95, doubleSided=True),
             "hull": self.glb.material("hull", rgb("#a8352a"), roughness=0.45),
@@ -47,6 +48,9 @@ class Lake:
 
     def shore(self):
         self.glb.node(self.mesh("shore", Asset().add("ground", mountains.foreground())))
+
+    def plain(self):
+        self.glb.node(self.mesh("plain", Asset().add("plain", mountains.plain())))
 
     def boulders(self):
         tones = (rgb("#8f8b86"), rgb("#9a8f80"), rgb("#6c6a66"))
@@ -142,7 +146,7 @@ def main():
     folder = pathlib.Path(__file__).parent
     mountainsFile(folder)
     lake = Lake()
-    for build in (lake.shore, lake.boulders, lake.forest, lake.jetty, lake.boat):
+    for build in (lake.shore, lake.plain, lake.boulders, lake.forest, lake.jetty, lake.boat):
         before = lake.glb.size()
         build()
         print(f"{build.__name__:10} {(lake.glb.size() - before) / 1000:7.0f} kB, {len(lake.glb.json['nodes'])} things")

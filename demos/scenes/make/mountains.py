@@ -172,6 +172,16 @@ def land():
     return s
 
 
+def plain():
+    """From where land() ends to as far as air lets one see: low hills, of which eyes by the lake see little."""
+    azimuth, radius = rings()
+    radius = np.concatenate([radius[-1:], [5200, 6400, 8000, 11000, 16000, 24000, 36000]])
+    x, z = places(azimuth, radius)
+    y = height(x, z) + 60 * waves(x, z, 71, 5000, 3) * smooth(radius[0], 8000, np.hypot(x - EYE[0], z - EYE[1]))
+    color = paint(x, y, z, np.zeros_like(y), fromShore(x, z))
+    return shape.grid(np.stack([x, y, z], -1), color, None, shape.SMOOTH)
+
+
 def picture(size=(544, 720)):
     """Texture of land(): rows by radius, columns by azimuth; what relief is finer than the mesh is in its tones."""
     azimuth, radius = rings()
