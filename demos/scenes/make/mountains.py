@@ -177,7 +177,8 @@ def plain():
     azimuth, radius = rings()
     radius = np.concatenate([radius[-1:], [5200, 6400, 8000, 11000, 16000, 24000, 36000]])
     x, z = places(azimuth, radius)
-    y = height(x, z) + 60 * waves(x, z, 71, 5000, 3) * smooth(radius[0], 8000, np.hypot(x - EYE[0], z - EYE[1]))
+    hills = np.maximum(60 * waves(x, z, 71, 5000, 3), -15)  # above the lake
+    y = height(x, z) + hills * smooth(radius[0], 8000, np.hypot(x - EYE[0], z - EYE[1]))
     color = paint(x, y, z, np.zeros_like(y), fromShore(x, z))
     return shape.grid(np.stack([x, y, z], -1), color, None, shape.SMOOTH)
 
