@@ -276,7 +276,8 @@ double unevenness(const WaterPicture& with, const WaterPicture& without, const C
     return uneven / all;
 }
 
-// Clouds overlap, so that none is a ball of cotton. Over dark foam: white foam hides what covers it, in patches of its own.
+// Clouds overlap, so that none is a ball of cotton. Over dark foam: white foam hides what covers it, in
+// patches of its own.
 TEST_F(Spray, IsAVeil) {
     foam_.albedo = 0;
     Body *const with = makeBody(described()), *const without = makeBody(described(false));
