@@ -12,6 +12,7 @@
 #include "spirv/footprints.comp.h"
 #include "spirv/hidden_ways.comp.h"
 #include "spirv/looked_up_tiles.comp.h"
+#include "spirv/march_stride_hits.comp.h"
 #include "tests/gpu/rig/rig.h"
 
 namespace {
@@ -117,6 +118,21 @@ TEST_F(ShaderFunctions, ARayIsFollowedBackToWhereItWentIn) {
         EXPECT_EQ(entries[i], glm::vec4(seen, 100, 100.5f, 0.5f)) << i;
     }
     for (size_t i = ways.size() - 2; i < ways.size(); ++i) EXPECT_EQ(entries[i].x, -1) << i;
+}
+
+// Between two strides a receding ray may pass behind a wall by more than that is thick.
+TEST_F(ShaderFunctions, AStrideIsAsThickAsTheRayRecedesOverIt) {
+    constexpr float first = 0.9f, last = 0.1f, perPixel = (last - first) / 200;
+    std::vector<glm::vec4> rays;
+    for (int column = 10; column < 180; ++column) {
+        const float depth = first + perPixel * (static_cast<float>(column) + 0.75f);
+        rays.emplace_back(first, last, column, depth);
+    }
+    const std::vector<glm::vec4> hits = told(march_stride_hits_comp, rays);
+    for (size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_EQ(hits[i].x, 1) << rays[i].z;
+        EXPECT_NEAR(hits[i].y, rays[i].z + 0.75f, 1) << rays[i].z;
+    }
 }
 
 } // namespace
