@@ -23,6 +23,7 @@ UNTESTED = {
     "atomicMax(keys[mirrored pixel], bits of the mirrored depth)": "pseudo code",
     "log2( (c t + scatter max(t - clearDistance, 0)) / (s + t) * pixels a radian / downscale / 1.29 )": "a formula",
     "1 + H A S I": "a formula",
+    "# scenes/pond.toml": "a scene",
     'field<&MeshDesc::cellsPerLevel>("cellsPerLevel", 128, 1024, "", "Cells until a twice coarser level takes over.")': "a row of a table",
 }
 # Options in the prose that are not the program's.
