@@ -7,7 +7,7 @@ const float steepestTop = 0.2;   // its rise for each metre of the way between t
 const int sideTaps = 9;          // each twice as far aside
 const float sidePixels = 4.0;    // that its edge is followed, to tell which way it runs
 const int mostHalvings = 10;     // of the way from its edge to what stands on it
-const int topLooks = 7;          // behind its edge, each twice as far
+const int topTaps = 7;          // behind its edge, each twice as far
 const float edgeWithin = 3.0;    // from its edge's own height [pixels]
 
 // What left a key nearer than what shows here, nearer to the eye on the mirror: on the screen, it hides the ray before that
@@ -121,11 +121,11 @@ bool levelBeside(const MirrorBlock mirror, vec4 edge, vec2 away, float edgeHeigh
         bool still = (other ? goesOn.y : goesOn.x) && insideRegion(mirror, beside) && !isFar(mirror, seen.z) &&
             abs(heightOf(mirror, seen) - edgeHeight) < within;
         goesOn = bvec2(other ? goesOn.x : still, other ? still : goesOn.y);
-        for (int look = 0; look < topLooks && still && !level; ++look) {
-            point = beside + float(1 << look) * away;
+        for (int tap = 0; tap < topTaps && still && !level; ++tap) {
+            point = beside + float(1 << tap) * away;
             level = isLevel(mirror, point, away, edgeHeight);
         }
-    } while (++i < 2 * sideLooks && any(goesOn) && !level);
+    } while (++i < 2 * sideTaps && any(goesOn) && !level);
     return level;
 }
 
