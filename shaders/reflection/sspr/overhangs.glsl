@@ -7,7 +7,7 @@ const float steepestTop = 0.2;   // its rise for each metre of the way between t
 const int sideTaps = 9;          // each twice as far aside
 const float sidePixels = 4.0;    // that its edge is followed, to tell which way it runs
 const int mostHalvings = 10;     // of the way from its edge to what stands on it
-const int topTaps = 7;          // behind its edge, each twice as far
+const int topTaps = 7;           // behind its edge, each twice as far
 const float edgeWithin = 3.0;    // from its edge's own height [pixels]
 
 // What left a key nearer than what shows here, nearer to the eye on the mirror: on the screen, it hides the ray before that
