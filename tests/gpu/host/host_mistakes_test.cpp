@@ -522,7 +522,8 @@ TEST_F(Mistakes, ImagesThatCannotBeSampledAreHeardByValidation) {
 
 TEST_F(Mistakes, GpuAssistedValidationHearsAWriteBeyondTheEnd) {
     const char* enabled = std::getenv("VK_LAYER_ENABLES");
-    if (!enabled || !std::strstr(enabled, "GPU_ASSISTED")) GTEST_SKIP() << "VK_LAYER_ENABLES does not switch on GPU-assisted validation";
+    if (!enabled || !std::strstr(enabled, "GPU_ASSISTED"))
+        GTEST_SKIP() << "VK_LAYER_ENABLES does not switch on GPU-assisted validation";
     expectValidationMessages();
     gpu::Buffer words;
     ASSERT_EQ(words.create(context()->device, 64, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "words"), Status::ok);
