@@ -732,7 +732,8 @@ INSTANTIATE_TEST_SUITE_P(Primitives, Reads, testing::ValuesIn(primitives()), nam
 INSTANTIATE_TEST_SUITE_P(Accessors, Reads, testing::ValuesIn(accessors()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Placements, Reads, testing::ValuesIn(placements()), nameOf);
 INSTANTIATE_TEST_SUITE_P(BesideThePlate, Reads, testing::ValuesIn(besideThePlate()), nameOf);
-INSTANTIATE_TEST_SUITE_P(ExtensionsBesideThePlate, Reads, testing::ValuesIn(extensionsBesideThePlate()), nameOf);
+INSTANTIATE_TEST_SUITE_P(ExtensionsBesideThePlate, Reads, testing::ValuesIn(extensionsBesideThePlate()),
+                         nameOf);
 INSTANTIATE_TEST_SUITE_P(UvSets, Reads, testing::ValuesIn(uvSets()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Surfaces, Reads, testing::ValuesIn(surfaces()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Alphas, Reads, testing::ValuesIn(alphas()), nameOf);
