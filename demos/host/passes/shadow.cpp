@@ -15,6 +15,10 @@ namespace {
 /// How far beyond the nearest opaque thing the first cascade reaches [m]; each of the others by a factor
 /// more.
 constexpr double firstReachM = 14, leastFactor = 2.9;
+/// Cascades end there: farther shadows are left out, so that near ones are sharp [m].
+constexpr double farthestShadowM = 6500;
+/// Plains are lower, beside how wide they are: they shade nothing that cascades would have to reach for.
+constexpr double riseOfPlains = 0.01;
 constexpr VkExtent2D mapExtent = {2 * ShadowPass::cascadeSize, 2 * ShadowPass::cascadeSize};
 constexpr VkFormat mapFormat = VK_FORMAT_D32_SFLOAT;
 
@@ -56,13 +60,21 @@ struct Distances {
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
 };
 
+bool isPlain(const Box& box) {
+    Range range;
+    for (const glm::dvec3& corner : box.corners) range.add(corner);
+    const glm::dvec3 size = range.high - range.low;
+    return size.y < riseOfPlains * std::max(size.x, size.z);
+}
+
 Distances distancesTo(const std::vector<Box>& boxes, const Camera& camera) {
     Distances found;
     for (const Box& box : boxes) {
+        const bool counts = !isPlain(box);
         glm::dvec3 centre(0);
         for (const glm::dvec3& corner : box.corners) {
             centre += corner / 8.0;
-            found.farthest = std::max(found.farthest, distanceTo(corner, camera));
+            if (counts) found.farthest = std::max(found.farthest, distanceTo(corner, camera));
         }
         const double radius = glm::length(box.corners[0] - centre);
         found.nearest = std::min(found.nearest, std::max(0.0, distanceTo(centre, camera) - radius));
@@ -167,10 +179,10 @@ ShadowFits fitShadows(const std::vector<Box>& boxes, const Camera& camera, const
     const LightAxes axes = lightAxes(toSun, camera);
     const Distances distances = distancesTo(boxes, camera);
     const Casters casters = castersAmong(boxes, camera, axes, bent);
-    // Mountains are in shadow, too: the last cascade reaches the farthest thing.
-    const double factor =
-        std::max(leastFactor, std::pow((distances.farthest - distances.nearest) / firstReachM,
-                                       1.0 / (shadowCascades - 1)));
+    // Mountains are in shadow, too: the last cascade reaches the farthest of them.
+    const double farthest = std::max(distances.nearest, std::min(distances.farthest, farthestShadowM));
+    const double factor = std::max(
+        leastFactor, std::pow((farthest - distances.nearest) / firstReachM, 1.0 / (shadowCascades - 1)));
     double from = distances.nearest, reach = firstReachM;
     for (uint32_t i = 0; i < shadowCascades; ++i, reach *= factor) {
         const double to = distances.nearest + reach;

@@ -140,7 +140,8 @@ TEST(Traced, SamplesSeeTexturesAsFinelyAsPixelsOfTheirSize) {
 INSTANTIATE_TEST_SUITE_P(Opaque, HostScene,
                          testing::Values(View{"harbour", "level", 0.039, 0.012},
                                          View{"harbour", "high", 0.07, 0.018},
-                                         View{"lake", "near", 0.035, 0.0078}),
+                                         View{"lake", "near", 0.035, 0.0078},
+                                         View{"pool", "near", 0.044, 0.015}),
                          [](const auto& test) {
                              return std::string(test.param.scene) + "_" + test.param.camera;
                          });
