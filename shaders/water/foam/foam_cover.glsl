@@ -150,7 +150,7 @@ Foam foamAt(const SurfacePoint s, vec2 aside, FoamPart part, float pixelWidth, v
     // Its ends are kept off 0 and 1, where even no foam at all would show.
     float even = clamp(shareBelow(pattern, widths), 2e-4, 1.0 - 2e-4);
     // What the tap blurs away is noise to it, as are soft edges: of that noise as much lies below as makes a share `cover` of
-    // all looks white, however little of the pattern is left.
+    // all taps white, however little of the pattern is left.
     float kept2 = (1.0 - softEdges) * squares / patternSquares;
     float white = gaussianBelow((gaussianQuantile(cover) - sqrt(kept2) * gaussianQuantile(even)) * inversesqrt(1.0 - kept2));
     // Where white is but likely, where it stands out is no longer told.

@@ -137,13 +137,10 @@ TEST(Traced, SamplesSeeTexturesAsFinelyAsPixelsOfTheirSize) {
 
 // With shadows of facets alone 0.040, 0.078 and 0.032 differ by over 3 %, and with the filter's lift 0.041,
 // 0.076 and 0.040.
-INSTANTIATE_TEST_SUITE_P(Opaque, HostScene,
-                         testing::Values(View{"harbour", "level", 0.039, 0.012},
-                                         View{"harbour", "high", 0.07, 0.018},
-                                         View{"lake", "near", 0.035, 0.0078},
-                                         View{"pool", "near", 0.044, 0.015}),
-                         [](const auto& test) {
-                             return std::string(test.param.scene) + "_" + test.param.camera;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Opaque, HostScene,
+    testing::Values(View{"harbour", "level", 0.039, 0.012}, View{"harbour", "high", 0.07, 0.018},
+                    View{"lake", "near", 0.035, 0.0078}, View{"pool", "near", 0.044, 0.015}),
+    [](const auto& test) { return std::string(test.param.scene) + "_" + test.param.camera; });
 
 } // namespace
