@@ -15,7 +15,8 @@ struct Walk {
 };
 
 Walk walkFrom(Track track, float reached, int shift) {
-    vec2 along = mix(track.along.xy, vec2(1e-20), equal(track.along.xy, vec2(0.0)));
+    // Of the smallest numbers the inverse is infinite, and none at all times 0.
+    vec2 along = mix(track.along.xy, vec2(1e-20), lessThan(abs(track.along.xy), vec2(1e-20)));
     vec2 perPixel = 1.0 / along;
     // What lies this close before a border is beyond it: rounding would catch a track that runs along one.
     vec2 point = trackPoint(track, reached).xy + 0.01 * sign(along);

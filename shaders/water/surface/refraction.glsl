@@ -185,9 +185,11 @@ BedTaps bedBeyondBorder(Behind inside, vec3 beyond, vec2 here, float least) {
     vec4 p = bedPixelOf(vec4(2.0 * inside.seen - beyond, 1.0));
     vec2 middle = mix(here, p.xy / p.w, water.refractionDistortion);
     float radius = max(length(middle - middleOf(inside)), least);
-    // A quad's pixels look at places of their own where they take their mean.
-    vec2 side = least > sharpBed ? 1.0 - 2.0 * placeInQuad() : vec2(1.0);
-    return BedTaps(true, p.w > 0.0 ? 4 : 0, middle, mat2(radius * side.x, 0.0, 0.0, radius * side.y));
+    // Where a quad's mean is taken, each pixel of a tile looks at places of its own, in an order by which those beside each other differ
+    // most: where all look at the same, what stands out there is drawn out to streaks.
+    float turned = least > sharpBed ? 0.5 * ldexp(float(bitfieldReverse(indexInTile())), -32) : 0.1;
+    vec2 along = radius * cosineSine(turned);
+    return BedTaps(true, p.w > 0.0 ? 4 : 0, middle, mat2(along, -along.y, along.x));
 }
 
 // Across the border it is as it is inside.
@@ -200,37 +202,41 @@ vec2 tapOf(BedTaps taps, int i) {
     return isOutside && !taps.isBeyond ? taps.middle - off : pixel;
 }
 
-// Whether a tap shows the bed as `b` does, `drop` metres below. Beyond the border what stands up from it is not the bed; what
-// lies lower than the last pixel before is, which may show a stone.
-bool showsSameBed(const SurfacePoint s, BedTaps taps, Behind b, float drop, Behind there, vec2 pixel) {
-    if (!isBelowWater(s, there)) return false;
-    if (!taps.isBeyond) return length(there.seen - b.seen) <= 0.5 * drop;
+// Where nothing else shows, steep sides are better than one pixel's streak. A picture of the bed's own ends far from what is seen.
+const float ofSteepSides = hasBed ? 0.0 : 0.02;
+
+// How much a tap counts: what shows the bed as `b` does, `drop` metres below. Beyond the border what stands up from it is not
+// the bed; what lies lower than the last pixel before is, which may show a stone.
+float weightOf(const SurfacePoint s, BedTaps taps, Behind b, float drop, Behind there, vec2 pixel) {
+    if (!isBelowWater(s, there)) return 0.0;
+    if (!taps.isBeyond) return length(there.seen - b.seen) <= 0.5 * drop ? 1.0 : 0.0;
     bool standsUp = there.seen.y - b.seen.y >= 0.15 * (s.position.y - b.seen.y);
     vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - there.seen;
-    return !standsUp && abs(step.y) < 0.5 * length(step.xz);
+    float rise = abs(step.y), run = length(step.xz);
+    if (standsUp || rise >= 2.0 * run) return 0.0;
+    return rise < 0.5 * run ? 1.0 : ofSteepSides;
 }
 
-// Its alpha is the bed's own beyond the border.
+// The mean of what taps show.
 vec4 bedColorBy(const SurfacePoint s, BedTaps taps, Behind b, float drop) {
     vec4 sum = vec4(0.0);
-    float weights = 0.0, own = 1.0;
+    float weights = 0.0;
     Behind there = b;
-    bool counts = true;
+    float weight = taps.count > 0 ? 1e-3 : 1.0;
     int i = 0;
     // The bed's own pixel first, so that all share one copy of what looks colour up.
     [[dont_unroll]] do {
         vec4 color = bedColorOf(there);
-        if (i == 0) own = color.a;
-        float weight = i == 0 && taps.count > 0 ? 1e-3 : 1.0;
-        if (counts && i <= taps.count) {
+        // Without the second condition Mesa 22.3's llvmpipe adds to the sums of invocations that have left the loop.
+        if (weight > 0.0 && i <= taps.count) {
             sum += weight * color;
             weights += weight;
         }
         vec2 pixel = tapOf(taps, i & 3);
         there = bedAt(pixel);
-        counts = showsSameBed(s, taps, b, drop, there, pixel);
+        weight = weightOf(s, taps, b, drop, there, pixel);
     } while (++i <= taps.count);
-    return vec4(sum.rgb / weights, taps.isBeyond ? own : sum.a / weights);
+    return sum / weights;
 }
 
 // What shines through.
@@ -454,10 +460,10 @@ Through throughBed(const SurfacePoint s, BentRay ray, const BedFound bed, inout 
     float blurred = widthOf(blur);
     BedTaps taps = bedAround(found, blur, blurred);
     if (madeUp) taps = bedBeyondBorder(found, s.position + ray.direction * drop, ray.here, blurred);
+    vec4 color = bedColorBy(s, taps, found, drop);
     float wayPerDepth = length(ray.direction);
     float path = mix(length(found.seen - s.position), drop * wayPerDepth, water.refractionDistortion);
     float depth = -heightOverCalm(found.seen);
-    vec4 color = bedColorBy(s, taps, found, drop);
     bool isSure = !(hasShore && ray.passedOver) || known >= 1.0;
     vec3 mean = vec3(0.0);
     float share = isSure ? 1.0 : known;
