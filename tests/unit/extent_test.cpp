@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/unit/mesh_support.h"
+#include "water/body/exclusion_volumes.h"
 #include "water/interface/checks.h"
 #include "water/mesh/extent.h"
 #include "water/mesh/host_mesh.h"
@@ -176,6 +177,22 @@ TEST(Extent, HostVerticesKnowTheirCellsAndTheWayToTheBorder) {
         EXPECT_GE(v.cell, 1);
         EXPECT_LE(v.cell, 1.42f);
     }
+}
+
+// By which patches that no boat is in are drawn without a test for boats.
+TEST(Extent, VolumesMayCutTheBoxesThatTheyReachInto) {
+    const ExclusionVolume around = {
+        {{1, 0, 0, -4}, {-1, 0, 0, 2}, {0, 0, 2, -2}, {0, 0, -1, -1}, {0, -1, 0, -2}}};
+    std::vector<ExclusionPlanes> volumes;
+    ASSERT_EQ(readExclusionVolumes(&around, 1, volumes), nullptr); // x 2 to 4, z -1 to 1, from 2 m down on
+    EXPECT_TRUE(mayExcludeIn(volumes, {-9, -1, -9}, {9, 1, 9}));
+    EXPECT_TRUE(mayExcludeIn(volumes, {3, 0, 0}, {3, 0, 0}));
+    EXPECT_TRUE(mayExcludeIn(volumes, {0, -1, 0.9}, {2.1, 1, 3}));
+    EXPECT_FALSE(mayExcludeIn(volumes, {0, -1, -1}, {1.9, 1, 1}));
+    EXPECT_FALSE(mayExcludeIn(volumes, {4.1, -1, -1}, {9, 1, 1}));
+    EXPECT_FALSE(mayExcludeIn(volumes, {2, -1, 1.1}, {4, 1, 3}));
+    EXPECT_FALSE(mayExcludeIn(volumes, {2, -4, -1}, {4, -2.1, 1}));
+    EXPECT_FALSE(mayExcludeIn({}, {-9, -1, -9}, {9, 1, 9}));
 }
 
 TEST(Extent, BadFieldsAreNamed) {

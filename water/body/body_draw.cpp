@@ -55,7 +55,8 @@ Status Body::see(const char* call, const Target* target, SeenSurface& out) {
 
     MeshView asMeshed = placing.meshView(geometry);
     asMeshed.farthestFirst = target && !target->desc.depthWrite;
-    if (const Status s = placing.place(*context, asMeshed, out.mesh); s != Status::ok) return s;
+    if (const Status s = placing.place(*context, asMeshed, exclusionVolumes, out.mesh); s != Status::ok)
+        return s;
     if (out.mesh.instanceCount == 0) return Status::ok;
     out.block = bodyBlock(*this, out.view);
     if (motion) out.block.relativeFromPixel = lastPixel;

@@ -49,6 +49,17 @@ uint32_t volumesPacked(const std::vector<ExclusionPlanes>& volumes) {
     return volumes.empty() ? 0 : std::bit_ceil(static_cast<uint32_t>(volumes.size()));
 }
 
+bool mayExcludeIn(const std::vector<ExclusionPlanes>& volumes, const glm::dvec3& low,
+                  const glm::dvec3& high) {
+    const auto reaches = [&](const glm::dvec4& plane) {
+        const glm::dvec3 normal(plane);
+        const glm::dvec3 innermost = glm::mix(high, low, glm::greaterThan(normal, glm::dvec3(0)));
+        return glm::dot(normal, innermost) + plane.w <= 0;
+    };
+    return std::ranges::any_of(
+        volumes, [&](const ExclusionPlanes& planes) { return std::ranges::all_of(planes, reaches); });
+}
+
 bool isExcluded(const std::vector<ExclusionPlanes>& volumes, const glm::dvec3& position) {
     return std::ranges::any_of(volumes, [&](const ExclusionPlanes& planes) {
         return std::ranges::all_of(

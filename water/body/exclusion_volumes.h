@@ -22,6 +22,9 @@ const char* readExclusionVolumes(const ExclusionVolume* volumes, uint32_t count,
 /// How many the shaders look at: a power of two, so that few pipelines serve, or none.
 uint32_t volumesPacked(const std::vector<ExclusionPlanes>& volumes);
 
+/// False: none reaches into a box. True also where one comes near a corner of it.
+bool mayExcludeIn(const std::vector<ExclusionPlanes>& volumes, const glm::dvec3& low, const glm::dvec3& high);
+
 bool isExcluded(const std::vector<ExclusionPlanes>& volumes, const glm::dvec3& position);
 
 } // namespace seaglass

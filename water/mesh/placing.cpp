@@ -1,5 +1,6 @@
 #include "water/mesh/placing.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -18,6 +19,15 @@ double pixelStep(const ViewGeometry& geometry) {
     const glm::dvec3 ahead(rows[3]), right = glm::dvec3(rows[0]) - middle.x * ahead,
                                      down = glm::dvec3(rows[1]) - middle.y * ahead;
     return 1 / std::sqrt(glm::length(glm::cross(right, down)));
+}
+
+/// Puts those that may be cut last, but where patches have an order; returns how many come before.
+template<typename Patch, typename MayBeCut>
+uint32_t uncutFirst(const MeshView& view, std::vector<Patch>& patches, MayBeCut&& mayBeCut) {
+    if (view.farthestFirst) return 0;
+    const auto cut = std::stable_partition(patches.begin(), patches.end(),
+                                           [&](const Patch& patch) { return !mayBeCut(patch); });
+    return static_cast<uint32_t>(cut - patches.begin());
 }
 
 void placeCells(uint32_t across, PlacedMesh& out) {
@@ -88,28 +98,50 @@ double Placing::cellNearEye(const ViewGeometry& geometry) const {
     return hostMesh || geometry.parallel ? asked : seaglass::cellNearEye(displacement, asked);
 }
 
-Status Placing::place(Context& context, const MeshView& view, PlacedMesh& out) {
-    out.instanceCount = 0;
+Status Placing::place(Context& context, const MeshView& view, const std::vector<ExclusionPlanes>& volumes,
+                      PlacedMesh& out) {
+    out.instanceCount = out.uncut = 0;
     if (hostMesh) {
         placeHostMesh(view, out);
         return Status::ok;
     }
     out.indices = indices->buffer.handle();
-    return outline ? placeOutlined(context, view, out) : placePatches(context, view, out);
+    return outline ? placeOutlined(context, view, volumes, out) : placePatches(context, view, volumes, out);
 }
 
-Status Placing::placePatches(Context& context, const MeshView& view, PlacedMesh& out) {
-    placeCells(selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, patches), out);
+bool Placing::mayBeCut(const MeshView& view, const std::vector<ExclusionPlanes>& volumes,
+                       const MeshPatch& patch, uint32_t across) const {
+    if (volumes.empty()) return false;
+    if (patch.range < 0) return true; // drawn out to the horizon
+    const double edge = double{patch.cell} * across;
+    const double moved = view.displacement + 1e-3 * edge; // and what floats round
+    const glm::dvec2 corner(patch.corner[0], patch.corner[1]);
+    const glm::dvec2 farthest = glm::max(glm::abs(corner), glm::abs(corner + edge));
+    const double sunk = view.globe.dropAt(glm::dot(farthest, farthest));
+    const glm::dvec2 low = view.eye + corner - moved, high = view.eye + corner + edge + moved;
+    return mayExcludeIn(volumes, {low.x, level - moved - sunk, low.y}, {high.x, level + moved, high.y});
+}
+
+Status Placing::placePatches(Context& context, const MeshView& view,
+                             const std::vector<ExclusionPlanes>& volumes, PlacedMesh& out) {
+    const uint32_t across = selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, patches);
+    placeCells(across, out);
     out.instanceCount = static_cast<uint32_t>(patches.size());
+    out.uncut = uncutFirst(view, patches,
+                           [&](const MeshPatch& patch) { return mayBeCut(view, volumes, patch, across); });
     return patches.empty() ? Status::ok : context.frame().uploadInRow(out.patches, patches);
 }
 
-Status Placing::placeOutlined(Context& context, const MeshView& view, PlacedMesh& out) {
-    placeCells(selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, *outline,
-                             pinnedWithin(displacement), outlined),
-               out);
+Status Placing::placeOutlined(Context& context, const MeshView& view,
+                              const std::vector<ExclusionPlanes>& volumes, PlacedMesh& out) {
+    const uint32_t across = selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, *outline,
+                                          pinnedWithin(displacement), outlined);
+    placeCells(across, out);
     out.instanceCount = static_cast<uint32_t>(outlined.patches.size());
     if (outlined.patches.empty()) return Status::ok;
+    out.uncut = uncutFirst(view, outlined.patches, [&](const OutlinedPatch& patch) {
+        return mayBeCut(view, volumes, patch.patch, across);
+    });
     if (const Status s = context.frame().uploadInRow(out.patches, outlined.patches); s != Status::ok)
         return s;
     const std::array box = {outline->boxFrom(view.eye).packed()};

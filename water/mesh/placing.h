@@ -8,6 +8,7 @@
 #include "gpu/context.h"
 #include "gpu/view/view.h"
 #include "seaglass/water.h"
+#include "water/body/exclusion_volumes.h"
 #include "water/mesh/extent.h"
 #include "water/mesh/globe.h"
 #include "water/mesh/host_mesh.h"
@@ -31,6 +32,7 @@ struct PlacedMesh {
     uint32_t firstIndex = 0;
     uint32_t indexCount = 0;
     uint32_t instanceCount = 0;
+    uint32_t uncut = 0; ///< of these, the first that no exclusion volume reaches into
 };
 
 /// The index buffer that every patch of every body is drawn with.
@@ -63,11 +65,17 @@ struct Placing {
     /// Whether a point lies over what the body covers.
     bool covers(const glm::dvec3& point) const { return !outline || outline->contains({point.x, point.z}); }
     /// What is to be drawn: no instance when the view sees nothing of the body.
-    Status place(Context& context, const MeshView& view, PlacedMesh& out);
+    Status place(Context& context, const MeshView& view, const std::vector<ExclusionPlanes>& volumes,
+                 PlacedMesh& out);
 
   private:
-    Status placePatches(Context& context, const MeshView& view, PlacedMesh& out);
-    Status placeOutlined(Context& context, const MeshView& view, PlacedMesh& out);
+    /// Whether a volume may reach into a patch of cells so many across, as waves move it.
+    bool mayBeCut(const MeshView& view, const std::vector<ExclusionPlanes>& volumes, const MeshPatch& patch,
+                  uint32_t across) const;
+    Status placePatches(Context& context, const MeshView& view, const std::vector<ExclusionPlanes>& volumes,
+                        PlacedMesh& out);
+    Status placeOutlined(Context& context, const MeshView& view, const std::vector<ExclusionPlanes>& volumes,
+                         PlacedMesh& out);
     void placeHostMesh(const MeshView& view, PlacedMesh& out) const;
 };
 

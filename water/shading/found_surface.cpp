@@ -68,6 +68,14 @@ Status buildPipeline(const gpu::Device& device, const TargetDesc& target, const 
     return buildMeshPipeline(device, target, fragment, variant.surface, "found surface pipeline", out);
 }
 
+Status getFound(FoundPass& pass, const FoundVariant& variant, const DrawPipeline*& uncut,
+                const DrawPipeline*& cut) {
+    FoundVariant whole = variant;
+    whole.surface.exclusionVolumes = 0;
+    if (const Status s = pass.pipelines.get(whole, uncut); s != Status::ok) return s;
+    return pass.pipelines.get(variant, cut);
+}
+
 FoundPass::~FoundPass() {
     if (device) device->vk().DestroyRenderPass(device->handle(), renderPass, device->allocator());
 }
@@ -179,13 +187,18 @@ Status FoundSurface::record(Context& context, VkCommandBuffer commands, FoundPas
                             const FoundVariant& variant, const PlacedMesh& mesh, const Resources& resources,
                             const ViewDesc& view, const ViewGeometry& geometry) const {
     const gpu::Device& device = context.device;
-    const DrawPipeline* pipeline = nullptr;
-    if (const Status s = pass.pipelines.get(variant, pipeline); s != Status::ok) return s;
+    const DrawPipeline *uncut = nullptr, *cut = nullptr;
+    if (const Status s = getFound(pass, variant, uncut, cut); s != Status::ok) return s;
     ViewGeometry own = geometry;
     own.regionOrigin = {0, 0};
     begin(commands, pass, extentOf(geometry));
     setViewport(device, commands, withoutOrigin(view, geometry), own);
-    const Status drawn = recordSurface(context, commands, *pipeline, mesh, resources, view.viewIndex);
+    const auto draw = [&](const DrawPipeline& pipeline, Instances drawn) {
+        if (drawn.count == 0) return Status::ok;
+        return recordSurface(context, commands, pipeline, mesh, drawn, resources, view.viewIndex);
+    };
+    Status drawn = draw(*uncut, {0, mesh.uncut});
+    if (drawn == Status::ok) drawn = draw(*cut, {mesh.uncut, mesh.instanceCount - mesh.uncut});
     device.vk().CmdEndRenderPass(commands);
     VkImageMemoryBarrier2 after[] = {
         gpu::imageBarrier(beside_.handle(), gpu::drawnColor, gpu::sampledByShaders),

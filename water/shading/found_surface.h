@@ -35,6 +35,11 @@ struct FoundPass {
     Status create(Context& context, VkFormat keptBeside);
 };
 
+/// For what no exclusion volume reaches into, most of the surface, and for the rest: testing for volumes
+/// costs more than all else of finding it.
+Status getFound(FoundPass& pass, const FoundVariant& variant, const DrawPipeline*& uncut,
+                const DrawPipeline*& cut);
+
 /// What all bodies of a context share.
 struct FoundPasses {
     FoundPass places, motion;

@@ -220,8 +220,8 @@ Status ShadingPart::placeSamples(Body& body, const DrawCall& call, SeenSurface& 
     if (const Status s = bindBody(body, seen.view, seen.block, resources); s != Status::ok) return s;
     bindPicture(context, picture, output, resources);
     setViewport(context.device, call.commands, call.view, seen.view.geometry);
-    return recordSurface(context, call.commands, *pipeline, seen.mesh, std::move(resources),
-                         call.view.viewIndex);
+    return recordSurface(context, call.commands, *pipeline, seen.mesh, {0, seen.mesh.instanceCount},
+                         std::move(resources), call.view.viewIndex);
 }
 
 Status ShadingPart::prepareShading(const Body& body, const PrepareCall& call, SurfaceVariant& variant) const {
@@ -241,8 +241,8 @@ Status ShadingPart::prepareShading(const Body& body, const PrepareCall& call, Su
 Status ShadingPart::prepare(const Body& body, const PrepareCall& call) const {
     SurfaceVariant variant;
     if (const Status s = prepareShading(body, call, variant); s != Status::ok) return s;
-    const DrawPipeline* pipeline = nullptr;
-    if (const Status s = passes_->of(call.output).pipelines.get(foundVariant(variant), pipeline);
+    const DrawPipeline *pipeline = nullptr, *cut = nullptr;
+    if (const Status s = getFound(passes_->of(call.output), foundVariant(variant), pipeline, cut);
         s != Status::ok)
         return s;
     Target& target = call.target;

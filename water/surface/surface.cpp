@@ -30,7 +30,8 @@ Status buildMeshPipeline(const gpu::Device& device, const TargetDesc& target,
 }
 
 Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,
-                     const PlacedMesh& mesh, std::vector<gpu::Bound> resources, uint32_t viewIndex) {
+                     const PlacedMesh& mesh, Instances drawn, std::vector<gpu::Bound> resources,
+                     uint32_t viewIndex) {
     resources.push_back({meshBinding, mesh.patches});
     resources.push_back({extentBinding, mesh.extent});
     VkDescriptorSet set = VK_NULL_HANDLE;
@@ -40,7 +41,7 @@ Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipel
     const gpu::DeviceTable& vk = context.device.vk();
     bindDraw(context.device, commands, pipeline, set, viewIndex);
     vk.CmdBindIndexBuffer(commands, mesh.indices, 0, mesh.indexType);
-    vk.CmdDrawIndexed(commands, mesh.indexCount, mesh.instanceCount, mesh.firstIndex, 0, 0);
+    vk.CmdDrawIndexed(commands, mesh.indexCount, drawn.count, mesh.firstIndex, 0, drawn.first);
     return Status::ok;
 }
 

@@ -43,8 +43,14 @@ Status buildMeshPipeline(const gpu::Device& device, const TargetDesc& target,
                          std::span<const uint32_t> fragment, const SurfaceVariant& variant, const char* what,
                          DrawPipeline& out);
 
+/// Those of a mesh that a draw takes.
+struct Instances {
+    uint32_t first = 0, count = 0;
+};
+
 /// `resources`: all that some pipeline's shaders read, but for the mesh.
 Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,
-                     const PlacedMesh& mesh, std::vector<gpu::Bound> resources, uint32_t viewIndex);
+                     const PlacedMesh& mesh, Instances drawn, std::vector<gpu::Bound> resources,
+                     uint32_t viewIndex);
 
 } // namespace seaglass
