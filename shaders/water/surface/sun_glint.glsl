@@ -44,12 +44,17 @@ float sunClear(vec3 toSun, vec2 slope, WavesAhead ahead) {
     return clearShare(max(toSun.y, 1e-3), dot(slope, horizontal(toSun)), ahead);
 }
 
-// Still water mirrors the disc as it is. Likewise a share.
-float glintOfStillWater(const SurfacePoint s, vec3 toEye) {
-    const float squaredRadius = 2.16e-5;   // of 0.00465 rad
+// Still water mirrors the disc as it is.
+const float squaredRadius = 2.16e-5;   // of 0.00465 rad
+
+bool mirrorsTheDisc(const SurfacePoint s, vec3 toEye) {
     vec3 off = vec3(-toEye.x, toEye.y, -toEye.z) - sunDirection(s);
-    if (sunDirection(s).y <= 0.0 || dot(off, off) > squaredRadius) return 0.0;
-    return s.sunSeen * mirroredShare(toEye.y) / (pi * squaredRadius);
+    return sunDirection(s).y > 0.0 && dot(off, off) <= squaredRadius;
+}
+
+// Likewise a share.
+float glintOfStillWater(const SurfacePoint s, vec3 toEye) {
+    return mirrorsTheDisc(s, toEye) ? s.sunSeen * mirroredShare(toEye.y) / (pi * squaredRadius) : 0.0;
 }
 
 float sunGlint(const SurfacePoint s, vec3 toEye, bool sparkles) {

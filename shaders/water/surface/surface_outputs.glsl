@@ -80,7 +80,7 @@ vec4 shaded(SurfacePoint s, inout uint turn) {
     vec3 toEye = toEyeFrom(s);
     vec3 normal = normalOf(s.slope);
     if (surfaceOutput != outputShaded) return debugOutput(s, normal, toEye, turn);
-    if (hasSunShadow) s.sunSeen = sunSeenOver(s);
+    if (hasSunShadow) s.sunSeen = sunSeenOver(s, toEye);
     return vec4(radianceFrom(s, foamOn(s), normal, toEye, turn), 1.0);
 }
 

@@ -30,9 +30,18 @@
 #include "subsurface_scattering.glsl"
 #include "foam_cover.glsl"
 
+// Still water shows the sun only where it mirrors the disc. CPU devices look shadows up for all: for the rest at one place, which
+// their caches hold.
+float sunSeenInDisc(const SurfacePoint s, vec3 toEye) {
+    bool isDisc = mirrorsTheDisc(s, toEye);
+    if (!isDisc && !quadsInStep) return 1.0;
+    float seen = sunSeenAt(isDisc ? s.position : vec3(0.0));
+    return isDisc ? seen : 1.0;
+}
+
 // A mean over the pixel, by as many taps as its waves get.
-float sunSeenOver(const SurfacePoint s) {
-    if (!hasWaves) return sunSeenAt(s.position);
+float sunSeenOver(const SurfacePoint s, vec3 toEye) {
+    if (!hasWaves) return sunSeenInDisc(s, toEye);
     vec2 part = partOf(s.footprint);
     int parts = partsOfPixel();
     float sum = 0.0;
