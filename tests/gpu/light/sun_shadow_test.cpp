@@ -65,12 +65,14 @@ class SunShadows : public WaterTest {
         shadow_.layers[i] = 0;
     }
 
-    WaterPicture shaded(bool sun, bool shadow) {
+    WaterPicture shaded(bool sun, bool shadow) { return shaded(sun, shadow, overTheSea()); }
+
+    WaterPicture shaded(bool sun, bool shadow, const Camera& camera) {
         Body* const body = makeBody(desc_);
         LightingDesc given = lighting;
         if (!sun) std::fill_n(lighting.sunIrradiance, 3, 0.0f);
         lighting.shadow = shadow ? &shadow_ : nullptr;
-        WaterPicture p = picture({body}, overTheSea(), 40);
+        WaterPicture p = picture({body}, camera, 40);
         lighting = given;
         return p;
     }
@@ -143,6 +145,32 @@ TEST_F(SunShadows, EndWhereTexelsMeet) {
             ASSERT_NEAR((got.color[at] - dark.color[at]) / range, expected, 0.02) << x << ", " << y;
         }
     EXPECT_GT(compared, 200u);
+}
+
+// Shadows are looked up there alone.
+TEST_F(SunShadows, LieOnTheDiscThatStillWaterMirrors) {
+    desc_.waves = nullptr;
+    desc_.foam = nullptr;
+    desc_.refraction = nullptr;
+    const double low = 25 * std::numbers::pi / 180;
+    Camera camera = overTheSea();
+    camera.target = camera.eye + glm::dvec3(0, -std::sin(low), -std::cos(low));
+    camera.fovDegrees = 1.5;
+    setMap([](double u) { return u < 0.5 ? above : nothing; });
+    setCascade(0, 2);
+    const WaterPicture lit = shaded(true, false, camera), dark = shaded(false, false, camera),
+                       got = shaded(true, true, camera);
+    size_t darker = 0, asBright = 0;
+    for (uint32_t y = 0; y < got.height; ++y)
+        for (uint32_t x = 0; x < got.width; ++x) {
+            const size_t at = (size_t{y} * got.width + x) * 4;
+            const double aside = worldAt(camera, got, x, y).x;
+            if (std::abs(aside) < 0.05) continue; // the map's texels
+            ASSERT_EQ(got.color[at], (aside < 0 ? dark : lit).color[at]) << x << ", " << y;
+            if (lit.color[at] > dark.color[at]) ++(aside < 0 ? darker : asBright);
+        }
+    EXPECT_GT(darker, 200u);
+    EXPECT_GT(asBright, 200u);
 }
 
 /// Steep, so that its own axes have the shadow's edge metres away from where the world's have it.
