@@ -23,7 +23,6 @@ struct Box {
 struct Item {
     const Face* face;
     glm::dvec3 normal;
-    double area;
     Box box;
 };
 
@@ -59,9 +58,24 @@ Polygon over(const Item& a, const Item& b) {
     return left;
 }
 
+/// A box around items `first` to `end`, and which two parts of it have a half of them each.
+struct Node {
+    size_t first, end;
+    Box box;
+    size_t halves[2] = {0, 0}; ///< none where there are few
+
+    bool isLeaf() const { return !halves[1]; }
+};
+
+/// A tree of boxes over the faces: what is apart is told so whatever its size, a leaf or a hill on the
+/// horizon.
 struct Search {
     double gap, area;
+    std::vector<Item> items;
+    std::vector<Node> nodes;
     std::vector<Overlap> found;
+
+    static constexpr size_t few = 8; ///< items that are compared with each other one by one
 
     void compare(const Item& a, const Item& b) {
         if (glm::dot(a.normal, b.normal) < 0.9 || !a.box.meets(b.box, gap)) return;
@@ -74,48 +88,63 @@ struct Search {
             found.push_back({{a.face->source, b.face->source}, covered, shared.front(), a.normal});
     }
 
-    /// Those that reach into `cell`; a pair belongs to the cell in which its common box begins.
-    void within(const std::vector<Item>& items, const Box& cell, int depth) {
-        if (items.size() > 24 && depth < 40) return split(items, cell, depth);
-        for (size_t i = 0; i < items.size(); ++i)
-            for (size_t j = 0; j < i; ++j) {
-                const glm::dvec3 begins = glm::max(items[i].box.low, items[j].box.low);
-                if (glm::all(glm::greaterThanEqual(begins, cell.low)) &&
-                    glm::all(glm::lessThan(begins, cell.high)))
-                    compare(items[i], items[j]);
-            }
+    size_t addNode(size_t first, size_t end) {
+        const size_t index = nodes.size();
+        Box box = items[first].box;
+        for (size_t i = first + 1; i < end; ++i)
+            box = {glm::min(box.low, items[i].box.low), glm::max(box.high, items[i].box.high)};
+        nodes.push_back({first, end, box});
+        if (end - first <= few) return index;
+        const glm::dvec3 size = box.high - box.low;
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const size_t middle = (first + end) / 2;
+        const auto at = [&](size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+        std::nth_element(at(first), at(middle), at(end), [&](const Item& a, const Item& b) {
+            return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis];
+        });
+        const size_t low = addNode(first, middle), high = addNode(middle, end);
+        nodes[index].halves[0] = low, nodes[index].halves[1] = high;
+        return index;
     }
 
-    void split(const std::vector<Item>& items, const Box& cell, int depth) {
-        const glm::dvec3 size = cell.high - cell.low;
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        Box halves[] = {cell, cell};
-        halves[0].high[axis] = halves[1].low[axis] = cell.low[axis] + 0.5 * size[axis];
-        for (const Box& half : halves) {
-            std::vector<Item> reaching;
-            std::ranges::copy_if(items, std::back_inserter(reaching),
-                                 [&](const Item& item) { return item.box.meets(half, gap); });
-            within(reaching, half, depth + 1);
+    void within(const Node& node) {
+        if (node.isLeaf()) {
+            for (size_t i = node.first; i < node.end; ++i)
+                for (size_t j = node.first; j < i; ++j) compare(items[i], items[j]);
+            return;
         }
+        for (const size_t half : node.halves) within(nodes[half]);
+        between(nodes[node.halves[0]], nodes[node.halves[1]]);
+    }
+
+    void between(const Node& a, const Node& b) {
+        if (!a.box.meets(b.box, gap)) return;
+        if (a.isLeaf() && b.isLeaf()) {
+            for (size_t i = a.first; i < a.end; ++i)
+                for (size_t j = b.first; j < b.end; ++j) compare(items[i], items[j]);
+            return;
+        }
+        const bool splitA = a.end - a.first > b.end - b.first;
+        const Node &whole = splitA ? a : b, &other = splitA ? b : a;
+        for (const size_t half : whole.halves) between(nodes[half], other);
     }
 };
 
 } // namespace
 
 std::vector<Overlap> coplanarOverlaps(const std::vector<Face>& faces, double gap, double area) {
-    std::vector<Item> items;
-    Box all = {glm::dvec3(1e300), glm::dvec3(-1e300)};
+    Search search{gap, area, {}, {}, {}};
     for (const Face& face : faces) {
         const auto& [a, b, c] = face.corners;
         const glm::dvec3 twice = glm::cross(b - a, c - a);
         const double length = glm::length(twice);
         if (0.5 * length <= area) continue;
         const Box box = {glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)};
-        items.push_back({&face, twice / length, 0.5 * length, box});
-        all = {glm::min(all.low, box.low), glm::max(all.high, box.high + 1.0)};
+        search.items.push_back({&face, twice / length, box});
     }
-    Search search{gap, area, {}};
-    if (!items.empty()) search.within(items, all, 0);
+    if (search.items.empty()) return {};
+    search.addNode(0, search.items.size());
+    search.within(search.nodes[0]);
     return search.found;
 }
 

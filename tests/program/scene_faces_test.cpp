@@ -160,4 +160,17 @@ TEST(CoplanarFaces, AreFoundOnceAmongMany) {
     EXPECT_EQ(tests::coplanarOverlaps(faces, gap, area).size(), 100u);
 }
 
+// As land that goes on to the horizon, beside what grows on it.
+TEST(CoplanarFaces, AreFoundAmongFacesOfAnySize) {
+    std::vector<Face> faces;
+    const auto add = [&](double size, glm::dvec3 moved) {
+        Face face = half(0);
+        for (glm::dvec3& corner : face.corners) corner = size * corner + moved;
+        faces.push_back(face);
+    };
+    for (int i = 0; i < 20000; ++i) add(0.02, {0, 0.02 * (i / 100), 0.02 * (i % 100)});
+    for (const double height : {1.0, 5.0}) add(8e4, {-2e4, height, -2e4});
+    EXPECT_EQ(tests::coplanarOverlaps(faces, gap, area).size(), 100u);
+}
+
 } // namespace
