@@ -104,7 +104,7 @@ TEST_F(Caustics, FallWhereTheWavesSendTheLight) {
         std::vector<HeightSample> samples(points.size() / 2);
         sampleHeights(*grid, points.data(), samples.size(), samples.data());
         const glm::dvec3 down(-lighting.toSun[0], -lighting.toSun[1], -lighting.toSun[2]);
-        std::vector<double> fallen(cells * cells), drawn(cells * cells);
+        std::vector<double> fallen(cells * cells);
         for (size_t i = 0; i < samples.size(); ++i) {
             const glm::dvec3 normal(samples[i].normal[0], samples[i].normal[1], samples[i].normal[2]);
             const double cosine = -glm::dot(down, normal), ratio = 1 / 1.333;
@@ -118,21 +118,32 @@ TEST_F(Caustics, FallWhereTheWavesSendTheLight) {
             fallen[static_cast<size_t>(z * cells) * cells + static_cast<size_t>(x * cells)] +=
                 cosine / normal.y;
         }
-        for (uint32_t y = 0; y < 256; ++y)
-            for (uint32_t x = 0; x < 256; ++x) {
-                const glm::dvec3 ray = rayThrough(above(-depth), x, y);
-                const double u = ray.x / -ray.y * 40 / side + 0.5, v = ray.z / -ray.y * 40 / side + 0.5;
-                const auto at = [](double c) {
-                    return static_cast<size_t>(std::clamp(c * cells, 0.0, cells - 1.0));
-                };
-                drawn[at(v) * cells + at(u)] += light[size_t{y} * 256 + x];
-            }
-        const double meanFallen = meanOf(fallen), meanDrawn = meanOf(drawn);
+        // Of all that is drawn, or of the picture moved by so many pixels.
+        const auto drawnBy = [&](int right, int down) {
+            std::vector<double> drawn(cells * cells);
+            for (int y = 0; y < 256; ++y)
+                for (int x = 0; x < 256; ++x) {
+                    const int fromX = std::clamp(x - right, 0, 255), fromY = std::clamp(y - down, 0, 255);
+                    drawn[static_cast<size_t>(y * cells / 256 * cells + x * cells / 256)] +=
+                        light[static_cast<size_t>(fromY * 256 + fromX)];
+                }
+            return drawn;
+        };
+        const std::vector<double> drawn = drawnBy(0, 0);
         const double correlation = correlationOf(fallen, drawn);
-        std::printf("correlation with photons %.3f\n", correlation);
-        const double contrast = deviationOf(drawn) / meanDrawn / (deviationOf(fallen) / meanFallen);
-        std::printf("contrast %.3f of theirs\n", contrast);
+        // By the parabola through three correlations [pixel].
+        const auto offBy = [&](int right, int down) {
+            const double more = correlationOf(fallen, drawnBy(right, down)),
+                         less = correlationOf(fallen, drawnBy(-right, -down));
+            return (right + down) * (less - more) / (2 * (2 * correlation - more - less));
+        };
+        const double offX = offBy(4, 0), offY = offBy(0, 4);
+        const double contrast = deviationOf(drawn) / meanOf(drawn) / (deviationOf(fallen) / meanOf(fallen));
+        std::printf("correlation with photons %.3f, off by %.2f %.2f pixels, contrast %.3f of theirs\n",
+                    correlation, offX, offY, contrast);
         EXPECT_GT(correlation, 0.93);
+        EXPECT_NEAR(offX, 0, 0.25);
+        EXPECT_NEAR(offY, 0, 0.25);
         EXPECT_NEAR(contrast, 1, 0.2);
     }
 }

@@ -288,6 +288,43 @@ TEST_F(Spray, IsAVeil) {
     EXPECT_LT(sum, 0.31); // 0.297 today, 0.323 where the densest are no wider
 }
 
+// A cloud right before the eye would hide half of the picture. Elsewhere a metre of the way holds about as
+// much as another.
+TEST_F(Spray, IsNoCloudRightBeforeTheEye) {
+    // Of what lies between, the share of the air that it hides.
+    const auto hiddenBetween = [&](double near, double far) {
+        Camera camera = camera_;
+        camera.near = near;
+        camera.far = far;
+        double sum = 0;
+        for (const double place : {111.0, 333.0, 610.0, 777.0}) {
+            camera.eye = {place, 2, 0};
+            camera.target = {place, 3, -20};
+            const WaterPicture p = drawn(true, 12, camera);
+            for (size_t i = 0; i < p.color.size(); i += 4)
+                if (p.color[i] < 0) sum += 1 - double{p.color[i]} / double{WaterPicture::untouched};
+        }
+        return sum / (4.0 * camera.width * camera.height);
+    };
+    const double before = hiddenBetween(0.1, 4), beyond = hiddenBetween(9, 12);
+    std::printf("%.5f of the picture up to 4 m, %.5f from 9 to 12 m\n", before, beyond);
+    EXPECT_GT(beyond, 5e-4);
+    EXPECT_LT(before, 0.4 * beyond);
+}
+
+// Where nothing else is seen through it.
+TEST_F(Spray, IsLostInThickFog) {
+    const double clear = spread(12, camera_).mean;
+    FogDesc fog;
+    fog.density = 1;
+    for (float& channel : fog.color) channel = 0.3f;
+    lighting.fog = &fog;
+    const double foggy = spread(12, camera_).mean;
+    std::printf("%.5f of the sky's light, %.6f in fog\n", clear, foggy);
+    EXPECT_GT(clear, 0.005);
+    EXPECT_LT(foggy, 0.01 * clear);
+}
+
 TEST_F(Spray, IsHiddenByWhatIsNearer) {
     const auto hiding = [&](bool sprays) {
         Body* const other = makeBody(described(sprays));
