@@ -55,6 +55,31 @@ TEST(Outliers, AreNoEdgesThatMove) {
     EXPECT_EQ(demos::findOutliers(sunlit().view(), picture.view()).pixels, 0u);
 }
 
+// Bright pixels that move by one to any side, over an even ground.
+TEST(Outliers, AreNoPointsThatMove) {
+    const auto withPoint = [](int x, int y) {
+        Painted picture = harbour();
+        std::fill_n(&picture.at(x, y, 0), 3, 500.0f);
+        return picture;
+    };
+    const Painted before = withPoint(40, 30);
+    for (int down = -1; down <= 1; ++down)
+        for (int right = -1; right <= 1; ++right)
+            EXPECT_EQ(demos::findOutliers(before.view(), withPoint(40 + right, 30 + down).view()).pixels, 0u)
+                << right << ' ' << down;
+    EXPECT_EQ(demos::findOutliers(before.view(), withPoint(42, 30).view()).pixels, 2u);
+}
+
+// What is no brighter than the picture at large is nothing that eyes fall on.
+TEST(Outliers, AreNotInTheDark) {
+    Painted dark = harbour();
+    for (int y = 20; y < 30; ++y)
+        for (int x = 60; x < 70; ++x) std::fill_n(&dark.at(x, y, 0), 3, 1e-4f);
+    Painted test = dark;
+    std::fill_n(&test.at(65, 25, 0), 3, 1e-3f);
+    EXPECT_EQ(demos::findOutliers(dark.view(), test.view()).pixels, 0u);
+}
+
 TEST(Alpha, ThatIsLostIsNamed) {
     Painted clear = harbour();
     for (int y = 0; y < 6; ++y)

@@ -44,7 +44,6 @@ void main() {
     float torn = smoothstep(0.35, mix(0.8, 0.65, texture_.w), noise + 0.2 * (rim - 0.6));
     float depth = light.w * rim * rim * 2.4 * torn;
     float hides = 1.0 - exp(-depth);
-    // What shows through dims as light does.
-    if (targetIsEncoded) hides = 1.0 - heldGrowth(vec3(1.0 - hides)).x;
+    // Of encoded colour as much: clouds are brighter than the sea, and what they send counts, not what they dim.
     outColor = vec4(heldOf(light.rgb, targetIsEncoded), hides);
 }

@@ -59,6 +59,12 @@ class SurfaceTilesTest : public WaterTest, public testing::WithParamInterface<Pl
 
     void shadeOneOf(uint32_t pixels) { body_.shading.pixelsPerShading = pixels; }
     void narrowByOne() { --camera_.width; }
+    /// So low that a crest may pass the lens.
+    void diveWhereWavesMay() {
+        body_.underwater = &underwater_;
+        camera_.eye.y = 0.2;
+        camera_.target.y = 0;
+    }
 
     WaterPicture shadedBy(bool sorted, bool bySteps = false) {
         shown_ = makeBody(body_);
@@ -81,6 +87,7 @@ class SurfaceTilesTest : public WaterTest, public testing::WithParamInterface<Pl
     FoamDesc foam_;
     RefractionDesc refraction_;
     ReflectionDesc reflection_;
+    UnderwaterDesc underwater_;
     BodyDesc body_;
     Camera camera_;
     Body* shown_ = nullptr;
@@ -140,6 +147,16 @@ TEST_P(SurfaceTilesTest, HoldEachTileOnceInTheOrderOfRows) {
     }
 }
 
+class ViewsOfBothSides : public SurfaceTilesTest {};
+
+/// Which the rest would shade in as many registers as one kernel for all: no image is made for steps.
+TEST_P(ViewsOfBothSides, TakeNoSteps) {
+    diveWhereWavesMay();
+    const WaterPicture atOnce = shadedBy(true), bySteps = shadedBy(true, true);
+    EXPECT_EQ(shaded().mirrored.handle(), VK_NULL_HANDLE);
+    EXPECT_EQ(std::memcmp(atOnce.color.data(), bySteps.color.data(), atOnce.color.size() * sizeof(float)), 0);
+}
+
 const Place places[] = {
     {"Level", [](Camera&, BodyDesc&) {}, 60},
     {"Rolled", [](Camera& c, BodyDesc&) { c.rollDegrees = 30; }, 1},
@@ -160,6 +177,8 @@ const Place places[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Every, SurfaceTilesTest, testing::ValuesIn(places),
+                         [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(Every, ViewsOfBothSides, testing::Values(places[0]),
                          [](const auto& each) { return std::string(each.param.name); });
 
 } // namespace

@@ -312,6 +312,28 @@ TEST_F(Spray, IsNoCloudRightBeforeTheEye) {
     EXPECT_LT(before, 0.4 * beyond);
 }
 
+// Blended as displays take colour, it sends nearly as much.
+TEST_F(Spray, SendsAsMuchLightIntoEncodedColor) {
+    const auto changeBy = [&](Encoding encoding) {
+        useEncoding(encoding);
+        const auto light = [&](float held) {
+            return encoding == Encoding::srgb && held > 0.04045f
+                       ? std::pow((double{held} + 0.055) / 1.055, 2.4)
+                       : double{held} / (encoding == Encoding::srgb ? 12.92 : 1);
+        };
+        double sum = 0;
+        for (const double time : {5.0, 12.0}) {
+            const WaterPicture with = drawn(true, time, camera_), without = drawn(false, time, camera_);
+            for (size_t i = 0; i < with.color.size(); i += 4)
+                if (without.covered(i / 4)) sum += light(with.color[i]) - light(without.color[i]);
+        }
+        return sum;
+    };
+    const double linear = changeBy(Encoding::linear), held = changeBy(Encoding::srgb);
+    std::printf("light of spray in encoded colour is %.3f of that in linear\n", held / linear);
+    EXPECT_NEAR(held / linear, 0.85, 0.25); // 0.35 where it hides as what sends no light
+}
+
 // Where nothing else is seen through it.
 TEST_F(Spray, IsLostInThickFog) {
     const double clear = spread(12, camera_).mean;

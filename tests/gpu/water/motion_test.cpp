@@ -131,6 +131,18 @@ TEST_F(Motion, LeavesJitterOutAndBeginsAnewAfterACut) {
                 });
 }
 
+TEST_F(Motion, IsNoneOfWhatWasBehindTheEye) {
+    Body* const body = makeBody(desc_);
+    motion(body, camera_, 0);
+    Camera turned = camera_;
+    turned.target = 2.0 * turned.eye - turned.target;
+    turned.target.y = camera_.target.y;
+    forEachNear(motion(body, turned, 0), turned,
+                [&](const glm::dvec2&, const glm::dvec3& world, const glm::dvec2& moved) {
+                    EXPECT_EQ(moved, glm::dvec2(0)) << world.x << ' ' << world.z;
+                });
+}
+
 TEST_F(Motion, CostsAMapOfWavesWhereItIsAskedForAlone) {
     makeBody({}); // what all bodies share
     addWaves();
