@@ -5,6 +5,7 @@
 // variance is the spectrum's.
 #pragma once
 
+#include "water/interface/sea_contents.h"
 #include "water/spectrum/wave_systems.h"
 
 #include <cstddef>
