@@ -60,7 +60,8 @@ def paint(x, y, z):
 def sheet(xs, zs):
     z, x = np.meshgrid(zs, xs, indexing="ij")
     y = height(x, z)
-    uv = np.stack([x, z], -1) / 1.9
+    aside = [1.3 * land.waves(x, z, seed, 24.0, 2) for seed in (27, 28)]  # [m]: repetitions stand in no rows
+    uv = (np.stack([x, z], -1) + np.stack(aside, -1)) / 1.9
     return shape.grid(np.stack([x, y, z], -1), paint(x, y, z), uv, shape.SMOOTH)
 
 
@@ -75,4 +76,4 @@ def sand(size=256):
     grains = texture.noise(size, 128, 71) - 0.5 + 0.7 * (texture.noise(size, 64, 72) - 0.5)
     hollows = sum(0.6**i * (texture.noise(size, 7 << i, 73 + i) - 0.5) for i in range(3))
     wind = np.sin(2 * np.pi * (9 * y + 2 * x) + 3.0 * (texture.noise(size, 5, 77) - 0.5) * 2)
-    return np.clip(0.86 + 0.16 * grains + 0.13 * hollows + 0.022 * wind, 0, 1)
+    return np.clip(0.86 + texture.withoutSlowParts(0.16 * grains + 0.13 * hollows, 8) + 0.022 * wind, 0, 1)

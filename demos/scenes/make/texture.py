@@ -36,6 +36,13 @@ def noise(size, cells, seed):
     ) * fy
 
 
+def withoutSlowParts(image, turns):
+    """Less what is longer than a tile over so many turns: from afar that is what shows that a tile repeats."""
+    size = len(image)
+    slow = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size)[None]) * size / turns
+    return np.fft.irfft2(np.fft.rfft2(image) * (1 - np.exp(-(slow**4))), image.shape)
+
+
 def wood(size=128):
     """Grain along v (down)."""
     fine = 0.5 * noise(size, (4, 64), 1) + 0.3 * noise(size, (8, 32), 2) + 0.2 * noise(size, (2, 16), 3)
