@@ -54,7 +54,8 @@ void lookAlongTheWind(const SeaDesc& desc, Breaking& breaking) {
 // threshold and so foams less.
 struct Variance {
     double compression = 0;
-    double whitecaps = 0; ///< of the compression, by the waves that make those that are seen: tells which count
+    double whitecaps =
+        0; ///< of the compression, by the waves that make those that are seen: tells which count
     double slopes = 0;
 };
 
@@ -150,7 +151,8 @@ Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
     breaking.count = variances.count;
     for (uint32_t c = 0; c < breaking.count; ++c) {
         const Variance& own = variances.of[c];
-        const double share = own.compression / variances.sum.compression, deviation = std::sqrt(own.compression);
+        const double share = own.compression / variances.sum.compression,
+                     deviation = std::sqrt(own.compression);
         breaking.share[c] = static_cast<float>(share);
         // Waves that are too long for this sea leave it to the others.
         const bool breaks = share > least;

@@ -228,8 +228,8 @@ class DriftingFoam {
   public:
     explicit DriftingFoam(float wind) : DriftingFoam(seaOf(wind)) {}
     explicit DriftingFoam(const SeaDesc& desc)
-        : sea_(makeSea(desc)),
-          state_(tests::builtBackend().create(*sea_), tests::builtBackend().destroy), foam_(*sea_, {}) {}
+        : sea_(makeSea(desc)), state_(tests::builtBackend().create(*sea_), tests::builtBackend().destroy),
+          foam_(*sea_, {}) {}
     /// Where foam has drifted to by then is where places lie from now on.
     void placeAt(int64_t step) {
         for (uint32_t c = 0; c < foam_.breaking().count; ++c)
@@ -375,7 +375,8 @@ TEST(WhitecapShapes, LargeWhitecapsOutlastSmallOnes) {
     EXPECT_LT(lasts[1], 4 * lasts[0]);
 }
 
-// A whitecap is torn by shorter waves as it is where all are on one tile: what is white 10 m downwind of foam.
+// A whitecap is torn by shorter waves as it is where all are on one tile: what is white 10 m downwind of
+// foam.
 TEST(WhitecapShapes, ShortWavesTearTheFoamOfLongOnes) {
     constexpr size_t points = 250;
     constexpr double apart = 2, downwind = 10; // [m]
