@@ -126,6 +126,21 @@ TEST_F(Render, AMeterExposesAnyLightAlike) {
     EXPECT_FALSE(tests::readAll(out("unmetered.png")) == tests::readAll(out("dim.png")));
 }
 
+// A scene's exposure is for its own light: by night's, noon is white.
+TEST_F(Render, AnotherHourIsMeteredUnlessItsExposureIsSaid) {
+    const auto meters = [&](std::vector<std::string> more) {
+        more.insert(more.end(), {"-o", "out/hour.png", "--supersample", "1"});
+        const Outcome outcome = render(more);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.out.find("metered") != std::string::npos;
+    };
+    EXPECT_FALSE(meters({}));
+    EXPECT_TRUE(meters({"--set", "sky.clear=true"}));
+    EXPECT_TRUE(meters({"--set", "sun.elevation_deg=5"}));
+    EXPECT_FALSE(meters({"--set", "sky.clear=true", "--set", "exposure_ev=2"}));
+    EXPECT_FALSE(meters({"--set", "sky.clear=true", "--plain"})) << "to be measured";
+}
+
 TEST_F(Render, TheSameCommandGivesTheSameBytes) {
     ASSERT_EQ(render({"-o", "out/a.exr", "--time", "7.25"}).code, 0);
     ASSERT_EQ(render({"-o", "out/b.exr", "--time", "7.25"}).code, 0);

@@ -52,8 +52,10 @@ void describePicture(CLI::App& command, Raw& raw) {
     command.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     describeScene(command, raw);
     describePlain(command, raw);
-    command.add_flag("--metered", raw.metered,
-                     "Expose PNGs as a camera's light meter would, whatever the scene's exposure_ev");
+    command.add_flag(
+        "--metered", raw.metered,
+        "Expose PNGs as a camera's light meter would, whatever the scene's exposure_ev; also if --set "
+        "says sky.clear or sun.elevation_deg, but not exposure_ev");
     command
         .add_option("-o,--output", raw.outputs,
                     "PNG (tone-mapped) or EXR (linear); may be given more than once")
@@ -147,6 +149,18 @@ bool isToLookAt(const RenderOptions& options) {
            std::ranges::all_of(options.outputs, isPng);
 }
 
+bool isSet(const std::vector<std::string>& overrides, std::string_view path) {
+    return std::ranges::any_of(overrides, [&](std::string_view said) {
+        return said.starts_with(path) && said.substr(path.size()).starts_with('=');
+    });
+}
+
+/// A scene is exposed for its own light, which is not that of another hour.
+bool isAnotherHour(const std::vector<std::string>& overrides) {
+    return (isSet(overrides, "sky.clear") || isSet(overrides, "sun.elevation_deg")) &&
+           !isSet(overrides, "exposure_ev");
+}
+
 bool check(const Raw& raw, RenderOptions& out, Error& error) {
     if (!checkScene(raw, "seaglass render SCENE.toml -o OUT.png", out, error)) return false;
     if (raw.outputs.empty()) return fail("no output, expected -o OUT.png or -o OUT.exr", error);
@@ -188,8 +202,8 @@ bool check(const Raw& raw, RenderOptions& out, Error& error) {
         return fail("--untimed and --stats exclude each other, expected one of them", error);
     out.stats = raw.stats;
     out.untimed = raw.untimed;
-    out.metered = raw.metered;
     out.lens = !raw.plain && isToLookAt(out);
+    out.metered = raw.metered || (out.lens && isAnotherHour(out.overrides));
     return checkDevice(raw, out, error);
 }
 
