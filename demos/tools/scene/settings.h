@@ -44,7 +44,8 @@ constexpr std::string_view unitInKeys(std::string_view unit) {
 /// name.
 constexpr Key keyOf(const seaglass::Field& field, size_t without) {
     Key key;
-    for (const char letter : std::string_view(field.name).substr(without)) {
+    const std::string_view name = field.name;
+    for (const char letter : name.substr(std::min(without, name.size()))) {
         const bool capital = letter >= 'A' && letter <= 'Z';
         if (capital && key.length > 0) key.add("_");
         const char small[] = {static_cast<char>(capital ? letter - 'A' + 'a' : letter), '\0'};
