@@ -57,6 +57,9 @@ struct BodyBlock {
                          // reflection_blur.glsl
     ivec4 glitter;      // the eye's (u, v) as they wrap [1/1024 m]; turns of a cell of a metre in a loop; now
     vec4 glitterShare;  // ShadingDesc's glitter
+    vec4 gusts;         // ShadingDesc's; slope variance along an axis that shelter takes; cells a metre
+    ivec4 gustCell[2];  // of two generations the cell that the eye is on, as it wraps; their bits
+    vec4 gustPlace[2];  // where on it [cells]; share of what shows
     float finestCell;   // edge [m]
     float halfMeniscus; // [m]
     float heightDeviation;      // of the waves [m]

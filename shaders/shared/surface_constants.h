@@ -38,3 +38,4 @@ CONSTANT(31, bool, quadsInStep, false)  // of kernels, where full subgroups hold
 CONSTANT(32, uint, pixelsPerShading, 1) // 1, 2 or 4 to one that is shaded
 CONSTANT(33, bool, hasGlitter, false)   // only with waves
 CONSTANT(34, uint, shadingStep, 0)      // water/shading/shaded_surface.h: ShadingStep
+CONSTANT(35, bool, hasGusts, false)     // only with waves

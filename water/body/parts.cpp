@@ -18,6 +18,7 @@ Part causticsPart();
 Part underwaterPart();
 Part shadingPart();
 Part glitterPart();
+Part gustsPart();
 Part sprayPart();
 
 std::span<const Part> parts() {
@@ -30,7 +31,8 @@ std::span<const Part> parts() {
         bedPart(),        refractionPart(),
         reflectionPart(), causticsPart(),
         underwaterPart(), shadingPart(),
-        glitterPart(),    sprayPart(),
+        glitterPart(),    gustsPart(),
+        sprayPart(),
     };
     return all;
 }

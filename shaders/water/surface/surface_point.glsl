@@ -3,6 +3,7 @@
 #ifndef SURFACE_POINT_GLSL
 #define SURFACE_POINT_GLSL
 
+#include "gusts.glsl"
 
 // What shading knows of a shore's bed, and of the trains that it guides: less than ShoreWave, since all of it is kept meanwhile.
 struct ShoreSeen {
@@ -125,6 +126,7 @@ float partOfAWave(float texels) {
 void findSlopes(inout SurfacePoint s, WaveGradient ofShore, vec3 unseenOfShore, inout uint turn) {
     s.slope = vec2(0.0);
     s.covariance = unresolvedSlopes();
+    if (hasGusts) s.covariance = roughenedByGusts(s.covariance, s.calm, s.footprint.reach);
     s.slopeStep = s.bounded = 0.0;
     s.compressed = vec2(0.0);
     if (!hasWaves) return;

@@ -68,6 +68,7 @@ struct ShadingDesc {
     uint32_t sprayParticles = 131072; ///< of spray in a view, at most, 1024..262144
     bool parallax = false; ///< shades waves too short for the mesh at their own height; not on a shore
     float glitter = 0;     ///< of slopes within a pixel, the share by which facets flash, 0..0.95; 0: a mean
+    float gusts = 0;       ///< cat's paws, dull patches that run with the wind, 0..1: as rough as open sea
     Fresnel fresnel = Fresnel::exact; ///< of what the eye sees; light for the bed enters by exact's share
     uint32_t pixelsPerShading = 1;    ///< to one that is shaded, 1, 2 or 4: others are as those beside them
 };

@@ -45,6 +45,8 @@ inline constexpr Field shadingFieldRows[] = {
     field<&ShadingDesc::glitter>(
         "glitter", 0, 0.95, "",
         "Share of the slopes within a pixel by which single facets flash; 0: a mean."),
+    field<&ShadingDesc::gusts>(
+        "gusts", 0, 1, "", "Of cat's paws, patches that gusts roughen and that run with the wind; 0: none."),
     field<&ShadingDesc::fresnel>("fresnel", fresnels, "What share of light is mirrored."),
     field<&ShadingDesc::pixelsPerShading>(
         "pixelsPerShading", 1, 4, "",
