@@ -4,9 +4,11 @@
 
 const float mostHeld = 60000.0;   // near what halves hold, with room for what is added
 
-// What is not finite is none, so that nothing is made of it.
+// What is not finite is none, so that nothing is made of it. Told by its bits, as drivers compare NaN as they like.
 vec3 finiteOf(vec3 held) {
-    return all(lessThan(abs(held), vec3(3e38))) ? clamp(held, -mostHeld, mostHeld) : vec3(0.0);
+    const uvec3 exponent = uvec3(0x7f800000u);
+    bool finite = all(notEqual(floatBitsToUint(held) & exponent, exponent));
+    return finite ? clamp(held, -mostHeld, mostHeld) : vec3(0.0);
 }
 
 vec3 linearOf(vec3 held, bool isEncoded) {

@@ -54,20 +54,4 @@ TEST(FromTheAirEverywhere, NoTileIsSeenToRepeat) {
         }
 }
 
-// Nightly. What is like itself 18 m on is a single whitecap with its plume. A sea whose waves all lie on one
-// tile, wider than the picture, repeats nowhere, and has whitecaps too.
-TEST(FromTheAirEverywhere, WhitecapsAreLittleLargerThanOnOneTile) {
-    double tiled = 0, untiled = 0;
-    for (const char* seed : {"1", "2", "3", "4", "5"}) {
-        std::vector<std::string> set = {"--set", std::string("water.waves.seed=") + seed};
-        tiled += repetitionFrom(500, set).most / 5;
-        for (const char* one : {"water.waves.cascades=1", "water.waves.largest_patch_m=1000",
-                                "water.waves.samples=1024", "water.waves.warp=0"})
-            set.insert(set.end(), {"--set", one});
-        untiled += repetitionFrom(500, set).most / 5;
-    }
-    std::printf("from 500 m %.3f in the mean, %.3f where all waves lie on one tile\n", tiled, untiled);
-    EXPECT_LT(tiled, 0.12);
-}
-
 } // namespace

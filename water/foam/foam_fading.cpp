@@ -6,9 +6,8 @@ namespace {
 // Of foam's decay time, that of its odds: fitted to Monahan and Zietlow's 3.85 s (docs/physics.md).
 constexpr double oddsToFoam = 0.38;
 constexpr double foamLifetime = 6; ///< in its decay times
-// Bubbles stay below for longer than foam above: our own measure, for "tens of seconds". What breaks in any
-// cascade renews a plume: two cascades leave as much of it as one does with three decay times.
-constexpr double plumeToFoam = 2.4;
+// Bubbles stay below for longer than foam above: our own measure, for "tens of seconds".
+constexpr double plumeToFoam = 3;
 constexpr double plumeLifetime = 3; ///< in its decay times
 
 /// To 1/e in so many steps, times the share; from `most`.

@@ -54,8 +54,7 @@ void lookAlongTheWind(const SeaDesc& desc, Breaking& breaking) {
 // threshold and so foams less.
 struct Variance {
     double compression = 0;
-    double whitecaps =
-        0; ///< of the compression, by the waves that make those that are seen: tells which count
+    double whitecaps = 0; ///< of the compression, by the waves that make those that are seen
     double slopes = 0;
 };
 
@@ -146,13 +145,12 @@ Breaking breakingInTheOpen(const Sea& sea, const FoamDesc& foam) {
     lookAlongTheWind(sea.desc, breaking);
     const Variances variances = variancesOf(sea, breaking);
     const double toBreak = deviationsToBreak(wind, sea.desc.warp > 0), choppiness = sea.desc.choppiness;
-    const double drawn = double{sea.desc.amplitude} * choppiness, all = std::sqrt(variances.sum.compression);
+    const double drawn = double{sea.desc.amplitude} * choppiness, all = std::sqrt(variances.sum.whitecaps);
     if (!(all > 0) || never * drawn * all < toBreak * all - bias) return breaking;
     breaking.count = variances.count;
     for (uint32_t c = 0; c < breaking.count; ++c) {
         const Variance& own = variances.of[c];
-        const double share = own.compression / variances.sum.compression,
-                     deviation = std::sqrt(own.compression);
+        const double share = own.whitecaps / variances.sum.whitecaps, deviation = std::sqrt(own.compression);
         breaking.share[c] = static_cast<float>(share);
         // Waves that are too long for this sea leave it to the others.
         const bool breaks = share > least;

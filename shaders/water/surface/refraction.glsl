@@ -187,7 +187,7 @@ BedTaps bedBeyondBorder(Behind inside, vec3 beyond, vec2 here, float least) {
     float radius = max(length(middle - middleOf(inside)), least);
     // Where a quad's mean is taken, each pixel of a tile looks at places of its own, in an order by which those beside each other differ
     // most: where all look at the same, what stands out there is drawn out to streaks.
-    float turned = least > sharpBed ? 0.5 * ldexp(float(bitfieldReverse(indexInTile())), -32) : 0.1;
+    float turned = least > sharpBed ? 0.5 * ldexp(float(bitfieldReverse(indexInTile())), -32) : 0.0;
     vec2 along = radius * cosineSine(turned);
     return BedTaps(true, p.w > 0.0 ? 4 : 0, middle, mat2(along, -along.y, along.x));
 }
@@ -202,39 +202,34 @@ vec2 tapOf(BedTaps taps, int i) {
     return isOutside && !taps.isBeyond ? taps.middle - off : pixel;
 }
 
-// Where nothing else shows, steep sides are better than one pixel's streak. A picture of the bed's own ends far from what is seen.
-const float ofSteepSides = hasBed ? 0.0 : 0.02;
-
-// How much a tap counts: what shows the bed as `b` does, `drop` metres below. Beyond the border what stands up from it is not
-// the bed; what lies lower than the last pixel before is, which may show a stone.
-float weightOf(const SurfacePoint s, BedTaps taps, Behind b, float drop, Behind there, vec2 pixel) {
-    if (!isBelowWater(s, there)) return 0.0;
-    if (!taps.isBeyond) return length(there.seen - b.seen) <= 0.5 * drop ? 1.0 : 0.0;
+// Whether a tap shows the bed as `b` does, `drop` metres below. Beyond the border what stands up from it is not the bed; what
+// lies lower than the last pixel before is, which may show a stone.
+bool showsSameBed(const SurfacePoint s, BedTaps taps, Behind b, float drop, Behind there, vec2 pixel) {
+    if (!isBelowWater(s, there)) return false;
+    if (!taps.isBeyond) return length(there.seen - b.seen) <= 0.5 * drop;
     bool standsUp = there.seen.y - b.seen.y >= 0.15 * (s.position.y - b.seen.y);
     vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - there.seen;
-    float rise = abs(step.y), run = length(step.xz);
-    if (standsUp || rise >= 2.0 * run) return 0.0;
-    return rise < 0.5 * run ? 1.0 : ofSteepSides;
+    return !standsUp && abs(step.y) < 0.5 * length(step.xz);
 }
 
-// The mean of what taps show.
 vec4 bedColorBy(const SurfacePoint s, BedTaps taps, Behind b, float drop) {
     vec4 sum = vec4(0.0);
     float weights = 0.0;
     Behind there = b;
-    float weight = taps.count > 0 ? 1e-3 : 1.0;
+    bool counts = true;
     int i = 0;
     // The bed's own pixel first, so that all share one copy of what looks colour up.
     [[dont_unroll]] do {
         vec4 color = bedColorOf(there);
+        float weight = i == 0 && taps.count > 0 ? 1e-3 : 1.0;
         // Without the second condition Mesa 22.3's llvmpipe adds to the sums of invocations that have left the loop.
-        if (weight > 0.0 && i <= taps.count) {
+        if (counts && i <= taps.count) {
             sum += weight * color;
             weights += weight;
         }
         vec2 pixel = tapOf(taps, i & 3);
         there = bedAt(pixel);
-        weight = weightOf(s, taps, b, drop, there, pixel);
+        counts = showsSameBed(s, taps, b, drop, there, pixel);
     } while (++i <= taps.count);
     return sum / weights;
 }

@@ -226,10 +226,9 @@ SeaDesc seaOf(float wind) {
 /// Foam of all cascades together, as it is where the water has drifted to that was at a place at first.
 class DriftingFoam {
   public:
-    explicit DriftingFoam(float wind) : DriftingFoam(seaOf(wind)) {}
-    explicit DriftingFoam(const SeaDesc& desc)
-        : sea_(makeSea(desc)), state_(tests::builtBackend().create(*sea_), tests::builtBackend().destroy),
-          foam_(*sea_, {}) {}
+    explicit DriftingFoam(float wind)
+        : sea_(makeSea(seaOf(wind))),
+          state_(tests::builtBackend().create(*sea_), tests::builtBackend().destroy), foam_(*sea_, {}) {}
     /// Where foam has drifted to by then is where places lie from now on.
     void placeAt(int64_t step) {
         for (uint32_t c = 0; c < foam_.breaking().count; ++c)
@@ -373,36 +372,6 @@ TEST(WhitecapShapes, LargeWhitecapsOutlastSmallOnes) {
     EXPECT_GT(all.size(), 40u);
     EXPECT_GT(lasts[1], 1.3 * lasts[0]);
     EXPECT_LT(lasts[1], 4 * lasts[0]);
-}
-
-// A whitecap is torn by shorter waves as it is where all are on one tile: what is white 10 m downwind of
-// foam.
-TEST(WhitecapShapes, ShortWavesTearTheFoamOfLongOnes) {
-    constexpr size_t points = 250;
-    constexpr double apart = 2, downwind = 10; // [m]
-    double products = 0, squares = 0;
-    for (const uint64_t seed : {1u, 2u, 3u, 4u}) {
-        SeaDesc desc = seaOf(10);
-        desc.largestPatch = points * apart;
-        desc.seed = seed;
-        DriftingFoam foam(desc);
-        foam.goTo(400);
-        foam.placeAt(400);
-        double sum = 0, square = 0, product = 0;
-        for (size_t i = 0; i < points * points; ++i) {
-            const double u = apart * static_cast<double>(i % points),
-                         v = apart * static_cast<double>(i / points);
-            const double here = foam.at(u, v);
-            sum += here;
-            square += here * here;
-            product += here * foam.at(u + downwind, v);
-        }
-        const double ofMean = sum * sum / static_cast<double>(points * points);
-        squares += square - ofMean;
-        products += product - ofMean;
-    }
-    std::printf("foam is like that 10 m downwind by %.3f\n", products / squares);
-    EXPECT_LT(products / squares, 0.17);
 }
 
 } // namespace
