@@ -9,6 +9,7 @@
 #include "water/body/body_block.h"
 #include "water/body/target.h"
 #include "water/interface/fields/water.h"
+#include "water/interface/wrapped_cell.h"
 
 namespace seaglass {
 
@@ -23,11 +24,6 @@ ViewPassVariant passVariant(const Body& body, ViewPass pass, bool straddles) {
             .straddles = straddles,
             .hasWaves = straddles && body.sea,
             .hasShore = straddles && body.sea && body.sea->shore};
-}
-
-/// As it wraps.
-int32_t wrappedCell(double cell) {
-    return static_cast<int32_t>(static_cast<uint32_t>(static_cast<uint64_t>(static_cast<int64_t>(cell))));
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "water/interface/wrapped_cell.h"
 #include "water/sea/phase.h"
 
 namespace seaglass {
@@ -19,8 +20,7 @@ float smooth(float x) {
 } // namespace
 
 int32_t foamGateCell(double tiles) {
-    const double whole = std::fmod(foamGateCells * std::floor(tiles), 0x1p32);
-    return static_cast<int32_t>(static_cast<uint32_t>(static_cast<int64_t>(whole)));
+    return wrappedCell(foamGateCells * std::floor(tiles));
 }
 
 FoamGate::FoamGate(const SeaDesc& sea, double time)

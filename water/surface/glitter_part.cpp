@@ -18,14 +18,7 @@ int32_t onLattice(double metres) {
 }
 
 struct GlitterPart {
-    double time = 0;
-
     static bool wanted(const BodyDesc& desc, const Sea* sea) { return sea && desc.shading.glitter > 0; }
-
-    Status simulate(Body&, VkCommandBuffer, double now) {
-        time = now;
-        return Status::ok;
-    }
 
     void fill(const Body& body, const BodyView& view, BodyBlock& block) const {
         const double loop = description(*body.sea).loopPeriod;
@@ -34,7 +27,7 @@ struct GlitterPart {
         const glm::dvec3& eye = view.geometry.eye;
         block.glitter = {onLattice(eye.x), onLattice(eye.z),
                          static_cast<int32_t>(frequencyIndex(omega, loop)),
-                         static_cast<int32_t>(loopPhase(time, loop))};
+                         static_cast<int32_t>(loopPhase(body.simulatedTime, loop))};
         block.glitterShare.x = body.shading.glitter;
     }
 

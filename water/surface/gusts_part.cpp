@@ -5,6 +5,7 @@
 #include "water/body/body.h"
 #include "water/body/part.h"
 #include "water/interface/sea_contents.h"
+#include "water/interface/wrapped_cell.h"
 
 namespace seaglass {
 
@@ -31,15 +32,8 @@ Generation generationAt(double time, double loop, int which) {
 }
 
 struct GustsPart {
-    double time = 0;
-
     static bool wanted(const BodyDesc& desc, const Sea* sea) {
         return sea && desc.shading.gusts > 0 && description(*sea).windSpeed > 0;
-    }
-
-    Status simulate(Body&, VkCommandBuffer, double now) {
-        time = now;
-        return Status::ok;
     }
 
     void fill(const Body& body, const BodyView& view, BodyBlock& block) const {
@@ -51,15 +45,11 @@ struct GustsPart {
         block.gusts = glm::vec4(body.shading.gusts, lacks, 1 / gustCell, 0);
         const glm::dvec2 eye(view.geometry.eye.x, view.geometry.eye.z);
         for (int i = 0; i < 2; ++i) {
-            const Generation now = generationAt(time, sea.loopPeriod, i);
+            const Generation now = generationAt(body.simulatedTime, sea.loopPeriod, i);
             const glm::dvec2 along(std::cos(towards), std::sin(towards));
             const glm::dvec2 cells = (eye - wind * now.since * along) / gustCell;
             const glm::dvec2 whole = glm::floor(cells);
-            const auto wrapped = [](double cell) {
-                return static_cast<int32_t>(
-                    static_cast<uint32_t>(static_cast<int64_t>(std::fmod(cell, 0x1p32))));
-            };
-            block.gustCell[i] = {wrapped(whole.x), wrapped(whole.y),
+            block.gustCell[i] = {wrappedCell(whole.x), wrappedCell(whole.y),
                                  static_cast<int32_t>(0x27d4eb2f * static_cast<uint32_t>(now.number)), 0};
             block.gustPlace[i] = glm::vec4(cells - whole, now.share, 0);
         }

@@ -149,16 +149,10 @@ bool isToLookAt(const RenderOptions& options) {
            std::ranges::all_of(options.outputs, isPng);
 }
 
-bool isSet(const std::vector<std::string>& overrides, std::string_view path) {
-    return std::ranges::any_of(overrides, [&](std::string_view said) {
-        return said.starts_with(path) && said.substr(path.size()).starts_with('=');
-    });
-}
-
 /// A scene is exposed for its own light, which is not that of another hour.
 bool isAnotherHour(const std::vector<std::string>& overrides) {
-    return (isSet(overrides, "sky.clear") || isSet(overrides, "sun.elevation_deg")) &&
-           !isSet(overrides, "exposure_ev");
+    return (sets(overrides, "sky.clear") || sets(overrides, "sun.elevation_deg")) &&
+           !sets(overrides, "exposure_ev");
 }
 
 bool check(const Raw& raw, RenderOptions& out, Error& error) {

@@ -4,6 +4,7 @@
 
 #include "host/water/quality.h"
 #include "program/render/output.h"
+#include "program/scene_options.h"
 #include "scene/reading/input_file.h"
 
 namespace demos {
@@ -17,12 +18,6 @@ bool canBeRead(const std::string& option, const fs::path& file, const std::strin
     if (why.empty()) return true;
     error.text = option + " " + file.string() + ": " + why + ", expected " + expected;
     return false;
-}
-
-bool sets(const std::vector<std::string>& overrides, const std::string& path) {
-    return std::any_of(overrides.begin(), overrides.end(), [&](const std::string& text) {
-        return text.starts_with(path + ".") || text.starts_with(path + "=");
-    });
 }
 
 /// What the quality sets, to go before the overrides that are given by hand.

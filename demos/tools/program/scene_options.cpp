@@ -1,5 +1,7 @@
 #include "program/scene_options.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 #include "host/water/quality.h"
@@ -76,6 +78,12 @@ bool checkScene(const RawScene& raw, const char* expected, RenderOptions& out, E
     out.mesh = raw.mesh;
     out.strict = raw.strict;
     return true;
+}
+
+bool sets(const std::vector<std::string>& overrides, const std::string& path) {
+    return std::ranges::any_of(overrides, [&](const std::string& text) {
+        return text.starts_with(path + ".") || text.starts_with(path + "=");
+    });
 }
 
 } // namespace demos

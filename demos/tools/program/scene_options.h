@@ -28,4 +28,7 @@ void describeQuality(CLI::App& command, RawScene& raw);
 /// `expected` is how the command is called.
 bool checkScene(const RawScene& raw, const char* expected, RenderOptions& out, Error& error);
 
+/// Whether some "path=value" is of this path, or of one within it.
+bool sets(const std::vector<std::string>& overrides, const std::string& path);
+
 } // namespace demos

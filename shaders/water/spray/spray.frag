@@ -6,7 +6,7 @@
 #include "constant.glsl"
 #include "spray_constants.h"
 #include "encoding.glsl"
-#include "spray_hash.glsl"
+#include "value_noise.glsl"
 
 layout(location = 0) in vec2 within;
 layout(location = 1) flat in vec4 light;
@@ -14,18 +14,9 @@ layout(location = 2) flat in vec4 texture_;
 layout(location = 3) flat in uint seed;
 layout(location = 0) out vec4 outColor;
 
-float cornerAt(ivec2 cell, uint of) {
-    return shareOf(scrambled(uint(cell.x) * 0x9e3779b9u ^ uint(cell.y) * 0x85ebca6bu ^ of));
-}
-
-// Smooth noise of mean 1/2, a unit from one corner to the next.
 float noiseAt(vec2 at, uint of) {
     vec2 whole = floor(at);
-    ivec2 cell = ivec2(whole);
-    vec2 past = at - whole;
-    past *= past * (3.0 - 2.0 * past);
-    return mix(mix(cornerAt(cell, of), cornerAt(cell + ivec2(1, 0), of), past.x),
-               mix(cornerAt(cell + ivec2(0, 1), of), cornerAt(cell + ivec2(1, 1), of), past.x), past.y);
+    return noiseWithin(ivec2(whole), at - whole, of);
 }
 
 // An octave that is finer than what shows is its mean.

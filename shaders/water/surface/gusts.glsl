@@ -5,13 +5,9 @@
 #define GUSTS_GLSL
 
 #include "body.glsl"
-#include "spray_hash.glsl"
+#include "value_noise.glsl"
 
 const float gustyShare = 0.27;   // of the water, in the mean
-
-float gustCorner(ivec2 cell, uint of) {
-    return shareOf(scrambled(uint(cell.x) * 0x9e3779b9u ^ uint(cell.y) * 0x85ebca6bu ^ of));
-}
 
 // Three octaves of mean 1/2, of which those too fine for `width` cells are that.
 float gustNoise(ivec4 from, vec2 at, float width) {
@@ -20,11 +16,8 @@ float gustNoise(ivec4 from, vec2 at, float width) {
     [[dont_unroll]] for (int i = 0; i < 3; ++i) {
         vec2 whole = floor(float(scale) * at);
         ivec2 cell = scale * from.xy + ivec2(whole);
-        vec2 past = float(scale) * at - whole;
-        past *= past * (3.0 - 2.0 * past);
-        float low = mix(gustCorner(cell, uint(from.z)), gustCorner(cell + ivec2(1, 0), uint(from.z)), past.x);
-        float high = mix(gustCorner(cell + ivec2(0, 1), uint(from.z)), gustCorner(cell + ivec2(1, 1), uint(from.z)), past.x);
-        sum += weight * (1.0 - smoothstep(0.5, 2.0, width * float(scale))) * (mix(low, high, past.y) - 0.5);
+        float noise = noiseWithin(cell, float(scale) * at - whole, uint(from.z));
+        sum += weight * (1.0 - smoothstep(0.5, 2.0, width * float(scale))) * (noise - 0.5);
         weight = i == 0 ? 0.3 : 0.2;
         scale *= 3;
     }

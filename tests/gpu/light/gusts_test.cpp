@@ -4,6 +4,7 @@
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/rig/water_rig.h"
+#include "tests/unit/sea/statistics.h"
 #include "water/interface/sea_contents.h"
 
 namespace {
@@ -39,12 +40,6 @@ class Gusts : public WaterTest {
         for (size_t i = 0; i < p.color.size(); i += 4)
             out.push_back(double{p.color[i + 2]} + double{p.color[i + 3]});
         return out;
-    }
-
-    static double meanOf(const std::vector<double>& values) {
-        double sum = 0;
-        for (const double value : values) sum += value / static_cast<double>(values.size());
-        return sum;
     }
 
     /// So many minutes, in each of which gusts are others.
