@@ -66,16 +66,69 @@ vec3 bentPerDepth(vec2 slope, vec3 toEye) {
     return bent / max(-bent.y, shallowest);
 }
 
-// The depth at which a ray that goes `perDepth` a metre down meets a bed that goes on beyond its last pixel, by its slope
-// there; `track` is the way of such rays on the screen, unit. Steps are no bed, nor are the sides of stones.
-float depthBeyond(const SurfacePoint s, Behind last, vec3 perDepth, vec2 track) {
-    Behind before = bedAt(middleOf(last) - 4.0 * track);
+// Whether the bed beyond the border goes on from a survey of what shows before it, rather than from the last pixel alone.
+const bool surveysBed = refractionSamples > 3;
+
+// A bed that goes on as a plane.
+struct BedPlane {
+    vec3 place;   // of it, relative to the eye
+    vec2 slope;
+};
+
+float heightAbove(BedPlane plane, vec3 place) {
+    return place.y - plane.place.y - dot(plane.slope, place.xz - plane.place.xz);
+}
+
+// The strides of a survey [pixels].
+float strideOnBed() {
+    return 0.06 * float(hasBed ? water.bedSize.y : regionSize().y);
+}
+
+// The median height of what shows at a pixel and beside it, across the track: a mast, a rope or a leaf is no bed.
+float heightAround(const SurfacePoint s, Behind b, vec2 track) {
+    vec2 aside = strideOnBed() * vec2(-track.y, track.x);
+    vec4 heights;
+    [[unroll]] for (int i = 0; i < 4; ++i) {
+        Behind there = bedAt(middleOf(b) + 0.5 * float(i < 2 ? i - 2 : i - 1) * aside);
+        heights[i] = isBelowWater(s, there) ? there.seen.y : b.seen.y;
+    }
+    vec2 low = min(heights.xy, heights.zw), high = max(heights.xy, heights.zw);
+    vec2 middle = vec2(max(low.x, low.y), min(high.x, high.y));
+    return clamp(b.seen.y, min(middle.x, middle.y), max(middle.x, middle.y));
+}
+
+// The lesser of two slopes; none where they differ in sign.
+vec2 lesserSlope(vec2 a, vec2 b) {
+    if (dot(a, b) <= 0.0) return vec2(0.0);
+    return dot(a, a) < dot(b, b) ? a : b;
+}
+
+// The slope from `before` to `last`. Steps are no bed, nor are the sides of stones.
+vec2 slopeBetween(const SurfacePoint s, Behind before, Behind last) {
     vec3 step = last.seen - before.seen;
     float across = dot(step.xz, step.xz);
     bool isSlope = isBelowWater(s, before) && step.y * step.y < 0.25 * across;
-    vec2 slope = isSlope ? step.xz * (step.y / across) : vec2(0.0);
-    float depth = s.position.y - last.seen.y - dot(slope, s.position.xz - last.seen.xz);
-    return clamp(depth / max(1.0 + dot(slope, perDepth.xz), 0.2), 0.0, 1.5 * (s.position.y - last.seen.y));
+    return isSlope ? step.xz * (step.y / across) : vec2(0.0);
+}
+
+// How the bed goes on beyond its last pixel; `track` is the way of rays on the screen, unit.
+BedPlane bedBeyond(const SurfacePoint s, inout Behind last, vec2 track, bool isSurveyed) {
+    BedPlane plane;
+    plane.slope = slopeBetween(s, bedAt(middleOf(last) - 4.0 * track), last);
+    if (isSurveyed) {
+        Behind before = bedAt(middleOf(last) - strideOnBed() * track);
+        before.seen.y = heightAround(s, before, track);
+        last.seen.y = heightAround(s, last, track);
+        plane.slope = lesserSlope(plane.slope, slopeBetween(s, before, last));
+    }
+    plane.place = last.seen;
+    return plane;
+}
+
+// The depth at which a ray that goes `perDepth` a metre down meets a bed that goes on beyond its last pixel.
+float depthBeyond(const SurfacePoint s, Behind last, vec3 perDepth, BedPlane plane) {
+    float depth = heightAbove(plane, s.position) / max(1.0 + dot(plane.slope, perDepth.xz), 0.2);
+    return clamp(depth, 0.0, 1.5 * (s.position.y - last.seen.y));
 }
 
 // Where the bed has no picture of its own, the scene's may show it in part, or things that float over none. So the ray is
@@ -167,7 +220,8 @@ int pointsLit() {
 
 struct BedTaps {
     bool isBeyond;     // of what lies beyond the border
-    int count;         // beside the bed's own pixel
+    int count;         // of those that are to show the bed, beside the bed's own pixel
+    int most;          // looked at for them: more, where the bed is surveyed
     vec2 middle;       // [pixel]
     mat2 blur;         // around that
 };
@@ -176,12 +230,13 @@ const int tapsAround = refractionSamples > 3 ? 4 : 1;
 
 // Of what those slopes show of the bed around, or of the pixel alone.
 BedTaps bedAround(Behind b, mat2 blur, float blurred) {
-    return BedTaps(false, blurred > sharpBed ? tapsAround : 0, hasBed ? b.pixel : b.pixel + 0.5, blur);
+    int count = blurred > sharpBed ? tapsAround : 0;
+    return BedTaps(false, count, count, hasBed ? b.pixel : b.pixel + 0.5, blur);
 }
 
 // What lies beyond the border nobody knows: a mean of the bed around the place that lies as far inside, over a wider part of
 // it the farther out, and `least` pixels wide. So the bed goes on without a seam, a streak or rocks where there are none.
-BedTaps bedBeyondBorder(Behind inside, vec3 beyond, vec2 here, float least) {
+BedTaps bedBeyondBorder(Behind inside, vec3 beyond, vec2 here, float least, bool isSurveyed) {
     vec4 p = bedPixelOf(vec4(2.0 * inside.seen - beyond, 1.0));
     vec2 middle = mix(here, p.xy / p.w, water.refractionDistortion);
     float radius = max(length(middle - middleOf(inside)), least);
@@ -189,17 +244,35 @@ BedTaps bedBeyondBorder(Behind inside, vec3 beyond, vec2 here, float least) {
     // most: where all look at the same, what stands out there is drawn out to streaks.
     float turned = least > sharpBed ? 0.5 * ldexp(float(bitfieldReverse(indexInTile())), -32) : 0.0;
     vec2 along = radius * cosineSine(turned);
-    return BedTaps(true, p.w > 0.0 ? 4 : 0, middle, mat2(along, -along.y, along.x));
+    int count = p.w > 0.0 ? 4 : 0;
+    return BedTaps(true, count, isSurveyed ? 4 * count : count, middle, mat2(along, -along.y, along.x));
+}
+
+// A place of four; then of these turned, and farther out; and so on.
+vec2 placeBeyond(int i) {
+    const vec2 places[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
+    vec2 place = places[i & 3];
+    if (!surveysBed) return place;
+    float past = float(i >> 2);
+    vec2 turned = cosineSine(0.11 * past);
+    return (1.0 + 0.1 * past) * mat2(turned, -turned.y, turned.x) * place;
 }
 
 // Across the border it is as it is inside.
 vec2 tapOf(BedTaps taps, int i) {
-    const vec2 beyond[4] = vec2[](vec2(0.45, -0.35), vec2(-0.5, 0.4), vec2(0.85, 0.7), vec2(-0.8, -0.75));
-    vec2 off = taps.blur * (taps.isBeyond ? beyond[i] : placeAround(i, tapsAround));
+    vec2 off = taps.blur * (taps.isBeyond ? placeBeyond(i) : placeAround(i & 3, tapsAround));
     vec2 pixel = taps.middle + off;
     vec2 size = vec2(hasBed ? water.bedSize.xy : regionSize());
     bool isOutside = any(lessThan(pixel, vec2(0.0))) || any(greaterThanEqual(pixel, size));
     return isOutside && !taps.isBeyond ? taps.middle - off : pixel;
+}
+
+const float standsUp = 0.15;      // from the bed, of its depth
+const float hardlyCounts = 1e-12;   // beside 1 it is lost, and alone it is all there is
+
+bool isSteep(Behind there, vec2 pixel) {
+    vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - there.seen;
+    return abs(step.y) >= 0.5 * length(step.xz);
 }
 
 // Whether a tap shows the bed as `b` does, `drop` metres below. Beyond the border what stands up from it is not the bed; what
@@ -207,30 +280,51 @@ vec2 tapOf(BedTaps taps, int i) {
 bool showsSameBed(const SurfacePoint s, BedTaps taps, Behind b, float drop, Behind there, vec2 pixel) {
     if (!isBelowWater(s, there)) return false;
     if (!taps.isBeyond) return length(there.seen - b.seen) <= 0.5 * drop;
-    bool standsUp = there.seen.y - b.seen.y >= 0.15 * (s.position.y - b.seen.y);
-    vec3 step = bedAt(pixel - vec2(0.0, 1.0)).seen - there.seen;
-    return !standsUp && abs(step.y) < 0.5 * length(step.xz);
+    return there.seen.y - b.seen.y < standsUp * (s.position.y - b.seen.y) && !isSteep(there, pixel);
 }
 
-vec4 bedColorBy(const SurfacePoint s, BedTaps taps, Behind b, float drop) {
+// How much a tap counts of a bed that is surveyed. Steep ground may be a stone's side: it counts where there is no other.
+float surveyed(const SurfacePoint s, Behind there, vec2 pixel, float rise, float depth) {
+    if (!isBelowWater(s, there) || rise >= standsUp * depth) return 0.0;
+    return !isSteep(there, pixel) ? 1.0 : hasBed ? 0.0 : hardlyCounts;
+}
+
+// The plane of a bed that is surveyed becomes as high as the taps are, and level where these are not on it.
+vec4 bedColorBy(const SurfacePoint s, BedTaps taps, Behind b, float drop, inout BedPlane plane) {
     vec4 sum = vec4(0.0);
     float weights = 0.0;
+    bool isSurveyed = surveysBed && taps.most > taps.count;
+    float depth = s.position.y - b.seen.y;
     Behind there = b;
-    bool counts = true;
+    float weight = taps.count > 0 ? 1e-3 : 1.0;
+    if (isSurveyed && isSteep(b, middleOf(b))) weight = hardlyCounts;
+    float rise = 0.0, height = 0.0;   // over the plane, and over the eye
     int i = 0;
     // The bed's own pixel first, so that all share one copy of what looks colour up.
     [[dont_unroll]] do {
         vec4 color = bedColorOf(there);
-        float weight = i == 0 && taps.count > 0 ? 1e-3 : 1.0;
+        float above = isSurveyed ? heightAbove(plane, there.seen) : 0.0;
         // Without the second condition Mesa 22.3's llvmpipe adds to the sums of invocations that have left the loop.
-        if (counts && i <= taps.count) {
+        if (weight > 0.0 && i <= taps.most) {
+            // What was taken for the bed stands up from what shows here.
+            if (isSurveyed && weight == 1.0 && rise - weights * above > standsUp * depth * weights) {
+                sum = vec4(0.0);
+                weights = rise = height = 0.0;
+            }
             sum += weight * color;
+            rise += weight * above;
+            height += weight * there.seen.y;
             weights += weight;
         }
-        vec2 pixel = tapOf(taps, i & 3);
+        vec2 pixel = tapOf(taps, i);
         there = bedAt(pixel);
-        counts = showsSameBed(s, taps, b, drop, there, pixel);
-    } while (++i <= taps.count);
+        if (isSurveyed) weight = surveyed(s, there, pixel, heightAbove(plane, there.seen) - min(rise / weights, 0.0), depth);
+        else weight = showsSameBed(s, taps, b, drop, there, pixel) ? 1.0 : 0.0;
+    } while (++i <= taps.most && weights < float(taps.count));
+    rise /= weights;
+    float level = smoothstep(0.05, 0.1, abs(rise) / max(depth, 1e-3));
+    plane.place.y = mix(plane.place.y + rise, height / weights, level);
+    plane.slope *= 1.0 - level;
     return sum / weights;
 }
 
@@ -428,15 +522,17 @@ void findRoot(const SurfacePoint s, BentRay ray, float nearerFirst, inout BedFou
 
 // Where the ray leaves the picture, or passes behind something, the bed goes on by its slope. Whether that had to be made up; `shown` is
 // what shows, or the last that did, and `drop` how deep it lies under the surface along the ray.
-bool goesOnBeyond(const SurfacePoint s, BentRay ray, const BedFound bed, out Behind shown, out float drop) {
+bool goesOnBeyond(const SurfacePoint s, BentRay ray, const BedFound bed, out Behind shown, out float drop, out BedPlane plane) {
     const float wellOff = refractionSamples > 3 ? 0.05 : 0.35;
     bool astray = refractionSamples > 2 && !ray.passedOver && !bed.met && bed.least > wellOff * bed.found.depth && bed.found.isBed;
     bool goesOn = (bed.left || astray) && bed.last.isBed;
     shown = shownBy(ray, goesOn ? bed.last : bed.found);
     drop = bed.met || bed.least < unmet ? bed.found.depth : max(s.position.y - shown.seen.y, 0.0);
+    plane = BedPlane(vec3(0.0), vec2(0.0));
     if (!goesOn) return false;
     vec2 track = ray.perDepth.xy - ray.perDepth.w * ray.from.xy / ray.from.w;
-    drop = max(depthBeyond(s, shown, ray.direction, track / max(length(track), 1e-6)), bed.deepest);
+    plane = bedBeyond(s, shown, track / max(length(track), 1e-6), surveysBed && bed.left);
+    drop = max(depthBeyond(s, shown, ray.direction, plane), bed.deepest);
     Behind there = behindRayAt(ray, drop);
     bool met = drop < ray.leaves && isBelowWater(s, there) && abs(s.position.y - there.seen.y - drop) < 0.1 * drop;
     if (met) shown = there;
@@ -450,12 +546,18 @@ Through throughBed(const SurfacePoint s, BentRay ray, const BedFound bed, inout 
         ? 1.0 - smoothstep(0.4, 0.9, bed.least / max(bed.found.depth, 1e-3)) : 1.0;
     Behind found;
     float drop;
-    bool madeUp = goesOnBeyond(s, ray, bed, found, drop);
+    BedPlane plane;
+    bool madeUp = goesOnBeyond(s, ray, bed, found, drop, plane);
+    bool isSurveyed = surveysBed && madeUp && bed.left;
     mat2 blur = blurOfBed(ray.strays, found, drop);
     float blurred = widthOf(blur);
     BedTaps taps = bedAround(found, blur, blurred);
-    if (madeUp) taps = bedBeyondBorder(found, s.position + ray.direction * drop, ray.here, blurred);
-    vec4 color = bedColorBy(s, taps, found, drop);
+    if (madeUp) taps = bedBeyondBorder(found, s.position + ray.direction * drop, ray.here, blurred, isSurveyed);
+    vec4 color = bedColorBy(s, taps, found, drop, plane);
+    if (isSurveyed) {
+        found.seen = plane.place;
+        drop = max(depthBeyond(s, found, ray.direction, plane), bed.deepest);
+    }
     float wayPerDepth = length(ray.direction);
     float path = mix(length(found.seen - s.position), drop * wayPerDepth, water.refractionDistortion);
     float depth = -heightOverCalm(found.seen);

@@ -289,4 +289,39 @@ TEST_F(ShadingSamples, BeyondTheBorderSeeTheBedAndNoStoneOnIt) {
     EXPECT_LE(dark, 2u);
 }
 
+/// A level bed, and on it bright thin posts where the picture's lower border cuts them off.
+SceneBehind postsAtTheBorder(const Camera& camera, double bed) {
+    const glm::dvec3 border = rayThrough(camera, camera.width / 2, camera.height - 1);
+    const double z = camera.eye.z + border.z * ((bed + 1 - camera.eye.y) / border.y);
+    return drawnOver(camera, planeBelow(camera, bed, 2), 20, [&](const glm::dvec3& ray) {
+        const double distance = (z - camera.eye.z) / ray.z;
+        const glm::dvec3 met = camera.eye + distance * ray;
+        const bool hits = met.y > bed && met.y < bed + 1.2 && met.x - std::floor(met.x) < 0.1;
+        return hits ? distance : -1;
+    });
+}
+
+// Nor is a post, by how high it stands: it would be drawn out to a streak of the light that falls into
+// shallow water.
+TEST_F(ShadingSamples, BeyondTheBorderDrawOutNoPosts) {
+    const RefractionDesc absorbing = {{0.3f, 0.3f, 0.3f}, {0, 0, 0}, 1};
+    BodyDesc desc;
+    desc.refraction = &absorbing;
+    Camera camera = low();
+    camera.eye = {0, 2.2, 6};
+    camera.target = {0, 1.6, -14};
+    camera.width = 384;
+    camera.height = 216;
+    Body* const body = makeBody(desc);
+    const WaterPicture bare = picture({body}, camera, 0, SurfaceOutput::shaded, planeBelow(camera, -3, 2));
+    const WaterPicture p = picture({body}, camera, 0, SurfaceOutput::shaded, postsAtTheBorder(camera, -3));
+    size_t off = 0;
+    for (uint32_t x = 0; x < p.width; ++x) {
+        const size_t i = (size_t{p.height - 1} * p.width + x) * 4;
+        off += std::abs(p.color[i] / bare.color[i] - 1) > 0.1f;
+    }
+    std::printf("%zu pixels of the lowest row are a streak's\n", off);
+    EXPECT_LE(off, 4u);
+}
+
 } // namespace
