@@ -1,4 +1,6 @@
 // Ellipses on a plane.
+#ifndef FOOTPRINT_GLSL
+#define FOOTPRINT_GLSL
 
 // The longer half axis and the shorter one of the ellipse that two steps span, as those from a pixel to the next do on the calm
 // plane [m].
@@ -19,3 +21,5 @@ Footprint footprintOf(vec2 right, vec2 down) {
     float reach = sqrt(middle + apart);
     return Footprint(along * reach, vec2(-along.y, along.x) * sqrt(max(middle - apart, 0.0)), reach);
 }
+
+#endif

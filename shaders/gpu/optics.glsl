@@ -1,4 +1,6 @@
 // Light at the boundary of air and water.
+#ifndef OPTICS_GLSL
+#define OPTICS_GLSL
 
 const float pi = 3.14159265358979;
 const float waterIndex = 1.333;
@@ -32,3 +34,5 @@ float slopeDensity(vec2 d, vec3 covariance, float bounded) {
     if (within <= 0.0) return 0.0;
     return (k + 1.0) / (k + 2.0) * pow(within, k) / (2.0 * pi * sqrt(determinant));
 }
+
+#endif

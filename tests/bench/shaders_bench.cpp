@@ -69,7 +69,7 @@ std::vector<Row> measured(CompiledWater& water) {
     for (const ViewPass pass : {ViewPass::water, ViewPass::shafts, ViewPass::waterline})
         for (const bool shore : {false, true}) {
             const ViewPassVariant variant = {
-                .pass = pass, .straddles = true, .hasWaves = true, .hasShore = shore};
+                .pass = pass, .hasWaves = true, .hasShore = shore, .straddles = true};
             add(rows, water.overView(variant, false), "");
         }
     add(rows, water.overView({.pass = ViewPass::caustics}, false), "");

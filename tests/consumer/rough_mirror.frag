@@ -27,7 +27,7 @@ void main() {
     const float cone = 3.545 * ground.roughness * ground.roughness;
     const float width = bundleWidth(cone, distance, ground.blur.xyz);
     const float texels = bundleTexels(width, length(fromEye), distance, ground.pixelsPerRadian / downscale);
-    const vec4 mirrored = reflectionTexel(gl_FragCoord.xy / downscale, bundleMip(texels), downscale);
+    const vec4 mirrored = reflectionTexel(reflectionColor, reflectionInfo, gl_FragCoord.xy / downscale, bundleMip(texels), downscale);
     const Ray sight = Ray(vec3(0.0), normalize(fromEye));
     const vec3 source = mirroredPoint(sight, sight, distance, ground.plane.xyz, ground.plane.w);
     outColor = mirrored * (shareOfScene(distance, ground.blur.xyz) * smoothstep(1e5, 1e4, length(source)));

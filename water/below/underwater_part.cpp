@@ -21,9 +21,9 @@ constexpr ViewPass passes[] = {ViewPass::water, ViewPass::shafts, ViewPass::snow
 ViewPassVariant passVariant(const Body& body, ViewPass pass, bool straddles) {
     if (pass == ViewPass::snow) return {.pass = pass};
     return {.pass = pass,
-            .straddles = straddles,
             .hasWaves = straddles && body.sea,
-            .hasShore = straddles && body.sea && body.sea->shore};
+            .hasShore = straddles && body.sea && body.sea->shore,
+            .straddles = straddles};
 }
 
 } // namespace

@@ -7,7 +7,7 @@ namespace seaglass {
 namespace {
 
 constexpr double brightest =
-    0.33; // of deepWater() in shaders/water/surface/water_light.glsl, which this inverts
+    0.33; // of deepWater() in shaders/water/body/water_light.glsl, which this inverts
 constexpr double mostPerMetre = 100;                 // RefractionDesc::absorption
 constexpr double minusLogOfSeen = 2.995732273553991; // -ln 0.05
 

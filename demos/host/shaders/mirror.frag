@@ -79,7 +79,7 @@ vec4 sceneHere(float cosine, float roughness) {
     const float toMirror = length(inFromEye);
     const float width = bundleWidth(cone, distance, mirror.blur.xyz);
     const float mip = bundleMip(bundleTexels(width, toMirror, distance, mirror.color.w / downscale));
-    return reflectionTexel(gl_FragCoord.xy / downscale, mip, downscale) * shareOfScene(distance, mirror.blur.xyz);
+    return reflectionTexel(reflectionColor, reflectionInfo, gl_FragCoord.xy / downscale, mip, downscale) * shareOfScene(distance, mirror.blur.xyz);
 }
 
 // Schlick's, held down where a rough surface hides its own grazing facets (Lagarde 2011).

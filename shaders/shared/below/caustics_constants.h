@@ -1,5 +1,6 @@
 // The specialisation constants of the kernels of caustics, for GLSL and C++ alike: CONSTANT(number, type,
 // name, usual value).
-CONSTANT(0, bool, copies, false) // to images from buffers, as CPU devices do faster than they store
-CONSTANT(1, bool, hasShore, false)
-CONSTANT(2, bool, hasSunShadow, false)
+#ifdef __cplusplus
+#include "../body_constants.h"
+#endif
+CONSTANT(17, bool, copies, false) // to images from buffers, as CPU devices do faster than they store

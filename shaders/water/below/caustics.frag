@@ -2,9 +2,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
-#include "constant.glsl"
-#include "view_pass_constants.h"
-#include "water_bindings.h"
 #include "body.glsl"
 #include "encoding.glsl"
 #include "optics.glsl"
@@ -28,16 +25,16 @@ vec3 scattering() {
 
 // The buffer is larger than the view, and holds anything beside what was blurred.
 ivec2 held(ivec2 texel) {
-    return clamp(texel, ivec2(0, max(firstRow, 0)), lightSize() - 1);
+    return clamp(texel, ivec2(0, max(firstRow(), 0)), lightSize() - 1);
 }
 
 vec2 lightOn(ivec2 texel) {
-    return unpackHalf2x16(blurred[texel.y * rowLength + texel.x]);
+    return unpackHalf2x16(blurred[texel.y * rowLength() + texel.x]);
 }
 
 // By how much of what calm water lets through there is more light, and of the sun what nothing hides.
 vec2 lightHere() {
-    vec2 at = regionPixel(gl_FragCoord.xy) / float(rayStep) - 0.5;
+    vec2 at = regionPixel(gl_FragCoord.xy) / float(rayStep()) - 0.5;
     vec2 corner = floor(at), past = at - corner;
     ivec2 low = held(ivec2(corner)), high = held(ivec2(corner) + 1);
     vec2 upper = mix(lightOn(low), lightOn(ivec2(high.x, low.y)), past.x);

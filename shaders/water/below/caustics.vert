@@ -1,9 +1,6 @@
 // One triangle over what may lie below the calm surface: from above it, all that lines of sight show which point down.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "constant.glsl"
-#include "view_pass_constants.h"
-#include "water_bindings.h"
 #include "one_view.glsl"
 #include "body.glsl"
 #include "body_sight.glsl"

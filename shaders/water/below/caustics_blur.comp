@@ -2,9 +2,6 @@
 // eye in the air, the waves that it looks through.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "constant.glsl"
-#include "caustics_constants.h"
-#include "water_bindings.h"
 #include "body.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
@@ -63,7 +60,7 @@ vec2 blurPerMetre(vec2 pixel, vec3 at) {
 // The mean over such a spread.
 vec2 lightAround(vec2 pixel, Spread spread) {
     Footprint ellipse = footprintOf(spread.along, spread.across);
-    float texel = float(rayStep);
+    float texel = float(rayStep());
     // A linear tap of texels of w has a deviation of 0.41 w. One that is a little wider hides that rays stand in rows.
     float most = length(ellipse.longer), least = max(length(ellipse.shorter), 1.6 * 0.41 * texel);
     float lod = log2(least / (0.41 * texel));
@@ -86,8 +83,8 @@ vec2 lightAround(vec2 pixel, Spread spread) {
 // Share of the rays that light a pixel which come from where any were cast: fewer by the view's border.
 float shareCast(vec2 pixel, Spread spread) {
     vec2 deviation = max(sqrt(spread.along * spread.along + spread.across * spread.across), 1e-3);
-    vec2 before = (pixel + float(margin)) / deviation;
-    vec2 after = (vec2(regionSize()) - pixel + float(margin)) / deviation;
+    vec2 before = (pixel + float(margin())) / deviation;
+    vec2 after = (vec2(regionSize()) - pixel + float(margin())) / deviation;
     const float asGoodAsAll = 4.0;
     if (all(greaterThan(min(before, after), vec2(asGoodAsAll)))) return 1.0;
     return (gaussianBelow(before.x) + gaussianBelow(after.x) - 1.0) * (gaussianBelow(before.y) + gaussianBelow(after.y) - 1.0);
@@ -101,7 +98,7 @@ float sunSeenFrom(vec3 at) {
 // By how much of what calm water lets through there is more light, which halves hold most exactly where it is faint, and what
 // nothing hides of the sun, in the middle of a texel. What shows no bed takes part in what is beside it.
 vec2 lightOn(ivec2 texel) {
-    vec2 pixel = (vec2(texel) + 0.5) * float(rayStep);
+    vec2 pixel = (vec2(texel) + 0.5) * float(rayStep());
     Spread blur = Spread(vec2(0.0), vec2(0.0));
     float elsewhere = 0.0, seen = 1.0;
     vec3 at;
@@ -117,7 +114,7 @@ vec2 lightOn(ivec2 texel) {
 }
 
 void main() {
-    ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, max(firstRow, 0));
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, max(firstRow(), 0));
     if (any(greaterThanEqual(texel, lightSize()))) return;
-    blurred[texel.y * rowLength + texel.x] = packHalf2x16(lightOn(texel));
+    blurred[texel.y * rowLength() + texel.x] = packHalf2x16(lightOn(texel));
 }

@@ -3,9 +3,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
-#include "constant.glsl"
-#include "caustics_constants.h"
-#include "water_bindings.h"
 #include "body.glsl"
 #include "optics.glsl"
 #include "slopes.glsl"
@@ -15,13 +12,10 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
-layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDisplacement;
-layout(set = 0, binding = waveDerivativesBinding) uniform sampler2DArray waveDerivatives;
-layout(set = 0, binding = waveMomentsBinding) uniform sampler2DArray waveMoments;
 layout(set = 0, binding = causticSumsBinding, std430) buffer Sums {
     uint sums[];
 };
-#include "waves_of_sea.glsl"
+#include "wave_maps.glsl"
 #include "wave_warp.glsl"
 #include "shore.glsl"
 #include "wave_displacement.glsl"
@@ -45,7 +39,7 @@ vec2 slopeAt(vec2 calm, float width) {
     ShoreWave shore = withoutTrains(vec4(1.0), 0.0, vec2(0.0), 0.0);
     if (hasShore) shore = shoreWave(calm, width);
     vec2 place = warped(calm);
-    int i = 0;
+    int i = 0, count = waveCascades();
     do {
         float mip = log2(max(width * texelsInAMetre(i), 1.0));
         if (showsWaves(mip)) {
@@ -53,7 +47,7 @@ vec2 slopeAt(vec2 calm, float width) {
             derivatives += shore.kept[i] * textureLod(waveDerivatives, at, mip);
             shear += shore.kept[i] * textureLod(waveMoments, at, mip).w;
         }
-    } while (++i < cascades);
+    } while (++i < count);
     WaveGradient gradient = waveGradient(derivatives, shear, calm);
     if (hasShore) addShore(shore, gradient);
     return slopeOfWaves(gradient);
@@ -92,7 +86,7 @@ bool bedAt(ivec2 pixel, out vec3 at) {
 
 void leave(vec2 pixel, float amount) {
     ivec2 size = lightSize();
-    vec2 at = pixel / float(rayStep) - 0.5;
+    vec2 at = pixel / float(rayStep()) - 0.5;
     if (!(all(greaterThan(at, vec2(-1.0))) && all(lessThan(at, vec2(size))))) return;
     ivec2 first = ivec2(floor(at));
     vec2 past = at - vec2(first);
@@ -101,13 +95,13 @@ void leave(vec2 pixel, float amount) {
         ivec2 texel = first + corner;
         if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size))) continue;
         vec2 share = mix(1.0 - past, past, vec2(corner));
-        atomicAdd(sums[texel.y * rowLength + texel.x], uint(amount > 0.0 ? min(amount * share.x * share.y, mostOfRay) + 0.5 : 0.0));
+        atomicAdd(sums[texel.y * rowLength() + texel.x], uint(amount > 0.0 ? min(amount * share.x * share.y, mostOfRay) + 0.5 : 0.0));
     }
 }
 
 void main() {
-    ivec2 pixel = pixelOfTexel(ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow)) - ivec2(margin, 0);
-    if (any(greaterThanEqual(pixel, regionSize() + margin))) return;
+    ivec2 pixel = pixelOfTexel(ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow())) - ivec2(margin(), 0);
+    if (any(greaterThanEqual(pixel, regionSize() + margin()))) return;
     vec3 at;
     if (!bedAt(pixel, at)) return;
     Ray ray = rayThrough(sunRayEnters(at).xz, rayWidth(at));
@@ -119,7 +113,7 @@ void main() {
     if (shown) {
         vec3 there;
         bool bed = bedShownAt(sceneDepth, ivec2(fallen.xy), there);
-        float steepest = 4.0 * (distance(level.xz, at.xz) + float(rayStep) * pixelWidth(at));
+        float steepest = 4.0 * (distance(level.xz, at.xz) + float(rayStep()) * pixelWidth(at));
         bool goesOn = bed && abs(there.y - at.y) < steepest;
         fallen = goesOn ? pixelOf(whereItIs(ray, there.y)) : vec4(vec2(pixel) + 0.5, 0.0, 1.0);
     }

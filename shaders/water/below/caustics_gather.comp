@@ -2,10 +2,8 @@
 // place of their sums.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "constant.glsl"
-#include "caustics_constants.h"
-#include "water_bindings.h"
 #include "body.glsl"
+#include "caustics_constants.h"
 #include "caustic_light.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -24,8 +22,8 @@ void leave(ivec2 texel, int i, vec2 light) {
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    int i = texel.y * rowLength + texel.x;
-    if (texel.x >= rowLength || i >= sums.length()) return;
+    int i = texel.y * rowLength() + texel.x;
+    if (texel.x >= rowLength() || i >= sums.length()) return;
     bool lit = false;
     vec3 at;
     if (all(lessThan(texel, lightSize()))) lit = bedShownAt(sceneDepth, min(pixelOfTexel(texel), regionSize() - 1), at);

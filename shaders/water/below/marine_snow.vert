@@ -1,25 +1,16 @@
 // Places what drifts in the water around the eye: its places are a function of the lattice's cells and the time alone.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "constant.glsl"
-#include "view_pass_constants.h"
-#include "water_bindings.h"
 #include "one_view.glsl"
 #include "body.glsl"
 #include "optics.glsl"
 #include "turns.glsl"
-#include "spray_hash.glsl"
-const bool onGlobe = false;   // the sun is that of the eye's place
+#include "hash.glsl"
 #include "water_light.glsl"
 #include "underwater_light.glsl"
 
 layout(location = 0) out vec2 within;       // of a circle, which is the unit one in it
 layout(location = 1) flat out vec4 light;   // radiance, how much it hides in the middle
-
-float share(inout uint bits) {
-    bits = scrambled(bits + 0x9e3779b9u);
-    return shareOf(bits);
-}
 
 struct Particle {
     vec3 at;
@@ -36,13 +27,13 @@ Particle particleAt(uint index) {
     vec4 corner = water.snowPlaces[size];
     uvec3 c = uvec3(first.xyz) + cell;
     uint bits = scrambled(scrambled(scrambled(c.x + 0x632be5abu * size) ^ (c.y * 0x9e3779b9u)) ^ (c.z * 0x85ebca6bu));
-    float there = share(bits);
-    vec3 place = vec3(share(bits), share(bits), share(bits));
-    vec2 turned = cosineSine(water.snow.y + share(bits));
-    vec2 sways = vec2(share(bits), share(bits)) - 0.5;
+    float there = nextShare(bits);
+    vec3 place = vec3(nextShare(bits), nextShare(bits), nextShare(bits));
+    vec2 turned = cosineSine(water.snow.y + nextShare(bits));
+    vec2 sways = vec2(nextShare(bits), nextShare(bits)) - 0.5;
     Particle p;
     p.at = corner.xyz + (vec3(cell) + place) * corner.w + 0.05 * vec3(turned.x * sways, turned.y * sways.x).xzy;
-    p.radius = 1e-3 * exp2(float(size)) * (0.4 + 0.8 * share(bits));
+    p.radius = 1e-3 * exp2(float(size)) * (0.4 + 0.8 * nextShare(bits));
     float reach = corner.w * float(snowCellsAcross / 2 - 1);
     float away = length(p.at);
     p.shown = there < water.snow.x ? (1.0 - smoothstep(0.6 * reach, reach, away)) * smoothstep(0.15, 0.4, away) : 0.0;

@@ -1,7 +1,11 @@
 // Shafts of light: what the waves gather of the sun on its way down, and the water scatters to the eye.
-// `cascades` is the includer's.
+#ifndef SHAFTS_GLSL
+#define SHAFTS_GLSL
+
+#include "underwater_light.glsl"
 #include "body.glsl"
 #include "water_light.glsl"
+#include "wave_maps.glsl"
 #include "wave_warp.glsl"
 
 // Times what calm water lets through, at a depth under the calm place where the sun's ray comes in; a mean over `width` metres.
@@ -9,7 +13,7 @@
 float gatheredUnder(vec2 enters, float depth, float width) {
     vec2 place = warped(enters);
     float curvature = 0.0;
-    int i = 0;
+    int i = 0, count = waveCascades();
     do {
         float texels = max(width * texelsInAMetre(i), 1.0);
         float mip = log2(texels);
@@ -18,7 +22,7 @@ float gatheredUnder(vec2 enters, float depth, float width) {
         float perWidth = texelsInAMetre(i) / texels;
         float rise = textureLod(waveDisplacement, at, mip + 1.0).y - textureLod(waveDisplacement, at, mip).y;
         curvature += rise * perWidth * perWidth;
-    } while (++i < cascades);
+    } while (++i < count);
     // A linear tap of texels of w has a variance of w^2/4 each way, so the next mip is higher by 3/8 w^2 of the curvature.
     float turned = 8.0 / 3.0 * curvature * water.shafts.z * depth;
     return 1.0 - turned * inversesqrt(0.25 + turned * turned);
@@ -58,3 +62,5 @@ vec3 shaftsIn(vec3 toSun, vec3 start, vec3 view, float depth, float path) {
     vec3 halo = (ahead - 1.0) * scatteredIn(toSun, depth, view.y, path) * sun / max(lightEntering(toSun), 1e-9);
     return water.shafts.x * (gathered + halo);
 }
+
+#endif

@@ -3,25 +3,21 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
 #extension GL_EXT_control_flow_attributes : require
-#include "constant.glsl"
-#include "view_pass_constants.h"
-#include "water_bindings.h"
 #include "body.glsl"
+#include "view_pass_constants.h"
 #include "encoding.glsl"
 #include "optics.glsl"
 
-const bool onGlobe = false;   // the sun is that of the eye's place
 #include "water_light.glsl"
 #include "lit_below.glsl"
 #include "underwater_light.glsl"
 
 layout(set = 0, binding = sceneColorBinding) uniform sampler2D sceneColor;
 layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
-layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDisplacement;
 
 layout(location = 0) out vec4 outColor;
 
-#include "waves_of_sea.glsl"
+#include "wave_maps.glsl"
 
 #include "near_plane.glsl"
 #include "wave_warp.glsl"

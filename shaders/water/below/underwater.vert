@@ -2,7 +2,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "constant.glsl"
-#include "view_pass_constants.h"
+#include "body_constants.h"
 #include "one_view.glsl"
 
 void main() {

@@ -1,4 +1,7 @@
 // Where the near plane of a view that stands in both leaves the water.
+#ifndef WATERLINE_GLSL
+#define WATERLINE_GLSL
+
 #include "body.glsl"
 #include "wave_displacement.glsl"
 
@@ -15,3 +18,5 @@ float heightAboveSurface(vec3 at) {
     for (int i = 0; i < 3; ++i) calm = at.xz - displacementOf(calm).xz;
     return height - displacementOf(calm).y;
 }
+
+#endif

@@ -2,6 +2,9 @@
 #ifndef BODY_GLSL
 #define BODY_GLSL
 
+#include "constant.glsl"
+#include "body_constants.h"
+#include "water_bindings.h"
 #include "body_block.h"
 
 layout(set = 0, binding = bodyBinding, std140) uniform Body {

@@ -1,4 +1,7 @@
 // Along a body's lines of sight.
+#ifndef BODY_SIGHT_GLSL
+#define BODY_SIGHT_GLSL
+
 #include "body.glsl"
 #include "sight_line.glsl"
 
@@ -6,3 +9,5 @@
 vec3 alongSightOf(vec2 pixel) {
     return alongSight(water.relativeFromPixel, water.relativeFromPixel * vec4(pixel, 0.5, 1.0), water.depthSign);
 }
+
+#endif

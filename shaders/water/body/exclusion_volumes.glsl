@@ -1,5 +1,5 @@
-// Convex hollows that the water stays out of: water/body/exclusion_volumes.h. `exclusionVolumes` is a constant of the
-// includer's: CPU devices load what a loop that is unrolled names once, and else for each lane.
+// Convex hollows that the water stays out of: water/body/exclusion_volumes.h. Their
+// number is a constant: CPU devices load what a loop that is unrolled names once, and else for each lane.
 #ifndef EXCLUSION_VOLUMES_GLSL
 #define EXCLUSION_VOLUMES_GLSL
 

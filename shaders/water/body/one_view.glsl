@@ -1,4 +1,7 @@
 // A multiview pass runs each draw for all of its views; one of them is meant, and in the others nothing shows.
+#ifndef ONE_VIEW_GLSL
+#define ONE_VIEW_GLSL
+
 #extension GL_EXT_multiview : require
 #include "one_view_block.h"
 
@@ -12,3 +15,5 @@ bool isOtherView() {
 
 // Beyond the far plane, whichever that is.
 const vec4 outOfSight = vec4(0.0, 0.0, 2.0, 1.0);
+
+#endif

@@ -1,4 +1,7 @@
-// The sky of a host without a cube: LightingDesc::skyZenith. `tilted` is a constant of the includer's.
+// The sky of a host without a cube: LightingDesc::skyZenith.
+#ifndef SKY_COLORS_GLSL
+#define SKY_COLORS_GLSL
+
 #include "body.glsl"
 
 // Means of max(y, 0) and of its square where y has a Gaussian's variance: a square root for the error function, within 2 % of
@@ -26,3 +29,5 @@ vec3 skyOfColors(vec3 direction, float spread) {
     if (tilted) radiance += (water.skyGround.rgb - water.skyHorizon.rgb) * shareAbove(-y, variance);
     return radiance;
 }
+
+#endif

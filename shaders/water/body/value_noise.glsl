@@ -2,7 +2,7 @@
 #ifndef VALUE_NOISE_GLSL
 #define VALUE_NOISE_GLSL
 
-#include "spray_hash.glsl"
+#include "hash.glsl"
 
 float cornerAt(ivec2 cell, uint of) {
     return shareOf(scrambled(uint(cell.x) * 0x9e3779b9u ^ uint(cell.y) * 0x85ebca6bu ^ of));

@@ -1,5 +1,13 @@
 // Foam on the surface: its cover from the waves' history, broken up by a pattern, and its light.
+#ifndef FOAM_COVER_GLSL
+#define FOAM_COVER_GLSL
 
+#include "sun_glint.glsl"
+#include "water_light.glsl"
+#include "turns.glsl"
+#include "surface_fog.glsl"
+#include "wave_displacement.glsl"
+#include "surface_point.glsl"
 #include "foam_gate.glsl"
 #include "foam_tiles.h"
 
@@ -247,3 +255,5 @@ FoamLight foamLight(Foam white, const SurfacePoint s, vec3 toEye, vec3 mirrored,
     float share = white.mask * mix(thinnest, 1.0, white.fresh);
     return FoamLight(share * foamy, 1.0 - share);
 }
+
+#endif

@@ -1,4 +1,7 @@
 // Where whitecaps are thick: water/interface/foam_gate.h, at its places and bits.
+#ifndef FOAM_GATE_GLSL
+#define FOAM_GATE_GLSL
+
 #include "wave_warp.glsl"
 
 float foamGateCorner(uvec2 cell, uint turns, uint now) {
@@ -27,3 +30,5 @@ float foamGate(vec2 place, float width) {
     float high = mix(foamGateCorner(cell + uvec2(0, 1), turns, now), foamGateCorner(cell + uvec2(1, 1), turns, now), past.x);
     return mix(mix(0.3, 1.0, smoothstep(0.5, 0.75, mix(low, high, past.y))), mean, blurred);
 }
+
+#endif

@@ -1,4 +1,8 @@
 // What a body covers of its plane: water/mesh/extent.h. The edges of an outline near a patch, (u, v) relative to the eye.
+#ifndef EXTENT_GLSL
+#define EXTENT_GLSL
+
+#include "body.glsl"
 
 layout(set = 0, binding = extentBinding, std430) readonly buffer Extent {
     vec4 outlineBox;   // lowest and highest (u, v)
@@ -33,3 +37,5 @@ float looseness(vec2 point, uvec2 range) {
     }
     return loosenessAt(sqrt(least));
 }
+
+#endif

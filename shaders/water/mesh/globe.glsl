@@ -1,4 +1,8 @@
 // A sea that falls away as on a ball under the eye's foot: water/mesh/globe.h.
+#ifndef GLOBE_GLSL
+#define GLOBE_GLSL
+
+#include "body.glsl"
 
 // Below the plane, at (u, v) from the eye's foot [m].
 float globeDrop(vec2 calm) {
@@ -15,3 +19,5 @@ mat3 levelAt(vec2 calm) {
     float both = -n.x * n.z * share;
     return mat3(1.0 - n.x * n.x * share, -n.x, both, n, both, -n.z, 1.0 - n.z * n.z * share);
 }
+
+#endif

@@ -3,16 +3,11 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
-#include "constant.glsl"
-#include "surface_tiles_constants.h"
-#include "water_bindings.h"
 #include "body.glsl"
-#include "found_tiles_block.h"
 #include "found_surface.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;
 layout(set = 0, binding = shadedBinding, rgba16f) uniform image2D shadedColor;
 
 #include "shading_block.glsl"

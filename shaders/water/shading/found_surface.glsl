@@ -1,5 +1,8 @@
 // What found_surface.frag leaves of the surface in a view: its depth, 1 at the near plane and down to 0 where nothing is, and how
 // far waves have moved to the side what shows there, as shares of the farthest that any do. Of the view, which images may be larger than.
+#ifndef FOUND_SURFACE_GLSL
+#define FOUND_SURFACE_GLSL
+
 #include "body.glsl"
 
 float farthestAside() {
@@ -25,3 +28,5 @@ bool liesBefore(float scene, float found) {
     const float doubt = 1e-3;
     return depthBefore(scene, hostDepth(found)) > doubt * found;
 }
+
+#endif

@@ -5,6 +5,7 @@
 #ifndef FOUND_TILES_GLSL
 #define FOUND_TILES_GLSL
 
+#include "found_tiles_block.h"
 #include "body.glsl"
 #include "shading_block.glsl"
 

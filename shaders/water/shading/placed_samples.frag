@@ -8,7 +8,6 @@
 
 layout(location = 0) in vec2 meshCalm;
 layout(location = 1) in vec3 meshPosition;
-layout(location = 2) flat in uvec2 edgeRange;
 layout(location = 0) out vec4 outColor;
 
 layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;

@@ -2,10 +2,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
-#include "constant.glsl"
-#include "view_pass_constants.h"
-#include "water_bindings.h"
 #include "body.glsl"
+#include "view_pass_constants.h"
 #include "encoding.glsl"
 #include "found_surface.glsl"
 

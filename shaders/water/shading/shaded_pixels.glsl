@@ -1,5 +1,10 @@
-// Which pixel of a block is shaded. `foundDepth` is a sampler of the includer's.
+// Which pixel of a block is shaded.
+#ifndef SHADED_PIXELS_GLSL
+#define SHADED_PIXELS_GLSL
+
 #include "shading_block.glsl"
+
+layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;
 
 // 0 where nothing shows, and beyond the region.
 float foundDepthAt(ivec2 at) {
@@ -20,3 +25,5 @@ ivec2 shadedPixel(ivec2 block) {
         if (showsSurface(first + ivec2(i, 0))) return first + ivec2(i, 0);
     return usual;
 }
+
+#endif

@@ -3,22 +3,17 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "surface.glsl"
-#include "found_tiles_block.h"
 #include "tile_quad.glsl"
 
-layout(set = 0, binding = shadedBinding, rgba16f) uniform image2D shadedColor;
-layout(set = 0, binding = mirroredBinding, rgba16f) uniform image2D mirroredLight;
 layout(set = 0, binding = shadedBinding, rgba32f) uniform writeonly image2D shadedOutput;   // in its place, of all but light
 
 #include "surface_shading.glsl"
 #include "surface_outputs.glsl"
 #include "found_surface.glsl"
 #include "found_tiles.glsl"
-
-layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;
-layout(set = 0, binding = foundAsideBinding) uniform usampler2D foundAside;
-
 #include "shaded_pixels.glsl"
+
+layout(set = 0, binding = foundAsideBinding) uniform usampler2D foundAside;
 
 // Of tiles that need as much as this kernel has.
 const uint listShaded = (hasReflection ? foundMirrors : 0u) | (hasRefraction ? foundSeesBed : 0u);

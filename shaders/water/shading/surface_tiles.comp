@@ -2,11 +2,7 @@
 // to know what the one before found of all of the view. An invocation is a tile.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "constant.glsl"
-#include "surface_tiles_constants.h"
-#include "water_bindings.h"
 #include "body.glsl"
-#include "found_tiles_block.h"
 #include "found_surface.glsl"
 #include "shading_block.glsl"
 #include "found_tiles.glsl"
@@ -17,7 +13,6 @@ layout(local_size_x = 64) in;
 
 layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;
 layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
-layout(set = 0, binding = reflectionColorBinding) uniform sampler2D reflectionColor;
 layout(set = 0, binding = reflectionInfoBinding) uniform sampler2D reflectionInfo;
 
 #include "tile_needs.glsl"

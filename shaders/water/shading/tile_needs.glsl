@@ -1,6 +1,13 @@
 // What the shading of a tile may do without: a reflection whose rays from there meet nothing, and a bed where the rays that the
 // surface bends meet none. Both are told by a box around all that there is in the picture, and by how far slopes turn rays.
+#ifndef TILE_NEEDS_GLSL
+#define TILE_NEEDS_GLSL
+
 #include "found_tiles.glsl"
+#include "surface_tiles_constants.h"
+#include "turns.glsl"
+
+layout(set = 0, binding = reflectionColorBinding) uniform sampler2D reflectionColor;
 
 // Slopes are taken to lean by no more: four deviations of all that there are.
 float steepest() {
@@ -70,3 +77,5 @@ bool maySeeBed(ivec2 first) {
         if (beyond[i] && -sides[i].y >= steepest() * length(sides[i].xz)) return false;
     return true;
 }
+
+#endif

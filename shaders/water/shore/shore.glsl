@@ -3,6 +3,9 @@
 #ifndef SHORE_GLSL
 #define SHORE_GLSL
 
+#include "wave_warp.glsl"
+#include "body.glsl"
+
 layout(set = 0, binding = shoreMapBinding) uniform sampler2DArray shoreMap;
 layout(set = 0, binding = shoreSignalBinding, std430) readonly buffer ShoreSignal {
     vec4 shoreRows[];   // height, sideways, swash, wet

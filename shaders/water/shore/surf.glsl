@@ -2,6 +2,10 @@
 // z = height + i sideways turns with the phase, as z / (1 - c), c in proportion to z. How much is Stokes' second order; where
 // along the wave is the biphase of field data (Ruessink et al. 2012). Their variance stays what it is without. The front of a wave
 // that is about to break rises to a wall.
+#ifndef SURF_GLSL
+#define SURF_GLSL
+
+#include "body.glsl"
 
 const float steepest = 0.4;   // |c| of low waves,
 const float steepestWall = 0.85, steepestBore = 0.6;   // and of high ones before they break, and after
@@ -89,3 +93,5 @@ float surfFoam(Breakers b, float bend) {
     float mean = rolling * rollsFor + b.broken * leaves / fades * (1.0 - exp((rollsFor - 1.0) * fades));
     return mix(mean, age < 0.0 ? rolling : left, b.shown);
 }
+
+#endif

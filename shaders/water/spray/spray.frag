@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
 #include "constant.glsl"
-#include "spray_constants.h"
+#include "body_constants.h"
 #include "encoding.glsl"
 #include "value_noise.glsl"
 

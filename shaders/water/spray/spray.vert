@@ -4,19 +4,17 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
-#include "constant.glsl"
-#include "spray_constants.h"
-#include "water_bindings.h"
 #include "one_view.glsl"
 #include "body.glsl"
 #include "spray_block.h"
 #include "foam_fading.h"
+#include "optics.glsl"
+#include "in_world.glsl"
+#include "wave_maps.glsl"
 
 layout(set = 0, binding = sprayBinding, std140) uniform Spray {
     SprayBlock spray;
 };
-layout(set = 0, binding = skyCubeBinding) uniform samplerCube skyCube;
-layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDisplacement;
 layout(set = 0, binding = foamHistoryBinding) uniform sampler2DArray foamHistory;
 
 layout(location = 0) out vec2 within;            // of an ellipse, which is the unit circle in it
@@ -24,12 +22,7 @@ layout(location = 1) flat out vec4 light;        // radiance, optical depth in t
 layout(location = 2) flat out vec4 texture_;     // half axes [m], finest wave of it that shows [m], how ragged
 layout(location = 3) flat out uint seed;
 
-const float pi = 3.14159265358979;
 const float densest = 0.03;   // a cloud's optical depth
-
-vec3 inWorld(vec3 direction) {
-    return tilted ? mat3(water.worldFromBody) * direction : direction;
-}
 
 #include "wave_warp.glsl"
 #include "shore.glsl"
@@ -40,7 +33,7 @@ vec3 inWorld(vec3 direction) {
 #include "near_plane.glsl"
 #include "sky_seen.glsl"
 #include "surface_fog.glsl"
-#include "spray_hash.glsl"
+#include "hash.glsl"
 #include "spray_flight.glsl"
 
 // What the cell of a particle says.
@@ -50,12 +43,6 @@ struct Particle {
     float cell;
     float shown;  // of its level, by distance
 };
-
-// The next of a row of even shares, 0..1.
-float share(inout uint bits) {
-    bits = scrambled(bits + 0x9e3779b9u);
-    return shareOf(bits);
-}
 
 // Each level fades where the next takes over; parallel lines see all as from one distance.
 float shownOf(vec4 place, vec2 calm, int level) {
@@ -75,7 +62,7 @@ Particle particleAt(uint index) {
     uvec2 cell = uvec2(cells.xy) + at;
     Particle p;
     p.seed = scrambled(scrambled(cell.x + 0x632be5abu * uint(level)) ^ (cell.y * 0x9e3779b9u + 0x85ebca6bu));
-    float u = share(p.seed), v = share(p.seed);
+    float u = nextShare(p.seed), v = nextShare(p.seed);
     p.calm = place.xy + (vec2(at) + vec2(u, v)) * place.z;
     p.cell = place.z;
     p.shown = shownOf(place, p.calm, level);
@@ -126,7 +113,7 @@ vec3 scattered(vec3 position) {
 }
 
 void hide() {
-    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+    gl_Position = outOfSight;
     within = vec2(0.0);
     light = texture_ = vec4(0.0);
     seed = 0u;
@@ -138,9 +125,9 @@ void main() {
     Particle p = particleAt(uint(gl_VertexIndex) / 3u);
     if (p.shown <= 0.0) return;
     uint draws = p.seed;
-    Breaking broke = breakingAt(p.calm, share(draws));
+    Breaking broke = breakingAt(p.calm, nextShare(draws));
     if (broke.share <= 0.0) return;
-    Flight flight = flightOf(draws, broke.ago, spray.wind.xy, spray.wind.w);
+    Flight flight = flightOf(draws, broke.ago, spray.wind.xy, spray.wind.w, spray.wind.z);
 
     vec2 crest = p.calm + spray.wind.w * broke.ago * normalize(spray.wind.xy);
     vec3 position = onCalmPlane(p.calm) + surfaceDisplacement(waveDisplacement, crest, 0.5) + flight.moved;

@@ -2,8 +2,11 @@
 // themselves distributed so. Here each cell of a lattice has a mean of its own, as a patch of facets on a wave that is too small to be
 // seen. So the mean over many pixels stays the smooth lobe's. Glints on two scales: Zirr and Kaplanyan 2016; on cells that are as long
 // and as wide as a pixel sees the surface: Deliot and Belcour 2023. The lattice stays on the calm water, whose waves carry it along.
+#ifndef GLITTER_GLSL
+#define GLITTER_GLSL
+
 #include "surface_point.glsl"
-#include "spray_hash.glsl"
+#include "hash.glsl"
 
 // Cells along the longer side of the pixel and across, from 1 to 2 of its lengths.
 struct FacetLattice {
@@ -93,3 +96,5 @@ SurfacePoint patchOf(SurfacePoint s) {
     s.bounded *= 1.0 - share;
     return s;
 }
+
+#endif

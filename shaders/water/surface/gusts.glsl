@@ -1,6 +1,6 @@
 // Gusts on the water: cat's paws, patches of ripples that run with the wind (Dorman and Mollo-Christensen 1973). They roughen what
 // a pixel shows of slopes, and move nothing. A gust is a place of smooth noise that the wind carries along: water/surface/gusts_part.cpp
-// says where. `hasGusts` is a constant of the includer's.
+// says where.
 #ifndef GUSTS_GLSL
 #define GUSTS_GLSL
 

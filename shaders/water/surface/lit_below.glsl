@@ -1,4 +1,7 @@
 // Light on what lies in the water.
+#ifndef LIT_BELOW_GLSL
+#define LIT_BELOW_GLSL
+
 #include "water_light.glsl"
 #include "encoding.glsl"
 
@@ -29,3 +32,5 @@ vec3 litBelow(vec3 toSun, vec3 inAir, float depth, float gathered) {
     vec3 lit = inAir * arriving / max(light, 1e-9) * (1.0 + again / (1.0 - again) / gathered);
     return mix(lit, inAir, lessThan(light, vec3(1e-6)));   // in no light it shines itself
 }
+
+#endif

@@ -7,7 +7,6 @@
 
 layout(location = 0) in vec2 calmPosition;
 layout(location = 1) in vec3 position;
-layout(location = 2) flat in uvec2 edgeRange;
 layout(location = 3) in vec4 lastPixel;
 layout(location = 0) out vec4 outColor;
 

@@ -3,6 +3,10 @@
 // A point at distance t along the ray is mirrored about the plane and projected: the reflection image holds there what
 // the flat mirror shows of it. t comes from the image itself, so the shift vanishes where things touch the water and
 // grows with their distance; a constant offset would tear shorelines.
+#ifndef REFLECTION_LOOKUP_GLSL
+#define REFLECTION_LOOKUP_GLSL
+
+#include "surface_point.glsl"
 #include "surface.glsl"
 #include "reflection_info.glsl"
 #include "reflection_source.glsl"
@@ -30,7 +34,7 @@ float inReflectionTexels(float pixels) {
 
 // At a pixel of the region.
 vec4 reflectionAt(vec2 pixel, float mip) {
-    return reflectionTexel(pixel / water.reflectionScale, mip, water.reflectionScale);
+    return reflectionTexel(reflectionColor, reflectionInfo, pixel / water.reflectionScale, mip, water.reflectionScale);
 }
 
 float infoAt(vec2 pixel) {
@@ -216,7 +220,7 @@ float heldInside(inout vec2 pixel, bool intoWater) {
 vec4 reflectionAlong(const SurfacePoint s, vec3 direction, float spread, inout float hit) {
     if (sharpDownscale > 0) {
         vec2 here = s.pixel / float(sharpDownscale);
-        vec4 texel = sharpDownscale > 1 ? knownBetween(here) : texelFetch(reflectionColor, ivec2(here), 0);
+        vec4 texel = sharpDownscale > 1 ? knownBetween(reflectionColor, reflectionInfo, here) : texelFetch(reflectionColor, ivec2(here), 0);
         return texel * shareOfScene(hit, water.reflectionBlur.xyz);
     }
     BentPoint point = bentPoint(s.pixel, s.position, direction, hit, 1);
@@ -255,3 +259,5 @@ vec3 classColor(const SurfacePoint s, vec3 direction) {
     if (infoIsHit(info)) return vec3(0.0, 1.0, 0.0);
     return infoIsSky(info) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
 }
+
+#endif

@@ -2,6 +2,13 @@
 #ifndef REFRACTION_GLSL
 #define REFRACTION_GLSL
 
+#include "surface_fog.glsl"
+#include "near_plane.glsl"
+#include "surface_point.glsl"
+#include "scene_behind.glsl"
+#include "surface_fresnel.glsl"
+#include "lit_below.glsl"
+#include "water_light.glsl"
 #include "texel_at.glsl"
 #include "turns.glsl"
 

@@ -1,4 +1,8 @@
 // What the host's opaque scene shows behind the surface.
+#ifndef SCENE_BEHIND_GLSL
+#define SCENE_BEHIND_GLSL
+
+#include "surface.glsl"
 #include "texel_at.glsl"
 #include "encoding.glsl"
 
@@ -47,3 +51,5 @@ float untilBorder(vec4 a, vec4 b, vec2 size) {
     vec4 t = mix(vec4(1e6), gap / loss, greaterThan(loss, gap * 1e-6));
     return max(min(min(t.x, t.y), min(t.z, t.w)), 0.0);
 }
+
+#endif

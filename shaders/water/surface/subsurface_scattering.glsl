@@ -2,6 +2,14 @@
 // 1973: what goes straight on is not lost) along the line of sight as far as the wave stands above the sea's mean level. Below a level surface light comes down steeper than 41
 // degrees and is seen from as steep, so that it turns by 83 at least: what turns by less is of crests alone, and what turns
 // by more is waterGlow()'s.
+#ifndef SUBSURFACE_SCATTERING_GLSL
+#define SUBSURFACE_SCATTERING_GLSL
+
+#include "refraction.glsl"
+#include "visible_slopes.glsl"
+#include "foam_cover.glsl"
+#include "surface_mirror.glsl"
+#include "waves_ahead.glsl"
 #include "surface_point.glsl"
 #include "wave_displacement.glsl"
 #include "water_light.glsl"
@@ -158,3 +166,5 @@ vec3 throughScattering(vec3 behind, const SurfacePoint s, vec3 toEye, float path
     }
     return behind;
 }
+
+#endif

@@ -1,6 +1,16 @@
 // Covariance of the slopes whose facets mirror or refract the sun's disc to an eye: `halfway` is normal to the facet of its
 // middle, and `gap` long before it was made unit, so that what moves the sun by an angle tilts the facet by that over the gap,
 // and less in the plane of incidence by the sun's cosine.
+#ifndef SUN_GLINT_GLSL
+#define SUN_GLINT_GLSL
+
+#include "surface_point.glsl"
+#include "optics.glsl"
+#include "waves_ahead.glsl"
+#include "visible_slopes.glsl"
+#include "surface_fresnel.glsl"
+#include "glitter.glsl"
+
 vec3 discOfSlopes(vec3 toSun, vec3 halfway, float gap) {
     const float discVariance = 5.4e-6;   // of 0.00465 rad, along an axis
     float cosSun = dot(toSun, halfway);
@@ -60,3 +70,5 @@ float glintOfStillWater(const SurfacePoint s, vec3 toEye) {
 float sunGlint(const SurfacePoint s, vec3 toEye, bool sparkles) {
     return hasWaves ? glintOfWaves(s, toEye, sparkles) : glintOfStillWater(s, toEye);
 }
+
+#endif

@@ -1,4 +1,7 @@
 // How much of the sun the host's shadow map lets through to a point.
+#ifndef SUN_SHADOW_GLSL
+#define SUN_SHADOW_GLSL
+
 #include "body.glsl"
 
 layout(set = 0, binding = sunShadowMapBinding) uniform sampler2DArray sunShadowMap;
@@ -28,3 +31,5 @@ float sunSeenAt(vec3 point) {
     } while (!inside && ++i < int(water.shadow.x));
     return inside ? shareLit(at, water.shadowLayers[i], size) : 1.0;
 }
+
+#endif

@@ -2,10 +2,9 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
-#include "constant.glsl"
-#include "surface_constants.h"
-#include "water_bindings.h"
 #include "body.glsl"
+#include "surface_constants.h"
+#include "wave_maps.glsl"
 #include "wave_warp.glsl"
 
 const bool isOutlined = shape == 1u;   // pixels within an outline are kept
@@ -55,10 +54,6 @@ layout(set = 0, binding = meshBinding, std430) readonly buffer HostVertices {
     HostVertex hostVertices[];
 };
 
-layout(set = 0, binding = skyCubeBinding) uniform samplerCube skyCube;
-layout(set = 0, binding = waveDisplacementBinding) uniform sampler2DArray waveDisplacement;
-layout(set = 0, binding = waveDerivativesBinding) uniform sampler2DArray waveDerivatives;
-layout(set = 0, binding = waveMomentsBinding) uniform sampler2DArray waveMoments;
 layout(set = 0, binding = lastDisplacementBinding) uniform sampler2DArray lastDisplacement;
 layout(set = 0, binding = foamPatternBinding) uniform sampler2D foamPattern;
 layout(set = 0, binding = foamHistoryBinding) uniform sampler2DArray foamHistory;

@@ -1,5 +1,11 @@
 // The surface from within the water: through it the sky and what stands above, in Snell's window; around that, by total
 // internal reflection, the water below.
+#ifndef SURFACE_BELOW_GLSL
+#define SURFACE_BELOW_GLSL
+
+#include "waterline.glsl"
+#include "sun_glint.glsl"
+#include "water_light.glsl"
 #include "surface_mirror.glsl"
 #include "refraction.glsl"
 #include "underwater_light.glsl"
@@ -279,3 +285,5 @@ vec3 shadedBelow(const SurfacePoint s, float foamShare, inout uint turn) {
     vec3 start = onNearPlane(s.pixel);
     return throughWater(sunDirection(s), radiance, depthOfSight(start), view.y, max(distanceTo(s.position) - distanceTo(start), 0.0));
 }
+
+#endif

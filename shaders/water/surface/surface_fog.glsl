@@ -1,4 +1,8 @@
 // The host's fog in the air before the water, and over the sky that it mirrors.
+#ifndef SURFACE_FOG_GLSL
+#define SURFACE_FOG_GLSL
+
+#include "in_world.glsl"
 #include "body.glsl"
 #include "near_plane.glsl"
 #include "sky_seen.glsl"
@@ -58,3 +62,5 @@ vec3 sceneThroughAir(vec3 light, vec3 share, vec4 air) {
 vec3 fogLight(vec4 air) {
     return hasFog ? (1.0 - air.a) * air.rgb : vec3(0.0);
 }
+
+#endif

@@ -1,5 +1,10 @@
 // The share of light that the surface mirrors, by the formula that ShadingDesc::fresnel names; the rest goes through it. What
 // enters the water for all that lies in it is the exact formula's: water_light.glsl and subsurface_scattering.glsl.
+#ifndef SURFACE_FRESNEL_GLSL
+#define SURFACE_FRESNEL_GLSL
+
+#include "surface.glsl"
+#include "optics.glsl"
 
 float mirroredShare(float cosIncidence) {
     return bySchlick ? fresnelSchlick(cosIncidence) : fresnelWater(cosIncidence);
@@ -11,3 +16,5 @@ float mirroredShareBelow(float cosIncidence) {
     float sine2 = waterIndex * waterIndex * (1.0 - c * c);   // of the ray in air
     return sine2 >= 1.0 ? 1.0 : mirroredShare(sqrt(1.0 - sine2));
 }
+
+#endif

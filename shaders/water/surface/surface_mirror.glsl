@@ -1,9 +1,14 @@
 // What the surface mirrors: an integral over the slopes that the eye can see, along the line of sight, each with its own
-// Fresnel term and weighted by its visible area. Without it the mean normal makes the far sea a mirror of the horizon. Needs
-// tile_quad.glsl.
+// Fresnel term and weighted by its visible area. Without it the mean normal makes the far sea a mirror of the horizon.
 #ifndef SURFACE_MIRROR_GLSL
 #define SURFACE_MIRROR_GLSL
 
+#include "in_world.glsl"
+#include "sky_seen.glsl"
+#include "surface_fog.glsl"
+#include "visible_slopes.glsl"
+#include "surface_fresnel.glsl"
+#include "waves_ahead.glsl"
 #include "reflection_lookup.glsl"
 
 // `spread` is the standard deviation of the mirrored direction [rad]. A texel of a cube's mip, read linearly, spreads by

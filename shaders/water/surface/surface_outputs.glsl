@@ -1,5 +1,8 @@
-// What the surface's pixels show: light to the eye, from whichever side it is seen, or what `surfaceOutput` asks for. Needs
-// surface_shading.glsl.
+// What the surface's pixels show: light to the eye, from whichever side it is seen, or what `surfaceOutput` asks for.
+#ifndef SURFACE_OUTPUTS_GLSL
+#define SURFACE_OUTPUTS_GLSL
+
+#include "surface_shading.glsl"
 #include "underwater_light.glsl"
 #include "waterline.glsl"
 #include "surface_below.glsl"
@@ -91,3 +94,5 @@ vec4 stepAlone(SurfacePoint s, inout uint turn) {
     if (shadingStep == stepMirror) return min(mirroredAndEntering(s, toEye, turn), vec4(65504.0));
     return heldThrough(throughSurface(s, normalOf(s.slope), toEye, turn));
 }
+
+#endif

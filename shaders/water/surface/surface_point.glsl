@@ -3,6 +3,11 @@
 #ifndef SURFACE_POINT_GLSL
 #define SURFACE_POINT_GLSL
 
+#include "surface.glsl"
+#include "footprint.glsl"
+#include "optics.glsl"
+#include "slopes.glsl"
+#include "tile_quad.glsl"
 #include "gusts.glsl"
 
 // What shading knows of a shore's bed, and of the trains that it guides: less than ShoreWave, since all of it is kept meanwhile.

@@ -1,4 +1,7 @@
 // Shades a point of the water's surface that is seen from above: what it mirrors, what shines through, the sun's glint and foam.
+#ifndef SURFACE_SHADING_GLSL
+#define SURFACE_SHADING_GLSL
+
 #include "tile_quad.glsl"
 #include "encoding.glsl"
 #include "optics.glsl"
@@ -21,7 +24,7 @@
 #include "parallax.glsl"
 #include "waves_ahead.glsl"
 #include "surface_mirror.glsl"
-#include "spray_hash.glsl"
+#include "hash.glsl"
 #include "glitter.glsl"
 #include "sun_glint.glsl"
 #include "water_light.glsl"
@@ -29,6 +32,9 @@
 #include "refraction.glsl"
 #include "subsurface_scattering.glsl"
 #include "foam_cover.glsl"
+
+layout(set = 0, binding = shadedBinding, rgba16f) uniform image2D shadedColor;
+layout(set = 0, binding = mirroredBinding, rgba16f) uniform image2D mirroredLight;
 
 // Still water shows the sun only where it mirrors the disc. CPU devices look shadows up for all: for the rest at one place, which
 // their caches hold.
@@ -144,3 +150,5 @@ vec3 toEyeFrom(const SurfacePoint s) {
 Foam foamOn(const SurfacePoint s) {
     return hasFoam ? foamOver(s) : Foam(0.0, 0.0, vec2(0.0), 0.0, 0.0);
 }
+
+#endif

@@ -1,4 +1,7 @@
 // The slopes within a pixel that a line of sight can see, as a few points.
+#ifndef VISIBLE_SLOPES_GLSL
+#define VISIBLE_SLOPES_GLSL
+
 #include "surface_point.glsl"
 #include "slopes.glsl"
 
@@ -68,3 +71,5 @@ float weightOf(VisibleSlopes v, float offset) {
     // A trace is kept of facets seen from behind, so that the sum is never empty.
     return exp(-0.5 * relative * relative) * max(v.edgeOn - offset, 1e-4);
 }
+
+#endif

@@ -1,5 +1,11 @@
 // The waves ahead of a point of the surface, which hide low sky, low sun and low things from it. Those that can be told apart
 // are looked for; of the rest, and of all without `waveShadowSteps`, Smith's masking says how many rays get by.
+#ifndef WAVES_AHEAD_GLSL
+#define WAVES_AHEAD_GLSL
+
+#include "surface_point.glsl"
+#include "slopes.glsl"
+#include "wave_displacement.glsl"
 
 struct WavesAhead {
     float horizon;   // tangent of the highest wave ahead
@@ -68,3 +74,5 @@ float clearShare(float rise, float slope, WavesAhead ahead) {
     float deviation = sqrt(1.0 - ahead.alike * ahead.alike) * max(ahead.unseen, 1e-5);
     return pastHorizon(tangent, ahead.horizon) / hiddenPer(max(tangent - around, 0.0) / deviation);
 }
+
+#endif

@@ -2,11 +2,17 @@
 // in steps of 16, then one of 2, 4 or 8 if there is need. A team of samples / 16 invocations holds a line, 16 points
 // each. A workgroup has GROUPS groups of as many teams as fit into 64 invocations, of one team if it is larger.
 // Arrays are indexed by literals alone, so that they stay in registers.
+#ifndef FFT_GLSL
+#define FFT_GLSL
+
 #extension GL_GOOGLE_include_directive : require
 #include "phase.glsl"
-
 #include "constant.glsl"
 #include "waves_constants.h"
+
+#ifndef GROUPS
+#define GROUPS 1u
+#endif
 
 const uint team = samples / 16u;
 const uint group = invocations / GROUPS;
@@ -213,3 +219,5 @@ void finishLine(inout vec2 x[16], uint line, uint place) {
         finishByTwos(x, turned);
     }
 }
+
+#endif

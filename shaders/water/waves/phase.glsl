@@ -1,4 +1,6 @@
 // Phases of waves as water/sea/phase.h forms them: 2^32 to a turn, wrapped, so that they are exact at any time.
+#ifndef PHASE_GLSL
+#define PHASE_GLSL
 
 // (cosine, sine), within 1.3e-7. GPUs promise 2^-11 for their own.
 vec2 cosineSine(uint phase) {
@@ -14,3 +16,5 @@ vec2 cosineSine(uint phase) {
     float cosineSign = ((quarter + 0x40000000u) & 0x80000000u) != 0u ? -1.0 : 1.0;
     return vec2(cosineSign * (odd ? sine : cosine), sineSign * (odd ? cosine : sine));
 }
+
+#endif

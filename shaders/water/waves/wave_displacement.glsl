@@ -1,9 +1,9 @@
-// How far the waves move a point of the calm plane, as a mean over `width` metres. `cascades` is the
-// includer's.
+// How far the waves move a point of the calm plane, as a mean over `width` metres.
 #ifndef WAVE_DISPLACEMENT_GLSL
 #define WAVE_DISPLACEMENT_GLSL
 
 #include "body.glsl"
+#include "wave_maps.glsl"
 #include "wave_warp.glsl"
 #include "shore.glsl"
 
@@ -11,12 +11,12 @@
 vec3 waveDisplacementAt(sampler2DArray displacements, vec2 calm, float width, vec4 kept) {
     vec3 sum = vec3(0.0);
     vec2 place = warped(calm);
-    int i = 0;
+    int i = 0, count = waveCascades();
     [[dont_unroll]] do {
         float mip = log2(max(width * texelsInAMetre(i), 1.0));
         if (showsWaves(mip))
             sum += kept[i] * textureLod(displacements, inTile(place, i), mip).xyz;
-    } while (++i < cascades);
+    } while (++i < count);
     return sum;
 }
 

@@ -1,5 +1,4 @@
-// How the waves' tiles are drawn out of shape: where maps are looked up for a place (water/interface/warp.h). `isWarped` is a
-// constant of the includer's.
+// How the waves' tiles are drawn out of shape: where maps are looked up for a place (water/interface/warp.h).
 #ifndef WAVE_WARP_GLSL
 #define WAVE_WARP_GLSL
 

@@ -3,9 +3,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-#define GROUPS 1u
 layout(local_size_x_id = 2) in;   // invocations
-#include "fft.glsl"
 #include "wave_fields.glsl"
 
 // By column and kv, 0 up to and then -samples / 4 up to -1: sum and difference of h0(k) and conj(h0(-k)).

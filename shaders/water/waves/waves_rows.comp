@@ -3,13 +3,10 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-#ifdef COPIED
-#define GROUPS 1u
-#else
+#ifndef COPIED
 #define GROUPS 2u
 #endif
 layout(local_size_x_id = 2) in;   // invocations
-#include "fft.glsl"
 #include "wave_fields.glsl"
 
 layout(set = 0, binding = columnsBinding, std430) readonly buffer Columns {

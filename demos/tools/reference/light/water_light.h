@@ -1,4 +1,4 @@
-// shaders/water/surface/water_light.glsl and underwater_light.glsl on the CPU: what water absorbs and sends
+// shaders/water/body/water_light.glsl and underwater_light.glsl on the CPU: what water absorbs and sends
 // back.
 #pragma once
 

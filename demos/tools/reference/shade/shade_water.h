@@ -7,7 +7,7 @@
 // such a facet; the glint then comes from a point of the sun's disc and the density of the facets that mirror
 // it, which is what a great many random tilts would find.
 //
-// Light scattered by the water follows shaders/water/surface/water_light.glsl; what lies below is lit by
+// Light scattered by the water follows shaders/water/body/water_light.glsl; what lies below is lit by
 // shade_bed.h. Light through crests, by subsurface_scattering.h, is left out of one sample a pixel.
 #pragma once
 

@@ -1,7 +1,10 @@
-// Light in the water. `onGlobe` is a constant of the includer's. The irradiance reflectance of deep water is 0.33 bb/a (Morel and
+// Light in the water. The irradiance reflectance of deep water is 0.33 bb/a (Morel and
 // Prieur 1977).
 #ifndef WATER_LIGHT_GLSL
 #define WATER_LIGHT_GLSL
+
+#include "body.glsl"
+#include "optics.glsl"
 
 vec3 backscatter() {
     return water.backscatter.rgb;

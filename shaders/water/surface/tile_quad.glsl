@@ -1,9 +1,10 @@
 // The quad of 2 x 2 pixels that share what they find: of an 8 x 8 tile four invocations in a row. To be asked where all invocations
-// go. `quadsInStep` is a constant of the includer's.
+// go.
 #ifndef TILE_QUAD_GLSL
 #define TILE_QUAD_GLSL
 
 #extension GL_KHR_shader_subgroup_basic : require
+#include "surface.glsl"
 
 layout(local_size_x = 64) in;
 

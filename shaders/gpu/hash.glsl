@@ -1,6 +1,6 @@
 // Bits without order, of any.
-#ifndef SPRAY_HASH_GLSL
-#define SPRAY_HASH_GLSL
+#ifndef HASH_GLSL
+#define HASH_GLSL
 
 uint scrambled(uint bits) {
     bits = (bits ^ (bits >> 16)) * 0x7feb352du;
@@ -11,6 +11,12 @@ uint scrambled(uint bits) {
 // 0 <= x < 1, evenly.
 float shareOf(uint scrambled) {
     return float(scrambled >> 8) * 5.9604645e-8;
+}
+
+// The next of a row of such shares.
+float nextShare(inout uint bits) {
+    bits = scrambled(bits + 0x9e3779b9u);
+    return shareOf(bits);
 }
 
 #endif
